@@ -1,0 +1,44 @@
+# The two interface targets that every target of this project builds with, and one way to declare a library and a test.
+
+add_library(contact_warnings INTERFACE)
+target_compile_options(contact_warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Werror)
+if(CONTACT_SANITIZE)
+  target_compile_options(contact_warnings INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(contact_warnings INTERFACE -fsanitize=address,undefined)
+endif()
+
+# Strict floating point. Contraction would fuse a product and a sum into one rounding, and so change what the filters'
+# bounds, the generator's bytes and the plain formulas mean; x87 registers would round twice.
+add_library(contact_strict_floating_point INTERFACE)
+target_compile_options(contact_strict_floating_point INTERFACE -ffp-contract=off)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "i[3-6]86")
+  target_compile_options(contact_strict_floating_point INTERFACE -msse2 -mfpmath=sse)
+endif()
+if("${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" MATCHES "-ffast-math|-Ofast|-funsafe-math-optimizations")
+  message(FATAL_ERROR "contact-oracle promises exact decisions and correct rounding: build it without -ffast-math")
+endif()
+
+# contact_library(name SOURCES ... LINK ... PRIVATE_LINK ...): a static library with the alias contact::name.
+function(contact_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  add_library(contact_${name} STATIC ${ARG_SOURCES})
+  add_library(contact::${name} ALIAS contact_${name})
+  target_compile_features(contact_${name} PUBLIC cxx_std_20)
+  target_link_libraries(contact_${name} PUBLIC ${ARG_LINK}
+                        PRIVATE ${ARG_PRIVATE_LINK} $<BUILD_INTERFACE:contact_warnings>
+                                $<BUILD_INTERFACE:contact_strict_floating_point>)
+  set_target_properties(contact_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+endfunction()
+
+# contact_test(name LABEL label SOURCES ... LINK ...): one GoogleTest program; every test in it is a ctest of that label.
+function(contact_test name)
+  cmake_parse_arguments(ARG "" "LABEL" "SOURCES;LINK" ${ARGN})
+  if(NOT CONTACT_TESTS)
+    return()
+  endif()
+  add_executable(${name} ${ARG_SOURCES})
+  target_compile_features(${name} PRIVATE cxx_std_20)
+  target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest_main contact_warnings contact_strict_floating_point)
+  target_compile_definitions(${name} PRIVATE CONTACT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 120 PROPERTIES LABELS ${ARG_LABEL})
+endfunction()

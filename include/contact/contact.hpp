@@ -1,0 +1,30 @@
+// The answer to a question about two spheres, and the named conventions for its contact points.
+#pragma once
+
+#include "contact/geometry.hpp"
+
+namespace contact {
+
+/// One contact. `normal` is a unit vector from the first shape to the second, points are in world coordinates.
+struct Contact {
+  Vector3 normal;
+  Vector3 point1;
+  Vector3 point2;
+  double value;     ///< signed distance of the surfaces, less the contact distance
+  bool degenerate;  ///< the centres coincide: the normal is (1,0,0) by agreement, not by geometry
+};
+
+/// Where a contact point of one sphere lies, n being the unit normal from the first sphere to the second.
+enum class PointOn {
+  nearest_surface,  ///< c1 + r1 n on the first sphere, c2 - r2 n on the second
+  center,           ///< the sphere's centre
+  far_surface       ///< c1 - r1 n and c2 + r2 n, the formula as it was published
+};
+
+/// A contact-point convention for both spheres of a pair.
+struct ContactPoints {
+  PointOn first = PointOn::nearest_surface;
+  PointOn second = PointOn::nearest_surface;
+};
+
+}  // namespace contact

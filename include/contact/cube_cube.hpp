@@ -1,0 +1,18 @@
+// Cube against cube (axis-aligned boxes): the exact decision.
+#pragma once
+
+#include "contact/geometry.hpp"
+
+namespace contact {
+
+/// Whether two boxes are within `alarm` of each other on every axis.
+/// Units       one length unit throughout.
+/// Domain      finite; min <= max on every axis, alarm >= 0. Flat boxes, subnormals and the largest finite included.
+/// Decision    on every axis a.min <= b.max + alarm and b.min <= a.max + alarm, exactly: touching counts.
+/// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
+/// Source      seed.txt, testIntersection(Cube&, Cube&); docs/specification.md#cube-pairs. SOFA's computeIntersection
+///             of two cubes writes no contact and returns 0, so there is nothing to compute beyond this decision.
+/// Evidence    src/kernel/cube_cube_test.cpp; proptests/cube_cube_properties.cpp.
+[[nodiscard]] bool test_cube_cube(const Box& a, const Box& b, double alarm);
+
+}  // namespace contact

@@ -1,0 +1,36 @@
+// Sphere against sphere: the exact decision and the correctly rounded contact.
+#pragma once
+
+#include <optional>
+
+#include "contact/contact.hpp"
+#include "contact/geometry.hpp"
+
+namespace contact {
+
+/// Whether `a` and `b` are within the alarm distance of each other.
+///   delta = b.center - a.center     D = |delta|^2     reach = alarm + a.radius + b.radius
+/// Units       one length unit throughout.
+/// Domain      finite; radii and alarm >= 0. Subnormals and the largest finite numbers included.
+/// Decision    D <= reach^2, exactly: touching counts. `reach` is a real number and never overflows.
+/// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
+/// Source      seed.txt, testIntersectionSphere; docs/specification.md#sphere-pairs.
+/// Evidence    src/kernel/sphere_sphere_test.cpp; proptests/sphere_sphere_properties.cpp.
+[[nodiscard]] bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm);
+
+/// The contact of `a` with `b`, or nothing when they are farther apart than `distances.alarm`.
+///   normal = delta / sqrt(D)       value = sqrt(D) - (a.radius + b.radius) - distances.contact
+///   point1 = a.center + a.radius normal     point2 = b.center - b.radius normal     (nearest_surface)
+/// Units       one length unit throughout; the normal is a unit vector from a to b.
+/// Domain      finite; radii, alarm and contact distance >= 0. Subnormals and the largest finite numbers included.
+/// Decision    as test_sphere_sphere.
+/// Error       every number is the exact real rounded once to nearest, ties to even (0.5 ulp); beyond the largest
+///             finite number it is infinite, as IEEE 754 rounds. Every zero is +0.
+/// Degenerate  D = 0: normal (1,0,0), marked degenerate; points and value follow from it.
+/// Environment as test_sphere_sphere.
+/// Source      seed.txt, computeIntersectionSphere; docs/specification.md#sphere-pairs.
+/// Evidence    src/kernel/sphere_sphere_test.cpp; proptests/sphere_sphere_properties.cpp; every file in golden/.
+[[nodiscard]] std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances,
+                                                           ContactPoints points = {});
+
+}  // namespace contact

@@ -1,0 +1,293 @@
+// A claim held against the truth under an engine's conventions, field by field.
+#include "oracle/judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace contact::oracle {
+namespace {
+
+Decision decide(bool claimed, bool expected) {
+  if (claimed == expected) return Decision::right;
+  return expected ? Decision::missed_hit : Decision::false_hit;
+}
+
+/// Whether the pair counts as hit for a claim whose meaning of touching is `touching`.
+bool expected_hit(const Query& query, const Truth& truth, Touching touching, Margin margin) {
+  if (margin == Margin::none || query.distances.alarm == 0)
+    return touching == Touching::closed ? truth.at_zero != CGAL::POSITIVE : truth.at_zero == CGAL::NEGATIVE;
+  return margin == Margin::inclusive ? truth.at_alarm != CGAL::POSITIVE : truth.at_alarm == CGAL::NEGATIVE;
+}
+
+FieldVerdict worse(const FieldVerdict& x, const FieldVerdict& y) {
+  return {std::max(x.grade, y.grade), std::max(x.error, y.error)};
+}
+
+bool is_finite(const Vector3& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
+
+Rational squared_length(const Vector3& v) {
+  Rational sum(0);
+  for (int axis = 0; axis < 3; ++axis) sum += Rational(v[axis]) * Rational(v[axis]);
+  return sum;
+}
+
+/// The error of a claimed normal that is exactly normalised first, at `bounded` at best. Two different square roots
+/// meet here, so enclosures of both are narrowed until the bound is settled; closer than 2^-4000 is equal.
+FieldVerdict grade_direction(double component, const Rational& length2, const Exact& x, const Rational& unit,
+                             double bound) {
+  const Exact direction = CGAL::is_zero(Rational(component))
+                              ? Exact(Rational(0))
+                              : Exact(Rational(0), Rational(component) / length2, length2);
+  for (int bits = 128;; bits *= 2) {
+    const auto p = direction.enclosure(bits);
+    const auto q = x.enclosure(bits);
+    const Rational most = std::max(p.high - q.low, q.high - p.low) / unit;
+    const Rational least = std::max(Rational(0), Rational(std::max(p.low - q.high, q.low - p.high))) / unit;
+    const double error = CGAL::to_interval(most).second;
+    if (most <= Rational(bound) || bits > 4000) return {Grade::bounded, error};
+    if (least > Rational(bound)) return {Grade::beyond_bound, error};
+  }
+}
+
+/// Judges the fields of one claimed contact of two spheres.
+class ContactJudge {
+ public:
+  ContactJudge(const Query& query, const SphereTruth& truth, const ContactClaim& claim, const Declaration& declared)
+      : query_(query), truth_(truth), claim_(claim), declared_(declared), conventions_(declared.conventions) {
+    // What the claim says of n, first to second, for points where the centres coincide.
+    if (claim.normal)
+      claimed_n_ = conventions_.normal == NormalDirection::first_to_second ? *claim.normal : -*claim.normal;
+  }
+
+  [[nodiscard]] std::optional<FieldVerdict> normal() const {
+    if (!claim_.normal) return std::nullopt;
+    const Vector3& n = claimed_n_;
+    if (!is_finite(n)) return FieldVerdict{Grade::not_finite, 0};
+    if (truth_.degenerate()) return coincident_normal(n);
+    FieldVerdict verdict;
+    const Rational length2 = squared_length(n);
+    const Rational unit = ulp(Rational(1), declared_.scalar);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Exact x = truth_.normal(axis);
+      if (conventions_.normal_unit)
+        verdict = worse(verdict, grade(n[axis], x, declared_.scalar, Rational(1), declared_.bounds.normal));
+      else if (CGAL::is_zero(length2))
+        verdict = worse(verdict, {Grade::beyond_bound, error_in_units(Rational(0), x, unit)});
+      else
+        verdict = worse(verdict, grade_direction(n[axis], length2, x, unit, declared_.bounds.normal));
+    }
+    return verdict;
+  }
+
+  /// The contact point of sphere 0 or 1.
+  [[nodiscard]] std::optional<FieldVerdict> point(int sphere) const {
+    const std::optional<Vector3>& p = sphere == 0 ? claim_.point1 : claim_.point2;
+    const std::optional<PointOn> on = where(sphere);
+    if (!p || !on) return std::nullopt;
+    if (truth_.degenerate() && *on != PointOn::center && !knows_coincident_normal()) return std::nullopt;
+    FieldVerdict verdict;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Exact x = truth_.degenerate() ? coincident_point(sphere, axis, *on) : truth_.point(sphere, axis, *on);
+      verdict =
+          worse(verdict, grade((*p)[axis], x, declared_.scalar, truth_.point_scale(sphere), declared_.bounds.point));
+    }
+    return verdict;
+  }
+
+  [[nodiscard]] std::optional<FieldVerdict> midpoint() const {
+    if (!claim_.point || conventions_.points != Points::midpoint) return std::nullopt;
+    if (truth_.degenerate() && !knows_coincident_normal()) return std::nullopt;
+    FieldVerdict verdict;
+    const Rational scale = std::max(truth_.point_scale(0), truth_.point_scale(1));
+    for (int axis = 0; axis < 3; ++axis) {
+      const Exact x = truth_.degenerate() ? coincident_point(0, axis, PointOn::nearest_surface)
+                                                .plus(truth_.point_for(1, axis, PointOn::nearest_surface, claimed_n_))
+                                                .scaled(Rational(1) / Rational(2))
+                                          : truth_.midpoint(axis);
+      verdict = worse(verdict, grade((*claim_.point)[axis], x, declared_.scalar, scale, declared_.bounds.point));
+    }
+    return verdict;
+  }
+
+  [[nodiscard]] std::optional<FieldVerdict> value() const {
+    if (!claim_.value || conventions_.value == ValueKind::none) return std::nullopt;
+    Exact x = truth_.value(conventions_.value_less_contact);
+    if (conventions_.value == ValueKind::depth) x = x.scaled(Rational(-1));
+    return grade(*claim_.value, x, declared_.scalar, truth_.value_scale(), declared_.bounds.value);
+  }
+
+ private:
+  /// Where the contact point of a sphere should lie; nothing where the engine claims none.
+  [[nodiscard]] std::optional<PointOn> where(int sphere) const {
+    switch (conventions_.points) {
+      case Points::nearest_surface:
+        return PointOn::nearest_surface;
+      case Points::center: {
+        const bool rigid = sphere == 0 ? query_.first_is_rigid() : query_.second_is_rigid();
+        return rigid ? PointOn::nearest_surface : PointOn::center;
+      }
+      case Points::published:
+        return PointOn::far_surface;
+      case Points::first_only:
+        return sphere == 0 ? std::optional(PointOn::nearest_surface) : std::nullopt;
+      case Points::second_only:
+        return sphere == 1 ? std::optional(PointOn::nearest_surface) : std::nullopt;
+      case Points::midpoint:
+      case Points::none:
+        return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  /// D = 0: any finite unit normal is right, to 8 roundings of its squared length, or exactly zero where so declared.
+  [[nodiscard]] FieldVerdict coincident_normal(const Vector3& n) const {
+    const Rational length2 = squared_length(n);
+    if (conventions_.coincident == Coincident::zero_normal)
+      return CGAL::is_zero(length2) ? FieldVerdict{} : FieldVerdict{Grade::beyond_bound, error_from_unit(length2)};
+    const bool right = conventions_.normal_unit ? CGAL::abs(length2 - Rational(1)) <=
+                                                      Rational(8) * power_of_two(-format_of(declared_.scalar).precision)
+                                                : !CGAL::is_zero(length2);
+    return right ? FieldVerdict{} : FieldVerdict{Grade::beyond_bound, error_from_unit(length2)};
+  }
+  [[nodiscard]] double error_from_unit(const Rational& length2) const {
+    return error_in_units(length2, Rational(1), ulp(Rational(1), declared_.scalar));
+  }
+
+  [[nodiscard]] bool knows_coincident_normal() const { return claim_.normal && is_finite(claimed_n_); }
+  /// D = 0: the point that goes with the claimed normal.
+  [[nodiscard]] Exact coincident_point(int sphere, int axis, PointOn on) const {
+    if (on == PointOn::center) return truth_.point(sphere, axis, on);
+    const Rational length2 = squared_length(claimed_n_);
+    const Rational center = truth_.point_for(sphere, axis, on, Vector3::Zero());
+    const Rational along = truth_.point_for(sphere, axis, on, claimed_n_) - center;
+    if (conventions_.normal_unit || CGAL::is_zero(length2)) return center + along;
+    return {center, along / length2, length2};
+  }
+
+  const Query& query_;
+  const SphereTruth& truth_;
+  const ContactClaim& claim_;
+  const Declaration& declared_;
+  const Conventions& conventions_;
+  Vector3 claimed_n_ = Vector3::Zero();
+};
+
+bool is_right(const std::optional<FieldVerdict>& field) { return field && field->grade <= Grade::bounded; }
+
+}  // namespace
+
+FieldVerdict grade(double claim, const Exact& x, Scalar scalar, const Exact& scale, double bound) {
+  if (is_correctly_rounded(claim, x, scalar)) return {};
+  if (!std::isfinite(claim)) return {Grade::not_finite, 0};
+  const Rational unit = ulp(scale, scalar);
+  const double error = error_in_units(Rational(claim), x, unit);
+  if (is_faithful(claim, x, scalar)) return {Grade::faithful, error};
+  return {is_within(Rational(claim), x, Rational(bound) * unit) ? Grade::bounded : Grade::beyond_bound, error};
+}
+
+bool Verdict::not_finite() const {
+  return std::any_of(fields.begin(), fields.end(), [](const auto& f) { return f && f->grade == Grade::not_finite; });
+}
+
+Level Verdict::level() const {
+  if (status != Claim::Status::answered || missed_hit()) return Level::none;
+  if (false_hit()) return Level::conservative;
+  Level level = Level::correctly_rounded;
+  for (const auto& field : fields) {
+    if (!field) continue;
+    switch (field->grade) {
+      case Grade::correctly_rounded:
+        break;
+      case Grade::faithful:
+        level = std::max(level, Level::faithful);
+        break;
+      case Grade::bounded:
+        level = std::max(level, Level::bounded);
+        break;
+      case Grade::beyond_bound:
+      case Grade::not_finite:
+        level = std::max(level, Level::decisions);
+        break;
+    }
+  }
+  return level;
+}
+
+Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared) {
+  const Conventions& conventions = declared.conventions;
+  Verdict verdict;
+  verdict.status = claim.status;
+  verdict.text = claim.text;
+  if (claim.status != Claim::Status::answered) return verdict;
+  if (!claim.overlap && !claim.speaks_of_contact) {
+    verdict.status = Claim::Status::error;
+    verdict.text = "the answer makes no claim";
+    return verdict;
+  }
+  if (claim.overlap)
+    verdict.overlap =
+        decide(*claim.overlap, expected_hit(query, truth, conventions.touching_overlap, conventions.margin));
+  if (!claim.speaks_of_contact) return verdict;
+
+  bool expected = expected_hit(query, truth, conventions.touching_contact, conventions.margin);
+  if (truth.spheres && truth.spheres->degenerate() && conventions.coincident == Coincident::no_contact)
+    expected = false;
+  verdict.contact = decide(claim.contact.has_value(), expected);
+  if (!expected || !claim.contact || !truth.spheres) return verdict;
+
+  const ContactJudge fields(query, *truth.spheres, *claim.contact, declared);
+  verdict.fields = {fields.normal(), fields.point(0), fields.point(1), fields.midpoint(), fields.value()};
+  return verdict;
+}
+
+std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, const Claim& claim,
+                                       const Declaration& declared, const Verdict& verdict) {
+  std::vector<Explanation> found;
+  if (verdict.status != Claim::Status::answered || verdict.level() <= Level::bounded) return found;
+
+  // One alternative at a time; it explains a field that it turns from wrong to right.
+  const auto attempt = [&](std::string_view convention, std::string_view value, auto change) {
+    Declaration other = declared;
+    change(other.conventions);
+    if (other.conventions == declared.conventions) return;
+    const Verdict under = judge(query, truth, claim, other);
+    const auto note = [&](std::string_view field) {
+      found.push_back({std::string(field), std::string(convention), std::string(value)});
+    };
+    const auto decision = [&](std::string_view field, Decision as_declared, Decision otherwise) {
+      if (as_declared != Decision::right && as_declared != Decision::unclaimed && otherwise == Decision::right)
+        note(field);
+    };
+    decision("overlap", verdict.overlap, under.overlap);
+    decision("contact", verdict.contact, under.contact);
+    for (const Field field : kFields)
+      if (verdict.at(field) && !is_right(verdict.at(field)) && is_right(under.at(field))) note(name(field));
+  };
+
+  const auto every = [&](std::string_view convention, const auto& names, auto set) {
+    for (std::size_t i = 0; i < names.size(); ++i) attempt(convention, names[i], [&](Conventions& c) { set(c, i); });
+  };
+  every("normal", kNormalDirectionNames,
+        [](Conventions& c, std::size_t i) { c.normal = static_cast<NormalDirection>(i); });
+  attempt("normal_unit", "false", [](Conventions& c) { c.normal_unit = false; });
+  every("points", kPointsNames, [](Conventions& c, std::size_t i) { c.points = static_cast<Points>(i); });
+  for (const bool less : {true, false})
+    for (const ValueKind kind : {ValueKind::signed_distance, ValueKind::depth})
+      attempt(
+          "value",
+          std::string(kValueKindNames[static_cast<std::size_t>(kind)]) + (less ? " less contact" : " without contact"),
+          [&](Conventions& c) {
+            c.value = kind;
+            c.value_less_contact = less;
+          });
+  every("touching_overlap", kTouchingNames,
+        [](Conventions& c, std::size_t i) { c.touching_overlap = static_cast<Touching>(i); });
+  every("touching_contact", kTouchingNames,
+        [](Conventions& c, std::size_t i) { c.touching_contact = static_cast<Touching>(i); });
+  every("margin", kMarginNames, [](Conventions& c, std::size_t i) { c.margin = static_cast<Margin>(i); });
+  every("coincident", kCoincidentNames,
+        [](Conventions& c, std::size_t i) { c.coincident = static_cast<Coincident>(i); });
+  return found;
+}
+
+}  // namespace contact::oracle

@@ -1,0 +1,86 @@
+// A claim held against the truth under an engine's conventions, field by field. docs/specification.md#judging is the
+// law.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "oracle/claim.hpp"
+#include "oracle/conventions.hpp"
+#include "oracle/truth.hpp"
+
+namespace contact::oracle {
+
+/// Strictest first; each level includes those after it.
+enum class Level { correctly_rounded, faithful, bounded, decisions, conservative, none };
+inline constexpr std::array<std::string_view, 6> kLevelNames{"correctly-rounded", "faithful",     "bounded",
+                                                             "decisions",         "conservative", "none"};
+[[nodiscard]] constexpr std::string_view name(Level level) { return kLevelNames[static_cast<std::size_t>(level)]; }
+
+/// How right one claimed field is: the worst of its components.
+enum class Grade { correctly_rounded, faithful, bounded, beyond_bound, not_finite };
+inline constexpr std::array<std::string_view, 5> kGradeNames{"correctly-rounded", "faithful", "bounded", "beyond bound",
+                                                             "not finite"};
+[[nodiscard]] constexpr std::string_view name(Grade grade) { return kGradeNames[static_cast<std::size_t>(grade)]; }
+
+enum class Field { normal, point1, point2, point, value };
+inline constexpr std::array kFields{Field::normal, Field::point1, Field::point2, Field::point, Field::value};
+inline constexpr std::array<std::string_view, 5> kFieldNames{"normal", "point1", "point2", "point", "value"};
+[[nodiscard]] constexpr std::string_view name(Field field) { return kFieldNames[static_cast<std::size_t>(field)]; }
+
+/// One of the two yes-or-no claims: `overlap` or the existence of a contact.
+enum class Decision { unclaimed, right, missed_hit, false_hit };
+
+struct FieldVerdict {
+  Grade grade = Grade::correctly_rounded;
+  /// Upper bound of the error in ulps of the field's scale; 0 where correctly rounded (not measured there).
+  double error = 0;
+};
+
+struct Verdict {
+  Claim::Status status = Claim::Status::answered;
+  std::string text;  ///< for every status but answered: why
+  Decision overlap = Decision::unclaimed;
+  Decision contact = Decision::unclaimed;
+  std::array<std::optional<FieldVerdict>, kFields.size()> fields;
+
+  [[nodiscard]] const std::optional<FieldVerdict>& at(Field field) const {
+    return fields[static_cast<std::size_t>(field)];
+  }
+  [[nodiscard]] bool missed_hit() const { return overlap == Decision::missed_hit || contact == Decision::missed_hit; }
+  [[nodiscard]] bool false_hit() const { return overlap == Decision::false_hit || contact == Decision::false_hit; }
+  [[nodiscard]] bool not_finite() const;
+  /// The strictest level that every claim of the answer reaches.
+  [[nodiscard]] Level level() const;
+};
+
+/// What is wrong as declared but right under another convention, such as {"point1", "points", "published"}.
+struct Explanation {
+  std::string field;
+  std::string convention;
+  std::string value;
+
+  friend auto operator<=>(const Explanation&, const Explanation&) = default;
+};
+
+/// What an engine declares: everything that its answers are judged by.
+struct Declaration {
+  Scalar scalar = Scalar::binary64;
+  Conventions conventions;
+  Bounds bounds;
+};
+
+/// Domain: the question is inside the domain.
+[[nodiscard]] Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared);
+
+/// The conventions under which a wrong field of this answer would have been right.
+[[nodiscard]] std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, const Claim& claim,
+                                                     const Declaration& declared, const Verdict& verdict);
+
+/// The grade of one claimed number. `scale` is the number whose ulp measures the error.
+[[nodiscard]] FieldVerdict grade(double claim, const Exact& x, Scalar scalar, const Exact& scale, double bound);
+
+}  // namespace contact::oracle

@@ -1,0 +1,47 @@
+// The exact answer to a question, as exact numbers, and its correct rounding.
+#include "oracle/truth.hpp"
+
+namespace contact::oracle {
+
+Truth truth_of(const Query& query) {
+  if (const Balls* balls = query.balls()) {
+    SphereTruth spheres(*balls, query.distances);
+    const CGAL::Sign at_alarm = spheres.at_alarm();
+    const CGAL::Sign at_zero = spheres.at_zero();
+    return {at_alarm, at_zero, std::move(spheres), std::nullopt};
+  }
+  CubeTruth cubes(*query.boxes(), query.distances);
+  const CGAL::Sign at_alarm = cubes.at_alarm();
+  const CGAL::Sign at_zero = cubes.at_zero();
+  return {at_alarm, at_zero, std::nullopt, std::move(cubes)};
+}
+
+Expectation expectation(const Truth& truth, Scalar scalar) {
+  Expectation expected{truth.hit(), std::nullopt};
+  if (!truth.hit() || !truth.spheres) return expected;
+  const SphereTruth& spheres = *truth.spheres;
+  Contact contact{};
+  contact.degenerate = spheres.degenerate();
+  for (int axis = 0; axis < 3; ++axis) {
+    contact.normal[axis] = round_to_nearest(spheres.normal(axis), scalar);
+    contact.point1[axis] = round_to_nearest(spheres.point(0, axis, PointOn::nearest_surface), scalar);
+    contact.point2[axis] = round_to_nearest(spheres.point(1, axis, PointOn::nearest_surface), scalar);
+  }
+  contact.value = round_to_nearest(spheres.value(true), scalar);
+  expected.contact = contact;
+  return expected;
+}
+
+Witness witness(const Truth& truth, Scalar scalar) {
+  Witness w;
+  if (truth.spheres) {
+    w.distance2 = dyadic_string(truth.spheres->distance2());
+    w.reach = dyadic_string(truth.spheres->reach());
+    w.margin_ulps = round_to_nearest(truth.spheres->margin(scalar), Scalar::binary64);
+  } else {
+    for (std::size_t axis = 0; axis < 3; ++axis) w.gap[axis] = dyadic_string(truth.cubes->gap[axis]);
+  }
+  return w;
+}
+
+}  // namespace contact::oracle

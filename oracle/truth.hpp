@@ -1,0 +1,90 @@
+// The exact answer to a question, as exact numbers, and its correct rounding.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "oracle/exact.hpp"
+#include "oracle/expectation.hpp"
+#include "oracle/query.hpp"
+
+namespace contact::oracle {
+
+/// What is exactly true of two spheres.
+///   delta = c2 - c1      D = delta.delta      reach = alarm + r1 + r2      n = delta / sqrt(D)
+class SphereTruth {
+ public:
+  explicit SphereTruth(const Balls& balls, Distances distances);
+
+  [[nodiscard]] bool degenerate() const { return CGAL::is_zero(distance2_); }
+  [[nodiscard]] const Rational& distance2() const { return distance2_; }
+  [[nodiscard]] const Rational& reach() const { return reach_; }
+  /// The sign of sqrt(D) - reach, and of sqrt(D) - (r1 + r2).
+  [[nodiscard]] CGAL::Sign at_alarm() const;
+  [[nodiscard]] CGAL::Sign at_zero() const;
+
+  /// One component of n; (1,0,0) where the centres coincide.
+  [[nodiscard]] Exact normal(int axis) const;
+  /// One coordinate of sphere 0's or 1's contact point for the normal n.
+  [[nodiscard]] Exact point(int sphere, int axis, PointOn on) const;
+  /// The same for a claimed normal instead of n: what a point must be where the centres coincide.
+  [[nodiscard]] Rational point_for(int sphere, int axis, PointOn on, const Vector3& normal) const;
+  /// One coordinate of the middle of the two nearest surface points.
+  [[nodiscard]] Exact midpoint(int axis) const;
+  /// sqrt(D) - (r1 + r2), less the contact distance or not.
+  [[nodiscard]] Exact value(bool less_contact) const;
+  /// (sqrt(D) - reach) / ulp(reach).
+  [[nodiscard]] Exact margin(Scalar scalar) const;
+  /// The scale by which `bounded` measures: value max(sqrt D, r1 + r2, contact), point max(|c_i| coordinates, r_i).
+  [[nodiscard]] Exact value_scale() const;
+  [[nodiscard]] Rational point_scale(int sphere) const;
+
+ private:
+  std::array<std::array<Rational, 3>, 2> center_;
+  std::array<Rational, 2> radius_;
+  Rational contact_;
+  std::array<Rational, 3> delta_;
+  Rational distance2_;
+  Rational radii_;
+  Rational reach_;
+};
+
+/// What is exactly true of two boxes: on each axis the gap max(min1 - max2, min2 - max1), negative where they overlap.
+struct CubeTruth {
+  explicit CubeTruth(const Boxes& boxes, Distances distances);
+
+  /// The sign of the largest gap less the alarm distance, and of the largest gap.
+  [[nodiscard]] CGAL::Sign at_alarm() const;
+  [[nodiscard]] CGAL::Sign at_zero() const;
+
+  std::array<Rational, 3> gap;
+  Rational alarm;
+};
+
+struct Truth {
+  CGAL::Sign at_alarm;  ///< NEGATIVE within the alarm distance, ZERO exactly at it, POSITIVE beyond it
+  CGAL::Sign at_zero;   ///< the same for an alarm distance of 0
+  std::optional<SphereTruth> spheres;
+  std::optional<CubeTruth> cubes;
+
+  [[nodiscard]] bool hit() const { return at_alarm != CGAL::POSITIVE; }
+};
+
+/// Domain: every number of the question finite and inside the domain.
+[[nodiscard]] Truth truth_of(const Query& query);
+
+/// The correctly rounded answer.
+[[nodiscard]] Expectation expectation(const Truth& truth, Scalar scalar);
+
+/// The exact numbers that a golden file records beside an expectation.
+struct Witness {
+  std::string distance2;  ///< spheres
+  std::string reach;
+  double margin_ulps = 0;
+  std::array<std::string, 3> gap;  ///< cubes
+
+  friend bool operator==(const Witness&, const Witness&) = default;
+};
+[[nodiscard]] Witness witness(const Truth& truth, Scalar scalar);
+
+}  // namespace contact::oracle

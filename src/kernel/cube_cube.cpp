@@ -1,0 +1,34 @@
+// Cube against cube (axis-aligned boxes): the exact decision.
+#include "contact/cube_cube.hpp"
+
+#include <cmath>
+
+#include "kernel/exact.hpp"
+
+namespace contact {
+namespace {
+
+// Below this magnitude a flushed subnormal could matter; above it every rounding mode is monotone and keeps what it can
+// represent, so a computed sum beside x lies on the same side of x as the real sum, or is equal to it.
+constexpr double kLeast = 0x1p-900;
+
+/// low <= high + alarm, exactly.
+bool within(double low, double high, double alarm) {
+  const double sum = high + alarm;
+  if (std::abs(sum) > kLeast) {
+    if (low < sum) return true;
+    if (low > sum) return false;
+  }
+  const kernel::Grid grid{low, high, alarm};
+  return grid(low) <= grid(high) + grid(alarm);
+}
+
+}  // namespace
+
+bool test_cube_cube(const Box& a, const Box& b, double alarm) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!within(a.min[axis], b.max[axis], alarm) || !within(b.min[axis], a.max[axis], alarm)) return false;
+  return true;
+}
+
+}  // namespace contact

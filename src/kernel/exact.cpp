@@ -1,0 +1,170 @@
+// Exact arithmetic for what the filters leave: integers on a common grid, and correct rounding in Q(sqrt D).
+//
+// A correctly rounded number needs its leading 54 bits and whether anything follows. With everything an integer, the
+// leading bits of c + e / sqrt(D) at a scale 2^p are an integer square root, since floor(sqrt(N) / D) and
+// floor(sqrt(floor(N / D^2))) are the same integer; what follows is the two remainders. The scale p comes from an
+// exact lower bound on the magnitude, in which c^2 D - e^2 (or D - t^2) carries all of the cancellation, so nothing is
+// guessed, nothing is repeated, and ties are seen as ties.
+#include "kernel/exact.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+namespace contact::kernel {
+namespace {
+
+constexpr int kMinExponent = -1074;  // of the smallest subnormal
+constexpr int kMaxExponent = 1023;   // of the largest finite number's leading bit
+constexpr int kSignificandBits = 53;
+constexpr int kBitsForRounding = kSignificandBits + 2;  // the rounding bit, and one for a bound that is not tight
+
+/// |x| = significand 2^exponent, from the bits alone: no floating-point mode can change it.
+struct Decoded {
+  std::uint64_t significand;
+  int exponent;
+  bool negative;
+};
+
+Decoded decode(double x) {
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const int biased = static_cast<int>((bits >> 52) & 0x7ff);
+  const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
+  const bool negative = (bits >> 63) != 0;
+  if (biased == 0) return {fraction, kMinExponent, negative};
+  return {fraction | (std::uint64_t{1} << 52), biased + kMinExponent - 1, negative};
+}
+
+/// The least k with |n| < 2^k.
+int bit_length(const Integer& n) { return n.is_zero() ? 0 : static_cast<int>(msb(abs(n))) + 1; }
+
+/// +-(magnitude + f) 2^exponent rounded to binary64, where 0 <= f < 1 and `inexact` says f > 0.
+/// Domain: magnitude has kBitsForRounding bits at least, or f = 0.
+double round_magnitude(Integer magnitude, bool inexact, int exponent, bool negative) {
+  if (magnitude.is_zero() && !inexact) return 0.0;
+  const int dropped = std::max(bit_length(magnitude) - kSignificandBits, kMinExponent - exponent);
+  if (dropped > 0) {
+    const auto shift = static_cast<unsigned>(dropped);
+    const Integer kept = magnitude >> shift;
+    const Integer rest = magnitude - (kept << shift);
+    const Integer half = Integer(1) << (shift - 1);
+    const bool up = rest > half || (rest == half && (inexact || bit_test(kept, 0)));
+    magnitude = up ? kept + 1 : kept;
+    exponent += dropped;
+  }
+  // Rounding up may have carried into a 54th bit: 2^53 is then a power of two and shifting it loses nothing.
+  if (bit_length(magnitude) > kSignificandBits) {
+    magnitude >>= 1;
+    ++exponent;
+  }
+  const std::uint64_t sign = negative && !magnitude.is_zero() ? std::uint64_t{1} << 63 : 0;
+  if (bit_length(magnitude) + exponent - 1 > kMaxExponent)
+    return std::bit_cast<double>(sign | std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity()));
+  auto significand = static_cast<std::uint64_t>(magnitude);
+  if (significand == 0) return 0.0;
+  const int room = std::min(std::countl_zero(significand) - (64 - kSignificandBits), exponent - kMinExponent);
+  significand <<= room;
+  exponent -= room;
+  const std::uint64_t hidden = std::uint64_t{1} << 52;
+  const auto biased = (significand & hidden) != 0 ? static_cast<std::uint64_t>(exponent - kMinExponent + 1) : 0;
+  return std::bit_cast<double>(sign | (biased << 52) | (significand & (hidden - 1)));
+}
+
+/// floor(e / sqrt(D) 2^p) for e >= 0, and whether that is all of it.
+struct Floor {
+  Integer value;
+  bool exact;
+};
+
+Floor floor_ratio(const Integer& e, const Integer& D, unsigned p) {
+  Integer quotient, remainder;
+  divide_qr(Integer(e * e) << (2 * p), D, quotient, remainder);
+  Floor result{floor_sqrt(quotient), remainder.is_zero()};
+  result.exact = result.exact && result.value * result.value == quotient;
+  return result;
+}
+
+/// The scale at which a number known to be at least 2^lower_bound shows its leading bits.
+unsigned scale_for(int lower_bound) { return static_cast<unsigned>(std::max(0, kBitsForRounding - lower_bound)); }
+
+/// (floor + f) 2^exponent rounded, where 0 <= f < 1 and `exact` says f = 0; floor may be negative.
+double round_floor(const Integer& floor, bool exact, int exponent) {
+  if (floor.sign() >= 0) return round_magnitude(floor, !exact, exponent, false);
+  return round_magnitude(exact ? -floor : -floor - 1, !exact, exponent, true);
+}
+
+}  // namespace
+
+Grid::Grid(std::initializer_list<double> numbers) {
+  exponent_ = std::numeric_limits<int>::max();
+  for (const double x : numbers) {
+    const Decoded d = decode(x);
+    if (d.significand != 0) exponent_ = std::min(exponent_, d.exponent + std::countr_zero(d.significand));
+  }
+  if (exponent_ == std::numeric_limits<int>::max()) exponent_ = 0;
+}
+
+Integer Grid::operator()(double x) const {
+  const Decoded d = decode(x);
+  if (d.significand == 0) return 0;
+  const int shift = d.exponent - exponent_;
+  Integer n = d.significand;
+  if (shift >= 0)
+    n <<= static_cast<unsigned>(shift);
+  else
+    n >>= static_cast<unsigned>(-shift);  // trailing zeros only: the grid holds x
+  return d.negative ? -n : n;
+}
+
+Integer floor_sqrt(const Integer& n) {
+  if (n.is_zero()) return 0;
+  // Newton from above: decreasing until it reaches the floor, and the first step that does not decrease proves it.
+  // (Boost's own integer root works bit by bit.) The start is the root of the leading 64 bits, rounded up.
+  const int length = bit_length(n);
+  const unsigned shift = length > 62 ? static_cast<unsigned>(length - 62 + (length & 1)) : 0;
+  Integer root = (boost::multiprecision::sqrt(Integer(n >> shift)) + 1) << (shift / 2);
+  for (;;) {
+    Integer next = (root + n / root) >> 1;
+    if (next >= root) return root;
+    root = std::move(next);
+  }
+}
+
+double round_integer(const Integer& n, int exponent) { return round_magnitude(abs(n), false, exponent, n.sign() < 0); }
+
+double round_sum(const Integer& c, const Integer& e, const Integer& D, int exponent) {
+  if (e.is_zero()) return round_integer(c, exponent);
+  const int root_bits = (bit_length(D) + 1) / 2;  // sqrt(D) < 2^root_bits
+  int lower_bound;
+  if (c.sign() * e.sign() >= 0) {
+    lower_bound = bit_length(e) - 1 - root_bits;
+    if (!c.is_zero()) lower_bound = std::max(lower_bound, bit_length(c) - 1);
+  } else {
+    // |c + e / s| = |c^2 D - e^2| / (s (|c| s + |e|))  with s = sqrt(D)
+    const Integer difference = abs(Integer(c * c * D - e * e));
+    if (difference.is_zero()) return 0.0;
+    lower_bound = bit_length(difference) - 1 - root_bits - (std::max(bit_length(c) + root_bits, bit_length(e)) + 1);
+  }
+  const unsigned p = scale_for(lower_bound);
+  const Floor ratio = floor_ratio(abs(e), D, p);
+  Integer floor = c << p;
+  if (e.sign() > 0)
+    floor += ratio.value;
+  else
+    floor -= ratio.exact ? ratio.value : ratio.value + 1;
+  return round_floor(floor, ratio.exact, exponent - static_cast<int>(p));
+}
+
+double round_root_less(const Integer& D, const Integer& t, int exponent) {
+  // |s - t| = |D - t^2| / (s + t)  with s = sqrt(D)
+  const Integer difference = abs(Integer(D - t * t));
+  if (difference.is_zero()) return 0.0;
+  const int root_bits = (bit_length(D) + 1) / 2;
+  const unsigned p = scale_for(bit_length(difference) - 1 - (std::max(root_bits, bit_length(t)) + 1));
+  const Integer scaled = D << (2 * p);
+  const Integer root = floor_sqrt(scaled);
+  return round_floor(root - (t << p), root * root == scaled, exponent - static_cast<int>(p));
+}
+
+}  // namespace contact::kernel

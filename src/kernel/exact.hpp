@@ -1,0 +1,37 @@
+// Exact arithmetic for what the filters leave: integers on a common grid, and correct rounding in Q(sqrt D).
+#pragma once
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <initializer_list>
+
+namespace contact::kernel {
+
+// Without expression templates: plain values, so that `auto` and `?:` mean what they say.
+using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+
+/// The coarsest grid 2^exponent on which every number given to it is an integer.
+class Grid {
+ public:
+  explicit Grid(std::initializer_list<double> numbers);
+
+  [[nodiscard]] int exponent() const { return exponent_; }
+  /// x / 2^exponent. Domain: x is one of the numbers given, or a sum of their integer multiples.
+  [[nodiscard]] Integer operator()(double x) const;
+
+ private:
+  int exponent_ = 0;
+};
+
+/// floor(sqrt(n)), n >= 0.
+[[nodiscard]] Integer floor_sqrt(const Integer& n);
+
+/// n 2^exponent rounded once to binary64, to nearest, ties to even; +0 for 0, infinite beyond the range.
+[[nodiscard]] double round_integer(const Integer& n, int exponent);
+
+/// (c + e / sqrt(D)) 2^exponent rounded once to binary64, to nearest, ties to even. Domain: D > 0.
+[[nodiscard]] double round_sum(const Integer& c, const Integer& e, const Integer& D, int exponent);
+
+/// (sqrt(D) - t) 2^exponent rounded once to binary64, to nearest, ties to even. Domain: D > 0, t >= 0.
+[[nodiscard]] double round_root_less(const Integer& D, const Integer& t, int exponent);
+
+}  // namespace contact::kernel
