@@ -100,10 +100,7 @@ class ContactJudge {
     FieldVerdict verdict;
     const Rational scale = std::max(truth_.point_scale(0), truth_.point_scale(1));
     for (int axis = 0; axis < 3; ++axis) {
-      const Exact x = truth_.degenerate() ? coincident_point(0, axis, PointOn::nearest_surface)
-                                                .plus(truth_.point_for(1, axis, PointOn::nearest_surface, claimed_n_))
-                                                .scaled(Rational(1) / Rational(2))
-                                          : truth_.midpoint(axis);
+      const Exact x = truth_.degenerate() ? coincident_midpoint(axis) : truth_.midpoint(axis);
       verdict = worse(verdict, grade((*claim_.point)[axis], x, declared_.scalar, scale, declared_.bounds.point));
     }
     return verdict;
@@ -147,7 +144,8 @@ class ContactJudge {
     const bool right = conventions_.normal_unit ? CGAL::abs(length2 - Rational(1)) <=
                                                       Rational(8) * power_of_two(-format_of(declared_.scalar).precision)
                                                 : !CGAL::is_zero(length2);
-    return right ? FieldVerdict{} : FieldVerdict{Grade::beyond_bound, error_from_unit(length2)};
+    const Grade best = conventions_.normal_unit ? Grade::correctly_rounded : Grade::bounded;
+    return right ? FieldVerdict{best, 0} : FieldVerdict{Grade::beyond_bound, error_from_unit(length2)};
   }
   [[nodiscard]] double error_from_unit(const Rational& length2) const {
     return error_in_units(length2, Rational(1), ulp(Rational(1), declared_.scalar));
@@ -157,9 +155,20 @@ class ContactJudge {
   /// D = 0: the point that goes with the claimed normal.
   [[nodiscard]] Exact coincident_point(int sphere, int axis, PointOn on) const {
     if (on == PointOn::center) return truth_.point(sphere, axis, on);
-    const Rational length2 = squared_length(claimed_n_);
     const Rational center = truth_.point_for(sphere, axis, on, Vector3::Zero());
-    const Rational along = truth_.point_for(sphere, axis, on, claimed_n_) - center;
+    return beside_center(center, truth_.point_for(sphere, axis, on, claimed_n_) - center);
+  }
+  /// D = 0: the middle of the two nearest surface points that go with the claimed normal.
+  [[nodiscard]] Exact coincident_midpoint(int axis) const {
+    const Rational center = truth_.point_for(0, axis, PointOn::nearest_surface, Vector3::Zero());
+    const Rational sum = truth_.point_for(0, axis, PointOn::nearest_surface, claimed_n_) +
+                         truth_.point_for(1, axis, PointOn::nearest_surface, claimed_n_);
+    return beside_center(center, sum / Rational(2) - center);
+  }
+  /// center + along, `along` being a multiple of the claimed normal, which is normalised exactly where it need not be
+  /// unit.
+  [[nodiscard]] Exact beside_center(const Rational& center, const Rational& along) const {
+    const Rational length2 = squared_length(claimed_n_);
     if (conventions_.normal_unit || CGAL::is_zero(length2)) return center + along;
     return {center, along / length2, length2};
   }
@@ -190,7 +199,7 @@ bool Verdict::not_finite() const {
 }
 
 Level Verdict::level() const {
-  if (status != Claim::Status::answered || missed_hit()) return Level::none;
+  if (status != Claim::Status::answered || answered_outside_domain || missed_hit()) return Level::none;
   if (false_hit()) return Level::conservative;
   Level level = Level::correctly_rounded;
   for (const auto& field : fields) {
@@ -237,6 +246,15 @@ Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const 
 
   const ContactJudge fields(query, *truth.spheres, *claim.contact, declared);
   verdict.fields = {fields.normal(), fields.point(0), fields.point(1), fields.midpoint(), fields.value()};
+  return verdict;
+}
+
+Verdict judge_outside_domain(const Claim& claim) {
+  Verdict verdict;
+  if (claim.status == Claim::Status::rejected || claim.status == Claim::Status::error) return verdict;
+  verdict.status = claim.status;
+  verdict.text = claim.text;
+  verdict.answered_outside_domain = claim.status == Claim::Status::answered;
   return verdict;
 }
 

@@ -45,6 +45,7 @@ struct Verdict {
   std::string text;  ///< for every status but answered: why
   Decision overlap = Decision::unclaimed;
   Decision contact = Decision::unclaimed;
+  bool answered_outside_domain = false;  ///< gave an answer where there is no question
   std::array<std::optional<FieldVerdict>, kFields.size()> fields;
 
   [[nodiscard]] const std::optional<FieldVerdict>& at(Field field) const {
@@ -75,6 +76,9 @@ struct Declaration {
 
 /// Domain: the question is inside the domain.
 [[nodiscard]] Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared);
+
+/// A question outside the domain: refusing it (or failing) is right, any answer is wrong.
+[[nodiscard]] Verdict judge_outside_domain(const Claim& claim);
 
 /// The conventions under which a wrong field of this answer would have been right.
 [[nodiscard]] std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, const Claim& claim,

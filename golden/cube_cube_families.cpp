@@ -1,0 +1,297 @@
+// The families of questions about two axis-aligned boxes.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "contact/cube_cube.hpp"
+#include "golden/families.hpp"
+#include "golden/plain.hpp"
+
+namespace contact::golden {
+namespace {
+
+constexpr int kSearchTries = 256;  // of a search for a question that plain arithmetic decides wrongly
+
+/// A question in the file's scalar; widening it to double is exact.
+template <class Real>
+struct Cubes {
+  using Triple = std::array<Real, 3>;
+  Triple min1{};
+  Triple max1{};
+  Triple min2{};
+  Triple max2{};
+  Real alarm{};
+  Real contact{};
+
+  [[nodiscard]] Query query(Pair pair) const {
+    const auto vector = [](const Triple& v) {
+      return Vector3(static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]));
+    };
+    return {pair,
+            Boxes{{vector(min1), vector(max1)}, {vector(min2), vector(max2)}},
+            {static_cast<double>(alarm), static_cast<double>(contact)}};
+  }
+  void swap_boxes() {
+    std::swap(min1, min2);
+    std::swap(max1, max2);
+  }
+  void scale(int exponent) {
+    for (Triple* v : {&min1, &max1, &min2, &max2})
+      for (Real& x : *v) x = std::ldexp(x, exponent);
+    alarm = std::ldexp(alarm, exponent);
+    contact = std::ldexp(contact, exponent);
+  }
+};
+
+template <class Real>
+Real ulps_away(Real x, int ulps) {
+  for (; ulps > 0; --ulps) x = std::nextafter(x, std::numeric_limits<Real>::infinity());
+  for (; ulps < 0; ++ulps) x = std::nextafter(x, -std::numeric_limits<Real>::infinity());
+  return x;
+}
+
+template <class Real>
+Cubes<Real> ordinary(Random& random) {
+  Cubes<Real> c;
+  for (std::size_t i = 0; i < 3; ++i) {
+    c.min1[i] = random.uniform<Real>(-10, 6);
+    c.max1[i] = c.min1[i] + random.uniform<Real>(2, 14);
+    c.min2[i] = random.uniform<Real>(-10, 6);
+    c.max2[i] = c.min2[i] + random.uniform<Real>(2, 14);
+  }
+  c.alarm = random.chance(2) ? random.uniform<Real>(0, 2) : Real{0};
+  c.contact = random.chance(2) ? random.uniform<Real>(0, 1) : Real{0};
+  return c;
+}
+
+/// The second box overlaps the first on every axis.
+template <class Real>
+Cubes<Real> overlapping(Random& random) {
+  Cubes<Real> c = ordinary<Real>(random);
+  for (std::size_t i = 0; i < 3; ++i) {
+    c.min2[i] = random.uniform(c.min1[i], c.max1[i]);
+    c.max2[i] = c.min2[i] + random.uniform<Real>(1, 9);
+  }
+  return c;
+}
+
+/// Puts the second box on one side of the first along an axis, its near face at `face(max of the first)`. The other
+/// side is the same with every coordinate of that axis negated.
+template <class Real, class Face>
+void place(Cubes<Real>& c, std::size_t axis, bool below, Face face) {
+  const Real size = c.max2[axis] - c.min2[axis];
+  c.min2[axis] = face(c.max1[axis]);
+  c.max2[axis] = c.min2[axis] + size;
+  if (!below) return;
+  for (auto* box : {&c.min1, &c.max1, &c.min2, &c.max2}) (*box)[axis] = -(*box)[axis];
+  std::swap(c.min1[axis], c.max1[axis]);
+  std::swap(c.min2[axis], c.max2[axis]);
+}
+
+template <class Real>
+Cubes<Real> generic(Random& random) {
+  return ordinary<Real>(random);
+}
+
+template <class Real>
+Cubes<Real> separated(Random& random) {
+  Cubes<Real> c = overlapping<Real>(random);
+  const auto first = static_cast<std::size_t>(random.turn(3));
+  const int axes = 1 + random.turn(3, 6);  // how many axes separate
+  for (int k = 0; k < axes; ++k)
+    place(c, (first + static_cast<std::size_t>(k)) % 3, k == 0 ? random.turn(2, 3) == 1 : random.chance(2),
+          [&](Real max) { return max + c.alarm + random.uniform<Real>(1, 8); });
+  return c;
+}
+
+template <class Real>
+Cubes<Real> touching(Random& random) {
+  Cubes<Real> c = overlapping<Real>(random);
+  c.alarm = 0;
+  const auto first = static_cast<std::size_t>(random.turn(3));
+  const int axes = 1 + random.turn(3, 6);   // 1 a face, 2 an edge, 3 a corner
+  const int ulps = random.turn(3, 18) - 1;  // one axis one ulp inside, exactly touching, or one ulp apart
+  for (int k = 0; k < axes; ++k)
+    place(c, (first + static_cast<std::size_t>(k)) % 3, k == 0 ? random.turn(2, 3) == 1 : random.chance(2),
+          [&](Real max) { return ulps_away(max, k == 0 ? ulps : 0); });
+  return c;
+}
+
+template <class Real>
+Cubes<Real> alarm_edge(Random& random) {
+  const auto axis = static_cast<std::size_t>(random.turn(3));
+  const bool below = random.turn(2, 3) == 1;
+  const bool exact = random.turn(3, 6) == 0;  // max + alarm without rounding
+  const int ulps = random.turn(3, 18) - 1;
+  const bool swapped = random.chance(2);
+  const auto make = [&] {
+    Cubes<Real> c = overlapping<Real>(random);
+    c.alarm = random.uniform<Real>(Real{0.0078125}, Real{1});
+    if (exact) {
+      c.max1[axis] = static_cast<Real>(random.between(-64, 64)) / Real{8};
+      c.min1[axis] = c.max1[axis] - random.uniform<Real>(1, 4);
+      c.alarm = static_cast<Real>(random.between(1, 64)) / Real{8};
+    }
+    place(c, axis, below, [&](Real max) { return ulps_away(max + c.alarm, ulps); });
+    if (swapped) c.swap_boxes();
+    return c;
+  };
+  Cubes<Real> first = make();
+  if (exact || random.chance(4)) return first;
+  Cubes<Real> c = first;
+  for (int tries = 0; tries < kSearchTries; ++tries, c = make()) {
+    const Query q = c.query(Pair::cube_cube);
+    if (plain_cubes_overlap<Real>(*q.boxes(), q.distances) !=
+        test_cube_cube(q.boxes()->a, q.boxes()->b, q.distances.alarm))
+      return c;
+  }
+  return first;
+}
+
+template <class Real>
+Cubes<Real> flat(Random& random) {
+  Cubes<Real> c = random.chance(2) ? overlapping<Real>(random) : ordinary<Real>(random);
+  const int mask = 1 + random.turn(7);  // which axes have no thickness
+  for (std::size_t i = 0; i < 3; ++i)
+    if ((mask >> i & 1) != 0) {
+      if (random.turn(3, 7) != 1) c.max1[i] = c.min1[i];
+      if (random.turn(3, 7) != 0) c.max2[i] = c.min2[i];
+      if (random.chance(3)) {  // exactly in one plane, or exactly an alarm distance from it
+        c.alarm = static_cast<Real>(random.between(0, 8)) / Real{4};
+        c.min1[i] = c.max1[i] = static_cast<Real>(random.between(-8, 8));
+        c.min2[i] = c.max2[i] = c.max1[i] + (random.chance(2) ? c.alarm : Real{0});
+      }
+    }
+  if (random.chance(2)) c.swap_boxes();
+  return c;
+}
+
+template <class Real>
+Cubes<Real> nested(Random& random) {
+  Cubes<Real> c = ordinary<Real>(random);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Real u = random.uniform(c.min1[i], c.max1[i]);
+    const Real v = random.uniform(c.min1[i], c.max1[i]);
+    c.min2[i] = random.chance(5) ? c.min1[i] : std::min(u, v);
+    c.max2[i] = random.chance(5) ? c.max1[i] : std::max(u, v);
+  }
+  if (random.turn(2) == 1) c.swap_boxes();
+  return c;
+}
+
+template <class Real>
+Cubes<Real> identical(Random& random) {
+  Cubes<Real> c = ordinary<Real>(random);
+  if (random.turn(4) == 3) c.max1 = c.min1;
+  c.min2 = c.min1;
+  c.max2 = c.max1;
+  return c;
+}
+
+template <class Real>
+Cubes<Real> far_from_origin(Random& random) {
+  const bool wide = sizeof(Real) == 8;
+  const Real offset = std::ldexp(Real{1}, wide ? random.between(20, 40) : random.between(12, 16));
+  Cubes<Real> c = random.turn(2) == 0 ? ordinary<Real>(random) : alarm_edge<Real>(random);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Real o = random.uniform(-offset, offset);
+    for (auto* v : {&c.min1, &c.max1, &c.min2, &c.max2}) (*v)[i] += o;
+  }
+  return c;
+}
+
+template <class Real>
+Cubes<Real> extreme_scale(Random& random) {
+  using Limits = std::numeric_limits<Real>;
+  constexpr Real kTiny = Limits::denorm_min();
+  Cubes<Real> c;
+  switch (random.turn(5)) {
+    case 0:  // near the largest finite numbers: max + alarm overflows
+      c = overlapping<Real>(random);
+      c.scale(Limits::max_exponent - 6);
+      for (std::size_t i = 0; i < 3; ++i)
+        c.max1[i] = Limits::max() * (random.chance(2) ? Real{1} : random.uniform(Real{0.875}, Real{1}));
+      for (std::size_t i = 0; i < 3; ++i) {
+        c.min2[i] = random.uniform(std::max(c.min1[i], Real{0}), Limits::max());
+        c.max2[i] = Limits::max();
+      }
+      c.alarm = random.chance(2) ? Limits::max() : random.uniform(Real{0}, Limits::max());
+      return c;
+    case 1: {  // subnormal numbers throughout
+      for (std::size_t i = 0; i < 3; ++i) {
+        c.min1[i] = static_cast<Real>(random.between(-20, 20)) * kTiny;
+        c.max1[i] = c.min1[i] + static_cast<Real>(random.between(0, 20)) * kTiny;
+        c.min2[i] = static_cast<Real>(random.between(-20, 20)) * kTiny;
+        c.max2[i] = c.min2[i] + static_cast<Real>(random.between(0, 20)) * kTiny;
+      }
+      c.alarm = static_cast<Real>(random.between(0, 10)) * kTiny;
+      return c;
+    }
+    case 2: {  // an alarm distance that the sum loses: only the exact comparison sees it
+      c = overlapping<Real>(random);
+      const auto axis = random.below(3);
+      c.alarm = std::ldexp(Real{1}, -random.between(60, -Limits::min_exponent - 4));
+      const int ulps = random.between(-1, 1);
+      place(c, axis, random.chance(2), [&](Real max) { return ulps_away(max, ulps); });
+      return c;
+    }
+    case 3:  // every number of a magnitude of its own
+      for (std::size_t i = 0; i < 3; ++i)
+        for (const auto& [low, high] : {std::pair{&c.min1[i], &c.max1[i]}, std::pair{&c.min2[i], &c.max2[i]}}) {
+          const auto any = [&] {
+            return random.with_sign(random.magnitude<Real>(Limits::min_exponent, Limits::max_exponent - 2));
+          };
+          const Real u = any();
+          const Real v = any();
+          *low = std::min(u, v);
+          *high = std::max(u, v);
+        }
+      c.alarm = std::ldexp(Real{1}, random.between(Limits::min_exponent, Limits::max_exponent - 2));
+      return c;
+    default:  // ordinary shapes, far up or far down the scale
+      c = random.chance(2) ? alarm_edge<Real>(random) : touching<Real>(random);
+      c.scale(random.chance(2) ? Limits::max_exponent - 8 : Limits::min_exponent + Limits::digits + 8);
+      return c;
+  }
+}
+
+template <Cubes<double> (*Wide)(Random&), Cubes<float> (*Narrow)(Random&)>
+Query made(Pair pair, Scalar scalar, Random& random) {
+  return scalar == Scalar::binary32 ? Narrow(random).query(pair) : Wide(random).query(pair);
+}
+
+Query invalid(Pair pair, Scalar scalar, Random& random) {
+  Query query = made<ordinary<double>, ordinary<float>>(pair, scalar, random);
+  spoil(query, random);
+  return query;
+}
+
+constexpr std::array kFamilies{
+    Family{"generic", "ordinary boxes: the bulk of what an engine meets", made<generic<double>, generic<float>>, false,
+           false},
+    Family{"separated", "clearly apart on one, two or three axes, on every side: each axis alone must decide",
+           made<separated<double>, separated<float>>, false, false},
+    Family{"touching", "face, edge and corner in contact on every axis and side, and one ulp beside it",
+           made<touching<double>, touching<float>>, false, false},
+    Family{"alarm_edge", "one ulp around the alarm distance where max + alarm rounds, searched for wrong decisions",
+           made<alarm_edge<double>, alarm_edge<float>>, false, false},
+    Family{"flat", "zero thickness on one to three axes: a flat box still touches", made<flat<double>, flat<float>>,
+           false, false},
+    Family{"nested", "one box inside the other, sharing faces or not", made<nested<double>, nested<float>>, false,
+           false},
+    Family{"identical", "a box and its copy, flat ones included", made<identical<double>, identical<float>>, false,
+           false},
+    Family{"far_from_origin", "small gaps between large coordinates: the alarm distance is lost in the sum",
+           made<far_from_origin<double>, far_from_origin<float>>, false, false},
+    Family{"extreme_scale", "sums that overflow, alarm distances that vanish in a sum, subnormal and mixed magnitudes",
+           made<extreme_scale<double>, extreme_scale<float>>, false, false},
+    Family{"invalid", "each number in turn NaN or infinite, a box inverted, a distance negative: it must be refused",
+           invalid, false, false, true},
+};
+
+}  // namespace
+
+std::span<const Family> cube_families() { return kFamilies; }
+
+}  // namespace contact::golden

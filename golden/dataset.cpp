@@ -1,0 +1,326 @@
+// The golden contact file: header, cases, their canonical text, and a strict reader that streams.
+#include "golden/dataset.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "golden/families.hpp"
+#include "golden/flags.hpp"
+#include "golden/query_id.hpp"
+
+namespace contact::golden {
+namespace {
+
+constexpr std::string_view kFormat = "contact-oracle/dataset";
+constexpr std::uint64_t kVersion = 1;
+// Repeated questions are looked for in files of up to this many cases; beyond, their ids would not fit in little
+// memory.
+constexpr std::uint64_t kRepeatsLookedFor = 1'000'000;
+
+constexpr std::array<std::string_view, kPairs.size()> kPairNames{name(kPairs[0]), name(kPairs[1]), name(kPairs[2]),
+                                                                 name(kPairs[3])};
+constexpr std::array<std::string_view, 2> kScalarNames{name(Scalar::binary32), name(Scalar::binary64)};
+
+std::string shape_text(const Ball& ball) {
+  return fmt::format(R"({{"center":{},"radius":{}}})", number(ball.center), number(ball.radius));
+}
+std::string shape_text(const Box& box) {
+  return fmt::format(R"({{"min":{},"max":{}}})", number(box.min), number(box.max));
+}
+
+std::string inputs_text(const Query& query) {
+  const auto [a, b] =
+      std::visit([](const auto& s) { return std::pair(shape_text(s.a), shape_text(s.b)); }, query.shapes);
+  return fmt::format(R"("a":{},"b":{},"alarm":{},"contact":{})", a, b, number(query.distances.alarm),
+                     number(query.distances.contact));
+}
+
+std::string expect_text(const Case& c) {
+  if (c.rejected) return fmt::format(R"({{"rejected":{}}})", json_string(*c.rejected));
+  if (!c.expect.hit) return R"({"hit":false})";
+  if (!c.expect.contact) return R"({"hit":true})";
+  const Contact& k = *c.expect.contact;
+  return fmt::format(R"({{"hit":true,"degenerate":{},"normal":{},"point1":{},"point2":{},"value":{}}})", k.degenerate,
+                     number(k.normal), number(k.point1), number(k.point2), number(k.value));
+}
+
+std::string exact_text(const Case& c) {
+  const oracle::Witness& w = c.exact;
+  if (c.query.balls() == nullptr) return fmt::format(R"({{"gap":["{}","{}","{}"]}})", w.gap[0], w.gap[1], w.gap[2]);
+  return fmt::format(R"({{"distance2":"{}","reach":"{}","margin_ulps":{}}})", w.distance2, w.reach,
+                     number(w.margin_ulps));
+}
+
+Ball read_ball(const Node& node) {
+  node.allow_only({"center", "radius"});
+  return {node.at("center").vector(), node.at("radius").number()};
+}
+
+Box read_box(const Node& node) {
+  node.allow_only({"min", "max"});
+  return {node.at("min").vector(), node.at("max").vector()};
+}
+
+Query read_inputs(const Node& line, Pair pair) {
+  const Node a = line.at("a");
+  const Node b = line.at("b");
+  const Distances distances{line.at("alarm").number(), line.at("contact").number()};
+  if (pair == Pair::cube_cube) return {pair, Boxes{read_box(a), read_box(b)}, distances};
+  return {pair, Balls{read_ball(a), read_ball(b)}, distances};
+}
+
+void check_domain(const Query& query, const Node& line) {
+  if (const auto error = outside_domain(query))
+    throw InputError(line.where(), error->field, fmt::format("{}, got {}", error->rule, number(error->value)));
+}
+
+void check_representable(const Query& query, const Node& line) {
+  for_each_number(query, [&](const std::string& field, double x) {
+    if (std::isfinite(x) && (std::abs(x) > static_cast<double>(std::numeric_limits<float>::max()) ||
+                             static_cast<double>(static_cast<float>(x)) != x))
+      throw InputError(line.where(), field, fmt::format("not a binary32 number in a binary32 file, got {}", number(x)));
+  });
+}
+
+void check_id(const Query& query, const Node& id) {
+  const std::string right = query_id(query);
+  if (id.text() != right) id.refuse(fmt::format("the id of this question is {}", right));
+}
+
+Expectation read_expectation(const Node& node, Pair pair) {
+  Expectation expect;
+  expect.hit = node.at("hit").boolean();
+  if (!expect.hit || pair == Pair::cube_cube) {
+    node.allow_only({"hit"});
+    return expect;
+  }
+  node.allow_only({"hit", "degenerate", "normal", "point1", "point2", "value"});
+  expect.contact = Contact{node.at("normal").vector(), node.at("point1").vector(), node.at("point2").vector(),
+                           node.at("value").number(), node.at("degenerate").boolean()};
+  return expect;
+}
+
+oracle::Witness read_witness(const Node& node, Pair pair) {
+  oracle::Witness w;
+  if (pair == Pair::cube_cube) {
+    node.allow_only({"gap"});
+    const auto gaps = node.at("gap").items();
+    if (gaps.size() != 3) node.at("gap").refuse("expected three exact numbers");
+    for (std::size_t axis = 0; axis < 3; ++axis) w.gap[axis] = gaps[axis].text();
+  } else {
+    node.allow_only({"distance2", "reach", "margin_ulps"});
+    w = {node.at("distance2").text(), node.at("reach").text(), node.at("margin_ulps").number(), {}};
+  }
+  return w;
+}
+
+std::string text_of(bool x) { return x ? "true" : "false"; }
+
+/// The text of one field of an expectation, as named by first_difference.
+std::string field_text(const Expectation& e, const std::string& field) {
+  if (field == "hit" || field == "contact") return text_of(e.hit);
+  const Contact& c = *e.contact;
+  if (field == "degenerate") return text_of(c.degenerate);
+  if (field == "value") return number(c.value);
+  const Vector3& v = field.starts_with("normal") ? c.normal : field.starts_with("point1") ? c.point1 : c.point2;
+  return number(v[field[field.size() - 2] - '0']);
+}
+
+}  // namespace
+
+Case make_case(const Query& query, Scalar scalar) {
+  Case c{query_id(query), query, {}, {}, std::nullopt, {}};
+  if (const auto error = outside_domain(query)) {
+    c.flags = {std::string(kInvalidFlag)};
+    c.rejected = error->field;
+    return c;
+  }
+  const oracle::Truth truth = oracle::truth_of(query);
+  c.flags = flags_of(query, truth, scalar);
+  c.expect = oracle::expectation(truth, scalar);
+  c.exact = oracle::witness(truth, scalar);
+  return c;
+}
+
+std::string to_line(const DatasetHeader& h) {
+  return fmt::format(
+      R"({{"format":"{}","version":{},"pair":"{}","scalar":"{}","family":{},"seed":{},"count":{},"generator":{},"points":"nearest_surface"{}}})",
+      kFormat, kVersion, name(h.pair), name(h.scalar), json_string(h.family), h.seed, h.count, json_string(h.generator),
+      h.shard ? fmt::format(R"(,"shard":[{},{}])", h.shard->index, h.shard->of) : "");
+}
+
+std::string to_line(const Case& c) {
+  std::string flags;
+  for (const std::string& flag : c.flags) flags += (flags.empty() ? "" : ",") + json_string(flag);
+  return fmt::format(R"({{"id":"{}",{},"flags":[{}],"expect":{}{}}})", c.id, inputs_text(c.query), flags,
+                     expect_text(c), c.rejected ? "" : R"(,"exact":)" + exact_text(c));
+}
+
+std::string query_line(const Query& query, Scalar scalar) {
+  return fmt::format(R"({{"id":"{}","pair":"{}","scalar":"{}",{}}})", query_id(query), name(query.pair), name(scalar),
+                     inputs_text(query));
+}
+
+std::string answer_line(const Case& c) {
+  return fmt::format(R"({{"id":"{}","expect":{}{}}})", c.id, expect_text(c),
+                     c.rejected ? "" : R"(,"exact":)" + exact_text(c));
+}
+
+Pair read_pair(const Node& node) { return kPairs[node.one_of(kPairNames)]; }
+Scalar read_scalar(const Node& node) { return static_cast<Scalar>(node.one_of(kScalarNames)); }
+
+ReadQuery read_query(const Node& line, const DatasetHeader* file) {
+  if (file != nullptr)
+    line.allow_only({"id", "a", "b", "alarm", "contact", "flags", "expect", "exact"});
+  else
+    line.allow_only({"id", "pair", "scalar", "a", "b", "alarm", "contact", "op", "seq"});
+  Pair pair = file != nullptr ? file->pair : Pair::sphere_sphere;
+  if (const auto given = line.find("pair"))
+    pair = read_pair(*given);
+  else if (file == nullptr && (line.at("a").find("min") || line.at("a").find("max")))
+    pair = Pair::cube_cube;
+  const auto scalar = line.find("scalar");
+  ReadQuery read{read_inputs(line, pair), scalar            ? read_scalar(*scalar)
+                                          : file != nullptr ? file->scalar
+                                                            : Scalar::binary64};
+  check_domain(read.query, line);
+  if (read.scalar == Scalar::binary32) check_representable(read.query, line);
+  if (const auto id = line.find("id")) check_id(read.query, *id);
+  return read;
+}
+
+DatasetHeader read_header(const Node& node) {
+  DatasetHeader header;
+  if (const Node format = node.at("format"); format.text() != kFormat)
+    format.refuse(fmt::format("expected \"{}\"", kFormat));
+  if (const Node version = node.at("version"); version.count() != kVersion)
+    version.refuse(fmt::format("this program reads version {}", kVersion));
+  node.allow_only({"format", "version", "pair", "scalar", "family", "seed", "count", "generator", "points", "shard"});
+  header.pair = read_pair(node.at("pair"));
+  header.scalar = read_scalar(node.at("scalar"));
+  header.family = node.at("family").text();
+  header.seed = node.at("seed").count();
+  header.count = node.at("count").count();
+  header.generator = node.at("generator").text();
+  if (const Node points = node.at("points"); points.text() != "nearest_surface")
+    points.refuse("expected \"nearest_surface\"");
+  if (const auto shard = node.find("shard")) {
+    const auto parts = shard->items();
+    if (parts.size() != 2 || parts[1].count() == 0 || parts[0].count() >= parts[1].count())
+      shard->refuse("expected [I,N] with I below N");
+    header.shard = Shard{parts[0].count(), parts[1].count()};
+  }
+  return header;
+}
+
+DatasetReader::DatasetReader(const std::filesystem::path& path)
+    : stream_(open_to_read(path, true)), where_{path.string(), 0} {
+  if (!read_line()) throw InputError(where_, "", "empty: a dataset begins with its header");
+  const auto json = parse_object(line_, where_);
+  const Node node(json, where_);
+  header_ = read_header(node);
+}
+
+bool DatasetReader::read_line() {
+  if (!std::getline(stream_, line_)) return false;
+  ++where_.line;
+  if (stream_.eof()) throw InputError(where_, "", "the last line has no line feed: the file is truncated");
+  return true;
+}
+
+std::optional<Case> DatasetReader::next() {
+  if (!read_line()) {
+    if (read_ != header_.count)
+      throw InputError({where_.file, 1}, "count",
+                       fmt::format("the header says {}, the file holds {} cases", header_.count, read_));
+    return std::nullopt;
+  }
+  if (read_ == header_.count)
+    throw InputError({where_.file, 1}, "count",
+                     fmt::format("the header says {}, the file holds more cases", header_.count));
+  const auto json = parse_object(line_, where_);
+  const Node node(json, where_);
+  node.allow_only({"id", "a", "b", "alarm", "contact", "flags", "expect", "exact"});
+  Case c{node.at("id").text(), read_inputs(node, header_.pair), {}, {}, std::nullopt, {}};
+  if (header_.scalar == Scalar::binary32) check_representable(c.query, node);
+  check_id(c.query, node.at("id"));
+  for (const Node& flag : node.at("flags").items()) c.flags.push_back(flag.text());
+  const Node expect = node.at("expect");
+  if (const auto rejected = expect.find("rejected")) {
+    expect.allow_only({"rejected"});
+    c.rejected = rejected->text();
+    if (!outside_domain(c.query)) rejected->refuse("the question is inside the domain");
+  } else {
+    check_domain(c.query, node);
+    c.expect = read_expectation(expect, header_.pair);
+    c.exact = read_witness(node.at("exact"), header_.pair);
+  }
+  if (header_.count <= kRepeatsLookedFor && !ids_.insert(c.id).second) {
+    // A generator may repeat itself: the line is right if the family's generator makes this very question here.
+    const Family* family = find_family(header_.pair, header_.family);
+    const bool generated =
+        family != nullptr &&
+        (header_.shard || query_id(generate_query(header_.pair, *family, header_.scalar, header_.seed, read_)) == c.id);
+    if (!generated) node.at("id").refuse("the same question stands in this file twice");
+    ++repeats_;
+  }
+  ++read_;
+  return c;
+}
+
+bool DatasetReader::is_dataset(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::string line;
+  std::getline(stream, line);
+  // A results file says what it is; anything else is read as a dataset, so that a damaged one is refused, not passed
+  // over.
+  return line.find(R"("format":"contact-oracle/results")") == std::string::npos;
+}
+
+std::vector<std::filesystem::path> dataset_files(const std::vector<std::filesystem::path>& paths) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& path : paths) {
+    if (!std::filesystem::exists(path)) throw InputError({path.string(), 0}, "", "no such file or folder");
+    if (!std::filesystem::is_directory(path)) {
+      files.push_back(path);
+      continue;
+    }
+    std::vector<std::filesystem::path> found;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path))
+      if (entry.is_regular_file() && entry.path().extension() == ".jsonl" && DatasetReader::is_dataset(entry.path()))
+        found.push_back(entry.path());
+    if (found.empty()) throw InputError({path.string(), 0}, "", "no dataset (*.jsonl) in this folder");
+    std::sort(found.begin(), found.end());
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  return files;
+}
+
+void check_rejection(const Case& c, const Location& where) {
+  const std::string field = outside_domain(c.query)->field;
+  if (*c.rejected != field)
+    throw InputError(where, "expect.rejected",
+                     fmt::format("the file says {}, the first field outside the domain is {}", *c.rejected, field));
+}
+
+void check_case(const Case& c, Scalar scalar, const oracle::Truth& truth, const Location& where) {
+  const Expectation right = oracle::expectation(truth, scalar);
+  if (const auto field = first_difference(c.expect, right))
+    throw InputError(where, "expect." + *field,
+                     fmt::format("the file says {}, the exact answer rounds to {}", field_text(c.expect, *field),
+                                 field_text(right, *field)));
+  const oracle::Witness witness = oracle::witness(truth, scalar);
+  const auto compare = [&](const std::string& field, const std::string& found, const std::string& expected) {
+    if (found != expected)
+      throw InputError(where, "exact." + field, fmt::format("the file says {}, exact is {}", found, expected));
+  };
+  compare("distance2", c.exact.distance2, witness.distance2);
+  compare("reach", c.exact.reach, witness.reach);
+  compare("margin_ulps", number(c.exact.margin_ulps), number(witness.margin_ulps));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    compare(fmt::format("gap[{}]", axis), c.exact.gap[axis], witness.gap[axis]);
+}
+
+}  // namespace contact::golden

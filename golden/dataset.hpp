@@ -1,0 +1,115 @@
+// The golden contact file: header, cases, their canonical text, and a strict reader that streams.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_set>
+#include <vector>
+
+#include "golden/json.hpp"
+#include "oracle/expectation.hpp"
+#include "oracle/query.hpp"
+#include "oracle/truth.hpp"
+
+namespace contact::golden {
+
+/// What writes these files; part of every header, so a change to the generator changes it.
+inline constexpr std::string_view kGenerator = "contact-oracle 0.1.0";
+
+struct Shard {
+  std::uint64_t index;
+  std::uint64_t of;
+};
+
+struct DatasetHeader {
+  Pair pair = Pair::sphere_sphere;
+  Scalar scalar = Scalar::binary64;
+  std::string family;
+  std::uint64_t seed = 0;
+  std::uint64_t count = 0;  ///< cases in this file
+  std::string generator = std::string(kGenerator);
+  std::optional<Shard> shard;
+};
+
+/// One line of a dataset: a question, why it is there, and its answer with exact witnesses.
+struct Case {
+  std::string id;
+  Query query;
+  std::vector<std::string> flags;
+  Expectation expect;
+  std::optional<std::string> rejected;  ///< the field that puts the question outside the domain, instead of expect
+  oracle::Witness exact;
+};
+
+/// The case of a question: id, flags, expectation and witnesses, all from the exact oracle.
+[[nodiscard]] Case make_case(const Query& query, Scalar scalar);
+
+[[nodiscard]] std::string to_line(const DatasetHeader& header);
+[[nodiscard]] std::string to_line(const Case& c);
+/// The question alone, with its id, pair and scalar: the line that `explain` accepts.
+[[nodiscard]] std::string query_line(const Query& query, Scalar scalar);
+/// {"id","expect","exact"}, what `explain --json` prints.
+[[nodiscard]] std::string answer_line(const Case& c);
+
+/// A question from a line that may leave out the pair (radius means sphere_sphere, min and max cube_cube) and the
+/// scalar.
+struct ReadQuery {
+  Query query;
+  Scalar scalar;
+};
+/// A pair or a scalar by its name.
+[[nodiscard]] Pair read_pair(const Node& node);
+[[nodiscard]] Scalar read_scalar(const Node& node);
+
+/// The header of a dataset, checked.
+[[nodiscard]] DatasetHeader read_header(const Node& node);
+
+/// Reads a user's question, a protocol query, or with `file` a line of that dataset, whose answer is passed over.
+[[nodiscard]] ReadQuery read_query(const Node& line, const DatasetHeader* file = nullptr);
+
+/// Reads a dataset line by line, checking form as it goes: the header, each line, ids, and at the end the count. What
+/// the expectations say is checked by lint and by certify, against the oracle.
+class DatasetReader {
+ public:
+  explicit DatasetReader(const std::filesystem::path& path);
+
+  [[nodiscard]] const DatasetHeader& header() const { return header_; }
+  /// The next case, or nothing after the last. Throws InputError at anything malformed.
+  [[nodiscard]] std::optional<Case> next();
+  /// Where the case that next() gave last stands, and its text.
+  [[nodiscard]] const Location& where() const { return where_; }
+  [[nodiscard]] const std::string& text() const { return line_; }
+
+  /// How many questions stood in the file before, as the family's generator makes them.
+  [[nodiscard]] std::uint64_t repeats() const { return repeats_; }
+
+  /// Whether a file is to be read as a dataset: whatever does not say that it is a results file.
+  [[nodiscard]] static bool is_dataset(const std::filesystem::path& path);
+
+ private:
+  bool read_line();
+
+  std::ifstream stream_;
+  Location where_;
+  DatasetHeader header_;
+  std::string line_;
+  std::uint64_t read_ = 0;
+  std::uint64_t repeats_ = 0;
+  std::unordered_set<std::string> ids_;
+};
+
+/// The files to read where a command is given files and folders: in a folder every dataset below it in order of name,
+/// passing over other formats by their header.
+[[nodiscard]] std::vector<std::filesystem::path> dataset_files(const std::vector<std::filesystem::path>& paths);
+
+/// Compares what a case of the family `invalid` says with the first field outside the domain. Throws InputError.
+void check_rejection(const Case& c, const Location& where);
+
+/// Compares a case with what the oracle says. Throws InputError naming the field, the value found and the right one.
+void check_case(const Case& c, Scalar scalar, const oracle::Truth& truth, const Location& where);
+
+}  // namespace contact::golden

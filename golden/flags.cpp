@@ -1,0 +1,168 @@
+// The flags of a case: facts about a question, derived from the exact answer, that say why it is worth asking.
+#include "golden/flags.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "golden/plain.hpp"
+
+namespace contact::golden {
+namespace {
+
+using oracle::Exact;
+using oracle::power_of_two;
+using oracle::Rational;
+using oracle::SphereTruth;
+using oracle::Truth;
+
+constexpr int kNearUlps = 8;  // "near" a boundary: within this many ulps of it
+
+Rational square(const Rational& x) { return x * x; }
+
+bool is_near_zero(const Exact& x, const Exact& scale, Scalar scalar) {
+  return oracle::is_within(Rational(0), x, Rational(kNearUlps) * oracle::ulp(scale, scalar));
+}
+
+Rational largest_gap(const Truth& truth) { return *std::max_element(truth.cubes->gap.begin(), truth.cubes->gap.end()); }
+
+Rational largest_coordinate(const Query& query) {
+  Rational largest(0);
+  for_each_number(query, [&](const std::string& field, double x) {
+    if (field.find('[') != std::string::npos) largest = std::max(largest, Rational(std::abs(x)));
+  });
+  return largest;
+}
+
+Rational smallest_normal(Scalar scalar) { return power_of_two(format_of(scalar).min_exponent); }
+Rational first_beyond(Scalar scalar) { return power_of_two(format_of(scalar).max_exponent + 1); }
+
+bool near_boundary(const Query& query, const Truth& truth, Scalar scalar) {
+  if (truth.at_alarm == CGAL::ZERO) return false;
+  if (truth.spheres) return oracle::is_within(Rational(0), truth.spheres->margin(scalar), Rational(kNearUlps));
+  const Rational off = largest_gap(truth) - truth.cubes->alarm;
+  return CGAL::abs(off) <=
+         Rational(kNearUlps) * oracle::ulp(std::max(largest_coordinate(query), truth.cubes->alarm), scalar);
+}
+
+bool contained(const Box& inner, const Box& outer) {
+  return (inner.min.array() >= outer.min.array()).all() && (inner.max.array() <= outer.max.array()).all();
+}
+
+bool has_subnormal(const Query& query, Scalar scalar) {
+  bool found = false;
+  const double least = std::ldexp(1.0, format_of(scalar).min_exponent);
+  for_each_number(query, [&](const std::string&, double x) { found = found || (x != 0 && std::abs(x) < least); });
+  return found;
+}
+
+bool result_overflows(const Truth& truth, Scalar scalar) {
+  if (!truth.spheres || !truth.hit()) return false;
+  const Contact contact = *oracle::expectation(truth, scalar).contact;
+  return !std::isfinite(contact.value) || !contact.point1.allFinite() || !contact.point2.allFinite();
+}
+
+bool any_delta(const Query& query, auto&& predicate) {
+  const Balls* balls = query.balls();
+  if (balls == nullptr) return false;
+  for (int axis = 0; axis < 3; ++axis)
+    if (predicate(CGAL::abs(Rational(balls->b.center[axis]) - Rational(balls->a.center[axis])))) return true;
+  return false;
+}
+
+const std::array kFlags{
+    Flag{"Touching", "exactly touching, alarm distance 0", "strict comparisons; a rounded square root beside the radii",
+         [](const Query& q, const Truth& t, Scalar) { return q.distances.alarm == 0 && t.at_alarm == CGAL::ZERO; }},
+    Flag{"AlarmEdge", "exactly at an alarm distance above 0",
+         "the margin added twice, not at all, or compared strictly",
+         [](const Query& q, const Truth& t, Scalar) { return q.distances.alarm > 0 && t.at_alarm == CGAL::ZERO; }},
+    Flag{"NearBoundary", "up to 8 ulps from the decision's boundary, not on it",
+         "squared comparisons in plain arithmetic; absolute tolerances; single precision inside", near_boundary},
+    Flag{"PlainWrong", "plain arithmetic in the file's scalar decides wrongly",
+         "every engine that computes as the seed prints",
+         [](const Query& q, const Truth& t, Scalar s) { return plain_overlap(q, s) != t.hit(); }},
+    Flag{"ContactEdge", "value within 8 ulps of its scale of zero",
+         "the sign of value; cancellation in distance - radii - contact",
+         [](const Query& q, const Truth& t, Scalar s) {
+           return t.spheres && t.hit() && (q.distances.contact > 0 || t.at_alarm != CGAL::ZERO) &&
+                  is_near_zero(t.spheres->value(true), t.spheres->value_scale(), s);
+         }},
+    Flag{"Coincident", "one centre for both spheres", "0/0 for the normal, points that are not finite",
+         [](const Query&, const Truth& t, Scalar) { return t.spheres && t.spheres->degenerate(); }},
+    Flag{"NearlyCoincident", "centres apart by less than a 2^20th of the radii, or by subnormal numbers",
+         "an absolute epsilon below which the normal becomes a fixed axis; squares that underflow",
+         [](const Query& q, const Truth& t, Scalar s) {
+           if (!t.spheres || t.spheres->degenerate()) return false;
+           const Rational radii = Rational(q.balls()->a.radius) + Rational(q.balls()->b.radius);
+           return t.spheres->distance2() < square(radii * power_of_two(-20)) ||
+                  t.spheres->distance2() < square(smallest_normal(s));
+         }},
+    Flag{"Containment", "one shape lies inside the other", "depth from the wrong side; boundaries taken for solids",
+         [](const Query& q, const Truth& t, Scalar) {
+           if (const Boxes* b = q.boxes()) return contained(b->a, b->b) || contained(b->b, b->a);
+           return t.spheres->distance2() <= square(Rational(q.balls()->a.radius) - Rational(q.balls()->b.radius));
+         }},
+    Flag{"ZeroRadius", "a sphere without extent", "divisions by a radius; strict overlap tests",
+         [](const Query& q, const Truth&, Scalar) {
+           return q.balls() != nullptr && (q.balls()->a.radius == 0 || q.balls()->b.radius == 0);
+         }},
+    Flag{"Flat", "a box without thickness on an axis", "overlap by volume; strict bounds",
+         [](const Query& q, const Truth&, Scalar) {
+           const Boxes* b = q.boxes();
+           return b != nullptr &&
+                  ((b->a.min.array() == b->a.max.array()).any() || (b->b.min.array() == b->b.max.array()).any());
+         }},
+    Flag{"OneAxis", "the centres differ in one coordinate only", "zeros that are not zero; normals that are not exact",
+         [](const Query& q, const Truth&, Scalar) {
+           int apart = 0;
+           any_delta(q, [&](const Rational& d) { return apart += CGAL::is_zero(d) ? 0 : 1, false; });
+           return apart == 1;
+         }},
+    Flag{"FarFromOrigin", "coordinates 2^8 times the reach (of a box: its distances) and more",
+         "coordinates stored in a smaller format; tolerances that grow with the coordinates",
+         [](const Query& q, const Truth& t, Scalar) {
+           if (t.spheres)
+             return largest_coordinate(q) >= power_of_two(8) * t.spheres->reach() && !CGAL::is_zero(t.spheres->reach());
+           return largest_coordinate(q) >= power_of_two(8) * (CGAL::abs(largest_gap(t)) + t.cubes->alarm) &&
+                  !CGAL::is_zero(largest_coordinate(q)) && !CGAL::is_zero(CGAL::abs(largest_gap(t)) + t.cubes->alarm);
+         }},
+    Flag{"SquareOverflow", "a squared length exceeds the scalar's range",
+         "infinite or NaN where the answer is finite; hits from inf <= inf",
+         [](const Query&, const Truth& t, Scalar s) {
+           return t.spheres && std::max(t.spheres->distance2(), square(t.spheres->reach())) >= first_beyond(s);
+         }},
+    Flag{"SquareUnderflow", "the square of a difference that is not zero falls below the normal range",
+         "a distance of zero between spheres that are apart; normals of the wrong length",
+         [](const Query& q, const Truth&, Scalar s) {
+           return any_delta(q, [&](const Rational& d) { return !CGAL::is_zero(d) && square(d) < smallest_normal(s); });
+         }},
+    Flag{"ReachOverflow", "alarm + r1 + r2, or max + alarm, exceeds the largest finite number",
+         "an infinite reach that hits everything",
+         [](const Query& q, const Truth& t, Scalar s) {
+           if (t.spheres) return t.spheres->reach() >= first_beyond(s);
+           Rational largest(0);
+           for (int axis = 0; axis < 3; ++axis)
+             largest = std::max({largest, Rational(q.boxes()->a.max[axis]), Rational(q.boxes()->b.max[axis])});
+           return largest + t.cubes->alarm >= first_beyond(s);
+         }},
+    Flag{"ResultOverflow", "a number of the answer rounds to infinity", "NaN from inf - inf",
+         [](const Query&, const Truth& t, Scalar s) { return result_overflows(t, s); }},
+    Flag{"Subnormal", "a number of the question is subnormal in the file's scalar",
+         "flush-to-zero modes; reciprocals that overflow",
+         [](const Query& q, const Truth&, Scalar s) { return has_subnormal(q, s); }},
+    Flag{kInvalidFlag, "a number lies outside the domain", "answers where there is no question",
+         [](const Query&, const Truth&, Scalar) { return false; }},
+};
+
+}  // namespace
+
+std::span<const Flag> flags() { return kFlags; }
+
+std::vector<std::string> flags_of(const Query& query, const Truth& truth, Scalar scalar) {
+  std::vector<std::string> names;
+  for (const Flag& flag : kFlags)
+    if (flag.holds(query, truth, scalar)) names.emplace_back(flag.name);
+  return names;
+}
+
+}  // namespace contact::golden

@@ -1,0 +1,150 @@
+// JSON lines, read strictly and written canonically.
+#include "golden/json.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace contact::golden {
+namespace {
+
+constexpr int kDeepest = 8;                  // no format of this project nests deeper
+constexpr double kFirstScientific = 0x1p53;  // some readers take longer integers for 64-bit ones
+constexpr std::size_t kLongestEcho = 60;     // of a refused value in a message
+
+std::string shortened(std::string text) {
+  if (text.size() > kLongestEcho) text = text.substr(0, kLongestEcho) + "...";
+  return text;
+}
+
+}  // namespace
+
+std::string number(double x) {
+  if (std::isnan(x)) return "\"NaN\"";
+  if (std::isinf(x)) return x > 0 ? "\"Infinity\"" : "\"-Infinity\"";
+  if (x == 0) return "0";
+  std::array<char, 32> text{};
+  const bool scientific = std::abs(x) >= kFirstScientific;
+  const auto end = scientific
+                       ? std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::scientific).ptr
+                       : std::to_chars(text.data(), text.data() + text.size(), x).ptr;
+  return {text.data(), end};
+}
+
+std::string number(const Vector3& v) { return fmt::format("[{},{},{}]", number(v[0]), number(v[1]), number(v[2])); }
+
+std::string json_string(std::string_view text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::ifstream open_to_read(const std::filesystem::path& path, bool regular) {
+  const Location where{path.string(), 0};
+  if (!std::filesystem::exists(path)) throw InputError(where, "", "no such file");
+  if (std::filesystem::is_directory(path)) throw InputError(where, "", "cannot read: it is a directory");
+  if (regular && !std::filesystem::is_regular_file(path))
+    throw InputError(where, "", "not a regular file, and it is read more than once");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw InputError(where, "", "cannot read");
+  return stream;
+}
+
+nlohmann::json parse_object(std::string_view line, const Location& where) {
+  std::vector<std::set<std::string>> open;
+  const auto check = [&](int depth, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
+    if (depth > kDeepest) throw InputError(where, "", "nested deeper than any format here");
+    if (event == nlohmann::json::parse_event_t::object_start) open.emplace_back();
+    if (event == nlohmann::json::parse_event_t::object_end) open.pop_back();
+    if (event == nlohmann::json::parse_event_t::key && !open.back().insert(parsed.get<std::string>()).second)
+      throw InputError(where, parsed.get<std::string>(), "the key stands twice in one object");
+    return true;
+  };
+  try {
+    nlohmann::json parsed = nlohmann::json::parse(line, check);
+    if (!parsed.is_object()) throw InputError(where, "", "expected a JSON object, got " + shortened(parsed.dump()));
+    return parsed;
+  } catch (const nlohmann::json::exception& error) {
+    const std::string text = error.what();  // "[json.exception.parse_error.101] parse error at ...": the tag is noise
+    const auto tag = text.find("] ");
+    throw InputError(where, "", "malformed JSON: " + (tag == std::string::npos ? text : text.substr(tag + 2)));
+  }
+}
+
+Node Node::child(const nlohmann::json& json, const std::string& step) const {
+  return {json, *where_, step.front() == '[' || path_.empty() ? path_ + step : path_ + "." + step};
+}
+
+Node Node::at(std::string_view key) const {
+  if (auto found = find(key)) return *found;
+  throw InputError(*where_, path_.empty() ? std::string(key) : path_ + "." + std::string(key), "missing");
+}
+
+std::optional<Node> Node::find(std::string_view key) const {
+  if (!json_->is_object()) refuse("expected an object");
+  const auto it = json_->find(key);
+  if (it == json_->end()) return std::nullopt;
+  return child(*it, std::string(key));
+}
+
+void Node::allow_only(std::span<const std::string_view> known) const {
+  if (!json_->is_object()) refuse("expected an object");
+  for (const auto& [key, value] : json_->items())
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      child(value, key).refuse(fmt::format("unknown key; known here: {}", fmt::join(known, ", ")));
+}
+
+double Node::number() const {
+  if (json_->is_number()) {
+    const double x = json_->get<double>();
+    return x == 0 ? 0.0 : x;
+  }
+  if (json_->is_string()) {
+    const auto& text = json_->get_ref<const std::string&>();
+    if (text == "NaN") return std::numeric_limits<double>::quiet_NaN();
+    if (text == "Infinity") return std::numeric_limits<double>::infinity();
+    if (text == "-Infinity") return -std::numeric_limits<double>::infinity();
+  }
+  refuse("expected a number");
+}
+
+Vector3 Node::vector() const {
+  if (!json_->is_array() || json_->size() != 3) refuse("expected three numbers");
+  const auto parts = items();
+  return {parts[0].number(), parts[1].number(), parts[2].number()};
+}
+
+bool Node::boolean() const {
+  if (!json_->is_boolean()) refuse("expected true or false");
+  return json_->get<bool>();
+}
+
+std::string Node::text() const {
+  if (!json_->is_string()) refuse("expected a string");
+  return json_->get<std::string>();
+}
+
+std::uint64_t Node::count() const {
+  if (!json_->is_number_unsigned()) refuse("expected a whole number from 0");
+  return json_->get<std::uint64_t>();
+}
+
+std::vector<Node> Node::items() const {
+  if (!json_->is_array()) refuse("expected an array");
+  std::vector<Node> nodes;
+  for (std::size_t i = 0; i < json_->size(); ++i) nodes.push_back(child((*json_)[i], fmt::format("[{}]", i)));
+  return nodes;
+}
+
+std::size_t Node::one_of(std::span<const std::string_view> names) const {
+  const auto it = std::find(names.begin(), names.end(), text());
+  if (it == names.end()) refuse(fmt::format("expected one of {}", fmt::join(names, ", ")));
+  return static_cast<std::size_t>(it - names.begin());
+}
+
+void Node::refuse(const std::string& problem) const {
+  const std::string value = shortened(json_->dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  throw InputError(*where_, path_, fmt::format("{}, got {}", problem, value));
+}
+
+}  // namespace contact::golden

@@ -1,0 +1,184 @@
+// What engines say on paper: claims and declarations in JSON, and the results file that records them.
+#include "golden/results.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "golden/dataset.hpp"
+
+namespace contact::golden {
+namespace {
+
+constexpr std::string_view kFormat = "contact-oracle/results";
+constexpr std::uint64_t kVersion = 1;
+constexpr double kLeastBound = 1;
+constexpr double kLargestBound = 64;
+
+template <class Enum, std::size_t N>
+void read_choice(const Node& node, std::string_view key, const std::array<std::string_view, N>& names, Enum& choice) {
+  if (const auto found = node.find(key)) choice = static_cast<Enum>(found->one_of(names));
+}
+
+Conventions read_conventions(const Node& node) {
+  node.allow_only({"normal", "normal_unit", "points", "value", "value_less_contact", "touching_overlap",
+                   "touching_contact", "margin", "coincident", "scale"});
+  Conventions c;
+  read_choice(node, "normal", kNormalDirectionNames, c.normal);
+  if (const auto unit = node.find("normal_unit")) c.normal_unit = unit->boolean();
+  read_choice(node, "points", kPointsNames, c.points);
+  read_choice(node, "value", kValueKindNames, c.value);
+  if (const auto less = node.find("value_less_contact")) c.value_less_contact = less->boolean();
+  read_choice(node, "touching_overlap", kTouchingNames, c.touching_overlap);
+  read_choice(node, "touching_contact", kTouchingNames, c.touching_contact);
+  read_choice(node, "margin", kMarginNames, c.margin);
+  read_choice(node, "coincident", kCoincidentNames, c.coincident);
+  if (const auto scale = node.find("scale")) {
+    scale->allow_only({"min", "max"});
+    c.scale_min = scale->at("min").number();
+    c.scale_max = scale->at("max").number();
+    if (!(c.scale_min >= 0 && c.scale_min <= c.scale_max)) scale->refuse("expected 0 <= min <= max");
+  }
+  return c;
+}
+
+Bounds read_bounds(const Node& node) {
+  node.allow_only({"value", "normal", "point"});
+  Bounds bounds;
+  for (const auto& [key, bound] :
+       {std::pair{"value", &bounds.value}, {"normal", &bounds.normal}, {"point", &bounds.point}})
+    if (const auto found = node.find(key)) {
+      *bound = found->number();
+      if (!(*bound >= kLeastBound && *bound <= kLargestBound)) found->refuse("a declared bound is 1 to 64 ulps");
+    }
+  return bounds;
+}
+
+}  // namespace
+
+bool EngineInfo::serves(Pair pair) const { return std::find(pairs.begin(), pairs.end(), pair) != pairs.end(); }
+
+EngineInfo read_engine_info(const Node& node) {
+  EngineInfo info;
+  const Node engine = node.at("engine");
+  engine.allow_only({"name", "version"});
+  info.name = engine.at("name").text();
+  info.version = engine.at("version").text();
+  info.declared.scalar = read_scalar(node.at("scalar"));
+  info.pairs.clear();
+  for (const Node& pair : node.at("pairs").items()) info.pairs.push_back(read_pair(pair));
+  if (const auto conventions = node.find("conventions")) info.declared.conventions = read_conventions(*conventions);
+  if (const auto bounds = node.find("bounds")) info.declared.bounds = read_bounds(*bounds);
+  return info;
+}
+
+std::string conventions_text(const Conventions& c) {
+  const auto pick = [](const auto& names, auto choice) { return names[static_cast<std::size_t>(choice)]; };
+  std::string text = fmt::format(
+      R"({{"normal":"{}","normal_unit":{},"points":"{}","value":"{}","value_less_contact":{},"touching_overlap":"{}","touching_contact":"{}","margin":"{}","coincident":"{}")",
+      pick(kNormalDirectionNames, c.normal), c.normal_unit, pick(kPointsNames, c.points),
+      pick(kValueKindNames, c.value), c.value_less_contact, pick(kTouchingNames, c.touching_overlap),
+      pick(kTouchingNames, c.touching_contact), pick(kMarginNames, c.margin), pick(kCoincidentNames, c.coincident));
+  if (c.scale_min != 0 || std::isfinite(c.scale_max))
+    text += fmt::format(R"(,"scale":{{"min":{},"max":{}}})", number(c.scale_min), number(c.scale_max));
+  return text + "}";
+}
+
+std::string to_line(const EngineInfo& engine) {
+  std::string pairs;
+  for (const Pair pair : engine.pairs) pairs += fmt::format("{}\"{}\"", pairs.empty() ? "" : ",", name(pair));
+  const Bounds& b = engine.declared.bounds;
+  return fmt::format(
+      R"({{"format":"{}","version":{},"engine":{{"name":{},"version":{}}},"scalar":"{}","pairs":[{}],"conventions":{},"bounds":{{"value":{},"normal":{},"point":{}}}}})",
+      kFormat, kVersion, json_string(engine.name), json_string(engine.version), name(engine.declared.scalar), pairs,
+      conventions_text(engine.declared.conventions), number(b.value), number(b.normal), number(b.point));
+}
+
+Claim read_claim(const Node& node) {
+  Claim claim;
+  for (const auto& [key, status] : {std::pair{"unsupported", Claim::Status::unsupported},
+                                    {"rejected", Claim::Status::rejected},
+                                    {"error", Claim::Status::error}})
+    if (const auto said = node.find(key)) {
+      if (claim.status != Claim::Status::answered) said->refuse("an answer is one of unsupported, rejected and error");
+      claim.status = status;
+      claim.text = said->text();
+    }
+  if (const auto overlap = node.find("overlap")) claim.overlap = overlap->boolean();
+  if (const auto contact = node.find("contact")) {
+    claim.speaks_of_contact = true;
+    if (!contact->is_null()) {
+      contact->allow_only({"normal", "point1", "point2", "point", "value"});
+      ContactClaim numbers;
+      for (const auto& [key, v] : {std::pair{"normal", &numbers.normal},
+                                   {"point1", &numbers.point1},
+                                   {"point2", &numbers.point2},
+                                   {"point", &numbers.point}})
+        if (const auto found = contact->find(key)) *v = found->vector();
+      if (const auto value = contact->find("value")) numbers.value = value->number();
+      claim.contact = numbers;
+    }
+  }
+  if (claim.status != Claim::Status::answered && (claim.overlap || claim.speaks_of_contact))
+    node.refuse("an answer claims something, or says why not");
+  return claim;
+}
+
+std::string to_line(const std::string& id, const Claim& claim) {
+  std::string text = fmt::format(R"({{"id":"{}")", id);
+  if (claim.overlap) text += fmt::format(R"(,"overlap":{})", *claim.overlap);
+  if (claim.speaks_of_contact && !claim.contact) text += R"(,"contact":null)";
+  if (claim.contact) {
+    std::string fields;
+    const auto add = [&](std::string_view key, const std::string& value) {
+      fields += fmt::format(R"({}"{}":{})", fields.empty() ? "" : ",", key, value);
+    };
+    if (claim.contact->normal) add("normal", number(*claim.contact->normal));
+    if (claim.contact->point1) add("point1", number(*claim.contact->point1));
+    if (claim.contact->point2) add("point2", number(*claim.contact->point2));
+    if (claim.contact->point) add("point", number(*claim.contact->point));
+    if (claim.contact->value) add("value", number(*claim.contact->value));
+    text += R"(,"contact":{)" + fields + "}";
+  }
+  switch (claim.status) {
+    case Claim::Status::answered:
+      break;
+    case Claim::Status::unsupported:
+      text += R"(,"unsupported":)" + json_string(claim.text);
+      break;
+    case Claim::Status::rejected:
+      text += R"(,"rejected":)" + json_string(claim.text);
+      break;
+    default:
+      text += R"(,"error":)" + json_string(claim.text);
+  }
+  return text + "}";
+}
+
+Results read_results(const std::filesystem::path& path) {
+  std::ifstream stream = open_to_read(path);
+  Location where{path.string(), 0};
+  Results results;
+  for (std::string line; std::getline(stream, line);) {
+    ++where.line;
+    if (stream.eof()) throw InputError(where, "", "the last line has no line feed: the file is truncated");
+    const auto json = parse_object(line, where);
+    const Node node(json, where);
+    if (where.line == 1) {
+      if (const Node format = node.at("format"); format.text() != kFormat)
+        format.refuse(fmt::format("expected \"{}\"", kFormat));
+      if (const Node version = node.at("version"); version.count() != kVersion)
+        version.refuse(fmt::format("this program reads version {}", kVersion));
+      node.allow_only({"format", "version", "engine", "scalar", "pairs", "conventions", "bounds"});
+      results.engine = read_engine_info(node);
+      continue;
+    }
+    node.allow_only({"id", "overlap", "contact", "unsupported", "rejected", "error"});
+    if (!results.claims.emplace(node.at("id").text(), read_claim(node)).second)
+      node.at("id").refuse("this question is answered twice");
+  }
+  if (where.line == 0) throw InputError(where, "", "empty: a results file begins with its header");
+  return results;
+}
+
+}  // namespace contact::golden

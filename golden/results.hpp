@@ -1,0 +1,42 @@
+// What engines say on paper: claims and declarations in JSON, and the results file that records them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "golden/json.hpp"
+#include "oracle/claim.hpp"
+#include "oracle/judge.hpp"
+
+namespace contact::golden {
+
+/// Who answers, and what it declares.
+struct EngineInfo {
+  std::string name;
+  std::string version;
+  std::vector<Pair> pairs{kPairs.begin(), kPairs.end()};
+  oracle::Declaration declared;
+
+  [[nodiscard]] bool serves(Pair pair) const;
+};
+
+/// "engine", "scalar", "pairs", "conventions" and "bounds" of a results header or a hello message.
+[[nodiscard]] EngineInfo read_engine_info(const Node& node);
+[[nodiscard]] std::string conventions_text(const Conventions& conventions);
+[[nodiscard]] std::string to_line(const EngineInfo& engine);
+
+/// The claim of an answer or of a results line; keys other than the claim's own are the caller's to check.
+[[nodiscard]] Claim read_claim(const Node& node);
+/// One line of a results file.
+[[nodiscard]] std::string to_line(const std::string& id, const Claim& claim);
+
+/// A results file, whole.
+struct Results {
+  EngineInfo engine;
+  std::unordered_map<std::string, Claim> claims;
+};
+[[nodiscard]] Results read_results(const std::filesystem::path& path);
+
+}  // namespace contact::golden

@@ -1,0 +1,621 @@
+// The judge, convention by convention and level by level. Every expectation follows from docs/specification.md#judging.
+#include "oracle/judge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace contact::oracle {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+double above(double x) { return std::nextafter(x, kInfinity); }
+double below(double x) { return std::nextafter(x, -kInfinity); }
+
+Query spheres(const Ball& a, const Ball& b, double alarm = 0, double contact = 0, Pair pair = Pair::sphere_sphere) {
+  return {pair, Balls{a, b}, {alarm, contact}};
+}
+
+// distance 5 along (0.6, 0.8, 0); radii 2 and 3: touching
+Query touching(double alarm = 0, double contact = 0) { return spheres({{0, 0, 0}, 2}, {{3, 4, 0}, 3}, alarm, contact); }
+// distance 4 along x; radii 2 and 3: depth 1; n (1,0,0), points (2,0,0) and (1,0,0), all exact
+Query overlapping(double contact = 0, Pair pair = Pair::sphere_sphere) {
+  return spheres({{0, 0, 0}, 2}, {{4, 0, 0}, 3}, 0, contact, pair);
+}
+// distance 8 along x; radii 2 and 3: 3 apart
+Query apart(double alarm) { return spheres({{0, 0, 0}, 2}, {{8, 0, 0}, 3}, alarm); }
+Query coincident() { return spheres({{7, 0, 0}, 2}, {{7, 0, 0}, 3}); }
+
+Claim overlap(bool claimed) {
+  Claim claim;
+  claim.overlap = claimed;
+  return claim;
+}
+Claim no_contact() {
+  Claim claim;
+  claim.speaks_of_contact = true;
+  return claim;
+}
+Claim contact_of(ContactClaim contact) {
+  Claim claim = no_contact();
+  claim.contact = std::move(contact);
+  return claim;
+}
+Claim normal_of(const Vector3& n) {
+  return contact_of({.normal = n, .point1 = {}, .point2 = {}, .point = {}, .value = {}});
+}
+Claim points_of(const Vector3& p1, const Vector3& p2) {
+  return contact_of({.normal = {}, .point1 = p1, .point2 = p2, .point = {}, .value = {}});
+}
+Claim midpoint_of(const Vector3& p) {
+  return contact_of({.normal = {}, .point1 = {}, .point2 = {}, .point = p, .value = {}});
+}
+Claim value_of(double value) {
+  return contact_of({.normal = {}, .point1 = {}, .point2 = {}, .point = {}, .value = value});
+}
+
+Verdict judged(const Query& query, const Claim& claim, const Declaration& declared = {}) {
+  return judge(query, truth_of(query), claim, declared);
+}
+Level level_of(const Query& query, const Claim& claim, const Declaration& declared = {}) {
+  return judged(query, claim, declared).level();
+}
+template <class Change>
+Declaration with(Change change) {
+  Declaration declared;
+  change(declared.conventions);
+  return declared;
+}
+Declaration with_points(Points points) {
+  return with([&](Conventions& c) { c.points = points; });
+}
+
+std::vector<Explanation> explained(const Query& query, const Claim& claim, const Declaration& declared = {}) {
+  const Truth truth = truth_of(query);
+  return explain_wrong(query, truth, claim, declared, judge(query, truth, claim, declared));
+}
+bool says(const std::vector<Explanation>& found, const std::string& field, const std::string& convention,
+          const std::string& value) {
+  return std::find(found.begin(), found.end(), Explanation{field, convention, value}) != found.end();
+}
+
+// Decisions.
+
+TEST(JudgeDecisions, a_right_overlap_is_right_and_a_wrong_one_is_a_missed_or_a_false_hit) {
+  EXPECT_EQ(judged(overlapping(), overlap(true)).overlap, Decision::right);
+  EXPECT_EQ(judged(overlapping(), overlap(false)).overlap, Decision::missed_hit);
+  EXPECT_EQ(judged(apart(1), overlap(false)).overlap, Decision::right);
+  EXPECT_EQ(judged(apart(1), overlap(true)).overlap, Decision::false_hit);
+}
+
+TEST(JudgeDecisions, overlap_and_contact_are_two_claims) {
+  Claim claim = no_contact();
+  claim.overlap = true;
+  const Verdict verdict = judged(overlapping(), claim);
+  EXPECT_EQ(verdict.overlap, Decision::right);
+  EXPECT_EQ(verdict.contact, Decision::missed_hit);
+  EXPECT_TRUE(verdict.missed_hit());
+  EXPECT_FALSE(verdict.false_hit());
+  EXPECT_EQ(judged(overlapping(), overlap(true)).contact, Decision::unclaimed);
+  EXPECT_EQ(judged(overlapping(), no_contact()).overlap, Decision::unclaimed);
+  EXPECT_EQ(judged(apart(1), value_of(3)).contact, Decision::false_hit);
+  EXPECT_EQ(judged(apart(1), no_contact()).contact, Decision::right);
+}
+
+TEST(JudgeDecisions, the_fields_of_a_false_hit_are_not_judged) {
+  EXPECT_FALSE(judged(apart(1), value_of(kNan)).at(Field::value));
+}
+
+TEST(JudgeDecisions, touching_is_a_hit_unless_it_is_declared_open_for_that_claim) {
+  EXPECT_EQ(judged(touching(), overlap(true)).overlap, Decision::right);
+  EXPECT_EQ(judged(touching(), overlap(false)).overlap, Decision::missed_hit);
+  const Declaration open_overlap = with([](Conventions& c) { c.touching_overlap = Touching::open; });
+  EXPECT_EQ(judged(touching(), overlap(false), open_overlap).overlap, Decision::right);
+  EXPECT_EQ(judged(touching(), overlap(true), open_overlap).overlap, Decision::false_hit);
+  EXPECT_EQ(judged(touching(), no_contact(), open_overlap).contact, Decision::missed_hit);  // the other claim
+  const Declaration open_contact = with([](Conventions& c) { c.touching_contact = Touching::open; });
+  EXPECT_EQ(judged(touching(), no_contact(), open_contact).contact, Decision::right);
+  EXPECT_EQ(judged(touching(), value_of(0), open_contact).contact, Decision::false_hit);
+  EXPECT_EQ(judged(touching(), overlap(false), open_contact).overlap, Decision::missed_hit);
+  // open or closed is about equality alone
+  EXPECT_EQ(judged(overlapping(), overlap(true), open_overlap).overlap, Decision::right);
+}
+
+TEST(JudgeDecisions, equality_at_an_alarm_distance_follows_the_margin_and_not_touching) {
+  EXPECT_EQ(judged(apart(3), overlap(true)).overlap, Decision::right);
+  EXPECT_EQ(judged(apart(below(3)), overlap(false)).overlap, Decision::right);
+  const Declaration exclusive = with([](Conventions& c) { c.margin = Margin::exclusive; });
+  EXPECT_EQ(judged(apart(3), overlap(false), exclusive).overlap, Decision::right);
+  EXPECT_EQ(judged(apart(3), overlap(true), exclusive).overlap, Decision::false_hit);
+  EXPECT_EQ(judged(apart(3), no_contact(), exclusive).contact, Decision::right);
+  EXPECT_EQ(judged(apart(above(3)), overlap(true), exclusive).overlap, Decision::right);
+  EXPECT_EQ(judged(touching(), overlap(true), exclusive).overlap, Decision::right);  // alarm 0: touching decides
+  const Declaration open = with([](Conventions& c) { c.touching_overlap = c.touching_contact = Touching::open; });
+  EXPECT_EQ(judged(apart(3), overlap(true), open).overlap, Decision::right);
+}
+
+TEST(JudgeDecisions, without_a_margin_both_claims_are_judged_at_alarm_0) {
+  const Declaration none = with([](Conventions& c) { c.margin = Margin::none; });
+  EXPECT_EQ(judged(apart(3), overlap(false), none).overlap, Decision::right);
+  EXPECT_EQ(judged(apart(100), no_contact(), none).contact, Decision::right);
+  EXPECT_EQ(judged(apart(100), overlap(true), none).overlap, Decision::false_hit);
+  EXPECT_EQ(judged(touching(9), overlap(true), none).overlap, Decision::right);
+  EXPECT_EQ(judged(touching(9), overlap(false), none).overlap, Decision::missed_hit);
+  const Declaration open = with([](Conventions& c) {
+    c.margin = Margin::none;
+    c.touching_overlap = Touching::open;
+  });
+  EXPECT_EQ(judged(touching(9), overlap(false), open).overlap, Decision::right);
+}
+
+TEST(JudgeDecisions, cubes_are_judged_by_the_same_rules) {
+  const auto boxes = [](double gap, double alarm) {
+    return Query{Pair::cube_cube, Boxes{{{0, 0, 0}, {1, 1, 1}}, {{1 + gap, 0, 0}, {4, 1, 1}}}, {alarm, 0}};
+  };
+  EXPECT_EQ(judged(boxes(0, 0), overlap(true)).overlap, Decision::right);
+  EXPECT_EQ(judged(boxes(0, 0), overlap(false)).overlap, Decision::missed_hit);
+  EXPECT_EQ(judged(boxes(1, 1), overlap(true)).overlap, Decision::right);
+  EXPECT_EQ(judged(boxes(1, 0.5), overlap(true)).overlap, Decision::false_hit);
+  const Declaration open = with([](Conventions& c) { c.touching_overlap = Touching::open; });
+  EXPECT_EQ(judged(boxes(0, 0), overlap(false), open).overlap, Decision::right);
+  const Declaration exclusive = with([](Conventions& c) { c.margin = Margin::exclusive; });
+  EXPECT_EQ(judged(boxes(1, 1), overlap(false), exclusive).overlap, Decision::right);
+}
+
+// Levels.
+
+TEST(JudgeLevels, a_missed_hit_reaches_none_and_a_false_hit_is_conservative) {
+  EXPECT_EQ(level_of(overlapping(), overlap(false)), Level::none);
+  EXPECT_EQ(level_of(overlapping(), no_contact()), Level::none);
+  EXPECT_EQ(level_of(apart(1), overlap(true)), Level::conservative);
+  EXPECT_EQ(level_of(apart(1), value_of(3)), Level::conservative);
+  EXPECT_EQ(level_of(apart(1), overlap(false)), Level::correctly_rounded);
+  Claim both = value_of(-1);  // a missed overlap beside a perfect contact
+  both.overlap = false;
+  EXPECT_EQ(level_of(overlapping(), both), Level::none);
+}
+
+TEST(JudgeLevels, the_worst_field_decides) {
+  ContactClaim claim{
+      .normal = Vector3(1, 0, 0), .point1 = Vector3(2, 0, 0), .point2 = Vector3(1, 0, 0), .point = {}, .value = -1.0};
+  EXPECT_EQ(level_of(overlapping(), contact_of(claim)), Level::correctly_rounded);
+  claim.point2 = Vector3(above(1), 0, 0);
+  EXPECT_EQ(level_of(overlapping(), contact_of(claim)),
+            Level::bounded);  // 1 is representable: its neighbour is no rounding
+  claim.value = 12;
+  EXPECT_EQ(level_of(overlapping(), contact_of(claim)), Level::decisions);
+}
+
+TEST(JudgeLevels, each_level_includes_those_after_it) {
+  EXPECT_LT(Level::correctly_rounded, Level::faithful);
+  EXPECT_LT(Level::faithful, Level::bounded);
+  EXPECT_LT(Level::bounded, Level::decisions);
+  EXPECT_LT(Level::decisions, Level::conservative);
+  EXPECT_LT(Level::conservative, Level::none);
+  EXPECT_EQ(name(Level::correctly_rounded), "correctly-rounded");
+  EXPECT_EQ(name(Level::faithful), "faithful");
+  EXPECT_EQ(name(Level::bounded), "bounded");
+  EXPECT_EQ(name(Level::decisions), "decisions");
+  EXPECT_EQ(name(Level::conservative), "conservative");
+}
+
+TEST(JudgeLevels, the_other_number_beside_the_real_is_faithful_and_one_further_is_bounded) {
+  // n_x = 0.6, whose double 0.59999999999999997780 is below it
+  EXPECT_EQ(level_of(touching(), normal_of({0.6, 0.8, 0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(touching(), normal_of({above(0.6), 0.8, 0})), Level::faithful);
+  EXPECT_EQ(level_of(touching(), normal_of({below(0.6), 0.8, 0})), Level::bounded);
+  EXPECT_EQ(level_of(touching(), normal_of({above(above(0.6)), 0.8, 0})), Level::bounded);
+  const Verdict faithful = judged(touching(), normal_of({above(0.6), 0.8, 0}));
+  EXPECT_EQ(faithful.at(Field::normal)->grade, Grade::faithful);
+  // 0.6 is 0.2 of its ulp 2^-53 above its double, so 0.8 below the next; half that in ulps of 1
+  EXPECT_NEAR(faithful.at(Field::normal)->error, 0.4, 0.01);
+}
+
+TEST(JudgeLevels, a_status_other_than_answered_reaches_no_level) {
+  for (const Claim::Status status : {Claim::Status::unsupported, Claim::Status::rejected, Claim::Status::error,
+                                     Claim::Status::timeout, Claim::Status::crash, Claim::Status::missing}) {
+    Claim claim = overlap(true);
+    claim.status = status;
+    claim.text = "why";
+    const Verdict verdict = judged(overlapping(), claim);
+    EXPECT_EQ(verdict.level(), Level::none);
+    EXPECT_EQ(verdict.status, status);
+    EXPECT_EQ(verdict.text, "why");
+    EXPECT_EQ(verdict.overlap, Decision::unclaimed);
+    EXPECT_TRUE(explained(overlapping(), claim).empty());
+  }
+}
+
+TEST(JudgeLevels, an_answer_without_a_claim_is_an_error) {
+  const Verdict verdict = judged(overlapping(), Claim{});
+  EXPECT_EQ(verdict.status, Claim::Status::error);
+  EXPECT_FALSE(verdict.text.empty());
+  EXPECT_EQ(verdict.level(), Level::none);
+}
+
+TEST(JudgeLevels, a_field_that_is_not_claimed_is_not_judged) {
+  const Verdict verdict = judged(overlapping(), value_of(-1));
+  EXPECT_TRUE(verdict.at(Field::value));
+  for (const Field field : {Field::normal, Field::point1, Field::point2, Field::point}) EXPECT_FALSE(verdict.at(field));
+  EXPECT_EQ(level_of(overlapping(), contact_of({})), Level::correctly_rounded);
+}
+
+TEST(JudgeLevels, outside_the_domain_refusing_or_failing_is_right_and_an_answer_is_wrong) {
+  const auto level = [](Claim::Status status) {
+    Claim claim = overlap(true);
+    claim.status = status;
+    return judge_outside_domain(claim).level();
+  };
+  EXPECT_EQ(level(Claim::Status::rejected), Level::correctly_rounded);
+  EXPECT_EQ(level(Claim::Status::error), Level::correctly_rounded);
+  for (const Claim::Status status : {Claim::Status::answered, Claim::Status::unsupported, Claim::Status::timeout,
+                                     Claim::Status::crash, Claim::Status::missing})
+    EXPECT_EQ(level(status), Level::none);
+}
+
+// Bounds.
+
+TEST(JudgeBounds, a_bound_that_is_exactly_met_holds_and_the_next_number_breaks_it) {
+  // value -1 beside max(4, 5, 0) = 5: ulp(5) = 2^-50, 8 of them 2^-47
+  EXPECT_EQ(level_of(overlapping(), value_of(-1 + 0x1p-47)), Level::bounded);
+  EXPECT_EQ(level_of(overlapping(), value_of(-1 - 0x1p-47)), Level::bounded);
+  EXPECT_EQ(level_of(overlapping(), value_of(above(-1 + 0x1p-47))), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(), value_of(below(-1 - 0x1p-47))), Level::decisions);
+  EXPECT_EQ(judged(overlapping(), value_of(-1 + 0x1p-47)).at(Field::value)->error, 8);
+}
+
+TEST(JudgeBounds, a_declared_bound_replaces_the_default) {
+  Declaration declared;
+  declared.bounds.value = 1;
+  EXPECT_EQ(level_of(overlapping(), value_of(-1 + 0x1p-50), declared), Level::bounded);
+  EXPECT_EQ(level_of(overlapping(), value_of(above(-1 + 0x1p-50)), declared), Level::decisions);
+  declared.bounds.normal = 64;  // 64 ulp(1) = 2^-46
+  EXPECT_EQ(level_of(overlapping(), normal_of({1 + 0x1p-46, 0, 0}), declared), Level::bounded);
+  EXPECT_EQ(level_of(overlapping(), normal_of({above(1 + 0x1p-46), 0, 0}), declared), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(), normal_of({1, 0x1p-46, 0}), declared), Level::bounded);
+}
+
+TEST(JudgeBounds, each_point_is_measured_by_the_larger_of_its_coordinates_and_radius) {
+  // point1: max(0, 2) = 2, ulp 2^-51, 8 of them 2^-48; point2: max(4, 3) = 4, 2^-47
+  const Vector3 p1(2, 0, 0);
+  const Vector3 p2(1, 0, 0);
+  EXPECT_EQ(level_of(overlapping(), points_of(p1 + Vector3(0, 0x1p-48, 0), p2)), Level::bounded);
+  EXPECT_EQ(level_of(overlapping(), points_of(p1 + Vector3(0, above(0x1p-48), 0), p2)), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(), points_of(p1, p2 - Vector3(0, 0, 0x1p-47))), Level::bounded);
+  EXPECT_EQ(level_of(overlapping(), points_of(p1, p2 - Vector3(0, 0, above(0x1p-47)))), Level::decisions);
+}
+
+TEST(JudgeBounds, a_binary32_engine_is_judged_by_the_rounding_and_the_ulps_of_binary32) {
+  Declaration declared;
+  declared.scalar = Scalar::binary32;
+  const auto f = [](float x) { return static_cast<double>(x); };
+  EXPECT_EQ(level_of(touching(), normal_of({f(0.6F), f(0.8F), 0}), declared), Level::correctly_rounded);
+  EXPECT_EQ(level_of(touching(), normal_of({0.6, 0.8, 0}), declared), Level::bounded);   // no binary32 numbers
+  EXPECT_EQ(level_of(touching(), normal_of({f(0.6F), f(0.8F), 0})), Level::decisions);   // and the other way round
+  EXPECT_EQ(level_of(overlapping(), value_of(-1 + 0x1p-18), declared), Level::bounded);  // 8 ulp(5) = 2^-18
+  EXPECT_EQ(level_of(overlapping(), value_of(above(-1 + 0x1p-18)), declared), Level::decisions);
+}
+
+TEST(JudgeBounds, a_cancelled_value_is_measured_by_what_cancelled) {
+  // touching: value 0, scale 5; 0.9 e-15 is one ulp(5), whatever it is in ulps of 0
+  EXPECT_EQ(level_of(touching(), value_of(0x1p-50)), Level::bounded);
+  EXPECT_EQ(judged(touching(), value_of(0x1p-50)).at(Field::value)->error, 1);
+  // a large contact distance is a scale, too: 8 ulp(1024) = 2^-39
+  EXPECT_EQ(level_of(touching(0, 1024), value_of(-1024 + 0x1p-39)), Level::bounded);
+  EXPECT_EQ(level_of(touching(0, 1024), value_of(-1024 + 0x1.1p-39)), Level::decisions);
+}
+
+// Numbers that are not finite, and zeros.
+
+TEST(JudgeInfinity, a_number_that_is_not_finite_is_wrong_where_the_truth_is_finite) {
+  for (const double bad : {kInfinity, -kInfinity, kNan}) {
+    for (const Claim& claim : {value_of(bad), normal_of({1, bad, 0}), points_of({2, 0, 0}, {1, bad, 0})}) {
+      const Verdict verdict = judged(overlapping(), claim);
+      EXPECT_TRUE(verdict.not_finite());
+      EXPECT_EQ(verdict.level(), Level::decisions);
+    }
+  }
+  EXPECT_EQ(judged(overlapping(), value_of(kNan)).at(Field::value)->grade, Grade::not_finite);
+  EXPECT_FALSE(judged(overlapping(), value_of(12)).not_finite());
+}
+
+// coincident spheres of the largest radius M: value -2 M, which rounds to -infinity
+Query huge() { return spheres({{0, 0, 0}, kLargest}, {{0, 0, 0}, kLargest}); }
+
+TEST(JudgeInfinity, an_equal_infinity_is_right_and_the_other_one_is_not) {
+  EXPECT_EQ(level_of(huge(), value_of(-kInfinity)), Level::correctly_rounded);
+  EXPECT_EQ(judged(huge(), value_of(-kInfinity)).at(Field::value)->error, 0);
+  EXPECT_EQ(judged(huge(), value_of(kInfinity)).at(Field::value)->grade, Grade::not_finite);
+  EXPECT_EQ(judged(huge(), value_of(kNan)).at(Field::value)->grade, Grade::not_finite);
+}
+
+TEST(JudgeInfinity, a_finite_claim_is_measured_against_the_exact_real) {
+  // -1 against -2 M = -(2^1025 - 2^972), whose ulp is 2^972: 2^53 - 1 ulps, but for a hair
+  const FieldVerdict far = *judged(huge(), value_of(-1)).at(Field::value);
+  EXPECT_EQ(far.grade, Grade::beyond_bound);
+  EXPECT_EQ(far.error, 0x1.fffffffffffffp52);
+  // M + 2^970 ties to infinity; M is half its own ulp away, and the number beside the real
+  const Query edge = spheres({{0, 0, 0}, kLargest}, {{0, 0, 0}, 0}, 0, 0x1p970);
+  const FieldVerdict near = *judged(edge, value_of(-kLargest)).at(Field::value);
+  EXPECT_EQ(near.grade, Grade::faithful);
+  EXPECT_EQ(near.error, 0.5);
+  EXPECT_EQ(judged(edge, value_of(below(kLargest) * -1)).at(Field::value)->grade, Grade::bounded);
+  EXPECT_EQ(judged(edge, value_of(-kInfinity)).at(Field::value)->grade, Grade::correctly_rounded);
+}
+
+TEST(JudgeZero, minus_zero_is_as_good_as_plus_zero) {
+  EXPECT_EQ(level_of(touching(), value_of(-0.0)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(overlapping(), normal_of({1, -0.0, -0.0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(overlapping(), points_of({2, -0.0, 0}, {1, 0, -0.0})), Level::correctly_rounded);
+}
+
+// Conventions of the normal.
+
+TEST(JudgeNormal, may_point_from_the_second_to_the_first_where_declared) {
+  const Declaration reversed = with([](Conventions& c) { c.normal = NormalDirection::second_to_first; });
+  EXPECT_EQ(level_of(touching(), normal_of({-0.6, -0.8, 0}), reversed), Level::correctly_rounded);
+  EXPECT_EQ(level_of(touching(), normal_of({0.6, 0.8, 0}), reversed), Level::decisions);
+  EXPECT_EQ(level_of(touching(), normal_of({-0.6, -0.8, 0})), Level::decisions);
+}
+
+TEST(JudgeNormal, of_any_length_is_normalised_exactly_where_declared_and_bounded_at_best) {
+  const Declaration any_length = with([](Conventions& c) { c.normal_unit = false; });
+  EXPECT_EQ(level_of(touching(), normal_of({3, 4, 0}), any_length), Level::bounded);
+  EXPECT_EQ(level_of(touching(), normal_of({0.6, 0.8, 0}), any_length), Level::bounded);
+  EXPECT_EQ(level_of(touching(), normal_of({0x3p-1000, 0x4p-1000, 0}), any_length), Level::bounded);
+  EXPECT_EQ(level_of(touching(), normal_of({0x3p900, 0x4p900, 0}), any_length), Level::bounded);
+  EXPECT_EQ(level_of(touching(), normal_of({4, 3, 0}), any_length), Level::decisions);
+  EXPECT_EQ(level_of(touching(), normal_of({-3, -4, 0}), any_length), Level::decisions);
+  EXPECT_EQ(level_of(touching(), normal_of({0, 0, 0}), any_length), Level::decisions);
+  EXPECT_EQ(level_of(touching(), normal_of({3, 4, kInfinity}), any_length), Level::decisions);
+  EXPECT_EQ(level_of(touching(), normal_of({3, 4, 0})), Level::decisions);  // undeclared
+  // against (1,0,0): (1, t, 0) is t off in y, but for t^3; 8 ulp(1) = 2^-49
+  EXPECT_EQ(level_of(overlapping(), normal_of({1, 0x1p-49, 0}), any_length), Level::bounded);
+  EXPECT_EQ(level_of(overlapping(), normal_of({1, above(0x1p-49), 0}), any_length), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(), normal_of({2, 0x1p-48, 0}), any_length), Level::bounded);
+}
+
+// Conventions of the points.
+
+TEST(JudgePoints, lie_on_the_nearest_surface_by_default) {
+  EXPECT_EQ(level_of(overlapping(), points_of({2, 0, 0}, {1, 0, 0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(overlapping(), points_of({-2, 0, 0}, {7, 0, 0})), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(), points_of({0, 0, 0}, {4, 0, 0})), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(), points_of({1, 0, 0}, {2, 0, 0})), Level::decisions);  // exchanged
+}
+
+TEST(JudgePoints, are_centres_of_deformable_spheres_and_surface_points_of_rigid_ones_where_declared) {
+  const Declaration center = with_points(Points::center);
+  const Vector3 surface1(2, 0, 0);
+  const Vector3 surface2(1, 0, 0);
+  const Vector3 center1(0, 0, 0);
+  const Vector3 center2(4, 0, 0);
+  for (const auto& [pair, p1, p2] :
+       {std::tuple(Pair::sphere_sphere, center1, center2), std::tuple(Pair::sphere_rigid_sphere, center1, surface2),
+        std::tuple(Pair::rigid_sphere_rigid_sphere, surface1, surface2)}) {
+    EXPECT_EQ(level_of(overlapping(0, pair), points_of(p1, p2), center), Level::correctly_rounded) << name(pair);
+    EXPECT_EQ(level_of(overlapping(0, pair), points_of(surface1, surface2)), Level::correctly_rounded) << name(pair);
+  }
+  EXPECT_EQ(level_of(overlapping(0, Pair::sphere_rigid_sphere), points_of(center1, center2), center), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(), points_of(surface1, surface2), center), Level::decisions);
+}
+
+TEST(JudgePoints, lie_on_the_far_surface_by_the_published_formula) {
+  const Declaration published = with_points(Points::published);
+  EXPECT_EQ(level_of(overlapping(), points_of({-2, 0, 0}, {7, 0, 0}), published), Level::correctly_rounded);
+  EXPECT_EQ(level_of(overlapping(), points_of({2, 0, 0}, {1, 0, 0}), published), Level::decisions);
+}
+
+TEST(JudgePoints, may_be_one_midpoint) {
+  const Declaration midpoint = with_points(Points::midpoint);
+  EXPECT_EQ(level_of(overlapping(), midpoint_of({1.5, 0, 0}), midpoint), Level::correctly_rounded);  // (2 + 1) / 2
+  // 8 ulps of the larger scale, 4: 2^-47
+  EXPECT_EQ(level_of(overlapping(), midpoint_of({1.5, 0x1p-47, 0}), midpoint), Level::bounded);
+  EXPECT_EQ(level_of(overlapping(), midpoint_of({1.5, above(0x1p-47), 0}), midpoint), Level::decisions);
+  EXPECT_FALSE(judged(overlapping(), points_of({9, 9, 9}, {9, 9, 9}), midpoint).at(Field::point1));
+  EXPECT_FALSE(judged(overlapping(), midpoint_of({9, 9, 9})).at(Field::point));
+}
+
+TEST(JudgePoints, may_be_claimed_of_one_sphere_or_of_none) {
+  const Claim first_right = points_of({2, 0, 0}, {9, 9, 9});
+  const Claim second_right = points_of({9, 9, 9}, {1, 0, 0});
+  EXPECT_EQ(level_of(overlapping(), first_right, with_points(Points::first_only)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(overlapping(), second_right, with_points(Points::first_only)), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(), second_right, with_points(Points::second_only)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(overlapping(), first_right, with_points(Points::second_only)), Level::decisions);
+  const Verdict none = judged(overlapping(), first_right, with_points(Points::none));
+  EXPECT_FALSE(none.at(Field::point1));
+  EXPECT_FALSE(none.at(Field::point2));
+}
+
+// Conventions of the value.
+
+TEST(JudgeValue, is_signed_and_less_the_contact_distance_by_default) {
+  // 4 - 5 = -1, less 0.25
+  EXPECT_EQ(level_of(overlapping(0.25), value_of(-1.25)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(overlapping(0.25), value_of(-1)), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(0.25), value_of(1.25)), Level::decisions);
+}
+
+TEST(JudgeValue, may_be_a_depth_with_or_without_the_contact_distance) {
+  const auto declared = [](ValueKind kind, bool less) {
+    return with([&](Conventions& c) {
+      c.value = kind;
+      c.value_less_contact = less;
+    });
+  };
+  EXPECT_EQ(level_of(overlapping(0.25), value_of(1.25), declared(ValueKind::depth, true)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(overlapping(0.25), value_of(-1.25), declared(ValueKind::depth, true)), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(0.25), value_of(1), declared(ValueKind::depth, false)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(overlapping(0.25), value_of(-1), declared(ValueKind::signed_distance, false)),
+            Level::correctly_rounded);
+  EXPECT_FALSE(judged(overlapping(), value_of(77), declared(ValueKind::none, true)).at(Field::value));
+}
+
+// Coincident centres.
+
+TEST(JudgeCoincident, any_unit_normal_is_right) {
+  for (const Vector3& n : {Vector3(1, 0, 0), Vector3(0, 0, -1), Vector3(0.6, 0.8, 0), Vector3(0, -1, 0)})
+    EXPECT_EQ(level_of(coincident(), normal_of(n)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), normal_of({0, 0, 0})), Level::decisions);
+  EXPECT_EQ(level_of(coincident(), normal_of({1, 1, 0})), Level::decisions);
+  EXPECT_EQ(judged(coincident(), normal_of({kNan, kNan, kNan})).at(Field::normal)->grade, Grade::not_finite);
+}
+
+TEST(JudgeCoincident, unit_means_that_its_squared_length_is_within_8_roundings_of_1) {
+  // |n.n - 1| <= 8 u = 2^-50: (1, y, 0) is off by y^2, so y = 2^-25 is the last
+  EXPECT_EQ(level_of(coincident(), normal_of({1, 0x1p-25, 0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), normal_of({1, above(0x1p-25), 0})), Level::decisions);
+  // below 1: x = 1 - k 2^-53 is off by k 2^-52 - k^2 2^-106, less than 4 2^-52 for k = 4 and more for k = 5
+  EXPECT_EQ(level_of(coincident(), normal_of({1 - 0x4p-53, 0, 0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), normal_of({1 - 0x5p-53, 0, 0})), Level::decisions);
+  Declaration single;
+  single.scalar = Scalar::binary32;  // 2^-21: y = 2^-10.5 lies between 2^-11 and 2^-10
+  EXPECT_EQ(level_of(coincident(), normal_of({1, 0x1p-11, 0}), single), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), normal_of({1, 0x1p-10, 0}), single), Level::decisions);
+}
+
+TEST(JudgeCoincident, points_go_with_the_claimed_normal) {
+  // centres (7,0,0), radii 2 and 3, n = (0, 0, -1): (7, 0, -2) and (7, 0, 3)
+  const auto claim = [](const Vector3& n, const Vector3& p1, const Vector3& p2) {
+    return contact_of({.normal = n, .point1 = p1, .point2 = p2, .point = {}, .value = -5.0});
+  };
+  const Vector3 down(0, 0, -1);
+  EXPECT_EQ(level_of(coincident(), claim(down, {7, 0, -2}, {7, 0, 3})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), claim(down, {9, 0, 0}, {4, 0, 0})), Level::decisions);
+  EXPECT_EQ(level_of(coincident(), claim({1, 0, 0}, {9, 0, 0}, {4, 0, 0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), claim(down, {7, 0, 2}, {7, 0, -3}), with_points(Points::published)),
+            Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), claim(down, {7, 0, 0}, {7, 0, 0}), with_points(Points::center)),
+            Level::correctly_rounded);
+  const Declaration reversed = with([](Conventions& c) { c.normal = NormalDirection::second_to_first; });
+  EXPECT_EQ(level_of(coincident(), claim(-down, {7, 0, -2}, {7, 0, 3}), reversed), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), claim(down, {7, 0, -2}, {7, 0, 3}), reversed), Level::decisions);
+}
+
+TEST(JudgeCoincident, points_without_a_finite_normal_cannot_be_judged) {
+  EXPECT_FALSE(judged(coincident(), points_of({1, 2, 3}, {4, 5, 6})).at(Field::point1));
+  const Claim bad = contact_of({.normal = Vector3(kNan, 0, 0),
+                                .point1 = Vector3(7, 0, 0),
+                                .point2 = Vector3(7, 0, 0),
+                                .point = {},
+                                .value = {}});
+  EXPECT_FALSE(judged(coincident(), bad).at(Field::point1));
+  EXPECT_EQ(level_of(coincident(), bad), Level::decisions);
+}
+
+TEST(JudgeCoincident, the_midpoint_goes_with_the_claimed_normal_normalised_where_that_is_declared) {
+  // (c + 2 n + c - 3 n) / 2 = (7,0,0) - n / 2
+  const auto claim = [](const Vector3& n, const Vector3& p) {
+    return contact_of({.normal = n, .point1 = {}, .point2 = {}, .point = p, .value = {}});
+  };
+  EXPECT_EQ(level_of(coincident(), claim({0, 1, 0}, {7, -0.5, 0}), with_points(Points::midpoint)),
+            Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), claim({0, 1, 0}, {6.5, 0, 0}), with_points(Points::midpoint)), Level::decisions);
+  const Declaration any_length = with([](Conventions& c) {
+    c.points = Points::midpoint;
+    c.normal_unit = false;
+  });
+  EXPECT_EQ(judged(coincident(), claim({0, 9, 0}, {7, -0.5, 0}), any_length).at(Field::point)->grade,
+            Grade::correctly_rounded);
+}
+
+TEST(JudgeCoincident, points_go_with_the_normalised_normal_where_it_may_have_any_length) {
+  const Declaration any_length = with([](Conventions& c) { c.normal_unit = false; });
+  const Claim claim = contact_of({.normal = Vector3(0, 6, 8),
+                                  .point1 = Vector3(7, 1.2, 1.6),
+                                  .point2 = Vector3(7, below(-1.8), -2.4),
+                                  .point = {},
+                                  .value = {}});
+  const Verdict verdict = judged(coincident(), claim, any_length);
+  EXPECT_EQ(verdict.at(Field::normal)->grade, Grade::bounded);            // at best, as everywhere
+  EXPECT_EQ(verdict.at(Field::point1)->grade, Grade::correctly_rounded);  // 2 * 0.6, 2 * 0.8
+  // -3 * 0.6 = -1.8, whose double -1.8000000000000000444 lies below it: one further down is no neighbour of the real
+  EXPECT_EQ(verdict.at(Field::point2)->grade, Grade::bounded);
+}
+
+TEST(JudgeCoincident, value_is_judged_as_ever) {
+  EXPECT_EQ(level_of(coincident(), value_of(-5)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), value_of(-4)), Level::decisions);
+}
+
+TEST(JudgeCoincident, a_zero_normal_is_right_where_declared_and_only_it) {
+  const Declaration zero = with([](Conventions& c) { c.coincident = Coincident::zero_normal; });
+  EXPECT_EQ(level_of(coincident(), normal_of({0, -0.0, 0}), zero), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), normal_of({1, 0, 0}), zero), Level::decisions);
+  EXPECT_EQ(level_of(coincident(), normal_of({0, 0, 0x1p-1074}), zero), Level::decisions);
+  EXPECT_EQ(level_of(touching(), normal_of({0, 0, 0}), zero), Level::decisions);  // these centres do not coincide
+}
+
+TEST(JudgeCoincident, no_contact_is_right_where_declared_and_for_the_contact_alone) {
+  const Declaration none = with([](Conventions& c) { c.coincident = Coincident::no_contact; });
+  EXPECT_EQ(level_of(coincident(), no_contact(), none), Level::correctly_rounded);
+  EXPECT_EQ(judged(coincident(), value_of(-5), none).contact, Decision::false_hit);
+  EXPECT_EQ(judged(coincident(), overlap(true), none).overlap, Decision::right);
+  EXPECT_EQ(judged(coincident(), overlap(false), none).overlap, Decision::missed_hit);
+  EXPECT_EQ(judged(overlapping(), no_contact(), none).contact, Decision::missed_hit);
+  EXPECT_EQ(judged(coincident(), no_contact()).contact, Decision::missed_hit);
+}
+
+// What a wrong answer says about the engine's conventions.
+
+TEST(JudgeExplains, nothing_where_the_answer_is_right) {
+  EXPECT_TRUE(explained(overlapping(), value_of(-1)).empty());
+  EXPECT_TRUE(explained(overlapping(), value_of(above(-1))).empty());
+}
+
+TEST(JudgeExplains, nothing_where_no_convention_makes_it_right) {
+  EXPECT_TRUE(explained(overlapping(), value_of(77)).empty());
+  EXPECT_TRUE(explained(overlapping(), points_of({77, 0, 0}, {78, 0, 0})).empty());
+}
+
+TEST(JudgeExplains, the_direction_and_the_length_of_a_normal) {
+  const auto reversed = explained(touching(), normal_of({-0.6, -0.8, 0}));
+  ASSERT_EQ(reversed.size(), 1U);
+  EXPECT_TRUE(says(reversed, "normal", "normal", "second-to-first"));
+  const auto longer = explained(touching(), normal_of({3, 4, 0}));
+  ASSERT_EQ(longer.size(), 1U);
+  EXPECT_TRUE(says(longer, "normal", "normal_unit", "false"));
+}
+
+TEST(JudgeExplains, the_points) {
+  const auto published = explained(overlapping(), points_of({-2, 0, 0}, {7, 0, 0}));
+  EXPECT_TRUE(says(published, "point1", "points", "published"));
+  EXPECT_TRUE(says(published, "point2", "points", "published"));
+  EXPECT_EQ(published.size(), 2U);
+  const auto center = explained(overlapping(), points_of({0, 0, 0}, {4, 0, 0}));
+  EXPECT_TRUE(says(center, "point1", "points", "center"));
+  EXPECT_TRUE(says(center, "point2", "points", "center"));
+  const auto nearest = explained(overlapping(), points_of({2, 0, 0}, {1, 0, 0}), with_points(Points::published));
+  EXPECT_TRUE(says(nearest, "point1", "points", "nearest_surface"));
+}
+
+TEST(JudgeExplains, the_value) {
+  EXPECT_TRUE(says(explained(overlapping(0.25), value_of(1.25)), "value", "value", "depth less contact"));
+  EXPECT_TRUE(says(explained(overlapping(0.25), value_of(1)), "value", "value", "depth without contact"));
+  EXPECT_TRUE(says(explained(overlapping(0.25), value_of(-1)), "value", "value", "signed without contact"));
+}
+
+TEST(JudgeExplains, touching_the_margin_and_coincident_centres) {
+  EXPECT_TRUE(says(explained(touching(), overlap(false)), "overlap", "touching_overlap", "open"));
+  EXPECT_TRUE(says(explained(touching(), no_contact()), "contact", "touching_contact", "open"));
+  EXPECT_FALSE(says(explained(touching(), no_contact()), "contact", "touching_overlap", "open"));
+  EXPECT_TRUE(says(explained(apart(3), overlap(false)), "overlap", "margin", "exclusive"));
+  EXPECT_TRUE(says(explained(apart(3), overlap(false)), "overlap", "margin", "none"));
+  const auto ignored = explained(apart(9), no_contact());
+  EXPECT_TRUE(says(ignored, "contact", "margin", "none"));
+  EXPECT_FALSE(says(ignored, "contact", "margin", "exclusive"));
+  EXPECT_TRUE(says(explained(coincident(), no_contact()), "contact", "coincident", "no_contact"));
+  EXPECT_TRUE(says(explained(coincident(), normal_of({0, 0, 0})), "normal", "coincident", "zero_normal"));
+}
+
+}  // namespace
+}  // namespace contact::oracle

@@ -1,0 +1,203 @@
+// certify: engines held against golden files, or against questions generated on the spot.
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <memory>
+#include <random>
+
+#include "golden/output_file.hpp"
+#include "tool/commands.hpp"
+#include "tool/pipeline.hpp"
+#include "tool/session.hpp"
+
+namespace contact::tool {
+namespace {
+
+struct Options {
+  std::vector<std::string> paths;
+  std::string engine;
+  std::string results;
+  std::string points = "nearest_surface";
+  std::string level = "bounded";
+  std::vector<std::string> families;
+  int jobs = 0;
+  bool allow_unsupported = false;
+  std::uint64_t generate = 0;
+  std::vector<std::string> pairs;
+  std::optional<std::uint64_t> seed;
+  std::string report;
+  std::string junit;
+  std::string json;
+};
+
+[[noreturn]] void refuse(const std::string& problem) { throw golden::InputError({"certify", 0}, "", problem); }
+
+template <class Names>
+std::size_t index_of(const Names& names, const std::string& text, const std::string& what) {
+  const auto it = std::find(names.begin(), names.end(), text);
+  if (it == names.end()) refuse(fmt::format("unknown {} '{}'; known: {}", what, text, fmt::join(names, ", ")));
+  return static_cast<std::size_t>(it - names.begin());
+}
+
+bool wanted(const Options& options, const std::string& family) {
+  if (options.families.empty()) return family != "invalid";
+  return std::find(options.families.begin(), options.families.end(), family) != options.families.end();
+}
+
+std::vector<Source> datasets(const Options& options) {
+  std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
+  if (paths.empty()) paths.emplace_back(golden_folder());
+  std::vector<Source> sources;
+  std::vector<std::string> seen;
+  for (const auto& path : golden::dataset_files(paths)) {
+    const golden::DatasetReader reader(path);
+    const golden::DatasetHeader& h = reader.header();
+    seen.push_back(h.family);
+    if (wanted(options, h.family)) sources.push_back({h.pair, h.scalar, h.family, h.count, path});
+  }
+  for (const std::string& family : options.families)
+    if (std::find(seen.begin(), seen.end(), family) == seen.end())
+      refuse(fmt::format("no dataset given holds the family '{}'", family));
+  if (sources.empty()) refuse("nothing to judge: the family 'invalid' is judged only when named, --family invalid");
+  return sources;
+}
+
+std::vector<Source> generated(const Options& options, std::uint64_t seed) {
+  if (!options.paths.empty()) refuse("--generate makes its own questions: give no dataset");
+  std::vector<std::string_view> pair_names;
+  for (const Pair pair : kPairs) pair_names.push_back(name(pair));
+  std::vector<Pair> pairs;
+  for (const std::string& pair : options.pairs) pairs.push_back(kPairs[index_of(pair_names, pair, "pair")]);
+  if (pairs.empty()) pairs.assign(kPairs.begin(), kPairs.end());
+  for (const std::string& family : options.families)
+    if (std::none_of(pairs.begin(), pairs.end(),
+                     [&](Pair pair) { return golden::find_family(pair, family) != nullptr; }))
+      refuse(fmt::format("unknown family '{}'; `contact-oracle families` lists them", family));
+  std::vector<Source> sources;
+  for (const Pair pair : pairs)
+    for (const golden::Family& family : golden::families_of(pair))
+      for (const Scalar scalar : kScalars)
+        if (wanted(options, std::string(family.name)))
+          sources.push_back({pair, scalar, std::string(family.name), options.generate, std::nullopt, &family, seed});
+  return sources;
+}
+
+std::vector<Subject> subjects(const Options& options, bool scoreboard) {
+  const auto points = static_cast<Points>(index_of(kPointsNames, options.points, "convention for --points"));
+  if (points != Points::nearest_surface && points != Points::center && points != Points::published)
+    refuse("a built-in engine computes nearest_surface, center or published points");
+  std::vector<Subject> found;
+  if (!options.results.empty()) {
+    found.push_back({engines::make_recorded(golden::read_results(options.results)), {}});
+  } else if (scoreboard) {
+    for (const engines::BuiltIn& e : engines::built_in_engines())
+      found.push_back({engines::make_built_in(e.name, points), {}});
+  } else {
+    const std::string name = options.engine.empty() ? "production" : options.engine;
+    auto engine = engines::make_built_in(name, points);
+    if (engine == nullptr) {
+      std::vector<std::string_view> names;
+      for (const engines::BuiltIn& e : engines::built_in_engines()) names.push_back(e.name);
+      index_of(names, name, "engine");
+    }
+    found.push_back({std::move(engine), {}});
+  }
+  for (Subject& subject : found) {
+    subject.report.engine = subject.engine->info();
+    subject.report.required = static_cast<Level>(index_of(oracle::kLevelNames, options.level, "level"));
+    subject.report.allow_unsupported = options.allow_unsupported;
+    if (subject.report.required == Level::none) refuse("--level none asks for nothing");
+  }
+  return found;
+}
+
+/// A report's file, opened before the work so that a name that cannot be written is refused at once.
+std::unique_ptr<golden::OutputFile> opened(const std::string& path) {
+  return path.empty() ? nullptr : std::make_unique<golden::OutputFile>(path);
+}
+
+void write(const std::unique_ptr<golden::OutputFile>& file, const std::string& text) {
+  if (file == nullptr) return;
+  file->write(text);
+  file->commit();
+}
+
+int certify(const Options& options) {
+  const bool scoreboard =
+      options.engine.empty() && options.results.empty() && options.paths.empty() && options.generate == 0;
+  const tbb::global_control threads(
+      tbb::global_control::max_allowed_parallelism,
+      options.jobs > 0 ? static_cast<std::size_t>(options.jobs)
+                       : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  std::vector<Subject> judged = subjects(options, scoreboard);
+  std::vector<Source> sources;
+  if (options.generate != 0) {
+    std::random_device entropy;
+    const std::uint64_t seed = options.seed.value_or((static_cast<std::uint64_t>(entropy()) << 20) ^ entropy());
+    fmt::print("seed {}\n", seed);
+    sources = generated(options, seed);
+  } else {
+    sources = datasets(options);
+  }
+  const auto json = opened(options.json);
+  const auto junit = opened(options.junit);
+  const auto report = opened(options.report);
+  for (const Source& source : sources) judge_source(source, judged);
+
+  std::vector<Report> reports;
+  for (Subject& subject : judged) {
+    subject.report.unknown_answers = subject.engine->unasked();
+    reports.push_back(std::move(subject.report));
+  }
+  const Report& first = reports.front();
+  write(json, json_text(first));
+  write(junit, junit_text(first));
+  write(report, html_text(reports));
+  fmt::print("{}", scoreboard ? scoreboard_text(reports) : terminal_text(first));
+  if (!options.report.empty()) fmt::print("\nReport: {}\n", options.report);
+  if (first.judged() == 0) refuse("no case was judged: see what was skipped, and why");
+  if (first.harness_invalid()) return kHarnessInvalid;
+  return first.certified() ? kCertified : kRefuted;
+}
+
+}  // namespace
+
+void add_certify(CLI::App& app, int& exit) {
+  auto* command = app.add_subcommand(
+      "certify",
+      "Hold an engine against golden files; with neither engine nor dataset, the scoreboard of the built-in engines");
+  auto options = std::make_shared<Options>();
+  command->add_option("datasets", options->paths, "Golden files or folders (default: golden/)");
+  auto* engine =
+      command->add_option("--engine", options->engine, "A built-in engine; `contact-oracle engines` lists them");
+  command->add_option("--results", options->results, "A results file: the recorded answers of an engine")
+      ->excludes(engine);
+  command
+      ->add_option("--points", options->points,
+                   "Contact points that a built-in engine computes: nearest_surface, center, published")
+      ->capture_default_str();
+  command
+      ->add_option("--level", options->level,
+                   "Required level: correctly-rounded, faithful, bounded, decisions, conservative")
+      ->capture_default_str();
+  command->add_option("--family", options->families, "Only these families")->delimiter(',');
+  command->add_option("--jobs", options->jobs, "Threads (default: one a core)")->check(kFromOne);
+  command->add_flag("--allow-unsupported", options->allow_unsupported,
+                    "Leave out questions that the engine answers with \"unsupported\"");
+  auto* generate = command
+                       ->add_option("--generate", options->generate,
+                                    "Instead of golden files: this many generated questions a family and scalar")
+                       ->check(kFromOne);
+  command->add_option("--pair", options->pairs, "With --generate: only these pairs")->delimiter(',')->needs(generate);
+  command->add_option("--seed", options->seed, "With --generate: the seed (default: random, printed)")
+      ->check(kFromZero)
+      ->needs(generate);
+  command->add_option("--report", options->report, "Write the report as HTML");
+  command->add_option("--junit", options->junit, "Write the report as JUnit XML");
+  command->add_option("--json", options->json, "Write the report as JSON");
+  command->callback([options, &exit] { exit = certify(*options); });
+}
+
+}  // namespace contact::tool

@@ -1,0 +1,745 @@
+#!/usr/bin/env python3
+"""The command line as a user meets it: python3 tool/cli_test.py PATH_TO_TOOL [unittest arguments]."""
+import copy
+import hashlib
+import json
+import math
+import os
+import pty
+import re
+import resource
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import xml.etree.ElementTree as ElementTree
+from fractions import Fraction
+from pathlib import Path
+
+TOOL = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
+ROOT = Path(__file__).resolve().parent.parent
+GOLDEN = ROOT / "golden"
+RECORDED = GOLDEN / "recorded" / "sofa-2a278d8"
+PAIRS = ("sphere_sphere", "rigid_sphere_rigid_sphere", "sphere_rigid_sphere", "cube_cube")
+SPHERES = {"a": {"center": [0, 0, 0], "radius": 1.5}, "b": {"center": [1, 2, 2], "radius": 1.5}, "alarm": 0, "contact": 0.25}
+CUBES = {"a": {"min": [0, 0, 0], "max": [1, 1, 1]}, "b": {"min": [1, 0, 0], "max": [2, 1, 1]}, "alarm": 0.5, "contact": 0}
+SPHERES_ID, CUBES_ID = "7827fbcb904c1b0d7baa72b0", "39f8ccec244e593cfa1b7ad5"
+SPHERES_EXPECT = ('"expect":{"hit":true,"degenerate":false,"normal":[0.3333333333333333,0.6666666666666666,'
+                  '0.6666666666666666],"point1":[0.5,1,1],"point2":[0.5,1,1],"value":-0.25},'
+                  '"exact":{"distance2":"0x9p0","reach":"0x3p0","margin_ulps":0}}')
+
+
+def run(*args, stdin="", **options):
+    options = {"input": stdin, "capture_output": True, "text": True, "timeout": 60, "cwd": ROOT, **options}
+    return subprocess.run([TOOL, *map(str, args)], **options)
+
+
+def line(value):
+    return json.dumps(value, separators=(",", ":"))
+
+
+def text(lines):
+    return "".join((one if isinstance(one, str) else line(one)) + "\n" for one in lines)
+
+
+def committed(path, first=0, count=None):
+    """Header and cases of a committed file, or of a slice of it."""
+    header, *cases = map(json.loads, (GOLDEN / path).read_text().splitlines())
+    cases = cases[first:None if count is None else first + count]
+    return [{**header, "count": len(cases)}, *cases]
+
+
+def put(lines, path, value, at=1):
+    """A copy of the lines in which one value, named by its keys, is another; a function makes it from the old one."""
+    lines = copy.deepcopy(lines)
+    *outer, last = path
+    place = lines[at]
+    for key in outer:
+        place = place[key]
+    place[last] = value(place[last]) if callable(value) else value
+    return lines
+
+
+def next_up(x):
+    return math.nextafter(x, math.inf)
+
+
+def exact_hit(case):
+    """Hit or miss in rational arithmetic, from the inputs alone."""
+    a, b, alarm = case["a"], case["b"], Fraction(case["alarm"])
+    if "min" in a:
+        return all(max(Fraction(a["min"][i]) - Fraction(b["max"][i]), Fraction(b["min"][i]) - Fraction(a["max"][i])) <= alarm
+                   for i in range(3))
+    distance2 = sum((Fraction(p) - Fraction(q)) ** 2 for p, q in zip(a["center"], b["center"]))
+    return distance2 <= (alarm + Fraction(a["radius"]) + Fraction(b["radius"])) ** 2
+
+
+def identified(lines, at=1):
+    """A copy in which one case has the id of the question that it asks."""
+    case = lines[at]
+    words = [case["a"], case["b"], {"": case["alarm"]}, {"": case["contact"]}]
+    numbers = [float(x) for word in words for value in word.values() for x in flat(value)]
+    packed = b"".join(b"\x7f\xf8" + bytes(6) if math.isnan(x) else struct.pack(">d", x + 0.0) for x in numbers)
+    return put(lines, ["id"], hashlib.sha256(lines[0]["pair"].encode() + b"\0" + packed).hexdigest()[:24], at)
+
+
+def flat(value):
+    return value if isinstance(value, list) else [value]
+
+
+def recorded_counts(pair, lines):
+    """Missed hits, false hits and answers with a field that is no number where the truth is one, from the files."""
+    answers = {a["id"]: a for a in map(json.loads, (RECORDED / f"{pair}.jsonl").read_text().splitlines()[1:])}
+    missed = false = not_finite = 0
+    for case in lines[1:]:
+        answer, hit = answers[case["id"]], exact_hit(case)
+        says = [answer["overlap"]] + ([answer["contact"] is not None] if "contact" in answer else [])
+        missed += hit and not all(says)
+        false += not hit and any(says)
+        if hit and answer.get("contact"):
+            not_finite += any(isinstance(claim, str) and claim != right for field, value in answer["contact"].items()
+                              for claim, right in zip(flat(value), flat(case["expect"][field])))
+    return {"missed_hits": missed, "false_hits": false, "not_finite": not_finite}
+
+
+def answers_to(lines, **header):
+    """A results file that answers every case with what it expects."""
+    first = {"format": "contact-oracle/results", "version": 1, "engine": {"name": "test", "version": "1"},
+             "scalar": lines[0]["scalar"], "pairs": [lines[0]["pair"]], "conventions": {}, **header}
+    answers = []
+    for case in lines[1:]:
+        expect = case["expect"]
+        answers.append({"id": case["id"], "overlap": expect["hit"]})
+        if "min" not in case["a"]:
+            answers[-1]["contact"] = ({key: expect[key] for key in ("normal", "point1", "point2", "value")}
+                                      if expect["hit"] else None)
+    return [first, *answers]
+
+
+class Case(unittest.TestCase):
+    longMessage = True
+    maxDiff = 2000
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def file(self, name, lines):
+        path = self.folder / name
+        path.write_text(lines if isinstance(lines, str) else text(lines))
+        return path
+
+    def holds(self, *args, **options):
+        done = run(*args, **options)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout[-800:])
+        return done.stdout
+
+    def refuted(self, *args):
+        done = run(*args)
+        self.assertEqual((done.returncode, done.stderr), (1, ""), done.stdout[-800:])
+        self.assertNotIn("\nCERTIFIED", done.stdout)
+        return done.stdout
+
+    def refused(self, args, *words, one_line=True, **options):
+        """Exit code 2, a message with every one of the words, no verdict, and not a file more than before."""
+        before = sorted(self.folder.rglob("*"))
+        done = run(*args, **options)
+        self.assertEqual(done.returncode, 2, done.stdout[-400:] + done.stderr)
+        for word in words:
+            self.assertIn(str(word), done.stderr)
+        if one_line:
+            self.assertTrue(done.stderr.startswith("contact-oracle: "), done.stderr)
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        self.assertNotEqual(done.stderr, "")
+        self.assertNotIn("CERTIFIED", done.stdout)
+        self.assertEqual(sorted(self.folder.rglob("*")), before)
+        return done
+
+    def reports(self):
+        return [word for name in ("json", "junit", "report") for word in (f"--{name}", self.folder / f"out.{name}")]
+
+    def certify_json(self, *args):
+        path = self.folder / "report.json"
+        done = run("certify", *args, "--json", path)
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        return json.loads(path.read_text())
+
+    def annotated(self, *queries):
+        path = self.folder / "annotated.jsonl"
+        self.holds("annotate", "-", "-o", path, stdin=text(queries))
+        return path
+
+
+class Certify(Case):
+    def test_the_scoreboard_certifies_production_and_refutes_plain_arithmetic_and_the_printed_formula(self):
+        out = self.holds("certify")
+        rows = {row.split()[0]: row.split()[1:3] for row in out.splitlines()[1:5]}
+        self.assertEqual(rows["production"], ["certified", "correctly-rounded"])
+        for engine in ("plain-double", "plain-float", "published"):
+            self.assertEqual(rows[engine][0], "REFUTED")
+            self.assertRegex(out, rf"(?m)^REFUTED: {engine} ")
+        self.assertRegex(out, r"(?m)^CERTIFIED: production .* correctly-rounded")
+
+    def test_production_is_certified_at_the_strictest_level(self):
+        out = self.holds("certify", "golden", "--engine", "production", "--level", "correctly-rounded")
+        self.assertIn("\nCERTIFIED: production", out)
+
+    def test_plain_double_is_refuted_on_the_committed_files(self):
+        self.assertIn("REFUTED: plain-double", self.refuted("certify", "golden", "--engine", "plain-double"))
+
+    def test_the_published_formula_is_refuted_and_the_diagnosis_names_its_convention(self):
+        self.assertIn("points = published", self.refuted("certify", "golden", "--engine", "published"))
+
+    def test_the_published_formula_is_right_under_its_own_convention(self):
+        out = self.holds("certify", "golden", "--engine", "published", "--points", "published",
+                         "--level", "correctly-rounded")
+        self.assertIn("\nCERTIFIED: published", out)
+
+    def test_recorded_answers_of_sofa_are_refuted_with_the_counts_that_the_files_hold(self):
+        for pair in PAIRS:
+            with self.subTest(pair):
+                dataset = f"{pair}/upstream.jsonl"
+                args = ("certify", GOLDEN / dataset, "--family", "upstream", "--results", RECORDED / f"{pair}.jsonl")
+                self.refuted(*args, *self.reports())
+                total = json.loads((self.folder / "out.json").read_text())["total"]
+                lines = committed(dataset)
+                counts = recorded_counts(pair, lines)
+                self.assertEqual({key: total[key] for key in counts}, counts)
+                self.assertGreater(sum(counts.values()), 0)
+                self.assertEqual(total["cases"], len(lines) - 1)
+                self.assertEqual(total["hits"], sum(map(exact_hit, lines[1:])))
+
+    def test_plain_double_arithmetic_fails_exactly_as_the_recorded_answers_of_sofa_do(self):
+        report = self.certify_json("golden", "--family", "upstream", "--engine", "plain-double", "--points", "center")
+        families = {family["pair"]: family for family in report["families"]}
+        self.assertEqual(set(families), set(PAIRS))
+        for pair in PAIRS:
+            sofa = self.certify_json(GOLDEN / pair / "upstream.jsonl", "--results", RECORDED / f"{pair}.jsonl")
+            self.assertEqual(families[pair], sofa["families"][0])
+
+    def test_the_reports_are_well_formed_and_agree_with_the_exit_code(self):
+        for engine, code in (("production", 0), ("plain-double", 1)):
+            with self.subTest(engine):
+                done = run("certify", GOLDEN / "sphere_sphere" / "coincident.jsonl", GOLDEN / "cube_cube" / "generic.jsonl",
+                           "--engine", engine, *self.reports())
+                self.assertEqual((done.returncode, done.stderr), (code, ""))
+                report = json.loads((self.folder / "out.json").read_text())
+                self.assertEqual(report["certified"], code == 0)
+                self.assertEqual(report["verdict"], done.stdout.split("\n\n")[-2].strip())
+                suite = ElementTree.parse(self.folder / "out.junit").getroot().find("testsuite")
+                failures = suite.findall("testcase/failure")
+                self.assertEqual(len(failures), 0 if code == 0 else 2)  # one family, and the verdict
+                self.assertEqual((suite.get("failures"), suite.get("tests")), (str(len(failures)), "3"))
+                html = (self.folder / "out.report").read_text()
+                self.assertIn("<html", html)
+                self.assertIn(engine, html)
+
+    def test_the_invalid_family_is_judged_only_when_named_and_then_in_full(self):
+        folder = GOLDEN / "cube_cube"
+        families = {family["family"] for family in self.certify_json(folder)["families"]}
+        self.assertIn("generic", families)
+        self.assertNotIn("invalid", families)
+        self.assertIn("\nCERTIFIED", self.holds("certify", "golden", "--family", "invalid"))
+        self.refuted("certify", "golden", "--family", "invalid", "--engine", "plain-double")
+        report = self.certify_json(folder, "--family", "invalid")
+        self.assertEqual((report["total"]["cases"], report["skipped"]), (420, []))
+
+    def test_a_run_that_judges_nothing_is_never_certified_and_says_so(self):
+        binary64 = GOLDEN / "sphere_sphere" / "generic.jsonl"
+        self.assertIn("NOTHING JUDGED", self.refuted("certify", binary64, "--engine", "plain-float"))
+        empty = self.file("none.jsonl", [{**committed("sphere_sphere/generic.jsonl", 0, 1)[0], "count": 0}])
+        for path in (empty, GOLDEN / "sphere_sphere" / "invalid.jsonl"):
+            with self.subTest(path.name):
+                self.refused(("certify", path), path, one_line=False)
+
+    def test_generated_questions_are_certified_and_the_seed_is_printed(self):
+        out = self.holds("certify", "--generate", 5, "--seed", 7, "--pair", "cube_cube", "--family", "generic,touching")
+        self.assertIn("seed 7\n", out)
+        self.assertIn("20 judged cases", out)
+
+    def test_no_progress_is_written_where_standard_error_is_not_a_terminal_and_a_bar_where_it_is(self):
+        args = ("certify", GOLDEN / "sphere_sphere" / "upstream.jsonl")
+        self.holds(*args)
+        master, slave = pty.openpty()
+        run(*args, capture_output=False, stdout=subprocess.DEVNULL, stderr=slave)
+        os.close(slave)
+        self.assertIn(b"\r", os.read(master, 65536))
+        os.close(master)
+
+
+class Results(Case):
+    def setUp(self):
+        super().setUp()
+        self.lines = committed("sphere_sphere/touching.jsonl", 0, 12)
+        self.dataset = self.file("d.jsonl", self.lines)
+        self.answers = answers_to(self.lines)
+
+    def args(self, answers, *more):
+        return ("certify", self.dataset, "--results", self.file("r.jsonl", answers), *more)
+
+    def test_right_answers_are_certified_at_the_strictest_level(self):
+        self.assertIn("\nCERTIFIED", self.holds(*self.args(self.answers, "--level", "correctly-rounded")))
+
+    def test_one_missing_answer_is_never_certified(self):
+        self.assertIn("1 missing", self.refuted(*self.args(self.answers[:-1])))
+
+    def test_answers_that_claim_nothing_are_a_harness_failure(self):
+        empty = [self.answers[0]] + [{"id": answer["id"]} for answer in self.answers[1:]]
+        for answers in (self.answers[:1], empty):
+            done = run(*self.args(answers))
+            self.assertEqual(done.returncode, 3, done.stdout)
+            self.assertIn("HARNESS INVALID", done.stdout)
+
+    def test_unsupported_answers_prevent_a_certificate_unless_they_are_allowed(self):
+        answers = self.answers[:-2] + [{"id": a["id"], "unsupported": "too hard"} for a in self.answers[-2:]]
+        self.assertIn("2 unsupported", self.refuted(*self.args(answers)))
+        self.assertIn("10 judged cases", self.holds(*self.args(answers, "--allow-unsupported")))
+        all_of_them = answers[:1] + [{"id": a["id"], "unsupported": "too hard"} for a in answers[1:]]
+        self.assertNotEqual(run(*self.args(all_of_them, "--allow-unsupported")).returncode, 0)
+
+    def test_an_error_a_rejection_and_an_empty_answer_are_not_right_answers(self):
+        for said in ({"error": "boom"}, {"rejected": "alarm"}, {}):
+            with self.subTest(said):
+                self.refuted(*self.args([*self.answers[:-1], {"id": self.answers[-1]["id"], **said}]))
+
+    def test_an_engine_may_bear_any_name(self):
+        name = "<b>&\"' \x1b[31m\x01"
+        answers = put(self.answers, ["engine", "name"], name, 0)
+        out = self.refuted(*self.args(answers[:-1], *self.reports()))
+        self.assertNotIn("<b>", (self.folder / "out.report").read_text())
+        self.assertEqual(json.loads((self.folder / "out.json").read_text())["engine"]["name"], name)
+        with self.subTest("JUnit is well-formed XML"):
+            ElementTree.parse(self.folder / "out.junit")
+        with self.subTest("no escape sequence reaches the terminal"):
+            self.assertNotIn("\x1b", out)
+
+    def test_a_results_file_that_is_wrong_is_refused_where_it_is_wrong(self):
+        right, path = self.answers, self.folder / "r.jsonl"
+        hit = next(at for at in range(1, len(right)) if right[at]["contact"])
+        header = lambda **change: [{**right[0], **change}, *right[1:]]
+        claim = lambda **change: [*right[:hit], {**right[hit], **change}, *right[hit + 1:]]
+        contact = lambda **change: claim(contact={**right[hit]["contact"], **change})
+        here = f"{path}:{hit + 1}: "
+        table = {
+            "unknown convention": (header(conventions={"points": "middle"}), f"{path}:1: conventions.points: ", "middle"),
+            "unknown convention key": (header(conventions={"colour": "red"}), f"{path}:1: conventions.colour: ", "red"),
+            "bound above 64": (header(bounds={"value": 65}), f"{path}:1: bounds.value: ", "65"),
+            "bound below 1": (header(bounds={"point": 0.5}), f"{path}:1: bounds.point: ", "0.5"),
+            "wrong scale": (header(conventions={"scale": {"min": 2, "max": 1}}), f"{path}:1: conventions.scale: ", "max"),
+            "wrong version": (header(version=2), f"{path}:1: version: ", "2"),
+            "wrong format": (header(format="contact-oracle/dataset"), f"{path}:1: format: ", "contact-oracle/dataset"),
+            "unknown pair": (header(pairs=["cone_cone"]), f"{path}:1: pairs[0]: ", "cone_cone"),
+            "unknown scalar": (header(scalar="half"), f"{path}:1: scalar: ", "half"),
+            "no engine": ([{k: v for k, v in right[0].items() if k != "engine"}], f"{path}:1: engine: ", "missing"),
+            "answered twice": (right + right[hit:hit + 1], f"{path}:{len(right) + 1}: id: ", right[hit]["id"]),
+            "overlap no boolean": (claim(overlap="yes"), here + "overlap: ", "yes"),
+            "contact no object": (claim(contact=[1]), here + "contact", "[1]"),
+            "normal of two": (contact(normal=[1, 0]), here + "contact.normal: ", "[1,0]"),
+            "value no number": (contact(value="x"), here + "contact.value: ", '"x"'),
+            "unknown field": (contact(depth=3), here + "contact.depth: ", "3"),
+            "unknown key": (claim(maybe=True), here + "maybe: ", "true"),
+            "claim and reason": (claim(unsupported="why"), here, "why"),
+            "no id": ([right[0], {"overlap": True}], f"{path}:2: id: ", "missing"),
+            "malformed": ([*right[:2], '{"id":'], f"{path}:3: ", "malformed JSON"),
+            "cut": (text(right)[:-1], f"{path}:{len(right)}: ", "truncated"),
+            "empty": ("", f"{path}: ", "empty"),
+        }
+        for name, (answers, *words) in table.items():
+            with self.subTest(name):
+                self.refused(self.args(answers, *self.reports()), *words)
+        self.refused(("certify", self.dataset, "--results", self.folder / "gone.jsonl"), "gone.jsonl", "cannot read")
+
+
+class BadDatasets(Case):
+    def setUp(self):
+        super().setUp()
+        self.spheres = committed("sphere_sphere/touching.jsonl", 0, 8)
+        self.cubes = committed("cube_cube/touching.jsonl", 0, 8)
+        self.path = self.folder / "d.jsonl"
+        self.hit = next(at for at, case in enumerate(self.spheres) if at and case["expect"]["hit"])
+        self.cube_hit = next(at for at, case in enumerate(self.cubes) if at and case["expect"]["hit"])
+
+    def check(self, table, commands=("certify", "lint")):
+        for name, (lines, *words) in table.items():
+            for command in commands:
+                with self.subTest(name, command=command):
+                    self.file("d.jsonl", lines)
+                    self.refused((command, self.path, *(self.reports() if command == "certify" else [])), *words)
+
+    def test_a_dataset_that_cannot_be_read_is_refused_where_it_is_wrong(self):
+        good, path, n = self.spheres, self.path, len(self.spheres)
+        without = lambda lines, at, key: [*lines[:at], {k: v for k, v in lines[at].items() if k != key}, *lines[at + 1:]]
+        f32 = committed("sphere_sphere/touching.f32.jsonl", 0, 3)
+        self.check({
+            "malformed": ([*good[:3], "{nonsense}", *good[4:]], f"{path}:4: ", "malformed JSON"),
+            "no object": ([*good[:3], "[1,2]", *good[4:]], f"{path}:4: ", "expected a JSON object", "[1,2]"),
+            "blank line": ([*good[:3], "", *good[4:]], f"{path}:4: ", "malformed JSON"),
+            "wrong version": (put(good, ["version"], 2, 0), f"{path}:1: version: ", "2"),
+            "wrong format": (put(good, ["format"], "other", 0), f"{path}:1: format: ", "other"),
+            "wrong pair": (put(good, ["pair"], "cone_cone", 0), f"{path}:1: pair: ", "cone_cone"),
+            "wrong scalar": (put(good, ["scalar"], "half", 0), f"{path}:1: scalar: ", "half"),
+            "wrong points": (put(good, ["points"], "center", 0), f"{path}:1: points: ", "center"),
+            "wrong shard": ([{**good[0], "shard": [2, 2]}, *good[1:]], f"{path}:1: shard: ", "[2,2]"),
+            "negative count": (put(good, ["count"], -1, 0), f"{path}:1: count: ", "-1"),
+            "header key missing": (without(good, 0, "seed"), f"{path}:1: seed: ", "missing"),
+            "key missing": (without(good, 2, "alarm"), f"{path}:3: alarm: ", "missing"),
+            "expectation missing": (without(good, 2, "expect"), f"{path}:3: expect: ", "missing"),
+            "witness missing": (without(good, 2, "exact"), f"{path}:3: exact: ", "missing"),
+            "unknown key": ([*good[:2], {**good[2], "colour": 7}, *good[3:]], f"{path}:3: colour: ", "7"),
+            "unknown inner key": (put(good, ["a"], lambda a: {**a, "mass": 7}, 2), f"{path}:3: a.mass: ", "7"),
+            "duplicate key": ([*good[:2], line(good[2])[:-1] + ',"alarm":0}', *good[3:]], f"{path}:3: alarm: ", "twice"),
+            "NaN": (identified(put(good, ["a", "center", 1], "NaN")), f"{path}:2: a.center[1]: ", "NaN"),
+            "infinite alarm": (identified(put(good, ["alarm"], "Infinity")), f"{path}:2: alarm: ", "Infinity"),
+            "negative radius": (identified(put(good, ["b", "radius"], -2.5)), f"{path}:2: b.radius: ", "-2.5"),
+            "negative alarm": (identified(put(good, ["alarm"], -0.5)), f"{path}:2: alarm: ", "-0.5"),
+            "min above max": (identified(put(self.cubes, ["a", "min", 2], 1e9)), f"{path}:2: a.min[2]: ", "1e"),
+            "text for a number": (put(good, ["alarm"], "wide"), f"{path}:2: alarm: ", '"wide"'),
+            "two coordinates": (put(good, ["b", "center"], [1, 2]), f"{path}:2: b.center: ", "[1,2]"),
+            "number too large": ([good[0], re.sub(r'"alarm":[^,]+', '"alarm":1e999', line(good[1]))], f"{path}:2: ", "1e999"),
+            "wrong id": (put(good, ["id"], "0" * 24), f"{path}:2: id: ", "0" * 24, good[1]["id"]),
+            "other question": (put(good, ["contact"], 123), f"{path}:2: id: ", good[1]["id"]),
+            "asked twice": ([{**good[0], "count": n}, *good[1:], good[2]], f"{path}:{n + 1}: id: ", good[2]["id"], "twice"),
+            "count too small": (put(good, ["count"], n - 2, 0), f"{path}:1: count: ", str(n - 2)),
+            "count too large": (put(good, ["count"], n, 0), f"{path}:1: count: ", str(n), str(n - 1)),
+            "a line cut out": (good[:4] + good[5:], f"{path}:1: count: ", str(n - 1), str(n - 2)),
+            "last line cut": (text(good)[:-40], f"{path}:{n}: ", "truncated"),
+            "no last line feed": (text(good)[:-1], f"{path}:{n}: ", "truncated"),
+            "empty": ("", f"{path}: ", "empty"),
+            "not binary32": (put(f32, ["a", "radius"], 0.1), f"{path}:2: a.radius: ", "binary32", "0.1"),
+            "beyond binary32": (put(f32, ["b", "center", 0], 1e39), f"{path}:2: b.center[0]: ", "binary32", "1e+39"),
+        })
+
+    def test_every_field_of_an_expectation_is_checked(self):
+        hit, cube = self.hit, self.cube_hit
+        here, there = f"{self.path}:{hit + 1}: ", f"{self.path}:{cube + 1}: "
+        spheres = lambda *path, value: put(self.spheres, path, value, hit)
+        expect = self.spheres[hit]["expect"]
+        table = {
+            "hit": (spheres("expect", value={"hit": False}), here + "expect.hit: ", "false", "true"),
+            "degenerate": (spheres("expect", "degenerate", value=True), here + "expect.degenerate: ", "true", "false"),
+            "value": (spheres("expect", "value", value=next_up), here + "expect.value: ", next_up(expect["value"])),
+            "distance2": (spheres("exact", "distance2", value="0x7p-3"), here + "exact.distance2: ", "0x7p-3"),
+            "reach": (spheres("exact", "reach", value="0x7p-3"), here + "exact.reach: ", "0x7p-3"),
+            "margin": (spheres("exact", "margin_ulps", value=0.25), here + "exact.margin_ulps: ", "0.25"),
+            "cubes hit": (put(self.cubes, ["expect", "hit"], False, cube), there + "expect.hit: ", "false", "true"),
+            "gap": (put(self.cubes, ["exact", "gap", 1], "0x7p-3", cube), there + "exact.gap[1]: ", "0x7p-3"),
+        }
+        for field in ("normal", "point1", "point2"):
+            for axis in range(3):
+                wrong = spheres("expect", field, axis, value=next_up)
+                table[f"{field}[{axis}]"] = (wrong, f"{here}expect.{field}[{axis}]: ", wrong[hit]["expect"][field][axis])
+        self.check(table)
+
+    def test_the_rejection_that_an_invalid_question_expects_is_checked(self):
+        lines = committed("sphere_sphere/invalid.jsonl")
+        at = next(i for i, case in enumerate(lines) if i and case["a"]["radius"] == "Infinity")
+        self.file("d.jsonl", put(lines, ["expect", "rejected"], "alarm", at))
+        for args in (("lint", self.path), ("certify", self.path, "--family", "invalid")):
+            with self.subTest(args[0]):
+                self.refused(args, f"{self.path}:{at + 1}: expect.rejected: ", "alarm", "a.radius")
+
+    def test_an_expectation_off_by_one_ulp_in_a_whole_committed_file_is_found(self):
+        lines = committed("sphere_sphere/far_from_origin.jsonl")
+        at = max(i for i, case in enumerate(lines) if i and case["expect"]["hit"])
+        old = lines[at]["expect"]["point2"][0]
+        self.file("d.jsonl", put(lines, ["expect", "point2", 0], next_up, at))
+        self.refused(("certify", self.path, *self.reports()),
+                     f"{self.path}:{at + 1}: expect.point2[0]: ", next_up(old), old)
+
+    def test_lint_refuses_what_is_readable_but_not_canonical(self):
+        good, path = list(map(line, committed("sphere_sphere/generic.jsonl", 0, 3))), self.path
+        original = (GOLDEN / "sphere_sphere" / "generic.jsonl").read_text().splitlines()
+        self.assertEqual(good[1:], original[1:4])
+        flags = json.loads(good[1])["flags"]
+        flagged = lambda *names: [good[0], line({**json.loads(good[1]), "flags": list(names)}), *good[2:]]
+        case = json.loads(good[1])
+        table = {
+            "undeclared flag": (flagged("Shiny"), f"{path}:2: flags: ", "Shiny"),
+            "untrue flag": (flagged("Coincident"), f"{path}:2: flags: ", "Coincident"),
+            "non-canonical number": ([good[0], re.sub(r'("alarm":[0-9.]+)', r"\1e0", good[1]), *good[2:]],
+                                     f"{path}:2: ", "canonical"),
+            "key order": ([good[0], line({"a": case["a"], **case}), *good[2:]], f"{path}:2: ", "canonical"),
+            "spaces": ([good[0], json.dumps(case), *good[2:]], f"{path}:2: ", "canonical"),
+            "carriage return": ([good[0], good[1] + "\r", *good[2:]], f"{path}:2: ", "canonical"),
+        }
+        self.assertNotIn("Coincident", flags)
+        self.check(table, ["lint"])
+
+    def test_a_manifest_must_agree_with_its_folder(self):
+        for name in ("generic.jsonl", "touching.jsonl"):
+            self.file(name, (GOLDEN / "cube_cube" / name).read_text())
+        self.holds("lint", self.folder, "--write-manifest")
+        self.holds("lint", self.folder)
+        manifest = self.folder / "manifest.json"
+        right = manifest.read_text()
+        digit = re.search(r'"sha256":"([0-9a-f])', right)
+        changed = right[:digit.start(1)] + format(int(digit[1], 16) ^ 1, "x") + right[digit.end(1):]
+        for wrong in (changed, right.replace('"count":210', '"count":211', 1), right.replace("touching", "missing"), ""):
+            manifest.write_text(wrong)
+            self.refused(("lint", self.folder), f"{manifest}:", "the manifest says", one_line=False)
+
+
+class BadUsage(Case):
+    def test_unknown_names_are_refused_by_name(self):
+        slice_of = ("certify", GOLDEN / "cube_cube" / "generic.jsonl")
+        for args, *words in (
+                (("certify", "golden", "--engine", "nonesuch"), "nonesuch", "production"),
+                ((*slice_of, "--level", "nonesuch"), "nonesuch", "correctly-rounded"),
+                ((*slice_of, "--level", "none"), "none"),
+                ((*slice_of, "--family", "nonesuch"), "nonesuch"),
+                ((*slice_of, "--family", "generic,nonesuch"), "nonesuch"),
+                ((*slice_of, "--points", "nonesuch"), "nonesuch", "nearest_surface"),
+                (("certify", "--generate", 2, "--pair", "nonesuch"), "nonesuch"),
+                (("certify", self.folder), self.folder, "no dataset"),
+                (("lint", self.folder), self.folder, "no dataset"),
+                (("certify", self.folder / "gone.jsonl"), "gone.jsonl", "no such file"),
+                (("lint", self.folder / "gone.jsonl"), "gone.jsonl", "no such file"),
+                (("explain", self.folder / "gone.jsonl"), "gone.jsonl", "cannot read"),
+                (("annotate", self.folder / "gone.jsonl", "-o", self.folder / "x.jsonl"), "gone.jsonl", "cannot read")):
+            with self.subTest(args[1:]):
+                self.refused(args, *words)
+
+    def test_one_unknown_name_among_known_ones_is_refused_too(self):
+        self.refused(("certify", "--generate", 2, "--pair", "cube_cube,nonesuch"), "nonesuch")
+        self.refused(("certify", "--generate", 2, "--pair", "cube_cube", "--family", "generic,nonesuch"), "nonesuch")
+
+    def test_options_that_the_program_does_not_know_or_cannot_join_are_refused(self):
+        for args, word in (((), "subcommand"), (("certify", "--nonesuch"), "--nonesuch"), (("certify", "--engine"), "--engine"),
+                           (("certify", "--jobs", "0"), "--jobs"), (("certify", "--jobs", "many"), "--jobs"),
+                           (("certify", "--seed", "1"), "--generate"), (("annotate",), "queries"),
+                           (("certify", "golden", "--engine", "production", "--results", "r.jsonl"), "--results"),
+                           (("certify", "golden", "--generate", "3"), "--generate")):
+            with self.subTest(args):
+                self.refused(args, word, one_line=False)
+
+    def test_an_unknown_command_is_named(self):
+        self.refused(("nonesuch",), "nonesuch", one_line=False)
+
+    def test_generate_refuses_what_it_cannot_make(self):
+        right = {"--pair": "cube_cube", "--family": "generic", "--count": 3, "--seed": 1, "-o": self.folder / "x.jsonl"}
+        for key, value, *words in (("--pair", "nonesuch", "nonesuch"), ("--family", "nonesuch", "nonesuch", "generic"),
+                                   ("--scalar", "half", "half"), ("--shard", "7/7", "7/7"), ("--shard", "1/0", "1/0"),
+                                   ("--shard", "-1/3", "-1/3"), ("--shard", "1", "'1'"), ("--shard", "1/3x", "1/3x"),
+                                   ("--shard", "a/b", "a/b"), ("--count", "0", "--count"), ("--count", "many", "--count"),
+                                   ("--seed", "x", "--seed"), ("--seed", "1e400", "--seed"), ("--seed", "-1", "-1"),
+                                   ("-o", self.folder / "x.txt", "x.txt", ".jsonl"),
+                                   ("-o", self.folder / "gone" / "x.jsonl", "gone/x.jsonl", "cannot write")):
+            with self.subTest(option=key, value=str(value)):
+                args = [word for pair in {**right, key: value}.items() for word in pair]
+                self.refused(("generate", *args), *words, one_line=False)
+        for key in right:
+            with self.subTest(missing=key):
+                args = [word for k, v in right.items() if k != key for word in (k, v)]
+                self.refused(("generate", *args), {"-o": "--output"}.get(key, key), one_line=False)
+
+
+class Outputs(Case):
+    GENERATE = ("generate", "--pair", "sphere_sphere", "--family", "generic", "--seed", 1, "--count")
+    CERTIFY = ("certify", GOLDEN / "cube_cube" / "generic.jsonl")
+
+    def test_an_output_that_cannot_be_written_is_refused_by_name(self):
+        (self.folder / "folder.jsonl").mkdir()
+        queries = self.file("q.jsonl", [SPHERES])
+        for target, word in ((self.folder / "gone" / "x.jsonl", "No such file"), (self.folder / "folder.jsonl", "directory")):
+            for args in ((*self.GENERATE, 3, "-o"), ("annotate", queries, "-o"),
+                         *((*self.CERTIFY, option) for option in ("--json", "--junit", "--report"))):
+                with self.subTest(args[-1], command=args[0], word=word):
+                    self.refused((*args, target), target, "cannot write", word)
+
+    def test_a_full_disk_is_reported_and_leaves_no_file(self):
+        def no_room():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
+        for args in ((*self.GENERATE, 500, "-o"), (*self.CERTIFY, "--json"), (*self.CERTIFY, "--report")):
+            with self.subTest(args[0]):  # Python ignores SIGXFSZ, and so does its child: a write beyond the limit fails
+                target = self.folder / "x.jsonl"
+                self.refused((*args, target), target, "cannot write", preexec_fn=no_room, restore_signals=False)
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "no /dev/full here")
+    def test_standard_output_that_cannot_be_written_is_not_a_success(self):
+        for args in (("explain", "--json"), ("explain",), self.CERTIFY):
+            with self.subTest(args[0]), open("/dev/full", "w") as full:
+                done = run(*args, stdin=text([SPHERES]), capture_output=False, stdout=full, stderr=subprocess.DEVNULL)
+                self.assertNotEqual(done.returncode, 0)
+
+    def test_an_output_that_is_no_regular_file_is_never_replaced(self):
+        fifo = self.folder / "x.jsonl"
+        os.mkfifo(fifo)
+        reader = os.open(fifo, os.O_RDONLY | os.O_NONBLOCK)
+        self.addCleanup(os.close, reader)
+        run(*self.CERTIFY, "--json", fifo)
+        self.assertTrue(fifo.is_fifo())
+
+    def test_an_interrupted_generate_leaves_what_was_there(self):
+        target = self.file("x.jsonl", "old\n")
+        process = subprocess.Popen([TOOL, *map(str, self.GENERATE), "20000000", "-o", target], stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
+        deadline = time.monotonic() + 20
+        while len(list(self.folder.iterdir())) < 2 and time.monotonic() < deadline:
+            time.sleep(0.02)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=20)
+        self.assertEqual((process.returncode, out), (130, ""))
+        self.assertIn("interrupted", err)
+        self.assertEqual((list(self.folder.iterdir()), target.read_text()), ([target], "old\n"))
+
+    def test_an_interruption_ends_a_command_that_waits_for_its_input(self):
+        process = subprocess.Popen([TOOL, "explain"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        time.sleep(0.3)
+        process.send_signal(signal.SIGINT)
+        self.assertIn(process.wait(timeout=3), (130, -signal.SIGINT))
+
+
+class Generate(Case):
+    def make(self, name, *more, pair="sphere_sphere", family="near_touching", count=50, seed=42):
+        path = self.folder / name
+        out = self.holds("generate", "--pair", pair, "--family", family, "--count", count, "--seed", seed, "-o", path, *more)
+        self.assertIn(str(path), out)
+        return path.read_bytes()
+
+    def test_the_same_seed_makes_the_same_bytes_and_another_seed_others(self):
+        first = self.make("a.jsonl")
+        self.assertEqual(first, self.make("b.jsonl"))
+        other = self.make("c.jsonl", seed=43)
+        self.assertEqual(set(first.splitlines()[1:]) & set(other.splitlines()[1:]), set())
+
+    def test_the_bodies_of_seven_shards_are_the_whole_body(self):
+        body = lambda content: content.split(b"\n", 1)[1]
+        for pair, scalar in (("sphere_rigid_sphere", "binary64"), ("cube_cube", "binary32")):
+            whole = body(self.make("whole.jsonl", "--scalar", scalar, pair=pair, family="touching"))
+            parts = [self.make(f"{i}.jsonl", "--scalar", scalar, "--shard", f"{i}/7", pair=pair, family="touching")
+                     for i in range(7)]
+            self.assertEqual(b"".join(map(body, parts)), whole)
+            for i, part in enumerate(parts):
+                self.assertEqual(json.loads(part.splitlines()[0])["shard"], [i, 7])
+                self.holds("lint", "--generated", self.folder / f"{i}.jsonl")
+
+    def test_every_family_of_every_pair_passes_lint(self):
+        listed = [json.loads(one) for one in self.holds("families", "--json").splitlines()]
+        for pair in PAIRS:
+            shapes = "cubes" if pair == "cube_cube" else "spheres"
+            for family in (one["family"] for one in listed if one.get("shapes") == shapes):
+                self.make(f"{pair}.{family}.jsonl", pair=pair, family=family, count=5, seed=2**64 - 1)
+        self.holds("lint", "--generated", self.folder)
+
+    def test_a_shard_without_a_case_is_either_refused_or_a_dataset_that_passes_lint(self):
+        path = self.folder / "none.jsonl"
+        args = ("generate", "--pair", "cube_cube", "--family", "flat", "--count", 3, "--seed", 1, "--shard", "0/9",
+                "-o", path)
+        if run(*args).returncode == 0:
+            self.holds("lint", "--generated", path)
+        else:
+            self.refused(args, "--shard")
+
+    def test_the_committed_files_are_what_their_families_make(self):
+        self.holds("regenerate", self.folder)
+        digests = {one["path"]: one["sha256"] for one in json.loads((GOLDEN / "manifest.json").read_text())["files"]}
+        made = sorted(path.relative_to(self.folder) for path in self.folder.rglob("*.jsonl"))
+        self.assertGreater(len(made), 50)
+        for path in made:
+            content = (self.folder / path).read_bytes()
+            self.assertEqual(content, (GOLDEN / path).read_bytes(), path)
+            self.assertEqual(hashlib.sha256(content).hexdigest(), digests[str(path)], path)
+
+    def test_the_committed_files_pass_lint_and_the_manifest_lists_them_all(self):
+        self.assertIn("every expectation right", self.holds("lint", "golden"))
+        listed = {one["path"] for one in json.loads((GOLDEN / "manifest.json").read_text())["files"]}
+        files = {str(path.relative_to(GOLDEN)) for path in GOLDEN.rglob("*.jsonl")}
+        self.assertEqual(listed, {path for path in files if not path.startswith("recorded/")})
+
+
+class Annotate(Case):
+    def test_the_worked_examples_have_their_ids_and_answers(self):
+        path = self.annotated(SPHERES)
+        self.assertEqual(path.read_text().splitlines()[1],
+                         f'{{"id":"{SPHERES_ID}",{line(SPHERES)[1:-1]},"flags":["Touching"],{SPHERES_EXPECT}')
+        self.holds("lint", path)
+        path = self.annotated(CUBES)
+        self.assertEqual(json.loads(path.read_text().splitlines()[1])["id"], CUBES_ID)
+        self.holds("lint", path)
+        self.holds("certify", path)
+
+    def test_the_pair_is_part_of_the_id_and_the_scalar_is_not(self):
+        ids = set()
+        for pair in PAIRS[:3]:
+            for scalar in ("binary32", "binary64"):
+                path = self.annotated({"pair": pair, "scalar": scalar, **SPHERES})
+                header, case = map(json.loads, path.read_text().splitlines())
+                self.assertEqual((header["pair"], header["scalar"], header["count"]), (pair, scalar, 1))
+                ids.add((pair, case["id"]))
+        self.assertEqual(len({one for _, one in ids}), 3)
+        self.assertIn(("sphere_sphere", SPHERES_ID), ids)
+
+    def test_questions_that_do_not_go_together_are_refused(self):
+        far = {**SPHERES, "alarm": 7}
+        for name, second, *words in (
+                ("mixed pairs", CUBES, "pair: ", "cube_cube"), ("mixed scalars", {**far, "scalar": "binary32"}, "scalar: ", "binary32"),
+                ("duplicate", SPHERES, "id: ", "twice"), ("duplicate in other words", {**SPHERES, "id": SPHERES_ID}, "id: ", "twice"),
+                ("wrong id", {**far, "id": SPHERES_ID}, "id: ", SPHERES_ID), ("NaN", {**far, "alarm": "NaN"}, "alarm: ", "NaN"),
+                ("negative", {**far, "contact": -1}, "contact: ", "-1"), ("unknown key", {**far, "mass": 3}, "mass: ", "3"),
+                ("malformed", "{", "malformed JSON")):
+            with self.subTest(name):
+                queries = self.file("q.jsonl", [SPHERES, second])
+                self.refused(("annotate", queries, "-o", self.folder / "x.jsonl"), f"{queries}:2: ", *words)
+        self.refused(("annotate", self.file("q.jsonl", ""), "-o", self.folder / "x.jsonl"), "q.jsonl", "no question")
+
+
+class Explain(Case):
+    def test_the_words_name_the_decision_and_the_exact_numbers(self):
+        out = self.holds("explain", stdin=text([SPHERES, CUBES, {**SPHERES, "b": {"center": [9, 0, 0], "radius": 1}}]))
+        for word in (SPHERES_ID, CUBES_ID, "exactly 0x9p0", "exactly 0x3p0", "exactly touching", "0.3333333333333333", "gap"):
+            self.assertIn(word, out)
+        self.assertEqual((out.count("  HIT\n"), out.count("  MISS\n")), (2, 1))
+
+    def test_with_json_there_is_one_line_a_question(self):
+        queries = self.file("q.jsonl", [SPHERES, CUBES])
+        first, second = self.holds("explain", "--json", queries).splitlines()
+        self.assertEqual(first, f'{{"id":"{SPHERES_ID}",{SPHERES_EXPECT}')
+        self.assertEqual(second, f'{{"id":"{CUBES_ID}","expect":{{"hit":true}},"exact":{{"gap":["0x0p0","-0x1p0","-0x1p0"]}}}}')
+
+    def test_the_worst_cases_of_certify_can_be_explained(self):
+        out = self.refuted("certify", "golden", "--family", "upstream,alarm_edge", "--engine", "plain-double")
+        worst = re.findall(r'(?m)^ +(\{"id".*)$', out)
+        self.assertEqual(len(worst), 5)
+        explained = self.holds("explain", stdin=text(worst))
+        for one in worst:
+            self.assertIn(json.loads(one)["id"], explained)
+        self.assertEqual(explained.count("WRONG"), 5)
+
+    def test_the_lines_of_a_dataset_can_be_explained(self):
+        for pair in ("sphere_sphere", "cube_cube"):
+            lines = committed(f"{pair}/generic.jsonl", 0, 5)[1:]
+            out = map(json.loads, self.holds("explain", "--json", stdin=text(lines)).splitlines())
+            self.assertEqual(list(out), [{key: case[key] for key in ("id", "expect", "exact")} for case in lines])
+
+    def test_minus_zero_is_zero(self):
+        minus = {**SPHERES, "a": {"center": [-0.0, 0, -0.0], "radius": 1.5}, "alarm": -0.0}
+        out = self.holds("explain", "--json", stdin=text([SPHERES, minus]))
+        self.assertEqual(*out.splitlines())
+
+    def test_integers_from_two_to_the_53rd_are_the_nearest_double(self):
+        ball = lambda x: {"center": [x, 0, 0], "radius": 1}
+        big = lambda x: {"a": ball(x), "b": ball(0), "alarm": 0, "contact": 0}
+        out = self.holds("explain", "--json", stdin=text(map(big, (2**53, 2**53 + 1, float(2**53)))))
+        self.assertEqual(len(set(out.splitlines())), 1)
+        self.assertEqual(json.loads(out.splitlines()[0])["exact"]["distance2"], "0x1p106")
+        case = self.annotated(big(2**64)).read_text().splitlines()[1]
+        self.assertIn('"center":[1.8446744073709552e+19,0,0]', case)
+
+    def test_a_bad_question_is_refused_with_its_line(self):
+        for bad, *words in (("{", "malformed JSON"), ("", "malformed JSON"), ({**SPHERES, "alarm": "NaN"}, "alarm: ", "NaN"),
+                            ({**SPHERES, "id": CUBES_ID}, "id: ", CUBES_ID, SPHERES_ID), ({"a": SPHERES["a"]}, "b: ", "missing"),
+                            ({**SPHERES, "pair": "cone_cone"}, "pair: ", "cone_cone"), ({**SPHERES, "pair": "cube_cube"}, "a.center: "),
+                            ({**SPHERES, "scalar": "binary32", "alarm": 0.1}, "alarm: ", "binary32", "0.1")):
+            with self.subTest(bad):
+                self.refused(("explain", "-"), "-:2: ", *words, stdin=text([SPHERES, bad]))
+        self.refused(("explain",), "no question", stdin="")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[2:]])

@@ -1,0 +1,26 @@
+// The commands of contact-oracle, one file each. Each adds itself to the parser and sets `exit` when it runs.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <CLI/Validators.hpp>
+#include <string>
+#include <vector>
+
+namespace contact::tool {
+
+void add_explain(CLI::App& app, int& exit);
+void add_generate(CLI::App& app, int& exit);
+void add_regenerate(CLI::App& app, int& exit);
+void add_annotate(CLI::App& app, int& exit);
+void add_certify(CLI::App& app, int& exit);
+void add_lint(CLI::App& app, int& exit);
+void add_lists(CLI::App& app, int& exit);  ///< engines, families
+
+/// Validators for whole numbers from 0 and from 1; CLI11 would let -1 wrap around.
+extern const CLI::Validator kFromZero;
+extern const CLI::Validator kFromOne;
+
+/// The committed golden files: golden/ here, or where the program was built from.
+[[nodiscard]] std::string golden_folder();
+
+}  // namespace contact::tool

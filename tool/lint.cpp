@@ -1,0 +1,76 @@
+// lint: are golden files well formed, canonical, and is every expectation right?
+#include "golden/lint.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <memory>
+
+#include "golden/manifest.hpp"
+#include "golden/output_file.hpp"
+#include "tool/commands.hpp"
+#include "tool/session.hpp"
+
+namespace contact::tool {
+namespace {
+
+struct Options {
+  std::vector<std::string> paths;
+  bool generated = false;
+  bool write_manifest = false;
+};
+
+golden::LintedFile lint_file(const std::filesystem::path& path, bool generated) {
+  Progress progress(path.filename().string(), golden::DatasetReader(path).header().count);
+  golden::LintedFile file = golden::lint(path, generated, [&] {
+    throw_if_interrupted();
+    progress.add(1);
+  });
+  if (file.header.count == 0 && !file.header.shard)
+    throw golden::InputError({path.string(), 1}, "count", "a golden file holds at least one case, got 0");
+  return file;
+}
+
+void lint(const Options& o) {
+  std::uint64_t cases = 0;
+  std::size_t files = 0;
+  for (const std::string& path : o.paths) {
+    // The files of one argument are worked on side by side; a folder with a manifest must agree with it.
+    const auto found = golden::dataset_files({path});
+    std::vector<golden::ManifestEntry> entries(found.size());
+    in_parallel(found.size(), [&](std::size_t i) {
+      const auto relative =
+          std::filesystem::is_directory(path) ? found[i].lexically_relative(path) : found[i].filename();
+      entries[i] = {relative.generic_string(), lint_file(found[i], o.generated)};
+    });
+    for (const golden::ManifestEntry& entry : entries) cases += entry.file.header.count;
+    files += entries.size();
+    if (!std::filesystem::is_directory(path)) continue;
+    const std::filesystem::path manifest = std::filesystem::path(path) / golden::kManifestName;
+    if (o.write_manifest) {
+      golden::OutputFile file(manifest);
+      file.write(golden::manifest_text(entries));
+      file.commit();
+    } else if (std::filesystem::exists(manifest)) {
+      golden::check_manifest(path, entries);
+    }
+  }
+  fmt::print("{} cases in {} files: well formed, canonical, every expectation right\n", cases, files);
+}
+
+}  // namespace
+
+void add_lint(CLI::App& app, int& exit) {
+  auto* command = app.add_subcommand(
+      "lint", "Is this golden file well formed, and is every expectation right? A folder's manifest is checked too");
+  auto o = std::make_shared<Options>();
+  command->add_option("datasets", o->paths, "Golden files or folders")->required();
+  command->add_flag("--generated", o->generated, "Allow a generated file to repeat a question");
+  command->add_flag("--write-manifest", o->write_manifest, "Write the manifest of each folder instead of checking it");
+  command->callback([o, &exit] {
+    lint(*o);
+    exit = kCertified;
+  });
+}
+
+}  // namespace contact::tool

@@ -1,0 +1,192 @@
+// The pipeline: questions -> engines -> judge -> reports.
+#include "tool/pipeline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "golden/query_id.hpp"
+#include "tool/session.hpp"
+
+namespace contact::tool {
+namespace {
+
+constexpr std::size_t kSlice = 32;  // questions that one thread takes at a time
+
+struct Item {
+  engines::Question question;
+  std::optional<golden::Case> expected;
+  golden::Location where;
+};
+
+/// Reads or makes the questions of a source, some at a time.
+class Questions {
+ public:
+  explicit Questions(const Source& source) : source_(source) {
+    if (source.dataset) reader_.emplace(*source.dataset);
+  }
+
+  [[nodiscard]] std::vector<Item> next() {
+    std::vector<Item> items;
+    while (items.size() < kRun) {
+      if (reader_) {
+        auto c = reader_->next();
+        if (!c) break;
+        items.push_back({{c->id, c->query}, std::move(c), reader_->where()});
+      } else {
+        if (made_ == source_.count) break;
+        const Query query =
+            golden::generate_query(source_.pair, *source_.generator, source_.scalar, source_.seed, made_);
+        items.push_back({{golden::query_id(query), query},
+                         std::nullopt,
+                         {fmt::format("{}, seed {}, index {}", source_.family, source_.seed, made_), 0}});
+        ++made_;
+      }
+    }
+    return items;
+  }
+
+ private:
+  const Source& source_;
+  std::optional<golden::DatasetReader> reader_;
+  std::uint64_t made_ = 0;
+};
+
+/// Both oracles on one question, in every scalar that matters.
+oracle::Truth agreed_truth(const Item& item, const Source& source, const std::vector<Scalar>& scalars) {
+  const Query& query = item.question.query;
+  oracle::Truth truth = oracle::truth_of(query);
+  if (item.expected) golden::check_case(*item.expected, source.scalar, truth, item.where);
+  for (const Scalar scalar : scalars) require_agreement(query, truth, oracle::interval_answer(query, scalar), scalar);
+  return truth;
+}
+
+/// Whether every number other than 0 lies within the scale that an engine declares; NaN and infinities do not count.
+bool within_scale(const Query& query, const Conventions& conventions) {
+  bool within = true;
+  for_each_number(query, [&](const std::string&, double x) {
+    if (x != 0 && std::isfinite(x))
+      within = within && std::abs(x) >= conventions.scale_min && std::abs(x) <= conventions.scale_max;
+  });
+  return within;
+}
+
+/// What one slice of questions adds to one report.
+struct Partial {
+  FamilyReport family;
+  std::uint64_t out_of_scale = 0;
+  std::vector<WorstCase> worst;
+  std::map<oracle::Explanation, std::uint64_t> explanations;
+  std::map<std::string, std::uint64_t> wrong;
+};
+
+void judge_one(const Item& item, const std::optional<oracle::Truth>& truth, Scalar scalar, const Claim& claim,
+               const Report& report, Partial& partial) {
+  const Query& query = item.question.query;
+  const oracle::Declaration& declared = report.engine.declared;
+  const Verdict verdict = truth ? oracle::judge(query, *truth, claim, declared) : oracle::judge_outside_domain(claim);
+  partial.family.add(verdict, item.question.id, truth && truth->hit());
+  if (verdict.level() <= Level::faithful) return;
+  partial.worst.push_back({query, scalar, verdict});
+  if (!truth || verdict.level() <= Level::bounded) return;
+  const auto wrong = [&](oracle::Decision d) {
+    return d == oracle::Decision::missed_hit || d == oracle::Decision::false_hit;
+  };
+  if (wrong(verdict.overlap)) ++partial.wrong["overlap"];
+  if (wrong(verdict.contact)) ++partial.wrong["contact"];
+  for (const Field field : oracle::kFields)
+    if (verdict.at(field) && verdict.at(field)->grade > Grade::bounded) ++partial.wrong[std::string(name(field))];
+  for (const oracle::Explanation& e : oracle::explain_wrong(query, *truth, claim, declared, verdict))
+    ++partial.explanations[e];
+}
+
+/// Why an engine's declaration excludes a whole source, or nothing.
+std::optional<std::string> excluded(const Source& source, const golden::EngineInfo& engine) {
+  if (!engine.serves(source.pair)) return fmt::format("the engine does not serve {}", name(source.pair));
+  if (engine.declared.scalar == Scalar::binary32 && source.scalar == Scalar::binary64)
+    return std::string("binary64 numbers, and the engine computes in binary32");
+  return std::nullopt;
+}
+
+}  // namespace
+
+void require_agreement(const Query& query, const oracle::Truth& truth, const oracle::IntervalAnswer& second,
+                       Scalar scalar) {
+  const auto differs = first_difference(oracle::expectation(truth, scalar), second.expected);
+  if (differs || second.at_alarm != static_cast<int>(truth.at_alarm) ||
+      second.at_zero != static_cast<int>(truth.at_zero))
+    throw OracleFault(fmt::format("the exact oracle and the interval oracle differ in {} ({})\n{}",
+                                  differs.value_or("the decision"), name(scalar), golden::query_line(query, scalar)));
+}
+
+void judge_source(const Source& source, std::vector<Subject>& subjects) {
+  std::vector<Subject*> judged;
+  std::vector<Scalar> scalars{source.scalar};
+  for (Subject& subject : subjects) {
+    const golden::EngineInfo& engine = subject.engine->info();
+    const std::string what =
+        source.dataset ? source.dataset->string() : fmt::format("{}/{}", name(source.pair), source.family);
+    if (const auto why = excluded(source, engine)) {
+      subject.report.skipped.push_back({what, *why, source.count});
+      continue;
+    }
+    judged.push_back(&subject);
+    FamilyReport& family = subject.report.families.emplace_back();
+    family.pair = source.pair;
+    family.scalar = source.scalar;
+    family.family = source.family;
+    if (std::find(scalars.begin(), scalars.end(), engine.declared.scalar) == scalars.end())
+      scalars.push_back(engine.declared.scalar);
+  }
+  Questions questions(source);
+  Progress progress(fmt::format("{}/{}", name(source.pair), source.family), source.count);
+  std::vector<std::uint64_t> out_of_scale(judged.size());
+  for (std::vector<Item> items = questions.next(); !items.empty(); items = questions.next()) {
+    throw_if_interrupted();
+    const std::size_t slices = (items.size() + kSlice - 1) / kSlice;
+    std::vector<std::vector<Partial>> partials(slices, std::vector<Partial>(judged.size()));
+    in_parallel(slices, [&](std::size_t slice) {
+      const std::span<const Item> mine =
+          std::span(items).subspan(slice * kSlice, std::min(kSlice, items.size() - slice * kSlice));
+      std::vector<std::optional<oracle::Truth>> truths;
+      for (const Item& item : mine) {
+        const bool outside = outside_domain(item.question.query).has_value();
+        if (outside && item.expected) golden::check_rejection(*item.expected, item.where);
+        truths.push_back(outside ? std::nullopt : std::optional(agreed_truth(item, source, scalars)));
+      }
+      for (std::size_t s = 0; s < judged.size(); ++s) {
+        std::vector<engines::Question> asked;
+        std::vector<std::size_t> which;
+        for (std::size_t i = 0; i < mine.size(); ++i) {
+          if (!within_scale(mine[i].question.query, judged[s]->report.engine.declared.conventions)) {
+            ++partials[slice][s].out_of_scale;
+            continue;
+          }
+          asked.push_back(mine[i].question);
+          which.push_back(i);
+        }
+        const std::vector<Claim> claims = judged[s]->engine->answer(asked);
+        for (std::size_t k = 0; k < asked.size(); ++k)
+          judge_one(mine[which[k]], truths[which[k]], source.scalar, claims[k], judged[s]->report, partials[slice][s]);
+      }
+    });
+    // Merged in the order of the questions, so that a report does not depend on the threads.
+    for (const auto& slice : partials)
+      for (std::size_t s = 0; s < judged.size(); ++s) {
+        Report& report = judged[s]->report;
+        report.families.back().merge(slice[s].family);
+        out_of_scale[s] += slice[s].out_of_scale;
+        for (const WorstCase& w : slice[s].worst) report.add(w);
+        for (const auto& [e, n] : slice[s].explanations) report.explanations[e] += n;
+        for (const auto& [field, n] : slice[s].wrong) report.wrong[field] += n;
+      }
+    progress.add(items.size());
+  }
+  for (std::size_t s = 0; s < judged.size(); ++s)
+    if (out_of_scale[s] != 0)
+      judged[s]->report.skipped.push_back({fmt::format("{}/{}", name(source.pair), source.family),
+                                           "numbers outside the scale that the engine declares", out_of_scale[s]});
+}
+
+}  // namespace contact::tool

@@ -1,0 +1,43 @@
+// The pipeline: questions -> engines -> judge -> reports.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "golden/dataset.hpp"
+#include "golden/families.hpp"
+#include "oracle/interval_oracle.hpp"
+#include "tool/report.hpp"
+
+namespace contact::tool {
+
+/// Where questions come from: a dataset, or a family's generator.
+struct Source {
+  Pair pair;
+  Scalar scalar;
+  std::string family;
+  std::uint64_t count;
+  std::optional<std::filesystem::path> dataset;
+  const golden::Family* generator = nullptr;
+  std::uint64_t seed = 0;
+};
+
+/// An engine under judgement and what was found of it.
+struct Subject {
+  std::unique_ptr<engines::Engine> engine;
+  Report report;
+};
+
+/// Judges every subject on every question of a source. Both oracles answer every question: a disagreement between them
+/// is an OracleFault, one between the exact oracle and a dataset's expectation an InputError.
+void judge_source(const Source& source, std::vector<Subject>& subjects);
+
+/// Throws OracleFault where the two oracles differ on a question.
+void require_agreement(const Query& query, const oracle::Truth& truth, const oracle::IntervalAnswer& second,
+                       Scalar scalar);
+
+}  // namespace contact::tool

@@ -1,0 +1,240 @@
+// What a run found: counts and worst cases by family and field, and the verdict.
+#include "tool/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "golden/dataset.hpp"
+
+namespace contact::tool {
+namespace {
+
+constexpr std::array<std::string_view, 7> kStatusNames{"answered", "unsupported", "rejected", "error",
+                                                       "timeout",  "crash",       "missing"};
+
+std::string count(std::uint64_t n, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+/// Text that an engine chose, without what would command a terminal or is no XML.
+std::string printable(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return text;
+}
+
+std::uint64_t sum(const auto& counts) { return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}); }
+
+}  // namespace
+
+std::uint64_t FieldCount::judged() const { return sum(grades); }
+
+void FieldCount::add(const oracle::FieldVerdict& verdict, const std::string& id) {
+  ++grades[static_cast<std::size_t>(verdict.grade)];
+  if (verdict.error > worst) {
+    worst = verdict.error;
+    worst_id = id;
+  }
+}
+
+void FieldCount::merge(const FieldCount& other) {
+  for (std::size_t i = 0; i < grades.size(); ++i) grades[i] += other.grades[i];
+  if (other.worst > worst) {
+    worst = other.worst;
+    worst_id = other.worst_id;
+  }
+}
+
+FieldCount FamilyReport::all_fields() const {
+  FieldCount all;
+  for (const FieldCount& field : fields) all.merge(field);
+  return all;
+}
+
+std::uint64_t FamilyReport::judged(bool allow_unsupported) const {
+  return cases - (allow_unsupported ? with(Claim::Status::unsupported) : 0);
+}
+
+Level FamilyReport::level(bool allow_unsupported) const {
+  auto counted = levels;
+  if (allow_unsupported) counted[static_cast<std::size_t>(Level::none)] -= with(Claim::Status::unsupported);
+  for (std::size_t i = counted.size(); i-- > 0;)
+    if (counted[i] != 0) return static_cast<Level>(i);
+  return Level::none;
+}
+
+void FamilyReport::add(const Verdict& verdict, const std::string& id, bool hit) {
+  ++cases;
+  hits += hit ? 1 : 0;
+  missed_hits += verdict.missed_hit() ? 1 : 0;
+  false_hits += verdict.false_hit() ? 1 : 0;
+  not_finite += verdict.not_finite() ? 1 : 0;
+  outside_domain += verdict.answered_outside_domain ? 1 : 0;
+  ++statuses[static_cast<std::size_t>(verdict.status)];
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    if (verdict.fields[i]) fields[i].add(*verdict.fields[i], id);
+  ++levels[static_cast<std::size_t>(verdict.level())];
+}
+
+void FamilyReport::merge(const FamilyReport& other) {
+  cases += other.cases;
+  hits += other.hits;
+  missed_hits += other.missed_hits;
+  false_hits += other.false_hits;
+  not_finite += other.not_finite;
+  outside_domain += other.outside_domain;
+  for (std::size_t i = 0; i < statuses.size(); ++i) statuses[i] += other.statuses[i];
+  for (std::size_t i = 0; i < fields.size(); ++i) fields[i].merge(other.fields[i]);
+  for (std::size_t i = 0; i < levels.size(); ++i) levels[i] += other.levels[i];
+}
+
+std::string WorstCase::what() const {
+  if (verdict.status != Claim::Status::answered)
+    return fmt::format("{}: {}", kStatusNames[static_cast<std::size_t>(verdict.status)], printable(verdict.text));
+  if (verdict.answered_outside_domain) return "an answer outside the domain";
+  if (verdict.missed_hit()) return "missed hit";
+  if (verdict.false_hit()) return "false hit";
+  std::string text;
+  for (const Field field : oracle::kFields) {
+    const auto& f = verdict.at(field);
+    if (!f || f->grade == Grade::correctly_rounded) continue;
+    if (!text.empty()) text += ", ";
+    text += f->grade == Grade::not_finite ? fmt::format("{} not finite", name(field))
+                                          : fmt::format("{} off by {:.4g} ulps", name(field), f->error);
+  }
+  return text;
+}
+
+double WorstCase::severity() const {
+  // Decisions before numbers, numbers that are none before numbers that are off.
+  if (verdict.status != Claim::Status::answered) return std::numeric_limits<double>::infinity();
+  if (verdict.missed_hit()) return 1e305;
+  if (verdict.false_hit()) return 1e304;
+  if (verdict.not_finite()) return 1e303;
+  double worst = 0;
+  for (const auto& field : verdict.fields)
+    if (field) worst = std::max(worst, field->error);
+  return std::min(worst, 1e302);
+}
+
+void Report::add(const WorstCase& c) {
+  const auto at = std::upper_bound(worst.begin(), worst.end(), c.severity(),
+                                   [](double s, const WorstCase& w) { return s > w.severity(); });
+  if (static_cast<std::size_t>(at - worst.begin()) >= kWorstShown) return;
+  worst.insert(at, c);
+  if (worst.size() > kWorstShown) worst.pop_back();
+}
+
+FamilyReport Report::total() const {
+  FamilyReport all;
+  all.family = "total";
+  for (const FamilyReport& family : families) all.merge(family);
+  return all;
+}
+
+std::uint64_t Report::skipped_cases() const {
+  return std::accumulate(skipped.begin(), skipped.end(), std::uint64_t{0},
+                         [](auto n, const Skipped& s) { return n + s.cases; });
+}
+
+bool Report::harness_invalid() const {
+  const FamilyReport all = total();
+  return all.cases > 0 &&
+         all.with(Claim::Status::answered) + all.with(Claim::Status::rejected) + all.with(Claim::Status::unsupported) ==
+             0;
+}
+
+std::string Report::who() const { return printable(engine.name + " " + engine.version); }
+
+std::string Report::sentence() const {
+  const FamilyReport all = total();
+  if (all.cases == 0) return fmt::format("NOTHING JUDGED: no case was left for {}.", who());
+  const double share = 100.0 * static_cast<double>(judged()) / static_cast<double>(all.cases + skipped_cases());
+  const std::string of =
+      fmt::format("{} ({:.3g} % of those given)", count(judged(), "judged case", "judged cases"), share);
+  if (certified())
+    return fmt::format("CERTIFIED: {} reaches {} on all {}; {} was required.", who(), name(level()), of,
+                       name(required));
+  if (harness_invalid())
+    return fmt::format("HARNESS INVALID: {} never gave an answer that claims something, on {}.", who(), of);
+  std::vector<std::string> reasons;
+  if (all.missed_hits != 0) reasons.push_back(count(all.missed_hits, "missed hit", "missed hits"));
+  if (all.false_hits != 0) reasons.push_back(count(all.false_hits, "false hit", "false hits"));
+  for (std::size_t i = 1; i < kStatusNames.size(); ++i)
+    if (all.statuses[i] != 0 && !(allow_unsupported && i == static_cast<std::size_t>(Claim::Status::unsupported)))
+      reasons.push_back(fmt::format("{} {}", all.statuses[i], kStatusNames[i]));
+  if (all.outside_domain != 0)
+    reasons.push_back(count(all.outside_domain, "answer outside the domain", "answers outside the domain"));
+  if (all.not_finite != 0) reasons.push_back(count(all.not_finite, "answer not finite", "answers not finite"));
+  const FieldCount numbers = all.all_fields();
+  if (numbers.at(Grade::beyond_bound) != 0)
+    reasons.push_back(count(numbers.at(Grade::beyond_bound), "field beyond its bound", "fields beyond their bound"));
+  if (reasons.empty()) reasons.push_back(fmt::format("{} at best", name(level())));
+  return fmt::format("REFUTED: {} does not reach {} on {}: {}.", who(), name(required), of, fmt::join(reasons, ", "));
+}
+
+std::vector<std::string> Report::diagnosis() const {
+  std::vector<std::string> sentences;
+  for (const auto& [field, n] : wrong) {
+    // Of the conventions that would make this field right, the one that explains the most; few are no explanation.
+    const std::pair<const oracle::Explanation, std::uint64_t>* best = nullptr;
+    for (const auto& entry : explanations)
+      if (entry.first.field == field && (best == nullptr || entry.second > best->second)) best = &entry;
+    if (best == nullptr || best->second * 2 < n) continue;
+    sentences.push_back(fmt::format("{}: {} of {} wrong answers are right under the convention {} = {}", field,
+                                    best->second, n, best->first.convention, best->first.value));
+  }
+  return sentences;
+}
+
+std::string json_text(const Report& report) {
+  using golden::json_string;
+  using golden::number;
+  const auto family_text = [&](const FamilyReport& f) {
+    std::string statuses;
+    for (std::size_t i = 0; i < kStatusNames.size(); ++i)
+      statuses += fmt::format("{}\"{}\":{}", i == 0 ? "" : ",", kStatusNames[i], f.statuses[i]);
+    std::string fields;
+    for (const Field field : oracle::kFields) {
+      const FieldCount& c = f.fields[static_cast<std::size_t>(field)];
+      if (c.judged() == 0) continue;
+      fields += fmt::format(
+          R"({}"{}":{{"judged":{},"correctly_rounded":{},"faithful":{},"bounded":{},"beyond_bound":{},"not_finite":{},"worst_ulps":{},"worst_id":{}}})",
+          fields.empty() ? "" : ",", name(field), c.judged(), c.at(Grade::correctly_rounded), c.at(Grade::faithful),
+          c.at(Grade::bounded), c.at(Grade::beyond_bound), c.at(Grade::not_finite), number(c.worst),
+          json_string(c.worst_id));
+    }
+    return fmt::format(
+        R"("cases":{},"judged":{},"hits":{},"missed_hits":{},"false_hits":{},"outside_domain":{},"not_finite":{},"level":"{}","answers":{{{}}},"fields":{{{}}})",
+        f.cases, f.judged(report.allow_unsupported), f.hits, f.missed_hits, f.false_hits, f.outside_domain,
+        f.not_finite, name(f.level(report.allow_unsupported)), statuses, fields);
+  };
+  std::string families;
+  for (const FamilyReport& f : report.families)
+    families += fmt::format("{}{{\"pair\":\"{}\",\"scalar\":\"{}\",\"family\":{},{}}}", families.empty() ? "" : ",\n",
+                            name(f.pair), name(f.scalar), json_string(f.family), family_text(f));
+  std::string skipped;
+  for (const Skipped& s : report.skipped)
+    skipped += fmt::format("{}{{\"what\":{},\"why\":{},\"cases\":{}}}", skipped.empty() ? "" : ",", json_string(s.what),
+                           json_string(s.why), s.cases);
+  std::string worst;
+  for (const WorstCase& w : report.worst)
+    worst += fmt::format("{}{{\"what\":{},\"query\":{}}}", worst.empty() ? "" : ",\n", json_string(w.what()),
+                         golden::query_line(w.query, w.scalar));
+  std::string diagnosis;
+  for (const std::string& d : report.diagnosis()) diagnosis += (diagnosis.empty() ? "" : ",") + json_string(d);
+  return fmt::format(
+      "{{\"format\":\"contact-oracle/"
+      "report\",\"version\":1,\"engine\":{{\"name\":{},\"version\":{}}},\"scalar\":\"{}\",\"conventions\":{},"
+      "\"required\":\"{}\",\"certified\":{},\"verdict\":{},\"diagnosis\":[{}],\n\"total\":{{{}}},\n\"families\":[\n{}],"
+      "\n\"skipped\":[{}],\n\"worst\":[{}]}}\n",
+      json_string(report.engine.name), json_string(report.engine.version), name(report.engine.declared.scalar),
+      golden::conventions_text(report.engine.declared.conventions), name(report.required), report.certified(),
+      json_string(report.sentence()), diagnosis, family_text(report.total()), families, skipped, worst);
+}
+
+}  // namespace contact::tool

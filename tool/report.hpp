@@ -1,0 +1,111 @@
+// What a run found: counts and worst cases by family and field, and the verdict.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engines/engine.hpp"
+#include "oracle/judge.hpp"
+
+namespace contact::tool {
+
+using oracle::Field;
+using oracle::Grade;
+using oracle::Level;
+using oracle::Verdict;
+
+/// The claims of one field: how many reach each grade, and the largest error.
+struct FieldCount {
+  std::array<std::uint64_t, oracle::kGradeNames.size()> grades{};
+  double worst = 0;  ///< ulps of the field's scale
+  std::string worst_id;
+
+  [[nodiscard]] std::uint64_t at(Grade grade) const { return grades[static_cast<std::size_t>(grade)]; }
+  [[nodiscard]] std::uint64_t judged() const;
+  [[nodiscard]] std::uint64_t wrong() const { return at(Grade::beyond_bound) + at(Grade::not_finite); }
+  void add(const oracle::FieldVerdict& verdict, const std::string& id);
+  void merge(const FieldCount& other);
+};
+
+/// One dataset, or one generated family.
+struct FamilyReport {
+  Pair pair = Pair::sphere_sphere;
+  Scalar scalar = Scalar::binary64;
+  std::string family;
+  std::uint64_t cases = 0;
+  std::uint64_t hits = 0;  ///< by the exact answer
+  std::uint64_t missed_hits = 0;
+  std::uint64_t false_hits = 0;
+  std::uint64_t outside_domain = 0;         ///< answers where there is no question
+  std::uint64_t not_finite = 0;             ///< cases with a field that is not finite where the truth is
+  std::array<std::uint64_t, 7> statuses{};  ///< by Claim::Status
+  std::array<FieldCount, oracle::kFields.size()> fields;
+  std::array<std::uint64_t, oracle::kLevelNames.size()> levels{};  ///< cases by the strictest level they reach
+
+  [[nodiscard]] FieldCount all_fields() const;
+  [[nodiscard]] std::uint64_t with(Claim::Status status) const { return statuses[static_cast<std::size_t>(status)]; }
+  /// Cases that count: all but those left out because the engine may say "unsupported".
+  [[nodiscard]] std::uint64_t judged(bool allow_unsupported) const;
+  [[nodiscard]] Level level(bool allow_unsupported) const;
+  void add(const Verdict& verdict, const std::string& id, bool hit);
+  void merge(const FamilyReport& other);
+};
+
+/// A case worth showing.
+struct WorstCase {
+  Query query;
+  Scalar scalar;
+  Verdict verdict;
+
+  [[nodiscard]] std::string what() const;  ///< "missed hit", "normal not finite", "value off by 12.5 ulps"
+  [[nodiscard]] double severity() const;
+};
+
+/// Cases that the engine's declaration excludes.
+struct Skipped {
+  std::string what;
+  std::string why;
+  std::uint64_t cases;
+};
+
+struct Report {
+  golden::EngineInfo engine;
+  Level required = Level::bounded;
+  bool allow_unsupported = false;
+  std::vector<FamilyReport> families;
+  std::vector<Skipped> skipped;
+  std::vector<WorstCase> worst;  ///< at most kWorstShown, the worst first
+  std::map<oracle::Explanation, std::uint64_t> explanations;
+  std::map<std::string, std::uint64_t> wrong;  ///< claims by field ("overlap", "contact", "normal", ...) that are wrong
+  std::uint64_t unknown_answers = 0;           ///< recorded answers to questions that were not asked
+
+  [[nodiscard]] FamilyReport total() const;
+  [[nodiscard]] std::uint64_t judged() const { return total().judged(allow_unsupported); }
+  [[nodiscard]] std::uint64_t skipped_cases() const;
+  [[nodiscard]] Level level() const { return total().level(allow_unsupported); }
+  [[nodiscard]] bool certified() const { return judged() > 0 && level() <= required; }
+  /// Whether the engine never gave a well-formed answer that claims something.
+  [[nodiscard]] bool harness_invalid() const;
+  /// The engine's name and version, fit for a terminal and for XML: no control characters.
+  [[nodiscard]] std::string who() const;
+  /// The verdict in one sentence.
+  [[nodiscard]] std::string sentence() const;
+  /// What the wrong answers have in common, a sentence each: the conventions under which they would be right.
+  [[nodiscard]] std::vector<std::string> diagnosis() const;
+  void add(const WorstCase& c);
+};
+
+inline constexpr std::size_t kWorstShown = 5;
+
+/// The reports in their forms.
+[[nodiscard]] std::string terminal_text(const Report& report);
+[[nodiscard]] std::string scoreboard_text(const std::vector<Report>& reports);
+[[nodiscard]] std::string json_text(const Report& report);
+[[nodiscard]] std::string junit_text(const Report& report);
+[[nodiscard]] std::string html_text(const std::vector<Report>& reports);
+
+}  // namespace contact::tool

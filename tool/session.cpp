@@ -1,0 +1,69 @@
+// What every command shares: interruption and progress.
+#include "tool/session.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+
+#include "golden/json.hpp"
+
+namespace contact::tool {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+constexpr int kBarWidth = 30;
+constexpr std::chrono::milliseconds kRedraw{100};
+
+}  // namespace
+
+void catch_signals() {
+  // Without SA_RESTART, so that a command waiting for its input ends too.
+  struct sigaction action {};
+  action.sa_handler = [](int) { interrupted = 1; };
+  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+}
+
+void throw_if_interrupted() {
+  if (interrupted != 0) throw Interrupted();
+}
+
+InputLines::InputLines(const std::string& path)
+    : file_(path == "-" ? std::ifstream() : golden::open_to_read(path)),
+      stream_(path == "-" ? std::cin : file_),
+      where_{path, 0} {}
+
+bool InputLines::next() {
+  const bool read = static_cast<bool>(std::getline(stream_, line_));
+  throw_if_interrupted();
+  if (read) ++where_.line;
+  return read;
+}
+
+Progress::Progress(std::string label, std::uint64_t total)
+    : label_(std::move(label)), total_(total), visible_(::isatty(STDERR_FILENO) == 1 && total > 0) {}
+
+Progress::~Progress() {
+  if (visible_) fmt::print(stderr, "\r\033[K");
+}
+
+void Progress::add(std::uint64_t n) {
+  done_ += n;
+  const auto now = std::chrono::steady_clock::now();
+  if (!visible_ || now - drawn_ < kRedraw) return;
+  drawn_ = now;
+  draw();
+}
+
+void Progress::draw() {
+  const double share = static_cast<double>(done_) / static_cast<double>(total_);
+  const int full = static_cast<int>(share * kBarWidth);
+  fmt::print(stderr, "\r\033[K{} [{:=<{}}{: <{}}] {:3.0f} %  {} of {}", label_, "", full, "", kBarWidth - full,
+             share * 100, done_, total_);
+  std::fflush(stderr);
+}
+
+}  // namespace contact::tool

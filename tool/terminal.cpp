@@ -1,0 +1,145 @@
+// The report for a person at a terminal: the table by family, the worst cases, the verdict; and the scoreboard.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "golden/dataset.hpp"
+#include "tool/report.hpp"
+
+namespace contact::tool {
+namespace {
+
+/// Rows of cells, aligned: the first column to the left, the others to the right.
+class Table {
+ public:
+  void row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+
+  [[nodiscard]] std::string text() const {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows_) {
+      widths.resize(std::max(widths.size(), row.size()));
+      for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    }
+    std::string text;
+    for (const auto& row : rows_) {
+      std::string line;
+      for (std::size_t i = 0; i < row.size(); ++i)
+        line += i == 0 ? fmt::format("{:<{}}", row[i], widths[i]) : fmt::format("  {:>{}}", row[i], widths[i]);
+      line.erase(line.find_last_not_of(' ') + 1);
+      text += line + "\n";
+    }
+    return text;
+  }
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+std::string cell(std::uint64_t n) { return n == 0 ? "." : std::to_string(n); }
+
+std::string title(const FamilyReport& f) {
+  return f.family == "total"
+             ? f.family
+             : fmt::format("{}/{}{}", name(f.pair), f.family, f.scalar == Scalar::binary32 ? ".f32" : "");
+}
+
+}  // namespace
+
+std::string terminal_text(const Report& report) {
+  Table table;
+  table.row({"family", "cases", "hits", "missed", "false", "not finite", "correctly rounded", "faithful", "bounded",
+             "beyond", "worst (ulps)", "its id"});
+  const auto add = [&](const FamilyReport& f) {
+    const FieldCount all = f.all_fields();
+    table.row({title(f), cell(f.cases), cell(f.hits), cell(f.missed_hits), cell(f.false_hits), cell(f.not_finite),
+               cell(all.at(Grade::correctly_rounded)), cell(all.at(Grade::faithful)), cell(all.at(Grade::bounded)),
+               cell(all.at(Grade::beyond_bound)), all.worst_id.empty() ? "" : fmt::format("{:.3g}", all.worst),
+               all.worst_id});
+  };
+  for (const FamilyReport& f : report.families) add(f);
+  if (report.families.size() > 1) add(report.total());
+
+  std::string text = fmt::format("{} ({}), required: {}\n\n", report.who(), name(report.engine.declared.scalar),
+                                 name(report.required));
+  text += table.text();
+  text +=
+      "\nThe columns from 'correctly rounded' to 'beyond' count fields: normal, point1, point2 and value of every "
+      "contact.\n";
+  const FamilyReport all = report.total();
+  std::string levels;
+  for (const Field field : oracle::kFields) {
+    const FieldCount& c = all.fields[static_cast<std::size_t>(field)];
+    if (c.judged() != 0)
+      levels +=
+          fmt::format("  {} {:.4g} %", name(field),
+                      100.0 * static_cast<double>(c.at(Grade::correctly_rounded)) / static_cast<double>(c.judged()));
+  }
+  if (!levels.empty()) text += "Correctly rounded by field:" + levels + "\n";
+  if (!report.skipped.empty()) {
+    text += "\nSkipped:\n";
+    for (const Skipped& s : report.skipped) text += fmt::format("  {} ({} cases): {}\n", s.what, s.cases, s.why);
+  }
+  if (report.unknown_answers != 0)
+    text += fmt::format("\n{} recorded answers belong to no question asked.\n", report.unknown_answers);
+  if (!report.certified() && !report.worst.empty()) {
+    text += "\nThe worst cases, as lines for `contact-oracle explain`:\n";
+    for (const WorstCase& w : report.worst)
+      text += fmt::format("  # {}\n  {}\n", w.what(), golden::query_line(w.query, w.scalar));
+  }
+  const auto diagnosis = report.diagnosis();
+  if (!diagnosis.empty()) {
+    text += "\nDiagnosis:\n";
+    for (const std::string& d : diagnosis) text += "  " + d + "\n";
+  }
+  return text + "\n" + report.sentence() + "\n";
+}
+
+std::string scoreboard_text(const std::vector<Report>& reports) {
+  Table summary;
+  summary.row({"engine", "verdict", "level reached", "cases", "missed hits", "false hits", "not finite", "fields",
+               "correctly rounded", "beyond bound"});
+  for (const Report& report : reports) {
+    const FamilyReport all = report.total();
+    const FieldCount fields = all.all_fields();
+    const double share = fields.judged() == 0 ? 0
+                                              : 100.0 * static_cast<double>(fields.at(Grade::correctly_rounded)) /
+                                                    static_cast<double>(fields.judged());
+    summary.row({report.engine.name, report.certified() ? "certified" : "REFUTED", std::string(name(report.level())),
+                 cell(all.cases), cell(all.missed_hits), cell(all.false_hits), cell(all.not_finite),
+                 cell(fields.judged()), fmt::format("{:.1f} %", share), cell(fields.at(Grade::beyond_bound))});
+  }
+  // Family by family, in the order of the first engine that judged it.
+  std::vector<std::string> order;
+  std::map<std::string, std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < reports.size(); ++i)
+    for (const FamilyReport& f : reports[i].families) {
+      auto& row = rows[title(f)];
+      if (row.empty()) {
+        order.push_back(title(f));
+        row.resize(reports.size(), "-");
+      }
+      row[i] = f.missed_hits + f.false_hits + f.not_finite == 0
+                   ? "."
+                   : fmt::format("{}/{}/{}", f.missed_hits, f.false_hits, f.not_finite);
+    }
+  Table families;
+  std::vector<std::string> head{"missed hits / false hits / not finite"};
+  for (const Report& report : reports) head.push_back(report.engine.name);
+  families.row(head);
+  for (const std::string& family : order) {
+    std::vector<std::string> cells{family};
+    cells.insert(cells.end(), rows[family].begin(), rows[family].end());
+    families.row(std::move(cells));
+  }
+  std::string text = summary.text() + "\n" + families.text() +
+                     "\n.  none      -  not judged: the file holds numbers that the engine's scalar does not\n\n";
+  for (const Report& report : reports) {
+    text += report.sentence() + "\n";
+    for (const std::string& d : report.diagnosis()) text += "  " + d + "\n";
+  }
+  return text;
+}
+
+}  // namespace contact::tool
