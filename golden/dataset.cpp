@@ -172,10 +172,8 @@ Pair read_pair(const Node& node) { return kPairs[node.one_of(kPairNames)]; }
 Scalar read_scalar(const Node& node) { return static_cast<Scalar>(node.one_of(kScalarNames)); }
 
 ReadQuery read_query(const Node& line, const DatasetHeader* file) {
-  if (file != nullptr)
-    line.allow_only({"id", "a", "b", "alarm", "contact", "flags", "expect", "exact"});
-  else
-    line.allow_only({"id", "pair", "scalar", "a", "b", "alarm", "contact", "op", "seq"});
+  // What a case, a protocol message or a worst case carries beside its question is passed over, not guessed at.
+  line.allow_only({"id", "pair", "scalar", "a", "b", "alarm", "contact", "flags", "expect", "exact", "op", "seq"});
   Pair pair = file != nullptr ? file->pair : Pair::sphere_sphere;
   if (const auto given = line.find("pair"))
     pair = read_pair(*given);

@@ -68,7 +68,8 @@ struct ReadQuery {
 /// The header of a dataset, checked.
 [[nodiscard]] DatasetHeader read_header(const Node& node);
 
-/// Reads a user's question, a protocol query, or with `file` a line of that dataset, whose answer is passed over.
+/// Reads a user's question, a protocol query or a line of a dataset, whose answer is passed over; `file` is the header
+/// that tells its pair and scalar.
 [[nodiscard]] ReadQuery read_query(const Node& line, const DatasetHeader* file = nullptr);
 
 /// Reads a dataset line by line, checking form as it goes: the header, each line, ids, and at the end the count. What

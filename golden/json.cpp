@@ -41,7 +41,7 @@ std::string json_string(std::string_view text) {
 
 std::ifstream open_to_read(const std::filesystem::path& path, bool regular) {
   const Location where{path.string(), 0};
-  if (!std::filesystem::exists(path)) throw InputError(where, "", "no such file");
+  if (!std::filesystem::exists(path)) throw InputError(where, "", "cannot read: no such file");
   if (std::filesystem::is_directory(path)) throw InputError(where, "", "cannot read: it is a directory");
   if (regular && !std::filesystem::is_regular_file(path))
     throw InputError(where, "", "not a regular file, and it is read more than once");

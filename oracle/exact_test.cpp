@@ -237,6 +237,21 @@ TEST(Ulp, is_the_spacing_of_the_numbers_around_a_real) {
   }
 }
 
+TEST(Ulp, changes_exactly_at_a_power_of_two_that_no_enclosure_can_tell) {
+  for (const FormatFacts& f : kFacts) {
+    const Rational epsilon(f.epsilon);
+    for (const int sign : {1, -1}) {
+      // 4 - sqrt(4 - t): 2 for t = 0, a hair above for t > 0 and below for t < 0
+      const auto near_two = [&](const Rational& t) {
+        return Exact(Rational(4 * sign), Rational(-sign), Rational(4) - t);
+      };
+      EXPECT_EQ(ulp(near_two(Rational(0)), f.scalar), Rational(2) * epsilon);
+      EXPECT_EQ(ulp(near_two(hair()), f.scalar), Rational(2) * epsilon);
+      EXPECT_EQ(ulp(near_two(-hair()), f.scalar), epsilon);
+    }
+  }
+}
+
 TEST(Ulp, is_the_smallest_subnormal_from_zero_to_the_smallest_normal_numbers) {
   for (const FormatFacts& f : kFacts) {
     const Rational least(f.least);

@@ -194,6 +194,21 @@ TEST(JudgeLevels, the_worst_field_decides) {
   EXPECT_EQ(level_of(overlapping(), contact_of(claim)), Level::decisions);
 }
 
+TEST(JudgeLevels, a_better_field_after_a_worse_one_raises_nothing) {
+  // point1 = 2 n = (1.2, 1.6, 0); the double 1.2 lies below 6/5, so the next one is the other number beside it
+  ContactClaim claim{.normal = Vector3(below(0.6), 0.8, 0),
+                     .point1 = Vector3(above(1.2), 1.6, 0),
+                     .point2 = {},
+                     .point = {},
+                     .value = {}};
+  const Verdict verdict = judged(touching(), contact_of(claim));
+  EXPECT_EQ(verdict.at(Field::normal)->grade, Grade::bounded);
+  EXPECT_EQ(verdict.at(Field::point1)->grade, Grade::faithful);
+  EXPECT_EQ(verdict.level(), Level::bounded);
+  claim.normal = Vector3(1, 0, 0);
+  EXPECT_EQ(level_of(touching(), contact_of(claim)), Level::decisions);
+}
+
 TEST(JudgeLevels, each_level_includes_those_after_it) {
   EXPECT_LT(Level::correctly_rounded, Level::faithful);
   EXPECT_LT(Level::faithful, Level::bounded);

@@ -54,13 +54,17 @@ std::vector<Source> datasets(const Options& options) {
   for (const auto& path : golden::dataset_files(paths)) {
     const golden::DatasetReader reader(path);
     const golden::DatasetHeader& h = reader.header();
+    if (h.count == 0 && !h.shard)
+      throw golden::InputError({path.string(), 1}, "count", "the dataset holds no case, got 0");
     seen.push_back(h.family);
     if (wanted(options, h.family)) sources.push_back({h.pair, h.scalar, h.family, h.count, path});
   }
   for (const std::string& family : options.families)
     if (std::find(seen.begin(), seen.end(), family) == seen.end())
       refuse(fmt::format("no dataset given holds the family '{}'", family));
-  if (sources.empty()) refuse("nothing to judge: the family 'invalid' is judged only when named, --family invalid");
+  if (sources.empty())
+    refuse(fmt::format("nothing to judge in {}: the family 'invalid' is judged only when named, --family invalid",
+                       paths.front().string()));
   return sources;
 }
 

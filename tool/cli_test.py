@@ -250,7 +250,10 @@ class Certify(Case):
 
     def test_a_run_that_judges_nothing_is_never_certified_and_says_so(self):
         binary64 = GOLDEN / "sphere_sphere" / "generic.jsonl"
-        self.assertIn("NOTHING JUDGED", self.refuted("certify", binary64, "--engine", "plain-float"))
+        done = run("certify", binary64, "--engine", "plain-float")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("NOTHING JUDGED", done.stdout)
+        self.assertIn("no case was judged", done.stderr)
         empty = self.file("none.jsonl", [{**committed("sphere_sphere/generic.jsonl", 0, 1)[0], "count": 0}])
         for path in (empty, GOLDEN / "sphere_sphere" / "invalid.jsonl"):
             with self.subTest(path.name):
