@@ -148,7 +148,9 @@ bool is_faithful(double claim, const Exact& x, Scalar scalar) {
   const auto side = x.compare(Rational(claim));
   if (side == CGAL::EQUAL) return true;
   const double other = side == CGAL::LARGER ? next_up(claim, scalar) : next_down(claim, scalar);
-  return !std::isfinite(other) || x.compare(Rational(other)) == -side;
+  // Past the largest finite number stands no neighbour that could tell near from far: an ulp must.
+  if (!std::isfinite(other)) return is_within(Rational(claim), x, ulp(x, scalar));
+  return x.compare(Rational(other)) == -side;
 }
 
 Rational ulp(const Exact& x, Scalar scalar) {

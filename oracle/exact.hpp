@@ -45,7 +45,8 @@ class Exact {
 /// Whether `claim` is x rounded once to the scalar, to nearest, ties to even. The sign of a zero does not count.
 [[nodiscard]] bool is_correctly_rounded(double claim, const Exact& x, Scalar scalar);
 
-/// Whether `claim` is one of the two numbers of the scalar next to x (x itself where it is one of them).
+/// Whether `claim` is one of the two numbers of the scalar next to x (x itself where it is one of them); beyond the
+/// largest finite number that one is next to x only within an ulp.
 [[nodiscard]] bool is_faithful(double claim, const Exact& x, Scalar scalar);
 
 /// ulp of a real number: 2^max(floor(log2 |x|) - p + 1, emin - p + 1), the exponent unbounded above.

@@ -217,6 +217,11 @@ TEST(IsFaithful, accepts_the_two_numbers_beside_the_real_and_no_other) {
     EXPECT_TRUE(is_faithful(f.least, hair(), f.scalar));
     EXPECT_FALSE(is_faithful(-f.least, hair(), f.scalar));
     EXPECT_FALSE(is_faithful(kInfinity, Rational(1), f.scalar));
+    // Past the largest finite number M an ulp decides: M stands next to M + ulp / 4, and not next to 3 M.
+    const Rational quarter = ulp(Rational(f.largest), f.scalar) / Rational(4);
+    EXPECT_TRUE(is_faithful(f.largest, Rational(f.largest) + quarter, f.scalar));
+    EXPECT_FALSE(is_faithful(f.largest, Rational(f.largest) * Rational(3), f.scalar));
+    EXPECT_FALSE(is_faithful(-f.largest, Rational(f.largest) * Rational(-2), f.scalar));
     EXPECT_FALSE(is_faithful(kNan, Rational(1), f.scalar));
   }
   EXPECT_FALSE(is_faithful(1 + 0x1p-40, Rational(1) + power_of_two(-40), kFloat));

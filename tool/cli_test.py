@@ -174,6 +174,13 @@ class Case(unittest.TestCase):
         return path
 
 
+class Documentation(Case):
+    def test_the_tables_of_families_and_flags_are_the_programs(self):
+        page = (ROOT / "docs" / "formats.md").read_text()
+        for table in re.split(r"(?<=:end -->)\n", self.holds("tables").strip()):
+            self.assertIn(table, page)
+
+
 class Certify(Case):
     def test_the_scoreboard_certifies_production_and_refutes_plain_arithmetic_and_the_printed_formula(self):
         out = self.holds("certify")

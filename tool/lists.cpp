@@ -25,7 +25,7 @@ void list_engines(bool json) {
       fmt::print("{:<14}{}  {}\n", e.name, name(e.scalar), e.about);
 }
 
-/// With --json one object a line, families then flags; docs/formats.md's tables are made from the same lists.
+/// With --json one object a line, families then flags.
 void list_families(bool json) {
   for (const bool spheres : {true, false}) {
     const auto families = spheres ? golden::sphere_families() : golden::cube_families();
@@ -46,6 +46,17 @@ void list_families(bool json) {
       fmt::print("  {:<17}{}\n", f.name, f.meaning);
 }
 
+/// The tables of docs/formats.md, which a test compares with this.
+void print_tables() {
+  fmt::print("<!-- families:begin -->\n| shapes | family | why it exists |\n|---|---|---|\n");
+  for (const auto& [shapes, families] :
+       {std::pair{"spheres", golden::sphere_families()}, {"cubes", golden::cube_families()}})
+    for (const golden::Family& f : families) fmt::print("| {} | `{}` | {} |\n", shapes, f.name, f.reason);
+  fmt::print("<!-- families:end -->\n<!-- flags:begin -->\n| flag | what is true | what breaks |\n|---|---|---|\n");
+  for (const golden::Flag& f : golden::flags()) fmt::print("| `{}` | {} | {} |\n", f.name, f.meaning, f.breaks);
+  fmt::print("<!-- flags:end -->\n");
+}
+
 }  // namespace
 
 void add_lists(CLI::App& app, int& exit) {
@@ -60,6 +71,12 @@ void add_lists(CLI::App& app, int& exit) {
   };
   add("engines", "The engines that can be certified by name", list_engines);
   add("families", "The families of generated questions, and the flags of cases", list_families);
+  auto* tables = app.add_subcommand("tables", "The tables of families and flags in docs/formats.md");
+  tables->group("");
+  tables->callback([&exit] {
+    print_tables();
+    exit = kCertified;
+  });
 }
 
 }  // namespace contact::tool

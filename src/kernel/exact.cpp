@@ -58,7 +58,7 @@ double round_magnitude(Integer magnitude, bool inexact, int exponent, bool negat
     magnitude >>= 1;
     ++exponent;
   }
-  const std::uint64_t sign = negative && !magnitude.is_zero() ? std::uint64_t{1} << 63 : 0;
+  const std::uint64_t sign = negative ? std::uint64_t{1} << 63 : 0;
   if (bit_length(magnitude) + exponent - 1 > kMaxExponent)
     return std::bit_cast<double>(sign | std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity()));
   auto significand = static_cast<std::uint64_t>(magnitude);

@@ -264,7 +264,7 @@ class Hostile {
     const auto x = std::bit_cast<double>(bits);
     return std::isfinite(x) ? x : std::bit_cast<double>(bits & ~(std::uint64_t{1} << 62));
   }
-  double integer(int limit) {
+  double integer(std::int64_t limit) {
     return static_cast<double>(static_cast<std::int64_t>(random_() % static_cast<std::uint64_t>(2 * limit + 1)) -
                                limit);
   }
