@@ -5,14 +5,10 @@
 #include <cstdint>
 #include <limits>
 
-#include "contact/sphere_sphere.hpp"
-#include "golden/families.hpp"
-#include "golden/plain.hpp"
+#include "golden/making.hpp"
 
 namespace contact::golden {
 namespace {
-
-constexpr int kSearchTries = 256;  // of a search for a question that plain arithmetic decides wrongly
 
 /// A question in the file's scalar; widening it to double is exact. Only + - * / sqrt and scaling by powers of two make
 /// its numbers: each is one IEEE 754 rounding, so every platform makes the same.
@@ -44,32 +40,6 @@ struct Spheres {
       *x = std::ldexp(*x, exponent);
   }
 };
-
-template <class Real>
-Real ulps_away(Real x, int ulps) {
-  for (; ulps > 0; --ulps) x = std::nextafter(x, std::numeric_limits<Real>::infinity());
-  for (; ulps < 0; ++ulps) x = std::nextafter(x, -std::numeric_limits<Real>::infinity());
-  return std::max(x, Real{0});
-}
-
-/// Whether plain arithmetic decides a question wrongly; the exact decision is production's.
-template <class Real>
-bool fools_plain(const Query& query) {
-  const Balls& balls = *query.balls();
-  return PlainSpheres<Real>(balls, query.distances).overlap() !=
-         test_sphere_sphere(balls.a, balls.b, query.distances.alarm);
-}
-
-/// Three of four times searched for a question that plain arithmetic decides wrongly, else the first one made.
-template <class Real, class Make>
-Spheres<Real> searched(Random& random, Make make) {
-  Spheres<Real> first = make();
-  if (random.chance(4)) return first;
-  Spheres<Real> s = first;
-  for (int tries = 0; tries < kSearchTries; ++tries, s = make())
-    if (fools_plain<Real>(s.query(Pair::sphere_sphere))) return s;
-  return first;
-}
 
 template <class Real>
 std::array<Real, 3> triple(Random& random, Real low, Real high) {
@@ -159,9 +129,15 @@ Spheres<Real> exactly_touching(Random& random) {
 template <class Real>
 Spheres<Real> touching(Random& random) {
   const auto make = [&] { return exactly_touching<Real>(random); };
-  Spheres<Real> s = random.turn(2) == 0 ? make() : searched<Real>(random, make);
+  Spheres<Real> s = random.turn(2) == 0 ? make() : searched<Spheres, Real>(random, Pair::sphere_sphere, make);
   s.scale(random.between(-40, 40));
   return s;
+}
+
+/// A radius or a distance: not below 0, whatever the steps beside it did.
+template <class Real>
+Real length(Real x) {
+  return std::max(x, Real{0});
 }
 
 /// Radii that leave the surfaces a few ulps apart, beside an alarm distance or none.
@@ -172,11 +148,11 @@ Spheres<Real> near_reach(Random& random, Spheres<Real> s, bool alarmed) {
   const int ulps = random.between(-4, 4);
   if (alarmed) {
     s.r2 = d * random.uniform(Real{0.0625}, Real{0.3125});
-    s.alarm = ulps_away((d - s.r1) - s.r2, ulps);
+    s.alarm = length(ulps_away((d - s.r1) - s.r2, ulps));
     s.contact = s.alarm * random.uniform(Real{0.125}, Real{0.875});
   } else {
     s.alarm = 0;
-    s.r2 = ulps_away(d - s.r1, ulps);
+    s.r2 = length(ulps_away(d - s.r1, ulps));
     s.contact = random.chance(2) ? random.uniform(Real{0}, Real{1}) : Real{0};
   }
   return s;
@@ -184,7 +160,8 @@ Spheres<Real> near_reach(Random& random, Spheres<Real> s, bool alarmed) {
 
 template <class Real>
 Spheres<Real> near_touching(Random& random) {
-  return searched<Real>(random, [&] { return near_reach(random, ordinary<Real>(random), false); });
+  return searched<Spheres, Real>(random, Pair::sphere_sphere,
+                                 [&] { return near_reach(random, ordinary<Real>(random), false); });
 }
 
 template <class Real>
@@ -200,7 +177,8 @@ Spheres<Real> alarm_edge(Random& random) {
     s.scale(random.between(-40, 40));
     return s;
   }
-  return searched<Real>(random, [&] { return near_reach(random, ordinary<Real>(random), true); });
+  return searched<Spheres, Real>(random, Pair::sphere_sphere,
+                                 [&] { return near_reach(random, ordinary<Real>(random), true); });
 }
 
 template <class Real>
@@ -219,7 +197,7 @@ Spheres<Real> contact_edge(Random& random) {
   const Real d = s.distance();
   s.r1 = d * random.uniform(Real{0.125}, Real{0.5});
   s.r2 = d * random.uniform(Real{0.125}, Real{0.375});
-  s.contact = ulps_away((d - s.r1) - s.r2, random.between(-6, 6));
+  s.contact = length(ulps_away((d - s.r1) - s.r2, random.between(-6, 6)));
   s.alarm = s.contact * random.uniform(Real{1.5}, Real{3});
   return s;
 }
@@ -295,11 +273,11 @@ Spheres<Real> zero_radius(Random& random) {
       return s;
     }
     case 2:  // a point a few ulps from a sphere
-      return searched<Real>(random, [&] {
+      return searched<Spheres, Real>(random, Pair::sphere_sphere, [&] {
         Spheres<Real> s = ordinary<Real>(random);
         s.alarm = 0;
         s.r1 = 0;
-        s.r2 = ulps_away(s.distance(), random.between(-3, 3));
+        s.r2 = length(ulps_away(s.distance(), random.between(-3, 3)));
         if (random.chance(2)) std::swap(s.r1, s.r2);
         return s;
       });
@@ -327,7 +305,7 @@ Spheres<Real> far_from_origin(Random& random) {
   };
   if (random.turn(2) == 0) return moved();
   const bool alarmed = random.chance(2);
-  return searched<Real>(random, [&] { return near_reach(random, moved(), alarmed); });
+  return searched<Spheres, Real>(random, Pair::sphere_sphere, [&] { return near_reach(random, moved(), alarmed); });
 }
 
 template <class Real>
@@ -417,20 +395,9 @@ Spheres<Real> one_axis(Random& random) {
     }
     default: {
       const bool alarmed = random.chance(2);
-      return searched<Real>(random, [&] { return near_reach(random, make(), alarmed); });
+      return searched<Spheres, Real>(random, Pair::sphere_sphere, [&] { return near_reach(random, make(), alarmed); });
     }
   }
-}
-
-template <Spheres<double> (*Wide)(Random&), Spheres<float> (*Narrow)(Random&)>
-Query made(Pair pair, Scalar scalar, Random& random) {
-  return scalar == Scalar::binary32 ? Narrow(random).query(pair) : Wide(random).query(pair);
-}
-
-Query invalid(Pair pair, Scalar scalar, Random& random) {
-  Query query = made<ordinary<double>, ordinary<float>>(pair, scalar, random);
-  spoil(query, random);
-  return query;
 }
 
 constexpr std::array kFamilies{
@@ -461,8 +428,8 @@ constexpr std::array kFamilies{
            made<extreme_scale<double>, extreme_scale<float>>, true, false},
     Family{"one_axis", "two components of the difference are zero: every axis and direction, zeros must be zeros",
            made<one_axis<double>, one_axis<float>>, true, false},
-    Family{"invalid", "each number in turn NaN, infinite or negative: it must be refused, not answered", invalid, true,
-           false, true},
+    Family{"invalid", "each number in turn NaN, infinite or negative: it must be refused, not answered",
+           spoiled<ordinary<double>, ordinary<float>>, true, false, true},
 };
 
 }  // namespace

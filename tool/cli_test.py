@@ -180,6 +180,15 @@ class Documentation(Case):
         for table in re.split(r"(?<=:end -->)\n", self.holds("tables").strip()):
             self.assertIn(table, page)
 
+    def test_the_readme_shows_what_the_program_prints(self):
+        page = (ROOT / "README.md").read_text()
+        block = lambda name: page.split(f"<!-- {name}:begin -->")[1].split(f"<!-- {name}:end -->")[0].strip().removeprefix("```text\n")
+        board = block("scoreboard").removesuffix("```")
+        self.assertIn(board, self.holds("certify"))
+        shell, shown = block("explain").removesuffix("```").split("./run explain\n")
+        question = shell.split("'")[1]
+        self.assertEqual(self.holds("explain", stdin=question + "\n"), shown)
+
 
 class Certify(Case):
     def test_the_scoreboard_certifies_production_and_refutes_plain_arithmetic_and_the_printed_formula(self):

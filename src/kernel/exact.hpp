@@ -1,6 +1,10 @@
 // Exact arithmetic for what the filters leave: integers on a common grid, and correct rounding in Q(sqrt D).
 #pragma once
 
+#ifdef __FAST_MATH__
+#error "contact-oracle promises exact decisions and correct rounding: build it without -ffast-math"
+#endif
+
 #include <boost/multiprecision/cpp_int.hpp>
 #include <initializer_list>
 
