@@ -87,7 +87,7 @@ void judge_one(const Item& item, const std::optional<oracle::Truth>& truth, Scal
   const oracle::Declaration& declared = report.engine.declared;
   const Verdict verdict = truth ? oracle::judge(query, *truth, claim, declared) : oracle::judge_outside_domain(claim);
   partial.family.add(verdict, item.question.id, truth && truth->hit());
-  if (verdict.level() <= Level::faithful) return;
+  if (verdict.level() <= report.required) return;
   partial.worst.push_back({query, scalar, verdict});
   if (!truth || verdict.level() <= Level::bounded) return;
   const auto wrong = [&](oracle::Decision d) {

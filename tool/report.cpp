@@ -98,10 +98,13 @@ std::string WorstCase::what() const {
   if (verdict.answered_outside_domain) return "an answer outside the domain";
   if (verdict.missed_hit()) return "missed hit";
   if (verdict.false_hit()) return "false hit";
+  Grade worst = Grade::correctly_rounded;
+  for (const auto& f : verdict.fields)
+    if (f) worst = std::max(worst, f->grade);
   std::string text;
   for (const Field field : oracle::kFields) {
     const auto& f = verdict.at(field);
-    if (!f || f->grade == Grade::correctly_rounded) continue;
+    if (!f || f->grade < std::min(worst, Grade::beyond_bound)) continue;
     if (!text.empty()) text += ", ";
     text += f->grade == Grade::not_finite ? fmt::format("{} not finite", name(field))
                                           : fmt::format("{} off by {:.4g} ulps", name(field), f->error);
@@ -109,24 +112,29 @@ std::string WorstCase::what() const {
   return text;
 }
 
+WorstCase::Kind WorstCase::kind() const {
+  if (verdict.status != Claim::Status::answered || verdict.answered_outside_domain) return Kind::no_answer;
+  if (verdict.missed_hit()) return Kind::missed_hit;
+  if (verdict.false_hit()) return Kind::false_hit;
+  return verdict.not_finite() ? Kind::not_finite : Kind::number_off;
+}
+
 double WorstCase::severity() const {
-  // Decisions before numbers, numbers that are none before numbers that are off.
-  if (verdict.status != Claim::Status::answered) return std::numeric_limits<double>::infinity();
-  if (verdict.missed_hit()) return 1e305;
-  if (verdict.false_hit()) return 1e304;
-  if (verdict.not_finite()) return 1e303;
-  double worst = 0;
+  // By kind first; numbers that are off by how much.
+  double error = 0;
   for (const auto& field : verdict.fields)
-    if (field) worst = std::max(worst, field->error);
-  return std::min(worst, 1e302);
+    if (field) error = std::max(error, field->error);
+  return kind() == Kind::number_off ? std::min(error, 1e300)
+                                    : std::ldexp(1e300, static_cast<int>(Kind::number_off) - static_cast<int>(kind()));
 }
 
 void Report::add(const WorstCase& c) {
-  const auto at = std::upper_bound(worst.begin(), worst.end(), c.severity(),
-                                   [](double s, const WorstCase& w) { return s > w.severity(); });
-  if (static_cast<std::size_t>(at - worst.begin()) >= kWorstShown) return;
-  worst.insert(at, c);
-  if (worst.size() > kWorstShown) worst.pop_back();
+  const auto above = [](double severity, const WorstCase& w) { return severity > w.severity(); };
+  worst.insert(std::upper_bound(worst.begin(), worst.end(), c.severity(), above), c);
+  // Some of every kind rather than the same thing many times: the least severe of a kind that has enough goes.
+  const auto of_kind = [&](const WorstCase& w) { return w.kind() == c.kind(); };
+  if (static_cast<std::size_t>(std::count_if(worst.begin(), worst.end(), of_kind)) <= kWorstOfAKind) return;
+  worst.erase(std::prev(std::find_if(worst.rbegin(), worst.rend(), of_kind).base()));
 }
 
 FamilyReport Report::total() const {
@@ -170,10 +178,15 @@ std::string Report::sentence() const {
   if (all.outside_domain != 0)
     reasons.push_back(count(all.outside_domain, "answer outside the domain", "answers outside the domain"));
   if (all.not_finite != 0) reasons.push_back(count(all.not_finite, "answer not finite", "answers not finite"));
-  const FieldCount numbers = all.all_fields();
-  if (numbers.at(Grade::beyond_bound) != 0)
-    reasons.push_back(count(numbers.at(Grade::beyond_bound), "field beyond its bound", "fields beyond their bound"));
-  if (reasons.empty()) reasons.push_back(fmt::format("{} at best", name(level())));
+  for (const Field field : oracle::kFields) {
+    const FieldCount& c = all.fields[static_cast<std::size_t>(field)];
+    // Grades and levels begin alike: a grade below the required level is what the field lacks.
+    for (const Grade grade : {Grade::beyond_bound, Grade::bounded, Grade::faithful})
+      if (c.at(grade) != 0 && static_cast<int>(grade) > static_cast<int>(std::min(required, Level::bounded)))
+        reasons.push_back(
+            fmt::format("{} {} {}", c.at(grade), name(field),
+                        grade == Grade::beyond_bound ? "beyond the bound" : fmt::format("only {}", name(grade))));
+  }
   return fmt::format("REFUTED: {} does not reach {} on {}: {}.", who(), name(required), of, fmt::join(reasons, ", "));
 }
 

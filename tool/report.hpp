@@ -62,6 +62,8 @@ struct WorstCase {
   Verdict verdict;
 
   [[nodiscard]] std::string what() const;  ///< "missed hit", "normal not finite", "value off by 12.5 ulps"
+  enum class Kind { no_answer, missed_hit, false_hit, not_finite, number_off };  ///< the worst first
+  [[nodiscard]] Kind kind() const;
   [[nodiscard]] double severity() const;
 };
 
@@ -78,7 +80,7 @@ struct Report {
   bool allow_unsupported = false;
   std::vector<FamilyReport> families;
   std::vector<Skipped> skipped;
-  std::vector<WorstCase> worst;  ///< at most kWorstShown, the worst first
+  std::vector<WorstCase> worst;  ///< at most kWorstOfAKind of each kind, the worst first
   std::map<oracle::Explanation, std::uint64_t> explanations;
   std::map<std::string, std::uint64_t> wrong;  ///< claims by field ("overlap", "contact", "normal", ...) that are wrong
   std::uint64_t unknown_answers = 0;           ///< recorded answers to questions that were not asked
@@ -99,7 +101,7 @@ struct Report {
   void add(const WorstCase& c);
 };
 
-inline constexpr std::size_t kWorstShown = 5;
+inline constexpr std::size_t kWorstOfAKind = 2;
 
 /// The reports in their forms.
 [[nodiscard]] std::string terminal_text(const Report& report);
