@@ -1,0 +1,5 @@
+# find_package(contact-oracle): the target contact::contact.
+include(CMakeFindDependencyMacro)
+find_dependency(Eigen3 3.4)
+find_dependency(Boost 1.74)
+include("${CMAKE_CURRENT_LIST_DIR}/contact-oracle-targets.cmake")
