@@ -12,7 +12,7 @@
 
 namespace contact::golden {
 
-OutputFile::OutputFile(std::filesystem::path path) : path_(std::filesystem::weakly_canonical(path)) {
+OutputFile::OutputFile(const std::filesystem::path& path) : path_(std::filesystem::weakly_canonical(path)) {
   if (std::filesystem::is_directory(path_))
     throw InputError({path_.string(), 0}, "", "cannot write: it is a directory");
   // A pipe or a device cannot be replaced: it is written to as it stands.

@@ -38,7 +38,7 @@ class Random {
   /// A whole number, uniform in low .. high.
   template <std::signed_integral Int>
   Int between(Int low, Int high) {
-    return low + static_cast<Int>(below(static_cast<std::uint64_t>(high - low + 1)));
+    return low + static_cast<Int>(below(static_cast<std::uint64_t>(high - low) + 1));
   }
   bool chance(unsigned one_in) { return below(one_in) == 0; }
   /// The question's index modulo n: classes that take turns are all present in any run of n questions.

@@ -112,7 +112,7 @@ Exact::Enclosure Exact::enclosure(int bits) const {
   const Rational square = number_.a1() * number_.a1() * number_.root();
   const int k = bits + std::max(0, -floor_log2(square) / 2 + 1);
   Gmpz quotient;
-  const Gmpz scaled = square.numerator() << (2 * static_cast<std::size_t>(k));
+  const Gmpz scaled = square.numerator() << 2 * k;
   mpz_fdiv_q(quotient.mpz(), scaled.mpz(), square.denominator().mpz());
   Gmpz root;
   mpz_sqrt(root.mpz(), quotient.mpz());
@@ -178,7 +178,7 @@ double next_up(double x, Scalar scalar) {
 double next_down(double x, Scalar scalar) { return -next_up(-x, scalar); }
 
 Rational power_of_two(int exponent) {
-  const Gmpz power = Gmpz(1) << static_cast<std::size_t>(std::abs(exponent));
+  const Gmpz power = Gmpz(1) << std::abs(exponent);
   return exponent >= 0 ? Rational(power) : Rational(Gmpz(1), power);
 }
 
@@ -187,7 +187,7 @@ std::string dyadic_string(const Rational& x) {
   const Gmpz numerator = CGAL::abs(x).numerator();
   const auto trailing = static_cast<int>(mpz_scan1(numerator.mpz(), 0));
   const auto below = static_cast<int>(mpz_scan1(x.denominator().mpz(), 0));
-  const Gmpz odd = numerator >> static_cast<std::size_t>(trailing);
+  const Gmpz odd = numerator >> trailing;
   std::string digits(mpz_sizeinbase(odd.mpz(), 16) + 2, '\0');
   mpz_get_str(digits.data(), 16, odd.mpz());
   digits.resize(digits.find('\0'));
