@@ -10,7 +10,7 @@
 #include "golden/output_file.hpp"
 #include "tool/commands.hpp"
 #include "tool/pipeline.hpp"
-#include "tool/session.hpp"
+#include "tool/process.hpp"
 
 namespace contact::tool {
 namespace {

@@ -11,7 +11,7 @@
 #include "oracle/truth.hpp"
 #include "tool/commands.hpp"
 #include "tool/pipeline.hpp"
-#include "tool/session.hpp"
+#include "tool/process.hpp"
 
 namespace contact::tool {
 namespace {
@@ -29,7 +29,8 @@ std::string exactly(const Rational& x) {
   const std::string dyadic = oracle::dyadic_string(x);
   const double rounded = oracle::round_to_nearest(x, Scalar::binary64);
   const bool is_double = std::isfinite(rounded) && Rational(rounded) == x;
-  return fmt::format("{} {}{}", is_double ? "=" : "~", number(rounded),
+  const std::string decimal = std::isfinite(rounded) ? number(rounded) : "beyond the range of binary64";
+  return fmt::format("{} {}{}", is_double ? "=" : "~", decimal,
                      dyadic.size() <= kLongestExact ? fmt::format("  (exactly {})", dyadic) : "");
 }
 

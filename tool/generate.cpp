@@ -12,7 +12,7 @@
 #include "golden/families.hpp"
 #include "golden/output_file.hpp"
 #include "tool/commands.hpp"
-#include "tool/session.hpp"
+#include "tool/process.hpp"
 
 namespace contact::tool {
 namespace {

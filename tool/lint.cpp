@@ -9,7 +9,7 @@
 #include "golden/manifest.hpp"
 #include "golden/output_file.hpp"
 #include "tool/commands.hpp"
-#include "tool/session.hpp"
+#include "tool/process.hpp"
 
 namespace contact::tool {
 namespace {

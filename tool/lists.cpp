@@ -9,7 +9,7 @@
 #include "golden/flags.hpp"
 #include "golden/json.hpp"
 #include "tool/commands.hpp"
-#include "tool/session.hpp"
+#include "tool/process.hpp"
 
 namespace contact::tool {
 namespace {

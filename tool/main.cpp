@@ -10,7 +10,7 @@
 
 #include "golden/input_error.hpp"
 #include "tool/commands.hpp"
-#include "tool/session.hpp"
+#include "tool/process.hpp"
 
 namespace contact::tool {
 

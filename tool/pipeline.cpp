@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "golden/query_id.hpp"
-#include "tool/session.hpp"
+#include "tool/process.hpp"
 
 namespace contact::tool {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "contact/cube_cube.hpp"
 #include "contact/sphere_sphere.hpp"
-#include "tool/session.hpp"
+#include "tool/process.hpp"
 
 namespace contact::tool {
 namespace {

@@ -1,4 +1,4 @@
-// What every command shares: exit codes, interruption, progress, and work in order on several threads.
+// What a command has of its process: exit codes, signals, standard input, a progress bar, threads.
 #pragma once
 
 #include <tbb/parallel_for.h>

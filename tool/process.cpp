@@ -1,5 +1,5 @@
-// What every command shares: interruption and progress.
-#include "tool/session.hpp"
+// What a command has of its process: signals, standard input, a progress bar.
+#include "tool/process.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
