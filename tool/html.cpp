@@ -49,10 +49,28 @@ std::string row(const std::string& title, const FamilyReport& f, bool allow_unsu
                      name(f.level(allow_unsupported)));
 }
 
+std::string summary(const std::vector<Report>& reports) {
+  std::string html =
+      "<div class=wide tabindex=0><table><thead><tr><th>engine<th>verdict<th>level reached<th>cases<th>missed hits"
+      "<th>false hits<th>not finite<th>fields<th>correctly rounded<th>beyond bound</tr></thead><tbody>\n";
+  for (const Report& report : reports) {
+    const FamilyReport all = report.total();
+    const FieldCount fields = all.all_fields();
+    html += fmt::format("<tr><td><a href=\"#{0}\">{0}</a></td><td class={1}>{2}</td><td>{3}</td>",
+                        escaped(report.engine.name), report.certified() ? "ok" : "bad",
+                        report.certified() ? "certified" : "refuted", name(report.level())) +
+            cell(all.cases) + bad_cell(all.missed_hits) + bad_cell(all.false_hits) + bad_cell(all.not_finite) +
+            cell(fields.judged()) + cell(fields.at(Grade::correctly_rounded)) +
+            bad_cell(fields.at(Grade::beyond_bound)) + "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
 std::string section(const Report& report) {
-  std::string html = fmt::format("<h2>{} {} <span class={}>{}</span></h2>\n<p>{}</p>\n", escaped(report.engine.name),
-                                 escaped(report.engine.version), report.certified() ? "ok" : "bad",
-                                 report.certified() ? "certified" : "refuted", escaped(report.sentence()));
+  std::string html =
+      fmt::format("<h2 id=\"{0}\">{0} {1} <span class={2}>{3}</span></h2>\n<p>{4}</p>\n", escaped(report.engine.name),
+                  escaped(report.engine.version), report.certified() ? "ok" : "bad",
+                  report.certified() ? "certified" : "refuted", escaped(report.sentence()));
   const auto diagnosis = report.diagnosis();
   if (!diagnosis.empty()) {
     html += "<ul>\n";
@@ -89,6 +107,7 @@ std::string html_text(const std::vector<Report>& reports) {
       "bound</em> count "
       "fields: normal, point1, point2 and value of every contact.</p>\n",
       escaped(reports.front().engine.name), kStyle);
+  if (reports.size() > 1) html += summary(reports);
   for (const Report& report : reports) html += section(report);
   return html + "</html>\n";
 }
