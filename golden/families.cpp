@@ -73,8 +73,8 @@ void spoil(Query& query, Random& random) {
     const auto axis = static_cast<Eigen::Index>(which % 3);
     std::swap(box.min[axis], box.max[axis]);
   } else if (which < 8) {
-    const auto balls = std::get_if<Balls>(&query.shapes);
-    (which < 4 ? balls->a : balls->b).radius = -amount;
+    auto& balls = std::get<Balls>(query.shapes);
+    (which < 4 ? balls.a : balls.b).radius = -amount;
   } else {
     x = -amount;
   }

@@ -27,7 +27,7 @@ int floor_log2(const Rational& x) {
 Exact::Enclosure tight_magnitude(const Exact& x) {
   const Exact positive = x.sign() == CGAL::NEGATIVE ? x.scaled(Rational(-1)) : x;
   for (int bits = 96;; bits *= 2) {  // more where a and b sqrt(D) cancel
-    const Exact::Enclosure e = positive.enclosure(bits);
+    Exact::Enclosure e = positive.enclosure(bits);
     if (CGAL::sign(e.low) == CGAL::POSITIVE && e.high <= e.low * (Rational(1) + power_of_two(-60))) return e;
   }
 }
@@ -112,7 +112,7 @@ Exact::Enclosure Exact::enclosure(int bits) const {
   const Rational square = number_.a1() * number_.a1() * number_.root();
   const int k = bits + std::max(0, -floor_log2(square) / 2 + 1);
   Gmpz quotient;
-  const Gmpz scaled = square.numerator() << 2 * k;
+  const Gmpz scaled = square.numerator() << (2L * k);
   mpz_fdiv_q(quotient.mpz(), scaled.mpz(), square.denominator().mpz());
   Gmpz root;
   mpz_sqrt(root.mpz(), quotient.mpz());
