@@ -26,7 +26,6 @@ struct FieldCount {
 
   [[nodiscard]] std::uint64_t at(Grade grade) const { return grades[static_cast<std::size_t>(grade)]; }
   [[nodiscard]] std::uint64_t judged() const;
-  [[nodiscard]] std::uint64_t wrong() const { return at(Grade::beyond_bound) + at(Grade::not_finite); }
   void add(const oracle::FieldVerdict& verdict, const std::string& id);
   void merge(const FieldCount& other);
 };
