@@ -27,4 +27,23 @@ struct ContactPoints {
   PointOn second = PointOn::nearest_surface;
 };
 
+/// The contact-point conventions that have a name: ours, compiled SOFA's, and the one in SOFA's published description.
+enum class PointConvention { nearest_surface, center, published };
+
+/// What a sphere belongs to: particles that deform, or a rigid body. Only the convention `center` tells them apart.
+enum class SphereKind { deformable, rigid };
+
+/// Where a convention puts the point of a sphere of that kind.
+[[nodiscard]] constexpr PointOn point_on(PointConvention convention, SphereKind kind) {
+  switch (convention) {
+    case PointConvention::center:
+      return kind == SphereKind::rigid ? PointOn::nearest_surface : PointOn::center;
+    case PointConvention::published:
+      return PointOn::far_surface;
+    case PointConvention::nearest_surface:
+      break;
+  }
+  return PointOn::nearest_surface;
+}
+
 }  // namespace contact

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "kernel/exact.hpp"
+#include "contact/exact_sum.hpp"
 
 namespace contact {
 namespace {
@@ -19,8 +19,7 @@ bool within(double low, double high, double alarm) {
     if (low < sum) return true;
     if (low > sum) return false;
   }
-  const kernel::Grid grid{low, high, alarm};
-  return grid(low) <= grid(high) + grid(alarm);
+  return sign_of_sum({low, -high, -alarm}) <= 0;
 }
 
 }  // namespace

@@ -1,0 +1,74 @@
+// The interfaces of intersection: who finds intersectors and supplies distances, who intersects two elements, and what
+// an intersector class starts from.
+#pragma once
+
+#include <string>
+
+#include "contact/detection_output.hpp"
+
+namespace contact {
+
+class Intersection;
+
+/// Intersects elements of two models of known types. Its methods are const: several threads may ask at once.
+class ElementIntersector {
+ public:
+  ElementIntersector() = default;
+  ElementIntersector(const ElementIntersector&) = delete;
+  ElementIntersector& operator=(const ElementIntersector&) = delete;
+  virtual ~ElementIntersector() = default;
+
+  /// Whether the two elements can collide; may say yes where they do not.
+  [[nodiscard]] virtual bool canIntersect(const CollisionElement& elem1, const CollisionElement& elem2,
+                                          const Intersection& currentIntersection) const = 0;
+  /// Called before the elements of two models are intersected. Appends to `contacts` and returns how many.
+  virtual int beginIntersect(const CollisionModel& model1, const CollisionModel& model2,
+                             OutputVector& contacts) const = 0;
+  /// Intersects two elements. Appends to `contacts` and returns how many.
+  virtual int intersect(const CollisionElement& elem1, const CollisionElement& elem2, OutputVector& contacts,
+                        const Intersection& currentIntersection) const = 0;
+  /// Called after the elements of two models have been intersected. Appends to `contacts` and returns how many.
+  virtual int endIntersect(const CollisionModel& model1, const CollisionModel& model2,
+                           OutputVector& contacts) const = 0;
+  /// The class that does it and the two model types.
+  [[nodiscard]] virtual std::string name() const = 0;
+};
+
+/// What an intersector class starts from: the vector it writes to, and begin and end that write nothing.
+class BaseIntersector {
+ public:
+  using OutputVector = contact::OutputVector;
+
+  int beginIntersection(const CollisionModel&, const CollisionModel&, OutputVector&) const { return 0; }
+  int endIntersection(const CollisionModel&, const CollisionModel&, OutputVector&) const { return 0; }
+
+ protected:
+  ~BaseIntersector() = default;
+};
+
+/// Finds the intersector for two models, and supplies the alarm and the contact distance to whoever intersects.
+class Intersection {
+ public:
+  Intersection() = default;
+  Intersection(const Intersection&) = delete;
+  Intersection& operator=(const Intersection&) = delete;
+  virtual ~Intersection() = default;
+
+  /// The intersector for two models, or nullptr where there is none. `swapModels` is set to whether the elements must
+  /// be given to it in reverse order, and to false where there is none.
+  [[nodiscard]] virtual const ElementIntersector* findIntersector(const CollisionModel& object1,
+                                                                  const CollisionModel& object2,
+                                                                  bool& swapModels) const = 0;
+  /// Whether there is an intersector for the models of two elements.
+  [[nodiscard]] bool isSupported(const CollisionElement& elem1, const CollisionElement& elem2) const;
+
+  /// Whether pairs that do not touch yet are reported. Both distances are 0 where this is false.
+  [[nodiscard]] virtual bool useProximity() const { return false; }
+  [[nodiscard]] virtual double getAlarmDistance() const { return 0; }
+  [[nodiscard]] virtual double getContactDistance() const { return 0; }
+  /// Without an effect where useProximity() is false.
+  virtual void setAlarmDistance(double) {}
+  virtual void setContactDistance(double) {}
+};
+
+}  // namespace contact

@@ -1,0 +1,82 @@
+// Detection between whole models: candidates from an R-tree, then the intersector on each.
+#define BOOST_ALLOW_DEPRECATED_HEADERS  // Boost 1.74 includes one of its own
+#include "contact/detect.hpp"
+
+#include <algorithm>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+
+#include "component/message.hpp"
+
+namespace contact {
+namespace {
+
+namespace geometry = boost::geometry;
+using Corner = geometry::model::point<double, 3, geometry::cs::cartesian>;
+using Bounds = geometry::model::box<Corner>;
+using Tree = geometry::index::rtree<std::pair<Bounds, Index>, geometry::index::quadratic<16>>;
+
+/// A box for the tree, grown by `alarm` and by more than the roundings on the way lose (as bounding_box grows; three
+/// numbers, in every rounding mode). Numbers beyond a quarter of the range are brought to it: what meets outside still
+/// meets, and no sum inside the tree overflows.
+Bounds bounds(const Box& box, double alarm) {
+  constexpr double kMost = std::numeric_limits<double>::max() / 4;
+  const auto reach = [&](double x) { return alarm + ((std::abs(x) * 0x1p-50 + alarm * 0x1p-50) + 0x1p-1000); };
+  const auto corner = [&](auto&& at) {
+    return Corner(std::clamp(at(0), -kMost, kMost), std::clamp(at(1), -kMost, kMost), std::clamp(at(2), -kMost, kMost));
+  };
+  return {corner([&](int axis) { return box.min[axis] - reach(box.min[axis]); }),
+          corner([&](int axis) { return box.max[axis] + reach(box.max[axis]); })};
+}
+
+Tree tree_of(const CollisionModel& model) {
+  std::vector<std::pair<Bounds, Index>> boxes;
+  boxes.reserve(static_cast<std::size_t>(model.getSize()));
+  for (Index i = 0; i < model.getSize(); ++i) boxes.emplace_back(bounds(model.bounding_box(i), 0), i);
+  return Tree(boxes);  // packed: built whole, nearly linear
+}
+
+}  // namespace
+
+std::optional<OutputVector> detect(const Intersection& intersection, const CollisionModel& model1,
+                                   const CollisionModel& model2) {
+  const Distances distances{intersection.getAlarmDistance(), intersection.getContactDistance()};
+  if (const auto error = outside_domain(distances)) throw std::invalid_argument(component::message(*error));
+  bool swap = false;
+  const ElementIntersector* intersector = intersection.findIntersector(model1, model2, swap);
+  if (!intersector) return std::nullopt;
+
+  const bool self = &model1 == &model2;
+  const CollisionModel& first = swap ? model2 : model1;
+  const CollisionModel& second = swap ? model1 : model2;
+  OutputVector contacts;
+  intersector->beginIntersect(first, second, contacts);
+  const Tree tree = tree_of(model2);
+  std::vector<std::pair<Bounds, Index>> near;
+  for (Index i = 0; i < model1.getSize(); ++i) {
+    near.clear();
+    tree.query(geometry::index::intersects(bounds(model1.bounding_box(i), distances.alarm)), std::back_inserter(near));
+    std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    for (const auto& [box, j] : near) {
+      if (self && j <= i) continue;
+      const CollisionElement elem1(first, swap ? j : i);
+      const CollisionElement elem2(second, swap ? i : j);
+      if (intersector->canIntersect(elem1, elem2, intersection))
+        intersector->intersect(elem1, elem2, contacts, intersection);
+    }
+  }
+  intersector->endIntersect(first, second, contacts);
+  if (swap) std::transform(contacts.begin(), contacts.end(), contacts.begin(), mirrored);
+  return contacts;
+}
+
+std::optional<OutputVector> detect(const Intersection& intersection, const CollisionModel& model) {
+  return detect(intersection, model, model);
+}
+
+}  // namespace contact

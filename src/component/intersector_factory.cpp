@@ -1,0 +1,38 @@
+// Creators of intersectors.
+#include "contact/intersector_factory.hpp"
+
+#include <algorithm>
+
+namespace contact {
+
+bool IntersectorFactory::registerCreator(std::string name, Creator creator) {
+  const std::lock_guard lock(mutex_);
+  if (std::any_of(creators_.begin(), creators_.end(), [&](const auto& c) { return c.first == name; })) return false;
+  creators_.emplace_back(std::move(name), std::move(creator));
+  return true;
+}
+
+std::vector<std::shared_ptr<const void>> IntersectorFactory::addIntersectors(DiscreteIntersection& object) const {
+  // A copy, so that a creator may itself register or make a DiscreteIntersection.
+  const auto creators = [&] {
+    const std::lock_guard lock(mutex_);
+    return creators_;
+  }();
+  std::vector<std::shared_ptr<const void>> created;
+  for (const auto& [name, create] : creators) created.push_back(create(object));
+  return created;
+}
+
+std::vector<std::string> IntersectorFactory::names() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::string> names;
+  for (const auto& creator : creators_) names.push_back(creator.first);
+  return names;
+}
+
+IntersectorFactory& IntersectorFactory::getInstance() {
+  static IntersectorFactory instance;
+  return instance;
+}
+
+}  // namespace contact
