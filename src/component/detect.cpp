@@ -41,6 +41,16 @@ Tree tree_of(const CollisionModel& model) {
   return Tree(boxes);  // packed: built whole, nearly linear
 }
 
+/// Contacts are gathered in blocks of about so many: one growing vector would be copied again and again.
+constexpr std::size_t kBlock = 1 << 18;
+
+/// The contacts of one element: part of a block.
+struct Run {
+  std::size_t block = 0;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
 }  // namespace
 
 std::optional<OutputVector> detect(const Intersection& intersection, const CollisionModel& model1,
@@ -54,22 +64,40 @@ std::optional<OutputVector> detect(const Intersection& intersection, const Colli
   const bool self = &model1 == &model2;
   const CollisionModel& first = swap ? model2 : model1;
   const CollisionModel& second = swap ? model1 : model2;
+  const Tree tree2 = tree_of(model2);
+  const Tree tree1 = self ? tree2 : tree_of(model1);
+
+  // Elements are visited as the first model's tree holds them, neighbours after neighbours, so that the second's tree
+  // and elements are in the cache; the contacts are put in order afterwards.
   OutputVector contacts;
   intersector->beginIntersect(first, second, contacts);
-  const Tree tree = tree_of(model2);
-  std::vector<std::pair<Bounds, Index>> near;
-  for (Index i = 0; i < model1.getSize(); ++i) {
+  std::vector<OutputVector> blocks;
+  std::size_t found = 0;
+  std::vector<Run> runs(static_cast<std::size_t>(model1.getSize()));
+  std::vector<Index> near;
+  for (const auto& [box, i] : tree1) {
     near.clear();
-    tree.query(geometry::index::intersects(bounds(model1.bounding_box(i), distances.alarm)), std::back_inserter(near));
-    std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-    for (const auto& [box, j] : near) {
-      if (self && j <= i) continue;
+    for (auto it = tree2.qbegin(geometry::index::intersects(bounds(model1.bounding_box(i), distances.alarm)));
+         it != tree2.qend(); ++it)
+      if (!self || it->second > i) near.push_back(it->second);
+    std::sort(near.begin(), near.end());
+    if (blocks.empty() || blocks.back().size() >= kBlock) blocks.emplace_back().reserve(kBlock + kBlock / 8);
+    OutputVector& block = blocks.back();
+    Run& run = runs[static_cast<std::size_t>(i)];
+    run = {blocks.size() - 1, block.size(), block.size()};
+    for (const Index j : near) {
       const CollisionElement elem1(first, swap ? j : i);
       const CollisionElement elem2(second, swap ? i : j);
       if (intersector->canIntersect(elem1, elem2, intersection))
-        intersector->intersect(elem1, elem2, contacts, intersection);
+        intersector->intersect(elem1, elem2, block, intersection);
     }
+    run.end = block.size();
+    found += run.end - run.begin;
   }
+  contacts.reserve(contacts.size() + found);
+  for (const Run& run : runs)
+    if (run.begin != run.end)
+      contacts.insert(contacts.end(), &blocks[run.block][run.begin], &blocks[run.block][run.end - 1] + 1);
   intersector->endIntersect(first, second, contacts);
   if (swap) std::transform(contacts.begin(), contacts.end(), contacts.begin(), mirrored);
   return contacts;

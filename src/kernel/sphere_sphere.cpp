@@ -2,9 +2,12 @@
 #include "contact/sphere_sphere.hpp"
 
 #include <array>
-#include <utility>
+#include <bit>
+#include <cstdint>
+#include <optional>
 
 #include "kernel/exact.hpp"
+#include "kernel/sphere_sphere_double_double.hpp"
 
 namespace contact {
 namespace {
@@ -67,32 +70,71 @@ struct ExactPair {
 };
 
 /// center + sign radius n on one axis, n = delta / sqrt(D), or (1,0,0) where D = 0.
-double round_point(const ExactPair& pair, std::size_t sphere, std::size_t axis, PointOn on) {
+double exact_point(const ExactPair& pair, std::size_t sphere, std::size_t axis, bool negative) {
   const Integer& c = pair.center[sphere][axis];
   const int exponent = pair.grid.exponent();
-  if (on == PointOn::center) return kernel::round_integer(c, exponent);
-  const bool along_normal = (on == PointOn::nearest_surface) == (sphere == 0);
-  const Integer signed_radius = along_normal ? pair.radius[sphere] : -pair.radius[sphere];
+  const Integer signed_radius = negative ? -pair.radius[sphere] : pair.radius[sphere];
   if (pair.D.is_zero()) return kernel::round_integer(axis == 0 ? c + signed_radius : c, exponent);
   return kernel::round_sum(c, signed_radius * pair.delta[axis], pair.D, exponent);
 }
 
-Contact round_contact(const ExactPair& pair, ContactPoints points) {
-  Contact contact{};
-  contact.degenerate = pair.D.is_zero();
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto i = static_cast<Eigen::Index>(axis);
-    contact.normal[i] =
-        contact.degenerate ? (axis == 0 ? 1.0 : 0.0) : kernel::round_sum(0, pair.delta[axis], pair.D, 0);
-    contact.point1[i] = round_point(pair, 0, axis, points.first);
-    contact.point2[i] = round_point(pair, 1, axis, points.second);
-  }
+double exact_value(const ExactPair& pair) {
   const Integer t = pair.radius[0] + pair.radius[1] + pair.contact;
   const int exponent = pair.grid.exponent();
-  contact.value =
-      contact.degenerate ? kernel::round_integer(-t, exponent) : kernel::round_root_less(pair.D, t, exponent);
-  return contact;
+  return pair.D.is_zero() ? kernel::round_integer(-t, exponent) : kernel::round_root_less(pair.D, t, exponent);
 }
+
+/// A hit's contact: each number from the fast stage where its rounding is certain there, else from exact arithmetic.
+class Rounding {
+ public:
+  Rounding(const Ball& a, const Ball& b, Distances distances)
+      : balls_{&a, &b}, distances_(distances), fast_(kernel::DoubleDoublePair::of(a, b, distances)) {}
+
+  [[nodiscard]] Contact contact(ContactPoints points) {
+    Contact contact{};
+    contact.degenerate = !fast_ && exact().D.is_zero();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<Eigen::Index>(axis);
+      contact.normal[i] = normal(axis);
+      contact.point1[i] = point(0, axis, points.first);
+      contact.point2[i] = point(1, axis, points.second);
+    }
+    contact.value = value();
+    return contact;
+  }
+
+ private:
+  double normal(std::size_t axis) {
+    if (const auto certain = fast_ ? fast_->normal(axis).rounded() : std::nullopt) return *certain;
+    if (exact().D.is_zero()) return axis == 0 ? 1.0 : 0.0;
+    return kernel::round_sum(0, exact().delta[axis], exact().D, 0);
+  }
+
+  double point(std::size_t sphere, std::size_t axis, PointOn on) {
+    const double center = balls_[sphere]->center[static_cast<Eigen::Index>(axis)];
+    if (on == PointOn::center) return std::bit_cast<std::uint64_t>(center) << 1 == 0 ? 0.0 : center;  // -0 is +0
+    const bool negative = (on == PointOn::nearest_surface) != (sphere == 0);
+    const double radius = balls_[sphere]->radius;
+    if (const auto certain = fast_ ? fast_->point(center, negative ? -radius : radius, axis).rounded() : std::nullopt)
+      return *certain;
+    return exact_point(exact(), sphere, axis, negative);
+  }
+
+  double value() {
+    if (const auto certain = fast_ ? fast_->value().rounded() : std::nullopt) return *certain;
+    return exact_value(exact());
+  }
+
+  const ExactPair& exact() {
+    if (!exact_) exact_.emplace(*balls_[0], *balls_[1], distances_);
+    return *exact_;
+  }
+
+  std::array<const Ball*, 2> balls_;
+  Distances distances_;
+  std::optional<kernel::DoubleDoublePair> fast_;
+  std::optional<ExactPair> exact_;
+};
 
 }  // namespace
 
@@ -109,11 +151,8 @@ bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm) {
 }
 
 std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances, ContactPoints points) {
-  const Filtered decision = filter(a, b, distances.alarm);
-  if (decision == Filtered::miss) return std::nullopt;
-  const ExactPair pair(a, b, distances);
-  if (decision == Filtered::undecided && !pair.hit()) return std::nullopt;
-  return round_contact(pair, points);
+  if (!test_sphere_sphere(a, b, distances.alarm)) return std::nullopt;
+  return Rounding(a, b, distances).contact(points);
 }
 
 }  // namespace contact
