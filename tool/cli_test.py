@@ -226,6 +226,15 @@ class Certify(Case):
                          "--level", "correctly-rounded")
         self.assertIn("\nCERTIFIED: published", out)
 
+    def test_the_component_is_right_under_every_convention_that_it_computes(self):
+        # `center` alone tells a rigid sphere from a deformable one.
+        for points in ("nearest_surface", "center", "published"):
+            with self.subTest(points):
+                out = self.holds("certify", *(GOLDEN / pair / "generic.jsonl" for pair in PAIRS), "--engine", "component",
+                                 "--points", points, "--level", "correctly-rounded")
+                self.assertIn("\nCERTIFIED: component", out)
+        self.assertIn("\nCERTIFIED: component", self.holds("certify", "golden", "--engine", "component", "--family", "invalid"))
+
     def test_recorded_answers_of_sofa_are_refuted_with_the_counts_that_the_files_hold(self):
         for pair in PAIRS:
             with self.subTest(pair):

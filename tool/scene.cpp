@@ -49,6 +49,7 @@ std::string read_name(const Node& name) {
 std::unique_ptr<CollisionModel> read_model(const Node& line, const ModelFactory& factory) {
   const std::vector<ModelMaker> makers = factory.makers();
   std::vector<std::string_view> types;
+  types.reserve(makers.size());
   for (const ModelMaker& maker : makers) types.push_back(maker.type);
   const ModelMaker& maker = makers[line.at("model").one_of(types)];
 
