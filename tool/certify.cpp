@@ -89,15 +89,14 @@ std::vector<Source> generated(const Options& options, std::uint64_t seed) {
 }
 
 std::vector<Subject> subjects(const Options& options, bool scoreboard) {
-  const auto points = static_cast<Points>(index_of(kPointsNames, options.points, "convention for --points"));
-  if (points != Points::nearest_surface && points != Points::center && points != Points::published)
-    refuse("a built-in engine computes nearest_surface, center or published points");
+  const auto points =
+      static_cast<PointConvention>(index_of(engines::kComputedPointsNames, options.points, "convention for --points"));
   std::vector<Subject> found;
   if (!options.results.empty()) {
     found.push_back({engines::make_recorded(golden::read_results(options.results)), {}});
   } else if (scoreboard) {
     for (const engines::BuiltIn& e : engines::built_in_engines())
-      found.push_back({engines::make_built_in(e.name, points), {}});
+      if (e.on_scoreboard) found.push_back({engines::make_built_in(e.name, points), {}});
   } else {
     const std::string name = options.engine.empty() ? "production" : options.engine;
     auto engine = engines::make_built_in(name, points);
@@ -180,7 +179,8 @@ void add_certify(CLI::App& app, int& exit) {
       ->excludes(engine);
   command
       ->add_option("--points", options->points,
-                   "Contact points that a built-in engine computes: nearest_surface, center, published")
+                   fmt::format("Contact points that a built-in engine computes: {}",
+                               fmt::join(engines::kComputedPointsNames, ", ")))
       ->capture_default_str();
   command
       ->add_option("--level", options->level,

@@ -8,6 +8,7 @@
 
 namespace contact::tool {
 
+void add_detect(CLI::App& app, int& exit);
 void add_explain(CLI::App& app, int& exit);
 void add_generate(CLI::App& app, int& exit);
 void add_regenerate(CLI::App& app, int& exit);
