@@ -2,6 +2,7 @@
 #include "contact/sphere_sphere.hpp"
 
 #include <array>
+#include <limits>
 #include <utility>
 
 #include "kernel/exact.hpp"
@@ -30,7 +31,8 @@ Filtered filter(const Ball& a, const Ball& b, double alarm) {
   const double D = dx * dx + dy * dy + dz * dz;
   const double reach = (a.radius + b.radius) + alarm;
   const double reach2 = reach * reach;
-  if (!(D > kLeast && D < kMost && reach2 > kLeast && reach2 < kMost)) return Filtered::undecided;
+  if (!(D > kLeast && D < kMost && reach2 > kLeast && reach2 < kMost))
+    return alarm == std::numeric_limits<double>::infinity() ? Filtered::hit : Filtered::undecided;
   if (D < reach2 * (1 - kGap)) return Filtered::hit;
   if (D > reach2 * (1 + kGap)) return Filtered::miss;
   return Filtered::undecided;
