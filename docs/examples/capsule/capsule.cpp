@@ -13,8 +13,8 @@ using namespace contact;
 
 CapsuleModel::CapsuleModel(std::string name, Eigen::MatrixX3d p, Eigen::MatrixX3d q, Eigen::VectorXd radii)
     : ModelOf(std::move(name)), p_(std::move(p)), q_(std::move(q)), radii_(std::move(radii)) {
-  if (p_.rows() != getSize() || q_.rows() != getSize()) refuse("p, q and radii must be of one length");
-  for (Index i = 0; i < getSize(); ++i) {
+  if (p_.rows() != radii_.rows() || q_.rows() != radii_.rows()) refuse("p, q and radii must be of one length");
+  for (Index i = 0; i < radii_.rows(); ++i) {
     const std::string row = "[" + std::to_string(i) + "]";
     refuse(outside_domain("p" + row, this->p(i)));
     refuse(outside_domain("q" + row, this->q(i)));

@@ -50,7 +50,7 @@ Contact compute_cube_cube(const Box& a, const Box& b, double contact_distance) {
   const std::array axes{axis(0), axis(1), axis(2)};
   Ball from{Vector3::Zero(), 0};
   Ball to{Vector3::Zero(), 0};
-  Contact contact{};
+  Contact contact{Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), 0, false};  // Eigen leaves vectors as they are
   std::size_t k = 0;
   bool apart = false;
   for (std::size_t i = 0; i < 3; ++i) {
