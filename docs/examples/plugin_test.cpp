@@ -162,7 +162,7 @@ void enter(const char* library, PluginHost& host) {
 TEST(Plugins, do_not_depend_on_the_order_in_which_they_register) {
   loaded();
   const Scene scene;
-  const auto contacts = [&](std::vector<const char*> libraries) {
+  const auto contacts = [&](std::initializer_list<const char*> libraries) {
     IntersectorFactory factory;
     ModelFactory models;
     PluginHost host{factory, models};

@@ -125,7 +125,7 @@ Exactly minus(const Exactly& a, const Exactly& b) { return {a[0] - b[0], a[1] - 
 Rational dot(const Exactly& a, const Exactly& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Exactly nearest_point(const Question& question) {
-  const Exactly p = exactly(question.p);
+  Exactly p = exactly(question.p);
   const Exactly d = minus(exactly(question.q), p);
   const Rational d2 = dot(d, d);
   if (CGAL::is_zero(d2)) return p;

@@ -26,16 +26,16 @@ using Kind = CubeContactTruth::Kind;
 
 /// The alarm distance raised to what the boxes need to meet, where plain double can tell it; and a contact distance.
 rc::Gen<Query> meeting(rc::Gen<Query> gen, rc::Gen<double> length) {
-  return rc::gen::map(
-      rc::gen::tuple(std::move(gen), rc::gen::map(length, [](double x) { return std::abs(x); }), integer(0, 1)),
-      [](std::tuple<Query, double, int> parts) {
-        auto& [query, contact, raise] = parts;
-        query.distances.contact = contact;
-        const auto& [a, b] = *query.boxes();
-        const double gap = (b.min - a.max).cwiseMax(a.min - b.max).maxCoeff();
-        if (raise == 1 && std::isfinite(gap)) query.distances.alarm = std::max(gap, query.distances.alarm);
-        return query;
-      });
+  return rc::gen::map(rc::gen::tuple(std::move(gen), std::move(length), integer(0, 1)),
+                      [](const std::tuple<Query, double, int>& parts) {
+                        Query query = std::get<0>(parts);
+                        query.distances.contact = std::abs(std::get<1>(parts));
+                        const auto& [a, b] = *query.boxes();
+                        const double gap = (b.min - a.max).cwiseMax(a.min - b.max).maxCoeff();
+                        if (std::get<2>(parts) == 1 && std::isfinite(gap))
+                          query.distances.alarm = std::max(gap, query.distances.alarm);
+                        return query;
+                      });
 }
 /// Corners on a grid of five: faces that touch, flat boxes, points, equal gaps and coincident boxes all the time.
 rc::Gen<Query> boxes_on_a_small_grid(int least_exponent, int most_exponent) {
