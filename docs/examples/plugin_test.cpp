@@ -179,7 +179,7 @@ TEST(Plugins, do_not_depend_on_the_order_in_which_they_register) {
   EXPECT_EQ(contacts({CAPSULE_PLUGIN, CUBE_CONTACT_PLUGIN}), contacts({CUBE_CONTACT_PLUGIN, CAPSULE_PLUGIN}));
 }
 
-TEST(Plugins, are_entered_once_however_often_they_are_loaded) {
+TEST(Plugins, may_be_loaded_again_and_nothing_is_registered_twice) {
   loaded();
   const std::vector<std::string> names = IntersectorFactory::getInstance().names();
   const std::size_t makers = ModelFactory::getInstance().makers().size();
