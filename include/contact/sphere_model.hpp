@@ -75,7 +75,8 @@ class RigidSphereModel : public ModelOf<RigidSphereModel> {
   Eigen::MatrixX4d orientations_;
 };
 
-/// A box that contains the ball, in every rounding mode: what a model of your own builds its bounding_box from.
+/// A box that contains the ball, in every rounding mode: what a model of your own builds its bounding_box from. Its
+/// bounds are infinite where the ball reaches beyond the largest finite number.
 [[nodiscard]] Box box_around(const Ball& ball);
 
 /// The surface point of a ball for a normal that points into it: center - radius normal, every coordinate rounded once

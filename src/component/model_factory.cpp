@@ -56,8 +56,8 @@ std::unique_ptr<CollisionModel> ModelFactory::make(const std::string& type, std:
     if (std::none_of(maker->columns.begin(), maker->columns.end(),
                      [&wanted = column](const auto& c) { return c.name == wanted; }))
       refuse(type, name, "unknown column " + column);
-  const auto& first = maker->columns.front();
   for (const ModelColumn& column : maker->columns) {
+    const ModelColumn& first = maker->columns.front();
     const auto given = columns.find(column.name);
     if (given == columns.end()) refuse(type, name, "column " + column.name + " is missing");
     if (given->second.cols() != column.width)

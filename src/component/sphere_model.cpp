@@ -2,6 +2,7 @@
 #include "contact/sphere_model.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "component/columns.hpp"
 
@@ -28,14 +29,19 @@ std::optional<DomainError> not_unit(const Eigen::MatrixX4d& orientations) {
 }  // namespace
 
 // Each bound misses the real one by two roundings, and what flushing to zero takes; a margin of 2^-50 of both numbers
-// and 2^-1000 pays for them in every rounding mode.
+// and 2^-1000 pays for them in every rounding mode. Beyond the range the bound is infinite, also where the mode would
+// stop at the largest finite number.
 Box box_around(const Ball& ball) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const auto margin = [&](double c) { return (std::abs(c) * 0x1p-50 + ball.radius * 0x1p-50) + 0x1p-1000; };
   Box box;
   for (int axis = 0; axis < 3; ++axis) {
     const double c = ball.center[axis];
     box.min[axis] = (c - ball.radius) - margin(c);
     box.max[axis] = (c + ball.radius) + margin(c);
+    if (box.min[axis] <= -kLargest) box.min[axis] = -kInfinity;
+    if (box.max[axis] >= kLargest) box.max[axis] = kInfinity;
   }
   return box;
 }

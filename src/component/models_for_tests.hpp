@@ -1,0 +1,99 @@
+// Small models, contacts as text, and what the oracle expects: shared by the tests of this folder.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "contact/cube_model.hpp"
+#include "contact/detection_output.hpp"
+#include "contact/sphere_model.hpp"
+
+namespace contact::component {
+
+inline Eigen::MatrixX3d centers_of(const std::vector<Ball>& balls) {
+  Eigen::MatrixX3d centers(static_cast<Index>(balls.size()), 3);
+  for (std::size_t i = 0; i < balls.size(); ++i) centers.row(static_cast<Index>(i)) = balls[i].center.transpose();
+  return centers;
+}
+
+inline Eigen::VectorXd radii_of(const std::vector<Ball>& balls) {
+  Eigen::VectorXd radii(static_cast<Index>(balls.size()));
+  for (std::size_t i = 0; i < balls.size(); ++i) radii[static_cast<Index>(i)] = balls[i].radius;
+  return radii;
+}
+
+/// The orientation that turns nothing, `count` times.
+inline Eigen::MatrixX4d upright(Index count) {
+  Eigen::MatrixX4d orientations = Eigen::MatrixX4d::Zero(count, 4);
+  orientations.col(3).setOnes();
+  return orientations;
+}
+
+inline SphereCollisionModel spheres(std::string name, const std::vector<Ball>& balls) {
+  return {std::move(name), centers_of(balls), radii_of(balls)};
+}
+
+inline RigidSphereModel rigid_spheres(std::string name, const std::vector<Ball>& balls) {
+  return {std::move(name), centers_of(balls), upright(static_cast<Index>(balls.size())), radii_of(balls)};
+}
+
+inline CubeCollisionModel cubes(std::string name, const std::vector<Box>& boxes) {
+  Eigen::MatrixX3d min(static_cast<Index>(boxes.size()), 3);
+  Eigen::MatrixX3d max(static_cast<Index>(boxes.size()), 3);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    min.row(static_cast<Index>(i)) = boxes[i].min.transpose();
+    max.row(static_cast<Index>(i)) = boxes[i].max.transpose();
+  }
+  return {std::move(name), min, max};
+}
+
+/// A double as the hexadecimal number that it is: equal texts mean equal bits, -0 and +0 told apart.
+inline std::string text(double x) {
+  std::array<char, 40> digits{};
+  std::snprintf(digits.data(), digits.size(), "%a", x);
+  return digits.data();
+}
+
+inline std::string text(const Vector3& v) { return "(" + text(v[0]) + " " + text(v[1]) + " " + text(v[2]) + ")"; }
+
+inline std::string text(const CollisionElement& element) {
+  return element.getCollisionModel().getName() + "[" + std::to_string(element.getIndex()) + "]";
+}
+
+/// A contact on one line, every number to the last bit. Models by name: no address is in it.
+inline std::string text(const DetectionOutput& output) {
+  return text(output.elem.first) + " " + text(output.elem.second) + " id " + std::to_string(output.id) + " normal " +
+         text(output.normal) + " points " + text(output.point[0]) + " " + text(output.point[1]) + " value " +
+         text(output.value) + " deltaT " + text(output.deltaT);
+}
+
+inline std::vector<std::string> text(const OutputVector& contacts) {
+  std::vector<std::string> lines;
+  lines.reserve(contacts.size());
+  for (const DetectionOutput& contact : contacts) lines.push_back(text(contact));
+  return lines;
+}
+
+/// What an Error says that `call` throws; nothing where it throws none.
+template <class Error, class Call>
+std::string what_of(Call&& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+template <class Call>
+std::string refusal(Call&& call) {
+  return what_of<InvalidModel>(std::forward<Call>(call));
+}
+
+}  // namespace contact::component
