@@ -66,6 +66,7 @@ void IntersectorMap::report_missing(const ModelType& type1, const ModelType& typ
   if (!sink_) return;
   std::string message = "contact: no intersector for " + pair_name(type1, type2) + "; there are";
   for (const std::string& name : names()) message += " " + name;
+  if (entries_.empty()) message += " none";
   sink_(message);
 }
 

@@ -80,6 +80,16 @@ inline std::vector<std::string> text(const OutputVector& contacts) {
   return lines;
 }
 
+/// A contact that is nothing but its elements and its number.
+inline DetectionOutput numbered_contact(const CollisionElement& first, const CollisionElement& second,
+                                        DetectionOutput::ContactId id) {
+  return {.elem = {first, second},
+          .id = id,
+          .point = {Vector3::Zero(), Vector3::Zero()},
+          .normal = Vector3::UnitX(),
+          .value = 0};
+}
+
 /// What an Error says that `call` throws; nothing where it throws none.
 template <class Error, class Call>
 std::string what_of(Call&& call) {
