@@ -187,7 +187,7 @@ TEST(Detect, finds_what_the_oracle_finds_over_all_pairs_of_every_kind_and_scene)
       contacts += static_cast<int>(expected.size());
       pairs += static_cast<int>(scene.first.size() * scene.second.size());
     }
-  EXPECT_GT(contacts, 3 * pairs / 10);  // the scenes are worth asking: 30 to 70 % of all pairs meet
+  EXPECT_GT(contacts, 2 * pairs / 10);  // the scenes are worth asking: 20 to 70 % of all pairs meet
   EXPECT_LT(contacts, 7 * pairs / 10);
 }
 
@@ -301,7 +301,7 @@ TEST(Detect, finds_the_boxes_that_the_oracle_finds_over_all_pairs) {
             itself.push_back(numbered_contact({a, i}, {a, j}, 100 * i + j));
       EXPECT_EQ(text(*detect(component, a)), text(itself));
     }
-  EXPECT_GT(contacts, 3 * pairs / 10);
+  EXPECT_GT(contacts, pairs / 10);  // boxes reach no farther than their radius on one side
   EXPECT_LT(contacts, 7 * pairs / 10);
 }
 
