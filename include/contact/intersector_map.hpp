@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,7 +55,7 @@ class MemberElementIntersector final : public ElementIntersector {
 /// Threads     any number may look up at once while none adds. Adding needs the map alone.
 class IntersectorMap {
  public:
-  /// Told once of every pair of model types for which there is no entry.
+  /// Told once of every pair of model types for which there is no entry, by whichever thread looks it up first.
   using Sink = std::function<void(const std::string& message)>;
 
   /// Without a sink of your own, messages go to standard error.
@@ -105,7 +106,7 @@ class IntersectorMap {
   std::size_t added_ = 0;
   Sink sink_;
   mutable std::mutex missing_mutex_;
-  mutable std::map<Key, std::pair<const ModelType*, const ModelType*>> missing_;  ///< reported already
+  mutable std::set<Key> missing_;  ///< reported already
 };
 
 template <class Model1, class Model2, class T>

@@ -6,7 +6,6 @@
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
@@ -21,17 +20,16 @@ using Corner = geometry::model::point<double, 3, geometry::cs::cartesian>;
 using Bounds = geometry::model::box<Corner>;
 using Tree = geometry::index::rtree<std::pair<Bounds, Index>, geometry::index::quadratic<16>>;
 
-/// A box for the tree, grown by `alarm` and by more than the roundings on the way lose (as bounding_box grows; three
-/// numbers, in every rounding mode). Numbers beyond a quarter of the range are brought to it: what meets outside still
-/// meets, and no sum inside the tree overflows.
+/// A box for the tree, grown by `alarm`. One rounding separates no boxes that meet: it is monotone in every mode, and a
+/// bound of the other box is a number that it leaves alone. Numbers beyond a quarter of the range are brought to it:
+/// what meets outside still meets, and no sum inside the tree overflows.
 Bounds bounds(const Box& box, double alarm) {
   constexpr double kMost = std::numeric_limits<double>::max() / 4;
-  const auto reach = [&](double x) { return alarm + ((std::abs(x) * 0x1p-50 + alarm * 0x1p-50) + 0x1p-1000); };
   const auto corner = [&](auto&& at) {
     return Corner(std::clamp(at(0), -kMost, kMost), std::clamp(at(1), -kMost, kMost), std::clamp(at(2), -kMost, kMost));
   };
-  return {corner([&](int axis) { return box.min[axis] - reach(box.min[axis]); }),
-          corner([&](int axis) { return box.max[axis] + reach(box.max[axis]); })};
+  return {corner([&](int axis) { return box.min[axis] - alarm; }),
+          corner([&](int axis) { return box.max[axis] + alarm; })};
 }
 
 Tree tree_of(const CollisionModel& model) {

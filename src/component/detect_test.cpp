@@ -221,6 +221,19 @@ TEST(Detect, orders_contacts_by_the_index_in_the_first_model_then_in_the_second)
   EXPECT_TRUE(in_order(*detect(component, b, a)));
 }
 
+TEST(Detect, keeps_that_order_among_many_hundred_thousand_contacts) {
+  const auto a = spheres("a", std::vector<Ball>(900, Ball{{0, 0, 0}, 1}));
+  const auto b = spheres("b", std::vector<Ball>(700, Ball{{1, 0, 0}, 1}));
+  const auto contacts = detect(DiscreteIntersection(), a, b);
+  ASSERT_EQ(contacts->size(), 630000U);
+  Index next = 0;
+  for (const DetectionOutput& contact : *contacts) {
+    ASSERT_EQ(contact.elem.first.getIndex(), next / 700);
+    ASSERT_EQ(contact.elem.second.getIndex(), next % 700);
+    ++next;
+  }
+}
+
 TEST(Detect, of_a_model_with_itself_takes_each_pair_of_different_elements_once_the_lower_index_first) {
   for (const Scene& scene : scenes(5)) {
     SCOPED_TRACE(scene.name);

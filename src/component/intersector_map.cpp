@@ -21,8 +21,6 @@ void IntersectorMap::insert(const ModelType& type1, const ModelType& type2,
                             std::unique_ptr<const ElementIntersector> intersector) {
   std::string name = intersector ? intersector->name() : "ignored<" + pair_name(type1, type2) + ">";
   entries_.insert_or_assign(Key{type1.id, type2.id}, Entry{std::move(name), std::move(intersector), added_++});
-  const std::lock_guard lock(missing_mutex_);
-  std::erase_if(missing_, [&](const auto& pair) { return find(*pair.second.first, *pair.second.second).entry; });
 }
 
 IntersectorMap::Found IntersectorMap::find(const ModelType& type1, const ModelType& type2) const {
@@ -61,7 +59,7 @@ void IntersectorMap::report_missing(const ModelType& type1, const ModelType& typ
   {
     const std::lock_guard lock(missing_mutex_);
     if (missing_.contains({type2.id, type1.id})) return;
-    if (!missing_.insert({{type1.id, type2.id}, {&type1, &type2}}).second) return;
+    if (!missing_.insert({type1.id, type2.id}).second) return;
   }
   if (!sink_) return;
   std::string message = "contact: no intersector for " + pair_name(type1, type2) + "; there are";
