@@ -20,9 +20,10 @@ using Corner = geometry::model::point<double, 3, geometry::cs::cartesian>;
 using Bounds = geometry::model::box<Corner>;
 using Tree = geometry::index::rtree<std::pair<Bounds, Index>, geometry::index::quadratic<16>>;
 
-/// A box for the tree, grown by `alarm`. One rounding separates no boxes that meet: it is monotone in every mode, and a
-/// bound of the other box is a number that it leaves alone. Numbers beyond a quarter of the range are brought to it:
-/// what meets outside still meets, and no sum inside the tree overflows.
+/// A box for the tree, grown by `alarm`. Rounding separates no boxes that meet: it is monotone in every mode, and a
+/// bound of the other box is a number that it leaves alone. Nor does flushing subnormals to zero: every bound passes
+/// through this sum, so both sides are flushed. Numbers beyond a quarter of the range are brought to it: what meets
+/// outside still meets, and no sum inside the tree overflows.
 Bounds bounds(const Box& box, double alarm) {
   constexpr double kMost = std::numeric_limits<double>::max() / 4;
   const auto corner = [&](auto&& at) {

@@ -322,6 +322,26 @@ TEST(Detect, finds_the_boxes_that_the_oracle_finds_over_all_pairs) {
   EXPECT_LT(contacts, 7 * pairs / 10);
 }
 
+#if defined(__SSE2__)
+TEST(Detect, loses_no_boxes_whose_gap_is_flushed_to_zero) {
+  // The second box ends 5 of the least numbers below the first: exactly the alarm distance.
+  constexpr double kFive = 5 * 0x1p-1074;
+  const CubeCollisionModel first("first", Eigen::MatrixX3d::Zero(1, 3), Eigen::MatrixX3d::Ones(1, 3));
+  const CubeCollisionModel second("second", Eigen::MatrixX3d::Constant(1, 3, -1),
+                                  Eigen::MatrixX3d::Constant(1, 3, -kFive));
+  IntersectorFactory factory;
+  factory.registerCreator("BoxContacts", creator_of<BoxContacts>());
+  const ProximityIntersection intersection({kFive, 0}, PointConvention::nearest_surface, factory);
+  const unsigned before = _mm_getcsr();
+  _mm_setcsr(before | 0x8000);  // results alone: the numbers in memory stay what they are
+  const std::size_t forward = detect(intersection, first, second)->size();
+  const std::size_t backward = detect(intersection, second, first)->size();
+  _mm_setcsr(before);
+  EXPECT_EQ(forward, 1U);
+  EXPECT_EQ(backward, 1U);
+}
+#endif
+
 TEST(Detect, of_cubes_alone_is_supported_and_without_contacts) {
   const auto a = cubes("a", {{{0, 0, 0}, {1, 1, 1}}});
   const auto contacts = detect(DiscreteIntersection(), a, a);
