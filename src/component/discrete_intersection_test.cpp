@@ -433,7 +433,7 @@ TEST(DiscreteIntersection, a_derived_class_overrides_each_method_also_for_what_c
   expect(scene.sphere, scene.rigid, 4);
 }
 
-/// Particles: spheres of a kind of their own, all of one radius.
+/// Particles: spheres of a kind of their own.
 class Grains : public ModelOf<Grains, SphereCollisionModel> {
  public:
   static constexpr std::string_view kName = "Grains";
@@ -447,7 +447,9 @@ class WithGrains : public DiscreteIntersection {
   static constexpr std::string_view kName = "WithGrains";
   using DiscreteIntersection::computeIntersection;
   using DiscreteIntersection::testIntersection;
-  explicit WithGrains(PointConvention points) : DiscreteIntersection(points) {}
+  explicit WithGrains(PointConvention points) : DiscreteIntersection(points) {
+    intersectors.add<RigidSphereModel, Grains>(*this);
+  }
   bool testIntersection(const RigidSphere& a, const Grains::Element& b, const Intersection& current) const {
     return testIntersectionSphere(a, b, current.getAlarmDistance());
   }
@@ -469,6 +471,8 @@ TEST(DiscreteIntersection, its_protected_functions_serve_a_derived_component_for
   // by upstream's points: a rigid sphere's surface, a deformable one's centre
   EXPECT_EQ(text(contacts.at(0)), expected({rigid, 0}, {grains, 0}, {0.6, 0.8, 0}, {3, 4, 0}));
   EXPECT_EQ(component.computeIntersection(RigidSphere(rigid, 0), grain, contacts, Current(1)), 0);
+  ASSERT_NE(find(component, rigid, grains).intersector, nullptr);
+  EXPECT_EQ(find(component, rigid, grains).intersector->name(), "WithGrains<RigidSphereModel,Grains>");
 }
 
 TEST(DiscreteIntersection, serves_a_derived_sphere_model_by_its_bases_intersector) {

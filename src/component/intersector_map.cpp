@@ -70,9 +70,11 @@ void IntersectorMap::report_missing(const ModelType& type1, const ModelType& typ
 
 std::vector<std::string> IntersectorMap::names() const {
   std::vector<const Entry*> ordered;
+  ordered.reserve(entries_.size());
   for (const auto& [key, entry] : entries_) ordered.push_back(&entry);
   std::sort(ordered.begin(), ordered.end(), [](const Entry* a, const Entry* b) { return a->added < b->added; });
   std::vector<std::string> names;
+  names.reserve(ordered.size());
   for (const Entry* entry : ordered) names.push_back(entry->name);
   return names;
 }

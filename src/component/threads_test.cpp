@@ -29,6 +29,7 @@ template <class Work>
 void in_threads(Work work) {
   std::atomic<int> waiting = kThreads;
   std::vector<std::thread> threads;
+  threads.reserve(kThreads);
   for (int i = 0; i < kThreads; ++i)
     threads.emplace_back([&, i] {
       --waiting;
@@ -80,6 +81,7 @@ TEST(Threads, look_up_supported_swapped_derived_and_missing_pairs_at_once) {
 
 TEST(Threads, detect_at_once_with_one_component) {
   std::vector<Ball> balls;
+  balls.reserve(60);
   for (int i = 0; i < 60; ++i) balls.push_back({{0.37 * i, 0.11 * (i % 7), 0.05 * (i % 3)}, 0.3});
   const auto s = spheres("s", balls);
   const auto r = rigid_spheres("r", balls);
