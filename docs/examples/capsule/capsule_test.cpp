@@ -166,7 +166,7 @@ TEST(Capsule, errs_by_no_more_than_its_bound_which_is_not_12_times_too_loose) {
   constexpr int kBound = 46;
   double worst = 0;
   Questions next;
-  for (int i = 0; i < 40000; ++i) {
+  for (int i = 0; i < 4000; ++i) {
     const Question question = next();
     // Under `center` point[0] is the centre of the ball that nearest_ball chose.
     const auto contact = contact_of(question, {kLargest, 0}, PointConvention::center);
