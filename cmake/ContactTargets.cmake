@@ -33,6 +33,8 @@ function(contact_library name)
   set_target_properties(contact_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
 endfunction()
 
+include(${CMAKE_CURRENT_LIST_DIR}/ContactPlugin.cmake)
+
 # contact_test(name LABEL label SOURCES ... LINK ...): one GoogleTest program; every test in it is a ctest of that label.
 function(contact_test name)
   cmake_parse_arguments(ARG "" "LABEL" "SOURCES;LINK" ${ARGN})

@@ -27,13 +27,13 @@ Claim cubes_claim(bool overlap) {
   return claim;
 }
 
-Claim production(const Query& query, Points points) {
-  if (const auto error = outside_domain(query)) {
-    Claim claim;
-    claim.status = Claim::Status::rejected;
-    claim.text = error->field;
-    return claim;
-  }
+ContactPoints contact_points(const Query& query, PointConvention convention) {
+  const auto kind = [](bool rigid) { return rigid ? SphereKind::rigid : SphereKind::deformable; };
+  return {point_on(convention, kind(query.first_is_rigid())), point_on(convention, kind(query.second_is_rigid()))};
+}
+
+Claim production(const Query& query, PointConvention points) {
+  if (const auto error = outside_domain(query)) return rejection(*error);
   if (const Boxes* boxes = query.boxes()) return cubes_claim(test_cube_cube(boxes->a, boxes->b, query.distances.alarm));
   const Balls& balls = *query.balls();
   return spheres_claim(test_sphere_sphere(balls.a, balls.b, query.distances.alarm),
@@ -41,28 +41,30 @@ Claim production(const Query& query, Points points) {
 }
 
 template <class Real>
-Claim plain(const Query& query, Points points) {
+Claim plain(const Query& query, PointConvention points) {
   if (const Boxes* boxes = query.boxes())
     return cubes_claim(golden::plain_cubes_overlap<Real>(*boxes, query.distances));
   const golden::PlainSpheres<Real> spheres(*query.balls(), query.distances);
   return spheres_claim(spheres.overlap(), spheres.contact(contact_points(query, points)));
 }
 
-Claim published(const Query& query, Points) { return production(query, Points::published); }
+Claim published(const Query& query, PointConvention) { return production(query, PointConvention::published); }
 
 constexpr std::array kBuiltIn{
     BuiltIn{"production", "this project's implementation: exact decisions, correctly rounded numbers", Scalar::binary64,
-            production},
+            true, production},
+    BuiltIn{"component", "production through DiscreteIntersection and whole models", Scalar::binary64, false,
+            component_answer},
     BuiltIn{"plain-double", "the seed's formulas in plain double arithmetic, as SOFA computes them", Scalar::binary64,
-            plain<double>},
-    BuiltIn{"plain-float", "the seed's formulas in plain float arithmetic", Scalar::binary32, plain<float>},
-    BuiltIn{"published", "production with the contact points of the seed's printed formula", Scalar::binary64,
+            true, plain<double>},
+    BuiltIn{"plain-float", "the seed's formulas in plain float arithmetic", Scalar::binary32, true, plain<float>},
+    BuiltIn{"published", "production with the contact points of the seed's printed formula", Scalar::binary64, true,
             published},
 };
 
 class BuiltInEngine final : public Engine {
  public:
-  BuiltInEngine(const BuiltIn& engine, golden::EngineInfo info, Points points)
+  BuiltInEngine(const BuiltIn& engine, golden::EngineInfo info, PointConvention points)
       : Engine(std::move(info)), engine_(engine), points_(points) {}
 
   std::vector<Claim> answer(std::span<const Question> questions) override {
@@ -74,34 +76,29 @@ class BuiltInEngine final : public Engine {
 
  private:
   const BuiltIn& engine_;
-  Points points_;
+  PointConvention points_;
 };
 
 }  // namespace
 
 std::span<const BuiltIn> built_in_engines() { return kBuiltIn; }
 
-std::unique_ptr<Engine> make_built_in(std::string_view name, Points points) {
+std::unique_ptr<Engine> make_built_in(std::string_view name, PointConvention points) {
   const auto it = std::find_if(kBuiltIn.begin(), kBuiltIn.end(), [&](const BuiltIn& e) { return e.name == name; });
   if (it == kBuiltIn.end()) return nullptr;
   golden::EngineInfo info;
   info.name = it->name;
   info.version = CONTACT_VERSION;
   info.declared.scalar = it->scalar;
-  info.declared.conventions.points = points;
+  info.declared.conventions.points = static_cast<Points>(points);
   return std::make_unique<BuiltInEngine>(*it, std::move(info), points);
 }
 
-ContactPoints contact_points(const Query& query, Points points) {
-  const auto upstream = [](bool rigid) { return rigid ? PointOn::nearest_surface : PointOn::center; };
-  switch (points) {
-    case Points::center:
-      return {upstream(query.first_is_rigid()), upstream(query.second_is_rigid())};
-    case Points::published:
-      return {PointOn::far_surface, PointOn::far_surface};
-    default:
-      return {};
-  }
+Claim rejection(const DomainError& error) {
+  Claim claim;
+  claim.status = Claim::Status::rejected;
+  claim.text = error.field;
+  return claim;
 }
 
 }  // namespace contact::engines

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "contact/contact.hpp"
 #include "golden/results.hpp"
 #include "oracle/claim.hpp"
 #include "oracle/query.hpp"
@@ -42,25 +43,35 @@ class Engine {
   golden::EngineInfo info_;
 };
 
+/// The contact-point conventions that built-in engines compute, and their names: the first of Points.
+inline constexpr auto kComputedPointsNames = std::span(kPointsNames).first<3>();
+static_assert(static_cast<int>(Points::nearest_surface) == static_cast<int>(PointConvention::nearest_surface) &&
+              static_cast<int>(Points::center) == static_cast<int>(PointConvention::center) &&
+              static_cast<int>(Points::published) == static_cast<int>(PointConvention::published));
+
 /// An engine that is part of this program.
 struct BuiltIn {
   std::string_view name;
   std::string_view about;
   Scalar scalar;
+  bool on_scoreboard;  ///< whether `certify` with neither engine nor dataset judges it
   /// Answers under a contact-point convention: what computeIntersection and testIntersection say.
-  Claim (*answer)(const Query& query, Points points);
+  Claim (*answer)(const Query& query, PointConvention points);
 };
 
 [[nodiscard]] std::span<const BuiltIn> built_in_engines();
 
-/// The built-in engine of that name, or nullptr. `points` other than nearest_surface make it compute and declare
-/// another convention (center and published only).
-[[nodiscard]] std::unique_ptr<Engine> make_built_in(std::string_view name, Points points = Points::nearest_surface);
+/// The built-in engine of that name, or nullptr; it computes and declares the convention `points`.
+[[nodiscard]] std::unique_ptr<Engine> make_built_in(std::string_view name,
+                                                    PointConvention points = PointConvention::nearest_surface);
 
 /// An engine that answers from a results file; what stands not in it is missing.
 [[nodiscard]] std::unique_ptr<Engine> make_recorded(golden::Results results);
 
-/// The contact points of a pair under one of the conventions that the production class offers.
-[[nodiscard]] ContactPoints contact_points(const Query& query, Points points);
+/// The engine `component`: production through DiscreteIntersection, each question as two models of one element.
+[[nodiscard]] Claim component_answer(const Query& query, PointConvention points);
+
+/// What an engine of ours says to a question outside the domain.
+[[nodiscard]] Claim rejection(const DomainError& error);
 
 }  // namespace contact::engines

@@ -14,7 +14,7 @@ bool same(double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)
 bool same(const Vector3& x, const Vector3& y) { return same(x[0], y[0]) && same(x[1], y[1]) && same(x[2], y[2]); }
 
 TEST(Upstream, PlainDoubleUnderTheCenterConventionIsSofaToTheBit) {
-  const auto sofa = make_built_in("plain-double", Points::center);
+  const auto sofa = make_built_in("plain-double", PointConvention::center);
   const std::filesystem::path golden = std::filesystem::path(CONTACT_SOURCE_DIR) / "golden";
   std::size_t compared = 0;
   std::size_t contacts = 0;

@@ -136,6 +136,25 @@ std::vector<Node> Node::items() const {
   return nodes;
 }
 
+Eigen::MatrixXd Node::rows(Eigen::Index width) const {
+  if (!json_->is_array()) refuse("expected an array");
+  Eigen::MatrixXd numbers(static_cast<Eigen::Index>(json_->size()), width);
+  for (std::size_t i = 0; i < json_->size(); ++i) {
+    const nlohmann::json& row = (*json_)[i];
+    // There may be millions of rows: a path is spelt out only for what is refused.
+    const auto here = [&] { return child(row, fmt::format("[{}]", i)); };
+    if (width != 1 && (!row.is_array() || row.size() != static_cast<std::size_t>(width)))
+      here().refuse(fmt::format("expected {} numbers", width));
+    for (Eigen::Index k = 0; k < width; ++k) {
+      const nlohmann::json& entry = width == 1 ? row : row[static_cast<std::size_t>(k)];
+      if (!entry.is_number())
+        (width == 1 ? here() : here().child(entry, fmt::format("[{}]", k))).refuse("expected a finite number");
+      numbers(static_cast<Eigen::Index>(i), k) = Node(entry, *where_).number();
+    }
+  }
+  return numbers;
+}
+
 std::size_t Node::one_of(std::span<const std::string_view> names) const {
   const auto it = std::find(names.begin(), names.end(), text());
   if (it == names.end()) refuse(fmt::format("expected one of {}", fmt::join(names, ", ")));

@@ -45,6 +45,8 @@ class Node {
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::uint64_t count() const;
   [[nodiscard]] std::vector<Node> items() const;
+  /// An array of rows of `width` finite numbers each; of plain numbers where `width` is 1.
+  [[nodiscard]] Eigen::MatrixXd rows(Eigen::Index width) const;
   /// The index of the text among `names`.
   [[nodiscard]] std::size_t one_of(std::span<const std::string_view> names) const;
 

@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""The command line as a user meets it: python3 tool/cli_test.py PATH_TO_TOOL [unittest arguments]."""
+"""The command line as a user meets it: python3 tool/cli_test.py PATH_TO_TOOL [unittest arguments].
+
+The environment variable CONTACT_PLUGINS names the two example plug-ins to test with, capsule:cube_contact."""
 import copy
 import hashlib
 import json
@@ -188,6 +190,15 @@ class Documentation(Case):
         shell, shown = block("explain").removesuffix("```").split("./run explain\n")
         question = shell.split("'")[1]
         self.assertEqual(self.holds("explain", stdin=question + "\n"), shown)
+        shell, shown = block("detect").removesuffix("```").split("\n", 1)
+        self.assertTrue(shell.startswith("$ ./run detect "), shell)
+        self.assertEqual(run(*shell.split()[2:]).stdout, shown)
+
+    def test_the_scene_in_the_help_is_the_one_on_the_page(self):
+        page = (ROOT / "docs" / "formats.md").read_text()
+        form = self.holds("detect", "--help").split("docs/formats.md#scenes.\n\n")[1].rstrip()
+        self.assertEqual(len(form.splitlines()), 4)
+        self.assertIn(form, page)
 
 
 class Certify(Case):
@@ -214,6 +225,15 @@ class Certify(Case):
         out = self.holds("certify", "golden", "--engine", "published", "--points", "published",
                          "--level", "correctly-rounded")
         self.assertIn("\nCERTIFIED: published", out)
+
+    def test_the_component_is_right_under_every_convention_that_it_computes(self):
+        # `center` alone tells a rigid sphere from a deformable one.
+        for points in ("nearest_surface", "center", "published"):
+            with self.subTest(points):
+                out = self.holds("certify", *(GOLDEN / pair / "generic.jsonl" for pair in PAIRS), "--engine", "component",
+                                 "--points", points, "--level", "correctly-rounded")
+                self.assertIn("\nCERTIFIED: component", out)
+        self.assertIn("\nCERTIFIED: component", self.holds("certify", "golden", "--engine", "component", "--family", "invalid"))
 
     def test_recorded_answers_of_sofa_are_refuted_with_the_counts_that_the_files_hold(self):
         for pair in PAIRS:
@@ -763,6 +783,281 @@ class Explain(Case):
             with self.subTest(bad):
                 self.refused(("explain", "-"), "-:2: ", *words, stdin=text([SPHERES, bad]))
         self.refused(("explain",), "no question", stdin="")
+
+
+class Detect(Case):
+    SCENES = ROOT / "docs" / "examples" / "scenes"
+    DROPS, BEADS = SCENES / "drops.jsonl", SCENES / "beads.jsonl"
+    HEADER = {"format": "contact-oracle/scene", "version": 1}
+    # drops.jsonl, alarm 0.5, contact 0.25. By hand, D the vector between the centres:
+    #   drops[0] (0,0,0) r 1      balls[0] (1,2,2) r 1.5    D (1,2,2), length 3: the radii and alarm, exactly. A contact,
+    #                             surfaces 0.5 apart; less 0.25: value 0.25. Normal (1,2,2)/3, points 1 normal from the
+    #                             one centre, 1.5 normal back from the other: (1,2,2)/3 and (1,2,2)/2.
+    #   drops[0]                  balls[2] (0,0,-1) r 0.5   length 1, radii 1.5: 0.5 deep, value -0.75. Normal (0,0,-1),
+    #                             points (0,0,-1) and (0,0,-1) + (0,0,0.5).
+    #   drops[1] (4,0,0) r 0.5    balls[1] (6,0,0) r 1.75   length 2, radii 2.25: 0.25 deep, value -0.5. Normal (1,0,0),
+    #                             points (4.5,0,0) and (4.25,0,0).
+    #   drops[1] balls[0]         D (-3,2,2), length sqrt 17 > 4.1, radii and alarm 2.5: none
+    #   drops[2] (10,0,0) r 1     balls[1]: length 4, radii and alarm 3.25: none. All others are farther still.
+    # Three of each, so the id is the index in the second model.
+    CONTACTS = [
+        {"first": {"model": "drops", "index": 0}, "second": {"model": "balls", "index": 0}, "id": 0,
+         "normal": [1 / 3, 2 / 3, 2 / 3], "point1": [1 / 3, 2 / 3, 2 / 3], "point2": [0.5, 1, 1], "value": 0.25},
+        {"first": {"model": "drops", "index": 0}, "second": {"model": "balls", "index": 2}, "id": 2,
+         "normal": [0, 0, -1], "point1": [0, 0, -1], "point2": [0, 0, -0.5], "value": -0.75},
+        {"first": {"model": "drops", "index": 1}, "second": {"model": "balls", "index": 1}, "id": 1,
+         "normal": [1, 0, 0], "point1": [4.5, 0, 0], "point2": [4.25, 0, 0], "value": -0.5},
+    ]
+
+    def ball_model(self, name="s", centers=((0, 0, 0),), radii=(1,), **more):
+        return {"model": "SphereCollisionModel", "name": name, "centers": centers, "radii": radii, **more}
+
+    def contacts(self, *args, stdin=""):
+        """The header and the contacts that --json prints; whatever is said on standard error is no matter."""
+        done = run("detect", *args, "--json", stdin=stdin)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        header, *lines = map(json.loads, done.stdout.splitlines())
+        return header, lines
+
+    def test_the_example_scene_has_the_contacts_worked_out_by_hand(self):
+        header, lines = self.contacts(self.DROPS)
+        self.assertEqual(header, {"format": "contact-oracle/contacts", "version": 1, "alarm": 0.5, "contact": 0.25,
+                                  "points": "nearest_surface", "no_intersector": [["drops", "walls"], ["balls", "walls"]]})
+        self.assertEqual(lines, self.CONTACTS)
+
+    def test_lines_are_canonical(self):
+        out = run("detect", self.DROPS, "--json").stdout.splitlines()
+        self.assertEqual(out[2], '{"first":{"model":"drops","index":0},"second":{"model":"balls","index":2},"id":2,'
+                                 '"normal":[0,0,-1],"point1":[0,0,-1],"point2":[0,0,-0.5],"value":-0.75}')
+        self.assertEqual(out[0], line(json.loads(out[0])))
+
+    def test_the_table_counts_contacts_and_overlaps_and_names_the_deepest(self):
+        done = run("detect", self.DROPS)
+        rows = [row.split() for row in done.stdout.splitlines()[3:]]
+        # The first of the three contacts does not overlap: its surfaces are 0.5 apart.
+        self.assertEqual(rows, [["drops", "balls", "3", "2", "drops[0]", "balls[2]", "value", "-0.75"],
+                                ["drops", "walls", "no", "intersector"], ["balls", "walls", "no", "intersector"]])
+        self.assertEqual(done.stdout.splitlines()[0], "alarm 0.5, contact 0.25, points nearest_surface")
+        self.assertEqual(done.returncode, 0)
+
+    def test_surfaces_that_touch_or_lie_a_contact_distance_apart_do_not_overlap(self):
+        scene = self.file("s.jsonl", [self.HEADER, self.ball_model("a"), self.ball_model("b", [[2, 0, 0]])])
+        row = lambda *args: self.holds("detect", scene, *args).splitlines()[3].split()
+        self.assertEqual(row(), ["a", "b", "1", "0", "a[0]", "b[0]", "value", "0"])
+        self.assertEqual(row("--contact", "0.5"), ["a", "b", "1", "0", "a[0]", "b[0]", "value", "-0.5"])
+
+    def test_a_pair_without_an_intersector_is_named_once_and_is_not_a_pair_without_contacts(self):
+        walls = {"model": "CubeCollisionModel", "name": "more walls", "min": [[50, 50, 50]], "max": [[51, 51, 51]]}
+        scene = self.file("s.jsonl", [*self.DROPS.read_text().splitlines(), walls])
+        done = run("detect", scene)
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual([said.split(";")[0] for said in done.stderr.splitlines()],
+                         ["contact: no intersector for SphereCollisionModel-CubeCollisionModel",
+                          "contact: no intersector for RigidSphereModel-CubeCollisionModel"])
+        rows = {tuple(row[:24].replace("more walls", "more_walls").split()[:2]): row for row in done.stdout.splitlines()[3:]}
+        self.assertEqual(rows["walls", "more_walls"].split()[-2:], ["0", "0"])
+        self.assertEqual(sum("no intersector" in row for row in rows.values()), 4)
+
+    def test_self_detection_finds_each_pair_of_elements_once(self):
+        # beads.jsonl: radii 0.5; (0,0,0), (1,0,0), (2,0,0), (2,1,0) touch one after the other, (2,1.75,0) is 0.25 deep
+        # in the last of them; all others are at least sqrt 2 apart, or 1.75.
+        _, lines = self.contacts(self.BEADS, "--self")
+        pairs = [(c["first"]["index"], c["second"]["index"], c["value"]) for c in lines]
+        self.assertEqual(pairs, [(0, 1, 0), (1, 2, 0), (2, 3, 0), (3, 4, -0.25)])
+        self.assertEqual(lines[3]["normal"], [0, 1, 0])
+        self.assertEqual((lines[3]["point1"], lines[3]["point2"]), ([2, 1.5, 0], [2, 1.25, 0]))
+        self.assertEqual(self.holds("detect", self.BEADS, "--self").splitlines()[3].split(),
+                         ["beads", "beads", "4", "1", "beads[3]", "beads[4]", "value", "-0.25"])
+        self.assertIn("no pair: --self", self.holds("detect", self.BEADS))
+        self.assertEqual(self.contacts(self.BEADS)[1], [])
+        # drops.jsonl holds no contact inside drops or balls; cubes overlap without writing one. Pairs in file order.
+        header, lines = self.contacts(self.DROPS, "--self")
+        self.assertEqual((len(header["no_intersector"]), lines), (2, self.CONTACTS))
+        table = [row.split()[:2] for row in run("detect", self.DROPS, "--self").stdout.splitlines()[3:]]
+        self.assertEqual(table, [[a, b] for i, a in enumerate(("drops", "balls", "walls")) for b in ("drops", "balls", "walls")[i:]])
+
+    def test_the_command_line_overrides_the_distances_of_the_scene(self):
+        header, lines = self.contacts(self.DROPS, "--alarm", "0.25", "--contact", "0")
+        self.assertEqual((header["alarm"], header["contact"]), (0.25, 0))
+        self.assertEqual([c["value"] for c in lines], [-0.5, -0.25])
+        header, lines = self.contacts(self.DROPS, "--alarm", "1.25")  # drops[2] and balls[1]: 4 apart, radii 2.75
+        self.assertEqual((header["alarm"], header["contact"], len(lines)), (1.25, 0.25, 4))
+        self.assertEqual((lines[3]["first"]["index"], lines[3]["second"]["index"], lines[3]["value"]), (2, 1, 1))
+
+    def test_points_follow_the_convention_asked_for(self):
+        points = lambda name: [(c["point1"], c["point2"]) for c in self.contacts(self.DROPS, "--points", name)[1]]
+        self.assertEqual(points("nearest_surface"), [(c["point1"], c["point2"]) for c in self.CONTACTS])
+        # center: a deformable sphere's is its centre. published: the far side of both, c1 - r1 n and c2 + r2 n.
+        self.assertEqual(points("center")[2], ([4, 0, 0], [4.25, 0, 0]))
+        self.assertEqual(points("published")[2], ([3.5, 0, 0], [7.75, 0, 0]))
+        self.assertEqual(self.contacts(self.DROPS, "--points", "center")[0]["points"], "center")
+
+    def test_models_given_the_other_way_round_give_the_contacts_mirrored(self):
+        header, drops, balls, walls = self.DROPS.read_text().splitlines()
+        _, lines = self.contacts("-", stdin=text([header, balls, drops]))
+        minus = lambda v: [-x if x else 0 for x in v]
+        mirrored = [{"first": c["second"], "second": c["first"], "id": c["first"]["index"], "normal": minus(c["normal"]),
+                     "point1": c["point2"], "point2": c["point1"], "value": c["value"]} for c in self.CONTACTS]
+        self.assertEqual(lines, sorted(mirrored, key=lambda c: (c["first"]["index"], c["second"]["index"])))
+
+    def test_several_files_are_one_scene_and_standard_input_is_one_of_them(self):
+        header, drops, balls, walls = self.DROPS.read_text().splitlines()
+        other = self.file("balls.jsonl", [self.HEADER, balls])
+        self.assertEqual(self.contacts("-", other, stdin=text([header, drops]))[1], self.CONTACTS)
+
+    def test_models_without_an_element_are_models(self):
+        empty = [self.ball_model("a", [], []), self.ball_model("b"),
+                 {"model": "RigidSphereModel", "name": "c", "positions": [], "orientations": [], "radii": []},
+                 {"model": "CubeCollisionModel", "name": "d", "min": [], "max": []},
+                 {"model": "CubeCollisionModel", "name": "e", "min": [[0, 0, 0]], "max": [[1, 1, 1]]}]
+        scene = self.file("s.jsonl", [self.HEADER, *empty])
+        header, lines = self.contacts(scene, "--self")
+        self.assertEqual((lines, len(header["no_intersector"])), ([], 6))
+
+    def test_a_file_of_contacts_is_written_whole_beside_the_table(self):
+        target = self.file("out.jsonl", "old\n")
+        done = run("detect", self.DROPS, "-o", target)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stdout, run("detect", self.DROPS).stdout)
+        self.assertEqual(target.read_text(), run("detect", self.DROPS, "--json").stdout)
+        self.assertEqual(list(self.folder.iterdir()), [target])
+        self.refused(("detect", self.file("bad.jsonl", [self.HEADER]), "-o", target), "bad.jsonl")
+        self.assertIn("drops", target.read_text())
+
+    def test_an_output_that_cannot_be_written_is_refused_and_a_full_disk_leaves_no_file(self):
+        self.refused(("detect", self.BEADS, "-o", self.folder / "gone" / "x.jsonl"), "gone/x.jsonl", "cannot write")
+        self.refused(("detect", self.BEADS, "-o", self.folder), self.folder, "directory")
+        many = self.file("s.jsonl", [self.HEADER, self.ball_model("a", [[0, 0, 0]] * 20, [1] * 20)])
+        self.refused(("detect", many, "--self", "-o", self.folder / "x.jsonl"), "x.jsonl", "cannot write",
+                     preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)), restore_signals=False)
+
+    def test_an_interrupted_detection_ends_and_leaves_what_was_there(self):
+        # Every one of 5000 balls in one place touches every other: far more work than the test waits for.
+        scene = self.file("s.jsonl", [self.HEADER, self.ball_model("a", [[i / 5000, 0, 0] for i in range(5000)], [1] * 5000)])
+        target = self.file("x.jsonl", "old\n")
+        process = subprocess.Popen([TOOL, "detect", scene, "--self", "-o", target], stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
+        deadline = time.monotonic() + 20
+        while len(list(self.folder.iterdir())) < 3 and time.monotonic() < deadline:
+            time.sleep(0.02)
+        time.sleep(0.3)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=20)
+        self.assertEqual((process.returncode, out), (130, ""), err)
+        self.assertIn("interrupted", err)
+        self.assertEqual((sorted(self.folder.iterdir()), target.read_text()), ([scene, target], "old\n"))
+
+    def test_what_is_printed_into_a_pipe_has_no_control_characters(self):
+        for args in ((self.DROPS,), (self.DROPS, "--json"), (self.BEADS, "--self"), ("--help",)):
+            done = run("detect", *args)
+            self.assertNotRegex(done.stdout + done.stderr, r"[\x00-\x09\x0b-\x1f\x7f]")
+
+    def test_a_scene_that_is_wrong_is_refused_where_it_is_wrong(self):
+        path, good = self.folder / "s.jsonl", self.ball_model()
+        rigid = {"model": "RigidSphereModel", "name": "r", "positions": [[0, 0, 0]], "orientations": [[0, 0, 0, 1]], "radii": [1]}
+        cubes = {"model": "CubeCollisionModel", "name": "c", "min": [[0, 0, 0]], "max": [[1, 1, 1]]}
+        without = lambda model, key: {k: v for k, v in model.items() if k != key}
+        table = {
+            "malformed": ([self.HEADER, "{nonsense}"], f"{path}:2: ", "malformed JSON"),
+            "cut": (text([self.HEADER, good])[:-9], f"{path}:2: ", "malformed JSON"),
+            "blank line": ([self.HEADER, "", good], f"{path}:2: ", "malformed JSON"),
+            "no object": ([self.HEADER, "[1,2]"], f"{path}:2: ", "expected a JSON object", "[1,2]"),
+            "key twice": ([self.HEADER, line(good)[:-1] + ',"radii":[2]}'], f"{path}:2: radii: ", "twice"),
+            "empty": ("", f"{path}: ", "empty"),
+            "no header": ([good], f"{path}:1: format: ", "missing"),
+            "wrong format": ([{**self.HEADER, "format": "contact-oracle/dataset"}, good], f"{path}:1: format: ",
+                             "contact-oracle/dataset", "contact-oracle/scene"),
+            "wrong version": ([{**self.HEADER, "version": 2}, good], f"{path}:1: version: ", "2"),
+            "no version": ([without(self.HEADER, "version"), good], f"{path}:1: version: ", "missing"),
+            "unknown header key": ([{**self.HEADER, "gravity": 9.81}, good], f"{path}:1: gravity: ", "9.81"),
+            "negative alarm": ([{**self.HEADER, "alarm": -1}, good], f"{path}:1: alarm: ", "must not be negative", "-1"),
+            "alarm NaN": ([{**self.HEADER, "alarm": "NaN"}, good], f"{path}:1: alarm: ", "must be finite", "NaN"),
+            "contact infinite": ([{**self.HEADER, "contact": "Infinity"}, good], f"{path}:1: contact: ", "Infinity"),
+            "alarm a word": ([{**self.HEADER, "alarm": "wide"}, good], f"{path}:1: alarm: ", '"wide"'),
+            "no models": ([self.HEADER], f"{path}: ", "no model"),
+            "no type": ([self.HEADER, without(good, "model")], f"{path}:2: model: ", "missing"),
+            "unknown type": ([self.HEADER, {**good, "model": "TriangleModel"}], f"{path}:2: model: ", "TriangleModel",
+                             "SphereCollisionModel, RigidSphereModel, CubeCollisionModel"),
+            "type no text": ([self.HEADER, {**good, "model": 7}], f"{path}:2: model: ", "7"),
+            "no name": ([self.HEADER, without(good, "name")], f"{path}:2: name: ", "missing"),
+            "empty name": ([self.HEADER, self.ball_model("")], f"{path}:2: name: ", '""'),
+            "name no text": ([self.HEADER, self.ball_model(7)], f"{path}:2: name: ", "7"),
+            "name of control characters": ([self.HEADER, self.ball_model("\x1b[31m")], f"{path}:2: name: ", "\\u001b[31m"),
+            "a name twice": ([self.HEADER, good, rigid, good], f"{path}:4: name: ", f"{path}:2", '"s"'),
+            "unknown column": ([self.HEADER, {**good, "mass": [1]}], f"{path}:2: mass: ", "[1]", "centers, radii"),
+            "column of another type": ([self.HEADER, {**cubes, "radii": [1]}], f"{path}:2: radii: ", "min, max"),
+            "missing column": ([self.HEADER, without(good, "radii")], f"{path}:2: radii: ", "missing"),
+            "missing orientations": ([self.HEADER, without(rigid, "orientations")], f"{path}:2: orientations: ", "missing"),
+            "column no array": ([self.HEADER, self.ball_model(radii=1)], f"{path}:2: radii: ", "got 1"),
+            "ragged row": ([self.HEADER, self.ball_model(centers=[[0, 0, 0], [1, 2]], radii=[1, 1])],
+                           f"{path}:2: centers[1]: ", "expected 3 numbers", "[1,2]"),
+            "row too wide": ([self.HEADER, self.ball_model(centers=[[0, 0, 0, 1]])], f"{path}:2: centers[0]: ", "[0,0,0,1]"),
+            "flat column": ([self.HEADER, self.ball_model(centers=[0, 0, 0])], f"{path}:2: centers[0]: ", "3 numbers"),
+            "nested column": ([self.HEADER, self.ball_model(radii=[[1]])], f"{path}:2: radii[0]: ", "[1]"),
+            "columns of two lengths": ([self.HEADER, self.ball_model(radii=[1, 2])], f"{path}:2: ", "radii", "centers", "2", "1"),
+            "text for a number": ([self.HEADER, self.ball_model(centers=[[0, "x", 0]])], f"{path}:2: centers[0][1]: ", '"x"'),
+            "NaN": ([self.HEADER, self.ball_model(centers=[[0, 0, "NaN"]])], f"{path}:2: centers[0][2]: ", "finite", '"NaN"'),
+            "infinite radius": ([self.HEADER, self.ball_model(radii=["Infinity"])], f"{path}:2: radii[0]: ", '"Infinity"'),
+            "null": ([self.HEADER, self.ball_model(radii=[None])], f"{path}:2: radii[0]: ", "null"),
+            "number too large": ([self.HEADER, line(good).replace("[1]", "[1e999]")], f"{path}:2: ", "1e999"),
+            "negative radius": ([self.HEADER, self.ball_model("drops", [[0, 0, 0]] * 3, [1, 1, -2.5])], f"{path}:2: ",
+                                'SphereCollisionModel "drops"', "radii[2] = -2.5", "must not be negative"),
+            "no unit quaternion": ([self.HEADER, {**rigid, "orientations": [[0, 0, 0, 2]]}], f"{path}:2: ",
+                                   "orientations[0]", "4", "unit quaternion"),
+            "min above max": ([self.HEADER, {**cubes, "min": [[0, 3, 0]]}], f"{path}:2: ", "min[0][1] = 3", "max"),
+        }
+        for name, (lines, *words) in table.items():
+            with self.subTest(name):
+                self.file("s.jsonl", lines)
+                self.refused(("detect", path, "-o", self.folder / "x.jsonl"), *words)
+                self.refused(("detect", path, "--json"), *words)
+
+    def test_two_scenes_that_contradict_each_other_are_refused(self):
+        first = self.file("a.jsonl", [{**self.HEADER, "alarm": 0.5}, self.ball_model("a")])
+        second = self.file("b.jsonl", [{**self.HEADER, "alarm": 0.25}, self.ball_model("b")])
+        self.refused(("detect", first, second), f"{second}:1: alarm: ", "0.5", "0.25")
+        same = self.file("c.jsonl", [self.HEADER, self.ball_model("a")])
+        self.refused(("detect", first, same), f"{same}:2: name: ", f"{first}:2", '"a"')
+        self.refused(("detect", first, self.folder / "gone.jsonl"), "gone.jsonl", "no such file")
+
+    def test_options_that_are_wrong_are_refused_by_name_and_value(self):
+        for args, *words in ((("--alarm", "-1"), "--alarm", "negative", "-1"), (("--alarm", "nan"), "--alarm", "nan"),
+                             (("--contact", "inf"), "--contact", "inf"), (("--contact", "1e999"), "--contact", "1e999"),
+                             (("--contact", "x"), "--contact", "'x'"), (("--contact", "1x"), "--contact", "'1x'"),
+                             (("--points", "middle"), "--points", "middle", "nearest_surface, center, published"),
+                             (("--points", "midpoint"), "--points", "midpoint"), (("--nonesuch",), "--nonesuch")):
+            with self.subTest(args):
+                self.refused(("detect", self.BEADS, *args), *words, one_line=False)
+        self.refused(("detect",), "scenes", one_line=False)
+
+    def test_a_plugin_that_is_none_is_refused_by_name(self):
+        gone, words = self.folder / "gone.so", self.file("words.so", "no library\n")
+        self.refused(("detect", self.BEADS, "--plugin", gone), gone, "cannot be loaded", "No such file")
+        self.refused(("detect", "--plugin", words, self.BEADS), words, "cannot be loaded")  # one library an option
+        table = subprocess.run(["ldd", TOOL], capture_output=True, text=True).stdout
+        library = re.search(r"=> (/\S*libm\.so\S*)", table)
+        if library:
+            self.refused(("detect", self.BEADS, "--plugin", library[1]), library[1], "no plug-in", "contact_plugin_entry")
+
+    @unittest.skipUnless(os.environ.get("CONTACT_PLUGINS"), "CONTACT_PLUGINS names no plug-ins")
+    def test_plugins_bring_models_and_intersectors(self):
+        capsule, cube_contact = os.environ["CONTACT_PLUGINS"].split(":")
+        # A capsule along x, radius 0.5, and a ball of radius 1 above its middle, 1.25 away: 0.25 deep.
+        bar = {"model": "CapsuleModel", "name": "bar", "p": [[-2, 0, 0]], "q": [[2, 0, 0]], "radii": [0.5]}
+        scene = self.file("s.jsonl", [self.HEADER, bar, self.ball_model("ball", [[0, 1.25, 0]])])
+        self.refused(("detect", scene), f"{scene}:2: model: ", "CapsuleModel")
+        _, lines = self.contacts(scene, "--plugin", capsule, "--plugin", capsule)
+        self.assertEqual(lines, [{"first": {"model": "bar", "index": 0}, "second": {"model": "ball", "index": 0}, "id": 0,
+                                  "normal": [0, 1, 0], "point1": [0, 0.5, 0], "point2": [0, 0.25, 0], "value": -0.25}])
+        self.refused(("detect", self.file("s.jsonl", [self.HEADER, {**bar, "radii": [-1]}]), "--plugin", capsule),
+                     f"{scene}:2: ", 'CapsuleModel "bar"', "-1")
+        # Two boxes, 2 long on every axis, that overlap by 0.25 on x alone: without the plug-in no contact is written.
+        boxes = [{"model": "CubeCollisionModel", "name": name, "min": [[x, 0, 0]], "max": [[x + 2, 2, 2]]}
+                 for name, x in (("left", 0), ("right", 1.75))]
+        scene = self.file("boxes.jsonl", [self.HEADER, *boxes])
+        self.assertEqual(self.contacts(scene)[1], [])
+        header, lines = self.contacts(scene, "--plugin", cube_contact)
+        self.assertEqual((len(lines), lines[0]["normal"], lines[0]["value"]), (1, [1, 0, 0], -0.25))
 
 
 if __name__ == "__main__":

@@ -48,8 +48,8 @@ template <class T>
 template <class T>
 class IntersectorCreator {
  public:
-  explicit IntersectorCreator(std::string name) {
-    IntersectorFactory::getInstance().registerCreator(std::move(name), creator_of<T>());
+  explicit IntersectorCreator(const std::string& name) {
+    IntersectorFactory::getInstance().registerCreator(name, creator_of<T>());
   }
 };
 

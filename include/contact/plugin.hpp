@@ -32,12 +32,12 @@ class PluginError : public std::runtime_error {
 
 /// Loads a shared library, and has it register with the instances of both factories. It stays loaded until the program
 /// ends; a library that is loaded already is left alone. Throws PluginError where it cannot be loaded, is no plug-in,
-/// or was built for another interface.
+/// was built for another interface, or throws while it registers (what it had registered by then stays).
 void load_plugin(const std::filesystem::path& library);
 
 }  // namespace contact
 
-/// In one source file of the plug-in: CONTACT_PLUGIN(function), where `void function(contact::PluginHost&)` registers.
+/// In one source file of the plug-in: CONTACT_PLUGIN(function); where `void function(contact::PluginHost&)` registers.
 #define CONTACT_PLUGIN(function)                                                                     \
   extern "C" __attribute__((visibility("default"))) const contact::PluginEntry contact_plugin_entry; \
   const contact::PluginEntry contact_plugin_entry { contact::kPluginInterface, function }

@@ -75,6 +75,9 @@ class RigidSphereModel : public ModelOf<RigidSphereModel> {
   Eigen::MatrixX4d orientations_;
 };
 
+/// A box that contains the ball, in every rounding mode: what a model of your own builds its bounding_box from.
+[[nodiscard]] Box box_around(const Ball& ball);
+
 /// The surface point of a ball for a normal that points into it: center - radius normal, every coordinate rounded once
 /// (fma; to nearest, in the caller's rounding mode). `far_surface` is the opposite point, `center` the centre.
 [[nodiscard]] Vector3 contact_point_by_normal(const Ball& ball, const Vector3& normal, PointOn on);

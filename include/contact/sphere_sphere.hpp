@@ -11,7 +11,8 @@ namespace contact {
 /// Whether `a` and `b` are within the alarm distance of each other.
 ///   delta = b.center - a.center     D = |delta|^2     reach = alarm + a.radius + b.radius
 /// Units       one length unit throughout.
-/// Domain      finite; radii and alarm >= 0. Subnormals and the largest finite numbers included.
+/// Domain      finite; radii and alarm >= 0. Subnormals and the largest finite numbers included. An infinite alarm is
+///             no limit: every pair is a hit.
 /// Decision    D <= reach^2, exactly: touching counts. `reach` is a real number and never overflows.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
 /// Source      seed.txt, testIntersectionSphere; docs/specification.md#sphere-pairs.
@@ -22,7 +23,8 @@ namespace contact {
 ///   normal = delta / sqrt(D)       value = sqrt(D) - (a.radius + b.radius) - distances.contact
 ///   point1 = a.center + a.radius normal     point2 = b.center - b.radius normal     (nearest_surface)
 /// Units       one length unit throughout; the normal is a unit vector from a to b.
-/// Domain      finite; radii, alarm and contact distance >= 0. Subnormals and the largest finite numbers included.
+/// Domain      finite; radii, alarm and contact distance >= 0. Subnormals and the largest finite numbers included. An
+///             infinite alarm is no limit: every pair has its contact.
 /// Decision    as test_sphere_sphere.
 /// Error       every number is the exact real rounded once to nearest, ties to even (0.5 ulp); beyond the largest
 ///             finite number it is infinite, as IEEE 754 rounds. Every zero is +0.

@@ -53,7 +53,8 @@ std::unique_ptr<CollisionModel> ModelFactory::make(const std::string& type, std:
     refuse(type, name, problem);
   }
   for (const auto& [column, numbers] : columns)
-    if (std::none_of(maker->columns.begin(), maker->columns.end(), [&](const auto& c) { return c.name == column; }))
+    if (std::none_of(maker->columns.begin(), maker->columns.end(),
+                     [&wanted = column](const auto& c) { return c.name == wanted; }))
       refuse(type, name, "unknown column " + column);
   const auto& first = maker->columns.front();
   for (const ModelColumn& column : maker->columns) {

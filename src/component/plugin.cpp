@@ -1,42 +1,55 @@
 // Plug-ins: shared libraries that bring model types and intersectors at run time.
-#define BOOST_DLL_USE_STD_FS
 #include "contact/plugin.hpp"
 
-#include <algorithm>
-#include <boost/dll/shared_library.hpp>
-#include <list>
+#include <dlfcn.h>
+
 #include <mutex>
+#include <set>
+#include <string>
 
 namespace contact {
 namespace {
 
 constexpr const char* kEntry = "contact_plugin_entry";
 
+/// What the system says of the last failure, without the file's name that it begins with.
+std::string system_message(const std::string& file) {
+  const char* text = dlerror();
+  std::string message = text ? text : "unknown reason";
+  if (message.starts_with(file + ": ")) message.erase(0, file.size() + 2);
+  return message;
+}
+
 }  // namespace
 
 void load_plugin(const std::filesystem::path& library) {
-  // Never unloaded: factories hold creators whose code lives there.
   static std::mutex mutex;
-  static auto& loaded = *new std::list<boost::dll::shared_library>;
+  static std::set<void*> loaded;  // the system has one handle for one library, whatever the path
   const std::lock_guard lock(mutex);
   const auto refuse = [&](const std::string& problem) { throw PluginError(library.string() + ": " + problem); };
 
-  boost::dll::shared_library opened;
-  try {
-    opened.load(std::filesystem::absolute(library), boost::dll::load_mode::rtld_now);
-  } catch (const std::exception& error) {
-    refuse(std::string("cannot be loaded: ") + error.what());
+  const std::string file = std::filesystem::absolute(library).string();  // a bare name would be searched for
+  void* const opened = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!opened) refuse("cannot be loaded: " + system_message(file));
+  if (loaded.contains(opened)) return;
+  const auto* const entry = static_cast<const PluginEntry*>(dlsym(opened, kEntry));
+  if (!entry) {
+    dlclose(opened);
+    refuse("is no plug-in: it exports no " + std::string(kEntry));
   }
-  if (std::any_of(loaded.begin(), loaded.end(), [&](const auto& other) { return other.native() == opened.native(); }))
-    return;
-  if (!opened.has(kEntry)) refuse("is no plug-in: it exports no " + std::string(kEntry));
-  const auto& entry = opened.get<const PluginEntry>(kEntry);
-  if (entry.interface != kPluginInterface)
-    refuse("was built for plug-in interface " + std::to_string(entry.interface) + ", this is " +
+  if (const int interface = entry->interface; interface != kPluginInterface) {
+    dlclose(opened);
+    refuse("was built for plug-in interface " + std::to_string(interface) + ", this is " +
            std::to_string(kPluginInterface));
+  }
+  // From here on it is never closed, whatever happens: factories hold creators whose code lives there.
   PluginHost host{IntersectorFactory::getInstance(), ModelFactory::getInstance()};
-  entry.enter(host);
-  loaded.push_back(std::move(opened));
+  try {
+    entry->enter(host);
+  } catch (const std::exception& error) {
+    refuse("failed to register: " + std::string(error.what()));
+  }
+  loaded.insert(opened);
 }
 
 }  // namespace contact

@@ -25,8 +25,10 @@ std::optional<DomainError> not_unit(const Eigen::MatrixX4d& orientations) {
   return std::nullopt;
 }
 
-/// Each bound misses the real one by two roundings, and what flushing to zero takes; a margin of 2^-50 of both numbers
-/// and 2^-1000 pays for them in every rounding mode.
+}  // namespace
+
+// Each bound misses the real one by two roundings, and what flushing to zero takes; a margin of 2^-50 of both numbers
+// and 2^-1000 pays for them in every rounding mode.
 Box box_around(const Ball& ball) {
   const auto margin = [&](double c) { return (std::abs(c) * 0x1p-50 + ball.radius * 0x1p-50) + 0x1p-1000; };
   Box box;
@@ -37,8 +39,6 @@ Box box_around(const Ball& ball) {
   }
   return box;
 }
-
-}  // namespace
 
 Vector3 contact_point_by_normal(const Ball& ball, const Vector3& normal, PointOn on) {
   if (on == PointOn::center) return ball.center;

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "kernel/exact.hpp"
@@ -33,7 +34,8 @@ Filtered filter(const Ball& a, const Ball& b, double alarm) {
   const double D = dx * dx + dy * dy + dz * dz;
   const double reach = (a.radius + b.radius) + alarm;
   const double reach2 = reach * reach;
-  if (!(D > kLeast && D < kMost && reach2 > kLeast && reach2 < kMost)) return Filtered::undecided;
+  if (!(D > kLeast && D < kMost && reach2 > kLeast && reach2 < kMost))
+    return alarm == std::numeric_limits<double>::infinity() ? Filtered::hit : Filtered::undecided;
   if (D < reach2 * (1 - kGap)) return Filtered::hit;
   if (D > reach2 * (1 + kGap)) return Filtered::miss;
   return Filtered::undecided;
@@ -87,8 +89,9 @@ double exact_value(const ExactPair& pair) {
 /// A hit's contact: each number from the fast stage where its rounding is certain there, else from exact arithmetic.
 class Rounding {
  public:
-  Rounding(const Ball& a, const Ball& b, Distances distances)
-      : balls_{&a, &b}, distances_(distances), fast_(kernel::DoubleDoublePair::of(a, b, distances)) {}
+  /// No number depends on the alarm distance.
+  Rounding(const Ball& a, const Ball& b, double contact)
+      : balls_{&a, &b}, distances_{0, contact}, fast_(kernel::DoubleDoublePair::of(a, b, distances_)) {}
 
   [[nodiscard]] Contact contact(ContactPoints points) {
     Contact contact{};
@@ -152,7 +155,7 @@ bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm) {
 
 std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances, ContactPoints points) {
   if (!test_sphere_sphere(a, b, distances.alarm)) return std::nullopt;
-  return Rounding(a, b, distances).contact(points);
+  return Rounding(a, b, distances.contact).contact(points);
 }
 
 }  // namespace contact

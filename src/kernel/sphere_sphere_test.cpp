@@ -139,6 +139,20 @@ TEST(SphereSphere, a_reach_that_overflows_a_double_is_right) {
              kLargest);
 }
 
+TEST(SphereSphere, an_infinite_alarm_distance_is_no_limit) {
+  // the diagonal of a cube of side 2 M, 3.46 M, is beyond every finite alarm; n = (1,1,1) / sqrt(3), value infinite
+  const double third_root = 0.577350269189625764509148780501957456;
+  const Vector3 corner(kLargest, kLargest, kLargest);
+  expect_hit(true, {-corner, 0}, {corner, 0}, kInfinity);
+  expect_contact(compute_sphere_sphere({-corner, 0}, {corner, 0}, {kInfinity, 0}), {third_root, third_root, third_root},
+                 -corner, corner, kInfinity);
+  // distance 5; in units of 2^-1074, too, and less 7 of them
+  expect_contact(compute_sphere_sphere(ball(0, 0, 0, 0), ball(3, 0, 4, 0), {kInfinity, 1}), {0.6, 0, 0.8}, {0, 0, 0},
+                 {3, 0, 4}, 4);
+  expect_contact(compute_sphere_sphere(ball(0, 0, 0, 0), ball(3 * kLeast, 0, 4 * kLeast, 0), {kInfinity, 7 * kLeast}),
+                 {0.6, 0, 0.8}, {0, 0, 0}, {3 * kLeast, 0, 4 * kLeast}, -2 * kLeast);
+}
+
 TEST(SphereSphere, a_result_beyond_the_largest_finite_number_is_infinite) {
   // point1 = 2^1023 + M; distance M - 2^1023, so value = M - 2^1023 - M = -2^1023
   expect_contact(compute_sphere_sphere(ball(0x1p1023, 0, 0, kLargest), ball(kLargest, 0, 0, 0), {0, 0}), {1, 0, 0},
