@@ -52,6 +52,7 @@ int run(int argc, char** argv) {
   add_regenerate(app, exit);
   add_annotate(app, exit);
   add_serve(app, exit);
+  add_properties(app, exit);
   add_lint(app, exit);
   add_detect(app, exit);
   add_lists(app, exit);
