@@ -32,7 +32,8 @@ Outcome same(const Case& c, std::size_t i, std::size_t j, std::string_view how) 
   const std::string x = golden::claim_text(c.claims[i]);
   const std::string y = golden::claim_text(c.claims[j]);
   if (x == y) return {};
-  return Outcome::violated(fmt::format("the same question got two answers, {}: {{{}}} and {{{}}}", how, x.substr(1), y.substr(1)));
+  return Outcome::violated(
+      fmt::format("the same question got two answers, {}: {{{}}} and {{{}}}", how, x.substr(1), y.substr(1)));
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace {
 
 /// | sqrt(D) - reach | within four times the value's bound: an engine may decide by squares, and square its reach.
 bool spheres_undecided(const Case& c, const oracle::SphereTruth& truth, bool alarm_counts, const Query& query) {
-  const Rational reach = alarm_counts ? truth.reach()
-                                      : Rational(query.balls()->a.radius) + Rational(query.balls()->b.radius);
+  const Rational reach =
+      alarm_counts ? truth.reach() : Rational(query.balls()->a.radius) + Rational(query.balls()->b.radius);
   const Rational unit = oracle::ulp(oracle::Exact(reach), c.subject.info.declared.scalar);
   const oracle::Exact distance(Rational(0), Rational(1), truth.distance2());
   return oracle::is_within(reach, distance, Rational(4 * c.subject.bound(Field::value)) * unit);

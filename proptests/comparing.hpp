@@ -13,18 +13,20 @@ using oracle::Field;
 using oracle::Rational;
 
 /// Whether the engine's rounding may decide question i either way: it is not held to correct rounding, and the exact
-/// margin is within four times its bound for a value. `decision` asks for these all the same; the laws that compare leave them out.
+/// margin is within four times its bound for a value. `decision` asks for these all the same; the laws that compare
+/// leave them out.
 [[nodiscard]] bool undecided(const Case& c, std::size_t i);
 
-/// What differs between the two decisions of questions i and j, which must be the same; nothing where either is undecided.
+/// What differs between the two decisions of questions i and j, which must be the same; nothing where either is
+/// undecided.
 [[nodiscard]] std::optional<std::string> different_decisions(const Case& c, std::size_t i, std::size_t j);
 
 /// The first number of question j's contact that is not what question i's contact, carried over, makes it. Bit for bit
 /// where held to correct rounding, else within twice the bound at the larger scale. `exponent` says that lengths were
 /// multiplied by 2^exponent, which leaves out numbers that are subnormal before or after.
 [[nodiscard]] std::optional<std::string> different_numbers(const Case& c, std::size_t i, std::size_t j,
-                                                           const ContactClaim& wanted, std::initializer_list<Field> fields,
-                                                           int exponent = 0);
+                                                           const ContactClaim& wanted,
+                                                           std::initializer_list<Field> fields, int exponent = 0);
 
 /// Whether question i's truth is degenerate: the centres coincide.
 [[nodiscard]] bool coincident(const Case& c, std::size_t i);

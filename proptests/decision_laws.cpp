@@ -109,7 +109,8 @@ Outcome check_decisions(const Case& c) {
   for (std::size_t i = 0; i < c.queries.size(); ++i) {
     const auto verdict = oracle::judge(c.queries[i], c.truth(i), c.claims[i], c.subject.info.declared);
     const auto wrong = [&](oracle::Decision decision, std::string_view what) -> std::optional<std::string> {
-      if (decision == oracle::Decision::missed_hit) return fmt::format("question {} is a hit, and got no {}", i + 1, what);
+      if (decision == oracle::Decision::missed_hit)
+        return fmt::format("question {} is a hit, and got no {}", i + 1, what);
       if (decision == oracle::Decision::false_hit) return fmt::format("question {} is none, and got {}", i + 1, what);
       return std::nullopt;
     };
@@ -128,7 +129,8 @@ Outcome check_test_agrees(const Case& c) {
   const Conventions& declared = c.subject.info.declared.conventions;
   const Claim& claim = c.claims[0];
   if (!claim.overlap || !claim.speaks_of_contact || undecided(c, 0)) return Outcome::vacuous();
-  if (declared.touching_overlap != declared.touching_contact && c.truth(0).at_zero == CGAL::ZERO) return Outcome::vacuous();
+  if (declared.touching_overlap != declared.touching_contact && c.truth(0).at_zero == CGAL::ZERO)
+    return Outcome::vacuous();
   if (declared.coincident == Coincident::no_contact && coincident(c, 0)) return Outcome::vacuous();
   if (*claim.overlap == claim.contact.has_value()) return {};
   return Outcome::violated(*claim.overlap ? "an overlap without a contact" : "a contact without an overlap");

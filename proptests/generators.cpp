@@ -109,21 +109,21 @@ struct Apart {
 };
 rc::Gen<Apart> apart(const Range& range, int highest) {
   const int most = std::max(range.bottom, std::min(range.top, highest) - 5);
-  return rc::gen::map(rc::gen::tuple(rc::gen::elementOf(kQuadruples),
-                                     rc::gen::container<std::vector<int>>(7, integer(-9, 9)),
-                                     integer(range.bottom, most)),
-                      [](const std::tuple<Quadruple, std::vector<int>, int>& parts) {
-                        const auto& [quadruple, k, exponent] = parts;
-                        const double unit = std::ldexp(1.0, exponent);
-                        Apart made{{{k[0] * unit, k[1] * unit, k[2] * unit}, 0}, {}, quadruple[3], k, unit};
-                        made.b = made.a;
-                        for (int axis = 0; axis < 3; ++axis) {
-                          const auto i = static_cast<std::size_t>(axis);
-                          const int step = quadruple[(i + static_cast<std::size_t>(k[3] + 9)) % 3];
-                          made.b.center[axis] = (k[i] + (k[4 + i % 2] % 2 == 0 ? step : -step)) * unit;
-                        }
-                        return made;
-                      });
+  return rc::gen::map(
+      rc::gen::tuple(rc::gen::elementOf(kQuadruples), rc::gen::container<std::vector<int>>(7, integer(-9, 9)),
+                     integer(range.bottom, most)),
+      [](const std::tuple<Quadruple, std::vector<int>, int>& parts) {
+        const auto& [quadruple, k, exponent] = parts;
+        const double unit = std::ldexp(1.0, exponent);
+        Apart made{{{k[0] * unit, k[1] * unit, k[2] * unit}, 0}, {}, quadruple[3], k, unit};
+        made.b = made.a;
+        for (int axis = 0; axis < 3; ++axis) {
+          const auto i = static_cast<std::size_t>(axis);
+          const int step = quadruple[(i + static_cast<std::size_t>(k[3] + 9)) % 3];
+          made.b.center[axis] = (k[i] + (k[4 + i % 2] % 2 == 0 ? step : -step)) * unit;
+        }
+        return made;
+      });
 }
 
 }  // namespace
@@ -176,7 +176,8 @@ rc::Gen<int> integer(int least, int most) { return full_size(rc::gen::inRange(le
 
 rc::Gen<double> any_bits(const Range& range) {
   return from_bits(range, [](const Range& r, std::uint64_t word) {
-    const int exponent = r.bottom + static_cast<int>((word & 0xffff) % static_cast<std::uint64_t>(r.top - r.bottom + 1));
+    const int exponent =
+        r.bottom + static_cast<int>((word & 0xffff) % static_cast<std::uint64_t>(r.top - r.bottom + 1));
     return std::ldexp(significand(r, word), exponent);
   });
 }
@@ -193,8 +194,9 @@ rc::Gen<double> extreme(const Range& range) {
   const Format format = format_of(range.scalar);
   const int lowest = format.min_exponent - format.precision + 1;
   std::vector<double> ends{0};
-  for (const int exponent : {0, lowest, format.min_exponent, lowest / 2, lowest * 450 / 1074, format.max_exponent / 2 - 11,
-                             format.max_exponent / 2, format.max_exponent, range.bottom, range.top})
+  for (const int exponent :
+       {0, lowest, format.min_exponent, lowest / 2, lowest * 450 / 1074, format.max_exponent / 2 - 11,
+        format.max_exponent / 2, format.max_exponent, range.bottom, range.top})
     if (range.contains(std::ldexp(1.0, exponent))) ends.push_back(std::ldexp(1.0, exponent));
   ends.push_back(range.rounded(range.most));
   return rc::gen::map(rc::gen::tuple(rc::gen::elementOf(ends), integer(-1, 1), integer(0, 1)),
@@ -224,11 +226,10 @@ rc::Gen<double> small_dyadic(const Range& range) {
 }
 
 rc::Gen<double> beside_dyadic(const Range& range) {
-  return rc::gen::map(rc::gen::pair(small_dyadic(range), integer(-2, 2)),
-                      [range](const std::pair<double, int>& parts) {
-                        const double x = range.moved(parts.first, parts.second);
-                        return range.contains(x) ? x : parts.first;
-                      });
+  return rc::gen::map(rc::gen::pair(small_dyadic(range), integer(-2, 2)), [range](const std::pair<double, int>& parts) {
+    const double x = range.moved(parts.first, parts.second);
+    return range.contains(x) ? x : parts.first;
+  });
 }
 
 rc::Gen<double> ordinary(const Range& range) {
@@ -265,18 +266,19 @@ rc::Gen<Query> spheres_near_touching(const Range& range, rc::Gen<double> number)
 }
 
 rc::Gen<Query> spheres_on_a_quadruple(const Range& range) {
-  return rc::gen::map(rc::gen::tuple(apart(range, format_of(range.scalar).max_exponent), integer(-2, 1), integer(0, 2)),
-                      [range](const std::tuple<Apart, int, int>& parts) {
-                        auto [made, ulps, lengths] = parts;
-                        auto& [a, b, distance, k, unit] = made;
-                        // The distance is shared out to both radii, or to one radius and the alarm; the last part
-                        // moves by ulps.
-                        const int first = std::abs(k[6]) % (distance + 1);
-                        const double last = std::max(0.0, range.moved((distance - first) * unit, ulps));
-                        a.radius = lengths == 2 ? 0 : first * unit;
-                        b.radius = lengths == 1 ? 0 : lengths == 2 ? first * unit : last;
-                        return Query{Pair::sphere_sphere, Balls{a, b}, {lengths == 0 ? 0 : last, std::abs(k[5]) * unit}};
-                      });
+  return rc::gen::map(
+      rc::gen::tuple(apart(range, format_of(range.scalar).max_exponent), integer(-2, 1), integer(0, 2)),
+      [range](const std::tuple<Apart, int, int>& parts) {
+        auto [made, ulps, lengths] = parts;
+        auto& [a, b, distance, k, unit] = made;
+        // The distance is shared out to both radii, or to one radius and the alarm; the last part
+        // moves by ulps.
+        const int first = std::abs(k[6]) % (distance + 1);
+        const double last = std::max(0.0, range.moved((distance - first) * unit, ulps));
+        a.radius = lengths == 2 ? 0 : first * unit;
+        b.radius = lengths == 1 ? 0 : lengths == 2 ? first * unit : last;
+        return Query{Pair::sphere_sphere, Balls{a, b}, {lengths == 0 ? 0 : last, std::abs(k[5]) * unit}};
+      });
 }
 
 rc::Gen<Query> spheres_coincident(const Range& range, rc::Gen<double> number, bool exactly) {
@@ -324,27 +326,28 @@ rc::Gen<Query> boxes_touching(const Range& range, bool by_alarm) {
   const int digits = range.scalar == Scalar::binary32 ? 18 : 48;
   const int most = std::max(range.bottom, std::min(range.top, format_of(range.scalar).max_exponent) - digits - 4);
   const auto whole = full_size(rc::gen::inRange<std::int64_t>(-(std::int64_t{1} << digits), std::int64_t{1} << digits));
-  return rc::gen::map(
-      rc::gen::tuple(rc::gen::container<std::vector<std::int64_t>>(8, whole), integer(range.bottom, most), integer(0, 2),
-                     integer(0, 1)),
-      [by_alarm](const std::tuple<std::vector<std::int64_t>, int, int, int>& parts) {
-        const auto& [k, exponent, axis, below] = parts;
-        const auto at = [e = exponent](std::int64_t n) { return std::ldexp(static_cast<double>(n), e); };
-        const Vector3 p(at(k[0]), at(k[1]), at(k[2]));
-        const Vector3 q(at(k[3]), at(k[4]), at(k[5]));
-        const Box a{p.cwiseMin(q), p.cwiseMax(q)};
-        Box b = a;
-        const double alarm = by_alarm ? at(std::abs(k[6])) : 0;
-        const double width = at(std::abs(k[7]));
-        if (below == 0) {
-          b.min[axis] = a.max[axis] + alarm;
-          b.max[axis] = b.min[axis] + width;
-        } else {
-          b.max[axis] = a.min[axis] - alarm;
-          b.min[axis] = b.max[axis] - width;
-        }
-        return Query{Pair::cube_cube, Boxes{a, b}, {alarm, 0}};
-      });
+  return rc::gen::map(rc::gen::tuple(rc::gen::container<std::vector<std::int64_t>>(8, whole),
+                                     integer(range.bottom, most), integer(0, 2), integer(0, 1)),
+                      [by_alarm](const std::tuple<std::vector<std::int64_t>, int, int, int>& parts) {
+                        const auto& [k, exponent, axis, below] = parts;
+                        const auto at = [e = exponent](std::int64_t n) {
+                          return std::ldexp(static_cast<double>(n), e);
+                        };
+                        const Vector3 p(at(k[0]), at(k[1]), at(k[2]));
+                        const Vector3 q(at(k[3]), at(k[4]), at(k[5]));
+                        const Box a{p.cwiseMin(q), p.cwiseMax(q)};
+                        Box b = a;
+                        const double alarm = by_alarm ? at(std::abs(k[6])) : 0;
+                        const double width = at(std::abs(k[7]));
+                        if (below == 0) {
+                          b.min[axis] = a.max[axis] + alarm;
+                          b.max[axis] = b.min[axis] + width;
+                        } else {
+                          b.max[axis] = a.min[axis] - alarm;
+                          b.min[axis] = b.max[axis] - width;
+                        }
+                        return Query{Pair::cube_cube, Boxes{a, b}, {alarm, 0}};
+                      });
 }
 
 rc::Gen<Query> box_queries(const Range& range) {

@@ -30,8 +30,13 @@ struct Subject {
 class Case {
  public:
   using TruthOf = std::function<oracle::Truth(const Query&)>;
-  Case(const Subject& engine, const Trial& tried, std::vector<Query> asked, std::vector<Claim> said, const TruthOf& truth)
-      : subject(engine), trial(tried), queries(std::move(asked)), claims(std::move(said)), truth_of_(truth),
+  Case(const Subject& engine, const Trial& tried, std::vector<Query> asked, std::vector<Claim> said,
+       const TruthOf& truth)
+      : subject(engine),
+        trial(tried),
+        queries(std::move(asked)),
+        claims(std::move(said)),
+        truth_of_(truth),
         truths_(queries.size()) {}
 
   /// What is true of question i. Domain: the question is inside the domain.
@@ -39,7 +44,9 @@ class Case {
     if (!truths_[i]) truths_[i] = truth_of_(queries[i]);
     return *truths_[i];
   }
-  [[nodiscard]] const ContactClaim* contact(std::size_t i) const { return claims[i].contact ? &*claims[i].contact : nullptr; }
+  [[nodiscard]] const ContactClaim* contact(std::size_t i) const {
+    return claims[i].contact ? &*claims[i].contact : nullptr;
+  }
 
   const Subject& subject;
   const Trial& trial;
@@ -66,7 +73,7 @@ inline constexpr std::array<std::string_view, 2> kExactnessNames{"bit for bit", 
 
 /// How an engine is asked.
 enum class Asking {
-  together,         ///< all questions in one batch; an answer that is none makes the trial vacuous
+  together,                 ///< all questions in one batch; an answer that is none makes the trial vacuous
   together_and_one_by_one,  ///< in one batch and then alone, from the last to the first: twice as many claims
   whatever_comes            ///< in one batch; the law judges crashes, errors and refusals itself
 };

@@ -18,7 +18,8 @@ Info conventions(const Subject& s) { return s.info.declared.conventions; }
 // Why a law is not asked of an engine.
 Reason never(const Subject&) { return std::nullopt; }
 Reason without_margin(const Subject& s) {
-  if (conventions(s).margin == Margin::none) return "the engine declares margin none: it does not look at the alarm distance";
+  if (conventions(s).margin == Margin::none)
+    return "the engine declares margin none: it does not look at the alarm distance";
   return std::nullopt;
 }
 Reason without_value(const Subject& s) {
@@ -103,8 +104,9 @@ constexpr std::array kLaws{
         Asking::whatever_comes, never, queries, itself, check_answers},
     Law{"survives_bad_input", "A question outside the domain neither crashes nor hangs the engine.",
         "NaN, infinities, negative lengths, inverted boxes: not crash, timeout or missing",
-        "a simulation that has gone wrong sends such numbers, and what follows must be an error that can be seen", kBits,
-        kSpheres, kCubes, kNo, Asking::whatever_comes, never, bad_queries, itself_if_bad, check_survives_bad_input},
+        "a simulation that has gone wrong sends such numbers, and what follows must be an error that can be seen",
+        kBits, kSpheres, kCubes, kNo, Asking::whatever_comes, never, bad_queries, itself_if_bad,
+        check_survives_bad_input},
     Law{"refuses_bad_input", "A question outside the domain is refused.", "rejected or error",
         "an answer to NaN is believed; asked only when named, as `certify` asks the family `invalid`", kBits, kSpheres,
         kCubes, true, Asking::whatever_comes, never, bad_queries, itself_if_bad, check_refuses_bad_input},
@@ -115,8 +117,8 @@ constexpr std::array kLaws{
         "answer([q1, q2, ...]) = [answer(q1), answer(q2), ...]",
         "vector code and its remainder loop, threads and caches answer alike or nobody can tell which is right", kBits,
         kSpheres, kCubes, kNo, Asking::together_and_one_by_one, never, queries, with_others, check_batch},
-    Law{"coincident", "Coincident centres give a finite answer with a normal as declared.",
-        "D = 0: abs(n.n - 1) <= 8u, or n = 0, or no contact; every other number finite",
+    Law{"coincident", "Coincident centres give an answer without NaN, its normal as declared.",
+        "D = 0: abs(n.n - 1) <= 8u, or n = 0, or no contact; no number is NaN",
         "0/0 is the best known mistake of all: SOFA answers NaN", kReals, kSpheres, kNo, kNo, kTogether, never,
         coincident_spheres, itself_if_coincident, check_coincident},
     Law{"finite", "Where the truth is finite, so is the answer.", "D > 0: no NaN, and no infinity but a rounded one",
@@ -124,84 +126,87 @@ constexpr std::array kLaws{
         itself, check_finite},
     Law{"each_axis", "Two boxes overlap where they overlap on each axis alone.",
         "hit(a, b) = hit_x and hit_y and hit_z; left out within the bound unless held to correct rounding",
-        "an axis forgotten or compared with another is seen at once", kBits, kNo, kCubes, kNo, kTogether, never, queries,
-        each_axis_alone, check_each_axis},
+        "an axis forgotten or compared with another is seen at once", kBits, kNo, kCubes, kNo, kTogether, never,
+        queries, each_axis_alone, check_each_axis},
     Law{"nested", "A box strictly inside another overlaps it, flat or not.", "a.min < b.min <= b.max < a.max: hit",
         "tests by corners or faces miss a box that is wholly inside", kReals, kNo, kCubes, kNo, kTogether, never,
         nested_boxes, one_inside_the_other, check_decisions},
     Law{"swap", "Swapped shapes have the same hit and value, the normal turned round and the points exchanged.",
         "hit, value same; n' = -n; point1' = point2, point2' = point1; coincident normals and points left out; numbers "
         "within twice the bound, hits left out within the bound, unless held to correct rounding",
-        "which model comes first is an accident of bookkeeping", kBits, kSpheres, kCubes, kNo, kTogether, never, queries,
-        swapped, check_swapped},
+        "which model comes first is an accident of bookkeeping", kBits, kSpheres, kCubes, kNo, kTogether, never,
+        queries, swapped, check_swapped},
     Law{"turn", "Axes permuted and reflected permute and reflect the answer.",
         "answer(P q) = P answer(q), P a signed permutation; allowances as for `swap`",
-        "no direction in space is special; catches a component mistyped", kBits, kSpheres, kCubes, kNo, kTogether, never,
-        queries, turned, check_turned},
+        "no direction in space is special; catches a component mistyped", kBits, kSpheres, kCubes, kNo, kTogether,
+        never, queries, turned, check_turned},
     Law{"unit_normal", "The normal has unit length.",
         "abs(n.n - 1) <= 4 bound ulp(1), the bound 1 where held to correct rounding",
-        "a normal of another length scales every force", kReals, kSpheres, kNo, kNo, kTogether, without_unit_normal, queries,
-        itself, check_unit_normal},
+        "a normal of another length scales every force", kReals, kSpheres, kNo, kNo, kTogether, without_unit_normal,
+        queries, itself, check_unit_normal},
     Law{"scale", "A power of two scales points and value and changes nothing else.",
         "answer(2^k q) = 2^k answer(q), the normal same; subnormal numbers left out; allowances as for `swap`",
         "a metre is no better than a millimetre: catches absolute tolerances and lengths compared with squares", kBits,
         kSpheres, kCubes, kNo, kTogether, never, queries, scaled, check_scaled},
     Law{"translate", "An exact translation leaves hit, value and normal, and moves the points along.",
         "q + t exact in the scalar; points within the bounds as reals; allowances as for `swap`",
-        "the origin is an accident: catches expanded squares such as c1.c1 - 2 c1.c2 + c2.c2", kBits, kSpheres, kCubes, kNo,
-        kTogether, never, queries, translated, check_translated},
+        "the origin is an accident: catches expanded squares such as c1.c1 - 2 c1.c2 + c2.c2", kBits, kSpheres, kCubes,
+        kNo, kTogether, never, queries, translated, check_translated},
     Law{"touching", "Shapes that touch exactly are a hit, or as declared; just beyond they are none.",
-        "integers times 2^k, where plain arithmetic is exact: sqrt(D) = r1 + r2 as declared, one step less is a miss; boxes "
+        "integers times 2^k, where plain arithmetic is exact: sqrt(D) = r1 + r2 as declared, one step less is a miss; "
+        "boxes "
         "one ulp apart are a miss",
-        "< for <= cannot be excused by rounding", kReals, kSpheres, kCubes, kNo, kTogether, never, touching_shapes<false>,
-        touching, check_touching},
+        "< for <= cannot be excused by rounding", kReals, kSpheres, kCubes, kNo, kTogether, never,
+        touching_shapes<false>, touching, check_touching},
     Law{"alarm_edge", "Shapes exactly at the alarm distance are a hit, or as declared; just beyond they are none.",
         "as `touching`, with sqrt(D) = alarm + r1 + r2 and alarm > 0",
         "the alarm distance counts once, and its edge belongs to it", kReals, kSpheres, kCubes, kNo, kTogether,
         without_margin, touching_shapes<true>, at_the_alarm_distance, check_touching},
     Law{"test_agrees", "There is a contact exactly where there is an overlap.",
         "overlap = contact exists, as declared; left out within the bound unless held to correct rounding",
-        "testIntersection and computeIntersection are two functions, and callers trust that they agree", kBits, kSpheres,
-        kNo, kNo, kTogether, never, queries, itself, check_test_agrees},
+        "testIntersection and computeIntersection are two functions, and callers trust that they agree", kBits,
+        kSpheres, kNo, kNo, kTogether, never, queries, itself, check_test_agrees},
     Law{"alarm_growth", "A hit stays a hit when the alarm distance grows.",
         "alarm <= alarm': hit(q) implies hit(q'); left out within the bound unless held to correct rounding",
-        "a larger alarm distance asks for more, never for less", kReals, kSpheres, kCubes, kNo, kTogether, without_margin,
-        queries, alarm_grown, check_grown},
+        "a larger alarm distance asks for more, never for less", kReals, kSpheres, kCubes, kNo, kTogether,
+        without_margin, queries, alarm_grown, check_grown},
     Law{"size_growth", "A hit stays a hit when a radius or a box grows.",
         "a' contains a: hit(a, b) implies hit(a', b); allowance as for `alarm_growth`", "more matter touches no less",
         kReals, kSpheres, kCubes, kNo, kTogether, never, queries, size_grown, check_grown},
-    Law{"alarm_changes_no_number", "The alarm distance decides whether there is a contact, and changes no number of it.",
+    Law{"alarm_changes_no_number",
+        "The alarm distance decides whether there is a contact, and changes no number of it.",
         "alarm to alarm', both hits: same contact; within twice the bound unless held to correct rounding",
-        "the alarm distance is a threshold, not part of the geometry", kBits, kSpheres, kNo, kNo, kTogether, without_margin,
-        queries, other_alarm, check_other_alarm},
+        "the alarm distance is a threshold, not part of the geometry", kBits, kSpheres, kNo, kNo, kTogether,
+        without_margin, queries, other_alarm, check_other_alarm},
     Law{"value_grows_with_distance", "The value never falls when the centres move apart.",
         "D <= D': value <= value', to the bounds of both unless held to correct rounding",
-        "penetration is negative: catches a value without its sign", kReals, kSpheres, kNo, kNo, kTogether, without_value,
-        queries, farther, check_farther},
+        "penetration is negative: catches a value without its sign", kReals, kSpheres, kNo, kNo, kTogether,
+        without_value, queries, farther, check_farther},
     Law{"contact_distance", "The contact distance changes the value alone, by as much as it changes.",
         "value' - value = contact - contact' (0 where declared so) to the bounds of both; hit, normal and points same",
-        "counted twice or not at all it moves every rest position", kReals, kSpheres, kNo, kNo, kTogether, never, queries,
-        other_contact, check_other_contact},
+        "counted twice or not at all it moves every rest position", kReals, kSpheres, kNo, kNo, kTogether, never,
+        queries, other_contact, check_other_contact},
     Law{"sphere_kinds", "A Sphere and a RigidSphere with the same centre and radius have the same contacts.",
         "the three sphere pairs: same hit, value, normal and, but for `center`, points; allowances as for `swap`",
         "three intersectors with one formula are three chances to mistype it", kBits, kSpheres, kNo, kNo, kTogether,
         without_several_sphere_kinds, queries, other_sphere_kinds, check_sphere_kinds},
     Law{"direction", "The normal points from the first centre to the second, or as declared.", "n . delta > 0",
-        "a normal that points back pulls together what it should push apart", kReals, kSpheres, kNo, kNo, kTogether, never,
-        queries, itself, check_direction},
+        "a normal that points back pulls together what it should push apart", kReals, kSpheres, kNo, kNo, kTogether,
+        never, queries, itself, check_direction},
     Law{"own_surface", "Each contact point lies on its own sphere, or at its centre as declared.",
-        "abs(abs(point_i - c_i) - r_i) <= 2 bound ulp(scale)", "exchanged points give torques about the wrong body", kReals,
-        kSpheres, kNo, kNo, kTogether, without_surface_points, queries, itself, check_own_surface},
+        "abs(abs(point_i - c_i) - r_i) <= 2 bound ulp(scale)", "exchanged points give torques about the wrong body",
+        kReals, kSpheres, kNo, kNo, kTogether, without_surface_points, queries, itself, check_own_surface},
     Law{"near_side", "Each contact point lies on the side of its sphere that faces the other, or as declared.",
         "(point1 - c1) . delta > 0, (point2 - c2) . delta < 0",
         "the published formula has a sign lost: its points lie on the far sides", kReals, kSpheres, kNo, kNo, kTogether,
         without_surface_points, queries, itself, check_near_side},
     Law{"span", "From one point to the other is the value, less nothing, along the normal.",
         "point2 - point1 = (value + contact) n to the bounds of all four; radii added where points are not the nearest",
-        "normal, points and value are one geometry told four times", kReals, kSpheres, kNo, kNo, kTogether, without_span,
-        queries, itself, check_span},
+        "normal, points and value are one geometry told four times", kReals, kSpheres, kNo, kNo, kTogether,
+        without_span, queries, itself, check_span},
     Law{"decision", "Every hit and every miss is the exact decision.",
-        "overlap and contact exist iff sqrt(D) <= alarm + r1 + r2, or as declared, decided exactly; every level asks it",
+        "overlap and contact exist iff sqrt(D) <= alarm + r1 + r2, or as declared, decided exactly; every level asks "
+        "it",
         "near touching a rounded comparison is a coin toss that two engines toss differently", kReals, kSpheres, kCubes,
         kNo, kTogether, never, queries, itself, check_decisions},
     Law{"correctly_rounded", "Every number is the exact real rounded once.",
@@ -210,14 +215,15 @@ constexpr std::array kLaws{
         without_correct_rounding, queries, itself, check_correctly_rounded},
     Law{"bounds", "Every number is within the engine's declared bounds.",
         "abs(claim - exact) <= bound ulp(scale); docs/specification.md#scales-and-ulps",
-        "what an engine declares is what its users count on", kReals, kSpheres, kNo, kNo, kTogether, with_correct_rounding,
-        queries, itself, check_bounds},
+        "what an engine declares is what its users count on", kReals, kSpheres, kNo, kNo, kTogether,
+        with_correct_rounding, queries, itself, check_bounds},
 };
 
 }  // namespace
 
 Subject::Subject(golden::EngineInfo engine, bool held_to_correct_rounding)
-    : info(std::move(engine)), correctly_rounded(held_to_correct_rounding),
+    : info(std::move(engine)),
+      correctly_rounded(held_to_correct_rounding),
       range(info.declared.scalar, info.declared.conventions.scale_min, info.declared.conventions.scale_max) {}
 
 double Subject::bound(oracle::Field field) const {
@@ -240,11 +246,12 @@ const Law* find_law(std::string_view name) {
 std::string law_table() {
   std::string text = "| law | pairs | what holds | formula | why it matters | |\n|---|---|---|---|---|---|\n";
   for (const Law& law : kLaws)
-    text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", law.name,
-                        !law.of_cubes  ? "spheres"
-                        : !law.of_spheres ? "cubes"
-                                          : "all",
-                        law.sentence, law.formula, law.reason, kExactnessNames[static_cast<std::size_t>(law.exactness)]);
+    text +=
+        fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", law.name,
+                    !law.of_cubes     ? "spheres"
+                    : !law.of_spheres ? "cubes"
+                                      : "all",
+                    law.sentence, law.formula, law.reason, kExactnessNames[static_cast<std::size_t>(law.exactness)]);
   return text;
 }
 

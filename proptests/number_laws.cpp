@@ -1,4 +1,5 @@
-// The numbers of a contact of two spheres: finite, unit, in the right place, and changed by nothing but what changes them.
+// The numbers of a contact of two spheres: finite, unit, in the right place, and changed by nothing but what changes
+// them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,16 +17,16 @@ using Vector = std::array<Rational, 3>;
 Vector exact(const Vector3& v) { return {Rational(v[0]), Rational(v[1]), Rational(v[2])}; }
 Rational dot(const Vector& x, const Vector& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
 Vector minus(const Vector& x, const Vector& y) { return {x[0] - y[0], x[1] - y[1], x[2] - y[2]}; }
-Vector delta(const Query& query) {
-  return minus(exact(query.balls()->b.center), exact(query.balls()->a.center));
-}
+Vector delta(const Query& query) { return minus(exact(query.balls()->b.center), exact(query.balls()->a.center)); }
 
 oracle::Verdict judged(const Case& c, std::size_t i) {
   return oracle::judge(c.queries[i], c.truth(i), c.claims[i], c.subject.info.declared);
 }
 
 /// Whether question i has a contact with a direction, and the engine gave one.
-bool has_contact(const Case& c, std::size_t i) { return c.contact(i) != nullptr && c.truth(i).spheres && !coincident(c, i); }
+bool has_contact(const Case& c, std::size_t i) {
+  return c.contact(i) != nullptr && c.truth(i).spheres && !coincident(c, i);
+}
 
 const std::optional<Vector3>& point(const ContactClaim& claim, int sphere) {
   return sphere == 0 ? claim.point1 : claim.point2;
@@ -78,12 +79,13 @@ Outcome check_coincident(const Case& c) {
   if (c.contact(0) == nullptr) return Outcome::vacuous();
   const auto& normal = verdict.at(Field::normal);
   if (normal && normal->grade > Grade::bounded)
-    return Outcome::violated(
-        fmt::format("the normal is {}, which is not {}", text(*c.contact(0)->normal),
-                    c.subject.info.declared.conventions.coincident == Coincident::zero_normal ? "zero" : "a unit vector"));
-  for (const Field field : oracle::kFields)
-    if (const auto& f = verdict.at(field); f && f->grade == Grade::not_finite)
-      return Outcome::violated(fmt::format("{} is not finite", name(field)));
+    return Outcome::violated(fmt::format(
+        "the normal is {}, which is not {}", text(*c.contact(0)->normal),
+        c.subject.info.declared.conventions.coincident == Coincident::zero_normal ? "zero" : "a unit vector"));
+  const ContactClaim& claim = *c.contact(0);
+  for (const auto& point : {claim.point1, claim.point2, claim.point})
+    if (point && point->hasNaN()) return Outcome::violated("a point is " + text(*point));
+  if (claim.value && std::isnan(*claim.value)) return Outcome::violated("the value is NaN");
   return {};
 }
 
@@ -109,8 +111,9 @@ Outcome check_direction(const Case& c) {
   if (!has_contact(c, 0) || !finite(c.contact(0)->normal)) return Outcome::vacuous();
   const Vector3 n = first_to_second(c.subject.info.declared.conventions, *c.contact(0)->normal);
   if (CGAL::is_positive(dot(exact(n), delta(c.queries[0])))) return {};
-  return Outcome::violated(fmt::format("the normal {} does not point from the {}", text(*c.contact(0)->normal),
-                                       n == *c.contact(0)->normal ? "first centre to the second" : "second centre to the first"));
+  return Outcome::violated(
+      fmt::format("the normal {} does not point from the {}", text(*c.contact(0)->normal),
+                  n == *c.contact(0)->normal ? "first centre to the second" : "second centre to the first"));
 }
 
 Outcome check_own_surface(const Case& c) {
@@ -129,10 +132,10 @@ Outcome check_own_surface(const Case& c) {
     const Rational most = radius + error;
     const Rational length2 = dot(arm, arm);
     if (length2 < least * least || length2 > most * most)
-      return Outcome::violated(fmt::format("point{} {} is {} from its sphere's centre, whose {}", sphere + 1, text(*p),
-                                           text((*p - own.center).stableNorm()),
-                                           *on == PointOn::center ? std::string("centre it should be")
-                                                                  : "radius is " + text(own.radius)));
+      return Outcome::violated(
+          fmt::format("point{} {} is {} from its sphere's centre, whose {}", sphere + 1, text(*p),
+                      text((*p - own.center).stableNorm()),
+                      *on == PointOn::center ? std::string("centre it should be") : "radius is " + text(own.radius)));
   }
   return any ? Outcome{} : Outcome::vacuous();
 }
@@ -144,12 +147,14 @@ Outcome check_near_side(const Case& c) {
     const auto on = point_of(c.subject.info.declared.conventions, c.queries[0], sphere);
     const auto& p = point(*c.contact(0), sphere);
     const Ball& own = ball(c.queries[0], sphere);
-    if (!on || *on == PointOn::center || !finite(p) || Rational(own.radius) <= Rational(4) * point_error(c, sphere)) continue;
+    if (!on || *on == PointOn::center || !finite(p) || Rational(own.radius) <= Rational(4) * point_error(c, sphere))
+      continue;
     any = true;
     Rational along = dot(minus(exact(*p), exact(own.center)), delta(c.queries[0]));
     if ((sphere == 1) != (*on == PointOn::far_surface)) along = -along;
     if (!CGAL::is_positive(along))
-      return Outcome::violated(fmt::format("point{} {} lies on the side of its sphere that faces {}", sphere + 1, text(*p),
+      return Outcome::violated(fmt::format("point{} {} lies on the side of its sphere that faces {}", sphere + 1,
+                                           text(*p),
                                            *on == PointOn::far_surface ? "the other sphere" : "away from the other"));
   }
   return any ? Outcome{} : Outcome::vacuous();
@@ -174,15 +179,16 @@ Outcome check_span(const Case& c) {
   length += back(*on1, c.queries[0].balls()->a.radius) + back(*on2, c.queries[0].balls()->b.radius);
   const Vector n = exact(first_to_second(declared, *claim.normal));
   const Vector span = minus(exact(*claim.point2), exact(*claim.point1));
-  const Rational error = Rational(2) * (point_error(c, 0) + point_error(c, 1) +
-                                        Rational(c.subject.bound(Field::value)) * unit_of(c, 0, Field::value) +
-                                        Rational(c.subject.bound(Field::normal)) * unit_of(c, 0, Field::normal) *
-                                            CGAL::abs(length));
+  const Rational error =
+      Rational(2) *
+      (point_error(c, 0) + point_error(c, 1) + Rational(c.subject.bound(Field::value)) * unit_of(c, 0, Field::value) +
+       Rational(c.subject.bound(Field::normal)) * unit_of(c, 0, Field::normal) * CGAL::abs(length));
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (CGAL::abs(span[axis] - length * n[axis]) > error)
-      return Outcome::violated(fmt::format(
-          "point2 - point1 is {}, and the value along the normal says {}", text(*claim.point2 - *claim.point1),
-          text(Vector3(CGAL::to_double(length * n[0]), CGAL::to_double(length * n[1]), CGAL::to_double(length * n[2])))));
+      return Outcome::violated(fmt::format("point2 - point1 is {}, and the value along the normal says {}",
+                                           text(*claim.point2 - *claim.point1),
+                                           text(Vector3(CGAL::to_double(length * n[0]), CGAL::to_double(length * n[1]),
+                                                        CGAL::to_double(length * n[2])))));
   return {};
 }
 
@@ -197,8 +203,8 @@ Outcome check_farther(const Case& c) {
   if (low <= high) return {};
   if (!c.subject.correctly_rounded) {
     if (std::isinf(low) || std::isinf(high)) return Outcome::vacuous();
-    const Rational error = Rational(c.subject.bound(Field::value)) *
-                           (unit_of(c, 0, Field::value) + unit_of(c, 1, Field::value));
+    const Rational error =
+        Rational(c.subject.bound(Field::value)) * (unit_of(c, 0, Field::value) + unit_of(c, 1, Field::value));
     if (Rational(low) - Rational(high) <= error) return {};
   }
   return Outcome::violated(fmt::format("the value {} becomes {} by moving the centres apart", text(*near), text(*far)));
@@ -224,8 +230,8 @@ Outcome check_other_contact(const Case& c) {
   Rational change = Rational(c.queries[1].distances.contact) - Rational(c.queries[0].distances.contact);
   if (!declared.value_less_contact) change = Rational(0);
   if (declared.value == ValueKind::signed_distance) change = -change;
-  const Rational error = Rational(c.subject.bound(Field::value)) *
-                         (unit_of(c, 0, Field::value) + unit_of(c, 1, Field::value));
+  const Rational error =
+      Rational(c.subject.bound(Field::value)) * (unit_of(c, 0, Field::value) + unit_of(c, 1, Field::value));
   if (CGAL::abs(Rational(*after) - Rational(*before) - change) > error)
     return Outcome::violated(fmt::format("the value goes from {} to {}, and should by {}", text(*before), text(*after),
                                          text(CGAL::to_double(change))));

@@ -119,7 +119,8 @@ class Runner {
   Outcome test(const Law& law, const Trial& trial, Violation& violation, bool counts) {
     std::vector<Query> asked = law.questions(trial, subject_);
     const bool bad = law.questions == itself_if_bad;
-    if (asked.empty() || (!bad && !std::all_of(asked.begin(), asked.end(), [&](const Query& q) { return subject_.range.contains(q); })))
+    if (asked.empty() ||
+        (!bad && !std::all_of(asked.begin(), asked.end(), [&](const Query& q) { return subject_.range.contains(q); })))
       return Outcome::vacuous();
     std::vector<Claim> said = answers(asked);
     if (law.asking == Asking::together_and_one_by_one) {
@@ -133,7 +134,8 @@ class Runner {
     const Case c(subject_, trial, std::move(asked), std::move(said), options_.truth);
     Outcome outcome = law.check(c);
     if (counts && !bad && outcome.kind != Outcome::Kind::vacuous) count(c);
-    if (outcome.kind == Outcome::Kind::violated) violation = {trial, c.queries, c.claims, outcome.text, violation.tries};
+    if (outcome.kind == Outcome::Kind::violated)
+      violation = {trial, c.queries, c.claims, outcome.text, violation.tries};
     return outcome;
   }
 
@@ -172,12 +174,14 @@ class Runner {
       is_subnormal = is_subnormal || (x != 0 && std::abs(x) < normal);
       is_huge = is_huge || std::abs(x) > top;
     });
-    const auto add = [&](Class kind, bool holds) { result_.shares.counts[static_cast<std::size_t>(kind)] += holds ? 1 : 0; };
+    const auto add = [&](Class kind, bool holds) {
+      result_.shares.counts[static_cast<std::size_t>(kind)] += holds ? 1 : 0;
+    };
     ++result_.shares.questions;
     add(Class::hit, truth.hit());
     add(Class::exact_edge, truth.at_alarm == CGAL::ZERO);
-    add(Class::near_edge, truth.spheres && truth.at_alarm != CGAL::ZERO &&
-                              std::abs(oracle::witness(truth, scalar).margin_ulps) <= 4);
+    add(Class::near_edge,
+        truth.spheres && truth.at_alarm != CGAL::ZERO && std::abs(oracle::witness(truth, scalar).margin_ulps) <= 4);
     add(Class::coincident, truth.spheres && truth.spheres->degenerate());
     add(Class::subnormal, is_subnormal);
     add(Class::huge, is_huge);

@@ -59,7 +59,9 @@ struct Shares {
   std::array<std::uint64_t, kClassNames.size()> counts{};
 
   [[nodiscard]] double percent(Class c) const {
-    return questions == 0 ? 0 : 100.0 * static_cast<double>(counts[static_cast<std::size_t>(c)]) / static_cast<double>(questions);
+    return questions == 0
+               ? 0
+               : 100.0 * static_cast<double>(counts[static_cast<std::size_t>(c)]) / static_cast<double>(questions);
   }
 };
 

@@ -77,7 +77,8 @@ Outcome check_swapped(const Case& c) {
   if (c.contact(0) == nullptr) return compared(c, nullptr, {});
   ContactClaim wanted = *c.contact(0);
   // A sphere and a rigid sphere exchange their shapes, not their kinds: a centre stays with its kind.
-  const bool points = c.subject.info.declared.conventions.points != Points::center || c.queries[0].pair != Pair::sphere_rigid_sphere;
+  const bool points =
+      c.subject.info.declared.conventions.points != Points::center || c.queries[0].pair != Pair::sphere_rigid_sphere;
   if (wanted.normal) wanted.normal = Vector3(-*wanted.normal);
   if (points) {
     std::swap(wanted.point1, wanted.point2);
@@ -93,15 +94,13 @@ Questions turned(const Trial& trial, const Subject&) {
   Query other = trial.query;
   for_each_vector(other, [&](Vector3& v) { v = turned(trial.change, v); });
   if (auto* boxes = std::get_if<Boxes>(&other.shapes))
-    for (Box* box : {&boxes->a, &boxes->b})
-      *box = {box->min.cwiseMin(box->max), box->min.cwiseMax(box->max)};
+    for (Box* box : {&boxes->a, &boxes->b}) *box = {box->min.cwiseMin(box->max), box->min.cwiseMax(box->max)};
   return {trial.query, other};
 }
 
 Outcome check_turned(const Case& c) {
   if (c.contact(0) == nullptr) return compared(c, nullptr, {});
-  const ContactClaim wanted =
-      carried_over(*c.contact(0), [&](const Vector3& v) { return turned(c.trial.change, v); });
+  const ContactClaim wanted = carried_over(*c.contact(0), [&](const Vector3& v) { return turned(c.trial.change, v); });
   if (coincident(c, 0)) return compared(c, &wanted, {Field::value});
   return compared(c, &wanted, {Field::normal, Field::value, Field::point1, Field::point2, Field::point});
 }
@@ -139,8 +138,7 @@ Outcome check_translated(const Case& c) {
   const Vector3 to = c.queries[1].balls()->a.center;
   const auto check = [&](const std::optional<Vector3>& before, const std::optional<Vector3>& after, Field field) {
     if (!before || !after || !before->allFinite() || !after->allFinite()) return Outcome{};
-    const Rational error =
-        Rational(c.subject.bound(field)) * (unit_of(c, 0, field) + unit_of(c, 1, field));
+    const Rational error = Rational(c.subject.bound(field)) * (unit_of(c, 0, field) + unit_of(c, 1, field));
     for (int axis = 0; axis < 3; ++axis) {
       const Rational shift = Rational(to[axis]) - Rational(from[axis]);
       if (CGAL::abs(Rational((*after)[axis]) - Rational((*before)[axis]) - shift) > error)
@@ -212,9 +210,11 @@ Outcome check_sphere_kinds(const Case& c) {
     const bool centers = c.subject.info.declared.conventions.points == Points::center;
     if (auto why = different_numbers(c, 0, j, *c.contact(0), {Field::value})) return Outcome::violated(*why);
     if (coincident(c, 0)) continue;
-    if (auto why = different_numbers(c, 0, j, *c.contact(0), {Field::normal, Field::point})) return Outcome::violated(*why);
+    if (auto why = different_numbers(c, 0, j, *c.contact(0), {Field::normal, Field::point}))
+      return Outcome::violated(*why);
     if (centers) continue;
-    if (auto why = different_numbers(c, 0, j, *c.contact(0), {Field::point1, Field::point2})) return Outcome::violated(*why);
+    if (auto why = different_numbers(c, 0, j, *c.contact(0), {Field::point1, Field::point2}))
+      return Outcome::violated(*why);
   }
   return {};
 }

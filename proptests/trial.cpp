@@ -36,7 +36,8 @@ std::int64_t difficulty(double x) {
 std::int64_t difficulty(const Query& query) {
   std::int64_t sum = query.pair == Pair::sphere_sphere || query.pair == Pair::cube_cube ? 0 : 1;
   for_each_number(query, [&](const std::string&, double x) { sum += difficulty(x); });
-  if (const Balls* balls = query.balls(); balls != nullptr && balls->a.radius == balls->b.radius && balls->a.radius != 0)
+  if (const Balls* balls = query.balls();
+      balls != nullptr && balls->a.radius == balls->b.radius && balls->a.radius != 0)
     sum -= difficulty(balls->a.radius) / 2;  // the second of two equal radii is read at a glance
   return sum;
 }
@@ -129,7 +130,8 @@ class Easier {
       with_change([&](Change& c) { c.steps[i] = 1; });
       with_change([&](Change& c) { std::swap(c.order[i], c.order[(i + 1) % 3]); });
     }
-    for (const int exponent : {0, 1, trial_.change.exponent / 2, trial_.change.exponent - 1, trial_.change.exponent + 1})
+    for (const int exponent :
+         {0, 1, trial_.change.exponent / 2, trial_.change.exponent - 1, trial_.change.exponent + 1})
       with_change([&](Change& c) { c.exponent = exponent; });
     for (const double length : easier_numbers(trial_.change.length))
       if (length >= 0 && range_.contains(length)) with_change([&](Change& c) { c.length = length; });
@@ -162,7 +164,8 @@ class Easier {
     }
     // A common grid, and few digits at once.
     for (const int digits : {1, 2, 4, 8, 16, 24, 40})
-      with_numbers([&](double x) { return std::ldexp(std::nearbyint(std::ldexp(x, digits - largest)), largest - digits); });
+      with_numbers(
+          [&](double x) { return std::ldexp(std::nearbyint(std::ldexp(x, digits - largest)), largest - digits); });
     for (const int digits : {1, 2, 4, 8, 16, 32})
       with_numbers([&](double x) { return with_bits(x, digits, kRoundings[0]); });
   }
@@ -257,8 +260,8 @@ std::int64_t difficulty(const Trial& trial) {
 std::vector<Trial> easier(const Trial& trial, const Range& range) { return Easier(trial, range).all(); }
 
 rc::Shrinkable<Trial> shrinkable(const Trial& trial, const Range& range) {
-  return rc::shrinkable::shrinkRecur(
-      trial, [range](const Trial& t) { return rc::seq::fromContainer(easier(t, range)); });
+  return rc::shrinkable::shrinkRecur(trial,
+                                     [range](const Trial& t) { return rc::seq::fromContainer(easier(t, range)); });
 }
 
 rc::Gen<Change> changes(const Range& range) {

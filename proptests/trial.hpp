@@ -14,12 +14,12 @@ namespace contact::proptests {
 
 /// What a law does with a question. Each law uses what it needs and brings it within what the question allows.
 struct Change {
-  int exponent = 1;                        ///< a power of two
-  std::array<int, 3> order{0, 1, 2};       ///< the axes in another order
-  std::array<bool, 3> reflected{};         ///< and turned round
-  std::array<int, 3> steps{};              ///< a translation, in steps of the grid of the question's own numbers
-  double length = 1;                       ///< another alarm or contact distance, or how much something grows
-  int choice = 0;                          ///< which of a few
+  int exponent = 1;                   ///< a power of two
+  std::array<int, 3> order{0, 1, 2};  ///< the axes in another order
+  std::array<bool, 3> reflected{};    ///< and turned round
+  std::array<int, 3> steps{};         ///< a translation, in steps of the grid of the question's own numbers
+  double length = 1;                  ///< another alarm or contact distance, or how much something grows
+  int choice = 0;                     ///< which of a few
 };
 
 struct Trial {

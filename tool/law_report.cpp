@@ -66,8 +66,9 @@ std::string terminal_text(const LawRun& run) {
     return text + fmt::format("\n{}: {} of {} laws violated; the first names the mistake best: {}\n",
                               run.result.engine.name, violated, run.result.laws.size(),
                               run.result.first_violated()->law->name);
-  return text + fmt::format("\n{}: {}\n", run.result.engine.name,
-                            run.result.holds() ? "every law asked holds" : "nothing can be said: too few cases were tested");
+  return text +
+         fmt::format("\n{}: {}\n", run.result.engine.name,
+                     run.result.holds() ? "every law asked holds" : "nothing can be said: too few cases were tested");
 }
 
 std::string junit_text(const LawRun& run) {
@@ -122,12 +123,13 @@ std::string json_text(const LawRun& run) {
   }
   std::string shares;
   for (std::size_t i = 0; i < proptests::kClassNames.size(); ++i)
-    shares += fmt::format("{}{}:{}", i == 0 ? "" : ",", json_string(proptests::kClassNames[i]), run.result.shares.counts[i]);
+    shares +=
+        fmt::format("{}{}:{}", i == 0 ? "" : ",", json_string(proptests::kClassNames[i]), run.result.shares.counts[i]);
   return fmt::format(
       R"({{"format":"contact-oracle/properties","version":1,{},"seed":{},"cases":{},"holds":{},"laws":[{}],"questions":{},"classes":{{{}}}}})"
       "\n",
-      golden::engine_text(run.result.engine), run.seed, run.cases, run.result.holds(), laws, run.result.shares.questions,
-      shares);
+      golden::engine_text(run.result.engine), run.seed, run.cases, run.result.holds(), laws,
+      run.result.shares.questions, shares);
 }
 
 }  // namespace contact::tool

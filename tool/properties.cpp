@@ -63,8 +63,8 @@ std::optional<Regression> read_regression(const fs::path& path) {
   Regression found{reader.header(), {}};
   if (found.header.family != kRegression)
     throw golden::InputError({path.string(), 1}, "family",
-                             fmt::format("expected \"{}\", the family of saved counterexamples, got \"{}\"", kRegression,
-                                         found.header.family));
+                             fmt::format("expected \"{}\", the family of saved counterexamples, got \"{}\"",
+                                         kRegression, found.header.family));
   while (auto c = reader.next()) found.cases.push_back(std::move(*c));
   return found;
 }
@@ -131,7 +131,8 @@ int properties(const Options& o) {
     return kCertified;
   }
   if (!o.engine.results.empty())
-    throw golden::InputError({"properties", 0}, "--results", "laws ask questions of their own: give an engine that answers");
+    throw golden::InputError({"properties", 0}, "--results",
+                             "laws ask questions of their own: give an engine that answers");
   std::vector<std::string_view> names;
   for (const proptests::Law& law : proptests::laws()) names.push_back(law.name);
   for (const std::string& law : o.laws) static_cast<void>(index_of(names, law, "law"));
@@ -172,7 +173,8 @@ int properties(const Options& o) {
 
 void add_properties(CLI::App& app, int& exit) {
   auto* command = app.add_subcommand(
-      "properties", "Ask an engine every law of docs/properties.md, and shrink what it violates to what a person can read");
+      "properties",
+      "Ask an engine every law of docs/properties.md, and shrink what it violates to what a person can read");
   auto options = std::make_shared<Options>();
   add_engine_options(*command, options->engine);
   command
@@ -182,9 +184,10 @@ void add_properties(CLI::App& app, int& exit) {
   command->add_option("--law", options->laws, "Only these laws; --list shows them")->delimiter(',');
   command->add_option("--seed", options->seed, "The seed (default: random, printed)")->check(kFromZero);
   command->add_option("--cases", options->cases, "Cases a law")->capture_default_str()->check(kFromOne);
-  command->add_option("--save", options->save,
-                      "Add the shrunk counterexamples to this golden file, made where it is not there; one of another pair "
-                      "goes to a file beside it");
+  command->add_option(
+      "--save", options->save,
+      "Add the shrunk counterexamples to this golden file, made where it is not there; one of another pair "
+      "goes to a file beside it");
   command->add_option("--junit", options->junit, "Write the report as JUnit XML, a test case a law");
   command->add_option("--json", options->json, "Write the report as JSON");
   command->add_flag("--list", options->list, "List the laws");
