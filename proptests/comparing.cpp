@@ -96,6 +96,7 @@ std::optional<std::string> different_numbers(const Case& c, std::size_t i, std::
   const bool exactly = c.subject.correctly_rounded;
   const double normal = std::ldexp(1.0, format_of(c.subject.info.declared.scalar).min_exponent);
   for (const Field field : fields) {
+    if (!claims(c.subject.info.declared.conventions, field)) continue;
     const int scaled = field == Field::normal ? 0 : exponent;
     for (const Component& x : components(field, *c.contact(j), wanted, *c.contact(i))) {
       if (x.got == x.wanted || std::isnan(x.got) || std::isnan(x.wanted)) continue;
@@ -127,6 +128,22 @@ Rational unit_of(const Case& c, std::size_t i, Field field) {
   if (field == Field::normal) return oracle::ulp(Rational(1), scalar);
   if (field == Field::value) return oracle::ulp(truth.value_scale(), scalar);
   return oracle::ulp(std::max(truth.point_scale(0), truth.point_scale(1)), scalar);
+}
+
+bool claims(const Conventions& conventions, Field field) {
+  switch (field) {
+    case Field::normal:
+      return true;
+    case Field::value:
+      return conventions.value != ValueKind::none;
+    case Field::point:
+      return conventions.points == Points::midpoint;
+    case Field::point1:
+      return conventions.points <= Points::published || conventions.points == Points::first_only;
+    case Field::point2:
+      return conventions.points <= Points::published || conventions.points == Points::second_only;
+  }
+  return false;
 }
 
 std::optional<PointOn> point_of(const Conventions& conventions, const Query& query, int sphere) {

@@ -34,6 +34,8 @@ using oracle::Rational;
 /// The size of one ulp of a field's scale, the larger of both spheres' for points.
 [[nodiscard]] Rational unit_of(const Case& c, std::size_t i, Field field);
 
+/// Whether an engine declares a field at all.
+[[nodiscard]] bool claims(const Conventions& conventions, Field field);
 /// Where an engine puts the contact point of sphere 0 or 1, or nothing where it claims none there.
 [[nodiscard]] std::optional<PointOn> point_of(const Conventions& conventions, const Query& query, int sphere);
 /// The claimed normal turned to point from the first to the second.

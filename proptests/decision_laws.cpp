@@ -12,16 +12,21 @@ namespace {
 /// A power of two that every range holds, the one next to 1.
 double unit_length(const Range& range) { return std::ldexp(1.0, std::clamp(0, range.bottom, range.top)); }
 
-/// The question and one that is just beyond: by one step of the grid for spheres, so that plain arithmetic is exact; by
-/// one ulp for boxes.
+/// One step of the grid that every number of a question lies on: the largest power of two that divides them all.
+double grid_step(const Query& query, const Range& range) {
+  double step = std::ldexp(1.0, range.top);
+  for_each_number(query, [&](const std::string&, double x) {
+    while (std::fmod(x, step) != 0) step /= 2;
+  });
+  return step;
+}
+
+/// The question and one that is just beyond: by one step of the grid, so that plain arithmetic is exact, or by one ulp
+/// for boxes of an engine that is held to correct rounding.
 Questions touching_and_beyond(const Trial& trial, const Subject& subject) {
   Query beyond = trial.query;
+  const double step = grid_step(trial.query, subject.range);
   if (auto* balls = std::get_if<Balls>(&beyond.shapes)) {
-    // One step of the grid on which everything lies: the largest power of two that divides every number.
-    double step = std::ldexp(1.0, subject.range.top);
-    for_each_number(trial.query, [&](const std::string&, double x) {
-      while (std::fmod(x, step) != 0) step /= 2;
-    });
     double& last = beyond.distances.alarm > 0 ? beyond.distances.alarm
                    : balls->b.radius > 0      ? balls->b.radius
                                               : balls->a.radius;
@@ -29,17 +34,19 @@ Questions touching_and_beyond(const Trial& trial, const Subject& subject) {
     last -= step;
     return {trial.query, beyond};
   }
-  // One ulp more than the alarm distance, on the axis that is apart.
+  const auto moved = [&](double x, int direction) {
+    return subject.correctly_rounded ? subject.range.moved(x, direction) : x + direction * step;
+  };
   auto& [a, b] = std::get<Boxes>(beyond.shapes);
   const double alarm = beyond.distances.alarm;
   for (int axis = 0; axis < 3; ++axis) {
     if (b.min[axis] - a.max[axis] == alarm && a.max[axis] + alarm == b.min[axis]) {
-      b.min[axis] = subject.range.moved(b.min[axis], 1);
+      b.min[axis] = moved(b.min[axis], 1);
       b.max[axis] = std::max(b.max[axis], b.min[axis]);
       return {trial.query, beyond};
     }
     if (a.min[axis] - b.max[axis] == alarm && a.min[axis] - alarm == b.max[axis]) {
-      b.max[axis] = subject.range.moved(b.max[axis], -1);
+      b.max[axis] = moved(b.max[axis], -1);
       b.min[axis] = std::min(b.max[axis], b.min[axis]);
       return {trial.query, beyond};
     }

@@ -37,10 +37,15 @@ void decide(const Query& query, Claim& claim, bool hit) {
   if (!hit || claim.contact) return;
   Query surely = query;
   surely.distances.alarm = 0x1p1000;
-  claim.contact = engines::make_built_in("production")->answer(std::vector{Question{"", surely}})[0].contact;
+  static const auto production = engines::make_built_in("production");
+  claim.contact = production->answer(std::vector{Question{"", surely}})[0].contact;
 }
 
-double single(double x) { return static_cast<double>(static_cast<float>(x)); }
+double single(double x) {
+  // Through memory: GCC 12 leaves out both conversions where it makes vectors of them.
+  const volatile float narrow = static_cast<float>(x);
+  return static_cast<double>(narrow);
+}
 Vector3 single(const Vector3& v) { return {single(v[0]), single(v[1]), single(v[2])}; }
 
 const std::vector<Breakage> kBreakages{
@@ -118,7 +123,7 @@ const std::vector<Breakage> kBreakages{
          c->value = std::abs(*c->value) < 0x1p127 ? single(*c->value) : *c->value;
        }
      }},
-    {"one axis ignored in boxes", "each_axis",
+    {"one axis ignored in boxes", "turn",
      [](Query& q) {
        if (auto* boxes = std::get_if<Boxes>(&q.shapes)) {
          boxes->a.min[2] = boxes->b.min[2] = 0;
@@ -144,7 +149,7 @@ const std::vector<Breakage> kBreakages{
        const oracle::Truth truth = oracle::truth_of(q);
        if (truth.at_alarm == CGAL::NEGATIVE && truth.at_zero == CGAL::POSITIVE) claim.overlap = false;
      }},
-    {"the point of a rigid sphere at its centre", "sphere_kinds", nothing_before,
+    {"half the value for a sphere with a rigid sphere", "sphere_kinds", nothing_before,
      [](const Query& q, Claim& claim) {
        if (auto* c = contact_of(claim); c != nullptr && q.pair == Pair::sphere_rigid_sphere) c->value = *c->value / 2;
      }},
@@ -296,7 +301,7 @@ TEST(Laws, plain_double_is_not_correctly_rounded_which_numbers_of_a_few_bits_sho
 
 TEST(Laws, every_broken_line_is_caught_within_10000_cases_and_named_by_the_law_that_fits) {
   for (const Breakage& breakage : kBreakages) {
-    const RunResult result = asked(std::make_unique<Broken>(breakage), 1000);
+    const RunResult result = asked(std::make_unique<Broken>(breakage), 500);
     const LawResult* first = result.first_violated();
     ASSERT_NE(first, nullptr) << breakage.what;
     EXPECT_EQ(first->law->name, breakage.law) << breakage.what << "\n" << described(result);

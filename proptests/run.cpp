@@ -12,7 +12,7 @@ namespace contact::proptests {
 namespace {
 
 // Shrinking ends after so many trials, or so long where an engine is slow.
-constexpr std::uint64_t kShrinkTries = 4000;
+constexpr std::uint64_t kShrinkTries = 2000;
 constexpr std::chrono::seconds kShrinkTime{20};
 constexpr int kRedraws = 50;        // for a question within the engine's range
 constexpr int kMostVacuous = 30;    // trials for each case, before a law is given up

@@ -137,7 +137,9 @@ Outcome check_translated(const Case& c) {
   const Vector3 from = c.queries[0].balls()->a.center;
   const Vector3 to = c.queries[1].balls()->a.center;
   const auto check = [&](const std::optional<Vector3>& before, const std::optional<Vector3>& after, Field field) {
-    if (!before || !after || !before->allFinite() || !after->allFinite()) return Outcome{};
+    if (!claims(c.subject.info.declared.conventions, field) || !before || !after || !before->allFinite() ||
+        !after->allFinite())
+      return Outcome{};
     const Rational error = Rational(c.subject.bound(field)) * (unit_of(c, 0, field) + unit_of(c, 1, field));
     for (int axis = 0; axis < 3; ++axis) {
       const Rational shift = Rational(to[axis]) - Rational(from[axis]);
