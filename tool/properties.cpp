@@ -165,8 +165,8 @@ int properties(const Options& o) {
   write(junit, junit_text(done));
   fmt::print("{}", terminal_text(done));
   if (!o.save.empty()) save(o.save, done.result);
-  if (!done.result.ever_answered) return kHarnessInvalid;
-  return done.result.holds() ? kCertified : kRefuted;
+  if (done.result.holds()) return kCertified;
+  return done.result.ever_answered ? kRefuted : kHarnessInvalid;
 }
 
 }  // namespace
