@@ -35,6 +35,10 @@ class Engine {
   /// Recorded answers that no question has asked for.
   [[nodiscard]] virtual std::uint64_t unasked() const { return 0; }
 
+ protected:
+  /// For engines that say who they are only after they have been started.
+  void set_info(golden::EngineInfo info) { info_ = std::move(info); }
+
  private:
   golden::EngineInfo info_;
 };

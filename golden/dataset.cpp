@@ -30,13 +30,6 @@ std::string shape_text(const Box& box) {
   return fmt::format(R"({{"min":{},"max":{}}})", number(box.min), number(box.max));
 }
 
-std::string inputs_text(const Query& query) {
-  const auto [a, b] =
-      std::visit([](const auto& s) { return std::pair(shape_text(s.a), shape_text(s.b)); }, query.shapes);
-  return fmt::format(R"("a":{},"b":{},"alarm":{},"contact":{})", a, b, number(query.distances.alarm),
-                     number(query.distances.contact));
-}
-
 std::string expect_text(const Case& c) {
   if (c.rejected) return fmt::format(R"({{"rejected":{}}})", json_string(*c.rejected));
   if (!c.expect.hit) return R"({"hit":false})";
@@ -61,14 +54,6 @@ Ball read_ball(const Node& node) {
 Box read_box(const Node& node) {
   node.allow_only({"min", "max"});
   return {node.at("min").vector(), node.at("max").vector()};
-}
-
-Query read_inputs(const Node& line, Pair pair) {
-  const Node a = line.at("a");
-  const Node b = line.at("b");
-  const Distances distances{line.at("alarm").number(), line.at("contact").number()};
-  if (pair == Pair::cube_cube) return {pair, Boxes{read_box(a), read_box(b)}, distances};
-  return {pair, Balls{read_ball(a), read_ball(b)}, distances};
 }
 
 void check_domain(const Query& query, const Node& line) {
@@ -129,6 +114,21 @@ std::string field_text(const Expectation& e, const std::string& field) {
 }
 
 }  // namespace
+
+std::string inputs_text(const Query& query) {
+  const auto [a, b] =
+      std::visit([](const auto& s) { return std::pair(shape_text(s.a), shape_text(s.b)); }, query.shapes);
+  return fmt::format(R"("a":{},"b":{},"alarm":{},"contact":{})", a, b, number(query.distances.alarm),
+                     number(query.distances.contact));
+}
+
+Query read_inputs(const Node& line, Pair pair) {
+  const Node a = line.at("a");
+  const Node b = line.at("b");
+  const Distances distances{line.at("alarm").number(), line.at("contact").number()};
+  if (pair == Pair::cube_cube) return {pair, Boxes{read_box(a), read_box(b)}, distances};
+  return {pair, Balls{read_ball(a), read_ball(b)}, distances};
+}
 
 Case make_case(const Query& query, Scalar scalar) {
   Case c{query_id(query), query, {}, {}, std::nullopt, {}};

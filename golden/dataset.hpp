@@ -55,6 +55,10 @@ struct Case {
 /// {"id","expect","exact"}, what `explain --json` prints.
 [[nodiscard]] std::string answer_line(const Case& c);
 
+/// "a":...,"b":...,"alarm":...,"contact":... of a question, and the same read back, whatever its numbers are.
+[[nodiscard]] std::string inputs_text(const Query& query);
+[[nodiscard]] Query read_inputs(const Node& line, Pair pair);
+
 /// A question from a line that may leave out the pair (radius means sphere_sphere, min and max cube_cube) and the
 /// scalar.
 struct ReadQuery {

@@ -84,14 +84,18 @@ std::string conventions_text(const Conventions& c) {
   return text + "}";
 }
 
-std::string to_line(const EngineInfo& engine) {
+std::string engine_text(const EngineInfo& engine) {
   std::string pairs;
   for (const Pair pair : engine.pairs) pairs += fmt::format("{}\"{}\"", pairs.empty() ? "" : ",", name(pair));
   const Bounds& b = engine.declared.bounds;
   return fmt::format(
-      R"({{"format":"{}","version":{},"engine":{{"name":{},"version":{}}},"scalar":"{}","pairs":[{}],"conventions":{},"bounds":{{"value":{},"normal":{},"point":{}}}}})",
-      kFormat, kVersion, json_string(engine.name), json_string(engine.version), name(engine.declared.scalar), pairs,
+      R"("engine":{{"name":{},"version":{}}},"scalar":"{}","pairs":[{}],"conventions":{},"bounds":{{"value":{},"normal":{},"point":{}}})",
+      json_string(engine.name), json_string(engine.version), name(engine.declared.scalar), pairs,
       conventions_text(engine.declared.conventions), number(b.value), number(b.normal), number(b.point));
+}
+
+std::string to_line(const EngineInfo& engine) {
+  return fmt::format(R"({{"format":"{}","version":{},{}}})", kFormat, kVersion, engine_text(engine));
 }
 
 Claim read_claim(const Node& node) {
@@ -125,7 +129,11 @@ Claim read_claim(const Node& node) {
 }
 
 std::string to_line(const std::string& id, const Claim& claim) {
-  std::string text = fmt::format(R"({{"id":"{}")", id);
+  return fmt::format(R"({{"id":"{}"{}}})", id, claim_text(claim));
+}
+
+std::string claim_text(const Claim& claim) {
+  std::string text;
   if (claim.overlap) text += fmt::format(R"(,"overlap":{})", *claim.overlap);
   if (claim.speaks_of_contact && !claim.contact) text += R"(,"contact":null)";
   if (claim.contact) {
@@ -152,7 +160,7 @@ std::string to_line(const std::string& id, const Claim& claim) {
     default:
       text += R"(,"error":)" + json_string(claim.text);
   }
-  return text + "}";
+  return text;
 }
 
 Results read_results(const std::filesystem::path& path) {

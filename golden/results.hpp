@@ -25,11 +25,14 @@ struct EngineInfo {
 /// "engine", "scalar", "pairs", "conventions" and "bounds" of a results header or a hello message.
 [[nodiscard]] EngineInfo read_engine_info(const Node& node);
 [[nodiscard]] std::string conventions_text(const Conventions& conventions);
+/// The same written, without braces, and the header of a results file.
+[[nodiscard]] std::string engine_text(const EngineInfo& engine);
 [[nodiscard]] std::string to_line(const EngineInfo& engine);
 
 /// The claim of an answer or of a results line; keys other than the claim's own are the caller's to check.
 [[nodiscard]] Claim read_claim(const Node& node);
-/// One line of a results file.
+/// ,"overlap":...,"contact":... of a claim, and one line of a results file.
+[[nodiscard]] std::string claim_text(const Claim& claim);
 [[nodiscard]] std::string to_line(const std::string& id, const Claim& claim);
 
 /// A results file, whole.

@@ -9,6 +9,7 @@
 
 #include "golden/output_file.hpp"
 #include "tool/commands.hpp"
+#include "tool/engine_options.hpp"
 #include "tool/pipeline.hpp"
 #include "tool/process.hpp"
 
@@ -17,12 +18,9 @@ namespace {
 
 struct Options {
   std::vector<std::string> paths;
-  std::string engine;
-  std::string results;
-  std::string points = "nearest_surface";
+  EngineOptions engine;
   std::string level = "bounded";
   std::vector<std::string> families;
-  int jobs = 0;
   bool allow_unsupported = false;
   std::uint64_t generate = 0;
   std::vector<std::string> pairs;
@@ -33,13 +31,6 @@ struct Options {
 };
 
 [[noreturn]] void refuse(const std::string& problem) { throw golden::InputError({"certify", 0}, "", problem); }
-
-template <class Names>
-std::size_t index_of(const Names& names, const std::string& text, const std::string& what) {
-  const auto it = std::find(names.begin(), names.end(), text);
-  if (it == names.end()) refuse(fmt::format("unknown {} '{}'; known: {}", what, text, fmt::join(names, ", ")));
-  return static_cast<std::size_t>(it - names.begin());
-}
 
 bool wanted(const Options& options, const std::string& family) {
   if (options.families.empty()) return family != "invalid";
@@ -89,23 +80,12 @@ std::vector<Source> generated(const Options& options, std::uint64_t seed) {
 }
 
 std::vector<Subject> subjects(const Options& options, bool scoreboard) {
-  const auto points =
-      static_cast<PointConvention>(index_of(engines::kComputedPointsNames, options.points, "convention for --points"));
   std::vector<Subject> found;
-  if (!options.results.empty()) {
-    found.push_back({engines::make_recorded(golden::read_results(options.results)), {}});
-  } else if (scoreboard) {
+  if (scoreboard) {
     for (const engines::BuiltIn& e : engines::built_in_engines())
-      if (e.on_scoreboard) found.push_back({engines::make_built_in(e.name, points), {}});
+      if (e.on_scoreboard) found.push_back({engines::make_built_in(e.name, computed_points(options.engine)), {}});
   } else {
-    const std::string name = options.engine.empty() ? "production" : options.engine;
-    auto engine = engines::make_built_in(name, points);
-    if (engine == nullptr) {
-      std::vector<std::string_view> names;
-      for (const engines::BuiltIn& e : engines::built_in_engines()) names.push_back(e.name);
-      index_of(names, name, "engine");
-    }
-    found.push_back({std::move(engine), {}});
+    found.push_back({make_engine(options.engine), {}});
   }
   for (Subject& subject : found) {
     subject.report.engine = subject.engine->info();
@@ -128,12 +108,11 @@ void write(const std::unique_ptr<golden::OutputFile>& file, const std::string& t
 }
 
 int certify(const Options& options) {
-  const bool scoreboard =
-      options.engine.empty() && options.results.empty() && options.paths.empty() && options.generate == 0;
+  const bool scoreboard = options.engine.none() && options.paths.empty() && options.generate == 0;
   const tbb::global_control threads(
       tbb::global_control::max_allowed_parallelism,
-      options.jobs > 0 ? static_cast<std::size_t>(options.jobs)
-                       : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+      options.engine.jobs > 0 ? options.engine.jobs
+                              : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
   std::vector<Subject> judged = subjects(options, scoreboard);
   std::vector<Source> sources;
   if (options.generate != 0) {
@@ -173,21 +152,12 @@ void add_certify(CLI::App& app, int& exit) {
       "Hold an engine against golden files; with neither engine nor dataset, the scoreboard of the built-in engines");
   auto options = std::make_shared<Options>();
   command->add_option("datasets", options->paths, "Golden files or folders (default: golden/)");
-  auto* engine =
-      command->add_option("--engine", options->engine, "A built-in engine; `contact-oracle engines` lists them");
-  command->add_option("--results", options->results, "A results file: the recorded answers of an engine")
-      ->excludes(engine);
-  command
-      ->add_option("--points", options->points,
-                   fmt::format("Contact points that a built-in engine computes: {}",
-                               fmt::join(engines::kComputedPointsNames, ", ")))
-      ->capture_default_str();
+  add_engine_options(*command, options->engine);
   command
       ->add_option("--level", options->level,
                    "Required level: correctly-rounded, faithful, bounded, decisions, conservative")
       ->capture_default_str();
   command->add_option("--family", options->families, "Only these families")->delimiter(',');
-  command->add_option("--jobs", options->jobs, "Threads (default: one a core)")->check(kFromOne);
   command->add_flag("--allow-unsupported", options->allow_unsupported,
                     "Leave out questions that the engine answers with \"unsupported\"");
   auto* generate = command

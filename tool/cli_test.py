@@ -182,6 +182,9 @@ class Documentation(Case):
         for table in re.split(r"(?<=:end -->)\n", self.holds("tables").strip()):
             self.assertIn(table, page)
 
+    def test_the_table_of_laws_is_the_programs(self):
+        self.assertIn(self.holds("properties", "--table"), (ROOT / "docs" / "properties.md").read_text())
+
     def test_the_readme_shows_what_the_program_prints(self):
         page = (ROOT / "README.md").read_text()
         block = lambda name: page.split(f"<!-- {name}:begin -->")[1].split(f"<!-- {name}:end -->")[0].strip().removeprefix("```text\n")
@@ -783,6 +786,97 @@ class Explain(Case):
             with self.subTest(bad):
                 self.refused(("explain", "-"), "-:2: ", *words, stdin=text([SPHERES, bad]))
         self.refused(("explain",), "no question", stdin="")
+
+
+class Properties(Case):
+    def violated(self, *args):
+        done = run("properties", *args)
+        self.assertEqual((done.returncode, done.stderr), (1, ""), done.stdout[-800:])
+        return done.stdout
+
+    def test_production_and_the_component_obey_every_law_bit_for_bit(self):
+        for engine in ("production", "component"):
+            out = self.holds("properties", "--engine", engine, "--level", "correctly-rounded", "--cases", 50)
+            self.assertRegex(out, r"seed \d+")
+            self.assertIn("every law asked holds", out)
+
+    def test_what_production_serves_over_the_protocol_obeys_them_too(self):
+        self.holds("properties", "--engine-command", f"'{TOOL}' serve", "--cases", 20, "--seed", 3)
+
+    def test_the_same_seed_says_the_same_and_a_law_alone_repeats_what_it_did_among_all(self):
+        args = ("--engine", "plain-double", "--cases", 50, "--seed", 7)
+        every = self.violated(*args)
+        self.assertEqual(every, self.violated(*args))
+        alone = self.violated(*args, "--law", "decision")
+        block = lambda out: out.split("decision VIOLATED\n")[1].split("\n\n")[0]
+        self.assertEqual(block(every), block(alone))
+        again = next(one for one in alone.splitlines() if one.strip().startswith("again")).split("contact-oracle ")[1]
+        self.assertEqual(block(run(*(word.strip("'") for word in again.split())).stdout), block(alone))
+
+    def test_a_counterexample_is_a_line_for_explain(self):
+        out = self.violated("--engine", "plain-double", "--seed", 1, "--law", "decision")
+        question = next(one for one in out.splitlines() if one.strip().startswith("question 1  ")).strip().removeprefix("question 1  ")
+        self.assertIn("plain double arithmetic says", self.holds("explain", stdin=question + "\n"))
+        self.assertIn("WRONG", self.holds("explain", stdin=question + "\n"))
+
+    def test_reports_have_one_entry_a_law(self):
+        xml, report = self.folder / "laws.xml", self.folder / "laws.json"
+        self.violated("--engine", "plain-double", "--seed", 1, "--cases", 50, "--junit", xml, "--json", report)
+        laws = [one.split()[0] for one in self.holds("properties", "--list").splitlines()]
+        suite = ElementTree.parse(xml).getroot().find("testsuite")
+        self.assertEqual([case.get("name") for case in suite], laws)
+        self.assertEqual(int(suite.get("failures")), len(suite.findall("testcase/failure")))
+        read = json.loads(report.read_text())
+        self.assertEqual([law["law"] for law in read["laws"]], laws)
+        self.assertFalse(read["holds"])
+        violated = [law for law in read["laws"] if law["verdict"] == "violated"]
+        self.assertEqual(len(violated), int(suite.get("failures")))
+        for law in violated:
+            self.assertTrue(law["questions"] and law["why"] and law["again"])
+
+    def test_saved_counterexamples_are_golden_files_that_grow_by_what_is_new(self):
+        path = self.folder / "saved.jsonl"
+        args = ("--engine", "plain-double", "--seed", 1, "--cases", 300, "--law", "decision,touching", "--save", path)
+        self.violated(*args)
+        first = path.read_text()
+        header = json.loads(first.splitlines()[0])
+        self.assertEqual(header["family"], "regression")
+        self.assertEqual(header["count"], len(first.splitlines()) - 1)
+        self.holds("lint", path)
+        self.violated(*args)
+        self.assertEqual(path.read_text(), first)
+        self.violated(*args[:3], 2, *args[4:])
+        self.holds("lint", path)
+        self.assertTrue(set(first.splitlines()[1:]) <= set(path.read_text().splitlines()[1:]))
+        done = run("certify", path, "--engine", "plain-double")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.holds("certify", path, "--level", "correctly-rounded")
+        before = GOLDEN / "sphere_sphere" / "generic.jsonl"
+        self.refused(("properties", "--save", before), "family")
+
+    def test_wrong_usage_is_refused_and_a_harness_that_answers_nothing_is_invalid(self):
+        self.refused(("properties", "--law", "nonsense"), "nonsense")
+        self.refused(("properties", "--level", "faithful"), "faithful")
+        self.refused(("properties", "--cases", 0), "whole number", one_line=False)
+        self.refused(("properties", "--engine", "nobody"), "nobody")
+        self.refused(("properties", "--results", RECORDED / "sphere_sphere.jsonl"), "ask questions of their own")
+        self.refused(("properties", "--json", self.folder / "no" / "such" / "file"), "no")
+        self.assertEqual(run("properties", "--engine-command", "false").returncode, 3)
+
+    def test_bad_input_is_asked_about_only_when_named(self):
+        self.assertIn("refuses_bad_input          skipped", self.holds("properties", "--cases", 5, "--seed", 1))
+        self.holds("properties", "--law", "refuses_bad_input", "--cases", 200)
+        self.assertIn("refuses_bad_input", self.violated("--engine", "plain-double", "--law", "refuses_bad_input"))
+
+    def test_an_interruption_ends_it_and_leaves_no_file(self):
+        path = self.folder / "laws.json"
+        process = subprocess.Popen([TOOL, "properties", "--cases", "1000000", "--json", str(path)], stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.PIPE)
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)
+        self.assertIn(b"interrupted", process.communicate(timeout=30)[1])
+        self.assertEqual(process.returncode, 130)
+        self.assertEqual(list(self.folder.iterdir()), [])
 
 
 class Detect(Case):

@@ -8,6 +8,7 @@
 #include <exception>
 #include <filesystem>
 
+#include "engines/subprocess.hpp"
 #include "golden/input_error.hpp"
 #include "tool/commands.hpp"
 #include "tool/process.hpp"
@@ -50,6 +51,8 @@ int run(int argc, char** argv) {
   add_generate(app, exit);
   add_regenerate(app, exit);
   add_annotate(app, exit);
+  add_serve(app, exit);
+  add_properties(app, exit);
   add_lint(app, exit);
   add_detect(app, exit);
   add_lists(app, exit);
@@ -85,6 +88,9 @@ int main(int argc, char** argv) {
   } catch (const tool::OracleFault& error) {
     fmt::print(stderr, "contact-oracle: ORACLE FAULT: {}\n", error.what());
     return tool::kOracleFault;
+  } catch (const engines::HarnessInvalid& error) {
+    fmt::print(stderr, "contact-oracle: harness invalid: {}\n", error.what());
+    return tool::kHarnessInvalid;
   } catch (const tool::Interrupted&) {
     fmt::print(stderr, "contact-oracle: interrupted; nothing was written\n");
     return tool::kInterrupted;

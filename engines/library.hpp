@@ -1,0 +1,16 @@
+// An engine in a shared library with the C interface of contact_engine.h, called in this process.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "engines/engine.hpp"
+
+namespace contact::engines {
+
+/// Loads the library. Throws HarnessInvalid where it cannot be loaded, lacks a function, was built for another
+/// interface, or declares something malformed. A crash of the library is a crash of this process: `serve` calls it,
+/// and a subprocess engine asks `serve`.
+[[nodiscard]] std::unique_ptr<Engine> make_library(const std::filesystem::path& file);
+
+}  // namespace contact::engines

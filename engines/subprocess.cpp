@@ -1,0 +1,303 @@
+// An engine in a process of its own, asked over the engine protocol.
+#include "engines/subprocess.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <unordered_map>
+
+#include "engines/child_process.hpp"
+#include "golden/protocol.hpp"
+
+namespace contact::engines {
+namespace {
+
+using Status = Claim::Status;
+constexpr int kFailuresUntilDead = 3;
+constexpr std::size_t kLongestQuote = 60;
+
+constexpr std::string_view kMalformed = "malformed ";
+
+bool malformed(const Claim& claim) { return claim.status == Status::error && claim.text.starts_with(kMalformed); }
+
+/// What an engine wrote, fit for a message: short, and no control characters.
+std::string excerpt(std::string_view text) {
+  std::string shown;
+  for (const char c : text.substr(0, kLongestQuote)) {
+    const auto byte = static_cast<unsigned char>(c);
+    shown += byte < 0x20 || byte >= 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+  }
+  return fmt::format("'{}{}'", shown, text.size() > kLongestQuote ? "..." : "");
+}
+
+/// A conversation that cannot go on: the engine's stream ended, stalled or lost its thread.
+struct Broken {
+  Status status;
+  std::string text;
+};
+
+/// One process and what is in flight.
+class Conversation {
+ public:
+  explicit Conversation(const SubprocessOptions& options) : options_(options) {}
+
+  /// Starts the process where there is none, and hears its hello.
+  const golden::EngineInfo& start() {
+    if (process_) return *info_;
+    try {
+      process_ = std::make_unique<ChildProcess>(options_.command, options_.longest_line, options_.check);
+    } catch (const std::runtime_error& error) {
+      throw Broken{Status::error, error.what()};
+    }
+    process_->send(golden::hello_line());
+    const auto deadline = ChildProcess::Clock::now() + options_.start;
+    const std::string line = next_line(deadline, "no hello", options_.start);
+    const golden::Location where{"hello", 0};
+    try {
+      const auto json = golden::parse_object(line, where);
+      info_ = golden::read_hello(golden::Node(json, where));
+    } catch (const golden::InputError& error) {
+      throw Broken{Status::error, fmt::format("{} in {}", error.what(), excerpt(line))};
+    }
+    return *info_;
+  }
+
+  void kill() { process_.reset(); }
+
+  /// Asks the questions of `open`, at most `window` of them in flight, and fills in their claims as they are answered,
+  /// taking them out of `open`. Throws Broken; the oldest question then left in `open` is the one that was due.
+  void ask(std::span<const Question> questions, std::set<std::size_t>& open, std::size_t window,
+           std::vector<Claim>& claims) {
+    std::unordered_map<std::uint64_t, std::size_t> in_flight;
+    auto to_send = open.begin();
+    auto deadline = ChildProcess::Clock::now() + options_.answer;
+    while (!open.empty()) {
+      while (in_flight.size() < window && to_send != open.end()) {
+        in_flight.emplace(++seq_, *to_send);
+        process_->send(golden::query_message(seq_, questions[*to_send].query));
+        ++to_send;
+      }
+      const std::string line = next_line(deadline, "no answer", options_.answer);
+      auto [index, claim] = heard(line, in_flight);
+      claims[index] = std::move(claim);
+      open.erase(index);
+      deadline = ChildProcess::Clock::now() + options_.answer;
+    }
+  }
+
+ private:
+  /// The answer that a line is, taken out of flight. A claim of the wrong form is that question's error; a line that
+  /// belongs to no question breaks the conversation.
+  std::pair<std::size_t, Claim> heard(const std::string& line,
+                                      std::unordered_map<std::uint64_t, std::size_t>& in_flight) const {
+    const golden::Location where{"answer", 0};
+    try {
+      const auto json = golden::parse_object(line, where);
+      const golden::Node message(json, where);
+      if (const std::string op = golden::op_of(message); op != "answer")
+        throw golden::InputError(where, "op", fmt::format("expected \"answer\", got {}", excerpt(op)));
+      const std::uint64_t seq = golden::seq_of(message);
+      const auto it = in_flight.find(seq);
+      if (it == in_flight.end())
+        throw golden::InputError(
+            where, "seq",
+            seq <= seq_ && seq > 0 ? fmt::format("{} was answered before", seq) : fmt::format("{} was not asked", seq));
+      const std::size_t index = it->second;
+      in_flight.erase(it);
+      Claim claim;
+      try {
+        claim = golden::read_answer(message);
+      } catch (const golden::InputError& error) {
+        claim = failed(Status::error, fmt::format("{}{} in {}", kMalformed, error.what(), excerpt(line)));
+      }
+      return {index, claim};
+    } catch (const golden::InputError& error) {
+      throw Broken{Status::error, fmt::format("{} in {}", error.what(), excerpt(line))};
+    }
+  }
+
+  std::string next_line(ChildProcess::Clock::time_point deadline, std::string_view missing,
+                        std::chrono::milliseconds limit) {
+    std::string line;
+    const auto seconds = [](std::chrono::milliseconds ms) { return static_cast<double>(ms.count()) / 1000; };
+    switch (process_->next_line(line, deadline)) {
+      case ChildProcess::Event::line:
+        break;
+      case ChildProcess::Event::timeout:
+        throw Broken{Status::timeout,
+                     fmt::format("{} within {:g} s{}", missing, seconds(limit),
+                                 process_->half_line().empty()
+                                     ? std::string()
+                                     : fmt::format(", half a line: {}", excerpt(process_->half_line())))};
+      case ChildProcess::Event::too_long:
+        throw Broken{Status::error, fmt::format("a line of more than {} bytes: {}", options_.longest_line,
+                                                excerpt(process_->half_line()))};
+      case ChildProcess::Event::end: {
+        std::string text = fmt::format("the engine {}", process_->how_it_ended());
+        if (!process_->half_line().empty())
+          text += fmt::format(" after half a line: {}", excerpt(process_->half_line()));
+        if (const std::string words = process_->last_words(); !words.empty())
+          text += fmt::format("; its standard error ends in {}", excerpt(words));
+        throw Broken{Status::crash, text};
+      }
+    }
+    return line;
+  }
+
+ public:
+  static Claim failed(Status status, std::string text) {
+    Claim claim;
+    claim.status = status;
+    claim.text = std::move(text);
+    return claim;
+  }
+
+ private:
+  const SubprocessOptions& options_;
+  std::unique_ptr<ChildProcess> process_;
+  std::optional<golden::EngineInfo> info_;
+  std::uint64_t seq_ = 0;
+};
+
+/// A question that every engine of a pair can answer: one unit apart, both of size one.
+Question smoke_question(Pair pair) {
+  const Query spheres{pair, Balls{{{0, 0, 0}, 1}, {{1, 0, 0}, 1}}, {0, 0}};
+  const Query cubes{pair, Boxes{{{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {2, 1, 1}}}, {0, 0}};
+  return {"smoke", pair == Pair::cube_cube ? cubes : spheres};
+}
+
+class Subprocess final : public Engine {
+ public:
+  explicit Subprocess(const SubprocessOptions& options) : Engine({}), options_(options) {
+    for (std::size_t i = 0; i < std::max<std::size_t>(options_.processes, 1); ++i)
+      free_.push_back(std::make_unique<Conversation>(options_));
+    Conversation& first = *free_.back();
+    try {
+      set_info(first.start());
+      for (const Pair pair : info().pairs) {
+        const std::vector<Question> questions{smoke_question(pair)};
+        std::vector<Claim> claims(1);
+        std::set<std::size_t> open{0};
+        first.ask(questions, open, 1, claims);
+        const Claim& claim = claims.front();
+        if (claim.status == Status::answered && !claim.overlap && !claim.speaks_of_contact)
+          throw Broken{Status::error, fmt::format("the answer to a first question of {} claims nothing", name(pair))};
+        if (malformed(claim))
+          throw Broken{Status::error, fmt::format("the answer to a first question of {}: {}", name(pair), claim.text)};
+      }
+    } catch (const Broken& broken) {
+      throw HarnessInvalid(broken.text);
+    }
+  }
+
+  std::vector<Claim> answer(std::span<const Question> questions) override {
+    const Lease conversation(*this);
+    std::vector<Claim> claims(questions.size(), Conversation::failed(Status::missing, "the engine counts as dead"));
+    std::set<std::size_t> open;
+    for (std::size_t i = 0; i < questions.size(); ++i) open.insert(i);
+    std::size_t alone = 0;  // questions below this index are asked one at a time
+    while (!open.empty() && !dead_) {
+      const std::size_t due = *open.begin();
+      std::set<std::size_t> now = open;
+      if (due < alone) now = {due};
+      const std::size_t window = due < alone ? 1 : options_.window;
+      const std::set<std::size_t> asked = now;
+      try {
+        conversation->start();
+        conversation->ask(questions, now, window, claims);
+        failures_ = 0;
+      } catch (const Broken& broken) {
+        conversation->kill();
+        if (now.size() != asked.size()) failures_ = 0;
+        const std::size_t culprit = *now.begin();
+        if (window == 1) {
+          claims[culprit] = Conversation::failed(broken.status, broken.text);
+          now.erase(culprit);
+          if (++failures_ >= kFailuresUntilDead) dead_ = true;
+        } else {
+          // Which of those in flight did it? All of them are asked again, each alone.
+          alone = questions.size();
+          for (std::size_t n = 0; const std::size_t index : now)
+            if (++n == window) alone = index + 1;
+        }
+      }
+      for (const std::size_t index : asked)
+        if (!now.contains(index)) open.erase(index);
+    }
+    return claims;
+  }
+
+ private:
+  /// A conversation that nobody else has, given back at the end.
+  class Lease {
+   public:
+    explicit Lease(Subprocess& engine) : engine_(engine) {
+      std::unique_lock lock(engine_.mutex_);
+      engine_.given_back_.wait(lock, [&] { return !engine_.free_.empty(); });
+      conversation_ = std::move(engine_.free_.back());
+      engine_.free_.pop_back();
+    }
+    Lease(const Lease&) = delete;
+    Lease& operator=(const Lease&) = delete;
+    ~Lease() {
+      {
+        const std::lock_guard lock(engine_.mutex_);
+        engine_.free_.push_back(std::move(conversation_));
+      }
+      engine_.given_back_.notify_one();
+    }
+    Conversation* operator->() const { return conversation_.get(); }
+
+   private:
+    Subprocess& engine_;
+    std::unique_ptr<Conversation> conversation_;
+  };
+
+  SubprocessOptions options_;
+  std::mutex mutex_;
+  std::condition_variable given_back_;
+  std::vector<std::unique_ptr<Conversation>> free_;
+  std::atomic<int> failures_ = 0;
+  std::atomic<bool> dead_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_subprocess(const SubprocessOptions& options) {
+  return std::make_unique<Subprocess>(options);
+}
+
+std::vector<std::string> split_words(std::string_view text) {
+  std::vector<std::string> words;
+  std::optional<std::string> word;
+  char quote = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quote == '\'' ? c == '\'' : quote == '"' ? c == '"' : c == '\'' || c == '"') {
+      quote = quote == 0 ? c : '\0';
+      if (!word) word.emplace();
+    } else if (c == '\\' && quote != '\'') {
+      if (i + 1 == text.size()) throw std::invalid_argument("a backslash at the end of the command");
+      // Inside double quotes a backslash stands for itself before anything that it need not protect.
+      const char next = text[++i];
+      if (!word) word.emplace();
+      if (quote == '"' && next != '"' && next != '\\' && next != '$' && next != '`') *word += c;
+      *word += next;
+    } else if (quote == 0 && (c == ' ' || c == '\t' || c == '\n')) {
+      if (word) words.push_back(*std::exchange(word, std::nullopt));
+    } else {
+      if (!word) word.emplace();
+      *word += c;
+    }
+  }
+  if (quote != 0) throw std::invalid_argument(fmt::format("a quote ({}) that is not closed", quote));
+  if (word) words.push_back(*word);
+  return words;
+}
+
+}  // namespace contact::engines

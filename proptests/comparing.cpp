@@ -1,0 +1,175 @@
+// Two answers held against each other as an engine's declaration allows.
+#include "proptests/comparing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "golden/json.hpp"
+
+namespace contact::proptests {
+namespace {
+
+/// | sqrt(D) - reach | within four times the value's bound: an engine may decide by squares, and square its reach.
+bool spheres_undecided(const Case& c, const oracle::SphereTruth& truth, bool alarm_counts, const Query& query) {
+  const Rational reach =
+      alarm_counts ? truth.reach() : Rational(query.balls()->a.radius) + Rational(query.balls()->b.radius);
+  const Rational unit = oracle::ulp(oracle::Exact(reach), c.subject.info.declared.scalar);
+  const oracle::Exact distance(Rational(0), Rational(1), truth.distance2());
+  return oracle::is_within(reach, distance, Rational(4 * c.subject.bound(Field::value)) * unit);
+}
+
+/// On some axis | gap - alarm | within the value's bound, at the largest number that it is computed from.
+bool cubes_undecided(const Case& c, const oracle::CubeTruth& truth, bool alarm_counts, const Query& query) {
+  const Boxes& boxes = *query.boxes();
+  double scale = alarm_counts ? query.distances.alarm : 0;
+  for (const Box* box : {&boxes.a, &boxes.b})
+    scale = std::max({scale, box->min.cwiseAbs().maxCoeff(), box->max.cwiseAbs().maxCoeff()});
+  const Rational most =
+      Rational(c.subject.bound(Field::value)) * oracle::ulp(Rational(scale), c.subject.info.declared.scalar);
+  return std::any_of(truth.gap.begin(), truth.gap.end(), [&](const Rational& gap) {
+    return CGAL::abs(gap - (alarm_counts ? truth.alarm : Rational(0))) <= most;
+  });
+}
+
+struct Component {
+  std::string name;
+  double got;
+  double wanted;
+  double before;
+};
+
+/// The claimed numbers of a field in three claims, component by component.
+std::vector<Component> components(Field field, const ContactClaim& got, const ContactClaim& wanted,
+                                  const ContactClaim& before) {
+  const auto vector = [&](const auto& member) {
+    std::vector<Component> found;
+    if (got.*member && wanted.*member && before.*member)
+      for (int axis = 0; axis < 3; ++axis)
+        found.push_back({fmt::format("{}[{}]", name(field), axis), (*(got.*member))[axis], (*(wanted.*member))[axis],
+                         (*(before.*member))[axis]});
+    return found;
+  };
+  switch (field) {
+    case Field::normal:
+      return vector(&ContactClaim::normal);
+    case Field::point1:
+      return vector(&ContactClaim::point1);
+    case Field::point2:
+      return vector(&ContactClaim::point2);
+    case Field::point:
+      return vector(&ContactClaim::point);
+    case Field::value:
+      break;
+  }
+  if (!got.value || !wanted.value || !before.value) return {};
+  return {{"value", *got.value, *wanted.value, *before.value}};
+}
+
+}  // namespace
+
+bool undecided(const Case& c, std::size_t i) {
+  if (c.subject.correctly_rounded) return false;
+  const bool alarm_counts = c.subject.info.declared.conventions.margin != Margin::none;
+  const oracle::Truth& truth = c.truth(i);
+  return truth.spheres ? spheres_undecided(c, *truth.spheres, alarm_counts, c.queries[i])
+                       : cubes_undecided(c, *truth.cubes, alarm_counts, c.queries[i]);
+}
+
+std::optional<std::string> different_decisions(const Case& c, std::size_t i, std::size_t j) {
+  if (undecided(c, i) || undecided(c, j)) return std::nullopt;
+  const auto said = [](bool yes, std::string_view what) { return fmt::format("{}{}", yes ? "" : "no ", what); };
+  const Claim& x = c.claims[i];
+  const Claim& y = c.claims[j];
+  if (x.overlap && y.overlap && *x.overlap != *y.overlap)
+    return fmt::format("{} for question {}, {} for question {}", said(*x.overlap, "overlap"), i + 1,
+                       said(*y.overlap, "overlap"), j + 1);
+  if (x.speaks_of_contact && y.speaks_of_contact && x.contact.has_value() != y.contact.has_value())
+    return fmt::format("{} for question {}, {} for question {}", said(x.contact.has_value(), "contact"), i + 1,
+                       said(y.contact.has_value(), "contact"), j + 1);
+  return std::nullopt;
+}
+
+std::optional<std::string> different_numbers(const Case& c, std::size_t i, std::size_t j, const ContactClaim& wanted,
+                                             std::initializer_list<Field> fields, int exponent) {
+  const bool exactly = c.subject.correctly_rounded;
+  const double normal = std::ldexp(1.0, format_of(c.subject.info.declared.scalar).min_exponent);
+  for (const Field field : fields) {
+    if (!claims(c.subject.info.declared.conventions, field)) continue;
+    const int scaled = field == Field::normal ? 0 : exponent;
+    for (const Component& x : components(field, *c.contact(j), wanted, *c.contact(i))) {
+      if (x.got == x.wanted || std::isnan(x.got) || std::isnan(x.wanted)) continue;
+      if (exactly && scaled != 0 &&
+          (!std::isfinite(x.before) || !std::isfinite(x.wanted) || std::abs(x.before) < normal ||
+           std::abs(x.wanted) < normal || std::abs(x.got) < normal))
+        continue;
+      if (!exactly) {
+        if (!std::isfinite(x.got) || !std::isfinite(x.wanted)) continue;
+        const Rational factor = oracle::power_of_two(scaled);
+        const Rational unit = std::max(unit_of(c, j, field), Rational(unit_of(c, i, field) * factor));
+        if (!std::isfinite(x.before)) continue;
+        const Rational expected = scaled == 0 ? Rational(x.wanted) : Rational(Rational(x.before) * factor);
+        const Rational off = CGAL::abs(Rational(x.got) - expected);
+        if (off <= Rational(2 * c.subject.bound(field)) * unit) continue;
+      }
+      return fmt::format("{} of question {} is {}, and question {} makes it {}", x.name, j + 1, text(x.got), i + 1,
+                         text(x.wanted));
+    }
+  }
+  return std::nullopt;
+}
+
+bool coincident(const Case& c, std::size_t i) { return c.truth(i).spheres && c.truth(i).spheres->degenerate(); }
+
+Rational unit_of(const Case& c, std::size_t i, Field field) {
+  const oracle::SphereTruth& truth = *c.truth(i).spheres;
+  const Scalar scalar = c.subject.info.declared.scalar;
+  if (field == Field::normal) return oracle::ulp(Rational(1), scalar);
+  if (field == Field::value) return oracle::ulp(truth.value_scale(), scalar);
+  return oracle::ulp(std::max(truth.point_scale(0), truth.point_scale(1)), scalar);
+}
+
+bool claims(const Conventions& conventions, Field field) {
+  switch (field) {
+    case Field::normal:
+      return true;
+    case Field::value:
+      return conventions.value != ValueKind::none;
+    case Field::point:
+      return conventions.points == Points::midpoint;
+    case Field::point1:
+      return conventions.points <= Points::published || conventions.points == Points::first_only;
+    case Field::point2:
+      return conventions.points <= Points::published || conventions.points == Points::second_only;
+  }
+  return false;
+}
+
+std::optional<PointOn> point_of(const Conventions& conventions, const Query& query, int sphere) {
+  const bool rigid = sphere == 0 ? query.first_is_rigid() : query.second_is_rigid();
+  switch (conventions.points) {
+    case Points::nearest_surface:
+    case Points::center:
+    case Points::published:
+      return point_on(static_cast<PointConvention>(conventions.points),
+                      rigid ? SphereKind::rigid : SphereKind::deformable);
+    case Points::first_only:
+      return sphere == 0 ? std::optional(PointOn::nearest_surface) : std::nullopt;
+    case Points::second_only:
+      return sphere == 1 ? std::optional(PointOn::nearest_surface) : std::nullopt;
+    case Points::midpoint:
+    case Points::none:
+      break;
+  }
+  return std::nullopt;
+}
+
+Vector3 first_to_second(const Conventions& conventions, const Vector3& normal) {
+  return conventions.normal == NormalDirection::first_to_second ? normal : Vector3(-normal);
+}
+
+std::string text(double x) { return golden::number(x); }
+std::string text(const Vector3& v) { return golden::number(v); }
+
+}  // namespace contact::proptests

@@ -1,0 +1,47 @@
+// Two answers held against each other as an engine's declaration allows: bit for bit, or within twice its bounds.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+
+#include "proptests/law.hpp"
+
+namespace contact::proptests {
+
+using oracle::Field;
+using oracle::Rational;
+
+/// Whether the engine's rounding may decide question i either way: it is not held to correct rounding, and the exact
+/// margin is within four times its bound for a value. `decision` asks for these all the same; the laws that compare
+/// leave them out.
+[[nodiscard]] bool undecided(const Case& c, std::size_t i);
+
+/// What differs between the two decisions of questions i and j, which must be the same; nothing where either is
+/// undecided.
+[[nodiscard]] std::optional<std::string> different_decisions(const Case& c, std::size_t i, std::size_t j);
+
+/// The first number of question j's contact that is not what question i's contact, carried over, makes it. Bit for bit
+/// where held to correct rounding, else within twice the bound at the larger scale. `exponent` says that lengths were
+/// multiplied by 2^exponent, which leaves out numbers that are subnormal before or after.
+[[nodiscard]] std::optional<std::string> different_numbers(const Case& c, std::size_t i, std::size_t j,
+                                                           const ContactClaim& wanted,
+                                                           std::initializer_list<Field> fields, int exponent = 0);
+
+/// Whether question i's truth is degenerate: the centres coincide.
+[[nodiscard]] bool coincident(const Case& c, std::size_t i);
+
+/// The size of one ulp of a field's scale, the larger of both spheres' for points.
+[[nodiscard]] Rational unit_of(const Case& c, std::size_t i, Field field);
+
+/// Whether an engine declares a field at all.
+[[nodiscard]] bool claims(const Conventions& conventions, Field field);
+/// Where an engine puts the contact point of sphere 0 or 1, or nothing where it claims none there.
+[[nodiscard]] std::optional<PointOn> point_of(const Conventions& conventions, const Query& query, int sphere);
+/// The claimed normal turned to point from the first to the second.
+[[nodiscard]] Vector3 first_to_second(const Conventions& conventions, const Vector3& normal);
+
+[[nodiscard]] std::string text(double x);
+[[nodiscard]] std::string text(const Vector3& v);
+
+}  // namespace contact::proptests

@@ -1,0 +1,64 @@
+// The functions that the laws are made of, by what they are about; laws.cpp puts them together.
+#pragma once
+
+#include "proptests/comparing.hpp"
+
+namespace contact::proptests {
+
+using Questions = std::vector<Query>;
+
+// asking_laws.cpp: whether and how an engine answers.
+Questions itself(const Trial& trial, const Subject& subject);
+Questions itself_if_coincident(const Trial& trial, const Subject& subject);
+Questions itself_if_bad(const Trial& trial, const Subject& subject);
+Questions itself_among_others(const Trial& trial, const Subject& subject);
+Questions with_others(const Trial& trial, const Subject& subject);
+Outcome check_answers(const Case& c);
+Outcome check_survives_bad_input(const Case& c);
+Outcome check_refuses_bad_input(const Case& c);
+Outcome check_repeatable(const Case& c);
+Outcome check_batch(const Case& c);
+
+// decision_laws.cpp: hits and misses.
+Questions touching(const Trial& trial, const Subject& subject);
+Questions at_the_alarm_distance(const Trial& trial, const Subject& subject);
+Questions each_axis_alone(const Trial& trial, const Subject& subject);
+Questions one_inside_the_other(const Trial& trial, const Subject& subject);
+Questions alarm_grown(const Trial& trial, const Subject& subject);
+Questions size_grown(const Trial& trial, const Subject& subject);
+Outcome check_decisions(const Case& c);
+Outcome check_touching(const Case& c);
+Outcome check_test_agrees(const Case& c);
+Outcome check_each_axis(const Case& c);
+Outcome check_grown(const Case& c);
+
+// number_laws.cpp: the numbers of a contact of spheres.
+Questions farther(const Trial& trial, const Subject& subject);
+Questions other_alarm(const Trial& trial, const Subject& subject);
+Questions other_contact(const Trial& trial, const Subject& subject);
+Outcome check_coincident(const Case& c);
+Outcome check_finite(const Case& c);
+Outcome check_unit_normal(const Case& c);
+Outcome check_direction(const Case& c);
+Outcome check_own_surface(const Case& c);
+Outcome check_near_side(const Case& c);
+Outcome check_span(const Case& c);
+Outcome check_farther(const Case& c);
+Outcome check_other_alarm(const Case& c);
+Outcome check_other_contact(const Case& c);
+Outcome check_correctly_rounded(const Case& c);
+Outcome check_bounds(const Case& c);
+
+// symmetry_laws.cpp: what moving, turning and scaling must do.
+Questions swapped(const Trial& trial, const Subject& subject);
+Questions turned(const Trial& trial, const Subject& subject);
+Questions translated(const Trial& trial, const Subject& subject);
+Questions scaled(const Trial& trial, const Subject& subject);
+Questions other_sphere_kinds(const Trial& trial, const Subject& subject);
+Outcome check_swapped(const Case& c);
+Outcome check_turned(const Case& c);
+Outcome check_translated(const Case& c);
+Outcome check_scaled(const Case& c);
+Outcome check_sphere_kinds(const Case& c);
+
+}  // namespace contact::proptests

@@ -1,0 +1,373 @@
+// The laws against engines that obey them, and against engines with one line broken.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "engines/engine.hpp"
+#include "proptests/run.hpp"
+
+namespace contact::proptests {
+namespace {
+
+using engines::Engine;
+using engines::Question;
+
+/// One broken line: edits the question before production sees it, and the claim after.
+struct Breakage {
+  const char* what;
+  const char* law;  ///< the one that must name it
+  void (*before)(Query& query);
+  void (*after)(const Query& query, Claim& claim);
+};
+
+void nothing_before(Query&) {}
+
+ContactClaim* contact_of(Claim& claim) { return claim.contact ? &*claim.contact : nullptr; }
+bool is_coincident(const Query& q) { return q.balls() != nullptr && q.balls()->a.center == q.balls()->b.center; }
+Vector3 delta(const Query& q) { return q.balls()->b.center - q.balls()->a.center; }
+
+/// Another decision, taken over with the contact of a question that certainly has one.
+void decide(const Query& query, Claim& claim, bool hit) {
+  claim.overlap = hit;
+  if (query.balls() == nullptr) return;
+  if (!hit) claim.contact.reset();
+  if (!hit || claim.contact) return;
+  Query surely = query;
+  surely.distances.alarm = 0x1p1000;
+  static const auto production = engines::make_built_in("production");
+  claim.contact = production->answer(std::vector{Question{"", surely}})[0].contact;
+}
+
+double single(double x) {
+  // Through memory: GCC 12 leaves out both conversions where it makes vectors of them.
+  const volatile float narrow = static_cast<float>(x);
+  return static_cast<double>(narrow);
+}
+Vector3 single(const Vector3& v) { return {single(v[0]), single(v[1]), single(v[2])}; }
+
+const std::vector<Breakage> kBreakages{
+    {"the sign of delta", "direction", nothing_before,
+     [](const Query& q, Claim& claim) {
+       if (auto* c = contact_of(claim)) {
+         c->normal = Vector3(-*c->normal);
+         c->point1 = Vector3(2 * q.balls()->a.center - *c->point1);
+         c->point2 = Vector3(2 * q.balls()->b.center - *c->point2);
+       }
+     }},
+    {"< for <=", "touching", nothing_before,
+     [](const Query& q, Claim& claim) {
+       if (oracle::truth_of(q).at_alarm == CGAL::ZERO) decide(q, claim, false);
+     }},
+    {"the alarm distance forgotten", "alarm_edge", [](Query& q) { q.distances.alarm = 0; }, nullptr},
+    {"the alarm distance doubled", "alarm_edge", [](Query& q) { q.distances.alarm *= 2; }, nullptr},
+    {"r1 for r2", "swap",
+     [](Query& q) {
+       if (auto* balls = std::get_if<Balls>(&q.shapes)) balls->b.radius = balls->a.radius;
+     },
+     nullptr},
+    {"the contact distance subtracted twice", "contact_distance", [](Query& q) { q.distances.contact *= 2; }, nullptr},
+    {"the contact distance forgotten", "contact_distance", [](Query& q) { q.distances.contact = 0; }, nullptr},
+    {"the far points", "near_side", nothing_before,
+     [](const Query& q, Claim& claim) {
+       if (auto* c = contact_of(claim)) {
+         c->point1 = Vector3(q.balls()->a.center - q.balls()->a.radius * *c->normal);
+         c->point2 = Vector3(q.balls()->b.center + q.balls()->b.radius * *c->normal);
+       }
+     }},
+    {"the points swapped", "own_surface", nothing_before,
+     [](const Query&, Claim& claim) {
+       if (auto* c = contact_of(claim)) std::swap(c->point1, c->point2);
+     }},
+    {"a normal that is not unit", "unit_normal", nothing_before,
+     [](const Query& q, Claim& claim) {
+       if (auto* c = contact_of(claim); c != nullptr && !is_coincident(q)) *c->normal *= 1.0001;
+     }},
+    {"the normal's x negated", "turn", nothing_before,
+     [](const Query&, Claim& claim) {
+       if (auto* c = contact_of(claim)) (*c->normal)[0] = -(*c->normal)[0];
+     }},
+    {"the normal's y and z exchanged", "turn", nothing_before,
+     [](const Query&, Claim& claim) {
+       if (auto* c = contact_of(claim)) std::swap((*c->normal)[1], (*c->normal)[2]);
+     }},
+    {"the value squared", "scale", nothing_before,
+     [](const Query&, Claim& claim) {
+       if (auto* c = contact_of(claim)) *c->value *= *c->value;
+     }},
+    {"the value without its sign", "value_grows_with_distance", nothing_before,
+     [](const Query&, Claim& claim) {
+       if (auto* c = contact_of(claim)) c->value = std::abs(*c->value);
+     }},
+    {"NaN at coincident centres", "coincident", nothing_before,
+     [](const Query& q, Claim& claim) {
+       if (auto* c = contact_of(claim); c != nullptr && is_coincident(q)) c->normal = Vector3::Constant(std::nan(""));
+     }},
+    {"a zero normal at coincident centres", "coincident", nothing_before,
+     [](const Query& q, Claim& claim) {
+       if (auto* c = contact_of(claim); c != nullptr && is_coincident(q)) c->normal = Vector3::Zero();
+     }},
+    {"the squared distance against the plain sum", "scale", nothing_before,
+     [](const Query& q, Claim& claim) {
+       if (q.balls() == nullptr) return;
+       const double reach = q.distances.alarm + q.balls()->a.radius + q.balls()->b.radius;
+       decide(q, claim, delta(q).squaredNorm() <= reach);
+     }},
+    {"an absolute epsilon of 1e-9", "scale", [](Query& q) { q.distances.alarm += 1e-9; }, nullptr},
+    {"float inside", "unit_normal", nothing_before,
+     [](const Query& q, Claim& claim) {
+       if (auto* c = contact_of(claim); c != nullptr && !is_coincident(q)) {
+         c->normal = single(*c->normal);
+         c->value = std::abs(*c->value) < 0x1p127 ? single(*c->value) : *c->value;
+       }
+     }},
+    {"one axis ignored in boxes", "turn",
+     [](Query& q) {
+       if (auto* boxes = std::get_if<Boxes>(&q.shapes)) {
+         boxes->a.min[2] = boxes->b.min[2] = 0;
+         boxes->a.max[2] = boxes->b.max[2] = 0;
+       }
+     },
+     nullptr},
+    {"boxes tested with < alone", "touching", nothing_before,
+     [](const Query& q, Claim& claim) {
+       if (q.boxes() != nullptr && oracle::truth_of(q).at_alarm == CGAL::ZERO) claim.overlap = false;
+     }},
+    {"boxes tested by corners of the second", "nested", nothing_before,
+     [](const Query& q, Claim& claim) {
+       if (q.boxes() == nullptr) return;
+       const auto& [a, b] = *q.boxes();
+       const bool inside = (b.min.array() > a.min.array()).all() && (b.max.array() < a.max.array()).all();
+       if (inside) claim.overlap = false;
+     }},
+    {"an overlap test without the alarm distance", "test_agrees", nothing_before,
+     [](const Query& q, Claim& claim) {
+       if (q.balls() == nullptr || q.distances.alarm == 0) return;
+       // Not at the edge, which the laws about touching would name.
+       const oracle::Truth truth = oracle::truth_of(q);
+       if (truth.at_alarm == CGAL::NEGATIVE && truth.at_zero == CGAL::POSITIVE) claim.overlap = false;
+     }},
+    {"half the value for a sphere with a rigid sphere", "sphere_kinds", nothing_before,
+     [](const Query& q, Claim& claim) {
+       if (auto* c = contact_of(claim); c != nullptr && q.pair == Pair::sphere_rigid_sphere) c->value = *c->value / 2;
+     }},
+};
+
+golden::EngineInfo declaring(std::string name, double scale) {
+  golden::EngineInfo info;
+  info.name = std::move(name);
+  info.version = "test";
+  info.declared.conventions.scale_min = 1 / scale;
+  info.declared.conventions.scale_max = scale;
+  return info;
+}
+
+/// Production with one line broken.
+class Broken final : public Engine {
+ public:
+  explicit Broken(const Breakage& breakage)
+      : Engine(declaring(breakage.what, 0x1p200)),
+        breakage_(breakage),
+        production_(engines::make_built_in("production")) {}
+
+  std::vector<Claim> answer(std::span<const Question> questions) override {
+    std::vector<Question> asked(questions.begin(), questions.end());
+    for (Question& q : asked)
+      if (!outside_domain(q.query)) breakage_.before(q.query);
+    std::vector<Claim> claims = production_->answer(asked);
+    for (std::size_t i = 0; i < claims.size(); ++i)
+      if (breakage_.after != nullptr && claims[i].status == Claim::Status::answered)
+        breakage_.after(questions[i].query, claims[i]);
+    return claims;
+  }
+
+ private:
+  const Breakage& breakage_;
+  std::unique_ptr<Engine> production_;
+};
+
+/// A built-in engine that declares an honest scale.
+class Honest final : public Engine {
+ public:
+  Honest(const std::string& name, double scale)
+      : Engine(declaring(name, scale)), engine_(engines::make_built_in(name)) {}
+  std::vector<Claim> answer(std::span<const Question> questions) override { return engine_->answer(questions); }
+
+ private:
+  std::unique_ptr<Engine> engine_;
+};
+
+RunResult asked(std::unique_ptr<Engine> engine, std::uint64_t cases, bool correctly_rounded = false,
+                std::vector<std::string> names = {}) {
+  RunOptions options;
+  options.seed = 20;
+  options.cases = cases;
+  options.correctly_rounded = correctly_rounded;
+  options.names = std::move(names);
+  return run_laws(engine, options);
+}
+
+std::set<std::string> violated(const RunResult& result) {
+  std::set<std::string> names;
+  for (const LawResult& r : result.laws)
+    if (r.violation || r.given_up) names.insert(std::string(r.law->name));
+  return names;
+}
+
+std::string described(const RunResult& result) {
+  std::string text;
+  for (const LawResult& r : result.laws)
+    if (r.violation)
+      text += std::string(r.law->name) + ": " + r.violation->why + "\n";
+    else if (r.given_up)
+      text += std::string(r.law->name) + ": given up\n";
+  return text;
+}
+
+void expect_every_law_holds(const std::string& name) {
+  const RunResult result = asked(engines::make_built_in(name), 1000, true);
+  EXPECT_TRUE(result.holds()) << described(result);
+  EXPECT_GT(result.shares.questions, 25'000U);
+  for (std::size_t i = 0; i < kClassNames.size(); ++i)
+    ::testing::Test::RecordProperty(
+        "class" + std::to_string(i),
+        std::string(kClassNames[i]) + ": " + std::to_string(result.shares.percent(static_cast<Class>(i))) + " %");
+  EXPECT_GT(result.shares.percent(Class::hit), 50);
+  EXPECT_LT(result.shares.percent(Class::hit), 90);
+  EXPECT_GT(result.shares.percent(Class::exact_edge), 8);
+  EXPECT_GT(result.shares.percent(Class::near_edge), 10);
+  EXPECT_GT(result.shares.percent(Class::coincident), 4);
+  EXPECT_GT(result.shares.percent(Class::subnormal), 15);
+  EXPECT_GT(result.shares.percent(Class::huge), 15);
+  EXPECT_GT(result.shares.percent(Class::flat), 2);
+  const RunResult bad = asked(engines::make_built_in(name), 1000, true, {"refuses_bad_input"});
+  EXPECT_TRUE(bad.holds()) << described(bad);
+}
+
+TEST(Laws, production_obeys_every_law_bit_for_bit) { expect_every_law_holds("production"); }
+TEST(Laws, the_component_obeys_every_law_bit_for_bit) { expect_every_law_holds("component"); }
+
+TEST(Laws, production_obeys_every_law_within_bounds_under_every_point_convention_that_it_declares) {
+  for (const PointConvention points : {PointConvention::center, PointConvention::published}) {
+    const RunResult result = asked(engines::make_built_in("production", points), 300);
+    EXPECT_TRUE(result.holds()) << described(result);
+  }
+}
+
+// SOFA's own arithmetic: at an honest scale it fails at coincident centres and in exact decisions, and nowhere else.
+TEST(Laws, plain_double_at_an_honest_scale_fails_in_exact_decisions_and_at_coincident_centres_alone) {
+  const RunResult result = asked(std::make_unique<Honest>("plain-double", 0x1p200), 2000);
+  EXPECT_EQ(violated(result), (std::set<std::string>{"coincident", "decision"})) << described(result);
+}
+
+TEST(Laws, plain_float_at_an_honest_scale_fails_in_exact_decisions_and_at_coincident_centres_alone) {
+  class Float final : public Engine {
+   public:
+    Float() : Engine(info_of()), engine_(engines::make_built_in("plain-float")) {}
+    std::vector<Claim> answer(std::span<const Question> questions) override { return engine_->answer(questions); }
+
+   private:
+    static golden::EngineInfo info_of() {
+      golden::EngineInfo info = declaring("plain-float", 0x1p20);
+      info.declared.scalar = Scalar::binary32;
+      return info;
+    }
+    std::unique_ptr<Engine> engine_;
+  };
+  const RunResult result = asked(std::make_unique<Float>(), 1000);
+  EXPECT_EQ(violated(result), (std::set<std::string>{"coincident", "decision"})) << described(result);
+}
+
+TEST(Laws, plain_double_is_not_correctly_rounded_which_numbers_of_a_few_bits_show) {
+  const RunResult result = asked(std::make_unique<Honest>("plain-double", 0x1p200), 1000, true,
+                                 {"decision", "correctly_rounded", "swap", "turn"});
+  int fewest = 64;
+  for (const LawResult& r : result.laws) {
+    if (!r.violation) continue;
+    int most = 0;
+    for_each_number(r.violation->trial.query,
+                    [&](const std::string&, double x) { most = std::max(most, significant_bits(x)); });
+    if (r.law->name == std::string_view("correctly_rounded") && !is_coincident(r.violation->trial.query))
+      fewest = std::min(fewest, most);
+    RecordProperty(std::string(r.law->name), std::to_string(most) + " significant bits");
+    EXPECT_LT(r.tested, 1000U) << r.law->name;
+  }
+  EXPECT_TRUE(violated(result).contains("correctly_rounded"));
+  EXPECT_TRUE(violated(result).contains("decision"));
+  EXPECT_LE(fewest, 8) << described(result);
+}
+
+TEST(Laws, every_broken_line_is_caught_within_10000_cases_and_named_by_the_law_that_fits) {
+  for (const Breakage& breakage : kBreakages) {
+    const RunResult result = asked(std::make_unique<Broken>(breakage), 500);
+    const LawResult* first = result.first_violated();
+    ASSERT_NE(first, nullptr) << breakage.what;
+    EXPECT_EQ(first->law->name, breakage.law) << breakage.what << "\n" << described(result);
+    EXPECT_LT(first->tested, 10'000U);
+    int most = 0;
+    for_each_number(first->violation->trial.query,
+                    [&](const std::string&, double x) { most = std::max(most, significant_bits(x)); });
+    EXPECT_LE(most, 8) << breakage.what;
+  }
+}
+
+// What an engine does not claim is not asked of it, and the report says why.
+TEST(Laws, that_an_engine_does_not_claim_are_skipped_visibly) {
+  class Modest final : public Engine {
+   public:
+    explicit Modest() : Engine(info_of()), engine_(engines::make_built_in("production")) {}
+    std::vector<Claim> answer(std::span<const Question> questions) override { return engine_->answer(questions); }
+
+   private:
+    static golden::EngineInfo info_of() {
+      golden::EngineInfo info = declaring("modest", 0x1p100);
+      info.pairs = {Pair::sphere_sphere};
+      info.declared.conventions.points = Points::none;
+      info.declared.conventions.value = ValueKind::none;
+      return info;
+    }
+    std::unique_ptr<Engine> engine_;
+  };
+  const RunResult result = asked(std::make_unique<Modest>(), 200);
+  EXPECT_TRUE(result.holds()) << described(result);
+  std::set<std::string> skipped;
+  for (const LawResult& r : result.laws)
+    if (r.skipped) skipped.insert(std::string(r.law->name));
+  EXPECT_EQ(skipped, (std::set<std::string>{"refuses_bad_input", "each_axis", "nested", "value_grows_with_distance",
+                                            "sphere_kinds", "own_surface", "near_side", "span", "correctly_rounded"}));
+}
+
+TEST(Shrinking, makes_every_step_easier_and_stays_in_the_range) {
+  for (const Scalar scalar : kScalars) {
+    const Range range(scalar);
+    for (const Pair pair : {Pair::sphere_rigid_sphere, Pair::cube_cube})
+      for (const Query& query : sample(queries(pair, range), 100)) {
+        if (!range.contains(query)) continue;
+        const Trial trial{query, {}, {}};
+        for (const Trial& next : easier(trial, range)) {
+          EXPECT_LT(difficulty(next), difficulty(trial));
+          EXPECT_TRUE(range.contains(next.query));
+        }
+      }
+  }
+}
+
+TEST(Generators, make_numbers_of_the_range) {
+  for (const Range& range : {Range(), Range(Scalar::binary32), Range(Scalar::binary64, 0x1p-200, 0x1p200),
+                             Range(Scalar::binary32, 1e-3, 1e3)})
+    for (const auto& gen : {any_bits(range), subnormal(range), extreme(range), huge(range), small_dyadic(range),
+                            beside_dyadic(range), ordinary(range)}) {
+      rc::Random random(20);
+      int inside = 0;
+      for (int i = 0; i < 300; ++i) {
+        const rc::Random here = random.split();
+        inside += range.contains(gen(here, rc::kNominalSize).value()) ? 1 : 0;
+      }
+      EXPECT_GT(inside, 295);
+    }
+}
+
+}  // namespace
+}  // namespace contact::proptests

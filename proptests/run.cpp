@@ -1,0 +1,216 @@
+// Asks an engine every law: draws trials, judges them, and shrinks what violates a law.
+#include "proptests/run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "golden/query_id.hpp"
+#include "proptests/law_functions.hpp"
+
+namespace contact::proptests {
+namespace {
+
+// Shrinking ends after so many trials, or so long where an engine is slow.
+constexpr std::uint64_t kShrinkTries = 2000;
+constexpr std::chrono::seconds kShrinkTime{20};
+constexpr int kRedraws = 50;        // for a question within the engine's range
+constexpr int kMostVacuous = 30;    // trials for each case, before a law is given up
+constexpr int kMostRestarts = 100;  // of a dead engine
+
+class Runner {
+ public:
+  Runner(std::unique_ptr<engines::Engine>& engine, const RunOptions& options)
+      : engine_(engine), options_(options), subject_(engine->info(), options.correctly_rounded) {
+    result_.engine = engine->info();
+  }
+
+  RunResult run() {
+    for (const Law& law : laws()) {
+      const bool named = std::find(options_.names.begin(), options_.names.end(), law.name) != options_.names.end();
+      if (!options_.names.empty() && !named) continue;
+      LawResult result{&law, 0, std::nullopt, std::nullopt, false};
+      if (law.only_when_named && !named)
+        result.skipped = "asked only when named: --law " + std::string(law.name);
+      else
+        ask(law, result);
+      result_.laws.push_back(std::move(result));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void ask(const Law& law, LawResult& result) {
+    std::vector<Pair> pairs;
+    for (const Pair pair : kPairs)
+      if (law.applies(pair) && subject_.info.serves(pair)) pairs.push_back(pair);
+    if (pairs.empty()) {
+      result.skipped = law.of_spheres ? "the engine serves no pair of spheres" : "the engine serves no pair of cubes";
+      return;
+    }
+    if ((result.skipped = law.skip(subject_))) return;
+
+    std::vector<rc::Gen<Trial>> gens;
+    for (const Pair pair : pairs) gens.push_back(trials(law, pair));
+    rc::Random random(law_seed(law));
+    for (std::uint64_t drawn = 0; result.tested < options_.cases; ++drawn) {
+      if (drawn > kMostVacuous * options_.cases) {
+        result.given_up = true;
+        return;
+      }
+      const auto trial = draw(law, gens[drawn % gens.size()], random);
+      if (!trial) continue;
+      if (options_.after_case) options_.after_case();
+      Violation violation{*trial, {}, {}, "", 0};
+      const Outcome outcome = test(law, *trial, violation, true);
+      if (outcome.kind == Outcome::Kind::vacuous) continue;
+      ++result.tested;
+      if (outcome.kind == Outcome::Kind::holds) continue;
+      result.violation = shrunk(law, std::move(violation));
+      return;
+    }
+  }
+
+  /// Each law draws for itself, so that a law alone repeats what it did among all.
+  [[nodiscard]] std::uint64_t law_seed(const Law& law) const {
+    std::uint64_t hash = 0xcbf29ce484222325U ^ options_.seed;
+    for (const char c : law.name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+    return hash;
+  }
+
+  [[nodiscard]] rc::Gen<Trial> trials(const Law& law, Pair pair) const {
+    const bool others = law.questions == itself_among_others || law.questions == with_others;
+    const auto other = others ? rc::gen::container<std::vector<Query>>(3, queries(pair, subject_.range))
+                              : rc::gen::just(std::vector<Query>{});
+    return rc::gen::map(rc::gen::tuple(law.draw(pair, subject_.range), changes(subject_.range), other),
+                        [](std::tuple<Query, Change, std::vector<Query>> parts) {
+                          auto& [query, change, with] = parts;
+                          return Trial{std::move(query), change, std::move(with)};
+                        });
+  }
+
+  std::optional<Trial> draw(const Law& law, const rc::Gen<Trial>& gen, rc::Random& random) const {
+    for (int i = 0; i < kRedraws; ++i) {
+      const rc::Random here = random.split();
+      Trial trial = gen(here, rc::kNominalSize).value();
+      if (law.questions == itself_if_bad) return trial;
+      std::erase_if(trial.others, [&](const Query& q) { return !subject_.range.contains(q); });
+      if (subject_.range.contains(trial.query)) return trial;
+    }
+    return std::nullopt;
+  }
+
+  std::vector<Claim> answers(const std::vector<Query>& queries) {
+    std::vector<engines::Question> questions;
+    for (const Query& query : queries) questions.push_back({golden::query_id(query), query});
+    std::vector<Claim> claims = engine_->answer(questions);
+    const bool dead =
+        std::any_of(claims.begin(), claims.end(), [](const Claim& c) { return c.status == Claim::Status::missing; });
+    if (dead && options_.restart && restarts_++ < kMostRestarts) {
+      engine_ = options_.restart();
+      claims = engine_->answer(questions);
+    }
+    for (const Claim& claim : claims)
+      result_.ever_answered = result_.ever_answered ||
+                              (claim.status == Claim::Status::answered && (claim.overlap || claim.speaks_of_contact));
+    return claims;
+  }
+
+  Outcome test(const Law& law, const Trial& trial, Violation& violation, bool counts) {
+    std::vector<Query> asked = law.questions(trial, subject_);
+    const bool bad = law.questions == itself_if_bad;
+    if (asked.empty() ||
+        (!bad && !std::all_of(asked.begin(), asked.end(), [&](const Query& q) { return subject_.range.contains(q); })))
+      return Outcome::vacuous();
+    std::vector<Claim> said = answers(asked);
+    if (law.asking == Asking::together_and_one_by_one) {
+      std::vector<Claim> alone(asked.size());
+      for (std::size_t i = asked.size(); i-- > 0;) alone[i] = answers({asked[i]}).front();
+      said.insert(said.end(), alone.begin(), alone.end());
+    }
+    if (law.asking != Asking::whatever_comes &&
+        std::any_of(said.begin(), said.end(), [](const Claim& c) { return c.status != Claim::Status::answered; }))
+      return Outcome::vacuous();
+    const Case c(subject_, trial, std::move(asked), std::move(said), options_.truth);
+    Outcome outcome = law.check(c);
+    if (counts && !bad && outcome.kind != Outcome::Kind::vacuous) count(c);
+    if (outcome.kind == Outcome::Kind::violated)
+      violation = {trial, c.queries, c.claims, outcome.text, violation.tries};
+    return outcome;
+  }
+
+  Violation shrunk(const Law& law, Violation violation) {
+    const auto end = std::chrono::steady_clock::now() + kShrinkTime;
+    const Claim::Status status = violation.claims.front().status;
+    auto here = shrinkable(violation.trial, subject_.range);
+    for (bool easier = true; easier;) {
+      easier = false;
+      auto next = here.shrinks();
+      while (auto candidate = next.next()) {
+        if (++violation.tries > kShrinkTries || std::chrono::steady_clock::now() > end) return violation;
+        if (options_.after_case) options_.after_case();
+        Violation found = violation;
+        // A crash shrinks to a crash; an engine that counts as dead says nothing about the question.
+        if (test(law, candidate->value(), found, false).kind != Outcome::Kind::violated ||
+            found.claims.front().status != status || status == Claim::Status::missing)
+          continue;
+        violation = std::move(found);
+        here = *candidate;
+        easier = true;
+        break;
+      }
+    }
+    return violation;
+  }
+
+  void count(const Case& c) {
+    const oracle::Truth& truth = c.truth(0);
+    const Scalar scalar = subject_.info.declared.scalar;
+    const double normal = std::ldexp(1.0, format_of(scalar).min_exponent);
+    const double top = std::ldexp(1.0, format_of(scalar).max_exponent - 23);
+    bool is_subnormal = false;
+    bool is_huge = false;
+    for_each_number(c.queries[0], [&](const std::string&, double x) {
+      is_subnormal = is_subnormal || (x != 0 && std::abs(x) < normal);
+      is_huge = is_huge || std::abs(x) > top;
+    });
+    const auto add = [&](Class kind, bool holds) {
+      result_.shares.counts[static_cast<std::size_t>(kind)] += holds ? 1 : 0;
+    };
+    ++result_.shares.questions;
+    add(Class::hit, truth.hit());
+    add(Class::exact_edge, truth.at_alarm == CGAL::ZERO);
+    add(Class::near_edge,
+        truth.spheres && truth.at_alarm != CGAL::ZERO && std::abs(oracle::witness(truth, scalar).margin_ulps) <= 4);
+    add(Class::coincident, truth.spheres && truth.spheres->degenerate());
+    add(Class::subnormal, is_subnormal);
+    add(Class::huge, is_huge);
+    const Boxes* boxes = c.queries[0].boxes();
+    add(Class::flat, boxes != nullptr && ((boxes->a.min.array() == boxes->a.max.array()).any() ||
+                                          (boxes->b.min.array() == boxes->b.max.array()).any()));
+  }
+
+  std::unique_ptr<engines::Engine>& engine_;
+  const RunOptions& options_;
+  Subject subject_;
+  RunResult result_;
+  int restarts_ = 0;
+};
+
+}  // namespace
+
+const LawResult* RunResult::first_violated() const {
+  const auto it = std::find_if(laws.begin(), laws.end(), [](const LawResult& r) { return r.violation.has_value(); });
+  return it == laws.end() ? nullptr : &*it;
+}
+
+bool RunResult::holds() const {
+  return std::any_of(laws.begin(), laws.end(), [](const LawResult& r) { return r.holds(); }) &&
+         std::all_of(laws.begin(), laws.end(), [](const LawResult& r) { return r.holds() || r.skipped; });
+}
+
+RunResult run_laws(std::unique_ptr<engines::Engine>& engine, const RunOptions& options) {
+  return Runner(engine, options).run();
+}
+
+}  // namespace contact::proptests

@@ -1,0 +1,224 @@
+// What swapping, turning, moving and scaling must do to an answer.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "proptests/law_functions.hpp"
+
+namespace contact::proptests {
+namespace {
+
+/// Calls edit(v) for every vector of a question: centres, or corners.
+template <class Edit>
+void for_each_vector(Query& query, Edit edit) {
+  std::visit(
+      [&](auto& shapes) {
+        for (auto* shape : {&shapes.a, &shapes.b}) {
+          if constexpr (requires { shape->center; }) {
+            edit(shape->center);
+          } else {
+            edit(shape->min);
+            edit(shape->max);
+          }
+        }
+      },
+      query.shapes);
+}
+
+Vector3 turned(const Change& change, const Vector3& v) {
+  Vector3 result;
+  for (std::size_t i = 0; i < 3; ++i)
+    result[static_cast<Eigen::Index>(i)] = (change.reflected[i] ? -1 : 1) * v[change.order[i]];
+  return result;
+}
+
+/// A claim with its vectors and its value edited.
+template <class Vectors>
+ContactClaim carried_over(const ContactClaim& claim, Vectors vectors) {
+  ContactClaim result = claim;
+  for (auto* v : {&result.normal, &result.point1, &result.point2, &result.point})
+    if (*v) **v = vectors(**v);
+  return result;
+}
+
+/// The exponent of the last binary digit of a number other than 0.
+int last_digit(double x) {
+  int exponent = 0;
+  const double digits = std::ldexp(std::frexp(x, &exponent), 53);
+  int zeros = 0;
+  while (std::fmod(std::ldexp(digits, -zeros), 2) == 0) ++zeros;
+  return exponent - 53 + zeros;
+}
+
+/// x + y in the range and without rounding.
+std::optional<double> exact_sum(const Range& range, double x, double y) {
+  const double sum = x + y;
+  const double back = sum - x;
+  const bool exact = std::isfinite(sum) && (x - (sum - back)) + (y - back) == 0;
+  return exact && range.contains(sum) ? std::optional(sum) : std::nullopt;
+}
+
+Outcome compared(const Case& c, const ContactClaim* wanted, std::initializer_list<Field> fields, int exponent = 0) {
+  if (auto why = different_decisions(c, 0, 1)) return Outcome::violated(*why);
+  if (wanted == nullptr || c.contact(1) == nullptr) return {};
+  if (auto why = different_numbers(c, 0, 1, *wanted, fields, exponent)) return Outcome::violated(*why);
+  return {};
+}
+
+}  // namespace
+
+Questions swapped(const Trial& trial, const Subject&) {
+  Query other = trial.query;
+  std::visit([](auto& shapes) { std::swap(shapes.a, shapes.b); }, other.shapes);
+  return {trial.query, other};
+}
+
+Outcome check_swapped(const Case& c) {
+  if (c.contact(0) == nullptr) return compared(c, nullptr, {});
+  ContactClaim wanted = *c.contact(0);
+  // A sphere and a rigid sphere exchange their shapes, not their kinds: a centre stays with its kind.
+  const bool points =
+      c.subject.info.declared.conventions.points != Points::center || c.queries[0].pair != Pair::sphere_rigid_sphere;
+  if (wanted.normal) wanted.normal = Vector3(-*wanted.normal);
+  if (points) {
+    std::swap(wanted.point1, wanted.point2);
+  } else {
+    wanted.point1.reset();
+    wanted.point2.reset();
+  }
+  if (coincident(c, 0)) return compared(c, &wanted, {Field::value});
+  return compared(c, &wanted, {Field::normal, Field::value, Field::point1, Field::point2, Field::point});
+}
+
+Questions turned(const Trial& trial, const Subject&) {
+  Query other = trial.query;
+  for_each_vector(other, [&](Vector3& v) { v = turned(trial.change, v); });
+  if (auto* boxes = std::get_if<Boxes>(&other.shapes))
+    for (Box* box : {&boxes->a, &boxes->b}) *box = {box->min.cwiseMin(box->max), box->min.cwiseMax(box->max)};
+  return {trial.query, other};
+}
+
+Outcome check_turned(const Case& c) {
+  if (c.contact(0) == nullptr) return compared(c, nullptr, {});
+  const ContactClaim wanted = carried_over(*c.contact(0), [&](const Vector3& v) { return turned(c.trial.change, v); });
+  if (coincident(c, 0)) return compared(c, &wanted, {Field::value});
+  return compared(c, &wanted, {Field::normal, Field::value, Field::point1, Field::point2, Field::point});
+}
+
+Questions translated(const Trial& trial, const Subject& subject) {
+  Query other = trial.query;
+  bool moved = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    // Steps of the grid that the coordinates of this axis lie on, at most 2^20 of them.
+    const int steps = trial.change.steps[static_cast<std::size_t>(axis)];
+    if (steps == 0) continue;
+    int grid = subject.range.top + 1;
+    for_each_vector(other, [&](const Vector3& v) { grid = v[axis] == 0 ? grid : std::min(grid, last_digit(v[axis])); });
+    if (grid > subject.range.top) grid = std::clamp(0, subject.range.bottom, subject.range.top);
+    const double shift = std::ldexp(static_cast<double>(steps), grid + trial.change.choice % 20);
+    bool exact = true;
+    Query candidate = other;
+    for_each_vector(candidate, [&](Vector3& v) {
+      const auto sum = exact_sum(subject.range, v[axis], shift);
+      exact = exact && sum.has_value();
+      if (sum) v[axis] = *sum;
+    });
+    if (exact) other = candidate;
+    moved = moved || exact;
+  }
+  return moved ? Questions{trial.query, other} : Questions{};
+}
+
+Outcome check_translated(const Case& c) {
+  const Outcome outcome = compared(c, c.contact(0), {Field::normal, Field::value});
+  if (outcome.kind != Outcome::Kind::holds || c.contact(0) == nullptr || c.contact(1) == nullptr) return outcome;
+  if (coincident(c, 0)) return outcome;
+  // Points move along, as exact reals.
+  const Vector3 from = c.queries[0].balls()->a.center;
+  const Vector3 to = c.queries[1].balls()->a.center;
+  const auto check = [&](const std::optional<Vector3>& before, const std::optional<Vector3>& after, Field field) {
+    if (!claims(c.subject.info.declared.conventions, field) || !before || !after || !before->allFinite() ||
+        !after->allFinite())
+      return Outcome{};
+    const Rational error = Rational(c.subject.bound(field)) * (unit_of(c, 0, field) + unit_of(c, 1, field));
+    for (int axis = 0; axis < 3; ++axis) {
+      const Rational shift = Rational(to[axis]) - Rational(from[axis]);
+      if (CGAL::abs(Rational((*after)[axis]) - Rational((*before)[axis]) - shift) > error)
+        return Outcome::violated(std::string(name(field)) + " " + text(*before) + " moved to " + text(*after) +
+                                 ", and not with its spheres");
+    }
+    return Outcome{};
+  };
+  for (const auto& [member, field] : {std::pair{&ContactClaim::point1, Field::point1},
+                                      {&ContactClaim::point2, Field::point2},
+                                      {&ContactClaim::point, Field::point}})
+    if (Outcome moved = check(c.contact(0)->*member, c.contact(1)->*member, field); moved.kind != Outcome::Kind::holds)
+      return moved;
+  return outcome;
+}
+
+Questions scaled(const Trial& trial, const Subject& subject) {
+  // The drawn exponent brought to where every number stays in the range without rounding.
+  int least = -5000;
+  int most = 5000;
+  for_each_number(trial.query, [&](const std::string&, double x) {
+    if (x == 0) return;
+    const int last = subject.range.least > 0 ? std::ilogb(x) : last_digit(x);
+    least = std::max(least, subject.range.bottom - last);
+    most = std::min(most, subject.range.top - std::ilogb(x));
+  });
+  if (least == -5000 || least > most) return {};
+  const int exponent = std::clamp(trial.change.exponent, least, most);
+  if (exponent == 0) return {};
+  Query other = trial.query;
+  for_each_number(other, [&](const std::string&, double& x) { x = std::ldexp(x, exponent); });
+  return {trial.query, other};
+}
+
+Outcome check_scaled(const Case& c) {
+  if (c.contact(0) == nullptr) return compared(c, nullptr, {});
+  int exponent = 0;
+  std::vector<double> before;
+  for_each_number(c.queries[0], [&](const std::string&, double x) { before.push_back(x); });
+  std::size_t i = 0;
+  for_each_number(c.queries[1], [&](const std::string&, double x) {
+    if (x != 0) exponent = std::ilogb(x) - std::ilogb(before[i]);
+    ++i;
+  });
+  ContactClaim wanted = *c.contact(0);
+  const auto by_exponent = [&](double& x) { x = std::ldexp(x, exponent); };
+  for (auto* v : {&wanted.point1, &wanted.point2, &wanted.point})
+    if (*v)
+      for (int axis = 0; axis < 3; ++axis) by_exponent((**v)[axis]);
+  if (wanted.value) by_exponent(*wanted.value);
+  if (coincident(c, 0)) return compared(c, &wanted, {Field::value}, exponent);
+  return compared(c, &wanted, {Field::normal, Field::value, Field::point1, Field::point2, Field::point}, exponent);
+}
+
+Questions other_sphere_kinds(const Trial& trial, const Subject& subject) {
+  Questions questions;
+  for (const Pair pair : kPairs) {
+    if (pair == Pair::cube_cube || !subject.info.serves(pair)) continue;
+    questions.push_back(trial.query);
+    questions.back().pair = pair;
+  }
+  return questions;
+}
+
+Outcome check_sphere_kinds(const Case& c) {
+  for (std::size_t j = 1; j < c.queries.size(); ++j) {
+    if (auto why = different_decisions(c, 0, j)) return Outcome::violated(*why);
+    if (c.contact(0) == nullptr || c.contact(j) == nullptr) continue;
+    const bool centers = c.subject.info.declared.conventions.points == Points::center;
+    if (auto why = different_numbers(c, 0, j, *c.contact(0), {Field::value})) return Outcome::violated(*why);
+    if (coincident(c, 0)) continue;
+    if (auto why = different_numbers(c, 0, j, *c.contact(0), {Field::normal, Field::point}))
+      return Outcome::violated(*why);
+    if (centers) continue;
+    if (auto why = different_numbers(c, 0, j, *c.contact(0), {Field::point1, Field::point2}))
+      return Outcome::violated(*why);
+  }
+  return {};
+}
+
+}  // namespace contact::proptests

@@ -1,0 +1,92 @@
+// The options that choose the engine.
+#include "tool/engine_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include "engines/subprocess.hpp"
+#include "tool/commands.hpp"
+#include "tool/process.hpp"
+
+namespace contact::tool {
+namespace {
+
+std::unique_ptr<engines::Engine> subprocess(const EngineOptions& options, std::vector<std::string> words) {
+  const auto milliseconds = [](double seconds) {
+    return std::chrono::milliseconds(static_cast<std::int64_t>(seconds * 1000));
+  };
+  engines::SubprocessOptions process;
+  process.command = std::move(words);
+  process.processes = std::max<std::size_t>(options.jobs, 1);
+  process.start = milliseconds(options.start_limit);
+  process.answer = milliseconds(options.answer_limit);
+  process.check = throw_if_interrupted;
+  return engines::make_subprocess(process);
+}
+
+}  // namespace
+
+void add_engine_options(CLI::App& command, EngineOptions& options) {
+  auto* engine =
+      command.add_option("--engine", options.engine, "A built-in engine; `contact-oracle engines` lists them");
+  auto* program = command.add_option("--engine-command", options.command,
+                                     "An engine in any language: a program that speaks the engine protocol, with its "
+                                     "arguments; split as a shell splits words, without a shell");
+  auto* library = command.add_option("--engine-library", options.library,
+                                     "An engine as a shared library with the interface of engines/contact_engine.h");
+  auto* results = command.add_option("--results", options.results, "A results file: the recorded answers of an engine");
+  for (auto* one : {engine, program, library, results})
+    for (auto* other : {engine, program, library, results})
+      if (one != other) one->excludes(other);
+  command
+      .add_option("--points", options.points,
+                  "Contact points that a built-in engine computes: nearest_surface, center, published")
+      ->capture_default_str();
+  command.add_option("--jobs", options.jobs, "Threads, and engine processes (default: a thread a core, one process)")
+      ->check(kFromOne);
+  command.add_option("--start-limit", options.start_limit, "Seconds until an engine's hello")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  command.add_option("--answer-limit", options.answer_limit, "Seconds until an engine's next answer")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+}
+
+PointConvention computed_points(const EngineOptions& options) {
+  return static_cast<PointConvention>(
+      index_of(engines::kComputedPointsNames, options.points, "convention for --points"));
+}
+
+std::unique_ptr<engines::Engine> built_in(const std::string& name, PointConvention points) {
+  std::vector<std::string_view> names;
+  for (const engines::BuiltIn& e : engines::built_in_engines()) names.push_back(e.name);
+  static_cast<void>(index_of(names, name, "engine"));
+  return engines::make_built_in(name, points);
+}
+
+std::unique_ptr<engines::Engine> make_engine(const EngineOptions& options) {
+  if (!options.results.empty()) return engines::make_recorded(golden::read_results(options.results));
+  if (!options.command.empty()) {
+    std::vector<std::string> words;
+    try {
+      words = engines::split_words(options.command);
+    } catch (const std::invalid_argument& error) {
+      throw golden::InputError({"--engine-command", 0}, "", error.what());
+    }
+    if (words.empty()) throw golden::InputError({"--engine-command", 0}, "", "names no program");
+    return subprocess(options, std::move(words));
+  }
+  if (!options.library.empty()) {
+    if (!std::filesystem::is_regular_file(options.library))
+      throw golden::InputError({options.library, 0}, "", "no such file");
+    // This program again, so that a crash of the library is the other's end.
+    return subprocess(options, {std::filesystem::read_symlink("/proc/self/exe").string(), "serve", "--engine-library",
+                                options.library});
+  }
+  return built_in(options.engine.empty() ? "production" : options.engine, computed_points(options));
+}
+
+}  // namespace contact::tool
