@@ -27,9 +27,22 @@ class Interval {
   friend Interval operator-(const Interval& x, const Interval& y) { return apply(mpfi_sub, x, y); }
   friend Interval operator*(const Interval& x, const Interval& y) { return apply(mpfi_mul, x, y); }
   friend Interval operator/(const Interval& x, const Interval& y) { return apply(mpfi_div, x, y); }
+  /// Both ends are squared again and moved out where they lie inside: mpn_sqrtrem of GMP 6.2.1, asked for no remainder,
+  /// takes some numbers of 14 limbs and more for perfect squares, and mpfr_sqrt then calls a root exact that is too
+  /// low.
   [[nodiscard]] Interval root() const {
-    Interval result(mpfi_get_prec(value_));
+    const mpfr_prec_t precision = mpfi_get_prec(value_);
+    Interval result(precision);
     mpfi_sqrt(result.value_, value_);
+    const auto squared_end = [&](mpfr_srcptr end) {
+      Interval square(2 * precision);  // holds every digit of it
+      mpfr_sqr(&square.value_->left, end, MPFR_RNDN);
+      return square;
+    };
+    mpfr_ptr left = &result.value_->left;
+    mpfr_ptr right = &result.value_->right;
+    while (mpfr_greater_p(&squared_end(left).value_->left, &value_->left) != 0) mpfr_nextbelow(left);
+    while (mpfr_less_p(&squared_end(right).value_->left, &value_->right) != 0) mpfr_nextabove(right);
     return result;
   }
   [[nodiscard]] Interval squared() const {

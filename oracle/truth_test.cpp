@@ -237,6 +237,15 @@ TEST(Oracles, agree_on_hostile_spheres_in_both_scalars) {
   EXPECT_GT(infinite, kCount / 50);
 }
 
+// D lies so little above the square of 2^1023 + 2^500 that GMP 6.2.1 takes its leading digits for a perfect square.
+TEST(Oracles, agree_where_gmp_takes_a_number_for_a_perfect_square) {
+  const Query query{
+      Pair::sphere_sphere, Balls{{{0x1p500, -0x1p-400, -1}, 0}, {{-0x1p1023, 0, 0}, 0x1p1023}}, {kLargest, 0}};
+  expect_oracles_agree(query, Scalar::binary64);
+  // -2^1023 + 2^1023 cos with 1 - cos = 2^-2047, but for a 2^-400th of that
+  EXPECT_EQ(interval_answer(query, Scalar::binary64).expected.contact->point2[0], -0x1p-1024);
+}
+
 TEST(Oracles, agree_on_hostile_cubes_in_both_scalars) {
   Hostile hostile(32);
   int hits = 0;

@@ -5,11 +5,19 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <ostream>
 #include <string>
 #include <tuple>
 
+#include "golden/dataset.hpp"
 #include "golden/families.hpp"
 #include "oracle/exact.hpp"
+
+namespace contact {
+
+void showValue(const Query& query, std::ostream& out) { out << golden::query_line(query, Scalar::binary64); }
+
+}  // namespace contact
 
 namespace contact::proptests {
 namespace {
@@ -37,10 +45,6 @@ double significand(const Range& range, std::uint64_t word) {
   return std::ldexp(static_cast<double>(digits), 1 - precision);
 }
 
-rc::Gen<std::vector<double>> numbers(std::size_t count, rc::Gen<double> number) {
-  return rc::gen::container<std::vector<double>>(count, std::move(number));
-}
-
 Query spheres_of(const std::vector<double>& x) {
   return {Pair::sphere_sphere,
           Balls{{{x[0], x[1], x[2]}, std::abs(x[3])}, {{x[4], x[5], x[6]}, std::abs(x[7])}},
@@ -49,17 +53,6 @@ Query spheres_of(const std::vector<double>& x) {
 
 /// Ten numbers of one kind.
 rc::Gen<Query> spheres_from(rc::Gen<double> number) { return rc::gen::map(numbers(10, std::move(number)), spheres_of); }
-
-Query boxes_of(const std::vector<double>& x) {
-  const auto box = [&](std::size_t at) {
-    const Vector3 p(x[at], x[at + 1], x[at + 2]);
-    const Vector3 q(x[at + 3], x[at + 4], x[at + 5]);
-    return Box{p.cwiseMin(q), p.cwiseMax(q)};
-  };
-  return {Pair::cube_cube, Boxes{box(0), box(6)}, {std::abs(x[12]), 0}};
-}
-/// Thirteen numbers of one kind.
-rc::Gen<Query> boxes_from(rc::Gen<double> number) { return rc::gen::map(numbers(13, std::move(number)), boxes_of); }
 
 /// Boxes that overlap on two axes and on the third are the alarm distance apart as double computes it, up to 2 ulps
 /// off.
@@ -127,6 +120,20 @@ rc::Gen<Apart> apart(const Range& range, int highest) {
 }
 
 }  // namespace
+
+rc::Gen<std::vector<double>> numbers(std::size_t count, rc::Gen<double> number) {
+  return rc::gen::container<std::vector<double>>(count, std::move(number));
+}
+
+Query boxes_of(const std::vector<double>& x) {
+  const auto box = [&](std::size_t at) {
+    const Vector3 p(x[at], x[at + 1], x[at + 2]);
+    const Vector3 q(x[at + 3], x[at + 4], x[at + 5]);
+    return Box{p.cwiseMin(q), p.cwiseMax(q)};
+  };
+  return {Pair::cube_cube, Boxes{box(0), box(6)}, {std::abs(x[12]), 0}};
+}
+rc::Gen<Query> boxes_from(rc::Gen<double> number) { return rc::gen::map(numbers(13, std::move(number)), boxes_of); }
 
 Range::Range(Scalar of, double least_magnitude, double most_magnitude)
     : scalar(of), least(least_magnitude), most(std::min(most_magnitude, largest(of))) {

@@ -3,11 +3,20 @@
 
 #include <rapidcheck.h>
 
+#include <cstddef>
+#include <iosfwd>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "oracle/query.hpp"
+
+namespace contact {
+
+/// How RapidCheck prints a question: as the line that `contact-oracle explain` reads.
+void showValue(const Query& query, std::ostream& out);
+
+}  // namespace contact
 
 namespace contact::proptests {
 
@@ -57,6 +66,7 @@ rc::Gen<T> full_size(rc::Gen<T> gen) {
 /// A full significand of ordinary size.
 [[nodiscard]] rc::Gen<double> ordinary(const Range& range);
 [[nodiscard]] rc::Gen<double> any_number(const Range& range);
+[[nodiscard]] rc::Gen<std::vector<double>> numbers(std::size_t count, rc::Gen<double> number);
 
 // Questions. What is put together may leave the range; Range::contains tells.
 
@@ -72,6 +82,10 @@ rc::Gen<T> full_size(rc::Gen<T> gen) {
 /// Spheres that reach each other exactly, in small integers times a power of two, so that plain arithmetic is exact;
 /// at alarm 0, or by a positive alarm distance.
 [[nodiscard]] rc::Gen<Query> spheres_touching(const Range& range, bool by_alarm);
+/// Two boxes whose corners are twelve of the numbers, and the thirteenth's size as the alarm distance.
+[[nodiscard]] Query boxes_of(const std::vector<double>& thirteen);
+/// Thirteen numbers of one kind.
+[[nodiscard]] rc::Gen<Query> boxes_from(rc::Gen<double> number);
 /// Boxes at every scale, near touching, flat and nested.
 [[nodiscard]] rc::Gen<Query> box_queries(const Range& range);
 /// Boxes apart by exactly the alarm distance (0 unless `by_alarm`) on one axis, on one grid of integers.
