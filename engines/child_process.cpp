@@ -189,14 +189,12 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, std::size_t 
 
 ChildProcess::~ChildProcess() = default;
 
-void ChildProcess::send(std::string_view line) {
+void ChildProcess::send(std::string text) {
   struct Write {
     uv_write_t request{};
     std::string text;
   };
-  auto* write = new Write;
-  write->text.reserve(line.size() + 1);
-  write->text.append(line).push_back('\n');
+  auto* write = new Write{{}, std::move(text)};
   write->request.data = write;
   const uv_buf_t buffer = uv_buf_init(write->text.data(), static_cast<unsigned>(write->text.size()));
   const auto done = [](uv_write_t* request, int) { delete static_cast<Write*>(request->data); };

@@ -27,8 +27,8 @@ class ChildProcess {
   /// Kills what is still there, and waits for it.
   ~ChildProcess();
 
-  /// Queues a line for the child's standard input; never blocks, whether the child reads or not.
-  void send(std::string_view line);
+  /// Queues text for the child's standard input; never blocks, whether the child reads or not.
+  void send(std::string text);
 
   /// The next line of the child's standard output, without its line feed. `end` is the end of its output.
   [[nodiscard]] Event next_line(std::string& line, Clock::time_point deadline);

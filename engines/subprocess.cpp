@@ -8,11 +8,10 @@
 #include <condition_variable>
 #include <mutex>
 #include <optional>
-#include <set>
-#include <unordered_map>
 
 #include "engines/child_process.hpp"
 #include "golden/protocol.hpp"
+#include "golden/quick_answer.hpp"
 
 namespace contact::engines {
 namespace {
@@ -54,7 +53,7 @@ class Conversation {
     } catch (const std::runtime_error& error) {
       throw Broken{Status::error, error.what()};
     }
-    process_->send(golden::hello_line());
+    process_->send(golden::hello_line() + "\n");
     const auto deadline = ChildProcess::Clock::now() + options_.start;
     const std::string line = next_line(deadline, "no hello", options_.start);
     const golden::Location where{"hello", 0};
@@ -69,53 +68,61 @@ class Conversation {
 
   void kill() { process_.reset(); }
 
-  /// Asks the questions of `open`, at most `window` of them in flight, and fills in their claims as they are answered,
-  /// taking them out of `open`. Throws Broken; the oldest question then left in `open` is the one that was due.
-  void ask(std::span<const Question> questions, std::set<std::size_t>& open, std::size_t window,
-           std::vector<Claim>& claims) {
-    std::unordered_map<std::uint64_t, std::size_t> in_flight;
-    auto to_send = open.begin();
+  /// Asks the questions with the indices `order`, at most `window` of them in flight, fills in their claims as they are
+  /// answered, and marks them in `done`. Throws Broken; the first of `order` that is not done is the one that was due.
+  void ask(std::span<const Question> questions, std::span<const std::size_t> order, std::size_t window,
+           std::vector<Claim>& claims, std::vector<bool>& done) {
+    const Flight flight{seq_ + 1, order, done};
+    std::size_t sent = 0;
     auto deadline = ChildProcess::Clock::now() + options_.answer;
-    while (!open.empty()) {
-      while (in_flight.size() < window && to_send != open.end()) {
-        in_flight.emplace(++seq_, *to_send);
-        process_->send(golden::query_message(seq_, questions[*to_send].query));
-        ++to_send;
+    for (std::size_t answered = 0; answered < order.size(); ++answered) {
+      // Questions go out by the half window: one write for many, and the engine never waits for the next.
+      if (sent < order.size() && sent - answered <= window / 2) {
+        std::string text;
+        for (; sent < order.size() && sent - answered < window; ++sent)
+          text += golden::query_message(++seq_, questions[order[sent]].query) + "\n";
+        process_->send(std::move(text));
       }
       const std::string line = next_line(deadline, "no answer", options_.answer);
-      auto [index, claim] = heard(line, in_flight);
+      auto [index, claim] = heard(line, flight);
       claims[index] = std::move(claim);
-      open.erase(index);
+      done[index] = true;
       deadline = ChildProcess::Clock::now() + options_.answer;
     }
   }
 
  private:
-  /// The answer that a line is, taken out of flight. A claim of the wrong form is that question's error; a line that
-  /// belongs to no question breaks the conversation.
-  std::pair<std::size_t, Claim> heard(const std::string& line,
-                                      std::unordered_map<std::uint64_t, std::size_t>& in_flight) const {
-    const golden::Location where{"answer", 0};
+  /// What is being asked: the questions `order`, by sequence numbers from `first`.
+  struct Flight {
+    std::uint64_t first;
+    std::span<const std::size_t> order;
+    const std::vector<bool>& done;
+  };
+
+  /// The index of the question in flight that `seq` is, or why there is none.
+  [[nodiscard]] std::size_t asked_by(std::uint64_t seq, const Flight& flight, const golden::Location& where) const {
+    if (seq == 0 || seq > seq_) throw golden::InputError(where, "seq", fmt::format("{} was not asked", seq));
+    if (seq >= flight.first && !flight.done[flight.order[seq - flight.first]]) return flight.order[seq - flight.first];
+    throw golden::InputError(where, "seq", fmt::format("{} was answered before", seq));
+  }
+
+  /// The answer that a line is, and the index of its question. A claim of the wrong form is that question's error; a
+  /// line that belongs to no question breaks the conversation.
+  [[nodiscard]] std::pair<std::size_t, Claim> heard(const std::string& line, const Flight& flight) const {
+    static const golden::Location where{"answer", 0};
     try {
+      if (auto answer = golden::quick_answer(line))
+        return {asked_by(answer->seq, flight, where), std::move(answer->claim)};
       const auto json = golden::parse_object(line, where);
       const golden::Node message(json, where);
       if (const std::string op = golden::op_of(message); op != "answer")
         throw golden::InputError(where, "op", fmt::format("expected \"answer\", got {}", excerpt(op)));
-      const std::uint64_t seq = golden::seq_of(message);
-      const auto it = in_flight.find(seq);
-      if (it == in_flight.end())
-        throw golden::InputError(
-            where, "seq",
-            seq <= seq_ && seq > 0 ? fmt::format("{} was answered before", seq) : fmt::format("{} was not asked", seq));
-      const std::size_t index = it->second;
-      in_flight.erase(it);
-      Claim claim;
+      const std::size_t index = asked_by(golden::seq_of(message), flight, where);
       try {
-        claim = golden::read_answer(message);
+        return {index, golden::read_answer(message)};
       } catch (const golden::InputError& error) {
-        claim = failed(Status::error, fmt::format("{}{} in {}", kMalformed, error.what(), excerpt(line)));
+        return {index, failed(Status::error, fmt::format("{}{} in {}", kMalformed, error.what(), excerpt(line)))};
       }
-      return {index, claim};
     } catch (const golden::InputError& error) {
       throw Broken{Status::error, fmt::format("{} in {}", error.what(), excerpt(line))};
     }
@@ -181,9 +188,10 @@ class Subprocess final : public Engine {
       set_info(first.start());
       for (const Pair pair : info().pairs) {
         const std::vector<Question> questions{smoke_question(pair)};
+        const std::vector<std::size_t> order{0};
         std::vector<Claim> claims(1);
-        std::set<std::size_t> open{0};
-        first.ask(questions, open, 1, claims);
+        std::vector<bool> done(1);
+        first.ask(questions, order, 1, claims, done);
         const Claim& claim = claims.front();
         if (claim.status == Status::answered && !claim.overlap && !claim.speaks_of_contact)
           throw Broken{Status::error, fmt::format("the answer to a first question of {} claims nothing", name(pair))};
@@ -198,39 +206,39 @@ class Subprocess final : public Engine {
   std::vector<Claim> answer(std::span<const Question> questions) override {
     const Lease conversation(*this);
     std::vector<Claim> claims(questions.size(), Conversation::failed(Status::missing, "the engine counts as dead"));
-    std::set<std::size_t> open;
-    for (std::size_t i = 0; i < questions.size(); ++i) open.insert(i);
+    std::vector<bool> done(questions.size());
     std::size_t alone = 0;  // questions below this index are asked one at a time
-    while (!open.empty() && !dead_) {
-      const std::size_t due = *open.begin();
-      std::set<std::size_t> now = open;
-      if (due < alone) now = {due};
-      const std::size_t window = due < alone ? 1 : options_.window;
-      const std::set<std::size_t> asked = now;
+    while (!dead_) {
+      std::vector<std::size_t> order;
+      for (std::size_t i = 0; i < done.size(); ++i)
+        if (!done[i] && (order.empty() || order.front() >= alone)) order.push_back(i);
+      if (order.empty()) break;
+      const bool one = order.front() < alone;
+      const auto is_done = [&](std::size_t index) -> bool { return done[index]; };
       try {
         conversation->start();
-        conversation->ask(questions, now, window, claims);
+        conversation->ask(questions, order, one ? 1 : options_.window, claims, done);
         failures_ = 0;
       } catch (const Broken& broken) {
         conversation->kill();
-        if (now.size() != asked.size()) failures_ = 0;
-        const std::size_t culprit = *now.begin();
-        if (window == 1) {
+        if (std::any_of(order.begin(), order.end(), is_done)) failures_ = 0;
+        if (one || options_.window == 1) {
+          const std::size_t culprit = *std::find_if_not(order.begin(), order.end(), is_done);
           claims[culprit] = Conversation::failed(broken.status, broken.text);
-          now.erase(culprit);
+          done[culprit] = true;
           if (++failures_ >= kFailuresUntilDead) dead_ = true;
         } else {
           // Which of those in flight did it? All of them are asked again, each alone.
-          alone = questions.size();
-          for (std::size_t n = 0; const std::size_t index : now)
-            if (++n == window) alone = index + 1;
+          std::size_t in_flight = 0;
+          for (const std::size_t index : order)
+            if (!is_done(index) && in_flight++ < options_.window) alone = index + 1;
         }
       }
-      for (const std::size_t index : asked)
-        if (!now.contains(index)) open.erase(index);
     }
     return claims;
   }
+
+  [[nodiscard]] std::size_t processes() const override { return std::max<std::size_t>(options_.processes, 1); }
 
  private:
   /// A conversation that nobody else has, given back at the end.

@@ -23,7 +23,7 @@ struct SubprocessOptions {
   std::size_t processes = 1;                        ///< how many are asked at once
   std::chrono::milliseconds start{10000};           ///< from the start to the hello
   std::chrono::milliseconds answer{10000};          ///< from one answer, or from the question, to the next answer
-  std::size_t window = 64;                          ///< questions in flight
+  std::size_t window = 256;                         ///< questions in flight
   std::size_t longest_line = std::size_t{1} << 20;  ///< bytes; an answer has some hundreds
   /// Called about ten times a second while waiting; what it throws ends the wait.
   std::function<void()> check;
