@@ -2,6 +2,7 @@
 #include "golden/quick_answer.hpp"
 
 #include <charconv>
+#include <utility>
 
 namespace contact::golden {
 namespace {
