@@ -4,6 +4,7 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <random>
 
@@ -28,6 +29,10 @@ struct Options {
   std::string report;
   std::string junit;
   std::string json;
+  std::string markdown;
+  std::string baseline;
+  bool fail_fast = false;
+  double max_time = 0;  ///< seconds; 0: no limit
 };
 
 [[noreturn]] void refuse(const std::string& problem) { throw golden::InputError({"certify", 0}, "", problem); }
@@ -79,19 +84,27 @@ std::vector<Source> generated(const Options& options, std::uint64_t seed) {
   return sources;
 }
 
-std::vector<Subject> subjects(const Options& options, bool scoreboard) {
+std::vector<Subject> subjects(const Options& options, bool scoreboard, const Stop& stop) {
+  if (scoreboard && !options.baseline.empty()) refuse("--baseline is one engine's: give the engine");
+  std::shared_ptr<const Baseline> baseline;
+  if (!options.baseline.empty()) baseline = std::make_shared<Baseline>(read_report(options.baseline));
   std::vector<Subject> found;
   if (scoreboard) {
     for (const engines::BuiltIn& e : engines::built_in_engines())
       if (e.on_scoreboard) found.push_back({engines::make_built_in(e.name, computed_points(options.engine)), {}});
   } else {
-    found.push_back({make_engine(options.engine), {}});
+    found.push_back({make_engine(options.engine, [&stop] { stop.check(); }), {}});
   }
   for (Subject& subject : found) {
     subject.report.engine = subject.engine->info();
     subject.report.required = static_cast<Level>(index_of(oracle::kLevelNames, options.level, "level"));
     subject.report.allow_unsupported = options.allow_unsupported;
     if (subject.report.required == Level::none) refuse("--level none asks for nothing");
+    subject.report.baseline = baseline;
+    if (baseline != nullptr && baseline->engine() != subject.report.engine.name)
+      throw golden::InputError({options.baseline, 0}, "engine.name",
+                               fmt::format("accepts failures of '{}', and the engine is '{}'", baseline->engine(),
+                                           subject.report.engine.name));
   }
   return found;
 }
@@ -113,7 +126,9 @@ int certify(const Options& options) {
       tbb::global_control::max_allowed_parallelism,
       options.engine.jobs > 0 ? options.engine.jobs
                               : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-  std::vector<Subject> judged = subjects(options, scoreboard);
+  Stop stop;
+  stop.at_first_failure = options.fail_fast;
+  std::vector<Subject> judged = subjects(options, scoreboard, stop);
   std::vector<Source> sources;
   if (options.generate != 0) {
     std::random_device entropy;
@@ -125,17 +140,22 @@ int certify(const Options& options) {
   }
   const auto json = opened(options.json);
   const auto junit = opened(options.junit);
+  const auto markdown = opened(options.markdown);
   const auto report = opened(options.report);
-  for (const Source& source : sources) judge_source(source, judged);
+  if (options.max_time > 0)
+    stop.deadline = Stop::Clock::now() + std::chrono::milliseconds(static_cast<std::int64_t>(options.max_time * 1000));
+  for (const Source& source : sources) judge_source(source, judged, stop);
 
   std::vector<Report> reports;
   for (Subject& subject : judged) {
     subject.report.unknown_answers = subject.engine->unasked();
+    for (const Failure& f : subject.report.failures) subject.report.gone.erase(f.id);
     reports.push_back(std::move(subject.report));
   }
   const Report& first = reports.front();
   write(json, json_text(first));
   write(junit, junit_text(first));
+  write(markdown, markdown_text(first));
   write(report, html_text(reports));
   fmt::print("{}", scoreboard ? scoreboard_text(reports) : terminal_text(first));
   if (!options.report.empty()) fmt::print("\nReport: {}\n", options.report);
@@ -168,9 +188,17 @@ void add_certify(CLI::App& app, int& exit) {
   command->add_option("--seed", options->seed, "With --generate: the seed (default: random, printed)")
       ->check(kFromZero)
       ->needs(generate);
+  command->add_option("--baseline", options->baseline,
+                      "A JSON report of this engine: its failures are accepted, only new ones and worse ones fail");
+  command->add_flag("--fail-fast", options->fail_fast, "Stop at the first failure; the questions left are missing");
+  command
+      ->add_option("--max-time", options->max_time,
+                   "Stop after so many seconds; the questions left are missing, which is never a pass")
+      ->check(kSeconds);
   command->add_option("--report", options->report, "Write the report as HTML");
   command->add_option("--junit", options->junit, "Write the report as JUnit XML");
   command->add_option("--json", options->json, "Write the report as JSON");
+  command->add_option("--markdown", options->markdown, "Write the report as Markdown, for the summary of a CI job");
   command->callback([options, &exit] { exit = certify(*options); });
 }
 

@@ -162,7 +162,7 @@ class Case(unittest.TestCase):
         return done
 
     def reports(self):
-        return [word for name in ("json", "junit", "report") for word in (f"--{name}", self.folder / f"out.{name}")]
+        return [word for name in ("json", "junit", "report", "markdown") for word in (f"--{name}", self.folder / f"out.{name}")]
 
     def certify_json(self, *args):
         path = self.folder / "report.json"
@@ -276,6 +276,14 @@ class Certify(Case):
                 html = (self.folder / "out.report").read_text()
                 self.assertIn("<html", html)
                 self.assertIn(engine, html)
+                markdown = (self.folder / "out.markdown").read_text()
+                self.assertIn(report["verdict"], markdown)
+                rows = [row.split("|") for row in markdown.splitlines() if row.startswith("| ")]
+                self.assertEqual({len(row) for row in rows}, {14})
+                self.assertEqual([row[1].replace("\\", "").strip() for row in rows],
+                                 ["family", "sphere_sphere/coincident", "cube_cube/generic", "total"])
+                self.assertEqual(rows[3][2].strip(), str(report["total"]["cases"]))
+                self.assertEqual("worst cases" in markdown, code == 1)
 
     def test_the_invalid_family_is_judged_only_when_named_and_then_in_full(self):
         folder = GOLDEN / "cube_cube"
@@ -314,6 +322,149 @@ class Certify(Case):
         os.close(slave)
         self.assertIn(b"\r", os.read(master, 65536))
         os.close(master)
+
+
+class KnownFailures(Case):
+    """Runs of recorded answers with some of them made wrong, against the report of an earlier run."""
+    def setUp(self):
+        super().setUp()
+        self.lines = committed("sphere_sphere/touching.jsonl", 0, 100)
+        self.dataset = self.file("d.jsonl", self.lines)
+        self.ids = [case["id"] for case in self.lines[1:]]
+
+    def certify(self, wrong, *more, report="now.json", far=()):
+        """Certifies answers of which those at the indices `wrong` miss the hit and those `far` have a wrong value."""
+        answers = answers_to(self.lines, engine={"name": "known", "version": "1"})
+        for i in wrong:
+            answers[1 + i] = {"id": self.ids[i], "overlap": False, "contact": None}
+        for i in far:
+            answers[1 + i] = put(answers, ["contact", "value"], 1e9, 1 + i)[1 + i]
+        return run("certify", self.dataset, "--results", self.file("r.jsonl", answers), "--json", self.folder / report, *more)
+
+    def now(self, report="now.json"):
+        return json.loads((self.folder / report).read_text())
+
+    def before(self, wrong, **more):
+        self.assertEqual(self.certify(wrong, report="old.json", **more).returncode, 1)
+        return self.folder / "old.json"
+
+    def test_a_report_lists_every_failure_once_with_the_level_that_it_reaches(self):
+        self.before([3, 50], far=[7])
+        self.assertEqual(self.now("old.json")["failure_count"], 3)
+        self.assertEqual([(f["id"], f["level"], f["what"].split(" off")[0]) for f in self.now("old.json")["failures"]],
+                         [(self.ids[3], "none", "missed hit"), (self.ids[7], "decisions", "value"),
+                          (self.ids[50], "none", "missed hit")])
+        self.assertEqual({f["family"] for f in self.now("old.json")["failures"]}, {"touching"})
+
+    def test_failures_that_the_baseline_lists_are_accepted_and_the_verdict_says_so(self):
+        old = self.before([3, 50], far=[7])
+        done = self.certify([3, 50], "--baseline", old, "--junit", self.folder / "out.junit", far=[7])
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout[-900:])
+        self.assertIn("CERTIFIED but for 3 failures", done.stdout)
+        self.assertIn("accepts 3 failures; 3 met again, 0 gone", done.stdout)
+        self.assertNotIn("<failure", (self.folder / "out.junit").read_text())
+        self.assertEqual((self.now()["certified"], self.now()["total"]["accepted"], self.now()["total"]["level"]),
+                         (True, 3, "none"))
+        self.assertTrue(all(f["accepted"] for f in self.now()["failures"]))
+
+    def test_a_new_failure_is_refuted_and_named_and_one_that_is_gone_is_named(self):
+        old = self.before([3, 50])
+        done = self.certify([50, 60], "--baseline", old)
+        self.assertEqual((done.returncode, done.stderr), (1, ""))
+        self.assertIn("1 failure more than the 1 that the baseline accepts", done.stdout)
+        self.assertIn(f"{self.ids[60]} is new: missed hit", done.stdout)
+        self.assertIn(f"{self.ids[3]} is right now", done.stdout)
+        self.assertEqual(self.now()["baseline"], {"file": str(old), "accepts": 2, "met": 1, "gone": [self.ids[3]]})
+        self.assertEqual(self.now()["worst"][0]["query"]["id"], self.ids[60])  # the accepted one is not news
+
+    def test_a_failure_that_became_worse_is_not_accepted_and_one_that_became_better_is(self):
+        self.assertEqual(self.certify([7], "--baseline", self.before([], far=[7])).returncode, 1)
+        self.assertEqual(self.certify([], "--baseline", self.before([7]), far=[7]).returncode, 0)
+
+    def test_a_run_of_accepted_failures_alone_is_not_certified(self):
+        every = range(len(self.ids) - 1)  # one answer claims a contact, lest the harness be invalid
+        one = self.file("one.jsonl", [{**self.lines[0], "count": 1}, self.lines[1]])
+        old = self.before(every)
+        done = run("certify", one, "--results", self.folder / "r.jsonl", "--baseline", old)
+        self.assertEqual(done.returncode, 1, done.stdout)
+
+    def test_a_baseline_that_is_none_is_refused(self):
+        old = self.before([3])
+        report = self.now("old.json")
+        for name, changed, words in (("other.json", {**report, "engine": {"name": "else", "version": "1"}}, ("engine.name", "'else'")),
+                                     ("more.json", {**report, "failure_count": 2}, ("failures", "lists 1 of 2")),
+                                     ("v.json", {**report, "version": 2}, ("version", "expected version 1")),
+                                     ("f.json", {**report, "format": "x"}, ("format", "certify --json")),
+                                     ("l.json", put([report], ["failures", 0, "level"], "good", 0)[0],
+                                      ("failures[0].level", "good"))):
+            path = self.file(name, json.dumps(changed))
+            with self.subTest(name):
+                self.refused(("certify", self.dataset, "--results", self.folder / "r.jsonl", "--baseline", path), path, *words)
+        for path in (self.folder / "absent.json", self.dataset, self.file("half.json", old.read_text()[:-40])):
+            with self.subTest(path.name):
+                self.refused(("certify", self.dataset, "--results", self.folder / "r.jsonl", "--baseline", path), path)
+        self.refused(("certify", "--baseline", old), "give the engine")
+
+    def test_compare_names_what_became_better_and_worse_and_its_exit_code_says_whether_anything_is_worse(self):
+        self.before([3, 50])
+        for wrong, far, verdict, code, words in (
+                ([3, 50], [], "NO CHANGE", 0, []),
+                ([50], [], "BETTER", 0, ["2 -> 1", f"{self.ids[3]} touching: missed hit", "Failures gone: 1"]),
+                ([3, 50, 60], [], "WORSE", 1, ["2 -> 3", f"{self.ids[60]} touching: missed hit", "New or worse failures: 1"]),
+                ([50, 60], [], "MIXED", 1, ["Failures gone: 1", "New or worse failures: 1"]),
+                ([], [], "BETTER", 0, ["none -> correctly-rounded", "2 -> 0"]),
+                ([3], [50], "MIXED", 1, ["0 -> 1", "2 -> 1"])):
+            with self.subTest(verdict):
+                self.certify(wrong, far=far)
+                done = run("compare", self.folder / "old.json", self.folder / "now.json")
+                self.assertEqual((done.returncode, done.stderr), (code, ""), done.stdout)
+                self.assertEqual(done.stdout.splitlines()[-1].split(".")[0].split(":")[0].split(" that")[0], verdict)
+                for word in words:
+                    self.assertIn(word, done.stdout)
+
+    def test_compare_says_what_it_cannot_compare(self):
+        self.before([3])
+        self.certify([3], "--level", "decisions")
+        done = run("compare", self.folder / "old.json", self.folder / "now.json")
+        self.assertIn("Failures are not compared: bounded was required, and now decisions.", done.stdout)
+        other = self.folder / "other.json"
+        self.holds("certify", GOLDEN / "cube_cube" / "generic.jsonl", "--json", other)
+        out = self.holds("compare", self.folder / "old.json", other)
+        self.assertIn("cube_cube/generic (210 cases) is judged in the new report alone.", out)
+        self.assertIn("sphere_sphere/touching (100 cases) is judged in the old report alone.", out)
+        self.refused(("compare", self.dataset, other), self.dataset)
+        self.refused(("compare", other, self.folder / "absent.json"), "absent.json")
+
+    def test_a_run_that_stops_at_the_first_failure_counts_the_rest_as_missing_whatever_the_threads(self):
+        reports = []
+        for jobs in (1, 2):
+            done = self.certify([40, 90], "--fail-fast", "--jobs", jobs)
+            self.assertEqual((done.returncode, done.stderr), (1, ""))
+            self.assertIn("the first failure ended the run", done.stdout)
+            reports.append(self.now())
+        self.assertEqual(reports[0], reports[1])
+        self.assertEqual((reports[0]["failure_count"], reports[0]["failures"][0]["id"]), (1, self.ids[40]))
+        self.assertEqual(reports[0]["total"]["cases"], 100)
+        self.assertEqual(reports[0]["not_reached"], reports[0]["total"]["answers"]["missing"])
+        self.assertIn(reports[0]["not_reached"], range(1, 60))
+        self.assertEqual(self.certify([], "--fail-fast").returncode, 0)
+        self.assertEqual(self.certify([40], "--fail-fast", "--baseline", self.before([40])).returncode, 0)
+
+    def test_what_is_not_reached_in_time_is_missing_and_never_a_pass(self):
+        report = self.folder / "r.json"
+        started = time.monotonic()
+        done = run("certify", "--generate", 10**7, "--seed", 1, "--max-time", 1, "--json", report)
+        self.assertLess(time.monotonic() - started, 30)
+        self.assertEqual((done.returncode, done.stderr), (1, ""))
+        total = json.loads(report.read_text())["total"]
+        self.assertIn("the time was up", done.stdout)
+        self.assertGreater(total["answers"]["missing"], 10**7)
+        self.assertGreater(total["answers"]["answered"], 0)
+        self.assertFalse(json.loads(report.read_text())["certified"])
+        self.assertEqual(self.certify([], "--max-time", 600).returncode, 0)
+        for option in ("--max-time", "--start-limit", "--answer-limit"):
+            for seconds in ("0", "-1", "nan", "1e300", "soon"):
+                self.refused(("certify", option, seconds), option, f"got '{seconds}'", one_line=False)
 
 
 class Results(Case):
@@ -361,6 +512,8 @@ class Results(Case):
             ElementTree.parse(self.folder / "out.junit")
         with self.subTest("no escape sequence reaches the terminal"):
             self.assertNotIn("\x1b", out)
+        with self.subTest("Markdown has no markup of it"):
+            self.assertIn("\\<b\\>&", (self.folder / "out.markdown").read_text())
 
     def test_a_results_file_that_is_wrong_is_refused_where_it_is_wrong(self):
         right, path = self.answers, self.folder / "r.jsonl"

@@ -8,6 +8,7 @@
 
 namespace contact::tool {
 
+void add_compare(CLI::App& app, int& exit);
 void add_detect(CLI::App& app, int& exit);
 void add_explain(CLI::App& app, int& exit);
 void add_generate(CLI::App& app, int& exit);
@@ -22,6 +23,8 @@ void add_lists(CLI::App& app, int& exit);  ///< engines, families
 /// Validators for whole numbers from 0 and from 1; CLI11 would let -1 wrap around.
 extern const CLI::Validator kFromZero;
 extern const CLI::Validator kFromOne;
+/// For seconds: above 0. CLI11's own message spells out the largest double.
+extern const CLI::Validator kSeconds;
 
 /// The committed golden files: golden/ here, or where the program was built from.
 [[nodiscard]] std::string golden_folder();

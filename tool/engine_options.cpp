@@ -9,12 +9,12 @@
 
 #include "engines/subprocess.hpp"
 #include "tool/commands.hpp"
-#include "tool/process.hpp"
 
 namespace contact::tool {
 namespace {
 
-std::unique_ptr<engines::Engine> subprocess(const EngineOptions& options, std::vector<std::string> words) {
+std::unique_ptr<engines::Engine> subprocess(const EngineOptions& options, std::vector<std::string> words,
+                                            std::function<void()> check) {
   const auto milliseconds = [](double seconds) {
     return std::chrono::milliseconds(static_cast<std::int64_t>(seconds * 1000));
   };
@@ -23,7 +23,7 @@ std::unique_ptr<engines::Engine> subprocess(const EngineOptions& options, std::v
   process.processes = std::max<std::size_t>(options.jobs, 1);
   process.start = milliseconds(options.start_limit);
   process.answer = milliseconds(options.answer_limit);
-  process.check = throw_if_interrupted;
+  process.check = std::move(check);
   return engines::make_subprocess(process);
 }
 
@@ -49,10 +49,10 @@ void add_engine_options(CLI::App& command, EngineOptions& options) {
       ->check(kFromOne);
   command.add_option("--start-limit", options.start_limit, "Seconds until an engine's hello")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(kSeconds);
   command.add_option("--answer-limit", options.answer_limit, "Seconds until an engine's next answer")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(kSeconds);
 }
 
 PointConvention computed_points(const EngineOptions& options) {
@@ -67,7 +67,7 @@ std::unique_ptr<engines::Engine> built_in(const std::string& name, PointConventi
   return engines::make_built_in(name, points);
 }
 
-std::unique_ptr<engines::Engine> make_engine(const EngineOptions& options) {
+std::unique_ptr<engines::Engine> make_engine(const EngineOptions& options, std::function<void()> check) {
   if (!options.results.empty()) return engines::make_recorded(golden::read_results(options.results));
   if (!options.command.empty()) {
     std::vector<std::string> words;
@@ -77,14 +77,16 @@ std::unique_ptr<engines::Engine> make_engine(const EngineOptions& options) {
       throw golden::InputError({"--engine-command", 0}, "", error.what());
     }
     if (words.empty()) throw golden::InputError({"--engine-command", 0}, "", "names no program");
-    return subprocess(options, std::move(words));
+    return subprocess(options, std::move(words), std::move(check));
   }
   if (!options.library.empty()) {
     if (!std::filesystem::is_regular_file(options.library))
       throw golden::InputError({options.library, 0}, "", "no such file");
     // This program again, so that a crash of the library is the other's end.
-    return subprocess(options, {std::filesystem::read_symlink("/proc/self/exe").string(), "serve", "--engine-library",
-                                options.library});
+    return subprocess(
+        options,
+        {std::filesystem::read_symlink("/proc/self/exe").string(), "serve", "--engine-library", options.library},
+        std::move(check));
   }
   return built_in(options.engine.empty() ? "production" : options.engine, computed_points(options));
 }

@@ -5,12 +5,14 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <string>
 
 #include "contact/contact.hpp"
 #include "engines/engine.hpp"
 #include "golden/input_error.hpp"
+#include "tool/process.hpp"
 
 namespace contact::tool {
 
@@ -30,9 +32,10 @@ struct EngineOptions {
 
 void add_engine_options(CLI::App& command, EngineOptions& options);
 
-/// The chosen engine, started; production where none was chosen. Throws InputError for what is not there, and
-/// engines::HarnessInvalid for an engine that does not start.
-[[nodiscard]] std::unique_ptr<engines::Engine> make_engine(const EngineOptions& options);
+/// The chosen engine, started; production where none was chosen. What `check` throws while an engine is waited for ends
+/// the wait. Throws InputError for what is not there, and engines::HarnessInvalid for an engine that does not start.
+[[nodiscard]] std::unique_ptr<engines::Engine> make_engine(const EngineOptions& options,
+                                                           std::function<void()> check = throw_if_interrupted);
 
 /// A built-in engine by name. Throws InputError with the names where there is none.
 [[nodiscard]] std::unique_ptr<engines::Engine> built_in(const std::string& name, PointConvention points);

@@ -40,9 +40,9 @@ std::string escaped(std::string_view text) {
 std::string cell(std::uint64_t n) { return n == 0 ? "<td>.</td>" : fmt::format("<td>{}</td>", n); }
 std::string bad_cell(std::uint64_t n) { return n == 0 ? "<td>.</td>" : fmt::format("<td class=bad>{}</td>", n); }
 
-std::string row(const std::string& title, const FamilyReport& f, bool allow_unsupported) {
+std::string row(const FamilyReport& f, bool allow_unsupported) {
   const FieldCount all = f.all_fields();
-  return fmt::format("<tr><td>{}</td>", escaped(title)) + cell(f.cases) + cell(f.hits) + bad_cell(f.missed_hits) +
+  return fmt::format("<tr><td>{}</td>", escaped(f.title())) + cell(f.cases) + cell(f.hits) + bad_cell(f.missed_hits) +
          bad_cell(f.false_hits) + bad_cell(f.not_finite) + cell(all.at(Grade::correctly_rounded)) +
          cell(all.at(Grade::faithful)) + cell(all.at(Grade::bounded)) + bad_cell(all.at(Grade::beyond_bound)) +
          fmt::format("<td>{}</td><td>{}</td></tr>\n", all.worst_id.empty() ? "" : fmt::format("{:.3g}", all.worst),
@@ -66,25 +66,25 @@ std::string summary(const std::vector<Report>& reports) {
   return html + "</tbody></table></div>\n";
 }
 
+std::string listed(std::string_view title, const std::vector<std::string>& lines) {
+  if (lines.empty()) return {};
+  std::string html = fmt::format("<p>{}:</p>\n<ul>\n", title);
+  for (const std::string& line : lines) html += "<li>" + escaped(line) + "</li>\n";
+  return html + "</ul>\n";
+}
+
 std::string section(const Report& report) {
   std::string html =
       fmt::format("<h2 id=\"{0}\">{0} {1} <span class={2}>{3}</span></h2>\n<p>{4}</p>\n", escaped(report.engine.name),
                   escaped(report.engine.version), report.certified() ? "ok" : "bad",
                   report.certified() ? "certified" : "refuted", escaped(report.sentence()));
-  const auto diagnosis = report.diagnosis();
-  if (!diagnosis.empty()) {
-    html += "<ul>\n";
-    for (const std::string& d : diagnosis) html += "<li>" + escaped(d) + "</li>\n";
-    html += "</ul>\n";
-  }
+  html += listed("Diagnosis", report.diagnosis());
   html +=
       "<div class=wide tabindex=0><table><thead><tr><th>family<th>cases<th>hits<th>missed<th>false<th>not "
       "finite<th>correctly rounded"
       "<th>faithful<th>bounded<th>beyond bound<th>worst (ulps)<th>level</tr></thead><tbody>\n";
-  for (const FamilyReport& f : report.families)
-    html += row(fmt::format("{}/{}{}", name(f.pair), f.family, f.scalar == Scalar::binary32 ? ".f32" : ""), f,
-                report.allow_unsupported);
-  html += row("total", report.total(), report.allow_unsupported) + "</tbody></table></div>\n";
+  for (const FamilyReport& f : report.families) html += row(f, report.allow_unsupported);
+  html += row(report.total(), report.allow_unsupported) + "</tbody></table></div>\n";
   if (!report.certified() && !report.worst.empty()) {
     html += "<p>The worst cases, as lines for <code>contact-oracle explain</code>:</p>\n<ul>\n";
     for (const WorstCase& w : report.worst)
@@ -92,8 +92,7 @@ std::string section(const Report& report) {
                           escaped(golden::query_line(w.query, w.scalar)));
     html += "</ul>\n";
   }
-  for (const Skipped& s : report.skipped)
-    html += fmt::format("<p>Skipped: {} ({} cases), {}.</p>\n", escaped(s.what), s.cases, escaped(s.why));
+  html += listed("Not judged", report.left_out()) + listed("Baseline", report.baseline_lines());
   return html;
 }
 

@@ -19,12 +19,15 @@ std::string junit_text(const Report& report) {
     auto test = suite.append_child("testcase");
     test.append_attribute("classname") = fmt::format("{}.{}", name(f.pair), name(f.scalar)).c_str();
     test.append_attribute("name") = f.family.c_str();
-    if (f.judged(report.allow_unsupported) == 0 || f.level(report.allow_unsupported) <= report.required) continue;
+    if (f.judged(report.allow_unsupported) == f.accepted ||
+        f.level_but_accepted(report.allow_unsupported) <= report.required)
+      continue;
     ++failures;
     auto failure = test.append_child("failure");
     failure.append_attribute("message") =
-        fmt::format("{} cases: {} missed hits, {} false hits, {} not finite; level reached: {}", f.cases, f.missed_hits,
-                    f.false_hits, f.not_finite, name(f.level(report.allow_unsupported)))
+        fmt::format("{} cases: {} missed hits, {} false hits, {} not finite, {} missing; level reached: {}", f.cases,
+                    f.missed_hits, f.false_hits, f.not_finite, f.with(Claim::Status::missing),
+                    name(f.level_but_accepted(report.allow_unsupported)))
             .c_str();
   }
   for (const Skipped& s : report.skipped) {

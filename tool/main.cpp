@@ -34,6 +34,13 @@ CLI::Validator whole_number(std::string name, bool zero_allowed) {
 
 const CLI::Validator kFromZero = whole_number("0..", true);
 const CLI::Validator kFromOne = whole_number("1..", false);
+const CLI::Validator kSeconds(
+    [](const std::string& text) {
+      double seconds = 0;
+      const bool good = CLI::detail::lexical_cast(text, seconds) && seconds > 0 && seconds <= 1e9;
+      return good ? std::string() : fmt::format("expected seconds, more than 0 and at most 1e9, got '{}'", text);
+    },
+    "SECONDS");
 
 namespace {
 
@@ -47,6 +54,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   int exit = kCertified;
   add_certify(app, exit);
+  add_compare(app, exit);
   add_explain(app, exit);
   add_generate(app, exit);
   add_regenerate(app, exit);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "golden/query_id.hpp"
@@ -77,19 +78,33 @@ struct Partial {
   FamilyReport family;
   std::uint64_t out_of_scale = 0;
   std::vector<WorstCase> worst;
+  std::vector<Failure> failures;
+  std::vector<std::string> gone;
   std::map<oracle::Explanation, std::uint64_t> explanations;
   std::map<std::string, std::uint64_t> wrong;
 };
 
-void judge_one(const Item& item, const std::optional<oracle::Truth>& truth, Scalar scalar, const Claim& claim,
+void judge_one(const Item& item, const std::optional<oracle::Truth>& truth, const Source& source, const Claim& claim,
                const Report& report, Partial& partial) {
-  const Query& query = item.question.query;
+  const auto& [id, query] = item.question;
   const oracle::Declaration& declared = report.engine.declared;
   const Verdict verdict = truth ? oracle::judge(query, *truth, claim, declared) : oracle::judge_outside_domain(claim);
-  partial.family.add(verdict, item.question.id, truth && truth->hit());
-  if (verdict.level() <= report.required) return;
-  partial.worst.push_back({query, scalar, verdict});
-  if (!truth || verdict.level() <= Level::bounded) return;
+  const Level level = verdict.level();
+  partial.family.add(verdict, id, truth && truth->hit());
+  if (level <= report.required) {
+    if (report.baseline != nullptr && report.baseline->lists(id)) partial.gone.push_back(id);
+    return;
+  }
+  if (report.allow_unsupported && verdict.status == Claim::Status::unsupported) return;
+  const WorstCase found{query, source.scalar, verdict};
+  const bool accepted = report.baseline != nullptr && report.baseline->accepts(id, level);
+  partial.failures.push_back({id, query.pair, source.scalar, source.family, level, found.what(), accepted});
+  if (accepted) {
+    partial.family.accept(level);
+    return;
+  }
+  partial.worst.push_back(found);
+  if (!truth || level <= Level::bounded) return;
   const auto wrong = [&](oracle::Decision d) {
     return d == oracle::Decision::missed_hit || d == oracle::Decision::false_hit;
   };
@@ -120,7 +135,12 @@ void require_agreement(const Query& query, const oracle::Truth& truth, const ora
                                   differs.value_or("the decision"), name(scalar), golden::query_line(query, scalar)));
 }
 
-void judge_source(const Source& source, std::vector<Subject>& subjects) {
+void Stop::check() const {
+  throw_if_interrupted();
+  if (late()) throw TimeUp{};
+}
+
+void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& stop) {
   std::vector<Subject*> judged;
   std::vector<Scalar> scalars{source.scalar};
   for (Subject& subject : subjects) {
@@ -142,11 +162,18 @@ void judge_source(const Source& source, std::vector<Subject>& subjects) {
   Questions questions(source);
   Progress progress(fmt::format("{}/{}", name(source.pair), source.family), source.count);
   std::vector<std::uint64_t> out_of_scale(judged.size());
-  for (std::vector<Item> items = questions.next(); !items.empty(); items = questions.next()) {
+  std::uint64_t reached = 0;
+  while (stop.why.empty()) {
+    const std::vector<Item> items = questions.next();
+    if (items.empty()) break;
     throw_if_interrupted();
     const std::size_t slices = (items.size() + kSlice - 1) / kSlice;
     std::vector<std::vector<Partial>> partials(slices, std::vector<Partial>(judged.size()));
-    in_parallel(slices, [&](std::size_t slice) {
+    // A slice that is not asked is not reached. The first that fails ends the run: those before it are all asked, and
+    // what is found in those behind it is left out, so that the report does not depend on the threads.
+    std::vector<char> asked_all(slices);
+    std::atomic<std::size_t> failed = slices;  // the first slice that does
+    const auto ask = [&](std::size_t slice) {
       const std::span<const Item> mine =
           std::span(items).subspan(slice * kSlice, std::min(kSlice, items.size() - slice * kSlice));
       std::vector<std::optional<oracle::Truth>> truths;
@@ -168,20 +195,47 @@ void judge_source(const Source& source, std::vector<Subject>& subjects) {
         }
         const std::vector<Claim> claims = judged[s]->engine->answer(asked);
         for (std::size_t k = 0; k < asked.size(); ++k)
-          judge_one(mine[which[k]], truths[which[k]], source.scalar, claims[k], judged[s]->report, partials[slice][s]);
+          judge_one(mine[which[k]], truths[which[k]], source, claims[k], judged[s]->report, partials[slice][s]);
+      }
+      const auto is_new = [](const Failure& f) { return !f.accepted; };
+      if (stop.at_first_failure && !judged.empty() && judged.front() == &subjects.front() &&
+          std::any_of(partials[slice][0].failures.begin(), partials[slice][0].failures.end(), is_new))
+        for (std::size_t before = failed; slice < before && !failed.compare_exchange_weak(before, slice);) {
+        }
+      asked_all[slice] = 1;
+    };
+    in_parallel(slices, [&](std::size_t slice) {
+      if (slice > failed || stop.late()) return;
+      try {
+        ask(slice);
+      } catch (const TimeUp&) {
+        partials[slice].assign(judged.size(), {});
       }
     });
     // Merged in the order of the questions, so that a report does not depend on the threads.
-    for (const auto& slice : partials)
+    for (std::size_t i = 0; i < slices; ++i) {
+      if (asked_all[i] == 0 || i > failed) continue;
+      const auto& slice = partials[i];
+      reached += std::min(kSlice, items.size() - i * kSlice);
       for (std::size_t s = 0; s < judged.size(); ++s) {
         Report& report = judged[s]->report;
         report.families.back().merge(slice[s].family);
         out_of_scale[s] += slice[s].out_of_scale;
         for (const WorstCase& w : slice[s].worst) report.add(w);
+        for (const Failure& f : slice[s].failures) report.add(f);
+        report.gone.insert(slice[s].gone.begin(), slice[s].gone.end());
         for (const auto& [e, n] : slice[s].explanations) report.explanations[e] += n;
         for (const auto& [field, n] : slice[s].wrong) report.wrong[field] += n;
       }
+    }
+    if (failed < slices) stop.why = "the first failure ended the run";
+    if (stop.late()) stop.why = "the time was up";
     progress.add(items.size());
+  }
+  for (Subject* subject : judged) {
+    subject->report.unreached += source.count - reached;
+    subject->report.families.back().add_unreached(source.count - reached);
+    subject->report.stopped = stop.why;
   }
   for (std::size_t s = 0; s < judged.size(); ++s)
     if (out_of_scale[s] != 0)

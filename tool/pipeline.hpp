@@ -1,6 +1,7 @@
 // The pipeline: questions -> engines -> judge -> reports.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -32,9 +33,26 @@ struct Subject {
   Report report;
 };
 
-/// Judges every subject on every question of a source. Both oracles answer every question: a disagreement between them
-/// is an OracleFault, one between the exact oracle and a dataset's expectation an InputError.
-void judge_source(const Source& source, std::vector<Subject>& subjects);
+/// Thrown by Stop::check where the time is up.
+struct TimeUp {};
+
+/// When a run ends before its last question.
+struct Stop {
+  using Clock = std::chrono::steady_clock;
+
+  bool at_first_failure = false;  ///< of the first subject, one that its baseline does not accept
+  std::optional<Clock::time_point> deadline;
+  std::string why;  ///< what ended the run; empty while it goes on
+
+  [[nodiscard]] bool late() const { return deadline && Clock::now() >= *deadline; }
+  /// For an engine that is waited for: throws Interrupted or TimeUp.
+  void check() const;
+};
+
+/// Judges every subject on every question of a source, until `stop` says otherwise: what is not reached then is
+/// missing. Both oracles answer every question: a disagreement between them is an OracleFault, one between the exact
+/// oracle and a dataset's expectation an InputError.
+void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& stop);
 
 /// Throws OracleFault where the two oracles differ on a question.
 void require_agreement(const Query& query, const oracle::Truth& truth, const oracle::IntervalAnswer& second,

@@ -38,11 +38,12 @@ Report judged(Pair pair, Broken::Change change) {
   std::vector<Subject> subjects;
   subjects.push_back({std::make_unique<Broken>(std::move(change)), {}});
   subjects.front().report.engine = subjects.front().engine->info();
+  Stop never;
   for (const auto& path :
        golden::dataset_files({std::filesystem::path(CONTACT_SOURCE_DIR) / "golden" / std::string(name(pair))})) {
     const golden::DatasetHeader header = golden::DatasetReader(path).header();
     if (header.family != "invalid")
-      judge_source({header.pair, header.scalar, header.family, header.count, path}, subjects);
+      judge_source({header.pair, header.scalar, header.family, header.count, path}, subjects, never);
   }
   return std::move(subjects.front().report);
 }

@@ -48,6 +48,11 @@ void FieldCount::merge(const FieldCount& other) {
   }
 }
 
+std::string FamilyReport::title() const {
+  if (family == "total") return family;
+  return fmt::format("{}/{}{}", name(pair), family, scalar == Scalar::binary32 ? ".f32" : "");
+}
+
 FieldCount FamilyReport::all_fields() const {
   FieldCount all;
   for (const FieldCount& field : fields) all.merge(field);
@@ -59,10 +64,17 @@ std::uint64_t FamilyReport::judged(bool allow_unsupported) const {
 }
 
 Level FamilyReport::level(bool allow_unsupported) const {
-  auto counted = levels;
-  if (allow_unsupported) counted[static_cast<std::size_t>(Level::none)] -= with(Claim::Status::unsupported);
-  for (std::size_t i = counted.size(); i-- > 0;)
-    if (counted[i] != 0) return static_cast<Level>(i);
+  FamilyReport with_accepted = *this;
+  with_accepted.accepted_levels = {};
+  return with_accepted.level_but_accepted(allow_unsupported);
+}
+
+Level FamilyReport::level_but_accepted(bool allow_unsupported) const {
+  for (std::size_t i = levels.size(); i-- > 0;) {
+    const bool left_out = allow_unsupported && static_cast<Level>(i) == Level::none;
+    if (levels[i] != accepted_levels[i] + (left_out ? with(Claim::Status::unsupported) : 0))
+      return static_cast<Level>(i);
+  }
   return Level::none;
 }
 
@@ -79,6 +91,17 @@ void FamilyReport::add(const Verdict& verdict, const std::string& id, bool hit) 
   ++levels[static_cast<std::size_t>(verdict.level())];
 }
 
+void FamilyReport::accept(Level level) {
+  ++accepted;
+  ++accepted_levels[static_cast<std::size_t>(level)];
+}
+
+void FamilyReport::add_unreached(std::uint64_t count) {
+  cases += count;
+  statuses[static_cast<std::size_t>(Claim::Status::missing)] += count;
+  levels[static_cast<std::size_t>(Level::none)] += count;
+}
+
 void FamilyReport::merge(const FamilyReport& other) {
   cases += other.cases;
   hits += other.hits;
@@ -86,9 +109,13 @@ void FamilyReport::merge(const FamilyReport& other) {
   false_hits += other.false_hits;
   not_finite += other.not_finite;
   outside_domain += other.outside_domain;
+  accepted += other.accepted;
   for (std::size_t i = 0; i < statuses.size(); ++i) statuses[i] += other.statuses[i];
   for (std::size_t i = 0; i < fields.size(); ++i) fields[i].merge(other.fields[i]);
-  for (std::size_t i = 0; i < levels.size(); ++i) levels[i] += other.levels[i];
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    levels[i] += other.levels[i];
+    accepted_levels[i] += other.accepted_levels[i];
+  }
 }
 
 std::string WorstCase::what() const {
@@ -136,6 +163,11 @@ void Report::add(const WorstCase& c) {
   worst.erase(std::prev(std::find_if(worst.rbegin(), worst.rend(), of_kind).base()));
 }
 
+void Report::add(Failure failure) {
+  ++failure_count;
+  if (failures.size() < kMostFailures) failures.push_back(std::move(failure));
+}
+
 FamilyReport Report::total() const {
   FamilyReport all;
   all.family = "total";
@@ -150,7 +182,7 @@ std::uint64_t Report::skipped_cases() const {
 
 bool Report::harness_invalid() const {
   const FamilyReport all = total();
-  return all.cases > 0 &&
+  return all.cases > unreached &&
          all.with(Claim::Status::answered) + all.with(Claim::Status::rejected) + all.with(Claim::Status::unsupported) ==
              0;
 }
@@ -164,8 +196,10 @@ std::string Report::sentence() const {
   const std::string of =
       fmt::format("{} ({:.3g} % of those given)", count(judged(), "judged case", "judged cases"), share);
   if (certified())
-    return fmt::format("CERTIFIED: {} reaches {} on all {}; {} was required.", who(), name(level()), of,
-                       name(required));
+    return fmt::format("CERTIFIED{}: {} reaches {} on all {}{}; {} was required.",
+                       all.accepted == 0 ? "" : fmt::format(" but for {}", count(all.accepted, "failure", "failures")),
+                       who(), name(level_but_accepted()), of,
+                       all.accepted == 0 ? "" : " but those that the baseline accepts", name(required));
   if (harness_invalid())
     return fmt::format("HARNESS INVALID: {} never gave an answer that claims something, on {}.", who(), of);
   std::vector<std::string> reasons;
@@ -186,7 +220,38 @@ std::string Report::sentence() const {
             fmt::format("{} {} {}", c.at(grade), name(field),
                         grade == Grade::beyond_bound ? "beyond the bound" : fmt::format("only {}", name(grade))));
   }
-  return fmt::format("REFUTED: {} does not reach {} on {}: {}.", who(), name(required), of, fmt::join(reasons, ", "));
+  const std::string beyond =
+      baseline == nullptr
+          ? ""
+          : fmt::format(", {} more than the {} that the baseline accepts",
+                        count(failure_count + unreached - all.accepted, "failure", "failures"), all.accepted);
+  return fmt::format("REFUTED: {} does not reach {} on {}{}: {}.", who(), name(required), of, beyond,
+                     fmt::join(reasons, ", "));
+}
+
+std::vector<std::string> Report::baseline_lines() const {
+  if (baseline == nullptr) return {};
+  constexpr std::size_t kShown = 20;
+  const std::uint64_t accepted = total().accepted;
+  std::vector<std::string> lines{fmt::format("{} accepts {}; {} met again, {} gone", baseline->path(),
+                                             count(baseline->size(), "failure", "failures"), accepted, gone.size())};
+  std::size_t shown = 0;
+  for (const std::string& id : gone)
+    if (shown++ < kShown) lines.push_back(id + " is right now");
+  if (gone.size() > kShown) lines.push_back(fmt::format("and {} more", gone.size() - kShown));
+  for (shown = 0; const Failure& f : failures)
+    if (!f.accepted && shown++ < kShown) lines.push_back(fmt::format("{} is new: {}", f.id, f.what));
+  if (shown > kShown) lines.push_back(fmt::format("and {} more", shown - kShown));
+  return lines;
+}
+
+std::vector<std::string> Report::left_out() const {
+  std::vector<std::string> lines;
+  for (const Skipped& s : skipped) lines.push_back(fmt::format("{} ({} cases): {}", s.what, s.cases, s.why));
+  if (unreached != 0)
+    lines.push_back(
+        fmt::format("{} not reached, and missing: {}", count(unreached, "case was", "cases were"), stopped));
+  return lines;
 }
 
 std::vector<std::string> Report::diagnosis() const {
@@ -221,8 +286,8 @@ std::string json_text(const Report& report) {
           json_string(c.worst_id));
     }
     return fmt::format(
-        R"("cases":{},"judged":{},"hits":{},"missed_hits":{},"false_hits":{},"outside_domain":{},"not_finite":{},"level":"{}","answers":{{{}}},"fields":{{{}}})",
-        f.cases, f.judged(report.allow_unsupported), f.hits, f.missed_hits, f.false_hits, f.outside_domain,
+        R"("cases":{},"judged":{},"accepted":{},"hits":{},"missed_hits":{},"false_hits":{},"outside_domain":{},"not_finite":{},"level":"{}","answers":{{{}}},"fields":{{{}}})",
+        f.cases, f.judged(report.allow_unsupported), f.accepted, f.hits, f.missed_hits, f.false_hits, f.outside_domain,
         f.not_finite, name(f.level(report.allow_unsupported)), statuses, fields);
   };
   std::string families;
@@ -237,16 +302,30 @@ std::string json_text(const Report& report) {
   for (const WorstCase& w : report.worst)
     worst += fmt::format("{}{{\"what\":{},\"query\":{}}}", worst.empty() ? "" : ",\n", json_string(w.what()),
                          golden::query_line(w.query, w.scalar));
+  std::string failures;
+  for (const Failure& f : report.failures)
+    failures += fmt::format(R"({}{{"id":"{}","pair":"{}","scalar":"{}","family":{},"level":"{}","what":{}{}}})",
+                            failures.empty() ? "" : ",\n", f.id, name(f.pair), name(f.scalar), json_string(f.family),
+                            name(f.level), json_string(f.what), f.accepted ? R"(,"accepted":true)" : "");
+  std::string baseline;
+  if (report.baseline != nullptr) {
+    std::string gone;
+    for (const std::string& id : report.gone) gone += fmt::format("{}\"{}\"", gone.empty() ? "" : ",", id);
+    baseline =
+        fmt::format(R"("baseline":{{"file":{},"accepts":{},"met":{},"gone":[{}]}},{})",
+                    json_string(report.baseline->path()), report.baseline->size(), report.total().accepted, gone, "\n");
+  }
   std::string diagnosis;
   for (const std::string& d : report.diagnosis()) diagnosis += (diagnosis.empty() ? "" : ",") + json_string(d);
   return fmt::format(
       "{{\"format\":\"contact-oracle/"
       "report\",\"version\":1,\"engine\":{{\"name\":{},\"version\":{}}},\"scalar\":\"{}\",\"conventions\":{},"
       "\"required\":\"{}\",\"certified\":{},\"verdict\":{},\"diagnosis\":[{}],\n\"total\":{{{}}},\n\"families\":[\n{}],"
-      "\n\"skipped\":[{}],\n\"worst\":[{}]}}\n",
+      "\n\"skipped\":[{}],\n\"not_reached\":{},\n{}\"worst\":[{}],\n\"failure_count\":{},\"failures\":[\n{}]}}\n",
       json_string(report.engine.name), json_string(report.engine.version), name(report.engine.declared.scalar),
       golden::conventions_text(report.engine.declared.conventions), name(report.required), report.certified(),
-      json_string(report.sentence()), diagnosis, family_text(report.total()), families, skipped, worst);
+      json_string(report.sentence()), diagnosis, family_text(report.total()), families, skipped, report.unreached,
+      baseline, worst, report.failure_count, failures);
 }
 
 }  // namespace contact::tool

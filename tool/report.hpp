@@ -4,12 +4,15 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "engines/engine.hpp"
 #include "oracle/judge.hpp"
+#include "tool/saved_report.hpp"
 
 namespace contact::tool {
 
@@ -41,16 +44,25 @@ struct FamilyReport {
   std::uint64_t false_hits = 0;
   std::uint64_t outside_domain = 0;         ///< answers where there is no question
   std::uint64_t not_finite = 0;             ///< cases with a field that is not finite where the truth is
+  std::uint64_t accepted = 0;               ///< failures that the baseline accepts
   std::array<std::uint64_t, 7> statuses{};  ///< by Claim::Status
   std::array<FieldCount, oracle::kFields.size()> fields;
   std::array<std::uint64_t, oracle::kLevelNames.size()> levels{};  ///< cases by the strictest level they reach
+  decltype(levels) accepted_levels{};                              ///< those of them that are accepted failures
 
+  [[nodiscard]] std::string title() const;  ///< pair/family, with .f32 for questions in binary32; "total"
   [[nodiscard]] FieldCount all_fields() const;
   [[nodiscard]] std::uint64_t with(Claim::Status status) const { return statuses[static_cast<std::size_t>(status)]; }
   /// Cases that count: all but those left out because the engine may say "unsupported".
   [[nodiscard]] std::uint64_t judged(bool allow_unsupported) const;
   [[nodiscard]] Level level(bool allow_unsupported) const;
+  /// The level of all cases but the accepted failures.
+  [[nodiscard]] Level level_but_accepted(bool allow_unsupported) const;
   void add(const Verdict& verdict, const std::string& id, bool hit);
+  /// A case already added is a failure that the baseline accepts.
+  void accept(Level level);
+  /// Cases that the run ended before.
+  void add_unreached(std::uint64_t count);
   void merge(const FamilyReport& other);
 };
 
@@ -79,7 +91,13 @@ struct Report {
   bool allow_unsupported = false;
   std::vector<FamilyReport> families;
   std::vector<Skipped> skipped;
-  std::vector<WorstCase> worst;  ///< at most kWorstOfAKind of each kind, the worst first
+  std::vector<WorstCase> worst;     ///< at most kWorstOfAKind of each kind, the worst first; none that is accepted
+  std::vector<Failure> failures;    ///< the first kMostFailures
+  std::uint64_t failure_count = 0;  ///< of all, accepted or not
+  std::shared_ptr<const Baseline> baseline;
+  std::set<std::string> gone;   ///< ids of accepted failures that fail no longer
+  std::uint64_t unreached = 0;  ///< cases that the run ended before; counted as missing
+  std::string stopped;          ///< why it ended before them
   std::map<oracle::Explanation, std::uint64_t> explanations;
   std::map<std::string, std::uint64_t> wrong;  ///< claims by field ("overlap", "contact", "normal", ...) that are wrong
   std::uint64_t unknown_answers = 0;           ///< recorded answers to questions that were not asked
@@ -88,7 +106,8 @@ struct Report {
   [[nodiscard]] std::uint64_t judged() const { return total().judged(allow_unsupported); }
   [[nodiscard]] std::uint64_t skipped_cases() const;
   [[nodiscard]] Level level() const { return total().level(allow_unsupported); }
-  [[nodiscard]] bool certified() const { return judged() > 0 && level() <= required; }
+  [[nodiscard]] Level level_but_accepted() const { return total().level_but_accepted(allow_unsupported); }
+  [[nodiscard]] bool certified() const { return judged() > total().accepted && level_but_accepted() <= required; }
   /// Whether the engine never gave a well-formed answer that claims something.
   [[nodiscard]] bool harness_invalid() const;
   /// The engine's name and version, fit for a terminal and for XML: no control characters.
@@ -97,16 +116,23 @@ struct Report {
   [[nodiscard]] std::string sentence() const;
   /// What the wrong answers have in common, a sentence each: the conventions under which they would be right.
   [[nodiscard]] std::vector<std::string> diagnosis() const;
+  /// What became of the failures that the baseline accepts, a line each; none without a baseline.
+  [[nodiscard]] std::vector<std::string> baseline_lines() const;
+  /// Which cases were not judged, and why: those skipped and those not reached, a line each.
+  [[nodiscard]] std::vector<std::string> left_out() const;
   void add(const WorstCase& c);
+  void add(Failure failure);
 };
 
 inline constexpr std::size_t kWorstOfAKind = 2;
+inline constexpr std::size_t kMostFailures = 100'000;  // that a report lists: some 20 MB
 
 /// The reports in their forms.
 [[nodiscard]] std::string terminal_text(const Report& report);
 [[nodiscard]] std::string scoreboard_text(const std::vector<Report>& reports);
 [[nodiscard]] std::string json_text(const Report& report);
 [[nodiscard]] std::string junit_text(const Report& report);
+[[nodiscard]] std::string markdown_text(const Report& report);
 [[nodiscard]] std::string html_text(const std::vector<Report>& reports);
 
 }  // namespace contact::tool

@@ -7,43 +7,12 @@
 
 #include "golden/dataset.hpp"
 #include "tool/report.hpp"
+#include "tool/table.hpp"
 
 namespace contact::tool {
 namespace {
 
-/// Rows of cells, aligned: the first column to the left, the others to the right.
-class Table {
- public:
-  void row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-
-  [[nodiscard]] std::string text() const {
-    std::vector<std::size_t> widths;
-    for (const auto& row : rows_) {
-      widths.resize(std::max(widths.size(), row.size()));
-      for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-    }
-    std::string text;
-    for (const auto& row : rows_) {
-      std::string line;
-      for (std::size_t i = 0; i < row.size(); ++i)
-        line += i == 0 ? fmt::format("{:<{}}", row[i], widths[i]) : fmt::format("  {:>{}}", row[i], widths[i]);
-      line.erase(line.find_last_not_of(' ') + 1);
-      text += line + "\n";
-    }
-    return text;
-  }
-
- private:
-  std::vector<std::vector<std::string>> rows_;
-};
-
 std::string cell(std::uint64_t n) { return n == 0 ? "." : std::to_string(n); }
-
-std::string title(const FamilyReport& f) {
-  return f.family == "total"
-             ? f.family
-             : fmt::format("{}/{}{}", name(f.pair), f.family, f.scalar == Scalar::binary32 ? ".f32" : "");
-}
 
 }  // namespace
 
@@ -53,7 +22,7 @@ std::string terminal_text(const Report& report) {
              "beyond", "worst (ulps)", "its id"});
   const auto add = [&](const FamilyReport& f) {
     const FieldCount all = f.all_fields();
-    table.row({title(f), cell(f.cases), cell(f.hits), cell(f.missed_hits), cell(f.false_hits), cell(f.not_finite),
+    table.row({f.title(), cell(f.cases), cell(f.hits), cell(f.missed_hits), cell(f.false_hits), cell(f.not_finite),
                cell(all.at(Grade::correctly_rounded)), cell(all.at(Grade::faithful)), cell(all.at(Grade::bounded)),
                cell(all.at(Grade::beyond_bound)), all.worst_id.empty() ? "" : fmt::format("{:.3g}", all.worst),
                all.worst_id});
@@ -77,10 +46,10 @@ std::string terminal_text(const Report& report) {
                       100.0 * static_cast<double>(c.at(Grade::correctly_rounded)) / static_cast<double>(c.judged()));
   }
   if (!levels.empty()) text += "Correctly rounded by field:" + levels + "\n";
-  if (!report.skipped.empty()) {
-    text += "\nSkipped:\n";
-    for (const Skipped& s : report.skipped) text += fmt::format("  {} ({} cases): {}\n", s.what, s.cases, s.why);
-  }
+  const auto listed = [&](std::string_view title, const std::vector<std::string>& lines) {
+    if (!lines.empty()) text += fmt::format("\n{}:\n  {}\n", title, fmt::join(lines, "\n  "));
+  };
+  listed("Not judged", report.left_out());
   if (report.unknown_answers != 0)
     text += fmt::format("\n{} recorded answers belong to no question asked.\n", report.unknown_answers);
   if (!report.certified() && !report.worst.empty()) {
@@ -88,11 +57,8 @@ std::string terminal_text(const Report& report) {
     for (const WorstCase& w : report.worst)
       text += fmt::format("  # {}\n  {}\n", w.what(), golden::query_line(w.query, w.scalar));
   }
-  const auto diagnosis = report.diagnosis();
-  if (!diagnosis.empty()) {
-    text += "\nDiagnosis:\n";
-    for (const std::string& d : diagnosis) text += "  " + d + "\n";
-  }
+  listed("Diagnosis", report.diagnosis());
+  listed("Baseline", report.baseline_lines());
   return text + "\n" + report.sentence() + "\n";
 }
 
@@ -115,9 +81,9 @@ std::string scoreboard_text(const std::vector<Report>& reports) {
   std::map<std::string, std::vector<std::string>> rows;
   for (std::size_t i = 0; i < reports.size(); ++i)
     for (const FamilyReport& f : reports[i].families) {
-      auto& row = rows[title(f)];
+      auto& row = rows[f.title()];
       if (row.empty()) {
-        order.push_back(title(f));
+        order.push_back(f.title());
         row.resize(reports.size(), "-");
       }
       row[i] = f.missed_hits + f.false_hits + f.not_finite == 0

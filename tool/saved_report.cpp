@@ -1,0 +1,100 @@
+// What an earlier run left in its --json report.
+#include "tool/saved_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "golden/json.hpp"
+
+namespace contact::tool {
+namespace {
+
+using golden::Node;
+using oracle::Level;
+
+Level level_of(const Node& node) { return static_cast<Level>(node.one_of(oracle::kLevelNames)); }
+
+std::string title_of(const Node& family) {
+  return fmt::format("{}/{}{}", family.at("pair").text(), family.at("family").text(),
+                     family.at("scalar").text() == name(Scalar::binary32) ? ".f32" : "");
+}
+
+SavedFamily read_family(const Node& node) {
+  SavedFamily family{title_of(node),
+                     node.at("cases").count(),
+                     node.at("missed_hits").count(),
+                     node.at("false_hits").count(),
+                     node.at("not_finite").count(),
+                     0,
+                     0,
+                     0,
+                     0,
+                     level_of(node.at("level"))};
+  for (const std::string_view status : {"error", "timeout", "crash", "missing"})
+    family.unanswered += node.at("answers").at(status).count();
+  const Node fields = node.at("fields");
+  for (const std::string_view field : oracle::kFieldNames)
+    if (const auto counts = fields.find(field)) {
+      family.fields += counts->at("judged").count();
+      family.correctly_rounded += counts->at("correctly_rounded").count();
+      family.beyond_bound += counts->at("beyond_bound").count();
+    }
+  return family;
+}
+
+Failure read_failure(const Node& node) {
+  std::vector<std::string_view> pairs;
+  for (const Pair pair : kPairs) pairs.push_back(name(pair));
+  std::vector<std::string_view> scalars;
+  for (const Scalar scalar : kScalars) scalars.push_back(name(scalar));
+  return {node.at("id").text(),
+          kPairs[node.at("pair").one_of(pairs)],
+          kScalars[node.at("scalar").one_of(scalars)],
+          node.at("family").text(),
+          level_of(node.at("level")),
+          node.at("what").text()};
+}
+
+}  // namespace
+
+SavedReport read_report(const std::filesystem::path& path) {
+  auto file = golden::open_to_read(path);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const golden::Location where{path.string(), 0};
+  const auto json = golden::parse_object(text, where);
+  const Node report(json, where);
+  if (const Node format = report.at("format"); format.text() != "contact-oracle/report")
+    format.refuse("expected \"contact-oracle/report\", what certify --json writes");
+  if (const Node version = report.at("version"); version.count() != 1) version.refuse("expected version 1");
+  SavedReport saved{path,
+                    report.at("engine").at("name").text(),
+                    report.at("engine").at("version").text(),
+                    level_of(report.at("required")),
+                    report.at("verdict").text(),
+                    {},
+                    {},
+                    report.at("failure_count").count()};
+  for (const Node& family : report.at("families").items()) saved.families.push_back(read_family(family));
+  for (const Node& failure : report.at("failures").items()) saved.failures.push_back(read_failure(failure));
+  return saved;
+}
+
+Baseline::Baseline(const SavedReport& report) : path_(report.path.string()), engine_(report.engine) {
+  if (report.failure_count != report.failures.size())
+    throw golden::InputError({path_, 0}, "failures",
+                             fmt::format("lists {} of {} failures: too many to accept one by one",
+                                         report.failures.size(), report.failure_count));
+  for (const Failure& f : report.failures) {
+    const auto [it, is_new] = levels_.emplace(f.id, f.level);
+    it->second = std::max(it->second, f.level);
+  }
+}
+
+bool Baseline::accepts(const std::string& id, Level level) const {
+  const auto it = levels_.find(id);
+  return it != levels_.end() && level <= it->second;
+}
+
+}  // namespace contact::tool

@@ -1,0 +1,74 @@
+// What an earlier run left in its --json report: failures to accept, and numbers to compare with.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "oracle/judge.hpp"
+
+namespace contact::tool {
+
+/// A case below the required level, as reports list it.
+struct Failure {
+  std::string id;
+  Pair pair;
+  Scalar scalar;  ///< of the questions
+  std::string family;
+  oracle::Level level;  ///< that its answer does reach
+  std::string what;
+  bool accepted = false;
+};
+
+struct SavedFamily {
+  std::string title;  ///< pair/family, with .f32 for questions in binary32
+  std::uint64_t cases;
+  std::uint64_t missed_hits;
+  std::uint64_t false_hits;
+  std::uint64_t not_finite;
+  std::uint64_t unanswered;  ///< error, timeout, crash and missing
+  std::uint64_t fields;
+  std::uint64_t correctly_rounded;
+  std::uint64_t beyond_bound;
+  oracle::Level level;
+};
+
+struct SavedReport {
+  std::filesystem::path path;
+  std::string engine;  ///< its name
+  std::string version;
+  oracle::Level required;
+  std::string verdict;  ///< the sentence
+  std::vector<SavedFamily> families;
+  std::vector<Failure> failures;
+  std::uint64_t failure_count;  ///< more than are listed, perhaps
+};
+
+/// Reads a report that `certify --json` wrote. Throws golden::InputError with file and field.
+[[nodiscard]] SavedReport read_report(const std::filesystem::path& path);
+
+/// Failures that a run may have again, by question.
+class Baseline {
+ public:
+  /// Throws golden::InputError where the report does not list all failures.
+  explicit Baseline(const SavedReport& report);
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] const std::string& engine() const { return engine_; }
+  [[nodiscard]] std::uint64_t size() const { return levels_.size(); }
+  [[nodiscard]] bool lists(const std::string& id) const { return levels_.contains(id); }
+  /// Whether a question may be answered no better than `level`: it was answered no better then.
+  [[nodiscard]] bool accepts(const std::string& id, oracle::Level level) const;
+
+ private:
+  std::string path_;
+  std::string engine_;
+  std::unordered_map<std::string, oracle::Level> levels_;
+};
+
+}  // namespace contact::tool
