@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "golden/json.hpp"
+#include "golden/dataset.hpp"
 
 namespace contact::tool {
 namespace {
@@ -45,16 +45,8 @@ SavedFamily read_family(const Node& node) {
 }
 
 Failure read_failure(const Node& node) {
-  std::vector<std::string_view> pairs;
-  for (const Pair pair : kPairs) pairs.push_back(name(pair));
-  std::vector<std::string_view> scalars;
-  for (const Scalar scalar : kScalars) scalars.push_back(name(scalar));
-  return {node.at("id").text(),
-          kPairs[node.at("pair").one_of(pairs)],
-          kScalars[node.at("scalar").one_of(scalars)],
-          node.at("family").text(),
-          level_of(node.at("level")),
-          node.at("what").text()};
+  return {node.at("id").text(),     golden::read_pair(node.at("pair")), golden::read_scalar(node.at("scalar")),
+          node.at("family").text(), level_of(node.at("level")),         node.at("what").text()};
 }
 
 }  // namespace
