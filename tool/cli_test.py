@@ -387,6 +387,14 @@ class KnownFailures(Case):
         old = self.before(every)
         done = run("certify", one, "--results", self.folder / "r.jsonl", "--baseline", old)
         self.assertEqual(done.returncode, 1, done.stdout)
+        # Beside a family that is right they are no failure, in JUnit either.
+        generic = committed("sphere_sphere/generic.jsonl", 0, 9)
+        with (self.folder / "r.jsonl").open("a") as results:
+            results.write(text(answers_to(generic)[1:]))
+        out = self.holds("certify", one, self.file("generic.jsonl", generic), "--results", self.folder / "r.jsonl",
+                         "--baseline", old, "--junit", self.folder / "out.junit")
+        self.assertIn("CERTIFIED but for 1 failure:", out)
+        self.assertNotIn("<failure", (self.folder / "out.junit").read_text())
 
     def test_a_baseline_that_is_none_is_refused(self):
         old = self.before([3])
@@ -421,6 +429,13 @@ class KnownFailures(Case):
                 self.assertEqual(done.stdout.splitlines()[-1].split(".")[0].split(":")[0].split(" that")[0], verdict)
                 for word in words:
                     self.assertIn(word, done.stdout)
+
+    def test_compare_names_a_failure_that_became_worse(self):
+        self.before([3], far=[50])
+        self.certify([50], far=[3])
+        done = run("compare", self.folder / "old.json", self.folder / "now.json")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stdout, f"{self.ids[50]} touching: missed hit, and was: value off by ")
 
     def test_compare_says_what_it_cannot_compare(self):
         self.before([3])
@@ -461,6 +476,15 @@ class KnownFailures(Case):
         self.assertGreater(total["answers"]["missing"], 10**7)
         self.assertGreater(total["answers"]["answered"], 0)
         self.assertFalse(json.loads(report.read_text())["certified"])
+        hanging = f"{sys.executable} {ROOT / 'engines' / 'misbehaving_engine.py'} 'always hangs'"
+        started = time.monotonic()
+        done = run("certify", self.dataset, "--engine-command", hanging, "--answer-limit", 300, "--max-time", 1)
+        self.assertLess(time.monotonic() - started, 30, "an engine that hangs is not waited for longer")
+        self.assertEqual((done.returncode, done.stderr), (1, ""))
+        self.assertIn("100 cases were not reached", done.stdout)
+        none = self.certify([], "--max-time", "1e-9")
+        self.assertEqual(none.returncode, 1, "an engine that was asked nothing is no invalid harness")
+        self.assertIn("100 cases were not reached", none.stdout)
         self.assertEqual(self.certify([], "--max-time", 600).returncode, 0)
         for option in ("--max-time", "--start-limit", "--answer-limit"):
             for seconds in ("0", "-1", "nan", "1e300", "soon"):

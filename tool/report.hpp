@@ -107,7 +107,8 @@ struct Report {
   [[nodiscard]] std::uint64_t skipped_cases() const;
   [[nodiscard]] Level level() const { return total().level(allow_unsupported); }
   [[nodiscard]] Level level_but_accepted() const { return total().level_but_accepted(allow_unsupported); }
-  [[nodiscard]] bool certified() const { return judged() > total().accepted && level_but_accepted() <= required; }
+  /// Nothing left to judge reaches no level, and is not certified.
+  [[nodiscard]] bool certified() const { return level_but_accepted() <= required; }
   /// Whether the engine never gave a well-formed answer that claims something.
   [[nodiscard]] bool harness_invalid() const;
   /// The engine's name and version, fit for a terminal and for XML: no control characters.

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iterator>
 
 #include "golden/dataset.hpp"
@@ -78,10 +77,7 @@ Baseline::Baseline(const SavedReport& report) : path_(report.path.string()), eng
     throw golden::InputError({path_, 0}, "failures",
                              fmt::format("lists {} of {} failures: too many to accept one by one",
                                          report.failures.size(), report.failure_count));
-  for (const Failure& f : report.failures) {
-    const auto [it, is_new] = levels_.emplace(f.id, f.level);
-    it->second = std::max(it->second, f.level);
-  }
+  for (const Failure& f : report.failures) levels_.emplace(f.id, f.level);
 }
 
 bool Baseline::accepts(const std::string& id, Level level) const {
