@@ -279,7 +279,7 @@ class Certify(Case):
                 markdown = (self.folder / "out.markdown").read_text()
                 self.assertIn(report["verdict"], markdown)
                 rows = [row.split("|") for row in markdown.splitlines() if row.startswith("| ")]
-                self.assertEqual({len(row) for row in rows}, {14})
+                self.assertEqual({len(row) for row in rows}, {15})
                 self.assertEqual([row[1].replace("\\", "").strip() for row in rows],
                                  ["family", "sphere_sphere/coincident", "cube_cube/generic", "total"])
                 self.assertEqual(rows[3][2].strip(), str(report["total"]["cases"]))

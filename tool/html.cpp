@@ -43,8 +43,9 @@ std::string bad_cell(std::uint64_t n) { return n == 0 ? "<td>.</td>" : fmt::form
 std::string row(const FamilyReport& f, bool allow_unsupported) {
   const FieldCount all = f.all_fields();
   return fmt::format("<tr><td>{}</td>", escaped(f.title())) + cell(f.cases) + cell(f.hits) + bad_cell(f.missed_hits) +
-         bad_cell(f.false_hits) + bad_cell(f.not_finite) + cell(all.at(Grade::correctly_rounded)) +
-         cell(all.at(Grade::faithful)) + cell(all.at(Grade::bounded)) + bad_cell(all.at(Grade::beyond_bound)) +
+         bad_cell(f.false_hits) + cell(f.unanswered()) + bad_cell(f.not_finite) +
+         cell(all.at(Grade::correctly_rounded)) + cell(all.at(Grade::faithful)) + cell(all.at(Grade::bounded)) +
+         bad_cell(all.at(Grade::beyond_bound)) +
          fmt::format("<td>{}</td><td>{}</td></tr>\n", all.worst_id.empty() ? "" : fmt::format("{:.3g}", all.worst),
                      name(f.level(allow_unsupported)));
 }
@@ -80,7 +81,7 @@ std::string section(const Report& report) {
                   report.certified() ? "certified" : "refuted", escaped(report.sentence()));
   html += listed("Diagnosis", report.diagnosis());
   html +=
-      "<div class=wide tabindex=0><table><thead><tr><th>family<th>cases<th>hits<th>missed<th>false<th>not "
+      "<div class=wide tabindex=0><table><thead><tr><th>family<th>cases<th>hits<th>missed<th>false<th>no answer<th>not "
       "finite<th>correctly rounded"
       "<th>faithful<th>bounded<th>beyond bound<th>worst (ulps)<th>level</tr></thead><tbody>\n";
   for (const FamilyReport& f : report.families) html += row(f, report.allow_unsupported);

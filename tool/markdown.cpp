@@ -34,16 +34,18 @@ std::string markdown_text(const Report& report) {
   };
   listed("Diagnosis", report.diagnosis());
   text +=
-      "\n| family | cases | hits | missed | false | not finite | correctly rounded | faithful | bounded | beyond | "
+      "\n| family | cases | hits | missed | false | no answer | not finite | correctly rounded | faithful | bounded | "
+      "beyond | "
       "worst "
-      "(ulps) | level |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|\n";
+      "(ulps) | level |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|\n";
   const auto row = [&](const FamilyReport& f) {
     const FieldCount all = f.all_fields();
-    text += fmt::format(
-        "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", escaped(f.title()), f.cases, cell(f.hits),
-        cell(f.missed_hits), cell(f.false_hits), cell(f.not_finite), cell(all.at(Grade::correctly_rounded)),
-        cell(all.at(Grade::faithful)), cell(all.at(Grade::bounded)), cell(all.at(Grade::beyond_bound)),
-        all.worst_id.empty() ? "" : fmt::format("{:.3g}", all.worst), name(f.level(report.allow_unsupported)));
+    text +=
+        fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", escaped(f.title()), f.cases,
+                    cell(f.hits), cell(f.missed_hits), cell(f.false_hits), cell(f.unanswered()), cell(f.not_finite),
+                    cell(all.at(Grade::correctly_rounded)), cell(all.at(Grade::faithful)), cell(all.at(Grade::bounded)),
+                    cell(all.at(Grade::beyond_bound)), all.worst_id.empty() ? "" : fmt::format("{:.3g}", all.worst),
+                    name(f.level(report.allow_unsupported)));
   };
   for (const FamilyReport& f : report.families) row(f);
   row(report.total());

@@ -53,6 +53,8 @@ struct FamilyReport {
   [[nodiscard]] std::string title() const;  ///< pair/family, with .f32 for questions in binary32; "total"
   [[nodiscard]] FieldCount all_fields() const;
   [[nodiscard]] std::uint64_t with(Claim::Status status) const { return statuses[static_cast<std::size_t>(status)]; }
+  /// Cases whose question got no answer, for whatever reason.
+  [[nodiscard]] std::uint64_t unanswered() const { return cases - with(Claim::Status::answered); }
   /// Cases that count: all but those left out because the engine may say "unsupported".
   [[nodiscard]] std::uint64_t judged(bool allow_unsupported) const;
   [[nodiscard]] Level level(bool allow_unsupported) const;

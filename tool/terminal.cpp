@@ -18,14 +18,14 @@ std::string cell(std::uint64_t n) { return n == 0 ? "." : std::to_string(n); }
 
 std::string terminal_text(const Report& report) {
   Table table;
-  table.row({"family", "cases", "hits", "missed", "false", "not finite", "correctly rounded", "faithful", "bounded",
-             "beyond", "worst (ulps)", "its id"});
+  table.row({"family", "cases", "hits", "missed", "false", "no answer", "not finite", "correctly rounded", "faithful",
+             "bounded", "beyond", "worst (ulps)", "its id"});
   const auto add = [&](const FamilyReport& f) {
     const FieldCount all = f.all_fields();
-    table.row({f.title(), cell(f.cases), cell(f.hits), cell(f.missed_hits), cell(f.false_hits), cell(f.not_finite),
-               cell(all.at(Grade::correctly_rounded)), cell(all.at(Grade::faithful)), cell(all.at(Grade::bounded)),
-               cell(all.at(Grade::beyond_bound)), all.worst_id.empty() ? "" : fmt::format("{:.3g}", all.worst),
-               all.worst_id});
+    table.row({f.title(), cell(f.cases), cell(f.hits), cell(f.missed_hits), cell(f.false_hits), cell(f.unanswered()),
+               cell(f.not_finite), cell(all.at(Grade::correctly_rounded)), cell(all.at(Grade::faithful)),
+               cell(all.at(Grade::bounded)), cell(all.at(Grade::beyond_bound)),
+               all.worst_id.empty() ? "" : fmt::format("{:.3g}", all.worst), all.worst_id});
   };
   for (const FamilyReport& f : report.families) add(f);
   if (report.families.size() > 1) add(report.total());
