@@ -101,7 +101,7 @@ for line in sys.stdin.buffer:
             say(json.dumps(answer) + "\n")
     elif mode == "wrong seq at 13" and bad:
         answer["seq"] += 1000000
-    elif mode == "repeats at 13" and bad:
+    elif mode == "repeats at 13" and bad or mode == "repeats everything":
         say(json.dumps(answer) + "\n")
     elif mode == "stops reading at 13" and bad:
         hang()

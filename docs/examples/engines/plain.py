@@ -14,7 +14,7 @@ HELLO = {"op": "hello", "protocol": 1, "engine": {"name": "plain-python", "versi
 
 def spheres(a, b, alarm, contact):
     delta = [q - p for p, q in zip(a["center"], b["center"])]
-    distance2 = sum(d * d for d in delta)
+    distance2 = delta[0] * delta[0] + delta[1] * delta[1] + delta[2] * delta[2]  # sum() compensates from Python 3.12 on
     reach = a["radius"] + b["radius"] + alarm
     if distance2 > reach * reach:
         return {"overlap": False, "contact": None}
