@@ -105,6 +105,8 @@ for line in sys.stdin.buffer:
         say(json.dumps(answer) + "\n")
     elif mode == "stops reading at 13" and bad:
         hang()
+    elif mode == "exits from 1 on" and message["contact"] == 1:
+        sys.exit(4)
     elif mode == "always exits":
         sys.exit(4)
     elif mode == "always hangs":
