@@ -101,10 +101,12 @@ for line in sys.stdin.buffer:
             say(json.dumps(answer) + "\n")
     elif mode == "wrong seq at 13" and bad:
         answer["seq"] += 1000000
-    elif mode == "repeats at 13" and bad:
+    elif mode == "repeats at 13" and bad or mode == "repeats everything":
         say(json.dumps(answer) + "\n")
     elif mode == "stops reading at 13" and bad:
         hang()
+    elif mode == "exits from 1 on" and message["contact"] == 1:
+        sys.exit(4)
     elif mode == "always exits":
         sys.exit(4)
     elif mode == "always hangs":

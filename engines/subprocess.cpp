@@ -19,25 +19,27 @@ namespace {
 using Status = Claim::Status;
 constexpr int kFailuresUntilDead = 3;
 constexpr std::size_t kLongestQuote = 60;
+constexpr std::size_t kLongestLastWords = 500;  // a message for a person, often with a path in it
 
 constexpr std::string_view kMalformed = "malformed ";
 
 bool malformed(const Claim& claim) { return claim.status == Status::error && claim.text.starts_with(kMalformed); }
 
 /// What an engine wrote, fit for a message: short, and no control characters.
-std::string excerpt(std::string_view text) {
+std::string excerpt(std::string_view text, std::size_t longest = kLongestQuote) {
   std::string shown;
-  for (const char c : text.substr(0, kLongestQuote)) {
+  for (const char c : text.substr(0, longest)) {
     const auto byte = static_cast<unsigned char>(c);
     shown += byte < 0x20 || byte >= 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
   }
-  return fmt::format("'{}{}'", shown, text.size() > kLongestQuote ? "..." : "");
+  return fmt::format("'{}{}'", shown, text.size() > longest ? "..." : "");
 }
 
 /// A conversation that cannot go on: the engine's stream ended, stalled or lost its thread.
 struct Broken {
   Status status;
   std::string text;
+  std::optional<std::size_t> repeated = std::nullopt;  ///< the question that was answered once more
 };
 
 /// One process and what is in flight.
@@ -48,6 +50,7 @@ class Conversation {
   /// Starts the process where there is none, and hears its hello.
   const golden::EngineInfo& start() {
     if (process_) return *info_;
+    first_of_process_ = seq_ + 1;
     try {
       process_ = std::make_unique<ChildProcess>(options_.command, options_.longest_line, options_.check);
     } catch (const std::runtime_error& error) {
@@ -68,23 +71,27 @@ class Conversation {
 
   void kill() { process_.reset(); }
 
+  /// Other questions follow: from here on an index means one of them.
+  void turn() { asked_ = {seq_ + 1, {}}; }
+
   /// Asks the questions with the indices `order`, at most `window` of them in flight, fills in their claims as they are
   /// answered, and marks them in `done`. Throws Broken; the first of `order` that is not done is the one that was due.
   void ask(std::span<const Question> questions, std::span<const std::size_t> order, std::size_t window,
            std::vector<Claim>& claims, std::vector<bool>& done) {
-    const Flight flight{seq_ + 1, order, done};
     std::size_t sent = 0;
     auto deadline = ChildProcess::Clock::now() + options_.answer;
     for (std::size_t answered = 0; answered < order.size(); ++answered) {
       // Questions go out by the half window: one write for many, and the engine never waits for the next.
       if (sent < order.size() && sent - answered <= window / 2) {
         std::string text;
-        for (; sent < order.size() && sent - answered < window; ++sent)
+        for (; sent < order.size() && sent - answered < window; ++sent) {
           text += golden::query_message(++seq_, questions[order[sent]].query) + "\n";
+          asked_.indices.push_back(order[sent]);
+        }
         process_->send(std::move(text));
       }
       const std::string line = next_line(deadline, "no answer", options_.answer);
-      auto [index, claim] = heard(line, flight);
+      auto [index, claim] = heard(line, done);
       claims[index] = std::move(claim);
       done[index] = true;
       deadline = ChildProcess::Clock::now() + options_.answer;
@@ -92,32 +99,37 @@ class Conversation {
   }
 
  private:
-  /// What is being asked: the questions `order`, by sequence numbers from `first`.
-  struct Flight {
-    std::uint64_t first;
-    std::span<const std::size_t> order;
-    const std::vector<bool>& done;
+  /// What was asked since the last turn: the index of each question, by sequence numbers from `first`.
+  struct Asked {
+    std::uint64_t first = 1;
+    std::vector<std::size_t> indices;
   };
 
-  /// The index of the question in flight that `seq` is, or why there is none.
-  [[nodiscard]] std::size_t asked_by(std::uint64_t seq, const Flight& flight, const golden::Location& where) const {
-    if (seq == 0 || seq > seq_) throw golden::InputError(where, "seq", fmt::format("{} was not asked", seq));
-    if (seq >= flight.first && !flight.done[flight.order[seq - flight.first]]) return flight.order[seq - flight.first];
-    throw golden::InputError(where, "seq", fmt::format("{} was answered before", seq));
+  /// The index of the question that `seq` is, as yet without an answer. A question that is answered once more breaks
+  /// the conversation, as does a number that this process was never given.
+  [[nodiscard]] std::size_t asked_by(std::uint64_t seq, const std::vector<bool>& done, std::string_view line) const {
+    const auto broken = [&](std::string_view problem, std::optional<std::size_t> repeated = std::nullopt) {
+      return Broken{Status::error, fmt::format("answer: seq: {} {} in {}", seq, problem, excerpt(line)), repeated};
+    };
+    if (seq < first_of_process_ || seq > seq_) throw broken("was not asked");
+    if (seq < asked_.first) throw broken("was answered before");
+    const std::size_t index = asked_.indices[seq - asked_.first];
+    if (done[index]) throw broken("was answered before", index);
+    return index;
   }
 
   /// The answer that a line is, and the index of its question. A claim of the wrong form is that question's error; a
   /// line that belongs to no question breaks the conversation.
-  [[nodiscard]] std::pair<std::size_t, Claim> heard(const std::string& line, const Flight& flight) const {
+  [[nodiscard]] std::pair<std::size_t, Claim> heard(const std::string& line, const std::vector<bool>& done) const {
     static const golden::Location where{"answer", 0};
     try {
       if (auto answer = golden::quick_answer(line))
-        return {asked_by(answer->seq, flight, where), std::move(answer->claim)};
+        return {asked_by(answer->seq, done, line), std::move(answer->claim)};
       const auto json = golden::parse_object(line, where);
       const golden::Node message(json, where);
       if (const std::string op = golden::op_of(message); op != "answer")
         throw golden::InputError(where, "op", fmt::format("expected \"answer\", got {}", excerpt(op)));
-      const std::size_t index = asked_by(golden::seq_of(message), flight, where);
+      const std::size_t index = asked_by(golden::seq_of(message), done, line);
       try {
         return {index, golden::read_answer(message)};
       } catch (const golden::InputError& error) {
@@ -149,7 +161,7 @@ class Conversation {
         if (!process_->half_line().empty())
           text += fmt::format(" after half a line: {}", excerpt(process_->half_line()));
         if (const std::string words = process_->last_words(); !words.empty())
-          text += fmt::format("; its standard error ends in {}", excerpt(words));
+          text += fmt::format("; its standard error ends in {}", excerpt(words, kLongestLastWords));
         throw Broken{Status::crash, text};
       }
     }
@@ -169,6 +181,8 @@ class Conversation {
   std::unique_ptr<ChildProcess> process_;
   std::optional<golden::EngineInfo> info_;
   std::uint64_t seq_ = 0;
+  std::uint64_t first_of_process_ = 1;
+  Asked asked_;
 };
 
 /// A question that every engine of a pair can answer: one unit apart, both of size one.
@@ -191,6 +205,7 @@ class Subprocess final : public Engine {
         const std::vector<std::size_t> order{0};
         std::vector<Claim> claims(1);
         std::vector<bool> done(1);
+        first.turn();
         first.ask(questions, order, 1, claims, done);
         const Claim& claim = claims.front();
         if (claim.status == Status::answered && !claim.overlap && !claim.speaks_of_contact)
@@ -205,6 +220,7 @@ class Subprocess final : public Engine {
 
   std::vector<Claim> answer(std::span<const Question> questions) override {
     const Lease conversation(*this);
+    conversation->turn();
     std::vector<Claim> claims(questions.size(), Conversation::failed(Status::missing, "the engine counts as dead"));
     std::vector<bool> done(questions.size());
     std::size_t alone = 0;  // questions below this index are asked one at a time
@@ -221,8 +237,12 @@ class Subprocess final : public Engine {
         failures_ = 0;
       } catch (const Broken& broken) {
         conversation->kill();
-        if (std::any_of(order.begin(), order.end(), is_done)) failures_ = 0;
-        if (one || options_.window == 1) {
+        const auto is_right = [&](std::size_t index) -> bool { return done[index] && index != broken.repeated; };
+        if (std::any_of(order.begin(), order.end(), is_right)) failures_ = 0;
+        if (broken.repeated) {
+          claims[*broken.repeated] = Conversation::failed(broken.status, broken.text);
+          if (++failures_ >= kFailuresUntilDead) dead_ = true;
+        } else if (one || options_.window == 1) {
           const std::size_t culprit = *std::find_if_not(order.begin(), order.end(), is_done);
           claims[culprit] = Conversation::failed(broken.status, broken.text);
           done[culprit] = true;

@@ -1,6 +1,8 @@
 // JSON lines, read strictly and written canonically.
 #include "golden/json.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -67,7 +69,12 @@ nlohmann::json parse_object(std::string_view line, const Location& where) {
   } catch (const nlohmann::json::exception& error) {
     const std::string text = error.what();  // "[json.exception.parse_error.101] parse error at ...": the tag is noise
     const auto tag = text.find("] ");
-    throw InputError(where, "", "malformed JSON: " + (tag == std::string::npos ? text : text.substr(tag + 2)));
+    // What was read last is quoted as it came, and that need not be UTF-8.
+    std::string shown;
+    for (const char c : std::string_view(text).substr(tag == std::string::npos ? 0 : tag + 2))
+      shown += static_cast<unsigned char>(c) < 0x80 ? std::string(1, c)
+                                                    : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    throw InputError(where, "", "malformed JSON: " + shown);
   }
 }
 

@@ -25,9 +25,10 @@ function spheres({a, b, alarm, contact}) {
   };
 }
 
-require('readline').createInterface({input: process.stdin}).on('line', (line) => {
+const lines = require('readline').createInterface({input: process.stdin});
+lines.on('line', (line) => {
   const message = JSON.parse(line);
-  if (message.op === 'stop') process.exit(0);
+  if (message.op === 'stop') return lines.close(); // the program ends when all is written; exit() would not wait
   const reply = message.op === 'hello' ? hello : {op: 'answer', seq: message.seq, ...spheres(message)};
   process.stdout.write(JSON.stringify(reply) + '\n');
 });

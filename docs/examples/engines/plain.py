@@ -14,7 +14,7 @@ HELLO = {"op": "hello", "protocol": 1, "engine": {"name": "plain-python", "versi
 
 def spheres(a, b, alarm, contact):
     delta = [q - p for p, q in zip(a["center"], b["center"])]
-    distance2 = sum(d * d for d in delta)
+    distance2 = delta[0] * delta[0] + delta[1] * delta[1] + delta[2] * delta[2]  # sum() is exacter from Python 3.12 on
     reach = a["radius"] + b["radius"] + alarm
     if distance2 > reach * reach:
         return {"overlap": False, "contact": None}
@@ -40,13 +40,13 @@ def answer(query):
 
 
 for line in sys.stdin:
-    message = json.loads(line)
+    message = json.loads(line, parse_int=float)  # Python's integers do not round as doubles do
     if message["op"] == "stop":
         break
     if message["op"] == "hello":
         reply = HELLO
     else:
-        reply = {"op": "answer", "seq": message["seq"]}
+        reply = {"op": "answer", "seq": int(message["seq"])}
         try:
             reply.update(answer(message))
         except (TypeError, OverflowError) as problem:  # a number given as text: NaN or an infinity

@@ -16,18 +16,15 @@ static void answer(char* line) {
   double x[10];
   const unsigned long long seq = strtoull(line + strlen("{\"op\":\"query\",\"seq\":"), &line, 10);
   for (int i = 0; i < 10; ++i) {
-    line += strcspn(line, "-0123456789"); /* a number given as text, NaN or an infinity, is none of these */
-    char* end = line;
-    x[i] = strtod(line, &end);
-    if (end == line || !isfinite(x[i])) {
+    char* start = line + strcspn(line, "-0123456789"); /* NaN or an infinity, given as text, is none of these */
+    x[i] = strtod(start, &line);
+    if (line == start || !isfinite(x[i])) {
       printf("{\"op\":\"answer\",\"seq\":%llu,\"rejected\":\"number %d\"}\n", seq, i);
       return;
     }
-    line = end;
   }
-  const double *a = x, *b = x + 4, alarm = x[8], contact = x[9];
-  const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-  const double distance2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2], reach = a[3] + b[3] + alarm;
+  const double *a = x, *b = x + 4, d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+  const double distance2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2], reach = a[3] + b[3] + x[8];
   if (distance2 > reach * reach) {
     printf("{\"op\":\"answer\",\"seq\":%llu,\"overlap\":false,\"contact\":null}\n", seq);
     return;
@@ -38,7 +35,7 @@ static void answer(char* line) {
       "{\"op\":\"answer\",\"seq\":%llu,\"overlap\":true,\"contact\":{\"normal\":[%.17g,%.17g,%.17g],"
       "\"point1\":[%.17g,%.17g,%.17g],\"point2\":[%.17g,%.17g,%.17g],\"value\":%.17g}}\n",
       seq, n[0], n[1], n[2], a[0] + a[3] * n[0], a[1] + a[3] * n[1], a[2] + a[3] * n[2], b[0] - b[3] * n[0],
-      b[1] - b[3] * n[1], b[2] - b[3] * n[2], s - (a[3] + b[3]) - contact);
+      b[1] - b[3] * n[1], b[2] - b[3] * n[2], s - (a[3] + b[3]) - x[9]);
 }
 
 int main(void) {
@@ -59,5 +56,4 @@ int main(void) {
     memmove(buffer, line, held);
     fflush(stdout); /* whatever has arrived is answered together; never keep an answer back */
   }
-  return 0;
 }
