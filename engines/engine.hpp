@@ -32,10 +32,8 @@ class Engine {
   [[nodiscard]] const golden::EngineInfo& info() const { return info_; }
   /// One claim for each question, in their order.
   [[nodiscard]] virtual std::vector<Claim> answer(std::span<const Question> questions) = 0;
-  /// How many calls of answer() it works on at once, the others waiting; 0 for an engine in this process.
-  [[nodiscard]] virtual std::size_t processes() const { return 0; }
-  /// Recorded answers that no question has asked for.
-  [[nodiscard]] virtual std::uint64_t unasked() const { return 0; }
+  /// The ids of recorded answers that no question has asked for, in their order.
+  [[nodiscard]] virtual std::vector<std::string> unasked() const { return {}; }
 
  protected:
   /// For engines that say who they are only after they have been started.

@@ -9,16 +9,18 @@ namespace {
 
 class RecordedEngine final : public Engine {
  public:
-  explicit RecordedEngine(golden::Results results) : Engine(results.engine), claims_(std::move(results.claims)) {}
+  explicit RecordedEngine(golden::Results results) : Engine(std::move(results.engine)) {
+    for (auto& [id, claim] : results.claims) recorded_.try_emplace(id, std::move(claim));
+  }
 
   std::vector<Claim> answer(std::span<const Question> questions) override {
     std::vector<Claim> claims;
     claims.reserve(questions.size());
     for (const Question& question : questions) {
-      const auto it = claims_.find(question.id);
-      if (it != claims_.end()) {
-        ++asked_;
-        claims.push_back(it->second);
+      const auto it = recorded_.find(question.id);
+      if (it != recorded_.end()) {
+        it->second.asked = true;
+        claims.push_back(it->second.claim);
       } else {
         claims.emplace_back();
         claims.back().status = Claim::Status::missing;
@@ -28,13 +30,21 @@ class RecordedEngine final : public Engine {
     return claims;
   }
 
-  [[nodiscard]] std::uint64_t unasked() const override {
-    return claims_.size() - std::min<std::uint64_t>(claims_.size(), asked_);
+  [[nodiscard]] std::vector<std::string> unasked() const override {
+    std::vector<std::string> ids;
+    for (const auto& [id, answer] : recorded_)
+      if (!answer.asked) ids.push_back(id);
+    std::sort(ids.begin(), ids.end());
+    return ids;
   }
 
  private:
-  std::unordered_map<std::string, Claim> claims_;
-  std::atomic<std::uint64_t> asked_ = 0;
+  struct Recorded {
+    explicit Recorded(Claim given) : claim(std::move(given)) {}
+    Claim claim;
+    std::atomic<bool> asked = false;
+  };
+  std::unordered_map<std::string, Recorded> recorded_;
 };
 
 }  // namespace

@@ -258,8 +258,6 @@ class Subprocess final : public Engine {
     return claims;
   }
 
-  [[nodiscard]] std::size_t processes() const override { return std::max<std::size_t>(options_.processes, 1); }
-
  private:
   /// A conversation that nobody else has, given back at the end.
   class Lease {

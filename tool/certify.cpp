@@ -148,7 +148,7 @@ int certify(const Options& options) {
 
   std::vector<Report> reports;
   for (Subject& subject : judged) {
-    subject.report.unknown_answers = subject.engine->unasked();
+    if (subject.report.unreached == 0) subject.report.unknown_answers = subject.engine->unasked();
     reports.push_back(std::move(subject.report));
   }
   const Report& first = reports.front();

@@ -507,6 +507,16 @@ class Results(Case):
     def test_one_missing_answer_is_never_certified(self):
         self.assertIn("1 missing", self.refuted(*self.args(self.answers[:-1])))
 
+    def test_an_answer_to_no_question_asked_is_named_and_is_no_failure(self):
+        unknown = "0123456789abcdef01234567"
+        out = self.holds(*self.args([*self.answers, {"id": unknown, "overlap": True}], "--json", self.folder / "r.json"))
+        self.assertIn(f"1 recorded answer belongs to no question asked: {unknown}\n", out)
+        self.assertEqual(json.loads((self.folder / "r.json").read_text())["unknown_answers"], [unknown])
+        # The same question in two files is asked twice, and hides no unknown answer.
+        twin = self.file("twin.jsonl", [{**self.lines[0], "family": "generic"}, *self.lines[1:]])
+        out = self.holds(*self.args([*self.answers, {"id": unknown, "overlap": True}]), twin)
+        self.assertIn(unknown, out)
+
     def test_answers_that_claim_nothing_are_a_harness_failure(self):
         empty = [self.answers[0]] + [{"id": answer["id"]} for answer in self.answers[1:]]
         for answers in (self.answers[:1], empty):

@@ -81,7 +81,8 @@ std::unique_ptr<engines::Engine> make_engine(const EngineOptions& options, std::
   }
   if (!options.library.empty()) {
     if (!std::filesystem::is_regular_file(options.library))
-      throw golden::InputError({options.library, 0}, "", "no such file");
+      throw golden::InputError({options.library, 0}, "",
+                               std::filesystem::exists(options.library) ? "is no file" : "no such file");
     // This program again, so that a crash of the library is the other's end.
     return subprocess(
         options,

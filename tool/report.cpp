@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "golden/dataset.hpp"
 
@@ -14,6 +15,9 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kStatusNames{"answered", "unsupported", "rejected", "error",
                                                        "timeout",  "crash",       "missing"};
+
+constexpr std::array<std::string_view, 7> kStatusPlurals{"answered", "unsupported", "rejected", "errors",
+                                                         "timeouts", "crashes",     "missing"};
 
 std::string count(std::uint64_t n, std::string_view one, std::string_view many) {
   return fmt::format("{} {}", n, n == 1 ? one : many);
@@ -207,7 +211,7 @@ std::string Report::sentence() const {
   if (all.false_hits != 0) reasons.push_back(count(all.false_hits, "false hit", "false hits"));
   for (std::size_t i = 1; i < kStatusNames.size(); ++i)
     if (all.statuses[i] != 0 && !(allow_unsupported && i == static_cast<std::size_t>(Claim::Status::unsupported)))
-      reasons.push_back(fmt::format("{} {}", all.statuses[i], kStatusNames[i]));
+      reasons.push_back(count(all.statuses[i], kStatusNames[i], kStatusPlurals[i]));
   if (all.outside_domain != 0)
     reasons.push_back(count(all.outside_domain, "answer outside the domain", "answers outside the domain"));
   if (all.not_finite != 0) reasons.push_back(count(all.not_finite, "answer not finite", "answers not finite"));
@@ -251,6 +255,14 @@ std::vector<std::string> Report::left_out() const {
   if (unreached != 0)
     lines.push_back(
         fmt::format("{} not reached, and missing: {}", count(unreached, "case was", "cases were"), stopped));
+  if (!unknown_answers.empty()) {
+    constexpr std::size_t kShown = 5;
+    const auto shown = std::span(unknown_answers).first(std::min(kShown, unknown_answers.size()));
+    lines.push_back(
+        fmt::format("{} no question asked: {}{}",
+                    count(unknown_answers.size(), "recorded answer belongs to", "recorded answers belong to"),
+                    fmt::join(shown, ", "), unknown_answers.size() > kShown ? ", ..." : ""));
+  }
   return lines;
 }
 
@@ -298,6 +310,9 @@ std::string json_text(const Report& report) {
   for (const Skipped& s : report.skipped)
     skipped += fmt::format("{}{{\"what\":{},\"why\":{},\"cases\":{}}}", skipped.empty() ? "" : ",", json_string(s.what),
                            json_string(s.why), s.cases);
+  std::string unknown;
+  for (const std::string& id : report.unknown_answers)
+    unknown += fmt::format("{}\"{}\"", unknown.empty() ? "" : ",", id);
   std::string worst;
   for (const WorstCase& w : report.worst)
     worst += fmt::format("{}{{\"what\":{},\"query\":{}}}", worst.empty() ? "" : ",\n", json_string(w.what()),
@@ -321,11 +336,12 @@ std::string json_text(const Report& report) {
       "{{\"format\":\"contact-oracle/"
       "report\",\"version\":1,\"engine\":{{\"name\":{},\"version\":{}}},\"scalar\":\"{}\",\"conventions\":{},"
       "\"required\":\"{}\",\"certified\":{},\"verdict\":{},\"diagnosis\":[{}],\n\"total\":{{{}}},\n\"families\":[\n{}],"
-      "\n\"skipped\":[{}],\n\"not_reached\":{},\n{}\"worst\":[{}],\n\"failure_count\":{},\"failures\":[\n{}]}}\n",
+      "\n\"skipped\":[{}],\n\"unknown_answers\":[{}],\n\"not_reached\":{},\n{}\"worst\":[{}],\n\"failure_count\":{},"
+      "\"failures\":[\n{}]}}\n",
       json_string(report.engine.name), json_string(report.engine.version), name(report.engine.declared.scalar),
       golden::conventions_text(report.engine.declared.conventions), name(report.required), report.certified(),
-      json_string(report.sentence()), diagnosis, family_text(report.total()), families, skipped, report.unreached,
-      baseline, worst, report.failure_count, failures);
+      json_string(report.sentence()), diagnosis, family_text(report.total()), families, skipped, unknown,
+      report.unreached, baseline, worst, report.failure_count, failures);
 }
 
 }  // namespace contact::tool

@@ -102,7 +102,7 @@ struct Report {
   std::string stopped;          ///< why it ended before them
   std::map<oracle::Explanation, std::uint64_t> explanations;
   std::map<std::string, std::uint64_t> wrong;  ///< claims by field ("overlap", "contact", "normal", ...) that are wrong
-  std::uint64_t unknown_answers = 0;           ///< recorded answers to questions that were not asked
+  std::vector<std::string> unknown_answers;    ///< ids of recorded answers to questions that were not asked
 
   [[nodiscard]] FamilyReport total() const;
   [[nodiscard]] std::uint64_t judged() const { return total().judged(allow_unsupported); }

@@ -50,8 +50,6 @@ std::string terminal_text(const Report& report) {
     if (!lines.empty()) text += fmt::format("\n{}:\n  {}\n", title, fmt::join(lines, "\n  "));
   };
   listed("Not judged", report.left_out());
-  if (report.unknown_answers != 0)
-    text += fmt::format("\n{} recorded answers belong to no question asked.\n", report.unknown_answers);
   if (!report.certified() && !report.worst.empty()) {
     text += "\nThe worst cases, as lines for `contact-oracle explain`:\n";
     for (const WorstCase& w : report.worst)
