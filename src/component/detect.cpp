@@ -80,7 +80,11 @@ std::optional<OutputVector> detect(const Intersection& intersection, const Colli
          it != tree2.qend(); ++it)
       if (!self || it->second > i) near.push_back(it->second);
     std::sort(near.begin(), near.end());
-    if (blocks.empty() || blocks.back().size() >= kBlock) blocks.emplace_back().reserve(kBlock + kBlock / 8);
+    // The first grows as it must, since most models have few contacts; those behind it are made whole.
+    if (blocks.empty())
+      blocks.emplace_back();
+    else if (blocks.back().size() >= kBlock)
+      blocks.emplace_back().reserve(kBlock + kBlock / 8);
     OutputVector& block = blocks.back();
     Run& run = runs[static_cast<std::size_t>(i)];
     run = {blocks.size() - 1, block.size(), block.size()};
