@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 
 #include <chrono>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,8 @@ struct Misbehaviour {
   const char* mode;
   Status status;     ///< of question 5
   const char* text;  ///< within its text
+
+  friend void PrintTo(const Misbehaviour& m, std::ostream* out) { *out << m.mode; }
 };
 
 class OneBadQuestion : public testing::TestWithParam<Misbehaviour> {};
@@ -136,6 +139,8 @@ TEST(Subprocess, an_engine_that_answers_everything_twice_counts_as_dead) {
 struct BadStart {
   const char* mode;
   const char* text;
+
+  friend void PrintTo(const BadStart& b, std::ostream* out) { *out << b.mode; }
 };
 class NoHarness : public testing::TestWithParam<BadStart> {};
 
