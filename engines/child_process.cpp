@@ -155,6 +155,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, std::size_t 
   s.longest_line = longest_line;
   s.check = std::move(check);
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   std::array<uv_stdio_container_t, 3> pipes{};

@@ -58,8 +58,8 @@ rc::Gen<Query> spheres_from(rc::Gen<double> number) { return rc::gen::map(number
 /// off.
 rc::Gen<Query> boxes_near_touching(const Range& range, rc::Gen<double> number) {
   return rc::gen::map(rc::gen::tuple(boxes_from(std::move(number)), integer(0, 2), integer(-2, 2), integer(0, 1)),
-                      [range](std::tuple<Query, int, int, int> parts) {
-                        auto& [query, touching, ulps, second_first] = parts;
+                      [range](const std::tuple<Query, int, int, int>& parts) {
+                        auto [query, touching, ulps, second_first] = parts;
                         auto& [a, b] = std::get<Boxes>(query.shapes);
                         for (int axis = 0; axis < 3; ++axis) {
                           if (axis != touching) {
@@ -253,8 +253,8 @@ rc::Gen<double> any_number(const Range& range) {
 
 rc::Gen<Query> spheres_near_touching(const Range& range, rc::Gen<double> number) {
   return rc::gen::map(rc::gen::tuple(spheres_from(std::move(number)), integer(-2, 2), integer(0, 1)),
-                      [range](std::tuple<Query, int, int> parts) {
-                        auto& [query, ulps, by_alarm] = parts;
+                      [range](const std::tuple<Query, int, int>& parts) {
+                        auto [query, ulps, by_alarm] = parts;
                         auto& [a, b] = std::get<Balls>(query.shapes);
                         const Vector3 delta = b.center - a.center;
                         const double distance = range.rounded(delta.stableNorm());
@@ -300,8 +300,8 @@ rc::Gen<Query> spheres_coincident(const Range& range, rc::Gen<double> number, bo
 }
 
 rc::Gen<Query> spheres_touching(const Range& range, bool by_alarm) {
-  return rc::gen::map(apart(range, format_of(range.scalar).max_exponent), [by_alarm](Apart made) {
-    auto& [a, b, distance, k, unit] = made;
+  return rc::gen::map(apart(range, format_of(range.scalar).max_exponent), [by_alarm](const Apart& made) {
+    auto [a, b, distance, k, unit] = made;
     const int first = std::abs(k[6]) % (distance + 1);
     const int second = by_alarm ? std::abs(k[4]) % (distance - first + 1) : distance - first;
     a.radius = first * unit;

@@ -51,6 +51,7 @@ class Runner {
     if ((result.skipped = law.skip(subject_))) return;
 
     std::vector<rc::Gen<Trial>> gens;
+    gens.reserve(pairs.size());
     for (const Pair pair : pairs) gens.push_back(trials(law, pair));
     rc::Random random(law_seed(law));
     for (std::uint64_t drawn = 0; result.tested < options_.cases; ++drawn) {
@@ -83,9 +84,9 @@ class Runner {
     const auto other = others ? rc::gen::container<std::vector<Query>>(3, queries(pair, subject_.range))
                               : rc::gen::just(std::vector<Query>{});
     return rc::gen::map(rc::gen::tuple(law.draw(pair, subject_.range), changes(subject_.range), other),
-                        [](std::tuple<Query, Change, std::vector<Query>> parts) {
-                          auto& [query, change, with] = parts;
-                          return Trial{std::move(query), change, std::move(with)};
+                        [](const std::tuple<Query, Change, std::vector<Query>>& parts) {
+                          const auto& [query, change, with] = parts;
+                          return Trial{query, change, with};
                         });
   }
 
@@ -102,6 +103,7 @@ class Runner {
 
   std::vector<Claim> answers(const std::vector<Query>& queries) {
     std::vector<engines::Question> questions;
+    questions.reserve(queries.size());
     for (const Query& query : queries) questions.push_back({golden::query_id(query), query});
     std::vector<Claim> claims = engine_->answer(questions);
     const bool dead =

@@ -67,6 +67,7 @@ std::vector<Source> datasets(const Options& options) {
 std::vector<Source> generated(const Options& options, std::uint64_t seed) {
   if (!options.paths.empty()) refuse("--generate makes its own questions: give no dataset");
   std::vector<std::string_view> pair_names;
+  pair_names.reserve(kPairs.size());
   for (const Pair pair : kPairs) pair_names.push_back(name(pair));
   std::vector<Pair> pairs;
   for (const std::string& pair : options.pairs) pairs.push_back(kPairs[index_of(pair_names, pair, "pair")]);

@@ -53,7 +53,7 @@ std::string terminal_text(const LawRun& run) {
   std::size_t violated = 0;
   for (const LawResult& r : run.result.laws) {
     if (!r.violation) continue;
-    text += fmt::format("\n{}{} VIOLATED\n", violated == 0 ? "" : "", r.law->name) + details(run, r);
+    text += fmt::format("\n{} VIOLATED\n", r.law->name) + details(run, r);
     ++violated;
   }
   if (run.result.shares.questions != 0) {
