@@ -64,6 +64,7 @@ constexpr std::array<double (*)(double), 3> kRoundings{[](double x) { return std
 /// Numbers to try instead of x, the boldest first.
 std::vector<double> easier_numbers(double x) {
   if (x == 0) return {};
+  if (!std::isfinite(x)) return {0, 1, -1};
   std::vector<double> found{0, 1, -1, -x};
   for (const auto round : kRoundings) found.push_back(round(x));
   const int bits = significant_bits(x);
@@ -148,7 +149,7 @@ class Easier {
     int largest = -2000;
     int smallest = 2000;
     for_each_number(query, [&](const std::string&, double x) {
-      if (x == 0) return;
+      if (x == 0 || !std::isfinite(x)) return;
       largest = std::max(largest, std::ilogb(x));
       smallest = std::min(smallest, odd(x).exponent);
     });
