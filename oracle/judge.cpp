@@ -181,8 +181,6 @@ class ContactJudge {
   Vector3 claimed_n_ = Vector3::Zero();
 };
 
-bool is_right(const std::optional<FieldVerdict>& field) { return field && field->grade <= Grade::bounded; }
-
 }  // namespace
 
 FieldVerdict grade(double claim, const Exact& x, Scalar scalar, const Exact& scale, double bound) {
@@ -256,56 +254,6 @@ Verdict judge_outside_domain(const Claim& claim) {
   verdict.text = claim.text;
   verdict.answered_outside_domain = claim.status == Claim::Status::answered;
   return verdict;
-}
-
-std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, const Claim& claim,
-                                       const Declaration& declared, const Verdict& verdict) {
-  std::vector<Explanation> found;
-  if (verdict.status != Claim::Status::answered || verdict.level() <= Level::bounded) return found;
-
-  // One alternative at a time; it explains a field that it turns from wrong to right.
-  const auto attempt = [&](std::string_view convention, std::string_view value, auto change) {
-    Declaration other = declared;
-    change(other.conventions);
-    if (other.conventions == declared.conventions) return;
-    const Verdict under = judge(query, truth, claim, other);
-    const auto note = [&](std::string_view field) {
-      found.push_back({std::string(field), std::string(convention), std::string(value)});
-    };
-    const auto decision = [&](std::string_view field, Decision as_declared, Decision otherwise) {
-      if (as_declared != Decision::right && as_declared != Decision::unclaimed && otherwise == Decision::right)
-        note(field);
-    };
-    decision("overlap", verdict.overlap, under.overlap);
-    decision("contact", verdict.contact, under.contact);
-    for (const Field field : kFields)
-      if (verdict.at(field) && !is_right(verdict.at(field)) && is_right(under.at(field))) note(name(field));
-  };
-
-  const auto every = [&](std::string_view convention, const auto& names, auto set) {
-    for (std::size_t i = 0; i < names.size(); ++i) attempt(convention, names[i], [&](Conventions& c) { set(c, i); });
-  };
-  every("normal", kNormalDirectionNames,
-        [](Conventions& c, std::size_t i) { c.normal = static_cast<NormalDirection>(i); });
-  attempt("normal_unit", "false", [](Conventions& c) { c.normal_unit = false; });
-  every("points", kPointsNames, [](Conventions& c, std::size_t i) { c.points = static_cast<Points>(i); });
-  for (const bool less : {true, false})
-    for (const ValueKind kind : {ValueKind::signed_distance, ValueKind::depth})
-      attempt(
-          "value",
-          std::string(kValueKindNames[static_cast<std::size_t>(kind)]) + (less ? " less contact" : " without contact"),
-          [&](Conventions& c) {
-            c.value = kind;
-            c.value_less_contact = less;
-          });
-  every("touching_overlap", kTouchingNames,
-        [](Conventions& c, std::size_t i) { c.touching_overlap = static_cast<Touching>(i); });
-  every("touching_contact", kTouchingNames,
-        [](Conventions& c, std::size_t i) { c.touching_contact = static_cast<Touching>(i); });
-  every("margin", kMarginNames, [](Conventions& c, std::size_t i) { c.margin = static_cast<Margin>(i); });
-  every("coincident", kCoincidentNames,
-        [](Conventions& c, std::size_t i) { c.coincident = static_cast<Coincident>(i); });
-  return found;
 }
 
 }  // namespace contact::oracle

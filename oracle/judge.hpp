@@ -58,15 +58,6 @@ struct Verdict {
   [[nodiscard]] Level level() const;
 };
 
-/// What is wrong as declared but right under another convention, such as {"point1", "points", "published"}.
-struct Explanation {
-  std::string field;
-  std::string convention;
-  std::string value;
-
-  friend auto operator<=>(const Explanation&, const Explanation&) = default;
-};
-
 /// What an engine declares: everything that its answers are judged by.
 struct Declaration {
   Scalar scalar = Scalar::binary64;
@@ -79,10 +70,6 @@ struct Declaration {
 
 /// A question outside the domain: refusing it (or failing) is right, any answer is wrong.
 [[nodiscard]] Verdict judge_outside_domain(const Claim& claim);
-
-/// The conventions under which a wrong field of this answer would have been right.
-[[nodiscard]] std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, const Claim& claim,
-                                                     const Declaration& declared, const Verdict& verdict);
 
 /// The grade of one claimed number. `scale` is the number whose ulp measures the error.
 [[nodiscard]] FieldVerdict grade(double claim, const Exact& x, Scalar scalar, const Exact& scale, double bound);

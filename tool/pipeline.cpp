@@ -80,8 +80,7 @@ struct Partial {
   std::vector<WorstCase> worst;
   std::vector<Failure> failures;
   std::vector<std::string> gone;
-  std::map<oracle::Explanation, std::uint64_t> explanations;
-  std::map<std::string, std::uint64_t> wrong;
+  oracle::Diagnosis why;
 };
 
 void judge_one(const Item& item, const std::optional<oracle::Truth>& truth, const Source& source, const Claim& claim,
@@ -91,29 +90,21 @@ void judge_one(const Item& item, const std::optional<oracle::Truth>& truth, cons
   const Verdict verdict = truth ? oracle::judge(query, *truth, claim, declared) : oracle::judge_outside_domain(claim);
   const Level level = verdict.level();
   partial.family.add(verdict, id, truth && truth->hit());
+  const bool accepted = level > report.required && report.baseline != nullptr && report.baseline->accepts(id, level);
+  // What is right speaks against a hypothesis as what is wrong speaks for one.
+  if (truth && !accepted) partial.why.add(query, *truth, claim, declared, verdict);
+  if (verdict.answered_outside_domain && !accepted) partial.why.add_outside_domain(query);
   if (level <= report.required) {
     if (report.baseline != nullptr && report.baseline->lists(id)) partial.gone.push_back(id);
     return;
   }
   if (report.allow_unsupported && verdict.status == Claim::Status::unsupported) return;
   const WorstCase found{query, source.scalar, verdict};
-  const bool accepted = report.baseline != nullptr && report.baseline->accepts(id, level);
   partial.failures.push_back({id, query.pair, source.scalar, source.family, level, found.what(), accepted});
-  if (accepted) {
+  if (accepted)
     partial.family.accept(level);
-    return;
-  }
-  partial.worst.push_back(found);
-  if (!truth || level <= Level::bounded) return;
-  const auto wrong = [&](oracle::Decision d) {
-    return d == oracle::Decision::missed_hit || d == oracle::Decision::false_hit;
-  };
-  if (wrong(verdict.overlap)) ++partial.wrong["overlap"];
-  if (wrong(verdict.contact)) ++partial.wrong["contact"];
-  for (const Field field : oracle::kFields)
-    if (verdict.at(field) && verdict.at(field)->grade > Grade::bounded) ++partial.wrong[std::string(name(field))];
-  for (const oracle::Explanation& e : oracle::explain_wrong(query, *truth, claim, declared, verdict))
-    ++partial.explanations[e];
+  else
+    partial.worst.push_back(found);
 }
 
 /// Why an engine's declaration excludes a whole source, or nothing.
@@ -224,8 +215,7 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
         for (const WorstCase& w : slice[s].worst) report.add(w);
         for (const Failure& f : slice[s].failures) report.add(f);
         report.gone.insert(slice[s].gone.begin(), slice[s].gone.end());
-        for (const auto& [e, n] : slice[s].explanations) report.explanations[e] += n;
-        for (const auto& [field, n] : slice[s].wrong) report.wrong[field] += n;
+        report.why.merge(slice[s].why);
       }
     }
     if (failed < slices) stop.why = "the first failure ended the run";

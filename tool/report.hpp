@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engines/engine.hpp"
+#include "oracle/diagnosis.hpp"
 #include "oracle/judge.hpp"
 #include "tool/saved_report.hpp"
 
@@ -95,12 +96,11 @@ struct Report {
   std::vector<Failure> failures;    ///< the first kMostFailures
   std::uint64_t failure_count = 0;  ///< of all, accepted or not
   std::shared_ptr<const Baseline> baseline;
-  std::set<std::string> gone;   ///< ids of accepted failures that fail no longer
-  std::uint64_t unreached = 0;  ///< cases that the run ended before; counted as missing
-  std::string stopped;          ///< why it ended before them
-  std::map<oracle::Explanation, std::uint64_t> explanations;
-  std::map<std::string, std::uint64_t> wrong;  ///< claims by field ("overlap", "contact", "normal", ...) that are wrong
-  std::uint64_t unknown_answers = 0;           ///< recorded answers to questions that were not asked
+  std::set<std::string> gone;         ///< ids of accepted failures that fail no longer
+  std::uint64_t unreached = 0;        ///< cases that the run ended before; counted as missing
+  std::string stopped;                ///< why it ended before them
+  oracle::Diagnosis why;              ///< what the wrong answers have in common
+  std::uint64_t unknown_answers = 0;  ///< recorded answers to questions that were not asked
 
   [[nodiscard]] FamilyReport total() const;
   [[nodiscard]] std::uint64_t judged() const { return total().judged(allow_unsupported); }
@@ -114,8 +114,6 @@ struct Report {
   [[nodiscard]] std::string who() const;
   /// The verdict in one sentence.
   [[nodiscard]] std::string sentence() const;
-  /// What the wrong answers have in common, a sentence each: the conventions under which they would be right.
-  [[nodiscard]] std::vector<std::string> diagnosis() const;
   /// What became of the failures that the baseline accepts, a line each; none without a baseline.
   [[nodiscard]] std::vector<std::string> baseline_lines() const;
   /// Which cases were not judged, and why: those skipped and those not reached, a line each.
