@@ -10,8 +10,10 @@ const double kNaN = std::numeric_limits<double>::quiet_NaN();
 void negate_normal(const Query& q, Claim& claim) {
   in_direction(q, claim, [](ContactClaim& c) { c.normal = Vector3(-*c.normal); });
 }
-void both_points_at(Claim& claim, const Vector3& p) {
-  in_contact(claim, [&](ContactClaim& c) { c.point1 = c.point2 = p; });
+/// One point for both spheres, made from the claim's two balls.
+template <class Point>
+void both_points_at(const Query& q, Claim& claim, Point point) {
+  in_contact(claim, [&](ContactClaim& c) { c.point1 = c.point2 = Vector3(point(balls(q).a, balls(q).b)); });
 }
 /// Whether the question has a number that is none.
 bool has_nan(const Query& q) {
@@ -187,33 +189,35 @@ const std::array kReal{
     Mutant{"fcl-point-far-side", "the one contact point lies half a distance behind the first centre",
            "points-behind", nullptr,
            [](const Query& q, Claim& claim) {
-             both_points_at(claim, 1.5 * balls(q).a.center - 0.5 * balls(q).b.center);
+             both_points_at(q, claim, [](const Ball& a, const Ball& b) { return Vector3(1.5 * a.center - 0.5 * b.center); });
            },
            "https://github.com/flexible-collision-library/fcl/pull/14"},
     Mutant{"fcl-point-radius-weighted", "the one contact point divides the centre line by the radii", "points-weighted",
            nullptr,
            [](const Query& q, Claim& claim) {
-             const auto& [a, b] = balls(q);
-             const double radii = a.radius + b.radius;
-             if (radii > 0) both_points_at(claim, a.center + (a.radius / radii) * (b.center - a.center));
+             both_points_at(q, claim, [](const Ball& x, const Ball& y) {
+               const double radii = x.radius + y.radius;
+               return Vector3(x.center + (radii > 0 ? x.radius / radii : 0.5) * (y.center - x.center));
+             });
            },
            "https://github.com/flexible-collision-library/fcl/pull/87"},
     Mutant{"box2d-centre-average", "overlapping spheres have both points half way between the centres",
            "points-centre-middle", nullptr,
            [](const Query& q, Claim& claim) {
              if (claim.contact && overlapping(q))
-               both_points_at(claim, 0.5 * balls(q).a.center + 0.5 * balls(q).b.center);
+               both_points_at(q, claim, [](const Ball& a, const Ball& b) { return Vector3(0.5 * a.center + 0.5 * b.center); });
            },
            "https://github.com/erincatto/box2d/issues/672"},
     Mutant{"cute-centre-average", "both points lie half way between the centres", "points-centre-middle", nullptr,
            [](const Query& q, Claim& claim) {
-             both_points_at(claim, 0.5 * balls(q).a.center + 0.5 * balls(q).b.center);
+             both_points_at(q, claim, [](const Ball& a, const Ball& b) { return Vector3(0.5 * a.center + 0.5 * b.center); });
            },
            "https://github.com/RandyGaul/cute_headers/pull/38"},
     Mutant{"coal-points-collapsed", "overlapping spheres have one point and no normal", "points-middle", nullptr,
            [](const Query& q, Claim& claim) {
              if (!claim.contact || coincident(q) || !overlapping(q)) return;
-             both_points_at(claim, 0.5 * *claim.contact->point1 + 0.5 * *claim.contact->point2);
+             const Vector3 middle = 0.5 * *claim.contact->point1 + 0.5 * *claim.contact->point2;
+claim.contact->point1 = claim.contact->point2 = middle;
              claim.contact->normal = Vector3::Zero();
            },
            "https://github.com/coal-library/coal/commit/c32390b28915216c49c423058c70d8decb3256e7"},

@@ -148,7 +148,8 @@ std::string joined(const std::vector<std::string>& parts) {
 }  // namespace
 
 std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, const Claim& claim,
-                                       const Declaration& declared, const Verdict& verdict) {
+                                       const Declaration& declared, const Verdict& verdict,
+                                       const Expectation* rounded) {
   std::vector<Explanation> found;
   if (verdict.status != Claim::Status::answered || verdict.level() <= Level::bounded) return found;
 
@@ -157,7 +158,7 @@ std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, c
     Declaration other = declared;
     change(other.conventions);
     if (other.conventions == declared.conventions) return;
-    const Verdict under = judge(query, truth, claim, other);
+    const Verdict under = judge(query, truth, claim, other, rounded);
     const auto note = [&](std::string_view field) {
       found.push_back({std::string(field), std::string(convention), std::string(value)});
     };
@@ -225,7 +226,7 @@ void Diagnosis::count(const Place& place, bool right, const Set& agree, const Se
 }
 
 void Diagnosis::add(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
-                    const Verdict& verdict) {
+                    const Verdict& verdict, const Expectation* rounded) {
   if (verdict.status != Claim::Status::answered) {
     ++silent_[query.pair];
     return;
@@ -257,7 +258,7 @@ void Diagnosis::add(const Query& query, const Truth& truth, const Claim& claim, 
     }
   for (std::size_t i = 0; i < claimed.size(); ++i)
     count({claimed[i].aspect, query.pair, facts.region}, claimed[i].right, agree[i], differ[i]);
-  for (const Explanation& e : explain_wrong(query, truth, claim, declared, verdict)) ++explanations_[e];
+  for (const Explanation& e : explain_wrong(query, truth, claim, declared, verdict, rounded)) ++explanations_[e];
 }
 
 std::string_view sentence_of(std::string_view cause) {
@@ -378,6 +379,8 @@ std::vector<Finding> Diagnosis::findings() const {
   for (const auto& [cause, n] : outside_)
     found.push_back(
         {cause, std::string(sentence_of(cause)) + ": " + std::to_string(n) + " answers where there is no question", n});
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Finding& x, const Finding& y) { return x.explained > y.explained; });
   for (const auto& [pair, n] : silent_)
     found.push_back({"no-answer",
                      std::string(sentence_of("no-answer")) + (answered_.contains(pair) ? ", sometimes, in " : ", in ") +

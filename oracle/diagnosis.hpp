@@ -24,7 +24,8 @@ struct Explanation {
 
 /// The conventions under which a wrong field of this answer would have been right.
 [[nodiscard]] std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, const Claim& claim,
-                                                     const Declaration& declared, const Verdict& verdict);
+                                                     const Declaration& declared, const Verdict& verdict,
+                                                     const Expectation* rounded = nullptr);
 
 /// One thing that an answer claims.
 enum class Aspect { overlap, contact, normal, point1, point2, point, value };
@@ -48,7 +49,7 @@ class Diagnosis {
  public:
   /// What was said to a question inside the domain, right or wrong.
   void add(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
-           const Verdict& verdict);
+           const Verdict& verdict, const Expectation* rounded = nullptr);
   /// An answer to a question outside the domain.
   void add_outside_domain(const Query& query);
   void merge(const Diagnosis& other);

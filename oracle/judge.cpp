@@ -52,8 +52,14 @@ FieldVerdict grade_direction(double component, const Rational& length2, const Ex
 /// Judges the fields of one claimed contact of two spheres.
 class ContactJudge {
  public:
-  ContactJudge(const Query& query, const SphereTruth& truth, const ContactClaim& claim, const Declaration& declared)
-      : query_(query), truth_(truth), claim_(claim), declared_(declared), conventions_(declared.conventions) {
+  ContactJudge(const Query& query, const SphereTruth& truth, const ContactClaim& claim, const Declaration& declared,
+               const Contact* rounded)
+      : query_(query),
+        truth_(truth),
+        claim_(claim),
+        declared_(declared),
+        conventions_(declared.conventions),
+        rounded_(rounded) {
     // What the claim says of n, first to second, for points where the centres coincide.
     if (claim.normal)
       claimed_n_ = conventions_.normal == NormalDirection::first_to_second ? *claim.normal : -*claim.normal;
@@ -64,6 +70,7 @@ class ContactJudge {
     const Vector3& n = claimed_n_;
     if (!is_finite(n)) return FieldVerdict{Grade::not_finite, 0};
     if (truth_.degenerate()) return coincident_normal(n);
+    if (rounded_ != nullptr && conventions_.normal_unit && n == rounded_->normal) return FieldVerdict{};
     FieldVerdict verdict;
     const Rational length2 = squared_length(n);
     const Rational unit = ulp(Rational(1), declared_.scalar);
@@ -85,6 +92,9 @@ class ContactJudge {
     const std::optional<PointOn> on = where(sphere);
     if (!p || !on) return std::nullopt;
     if (truth_.degenerate() && *on != PointOn::center && !knows_coincident_normal()) return std::nullopt;
+    if (rounded_ != nullptr && !truth_.degenerate() && *on == PointOn::nearest_surface &&
+        *p == (sphere == 0 ? rounded_->point1 : rounded_->point2))
+      return FieldVerdict{};
     FieldVerdict verdict;
     for (int axis = 0; axis < 3; ++axis) {
       const Exact x = truth_.degenerate() ? coincident_point(sphere, axis, *on) : truth_.point(sphere, axis, *on);
@@ -108,6 +118,9 @@ class ContactJudge {
 
   [[nodiscard]] std::optional<FieldVerdict> value() const {
     if (!claim_.value || conventions_.value == ValueKind::none) return std::nullopt;
+    if (rounded_ != nullptr && conventions_.value == ValueKind::signed_distance && conventions_.value_less_contact &&
+        *claim_.value == rounded_->value)
+      return FieldVerdict{};
     Exact x = truth_.value(conventions_.value_less_contact);
     if (conventions_.value == ValueKind::depth) x = x.scaled(Rational(-1));
     return grade(*claim_.value, x, declared_.scalar, truth_.value_scale(), declared_.bounds.value);
@@ -178,6 +191,7 @@ class ContactJudge {
   const ContactClaim& claim_;
   const Declaration& declared_;
   const Conventions& conventions_;
+  const Contact* rounded_;  ///< the right answer, or nullptr
   Vector3 claimed_n_ = Vector3::Zero();
 };
 
@@ -220,7 +234,8 @@ Level Verdict::level() const {
   return level;
 }
 
-Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared) {
+Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
+              const Expectation* rounded) {
   const Conventions& conventions = declared.conventions;
   Verdict verdict;
   verdict.status = claim.status;
@@ -242,7 +257,8 @@ Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const 
   verdict.contact = decide(claim.contact.has_value(), expected);
   if (!expected || !claim.contact || !truth.spheres) return verdict;
 
-  const ContactJudge fields(query, *truth.spheres, *claim.contact, declared);
+  const ContactJudge fields(query, *truth.spheres, *claim.contact, declared,
+                            rounded != nullptr && rounded->contact ? &*rounded->contact : nullptr);
   verdict.fields = {fields.normal(), fields.point(0), fields.point(1), fields.midpoint(), fields.value()};
   return verdict;
 }

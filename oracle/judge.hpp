@@ -10,6 +10,7 @@
 
 #include "oracle/claim.hpp"
 #include "oracle/conventions.hpp"
+#include "oracle/expectation.hpp"
 #include "oracle/truth.hpp"
 
 namespace contact::oracle {
@@ -66,7 +67,10 @@ struct Declaration {
 };
 
 /// Domain: the question is inside the domain.
-[[nodiscard]] Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared);
+/// `rounded` is the truth correctly rounded to the declared scalar, where that is known already: a number that equals
+/// it need not be compared exactly.
+[[nodiscard]] Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
+                            const Expectation* rounded = nullptr);
 
 /// A question outside the domain: refusing it (or failing) is right, any answer is wrong.
 [[nodiscard]] Verdict judge_outside_domain(const Claim& claim);
