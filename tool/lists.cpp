@@ -73,6 +73,23 @@ void print_tables() {
   fmt::print("<!-- flags:end -->\n");
 }
 
+/// Text for a cell of a Markdown table.
+std::string table_cell(std::string_view text) {
+  std::string cell;
+  for (const char c : text) cell += c == '|' || c == '*' ? std::string{'\\', c} : std::string(1, c);
+  return cell;
+}
+
+/// The table of docs/bug-zoo.md, which a test compares with this.
+void print_mutants() {
+  fmt::print("| id | from | what is wrong | first line of the diagnosis |\n|---|---|---|---|\n");
+  for (const engines::Mutant& m : engines::mutants())
+    fmt::print("| `{}` | {} | {} | {} |\n", m.id,
+               m.source.empty() ? std::string(engines::kOriginNames[static_cast<std::size_t>(m.origin)])
+                                : fmt::format("[real]({})", m.source),
+               table_cell(m.about), oracle::sentence_of(m.cause));
+}
+
 }  // namespace
 
 void add_lists(CLI::App& app, int& exit) {
@@ -90,8 +107,13 @@ void add_lists(CLI::App& app, int& exit) {
   auto every_mutant = std::make_shared<bool>(false);
   engines->add_flag("--json", *engines_json, "One JSON object a line, mutants included");
   engines->add_flag("--mutants", *every_mutant, "Also the engines with one mistake each");
+  auto table = std::make_shared<bool>(false);
+  engines->add_flag("--table", *table, "The table of docs/bug-zoo.md")->group("");
   engines->callback([=, &exit] {
-    list_engines(*engines_json, *every_mutant);
+    if (*table)
+      print_mutants();
+    else
+      list_engines(*engines_json, *every_mutant);
     exit = kCertified;
   });
   add("families", "The families of generated questions, and the flags of cases", list_families);
