@@ -87,9 +87,15 @@ void decide_spheres(const Query& q, Claim& claim, Compare compare) {
   if (q.balls() != nullptr) decide(q, claim, compare(WideSpheres(q)));
 }
 /// And about boxes.
+struct WideBox {
+  Eigen::Matrix<Wide, 3, 1> min;
+  Eigen::Matrix<Wide, 3, 1> max;
+};
 template <class Compare>
 void decide_boxes(const Query& q, Claim& claim, Compare compare) {
-  if (q.boxes() != nullptr) decide(q, claim, compare(q.boxes()->a, q.boxes()->b, q.distances.alarm));
+  const auto wide = [](const Box& box) { return WideBox{box.min.cast<Wide>(), box.max.cast<Wide>()}; };
+  if (q.boxes() != nullptr)
+    decide(q, claim, compare(wide(q.boxes()->a), wide(q.boxes()->b), static_cast<Wide>(q.distances.alarm)));
 }
 
 /// Another value.

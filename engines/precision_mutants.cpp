@@ -106,8 +106,8 @@ void decide_in_float(const Query& q, Claim& claim, Decide hits) {
         return claim.overlap.value() && s.distance - s.reach <= -static_cast<Wide>(size); \
       });                                                                                 \
     else                                                                                  \
-      decide_boxes(q, claim, [&](const Box& a, const Box& b, double alarm) {              \
-        const double gap = (a.min - b.max).cwiseMax(b.min - a.max).maxCoeff();            \
+      decide_boxes(q, claim, [&](const WideBox& a, const WideBox& b, Wide alarm) {        \
+        const Wide gap = (a.min - b.max).cwiseMax(b.min - a.max).maxCoeff();              \
         return claim.overlap.value() && gap - alarm <= -(size);                           \
       });                                                                                 \
   }
@@ -145,7 +145,7 @@ const std::array kPrecision{
                c.point2 = narrowed(*c.point2);
              });
            }},
-    Mutant{"float-decision", "both decisions are made in float", "single-precision", nullptr,
+    Mutant{"float-decision", "both decisions are made in float", "single-decision", nullptr,
            [](const Query& q, Claim& claim) {
              decide_in_float(q, claim, [](const WideSpheres& s) {
                return static_cast<float>(s.distance) <= static_cast<float>(s.reach);
@@ -207,15 +207,18 @@ const std::array kPrecision{
            }>},
     Mutant{"box-difference", "the rounded gap of boxes compared with the alarm distance", "rounding", nullptr,
            [](const Query& q, Claim& claim) {
-             decide_boxes(q, claim, [](const Box& a, const Box& b, double alarm) {
-               return (a.min - b.max).maxCoeff() <= alarm && (b.min - a.max).maxCoeff() <= alarm;
-             });
+             if (q.boxes() == nullptr) return;
+             const auto& [a, b] = *q.boxes();
+             decide(q, claim,
+                    (a.min - b.max).maxCoeff() <= q.distances.alarm && (b.min - a.max).maxCoeff() <= q.distances.alarm);
            }},
     Mutant{"box-plain", "max + alarm rounded to double", "rounding", nullptr,
            [](const Query& q, Claim& claim) {
-             decide_boxes(q, claim, [](const Box& a, const Box& b, double alarm) {
-               return (a.min.array() <= b.max.array() + alarm).all() && (b.min.array() <= a.max.array() + alarm).all();
-             });
+             if (q.boxes() == nullptr) return;
+             const auto& [a, b] = *q.boxes();
+             decide(q, claim,
+                    (a.min.array() <= b.max.array() + q.distances.alarm).all() &&
+                        (b.min.array() <= a.max.array() + q.distances.alarm).all());
            }},
 
     // Estimates of a reciprocal square root.
@@ -225,7 +228,7 @@ const std::array kPrecision{
            normals_by<[](Wide D) { return static_cast<Wide>(estimate(D, 23)); }>},
     Mutant{"rsqrt-bits", "the normal by the bits of the number and one step of Newton's", "normal-wrong-length",
            nullptr, normals_by<by_bits>},
-    Mutant{"rsqrt-value", "the value by an estimate of 12 bits", "three-digits", nullptr,
+    Mutant{"rsqrt-value", "the value by an estimate of 12 bits", "four-digits", nullptr,
            [](const Query& q, Claim& claim) {
              revalue(q, claim, [](const WideSpheres& s) {
                return s.D > 0 ? s.D * static_cast<Wide>(estimate(s.D, 12)) - s.r1 - s.r2 - s.contact : s.value();
@@ -236,8 +239,8 @@ const std::array kPrecision{
     Mutant{"squares-in-double", "squares that overflow or vanish", "square-range", nullptr, plain_squares},
     Mutant{"box-sum-overflows", "max + alarm overflows, and everything hits", "sum-range", nullptr,
            [](const Query& q, Claim& claim) {
-             decide_boxes(q, claim, [&](const Box& a, const Box& b, double alarm) {
-               const bool over = std::isinf(std::max(a.max.maxCoeff(), b.max.maxCoeff()) + alarm);
+             decide_boxes(q, claim, [&](const WideBox& a, const WideBox& b, Wide alarm) {
+               const bool over = std::isinf(rounded(std::max(a.max.maxCoeff(), b.max.maxCoeff()) + alarm));
                return over ? true : claim.overlap.value();
              });
            }},

@@ -213,7 +213,7 @@ const std::array kReal{
              both_points_at(q, claim, [](const Ball& a, const Ball& b) { return Vector3(0.5 * a.center + 0.5 * b.center); });
            },
            "https://github.com/RandyGaul/cute_headers/pull/38"},
-    Mutant{"coal-points-collapsed", "overlapping spheres have one point and no normal", "points-middle", nullptr,
+    Mutant{"coal-points-collapsed", "overlapping spheres have one point and no normal", "normal-zero", nullptr,
            [](const Query& q, Claim& claim) {
              if (!claim.contact || coincident(q) || !overlapping(q)) return;
              const Vector3 middle = 0.5 * *claim.contact->point1 + 0.5 * *claim.contact->point2;
@@ -386,7 +386,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
              if (q.boxes() != nullptr && at_edge(q)) decide(q, claim, false);
            },
            "https://github.com/JOML-CI/JOML/commit/368a866351aefd6d8f8d7cfe149046af594ef89f"},
-    Mutant{"rp3d-sqrt-depth-zero", "a contact whose depth rounds to zero is lost", "rounding", nullptr,
+    Mutant{"rp3d-sqrt-depth-zero", "a contact whose depth rounds to zero is lost", "edge-open", nullptr,
            [](const Query& q, Claim& claim) {
              if (!claim.contact) return;
              const auto& [a, b] = balls(q);
@@ -395,7 +395,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
                claim.contact.reset();
            },
            "https://github.com/DanielChappuis/reactphysics3d/commit/44e1b12aaf257479611c2560281dcd529d4775f7"},
-    Mutant{"newton-f32-threshold", "the test is made in single precision", "single-precision", nullptr,
+    Mutant{"newton-f32-threshold", "the test is made in single precision", "single-decision", nullptr,
            [](const Query& q, Claim& claim) {
              decide_spheres(q, claim, [](const WideSpheres& s) {
                return static_cast<float>(s.distance) <= static_cast<float>(s.reach);
@@ -421,9 +421,9 @@ claim.contact->point1 = claim.contact->point2 = middle;
            "https://github.com/CGAL/cgal/pull/8891"},
     Mutant{"bevy-corner-test", "boxes are tested by their corners", "box-corners", nullptr,
            [](const Query& q, Claim& claim) {
-             decide_boxes(q, claim, [](const Box& a, const Box& b, double alarm) {
-               const auto has_corner_in = [alarm](const Box& of, const Box& box) {
-                 const auto in = [&](const Vector3& c) {
+             decide_boxes(q, claim, [](const WideBox& a, const WideBox& b, Wide alarm) {
+               const auto has_corner_in = [alarm](const WideBox& of, const WideBox& box) {
+                 const auto in = [&](const auto& c) {
                    return (c.array() >= box.min.array() - alarm) && (c.array() <= box.max.array() + alarm);
                  };
                  return (in(of.min) || in(of.max)).all();
@@ -450,18 +450,18 @@ claim.contact->point1 = claim.contact->point2 = middle;
     Mutant{"fcl-infinite-aabb", "a box starts from minus to plus the largest number, so that nothing shrinks it",
            "always-hit", nullptr,
            [](const Query& q, Claim& claim) {
-             decide_boxes(q, claim, [](const Box&, const Box&, double) { return true; });
+             decide_boxes(q, claim, [](const WideBox&, const WideBox&, Wide) { return true; });
            },
            "https://github.com/flexible-collision-library/fcl/issues/248"},
     Mutant{"sofa-bbox-else-if", "the minimum of a box of one element is never set, and stays the largest number",
            "never-hit", nullptr,
            [](const Query& q, Claim& claim) {
-             decide_boxes(q, claim, [](const Box&, const Box&, double) { return false; });
+             decide_boxes(q, claim, [](const WideBox&, const WideBox&, Wide) { return false; });
            },
            "https://github.com/sofa-framework/sofa/commit/15f432c78df351ecf04ae7c9842465c612815878"},
     Mutant{"sofa-bbox-double-return", "the bounding box is never computed, and stays infinite", "always-hit", nullptr,
            [](const Query& q, Claim& claim) {
-             decide_boxes(q, claim, [](const Box&, const Box&, double) { return true; });
+             decide_boxes(q, claim, [](const WideBox&, const WideBox&, Wide) { return true; });
            },
            "https://github.com/sofa-framework/sofa/pull/5589"},
     Mutant{"coal-merge-noop", "a box grown by a second corner drops the result: it is its first corner",
@@ -476,7 +476,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
     Mutant{"joml-setmin-sets-max", "setting the minimum of a box sets its maximum: the minimum stays 0",
            "box-min-zero", nullptr,
            [](const Query& q, Claim& claim) {
-             decide_boxes(q, claim, [](const Box& a, const Box& b, double alarm) {
+             decide_boxes(q, claim, [](const WideBox& a, const WideBox& b, Wide alarm) {
                return (b.max.array() + alarm >= 0).all() && (a.max.array() + alarm >= 0).all();
              });
            },
@@ -484,7 +484,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
     Mutant{"raytracers-centre-is-max", "the centre of a box is min + max - min: its maximum", "box-centre-is-max",
            nullptr,
            [](const Query& q, Claim& claim) {
-             decide_boxes(q, claim, [](const Box& a, const Box& b, double alarm) {
+             decide_boxes(q, claim, [](const WideBox& a, const WideBox& b, Wide alarm) {
                const auto half = (a.max - a.min).array() / 2 + (b.max - b.min).array() / 2;
                return ((a.max - b.max).array().abs() <= half + alarm).all();
              });
@@ -516,7 +516,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
     Mutant{"unity-extents-two-meanings", "full extents of boxes are taken for half extents", "box-extents-full",
            nullptr,
            [](const Query& q, Claim& claim) {
-             decide_boxes(q, claim, [](const Box& a, const Box& b, double alarm) {
+             decide_boxes(q, claim, [](const WideBox& a, const WideBox& b, Wide alarm) {
                const auto apart = ((a.min + a.max) / 2 - (b.min + b.max) / 2).array().abs();
                return (apart <= (a.max - a.min).array() + (b.max - b.min).array() + alarm).all();
              });
@@ -524,7 +524,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
            "https://github.com/Unity-Technologies/Unity.Mathematics/pull/141"},
     Mutant{"gzmath-extent-null", "a box keeps its mark for being empty after its corners were set", "never-hit", nullptr,
            [](const Query& q, Claim& claim) {
-             decide_boxes(q, claim, [](const Box&, const Box&, double) { return false; });
+             decide_boxes(q, claim, [](const WideBox&, const WideBox&, Wide) { return false; });
            },
            "https://github.com/gazebosim/gz-math/issues/72"},
     Mutant{"gfm-nan-contained", "every rejecting comparison with NaN is false, so that boxes with NaN hit",

@@ -310,10 +310,15 @@ class Diagnosis::Gain {
       total_ += n;
       score_ += static_cast<double>(n) - static_cast<double>(against);
     }
-    // A mistake that is made everywhere is the simpler one: what speaks against it elsewhere counts a little.
-    for (const auto& [place, counts] : run.contradicted_)
-      if (!places_.contains(place) && concerns(place.aspect))
-        score_ -= 0.01 * std::min<double>(counts[cause], static_cast<double>(total_));
+    // A mistake that is made wherever it can be is the simpler one: what speaks against it elsewhere counts a little.
+    double elsewhere = 0;
+    double against = 0;
+    for (const auto& [place, counts] : run.contradicted_) {
+      if (places_.contains(place)) continue;
+      ++elsewhere;
+      against += counts[cause] > 0 ? 1 : 0;
+    }
+    if (elsewhere > 0) score_ *= 1 - 0.05 * against / elsewhere;
     score_ *= causes()[cause].weight;
   }
 
@@ -361,9 +366,6 @@ class Diagnosis::Gain {
   /// Whether the cause says where a point is; else it explains those points that go with a wrong normal.
   [[nodiscard]] bool speaks_of(Aspect aspect) const {
     return (aspect != Aspect::point1 && aspect != Aspect::point2) || causes()[cause_].edit || causes()[cause_].point;
-  }
-  [[nodiscard]] bool concerns(Aspect aspect) const {
-    return std::any_of(places_.begin(), places_.end(), [&](const Place& p) { return p.aspect == aspect; });
   }
 
   const Diagnosis& run_;

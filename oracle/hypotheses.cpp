@@ -50,10 +50,14 @@ std::function<Said(F)> boxes(std::function<Said(F)> hit) {
   return [hit = std::move(hit)](F f) { return f.spheres ? Said(std::nullopt) : hit(f); };
 }
 
-/// Both shapes at one place on an axis, so that it decides nothing.
+/// An axis that decides nothing.
 void ignore(Facts& f, std::size_t axis) {
   f.delta[axis] = 0;
-  for (std::size_t shape : {0U, 1U}) f.min[shape][axis] = f.max[shape][axis] = 0;
+  constexpr Real kEverywhere = std::numeric_limits<Real>::infinity();
+  for (std::size_t shape : {0U, 1U}) {
+    f.min[shape][axis] = -kEverywhere;
+    f.max[shape][axis] = kEverywhere;
+  }
   f.settle_from_delta();
 }
 
@@ -322,8 +326,20 @@ std::vector<Cause> all_causes() {
                [](F f) { return within(f, std::max(f.alarm, f.contact)); }),
       decision("alarm-capped", "alarm distance cut off at the smaller radius",
                spheres([](F f) { return within(f, std::min(f.alarm, std::min(f.radius[0], f.radius[1]))); })),
-      decision("edge-open", "equality not counted as a hit: < in place of <=",
-               [](F f) { return f.truth->at_alarm == CGAL::ZERO ? Said::hit(false) : right(f); }),
+      {.id = "edge-open",
+       .sentence = "equality not counted as a hit: < in place of <=",
+       .hit = [](F f) { return f.truth->at_alarm == CGAL::ZERO ? Said::hit(false) : right(f); },
+       .weight = 1.02},  // the commonest of those that explain the same
+      decision("single-decision", "decisions made in single precision",
+               [](F f) {
+                 if (f.spheres) return Said::hit(narrow(f.distance) <= narrow(f.radii() + f.alarm));
+                 bool hit = true;
+                 for (const std::size_t axis : kAxes)
+                   for (const std::size_t shape : {0U, 1U})
+                     hit = hit &&
+                           narrow(f.min[shape][axis]) <= narrow(narrow(f.max[other(shape)][axis]) + narrow(f.alarm));
+                 return Said::hit(hit);
+               }),
       decision("inside-missed", "a shape inside the other not counted as a hit",
                [](F f) { return f.region == Region::inside ? Said::hit(false) : right(f); }),
       decision("radii-product", "squared distance compared with a product of radii", spheres([](F f) {
@@ -524,8 +540,8 @@ std::vector<Cause> all_causes() {
        .normal = [](F f) -> Said {
          if (!f.said_normal) return std::nullopt;
          const Real length = std::sqrt(dot(*f.said_normal, *f.said_normal));
-         if (f.region != Region::coincident) return times(length, f.n);
-         return where(length > 0 && std::isfinite(length), *f.said_normal);
+         if (!(length > 0 && std::isfinite(length))) return std::nullopt;
+         return f.region == Region::coincident ? *f.said_normal : times(length, f.n);
        }},
 
       // Contact points.
@@ -545,8 +561,6 @@ std::vector<Cause> all_causes() {
              [](F f, std::size_t) { return along(f.center[0], f.radius[0] / f.radii(), f.delta); }),
       points("points-not-unit", "contact point uses a normal that is not divided by its length",
              [](F f, std::size_t s) { return along(f.center[s], side(s) * f.radius[s], f.delta); }),
-      points("points-other-radius", "contact point uses the radius of the other sphere",
-             [](F f, std::size_t s) { return along(f.center[s], side(s) * f.radius[other(s)], f.n); }),
       points("points-from-other-centre", "contact point starts from the centre of the other sphere",
              [](F f, std::size_t s) { return along(f.center[other(s)], side(s) * f.radius[s], f.n); }),
       points("points-local", "contact point relative to its own centre, not in world coordinates",
@@ -618,7 +632,10 @@ std::vector<Cause> all_causes() {
       value("value-zero", "value always 0", [](F) { return Real{0}; }),
       value("value-one", "value always 1", [](F) { return Real{1}; }),
       value("value-minus-one", "value always -1: a sentinel", [](F) { return Real{-1}; }),
-      value("value-bool", "value is a comparison, 0 or 1", [](F f) { return Real(signed_distance(f) > 0 ? 1 : 0); }),
+      {.id = "value-bool",
+       .sentence = "value is a comparison, 0 or 1",
+       .value = [](F f) { return Real(signed_distance(f) > 0 ? 1 : 0); },
+       .weight = 0.98},
       value("value-plus-one", "1 added to the value", [](F f) { return right_value(f) + 1; }),
       value("value-plus-two", "2 added to the value", [](F f) { return right_value(f) + 2; }),
       value("value-less-margin", "a fixed margin of 0.04 subtracted from the value",
@@ -662,8 +679,16 @@ std::vector<Cause> all_causes() {
        {CONTACT_TOLERANCE(1e-15), CONTACT_TOLERANCE(1e-14), CONTACT_TOLERANCE(1e-12), CONTACT_TOLERANCE(1e-10),
         CONTACT_TOLERANCE(1e-9), CONTACT_TOLERANCE(1e-8), CONTACT_TOLERANCE(1e-7), CONTACT_TOLERANCE(1e-6),
         CONTACT_TOLERANCE(1e-5), CONTACT_TOLERANCE(1e-4), CONTACT_TOLERANCE(1e-3), CONTACT_TOLERANCE(1e-2)}) {
-    all.push_back(decision(t.add_id, t.add, [size = t.size](F f) { return within(f, f.alarm + size); }));
-    all.push_back(decision(t.subtract_id, t.subtract, [size = t.size](F f) { return within(f, f.alarm - size); }));
+    all.push_back({.id = t.add_id,
+                   .sentence = t.add,
+                   .hit = [size = t.size](F f) { return within(f, f.alarm + size); },
+                   .weight = 0.95});
+    all.push_back(
+        {.id = t.subtract_id,
+         .sentence = t.subtract,
+         .hit = [size = t.size](
+                    F f) { return f.truth->at_alarm == CGAL::ZERO ? Said::hit(false) : within(f, f.alarm - size); },
+         .weight = 0.95});
   }
 #undef CONTACT_TOLERANCE
   // The axis that a guard falls back to differs from engine to engine.
@@ -682,9 +707,10 @@ std::vector<Cause> all_causes() {
   all.push_back(guard("centres-within-1e-3", "centres within an absolute 1e-3 taken for coincident", 1e-3L));
   all.push_back(arithmetic("rounding", "intermediate results rounded: wrong in the last bits", 0, 0.7));
   all.push_back(arithmetic("single-precision", "computes in single precision", 23, 0.5));
-  all.push_back(arithmetic("five-digits", "right to about five digits only", 15, 0.35));
-  all.push_back(
-      arithmetic("three-digits", "right to about three digits only: an estimate of a reciprocal square root", 10, 0.3));
+  all.push_back(arithmetic("five-digits", "right to about five digits only", 18, 0.4));
+  all.push_back(arithmetic("four-digits",
+                           "right to about four digits only, as an estimate of a reciprocal square root is", 15, 0.35));
+  all.push_back(arithmetic("three-digits", "right to about three digits only", 11, 0.3));
   return all;
 }
 
@@ -743,7 +769,7 @@ Real Facts::gap(std::size_t axis) const { return std::max(min[0][axis] - max[1][
 Real Facts::widest_gap() const { return std::max({gap(0), gap(1), gap(2)}); }
 
 Said Said::at_most(Real x, Real y) {
-  const Real near = 4 * std::ldexp(std::max(std::abs(x), std::abs(y)), -53);
+  const Real near = 16 * std::numeric_limits<Real>::epsilon() * std::max(std::abs(x), std::abs(y));
   if (!(std::abs(x - y) > near)) return std::nullopt;
   return hit(x < y);
 }
