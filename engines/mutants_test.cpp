@@ -1,14 +1,12 @@
-// Mutants, quickly: each is refuted by a committed question, and what the bug zoo lists is either a mutant or
-// explained.
+// Mutants, quickly: each is refuted by committed questions.
 #include "engines/mutants.hpp"
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-#include <regex>
 #include <set>
-#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "engines/engine.hpp"
@@ -22,32 +20,37 @@ namespace {
 /// infinite there, the answer is a hit.
 constexpr std::string_view kSurvivor = "box-sum-overflows";
 
-/// The committed files until every mutant has met a question that refutes it, and how many of them each survived.
-TEST(Mutants, every_one_is_refuted_by_a_committed_question) {
-  std::vector<const Mutant*> left;
-  for (const Mutant& m : mutants()) left.push_back(&m);
+/// Whether an answer that differs from the right one in something is wrong by more than its bounds.
+bool refutes(const Query& query, const Claim& claim, const Claim& right, std::optional<oracle::Truth>& truth) {
+  if (outside_domain(query)) return oracle::judge_outside_domain(claim).level() > oracle::Level::bounded;
+  const bool same_decisions = claim.status == right.status && claim.overlap == right.overlap &&
+                              claim.contact.has_value() == right.contact.has_value();
+  const auto numbers = [](const ContactClaim& c) { return std::tie(c.normal, c.point1, c.point2, c.value); };
+  if (same_decisions && (!claim.contact || numbers(*claim.contact) == numbers(*right.contact))) return false;
+  if (!truth) truth = oracle::truth_of(query);
+  return oracle::judge(query, *truth, claim, {}).level() > oracle::Level::bounded;
+}
+
+TEST(Mutants, every_one_but_one_is_refuted_by_ten_committed_questions_and_more) {
+  constexpr int kMany = 10;
+  std::vector<std::pair<const Mutant*, int>> left;
+  for (const Mutant& m : mutants()) left.emplace_back(&m, 0);
   for (const auto& path : golden::dataset_files({std::filesystem::path(CONTACT_SOURCE_DIR) / "golden"})) {
     golden::DatasetReader reader(path);
     while (const auto c = reader.next()) {
-      const bool outside = outside_domain(c->query).has_value();
       std::optional<oracle::Truth> truth;
       const Claim right = production_answer(c->query, PointConvention::nearest_surface);
-      std::erase_if(left, [&](const Mutant* m) {
-        const Claim claim = answer_of(*m, c->query);
-        if (outside) return oracle::judge_outside_domain(claim).level() > oracle::Level::bounded;
-        if (claim.status == right.status && claim.overlap == right.overlap &&
-            claim.contact.has_value() == right.contact.has_value() &&
-            (!claim.contact ||
-             (claim.contact->normal == right.contact->normal && claim.contact->point1 == right.contact->point1 &&
-              claim.contact->point2 == right.contact->point2 && claim.contact->value == right.contact->value)))
-          return false;
-        if (!truth) truth = oracle::truth_of(c->query);
-        return oracle::judge(c->query, *truth, claim, {}).level() > oracle::Level::bounded;
+      std::erase_if(left, [&](auto& entry) {
+        auto& [mutant, count] = entry;
+        count += refutes(c->query, answer_of(*mutant, c->query), right, truth) ? 1 : 0;
+        return count == kMany;
       });
     }
   }
-  for (const Mutant* m : left) EXPECT_EQ(m->id, kSurvivor) << "survives every committed question";
-  EXPECT_EQ(left.size(), 1U);
+  for (const auto& [mutant, count] : left) {
+    EXPECT_EQ(mutant->id, kSurvivor) << "is refuted by " << count << " questions alone";
+    EXPECT_EQ(count, 0);
+  }
 }
 
 TEST(Mutants, ids_are_unique_and_real_ones_have_their_source) {

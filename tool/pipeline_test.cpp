@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -75,9 +76,12 @@ TEST(Certify, ANormalOfTheWrongSignIsRefutedAndItsConventionNamed) {
   EXPECT_EQ(wrong_fields(report), "normal point1 point2");
   EXPECT_GT(report.why.wrong().at("normal"), 5 * report.why.wrong().at("point1"));
   const std::vector<std::string> lines = report.why.lines();
-  ASSERT_GE(lines.size(), 2U);
+  ASSERT_FALSE(lines.empty());
   EXPECT_TRUE(lines[0].starts_with("normal points from second to first")) << lines[0];
-  EXPECT_NE(lines[1].find("normal = second-to-first"), std::string::npos) << lines[1];
+  const auto names_convention = [](const std::string& line) {
+    return line.find("normal = second-to-first") != std::string::npos;
+  };
+  EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), names_convention));
 }
 
 TEST(Certify, TouchingTakenForApartIsRefutedAsMissedHits) {
