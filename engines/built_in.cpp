@@ -5,6 +5,7 @@
 #include "contact/cube_cube.hpp"
 #include "contact/sphere_sphere.hpp"
 #include "engines/engine.hpp"
+#include "engines/mutants.hpp"
 #include "golden/plain.hpp"
 
 namespace contact::engines {
@@ -32,14 +33,6 @@ ContactPoints contact_points(const Query& query, PointConvention convention) {
   return {point_on(convention, kind(query.first_is_rigid())), point_on(convention, kind(query.second_is_rigid()))};
 }
 
-Claim production(const Query& query, PointConvention points) {
-  if (const auto error = outside_domain(query)) return rejection(*error);
-  if (const Boxes* boxes = query.boxes()) return cubes_claim(test_cube_cube(boxes->a, boxes->b, query.distances.alarm));
-  const Balls& balls = *query.balls();
-  return spheres_claim(test_sphere_sphere(balls.a, balls.b, query.distances.alarm),
-                       compute_sphere_sphere(balls.a, balls.b, query.distances, contact_points(query, points)));
-}
-
 template <class Real>
 Claim plain(const Query& query, PointConvention points) {
   if (const Boxes* boxes = query.boxes())
@@ -48,11 +41,11 @@ Claim plain(const Query& query, PointConvention points) {
   return spheres_claim(spheres.overlap(), spheres.contact(contact_points(query, points)));
 }
 
-Claim published(const Query& query, PointConvention) { return production(query, PointConvention::published); }
+Claim published(const Query& query, PointConvention) { return production_answer(query, PointConvention::published); }
 
 constexpr std::array kBuiltIn{
     BuiltIn{"production", "this project's implementation: exact decisions, correctly rounded numbers", Scalar::binary64,
-            true, production},
+            true, production_answer},
     BuiltIn{"component", "production through DiscreteIntersection and whole models", Scalar::binary64, false,
             component_answer},
     BuiltIn{"plain-double", "the seed's formulas in plain double arithmetic, as SOFA computes them", Scalar::binary64,
@@ -60,6 +53,21 @@ constexpr std::array kBuiltIn{
     BuiltIn{"plain-float", "the seed's formulas in plain float arithmetic", Scalar::binary32, true, plain<float>},
     BuiltIn{"published", "production with the contact points of the seed's printed formula", Scalar::binary64, true,
             published},
+};
+
+class MutantEngine final : public Engine {
+ public:
+  MutantEngine(const Mutant& mutant, golden::EngineInfo info) : Engine(std::move(info)), mutant_(mutant) {}
+
+  std::vector<Claim> answer(std::span<const Question> questions) override {
+    std::vector<Claim> claims;
+    claims.reserve(questions.size());
+    for (const Question& question : questions) claims.push_back(answer_of(mutant_, question.query));
+    return claims;
+  }
+
+ private:
+  const Mutant& mutant_;
 };
 
 class BuiltInEngine final : public Engine {
@@ -84,6 +92,16 @@ class BuiltInEngine final : public Engine {
 std::span<const BuiltIn> built_in_engines() { return kBuiltIn; }
 
 std::unique_ptr<Engine> make_built_in(std::string_view name, PointConvention points) {
+  if (name.starts_with(kMutantPrefix)) {
+    for (const Mutant& mutant : mutants())
+      if (mutant.id == name.substr(kMutantPrefix.size())) {
+        golden::EngineInfo info;
+        info.name = name;
+        info.version = CONTACT_VERSION;
+        return std::make_unique<MutantEngine>(mutant, std::move(info));
+      }
+    return nullptr;
+  }
   const auto it = std::find_if(kBuiltIn.begin(), kBuiltIn.end(), [&](const BuiltIn& e) { return e.name == name; });
   if (it == kBuiltIn.end()) return nullptr;
   golden::EngineInfo info;
@@ -92,6 +110,14 @@ std::unique_ptr<Engine> make_built_in(std::string_view name, PointConvention poi
   info.declared.scalar = it->scalar;
   info.declared.conventions.points = static_cast<Points>(points);
   return std::make_unique<BuiltInEngine>(*it, std::move(info), points);
+}
+
+Claim production_answer(const Query& query, PointConvention points) {
+  if (const auto error = outside_domain(query)) return rejection(*error);
+  if (const Boxes* boxes = query.boxes()) return cubes_claim(test_cube_cube(boxes->a, boxes->b, query.distances.alarm));
+  const Balls& balls = *query.balls();
+  return spheres_claim(test_sphere_sphere(balls.a, balls.b, query.distances.alarm),
+                       compute_sphere_sphere(balls.a, balls.b, query.distances, contact_points(query, points)));
 }
 
 Claim rejection(const DomainError& error) {

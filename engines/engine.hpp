@@ -61,13 +61,16 @@ struct BuiltIn {
 
 [[nodiscard]] std::span<const BuiltIn> built_in_engines();
 
-/// The built-in engine of that name, or nullptr; it computes and declares the convention `points`.
+/// The built-in engine of that name, or nullptr; it computes and declares the convention `points`. Mutants are named
+/// `mutant:ID` and know the first convention alone.
 [[nodiscard]] std::unique_ptr<Engine> make_built_in(std::string_view name,
                                                     PointConvention points = PointConvention::nearest_surface);
 
 /// An engine that answers from a results file; what stands not in it is missing.
 [[nodiscard]] std::unique_ptr<Engine> make_recorded(golden::Results results);
 
+/// The engine `production`.
+[[nodiscard]] Claim production_answer(const Query& query, PointConvention points);
 /// The engine `component`: production through DiscreteIntersection, each question as two models of one element.
 [[nodiscard]] Claim component_answer(const Query& query, PointConvention points);
 

@@ -52,8 +52,14 @@ FieldVerdict grade_direction(double component, const Rational& length2, const Ex
 /// Judges the fields of one claimed contact of two spheres.
 class ContactJudge {
  public:
-  ContactJudge(const Query& query, const SphereTruth& truth, const ContactClaim& claim, const Declaration& declared)
-      : query_(query), truth_(truth), claim_(claim), declared_(declared), conventions_(declared.conventions) {
+  ContactJudge(const Query& query, const SphereTruth& truth, const ContactClaim& claim, const Declaration& declared,
+               const Contact* rounded)
+      : query_(query),
+        truth_(truth),
+        claim_(claim),
+        declared_(declared),
+        conventions_(declared.conventions),
+        rounded_(rounded) {
     // What the claim says of n, first to second, for points where the centres coincide.
     if (claim.normal)
       claimed_n_ = conventions_.normal == NormalDirection::first_to_second ? *claim.normal : -*claim.normal;
@@ -64,6 +70,7 @@ class ContactJudge {
     const Vector3& n = claimed_n_;
     if (!is_finite(n)) return FieldVerdict{Grade::not_finite, 0};
     if (truth_.degenerate()) return coincident_normal(n);
+    if (rounded_ != nullptr && conventions_.normal_unit && n == rounded_->normal) return FieldVerdict{};
     FieldVerdict verdict;
     const Rational length2 = squared_length(n);
     const Rational unit = ulp(Rational(1), declared_.scalar);
@@ -85,6 +92,9 @@ class ContactJudge {
     const std::optional<PointOn> on = where(sphere);
     if (!p || !on) return std::nullopt;
     if (truth_.degenerate() && *on != PointOn::center && !knows_coincident_normal()) return std::nullopt;
+    if (rounded_ != nullptr && !truth_.degenerate() && *on == PointOn::nearest_surface &&
+        *p == (sphere == 0 ? rounded_->point1 : rounded_->point2))
+      return FieldVerdict{};
     FieldVerdict verdict;
     for (int axis = 0; axis < 3; ++axis) {
       const Exact x = truth_.degenerate() ? coincident_point(sphere, axis, *on) : truth_.point(sphere, axis, *on);
@@ -108,6 +118,9 @@ class ContactJudge {
 
   [[nodiscard]] std::optional<FieldVerdict> value() const {
     if (!claim_.value || conventions_.value == ValueKind::none) return std::nullopt;
+    if (rounded_ != nullptr && conventions_.value == ValueKind::signed_distance && conventions_.value_less_contact &&
+        *claim_.value == rounded_->value)
+      return FieldVerdict{};
     Exact x = truth_.value(conventions_.value_less_contact);
     if (conventions_.value == ValueKind::depth) x = x.scaled(Rational(-1));
     return grade(*claim_.value, x, declared_.scalar, truth_.value_scale(), declared_.bounds.value);
@@ -178,10 +191,9 @@ class ContactJudge {
   const ContactClaim& claim_;
   const Declaration& declared_;
   const Conventions& conventions_;
+  const Contact* rounded_;  ///< the right answer, or nullptr
   Vector3 claimed_n_ = Vector3::Zero();
 };
-
-bool is_right(const std::optional<FieldVerdict>& field) { return field && field->grade <= Grade::bounded; }
 
 }  // namespace
 
@@ -222,7 +234,8 @@ Level Verdict::level() const {
   return level;
 }
 
-Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared) {
+Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
+              const Expectation* rounded) {
   const Conventions& conventions = declared.conventions;
   Verdict verdict;
   verdict.status = claim.status;
@@ -244,7 +257,8 @@ Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const 
   verdict.contact = decide(claim.contact.has_value(), expected);
   if (!expected || !claim.contact || !truth.spheres) return verdict;
 
-  const ContactJudge fields(query, *truth.spheres, *claim.contact, declared);
+  const ContactJudge fields(query, *truth.spheres, *claim.contact, declared,
+                            rounded != nullptr && rounded->contact ? &*rounded->contact : nullptr);
   verdict.fields = {fields.normal(), fields.point(0), fields.point(1), fields.midpoint(), fields.value()};
   return verdict;
 }
@@ -256,56 +270,6 @@ Verdict judge_outside_domain(const Claim& claim) {
   verdict.text = claim.text;
   verdict.answered_outside_domain = claim.status == Claim::Status::answered;
   return verdict;
-}
-
-std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, const Claim& claim,
-                                       const Declaration& declared, const Verdict& verdict) {
-  std::vector<Explanation> found;
-  if (verdict.status != Claim::Status::answered || verdict.level() <= Level::bounded) return found;
-
-  // One alternative at a time; it explains a field that it turns from wrong to right.
-  const auto attempt = [&](std::string_view convention, std::string_view value, auto change) {
-    Declaration other = declared;
-    change(other.conventions);
-    if (other.conventions == declared.conventions) return;
-    const Verdict under = judge(query, truth, claim, other);
-    const auto note = [&](std::string_view field) {
-      found.push_back({std::string(field), std::string(convention), std::string(value)});
-    };
-    const auto decision = [&](std::string_view field, Decision as_declared, Decision otherwise) {
-      if (as_declared != Decision::right && as_declared != Decision::unclaimed && otherwise == Decision::right)
-        note(field);
-    };
-    decision("overlap", verdict.overlap, under.overlap);
-    decision("contact", verdict.contact, under.contact);
-    for (const Field field : kFields)
-      if (verdict.at(field) && !is_right(verdict.at(field)) && is_right(under.at(field))) note(name(field));
-  };
-
-  const auto every = [&](std::string_view convention, const auto& names, auto set) {
-    for (std::size_t i = 0; i < names.size(); ++i) attempt(convention, names[i], [&](Conventions& c) { set(c, i); });
-  };
-  every("normal", kNormalDirectionNames,
-        [](Conventions& c, std::size_t i) { c.normal = static_cast<NormalDirection>(i); });
-  attempt("normal_unit", "false", [](Conventions& c) { c.normal_unit = false; });
-  every("points", kPointsNames, [](Conventions& c, std::size_t i) { c.points = static_cast<Points>(i); });
-  for (const bool less : {true, false})
-    for (const ValueKind kind : {ValueKind::signed_distance, ValueKind::depth})
-      attempt(
-          "value",
-          std::string(kValueKindNames[static_cast<std::size_t>(kind)]) + (less ? " less contact" : " without contact"),
-          [&](Conventions& c) {
-            c.value = kind;
-            c.value_less_contact = less;
-          });
-  every("touching_overlap", kTouchingNames,
-        [](Conventions& c, std::size_t i) { c.touching_overlap = static_cast<Touching>(i); });
-  every("touching_contact", kTouchingNames,
-        [](Conventions& c, std::size_t i) { c.touching_contact = static_cast<Touching>(i); });
-  every("margin", kMarginNames, [](Conventions& c, std::size_t i) { c.margin = static_cast<Margin>(i); });
-  every("coincident", kCoincidentNames,
-        [](Conventions& c, std::size_t i) { c.coincident = static_cast<Coincident>(i); });
-  return found;
 }
 
 }  // namespace contact::oracle

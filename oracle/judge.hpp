@@ -10,6 +10,7 @@
 
 #include "oracle/claim.hpp"
 #include "oracle/conventions.hpp"
+#include "oracle/expectation.hpp"
 #include "oracle/truth.hpp"
 
 namespace contact::oracle {
@@ -58,15 +59,6 @@ struct Verdict {
   [[nodiscard]] Level level() const;
 };
 
-/// What is wrong as declared but right under another convention, such as {"point1", "points", "published"}.
-struct Explanation {
-  std::string field;
-  std::string convention;
-  std::string value;
-
-  friend auto operator<=>(const Explanation&, const Explanation&) = default;
-};
-
 /// What an engine declares: everything that its answers are judged by.
 struct Declaration {
   Scalar scalar = Scalar::binary64;
@@ -75,14 +67,13 @@ struct Declaration {
 };
 
 /// Domain: the question is inside the domain.
-[[nodiscard]] Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared);
+/// `rounded` is the truth correctly rounded to the declared scalar, where that is known already: a number that equals
+/// it need not be compared exactly.
+[[nodiscard]] Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
+                            const Expectation* rounded = nullptr);
 
 /// A question outside the domain: refusing it (or failing) is right, any answer is wrong.
 [[nodiscard]] Verdict judge_outside_domain(const Claim& claim);
-
-/// The conventions under which a wrong field of this answer would have been right.
-[[nodiscard]] std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, const Claim& claim,
-                                                     const Declaration& declared, const Verdict& verdict);
 
 /// The grade of one claimed number. `scale` is the number whose ulp measures the error.
 [[nodiscard]] FieldVerdict grade(double claim, const Exact& x, Scalar scalar, const Exact& scale, double bound);

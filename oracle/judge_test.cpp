@@ -1,5 +1,5 @@
 // The judge, convention by convention and level by level. Every expectation follows from docs/specification.md#judging.
-#include "oracle/judge.hpp"
+#include "oracle/diagnosis.hpp"
 
 #include <gtest/gtest.h>
 

@@ -185,6 +185,30 @@ class Documentation(Case):
     def test_the_table_of_laws_is_the_programs(self):
         self.assertIn(self.holds("properties", "--table"), (ROOT / "docs" / "properties.md").read_text())
 
+    def test_the_table_of_mutants_is_the_programs(self):
+        page = (ROOT / "docs" / "bug-zoo.md").read_text()
+        self.assertIn(self.holds("engines", "--table"), page)
+        # What public engines did wrong is either a mutant or listed with the reason why it is none.
+        mutants, others = page.split("## What cannot happen here")
+        real = re.findall(r"(?m)^\| `([a-z0-9-]+)` \| \[real\]\(https://", mutants)
+        reasons = re.findall(r"(?m)^\| `([a-z0-9-]+)` \| \[[^|]*\]\(https://[^|]*\) \| [^|]{10,} \|$", others)
+        self.assertEqual((len(set(real + reasons)), len(real) + len(reasons)), (106, 106))
+
+    def test_mutants_are_counted_listed_and_refused_with_the_names_near_by(self):
+        self.assertRegex(self.holds("engines"), r"(?m)^mutant:ID +[0-9]{3} engines")
+        self.assertIn("\nmutant:rapier-coincident-nan ", self.holds("engines", "--mutants"))
+        listed = [json.loads(one) for one in self.holds("engines", "--json").splitlines()]
+        self.assertGreaterEqual(sum(one["name"].startswith("mutant:") for one in listed), 150)
+        self.assertTrue(all(one["about"] and one["diagnosis"] for one in listed if "origin" in one))
+        self.refused(["certify", "--engine", "mutant:rapier-coincidence-nan"], "rapier-coincident-nan")
+
+    def test_a_mutant_is_refuted_and_its_mistake_named(self):
+        for mutant, words in (("rapier-coincident-nan", "normal is NaN or infinite, where the centres coincide"),
+                              ("bytearena-fixture-a-twice", "radius of the first sphere used for both"),
+                              ("contact-ignored", "contact distance ignored")):
+            out = self.refuted("certify", GOLDEN / "sphere_sphere", "--engine", f"mutant:{mutant}")
+            self.assertIn(f"Diagnosis:\n  {words}", out)
+
     def test_the_readme_shows_what_the_program_prints(self):
         page = (ROOT / "README.md").read_text()
         block = lambda name: page.split(f"<!-- {name}:begin -->")[1].split(f"<!-- {name}:end -->")[0].strip().removeprefix("```text\n")

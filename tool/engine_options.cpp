@@ -6,7 +6,12 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <numeric>
+#include <ranges>
+#include <utility>
+#include <vector>
 
+#include "engines/mutants.hpp"
 #include "engines/subprocess.hpp"
 #include "tool/commands.hpp"
 
@@ -25,6 +30,35 @@ std::unique_ptr<engines::Engine> subprocess(const EngineOptions& options, std::v
   process.answer = milliseconds(options.answer_limit);
   process.check = std::move(check);
   return engines::make_subprocess(process);
+}
+
+/// How many letters to add, drop or change to make one word of another.
+std::size_t edits(std::string_view x, std::string_view y) {
+  std::vector<std::size_t> row(y.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < y.size(); ++j) {
+      const std::size_t changed = diagonal + (x[i] == y[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({changed, diagonal + 1, row[j] + 1});
+    }
+  }
+  return row.back();
+}
+
+/// A mutant by name. Throws InputError with the names nearest to it where there is none.
+std::unique_ptr<engines::Engine> mutant(const std::string& name) {
+  if (auto engine = engines::make_built_in(name)) return engine;
+  const std::string_view id = std::string_view(name).substr(engines::kMutantPrefix.size());
+  std::vector<std::pair<std::size_t, std::string_view>> near;
+  for (const engines::Mutant& m : engines::mutants()) near.emplace_back(edits(id, m.id), m.id);
+  std::stable_sort(near.begin(), near.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+  near.resize(3);
+  throw golden::InputError(
+      {"command line", 0}, "",
+      fmt::format("unknown mutant '{}'; near it: {}; `contact-oracle engines --mutants` lists all {}", id,
+                  fmt::join(near | std::views::values, ", "), engines::mutants().size()));
 }
 
 }  // namespace
@@ -61,8 +95,10 @@ PointConvention computed_points(const EngineOptions& options) {
 }
 
 std::unique_ptr<engines::Engine> built_in(const std::string& name, PointConvention points) {
+  if (name.starts_with(engines::kMutantPrefix)) return mutant(name);
   std::vector<std::string_view> names;
   for (const engines::BuiltIn& e : engines::built_in_engines()) names.push_back(e.name);
+  names.emplace_back("mutant:ID");
   static_cast<void>(index_of(names, name, "engine"));
   return engines::make_built_in(name, points);
 }

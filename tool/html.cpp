@@ -79,7 +79,7 @@ std::string section(const Report& report) {
       fmt::format("<h2 id=\"{0}\">{0} {1} <span class={2}>{3}</span></h2>\n<p>{4}</p>\n", escaped(report.engine.name),
                   escaped(report.engine.version), report.certified() ? "ok" : "bad",
                   report.certified() ? "certified" : "refuted", escaped(report.sentence()));
-  html += listed("Diagnosis", report.diagnosis());
+  html += listed("Diagnosis", report.why.lines());
   html +=
       "<div class=wide tabindex=0><table><thead><tr><th>family<th>cases<th>hits<th>missed<th>false<th>no answer<th>not "
       "finite<th>correctly rounded"

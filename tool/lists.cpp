@@ -5,9 +5,11 @@
 #include <memory>
 
 #include "engines/engine.hpp"
+#include "engines/mutants.hpp"
 #include "golden/families.hpp"
 #include "golden/flags.hpp"
 #include "golden/json.hpp"
+#include "oracle/diagnosis.hpp"
 #include "tool/commands.hpp"
 #include "tool/process.hpp"
 
@@ -16,13 +18,27 @@ namespace {
 
 using golden::json_string;
 
-void list_engines(bool json) {
+/// With --json the mutants are among them; else they are counted, or with `every_mutant` listed.
+void list_engines(bool json, bool every_mutant) {
   for (const engines::BuiltIn& e : engines::built_in_engines())
     if (json)
       fmt::print("{{\"name\":{},\"scalar\":\"{}\",\"about\":{}}}\n", json_string(e.name), name(e.scalar),
                  json_string(e.about));
     else
       fmt::print("{:<14}{}  {}\n", e.name, name(e.scalar), e.about);
+  for (const engines::Mutant& m : engines::mutants()) {
+    const std::string full_name = fmt::format("{}{}", engines::kMutantPrefix, m.id);
+    if (json)
+      fmt::print(R"({{"name":{},"scalar":"{}","about":{},"origin":"{}","diagnosis":{},"source":{}}}{})",
+                 json_string(full_name), name(Scalar::binary64), json_string(m.about),
+                 engines::kOriginNames[static_cast<std::size_t>(m.origin)], json_string(oracle::sentence_of(m.cause)),
+                 json_string(m.source), "\n");
+    else if (every_mutant)
+      fmt::print("{:<40}{}\n", full_name, m.about);
+  }
+  if (!json && !every_mutant)
+    fmt::print("{:<14}{} engines with one mistake each, docs/bug-zoo.md; --mutants lists them\n", "mutant:ID",
+               engines::mutants().size());
 }
 
 /// With --json one object a line, families then flags.
@@ -57,6 +73,23 @@ void print_tables() {
   fmt::print("<!-- flags:end -->\n");
 }
 
+/// Text for a cell of a Markdown table.
+std::string table_cell(std::string_view text) {
+  std::string cell;
+  for (const char c : text) cell += c == '|' || c == '*' ? std::string{'\\', c} : std::string(1, c);
+  return cell;
+}
+
+/// The table of docs/bug-zoo.md, which a test compares with this.
+void print_mutants() {
+  fmt::print("| id | from | what is wrong | first line of the diagnosis |\n|---|---|---|---|\n");
+  for (const engines::Mutant& m : engines::mutants())
+    fmt::print("| `{}` | {} | {} | {} |\n", m.id,
+               m.source.empty() ? std::string(engines::kOriginNames[static_cast<std::size_t>(m.origin)])
+                                : fmt::format("[real]({})", m.source),
+               table_cell(m.about), oracle::sentence_of(m.cause));
+}
+
 }  // namespace
 
 void add_lists(CLI::App& app, int& exit) {
@@ -69,7 +102,20 @@ void add_lists(CLI::App& app, int& exit) {
       exit = kCertified;
     });
   };
-  add("engines", "The engines that can be certified by name", list_engines);
+  auto* engines = app.add_subcommand("engines", "The engines that can be certified by name");
+  auto engines_json = std::make_shared<bool>(false);
+  auto every_mutant = std::make_shared<bool>(false);
+  engines->add_flag("--json", *engines_json, "One JSON object a line, mutants included");
+  engines->add_flag("--mutants", *every_mutant, "Also the engines with one mistake each");
+  auto table = std::make_shared<bool>(false);
+  engines->add_flag("--table", *table, "The table of docs/bug-zoo.md")->group("");
+  engines->callback([=, &exit] {
+    if (*table)
+      print_mutants();
+    else
+      list_engines(*engines_json, *every_mutant);
+    exit = kCertified;
+  });
   add("families", "The families of generated questions, and the flags of cases", list_families);
   auto* tables = app.add_subcommand("tables", "The tables of families and flags in docs/formats.md");
   tables->group("");

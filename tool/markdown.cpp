@@ -32,7 +32,7 @@ std::string markdown_text(const Report& report) {
     text += fmt::format("\n**{}**\n\n", title);
     for (const std::string& line : lines) text += fmt::format("- {}\n", escaped(line));
   };
-  listed("Diagnosis", report.diagnosis());
+  listed("Diagnosis", report.why.lines());
   text +=
       "\n| family | cases | hits | missed | false | no answer | not finite | correctly rounded | faithful | bounded | "
       "beyond | "

@@ -54,13 +54,28 @@ class Questions {
   std::uint64_t made_ = 0;
 };
 
-/// Both oracles on one question, in every scalar that matters.
-oracle::Truth agreed_truth(const Item& item, const Source& source, const std::vector<Scalar>& scalars) {
+/// What both oracles say of a question: exactly, and rounded to each scalar that matters.
+struct Agreed {
+  oracle::Truth truth;
+  std::vector<std::pair<Scalar, Expectation>> rounded;
+
+  [[nodiscard]] const Expectation* in(Scalar scalar) const {
+    const auto it = std::find_if(rounded.begin(), rounded.end(), [&](const auto& r) { return r.first == scalar; });
+    return it == rounded.end() ? nullptr : &it->second;
+  }
+};
+
+Agreed agreed_truth(const Item& item, const Source& source, const std::vector<Scalar>& scalars) {
   const Query& query = item.question.query;
   oracle::Truth truth = oracle::truth_of(query);
   if (item.expected) golden::check_case(*item.expected, source.scalar, truth, item.where);
-  for (const Scalar scalar : scalars) require_agreement(query, truth, oracle::interval_answer(query, scalar), scalar);
-  return truth;
+  Agreed agreed{std::move(truth), {}};
+  for (const Scalar scalar : scalars) {
+    oracle::IntervalAnswer second = oracle::interval_answer(query, scalar);
+    require_agreement(query, agreed.truth, second, scalar);
+    agreed.rounded.emplace_back(scalar, std::move(second.expected));
+  }
+  return agreed;
 }
 
 /// Whether every number other than 0 lies within the scale that an engine declares; NaN and infinities do not count.
@@ -80,40 +95,34 @@ struct Partial {
   std::vector<WorstCase> worst;
   std::vector<Failure> failures;
   std::vector<std::string> gone;
-  std::map<oracle::Explanation, std::uint64_t> explanations;
-  std::map<std::string, std::uint64_t> wrong;
+  oracle::Diagnosis why;
 };
 
-void judge_one(const Item& item, const std::optional<oracle::Truth>& truth, const Source& source, const Claim& claim,
+void judge_one(const Item& item, const std::optional<Agreed>& agreed, const Source& source, const Claim& claim,
                const Report& report, Partial& partial) {
   const auto& [id, query] = item.question;
   const oracle::Declaration& declared = report.engine.declared;
-  const Verdict verdict = truth ? oracle::judge(query, *truth, claim, declared) : oracle::judge_outside_domain(claim);
+  const oracle::Truth* truth = agreed ? &agreed->truth : nullptr;
+  const Expectation* rounded = agreed ? agreed->in(declared.scalar) : nullptr;
+  const Verdict verdict =
+      agreed ? oracle::judge(query, *truth, claim, declared, rounded) : oracle::judge_outside_domain(claim);
   const Level level = verdict.level();
-  partial.family.add(verdict, id, truth && truth->hit());
+  partial.family.add(verdict, id, truth != nullptr && truth->hit());
+  const bool accepted = level > report.required && report.baseline != nullptr && report.baseline->accepts(id, level);
+  // What is right speaks against a hypothesis as what is wrong speaks for one.
+  if (truth != nullptr && !accepted) partial.why.add(query, *truth, claim, declared, verdict, rounded);
+  if (verdict.answered_outside_domain && !accepted) partial.why.add_outside_domain(query);
   if (level <= report.required) {
     if (report.baseline != nullptr && report.baseline->lists(id)) partial.gone.push_back(id);
     return;
   }
   if (report.allow_unsupported && verdict.status == Claim::Status::unsupported) return;
   const WorstCase found{query, source.scalar, verdict};
-  const bool accepted = report.baseline != nullptr && report.baseline->accepts(id, level);
   partial.failures.push_back({id, query.pair, source.scalar, source.family, level, found.what(), accepted});
-  if (accepted) {
+  if (accepted)
     partial.family.accept(level);
-    return;
-  }
-  partial.worst.push_back(found);
-  if (!truth || level <= Level::bounded) return;
-  const auto wrong = [&](oracle::Decision d) {
-    return d == oracle::Decision::missed_hit || d == oracle::Decision::false_hit;
-  };
-  if (wrong(verdict.overlap)) ++partial.wrong["overlap"];
-  if (wrong(verdict.contact)) ++partial.wrong["contact"];
-  for (const Field field : oracle::kFields)
-    if (verdict.at(field) && verdict.at(field)->grade > Grade::bounded) ++partial.wrong[std::string(name(field))];
-  for (const oracle::Explanation& e : oracle::explain_wrong(query, *truth, claim, declared, verdict))
-    ++partial.explanations[e];
+  else
+    partial.worst.push_back(found);
 }
 
 /// Why an engine's declaration excludes a whole source, or nothing.
@@ -176,7 +185,7 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
     const auto ask = [&](std::size_t slice) {
       const std::span<const Item> mine =
           std::span(items).subspan(slice * kSlice, std::min(kSlice, items.size() - slice * kSlice));
-      std::vector<std::optional<oracle::Truth>> truths;
+      std::vector<std::optional<Agreed>> truths;
       for (const Item& item : mine) {
         const bool outside = outside_domain(item.question.query).has_value();
         if (outside && item.expected) golden::check_rejection(*item.expected, item.where);
@@ -224,8 +233,7 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
         for (const WorstCase& w : slice[s].worst) report.add(w);
         for (const Failure& f : slice[s].failures) report.add(f);
         report.gone.insert(slice[s].gone.begin(), slice[s].gone.end());
-        for (const auto& [e, n] : slice[s].explanations) report.explanations[e] += n;
-        for (const auto& [field, n] : slice[s].wrong) report.wrong[field] += n;
+        report.why.merge(slice[s].why);
       }
     }
     if (failed < slices) stop.why = "the first failure ended the run";

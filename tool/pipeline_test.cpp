@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -51,7 +52,7 @@ Report judged(Pair pair, Broken::Change change) {
 /// Which of "overlap", "contact", "normal", ... are wrong, as one text.
 std::string wrong_fields(const Report& report) {
   std::string text;
-  for (const auto& [field, n] : report.wrong) text += (text.empty() ? "" : " ") + field;
+  for (const auto& [field, n] : report.why.wrong()) text += (text.empty() ? "" : " ") + field;
   return text;
 }
 
@@ -73,10 +74,14 @@ TEST(Certify, ANormalOfTheWrongSignIsRefutedAndItsConventionNamed) {
   EXPECT_FALSE(report.certified());
   // Where the centres coincide any unit normal is right, and the points must then go with it: those few are wrong too.
   EXPECT_EQ(wrong_fields(report), "normal point1 point2");
-  EXPECT_GT(report.wrong.at("normal"), 5 * report.wrong.at("point1"));
-  ASSERT_FALSE(report.diagnosis().empty());
-  EXPECT_NE(report.diagnosis().front().find("normal = second-to-first"), std::string::npos)
-      << report.diagnosis().front();
+  EXPECT_GT(report.why.wrong().at("normal"), 5 * report.why.wrong().at("point1"));
+  const std::vector<std::string> lines = report.why.lines();
+  ASSERT_FALSE(lines.empty());
+  EXPECT_TRUE(lines[0].starts_with("normal points from second to first")) << lines[0];
+  const auto names_convention = [](const std::string& line) {
+    return line.find("normal = second-to-first") != std::string::npos;
+  };
+  EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), names_convention));
 }
 
 TEST(Certify, TouchingTakenForApartIsRefutedAsMissedHits) {

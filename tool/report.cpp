@@ -266,20 +266,6 @@ std::vector<std::string> Report::left_out() const {
   return lines;
 }
 
-std::vector<std::string> Report::diagnosis() const {
-  std::vector<std::string> sentences;
-  for (const auto& [field, n] : wrong) {
-    // Of the conventions that would make this field right, the one that explains the most; few are no explanation.
-    const std::pair<const oracle::Explanation, std::uint64_t>* best = nullptr;
-    for (const auto& entry : explanations)
-      if (entry.first.field == field && (best == nullptr || entry.second > best->second)) best = &entry;
-    if (best == nullptr || best->second * 2 < n) continue;
-    sentences.push_back(fmt::format("{}: {} of {} wrong answers are right under the convention {} = {}", field,
-                                    best->second, n, best->first.convention, best->first.value));
-  }
-  return sentences;
-}
-
 std::string json_text(const Report& report) {
   using golden::json_string;
   using golden::number;
@@ -331,16 +317,20 @@ std::string json_text(const Report& report) {
                     json_string(report.baseline->path()), report.baseline->size(), report.total().accepted, gone, "\n");
   }
   std::string diagnosis;
-  for (const std::string& d : report.diagnosis()) diagnosis += (diagnosis.empty() ? "" : ",") + json_string(d);
+  for (const std::string& d : report.why.lines()) diagnosis += (diagnosis.empty() ? "" : ",") + json_string(d);
+  std::string causes;
+  for (const oracle::Finding& f : report.why.findings())
+    causes +=
+        fmt::format(R"({}{{"cause":{},"explained":{}}})", causes.empty() ? "" : ",", json_string(f.cause), f.explained);
   return fmt::format(
       "{{\"format\":\"contact-oracle/"
       "report\",\"version\":1,\"engine\":{{\"name\":{},\"version\":{}}},\"scalar\":\"{}\",\"conventions\":{},"
-      "\"required\":\"{}\",\"certified\":{},\"verdict\":{},\"diagnosis\":[{}],\n\"total\":{{{}}},\n\"families\":[\n{}],"
-      "\n\"skipped\":[{}],\n\"unknown_answers\":[{}],\n\"not_reached\":{},\n{}\"worst\":[{}],\n\"failure_count\":{},"
-      "\"failures\":[\n{}]}}\n",
+      "\"required\":\"{}\",\"certified\":{},\"verdict\":{},\"diagnosis\":[{}],\"causes\":[{}],\n\"total\":{{{}}},"
+      "\n\"families\":[\n{}],\n\"skipped\":[{}],\n\"unknown_answers\":[{}],\n\"not_reached\":{},\n{}\"worst\":[{}],"
+      "\n\"failure_count\":{},\"failures\":[\n{}]}}\n",
       json_string(report.engine.name), json_string(report.engine.version), name(report.engine.declared.scalar),
       golden::conventions_text(report.engine.declared.conventions), name(report.required), report.certified(),
-      json_string(report.sentence()), diagnosis, family_text(report.total()), families, skipped, unknown,
+      json_string(report.sentence()), diagnosis, causes, family_text(report.total()), families, skipped, unknown,
       report.unreached, baseline, worst, report.failure_count, failures);
 }
 

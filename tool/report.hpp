@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engines/engine.hpp"
+#include "oracle/diagnosis.hpp"
 #include "oracle/judge.hpp"
 #include "tool/saved_report.hpp"
 
@@ -100,9 +101,8 @@ struct Report {
   std::set<std::string> gone;   ///< ids of accepted failures that fail no longer
   std::uint64_t unreached = 0;  ///< cases that the run ended before; counted as missing
   std::string stopped;          ///< why it ended before them
-  std::map<oracle::Explanation, std::uint64_t> explanations;
-  std::map<std::string, std::uint64_t> wrong;  ///< claims by field ("overlap", "contact", "normal", ...) that are wrong
-  std::vector<std::string> unknown_answers;    ///< ids of recorded answers to questions that were not asked
+  oracle::Diagnosis why;        ///< what the wrong answers have in common
+  std::vector<std::string> unknown_answers;  ///< ids of recorded answers to questions that were not asked
 
   [[nodiscard]] FamilyReport total() const;
   [[nodiscard]] std::uint64_t judged() const { return total().judged(allow_unsupported); }
@@ -117,8 +117,6 @@ struct Report {
   [[nodiscard]] std::string who() const;
   /// The verdict in one sentence.
   [[nodiscard]] std::string sentence() const;
-  /// What the wrong answers have in common, a sentence each: the conventions under which they would be right.
-  [[nodiscard]] std::vector<std::string> diagnosis() const;
   /// What became of the failures that the baseline accepts, a line each; none without a baseline.
   [[nodiscard]] std::vector<std::string> baseline_lines() const;
   /// Which cases were not judged, and why: those skipped and those not reached, a line each.

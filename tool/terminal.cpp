@@ -55,7 +55,7 @@ std::string terminal_text(const Report& report) {
     for (const WorstCase& w : report.worst)
       text += fmt::format("  # {}\n  {}\n", w.what(), golden::query_line(w.query, w.scalar));
   }
-  listed("Diagnosis", report.diagnosis());
+  listed("Diagnosis", report.why.lines());
   listed("Baseline", report.baseline_lines());
   return text + "\n" + report.sentence() + "\n";
 }
@@ -101,7 +101,7 @@ std::string scoreboard_text(const std::vector<Report>& reports) {
                      "\n.  none      -  not judged: the file holds numbers that the engine's scalar does not\n\n";
   for (const Report& report : reports) {
     text += report.sentence() + "\n";
-    for (const std::string& d : report.diagnosis()) text += "  " + d + "\n";
+    for (const std::string& d : report.why.lines()) text += "  " + d + "\n";
   }
   return text;
 }

@@ -1,0 +1,97 @@
+// Why answers are wrong: the conventions under which they would be right, and the mistakes that explain them.
+#pragma once
+
+#include <bitset>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "oracle/hypotheses.hpp"
+#include "oracle/judge.hpp"
+
+namespace contact::oracle {
+
+/// What is wrong as declared but right under another convention, such as {"point1", "points", "published"}.
+struct Explanation {
+  std::string field;
+  std::string convention;
+  std::string value;
+
+  friend auto operator<=>(const Explanation&, const Explanation&) = default;
+};
+
+/// The conventions under which a wrong field of this answer would have been right.
+[[nodiscard]] std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, const Claim& claim,
+                                                     const Declaration& declared, const Verdict& verdict,
+                                                     const Expectation* rounded = nullptr);
+
+/// One thing that an answer claims.
+enum class Aspect { overlap, contact, normal, point1, point2, point, value };
+inline constexpr std::array<std::string_view, 7> kAspectNames{"overlap", "contact", "normal", "point1",
+                                                              "point2",  "point",   "value"};
+
+/// A mistake that explains wrong answers of a run.
+struct Finding {
+  std::string_view cause;  ///< its id; empty for what no known mistake explains
+  std::string sentence;    ///< what is wrong, in words, where it is, and how much it explains
+  std::uint64_t explained;
+};
+
+/// The sentence of a cause, by the id that findings have. Throws std::out_of_range where there is none.
+[[nodiscard]] std::string_view sentence_of(std::string_view cause);
+
+/// Holds every known mistake against everything that an engine said. A mistake explains a wrong claim where its formula
+/// gives what was claimed, and is contradicted by a right claim where it gives something else. Memory is bounded:
+/// counts by mistake, and by set of mistakes.
+class Diagnosis {
+ public:
+  /// What was said to a question inside the domain, right or wrong.
+  void add(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
+           const Verdict& verdict, const Expectation* rounded = nullptr);
+  /// An answer to a question outside the domain.
+  void add_outside_domain(const Query& query);
+  void merge(const Diagnosis& other);
+
+  /// How many claims of each kind ("overlap", "normal", ...) are wrong.
+  [[nodiscard]] const std::map<std::string, std::uint64_t>& wrong() const { return wrong_; }
+  /// The fewest mistakes that explain the most, the one that explains the most first.
+  [[nodiscard]] std::vector<Finding> findings() const;
+  /// Findings, then the conventions under which wrong answers would be right: a sentence each.
+  [[nodiscard]] std::vector<std::string> lines() const;
+
+ private:
+  static constexpr std::size_t kMostCauses = 256;
+  static constexpr std::size_t kMostSets = 4096;
+  using Set = std::bitset<kMostCauses>;
+  /// Where claims are counted apart: a mistake may be made in some places only.
+  struct Place {
+    Aspect aspect;
+    Pair pair;
+    Region region;
+
+    friend auto operator<=>(const Place&, const Place&) = default;
+  };
+  struct Unexplained {
+    Place place;
+    Set by;  ///< the mistakes that explain it
+    friend bool operator<(const Unexplained& x, const Unexplained& y) {
+      if (x.place != y.place) return x.place < y.place;
+      return x.by.to_string() < y.by.to_string();
+    }
+  };
+  class Gain;
+
+  void count(const Place& place, bool is_right, const Set& agree, const Set& differ);
+
+  std::map<Explanation, std::uint64_t> explanations_;
+  std::map<std::string, std::uint64_t> wrong_;
+  std::map<Unexplained, std::uint64_t> sets_;
+  std::map<Place, std::vector<std::uint32_t>> contradicted_;  ///< right claims, by mistake
+  std::map<Pair, std::uint64_t> answered_;
+  std::map<Pair, std::uint64_t> silent_;               ///< questions without an answer
+  std::map<std::string_view, std::uint64_t> outside_;  ///< answers outside the domain, by what is wrong there
+};
+
+}  // namespace contact::oracle
