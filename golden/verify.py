@@ -34,9 +34,9 @@ def leaves(value, path=""):
     """Every leaf under its path, such as expect.normal[0]."""
     if not value or not isinstance(value, (dict, list)):
         return {path: value}
-    steps = value.items() if isinstance(value, dict) else ((f"[{i}]", entry) for i, entry in enumerate(value))
-    below = [leaves(entry, f"{path}.{step}".lstrip(".").replace(".[", "[")) for step, entry in steps]
-    return {place: leaf for some in below for place, leaf in some.items()}
+    steps = [(f"[{i}]", entry) for i, entry in enumerate(value)] if isinstance(value, list) else [
+        ("." * bool(path) + (key if key.isidentifier() else repr(key)), entry) for key, entry in value.items()]
+    return {place: leaf for step, entry in steps for place, leaf in leaves(entry, path + step).items()}
 
 
 def rounded(a, b, D, scalar):
@@ -74,22 +74,22 @@ def spheres(c1, r1, c2, r2, alarm, contact, scalar):
     fields = (("normal", [0, 0, 0], 1), ("point1", c1, r1), ("point2", c2, -r2))  # each is c + r normal
     numbers = {f"expect.{name}[{i}]": rounded(c[i] + r * normal[i][0], r * normal[i][1], D, scalar)
                for name, c, r in fields for i in range(3)}
-    value = rounded(-(r1 + r2) - contact, 1, D, scalar)
-    return {"expect.hit": True, "expect.degenerate": D == 0, **numbers, "expect.value": value, **exact}
+    numbers["expect.value"] = rounded(-(r1 + r2) - contact, 1, D, scalar)
+    return {"expect.hit": True, "expect.degenerate": D == 0, **numbers, **exact}
 
 
 def right_case(found, pair, scalar):
     """What should stand in a line: the leaves of its question, and of all that follows from the question."""
     inputs = {x: float(found[x]) or 0.0 for x in INPUTS[pair]}
     packed = b"".join(b"\x7f\xf8" + bytes(6) if x != x else struct.pack(">d", x) for x in inputs.values())
-    case = {"id": hashlib.sha256(pair.encode() + b"\0" + packed).hexdigest()[:24], **inputs}
+    case = {"id": hashlib.sha256(pair.encode() + b"\0" + packed).hexdigest()[:24]}
+    case |= {x: rounded(Fraction(n), 0, 0, scalar) if math.isfinite(n) else n for x, n in inputs.items()}  # binary32 in its files
     outside = [x for x in inputs if not math.isfinite(inputs[x]) or (inputs[x] < 0 and "[" not in x)]
     outside += [x for x in inputs if ".min" in x and inputs[x] > inputs[x.replace("min", "max")]]
     if outside:  # The first is named: of a, of b, of the distances; of a box all numbers come before their order.
         return {**case, "flags[0]": "Invalid", "expect.rejected": min(outside, key=lambda x: (x[1] != ".", x[0]))}
     x = [Fraction(number) for number in inputs.values()]
-    case |= {path: rounded(number, 0, 0, scalar) for path, number in zip(inputs, x)}  # a question is in the file's scalar too
-    case |= {path: str(flag) for path, flag in found.items() if path.startswith("flags[")} or {"flags": []}
+    case |= {f"flags[{i}]": str(found[x]) for i, x in enumerate(x for x in found if x.startswith("flags["))} or {"flags": []}
     if pair != "cube_cube":
         return case | spheres(x[0:3], x[3], x[4:7], x[7], x[8], x[9], scalar)
     gap = [max(x[i] - x[9 + i], x[6 + i] - x[3 + i]) for i in range(3)]  # max(min1 - max2, min2 - max1)
@@ -104,9 +104,9 @@ def differences(where, right, found):
 def check(path):
     """What is wrong in a dataset, and what a manifest should say of it."""
     data, wrong, asked, flags, hits = path.read_bytes(), [], {}, [], 0
-    for at, text in enumerate(data.decode().split("\n")[:-1] if data.endswith(b"\n") else ["no line feed at the end"], 1):
+    for at, raw in enumerate(data.split(b"\n")[:-1] if data.endswith(b"\n") else [b"no line feed at the end"], 1):
         try:
-            line = json.loads(text, parse_int=Written, parse_float=Written, parse_constant=Written)
+            line = json.loads(text := raw.decode(), parse_int=Written, parse_float=Written, parse_constant=Written)
             found = leaves(line)
             if at > 1:
                 right = right_case(found, header["pair"], header["scalar"])
@@ -115,7 +115,7 @@ def check(path):
                 header |= {"seed": int(line["seed"]), "count": data.count(b"\n") - 1}
                 right = {"format": "contact-oracle/dataset", "version": 1, **header, "points": "nearest_surface"}
                 right |= {x: int(n) for x, n in found.items() if x.startswith("shard[")}
-        except (AttributeError, KeyError, TypeError, ValueError) as problem:
+        except (KeyError, RecursionError, TypeError, ValueError) as problem:
             raise ValueError(f"{path}:{at}: not readable: {problem!r}")
         flags += [leaf for x, leaf in found.items() if x.startswith("flags[")]
         hits += right.get("expect.hit", False)
@@ -138,7 +138,7 @@ def main(arguments):
         listed = {entry["path"]: entry for entry in json.loads(manifest.read_text())["files"]} if manifest.exists() else entries
         for name in {**entries, **listed}:  # but for the origin, which a file does not tell
             wrong += differences(f"{manifest}: {name}", *(leaves({**all.get(name, {}), "origin": ""}) for all in (entries, listed)))
-    print(*wrong, f"{cases} cases: " + (f"{len(wrong)} complaints" if wrong else "all right"), sep="\n")
+    print(*wrong, f"{cases} cases: " + (f"{len(wrong)} complaints" if wrong else "all right" if cases else "nothing"), sep="\n")
     return 1 if wrong else 0 if cases else 2
 
 
