@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Are golden contact files right? All that they answer is derived again here, from the mathematics alone.
     python3 golden/verify.py FILE|FOLDER...     exit 0: all is right; 1: something is wrong, a line each; 2: not readable
 
@@ -121,8 +120,9 @@ def check(path):
         hits += right.get("expect.hit", False)
         canonical = json.dumps(line, separators=(",", ":"), ensure_ascii=False).replace('"', "") == text.replace('"', "")
         found["form"] = "canonical" if canonical and list(right) == list(found) else "other keys, order or spaces"
-        found["first asked on line"] = asked.setdefault(right.get("id"), at)
-        wrong += differences(f"{path}:{at}", {**right, "form": "canonical", "first asked on line": at}, found)
+        found |= {"first asked on line": asked.setdefault(right.get("id"), at), "invalid": at > 1 and header["family"] == "invalid"}
+        right |= {"form": "canonical", "first asked on line": at, "invalid": "expect.rejected" in right}
+        wrong += differences(f"{path}:{at}", right, found)
     return wrong, {**header, "hits": hits, "flags": {x: flags.count(x) for x in {*flags}}, "sha256": hashlib.sha256(data).hexdigest()}
 
 

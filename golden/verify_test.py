@@ -104,7 +104,7 @@ class Case(unittest.TestCase):
         return lines
 
     def finds(self, lines, *complaints):
-        """Exit code 1, and exactly these complaints, each `line: field: ...`, the text up to its end or a prefix of it."""
+        """Exit code 1 and these complaints, each the beginning of one, and no others; lint refuses the file as well."""
         path = self.file("wrong.jsonl", lines)
         done = verify(path)
         self.assertEqual((done.returncode, done.stderr), (1, ""), done.stdout[-800:])
@@ -112,6 +112,7 @@ class Case(unittest.TestCase):
         self.assertEqual(len(found), len(complaints), found)
         for complaint in complaints:
             self.assertTrue(any(one.startswith(complaint) for one in found), (found, complaint))
+        self.assertEqual(run(TOOL, "lint", path).returncode, 2)
 
 
 class Right(Case):
@@ -409,6 +410,14 @@ class Wrong(Case):
             "seed": (r'"seed":(0)', "-0", "seed: expected 0, got -0"),
             "unknown key": (r'("points")', '"colour":7,"points"', "colour: expected nothing, got 7", FORM),
         }, at=0)
+
+    def test_questions_outside_the_domain_stand_in_the_family_invalid_and_no_others_do(self):
+        header, case = (GOLDEN / "sphere_sphere" / "invalid.jsonl").read_text().splitlines()[:2]
+        header = re.sub(r'"count":\d+', '"count":1', header)
+        self.finds([header.replace('"invalid"', '"generic"'), case], "2: invalid: expected true, got false")
+        header, case, _ = self.spheres()
+        header = header.replace('"annotated"', '"invalid"').replace('"count":2', '"count":1')
+        self.finds([header, case], "2: invalid: expected false, got true")
 
     def test_a_question_asked_twice_is_found_whatever_its_flags(self):
         header, first, second = self.spheres()
