@@ -119,6 +119,13 @@ class Right(Case):
     def test_every_committed_file_and_the_manifest_are_accepted(self):
         self.accepted(GOLDEN)
 
+    def test_the_program_is_short_enough_to_be_read_and_the_page_about_it_shows_what_it_prints(self):
+        self.assertLess(len(VERIFY.read_text().splitlines()), 150)
+        shown = re.search(r"```text\n(golden/(.*?):2: .*: expected (.*), got (.*))\n```", (GOLDEN.parent / "docs" / "golden.md").read_text())
+        text = (GOLDEN / shown[2]).read_text()
+        self.file("wrong.jsonl", text.replace(shown[3], shown[4], 1).splitlines())
+        self.assertEqual(verify(self.folder / "wrong.jsonl").stdout.splitlines()[0].replace(f"{self.folder}/wrong.jsonl", f"golden/{shown[2]}"), shown[1])
+
     def test_a_shard_and_a_file_without_flags_are_accepted(self):
         path = self.folder / "shard.jsonl"
         run(TOOL, "generate", "--pair", "sphere_sphere", "--family", "generic", "--count", 9, "--seed", 2**64 - 1, "--shard", "1/3",
