@@ -121,10 +121,11 @@ class Right(Case):
 
     def test_the_program_is_short_enough_to_be_read_and_the_page_about_it_shows_what_it_prints(self):
         self.assertLess(len(VERIFY.read_text().splitlines()), 150)
-        shown = re.search(r"```text\n(golden/(.*?):2: .*: expected (.*), got (.*))\n```", (GOLDEN.parent / "docs" / "golden.md").read_text())
+        page = (GOLDEN.parent / "docs" / "golden.md").read_text()
+        shown = re.search(r"```text\n(golden/(.*?):2: .*: expected (.*), got (.*))\n```", page)
         text = (GOLDEN / shown[2]).read_text()
-        self.file("wrong.jsonl", text.replace(shown[3], shown[4], 1).splitlines())
-        self.assertEqual(verify(self.folder / "wrong.jsonl").stdout.splitlines()[0].replace(f"{self.folder}/wrong.jsonl", f"golden/{shown[2]}"), shown[1])
+        path = self.file("wrong.jsonl", text.replace(shown[3], shown[4], 1).splitlines())
+        self.assertEqual(verify(path).stdout.splitlines()[0].replace(str(path), f"golden/{shown[2]}"), shown[1])
 
     def test_a_shard_and_a_file_without_flags_are_accepted(self):
         path = self.folder / "shard.jsonl"
@@ -352,7 +353,8 @@ class Wrong(Case):
                                                '"Infinity"', repr(largest), "3.402823669209385e+38"),
             "nearly half an ulp beyond it": (question([largest, 0, 0], single(half_of_largest * (1 - 2.0**-24)), [largest, 0, 0], 0),
                                              "point1", repr(largest), '"Infinity"'),
-            "a third of the smallest subnormal": (question([0, 0, 0], least, [1, 2, 2], 3), "point1", "0", repr(least), repr(least / 3)),
+            "a third of the smallest subnormal": (question([0, 0, 0], least, [1, 2, 2], 3), "point1", "0", repr(least),
+                                                  repr(least / 3)),
             "the smallest subnormal": (question([0, 0, 0], least, [2, 1, 2], 3), "point1", repr(least), "0", repr(least / 3 * 2)),
         }
         for name, (query, field, right, *wrong) in rows.items():

@@ -222,7 +222,8 @@ class Refused(Case):
         self.check("dataset.json", miss, {"a contact": (["expect", "value"], 1), "hit": (["expect", "hit"], True)})
         cubes = lines_of(GOLDEN / "cube_cube" / "touching.jsonl")[1]
         self.check("dataset.json", cubes, {
-            "two gaps": (["exact", "gap"], ["0x0p0"] * 2), "a gap no text": (["exact", "gap", 0], 0), "reach": (["exact", "reach"], "0x0p0"),
+            "two gaps": (["exact", "gap"], ["0x0p0"] * 2), "a gap no text": (["exact", "gap", 0], 0),
+            "reach": (["exact", "reach"], "0x0p0"),
             "a contact": (["expect", "value"], 1), "radius": (["a", "radius"], 1), "max missing": (["b", "max"], None),
         })
         invalid = lines_of(GOLDEN / "sphere_sphere" / "invalid.jsonl")[1]
@@ -275,7 +276,8 @@ class Refused(Case):
         manifest["files"] = manifest["files"][:2]
         entry = ["files", 0]
         self.check("manifest.json", manifest, {
-            "digest": ([*entry, "sha256"], "0" * 63), "flag": ([*entry, "flags", "Shiny"], 1), "no case of a flag": ([*entry, "flags", "Flat"], 0),
+            "digest": ([*entry, "sha256"], "0" * 63), "flag": ([*entry, "flags", "Shiny"], 1),
+            "no case of a flag": ([*entry, "flags", "Flat"], 0),
             "family": ([*entry, "family"], "coincident"), "origin": ([*entry, "origin"], "found"), "hits": ([*entry, "hits"], None),
             "path": ([*entry, "path"], "x.json"), "unknown key": ([*entry, "colour"], 7), "version": (["version"], 2),
             "a file twice": (["files", 1], manifest["files"][0])})
