@@ -199,6 +199,7 @@ DatasetHeader read_header(const Node& node) {
   header.pair = read_pair(node.at("pair"));
   header.scalar = read_scalar(node.at("scalar"));
   header.family = node.at("family").text();
+  if (header.family.empty()) node.at("family").refuse("expected a name");
   header.seed = node.at("seed").count();
   header.count = node.at("count").count();
   header.generator = node.at("generator").text();
@@ -246,10 +247,11 @@ std::optional<Case> DatasetReader::next() {
   check_id(c.query, node.at("id"));
   for (const Node& flag : node.at("flags").items()) c.flags.push_back(flag.text());
   const Node expect = node.at("expect");
-  if (const auto rejected = expect.find("rejected")) {
+  if (header_.family == kInvalidFamily) {
     expect.allow_only({"rejected"});
-    c.rejected = rejected->text();
-    if (!outside_domain(c.query)) rejected->refuse("the question is inside the domain");
+    const Node rejected = expect.at("rejected");
+    c.rejected = rejected.text();
+    if (!outside_domain(c.query)) rejected.refuse("the question is inside the domain");
   } else {
     check_domain(c.query, node);
     c.expect = read_expectation(expect, header_.pair);

@@ -22,6 +22,9 @@ struct Family {
   bool outside_domain = false;  ///< makes questions that must be refused
 };
 
+/// The family that makes them. Its files hold such questions and no others, and are judged only when named.
+inline constexpr std::string_view kInvalidFamily = "invalid";
+
 [[nodiscard]] std::span<const Family> sphere_families();
 [[nodiscard]] std::span<const Family> cube_families();
 /// The families that make questions for a pair.

@@ -428,7 +428,7 @@ constexpr std::array kFamilies{
            made<extreme_scale<double>, extreme_scale<float>>, true, false},
     Family{"one_axis", "two components of the difference are zero: every axis and direction, zeros must be zeros",
            made<one_axis<double>, one_axis<float>>, true, false},
-    Family{"invalid", "each number in turn NaN, infinite or negative: it must be refused, not answered",
+    Family{kInvalidFamily, "each number in turn NaN, infinite or negative: it must be refused, not answered",
            spoiled<ordinary<double>, ordinary<float>>, true, false, true},
 };
 

@@ -38,7 +38,7 @@ struct Options {
 [[noreturn]] void refuse(const std::string& problem) { throw golden::InputError({"certify", 0}, "", problem); }
 
 bool wanted(const Options& options, const std::string& family) {
-  if (options.families.empty()) return family != "invalid";
+  if (options.families.empty()) return family != golden::kInvalidFamily;
   return std::find(options.families.begin(), options.families.end(), family) != options.families.end();
 }
 

@@ -641,6 +641,7 @@ class BadDatasets(Case):
             "wrong points": (put(good, ["points"], "center", 0), f"{path}:1: points: ", "center"),
             "wrong shard": ([{**good[0], "shard": [2, 2]}, *good[1:]], f"{path}:1: shard: ", "[2,2]"),
             "negative count": (put(good, ["count"], -1, 0), f"{path}:1: count: ", "-1"),
+            "family without a name": (put(good, ["family"], "", 0), f"{path}:1: family: ", '""'),
             "header key missing": (without(good, 0, "seed"), f"{path}:1: seed: ", "missing"),
             "key missing": (without(good, 2, "alarm"), f"{path}:3: alarm: ", "missing"),
             "expectation missing": (without(good, 2, "expect"), f"{path}:3: expect: ", "missing"),
@@ -697,6 +698,22 @@ class BadDatasets(Case):
         for args in (("lint", self.path), ("certify", self.path, "--family", "invalid")):
             with self.subTest(args[0]):
                 self.refused(args, f"{self.path}:{at + 1}: expect.rejected: ", "alarm", "a.radius")
+
+    def test_questions_outside_the_domain_stand_in_the_family_invalid_and_no_others_do(self):
+        # Files of this family are not judged unless it is named: a question inside the domain would hide there.
+        outside, inside = committed("sphere_sphere/invalid.jsonl", 0, 3), committed("sphere_sphere/generic.jsonl", 0, 3)
+        path = self.path
+        self.file("d.jsonl", [{**outside[0], "count": 4}, *outside[1:], inside[1]])
+        for args in (("lint", path), ("certify", path, "--family", "invalid")):
+            self.refused(args, f"{path}:5: expect")
+        self.file("d.jsonl", [{**inside[0], "count": 4}, *inside[1:], outside[1]])
+        for command in ("lint", "certify"):
+            self.refused((command, path), f"{path}:5: {outside[1]['expect']['rejected']}: ")
+
+    def test_the_same_question_twice_is_refused_under_other_flags_too(self):
+        case = {**self.spheres[1], "flags": ["Flat"]}
+        self.check({"other flags": ([{**self.spheres[0], "count": len(self.spheres)}, *self.spheres[1:], case],
+                                    f"{self.path}:{len(self.spheres) + 1}: id: ", "twice")})
 
     def test_an_expectation_off_by_one_ulp_in_a_whole_committed_file_is_found(self):
         lines = committed("sphere_sphere/far_from_origin.jsonl")
@@ -755,6 +772,7 @@ class BadUsage(Case):
                 (("certify", self.folder / "gone.jsonl"), "gone.jsonl", "no such file"),
                 (("lint", self.folder / "gone.jsonl"), "gone.jsonl", "no such file"),
                 (("explain", self.folder / "gone.jsonl"), "gone.jsonl", "cannot read"),
+                (("annotate", "-", "-o", self.folder / "x.jsonl", "--family", ""), "--family", "name"),
                 (("annotate", self.folder / "gone.jsonl", "-o", self.folder / "x.jsonl"), "gone.jsonl", "cannot read")):
             with self.subTest(args[1:]):
                 self.refused(args, *words)

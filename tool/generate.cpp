@@ -126,6 +126,7 @@ struct AnnotateOptions {
 
 void annotate(const AnnotateOptions& o) {
   check_output("annotate", o.output);
+  if (o.family.empty()) throw InputError({"annotate", 0}, "--family", "a family has a name");
   if (golden::find_family(Pair::sphere_sphere, o.family) != nullptr ||
       golden::find_family(Pair::cube_cube, o.family) != nullptr)
     throw InputError({"annotate", 0}, "--family",

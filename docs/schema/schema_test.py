@@ -1,0 +1,302 @@
+#!/usr/bin/env python3
+"""Do the schemas say what the program reads and writes?  python3 docs/schema/schema_test.py PATH_TO_TOOL"""
+import copy
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+try:
+    from jsonschema import Draft202012Validator
+except ImportError:
+    system = "/usr/bin/python3"  # where Debian's package is, whatever Python comes first here
+    if "--again" not in sys.argv and os.path.exists(system):
+        os.execv(system, [system, *sys.argv, "--again"])
+    sys.exit("the schemas cannot be checked: install python3-jsonschema, version 4.0 or newer, which knows draft 2020-12")
+
+TOOL = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
+SCHEMAS = Path(__file__).resolve().parent
+ROOT = SCHEMAS.parent.parent
+GOLDEN = ROOT / "golden"
+COMMON = json.loads((SCHEMAS / "common.json").read_text())["$defs"]
+
+
+def validator(reference):
+    """Of a schema, or of a part of it such as dataset.json#/$defs/header."""
+    schema = {"$ref": f"{SCHEMAS.as_uri()}/{reference}"}
+    try:
+        from referencing import Registry, Resource
+    except ImportError:  # before jsonschema 4.18
+        return Draft202012Validator(schema)
+    resources = [(path.as_uri(), Resource.from_contents(json.loads(path.read_text()))) for path in SCHEMAS.glob("*.json")]
+    return Draft202012Validator(schema, registry=Registry().with_resources(resources).crawl())
+
+
+def run(*args, **options):
+    return subprocess.run([TOOL, *map(str, args)], capture_output=True, text=True, timeout=600, cwd=ROOT, **options)
+
+
+def lines_of(path):
+    return [json.loads(line) for line in path.read_text().splitlines()]
+
+
+class Case(unittest.TestCase):
+    maxDiff = 2000
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def valid(self, reference, *values):
+        check = validator(reference)
+        for value in values:
+            for error in check.iter_errors(value):
+                self.fail(f"{reference}: {error.json_path}: {error.message}\n{json.dumps(value)[:400]}")
+
+    def lines_valid(self, schema, path, part="case"):
+        header, *lines = lines_of(path)
+        self.valid(f"{schema}#/$defs/header", header)
+        self.valid(f"{schema}#/$defs/{part}", *lines)
+        self.valid(schema, header, *lines[:3])  # the schema itself tells the header from the others
+
+
+class Accepted(Case):
+    def test_the_schemas_are_schemas_of_draft_2020_12(self):
+        for path in SCHEMAS.glob("*.json"):
+            schema = json.loads(path.read_text())
+            self.assertEqual(schema["$schema"], "https://json-schema.org/draft/2020-12/schema")
+            Draft202012Validator.check_schema(schema)
+
+    def test_every_reference_leads_somewhere(self):
+        for path in SCHEMAS.glob("*.json"):
+            for reference in re.findall(r'"\$ref": "([^"]*)"', path.read_text()):
+                file, _, name = reference.partition("#/$defs/")
+                self.assertIn(name, json.loads((SCHEMAS / (file or path.name)).read_text())["$defs"], reference)
+
+    def test_every_committed_file_is_valid(self):
+        datasets = results = 0
+        for path in sorted(GOLDEN.rglob("*.jsonl")):
+            with self.subTest(path.name):
+                if "recorded" in path.parts:
+                    self.lines_valid("results.json", path, "answer")
+                    results += 1
+                else:
+                    self.lines_valid("dataset.json", path)
+                    datasets += 1
+        self.assertTrue(datasets > 60 and results == 4, (datasets, results))
+        self.valid("manifest.json", json.loads((GOLDEN / "manifest.json").read_text()))
+
+    def test_what_the_program_makes_of_every_family_is_valid(self):
+        for family in map(json.loads, run("families", "--json").stdout.splitlines()):
+            for scalar in ("binary64", "binary32") if "family" in family else ():
+                path = self.folder / f"{family['shapes']}.{family['family']}.{scalar}.jsonl"
+                pair = "cube_cube" if family["shapes"] == "cubes" else "sphere_rigid_sphere"
+                made = run("generate", "--pair", pair, "--family", family["family"], "--count", 7, "--seed", 2**64 - 1,
+                           "--scalar", scalar, "--shard", "1/2", "-o", path)
+                self.assertEqual(made.returncode, 0, made.stderr)
+                self.lines_valid("dataset.json", path)
+        self.assertEqual(run("lint", "--generated", "--write-manifest", self.folder).returncode, 0)
+        self.valid("manifest.json", json.loads((self.folder / "manifest.json").read_text()))
+
+    def test_reports_are_valid_whatever_the_verdict(self):
+        report, older = self.folder / "report.json", self.folder / "older.json"
+        table = {
+            "production": (0, ["--engine", "production"]),
+            "refuted": (1, ["--engine", "plain-double", "--level", "correctly-rounded"]),
+            "binary32": (1, ["--engine", "plain-float"]),
+            "another convention": (1, ["--engine", "published"]),
+            "ended early": (1, ["--engine", "plain-double", "--fail-fast"]),
+            "outside the domain": (1, ["--engine", "plain-double", "--family", "invalid"]),
+            "recorded": (1, ["--results", GOLDEN / "recorded" / "sofa-2a278d8" / "sphere_sphere.jsonl"]),
+        }
+        for name, (code, options) in table.items():
+            with self.subTest(name):
+                done = run("certify", GOLDEN / "sphere_sphere", *options, "--json", report)
+                self.assertEqual(done.returncode, code, done.stderr)
+                self.valid("report.json", json.loads(report.read_text()))
+        run("certify", GOLDEN / "sphere_sphere", "--engine", "plain-double", "--json", older)
+        done = run("certify", GOLDEN / "sphere_sphere", "--engine", "plain-double", "--baseline", older, "--json", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("baseline", json.loads(report.read_text()))
+        self.valid("report.json", json.loads(report.read_text()))
+
+    def test_both_sides_of_the_protocol_are_valid(self):
+        recording = self.folder / "questions.jsonl"
+        script = f"import sys, subprocess; p = subprocess.Popen([{TOOL!r}, 'serve'], stdin=subprocess.PIPE, text=True)\n" \
+                 f"with open({str(recording)!r}, 'w') as copy:\n" \
+                 " for line in sys.stdin: copy.write(line); copy.flush(); p.stdin.write(line); p.stdin.flush()"
+        engine = self.folder / "engine.py"
+        engine.write_text(script)
+        done = run("certify", GOLDEN, "--family", "touching,invalid", "--engine-command", f"{sys.executable} {engine}")
+        self.assertEqual(done.returncode, 0, done.stderr + done.stdout[-500:])
+        asked = lines_of(recording)
+        self.assertTrue({"hello", "query"} <= {message["op"] for message in asked})
+        self.valid("protocol.json#/$defs/host", *asked)
+        answered = run("serve", input=recording.read_text())
+        said = [json.loads(line) for line in answered.stdout.splitlines()]
+        self.assertTrue(any("rejected" in message for message in said))
+        self.valid("protocol.json#/$defs/engine", *said)
+        self.valid("protocol.json", *asked[:5], *said[:5])
+
+
+class Names(Case):
+    def test_families_and_flags_are_the_programs(self):
+        listed = [json.loads(line) for line in run("families", "--json").stdout.splitlines()]
+        for name, shapes in (("sphere_family", "spheres"), ("cube_family", "cubes")):
+            self.assertEqual(COMMON[name]["enum"], [one["family"] for one in listed if one.get("shapes") == shapes])
+        self.assertEqual(COMMON["flag"]["enum"], [one["flag"] for one in listed if "flag" in one])
+
+    def test_pairs_and_conventions_are_those_of_production(self):
+        hello = json.loads(run("serve", input='{"op":"hello","protocol":1}\n{"op":"stop"}\n').stdout.splitlines()[0])
+        self.assertEqual(COMMON["pair"]["enum"], hello["pairs"])
+        conventions = COMMON["conventions"]["properties"]
+        self.assertEqual({*conventions} - {"scale"}, {*hello["conventions"]})
+        for key, default in hello["conventions"].items():
+            if isinstance(default, str):
+                self.assertEqual(conventions[key]["enum"][0], default)
+        self.assertEqual({*COMMON["bounds"]["properties"]}, {*hello["bounds"]})
+
+    def test_the_program_knows_exactly_the_names_of_conventions_and_levels(self):
+        answers = self.folder / "answers.jsonl"
+        header = lines_of(GOLDEN / "recorded" / "sofa-2a278d8" / "cube_cube.jsonl")[0]
+        for key, schema in COMMON["conventions"]["properties"].items():
+            if "enum" not in schema:
+                continue
+            answers.write_text(json.dumps({**header, "conventions": {key: "nonesuch"}}) + "\n")
+            done = run("certify", GOLDEN / "cube_cube" / "flat.jsonl", "--results", answers)
+            self.assertIn("expected one of " + ", ".join(schema["enum"]) + ", got", done.stderr)
+        done = run("certify", GOLDEN / "cube_cube" / "flat.jsonl", "--level", "nonesuch")
+        for level in COMMON["level"]["enum"][:-1]:
+            self.assertIn(level, done.stderr)
+
+
+class Refused(Case):
+    def check(self, reference, value, table):
+        self.valid(reference, value)
+        check = validator(reference)
+        for name, (path, new) in table.items():
+            with self.subTest(f"{reference}: {name}"):
+                wrong = copy.deepcopy(value)
+                *outer, last = path
+                place = wrong
+                for key in outer:
+                    place = place[key]
+                if new is None:
+                    del place[last]
+                else:
+                    place[last] = new
+                self.assertFalse(check.is_valid(wrong), json.dumps(wrong)[:400])
+
+    def test_typical_mistakes_in_datasets(self):
+        header, *cases = lines_of(GOLDEN / "sphere_sphere" / "alarm_edge.jsonl")
+        self.check("dataset.json", header, {
+            "format": (["format"], "contact-oracle/data"), "version": (["version"], 2), "pair": (["pair"], "cone_cone"),
+            "scalar": (["scalar"], "half"), "count as text": (["count"], "7"), "negative count": (["count"], -1),
+            "fraction of a count": (["count"], 1.5), "seed missing": (["seed"], None), "points": (["points"], "center"),
+            "unknown key": (["colour"], 7), "shard of one": (["shard"], [1]),
+        })
+        hit = next(case for case in cases if case["expect"]["hit"])
+        miss = next(case for case in cases if not case["expect"]["hit"])
+        for reference in ("dataset.json", "dataset.json#/$defs/case"):
+            self.check(reference, hit, {
+                "short id": (["id"], hit["id"][:-1]), "capital id": (["id"], "A" * 24), "id missing": (["id"], None),
+                "two coordinates": (["a", "center"], [1, 2]), "negative radius": (["b", "radius"], -1),
+                "NaN": (["a", "center", 0], "NaN"), "text for a number": (["alarm"], "0"), "infinite": (["contact"], "Infinity"),
+                "unknown flag": (["flags"], ["Shiny"]), "a flag twice": (["flags"], ["Touching", "Touching"]),
+                "flag Invalid": (["flags"], ["Invalid"]), "flags missing": (["flags"], None), "hit as number": (["expect", "hit"], 1),
+                "a miss with a contact": (["expect", "hit"], False), "value missing": (["expect", "value"], None),
+                "NaN expected": (["expect", "value"], "NaN"), "long normal": (["expect", "normal"], [2, 0, 0]),
+                "infinite normal": (["expect", "normal", 0], "Infinity"), "degenerate": (["expect", "degenerate"], "no"),
+                "even mantissa": (["exact", "distance2"], "0x8p0"), "capital digits": (["exact", "reach"], "0xABp0"),
+                "leading zero": (["exact", "reach"], "0x01p0"), "negative zero": (["exact", "reach"], "-0x0p0"),
+                "positive sign": (["exact", "reach"], "0x1p+1"), "zero with an exponent": (["exact", "reach"], "0x0p1"),
+                "number for text": (["exact", "reach"], 3), "exact missing": (["exact"], None), "gap": (["exact", "gap"], []),
+                "unknown key": (["colour"], 7), "unknown inner key": (["a", "mass"], 7), "box beside a ball": (["b"], {
+                    "min": [0, 0, 0], "max": [1, 1, 1]}),
+            })
+        self.check("dataset.json", miss, {"a contact": (["expect", "value"], 1), "hit": (["expect", "hit"], True)})
+        cubes = lines_of(GOLDEN / "cube_cube" / "touching.jsonl")[1]
+        self.check("dataset.json", cubes, {
+            "two gaps": (["exact", "gap"], ["0x0p0"] * 2), "a gap no text": (["exact", "gap", 0], 0),
+            "reach": (["exact", "reach"], "0x0p0"),
+            "a contact": (["expect", "value"], 1), "radius": (["a", "radius"], 1), "max missing": (["b", "max"], None),
+        })
+        invalid = lines_of(GOLDEN / "sphere_sphere" / "invalid.jsonl")[1]
+        self.check("dataset.json", invalid, {
+            "unknown field": (["expect", "rejected"], "a.mass"), "answered": (["expect", "hit"], True), "flags": (["flags"], []),
+            "other text": (["a", "center", 0], "nan"), "a witness": (["exact"], {}), "no text": (["expect", "rejected"], 1),
+        })
+
+    def test_typical_mistakes_in_results(self):
+        header, *answers = lines_of(GOLDEN / "recorded" / "sofa-2a278d8" / "sphere_sphere.jsonl")
+        self.valid("results.json", {**header, "conventions": {"scale": {"min": 0, "max": "Infinity"}}, "bounds": {"value": 1.5}})
+        self.check("results.json", {**header, "bounds": {"value": 8}}, {
+            "engine": (["engine"], "SOFA"), "version": (["engine", "version"], None), "pairs": (["pairs"], ["cone_cone"]),
+            "convention": (["conventions", "points"], "centre"), "unknown convention": (["conventions", "colour"], "red"),
+            "unit as text": (["conventions", "normal_unit"], "true"), "bound too small": (["bounds", "value"], 0.5),
+            "bound too large": (["bounds", "value"], 65), "unknown bound": (["bounds", "point1"], 8),
+            "scale without max": (["conventions", "scale"], {"min": 0}), "scalar missing": (["scalar"], None),
+        })
+        hit = next(answer for answer in answers if answer.get("contact"))
+        self.valid("results.json", *({"id": hit["id"], **says} for says in (
+            {"overlap": True}, {"contact": None}, {"contact": {}}, {"unsupported": "why"}, {"rejected": "alarm"}, {"error": "text"})))
+        self.check("results.json", hit, {
+            "overlap as number": (["overlap"], 1), "unknown key": (["hit"], True), "contact as text": (["contact"], "none"),
+            "unknown field": (["contact", "depth"], 1), "short normal": (["contact", "normal"], [1, 0]),
+            "value as text": (["contact", "value"], "1"), "a claim and an error": (["error"], "text"),
+            "a claim and unsupported": (["unsupported"], "why"), "id missing": (["id"], None), "id": (["id"], "1"),
+        })
+        self.check("results.json", {"id": hit["id"], "error": "text"}, {
+            "two reasons": (["rejected"], "alarm"), "a reason and a claim": (["overlap"], True), "no text": (["error"], 7)})
+
+    def test_typical_mistakes_in_messages(self):
+        question = {"op": "query", "seq": 1, "pair": "sphere_sphere", "a": {"center": [0, 0, "NaN"], "radius": -1},
+                    "b": {"center": [0, 0, 0], "radius": 1}, "alarm": 0, "contact": 0}
+        self.check("protocol.json#/$defs/host", question, {
+            "op": (["op"], "ask"), "seq": (["seq"], -1), "seq as text": (["seq"], "1"), "pair missing": (["pair"], None),
+            "unknown key": (["id"], "1"), "shape of another pair": (["pair"], "cube_cube"), "no number": (["alarm"], True)})
+        self.check("protocol.json#/$defs/host", {"op": "hello", "protocol": 1}, {
+            "another version": (["protocol"], 2), "version missing": (["protocol"], None), "unknown key": (["name"], "x")})
+        self.check("protocol.json#/$defs/host", {"op": "stop"}, {"unknown key": (["now"], True), "op": (["op"], "halt")})
+        hello = json.loads(run("serve", input='{"op":"hello","protocol":1}\n{"op":"stop"}\n').stdout.splitlines()[0])
+        self.check("protocol.json#/$defs/engine", hello, {
+            "another version": (["protocol"], 2), "engine": (["engine", "name"], None), "pairs": (["pairs"], "cube_cube"),
+            "scalar": (["scalar"], "double"), "unknown key": (["speed"], 7), "bound": (["bounds", "normal"], 0)})
+        self.check("protocol.json#/$defs/engine", {"op": "answer", "seq": 1, "overlap": True, "contact": None}, {
+            "seq missing": (["seq"], None), "op": (["op"], "reply"), "unknown key": (["hit"], True),
+            "a claim and an error": (["error"], "text"), "overlap": (["overlap"], "yes")})
+
+    def test_typical_mistakes_in_a_manifest(self):
+        manifest = json.loads((GOLDEN / "manifest.json").read_text())
+        manifest["files"] = manifest["files"][:2]
+        entry = ["files", 0]
+        self.check("manifest.json", manifest, {
+            "digest": ([*entry, "sha256"], "0" * 63), "flag": ([*entry, "flags", "Shiny"], 1),
+            "no case of a flag": ([*entry, "flags", "Flat"], 0),
+            "family": ([*entry, "family"], "coincident"), "origin": ([*entry, "origin"], "found"), "hits": ([*entry, "hits"], None),
+            "path": ([*entry, "path"], "x.json"), "unknown key": ([*entry, "colour"], 7), "version": (["version"], 2),
+            "a file twice": (["files", 1], manifest["files"][0])})
+
+    def test_typical_mistakes_in_a_report(self):
+        path = self.folder / "report.json"
+        run("certify", GOLDEN / "sphere_sphere" / "coincident.jsonl", "--engine", "plain-double", "--json", path)
+        report = json.loads(path.read_text())
+        self.assertTrue(report["failures"] and report["worst"])
+        self.check("report.json", report, {
+            "format": (["format"], "contact-oracle/results"), "level": (["required"], "none"), "certified": (["certified"], "yes"),
+            "verdict": (["verdict"], None), "total": (["total", "cases"], -1), "family": (["families", 0, "pair"], None),
+            "answers": (["total", "answers", "missing"], None), "unknown field": (["total", "fields", "depth"], {}),
+            "grade": (["total", "fields", "value", "faithful"], None), "id": (["failures", 0, "id"], "x"),
+            "accepted": (["failures", 0, "accepted"], "no"), "level of a failure": (["failures", 0, "level"], "good"),
+            "query": (["worst", 0, "query", "alarm"], None), "count": (["failure_count"], "1"),
+            "scalar": (["scalar"], "double"), "conventions": (["conventions", "colour"], 7)})
+        self.valid("report.json", {**report, "added": 7})
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *(word for word in sys.argv[2:] if word != "--again")])

@@ -1,0 +1,149 @@
+"""Are golden contact files right? All that they answer is derived again here, from the mathematics alone.
+    python3 golden/verify.py FILE|FOLDER...     exit 0: all is right; 1: something is wrong, a line each; 2: not readable
+
+This shares nothing with the program that wrote the files. Numbers are integers, fractions, and integer square roots with
+their remainders; a float is only ever a name for 64 or 32 bits, and none is added, multiplied or rounded.
+docs/formats.md says what the files mean. Why a case is there, its flags, is counted here and otherwise left to `lint`."""
+import hashlib, json, math, struct, sys
+from decimal import Decimal
+from fractions import Fraction
+from pathlib import Path
+
+# Significand bits; exponent of the smallest subnormal; bit pattern of infinity; struct's names of the float and of its bits.
+SCALARS = {"binary64": (53, -1074, 0x7FF << 52, ">d", ">Q"), "binary32": (24, -149, 0xFF << 23, ">f", ">I")}
+BALLS = [f"{s}.{x}" for s in "ab" for x in ("center[0]", "center[1]", "center[2]", "radius")] + ["alarm", "contact"]
+BOXES = [f"{s}.{x}[{i}]" for s in "ab" for x in ("min", "max") for i in range(3)] + ["alarm", "contact"]
+INPUTS = {"sphere_sphere": BALLS, "rigid_sphere_rigid_sphere": BALLS, "sphere_rigid_sphere": BALLS, "cube_cube": BOXES}
+Written = type("Written", (str,), {})  # a number as it is spelt in the file
+
+
+def spelt(value):
+    """Canonical text. Of a number the shortest decimal that reads back as the same 64 bits, fixed where that is no longer."""
+    if not isinstance(value, float):
+        return str(value) if isinstance(value, Written) else json.dumps(value, ensure_ascii=False)
+    if not math.isfinite(value):
+        return f'"{Decimal(value)}"'  # "NaN", "Infinity", "-Infinity"
+    decimal = Decimal(repr(value or 0.0)).normalize()
+    digits, exponent = f"{decimal:e}".split("e")
+    fixed, scientific = f"{decimal:f}", f"{digits}e{int(exponent):+03d}"
+    return scientific if abs(value) >= 2**53 else min(fixed, scientific, key=len)
+
+
+def leaves(value, path=""):
+    """Every leaf under its path, such as expect.normal[0]."""
+    if not value or not isinstance(value, (dict, list)):
+        return {path: value}
+    steps = [(f"[{i}]", entry) for i, entry in enumerate(value)] if isinstance(value, list) else [
+        ("." * bool(path) + (key if key.isidentifier() else repr(key)), entry) for key, entry in value.items()]
+    return {place: leaf for step, entry in steps for place, leaf in leaves(entry, path + step).items()}
+
+
+def rounded(a, b, D, scalar):
+    """The real a + b sqrt(D) to nearest, ties to even."""
+    bits, least, infinity, as_float, as_bits = SCALARS[scalar]
+    # In units of half the smallest subnormal the real is k / l +- sqrt(m / n) = (k n +- sqrt(q)) / (l n), all of them integers.
+    (k, l), (m, n) = (x.as_integer_ratio() for x in (a * 2 ** (1 - least), b * b * D * 4 ** (1 - least)))
+    q = m * n * l * l
+    root = math.isqrt(q) if b > 0 else -math.isqrt(q - 1) - 1 if q else 0  # the largest integer up to +- sqrt(q)
+    floor, rest = divmod(k * n + root, l * n)
+    if floor < 0:
+        return -rounded(-a, -b, D, scalar)
+    drop = max(floor.bit_length() - bits, 1)  # the bits that do not fit: at least the one for halves
+    kept, lost, half = floor >> drop, floor % (1 << drop), 1 << (drop - 1)
+    kept += lost > half or (lost == half and (rest > 0 or root * root != q or kept % 2))
+    # Bit patterns count a scalar's numbers, from 0 to infinity; 2^(bits - 1) of them share an exponent.
+    return struct.unpack(as_float, struct.pack(as_bits, min(kept + ((drop - 1) << (bits - 1)), infinity)))[0]
+
+
+def dyadic(x):  # mantissa * 2^exponent, the mantissa odd
+    twos = (x.numerator & -x.numerator).bit_length() - 1 if x else 0
+    return f"{'-' * (x < 0)}{abs(x.numerator) >> twos:#x}p{twos - x.denominator.bit_length() + 1}"
+
+
+def spheres(c1, r1, c2, r2, alarm, contact, scalar):
+    delta = [q - p for p, q in zip(c1, c2)]
+    D, reach, (bits, least, *_) = sum(d * d for d in delta), alarm + r1 + r2, SCALARS[scalar]
+    ulp = Fraction(2) ** (least + max(int(reach * 2**-least).bit_length() - bits, 0))  # reach is a multiple of 2^least
+    margin = rounded(-reach / ulp, 1 / ulp, D, "binary64")
+    exact = {"exact.distance2": dyadic(D), "exact.reach": dyadic(reach), "exact.margin_ulps": margin}
+    if D > reach * reach:
+        return {"expect.hit": False, **exact}
+    # Every number is a + b sqrt(D). The normal is delta / sqrt(D) = (delta / D) sqrt(D); where D = 0, by agreement, (1, 0, 0).
+    normal = [(0, d / D) for d in delta] if D else [(1, 0), (0, 0), (0, 0)]
+    fields = (("normal", [0, 0, 0], 1), ("point1", c1, r1), ("point2", c2, -r2))  # each is c + r normal
+    numbers = {f"expect.{name}[{i}]": rounded(c[i] + r * normal[i][0], r * normal[i][1], D, scalar)
+               for name, c, r in fields for i in range(3)}
+    numbers["expect.value"] = rounded(-(r1 + r2) - contact, 1, D, scalar)
+    return {"expect.hit": True, "expect.degenerate": D == 0, **numbers, **exact}
+
+
+def right_case(found, pair, scalar):
+    """What should stand in a line: the leaves of its question, and of all that follows from the question."""
+    inputs = {x: float(found[x]) or 0.0 for x in INPUTS[pair]}
+    packed = b"".join(b"\x7f\xf8" + bytes(6) if x != x else struct.pack(">d", x) for x in inputs.values())
+    case = {"id": hashlib.sha256(pair.encode() + b"\0" + packed).hexdigest()[:24]}
+    case |= {x: rounded(Fraction(n), 0, 0, scalar) if math.isfinite(n) else n for x, n in inputs.items()}  # binary32 in its files
+    outside = [x for x in inputs if not math.isfinite(inputs[x]) or (inputs[x] < 0 and "[" not in x)]
+    outside += [x for x in inputs if ".min" in x and inputs[x] > inputs[x.replace("min", "max")]]
+    if outside:  # The first is named: of a, of b, of the distances; of a box all numbers come before their order.
+        return {**case, "flags[0]": "Invalid", "expect.rejected": min(outside, key=lambda x: (x[1] != ".", x[0]))}
+    x = [Fraction(number) for number in inputs.values()]
+    case |= {f"flags[{i}]": str(found[x]) for i, x in enumerate(x for x in found if x.startswith("flags["))} or {"flags": []}
+    if pair != "cube_cube":
+        return case | spheres(x[0:3], x[3], x[4:7], x[7], x[8], x[9], scalar)
+    gap = [max(x[i] - x[9 + i], x[6 + i] - x[3 + i]) for i in range(3)]  # max(min1 - max2, min2 - max1)
+    return case | {"expect.hit": max(gap) <= x[12]} | {f"exact.gap[{i}]": dyadic(gap[i]) for i in range(3)}
+
+
+def differences(where, right, found):
+    pairs = [(x, *(spelt(side[x]) if x in side else "nothing" for side in (right, found))) for x in {**right, **found}]
+    return [f"{where}: {x}: expected {expected}, got {got}" for x, expected, got in pairs if expected != got]
+
+
+def check(path):
+    """What is wrong in a dataset, and what a manifest should say of it."""
+    data, wrong, asked, flags, hits = path.read_bytes(), [], {}, [], 0
+    for at, raw in enumerate(data.split(b"\n")[:-1] if data.endswith(b"\n") else [b"no line feed at the end"], 1):
+        try:
+            line = json.loads(text := raw.decode(), parse_int=Written, parse_float=Written, parse_constant=Written)
+            found = leaves(line)
+            if at > 1:
+                right = right_case(found, header["pair"], header["scalar"])
+            else:
+                header = {x: line[x] for x in ("pair", "scalar", "family", "seed", "count", "generator")}
+                header |= {"seed": int(line["seed"]), "count": data.count(b"\n") - 1}
+                right = {"format": "contact-oracle/dataset", "version": 1, **header, "points": "nearest_surface"}
+                right |= {x: int(n) for x, n in found.items() if x.startswith("shard[")}
+        except (KeyError, RecursionError, TypeError, ValueError) as problem:
+            raise ValueError(f"{path}:{at}: not readable: {problem!r}")
+        flags += [leaf for x, leaf in found.items() if x.startswith("flags[")]
+        hits += right.get("expect.hit", False)
+        canonical = json.dumps(line, separators=(",", ":"), ensure_ascii=False).replace('"', "") == text.replace('"', "")
+        found["form"] = "canonical" if canonical and list(right) == list(found) else "other keys, order or spaces"
+        found |= {"first asked on line": asked.setdefault(right.get("id"), at), "invalid": at > 1 and header["family"] == "invalid"}
+        right |= {"form": "canonical", "first asked on line": at, "invalid": "expect.rejected" in right}
+        wrong += differences(f"{path}:{at}", right, found)
+    return wrong, {**header, "hits": hits, "flags": {x: flags.count(x) for x in {*flags}}, "sha256": hashlib.sha256(data).hexdigest()}
+
+
+def main(arguments):
+    cases, wrong = 0, []
+    for top in map(Path, arguments):
+        entries, manifest = {}, top / "manifest.json"
+        for path in sorted(x for x in top.rglob("*.jsonl") if b"/results" not in x.read_bytes()[:40]) if top.is_dir() else [top]:
+            complaints, entry = check(path)
+            wrong += complaints[:20] + [f"{path}: and {len(complaints) - 20} more"] * (len(complaints) > 20)
+            cases += entry["count"]
+            entries |= {(name := path.relative_to(top).as_posix()): {"path": name, **entry}}
+        listed = {entry["path"]: entry for entry in json.loads(manifest.read_text())["files"]} if manifest.exists() else entries
+        for name in {**entries, **listed}:  # but for the origin, which a file does not tell
+            wrong += differences(f"{manifest}: {name}", *(leaves({**all.get(name, {}), "origin": ""}) for all in (entries, listed)))
+    print(*wrong, f"{cases} cases: " + (f"{len(wrong)} complaints" if wrong else "all right" if cases else "nothing"), sep="\n")
+    return 1 if wrong else 0 if cases else 2
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except (OSError, ValueError, KeyError) as problem:
+        sys.exit(print(problem, file=sys.stderr) or 2)

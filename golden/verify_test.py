@@ -1,0 +1,535 @@
+#!/usr/bin/env python3
+"""Does verify.py accept what is right, and find each single thing that is wrong?  python3 golden/verify_test.py PATH_TO_TOOL"""
+import hashlib
+import json
+import math
+import os
+import random
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+from fractions import Fraction
+from pathlib import Path
+
+TOOL = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
+GOLDEN = Path(__file__).resolve().parent
+VERIFY = GOLDEN / "verify.py"
+BALLS = {"a": {"center": [0, 0, 0], "radius": 1}, "b": {"center": [1, 2, 2], "radius": 2}, "alarm": 0, "contact": 0}
+FORM = 'form: expected "canonical", got "other keys, order or spaces"'
+LARGEST = sys.float_info.max
+LARGEST32 = float.fromhex("0x1.fffffep127")
+
+
+def run(*command, **options):
+    return subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=600, **options)
+
+
+def verify(*paths, program=VERIFY):
+    return run(sys.executable, program, *paths)
+
+
+def question(c1, r1, c2, r2, alarm=0, contact=0, **more):
+    return {**more, "a": {"center": c1, "radius": r1}, "b": {"center": c2, "radius": r2}, "alarm": alarm, "contact": contact}
+
+
+def single(x):
+    """The binary32 number next to x."""
+    return struct.unpack(">f", struct.pack(">f", x))[0]
+
+
+def step(text, by=1, single=False):
+    """The number next to the one spelt, in binary64 or in binary32, spelt as Python does (which is canonical for these)."""
+    x = float(text)
+    code = (">f", ">i") if single else (">d", ">q")
+    bits, = struct.unpack(code[1], struct.pack(code[0], abs(x)))
+    return repr(math.copysign(struct.unpack(code[0], struct.pack(code[1], bits + by))[0], x))
+
+
+class Case(unittest.TestCase):
+    maxDiff = 2000
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def file(self, name, lines):
+        path = self.folder / name
+        path.write_bytes(lines if isinstance(lines, bytes) else "".join(one + "\n" for one in lines).encode())
+        return path
+
+    def several_faults(self, pair):
+        """Questions with two numbers outside the domain each, expecting that the first of them is named."""
+        first, second = ("min", "max") if pair == "cube_cube" else ("center", "radius")
+        faults = {f"{s}.{first}[{i}]": (s, first, i, "NaN") for s in "ab" for i in range(3)}
+        faults |= {f"{s}.max[{i}]": (s, "max", i, "-Infinity") for s in "ab" for i in range(3)} if first == "min" else {
+            f"{s}.radius": (s, "radius", None, -1) for s in "ab"}
+        faults = {path: fault for s in "ab" for path, fault in faults.items() if path[0] == s}
+        faults |= {"alarm": (None, None, None, -0.5), "contact": (None, None, None, "Infinity")}
+        lines = []
+        for i, (one, _) in enumerate(faults.items()):
+            for other in list(faults)[i + 1:]:
+                case = {"a": {first: [0, 0, 0], second: [1, 1, 1] if first == "min" else 1}}
+                case |= {"b": json.loads(json.dumps(case["a"])), "alarm": 0, "contact": 0}
+                for shape, key, axis, value in (faults[one], faults[other]):
+                    if axis is not None:
+                        case[shape][key][axis] = value
+                    elif shape:
+                        case[shape][key] = value
+                    else:
+                        case["alarm" if value == -0.5 else "contact"] = value
+                words = [*case["a"].values(), *case["b"].values(), case["alarm"], case["contact"]]
+                numbers = [float(x) for word in words for x in (word if isinstance(word, list) else [word])]
+                packed = b"".join(b"\x7f\xf8" + bytes(6) if math.isnan(x) else struct.pack(">d", x) for x in numbers)
+                case = {"id": hashlib.sha256(pair.encode() + b"\0" + packed).hexdigest()[:24], **case,
+                        "flags": ["Invalid"], "expect": {"rejected": one}}
+                lines.append(json.dumps(case, separators=(",", ":")))
+        header = (GOLDEN / pair / "invalid.jsonl").read_text().splitlines()[0]
+        return [re.sub(r'"count":\d+', f'"count":{len(lines)}', header), *lines]
+
+    def accepted(self, *paths, **options):
+        done = verify(*paths, **options)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout[-1500:])
+        self.assertRegex(done.stdout, r"\A[1-9]\d* cases: all right\n\Z")
+
+    def annotated(self, *queries):
+        path = self.folder / "annotated.jsonl"
+        done = run(TOOL, "annotate", "-", "-o", path, input="".join(json.dumps(query) + "\n" for query in queries))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        lines = path.read_text().splitlines()
+        path.unlink()
+        return lines
+
+    def finds(self, lines, *complaints):
+        """Exit code 1 and these complaints, each the beginning of one, and no others; lint refuses the file as well."""
+        path = self.file("wrong.jsonl", lines)
+        done = verify(path)
+        self.assertEqual((done.returncode, done.stderr), (1, ""), done.stdout[-800:])
+        found = [one.removeprefix(f"{path}:") for one in done.stdout.splitlines()[:-1]]
+        self.assertEqual(len(found), len(complaints), found)
+        for complaint in complaints:
+            self.assertTrue(any(one.startswith(complaint) for one in found), (found, complaint))
+        self.assertEqual(run(TOOL, "lint", path).returncode, 2)
+
+
+class Right(Case):
+    def test_every_committed_file_and_the_manifest_are_accepted(self):
+        self.accepted(GOLDEN)
+
+    def test_the_program_is_short_enough_to_be_read_and_the_page_about_it_shows_what_it_prints(self):
+        self.assertLess(len(VERIFY.read_text().splitlines()), 150)
+        page = (GOLDEN.parent / "docs" / "golden.md").read_text()
+        shown = re.search(r"```text\n(golden/(.*?):2: .*: expected (.*), got (.*))\n```", page)
+        text = (GOLDEN / shown[2]).read_text()
+        path = self.file("wrong.jsonl", text.replace(shown[3], shown[4], 1).splitlines())
+        self.assertEqual(verify(path).stdout.splitlines()[0].replace(str(path), f"golden/{shown[2]}"), shown[1])
+
+    def test_a_shard_and_a_file_without_flags_are_accepted(self):
+        path = self.folder / "shard.jsonl"
+        run(TOOL, "generate", "--pair", "sphere_sphere", "--family", "generic", "--count", 9, "--seed", 2**64 - 1, "--shard", "1/3",
+            "-o", path)
+        self.assertIn('"shard":[1,3]', path.read_text())
+        self.accepted(path)
+
+    def test_of_several_numbers_outside_the_domain_the_first_is_named(self):
+        for pair in ("sphere_sphere", "cube_cube"):
+            path = self.file(f"{pair}.jsonl", self.several_faults(pair))
+            self.accepted(path)
+            linted = run(TOOL, "lint", path)
+            self.assertEqual(linted.returncode, 0, linted.stderr)
+
+    # Random questions of this test's own, not of the program's families, so that both are asked what neither chose.
+    def foreign(self, scalar, seed):
+        draw = random.Random(seed)
+        to = single if scalar == "binary32" else float
+        bits, code, top = (23, (">I", ">f"), 255) if scalar == "binary32" else (52, (">Q", ">d"), 2047)
+        pattern = lambda low, high: struct.unpack(code[1], struct.pack(
+            code[0], draw.randrange(low, high) << bits | draw.getrandbits(bits)))[0]
+        anything = lambda: draw.choice((-1, 1)) * pattern(0, top)
+        ordinary = lambda: to(draw.uniform(-10, 10))
+        tiny = lambda: draw.choice((-1, 1)) * draw.choice((pattern(0, 1), pattern(0, 3), 0.0))
+        huge = lambda: draw.choice((-1, 1)) * pattern(top - 2, top)
+        whole = lambda: to(draw.randrange(-2**draw.randrange(1, bits), 2**draw.randrange(1, bits)))
+        kinds = (anything, ordinary, tiny, huge, whole)
+
+        def ball_pair():
+            number = draw.choice(kinds)
+            kind = draw.randrange(6)
+            c1 = [number() for _ in range(3)]
+            if kind == 0:  # one centre for both
+                return question(c1, abs(number()), c1, abs(number()), abs(number()), abs(number()))
+            if kind == 1:  # Pythagorean: the distance is a number, and so are ties of what is computed from it
+                m, n, scale = draw.randrange(1, 9), draw.randrange(1, 9), 2.0 ** draw.randrange(-60, 60)
+                legs = [(m * m - n * n) * scale, 2 * m * n * scale, 0.0]
+                half = (m * m + n * n) * scale * 2.0 ** -(bits + 1) * draw.randrange(1, 4)
+                draw.shuffle(legs)
+                reach = (m * m + n * n) * scale
+                return question([0, 0, 0], half, legs, 0, reach, half * draw.randrange(0, 3))
+            if kind == 2:  # along an axis
+                c2 = list(c1)
+                c2[draw.randrange(3)] = number()
+            elif kind == 3:  # centres an ulp or so apart, where the first ones are finite after the step
+                c2 = [to(x * (1 + draw.randrange(-2, 3) * 2.0**-bits)) for x in c1]
+                c2 = [y if math.isfinite(y) else x for x, y in zip(c1, c2)]
+            else:
+                c2 = [draw.choice((number, draw.choice(kinds)))() for _ in range(3)]
+            r1, r2 = abs(number()), abs(draw.choice(kinds)())
+            far = max(abs(x - y) for x, y in zip(c1, c2))
+            if draw.random() < 0.7:  # more hits than chance gives
+                r1 = max(r1, to(min(far, LARGEST32 if scalar == "binary32" else LARGEST)))
+            return question(c1, r1, c2, r2, draw.choice((0, abs(number()))), draw.choice((0, abs(number()))))
+
+        def box():
+            sides = [sorted((draw.choice(kinds)(), draw.choice(kinds)())) for _ in range(3)]
+            return {"min": [low for low, _ in sides], "max": [high for _, high in sides]}
+
+        def box_pair():
+            a, b = box(), box()
+            if draw.random() < 0.4:
+                axis = draw.randrange(3)
+                b["min"][axis] = a["max"][axis]
+                b["max"][axis] = max(b["max"][axis], b["min"][axis])
+            return {"a": a, "b": b, "alarm": draw.choice((0, abs(draw.choice(kinds)()))), "contact": 0}
+
+        for pair, count, make in (("sphere_sphere", 500, ball_pair), ("sphere_rigid_sphere", 150, ball_pair),
+                                  ("rigid_sphere_rigid_sphere", 150, ball_pair), ("cube_cube", 200, box_pair)):
+            yield [{"pair": pair, "scalar": scalar, **make()} for _ in range(count)]
+
+    def is_tie(self, case, bits):
+        """Whether the value lies exactly half way between two numbers: its one odd numerator has a bit too many."""
+        if "radius" not in case["a"]:
+            return False
+        (c1, r1), (c2, r2) = ((list(map(Fraction, s["center"])), Fraction(s["radius"])) for s in (case["a"], case["b"]))
+        D = sum((x - y) ** 2 for x, y in zip(c1, c2))
+        root = Fraction(math.isqrt(D.numerator), math.isqrt(D.denominator))
+        return root * root == D and (root - r1 - r2 - Fraction(case["contact"])).numerator.bit_length() == bits + 1
+
+    def test_what_annotate_makes_of_a_thousand_foreign_questions_is_accepted_by_verify_and_lint(self):
+        for scalar in ("binary64", "binary32"):
+            with self.subTest(scalar):
+                asked = hits = ties = infinite = 0
+                for i, queries in enumerate(self.foreign(scalar, seed=20240229)):
+                    once = {json.dumps(query): query for query in queries}  # a dataset asks no question twice
+                    lines = self.annotated(*once.values())
+                    path = self.file(f"{scalar}.{i}.jsonl", lines)
+                    self.accepted(path)
+                    linted = run(TOOL, "lint", path)
+                    self.assertEqual(linted.returncode, 0, linted.stderr)
+                    text = "\n".join(lines)
+                    asked += len(lines) - 1
+                    hits += text.count('"hit":true')
+                    infinite += text.count("Infinity")
+                    ties += sum(self.is_tie(case, 24 if scalar == "binary32" else 53) for case in map(json.loads, lines[1:])
+                                if case["expect"]["hit"])
+                self.assertGreaterEqual(asked, 990)
+                self.assertTrue(0.3 < hits / asked < 0.9, hits)
+                self.assertGreater(ties, 10)
+                self.assertGreater(infinite, 5)
+
+
+# A corruption: a name, the text of a line that becomes another text, and the complaints to expect.
+class Wrong(Case):
+    def corrupt(self, lines, table, at=1):
+        """Each row: a regular expression with one group, its new text or a function of the old, fields (or whole complaints)."""
+        self.accepted(self.file("right.jsonl", lines))
+        for name, (expression, new, *fields) in table.items():
+            with self.subTest(name):
+                old = re.search(expression, lines[at])
+                self.assertIsNotNone(old, (expression, lines[at]))
+                start, end = old.span(1)
+                text = lines[at][:start] + (new(old[1]) if callable(new) else new) + lines[at][end:]
+                self.assertNotEqual(text, lines[at])
+                self.finds([*lines[:at], text, *lines[at + 1:]], *(f"{at + 1}: {field}" for field in fields))
+
+    # Full significands in every field.
+    def spheres(self, **more):
+        return self.annotated(question([0.1, 0.2, 0.3], 1.7, [1.1, -1.3, 0.9], 0.6, 0.5, 0.05, **more), BALLS)
+
+    def test_one_ulp_in_any_number_of_an_answer_is_found(self):
+        number = r"([-0-9.e]+)"
+        table = {}
+        for by in (-1, 1):
+            for field in ("normal", "point1", "point2"):
+                for axis in range(3):
+                    table[f"{field}[{axis}] by {by}"] = (rf'"{field}":\[' + r"[^,]*," * axis + number,
+                                                         lambda x, by=by: step(x, by), f"expect.{field}[{axis}]: ")
+            table[f"value by {by}"] = ('"value":' + number, lambda x, by=by: step(x, by), "expect.value: ")
+            table[f"margin by {by}"] = ('"margin_ulps":' + number, lambda x, by=by: step(x, by), "exact.margin_ulps: ")
+        self.corrupt(self.spheres(), table)
+        f32 = {name: (expression, lambda x, name=name: step(x, int(name.split()[-1]), single=True), *fields)
+               for name, (expression, _, *fields) in table.items() if "margin" not in name}
+        numbers = dict(zip(("c", "r", "d", "s", "e"), map(single, (0.1, 1.7, 1.1, 0.6, 0.05))))
+        lines = self.annotated(question([numbers["c"], numbers["c"] * 2, 0.375], numbers["r"], [numbers["d"], -1.25, 0.875],
+                                        numbers["s"], 0.5, numbers["e"], scalar="binary32"))
+        self.corrupt(lines, f32)
+
+    def test_every_other_field_of_an_answer_of_spheres_is_checked(self):
+        flip = lambda x: x[1:] if x.startswith("-") else "-" + x
+        lines = self.spheres()
+        points = re.search(r'"point1":(\[.*?\]),"point2":(\[.*?\])', lines[1])
+        at = [f"expect.{point}[{axis}]: " for point in ("point1", "point2") for axis in range(3)]
+        self.corrupt(lines, {
+            "sign of normal[0]": (r'"normal":\[([^,]*)', flip, "expect.normal[0]: "),
+            "sign of normal[1]": (r'"normal":\[[^,]*,([^,]*)', flip, "expect.normal[1]: "),
+            "sign of value": (r'"value":([^}]*)', flip, "expect.value: "),
+            "sign of the margin": (r'"margin_ulps":([^}]*)', flip, "exact.margin_ulps: "),
+            "swapped points": (r'"point1":(.*),"value"', f'{points[2]},"point2":{points[1]}', *at),
+            "flipped hit": (r'"hit":(true)', "false", "expect.hit: expected true, got false"),
+            "hit a number": (r'"hit":(true)', "1", "expect.hit: expected true, got 1"),
+            "degenerate": (r'"degenerate":(false)', "true", "expect.degenerate: expected false, got true"),
+            "degenerate missing": (r'("degenerate":false,)', "", "expect.degenerate: expected false, got nothing", FORM),
+            "digit of the id": (r'"id":"(.)', lambda x: format(int(x, 16) ^ 1, "x"), "id: "),
+            "capital id": (r'"id":"(\w+)', str.upper, "id: "),
+            "distance2": (r'"distance2":"0x[0-9a-f]*([0-9a-f])p', lambda x: format(int(x, 16) ^ 2, "x"), "exact.distance2: "),
+            "exponent of distance2": (r'"distance2":"[^p]*p-(\d+)', lambda x: str(int(x) + 1), "exact.distance2: "),
+            "reach": (r'"reach":"0x[0-9a-f]*([0-9a-f])p', lambda x: format(int(x, 16) ^ 2, "x"), "exact.reach: "),
+            "even mantissa": (r'"reach":"(.*?)"', lambda x: "{:#x}p{}".format(int(x.split("p")[0], 16) * 2, int(x.split("p")[1]) - 1),
+                              "exact.reach: "),
+            "question by an ulp": (r'"contact":([\d.]+)', step, "id: "),
+            "flag no text": (r'"flags":\[(.*?)\]', "7", 'flags[0]: expected "7", got 7'),
+            "flags no list": (r'"flags":(\[.*?\])', '"Flat"', 'flags: expected [], got "Flat"'),
+        })
+        hit, miss = lines[1], self.annotated(question([0, 0, 0], 1, [3, 0, 0], 1))
+        self.corrupt(miss, {"a miss with a contact": (r'"expect":(.*?),"exact"', re.search(r'"expect":(.*?),"exact"', hit)[1],
+                                                      "expect.hit: ", "expect.degenerate: expected nothing, got false",
+                                                      *(f"expect.{x}[{i}]: " for x in ("normal", "point1", "point2") for i in range(3)),
+                                                      "expect.value: ", FORM)})
+
+    def test_the_agreement_on_coincident_centres_is_checked(self):
+        self.corrupt(self.annotated(question([1, 2, 3], 1, [1, 2, 3], 2)), {
+            "another unit normal": (r'"normal":\[(1,0),0\]', "0,1", "expect.normal[0]: expected 1, got 0", "expect.normal[1]: "),
+            "not degenerate": (r'"degenerate":(true)', "false", "expect.degenerate: "),
+            "no normal": (r'"normal":\[(1)', '"NaN"', 'expect.normal[0]: expected 1, got "NaN"'),
+        })
+
+    def test_cubes_are_checked(self):
+        lines = self.annotated({"a": {"min": [0, 0, 0], "max": [1, 1, 1]}, "b": {"min": [1.5, 0, 0.25], "max": [2, 1, 1]},
+                                "alarm": 0.5, "contact": 0})
+        self.corrupt(lines, {
+            "hit": (r'"hit":(true)', "false", "expect.hit: expected true, got false"),
+            "gap": (r'"gap":\["(0x1p-1)"', "0x1p-2", "exact.gap[0]: expected \"0x1p-1\", got \"0x1p-2\""),
+            "sign of a gap": (r'"gap":\[.*?,"(-)', "", "exact.gap[1]: "),
+            "two gaps": (r'"gap":\[.*?(,"[^,]*")\]', "", "exact.gap[2]: ", FORM),
+            "a contact of cubes": (r'"hit":true()', ',"value":0', "expect.value: expected nothing, got 0", FORM),
+            "alarm an ulp less": (r'"alarm":(0.5)', "0.49999999999999994", "id: ", "expect.hit: expected false, got true"),
+        })
+
+    def test_ties_the_ends_of_the_range_and_subnormal_numbers_round_one_way_only(self):
+        least, half_of_largest = 5e-324, 2.0**970
+        # Of each: the question, the field, its right text, and wrong ones.
+        rows = {
+            "tie to even, downwards": (question([0, 0, 0], 1, [0, 0, 0], 2.0**-53), "value", "-1", "-1.0000000000000002"),
+            "tie to even, upwards": (question([0, 0, 0], 1, [0, 0, 0], 3 * 2.0**-53), "value", "-1.0000000000000004",
+                                     "-1.0000000000000002"),
+            "tie below a power of two": (question([0, 0, 0], 0, [1, 0, 0], 0, 1, 2.0**-54), "value", "1", "0.9999999999999999"),
+            "tie from Pythagoras": (question([0, 0, 0], 0, [3, 4, 0], 0, 5, 2.0**-51 * 1.25), "value", "4.999999999999999", "5"),
+            "just above a tie": (question([0, 0, 0], 1, [0, 0, 0], 2.0**-53, 0, least), "value", "-1.0000000000000002", "-1"),
+            "half an ulp beyond the largest": (question([LARGEST, 0, 0], half_of_largest, [LARGEST, 0, 0], 0), "point1",
+                                               '"Infinity"', repr(LARGEST), '"NaN"', '"-Infinity"'),
+            "nearly half an ulp beyond it": (question([LARGEST, 0, 0], math.nextafter(half_of_largest, 0), [LARGEST, 0, 0], 0),
+                                             "point1", repr(LARGEST), '"Infinity"'),
+            "a third of the smallest subnormal": (question([0, 0, 0], least, [1, 2, 2], 3), "point1", "0", "5e-324", "-0"),
+            "the smallest subnormal": (question([0, 0, 0], least, [2, 1, 2], 3), "point1", "5e-324", "0", "1e-323"),
+        }
+        for name, (query, field, right, *wrong) in rows.items():
+            lines = self.annotated(query)
+            index = "[0]" if field == "point1" else ""
+            text = rf'"{field}":\[?([^,}}\]]*)'
+            with self.subTest(name):
+                self.assertEqual(re.search(text, lines[1])[1], right)
+            self.corrupt(lines, {f"{name}: {one}": (text, one, f"expect.{field}{index}: expected {right}, got {one}") for one in wrong})
+
+    def test_the_same_in_binary32(self):
+        largest, half_of_largest, least = LARGEST32, 2.0**103, 2.0**-149
+        rows = {
+            "tie to even, downwards": (question([0, 0, 0], 1, [0, 0, 0], 2.0**-24), "value", "-1", "-1.0000001192092896"),
+            "tie to even, upwards": (question([0, 0, 0], 1, [0, 0, 0], 3 * 2.0**-24), "value", "-1.000000238418579",
+                                     "-1.0000001192092896"),
+            "no binary32 number": (question([0, 0, 0], single(0.1), [0, 0, 0], 0), "value", "-0.10000000149011612", "-0.1"),
+            "half an ulp beyond the largest": (question([largest, 0, 0], half_of_largest, [largest, 0, 0], 0), "point1",
+                                               '"Infinity"', repr(largest), "3.402823669209385e+38"),
+            "nearly half an ulp beyond it": (question([largest, 0, 0], single(half_of_largest * (1 - 2.0**-24)), [largest, 0, 0], 0),
+                                             "point1", repr(largest), '"Infinity"'),
+            "a third of the smallest subnormal": (question([0, 0, 0], least, [1, 2, 2], 3), "point1", "0", repr(least),
+                                                  repr(least / 3)),
+            "the smallest subnormal": (question([0, 0, 0], least, [2, 1, 2], 3), "point1", repr(least), "0", repr(least / 3 * 2)),
+        }
+        for name, (query, field, right, *wrong) in rows.items():
+            lines = self.annotated({**query, "scalar": "binary32"})
+            index = "[0]" if field == "point1" else ""
+            text = rf'"{field}":\[?([^,}}\]]*)'
+            with self.subTest(name):
+                self.assertEqual(re.search(text, lines[1])[1], right)
+            self.corrupt(lines, {f"{name}: {one}": (text, one, f"expect.{field}{index}: expected {right}, got {one}") for one in wrong})
+        lines = self.annotated(question([0, 0, 0], 1, [0, 0, 0], 0.5, scalar="binary32"))
+        self.corrupt(lines, {"a question that is not binary32": (r'"radius":(0.5)', "0.1", "id: ",
+                                                                 "b.radius: expected 0.10000000149011612, got 0.1",
+                                                                 "expect.point2[0]: ", "expect.value: ", "exact.reach: ",
+                                                                 "exact.margin_ulps: ")})
+
+    def test_the_field_that_puts_a_question_outside_the_domain_is_checked(self):
+        for pair in ("sphere_sphere", "cube_cube"):
+            header, *cases = (GOLDEN / pair / "invalid.jsonl").read_text().splitlines()
+            for field in sorted({json.loads(case)["expect"]["rejected"] for case in cases}):
+                case = next(case for case in cases if f'"rejected":"{field}"' in case)
+                other = "contact" if field != "contact" else "alarm"
+                self.corrupt([header.replace(f'"count":{len(cases)}', '"count":1'), case], {
+                    f"{pair} {field}": (r'"rejected":"(.*?)"', other, f'expect.rejected: expected "{field}", got "{other}"')})
+
+    def test_text_that_is_not_canonical_is_found(self):
+        lines = self.annotated(question([0.5, 0, 0], 1, [1, 0, 1e22], 2e22, 0.00001, 100000))
+        self.assertIn('"alarm":1e-05,"contact":1e+05', lines[1])
+        self.corrupt(lines, {
+            "trailing zero": (r"(0\.5)", "0.50", "a.center[0]: expected 0.5, got 0.50"),
+            "point zero": (r'"radius":(1)', "1.0", "a.radius: expected 1, got 1.0"),
+            "minus zero": (r'"center":\[0.5,(0)', "-0", "a.center[1]: expected 0, got -0"),
+            "long fixed form": (r'"alarm":(1e-05)', "0.00001", "alarm: expected 1e-05, got 0.00001"),
+            "fixed form": (r'"contact":(1e\+05)', "100000", "contact: expected 1e+05, got 100000"),
+            "short exponent": (r'"contact":(1e\+05)', "1e5", "contact: expected 1e+05, got 1e5"),
+            "a large integer in digits": (r'"center":\[1,0,(1e\+22)', "1" + "0" * 22, "b.center[2]: expected 1e+22, got 1000"),
+            "more digits than needed": (r"(0\.5)", "0.50000000000000001", "a.center[0]: expected 0.5, got 0.50000000000000001"),
+            "a number as text": (r"(0\.5)", '"0.5"', 'a.center[0]: expected 0.5, got "0.5"'),
+            "a space": (r'"alarm":()', " ", FORM),
+            "a carriage return": (r"\}()$", "\r", FORM),
+            "keys in another order": (r'("alarm":1e-05,"contact":1e\+05)', '"contact":1e+05,"alarm":1e-05', FORM),
+            "a key twice": (r'("alarm":1e-05)', '"alarm":1e-05,"alarm":1e-05', FORM),
+            "an unknown key": (r'("alarm")', '"colour":7,"alarm"', "colour: expected nothing, got 7", FORM),
+            "a letter escaped": (r'"(a)larm"', r"\u0061", FORM),
+        })
+
+    def test_a_number_that_is_a_bare_word_or_a_key_with_a_dot_is_no_way_in(self):
+        header, *cases = (GOLDEN / "sphere_sphere" / "invalid.jsonl").read_text().splitlines()
+        case = next(case for case in cases if '"radius":"NaN"' in case)
+        self.finds([header.replace(f'"count":{len(cases)}', '"count":1'), case.replace('"NaN"', "NaN")], "2: ")
+        lines = self.spheres()
+        flat = re.sub(r'"a":\{"center":(\[.*?\]),"radius":([^}]*)\}', r'"a.center":\1,"a.radius":\2', lines[1])
+        self.assertNotEqual(flat, lines[1])
+        self.assertEqual(verify(self.file("flat.jsonl", [lines[0], flat, lines[2]])).returncode, 2)
+
+    def test_the_header_is_checked(self):
+        self.corrupt(self.spheres(), {
+            "count too large": (r'"count":(2)', "3", "count: expected 2, got 3"),
+            "count too small": (r'"count":(2)', "1", "count: expected 2, got 1"),
+            "version": (r'"version":(1)', "2", "version: expected 1, got 2"),
+            "format": (r'"format":"([^"]*)"', "contact-oracle/data", 'format: expected "contact-oracle/dataset", got'),
+            "points": (r'"points":"([^"]*)"', "center", 'points: expected "nearest_surface", got "center"'),
+            "seed": (r'"seed":(0)', "-0", "seed: expected 0, got -0"),
+            "unknown key": (r'("points")', '"colour":7,"points"', "colour: expected nothing, got 7", FORM),
+        }, at=0)
+
+    def test_questions_outside_the_domain_stand_in_the_family_invalid_and_no_others_do(self):
+        header, case = (GOLDEN / "sphere_sphere" / "invalid.jsonl").read_text().splitlines()[:2]
+        header = re.sub(r'"count":\d+', '"count":1', header)
+        self.finds([header.replace('"invalid"', '"generic"'), case], "2: invalid: expected true, got false")
+        header, case, _ = self.spheres()
+        header = header.replace('"annotated"', '"invalid"').replace('"count":2', '"count":1')
+        self.finds([header, case], "2: invalid: expected false, got true")
+
+    def test_a_question_asked_twice_is_found_whatever_its_flags(self):
+        header, first, second = self.spheres()
+        twice = header.replace('"count":2', '"count":3')
+        self.finds([twice, first, second, first], "4: first asked on line: expected 4, got 2")
+        again = re.sub(r'"flags":\[.*?\]', '"flags":["Flat"]', first)
+        self.finds([twice, first, second, again], "4: first asked on line: expected 4, got 2")
+
+    def test_a_line_under_another_pair_or_scalar_is_found(self):
+        lines = self.spheres()
+        self.finds([lines[0].replace('"sphere_sphere"', '"sphere_rigid_sphere"'), *lines[1:]], "2: id: ", "3: id: ")
+        header, *cases = lines
+        done = verify(self.file("d.jsonl", [header.replace("binary64", "binary32"), *cases]))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("a.center[0]: expected 0.10000000149011612, got 0.1", done.stdout)
+
+    def test_only_the_first_twenty_complaints_of_a_file_are_shown(self):
+        lines = (GOLDEN / "cube_cube" / "generic.jsonl").read_text().replace('"hit":true', '"hit":false').splitlines()
+        done = verify(self.file("d.jsonl", lines))
+        self.assertEqual((done.returncode, len(done.stdout.splitlines())), (1, 22))
+        self.assertRegex(done.stdout.splitlines()[20], r"d\.jsonl: and \d+ more$")
+
+    def test_the_manifest_is_checked(self):
+        for name in ("generic.jsonl", "touching.jsonl"):
+            self.file(name, (GOLDEN / "cube_cube" / name).read_text().splitlines())
+        run(TOOL, "lint", self.folder, "--write-manifest")
+        self.accepted(self.folder)
+        manifest = self.folder / "manifest.json"
+        right = manifest.read_text()
+        for name, (expression, new, field) in {
+                "digest": (r'"sha256":"(.)', lambda x: format(int(x, 16) ^ 1, "x"), "generic.jsonl: sha256: "),
+                "count": (r'"count":(\d+)', "7", "generic.jsonl: count: "),
+                "hits": (r'"hits":(\d+)', "7", "generic.jsonl: hits: "),
+                "flag": (r'"Touching":(\d+)', "7", "touching.jsonl: flags.Touching: "),
+                "seed": (r'"seed":(\d+)', "7", "generic.jsonl: seed: "),
+                "file without an entry": (r'(\{"path":"touching.*\n)', "", "touching.jsonl: path: "),
+                "entry without a file": (r'"path":"(touching)', "missing", "missing.jsonl: path: ")}.items():
+            with self.subTest(name):
+                old = re.search(expression, right)
+                text = right[:old.start(1)] + (new(old[1]) if callable(new) else new) + right[old.end(1):]
+                manifest.write_text(text.replace("},\n]}", "}\n]}"))
+                done = verify(self.folder)
+                self.assertEqual(done.returncode, 1, done.stderr)
+                self.assertIn(f"{manifest}: {field}", done.stdout)
+
+    def test_what_cannot_be_read_is_neither_right_nor_wrong(self):
+        header, case, other = self.spheres()
+        cut = "\n".join((header, case, other)).encode()
+        for name, (content, word) in {
+                "empty": (b"", "e.jsonl:1: "), "no line feed at the end": (cut, "e.jsonl:1: "), "cut": (cut[:-40], "e.jsonl:1: "),
+                "no JSON": ([header, "{nonsense}"], "e.jsonl:2: "), "no object": ([header, "[1,2]"], "e.jsonl:2: "),
+                "blank line": ([header, "", case], "e.jsonl:2: "), "no UTF-8": (cut + b"\xff\n", "e.jsonl:3: "),
+                "nested without end": ([header, "[" * 100000], "e.jsonl:2: "),
+                "a radius missing": ([header, case.replace('"radius"', '"radios"', 1)], "'a.radius'"),
+                "text for a number": ([header, re.sub(r'"alarm":[^,]*', '"alarm":"wide"', case)], "wide"),
+                "unknown pair": ([header.replace("sphere_sphere", "cone_cone"), case], "cone_cone"),
+                "unknown scalar": ([header.replace("binary64", "half"), case], "half")}.items():
+            with self.subTest(name):
+                done = verify(self.file("e.jsonl", content))
+                self.assertEqual((done.returncode, done.stdout), (2, ""))
+                self.assertIn(word, done.stderr)
+                self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        self.assertEqual(verify(self.folder / "gone.jsonl").returncode, 2)
+        self.assertEqual(verify().returncode, 2)
+        (self.folder / "none").mkdir()
+        self.assertEqual(verify(self.folder / "none").returncode, 2)
+
+
+class Broken(Case):
+    def test_each_step_of_verify_matters_a_program_without_it_calls_right_files_wrong(self):
+        least = {"binary64": 5e-324, "binary32": 2.0**-149}
+        for scalar, small in least.items():
+            bits = 53 if scalar == "binary64" else 24
+            largest = LARGEST if scalar == "binary64" else LARGEST32
+            lines = self.annotated(*({**query, "scalar": scalar} for query in (
+                BALLS, question([0, 0, 0], 1, [3, 4, 0], 1, 3, 0.25), question([0, 0, 0], 1, [0, 0, 0], 2.0**-bits),
+                question([0, 0, 0], 1, [0, 0, 0], 3 * 2.0**-bits), question([largest, 0, 0], largest, [largest, 0, 0], 0),
+                question([0, 0, 0], 2 * small, [1, 2, 2], 3), question([0, 0, 0], small, [1, 1, 1], 3),
+                question([2 * small, 0, 0], small, [small, -small, -small], small), question([0, 0, 0], small, [0, 0, small], small),
+                question([2.0**60, 0, 0], 1, [2.0**60, 0, 0], 1, 100000))))
+            self.file(f"{scalar}.jsonl", lines)
+        self.file("faults.jsonl", self.several_faults("sphere_sphere"))
+        for name in ("touching.jsonl", "flat.jsonl", "invalid.jsonl"):
+            self.file(f"cubes.{name}", (GOLDEN / "cube_cube" / name).read_text().splitlines())
+        self.file("spheres.invalid.jsonl", (GOLDEN / "sphere_sphere" / "invalid.jsonl").read_text().splitlines())
+        self.accepted(self.folder)
+        program = VERIFY.read_text()
+        for right, wrong in (
+                ("if D > reach * reach", "if D >= reach * reach"), ("alarm + r1 + r2", "r1 + r2"), ("max(gap) <=", "max(gap) <"),
+                ("lost > half", "lost >= half"), ("kept % 2))", "kept % 2 == 0))"), ("rest > 0 or ", ""), ("root * root != q or ", ""),
+                ("-math.isqrt(q - 1) - 1 if q", "-math.isqrt(q) if q"),
+                ("min(kept + ((drop - 1) << (bits - 1)), infinity)", "kept + ((drop - 1) << (bits - 1))"),
+                ("- bits, 1)", "- bits, 2)"), ("- bits, 0)", "- bits, 1)"), ('D, "binary64")', "D, scalar)"),
+                ("- contact, 1", "+ contact, 1"), ("c2, -r2", "c2, r2"), ("[(1, 0), (0, 0)", "[(0, 0), (1, 0)"),
+                (r"\x7f\xf8", r"\x7f\xf9"), ('(x[1] != ".", x[0])', "x[0]"), (' and "[" not in x)', ")"),
+                ("> inputs[x.replace", ">= inputs[x.replace"), ("2**53", "2**90"), ("min(fixed", "max(fixed")):
+            with self.subTest(right, becomes=wrong):
+                self.assertEqual(program.count(right), 1)
+                broken = self.folder / "broken.py"
+                broken.write_text(program.replace(right, wrong))
+                done = verify(self.folder, program=broken)
+                self.assertEqual(done.returncode, 1, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[2:]])
