@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "golden/families.hpp"
 #include "golden/flags.hpp"
@@ -142,6 +143,17 @@ Case make_case(const Query& query, Scalar scalar) {
   c.expect = oracle::expectation(truth, scalar);
   c.exact = oracle::witness(truth, scalar);
   return c;
+}
+
+Shard read_shard(const std::string& text, const Location& where, const std::string& option) {
+  Shard shard{};
+  char slash = 0;
+  std::istringstream stream(text);
+  stream >> shard.index >> slash >> shard.of;
+  if (!stream || slash != '/' || !stream.eof() || text.find('-') != std::string::npos || shard.of == 0 ||
+      shard.index >= shard.of)
+    throw InputError(where, option, fmt::format("expected I/N with I below N, got '{}'", text));
+  return shard;
 }
 
 std::string to_line(const DatasetHeader& h) {

@@ -24,6 +24,12 @@ struct Shard {
   std::uint64_t index;
   std::uint64_t of;
 };
+/// Shard I of N of C questions holds those from floor(I C / N) to below floor((I + 1) C / N); index N gives C.
+[[nodiscard]] constexpr std::uint64_t shard_begin(std::uint64_t count, Shard shard) {
+  return count / shard.of * shard.index + count % shard.of * shard.index / shard.of;
+}
+/// A shard from I/N. Throws InputError naming the option.
+[[nodiscard]] Shard read_shard(const std::string& text, const Location& where, const std::string& option);
 
 struct DatasetHeader {
   Pair pair = Pair::sphere_sphere;
@@ -85,6 +91,10 @@ class DatasetReader {
   [[nodiscard]] const DatasetHeader& header() const { return header_; }
   /// The next case, or nothing after the last. Throws InputError at anything malformed.
   [[nodiscard]] std::optional<Case> next();
+  /// Passes over cases.
+  void skip(std::uint64_t count) {
+    for (std::uint64_t i = 0; i < count; ++i) (void)next();
+  }
   /// Where the case that next() gave last stands, and its text.
   [[nodiscard]] const Location& where() const { return where_; }
   [[nodiscard]] const std::string& text() const { return line_; }

@@ -211,18 +211,27 @@ std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, c
 
 void Diagnosis::count(const Place& place, bool right, const Set& agree, const Set& differ) {
   if (right) {
-    std::vector<std::uint32_t>& counts = contradicted_[place];
+    std::vector<std::uint64_t>& counts = contradicted_[place];
     counts.resize(causes().size());
     for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += differ[i] ? 1 : 0;
     return;
   }
   ++wrong_[std::string(kAspectNames[static_cast<std::size_t>(place.aspect)])];
-  // Past the limit, sets that are new count as unexplained.
-  const Unexplained key{place, agree};
-  if (sets_.size() < kMostSets || sets_.contains(key))
-    ++sets_[key];
-  else
-    ++sets_[{place, {}}];
+  add_wrong({place, agree}, 1);
+}
+
+void Diagnosis::add_wrong(const Explained& set, std::uint64_t n) {
+  if (set.by.none()) {
+    unexplained_[set.place] += n;
+    return;
+  }
+  sets_[set] += n;
+  if (sets_.size() <= kMostSets) return;
+  // Past the limit the last in order counts as unexplained. The first ones are the same whatever comes when, and none
+  // of those has ever been dropped.
+  const auto last = std::prev(sets_.end());
+  unexplained_[last->first.place] += last->second;
+  sets_.erase(last);
 }
 
 void Diagnosis::add(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
@@ -286,10 +295,10 @@ void Diagnosis::merge(const Diagnosis& other) {
   for (const auto& [what, n] : other.outside_) outside_[what] += n;
   for (const auto& [pair, n] : other.silent_) silent_[pair] += n;
   for (const auto& [pair, n] : other.answered_) answered_[pair] += n;
-  for (const auto& [set, n] : other.sets_)
-    sets_[sets_.size() < kMostSets || sets_.contains(set) ? set : Unexplained{set.place, {}}] += n;
+  for (const auto& [set, n] : other.sets_) add_wrong(set, n);
+  for (const auto& [place, n] : other.unexplained_) unexplained_[place] += n;
   for (const auto& [place, counts] : other.contradicted_) {
-    std::vector<std::uint32_t>& mine = contradicted_[place];
+    std::vector<std::uint64_t>& mine = contradicted_[place];
     mine.resize(counts.size());
     for (std::size_t i = 0; i < counts.size(); ++i) mine[i] += counts[i];
   }
@@ -298,7 +307,7 @@ void Diagnosis::merge(const Diagnosis& other) {
 /// What one cause explains of what is left, place by place.
 class Diagnosis::Gain {
  public:
-  Gain(const Diagnosis& run, const std::map<Unexplained, std::uint64_t>& left, std::size_t cause)
+  Gain(const Diagnosis& run, const std::map<Explained, std::uint64_t>& left, std::size_t cause)
       : run_(run), cause_(cause) {
     for (const auto& [set, n] : left)
       if (set.by[cause]) explained_[set.place] += n;
@@ -324,7 +333,7 @@ class Diagnosis::Gain {
 
   [[nodiscard]] double score() const { return score_; }
   [[nodiscard]] std::uint64_t total() const { return total_; }
-  [[nodiscard]] bool explains(const Unexplained& set) const { return set.by[cause_] && places_.contains(set.place); }
+  [[nodiscard]] bool explains(const Explained& set) const { return set.by[cause_] && places_.contains(set.place); }
 
   [[nodiscard]] std::string sentence() const {
     std::map<Aspect, std::uint64_t> by_aspect;
@@ -390,6 +399,7 @@ std::vector<Finding> Diagnosis::findings() const {
                      n});
   std::uint64_t all = 0;
   for (const auto& [set, n] : sets_) all += n;
+  for (const auto& [place, n] : unexplained_) all += n;
   auto left = sets_;
   constexpr std::size_t kMostFindings = 6;
   std::uint64_t rest = all;
@@ -404,7 +414,7 @@ std::vector<Finding> Diagnosis::findings() const {
     }
     // A mistake that explains next to nothing explains it by chance.
     if (!best || best->total() * 50 < all) break;
-    found.push_back({id, best->sentence(), best->total()});
+    found.push_back({std::string(id), best->sentence(), best->total()});
     rest -= best->total();
     std::erase_if(left, [&](const auto& entry) { return best->explains(entry.first); });
   }

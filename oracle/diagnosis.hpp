@@ -3,6 +3,7 @@
 
 #include <bitset>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -19,6 +20,10 @@ struct Explanation {
   std::string convention;
   std::string value;
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(field, convention, value);
+  }
   friend auto operator<=>(const Explanation&, const Explanation&) = default;
 };
 
@@ -34,8 +39,8 @@ inline constexpr std::array<std::string_view, 7> kAspectNames{"overlap", "contac
 
 /// A mistake that explains wrong answers of a run.
 struct Finding {
-  std::string_view cause;  ///< its id; empty for what no known mistake explains
-  std::string sentence;    ///< what is wrong, in words, where it is, and how much it explains
+  std::string cause;     ///< its id; empty for what no known mistake explains
+  std::string sentence;  ///< what is wrong, in words, where it is, and how much it explains
   std::uint64_t explained;
 };
 
@@ -44,7 +49,8 @@ struct Finding {
 
 /// Holds every known mistake against everything that an engine said. A mistake explains a wrong claim where its formula
 /// gives what was claimed, and is contradicted by a right claim where it gives something else. Memory is bounded:
-/// counts by mistake, and by set of mistakes.
+/// counts by mistake, and by set of mistakes. What is found does not depend on the order of the answers, nor on how
+/// they were divided before `merge`.
 class Diagnosis {
  public:
   /// What was said to a question inside the domain, right or wrong.
@@ -61,6 +67,12 @@ class Diagnosis {
   /// Findings, then the conventions under which wrong answers would be right: a sentence each.
   [[nodiscard]] std::vector<std::string> lines() const;
 
+  /// All that was counted, for an archive of Cereal's.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(explanations_, wrong_, sets_, unexplained_, contradicted_, answered_, silent_, outside_);
+  }
+
  private:
   static constexpr std::size_t kMostCauses = 256;
   static constexpr std::size_t kMostSets = 4096;
@@ -71,27 +83,38 @@ class Diagnosis {
     Pair pair;
     Region region;
 
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(aspect, pair, region);
+    }
     friend auto operator<=>(const Place&, const Place&) = default;
   };
-  struct Unexplained {
+  struct Explained {
     Place place;
-    Set by;  ///< the mistakes that explain it
-    friend bool operator<(const Unexplained& x, const Unexplained& y) {
-      if (x.place != y.place) return x.place < y.place;
-      return x.by.to_string() < y.by.to_string();
+    Set by;  ///< the mistakes that explain it, at least one
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(place, by);
+    }
+    friend bool operator<(const Explained& x, const Explained& y) {
+      if (x.by != y.by) return x.by.to_string() < y.by.to_string();
+      return x.place < y.place;
     }
   };
   class Gain;
 
   void count(const Place& place, bool is_right, const Set& agree, const Set& differ);
+  void add_wrong(const Explained& set, std::uint64_t n);
 
   std::map<Explanation, std::uint64_t> explanations_;
   std::map<std::string, std::uint64_t> wrong_;
-  std::map<Unexplained, std::uint64_t> sets_;
-  std::map<Place, std::vector<std::uint32_t>> contradicted_;  ///< right claims, by mistake
+  std::map<Explained, std::uint64_t> sets_;                   ///< wrong claims, by the mistakes that explain them
+  std::map<Place, std::uint64_t> unexplained_;                ///< wrong claims that none explains, or too few sets tell
+  std::map<Place, std::vector<std::uint64_t>> contradicted_;  ///< right claims, by mistake
   std::map<Pair, std::uint64_t> answered_;
-  std::map<Pair, std::uint64_t> silent_;               ///< questions without an answer
-  std::map<std::string_view, std::uint64_t> outside_;  ///< answers outside the domain, by what is wrong there
+  std::map<Pair, std::uint64_t> silent_;                       ///< questions without an answer
+  std::map<std::string, std::uint64_t, std::less<>> outside_;  ///< answers outside the domain, by what is wrong there
 };
 
 }  // namespace contact::oracle

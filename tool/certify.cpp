@@ -1,5 +1,6 @@
 // certify: engines held against golden files, or against questions generated on the spot.
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <tbb/global_control.h>
 
 #include <CLI/App.hpp>
@@ -8,11 +9,12 @@
 #include <memory>
 #include <random>
 
-#include "golden/output_file.hpp"
+#include "tool/cluster.hpp"
 #include "tool/commands.hpp"
 #include "tool/engine_options.hpp"
-#include "tool/pipeline.hpp"
+#include "tool/parts.hpp"
 #include "tool/process.hpp"
+#include "tool/report_files.hpp"
 
 namespace contact::tool {
 namespace {
@@ -26,13 +28,14 @@ struct Options {
   std::uint64_t generate = 0;
   std::vector<std::string> pairs;
   std::optional<std::uint64_t> seed;
-  std::string report;
-  std::string junit;
-  std::string json;
-  std::string markdown;
+  ReportOptions reports;
   std::string baseline;
   bool fail_fast = false;
   double max_time = 0;  ///< seconds; 0: no limit
+  std::string parts;    ///< folder
+  std::uint64_t shards = 64;
+  std::string shard;
+  bool stats = false;
 };
 
 [[noreturn]] void refuse(const std::string& problem) { throw golden::InputError({"certify", 0}, "", problem); }
@@ -101,7 +104,8 @@ std::vector<Subject> subjects(const Options& options, bool scoreboard, const Sto
     subject.report.required = static_cast<Level>(index_of(oracle::kLevelNames, options.level, "level"));
     subject.report.allow_unsupported = options.allow_unsupported;
     if (subject.report.required == Level::none) refuse("--level none asks for nothing");
-    subject.report.baseline = baseline;
+    subject.baseline = baseline;
+    if (baseline != nullptr) subject.report.accepted = baseline->accepted();
     if (baseline != nullptr && baseline->engine() != subject.report.engine.name)
       throw golden::InputError({options.baseline, 0}, "engine.name",
                                fmt::format("accepts failures of '{}', and the engine is '{}'", baseline->engine(),
@@ -110,15 +114,45 @@ std::vector<Subject> subjects(const Options& options, bool scoreboard, const Sto
   return found;
 }
 
-/// A report's file, opened before the work so that a name that cannot be written is refused at once.
-std::unique_ptr<golden::OutputFile> opened(const std::string& path) {
-  return path.empty() ? nullptr : std::make_unique<golden::OutputFile>(path);
-}
+/// Parts that are kept in a folder, so that work which was interrupted goes on from those that are finished.
+class Kept {
+ public:
+  Kept(const std::string& folder, const std::vector<Source>& sources, const Report& report)
+      : folder_(folder), run_(folder.empty() ? "" : run_text(sources, report)) {
+    if (folder.empty()) return;
+    std::error_code failed;
+    std::filesystem::create_directories(folder_, failed);
+    if (!std::filesystem::is_directory(folder_))
+      throw golden::InputError({folder, 0}, "--parts", "no folder, and none can be made here");
+  }
 
-void write(const std::unique_ptr<golden::OutputFile>& file, const std::string& text) {
-  if (file == nullptr) return;
-  file->write(text);
-  file->commit();
+  /// The bytes of a part that is there. Throws InputError where it is damaged, or of another run.
+  [[nodiscard]] std::optional<std::string> find(golden::Shard part) const {
+    if (folder_.empty() || !std::filesystem::exists(folder_ / part_name(part))) return std::nullopt;
+    const PartFile file = read_part(folder_ / part_name(part));
+    require_run(file, run_, "what is asked for now");
+    return pack(file.content);
+  }
+  void keep(golden::Shard part, const std::string& bytes) const {
+    if (!folder_.empty()) write_part(folder_ / part_name(part), part, run_, bytes);
+  }
+
+ private:
+  std::filesystem::path folder_;
+  std::string run_;
+};
+
+/// Standard error: how long it took, and how much memory. (Not in the report, which is the same every time.)
+void print_stats(const std::vector<Report>& reports, std::chrono::steady_clock::duration taken) {
+  const double seconds = std::chrono::duration<double>(taken).count();
+  const auto cases = static_cast<double>(reports.front().total().cases);
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  const auto cpu = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  fmt::print(stderr, "{:.0f} questions in {:.1f} s, {:.0f} a second of processor time; {:.0f} MB at most\n", cases,
+             seconds, cases / (cpu(used.ru_utime) + cpu(used.ru_stime)), static_cast<double>(used.ru_maxrss) / 1024);
 }
 
 int certify(const Options& options) {
@@ -132,36 +166,55 @@ int certify(const Options& options) {
   std::vector<Subject> judged = subjects(options, scoreboard, stop);
   std::vector<Source> sources;
   if (options.generate != 0) {
+    if (!options.seed && (!options.parts.empty() || Cluster::size() > 1))
+      refuse("--generate in parts needs --seed: every part has the same");
     std::random_device entropy;
     const std::uint64_t seed = options.seed.value_or((static_cast<std::uint64_t>(entropy()) << 20) ^ entropy());
-    fmt::print("seed {}\n", seed);
+    if (Cluster::is_first()) fmt::print("seed {}\n", seed);
     sources = generated(options, seed);
   } else {
     sources = datasets(options);
   }
-  const auto json = opened(options.json);
-  const auto junit = opened(options.junit);
-  const auto markdown = opened(options.markdown);
-  const auto report = opened(options.report);
+  if (stop.at_first_failure && (!options.parts.empty() || Cluster::size() > 1))
+    refuse("--fail-fast ends one run; parts are judged each for itself");
+  if (!options.parts.empty() && scoreboard) refuse("--parts keeps what one engine did: give the engine");
+  const Kept kept(options.parts, sources, judged.front().report);
   if (options.max_time > 0)
     stop.deadline = Stop::Clock::now() + std::chrono::milliseconds(static_cast<std::int64_t>(options.max_time * 1000));
-  for (const Source& source : sources) judge_source(source, judged, stop);
-
+  const auto judge = [&](golden::Shard part) {
+    if (auto bytes = kept.find(part)) return *std::move(bytes);
+    std::string bytes = pack(judge_part(cut(sources, part), judged, stop));
+    if (stop.why.empty()) kept.keep(part, bytes);
+    return bytes;
+  };
   std::vector<Report> reports;
-  for (Subject& subject : judged) {
-    if (subject.report.unreached == 0) subject.report.unknown_answers = subject.engine->unasked();
-    reports.push_back(std::move(subject.report));
+  for (const Subject& subject : judged) reports.push_back(subject.report);
+
+  if (!options.shard.empty()) {
+    const golden::Shard part = golden::read_shard(options.shard, {"certify", 0}, "--shard");
+    merge(reports, unpack(judge(part)), true);
+    const Report& found = reports.front();
+    const bool wrong = found.judged() != 0 && !found.certified();
+    fmt::print("part {} of {}: {} questions judged, {}; the verdict is that of `merge`\n", part.index, part.of,
+               found.judged(), wrong ? "and not all is right" : "and nothing is wrong");
+    return wrong ? kRefuted : kCertified;
   }
-  const Report& first = reports.front();
-  write(json, json_text(first));
-  write(junit, junit_text(first));
-  write(markdown, markdown_text(first));
-  write(report, html_text(reports));
-  fmt::print("{}", scoreboard ? scoreboard_text(reports) : terminal_text(first));
-  if (!options.report.empty()) fmt::print("\nReport: {}\n", options.report);
-  if (first.judged() == 0) refuse("no case was judged: see what was skipped, and why");
-  if (first.harness_invalid()) return kHarnessInvalid;
-  return first.certified() ? kCertified : kRefuted;
+  std::optional<ReportFiles> files;
+  if (Cluster::is_first()) files.emplace(options.reports);
+  const auto begin = std::chrono::steady_clock::now();
+  // One process that keeps nothing has no use for parts.
+  const std::uint64_t parts = options.parts.empty() && Cluster::size() == 1 ? 1 : options.shards;
+  Cluster::in_order(
+      parts,
+      [&](std::uint64_t i) {
+        return judge({i, parts});
+      },
+      [&](std::uint64_t i, const std::string& bytes) { merge(reports, unpack(bytes), i == 0); });
+  if (!files) return kCertified;
+  for (Report& report : reports)
+    if (report.unreached != 0) report.unknown_answers.clear();
+  if (options.stats) print_stats(reports, std::chrono::steady_clock::now() - begin);
+  return files->write(reports, scoreboard);
 }
 
 }  // namespace
@@ -195,10 +248,15 @@ void add_certify(CLI::App& app, int& exit) {
       ->add_option("--max-time", options->max_time,
                    "Stop after so many seconds; the questions left are missing, which is never a pass")
       ->check(kSeconds);
-  command->add_option("--report", options->report, "Write the report as HTML");
-  command->add_option("--junit", options->junit, "Write the report as JUnit XML");
-  command->add_option("--json", options->json, "Write the report as JSON");
-  command->add_option("--markdown", options->markdown, "Write the report as Markdown, for the summary of a CI job");
+  auto* parts = command->add_option("--parts", options->parts,
+                                    "A folder that keeps what each part of the run found: a run that was interrupted "
+                                    "goes on from there");
+  command->add_option("--shards", options->shards, "Into how many parts the run is cut")
+      ->capture_default_str()
+      ->check(kFromOne);
+  command->add_option("--shard", options->shard, "I/N: judge only part I (from 0) of N, for `merge`")->needs(parts);
+  command->add_flag("--stats", options->stats, "Say on standard error how long it took, and how much memory");
+  add_report_options(*command, options->reports);
   command->callback([options, &exit] { exit = certify(*options); });
 }
 

@@ -5,7 +5,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <unordered_set>
 
 #include "golden/dataset.hpp"
@@ -28,17 +27,6 @@ struct GenerateOptions {
   std::optional<std::string> shard;
   std::string output;
 };
-
-golden::Shard read_shard(const std::string& text) {
-  golden::Shard shard{};
-  char slash = 0;
-  std::istringstream stream(text);
-  stream >> shard.index >> slash >> shard.of;
-  if (!stream || slash != '/' || !stream.eof() || text.find('-') != std::string::npos || shard.of == 0 ||
-      shard.index >= shard.of)
-    throw InputError({"generate", 0}, "--shard", fmt::format("expected I/N with I below N, got '{}'", text));
-  return shard;
-}
 
 /// Writes a header and the cases of `count` questions, worked out on every thread and written in order.
 void write_dataset(const golden::DatasetHeader& header, const std::string& path,
@@ -87,13 +75,10 @@ void generate(const GenerateOptions& o) {
   header.count = o.count;
   std::uint64_t first = 0;
   if (o.shard) {
-    // Shard I of N of C questions holds those from floor(I C / N) to below floor((I + 1) C / N).
-    header.shard = read_shard(*o.shard);
-    const auto cut = [&](std::uint64_t i) {
-      return o.count / header.shard->of * i + o.count % header.shard->of * i / header.shard->of;
-    };
-    first = cut(header.shard->index);
-    header.count = cut(header.shard->index + 1) - first;
+    const golden::Shard shard = golden::read_shard(*o.shard, where, "--shard");
+    header.shard = shard;
+    first = golden::shard_begin(o.count, shard);
+    header.count = golden::shard_begin(o.count, {shard.index + 1, shard.of}) - first;
   }
   write_dataset(header, o.output, [&](std::uint64_t i) {
     return golden::generate_query(header.pair, *family, header.scalar, header.seed, first + i);

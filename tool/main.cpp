@@ -7,9 +7,11 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <optional>
 
 #include "engines/subprocess.hpp"
 #include "golden/input_error.hpp"
+#include "tool/cluster.hpp"
 #include "tool/commands.hpp"
 #include "tool/process.hpp"
 
@@ -62,6 +64,7 @@ int run(int argc, char** argv) {
   add_serve(app, exit);
   add_properties(app, exit);
   add_lint(app, exit);
+  add_merge(app, exit);
   add_detect(app, exit);
   add_lists(app, exit);
   try {
@@ -82,28 +85,49 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace contact::tool
 
-int main(int argc, char** argv) {
-  using namespace contact;
-  tool::catch_signals();
+namespace contact::tool {
+namespace {
+
+/// Everything from the command line to the exit code, with whatever goes wrong told on standard error.
+int guarded(int argc, char** argv) {
   try {
-    const int exit = tool::run(argc, argv);
+    const int exit = run(argc, argv);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
       throw golden::InputError({"standard output", 0}, "", "cannot write");
     return exit;
   } catch (const golden::InputError& error) {
     fmt::print(stderr, "contact-oracle: {}\n", error.what());
-    return tool::kBadInput;
-  } catch (const tool::OracleFault& error) {
+    return kBadInput;
+  } catch (const OracleFault& error) {
     fmt::print(stderr, "contact-oracle: ORACLE FAULT: {}\n", error.what());
-    return tool::kOracleFault;
+    return kOracleFault;
   } catch (const engines::HarnessInvalid& error) {
     fmt::print(stderr, "contact-oracle: harness invalid: {}\n", error.what());
-    return tool::kHarnessInvalid;
-  } catch (const tool::Interrupted&) {
+    return kHarnessInvalid;
+  } catch (const Interrupted&) {
     fmt::print(stderr, "contact-oracle: interrupted; nothing was written\n");
-    return tool::kInterrupted;
+    return kInterrupted;
   } catch (const std::exception& error) {
+    fmt::print(stderr, "contact-oracle: {}\n", error.what());
+    return kBadInput;
+  }
+}
+
+}  // namespace
+}  // namespace contact::tool
+
+int main(int argc, char** argv) {
+  using namespace contact;
+  tool::catch_signals();
+  std::optional<tool::Cluster> cluster;
+  try {
+    cluster.emplace(argc, argv);
+  } catch (const golden::InputError& error) {
     fmt::print(stderr, "contact-oracle: {}\n", error.what());
     return tool::kBadInput;
   }
+  const int exit = tool::guarded(argc, argv);
+  // A process that fails would leave the others waiting for it. One that merely refutes has nobody waiting.
+  if (exit > tool::kRefuted) tool::Cluster::end_all(exit);
+  return exit;
 }

@@ -25,33 +25,36 @@ struct Item {
 class Questions {
  public:
   explicit Questions(const Source& source) : source_(source) {
-    if (source.dataset) reader_.emplace(*source.dataset);
+    if (!source.dataset || source.count == 0) return;
+    reader_.emplace(*source.dataset);
+    reader_->skip(source.first);
   }
 
   [[nodiscard]] std::vector<Item> next() {
     std::vector<Item> items;
-    while (items.size() < kRun) {
+    for (; items.size() < kRun && asked_ < source_.count; ++asked_) {
       if (reader_) {
         auto c = reader_->next();
         if (!c) break;
         items.push_back({{c->id, c->query}, std::move(c), reader_->where()});
       } else {
-        if (made_ == source_.count) break;
+        const std::uint64_t index = source_.first + asked_;
         const Query query =
-            golden::generate_query(source_.pair, *source_.generator, source_.scalar, source_.seed, made_);
+            golden::generate_query(source_.pair, *source_.generator, source_.scalar, source_.seed, index);
         items.push_back({{golden::query_id(query), query},
                          std::nullopt,
-                         {fmt::format("{}, seed {}, index {}", source_.family, source_.seed, made_), 0}});
-        ++made_;
+                         {fmt::format("{}, seed {}, index {}", source_.family, source_.seed, index), 0}});
       }
     }
+    // Behind the last case the reader compares what it read with what the header says.
+    if (items.empty() && reader_ && source_.first + asked_ == reader_->header().count) (void)reader_->next();
     return items;
   }
 
  private:
   const Source& source_;
   std::optional<golden::DatasetReader> reader_;
-  std::uint64_t made_ = 0;
+  std::uint64_t asked_ = 0;
 };
 
 /// What both oracles say of a question: exactly, and rounded to each scalar that matters.
@@ -88,41 +91,33 @@ bool within_scale(const Query& query, const Conventions& conventions) {
   return within;
 }
 
-/// What one slice of questions adds to one report.
-struct Partial {
-  FamilyReport family;
-  std::uint64_t out_of_scale = 0;
-  std::vector<WorstCase> worst;
-  std::vector<Failure> failures;
-  std::vector<std::string> gone;
-  oracle::Diagnosis why;
-};
-
 void judge_one(const Item& item, const std::optional<Agreed>& agreed, const Source& source, const Claim& claim,
-               const Report& report, Partial& partial) {
+               const Subject& subject, Findings& found) {
   const auto& [id, query] = item.question;
+  const Report& report = subject.report;
+  const Baseline* baseline = subject.baseline.get();
   const oracle::Declaration& declared = report.engine.declared;
   const oracle::Truth* truth = agreed ? &agreed->truth : nullptr;
   const Expectation* rounded = agreed ? agreed->in(declared.scalar) : nullptr;
   const Verdict verdict =
       agreed ? oracle::judge(query, *truth, claim, declared, rounded) : oracle::judge_outside_domain(claim);
   const Level level = verdict.level();
-  partial.family.add(verdict, id, truth != nullptr && truth->hit());
-  const bool accepted = level > report.required && report.baseline != nullptr && report.baseline->accepts(id, level);
+  found.families.front().add(verdict, id, truth != nullptr && truth->hit());
+  const bool accepted = level > report.required && baseline != nullptr && baseline->accepts(id, level);
   // What is right speaks against a hypothesis as what is wrong speaks for one.
-  if (truth != nullptr && !accepted) partial.why.add(query, *truth, claim, declared, verdict, rounded);
-  if (verdict.answered_outside_domain && !accepted) partial.why.add_outside_domain(query);
+  if (truth != nullptr && !accepted) found.why.add(query, *truth, claim, declared, verdict, rounded);
+  if (verdict.answered_outside_domain && !accepted) found.why.add_outside_domain(query);
   if (level <= report.required) {
-    if (report.baseline != nullptr && report.baseline->lists(id)) partial.gone.push_back(id);
+    if (baseline != nullptr && baseline->lists(id)) found.gone.insert(id);
     return;
   }
   if (report.allow_unsupported && verdict.status == Claim::Status::unsupported) return;
-  const WorstCase found{query, source.scalar, verdict};
-  partial.failures.push_back({id, query.pair, source.scalar, source.family, level, found.what(), accepted});
+  const WorstCase worst{query, source.scalar, verdict};
+  found.add(Failure{id, query.pair, source.scalar, source.family, level, worst.what(), accepted});
   if (accepted)
-    partial.family.accept(level);
+    found.families.front().accept(level);
   else
-    partial.worst.push_back(found);
+    found.add(worst);
 }
 
 /// Why an engine's declaration excludes a whole source, or nothing.
@@ -152,32 +147,35 @@ void Stop::check() const {
 void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& stop) {
   std::vector<Subject*> judged;
   std::vector<Scalar> scalars{source.scalar};
+  FamilyReport none;
+  none.pair = source.pair;
+  none.scalar = source.scalar;
+  none.family = source.family;
   for (Subject& subject : subjects) {
     const golden::EngineInfo& engine = subject.engine->info();
-    const std::string what =
-        source.dataset ? source.dataset->string() : fmt::format("{}/{}", name(source.pair), source.family);
+    none.source = subject.report.sources++;
     if (const auto why = excluded(source, engine)) {
-      subject.report.skipped.push_back({what, *why, source.count});
+      const std::string what =
+          source.dataset ? source.dataset->string() : fmt::format("{}/{}", name(source.pair), source.family);
+      subject.report.skipped.push_back({what, *why, source.count, none.source});
       continue;
     }
     judged.push_back(&subject);
-    FamilyReport& family = subject.report.families.emplace_back();
-    family.pair = source.pair;
-    family.scalar = source.scalar;
-    family.family = source.family;
+    subject.report.families.push_back(none);
     if (std::find(scalars.begin(), scalars.end(), engine.declared.scalar) == scalars.end())
       scalars.push_back(engine.declared.scalar);
   }
   Questions questions(source);
   Progress progress(fmt::format("{}/{}", name(source.pair), source.family), source.count);
-  std::vector<std::uint64_t> out_of_scale(judged.size());
   std::uint64_t reached = 0;
   while (stop.why.empty()) {
     const std::vector<Item> items = questions.next();
     if (items.empty()) break;
     throw_if_interrupted();
     const std::size_t slices = (items.size() + kSlice - 1) / kSlice;
-    std::vector<std::vector<Partial>> partials(slices, std::vector<Partial>(judged.size()));
+    Findings nothing;
+    nothing.families.push_back(none);
+    std::vector<std::vector<Findings>> found(slices, std::vector<Findings>(judged.size(), nothing));
     // A slice that is not asked is not reached. The first that fails ends the run: those before it are all asked, and
     // what is found in those behind it is left out, so that the report does not depend on the threads.
     std::vector<char> asked_all(slices);
@@ -195,20 +193,21 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
         std::vector<engines::Question> asked;
         std::vector<std::size_t> which;
         for (std::size_t i = 0; i < mine.size(); ++i) {
-          if (!within_scale(mine[i].question.query, judged[s]->report.engine.declared.conventions)) {
-            ++partials[slice][s].out_of_scale;
-            continue;
-          }
+          if (!within_scale(mine[i].question.query, judged[s]->report.engine.declared.conventions)) continue;
           asked.push_back(mine[i].question);
           which.push_back(i);
         }
+        if (asked.size() < mine.size())
+          found[slice][s].skipped.push_back({fmt::format("{}/{}", name(source.pair), source.family),
+                                             "numbers outside the scale that the engine declares",
+                                             mine.size() - asked.size(), none.source});
         const std::vector<Claim> claims = judged[s]->engine->answer(asked);
         for (std::size_t k = 0; k < asked.size(); ++k)
-          judge_one(mine[which[k]], truths[which[k]], source, claims[k], judged[s]->report, partials[slice][s]);
+          judge_one(mine[which[k]], truths[which[k]], source, claims[k], *judged[s], found[slice][s]);
       }
       const auto is_new = [](const Failure& f) { return !f.accepted; };
       if (stop.at_first_failure && !judged.empty() && judged.front() == &subjects.front() &&
-          std::any_of(partials[slice][0].failures.begin(), partials[slice][0].failures.end(), is_new))
+          std::any_of(found[slice][0].failures.begin(), found[slice][0].failures.end(), is_new))
         for (std::size_t before = failed; slice < before && !failed.compare_exchange_weak(before, slice);) {
         }
       asked_all[slice] = 1;
@@ -218,23 +217,12 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
       try {
         ask(slice);
       } catch (const TimeUp&) {
-        partials[slice].assign(judged.size(), {});
       }
     });
-    // Merged in the order of the questions, so that a report does not depend on the threads.
     for (std::size_t i = 0; i < slices; ++i) {
       if (asked_all[i] == 0 || i > failed) continue;
-      const auto& slice = partials[i];
       reached += std::min(kSlice, items.size() - i * kSlice);
-      for (std::size_t s = 0; s < judged.size(); ++s) {
-        Report& report = judged[s]->report;
-        report.families.back().merge(slice[s].family);
-        out_of_scale[s] += slice[s].out_of_scale;
-        for (const WorstCase& w : slice[s].worst) report.add(w);
-        for (const Failure& f : slice[s].failures) report.add(f);
-        report.gone.insert(slice[s].gone.begin(), slice[s].gone.end());
-        report.why.merge(slice[s].why);
-      }
+      for (std::size_t s = 0; s < judged.size(); ++s) judged[s]->report.merge(found[i][s]);
     }
     if (failed < slices) stop.why = "the first failure ended the run";
     if (stop.late()) stop.why = "the time was up";
@@ -245,10 +233,6 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
     subject->report.families.back().add_unreached(source.count - reached);
     subject->report.stopped = stop.why;
   }
-  for (std::size_t s = 0; s < judged.size(); ++s)
-    if (out_of_scale[s] != 0)
-      judged[s]->report.skipped.push_back({fmt::format("{}/{}", name(source.pair), source.family),
-                                           "numbers outside the scale that the engine declares", out_of_scale[s]});
 }
 
 }  // namespace contact::tool

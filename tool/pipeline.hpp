@@ -21,16 +21,18 @@ struct Source {
   Pair pair;
   Scalar scalar;
   std::string family;
-  std::uint64_t count;
+  std::uint64_t count;  ///< of the questions that are judged
   std::optional<std::filesystem::path> dataset;
   const golden::Family* generator = nullptr;
   std::uint64_t seed = 0;
+  std::uint64_t first = 0;  ///< questions before those
 };
 
 /// An engine under judgement and what was found of it.
 struct Subject {
   std::unique_ptr<engines::Engine> engine;
   Report report;
+  std::shared_ptr<const Baseline> baseline = nullptr;  ///< failures that it may have
 };
 
 /// Thrown by Stop::check where the time is up.

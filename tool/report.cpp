@@ -158,7 +158,7 @@ double WorstCase::severity() const {
                                     : std::ldexp(1e300, static_cast<int>(Kind::number_off) - static_cast<int>(kind()));
 }
 
-void Report::add(const WorstCase& c) {
+void Findings::add(const WorstCase& c) {
   const auto above = [](double severity, const WorstCase& w) { return severity > w.severity(); };
   worst.insert(std::upper_bound(worst.begin(), worst.end(), c.severity(), above), c);
   // Some of every kind rather than the same thing many times: the least severe of a kind that has enough goes.
@@ -167,9 +167,34 @@ void Report::add(const WorstCase& c) {
   worst.erase(std::prev(std::find_if(worst.rbegin(), worst.rend(), of_kind).base()));
 }
 
-void Report::add(Failure failure) {
+void Findings::add(Failure failure) {
   ++failure_count;
   if (failures.size() < kMostFailures) failures.push_back(std::move(failure));
+}
+
+void Findings::merge(const Findings& later) {
+  sources = std::max(sources, later.sources);
+  // What is there of a source is added to; what is not has its place in the order of the sources.
+  const auto into = [](auto& all, const auto& from, auto add) {
+    for (const auto& x : from) {
+      const auto at = std::lower_bound(all.begin(), all.end(), x.source,
+                                       [](const auto& y, std::size_t source) { return y.source < source; });
+      if (at != all.end() && at->source == x.source)
+        add(*at, x);
+      else
+        all.insert(at, x);
+    }
+  };
+  into(families, later.families, [](FamilyReport& f, const FamilyReport& more) { f.merge(more); });
+  into(skipped, later.skipped, [](Skipped& s, const Skipped& more) { s.cases += more.cases; });
+  for (const WorstCase& w : later.worst) add(w);
+  failure_count += later.failure_count;
+  const std::size_t room = std::min(kMostFailures - failures.size(), later.failures.size());
+  failures.insert(failures.end(), later.failures.begin(), later.failures.begin() + static_cast<std::ptrdiff_t>(room));
+  gone.insert(later.gone.begin(), later.gone.end());
+  unreached += later.unreached;
+  if (stopped.empty()) stopped = later.stopped;
+  why.merge(later.why);
 }
 
 FamilyReport Report::total() const {
@@ -225,20 +250,19 @@ std::string Report::sentence() const {
                         grade == Grade::beyond_bound ? "beyond the bound" : fmt::format("only {}", name(grade))));
   }
   const std::string beyond =
-      baseline == nullptr
-          ? ""
-          : fmt::format(", {} more than the {} that the baseline accepts",
-                        count(failure_count + unreached - all.accepted, "failure", "failures"), all.accepted);
+      !accepted ? ""
+                : fmt::format(", {} more than the {} that the baseline accepts",
+                              count(failure_count + unreached - all.accepted, "failure", "failures"), all.accepted);
   return fmt::format("REFUTED: {} does not reach {} on {}{}: {}.", who(), name(required), of, beyond,
                      fmt::join(reasons, ", "));
 }
 
 std::vector<std::string> Report::baseline_lines() const {
-  if (baseline == nullptr) return {};
+  if (!accepted) return {};
   constexpr std::size_t kShown = 20;
-  const std::uint64_t accepted = total().accepted;
-  std::vector<std::string> lines{fmt::format("{} accepts {}; {} met again, {} gone", baseline->path(),
-                                             count(baseline->size(), "failure", "failures"), accepted, gone.size())};
+  std::vector<std::string> lines{fmt::format("{} accepts {}; {} met again, {} gone", accepted->path,
+                                             count(accepted->failures, "failure", "failures"), total().accepted,
+                                             gone.size())};
   std::size_t shown = 0;
   for (const std::string& id : gone)
     if (shown++ < kShown) lines.push_back(id + " is right now");
@@ -309,12 +333,12 @@ std::string json_text(const Report& report) {
                             failures.empty() ? "" : ",\n", f.id, name(f.pair), name(f.scalar), json_string(f.family),
                             name(f.level), json_string(f.what), f.accepted ? R"(,"accepted":true)" : "");
   std::string baseline;
-  if (report.baseline != nullptr) {
+  if (report.accepted) {
     std::string gone;
     for (const std::string& id : report.gone) gone += fmt::format("{}\"{}\"", gone.empty() ? "" : ",", id);
     baseline =
         fmt::format(R"("baseline":{{"file":{},"accepts":{},"met":{},"gone":[{}]}},{})",
-                    json_string(report.baseline->path()), report.baseline->size(), report.total().accepted, gone, "\n");
+                    json_string(report.accepted->path), report.accepted->failures, report.total().accepted, gone, "\n");
   }
   std::string diagnosis;
   for (const std::string& d : report.why.lines()) diagnosis += (diagnosis.empty() ? "" : ",") + json_string(d);

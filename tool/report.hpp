@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -36,6 +35,7 @@ struct FieldCount {
 
 /// One dataset, or one generated family.
 struct FamilyReport {
+  std::size_t source = 0;  ///< which source of the run, from 0
   Pair pair = Pair::sphere_sphere;
   Scalar scalar = Scalar::binary64;
   std::string family;
@@ -86,22 +86,34 @@ struct Skipped {
   std::string what;
   std::string why;
   std::uint64_t cases;
+  std::size_t source = 0;  ///< which source of the run, from 0
 };
 
-struct Report {
+/// What a run found, or a part of one. Parts merged in the order of their questions give what the whole run finds, to
+/// the last byte, wherever it was cut.
+struct Findings {
+  std::size_t sources = 0;             ///< datasets and generated families looked at
+  std::vector<FamilyReport> families;  ///< one for each source that is not skipped, in their order
+  std::vector<Skipped> skipped;        ///< likewise, at most one a source
+  std::vector<WorstCase> worst;        ///< at most kWorstOfAKind of each kind, the worst first; none that is accepted
+  std::vector<Failure> failures;       ///< the first kMostFailures
+  std::uint64_t failure_count = 0;     ///< of all, accepted or not
+  std::set<std::string> gone;          ///< ids of accepted failures that fail no longer
+  std::uint64_t unreached = 0;         ///< cases that the run ended before; counted as missing
+  std::string stopped;                 ///< why it ended before them
+  oracle::Diagnosis why;               ///< what the wrong answers have in common
+
+  void add(const WorstCase& c);
+  void add(Failure failure);
+  /// `later`: what was found in questions behind these.
+  void merge(const Findings& later);
+};
+
+struct Report : Findings {
   golden::EngineInfo engine;
   Level required = Level::bounded;
   bool allow_unsupported = false;
-  std::vector<FamilyReport> families;
-  std::vector<Skipped> skipped;
-  std::vector<WorstCase> worst;     ///< at most kWorstOfAKind of each kind, the worst first; none that is accepted
-  std::vector<Failure> failures;    ///< the first kMostFailures
-  std::uint64_t failure_count = 0;  ///< of all, accepted or not
-  std::shared_ptr<const Baseline> baseline;
-  std::set<std::string> gone;   ///< ids of accepted failures that fail no longer
-  std::uint64_t unreached = 0;  ///< cases that the run ended before; counted as missing
-  std::string stopped;          ///< why it ended before them
-  oracle::Diagnosis why;        ///< what the wrong answers have in common
+  std::optional<Accepted> accepted;          ///< what the baseline is, where one is given
   std::vector<std::string> unknown_answers;  ///< ids of recorded answers to questions that were not asked
 
   [[nodiscard]] FamilyReport total() const;
@@ -121,8 +133,6 @@ struct Report {
   [[nodiscard]] std::vector<std::string> baseline_lines() const;
   /// Which cases were not judged, and why: those skipped and those not reached, a line each.
   [[nodiscard]] std::vector<std::string> left_out() const;
-  void add(const WorstCase& c);
-  void add(Failure failure);
 };
 
 inline constexpr std::size_t kWorstOfAKind = 2;

@@ -52,15 +52,20 @@ struct SavedReport {
 /// Reads a report that `certify --json` wrote. Throws golden::InputError with file and field.
 [[nodiscard]] SavedReport read_report(const std::filesystem::path& path);
 
+/// What a report says of its baseline.
+struct Accepted {
+  std::string path;
+  std::uint64_t failures;
+};
+
 /// Failures that a run may have again, by question.
 class Baseline {
  public:
   /// Throws golden::InputError where the report does not list all failures.
   explicit Baseline(const SavedReport& report);
 
-  [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] const std::string& engine() const { return engine_; }
-  [[nodiscard]] std::uint64_t size() const { return levels_.size(); }
+  [[nodiscard]] Accepted accepted() const { return {path_, levels_.size()}; }
   [[nodiscard]] bool lists(const std::string& id) const { return levels_.contains(id); }
   /// Whether a question may be answered no better than `level`: it was answered no better then.
   [[nodiscard]] bool accepts(const std::string& id, oracle::Level level) const;

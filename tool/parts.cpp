@@ -1,0 +1,255 @@
+// A run cut into parts: judged anywhere, kept in files, merged to the report of the whole run.
+#include "tool/parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cereal/archives/portable_binary.hpp>
+#include <cereal/types/array.hpp>
+#include <cereal/types/bitset.hpp>
+#include <cereal/types/map.hpp>
+#include <cereal/types/optional.hpp>
+#include <cereal/types/set.hpp>
+#include <cereal/types/string.hpp>
+#include <cereal/types/vector.hpp>
+#include <iterator>
+#include <sstream>
+
+#include "golden/output_file.hpp"
+#include "golden/query_id.hpp"
+#include "golden/results.hpp"
+#include "tool/process.hpp"
+
+// How Cereal walks through what others declare.
+namespace contact::oracle {
+
+template <class Archive>
+void serialize(Archive& archive, FieldVerdict& v) {
+  archive(v.grade, v.error);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Verdict& v) {
+  archive(v.status, v.text, v.overlap, v.contact, v.answered_outside_domain, v.fields);
+}
+
+}  // namespace contact::oracle
+
+namespace contact::tool {
+
+template <class Archive>
+void serialize(Archive& archive, FieldCount& c) {
+  archive(c.grades, c.worst, c.worst_id);
+}
+
+template <class Archive>
+void serialize(Archive& archive, FamilyReport& f) {
+  archive(f.source, f.pair, f.scalar, f.family, f.cases, f.hits, f.missed_hits, f.false_hits, f.outside_domain,
+          f.not_finite, f.accepted, f.statuses, f.fields, f.levels, f.accepted_levels);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Skipped& s) {
+  archive(s.what, s.why, s.cases, s.source);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Failure& f) {
+  archive(f.id, f.pair, f.scalar, f.family, f.level, f.what, f.accepted);
+}
+
+template <class Archive>
+void save(Archive& archive, const WorstCase& w) {
+  archive(golden::query_line(w.query, w.scalar), w.query.pair, w.scalar, w.verdict);
+}
+
+template <class Archive>
+void load(Archive& archive, WorstCase& w) {
+  std::string line;
+  Pair pair{};
+  archive(line, pair, w.scalar, w.verdict);
+  const golden::Location where{"a worst case", 0};
+  const auto json = golden::parse_object(line, where);
+  w.query = golden::read_inputs(golden::Node(json, where), pair);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Findings& f) {
+  archive(f.sources, f.families, f.skipped, f.worst, f.failures, f.failure_count, f.gone, f.unreached, f.stopped,
+          f.why);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Part& p) {
+  archive(p.found, p.unasked);
+}
+
+namespace {
+
+constexpr std::string_view kFormat = "contact-oracle/part";
+constexpr std::uint64_t kVersion = 1;
+
+std::string digest_of_file(const std::filesystem::path& path) {
+  auto file = golden::open_to_read(path, true);
+  golden::Sha256 hash;
+  std::array<char, 1 << 16> buffer;
+  while (file.read(buffer.data(), buffer.size()) || file.gcount() > 0) {
+    hash.add({buffer.data(), static_cast<std::size_t>(file.gcount())});
+    throw_if_interrupted();
+  }
+  return hash.hex();
+}
+
+}  // namespace
+
+std::vector<Source> cut(std::vector<Source> sources, golden::Shard part) {
+  std::uint64_t all = 0;
+  for (const Source& source : sources) all += source.count;
+  const auto at = [&](std::uint64_t i) { return golden::shard_begin(all, {i, part.of}); };
+  const std::uint64_t begin = at(part.index);
+  const std::uint64_t end = at(part.index + 1);
+  std::uint64_t before = 0;
+  for (Source& source : sources) {
+    const std::uint64_t first = std::clamp(begin, before, before + source.count);
+    const std::uint64_t last = std::clamp(end, before, before + source.count);
+    before += source.count;
+    source.first += first - (before - source.count);
+    source.count = last - first;
+  }
+  return sources;
+}
+
+Part judge_part(const std::vector<Source>& sources, std::vector<Subject>& subjects, Stop& stop) {
+  for (const Source& source : sources) judge_source(source, subjects, stop);
+  Part part;
+  for (Subject& subject : subjects) {
+    part.found.push_back(std::exchange(static_cast<Findings&>(subject.report), {}));
+    part.unasked.push_back(subject.engine->unasked());
+  }
+  return part;
+}
+
+void merge(std::vector<Report>& reports, Part part, bool first) {
+  for (std::size_t s = 0; s < reports.size(); ++s) {
+    Report& report = reports[s];
+    report.merge(part.found[s]);
+    // An answer is unasked for where no part asked for it.
+    std::vector<std::string>& unasked = part.unasked[s];
+    if (!first)
+      std::erase_if(unasked,
+                    [before = std::set<std::string>(report.unknown_answers.begin(), report.unknown_answers.end())](
+                        const std::string& id) { return !before.contains(id); });
+    report.unknown_answers = std::move(unasked);
+  }
+}
+
+std::string pack(const Part& part) {
+  std::ostringstream stream;
+  cereal::PortableBinaryOutputArchive archive(stream);
+  archive(part);
+  return std::move(stream).str();
+}
+
+Part unpack(const std::string& bytes) {
+  std::istringstream stream(bytes);
+  cereal::PortableBinaryInputArchive archive(stream);
+  Part part;
+  archive(part);
+  return part;
+}
+
+std::string run_text(const std::vector<Source>& sources, const Report& report) {
+  std::string list;
+  for (const Source& s : sources)
+    list += fmt::format(
+        R"({}{{"pair":"{}","scalar":"{}","family":{},"count":{},{}}})", list.empty() ? "" : ",", name(s.pair),
+        name(s.scalar), golden::json_string(s.family), s.count,
+        s.dataset ? fmt::format(R"("dataset":{},"sha256":"{}")", golden::json_string(s.dataset->string()),
+                                digest_of_file(*s.dataset))
+                  : fmt::format(R"("generator":{},"seed":{})", golden::json_string(golden::kGenerator), s.seed));
+  return fmt::format(R"({{{},"required":"{}","allow_unsupported":{}{},"sources":[{}]}})",
+                     golden::engine_text(report.engine), name(report.required), report.allow_unsupported,
+                     report.accepted ? fmt::format(R"(,"baseline":{{"file":{},"accepts":{},"sha256":"{}"}})",
+                                                   golden::json_string(report.accepted->path),
+                                                   report.accepted->failures, digest_of_file(report.accepted->path))
+                                     : "",
+                     list);
+}
+
+std::filesystem::path part_name(golden::Shard part) { return fmt::format("part-{}-of-{}.part", part.index, part.of); }
+
+void write_part(const std::filesystem::path& path, golden::Shard part, const std::string& run,
+                const std::string& bytes) {
+  golden::Sha256 hash;
+  hash.add(run).add(bytes);
+  golden::OutputFile file(path);
+  file.write(fmt::format(R"({{"format":"{}","version":{},"part":[{},{}],"run":{},"bytes":{},"sha256":"{}"}})", kFormat,
+                         kVersion, part.index, part.of, run, bytes.size(), hash.hex()) +
+             "\n");
+  file.write(bytes);
+  file.commit();
+}
+
+PartFile read_part(const std::filesystem::path& path) {
+  auto stream = golden::open_to_read(path);
+  const golden::Location where{path.string(), 1};
+  std::string line;
+  if (!std::getline(stream, line)) throw golden::InputError(where, "", "empty: the file is truncated");
+  const auto json = golden::parse_object(line, where);
+  const golden::Node node(json, where);
+  if (const golden::Node format = node.at("format"); format.text() != kFormat)
+    format.refuse(fmt::format("expected \"{}\", what certify --parts writes", kFormat));
+  if (const golden::Node version = node.at("version"); version.count() != kVersion)
+    version.refuse(fmt::format("this program reads version {}", kVersion));
+  node.allow_only({"format", "version", "part", "run", "bytes", "sha256"});
+  const auto numbers = node.at("part").items();
+  if (numbers.size() != 2 || numbers[0].count() >= numbers[1].count()) node.at("part").refuse("expected [I,N], I < N");
+  PartFile file{path, {numbers[0].count(), numbers[1].count()}, "", {}};
+  // The text itself, not what a parser would write again: it is compared, and part of the digest.
+  const std::size_t begin = line.find(R"("run":)") + 6;
+  const std::size_t end = line.rfind(R"(,"bytes":)");
+  if (!json.at("run").is_object() || end == std::string::npos || end < begin)
+    throw golden::InputError(where, "run", "expected what is judged, as this program writes it");
+  file.run = line.substr(begin, end - begin);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (const golden::Node size = node.at("bytes"); size.count() != bytes.size())
+    size.refuse(fmt::format("{} bytes follow: the file is truncated or has grown", bytes.size()));
+  golden::Sha256 hash;
+  hash.add(file.run).add(bytes);
+  if (const golden::Node sha256 = node.at("sha256"); sha256.text() != hash.hex())
+    sha256.refuse("the file is damaged: its digest is " + hash.hex());
+  try {
+    file.content = unpack(bytes);
+  } catch (const cereal::Exception& error) {
+    throw golden::InputError(where, "", fmt::format("written by another build of this program ({})", error.what()));
+  }
+  return file;
+}
+
+void require_run(const PartFile& file, const std::string& run, const std::string& whose) {
+  if (file.run == run) return;
+  const auto here = nlohmann::json::parse(file.run);
+  const auto there = nlohmann::json::parse(run);
+  const auto differs = nlohmann::json::diff(here, there);
+  const std::string field = differs.empty() ? "" : differs.front().at("path").get<std::string>();
+  const nlohmann::json::json_pointer at(field);
+  const auto text = [&](const nlohmann::json& of) { return of.contains(at) ? of.at(at).dump() : "nothing"; };
+  throw golden::InputError({file.path.string(), 1}, "run" + field,
+                           fmt::format("a part of another run: {} here, {} in {}", text(here), text(there), whose));
+}
+
+Report report_of(const PartFile& file) {
+  const golden::Location where{file.path.string(), 1};
+  const auto json = golden::parse_object(file.run, where);
+  const golden::Node run(json, where);
+  Report report;
+  report.engine = golden::read_engine_info(run);
+  report.required = static_cast<Level>(run.at("required").one_of(oracle::kLevelNames));
+  report.allow_unsupported = run.at("allow_unsupported").boolean();
+  if (const auto baseline = run.find("baseline"))
+    report.accepted = Accepted{baseline->at("file").text(), baseline->at("accepts").count()};
+  return report;
+}
+
+}  // namespace contact::tool

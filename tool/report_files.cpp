@@ -1,0 +1,51 @@
+// What every command that ends in a report has: the options for its files, writing them, and the exit code.
+#include "tool/report_files.hpp"
+
+#include <fmt/format.h>
+
+#include "tool/process.hpp"
+
+namespace contact::tool {
+namespace {
+
+std::unique_ptr<golden::OutputFile> opened(const std::string& path) {
+  return path.empty() ? nullptr : std::make_unique<golden::OutputFile>(path);
+}
+
+void write_to(const std::unique_ptr<golden::OutputFile>& file, const std::string& text) {
+  if (file == nullptr) return;
+  file->write(text);
+  file->commit();
+}
+
+}  // namespace
+
+void add_report_options(CLI::App& command, ReportOptions& options) {
+  command.add_option("--report", options.html, "Write the report as HTML");
+  command.add_option("--junit", options.junit, "Write the report as JUnit XML");
+  command.add_option("--json", options.json, "Write the report as JSON");
+  command.add_option("--markdown", options.markdown, "Write the report as Markdown, for the summary of a CI job");
+}
+
+ReportFiles::ReportFiles(const ReportOptions& options)
+    : html_path_(options.html),
+      html_(opened(options.html)),
+      junit_(opened(options.junit)),
+      json_(opened(options.json)),
+      markdown_(opened(options.markdown)) {}
+
+int ReportFiles::write(const std::vector<Report>& reports, bool scoreboard) {
+  const Report& first = reports.front();
+  write_to(json_, json_text(first));
+  write_to(junit_, junit_text(first));
+  write_to(markdown_, markdown_text(first));
+  write_to(html_, html_text(reports));
+  fmt::print("{}", scoreboard ? scoreboard_text(reports) : terminal_text(first));
+  if (!html_path_.empty()) fmt::print("\nReport: {}\n", html_path_);
+  if (first.judged() == 0)
+    throw golden::InputError({"certify", 0}, "", "no case was judged: see what was skipped, and why");
+  if (first.harness_invalid()) return kHarnessInvalid;
+  return first.certified() ? kCertified : kRefuted;
+}
+
+}  // namespace contact::tool
