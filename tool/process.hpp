@@ -69,10 +69,13 @@ class Progress {
 /// Questions are worked on in runs of this many: enough for every thread, little in memory.
 inline constexpr std::size_t kRun = 1024;
 
-/// work(i) for i in 0 .. n - 1 on every thread; the first exception comes back.
+/// work(i) for i in 0 .. n - 1 on every thread; the first exception comes back, an interruption among them.
 template <class Work>
 void in_parallel(std::size_t n, Work work) {
-  tbb::parallel_for(std::size_t{0}, n, work);
+  tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) {
+    throw_if_interrupted();
+    work(i);
+  });
 }
 
 }  // namespace contact::tool
