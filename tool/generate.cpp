@@ -1,22 +1,25 @@
-// generate and annotate: golden files from a seeded family, or from a user's own questions.
+// generate, annotate, convert: golden files from a seeded family, a user's own questions, or other golden files.
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
 #include <unordered_set>
 
-#include "golden/dataset.hpp"
+#include "golden/dataset_writer.hpp"
 #include "golden/families.hpp"
-#include "golden/output_file.hpp"
+#include "golden/lint.hpp"
+#include "golden/query_id.hpp"
 #include "tool/commands.hpp"
 #include "tool/process.hpp"
 
 namespace contact::tool {
 namespace {
 
+using golden::check_canonical;
 using golden::InputError;
 
 struct GenerateOptions {
@@ -26,6 +29,7 @@ struct GenerateOptions {
   std::uint64_t count = 0;
   std::uint64_t seed = 0;
   std::optional<std::string> shard;
+  bool resume = false;
   std::string output;
 };
 
@@ -40,27 +44,45 @@ golden::Shard read_shard(const std::string& text) {
   return shard;
 }
 
-/// Writes a header and the cases of `count` questions, worked out on every thread and written in order.
+/// Writes the cases of `count` questions, worked out on every thread and written in order.
 void write_dataset(const golden::DatasetHeader& header, const std::string& path,
                    const std::function<Query(std::uint64_t)>& question) {
-  golden::OutputFile file(path);
-  file.write(to_line(header) + "\n");
+  const auto writer = golden::create_dataset(path, header);
   Progress progress(fmt::format("{}/{}", name(header.pair), header.family), header.count);
   for (std::uint64_t begin = 0; begin < header.count; begin += kRun) {
     throw_if_interrupted();
-    std::vector<std::string> lines(std::min<std::uint64_t>(kRun, header.count - begin));
-    in_parallel(lines.size(), [&](std::size_t i) {
-      lines[i] = to_line(golden::make_case(question(begin + i), header.scalar)) + "\n";
+    std::vector<std::pair<golden::Case, std::string>> cases(std::min<std::uint64_t>(kRun, header.count - begin));
+    in_parallel(cases.size(), [&](std::size_t i) {
+      auto& [c, line] = cases[i];
+      c = golden::make_case(question(begin + i), header.scalar);
+      line = to_line(c);
     });
-    for (const std::string& line : lines) file.write(line);
-    progress.add(lines.size());
+    for (const auto& [c, line] : cases) writer->write(c, line);
+    progress.add(cases.size());
   }
-  file.commit();
+  writer->commit();
 }
 
 void check_output(const std::string& command, const std::string& path) {
-  if (!path.ends_with(".jsonl"))
-    throw InputError({command, 0}, "-o", fmt::format("the name of a dataset ends in .jsonl, got '{}'", path));
+  if (!golden::names_dataset(path))
+    throw InputError({command, 0}, "-o", fmt::format("the name of a dataset ends in .jsonl or .h5, got '{}'", path));
+}
+
+/// Refuses a file that is not the whole of what would be written: what stands there is never written over unasked.
+void check_finished(const golden::DatasetHeader& header, const std::string& path,
+                    const std::function<Query(std::uint64_t)>& question) {
+  golden::DatasetReader reader(path);
+  if (const auto found = to_line(reader.header()), expected = to_line(header); found != expected)
+    throw InputError({path, 0}, "",
+                     fmt::format("--resume met another dataset: its header is {}, to be made is {}", found, expected));
+  Progress progress(path, header.count);
+  for (std::uint64_t i = 0; const auto c = reader.next(); ++i) {
+    throw_if_interrupted();
+    if (c->id != golden::query_id(question(i)))
+      throw InputError(reader.where(), "id", fmt::format("--resume met a question that belongs elsewhere: {}", c->id));
+    check_canonical(reader, to_line(*c));
+    progress.add(1);
+  }
 }
 
 void generate(const GenerateOptions& o) {
@@ -87,17 +109,19 @@ void generate(const GenerateOptions& o) {
   header.count = o.count;
   std::uint64_t first = 0;
   if (o.shard) {
-    // Shard I of N of C questions holds those from floor(I C / N) to below floor((I + 1) C / N).
     header.shard = read_shard(*o.shard);
-    const auto cut = [&](std::uint64_t i) {
-      return o.count / header.shard->of * i + o.count % header.shard->of * i / header.shard->of;
-    };
-    first = cut(header.shard->index);
-    header.count = cut(header.shard->index + 1) - first;
+    first = golden::cut(o.count, header.shard->index, header.shard->of);
+    header.count = golden::cut(o.count, header.shard->index + 1, header.shard->of) - first;
   }
-  write_dataset(header, o.output, [&](std::uint64_t i) {
+  const auto question = [&](std::uint64_t i) {
     return golden::generate_query(header.pair, *family, header.scalar, header.seed, first + i);
-  });
+  };
+  if (o.resume && std::filesystem::exists(o.output)) {
+    check_finished(header, o.output, question);
+    fmt::print("{}: {} cases, kept as they stand there\n", o.output, header.count);
+    return;
+  }
+  write_dataset(header, o.output, question);
   fmt::print("{}: {} cases\n", o.output, header.count);
 }
 
@@ -159,7 +183,83 @@ void annotate(const AnnotateOptions& o) {
   fmt::print("{}: {} cases\n", o.output, header.count);
 }
 
+struct ConvertOptions {
+  std::vector<std::string> inputs;
+  std::string output;
+};
+
+/// The header of the whole whose shards these are, and the shards in order. Throws InputError naming the file that does
+/// not belong.
+golden::DatasetHeader merged_header(std::vector<std::string>& shards) {
+  std::map<std::uint64_t, std::pair<std::string, golden::DatasetHeader>> found;
+  std::optional<golden::DatasetHeader> whole;
+  std::uint64_t of = 0;
+  for (const std::string& path : shards) {
+    const golden::DatasetHeader header = golden::DatasetReader(path).header();
+    const auto refuse = [&](const std::string& problem) { throw InputError({path, 0}, "shard", problem); };
+    if (!header.shard) refuse("several files are joined only where they are the shards of one dataset");
+    golden::DatasetHeader alike = header;
+    alike.shard.reset();
+    alike.count = 0;
+    if (!whole) {
+      whole = alike;
+      of = header.shard->of;
+    }
+    if (to_line(alike) != to_line(*whole) || header.shard->of != of)
+      refuse(fmt::format("not of the same dataset as {}", shards.front()));
+    const auto [there, is_new] = found.emplace(header.shard->index, std::pair(path, header));
+    if (!is_new) refuse(fmt::format("shard {}/{} is in {} already", header.shard->index, of, there->second.first));
+  }
+  shards.clear();
+  for (std::uint64_t index = 0; index < of; ++index) {
+    const auto shard = found.find(index);
+    if (shard == found.end())
+      throw InputError({"convert", 0}, "",
+                       fmt::format("shard {}/{} of {}/{} is missing", index, of, name(whole->pair), whole->family));
+    shards.push_back(shard->second.first);
+    whole->count += shard->second.second.count;
+  }
+  for (const auto& [index, shard] : found)
+    if (const auto& [path, header] = shard;
+        header.count != golden::cut(whole->count, index + 1, of) - golden::cut(whole->count, index, of))
+      throw InputError({path, 0}, "count",
+                       fmt::format("{} cases are not shard {}/{} of {}", header.count, index, of, whole->count));
+  return *whole;
+}
+
+void convert(ConvertOptions o) {
+  check_output("convert", o.output);
+  const golden::DatasetHeader header =
+      o.inputs.size() == 1 ? golden::DatasetReader(o.inputs.front()).header() : merged_header(o.inputs);
+  const auto writer = golden::create_dataset(o.output, header);
+  Progress progress(o.output, header.count);
+  for (const std::string& path : o.inputs) {
+    golden::DatasetReader reader(path);
+    check_canonical(reader, to_line(reader.header()));
+    while (const auto c = reader.next()) {
+      throw_if_interrupted();
+      check_canonical(reader, to_line(*c));
+      writer->write(*c, reader.text());
+      progress.add(1);
+    }
+  }
+  writer->commit();
+  fmt::print("{}: {} cases\n", o.output, header.count);
+}
+
 }  // namespace
+
+void add_convert(CLI::App& app, int& exit) {
+  auto* command = app.add_subcommand(
+      "convert", "A golden file in its other form, JSON lines or HDF5; of all shards of a dataset, the whole");
+  auto o = std::make_shared<ConvertOptions>();
+  command->add_option("datasets", o->inputs, "A golden file, or all shards of one in any order")->required();
+  command->add_option("-o,--output", o->output, "The file, *.jsonl or *.h5")->required();
+  command->callback([o, &exit] {
+    convert(*o);
+    exit = kCertified;
+  });
+}
 
 void add_generate(CLI::App& app, int& exit) {
   auto* command = app.add_subcommand(
@@ -174,7 +274,8 @@ void add_generate(CLI::App& app, int& exit) {
       ->capture_default_str()
       ->check(CLI::IsMember({"binary32", "binary64"}));
   command->add_option("--shard", o->shard, "I/N: only part I (from 0) of N, itself a dataset");
-  command->add_option("-o,--output", o->output, "The file, *.jsonl")->required();
+  command->add_flag("--resume", o->resume, "Keep the file where it is there already and whole; refuse it if damaged");
+  command->add_option("-o,--output", o->output, "The file, *.jsonl or *.h5")->required();
   command->callback([o, &exit] {
     generate(*o);
     exit = kCertified;
@@ -196,7 +297,7 @@ void add_annotate(CLI::App& app, int& exit) {
   auto* command = app.add_subcommand("annotate", "Make a golden file of your own questions (JSON lines)");
   auto o = std::make_shared<AnnotateOptions>();
   command->add_option("queries", o->input, "The questions, or - for standard input")->required();
-  command->add_option("-o,--output", o->output, "The file, *.jsonl")->required();
+  command->add_option("-o,--output", o->output, "The file, *.jsonl or *.h5")->required();
   command->add_option("--family", o->family, "The name of the family that they make")->capture_default_str();
   command->callback([o, &exit] {
     annotate(*o);
