@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <sstream>
 
+#include "golden/columns.hpp"
+#include "golden/dataset_writer.hpp"
 #include "golden/families.hpp"
 #include "golden/flags.hpp"
 #include "golden/query_id.hpp"
@@ -57,22 +60,22 @@ Box read_box(const Node& node) {
   return {node.at("min").vector(), node.at("max").vector()};
 }
 
-void check_domain(const Query& query, const Node& line) {
+void check_domain(const Query& query, const Location& where) {
   if (const auto error = outside_domain(query))
-    throw InputError(line.where(), error->field, fmt::format("{}, got {}", error->rule, number(error->value)));
+    throw InputError(where, error->field, fmt::format("{}, got {}", error->rule, number(error->value)));
 }
 
-void check_representable(const Query& query, const Node& line) {
+void check_representable(const Query& query, const Location& where) {
   for_each_number(query, [&](const std::string& field, double x) {
     if (std::isfinite(x) && (std::abs(x) > static_cast<double>(std::numeric_limits<float>::max()) ||
                              static_cast<double>(static_cast<float>(x)) != x))
-      throw InputError(line.where(), field, fmt::format("not a binary32 number in a binary32 file, got {}", number(x)));
+      throw InputError(where, field, fmt::format("not a binary32 number in a binary32 file, got {}", number(x)));
   });
 }
 
-void check_id(const Query& query, const Node& id) {
-  const std::string right = query_id(query);
-  if (id.text() != right) id.refuse(fmt::format("the id of this question is {}", right));
+void check_id(const Query& query, const std::string& id, const Location& where) {
+  if (const std::string right = query_id(query); id != right)
+    throw InputError(where, "id", fmt::format("the id of this question is {}, got {}", right, json_string(id)));
 }
 
 Expectation read_expectation(const Node& node, Pair pair) {
@@ -195,9 +198,9 @@ ReadQuery read_query(const Node& line, const DatasetHeader* file) {
   ReadQuery read{read_inputs(line, pair), scalar            ? read_scalar(*scalar)
                                           : file != nullptr ? file->scalar
                                                             : Scalar::binary64};
-  check_domain(read.query, line);
-  if (read.scalar == Scalar::binary32) check_representable(read.query, line);
-  if (const auto id = line.find("id")) check_id(read.query, *id);
+  check_domain(read.query, line.where());
+  if (read.scalar == Scalar::binary32) check_representable(read.query, line.where());
+  if (const auto id = line.find("id")) check_id(read.query, id->text(), line.where());
   return read;
 }
 
@@ -226,60 +229,103 @@ DatasetHeader read_header(const Node& node) {
   return header;
 }
 
-DatasetReader::DatasetReader(const std::filesystem::path& path)
-    : stream_(open_to_read(path, true)), where_{path.string(), 0} {
-  if (!read_line()) throw InputError(where_, "", "empty: a dataset begins with its header");
-  const auto json = parse_object(line_, where_);
-  const Node node(json, where_);
-  header_ = read_header(node);
+Case read_case(const Node& line, const DatasetHeader& header) {
+  line.allow_only({"id", "a", "b", "alarm", "contact", "flags", "expect", "exact"});
+  Case c{line.at("id").text(), read_inputs(line, header.pair), {}, {}, std::nullopt, {}};
+  for (const Node& flag : line.at("flags").items()) c.flags.push_back(flag.text());
+  const Node expect = line.at("expect");
+  if (header.family == kInvalidFamily) {
+    expect.allow_only({"rejected"});
+    c.rejected = expect.at("rejected").text();
+  } else {
+    c.expect = read_expectation(expect, header.pair);
+    c.exact = read_witness(line.at("exact"), header.pair);
+  }
+  return c;
 }
 
-bool DatasetReader::read_line() {
-  if (!std::getline(stream_, line_)) return false;
-  ++where_.line;
-  if (stream_.eof()) throw InputError(where_, "", "the last line has no line feed: the file is truncated");
-  return true;
+void CaseSource::check_question(const Query& query, const std::string& id) const {
+  if (header_.scalar == Scalar::binary32) check_representable(query, where_);
+  check_id(query, id, where_);
+  if (header_.family != kInvalidFamily) check_domain(query, where_);
+}
+
+namespace {
+
+class JsonLines : public CaseSource {
+ public:
+  explicit JsonLines(const std::filesystem::path& path) : stream_(open_to_read(path, true)) {
+    where_ = {path.string(), 0};
+    if (!advance()) throw InputError(where_, "", "empty: a dataset begins with its header");
+    const auto json = parse_object(text_, where_);
+    header_ = read_header(Node(json, where_));
+  }
+
+  bool advance() override {
+    if (!std::getline(stream_, text_)) return false;
+    ++where_.line;
+    if (stream_.eof()) throw InputError(where_, "", "the last line has no line feed: the file is truncated");
+    return true;
+  }
+
+  Case read() override {
+    const auto json = parse_object(text_, where_);
+    Case c = read_case(Node(json, where_), header_);
+    check_question(c.query, c.id);
+    return c;
+  }
+
+ private:
+  std::ifstream stream_;
+};
+
+}  // namespace
+
+DatasetReader::DatasetReader(const std::filesystem::path& path) {
+  if (holds_columns(path))
+    source_ = open_columns(path);
+  else if (path.extension() == kColumnsExtension)
+    throw InputError({path.string(), 0}, "", "no HDF5 file, or one without its beginning");
+  else
+    source_ = std::make_unique<JsonLines>(path);
+}
+
+bool DatasetReader::advance() {
+  const std::uint64_t count = header().count;
+  const bool more = source_->advance();
+  if (more && passed_ == count)
+    throw InputError({where().file, 1}, "count", fmt::format("the header says {}, the file holds more cases", count));
+  if (!more && passed_ != count)
+    throw InputError({where().file, 1}, "count",
+                     fmt::format("the header says {}, the file holds {} cases", count, passed_));
+  passed_ += more ? 1 : 0;
+  return more;
+}
+
+void DatasetReader::skip(std::uint64_t n) {
+  while (n != 0 && advance()) --n;
 }
 
 std::optional<Case> DatasetReader::next() {
-  if (!read_line()) {
-    if (read_ != header_.count)
-      throw InputError({where_.file, 1}, "count",
-                       fmt::format("the header says {}, the file holds {} cases", header_.count, read_));
-    return std::nullopt;
-  }
-  if (read_ == header_.count)
-    throw InputError({where_.file, 1}, "count",
-                     fmt::format("the header says {}, the file holds more cases", header_.count));
-  const auto json = parse_object(line_, where_);
-  const Node node(json, where_);
-  node.allow_only({"id", "a", "b", "alarm", "contact", "flags", "expect", "exact"});
-  Case c{node.at("id").text(), read_inputs(node, header_.pair), {}, {}, std::nullopt, {}};
-  if (header_.scalar == Scalar::binary32) check_representable(c.query, node);
-  check_id(c.query, node.at("id"));
-  for (const Node& flag : node.at("flags").items()) c.flags.push_back(flag.text());
-  const Node expect = node.at("expect");
-  if (header_.family == kInvalidFamily) {
-    expect.allow_only({"rejected"});
-    const Node rejected = expect.at("rejected");
-    c.rejected = rejected.text();
-    if (!outside_domain(c.query)) rejected.refuse("the question is inside the domain");
-  } else {
-    check_domain(c.query, node);
-    c.expect = read_expectation(expect, header_.pair);
-    c.exact = read_witness(node.at("exact"), header_.pair);
-  }
-  if (header_.count <= kRepeatsLookedFor && !ids_.insert(c.id).second) {
-    // A generator may repeat itself: the line is right if the family's generator makes this very question here.
-    const Family* family = find_family(header_.pair, header_.family);
-    const bool generated =
-        family != nullptr &&
-        (header_.shard || query_id(generate_query(header_.pair, *family, header_.scalar, header_.seed, read_)) == c.id);
-    if (!generated) node.at("id").refuse("the same question stands in this file twice");
-    ++repeats_;
-  }
-  ++read_;
+  if (!advance()) return std::nullopt;
+  Case c = source_->read();
+  check(c);
   return c;
+}
+
+void DatasetReader::check(const Case& c) {
+  const DatasetHeader& h = header();
+  if (c.rejected && !outside_domain(c.query))
+    throw InputError(where(), "expect.rejected",
+                     fmt::format("the question is inside the domain, got {}", json_string(*c.rejected)));
+  if (h.count > kRepeatsLookedFor || ids_.insert(c.id).second) return;
+  // A generator may repeat itself: the case is right if the family's generator makes this very question here.
+  const Family* family = find_family(h.pair, h.family);
+  const bool generated = family != nullptr &&
+                         (h.shard || query_id(generate_query(h.pair, *family, h.scalar, h.seed, passed_ - 1)) == c.id);
+  if (!generated)
+    throw InputError(where(), "id", fmt::format("the same question stands in this file twice, got \"{}\"", c.id));
+  ++repeats_;
 }
 
 bool DatasetReader::is_dataset(const std::filesystem::path& path) {
@@ -301,9 +347,9 @@ std::vector<std::filesystem::path> dataset_files(const std::vector<std::filesyst
     }
     std::vector<std::filesystem::path> found;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(path))
-      if (entry.is_regular_file() && entry.path().extension() == ".jsonl" && DatasetReader::is_dataset(entry.path()))
+      if (entry.is_regular_file() && names_dataset(entry.path()) && DatasetReader::is_dataset(entry.path()))
         found.push_back(entry.path());
-    if (found.empty()) throw InputError({path.string(), 0}, "", "no dataset (*.jsonl) in this folder");
+    if (found.empty()) throw InputError({path.string(), 0}, "", "no dataset (*.jsonl, *.h5) in this folder");
     std::sort(found.begin(), found.end());
     files.insert(files.end(), found.begin(), found.end());
   }

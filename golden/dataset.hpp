@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,12 +24,14 @@ struct Shard {
   std::uint64_t index;
   std::uint64_t of;
 };
-/// Shard I of N of C questions holds those from floor(I C / N) to below floor((I + 1) C / N); index N gives C.
-[[nodiscard]] constexpr std::uint64_t shard_begin(std::uint64_t count, Shard shard) {
-  return count / shard.of * shard.index + count % shard.of * shard.index / shard.of;
-}
 /// A shard from I/N. Throws InputError naming the option.
 [[nodiscard]] Shard read_shard(const std::string& text, const Location& where, const std::string& option);
+
+/// Part `index` of `of` of `count` questions begins with the question cut(count, index, of) and ends before the next
+/// cut.
+[[nodiscard]] constexpr std::uint64_t cut(std::uint64_t count, std::uint64_t index, std::uint64_t of) {
+  return count / of * index + count % of * index / of;
+}
 
 struct DatasetHeader {
   Pair pair = Pair::sphere_sphere;
@@ -77,27 +79,53 @@ struct ReadQuery {
 
 /// The header of a dataset, checked.
 [[nodiscard]] DatasetHeader read_header(const Node& node);
+/// A line of a dataset, its form checked and no more.
+[[nodiscard]] Case read_case(const Node& line, const DatasetHeader& header);
 
 /// Reads a user's question, a protocol query or a line of a dataset, whose answer is passed over; `file` is the header
 /// that tells its pair and scalar.
 [[nodiscard]] ReadQuery read_query(const Node& line, const DatasetHeader* file = nullptr);
 
-/// Reads a dataset line by line, checking form as it goes: the header, each line, ids, and at the end the count. What
-/// the expectations say is checked by lint and by certify, against the oracle.
+/// The cases of a file, whatever its form.
+class CaseSource {
+ public:
+  CaseSource() = default;
+  CaseSource(const CaseSource&) = delete;
+  CaseSource& operator=(const CaseSource&) = delete;
+  virtual ~CaseSource() = default;
+
+  /// Goes on to the next case, unread; false after the last.
+  [[nodiscard]] virtual bool advance() = 0;
+  /// The case gone to. At most once a case.
+  [[nodiscard]] virtual Case read() = 0;
+
+  [[nodiscard]] const DatasetHeader& header() const { return header_; }
+  [[nodiscard]] const Location& where() const { return where_; }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ protected:
+  /// What every source asks of a question before it reads the answer: its id, its scalar and the domain.
+  void check_question(const Query& query, const std::string& id) const;
+
+  DatasetHeader header_;
+  Location where_;
+  std::string text_;
+};
+
+/// Reads a dataset case by case, checking as it goes: form, domain, ids, questions that stand there twice, and at the
+/// end the count. What the expectations say is checked by lint and by certify, against the oracle.
 class DatasetReader {
  public:
   explicit DatasetReader(const std::filesystem::path& path);
 
-  [[nodiscard]] const DatasetHeader& header() const { return header_; }
+  [[nodiscard]] const DatasetHeader& header() const { return source_->header(); }
   /// The next case, or nothing after the last. Throws InputError at anything malformed.
   [[nodiscard]] std::optional<Case> next();
-  /// Passes over cases.
-  void skip(std::uint64_t count) {
-    for (std::uint64_t i = 0; i < count; ++i) (void)next();
-  }
+  /// Passes over the next n cases, or as many as there are, unread: of them only the number is checked.
+  void skip(std::uint64_t n);
   /// Where the case that next() gave last stands, and its text.
-  [[nodiscard]] const Location& where() const { return where_; }
-  [[nodiscard]] const std::string& text() const { return line_; }
+  [[nodiscard]] const Location& where() const { return source_->where(); }
+  [[nodiscard]] const std::string& text() const { return source_->text(); }
 
   /// How many questions stood in the file before, as the family's generator makes them.
   [[nodiscard]] std::uint64_t repeats() const { return repeats_; }
@@ -106,13 +134,11 @@ class DatasetReader {
   [[nodiscard]] static bool is_dataset(const std::filesystem::path& path);
 
  private:
-  bool read_line();
+  [[nodiscard]] bool advance();
+  void check(const Case& c);
 
-  std::ifstream stream_;
-  Location where_;
-  DatasetHeader header_;
-  std::string line_;
-  std::uint64_t read_ = 0;
+  std::unique_ptr<CaseSource> source_;
+  std::uint64_t passed_ = 0;
   std::uint64_t repeats_ = 0;
   std::unordered_set<std::string> ids_;
 };

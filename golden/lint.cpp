@@ -8,20 +8,23 @@
 
 namespace contact::golden {
 
+void check_canonical(const DatasetReader& reader, const std::string& expected) {
+  const std::string& text = reader.text();
+  if (text == expected) return;
+  const auto column = std::mismatch(text.begin(), text.end(), expected.begin(), expected.end()).first - text.begin();
+  throw InputError(reader.where(), "",
+                   fmt::format("not in canonical form from column {}: expected ...{}", column + 1,
+                               expected.substr(static_cast<std::size_t>(column), 60)));
+}
+
 LintedFile lint(const std::filesystem::path& path, bool generated, const std::function<void()>& after_case) {
   DatasetReader reader(path);
   LintedFile linted{reader.header(), 0, {}, {}};
   for (const Flag& flag : flags()) linted.flags.emplace_back(flag.name, 0);
   Sha256 hash;
   const auto canonical = [&](const std::string& expected) {
-    hash.add(reader.text()).add("\n");
-    if (reader.text() == expected) return;
-    const auto differs =
-        std::mismatch(reader.text().begin(), reader.text().end(), expected.begin(), expected.end()).first;
-    throw InputError(
-        reader.where(), "",
-        fmt::format("not in canonical form from column {}: expected ...{}", differs - reader.text().begin() + 1,
-                    expected.substr(static_cast<std::size_t>(differs - reader.text().begin()), 60)));
+    check_canonical(reader, expected);
+    hash.add(expected).add("\n");
   };
   canonical(to_line(reader.header()));
 

@@ -17,6 +17,9 @@ struct LintedFile {
   std::vector<std::pair<std::string, std::uint64_t>> flags;  ///< every flag that occurs, with its count
 };
 
+/// Refuses what the reader read last unless its text is `expected`, the canonical one.
+void check_canonical(const DatasetReader& reader, const std::string& expected);
+
 /// Checks one dataset; throws InputError at the first thing that is wrong. `generated` allows a file that its family's
 /// generator made to repeat a question. `after_case` is called after each case (progress).
 [[nodiscard]] LintedFile lint(const std::filesystem::path& path, bool generated,

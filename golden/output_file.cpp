@@ -12,37 +12,46 @@
 
 namespace contact::golden {
 
-OutputFile::OutputFile(const std::filesystem::path& path) : path_(std::filesystem::weakly_canonical(path)) {
-  if (std::filesystem::is_directory(path_))
-    throw InputError({path_.string(), 0}, "", "cannot write: it is a directory");
-  // A pipe or a device cannot be replaced: it is written to as it stands.
-  const bool replaceable = !std::filesystem::exists(path_) || std::filesystem::is_regular_file(path_);
-  if (replaceable) temporary_ = path_.string() + fmt::format(".tmp{}", ::getpid());
-  stream_.open(replaceable ? temporary_ : path_, std::ios::binary | std::ios::trunc);
-  if (!stream_) fail("cannot write");
+PendingFile::PendingFile(const std::filesystem::path& path) : path_(std::filesystem::weakly_canonical(path)) {
+  if (std::filesystem::is_directory(path_)) fail("it is a directory");
+  const bool replace = !std::filesystem::exists(path_) || std::filesystem::is_regular_file(path_);
+  temporary_ = replace ? path_.string() + fmt::format(".tmp{}", ::getpid()) : path_.string();
 }
 
-OutputFile::~OutputFile() {
+PendingFile::~PendingFile() {
   std::error_code ignored;
-  if (!temporary_.empty()) std::filesystem::remove(temporary_, ignored);
+  if (replaceable()) std::filesystem::remove(temporary_, ignored);
+}
+
+void PendingFile::commit() {
+  if (!replaceable()) return;
+  std::error_code error;
+  std::filesystem::rename(temporary_, path_, error);
+  if (error) fail(error.message());
+}
+
+void PendingFile::fail(const std::string& why) const {
+  throw InputError({path_.string(), 0}, "", "cannot write: " + why);
+}
+
+OutputFile::OutputFile(const std::filesystem::path& path)
+    : file_(path), stream_(file_.temporary(), std::ios::binary | std::ios::trunc) {
+  check();
 }
 
 void OutputFile::write(std::string_view text) {
   stream_.write(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!stream_) fail("cannot write");
+  check();
 }
 
 void OutputFile::commit() {
   stream_.close();
-  if (!stream_) fail("cannot write");
-  if (temporary_.empty()) return;
-  std::error_code error;
-  std::filesystem::rename(temporary_, path_, error);
-  if (error) throw InputError({path_.string(), 0}, "", "cannot write: " + error.message());
+  check();
+  file_.commit();
 }
 
-void OutputFile::fail(const std::string& what) {
-  throw InputError({path_.string(), 0}, "", what + ": " + std::strerror(errno));
+void OutputFile::check() {
+  if (!stream_) file_.fail(std::strerror(errno));
 }
 
 }  // namespace contact::golden

@@ -8,24 +8,39 @@
 
 namespace contact::golden {
 
-/// Writes to `path` as a whole or not at all: without commit() nothing is left behind, whatever happened. Links are
-/// followed; a pipe or a device is written to in place.
+/// A file to be: what is written to temporary() becomes the file by commit(), and without it nothing is left behind,
+/// whatever happened. Links are followed; a pipe or a device cannot be replaced, and is its own temporary.
+class PendingFile {
+ public:
+  explicit PendingFile(const std::filesystem::path& path);
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+  ~PendingFile();
+
+  [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }
+  [[nodiscard]] bool replaceable() const { return temporary_ != path_; }
+  void commit();
+  /// Throws InputError naming the file: "cannot write: why".
+  [[noreturn]] void fail(const std::string& why) const;
+
+ private:
+  std::filesystem::path path_;
+  std::filesystem::path temporary_;
+};
+
+/// Text that is written as a whole or not at all.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& path);
-  OutputFile(const OutputFile&) = delete;
-  OutputFile& operator=(const OutputFile&) = delete;
-  ~OutputFile();
 
   void write(std::string_view text);
   /// Flushes, checks and renames. Throws InputError naming the file where any of it fails (a full disk, no right).
   void commit();
 
  private:
-  [[noreturn]] void fail(const std::string& what);
+  void check();
 
-  std::filesystem::path path_;
-  std::filesystem::path temporary_;  ///< empty where path_ is a pipe or a device
+  PendingFile file_;
   std::ofstream stream_;
 };
 

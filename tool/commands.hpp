@@ -14,6 +14,7 @@ void add_explain(CLI::App& app, int& exit);
 void add_generate(CLI::App& app, int& exit);
 void add_regenerate(CLI::App& app, int& exit);
 void add_annotate(CLI::App& app, int& exit);
+void add_convert(CLI::App& app, int& exit);
 void add_certify(CLI::App& app, int& exit);
 void add_serve(CLI::App& app, int& exit);
 void add_properties(CLI::App& app, int& exit);

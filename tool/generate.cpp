@@ -1,21 +1,26 @@
-// generate and annotate: golden files from a seeded family, or from a user's own questions.
+// generate, annotate, convert: golden files from a seeded family, a user's own questions, or other golden files.
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <unordered_set>
 
-#include "golden/dataset.hpp"
+#include "golden/dataset_writer.hpp"
 #include "golden/families.hpp"
-#include "golden/output_file.hpp"
+#include "golden/lint.hpp"
+#include "golden/query_id.hpp"
+#include "tool/cluster.hpp"
 #include "tool/commands.hpp"
 #include "tool/process.hpp"
 
 namespace contact::tool {
 namespace {
 
+using golden::check_canonical;
 using golden::InputError;
 
 struct GenerateOptions {
@@ -25,30 +30,61 @@ struct GenerateOptions {
   std::uint64_t count = 0;
   std::uint64_t seed = 0;
   std::optional<std::string> shard;
+  bool resume = false;
   std::string output;
 };
 
-/// Writes a header and the cases of `count` questions, worked out on every thread and written in order.
+/// Writes the cases of `count` questions, worked out on every thread of every process and written in order by the
+/// first.
 void write_dataset(const golden::DatasetHeader& header, const std::string& path,
                    const std::function<Query(std::uint64_t)>& question) {
-  golden::OutputFile file(path);
-  file.write(to_line(header) + "\n");
-  Progress progress(fmt::format("{}/{}", name(header.pair), header.family), header.count);
-  for (std::uint64_t begin = 0; begin < header.count; begin += kRun) {
-    throw_if_interrupted();
+  const auto writer = Cluster::is_first() ? golden::create_dataset(path, header) : nullptr;
+  Progress progress(fmt::format("{}/{}", name(header.pair), header.family), Cluster::is_first() ? header.count : 0);
+  const auto work = [&](std::uint64_t run) {
+    const std::uint64_t begin = run * kRun;
     std::vector<std::string> lines(std::min<std::uint64_t>(kRun, header.count - begin));
     in_parallel(lines.size(), [&](std::size_t i) {
       lines[i] = to_line(golden::make_case(question(begin + i), header.scalar)) + "\n";
     });
-    for (const std::string& line : lines) file.write(line);
-    progress.add(lines.size());
-  }
-  file.commit();
+    return fmt::format("{}", fmt::join(lines, ""));
+  };
+  Cluster::in_order((header.count + kRun - 1) / kRun, work, [&](std::uint64_t /*run*/, const std::string& text) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line); progress.add(1)) {
+      const golden::Location where{path, 0};
+      const auto json = golden::parse_object(line, where);
+      writer->write(golden::read_case(golden::Node(json, where), header), line);
+    }
+  });
+  if (writer != nullptr) writer->commit();
+}
+
+/// What is printed at the end of a command whose work processes share: once.
+template <class... Args>
+void say(fmt::format_string<Args...> format, Args&&... args) {
+  if (Cluster::is_first()) fmt::print(format, std::forward<Args>(args)...);
 }
 
 void check_output(const std::string& command, const std::string& path) {
-  if (!path.ends_with(".jsonl"))
-    throw InputError({command, 0}, "-o", fmt::format("the name of a dataset ends in .jsonl, got '{}'", path));
+  if (!golden::names_dataset(path))
+    throw InputError({command, 0}, "-o", fmt::format("the name of a dataset ends in .jsonl or .h5, got '{}'", path));
+}
+
+/// Refuses a file that is not the whole of what would be written: what stands there is never written over unasked.
+void check_finished(const golden::DatasetHeader& header, const std::string& path,
+                    const std::function<Query(std::uint64_t)>& question) {
+  golden::DatasetReader reader(path);
+  if (const auto found = to_line(reader.header()), expected = to_line(header); found != expected)
+    throw InputError({path, 0}, "",
+                     fmt::format("--resume met another dataset: its header is {}, to be made is {}", found, expected));
+  Progress progress(path, header.count);
+  for (std::uint64_t i = 0; const auto c = reader.next(); ++i) {
+    throw_if_interrupted();
+    if (c->id != golden::query_id(question(i)))
+      throw InputError(reader.where(), "id", fmt::format("--resume met a question that belongs elsewhere: {}", c->id));
+    check_canonical(reader, to_line(*c));
+    progress.add(1);
+  }
 }
 
 void generate(const GenerateOptions& o) {
@@ -77,13 +113,19 @@ void generate(const GenerateOptions& o) {
   if (o.shard) {
     const golden::Shard shard = golden::read_shard(*o.shard, where, "--shard");
     header.shard = shard;
-    first = golden::shard_begin(o.count, shard);
-    header.count = golden::shard_begin(o.count, {shard.index + 1, shard.of}) - first;
+    first = golden::cut(o.count, shard.index, shard.of);
+    header.count = golden::cut(o.count, shard.index + 1, shard.of) - first;
   }
-  write_dataset(header, o.output, [&](std::uint64_t i) {
+  const auto question = [&](std::uint64_t i) {
     return golden::generate_query(header.pair, *family, header.scalar, header.seed, first + i);
-  });
-  fmt::print("{}: {} cases\n", o.output, header.count);
+  };
+  if (o.resume && std::filesystem::exists(o.output)) {
+    check_finished(header, o.output, question);
+    say("{}: {} cases, kept as they stand there\n", o.output, header.count);
+    return;
+  }
+  write_dataset(header, o.output, question);
+  say("{}: {} cases\n", o.output, header.count);
 }
 
 void regenerate(const std::string& folder) {
@@ -100,7 +142,7 @@ void regenerate(const std::string& folder) {
       return golden::generate_query(file.pair, *file.family, file.scalar, header.seed, i);
     });
   }
-  fmt::print("{}: {} files of {} cases\n", folder, golden::committed_files().size(), golden::kCommittedCount);
+  say("{}: {} files of {} cases\n", folder, golden::committed_files().size(), golden::kCommittedCount);
 }
 
 struct AnnotateOptions {
@@ -141,10 +183,86 @@ void annotate(const AnnotateOptions& o) {
   if (queries.empty()) throw InputError(lines.where(), "", "no question in this file");
   header.count = queries.size();
   write_dataset(header, o.output, [&](std::uint64_t i) { return queries[i]; });
-  fmt::print("{}: {} cases\n", o.output, header.count);
+  say("{}: {} cases\n", o.output, header.count);
+}
+
+struct ConvertOptions {
+  std::vector<std::string> inputs;
+  std::string output;
+};
+
+/// The header of the whole whose shards these are, and the shards in order. Throws InputError naming the file that does
+/// not belong.
+golden::DatasetHeader merged_header(std::vector<std::string>& shards) {
+  std::map<std::uint64_t, std::pair<std::string, golden::DatasetHeader>> found;
+  std::optional<golden::DatasetHeader> whole;
+  std::uint64_t of = 0;
+  for (const std::string& path : shards) {
+    const golden::DatasetHeader header = golden::DatasetReader(path).header();
+    const auto refuse = [&](const std::string& problem) { throw InputError({path, 0}, "shard", problem); };
+    if (!header.shard) refuse("several files are joined only where they are the shards of one dataset");
+    golden::DatasetHeader alike = header;
+    alike.shard.reset();
+    alike.count = 0;
+    if (!whole) {
+      whole = alike;
+      of = header.shard->of;
+    }
+    if (to_line(alike) != to_line(*whole) || header.shard->of != of)
+      refuse(fmt::format("not of the same dataset as {}", shards.front()));
+    const auto [there, is_new] = found.emplace(header.shard->index, std::pair(path, header));
+    if (!is_new) refuse(fmt::format("shard {}/{} is in {} already", header.shard->index, of, there->second.first));
+  }
+  shards.clear();
+  for (std::uint64_t index = 0; index < of; ++index) {
+    const auto shard = found.find(index);
+    if (shard == found.end())
+      throw InputError({"convert", 0}, "",
+                       fmt::format("shard {}/{} of {}/{} is missing", index, of, name(whole->pair), whole->family));
+    shards.push_back(shard->second.first);
+    whole->count += shard->second.second.count;
+  }
+  for (const auto& [index, shard] : found)
+    if (const auto& [path, header] = shard;
+        header.count != golden::cut(whole->count, index + 1, of) - golden::cut(whole->count, index, of))
+      throw InputError({path, 0}, "count",
+                       fmt::format("{} cases are not shard {}/{} of {}", header.count, index, of, whole->count));
+  return *whole;
+}
+
+void convert(ConvertOptions o) {
+  check_output("convert", o.output);
+  const golden::DatasetHeader header =
+      o.inputs.size() == 1 ? golden::DatasetReader(o.inputs.front()).header() : merged_header(o.inputs);
+  const auto writer = golden::create_dataset(o.output, header);
+  Progress progress(o.output, header.count);
+  for (const std::string& path : o.inputs) {
+    golden::DatasetReader reader(path);
+    check_canonical(reader, to_line(reader.header()));
+    while (const auto c = reader.next()) {
+      throw_if_interrupted();
+      check_canonical(reader, to_line(*c));
+      writer->write(*c, reader.text());
+      progress.add(1);
+    }
+  }
+  writer->commit();
+  say("{}: {} cases\n", o.output, header.count);
 }
 
 }  // namespace
+
+void add_convert(CLI::App& app, int& exit) {
+  auto* command = app.add_subcommand(
+      "convert", "A golden file in its other form, JSON lines or HDF5; of all shards of a dataset, the whole");
+  auto o = std::make_shared<ConvertOptions>();
+  command->add_option("datasets", o->inputs, "A golden file, or all shards of one in any order")->required();
+  command->add_option("-o,--output", o->output, "The file, *.jsonl or *.h5")->required();
+  command->callback([o, &exit] {
+    convert(*o);
+    exit = kCertified;
+  });
+}
 
 void add_generate(CLI::App& app, int& exit) {
   auto* command = app.add_subcommand(
@@ -159,7 +277,8 @@ void add_generate(CLI::App& app, int& exit) {
       ->capture_default_str()
       ->check(CLI::IsMember({"binary32", "binary64"}));
   command->add_option("--shard", o->shard, "I/N: only part I (from 0) of N, itself a dataset");
-  command->add_option("-o,--output", o->output, "The file, *.jsonl")->required();
+  command->add_flag("--resume", o->resume, "Keep the file where it is there already and whole; refuse it if damaged");
+  command->add_option("-o,--output", o->output, "The file, *.jsonl or *.h5")->required();
   command->callback([o, &exit] {
     generate(*o);
     exit = kCertified;
@@ -181,7 +300,7 @@ void add_annotate(CLI::App& app, int& exit) {
   auto* command = app.add_subcommand("annotate", "Make a golden file of your own questions (JSON lines)");
   auto o = std::make_shared<AnnotateOptions>();
   command->add_option("queries", o->input, "The questions, or - for standard input")->required();
-  command->add_option("-o,--output", o->output, "The file, *.jsonl")->required();
+  command->add_option("-o,--output", o->output, "The file, *.jsonl or *.h5")->required();
   command->add_option("--family", o->family, "The name of the family that they make")->capture_default_str();
   command->callback([o, &exit] {
     annotate(*o);

@@ -61,6 +61,7 @@ int run(int argc, char** argv) {
   add_generate(app, exit);
   add_regenerate(app, exit);
   add_annotate(app, exit);
+  add_convert(app, exit);
   add_serve(app, exit);
   add_properties(app, exit);
   add_lint(app, exit);

@@ -106,9 +106,8 @@ std::string digest_of_file(const std::filesystem::path& path) {
 std::vector<Source> cut(std::vector<Source> sources, golden::Shard part) {
   std::uint64_t all = 0;
   for (const Source& source : sources) all += source.count;
-  const auto at = [&](std::uint64_t i) { return golden::shard_begin(all, {i, part.of}); };
-  const std::uint64_t begin = at(part.index);
-  const std::uint64_t end = at(part.index + 1);
+  const std::uint64_t begin = golden::cut(all, part.index, part.of);
+  const std::uint64_t end = golden::cut(all, part.index + 1, part.of);
   std::uint64_t before = 0;
   for (Source& source : sources) {
     const std::uint64_t first = std::clamp(begin, before, before + source.count);

@@ -1,0 +1,514 @@
+// A dataset as columns in HDF5: docs/formats.md#columns.
+#include "golden/columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <vector>
+
+#include "golden/families.hpp"
+#include "golden/flags.hpp"
+#include "golden/hdf5.hpp"
+#include "golden/output_file.hpp"
+#include "golden/query_id.hpp"
+
+namespace contact::golden {
+namespace {
+
+using hdf5::checked;
+using hdf5::Handle;
+using hdf5::Lock;
+
+constexpr std::uint64_t kBlock = 4096;  // rows in a chunk of the file and in memory
+constexpr unsigned kDeflate = 4;        // more takes longer for 2 % of the size
+constexpr std::size_t kIdLength = 24;
+constexpr std::size_t kRejectedLength = 11;  // a.center[0]
+constexpr std::size_t kMostFlags = 32;
+const Vector3 kZero = Vector3::Zero();
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+const char* const kDigest = "sha256";
+const char* const kFlagNames = "names";
+
+/// A case as a row has it: with a contact, of kNone where there is none, and with the flags as bits.
+struct Row {
+  Case c;
+  std::uint32_t flags = 0;
+
+  explicit Row(const DatasetHeader& h) : c{{}, {h.pair, Balls{{kZero, 0}, {kZero, 0}}, {0, 0}}, {}, {}, {}, {}} {
+    if (h.pair == Pair::cube_cube) c.query.shapes = Boxes{{kZero, kZero}, {kZero, kZero}};
+    if (h.family == kInvalidFamily) c.rejected = "";
+    clear_contact();
+  }
+  void clear_contact() {
+    const Vector3 none(kNone, kNone, kNone);
+    c.expect.contact = Contact{none, none, none, kNone, false};
+  }
+};
+
+/// Calls visit(path, value&, width of a text) for every column of such a file, in order: what there is to write, to
+/// read and to declare.
+template <class Visit>
+void for_each_column(const DatasetHeader& h, Row& row, Visit&& visit) {
+  Case& c = row.c;
+  visit("id", c.id, kIdLength);
+  const auto shape = [&](const std::string& at, auto& s) {
+    if constexpr (std::same_as<std::remove_cvref_t<decltype(s)>, Ball>) {
+      visit(at + "/center", s.center, 0);
+      visit(at + "/radius", s.radius, 0);
+    } else {
+      visit(at + "/min", s.min, 0);
+      visit(at + "/max", s.max, 0);
+    }
+  };
+  std::visit([&](auto& shapes) { shape("a", shapes.a), shape("b", shapes.b); }, c.query.shapes);
+  visit("alarm", c.query.distances.alarm, 0);
+  visit("contact", c.query.distances.contact, 0);
+  visit("flags", row.flags, 0);
+  if (c.rejected) return visit("expect/rejected", *c.rejected, kRejectedLength);
+  visit("expect/hit", c.expect.hit, 0);
+  if (h.pair == Pair::cube_cube) return visit("exact/gap", c.exact.gap, longest_exact(1, h.scalar));
+  visit("expect/degenerate", c.expect.contact->degenerate, 0);
+  visit("expect/normal", c.expect.contact->normal, 0);
+  visit("expect/point1", c.expect.contact->point1, 0);
+  visit("expect/point2", c.expect.contact->point2, 0);
+  visit("expect/value", c.expect.contact->value, 0);
+  visit("exact/distance2", c.exact.distance2, longest_exact(2, h.scalar));
+  visit("exact/reach", c.exact.reach, longest_exact(1, h.scalar));
+  visit("exact/margin_ulps", c.exact.margin_ulps, 0);
+}
+
+/// What a value is in the file and in memory, and in words.
+struct Type {
+  Handle file;
+  Handle memory;
+  std::size_t size;
+  hsize_t across;  ///< values in a row
+  std::string words;
+};
+
+Handle copied(hid_t type) { return {H5Tcopy(type), H5Tclose}; }
+Type type_of(const double& /*value*/, std::size_t /*width*/) {
+  return {copied(H5T_IEEE_F64LE), copied(H5T_NATIVE_DOUBLE), 8, 1, "64-bit IEEE numbers"};
+}
+Type type_of(const Vector3& v, std::size_t width) {
+  Type type = type_of(v[0], width);
+  type.across = 3;
+  return type;
+}
+Type type_of(const bool& /*value*/, std::size_t /*width*/) {
+  return {copied(H5T_STD_U8LE), copied(H5T_NATIVE_UINT8), 1, 1, "8-bit unsigned integers"};
+}
+Type type_of(const std::uint32_t& /*value*/, std::size_t /*width*/) {
+  return {copied(H5T_STD_U32LE), copied(H5T_NATIVE_UINT32), 4, 1, "32-bit unsigned integers"};
+}
+Type type_of(const std::string& /*value*/, std::size_t width) {
+  return {hdf5::text_type(width), hdf5::text_type(width), width, 1, fmt::format("texts of {} bytes", width)};
+}
+Type type_of(const std::array<std::string, 3>& v, std::size_t width) {
+  Type type = type_of(v[0], width);
+  type.across = 3;
+  return type;
+}
+
+/// One column with the rows of one block.
+struct Column {
+  std::string path;
+  Type type;
+  Handle dataset{};
+  std::vector<char> rows{};
+
+  [[nodiscard]] std::vector<hsize_t> shape(hsize_t height) const {
+    return type.across == 1 ? std::vector{height} : std::vector{height, type.across};
+  }
+
+  /// Reads or writes `count` rows from `first` on: transfer(dataset, type, memory space, file space, bytes).
+  template <class Transfer>
+  void transfer(hsize_t first, hsize_t count, Transfer call) {
+    const std::vector<hsize_t> size = shape(count);
+    std::vector<hsize_t> start(size.size(), 0);
+    start[0] = first;
+    const Handle memory(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
+    const Handle file(H5Dget_space(dataset), H5Sclose);
+    checked(H5Sselect_hyperslab(file, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr));
+    checked(call(dataset, type.memory, memory, file, rows.data()));
+  }
+};
+
+std::vector<Column> columns_of(const DatasetHeader& header) {
+  std::vector<Column> columns;
+  Row row(header);
+  for_each_column(header, row, [&](const std::string& path, const auto& value, std::size_t width) {
+    columns.push_back({path, type_of(value, width)});
+  });
+  return columns;
+}
+
+std::string group_of(const std::string& path) { return path.substr(0, path.find('/')); }
+
+std::string where_written(const Column& column) { return "/" + column.path; }
+
+/// Puts the values of a row at the ends of the columns.
+class Encoder {
+ public:
+  Encoder(std::vector<Column>& columns, const std::filesystem::path& path, std::uint64_t row)
+      : next_(columns.begin()), where_{path.string(), row + 1, true} {}
+
+  void operator()(const std::string&, const double& x, std::size_t) { put(x), ++next_; }
+  void operator()(const std::string&, const Vector3& v, std::size_t) {
+    for (const double x : v) put(x);
+    ++next_;
+  }
+  void operator()(const std::string&, const bool& x, std::size_t) { next_++->rows.push_back(x ? 1 : 0); }
+  void operator()(const std::string&, const std::uint32_t& x, std::size_t) { append(&x, sizeof x), ++next_; }
+  void operator()(const std::string&, const std::string& text, std::size_t width) { put(text, width), ++next_; }
+  void operator()(const std::string&, const std::array<std::string, 3>& texts, std::size_t width) {
+    for (const std::string& text : texts) put(text, width);
+    ++next_;
+  }
+
+ private:
+  void append(const void* bytes, std::size_t size) {
+    const char* begin = static_cast<const char*>(bytes);
+    next_->rows.insert(next_->rows.end(), begin, begin + size);
+  }
+  void put(double x) {
+    x = std::isnan(x) ? kNone : x == 0 ? 0.0 : x;
+    append(&x, sizeof x);
+  }
+  void put(const std::string& text, std::size_t width) {
+    if (text.size() > width)
+      throw InputError(where_, where_written(*next_), fmt::format("at most {} bytes have room, got '{}'", width, text));
+    append(text.data(), text.size());
+    next_->rows.resize(next_->rows.size() + width - text.size());
+  }
+
+  std::vector<Column>::iterator next_;
+  Location where_;
+};
+
+/// Gives a row the values that stand at one place of the columns.
+class Decoder {
+ public:
+  Decoder(const std::vector<Column>& columns, std::size_t at, const Location& where)
+      : next_(columns.begin()), at_(at), where_(where) {}
+
+  void operator()(const std::string&, double& x, std::size_t) { x = number_at(0), ++next_; }
+  void operator()(const std::string&, Vector3& v, std::size_t) {
+    for (int axis = 0; axis < 3; ++axis) v[axis] = number_at(static_cast<std::size_t>(axis));
+    ++next_;
+  }
+  void operator()(const std::string&, bool& x, std::size_t) {
+    const char byte = *bytes(0);
+    if (byte != 0 && byte != 1) refuse(fmt::format("expected 0 or 1, got {}", static_cast<unsigned char>(byte)));
+    x = byte == 1;
+    ++next_;
+  }
+  void operator()(const std::string&, std::uint32_t& x, std::size_t) { std::memcpy(&x, bytes(0), sizeof x), ++next_; }
+  void operator()(const std::string&, std::string& text, std::size_t) { text = text_at(0), ++next_; }
+  void operator()(const std::string&, std::array<std::string, 3>& texts, std::size_t) {
+    for (std::size_t axis = 0; axis < 3; ++axis) texts[axis] = text_at(axis);
+    ++next_;
+  }
+
+ private:
+  [[nodiscard]] const char* bytes(std::size_t across) const {
+    return next_->rows.data() + (at_ * next_->type.across + across) * next_->type.size;
+  }
+  [[nodiscard]] double number_at(std::size_t across) const {
+    double x = 0;
+    std::memcpy(&x, bytes(across), sizeof x);
+    return x == 0 ? 0.0 : x;
+  }
+  [[nodiscard]] std::string text_at(std::size_t across) const {
+    const char* begin = bytes(across);
+    const char* end = begin + next_->type.size;
+    std::string text(begin, std::find(begin, end, '\0'));
+    if (std::any_of(begin + text.size(), end, [](char c) { return c != 0; })) refuse("text after the end of the text");
+    // Every text of a row is a name or a number: none needs a character that JSON would have to escape.
+    if (std::any_of(text.begin(), text.end(), [](char c) { return c <= ' ' || c > '~' || c == '"' || c == '\\'; }))
+      refuse("a character that no text here has, in " + json_string(text));
+    return text;
+  }
+  [[noreturn]] void refuse(const std::string& problem) const {
+    throw InputError(where_, where_written(*next_), problem);
+  }
+
+  std::vector<Column>::const_iterator next_;
+  std::size_t at_;
+  const Location& where_;
+};
+
+class ColumnsWriter : public DatasetWriter {
+ public:
+  ColumnsWriter(const std::filesystem::path& path, const DatasetHeader& header)
+      : path_(path), header_(header), pending_(path) {
+    if (!pending_.replaceable()) pending_.fail("columns need a regular file");
+    hash_.add(to_line(header_)).add("\n");
+    guarded([&] { create(); });
+  }
+
+  void write(const Case& c, std::string_view line) override {
+    Row row(header_);
+    row.c = c;
+    if (!c.expect.contact) row.clear_contact();
+    row.flags = bits(c);
+    for_each_column(header_, row, Encoder(columns_, path_, rows_));
+    hash_.add(line).add("\n");
+    if (++rows_ % kBlock == 0) guarded([&] { flush(); });
+  }
+
+  void commit() override {
+    guarded([&] {
+      flush();
+      hdf5::write_attribute(file_, kDigest, hash_.hex());
+      for (Column& column : columns_) column.dataset.close();
+      file_.close();
+    });
+    pending_.commit();
+  }
+
+ private:
+  template <class Work>
+  void guarded(Work work) {
+    const Lock lock;
+    try {
+      work();
+    } catch (const hdf5::Error& error) {
+      pending_.fail(error.what());
+    }
+  }
+
+  void create() {
+    file_ = hdf5::create_file(pending_.temporary());
+    const auto header = nlohmann::json::parse(to_line(header_));
+    for (const auto& [key, value] : header.items()) hdf5::write_attribute(file_, key, value);
+    std::set<std::string> groups;
+    columns_ = columns_of(header_);
+    for (Column& column : columns_) {
+      if (const std::string group = group_of(column.path); group != column.path && groups.insert(group).second)
+        hdf5::create_group(file_, group);
+      const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+      checked(H5Pset_obj_track_times(creation, false));
+      if (header_.count != 0) {  // what has no rows has no chunks
+        const std::vector<hsize_t> chunk = column.shape(std::min(kBlock, header_.count));
+        checked(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
+        checked(H5Pset_shuffle(creation));
+        checked(H5Pset_deflate(creation, kDeflate));
+        checked(H5Pset_fletcher32(creation));
+      }
+      const Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
+      checked(H5Pset_chunk_cache(access, 0, 0, 1));  // whole chunks are written, once
+      const std::vector<hsize_t> shape = column.shape(header_.count);
+      const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
+      column.dataset = Handle(
+          H5Dcreate2(file_, column.path.c_str(), column.type.file, space, H5P_DEFAULT, creation, access), H5Dclose);
+      if (column.path == "flags") hdf5::write_attribute(column.dataset, kFlagNames, flag_names());
+    }
+  }
+
+  static nlohmann::json flag_names() {
+    nlohmann::json names = nlohmann::json::array();
+    for (const Flag& flag : flags()) names.push_back(flag.name);
+    return names;
+  }
+
+  [[nodiscard]] std::uint32_t bits(const Case& c) const {
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < flags().size(); ++i)
+      if (std::find(c.flags.begin(), c.flags.end(), flags()[i].name) != c.flags.end()) bits |= std::uint32_t{1} << i;
+    for (const std::string& flag : c.flags)
+      if (std::none_of(flags().begin(), flags().end(), [&](const Flag& f) { return f.name == flag; }))
+        throw InputError({path_.string(), rows_ + 1, true}, "/flags", "undeclared flag " + flag);
+    return bits;
+  }
+
+  void flush() {
+    const std::uint64_t count = rows_ - written_;
+    if (count == 0) return;
+    for (Column& column : columns_) {
+      column.transfer(written_, count, [](hid_t set, hid_t type, hid_t memory, hid_t file, const char* bytes) {
+        return H5Dwrite(set, type, memory, file, H5P_DEFAULT, bytes);
+      });
+      column.rows.clear();
+    }
+    written_ = rows_;
+  }
+
+  std::filesystem::path path_;
+  DatasetHeader header_;
+  PendingFile pending_;
+  Handle file_;
+  std::vector<Column> columns_;
+  Sha256 hash_;
+  std::uint64_t rows_ = 0;
+  std::uint64_t written_ = 0;
+};
+
+/// Work that reads; what HDF5 cannot read is refused with file, row and field.
+template <class Work>
+auto reading(const Location& where, const std::string& field, Work work) {
+  const Lock lock;
+  try {
+    return work();
+  } catch (const hdf5::Error& error) {
+    throw InputError(where, field, fmt::format("cannot read: {}", error.what()));
+  }
+}
+
+class ColumnsSource : public CaseSource {
+ public:
+  explicit ColumnsSource(const std::filesystem::path& path) : whole_{path.string(), 0} {
+    where_ = {path.string(), 0, true};
+    const Lock lock;
+    file_ = reading(whole_, "", [&] { return hdf5::open_file(path); });
+    nlohmann::json attributes = nlohmann::json::object();
+    for (const std::string& name : reading(whole_, "", [&] { return hdf5::attribute_names(file_); }))
+      attributes[name] = reading(whole_, name, [&] { return hdf5::read_attribute(file_, name); });
+    digest_ = Node(attributes, whole_).at(kDigest).text();
+    attributes.erase(kDigest);
+    header_ = read_header(Node(attributes, whole_));
+    columns_ = columns_of(header_);
+    check_objects();
+    for (Column& column : columns_) reading(whole_, where_written(column), [&] { open(column); });
+    text_ = to_line(header_);
+    hash_.add(text_).add("\n");
+  }
+
+  bool advance() override {
+    if (where_.line < header_.count) {
+      ++where_.line;
+      return true;
+    }
+    // The digest is of the whole file, so it says nothing where rows were passed over.
+    if (hashed_ == header_.count && hash_.hex() != digest_)
+      throw InputError(whole_, kDigest,
+                       fmt::format("the file says {}, its rows as JSON lines have {}", digest_, hash_.hex()));
+    return false;
+  }
+
+  Case read() override {
+    const std::uint64_t index = where_.line - 1;
+    if (index < first_ || index >= first_ + loaded_) load(index / kBlock * kBlock);
+    Row row(header_);
+    for_each_column(header_, row, Decoder(columns_, index - first_, where_));
+    check_question(row.c.query, row.c.id);
+    if (row.flags >> flag_names_.size() != 0 && flag_names_.size() < kMostFlags)
+      throw InputError(where_, "/flags", fmt::format("a bit without a name, in {:#x}", row.flags));
+    for (std::size_t i = 0; i < flag_names_.size(); ++i)
+      if ((row.flags >> i & 1) != 0) row.c.flags.push_back(flag_names_[i]);
+    settle_contact(row.c);
+    text_ = to_line(row.c);
+    hash_.add(text_).add("\n");
+    ++hashed_;
+    return std::move(row.c);
+  }
+
+ private:
+  /// Whether the file holds the groups and columns of such a dataset, and nothing else.
+  void check_objects() const {
+    std::set<std::string> expected;
+    for (const Column& column : columns_) {
+      expected.insert(group_of(column.path));
+      expected.insert(column.path);
+    }
+    const std::set<std::string> found = reading(whole_, "", [&] { return hdf5::object_names(file_); });
+    for (const std::string& name : expected)
+      if (!found.contains(name)) throw InputError(whole_, "/" + name, "missing");
+    for (const std::string& name : found) {
+      if (!expected.contains(name))
+        throw InputError(whole_, "/" + name, fmt::format("unknown; known here: /{}", fmt::join(expected, ", /")));
+      reading(whole_, "/" + name, [&] {
+        const Handle object(H5Oopen(file_, name.c_str(), H5P_DEFAULT), H5Oclose);
+        for (const std::string& attribute : hdf5::attribute_names(object))
+          if (name != "flags" || attribute != kFlagNames)
+            throw InputError(whole_, fmt::format("/{}: attribute {}", name, attribute), "unknown");
+      });
+    }
+  }
+
+  void open(Column& column) {
+    column.dataset = Handle(H5Dopen2(file_, column.path.c_str(), H5P_DEFAULT), H5Dclose);
+    const auto refuse = [&](const std::string& problem) { throw InputError(whole_, where_written(column), problem); };
+    const Handle type(H5Dget_type(column.dataset), H5Tclose);
+    if (checked(H5Tequal(type, column.type.file)) == 0) refuse("expected " + column.type.words);
+    const Handle space(H5Dget_space(column.dataset), H5Sclose);
+    std::vector<hsize_t> shape(static_cast<std::size_t>(checked(H5Sget_simple_extent_ndims(space))));
+    checked(H5Sget_simple_extent_dims(space, shape.data(), nullptr));
+    if (shape != column.shape(header_.count))
+      refuse(fmt::format("expected a shape of ({}), got ({})", fmt::join(column.shape(header_.count), ", "),
+                         fmt::join(shape, ", ")));
+    // Such as a part of another file would be.
+    const Handle creation(H5Dget_create_plist(column.dataset), H5Pclose);
+    if (const H5D_layout_t layout = H5Pget_layout(creation);
+        layout != (header_.count == 0 ? H5D_CONTIGUOUS : H5D_CHUNKED) || H5Pget_external_count(creation) != 0)
+      refuse("expected chunks in this file");
+    if (column.path != "flags") return;
+    const nlohmann::json names = hdf5::read_attribute(column.dataset, kFlagNames);
+    const Location& where = whole_;
+    for (const Node& name : Node(names, where, "/flags: attribute names").items()) flag_names_.push_back(name.text());
+    if (flag_names_.size() > kMostFlags) refuse(fmt::format("more than {} names", kMostFlags));
+  }
+
+  void load(std::uint64_t first) {
+    loaded_ = 0;
+    const std::uint64_t count = std::min(kBlock, header_.count - first);
+    for (Column& column : columns_) {
+      column.rows.resize(count * column.type.across * column.type.size);
+      reading({where_.file, first + 1, true}, where_written(column), [&] {
+        column.transfer(first, count, [](hid_t set, hid_t type, hid_t memory, hid_t file, char* bytes) {
+          return H5Dread(set, type, memory, file, H5P_DEFAULT, bytes);
+        });
+      });
+    }
+    first_ = first;
+    loaded_ = count;
+  }
+
+  /// A miss has no contact, and its row says so in every column of it.
+  void settle_contact(Case& c) const {
+    if (!c.rejected && c.expect.hit && header_.pair != Pair::cube_cube) return;
+    const Contact& k = *c.expect.contact;
+    const auto none = [&](const char* field, bool is_none) {
+      if (!is_none) throw InputError(where_, field, "a miss has no contact");
+    };
+    none("/expect/degenerate", !k.degenerate);
+    none("/expect/normal", k.normal.array().isNaN().all());
+    none("/expect/point1", k.point1.array().isNaN().all());
+    none("/expect/point2", k.point2.array().isNaN().all());
+    none("/expect/value", std::isnan(k.value));
+    c.expect.contact.reset();
+  }
+
+  Location whole_;
+  Handle file_;
+  std::string digest_;
+  std::vector<Column> columns_;
+  std::vector<std::string> flag_names_;
+  std::uint64_t first_ = 0;
+  std::uint64_t loaded_ = 0;
+  Sha256 hash_;
+  std::uint64_t hashed_ = 0;
+};
+
+}  // namespace
+
+bool holds_columns(const std::filesystem::path& path) {
+  std::ifstream stream = open_to_read(path, true);
+  std::array<char, 8> first{};
+  stream.read(first.data(), first.size());
+  return hdf5::is_hdf5({first.data(), static_cast<std::size_t>(stream.gcount())});
+}
+
+std::unique_ptr<CaseSource> open_columns(const std::filesystem::path& path) {
+  return std::make_unique<ColumnsSource>(path);
+}
+
+std::unique_ptr<DatasetWriter> create_columns(const std::filesystem::path& path, const DatasetHeader& header) {
+  return std::make_unique<ColumnsWriter>(path, header);
+}
+
+}  // namespace contact::golden

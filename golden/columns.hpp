@@ -1,0 +1,36 @@
+// A dataset as columns in HDF5: docs/formats.md#columns.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+
+#include "golden/dataset.hpp"
+#include "golden/dataset_writer.hpp"
+
+namespace contact::golden {
+
+inline constexpr std::string_view kColumnsExtension = ".h5";
+
+/// Whether the content of a file is HDF5, whatever its name is.
+[[nodiscard]] bool holds_columns(const std::filesystem::path& path);
+
+/// Both hold a block of rows in memory at a time, so their memory does not grow with the file.
+[[nodiscard]] std::unique_ptr<CaseSource> open_columns(const std::filesystem::path& path);
+[[nodiscard]] std::unique_ptr<DatasetWriter> create_columns(const std::filesystem::path& path,
+                                                            const DatasetHeader& header);
+
+/// The longest text of an exact number in a file of that scalar: of one with the unit of an input (reach, gap) for
+/// power 1, of one with the unit of its square (distance2) for power 2.
+///   Every input is a multiple of u = 2^(min_exponent - precision + 1) below 2^(max_exponent + 1), a difference of two
+///   below 2^(max_exponent + 2). D is the sum of three squares of differences, reach a sum of three inputs; both, and a
+///   gap, are so below 4 (2^(max_exponent + 2))^power and multiples of u^power. Four bits make a digit. The rest is
+///   the sign, 0x, p, and an exponent of up to five characters.
+[[nodiscard]] constexpr std::size_t longest_exact(int power, Scalar scalar) {
+  const Format f = format_of(scalar);
+  const int bits = power * (f.max_exponent + 2 - (f.min_exponent - f.precision + 1)) + 2;
+  return static_cast<std::size_t>((bits + 3) / 4 + 9);
+}
+
+}  // namespace contact::golden
