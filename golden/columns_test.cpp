@@ -86,7 +86,7 @@ TEST_F(Columns, AreTheSameBytesInEveryRun) {
 }
 
 TEST_F(Columns, HoldBlocksThatAreFullAndOneThatIsNot) {
-  for (const std::uint64_t count : {0, 1, 4096, 4097}) {
+  for (const std::uint64_t count : {0U, 1U, 4096U, 4097U}) {
     const fs::path path = make(count, Pair::cube_cube, "nested");
     convert(path, folder_ / "x.jsonl");
     const std::string lines = content(folder_ / "x.jsonl");
@@ -98,7 +98,7 @@ TEST_F(Columns, HoldBlocksThatAreFullAndOneThatIsNot) {
 TEST_F(Columns, CanBeSkippedAsLinesCan) {
   const fs::path columns = make(5000);
   convert(columns, folder_ / "x.jsonl");
-  for (const std::uint64_t n : {0, 1, 4095, 4096, 4999, 5000, 7000}) {
+  for (const std::uint64_t n : {0U, 1U, 4095U, 4096U, 4999U, 5000U, 7000U}) {
     DatasetReader of_columns(columns);
     DatasetReader of_lines(folder_ / "x.jsonl");
     of_columns.skip(n);

@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-#include "golden/dataset.hpp"
+#include "golden/dataset_writer.hpp"
 #include "golden/output_file.hpp"
 #include "golden/query_id.hpp"
 #include "tool/commands.hpp"
@@ -107,10 +107,9 @@ void save(const std::string& path, const proptests::RunResult& result) {
         ++added;
       }
     regression->header.count = regression->cases.size();
-    golden::OutputFile output(file);
-    output.write(golden::to_line(regression->header) + "\n");
-    for (const golden::Case& c : regression->cases) output.write(golden::to_line(c) + "\n");
-    output.commit();
+    const auto output = golden::create_dataset(file, regression->header);
+    for (const golden::Case& c : regression->cases) output->write(c, golden::to_line(c));
+    output->commit();
     fmt::print("Saved {} new cases in {}, which holds {}\n", added, file.string(), regression->cases.size());
   }
 }
