@@ -16,13 +16,6 @@ double as_float_neighbour(double x, float toward) {
   return static_cast<double>(std::nextafter(static_cast<float>(x), toward));
 }
 
-/// floor(log2(x)) for a rational x > 0.
-int floor_log2(const Rational& x) {
-  const auto bits = [](const Gmpz& n) { return static_cast<int>(mpz_sizeinbase(n.mpz(), 2)); };
-  const int guess = bits(x.numerator()) - bits(x.denominator());
-  return power_of_two(guess) <= x ? guess : guess - 1;
-}
-
 /// An enclosure of |x|, x other than 0, with both ends positive and no farther apart than a 2^-60th.
 Exact::Enclosure tight_magnitude(const Exact& x) {
   const Exact positive = x.sign() == CGAL::NEGATIVE ? x.scaled(Rational(-1)) : x;
@@ -33,7 +26,7 @@ Exact::Enclosure tight_magnitude(const Exact& x) {
 }
 
 /// floor(log2 |x|) for x other than 0.
-int floor_log2(const Exact& x) {
+int leading_exponent(const Exact& x) {
   const Exact::Enclosure e = tight_magnitude(x);
   const int low = floor_log2(e.low);
   if (floor_log2(e.high) == low) return low;
@@ -157,7 +150,21 @@ Rational ulp(const Exact& x, Scalar scalar) {
   const Format format = format_of(scalar);
   const int least = format.min_exponent - format.precision + 1;
   if (x.sign() == CGAL::ZERO) return power_of_two(least);
-  return power_of_two(std::max(floor_log2(x) - format.precision + 1, least));
+  return power_of_two(std::max(leading_exponent(x) - format.precision + 1, least));
+}
+
+Boundary nearest_boundary(const Exact& x, Scalar scalar) {
+  const double rounded = round_to_nearest(x, scalar);
+  const double limit = largest_finite(scalar);
+  const double d = std::clamp(rounded, -limit, limit);
+  const Rational above = boundary_above(d, scalar);
+  const Rational below = -boundary_above(-d, scalar);
+  return {x.compare((above + below) / Rational(2)) == CGAL::SMALLER ? below : above, ulp(Rational(d), scalar)};
+}
+
+Rational distance_in_ulps(const Exact& x, const Boundary& boundary) {
+  const Exact off = x.plus(-boundary.at);
+  return off.sign() == CGAL::ZERO ? Rational(0) : tight_magnitude(off).high / boundary.ulp;
 }
 
 double error_in_units(const Rational& claim, const Exact& x, const Rational& unit) {
@@ -176,6 +183,12 @@ double next_up(double x, Scalar scalar) {
 }
 
 double next_down(double x, Scalar scalar) { return -next_up(-x, scalar); }
+
+int floor_log2(const Rational& x) {
+  const auto bits = [](const Gmpz& n) { return static_cast<int>(mpz_sizeinbase(n.mpz(), 2)); };
+  const int guess = bits(x.numerator()) - bits(x.denominator());
+  return power_of_two(guess) <= x ? guess : guess - 1;
+}
 
 Rational power_of_two(int exponent) {
   const Gmpz power = Gmpz(1) << std::abs(exponent);

@@ -1,6 +1,8 @@
 // The exact answer to a question, as exact numbers, and its correct rounding.
 #include "oracle/truth.hpp"
 
+#include <algorithm>
+
 namespace contact::oracle {
 
 Truth truth_of(const Query& query) {
@@ -30,6 +32,26 @@ Expectation expectation(const Truth& truth, Scalar scalar) {
   contact.value = round_to_nearest(spheres.value(true), scalar);
   expected.contact = contact;
   return expected;
+}
+
+std::vector<FieldNumber> numbers(const SphereTruth& spheres) {
+  std::vector<FieldNumber> all{{"value", spheres.value(true)}};
+  for (int axis = 0; axis < 3; ++axis) all.push_back({"normal", spheres.normal(axis)});
+  for (int axis = 0; axis < 3; ++axis) all.push_back({"point1", spheres.point(0, axis, PointOn::nearest_surface)});
+  for (int axis = 0; axis < 3; ++axis) all.push_back({"point2", spheres.point(1, axis, PointOn::nearest_surface)});
+  return all;
+}
+
+std::vector<FieldDistance> rounding_distances(const Truth& truth, Scalar scalar) {
+  std::vector<FieldDistance> least;
+  if (!truth.hit() || !truth.spheres) return least;
+  for (const auto& [field, number] : numbers(*truth.spheres)) {
+    const Rational ulps = distance_in_ulps(number, nearest_boundary(number, scalar));
+    if (CGAL::is_zero(ulps)) continue;  // a tie
+    if (least.empty() || least.back().field != field) least.push_back({field, ulps});
+    least.back().ulps = std::min(least.back().ulps, ulps);
+  }
+  return least;
 }
 
 Witness witness(const Truth& truth, Scalar scalar) {
