@@ -7,10 +7,22 @@
 #include "golden/query_id.hpp"
 
 namespace contact::golden {
+namespace {
+
+void keep_closest(std::vector<Closest>& all, const Closest& found) {
+  const auto known =
+      std::find_if(all.begin(), all.end(), [&](const Closest& c) { return c.distance.field == found.distance.field; });
+  if (known == all.end())
+    all.push_back(found);
+  else if (found.distance.ulps < known->distance.ulps)
+    *known = found;
+}
+
+}  // namespace
 
 LintedFile lint(const std::filesystem::path& path, bool generated, const std::function<void()>& after_case) {
   DatasetReader reader(path);
-  LintedFile linted{reader.header(), 0, {}, {}};
+  LintedFile linted{reader.header(), 0, {}, {}, {}};
   for (const Flag& flag : flags()) linted.flags.emplace_back(flag.name, 0);
   Sha256 hash;
   const auto canonical = [&](const std::string& expected) {
@@ -31,10 +43,14 @@ LintedFile lint(const std::filesystem::path& path, bool generated, const std::fu
         throw InputError(reader.where(), "flags", "undeclared flag " + flag);
     if (reader.repeats() != 0 && !generated)
       throw InputError(reader.where(), "id", "the same question stands in this file twice: " + c->id);
-    if (c->rejected)
+    if (c->rejected) {
       check_rejection(*c, reader.where());
-    else
-      check_case(*c, reader.header().scalar, oracle::truth_of(c->query), reader.where());
+    } else {
+      const oracle::Truth truth = oracle::truth_of(c->query);
+      check_case(*c, reader.header().scalar, truth, reader.where());
+      for (const auto& distance : oracle::rounding_distances(truth, reader.header().scalar))
+        keep_closest(linted.closest, {distance, c->id});
+    }
     const Case right = make_case(c->query, reader.header().scalar);
     if (c->flags != right.flags)
       throw InputError(

@@ -136,8 +136,8 @@ def main(arguments):
             cases += entry["count"]
             entries |= {(name := path.relative_to(top).as_posix()): {"path": name, **entry}}
         listed = {entry["path"]: entry for entry in json.loads(manifest.read_text())["files"]} if manifest.exists() else entries
-        for name in {**entries, **listed}:  # but for the origin, which a file does not tell
-            wrong += differences(f"{manifest}: {name}", *(leaves({**all.get(name, {}), "origin": ""}) for all in (entries, listed)))
+        for name in {**entries, **listed}:  # but for what is left to `lint`
+            wrong += differences(f"{manifest}: {name}", *(leaves({**all.get(name, {}), "origin": "", "closest": ""}) for all in (entries, listed)))
     print(*wrong, f"{cases} cases: " + (f"{len(wrong)} complaints" if wrong else "all right" if cases else "nothing"), sep="\n")
     return 1 if wrong else 0 if cases else 2
 
