@@ -10,12 +10,9 @@ namespace contact::golden {
 namespace {
 
 void keep_closest(std::vector<Closest>& all, const Closest& found) {
-  const auto known =
-      std::find_if(all.begin(), all.end(), [&](const Closest& c) { return c.distance.field == found.distance.field; });
-  if (known == all.end())
-    all.push_back(found);
-  else if (found.distance.ulps < known->distance.ulps)
-    *known = found;
+  const auto at =
+      std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.distance.field == found.distance.field; });
+  if (at->id.empty() || found.distance.ulps < at->distance.ulps) *at = found;
 }
 
 }  // namespace
@@ -24,6 +21,8 @@ LintedFile lint(const std::filesystem::path& path, bool generated, const std::fu
   DatasetReader reader(path);
   LintedFile linted{reader.header(), 0, {}, {}, {}};
   for (const Flag& flag : flags()) linted.flags.emplace_back(flag.name, 0);
+  for (const std::string_view field : {"value", "normal", "point1", "point2"})
+    linted.closest.push_back({{field, oracle::Rational(0), 0}, ""});
   Sha256 hash;
   const auto canonical = [&](const std::string& expected) {
     hash.add(reader.text()).add("\n");
@@ -63,6 +62,7 @@ LintedFile lint(const std::filesystem::path& path, bool generated, const std::fu
     if (after_case) after_case();
   }
   std::erase_if(linted.flags, [](const auto& flag) { return flag.second == 0; });
+  std::erase_if(linted.closest, [](const Closest& closest) { return closest.id.empty(); });
   linted.sha256 = hash.hex();
   return linted;
 }

@@ -20,7 +20,7 @@ std::string manifest_text(const std::vector<ManifestEntry>& entries) {
     std::string closest;
     for (const auto& [distance, id] : file.closest)
       closest += fmt::format(R"({}"{}":{{"log2_ulps":{},"id":"{}"}})", closest.empty() ? "" : ",", distance.field,
-                             oracle::floor_log2(distance.ulps), id);
+                             distance.log2, id);
     text += fmt::format(
         R"({{"path":{},"pair":"{}","scalar":"{}","family":{},"origin":"{}","generator":{},"seed":{},"count":{},"hits":{},"flags":{{{}}},"closest":{{{}}},"sha256":"{}"}}{})",
         json_string(path), name(h.pair), name(h.scalar), json_string(h.family),

@@ -25,17 +25,6 @@ Exact::Enclosure tight_magnitude(const Exact& x) {
   }
 }
 
-/// floor(log2 |x|) for x other than 0.
-int leading_exponent(const Exact& x) {
-  const Exact::Enclosure e = tight_magnitude(x);
-  const int low = floor_log2(e.low);
-  if (floor_log2(e.high) == low) return low;
-  // One power of two lies between the ends; the exact comparison decides.
-  const Rational power = power_of_two(low + 1);
-  const bool below = x.compare(power) == CGAL::SMALLER && x.compare(-power) == CGAL::LARGER;
-  return below ? low : low + 1;
-}
-
 double largest_finite(Scalar scalar) {
   return scalar == Scalar::binary32 ? static_cast<double>(std::numeric_limits<float>::max())
                                     : std::numeric_limits<double>::max();
@@ -150,7 +139,7 @@ Rational ulp(const Exact& x, Scalar scalar) {
   const Format format = format_of(scalar);
   const int least = format.min_exponent - format.precision + 1;
   if (x.sign() == CGAL::ZERO) return power_of_two(least);
-  return power_of_two(std::max(leading_exponent(x) - format.precision + 1, least));
+  return power_of_two(std::max(floor_log2(x) - format.precision + 1, least));
 }
 
 Boundary nearest_boundary(const Exact& x, Scalar scalar) {
@@ -187,7 +176,17 @@ double next_down(double x, Scalar scalar) { return -next_up(-x, scalar); }
 int floor_log2(const Rational& x) {
   const auto bits = [](const Gmpz& n) { return static_cast<int>(mpz_sizeinbase(n.mpz(), 2)); };
   const int guess = bits(x.numerator()) - bits(x.denominator());
-  return power_of_two(guess) <= x ? guess : guess - 1;
+  return power_of_two(guess) <= CGAL::abs(x) ? guess : guess - 1;
+}
+
+int floor_log2(const Exact& x) {
+  const Exact::Enclosure e = tight_magnitude(x);
+  const int low = floor_log2(e.low);
+  if (floor_log2(e.high) == low) return low;
+  // One power of two lies between the ends; the exact comparison decides.
+  const Rational power = power_of_two(low + 1);
+  const bool below = x.compare(power) == CGAL::SMALLER && x.compare(-power) == CGAL::LARGER;
+  return below ? low : low + 1;
 }
 
 Rational power_of_two(int exponent) {

@@ -72,8 +72,9 @@ struct Boundary {
 [[nodiscard]] double next_up(double x, Scalar scalar);
 [[nodiscard]] double next_down(double x, Scalar scalar);
 
-/// floor(log2(x)) for x > 0.
+/// floor(log2 |x|) for x other than 0.
 [[nodiscard]] int floor_log2(const Rational& x);
+[[nodiscard]] int floor_log2(const Exact& x);
 
 /// 2^exponent.
 [[nodiscard]] Rational power_of_two(int exponent);

@@ -1,8 +1,6 @@
 // The exact answer to a question, as exact numbers, and its correct rounding.
 #include "oracle/truth.hpp"
 
-#include <algorithm>
-
 namespace contact::oracle {
 
 Truth truth_of(const Query& query) {
@@ -46,10 +44,13 @@ std::vector<FieldDistance> rounding_distances(const Truth& truth, Scalar scalar)
   std::vector<FieldDistance> least;
   if (!truth.hit() || !truth.spheres) return least;
   for (const auto& [field, number] : numbers(*truth.spheres)) {
-    const Rational ulps = distance_in_ulps(number, nearest_boundary(number, scalar));
+    const Boundary boundary = nearest_boundary(number, scalar);
+    const Rational ulps = distance_in_ulps(number, boundary);
     if (CGAL::is_zero(ulps)) continue;  // a tie
-    if (least.empty() || least.back().field != field) least.push_back({field, ulps});
-    least.back().ulps = std::min(least.back().ulps, ulps);
+    const bool first = least.empty() || least.back().field != field;
+    if (!first && least.back().ulps <= ulps) continue;
+    if (!first) least.pop_back();
+    least.push_back({field, ulps, floor_log2(number.plus(-boundary.at)) - floor_log2(boundary.ulp)});
   }
   return least;
 }

@@ -89,6 +89,7 @@ struct FieldNumber {
 struct FieldDistance {
   std::string_view field;
   Rational ulps;  ///< distance_in_ulps
+  int log2;       ///< rounded down, exactly
 };
 /// Of every field that has such a number; empty without a contact.
 [[nodiscard]] std::vector<FieldDistance> rounding_distances(const Truth& truth, Scalar scalar);
