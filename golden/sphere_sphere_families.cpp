@@ -460,8 +460,8 @@ Spheres<Real> hard_value(int k, Random& random) {
 }
 
 /// A component x / sqrt(x^2 + y^2) beside m / 2^s, the middle of two neighbours: y / x is a convergent of
-/// sqrt(4^s - m^2) / m, the closest of those for 32 m. It is never in the middle: 4^s (x^2 + y^2 + z^2) = (m d)^2 ..
-/// x^2 + y^2 + z^2 = 4^j n^2 makes x, y, z multiples of 2^j, so a component that is a dyadic number is 0 or 1.
+/// sqrt(4^s - m^2) / m, the best of those for 32 m.
+/// None is exactly in the middle: no normal has a component m / 2^s with m odd and s > 0 (docs/golden.md).
 template <class Real>
 Spheres<Real> hard_normal(Random& random) {
   using boost::multiprecision::cpp_int;
