@@ -16,10 +16,6 @@
 namespace contact::engines {
 namespace {
 
-/// No committed pair of boxes overflows in max + alarm and is apart on another axis or side: wherever that sum is
-/// infinite there, the answer is a hit.
-constexpr std::string_view kSurvivor = "box-sum-overflows";
-
 /// Whether an answer that differs from the right one in something is wrong by more than its bounds.
 bool refutes(const Query& query, const Claim& claim, const Claim& right, std::optional<oracle::Truth>& truth) {
   if (outside_domain(query)) return oracle::judge_outside_domain(claim).level() > oracle::Level::bounded;
@@ -31,7 +27,7 @@ bool refutes(const Query& query, const Claim& claim, const Claim& right, std::op
   return oracle::judge(query, *truth, claim, {}).level() > oracle::Level::bounded;
 }
 
-TEST(Mutants, every_one_but_one_is_refuted_by_ten_committed_questions_and_more) {
+TEST(Mutants, every_one_is_refuted_by_ten_committed_questions_and_more) {
   constexpr int kMany = 10;
   std::vector<std::pair<const Mutant*, int>> left;
   for (const Mutant& m : mutants()) left.emplace_back(&m, 0);
@@ -47,10 +43,8 @@ TEST(Mutants, every_one_but_one_is_refuted_by_ten_committed_questions_and_more) 
       });
     }
   }
-  for (const auto& [mutant, count] : left) {
-    EXPECT_EQ(mutant->id, kSurvivor) << "is refuted by " << count << " questions alone";
-    EXPECT_EQ(count, 0);
-  }
+  for (const auto& [mutant, count] : left)
+    ADD_FAILURE() << mutant->id << " is refuted by " << count << " questions alone";
 }
 
 TEST(Mutants, ids_are_unique_and_real_ones_have_their_source) {

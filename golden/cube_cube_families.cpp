@@ -186,7 +186,7 @@ Cubes<Real> extreme_scale(Random& random) {
   using Limits = std::numeric_limits<Real>;
   constexpr Real kTiny = Limits::denorm_min();
   Cubes<Real> c;
-  switch (random.turn(5)) {
+  switch (random.turn(6)) {
     case 0:  // near the largest finite numbers: max + alarm overflows
       c = overlapping<Real>(random);
       c.scale(Limits::max_exponent - 6);
@@ -229,6 +229,18 @@ Cubes<Real> extreme_scale(Random& random) {
         }
       c.alarm = std::ldexp(Real{1}, random.between(Limits::min_exponent, Limits::max_exponent - 2));
       return c;
+    case 4: {  // apart on one axis, and max + alarm overflows on another: an infinite sum hits nothing
+      c = overlapping<Real>(random);
+      c.scale(Limits::max_exponent - 6);
+      const auto axis = random.below(3);
+      c.alarm = Limits::max() * random.uniform(Real{0.125}, Real{0.25});
+      c.max1[axis] = Limits::max() * random.uniform(Real{0.96875}, Real{1});
+      const auto other = (axis + 1 + random.below(2)) % 3;
+      const Real beyond = c.alarm + Limits::max() * random.uniform(Real{0.0625}, Real{0.125});
+      place(c, other, random.chance(2), [&](Real max) { return max + beyond; });
+      if (random.chance(2)) c.swap_boxes();
+      return c;
+    }
     default:  // ordinary shapes, far up or far down the scale
       c = random.chance(2) ? alarm_edge<Real>(random) : touching<Real>(random);
       c.scale(random.chance(2) ? Limits::max_exponent - 8 : Limits::min_exponent + Limits::digits + 8);

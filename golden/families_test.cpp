@@ -6,10 +6,12 @@
 #include <map>
 #include <set>
 
+#include "contact/sphere_sphere.hpp"
 #include "golden/dataset.hpp"
 #include "golden/flags.hpp"
 #include "golden/plain.hpp"
 #include "golden/query_id.hpp"
+#include "oracle/interval_oracle.hpp"
 
 namespace contact::golden {
 namespace {
@@ -229,6 +231,120 @@ TEST(Families, SearchFindsWhatPlainArithmeticDecidesWrongly) {
         file, [&](const Query& q, const oracle::Truth& t) { return plain_overlap(q, file.scalar) != t.hit(); });
     EXPECT_GT(wrong * 100, kCommittedCount * it->second) << title(file);
   }
+}
+
+/// log2 of the least distance of a field's numbers from a rounding boundary, or nothing where all are on one.
+std::optional<int> closeness(std::string_view field, const oracle::Truth& truth, Scalar scalar) {
+  for (const auto& distance : oracle::rounding_distances(truth, scalar))
+    if (distance.field == field) return distance.log2;
+  return std::nullopt;
+}
+
+bool has_flag(std::string_view flag, const Query& query, Scalar scalar) {
+  const auto names = flags_of(query, oracle::truth_of(query), scalar);
+  return std::find(names.begin(), names.end(), flag) != names.end();
+}
+
+TEST(Families, HardToRoundHoldsEveryClassAsCloseAsItsConstructionSays) {
+  for_each_file("hard_to_round", [](const CommittedFile& file) {
+    const int p = format_of(file.scalar).precision;
+    std::map<std::string, int> classes;
+    for (std::uint64_t i = 0; i < kCommittedCount; ++i) {
+      const Query q = generate_query(file.pair, *file.family, file.scalar, kCommittedSeed, i);
+      const oracle::Truth t = oracle::truth_of(q);
+      ASSERT_TRUE(t.hit()) << title(file) << " " << i;
+      const auto within = [&](std::string_view field, int exponent) {
+        return closeness(field, t, file.scalar).value_or(0) < exponent;
+      };
+      const auto counted = [&](const std::string& name, bool right) {
+        EXPECT_TRUE(right) << title(file) << " " << i << ": " << name << "\n" << query_line(q, file.scalar);
+        ++classes[name];
+      };
+      const int moved = static_cast<int>(i / 7 % 3) - 1;
+      switch (i % 7) {
+        case 0:
+          counted(i / 7 % 2 == 0 ? "value" : "value, cancelled", within("value", i / 7 % 2 == 0 ? -p + 2 : -p));
+          break;
+        case 1:
+          counted("normal", within("normal", -p + 2));
+          break;
+        case 2:
+          counted("point1", within("point1", -3 * p + 4));
+          break;
+        case 3:
+          counted("point2", within("point2", -3 * p + 4));
+          break;
+        case 4:
+        case 5:
+          counted((i % 7 == 4 ? "tie of a value " : "tie of a point ") + std::to_string(moved),
+                  has_flag(moved == 0 ? "Tie" : "HardToRound", q, file.scalar));
+          break;
+        default:
+          counted("spoiled " + std::to_string(moved), within(moved == -1             ? "normal"
+                                                             : moved == 0            ? "value"
+                                                             : within("point1", -20) ? "point1"
+                                                                                     : "point2",
+                                                             -20));
+      }
+    }
+    EXPECT_EQ(classes.size(), 2U + 3 + 6 + 3) << title(file);
+    for (const auto& [name, count] : classes) EXPECT_GE(count, 10) << title(file) << " " << name;
+  });
+}
+
+TEST(Families, TiesOfHardToRoundHaveEvenNeighboursAboveAndBelow) {
+  for_each_file("hard_to_round", [](const CommittedFile& file) {
+    std::map<std::pair<bool, bool>, int> seen;  // a point or the value; rounded up or down
+    for (std::uint64_t i = 0; i < kCommittedCount; ++i) {
+      const oracle::Truth t = oracle::truth_of(generate_query(file.pair, *file.family, file.scalar, kCommittedSeed, i));
+      for (const auto& [field, number] : oracle::numbers(*t.spheres)) {
+        const oracle::Boundary boundary = oracle::nearest_boundary(number, file.scalar);
+        if (number.compare(boundary.at) != CGAL::EQUAL) continue;
+        EXPECT_NE(field, "normal") << "which is never a tie";
+        const bool up = oracle::Rational(oracle::round_to_nearest(number, file.scalar)) > boundary.at;
+        ++seen[{field != "value", up}];
+      }
+    }
+    for (const bool point : {false, true})
+      for (const bool up : {false, true}) EXPECT_GE((seen[{point, up}]), 2) << title(file) << point << up;
+  });
+}
+
+TEST(Families, BothOraclesAndProductionAgreeOnWhatIsHardToRound) {
+  for_each_file("hard_to_round", [](const CommittedFile& file) {
+    for (std::uint64_t i = 0; i < kCommittedCount; ++i) {
+      const Query q = generate_query(file.pair, *file.family, file.scalar, 7, i);
+      const Expectation exact = oracle::expectation(oracle::truth_of(q), file.scalar);
+      EXPECT_EQ(first_difference(exact, oracle::interval_answer(q, file.scalar).expected), std::nullopt) << i;
+      if (file.scalar == Scalar::binary32) continue;
+      const auto contact = compute_sphere_sphere(q.balls()->a, q.balls()->b, q.distances);
+      EXPECT_EQ(first_difference(exact, {contact.has_value(), contact}), std::nullopt) << i;
+    }
+  });
+}
+
+TEST(Flags, HardToRoundBeginsAt2ToMinus20UlpAndEndsBeforeTheTie) {
+  // distance 3, value 1 + 2^-53 - contact: half way between 1 and its upper neighbour, an ulp being 2^-52, less that
+  const auto flagged = [](std::string_view flag, double contact) {
+    return has_flag(flag, {Pair::sphere_sphere, Balls{{{0, 0, 0}, 1}, {{1, 2, 2}, 1 - 0x1p-53}}, {4, contact}},
+                    Scalar::binary64);
+  };
+  EXPECT_TRUE(flagged("Tie", 0));
+  EXPECT_FALSE(flagged("HardToRound", 0));
+  EXPECT_TRUE(flagged("HardToRound", 0x1p-72));
+  EXPECT_FALSE(flagged("Tie", 0x1p-72));
+  EXPECT_FALSE(flagged("HardToRound", std::nextafter(0x1p-72, 1)));
+  EXPECT_TRUE(flagged("HardToRound", 0x1p-1074));
+}
+
+TEST(Families, ExtremeBoxesHoldSumsThatOverflowBesideAnAxisThatIsApart) {
+  for_each_file("extreme_scale", [](const CommittedFile& file) {
+    if (file.pair != Pair::cube_cube) return;
+    const auto found = count_if(file, [&](const Query& q, const oracle::Truth& t) {
+      return !t.hit() && has_flag("ReachOverflow", q, file.scalar);
+    });
+    EXPECT_GE(found, kCommittedCount / 6) << title(file);
+  });
 }
 
 TEST(Families, EveryFlagOccursInTheCommittedFiles) {

@@ -16,7 +16,8 @@ using oracle::Rational;
 using oracle::SphereTruth;
 using oracle::Truth;
 
-constexpr int kNearUlps = 8;  // "near" a boundary: within this many ulps of it
+constexpr int kNearUlps = 8;        // "near" a boundary: within this many ulps of it
+constexpr int kHardExponent = -20;  // "hard to round": within 2 to this power ulps of a rounding boundary
 
 Rational square(const Rational& x) { return x * x; }
 
@@ -60,6 +61,20 @@ bool result_overflows(const Truth& truth, Scalar scalar) {
   if (!truth.spheres || !truth.hit()) return false;
   const Contact contact = *oracle::expectation(truth, scalar).contact;
   return !std::isfinite(contact.value) || !contact.point1.allFinite() || !contact.point2.allFinite();
+}
+
+template <class Predicate>
+bool any_number(const Truth& truth, Scalar scalar, Predicate predicate) {
+  if (!truth.spheres || !truth.hit()) return false;
+  const auto all = oracle::numbers(*truth.spheres);
+  return std::any_of(all.begin(), all.end(), [&](const auto& each) {
+    return predicate(each.number, oracle::nearest_boundary(each.number, scalar));
+  });
+}
+
+bool is_tie(const Exact& x, const oracle::Boundary& boundary) { return x.compare(boundary.at) == CGAL::EQUAL; }
+bool is_hard_to_round(const Exact& x, const oracle::Boundary& boundary) {
+  return !is_tie(x, boundary) && oracle::is_within(boundary.at, x, power_of_two(kHardExponent) * boundary.ulp);
 }
 
 bool any_delta(const Query& query, auto&& predicate) {
@@ -147,6 +162,12 @@ const std::array kFlags{
          }},
     Flag{"ResultOverflow", "a number of the answer rounds to infinity", "NaN from inf - inf",
          [](const Query&, const Truth& t, Scalar s) { return result_overflows(t, s); }},
+    Flag{"HardToRound", "a number of the answer lies within 2^-20 ulp of a rounding boundary, not on it",
+         "arithmetic of any one precision, and of two that agree; a result rounded twice",
+         [](const Query&, const Truth& t, Scalar s) { return any_number(t, s, is_hard_to_round); }},
+    Flag{"Tie", "a number of the answer lies exactly half way between two neighbours",
+         "ties away from zero; a second rounding; loops that refine until the answer is clear",
+         [](const Query&, const Truth& t, Scalar s) { return any_number(t, s, is_tie); }},
     Flag{"Subnormal", "a number of the question is subnormal in the file's scalar",
          "flush-to-zero modes; reciprocals that overflow",
          [](const Query& q, const Truth&, Scalar s) { return has_subnormal(q, s); }},

@@ -7,6 +7,15 @@
 #include "golden/query_id.hpp"
 
 namespace contact::golden {
+namespace {
+
+void keep_closest(std::vector<Closest>& all, const Closest& found) {
+  const auto at =
+      std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.distance.field == found.distance.field; });
+  if (at->id.empty() || found.distance.ulps < at->distance.ulps) *at = found;
+}
+
+}  // namespace
 
 void check_canonical(const DatasetReader& reader, const std::string& expected) {
   const std::string& text = reader.text();
@@ -19,8 +28,10 @@ void check_canonical(const DatasetReader& reader, const std::string& expected) {
 
 LintedFile lint(const std::filesystem::path& path, bool generated, const std::function<void()>& after_case) {
   DatasetReader reader(path);
-  LintedFile linted{reader.header(), 0, {}, {}};
+  LintedFile linted{reader.header(), 0, {}, {}, {}};
   for (const Flag& flag : flags()) linted.flags.emplace_back(flag.name, 0);
+  for (const std::string_view field : {"value", "normal", "point1", "point2"})
+    linted.closest.push_back({{field, oracle::Rational(0), 0}, ""});
   Sha256 hash;
   const auto canonical = [&](const std::string& expected) {
     check_canonical(reader, expected);
@@ -34,10 +45,14 @@ LintedFile lint(const std::filesystem::path& path, bool generated, const std::fu
         throw InputError(reader.where(), "flags", "undeclared flag " + flag);
     if (reader.repeats() != 0 && !generated)
       throw InputError(reader.where(), "id", "the same question stands in this file twice: " + c->id);
-    if (c->rejected)
+    if (c->rejected) {
       check_rejection(*c, reader.where());
-    else
-      check_case(*c, reader.header().scalar, oracle::truth_of(c->query), reader.where());
+    } else {
+      const oracle::Truth truth = oracle::truth_of(c->query);
+      check_case(*c, reader.header().scalar, truth, reader.where());
+      for (const auto& distance : oracle::rounding_distances(truth, reader.header().scalar))
+        keep_closest(linted.closest, {distance, c->id});
+    }
     const Case right = make_case(c->query, reader.header().scalar);
     if (c->flags != right.flags)
       throw InputError(
@@ -50,6 +65,7 @@ LintedFile lint(const std::filesystem::path& path, bool generated, const std::fu
     if (after_case) after_case();
   }
   std::erase_if(linted.flags, [](const auto& flag) { return flag.second == 0; });
+  std::erase_if(linted.closest, [](const Closest& closest) { return closest.id.empty(); });
   linted.sha256 = hash.hex();
   return linted;
 }

@@ -6,8 +6,15 @@
 #include <functional>
 
 #include "golden/dataset.hpp"
+#include "oracle/truth.hpp"
 
 namespace contact::golden {
+
+/// The case whose number of a field lies closest to a boundary of its rounding, ties apart; the first of several.
+struct Closest {
+  oracle::FieldDistance distance;
+  std::string id;
+};
 
 /// What lint saw of a file that it found right.
 struct LintedFile {
@@ -15,6 +22,7 @@ struct LintedFile {
   std::uint64_t hits = 0;
   std::string sha256;
   std::vector<std::pair<std::string, std::uint64_t>> flags;  ///< every flag that occurs, with its count
+  std::vector<Closest> closest;  ///< of every field that is answered somewhere off a boundary
 };
 
 /// Refuses what the reader read last unless its text is `expected`, the canonical one.

@@ -17,11 +17,15 @@ std::string manifest_text(const std::vector<ManifestEntry>& entries) {
     std::string flags;
     for (const auto& [flag, count] : file.flags)
       flags += fmt::format("{}\"{}\":{}", flags.empty() ? "" : ",", flag, count);
+    std::string closest;
+    for (const auto& [distance, id] : file.closest)
+      closest += fmt::format(R"({}"{}":{{"log2_ulps":{},"id":"{}"}})", closest.empty() ? "" : ",", distance.field,
+                             distance.log2, id);
     text += fmt::format(
-        R"({{"path":{},"pair":"{}","scalar":"{}","family":{},"origin":"{}","generator":{},"seed":{},"count":{},"hits":{},"flags":{{{}}},"sha256":"{}"}}{})",
+        R"({{"path":{},"pair":"{}","scalar":"{}","family":{},"origin":"{}","generator":{},"seed":{},"count":{},"hits":{},"flags":{{{}}},"closest":{{{}}},"sha256":"{}"}}{})",
         json_string(path), name(h.pair), name(h.scalar), json_string(h.family),
         find_family(h.pair, h.family) ? "generated" : "annotated", json_string(h.generator), h.seed, h.count, file.hits,
-        flags, file.sha256, i + 1 < entries.size() ? ",\n" : "\n");
+        flags, closest, file.sha256, i + 1 < entries.size() ? ",\n" : "\n");
   }
   return text + "]}\n";
 }

@@ -1,9 +1,12 @@
 // The families of questions about two spheres.
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "golden/making.hpp"
 
@@ -400,6 +403,238 @@ Spheres<Real> one_axis(Random& random) {
   }
 }
 
+// The family hard_to_round. Whole numbers of up to p bits are exact, p being the precision, and everything is made of
+// such: no search but for normals, and no luck.
+
+using Integers = std::array<std::int64_t, 3>;
+
+template <class Real>
+constexpr int kDigits = std::numeric_limits<Real>::digits;
+template <class Real>
+constexpr std::int64_t kTwoToDigits = std::int64_t{1} << kDigits<Real>;
+
+/// Two points that differ by whole numbers; each coordinate of the first lies between 0 and minus the difference.
+template <class Real>
+Spheres<Real> apart_by(const Integers& delta, Random& random) {
+  Spheres<Real> s;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::int64_t c = random.between(std::min<std::int64_t>(0, -delta[i]), std::max<std::int64_t>(0, -delta[i]));
+    s.c1[i] = static_cast<Real>(c);
+    s.c2[i] = static_cast<Real>(c + delta[i]);
+  }
+  return s;
+}
+
+/// Radii that are whole numbers of that sum.
+template <class Real>
+void share_out(Spheres<Real>& s, std::int64_t sum, Random& random) {
+  const std::int64_t first = random.between<std::int64_t>(0, sum);
+  s.r1 = static_cast<Real>(first);
+  s.r2 = static_cast<Real>(sum - first);
+}
+
+/// A value beside the middle of two neighbours, 2^-k apart, where k bits cancelled. A reflection keeps D.
+///   q = y^2 + z^2, x = 2^k q        sqrt(x^2 + q) = x + h - h^2 / 2x + ..    h = 2^-(k+1), short of x + h
+///   one less: x = 2^k q - 1         sqrt(x^2 + q) = x + h + h / x - ..       beyond it
+template <class Real>
+Spheres<Real> hard_value(int k, Random& random) {
+  const std::int64_t most = kTwoToDigits<Real> >> k;  // q in most / 2 + 2 .. most - 1, and x has p bits
+  const auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(most)));
+  std::int64_t y = 0;
+  std::int64_t z = 0;
+  do {
+    y = random.between<std::int64_t>(0, root);
+    z = random.between<std::int64_t>(0, root);
+  } while (y * y + z * z < most / 2 + 2 || y * y + z * z >= most);
+  const std::int64_t x = ((y * y + z * z) << k) - (random.chance(2) ? 1 : 0);
+  Integers delta{x, y, z};
+  if ((x + y + z) % 3 == 0 && random.chance(2))
+    for (std::int64_t& component : delta) component -= (x + y + z) / 3 * 2;
+  Spheres<Real> s = apart_by<Real>(delta, random);
+  // value = v 2^-k + h
+  const std::int64_t largest = k == 0 ? x - 1 : kTwoToDigits<Real> - 1;
+  const std::int64_t v = random.between(kTwoToDigits<Real> / 2, largest);
+  s.contact = std::ldexp(static_cast<Real>((std::int64_t{1} << k) - v % (std::int64_t{1} << k)), -k);
+  share_out(s, x - (v >> k) - 1, random);
+  return s;
+}
+
+/// A component x / sqrt(x^2 + y^2) beside m / 2^s, the middle of two neighbours: y / x is a convergent of
+/// sqrt(4^s - m^2) / m, the best of those for 32 m.
+/// None is exactly in the middle: no normal has a component m / 2^s with m odd and s > 0 (docs/golden.md).
+template <class Real>
+Spheres<Real> hard_normal(Random& random) {
+  using boost::multiprecision::cpp_int;
+  constexpr int kTries = 32;
+  constexpr int kMore = 4 * kDigits<Real>;  // bits that the convergents do not see
+  Integers delta{};
+  cpp_int closest = 0;
+  for (int tries = 0; tries < kTries; ++tries) {
+    const cpp_int m = kTwoToDigits<Real> + 2 * random.between<std::int64_t>(0, kTwoToDigits<Real> / 2 - 1) + 1;
+    const int s = kDigits<Real> + random.between(1, 3);
+    cpp_int over = boost::multiprecision::sqrt(cpp_int(((cpp_int(1) << 2 * s) - m * m) << 2 * kMore));
+    cpp_int under = m << kMore;
+    cpp_int y = 1;
+    cpp_int x = 0;
+    cpp_int last_y = 0;
+    cpp_int last_x = 1;
+    for (;;) {
+      const cpp_int quotient = over / under;
+      const cpp_int next_y = quotient * y + last_y;
+      const cpp_int next_x = quotient * x + last_x;
+      if (next_y >= kTwoToDigits<Real> || next_x >= kTwoToDigits<Real>) {
+        if (x * next_x > closest) {  // it is off by less than 1 / (x next_x)
+          closest = x * next_x;
+          delta = {static_cast<std::int64_t>(x), static_cast<std::int64_t>(y), 0};
+        }
+        break;
+      }
+      last_y = std::exchange(y, next_y);
+      last_x = std::exchange(x, next_x);
+      over = std::exchange(under, cpp_int(over % under));
+    }
+  }
+  Spheres<Real> s = apart_by<Real>(delta, random);
+  s.r1 = s.distance() * random.uniform(Real{0.125}, Real{0.75});
+  s.r2 = s.distance() * random.uniform(Real{0.125}, Real{0.75});
+  return s;
+}
+
+/// A point beside the middle of two neighbours.
+///   a = (y^2 + z^2 + 3) / 2, x = a - 1, r = (a + 1) / 4      D = a^2 - 2
+///   r x / sqrt(D) = sqrt(a^2 + 1 / D) / 4 = a / 4 + 1 / 8a^3 - ..      a / 2 odd
+template <class Real>
+Spheres<Real> hard_point(Random& random) {
+  const auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(kTwoToDigits<Real>)));
+  const std::int64_t y = 2 * random.between(root / 4, root / 2 - 1) + 1;
+  const std::int64_t z = 4 * random.between(root / 8, root / 4 - 1);
+  const std::int64_t a = (y * y + z * z + 3) / 2;
+  Spheres<Real> s = apart_by<Real>({0, y, z}, random);
+  const std::int64_t c = random.between(kTwoToDigits<Real> / 2 + a / 4 + 1, kTwoToDigits<Real>);
+  s.c1[0] = static_cast<Real>(-c);
+  s.c2[0] = static_cast<Real>(a - 1 - c);
+  s.r1 = static_cast<Real>(a + 1) / Real{4};
+  s.r2 = s.r1 * random.uniform(Real{0.125}, Real{1});
+  return s;
+}
+
+/// Makes the value of spheres a whole number d >= 3 apart a tie: an odd number less one half or three halves of its
+/// ulp.
+template <class Real>
+void tie_value(Spheres<Real>& s, std::int64_t d, Random& random) {
+  const std::int64_t odd = 2 * random.between<std::int64_t>(1, (d - 1) / 2) + 1;
+  share_out(s, d - odd, random);
+  const auto bits = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(odd)));
+  s.contact = std::ldexp(random.chance(2) ? Real{1} : Real{3}, bits - kDigits<Real> - 1);
+}
+
+/// Makes a coordinate of the first point of spheres a whole number d <= 16 apart a tie: the centre is so far out that
+/// the last bit of r n = delta 2^-shift is half an ulp of it.
+template <class Real>
+void tie_point(Spheres<Real>& s, const Integers& delta, std::int64_t d, Random& random) {
+  const auto axis = static_cast<std::size_t>(delta[0] != 0 ? 0 : delta[1] != 0 ? 1 : 2);
+  const int shift = random.between(1, 3);
+  const int grid = std::countr_zero(static_cast<std::uint64_t>(std::abs(delta[axis]))) + 1 - shift;
+  const std::int64_t c = random.between(kTwoToDigits<Real> / 2 + 256, kTwoToDigits<Real> - 256);
+  s.c1[axis] = random.with_sign(std::ldexp(static_cast<Real>(c), grid));
+  s.c2[axis] = s.c1[axis] + static_cast<Real>(delta[axis]);
+  s.r1 = std::ldexp(static_cast<Real>(d), -shift);
+}
+
+/// A tie spoiled by a number so small that only its square enters: how far, nothing bounds but the range.
+template <class Real>
+Spheres<Real> spoiled_tie(int field, Random& random) {
+  using Limits = std::numeric_limits<Real>;
+  if (field == 0) {  // a normal: an odd m of p + 1 bits beside 2^s is m / 2^s less a little
+    const std::int64_t m = kTwoToDigits<Real> + 2 * random.between<std::int64_t>(0, kTwoToDigits<Real> / 2 - 1) + 1;
+    const std::int64_t c = random.between(m - kTwoToDigits<Real>, kTwoToDigits<Real>);
+    const int exponent = random.between(2 * kDigits<Real>, Limits::max_exponent - 2);
+    Spheres<Real> s;
+    s.c1[0] = static_cast<Real>(-c);
+    s.c2[0] = static_cast<Real>(m - c);
+    s.c2[1] = std::ldexp(Real{1}, exponent);
+    s.r1 = random.uniform(Real{0}, Real{8});
+    s.r2 = random.uniform(Real{0}, Real{8});
+    s.alarm = s.c2[1] + s.c2[1];
+    return s;
+  }
+  const std::int64_t d = field == 1 ? random.between(std::int64_t{3}, kTwoToDigits<Real> >> 10)
+                                    : random.between(std::int64_t{1}, std::int64_t{16});
+  Spheres<Real> s = apart_by<Real>({d, 0, 0}, random);
+  if (field == 1)
+    tie_value(s, d, random);
+  else
+    tie_point(s, {d, 0, 0}, d, random);
+  s.alarm = static_cast<Real>(d) + Real{1};
+  s.scale(random.between(0, Limits::max_exponent - kDigits<Real> - 16));
+  s.c2[1] = std::ldexp(Real{1}, -random.between(kDigits<Real>, kDigits<Real> - Limits::min_exponent));
+  return s;
+}
+
+/// The axes in another order, some of them mirrored: the numbers of the answer keep their magnitudes.
+template <class Real>
+void turn_about(Spheres<Real>& s, Random& random) {
+  const auto swap_axes = [&](std::size_t i, std::size_t j) {
+    std::swap(s.c1[i], s.c1[j]);
+    std::swap(s.c2[i], s.c2[j]);
+  };
+  swap_axes(0, random.below(3));
+  swap_axes(1, 1 + random.below(2));
+  for (std::size_t i = 0; i < 3; ++i)
+    if (random.chance(2)) {
+      s.c1[i] = -s.c1[i];
+      s.c2[i] = -s.c2[i];
+    }
+}
+
+template <class Real>
+Spheres<Real> hard_to_round(Random& random) {
+  const bool wide = sizeof(Real) == 8;
+  const int moved = random.turn(3, 7) - 1;  // ties: a number's last bit less, none, more
+  Spheres<Real> s;
+  bool swapped = random.chance(2);
+  switch (random.turn(7)) {
+    case 0:  // value, as it is or after cancellation
+      s = hard_value<Real>(random.turn(2, 7) == 0 ? 0 : random.between(2, kDigits<Real> - 4), random);
+      break;
+    case 1:
+      s = hard_normal<Real>(random);
+      break;
+    case 2:
+    case 3:  // the first point, the second
+      s = hard_point<Real>(random);
+      swapped = random.turn(7) == 3;
+      break;
+    case 4: {
+      Quadruple q = quadruple(random, wide ? 1 << 18 : 120);
+      while (q.d < 3) q = quadruple(random, wide ? 1 << 18 : 120);
+      s = apart_by<Real>(q.delta, random);
+      tie_value(s, q.d, random);
+      s.contact = ulps_away(s.contact, moved);
+      break;
+    }
+    case 5: {
+      const Quadruple q = quadruple(random, 2);
+      s = apart_by<Real>(q.delta, random);
+      tie_point(s, q.delta, q.d, random);
+      s.r1 = ulps_away(s.r1, moved);
+      break;
+    }
+    default:
+      s = spoiled_tie<Real>(moved + 1, random);
+  }
+  if (s.alarm == 0) {
+    s.alarm = s.distance() * random.uniform(Real{1.25}, Real{2});
+    s.scale(random.between(-40, 40));
+  }
+  if (swapped) {
+    std::swap(s.c1, s.c2);
+    std::swap(s.r1, s.r2);
+  }
+  turn_about(s, random);
+  return s;
+}
+
 constexpr std::array kFamilies{
     Family{"generic", "ordinary numbers with full significands: the bulk of what an engine meets",
            made<ordinary<double>, ordinary<float>>, true, true},
@@ -428,6 +663,9 @@ constexpr std::array kFamilies{
            made<extreme_scale<double>, extreme_scale<float>>, true, false},
     Family{"one_axis", "two components of the difference are zero: every axis and direction, zeros must be zeros",
            made<one_axis<double>, one_axis<float>>, true, false},
+    Family{"hard_to_round",
+           "numbers beside the middle of two neighbours, 2^-20 ulp and much less; exact ties, and ties spoiled",
+           made<hard_to_round<double>, hard_to_round<float>>, true, false},
     Family{kInvalidFamily, "each number in turn NaN, infinite or negative: it must be refused, not answered",
            spoiled<ordinary<double>, ordinary<float>>, true, false, true},
 };

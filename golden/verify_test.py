@@ -16,6 +16,8 @@ from pathlib import Path
 
 TOOL = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
 GOLDEN = Path(__file__).resolve().parent
+sys.path.insert(0, str(GOLDEN))
+from verify import rounded
 VERIFY = GOLDEN / "verify.py"
 BALLS = {"a": {"center": [0, 0, 0], "radius": 1}, "b": {"center": [1, 2, 2], "radius": 2}, "alarm": 0, "contact": 0}
 FORM = 'form: expected "canonical", got "other keys, order or spaces"'
@@ -46,6 +48,53 @@ def step(text, by=1, single=False):
     code = (">f", ">i") if single else (">d", ">q")
     bits, = struct.unpack(code[1], struct.pack(code[0], abs(x)))
     return repr(math.copysign(struct.unpack(code[0], struct.pack(code[1], bits + by))[0], x))
+
+
+def from_boundary(a, b, D, scalar):
+    """How far a + b sqrt(D) lies from the nearest middle of two neighbours, in ulps of the rounded; 0 only there."""
+    value = rounded(a, b, D, scalar)
+    as_float, as_bits = (">d", ">q") if scalar == "binary64" else (">f", ">i")
+    bits, = struct.unpack(as_bits, struct.pack(as_float, abs(value)))
+    last = 0x7FF << 52 if scalar == "binary64" else 0xFF << 23
+    near = lambda n: Fraction(struct.unpack(as_float, struct.pack(as_bits, n))[0])
+    bits = min(bits, last - 1)
+    ulp = near(bits + 1) - near(bits) if bits + 1 < last else near(bits) - near(bits - 1)
+    middles = [near(bits) + ulp / 2, (near(bits) + near(bits - 1)) / 2 if bits else -ulp / 2]
+    sign = -1 if value < 0 or (value == 0 and a + b < 0) else 1
+    distances = []
+    for middle in middles:
+        c = a - sign * middle  # and c + b sqrt(D) is the distance
+        if c * c == b * b * D and c * b <= 0:
+            return 0
+        square = b * b * D  # 2^-9000 is far below all
+        root = Fraction(math.isqrt(square.numerator * 4**9000 // square.denominator), 2**9000) * (1 if b > 0 else -1)
+        distances.append(abs(c + root) / ulp)
+    return min(distances)
+
+
+def floor_log2(x):
+    twos = x.numerator.bit_length() - x.denominator.bit_length()
+    return twos if Fraction(2) ** twos <= x else twos - 1
+
+
+def closest_of(path):
+    """What the manifest says of a file, anew; of every hit whether it is flagged hard and a tie, and whether it is."""
+    header, *cases = [json.loads(line) for line in path.read_text().splitlines()]
+    closest, flags = {}, {}
+    for case in (case for case in cases if case["expect"]["hit"]):
+        (c1, r1), (c2, r2) = ((list(map(Fraction, s["center"])), Fraction(s["radius"])) for s in (case["a"], case["b"]))
+        delta = [q - p for p, q in zip(c1, c2)]
+        D = sum(d * d for d in delta)
+        numbers = [("value", -r1 - r2 - Fraction(case["contact"]), Fraction(1))]
+        for field, c, r in (("normal", [Fraction(0)] * 3, 1), ("point1", c1, r1), ("point2", c2, -r2)):
+            numbers += [(field, c[i], r * delta[i] / D) for i in range(3)]
+        found = [(field, from_boundary(a, b, D, header["scalar"])) for field, a, b in numbers]
+        flags[case["id"]] = ("HardToRound" in case["flags"], "Tie" in case["flags"]), (
+            any(0 < ulps <= Fraction(1, 2**20) for _, ulps in found), any(ulps == 0 for _, ulps in found))
+        for field, ulps in found:
+            if ulps and (field not in closest or ulps < closest[field][0]):
+                closest[field] = ulps, case["id"]
+    return {field: {"log2_ulps": floor_log2(ulps), "id": id} for field, (ulps, id) in closest.items()}, flags
 
 
 class Case(unittest.TestCase):
@@ -126,6 +175,23 @@ class Right(Case):
         text = (GOLDEN / shown[2]).read_text()
         path = self.file("wrong.jsonl", text.replace(shown[3], shown[4], 1).splitlines())
         self.assertEqual(verify(path).stdout.splitlines()[0].replace(str(path), f"golden/{shown[2]}"), shown[1])
+
+    def test_hard_questions_are_as_close_and_flagged_as_the_manifest_and_the_lines_say(self):
+        manifest = {entry["path"]: entry for entry in json.loads((GOLDEN / "manifest.json").read_text())["files"]}
+        for name in ("hard_to_round.jsonl", "hard_to_round.f32.jsonl", "hardest.jsonl", "hardest.f32.jsonl", "generic.jsonl"):
+            with self.subTest(name):
+                closest, flags = closest_of(GOLDEN / "sphere_sphere" / name)
+                self.assertEqual(manifest[f"sphere_sphere/{name}"]["closest"], closest)
+                for id, (given, right) in flags.items():
+                    self.assertEqual(given, right, id)
+
+    def test_the_hardest_questions_are_those_that_their_program_makes(self):
+        for scalar, name in (("binary64", "hardest.jsonl"), ("binary32", "hardest.f32.jsonl")):
+            made = run(sys.executable, GOLDEN / "hardest.py", scalar)
+            self.assertEqual(made.returncode, 0, made.stderr)
+            path = self.folder / name
+            run(TOOL, "annotate", "-", "--family", "hardest", "-o", path, input=made.stdout)
+            self.assertEqual(path.read_bytes(), (GOLDEN / "sphere_sphere" / name).read_bytes())
 
     def test_a_shard_and_a_file_without_flags_are_accepted(self):
         path = self.folder / "shard.jsonl"

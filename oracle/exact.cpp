@@ -16,13 +16,6 @@ double as_float_neighbour(double x, float toward) {
   return static_cast<double>(std::nextafter(static_cast<float>(x), toward));
 }
 
-/// floor(log2(x)) for a rational x > 0.
-int floor_log2(const Rational& x) {
-  const auto bits = [](const Gmpz& n) { return static_cast<int>(mpz_sizeinbase(n.mpz(), 2)); };
-  const int guess = bits(x.numerator()) - bits(x.denominator());
-  return power_of_two(guess) <= x ? guess : guess - 1;
-}
-
 /// An enclosure of |x|, x other than 0, with both ends positive and no farther apart than a 2^-60th.
 Exact::Enclosure tight_magnitude(const Exact& x) {
   const Exact positive = x.sign() == CGAL::NEGATIVE ? x.scaled(Rational(-1)) : x;
@@ -30,17 +23,6 @@ Exact::Enclosure tight_magnitude(const Exact& x) {
     Exact::Enclosure e = positive.enclosure(bits);
     if (CGAL::sign(e.low) == CGAL::POSITIVE && e.high <= e.low * (Rational(1) + power_of_two(-60))) return e;
   }
-}
-
-/// floor(log2 |x|) for x other than 0.
-int floor_log2(const Exact& x) {
-  const Exact::Enclosure e = tight_magnitude(x);
-  const int low = floor_log2(e.low);
-  if (floor_log2(e.high) == low) return low;
-  // One power of two lies between the ends; the exact comparison decides.
-  const Rational power = power_of_two(low + 1);
-  const bool below = x.compare(power) == CGAL::SMALLER && x.compare(-power) == CGAL::LARGER;
-  return below ? low : low + 1;
 }
 
 double largest_finite(Scalar scalar) {
@@ -160,6 +142,20 @@ Rational ulp(const Exact& x, Scalar scalar) {
   return power_of_two(std::max(floor_log2(x) - format.precision + 1, least));
 }
 
+Boundary nearest_boundary(const Exact& x, Scalar scalar) {
+  const double rounded = round_to_nearest(x, scalar);
+  const double limit = largest_finite(scalar);
+  const double d = std::clamp(rounded, -limit, limit);
+  const Rational above = boundary_above(d, scalar);
+  const Rational below = -boundary_above(-d, scalar);
+  return {x.compare((above + below) / Rational(2)) == CGAL::SMALLER ? below : above, ulp(Rational(d), scalar)};
+}
+
+Rational distance_in_ulps(const Exact& x, const Boundary& boundary) {
+  const Exact off = x.plus(-boundary.at);
+  return off.sign() == CGAL::ZERO ? Rational(0) : tight_magnitude(off).high / boundary.ulp;
+}
+
 double error_in_units(const Rational& claim, const Exact& x, const Rational& unit) {
   const Exact difference = x.plus(-claim);
   if (difference.sign() == CGAL::ZERO) return 0.0;
@@ -176,6 +172,22 @@ double next_up(double x, Scalar scalar) {
 }
 
 double next_down(double x, Scalar scalar) { return -next_up(-x, scalar); }
+
+int floor_log2(const Rational& x) {
+  const auto bits = [](const Gmpz& n) { return static_cast<int>(mpz_sizeinbase(n.mpz(), 2)); };
+  const int guess = bits(x.numerator()) - bits(x.denominator());
+  return power_of_two(guess) <= CGAL::abs(x) ? guess : guess - 1;
+}
+
+int floor_log2(const Exact& x) {
+  const Exact::Enclosure e = tight_magnitude(x);
+  const int low = floor_log2(e.low);
+  if (floor_log2(e.high) == low) return low;
+  // One power of two lies between the ends; the exact comparison decides.
+  const Rational power = power_of_two(low + 1);
+  const bool below = x.compare(power) == CGAL::SMALLER && x.compare(-power) == CGAL::LARGER;
+  return below ? low : low + 1;
+}
 
 Rational power_of_two(int exponent) {
   const Gmpz power = Gmpz(1) << std::abs(exponent);

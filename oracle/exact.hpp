@@ -52,6 +52,16 @@ class Exact {
 /// ulp of a real number: 2^max(floor(log2 |x|) - p + 1, emin - p + 1), the exponent unbounded above.
 [[nodiscard]] Rational ulp(const Exact& x, Scalar scalar);
 
+/// A boundary of rounding to nearest: half way between two neighbours of the scalar, or where infinity begins.
+struct Boundary {
+  Rational at;
+  Rational ulp;  ///< of the number that x rounds to; of the largest finite one for infinity
+};
+/// The boundary nearest to x; half a subnormal number for 0.
+[[nodiscard]] Boundary nearest_boundary(const Exact& x, Scalar scalar);
+/// How far x lies from there in those ulps: 0 only on it, else rounded up by less than a 2^-60th.
+[[nodiscard]] Rational distance_in_ulps(const Exact& x, const Boundary& boundary);
+
 /// |claim - x| / unit rounded up to a double, never less than the real quotient. Domain: claim finite, unit > 0.
 [[nodiscard]] double error_in_units(const Rational& claim, const Exact& x, const Rational& unit);
 
@@ -61,6 +71,10 @@ class Exact {
 /// The next number of the scalar above or below; infinite past the largest finite one.
 [[nodiscard]] double next_up(double x, Scalar scalar);
 [[nodiscard]] double next_down(double x, Scalar scalar);
+
+/// floor(log2 |x|) for x other than 0.
+[[nodiscard]] int floor_log2(const Rational& x);
+[[nodiscard]] int floor_log2(const Exact& x);
 
 /// 2^exponent.
 [[nodiscard]] Rational power_of_two(int exponent);

@@ -321,6 +321,44 @@ TEST(ErrorInUnits, is_never_below_the_real_quotient_and_hardly_above) {
   }
 }
 
+TEST(NearestBoundary, is_the_middle_of_two_neighbours_on_the_nearer_side) {
+  for (const FormatFacts& f : kFacts) {
+    const Rational epsilon(f.epsilon);
+    const auto expect = [&](const Exact& x, const Rational& at, const Rational& unit, const Rational& ulps) {
+      const Boundary boundary = nearest_boundary(x, f.scalar);
+      EXPECT_EQ(boundary.at, at);
+      EXPECT_EQ(boundary.ulp, unit);
+      EXPECT_EQ(distance_in_ulps(x, boundary), ulps);
+    };
+    const Rational middle = Rational(1) + half(epsilon);
+    expect(middle, middle, epsilon, Rational(0));
+    expect(middle + hair(), middle, epsilon, hair() / epsilon);
+    expect(middle - hair(), middle, epsilon, hair() / epsilon);
+    expect(-middle - hair(), -middle, epsilon, hair() / epsilon);
+    expect(Rational(1), Rational(1) - half(half(epsilon)), epsilon,
+           half(half(Rational(1))));  // nearer below a power of 2
+    expect(Rational(1) + hair(), Rational(1) - half(half(epsilon)), epsilon,
+           half(half(Rational(1))) + hair() / epsilon);
+    expect(Rational(0), half(Rational(f.least)), Rational(f.least), half(Rational(1)));
+    expect(Rational(f.least) * half(Rational(3)), Rational(f.least) * half(Rational(3)), Rational(f.least),
+           Rational(0));
+    const Rational last = ulp(Rational(f.largest), f.scalar);  // where infinity begins is a boundary too
+    expect(Rational(f.largest) + half(last), Rational(f.largest) + half(last), last, Rational(0));
+    expect(Rational(-3) * Rational(f.largest), -Rational(f.largest) - half(last), last,
+           Rational(2) * Rational(f.largest) / last - half(Rational(1)));
+  }
+}
+
+TEST(NearestBoundary, is_told_from_a_root_that_misses_it_by_a_hair) {
+  // sqrt(m^2 + m t) = m + t / 2 - ..: from an enclosure of 60 bits no one could tell on which side it lies
+  const Rational m = Rational(1) + Rational(0x1p-53);
+  const Exact beside(Rational(0), Rational(1), m * m + Rational(2) * hair());
+  const Boundary boundary = nearest_boundary(beside, kDouble);
+  EXPECT_EQ(boundary.at, m);
+  EXPECT_EQ(floor_log2(distance_in_ulps(beside, boundary)), -5000 + 52 - 1);
+  EXPECT_EQ(beside.compare(m), CGAL::LARGER);
+}
+
 TEST(IsWithin, includes_the_bound_itself) {
   EXPECT_TRUE(is_within(Rational(5), root_of(9), Rational(2)));
   EXPECT_TRUE(is_within(Rational(1), root_of(9), Rational(2)));

@@ -32,6 +32,29 @@ Expectation expectation(const Truth& truth, Scalar scalar) {
   return expected;
 }
 
+std::vector<FieldNumber> numbers(const SphereTruth& spheres) {
+  std::vector<FieldNumber> all{{"value", spheres.value(true)}};
+  for (int axis = 0; axis < 3; ++axis) all.push_back({"normal", spheres.normal(axis)});
+  for (int axis = 0; axis < 3; ++axis) all.push_back({"point1", spheres.point(0, axis, PointOn::nearest_surface)});
+  for (int axis = 0; axis < 3; ++axis) all.push_back({"point2", spheres.point(1, axis, PointOn::nearest_surface)});
+  return all;
+}
+
+std::vector<FieldDistance> rounding_distances(const Truth& truth, Scalar scalar) {
+  std::vector<FieldDistance> least;
+  if (!truth.hit() || !truth.spheres) return least;
+  for (const auto& [field, number] : numbers(*truth.spheres)) {
+    const Boundary boundary = nearest_boundary(number, scalar);
+    const Rational ulps = distance_in_ulps(number, boundary);
+    if (CGAL::is_zero(ulps)) continue;  // a tie
+    const bool first = least.empty() || least.back().field != field;
+    if (!first && least.back().ulps <= ulps) continue;
+    if (!first) least.pop_back();
+    least.push_back({field, ulps, floor_log2(number.plus(-boundary.at)) - floor_log2(boundary.ulp)});
+  }
+  return least;
+}
+
 Witness witness(const Truth& truth, Scalar scalar) {
   Witness w;
   if (truth.spheres) {

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "oracle/exact.hpp"
 #include "oracle/expectation.hpp"
@@ -75,6 +77,22 @@ struct Truth {
 
 /// The correctly rounded answer.
 [[nodiscard]] Expectation expectation(const Truth& truth, Scalar scalar);
+
+/// Every number of a contact, before it is rounded, with its field. Domain: a hit of two spheres.
+struct FieldNumber {
+  std::string_view field;
+  Exact number;
+};
+[[nodiscard]] std::vector<FieldNumber> numbers(const SphereTruth& spheres);
+
+/// How far a field's numbers lie from the nearest rounding boundary: the least of those that are not on one.
+struct FieldDistance {
+  std::string_view field;
+  Rational ulps;  ///< distance_in_ulps
+  int log2;       ///< rounded down, exactly
+};
+/// Of every field that has such a number; empty without a contact.
+[[nodiscard]] std::vector<FieldDistance> rounding_distances(const Truth& truth, Scalar scalar);
 
 /// The exact numbers that a golden file records beside an expectation.
 struct Witness {

@@ -278,6 +278,9 @@ class Refused(Case):
         self.check("manifest.json", manifest, {
             "digest": ([*entry, "sha256"], "0" * 63), "flag": ([*entry, "flags", "Shiny"], 1),
             "no case of a flag": ([*entry, "flags", "Flat"], 0),
+            "closest id": ([*entry, "closest"], {"value": {"log2_ulps": -9, "id": "1"}}),
+            "closest field": ([*entry, "closest"], {"depth": {"log2_ulps": -9, "id": "0" * 24}}),
+            "closest distance": ([*entry, "closest"], {"value": {"log2_ulps": 0, "id": "0" * 24}}),
             "family": ([*entry, "family"], "coincident"), "origin": ([*entry, "origin"], "found"), "hits": ([*entry, "hits"], None),
             "path": ([*entry, "path"], "x.json"), "unknown key": ([*entry, "colour"], 7), "version": (["version"], 2),
             "a file twice": (["files", 1], manifest["files"][0])})
