@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "golden/digest.hpp"
 #include "golden/flags.hpp"
 #include "golden/query_id.hpp"
 
@@ -10,9 +11,10 @@ namespace contact::golden {
 
 LintedFile lint(const std::filesystem::path& path, bool generated, const std::function<void()>& after_case) {
   DatasetReader reader(path);
-  LintedFile linted{reader.header(), 0, {}, {}};
+  LintedFile linted{reader.header(), 0, {}, {}, {}};
   for (const Flag& flag : flags()) linted.flags.emplace_back(flag.name, 0);
   Sha256 hash;
+  Sha256 answers;
   const auto canonical = [&](const std::string& expected) {
     hash.add(reader.text()).add("\n");
     if (reader.text() == expected) return;
@@ -41,6 +43,7 @@ LintedFile lint(const std::filesystem::path& path, bool generated, const std::fu
           reader.where(), "flags",
           fmt::format("the file says [{}], true are [{}]", fmt::join(c->flags, ","), fmt::join(right.flags, ",")));
     canonical(to_line(right));
+    answers.add(digest_bytes(right));
     linted.hits += right.expect.hit ? 1 : 0;
     for (auto& [flag, count] : linted.flags)
       count += static_cast<std::uint64_t>(std::count(right.flags.begin(), right.flags.end(), flag));
@@ -48,6 +51,7 @@ LintedFile lint(const std::filesystem::path& path, bool generated, const std::fu
   }
   std::erase_if(linted.flags, [](const auto& flag) { return flag.second == 0; });
   linted.sha256 = hash.hex();
+  linted.answers = answers.hex();
   return linted;
 }
 

@@ -14,6 +14,7 @@ struct LintedFile {
   DatasetHeader header;
   std::uint64_t hits = 0;
   std::string sha256;
+  std::string answers;                                       ///< the digest of its answers
   std::vector<std::pair<std::string, std::uint64_t>> flags;  ///< every flag that occurs, with its count
 };
 

@@ -9,9 +9,12 @@
 #include <unordered_set>
 
 #include "golden/dataset.hpp"
+#include "golden/digest.hpp"
 #include "golden/families.hpp"
 #include "golden/output_file.hpp"
+#include "golden/query_id.hpp"
 #include "tool/commands.hpp"
+#include "tool/digests.hpp"
 #include "tool/process.hpp"
 
 namespace contact::tool {
@@ -27,6 +30,7 @@ struct GenerateOptions {
   std::uint64_t seed = 0;
   std::optional<std::string> shard;
   std::string output;
+  bool digest = false;
 };
 
 golden::Shard read_shard(const std::string& text) {
@@ -40,22 +44,29 @@ golden::Shard read_shard(const std::string& text) {
   return shard;
 }
 
-/// Writes a header and the cases of `count` questions, worked out on every thread and written in order.
-void write_dataset(const golden::DatasetHeader& header, const std::string& path,
-                   const std::function<Query(std::uint64_t)>& question) {
+/// Writes a header and the cases of `count` questions, worked out on every thread and written in order. Gives the
+/// digest of their answers.
+std::string write_dataset(const golden::DatasetHeader& header, const std::string& path,
+                          const std::function<Query(std::uint64_t)>& question) {
   golden::OutputFile file(path);
   file.write(to_line(header) + "\n");
+  golden::Sha256 digest;
   Progress progress(fmt::format("{}/{}", name(header.pair), header.family), header.count);
   for (std::uint64_t begin = 0; begin < header.count; begin += kRun) {
     throw_if_interrupted();
-    std::vector<std::string> lines(std::min<std::uint64_t>(kRun, header.count - begin));
-    in_parallel(lines.size(), [&](std::size_t i) {
-      lines[i] = to_line(golden::make_case(question(begin + i), header.scalar)) + "\n";
+    std::vector<std::pair<std::string, std::string>> made(std::min<std::uint64_t>(kRun, header.count - begin));
+    in_parallel(made.size(), [&](std::size_t i) {
+      const golden::Case c = golden::make_case(question(begin + i), header.scalar);
+      made[i] = {to_line(c) + "\n", golden::digest_bytes(c)};
     });
-    for (const std::string& line : lines) file.write(line);
-    progress.add(lines.size());
+    for (const auto& [line, answer] : made) {
+      file.write(line);
+      digest.add(answer);
+    }
+    progress.add(made.size());
   }
   file.commit();
+  return digest.hex();
 }
 
 void check_output(const std::string& command, const std::string& path) {
@@ -78,7 +89,7 @@ void generate(const GenerateOptions& o) {
     throw InputError(where, "--family",
                      fmt::format("unknown family '{}' of {}; known: {}", o.family, o.pair, fmt::join(names, ", ")));
   }
-  check_output("generate", o.output);
+  if (!o.digest || !o.output.empty()) check_output("generate", o.output);
   golden::DatasetHeader header;
   header.pair = *pair;
   header.scalar = o.scalar == name(Scalar::binary32) ? Scalar::binary32 : Scalar::binary64;
@@ -95,10 +106,16 @@ void generate(const GenerateOptions& o) {
     first = cut(header.shard->index);
     header.count = cut(header.shard->index + 1) - first;
   }
-  write_dataset(header, o.output, [&](std::uint64_t i) {
+  if (o.output.empty()) {
+    const golden::CommittedFile stream{header.pair, header.scalar, family};
+    fmt::print("{}\n", digests_of(stream, header.seed, first, {header.count}, golden::digest_bytes).front());
+    return;
+  }
+  const std::string digest = write_dataset(header, o.output, [&](std::uint64_t i) {
     return golden::generate_query(header.pair, *family, header.scalar, header.seed, first + i);
   });
   fmt::print("{}: {} cases\n", o.output, header.count);
+  if (o.digest) fmt::print("{}\n", digest);
 }
 
 void regenerate(const std::string& folder) {
@@ -174,7 +191,8 @@ void add_generate(CLI::App& app, int& exit) {
       ->capture_default_str()
       ->check(CLI::IsMember({"binary32", "binary64"}));
   command->add_option("--shard", o->shard, "I/N: only part I (from 0) of N, itself a dataset");
-  command->add_option("-o,--output", o->output, "The file, *.jsonl")->required();
+  command->add_option("-o,--output", o->output, "The file, *.jsonl; may be left out with --digest");
+  command->add_flag("--digest", o->digest, "Print the SHA-256 of the answers, docs/formats.md#digests");
   command->callback([o, &exit] {
     generate(*o);
     exit = kCertified;

@@ -62,6 +62,7 @@ int run(int argc, char** argv) {
   add_serve(app, exit);
   add_properties(app, exit);
   add_lint(app, exit);
+  add_digests(app, exit);
   add_detect(app, exit);
   add_lists(app, exit);
   try {
@@ -99,8 +100,8 @@ int main(int argc, char** argv) {
   } catch (const engines::HarnessInvalid& error) {
     fmt::print(stderr, "contact-oracle: harness invalid: {}\n", error.what());
     return tool::kHarnessInvalid;
-  } catch (const tool::Interrupted&) {
-    fmt::print(stderr, "contact-oracle: interrupted; nothing was written\n");
+  } catch (const tool::Interrupted& error) {
+    fmt::print(stderr, "contact-oracle: {}\n", error.what());
     return tool::kInterrupted;
   } catch (const std::exception& error) {
     fmt::print(stderr, "contact-oracle: {}\n", error.what());
