@@ -1,6 +1,7 @@
 // golden/manifest.json: every committed dataset with its digest, counts and origin.
 #include "golden/manifest.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -31,16 +32,20 @@ std::string manifest_text(const std::vector<ManifestEntry>& entries) {
   std::string text = fmt::format(
       "{{\"format\":\"contact-oracle/manifest\",\"version\":1,\"generator\":{},\"files\":[\n", json_string(kGenerator));
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    const auto& [path, file, digests] = entries[i];
+    const auto& [path, file, digests, kills] = entries[i];
     const DatasetHeader& h = file.header;
     std::string flags;
     for (const auto& [flag, count] : file.flags)
       flags += fmt::format("{}\"{}\":{}", flags.empty() ? "" : ",", flag, count);
     text += fmt::format(
-        R"({{"path":{},"pair":"{}","scalar":"{}","family":{},"origin":"{}","generator":{},"seed":{},"count":{},"hits":{},"flags":{{{}}},"sha256":"{}",{}}}{})",
+        R"({{"path":{},"pair":"{}","scalar":"{}","family":{},"origin":"{}","generator":{},"seed":{},"count":{},"hits":{},"flags":{{{}}},"sha256":"{}",{}{}}}{})",
         json_string(path), name(h.pair), name(h.scalar), json_string(h.family),
-        find_family(h.pair, h.family) ? "generated" : "annotated", json_string(h.generator), h.seed, h.count, file.hits,
-        flags, file.sha256, digests_text(digests), i + 1 < entries.size() ? ",\n" : "\n");
+        path.starts_with(fmt::format("{}/", kQuickFolder)) ? "selected"
+        : find_family(h.pair, h.family)                    ? "generated"
+                                                           : "annotated",
+        json_string(h.generator), h.seed, h.count, file.hits, flags, file.sha256,
+        kills ? fmt::format("\"kills\":{},", *kills) : "", digests_text(digests),
+        i + 1 < entries.size() ? ",\n" : "\n");
   }
   return text + "]}\n";
 }
@@ -58,6 +63,25 @@ std::map<std::string, Recorded> recorded_digests(const std::filesystem::path& fo
         if (const auto digest = digests->find(std::to_string(count))) r.digests[count] = digest->text();
   }
   return recorded;
+}
+
+std::map<std::string, std::uint64_t> recorded_kills(const std::filesystem::path& folder,
+                                                    const std::vector<ManifestEntry>& entries) {
+  const Location where{(folder / kAdequacyName).string(), 0};
+  std::map<std::string, std::uint64_t> kills;
+  if (!std::filesystem::exists(where.file)) return kills;
+  const auto json = parse_object(text_of(where.file), where);
+  for (const Node& file : Node(json, where).at("files").items()) {
+    const std::string path = file.at("path").text();
+    const auto entry =
+        std::find_if(entries.begin(), entries.end(), [&](const ManifestEntry& e) { return e.path == path; });
+    if (entry == entries.end() || entry->file.sha256 != file.at("sha256").text())
+      throw InputError(where, "files", path + " is another file now, or none (then: contact-oracle adequacy --write)");
+    kills[path] = file.at("kills").items().size();
+  }
+  if (kills.size() != entries.size())
+    throw InputError(where, "files", fmt::format("{} files are here, {} there", kills.size(), entries.size()));
+  return kills;
 }
 
 void record_digests(const std::filesystem::path& folder, const std::string& path, const Digests& digests) {

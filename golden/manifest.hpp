@@ -13,6 +13,7 @@
 namespace contact::golden {
 
 inline constexpr std::string_view kManifestName = "manifest.json";
+inline constexpr std::string_view kAdequacyName = "adequacy.json";
 
 /// For each number of questions the digest of the answers to so many, golden/digest.hpp.
 using Digests = std::map<std::uint64_t, std::string>;
@@ -25,6 +26,7 @@ struct ManifestEntry {
   std::string path;  ///< relative to the manifest, with forward slashes
   LintedFile file;
   Digests digests;
+  std::optional<std::uint64_t> kills{};  ///< how many mutants it kills, where that is known
 };
 
 [[nodiscard]] std::string manifest_text(const std::vector<ManifestEntry>& entries);
@@ -36,6 +38,11 @@ struct Recorded {
   Digests digests;
 };
 [[nodiscard]] std::map<std::string, Recorded> recorded_digests(const std::filesystem::path& folder);
+
+/// How many mutants each file kills, from a folder's adequacy.json, which must be about these very files. Nothing where
+/// there is none.
+[[nodiscard]] std::map<std::string, std::uint64_t> recorded_kills(const std::filesystem::path& folder,
+                                                                  const std::vector<ManifestEntry>& entries);
 
 /// Puts other digests into the entry of a file.
 void record_digests(const std::filesystem::path& folder, const std::string& path, const Digests& digests);

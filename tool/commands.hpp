@@ -8,6 +8,7 @@
 
 namespace contact::tool {
 
+void add_adequacy(CLI::App& app, int& exit);
 void add_compare(CLI::App& app, int& exit);
 void add_detect(CLI::App& app, int& exit);
 void add_digests(CLI::App& app, int& exit);

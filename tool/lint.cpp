@@ -42,6 +42,7 @@ golden::LintedFile lint_file(const std::filesystem::path& path, bool generated) 
 /// written, but for the one that takes long; else `contact-oracle digests` is what looks at them.
 void add_what_files_do_not_tell(std::vector<golden::ManifestEntry>& entries, const std::string& folder, bool write) {
   const auto recorded = golden::recorded_digests(folder);
+  const auto kills = golden::recorded_kills(folder, entries);
   const auto streams = golden::committed_files();
   for (golden::ManifestEntry& entry : entries) {
     const auto it = recorded.find(entry.path);
@@ -51,6 +52,7 @@ void add_what_files_do_not_tell(std::vector<golden::ManifestEntry>& entries, con
     });
     if (stream != streams.end()) entry.digests = write ? renewed_digests(*stream, old, Most::keep) : old.digests;
     entry.digests[entry.file.header.count] = entry.file.answers;
+    if (const auto killed = kills.find(entry.path); killed != kills.end()) entry.kills = killed->second;
   }
 }
 
@@ -59,7 +61,7 @@ void lint(const Options& o) {
   std::size_t files = 0;
   for (const std::string& path : o.paths) {
     // The files of one argument are worked on side by side; a folder with a manifest must agree with it.
-    const auto found = golden::dataset_files({path});
+    const auto found = golden::dataset_files({path}, true);
     std::vector<golden::ManifestEntry> entries(found.size());
     in_parallel(found.size(), [&](std::size_t i) {
       const auto relative =

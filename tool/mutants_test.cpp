@@ -1,4 +1,4 @@
-// Every mutant against the committed golden files: refuted, and told why.
+// Every mutant against the committed golden files: told why it is refuted.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ const std::map<std::string_view, std::string_view> kOtherwiseDiagnosed{
     {"box-euclidean", "so few boxes are near each other's corners that 42 questions of a file do not refute it"},
     {"box-x-twice", "y left out explains nearly the same questions"},
     {"narrowed-1e-12", "no question of so few lies between the two tolerances: 1e-14 is named"},
-    {"box-sum-overflows", "no committed question refutes it, engines/mutants_test.cpp"},
+    {"box-sum-overflows", "no committed question refutes it, tool/kill_matrix.hpp"},
 };
 
 TEST(Mutants, the_first_diagnosis_of_at_least_95_in_100_names_the_mistake) {
