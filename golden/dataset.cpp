@@ -337,7 +337,7 @@ bool DatasetReader::is_dataset(const std::filesystem::path& path) {
   return line.find(R"("format":"contact-oracle/results")") == std::string::npos;
 }
 
-std::vector<std::filesystem::path> dataset_files(const std::vector<std::filesystem::path>& paths) {
+std::vector<std::filesystem::path> dataset_files(const std::vector<std::filesystem::path>& paths, bool quick_too) {
   std::vector<std::filesystem::path> files;
   for (const auto& path : paths) {
     if (!std::filesystem::exists(path)) throw InputError({path.string(), 0}, "", "no such file or folder");
@@ -346,9 +346,12 @@ std::vector<std::filesystem::path> dataset_files(const std::vector<std::filesyst
       continue;
     }
     std::vector<std::filesystem::path> found;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(path))
+    for (auto it = std::filesystem::recursive_directory_iterator(path); it != end(it); ++it) {
+      const auto& entry = *it;
+      if (!quick_too && entry.is_directory() && entry.path().filename() == kQuickFolder) it.disable_recursion_pending();
       if (entry.is_regular_file() && names_dataset(entry.path()) && DatasetReader::is_dataset(entry.path()))
         found.push_back(entry.path());
+    }
     if (found.empty()) throw InputError({path.string(), 0}, "", "no dataset (*.jsonl, *.h5) in this folder");
     std::sort(found.begin(), found.end());
     files.insert(files.end(), found.begin(), found.end());

@@ -143,9 +143,14 @@ class DatasetReader {
   std::unordered_set<std::string> ids_;
 };
 
+/// A folder of this name holds a selection of its neighbours' cases, for when time is short.
+inline constexpr std::string_view kQuickFolder = "quick";
+
 /// The files to read where a command is given files and folders: in a folder every dataset below it in order of name,
-/// passing over other formats by their header.
-[[nodiscard]] std::vector<std::filesystem::path> dataset_files(const std::vector<std::filesystem::path>& paths);
+/// passing over other formats by their header. A folder `quick` below it would ask the same questions again: it is
+/// read where it is given itself, or with `quick_too`.
+[[nodiscard]] std::vector<std::filesystem::path> dataset_files(const std::vector<std::filesystem::path>& paths,
+                                                               bool quick_too = false);
 
 /// Compares what a case of the family `invalid` says with the first field outside the domain. Throws InputError.
 void check_rejection(const Case& c, const Location& where);

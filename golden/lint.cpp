@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "golden/digest.hpp"
 #include "golden/flags.hpp"
 #include "golden/query_id.hpp"
 
@@ -33,6 +34,7 @@ LintedFile lint(const std::filesystem::path& path, bool generated, const std::fu
   for (const std::string_view field : {"value", "normal", "point1", "point2"})
     linted.closest.push_back({{field, oracle::Rational(0), 0}, ""});
   Sha256 hash;
+  Sha256 answers;
   const auto canonical = [&](const std::string& expected) {
     check_canonical(reader, expected);
     hash.add(expected).add("\n");
@@ -59,6 +61,7 @@ LintedFile lint(const std::filesystem::path& path, bool generated, const std::fu
           reader.where(), "flags",
           fmt::format("the file says [{}], true are [{}]", fmt::join(c->flags, ","), fmt::join(right.flags, ",")));
     canonical(to_line(right));
+    answers.add(digest_bytes(right));
     linted.hits += right.expect.hit ? 1 : 0;
     for (auto& [flag, count] : linted.flags)
       count += static_cast<std::uint64_t>(std::count(right.flags.begin(), right.flags.end(), flag));
@@ -67,6 +70,7 @@ LintedFile lint(const std::filesystem::path& path, bool generated, const std::fu
   std::erase_if(linted.flags, [](const auto& flag) { return flag.second == 0; });
   std::erase_if(linted.closest, [](const Closest& closest) { return closest.id.empty(); });
   linted.sha256 = hash.hex();
+  linted.answers = answers.hex();
   return linted;
 }
 

@@ -21,6 +21,7 @@ struct LintedFile {
   DatasetHeader header;
   std::uint64_t hits = 0;
   std::string sha256;
+  std::string answers;                                       ///< the digest of its answers
   std::vector<std::pair<std::string, std::uint64_t>> flags;  ///< every flag that occurs, with its count
   std::vector<Closest> closest;  ///< of every field that is answered somewhere off a boundary
 };

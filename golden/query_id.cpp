@@ -48,13 +48,15 @@ std::string Sha256::hex() const {
   return fmt::format("{:02x}", fmt::join(bytes, ""));
 }
 
+void add_big_endian(std::string& bytes, double x) {
+  const std::uint64_t bits = canonical_bits(x);
+  for (int shift = 56; shift >= 0; shift -= 8) bytes.push_back(static_cast<char>((bits >> shift) & 0xff));
+}
+
 std::string query_id(const Query& query) {
   std::string bytes(name(query.pair));
   bytes.push_back('\0');
-  for_each_number(query, [&](const std::string&, double x) {
-    const std::uint64_t bits = canonical_bits(x);
-    for (int shift = 56; shift >= 0; shift -= 8) bytes.push_back(static_cast<char>((bits >> shift) & 0xff));
-  });
+  for_each_number(query, [&](const std::string&, double x) { add_big_endian(bytes, x); });
   return Sha256().add(bytes).hex().substr(0, 24);
 }
 

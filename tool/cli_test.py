@@ -185,6 +185,9 @@ class Documentation(Case):
     def test_the_table_of_laws_is_the_programs(self):
         self.assertIn(self.holds("properties", "--table"), (ROOT / "docs" / "properties.md").read_text())
 
+    def test_the_table_of_families_that_kill_nothing_of_their_own_is_the_programs(self):
+        self.assertIn(self.holds("adequacy", "--table"), (ROOT / "docs" / "golden.md").read_text())
+
     def test_the_table_of_mutants_is_the_programs(self):
         page = (ROOT / "docs" / "bug-zoo.md").read_text()
         self.assertIn(self.holds("engines", "--table"), page)
@@ -925,6 +928,128 @@ class Generate(Case):
         listed = {one["path"] for one in json.loads((GOLDEN / "manifest.json").read_text())["files"]}
         files = {str(path.relative_to(GOLDEN)) for path in GOLDEN.rglob("*.jsonl")}
         self.assertEqual(listed, {path for path in files if not path.startswith("recorded/")})
+
+
+class Digests(Case):
+    """SHA-256 of answers: the program's, the manifest's, and those of the Python on the page."""
+
+    def setUp(self):
+        super().setUp()
+        page = (ROOT / "docs" / "formats.md").read_text().split("<!-- digest:begin -->\n```python")[1].split("```")[0]
+        names = {}
+        exec(page, names)
+        self.digest = names["digest"]
+        self.manifest = json.loads((GOLDEN / "manifest.json").read_text())
+
+    def test_python_finds_the_manifests_digest_in_every_committed_file(self):
+        for one in self.manifest["files"]:
+            lines = (GOLDEN / one["path"]).read_text().splitlines()
+            self.assertEqual(self.digest(lines), one["digests"][str(one["count"])], one["path"])
+
+    def test_generate_prints_the_digest_of_what_it_would_write(self):
+        table = {one["path"]: one["digests"] for one in self.manifest["files"]}
+        for pair, family, scalar in (("sphere_sphere", "coincident", "binary32"), ("cube_cube", "invalid", "binary64"),
+                                     ("sphere_rigid_sphere", "touching", "binary64")):
+            args = ("generate", "--pair", pair, "--family", family, "--scalar", scalar, "--digest")
+            digests = table[f"{pair}/{family}{'.f32' * (scalar == 'binary32')}.jsonl"]
+            alone = self.holds(*args, "--seed", 42, "--count", 210)
+            self.assertEqual(alone, digests["210"] + "\n")
+            path = self.folder / f"{family}.jsonl"
+            both = self.holds(*args, "--seed", 42, "--count", 210, "-o", path)
+            self.assertEqual(both, f"{path}: 210 cases\n{alone}")
+            self.assertEqual(path.read_bytes(), (GOLDEN / pair / f"{family}{'.f32' * (scalar == 'binary32')}.jsonl").read_bytes())
+            if family != "invalid":  # whose fields take turns, whatever the seed
+                self.assertNotEqual(self.holds(*args, "--seed", 43, "--count", 210), alone)
+        self.refused(("generate", "--pair", "cube_cube", "--family", "flat", "--count", 3, "--seed", 1), "-o")
+
+    def test_a_shards_digest_is_that_of_its_own_lines(self):
+        path = self.folder / "part.jsonl"
+        out = self.holds("generate", "--pair", "cube_cube", "--family", "flat", "--count", 50, "--seed", 1, "--shard", "1/3",
+                         "-o", path, "--digest")
+        self.assertEqual(out.splitlines()[1], self.digest(path.read_text().splitlines()))
+
+    def test_a_digest_that_the_answers_do_not_have_is_named(self):
+        text = (GOLDEN / "manifest.json").read_text().splitlines(keepends=True)
+        entry = next(line for line in text if '"cube_cube/flat.jsonl"' in line).rstrip(",\n") + "\n"
+        right = json.loads(entry)["digests"]["10000"]
+        manifest = self.folder / "manifest.json"
+        for digest, verdict in ((right, "1 digests right"), ("0" * 64, f"says {'0' * 64} for 10000 answers")):
+            for who in ((), ("--production",)):
+                manifest.write_text(text[0] + entry.replace(right, digest) + "]}\n")
+                out = self.refuted("digests", self.folder, *who)  # the other files are not there
+                self.assertIn(verdict, out)
+                self.assertEqual("cube_cube/flat.jsonl" in out, digest != right)
+
+    def test_the_digest_of_a_million_goes_when_that_of_ten_thousand_changes(self):
+        (self.folder / "cube_cube").mkdir()
+        path = "cube_cube/separated.jsonl"
+        (self.folder / path).write_bytes((GOLDEN / path).read_bytes())
+        manifest = self.folder / "manifest.json"
+        self.holds("lint", self.folder, "--write-manifest")
+        right = json.loads(manifest.read_text())["files"][0]["digests"]
+        self.assertEqual(right, {k: v for k, v in self.digests_of(path).items() if k != "1000000"})
+        text = manifest.read_text().replace(right["10000"] + '"', right["10000"] + '","1000000":"' + "a" * 64 + '"')
+        for stale, kept in ((text, True), (text.replace(right["10000"], "b" * 64), False),
+                            (text.replace("contact-oracle 0.1.0", "contact-oracle 0.0.9"), False)):
+            manifest.write_text(stale)
+            self.holds("lint", self.folder, "--write-manifest")
+            self.assertEqual("1000000" in json.loads(manifest.read_text())["files"][0]["digests"], kept)
+
+    def digests_of(self, path):
+        return next(one["digests"] for one in self.manifest["files"] if one["path"] == path)
+
+
+class Adequacy(Case):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "cube_cube").mkdir()
+        (self.folder / "cube_cube" / "flat.jsonl").write_bytes((GOLDEN / "cube_cube" / "flat.jsonl").read_bytes())
+        self.out = self.refuted("adequacy", self.folder, "--write")  # one file is not enough
+
+    def test_what_is_not_adequate_is_said_and_written_all_the_same(self):
+        self.assertIn("NOT ADEQUATE: 0 cases kill rapier-coincident-nan, and 10 should", self.out)
+        self.assertIn("NOT ADEQUATE: cubes flat kills what no other family kills", self.out)
+        flat, quick = json.loads((self.folder / "adequacy.json").read_text())["files"]
+        self.assertEqual((flat["path"], quick["path"]), ("cube_cube/flat.jsonl", "quick/cube_cube.jsonl"))
+        self.assertEqual(sorted(flat["kills"]), sorted(quick["kills"]))
+        self.assertEqual(flat["kills"], next(one["kills"] for one in json.loads((GOLDEN / "adequacy.json").read_text())["files"]
+                                             if one["path"] == flat["path"]))
+        self.assertEqual(self.refuted("adequacy", self.folder), self.out)
+
+    def test_a_kill_too_many_is_refused_by_adequacy_and_by_lint(self):
+        self.holds("lint", self.folder, "--write-manifest")
+        self.holds("lint", self.folder)
+        path = self.folder / "adequacy.json"
+        path.write_text(path.read_text().replace('"kills":["', '"kills":["rapier-coincident-nan","', 1))
+        self.refused(("adequacy", self.folder), "adequacy.json:2", "not what the mutants say", one_line=False)
+        self.refused(("lint", self.folder), "manifest.json:2", one_line=False)
+
+    def test_a_quick_case_too_few_is_refused(self):
+        path = self.folder / "quick" / "cube_cube.jsonl"
+        path.write_text("".join(path.read_text().splitlines(keepends=True)[:-1]))
+        self.refused(("adequacy", self.folder), "quick/cube_cube.jsonl:", one_line=False)
+
+    def test_adequacy_of_other_files_is_refused(self):
+        for change in (lambda path: path.write_text(path.read_text().replace('"seed":42', '"seed":43')), Path.unlink):
+            change(self.folder / "cube_cube" / "flat.jsonl")
+            self.refused(("lint", self.folder, "--write-manifest"), "adequacy.json", one_line=False)
+
+    def test_a_folder_quick_is_judged_only_where_it_is_named(self):
+        judged = lambda *args: json.loads(self.json_of(*args))["total"]["cases"]
+        self.assertEqual(judged(self.folder), 210)
+        quick = len((self.folder / "quick" / "cube_cube.jsonl").read_text().splitlines()) - 1
+        self.assertEqual(judged(self.folder / "quick"), quick)
+        self.assertEqual(judged(self.folder, self.folder / "quick"), 210 + quick)
+        self.assertIn(f"{210 + quick} cases in 2 files", self.holds("lint", self.folder))
+
+    def json_of(self, *paths):
+        self.holds("certify", *paths, "--engine", "production", "--json", self.folder / "report.json")
+        return (self.folder / "report.json").read_text()
+
+    def test_quick_refutes_mutants_of_every_pair_and_those_outside_the_domain(self):
+        for mutant in ("box-euclidean", "rp3d-sphere-first-sign", "gamemaker-nan-hits-all", "gfm-nan-contained", "bevy-corner-test"):
+            self.refuted("certify", "golden/quick", "--family", "quick,invalid", "--engine", f"mutant:{mutant}")
+        self.holds("certify", "golden/quick", "--family", "quick,invalid", "--level", "correctly-rounded")
 
 
 class Annotate(Case):

@@ -10,11 +10,13 @@
 #include <unordered_set>
 
 #include "golden/dataset_writer.hpp"
+#include "golden/digest.hpp"
 #include "golden/families.hpp"
 #include "golden/lint.hpp"
 #include "golden/query_id.hpp"
 #include "tool/cluster.hpp"
 #include "tool/commands.hpp"
+#include "tool/digests.hpp"
 #include "tool/process.hpp"
 
 namespace contact::tool {
@@ -32,13 +34,15 @@ struct GenerateOptions {
   std::optional<std::string> shard;
   bool resume = false;
   std::string output;
+  bool digest = false;
 };
 
 /// Writes the cases of `count` questions, worked out on every thread of every process and written in order by the
-/// first.
-void write_dataset(const golden::DatasetHeader& header, const std::string& path,
-                   const std::function<Query(std::uint64_t)>& question) {
+/// first. Gives it the digest of their answers.
+std::string write_dataset(const golden::DatasetHeader& header, const std::string& path,
+                          const std::function<Query(std::uint64_t)>& question) {
   const auto writer = Cluster::is_first() ? golden::create_dataset(path, header) : nullptr;
+  golden::Sha256 digest;
   Progress progress(fmt::format("{}/{}", name(header.pair), header.family), Cluster::is_first() ? header.count : 0);
   const auto work = [&](std::uint64_t run) {
     const std::uint64_t begin = run * kRun;
@@ -53,10 +57,13 @@ void write_dataset(const golden::DatasetHeader& header, const std::string& path,
     for (std::string line; std::getline(lines, line); progress.add(1)) {
       const golden::Location where{path, 0};
       const auto json = golden::parse_object(line, where);
-      writer->write(golden::read_case(golden::Node(json, where), header), line);
+      const golden::Case c = golden::read_case(golden::Node(json, where), header);
+      writer->write(c, line);
+      digest.add(golden::digest_bytes(c));
     }
   });
   if (writer != nullptr) writer->commit();
+  return digest.hex();
 }
 
 /// What is printed at the end of a command whose work processes share: once.
@@ -102,7 +109,7 @@ void generate(const GenerateOptions& o) {
     throw InputError(where, "--family",
                      fmt::format("unknown family '{}' of {}; known: {}", o.family, o.pair, fmt::join(names, ", ")));
   }
-  check_output("generate", o.output);
+  if (!o.digest || !o.output.empty()) check_output("generate", o.output);
   golden::DatasetHeader header;
   header.pair = *pair;
   header.scalar = o.scalar == name(Scalar::binary32) ? Scalar::binary32 : Scalar::binary64;
@@ -116,6 +123,11 @@ void generate(const GenerateOptions& o) {
     first = golden::cut(o.count, shard.index, shard.of);
     header.count = golden::cut(o.count, shard.index + 1, shard.of) - first;
   }
+  if (o.output.empty()) {
+    const golden::CommittedFile stream{header.pair, header.scalar, family};
+    fmt::print("{}\n", digests_of(stream, header.seed, first, {header.count}, golden::digest_bytes).front());
+    return;
+  }
   const auto question = [&](std::uint64_t i) {
     return golden::generate_query(header.pair, *family, header.scalar, header.seed, first + i);
   };
@@ -124,8 +136,9 @@ void generate(const GenerateOptions& o) {
     say("{}: {} cases, kept as they stand there\n", o.output, header.count);
     return;
   }
-  write_dataset(header, o.output, question);
+  const std::string digest = write_dataset(header, o.output, question);
   say("{}: {} cases\n", o.output, header.count);
+  if (o.digest) say("{}\n", digest);
 }
 
 void regenerate(const std::string& folder) {
@@ -278,7 +291,8 @@ void add_generate(CLI::App& app, int& exit) {
       ->check(CLI::IsMember({"binary32", "binary64"}));
   command->add_option("--shard", o->shard, "I/N: only part I (from 0) of N, itself a dataset");
   command->add_flag("--resume", o->resume, "Keep the file where it is there already and whole; refuse it if damaged");
-  command->add_option("-o,--output", o->output, "The file, *.jsonl or *.h5")->required();
+  command->add_option("-o,--output", o->output, "The file, *.jsonl or *.h5; may be left out with --digest");
+  command->add_flag("--digest", o->digest, "Print the SHA-256 of the answers, docs/formats.md#digests");
   command->callback([o, &exit] {
     generate(*o);
     exit = kCertified;

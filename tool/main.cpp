@@ -66,6 +66,8 @@ int run(int argc, char** argv) {
   add_properties(app, exit);
   add_lint(app, exit);
   add_merge(app, exit);
+  add_digests(app, exit);
+  add_adequacy(app, exit);
   add_detect(app, exit);
   add_lists(app, exit);
   try {
@@ -105,8 +107,8 @@ int guarded(int argc, char** argv) {
   } catch (const engines::HarnessInvalid& error) {
     fmt::print(stderr, "contact-oracle: harness invalid: {}\n", error.what());
     return kHarnessInvalid;
-  } catch (const Interrupted&) {
-    fmt::print(stderr, "contact-oracle: interrupted; nothing was written\n");
+  } catch (const Interrupted& error) {
+    fmt::print(stderr, "contact-oracle: {}\n", error.what());
     return kInterrupted;
   } catch (const std::exception& error) {
     fmt::print(stderr, "contact-oracle: {}\n", error.what());

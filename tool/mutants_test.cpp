@@ -1,4 +1,4 @@
-// Every mutant against the committed golden files: refuted, and told why.
+// Every mutant against the committed golden files: told why it is refuted.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -25,7 +25,7 @@ struct OracleFault : std::runtime_error {
 
 /// SIGINT or SIGTERM arrived. Thrown from the work itself, so that temporary files are removed on the way out.
 struct Interrupted : std::runtime_error {
-  Interrupted() : std::runtime_error("interrupted") {}
+  explicit Interrupted(const std::string& what = "interrupted; nothing was written") : std::runtime_error(what) {}
 };
 void catch_signals();
 void throw_if_interrupted();

@@ -89,7 +89,8 @@ class Accepted(Case):
                     self.lines_valid("dataset.json", path)
                     datasets += 1
         self.assertTrue(datasets > 60 and results == 4, (datasets, results))
-        self.valid("manifest.json", json.loads((GOLDEN / "manifest.json").read_text()))
+        for name in ("manifest.json", "adequacy.json"):
+            self.valid(name, json.loads((GOLDEN / name).read_text()))
 
     def test_what_the_program_makes_of_every_family_is_valid(self):
         for family in map(json.loads, run("families", "--json").stdout.splitlines()):
@@ -283,7 +284,19 @@ class Refused(Case):
             "closest distance": ([*entry, "closest"], {"value": {"log2_ulps": 0, "id": "0" * 24}}),
             "family": ([*entry, "family"], "coincident"), "origin": ([*entry, "origin"], "found"), "hits": ([*entry, "hits"], None),
             "path": ([*entry, "path"], "x.json"), "unknown key": ([*entry, "colour"], 7), "version": (["version"], 2),
-            "a file twice": (["files", 1], manifest["files"][0])})
+            "a file twice": (["files", 1], manifest["files"][0]), "negative kills": ([*entry, "kills"], -1),
+            "digest of answers": ([*entry, "digests", "10000"], "0" * 63), "of no count": ([*entry, "digests", "many"], "0" * 64),
+            "digests": ([*entry, "digests"], None)})
+
+    def test_typical_mistakes_in_an_adequacy_file(self):
+        adequacy = json.loads((GOLDEN / "adequacy.json").read_text())
+        for key in ("files", "mutants", "families"):
+            adequacy[key] = adequacy[key][:2]
+        self.check("adequacy.json", adequacy, {
+            "a kill twice": (["files", 0, "kills"], ["x", "x"]), "no digest": (["files", 0, "sha256"], None),
+            "a mutant's name": (["mutants", 0, "id"], "mutant:x"), "kills": (["mutants", 0, "cases"], "1"),
+            "one case that is not named": (["mutants", 0, "cases"], 1), "shapes": (["families", 0, "shapes"], "cones"),
+            "unique": (["families", 0, "unique"], 7), "unknown key": (["colour"], 7)})
 
     def test_typical_mistakes_in_a_report(self):
         path = self.folder / "report.json"

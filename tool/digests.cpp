@@ -1,0 +1,167 @@
+// digests: do the answers to many more questions than are committed still have the digests of the manifest?
+#include "tool/digests.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "contact/cube_cube.hpp"
+#include "contact/sphere_sphere.hpp"
+#include "golden/digest.hpp"
+#include "golden/query_id.hpp"
+#include "tool/commands.hpp"
+#include "tool/process.hpp"
+
+namespace contact::tool {
+
+std::vector<std::string> digests_of(const golden::CommittedFile& stream, std::uint64_t seed, std::uint64_t first,
+                                    const std::vector<std::uint64_t>& counts, AnswerBytes answer) {
+  Progress progress(stream.path(), counts.back());
+  golden::Sha256 hash;
+  std::vector<std::string> digests;
+  std::uint64_t done = 0;
+  for (const std::uint64_t count : counts) {
+    while (done < count) {
+      throw_if_interrupted();
+      std::vector<std::string> answers(std::min<std::uint64_t>(kRun, count - done));
+      in_parallel(answers.size(), [&](std::size_t i) {
+        const Query query = golden::generate_query(stream.pair, *stream.family, stream.scalar, seed, first + done + i);
+        answers[i] = answer(query, stream.scalar);
+      });
+      for (const std::string& bytes : answers) hash.add(bytes);
+      done += answers.size();
+      progress.add(answers.size());
+    }
+    digests.push_back(hash.hex());
+  }
+  return digests;
+}
+
+golden::Digests renewed_digests(const golden::CommittedFile& stream, const golden::Recorded& recorded, Most most) {
+  using golden::kManyAnswers, golden::kMostAnswers;
+  const auto first = [&](const std::vector<std::uint64_t>& counts) {
+    return digests_of(stream, golden::kCommittedSeed, 0, counts, golden::digest_bytes);
+  };
+  golden::Digests digests{{kManyAnswers, first({kManyAnswers}).front()}};
+  const auto many = recorded.digests.find(kManyAnswers);
+  const auto kept = recorded.digests.find(kMostAnswers);
+  const bool same = recorded.generator == golden::kGenerator && many != recorded.digests.end() &&
+                    many->second == digests[kManyAnswers] && kept != recorded.digests.end();
+  if (same && most != Most::anew)
+    digests.insert(*kept);
+  else if (most != Most::keep)
+    digests[kMostAnswers] = first({kMostAnswers}).front();
+  return digests;
+}
+
+namespace {
+
+struct Options {
+  std::string folder;
+  std::uint64_t count = golden::kManyAnswers;
+  bool production = false;
+  bool write = false;
+  bool force = false;
+};
+
+Expectation production(const Query& query) {
+  if (const Boxes* boxes = query.boxes())
+    return {test_cube_cube(boxes->a, boxes->b, query.distances.alarm), std::nullopt};
+  const auto contact = compute_sphere_sphere(query.balls()->a, query.balls()->b, query.distances);
+  return {contact.has_value(), contact};
+}
+
+std::string production_bytes(const Query& query, Scalar) {
+  if (const auto error = outside_domain(query)) return golden::digest_bytes(*error);
+  return golden::digest_bytes(production(query));
+}
+
+/// Production rounds to binary64; what is no number has no scalar.
+bool production_answers(const golden::CommittedFile& stream) {
+  return stream.scalar == Scalar::binary64 || stream.pair == Pair::cube_cube || stream.family->outside_domain;
+}
+
+void write(const Options& o) {
+  const auto recorded = golden::recorded_digests(o.folder);
+  const Most most = o.count < golden::kMostAnswers ? Most::keep : o.force ? Most::anew : Most::fill;
+  std::size_t written = 0;
+  try {
+    for (const golden::CommittedFile& stream : golden::committed_files()) {
+      const auto file = recorded.find(stream.path());
+      if (file == recorded.end())
+        throw golden::InputError({o.folder, 0}, "", fmt::format("the manifest does not list {}", stream.path()));
+      golden::Digests digests = renewed_digests(stream, file->second, most);
+      digests.insert(file->second.digests.begin(), file->second.digests.lower_bound(golden::kManyAnswers));
+      golden::record_digests(o.folder, stream.path(), digests);
+      ++written;
+    }
+  } catch (const Interrupted&) {
+    throw Interrupted(fmt::format("interrupted; {} files are done, and will not be done again", written));
+  }
+  fmt::print("{}: digests of {} generators' answers\n", o.folder, written);
+}
+
+/// Whether every recorded digest is what the answers give, and that of many answers is recorded.
+bool check(const Options& o) {
+  const auto recorded = golden::recorded_digests(o.folder);
+  std::size_t right = 0;
+  std::size_t wrong = 0;
+  for (const golden::CommittedFile& stream : golden::committed_files()) {
+    if (o.production && !production_answers(stream)) continue;
+    std::vector<std::uint64_t> counts;
+    const auto file = recorded.find(stream.path());
+    const golden::Digests none;
+    const golden::Digests& digests = file == recorded.end() ? none : file->second.digests;
+    for (const std::uint64_t count : {golden::kManyAnswers, golden::kMostAnswers}) {
+      if (count > o.count) continue;
+      if (digests.contains(count)) {
+        counts.push_back(count);
+        continue;
+      }
+      // That of the most answers is made where there is time for it.
+      if (count < golden::kMostAnswers) ++wrong;
+      fmt::print("{}: no digest of {} answers\n", stream.path(), count);
+    }
+    if (counts.empty()) continue;
+    const auto found = digests_of(stream, golden::kCommittedSeed, 0, counts,
+                                  o.production ? production_bytes : AnswerBytes(golden::digest_bytes));
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      const bool same = digests.at(counts[i]) == found[i];
+      ++(same ? right : wrong);
+      if (!same)
+        fmt::print("{}: the manifest says {} for {} answers, {} gives {}\n", stream.path(), digests.at(counts[i]),
+                   counts[i], o.production ? "production" : "the exact oracle", found[i]);
+    }
+  }
+  fmt::print("{} digests right, {} wrong or missing\n", right, wrong);
+  return wrong == 0;
+}
+
+}  // namespace
+
+void add_digests(CLI::App& app, int& exit) {
+  auto* command = app.add_subcommand(
+      "digests", "Are the manifest's digests those of the answers to the first 10000 questions of every generator?");
+  auto o = std::make_shared<Options>();
+  o->folder = golden_folder();
+  command->add_option("folder", o->folder, "A folder with a manifest")->capture_default_str();
+  command->add_option("--count", o->count, "10000, or 1000000: both are looked at")
+      ->capture_default_str()
+      ->check(CLI::IsMember({golden::kManyAnswers, golden::kMostAnswers}));
+  auto* production =
+      command->add_flag("--production", o->production,
+                        "Ask production instead of the exact oracle, where it rounds to the file's scalar");
+  auto* write_flag =
+      command->add_flag("--write", o->write,
+                        "Write the digests; of 1000000 answers only where they are missing or the generator changed");
+  write_flag->excludes(production);
+  command->add_flag("--force", o->force, "With --write: all of them anew")->needs(write_flag);
+  command->callback([o, &exit] {
+    if (o->write) write(*o);
+    exit = o->write || check(*o) ? kCertified : kRefuted;
+  });
+}
+
+}  // namespace contact::tool
