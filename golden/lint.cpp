@@ -29,7 +29,7 @@ void check_canonical(const DatasetReader& reader, const std::string& expected) {
 
 LintedFile lint(const std::filesystem::path& path, bool generated, const std::function<void()>& after_case) {
   DatasetReader reader(path);
-  LintedFile linted{reader.header(), 0, {}, {}, {}};
+  LintedFile linted{reader.header(), 0, {}, {}, {}, {}};
   for (const Flag& flag : flags()) linted.flags.emplace_back(flag.name, 0);
   for (const std::string_view field : {"value", "normal", "point1", "point2"})
     linted.closest.push_back({{field, oracle::Rational(0), 0}, ""});

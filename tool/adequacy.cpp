@@ -45,6 +45,10 @@ constexpr std::array kReasons{
            "points are spheres: special cases for a radius of zero, which no mutant has in full"},
     Reason{"spheres", "far_from_origin", "coordinates that a smaller format, or a tolerance that grows, cannot hold"},
     Reason{"spheres", "extreme_scale", "overflow and underflow depend on an engine's own order of operations"},
+    Reason{"spheres", "hard_to_round",
+           "one rounding too many shows here and hardly anywhere else; mutants are wrong by more"},
+    Reason{"spheres", "hardest",
+           "the closest numbers known: for who computes with more digits and takes them for enough"},
     Reason{"spheres", "one_axis",
            "the answer is known at sight, on every axis and side: the first questions for a new engine"},
     Reason{"spheres", "upstream", "compiled SOFA was asked these questions, and its answers are recorded"},
@@ -56,7 +60,6 @@ constexpr std::array kReasons{
     Reason{"cubes", "nested", "for engines that compare corners, edges or faces, and not extents"},
     Reason{"cubes", "identical", "no difference at all: for engines that take a box for itself and skip it"},
     Reason{"cubes", "far_from_origin", "the alarm distance is lost in a sum, on every axis and side"},
-    Reason{"cubes", "extreme_scale", "overflow and underflow depend on an engine's own order of operations"},
     Reason{"cubes", "upstream", "compiled SOFA was asked these questions, and its answers are recorded"}};
 
 std::string_view shapes_of(Pair pair) { return pair == Pair::cube_cube ? "cubes" : "spheres"; }
