@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "contact/contact.hpp"
 #include "oracle/claim.hpp"
 #include "oracle/conventions.hpp"
 #include "oracle/expectation.hpp"
@@ -65,6 +66,9 @@ struct Declaration {
   Conventions conventions;
   Bounds bounds;
 };
+
+/// Where the contact point of a sphere (0 or 1) should lie; nothing where the conventions claim none.
+[[nodiscard]] std::optional<PointOn> point_of(const Conventions& conventions, const Query& query, int sphere);
 
 /// Domain: the question is inside the domain.
 /// `rounded` is the truth correctly rounded to the declared scalar, where that is known already: a number that equals
