@@ -39,6 +39,7 @@ const std::vector<Subject>& judged() {
 const std::map<std::string_view, std::string_view> kOtherwiseDiagnosed{
     {"box-euclidean", "so few boxes are near each other's corners that 42 questions of a file do not refute it"},
     {"box-x-twice", "y left out explains nearly the same questions"},
+    {"coal-points-collapsed", "its other mistake, one point for both spheres, explains more and is named first"},
     {"narrowed-1e-12", "no question of so few lies between the two tolerances: 1e-14 is named"},
 };
 
