@@ -82,7 +82,7 @@ class ContactJudge {
   /// The contact point of sphere 0 or 1.
   [[nodiscard]] std::optional<FieldVerdict> point(int sphere) const {
     const std::optional<Vector3>& p = sphere == 0 ? claim_.point1 : claim_.point2;
-    const std::optional<PointOn> on = where(sphere);
+    const std::optional<PointOn> on = point_of(conventions_, query_, sphere);
     if (!p || !on) return std::nullopt;
     if (truth_.degenerate() && *on != PointOn::center && !knows_coincident_normal()) return std::nullopt;
     FieldVerdict verdict;
@@ -114,28 +114,6 @@ class ContactJudge {
   }
 
  private:
-  /// Where the contact point of a sphere should lie; nothing where the engine claims none.
-  [[nodiscard]] std::optional<PointOn> where(int sphere) const {
-    switch (conventions_.points) {
-      case Points::nearest_surface:
-        return PointOn::nearest_surface;
-      case Points::center: {
-        const bool rigid = sphere == 0 ? query_.first_is_rigid() : query_.second_is_rigid();
-        return rigid ? PointOn::nearest_surface : PointOn::center;
-      }
-      case Points::published:
-        return PointOn::far_surface;
-      case Points::first_only:
-        return sphere == 0 ? std::optional(PointOn::nearest_surface) : std::nullopt;
-      case Points::second_only:
-        return sphere == 1 ? std::optional(PointOn::nearest_surface) : std::nullopt;
-      case Points::midpoint:
-      case Points::none:
-        return std::nullopt;
-    }
-    return std::nullopt;
-  }
-
   /// D = 0: any finite unit normal is right, to 8 roundings of its squared length, or exactly zero where so declared.
   [[nodiscard]] FieldVerdict coincident_normal(const Vector3& n) const {
     const Rational length2 = squared_length(n);
@@ -184,6 +162,27 @@ class ContactJudge {
 bool is_right(const std::optional<FieldVerdict>& field) { return field && field->grade <= Grade::bounded; }
 
 }  // namespace
+
+std::optional<PointOn> point_of(const Conventions& conventions, const Query& query, int sphere) {
+  switch (conventions.points) {
+    case Points::nearest_surface:
+      return PointOn::nearest_surface;
+    case Points::center: {
+      const bool rigid = sphere == 0 ? query.first_is_rigid() : query.second_is_rigid();
+      return rigid ? PointOn::nearest_surface : PointOn::center;
+    }
+    case Points::published:
+      return PointOn::far_surface;
+    case Points::first_only:
+      return sphere == 0 ? std::optional(PointOn::nearest_surface) : std::nullopt;
+    case Points::second_only:
+      return sphere == 1 ? std::optional(PointOn::nearest_surface) : std::nullopt;
+    case Points::midpoint:
+    case Points::none:
+      break;
+  }
+  return std::nullopt;
+}
 
 FieldVerdict grade(double claim, const Exact& x, Scalar scalar, const Exact& scale, double bound) {
   if (is_correctly_rounded(claim, x, scalar)) return {};

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "contact/contact.hpp"
 #include "oracle/claim.hpp"
 #include "oracle/conventions.hpp"
 #include "oracle/truth.hpp"
@@ -73,6 +74,9 @@ struct Declaration {
   Conventions conventions;
   Bounds bounds;
 };
+
+/// Where the contact point of a sphere (0 or 1) should lie; nothing where the conventions claim none.
+[[nodiscard]] std::optional<PointOn> point_of(const Conventions& conventions, const Query& query, int sphere);
 
 /// Domain: the question is inside the domain.
 [[nodiscard]] Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared);

@@ -146,25 +146,6 @@ bool claims(const Conventions& conventions, Field field) {
   return false;
 }
 
-std::optional<PointOn> point_of(const Conventions& conventions, const Query& query, int sphere) {
-  const bool rigid = sphere == 0 ? query.first_is_rigid() : query.second_is_rigid();
-  switch (conventions.points) {
-    case Points::nearest_surface:
-    case Points::center:
-    case Points::published:
-      return point_on(static_cast<PointConvention>(conventions.points),
-                      rigid ? SphereKind::rigid : SphereKind::deformable);
-    case Points::first_only:
-      return sphere == 0 ? std::optional(PointOn::nearest_surface) : std::nullopt;
-    case Points::second_only:
-      return sphere == 1 ? std::optional(PointOn::nearest_surface) : std::nullopt;
-    case Points::midpoint:
-    case Points::none:
-      break;
-  }
-  return std::nullopt;
-}
-
 Vector3 first_to_second(const Conventions& conventions, const Vector3& normal) {
   return conventions.normal == NormalDirection::first_to_second ? normal : Vector3(-normal);
 }

@@ -36,8 +36,7 @@ using oracle::Rational;
 
 /// Whether an engine declares a field at all.
 [[nodiscard]] bool claims(const Conventions& conventions, Field field);
-/// Where an engine puts the contact point of sphere 0 or 1, or nothing where it claims none there.
-[[nodiscard]] std::optional<PointOn> point_of(const Conventions& conventions, const Query& query, int sphere);
+using oracle::point_of;
 /// The claimed normal turned to point from the first to the second.
 [[nodiscard]] Vector3 first_to_second(const Conventions& conventions, const Vector3& normal);
 
