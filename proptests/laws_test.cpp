@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -352,6 +353,22 @@ TEST(Shrinking, makes_every_step_easier_and_stays_in_the_range) {
         }
       }
   }
+}
+
+TEST(Shrinking, meets_numbers_outside_the_domain_and_leaves_them_behind) {
+  const Range range;
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                           -std::numeric_limits<double>::infinity()})
+    for (const std::size_t which : {0U, 3U, 9U}) {  // a coordinate, a radius, the contact distance
+      Query query{Pair::sphere_sphere, Balls{{{1, 2, 3}, 4}, {{5, 6, 7}, 8}}, {9, 10}};
+      std::size_t i = 0;
+      for_each_number(query, [&](const std::string&, double& x) {
+        if (i++ == which) x = bad;
+      });
+      const std::vector<Trial> found = easier({query, {}, {}}, range);
+      EXPECT_FALSE(found.empty());
+      for (const Trial& next : found) EXPECT_TRUE(range.contains(next.query));
+    }
 }
 
 TEST(Generators, make_numbers_of_the_range) {

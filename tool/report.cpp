@@ -54,7 +54,7 @@ void FieldCount::merge(const FieldCount& other) {
 
 std::string FamilyReport::title() const {
   if (family == "total") return family;
-  return fmt::format("{}/{}{}", name(pair), family, scalar == Scalar::binary32 ? ".f32" : "");
+  return family_title(pair, family, scalar);
 }
 
 FieldCount FamilyReport::all_fields() const {

@@ -51,7 +51,7 @@ struct FamilyReport {
   std::array<std::uint64_t, oracle::kLevelNames.size()> levels{};  ///< cases by the strictest level they reach
   decltype(levels) accepted_levels{};                              ///< those of them that are accepted failures
 
-  [[nodiscard]] std::string title() const;  ///< pair/family, with .f32 for questions in binary32; "total"
+  [[nodiscard]] std::string title() const;  ///< family_title, or "total"
   [[nodiscard]] FieldCount all_fields() const;
   [[nodiscard]] std::uint64_t with(Claim::Status status) const { return statuses[static_cast<std::size_t>(status)]; }
   /// Cases whose question got no answer, for whatever reason.

@@ -15,13 +15,9 @@ using oracle::Level;
 
 Level level_of(const Node& node) { return static_cast<Level>(node.one_of(oracle::kLevelNames)); }
 
-std::string title_of(const Node& family) {
-  return fmt::format("{}/{}{}", family.at("pair").text(), family.at("family").text(),
-                     family.at("scalar").text() == name(Scalar::binary32) ? ".f32" : "");
-}
-
 SavedFamily read_family(const Node& node) {
-  SavedFamily family{title_of(node),
+  SavedFamily family{family_title(golden::read_pair(node.at("pair")), node.at("family").text(),
+                                  golden::read_scalar(node.at("scalar"))),
                      node.at("cases").count(),
                      node.at("missed_hits").count(),
                      node.at("false_hits").count(),
@@ -49,6 +45,10 @@ Failure read_failure(const Node& node) {
 }
 
 }  // namespace
+
+std::string family_title(Pair pair, std::string_view family, Scalar scalar) {
+  return fmt::format("{}/{}{}", name(pair), family, scalar == Scalar::binary32 ? ".f32" : "");
+}
 
 SavedReport read_report(const std::filesystem::path& path) {
   auto file = golden::open_to_read(path);

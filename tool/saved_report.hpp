@@ -25,8 +25,11 @@ struct Failure {
   bool accepted = false;
 };
 
+/// pair/family, with .f32 for questions in binary32.
+[[nodiscard]] std::string family_title(Pair pair, std::string_view family, Scalar scalar);
+
 struct SavedFamily {
-  std::string title;  ///< pair/family, with .f32 for questions in binary32
+  std::string title;  ///< family_title
   std::uint64_t cases;
   std::uint64_t missed_hits;
   std::uint64_t false_hits;
