@@ -238,6 +238,8 @@ Case read_case(const Node& line, const DatasetHeader& header) {
     expect.allow_only({"rejected"});
     c.rejected = expect.at("rejected").text();
   } else {
+    if (const auto rejected = expect.find("rejected"))
+      rejected->refuse("a question outside the domain stands in a file of the family invalid");
     c.expect = read_expectation(expect, header.pair);
     c.exact = read_witness(line.at("exact"), header.pair);
   }

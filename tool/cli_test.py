@@ -711,7 +711,7 @@ class BadDatasets(Case):
             self.refused(args, f"{path}:5: expect")
         self.file("d.jsonl", [{**inside[0], "count": 4}, *inside[1:], outside[1]])
         for command in ("lint", "certify"):
-            self.refused((command, path), f"{path}:5: {outside[1]['expect']['rejected']}: ")
+            self.refused((command, path), f"{path}:5: expect.rejected: ", "family invalid")
 
     def test_the_same_question_twice_is_refused_under_other_flags_too(self):
         case = {**self.spheres[1], "flags": ["Flat"]}
@@ -754,9 +754,10 @@ class BadDatasets(Case):
         right = manifest.read_text()
         digit = re.search(r'"sha256":"([0-9a-f])', right)
         changed = right[:digit.start(1)] + format(int(digit[1], 16) ^ 1, "x") + right[digit.end(1):]
-        for wrong in (changed, right.replace('"count":210', '"count":211', 1), right.replace("touching", "missing"), ""):
+        for wrong, word in ((changed, "the manifest says"), (right.replace('"count":210', '"count":211', 1), "the manifest says"),
+                            (right.replace("touching", "missing"), "the manifest says"), ("", "malformed JSON")):
             manifest.write_text(wrong)
-            self.refused(("lint", self.folder), f"{manifest}:", "the manifest says", one_line=False)
+            self.refused(("lint", self.folder), f"{manifest}:", word, one_line=False)
 
 
 class BadUsage(Case):

@@ -109,7 +109,8 @@ void generate(const GenerateOptions& o) {
     throw InputError(where, "--family",
                      fmt::format("unknown family '{}' of {}; known: {}", o.family, o.pair, fmt::join(names, ", ")));
   }
-  if (!o.digest || !o.output.empty()) check_output("generate", o.output);
+  if (o.output.empty() && !o.digest) throw InputError(where, "--output", "missing, and only --digest does without a file");
+  if (!o.output.empty()) check_output("generate", o.output);
   golden::DatasetHeader header;
   header.pair = *pair;
   header.scalar = o.scalar == name(Scalar::binary32) ? Scalar::binary32 : Scalar::binary64;

@@ -120,7 +120,8 @@ TEST(Certify, AValueRoundedTwiceIsCertifiedAtBoundedAndRefutedAtCorrectlyRounded
     in_contact(claim, [](ContactClaim& c) {
       int exponent = 0;
       const double m = std::frexp(*c.value, &exponent);
-      if (std::isfinite(*c.value)) c.value = std::ldexp(std::nearbyint(std::ldexp(m, 51)), exponent - 51);
+      const double rounded = std::ldexp(std::nearbyint(std::ldexp(m, 51)), exponent - 51);
+      if (std::isfinite(rounded)) c.value = rounded;
     });
   });
   EXPECT_EQ(report.level(), Level::bounded);
