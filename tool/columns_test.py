@@ -316,7 +316,7 @@ class Outputs(Columns):
         for limit in (0, 3000, 100_000, 500_000):
             def no_room():
                 resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
-            for args in ((*self.GENERATE, 9000), ("convert", source)):
+            for args in (("convert", source), *([(*self.GENERATE, 9000)] if limit == 100_000 else [])):
                 with self.subTest(args[0], limit=limit):
                     target = self.folder / "x.h5"
                     self.refused((*args, "-o", target), f"{target}: cannot write: File too large", preexec_fn=no_room,
