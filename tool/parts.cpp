@@ -101,6 +101,10 @@ std::string digest_of_file(const std::filesystem::path& path) {
   return hash.hex();
 }
 
+std::string digest_of(golden::Shard part, const std::string& run, const std::string& bytes) {
+  return golden::Sha256().add(fmt::format("{}/{}", part.index, part.of)).add(run).add(bytes).hex();
+}
+
 }  // namespace
 
 std::vector<Source> cut(std::vector<Source> sources, golden::Shard part) {
@@ -180,11 +184,9 @@ std::filesystem::path part_name(golden::Shard part) { return fmt::format("part-{
 
 void write_part(const std::filesystem::path& path, golden::Shard part, const std::string& run,
                 const std::string& bytes) {
-  golden::Sha256 hash;
-  hash.add(run).add(bytes);
   golden::OutputFile file(path);
   file.write(fmt::format(R"({{"format":"{}","version":{},"part":[{},{}],"run":{},"bytes":{},"sha256":"{}"}})", kFormat,
-                         kVersion, part.index, part.of, run, bytes.size(), hash.hex()) +
+                         kVersion, part.index, part.of, run, bytes.size(), digest_of(part, run, bytes)) +
              "\n");
   file.write(bytes);
   file.commit();
@@ -214,10 +216,9 @@ PartFile read_part(const std::filesystem::path& path) {
   const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
   if (const golden::Node size = node.at("bytes"); size.count() != bytes.size())
     size.refuse(fmt::format("{} bytes follow: the file is truncated or has grown", bytes.size()));
-  golden::Sha256 hash;
-  hash.add(file.run).add(bytes);
-  if (const golden::Node sha256 = node.at("sha256"); sha256.text() != hash.hex())
-    sha256.refuse("the file is damaged: its digest is " + hash.hex());
+  const std::string digest = digest_of(file.part, file.run, bytes);
+  if (const golden::Node sha256 = node.at("sha256"); sha256.text() != digest)
+    sha256.refuse("the file is damaged: its digest is " + digest);
   try {
     file.content = unpack(bytes);
   } catch (const cereal::Exception& error) {

@@ -170,6 +170,8 @@ class Parts(Case):
                 self.refused((*FLOAT, "--parts", folder, "--shards", 2), path)
         path.write_bytes(whole + b"x")
         self.refused(("merge", folder), path, "bytes", "has grown")
+        path.write_bytes(whole.replace(b'"part":[1,2]', b'"part":[0,2]', 1))
+        self.refused(("merge", path, path), path, "sha256", "damaged")
         path.write_bytes(whole.replace(b'"version":1', b'"version":2', 1))
         self.refused(("merge", folder), path, "version", "reads version 1")
 
