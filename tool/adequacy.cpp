@@ -181,7 +181,8 @@ std::vector<std::string> complaints(const KillMatrix& matrix) {
     if (killers[m].size() < kLeastKills)
       found.push_back(fmt::format("{} cases kill {}, and {} should", killers[m].size(), id, kLeastKills));
   }
-  for (const auto& [name, family] : families_of(matrix)) {
+  for (const auto& [key, family] : families_of(matrix)) {
+    const auto& name = key;  // what a lambda may capture
     const bool reason = std::any_of(kReasons.begin(), kReasons.end(),
                                     [&](const Reason& r) { return r.shapes == name.first && r.family == name.second; });
     if (family.unique.empty() && !reason)

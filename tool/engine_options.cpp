@@ -7,7 +7,6 @@
 #include <chrono>
 #include <filesystem>
 #include <numeric>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -54,11 +53,10 @@ std::unique_ptr<engines::Engine> mutant(const std::string& name) {
   std::vector<std::pair<std::size_t, std::string_view>> near;
   for (const engines::Mutant& m : engines::mutants()) near.emplace_back(edits(id, m.id), m.id);
   std::stable_sort(near.begin(), near.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
-  near.resize(3);
   throw golden::InputError(
       {"command line", 0}, "",
-      fmt::format("unknown mutant '{}'; near it: {}; `contact-oracle engines --mutants` lists all {}", id,
-                  fmt::join(near | std::views::values, ", "), engines::mutants().size()));
+      fmt::format("unknown mutant '{}'; near it: {}, {}, {}; `contact-oracle engines --mutants` lists all {}", id,
+                  near.at(0).second, near.at(1).second, near.at(2).second, engines::mutants().size()));
 }
 
 }  // namespace
