@@ -25,7 +25,7 @@ bool is_near_zero(const Exact& x, const Exact& scale, Scalar scalar) {
   return oracle::is_within(Rational(0), x, Rational(kNearUlps) * oracle::ulp(scale, scalar));
 }
 
-Rational largest_gap(const Truth& truth) { return *std::max_element(truth.cubes->gap.begin(), truth.cubes->gap.end()); }
+Rational largest_gap(const Truth& truth) { return truth.cubes->widest_gap(); }
 
 Rational largest_coordinate(const Query& query) {
   Rational largest(0);
@@ -41,9 +41,9 @@ Rational first_beyond(Scalar scalar) { return power_of_two(format_of(scalar).max
 bool near_boundary(const Query& query, const Truth& truth, Scalar scalar) {
   if (truth.at_alarm == CGAL::ZERO) return false;
   if (truth.spheres) return oracle::is_within(Rational(0), truth.spheres->margin(scalar), Rational(kNearUlps));
-  const Rational off = largest_gap(truth) - truth.cubes->alarm;
+  const Rational off = largest_gap(truth) - truth.cubes->alarm();
   return CGAL::abs(off) <=
-         Rational(kNearUlps) * oracle::ulp(std::max(largest_coordinate(query), truth.cubes->alarm), scalar);
+         Rational(kNearUlps) * oracle::ulp(std::max(largest_coordinate(query), truth.cubes->alarm()), scalar);
 }
 
 bool contained(const Box& inner, const Box& outer) {
@@ -138,8 +138,8 @@ const std::array kFlags{
          [](const Query& q, const Truth& t, Scalar) {
            if (t.spheres)
              return largest_coordinate(q) >= power_of_two(8) * t.spheres->reach() && !CGAL::is_zero(t.spheres->reach());
-           return largest_coordinate(q) >= power_of_two(8) * (CGAL::abs(largest_gap(t)) + t.cubes->alarm) &&
-                  !CGAL::is_zero(largest_coordinate(q)) && !CGAL::is_zero(CGAL::abs(largest_gap(t)) + t.cubes->alarm);
+           return largest_coordinate(q) >= power_of_two(8) * (CGAL::abs(largest_gap(t)) + t.cubes->alarm()) &&
+                  !CGAL::is_zero(largest_coordinate(q)) && !CGAL::is_zero(CGAL::abs(largest_gap(t)) + t.cubes->alarm());
          }},
     Flag{"SquareOverflow", "a squared length exceeds the scalar's range",
          "infinite or NaN where the answer is finite; hits from inf <= inf",
@@ -158,7 +158,7 @@ const std::array kFlags{
            Rational largest(0);
            for (int axis = 0; axis < 3; ++axis)
              largest = std::max({largest, Rational(q.boxes()->a.max[axis]), Rational(q.boxes()->b.max[axis])});
-           return largest + t.cubes->alarm >= first_beyond(s);
+           return largest + t.cubes->alarm() >= first_beyond(s);
          }},
     Flag{"ResultOverflow", "a number of the answer rounds to infinity", "NaN from inf - inf",
          [](const Query&, const Truth& t, Scalar s) { return result_overflows(t, s); }},

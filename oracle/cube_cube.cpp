@@ -6,13 +6,16 @@
 
 namespace contact::oracle {
 
-CubeTruth::CubeTruth(const Boxes& boxes, Distances distances) : alarm(distances.alarm) {
+const CubeTruth::Numbers& CubeTruth::exact() const {
+  if (exact_) return *exact_;
+  Numbers& n = exact_.emplace();
+  n.alarm = Rational(distances_.alarm);
   for (int axis = 0; axis < 3; ++axis)
-    gap[static_cast<std::size_t>(axis)] = std::max(Rational(boxes.a.min[axis]) - Rational(boxes.b.max[axis]),
-                                                   Rational(boxes.b.min[axis]) - Rational(boxes.a.max[axis]));
+    n.gap[static_cast<std::size_t>(axis)] = std::max(Rational(boxes_.a.min[axis]) - Rational(boxes_.b.max[axis]),
+                                                     Rational(boxes_.b.min[axis]) - Rational(boxes_.a.max[axis]));
+  return n;
 }
 
-CGAL::Sign CubeTruth::at_alarm() const { return CGAL::sign(*std::max_element(gap.begin(), gap.end()) - alarm); }
-CGAL::Sign CubeTruth::at_zero() const { return CGAL::sign(*std::max_element(gap.begin(), gap.end())); }
+const Rational& CubeTruth::widest_gap() const { return *std::max_element(gap().begin(), gap().end()); }
 
 }  // namespace contact::oracle

@@ -7,9 +7,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace contact::oracle {
 namespace {
+
+constexpr mpfr_prec_t kFirstPrecision = 192;
 
 /// An interval that contains the real number it stands for. The operations round outward.
 class Interval {
@@ -96,7 +99,7 @@ Triple triple(mpfr_prec_t precision, const Vector3& v) {
   return {Interval(precision, v[0]), Interval(precision, v[1]), Interval(precision, v[2])};
 }
 
-IntervalAnswer spheres(const Balls& balls, Distances distances, Scalar scalar, mpfr_prec_t precision) {
+RoundedAnswer spheres(const Balls& balls, Distances distances, Scalar scalar, mpfr_prec_t precision) {
   const Triple c1 = triple(precision, balls.a.center);
   const Triple c2 = triple(precision, balls.b.center);
   const Triple delta{c2[0] - c1[0], c2[1] - c1[1], c2[2] - c1[2]};
@@ -105,7 +108,7 @@ IntervalAnswer spheres(const Balls& balls, Distances distances, Scalar scalar, m
   const Interval D = delta[0].squared() + delta[1].squared() + delta[2].squared();
   const Interval reach = Interval(precision, distances.alarm) + r1 + r2;
 
-  IntervalAnswer answer{settled((D - reach.squared()).sign()), settled((D - (r1 + r2).squared()).sign()), {}};
+  RoundedAnswer answer{settled((D - reach.squared()).sign()), settled((D - (r1 + r2).squared()).sign()), {}};
   answer.expected.hit = answer.at_alarm <= 0;
   if (!answer.expected.hit) return answer;
 
@@ -127,13 +130,13 @@ IntervalAnswer spheres(const Balls& balls, Distances distances, Scalar scalar, m
   return answer;
 }
 
-IntervalAnswer cubes(const Boxes& boxes, Distances distances, mpfr_prec_t precision) {
+RoundedAnswer cubes(const Boxes& boxes, Distances distances, mpfr_prec_t precision) {
   const Triple min1 = triple(precision, boxes.a.min);
   const Triple max1 = triple(precision, boxes.a.max);
   const Triple min2 = triple(precision, boxes.b.min);
   const Triple max2 = triple(precision, boxes.b.max);
   const Interval alarm(precision, distances.alarm);
-  IntervalAnswer answer{-1, -1, {}};
+  RoundedAnswer answer{-1, -1, {}};
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (const Interval& gap : {min1[axis] - max2[axis], min2[axis] - max1[axis]}) {
       answer.at_alarm = std::max(answer.at_alarm, settled((gap - alarm).sign()));
@@ -145,14 +148,19 @@ IntervalAnswer cubes(const Boxes& boxes, Distances distances, mpfr_prec_t precis
 
 }  // namespace
 
-IntervalAnswer interval_answer(const Query& query, Scalar scalar) {
-  for (mpfr_prec_t precision = 192;; precision *= 2) {
+std::optional<RoundedAnswer> interval_answer_within(int most, const Query& query, Scalar scalar) {
+  for (mpfr_prec_t precision = kFirstPrecision; precision <= most; precision *= 2) {
     try {
       return query.balls() != nullptr ? spheres(*query.balls(), query.distances, scalar, precision)
                                       : cubes(*query.boxes(), query.distances, precision);
     } catch (const Undecided&) {
     }
   }
+  return std::nullopt;
+}
+
+RoundedAnswer interval_answer(const Query& query, Scalar scalar) {
+  return *interval_answer_within(std::numeric_limits<int>::max(), query, scalar);
 }
 
 }  // namespace contact::oracle

@@ -4,16 +4,19 @@
 namespace contact::oracle {
 
 Truth truth_of(const Query& query) {
-  if (const Balls* balls = query.balls()) {
-    SphereTruth spheres(*balls, query.distances);
-    const CGAL::Sign at_alarm = spheres.at_alarm();
-    const CGAL::Sign at_zero = spheres.at_zero();
-    return {at_alarm, at_zero, std::move(spheres), std::nullopt};
-  }
-  CubeTruth cubes(*query.boxes(), query.distances);
-  const CGAL::Sign at_alarm = cubes.at_alarm();
-  const CGAL::Sign at_zero = cubes.at_zero();
-  return {at_alarm, at_zero, std::nullopt, std::move(cubes)};
+  Truth truth = truth_with(query, CGAL::ZERO, CGAL::ZERO);
+  truth.at_alarm = truth.spheres ? truth.spheres->at_alarm() : truth.cubes->at_alarm();
+  truth.at_zero = truth.spheres ? truth.spheres->at_zero() : truth.cubes->at_zero();
+  return truth;
+}
+
+Truth truth_with(const Query& query, CGAL::Sign at_alarm, CGAL::Sign at_zero) {
+  Truth truth{at_alarm, at_zero, std::nullopt, std::nullopt};
+  if (const Balls* balls = query.balls())
+    truth.spheres.emplace(*balls, query.distances);
+  else
+    truth.cubes.emplace(*query.boxes(), query.distances);
+  return truth;
 }
 
 Expectation expectation(const Truth& truth, Scalar scalar) {
@@ -62,7 +65,7 @@ Witness witness(const Truth& truth, Scalar scalar) {
     w.reach = dyadic_string(truth.spheres->reach());
     w.margin_ulps = round_to_nearest(truth.spheres->margin(scalar), Scalar::binary64);
   } else {
-    for (std::size_t axis = 0; axis < 3; ++axis) w.gap[axis] = dyadic_string(truth.cubes->gap[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis) w.gap[axis] = dyadic_string(truth.cubes->gap()[axis]);
   }
   return w;
 }

@@ -14,13 +14,15 @@ namespace contact::oracle {
 
 /// What is exactly true of two spheres.
 ///   delta = c2 - c1      D = delta.delta      reach = alarm + r1 + r2      n = delta / sqrt(D)
+/// The exact numbers are made when one of them is first asked for, so an object is one thread's at a time.
 class SphereTruth {
  public:
-  explicit SphereTruth(const Balls& balls, Distances distances);
+  explicit SphereTruth(const Balls& balls, Distances distances) : balls_(balls), distances_(distances) {}
 
-  [[nodiscard]] bool degenerate() const { return CGAL::is_zero(distance2_); }
-  [[nodiscard]] const Rational& distance2() const { return distance2_; }
-  [[nodiscard]] const Rational& reach() const { return reach_; }
+  /// D = 0.
+  [[nodiscard]] bool degenerate() const { return balls_.a.center == balls_.b.center; }
+  [[nodiscard]] const Rational& distance2() const { return exact().distance2; }
+  [[nodiscard]] const Rational& reach() const { return exact().reach; }
   /// The sign of sqrt(D) - reach, and of sqrt(D) - (r1 + r2).
   [[nodiscard]] CGAL::Sign at_alarm() const;
   [[nodiscard]] CGAL::Sign at_zero() const;
@@ -42,25 +44,47 @@ class SphereTruth {
   [[nodiscard]] Rational point_scale(int sphere) const;
 
  private:
-  std::array<std::array<Rational, 3>, 2> center_;
-  std::array<Rational, 2> radius_;
-  Rational contact_;
-  std::array<Rational, 3> delta_;
-  Rational distance2_;
-  Rational radii_;
-  Rational reach_;
+  struct Numbers {
+    Numbers(const Balls& balls, Distances distances);
+
+    std::array<std::array<Rational, 3>, 2> center;
+    std::array<Rational, 2> radius;
+    Rational contact;
+    std::array<Rational, 3> delta;
+    Rational distance2;
+    Rational radii;
+    Rational reach;
+  };
+  [[nodiscard]] const Numbers& exact() const;
+
+  Balls balls_;
+  Distances distances_;
+  mutable std::optional<Numbers> exact_;
 };
 
 /// What is exactly true of two boxes: on each axis the gap max(min1 - max2, min2 - max1), negative where they overlap.
-struct CubeTruth {
-  explicit CubeTruth(const Boxes& boxes, Distances distances);
+/// The exact numbers are made when one of them is first asked for, so an object is one thread's at a time.
+class CubeTruth {
+ public:
+  explicit CubeTruth(const Boxes& boxes, Distances distances) : boxes_(boxes), distances_(distances) {}
 
+  [[nodiscard]] const std::array<Rational, 3>& gap() const { return exact().gap; }
+  [[nodiscard]] const Rational& alarm() const { return exact().alarm; }
+  [[nodiscard]] const Rational& widest_gap() const;
   /// The sign of the largest gap less the alarm distance, and of the largest gap.
-  [[nodiscard]] CGAL::Sign at_alarm() const;
-  [[nodiscard]] CGAL::Sign at_zero() const;
+  [[nodiscard]] CGAL::Sign at_alarm() const { return CGAL::sign(widest_gap() - alarm()); }
+  [[nodiscard]] CGAL::Sign at_zero() const { return CGAL::sign(widest_gap()); }
 
-  std::array<Rational, 3> gap;
-  Rational alarm;
+ private:
+  struct Numbers {
+    std::array<Rational, 3> gap;
+    Rational alarm;
+  };
+  [[nodiscard]] const Numbers& exact() const;
+
+  Boxes boxes_;
+  Distances distances_;
+  mutable std::optional<Numbers> exact_;
 };
 
 struct Truth {
@@ -74,6 +98,8 @@ struct Truth {
 
 /// Domain: every number of the question finite and inside the domain.
 [[nodiscard]] Truth truth_of(const Query& query);
+/// The same where both signs have been decided already: its exact numbers wait until they are asked for.
+[[nodiscard]] Truth truth_with(const Query& query, CGAL::Sign at_alarm, CGAL::Sign at_zero);
 
 /// The correctly rounded answer.
 [[nodiscard]] Expectation expectation(const Truth& truth, Scalar scalar);

@@ -125,7 +125,7 @@ TEST(Truth, of_cubes_is_the_gap_on_every_axis) {
   EXPECT_EQ(truth.at_alarm, CGAL::NEGATIVE);
   // 0.5 apart on z, the second below the first
   const Truth apart = truth_of(cubes({{0, 0, 2}, {1, 1, 3}}, {{0, 0, 0}, {1, 1, 1.5}}, 0.5));
-  EXPECT_EQ(apart.cubes->gap[2], Rational(1) / Rational(2));
+  EXPECT_EQ(apart.cubes->gap()[2], Rational(1) / Rational(2));
   EXPECT_EQ(apart.at_alarm, CGAL::ZERO);
   EXPECT_EQ(apart.at_zero, CGAL::POSITIVE);
   EXPECT_FALSE(truth_of(cubes({{0, 0, 2}, {1, 1, 3}}, {{0, 0, 0}, {1, 1, 1.5}}, std::nextafter(0.5, 0.0))).hit());
@@ -208,7 +208,7 @@ int sign(CGAL::Sign s) { return static_cast<int>(s); }
 void expect_oracles_agree(const Query& query, Scalar scalar) {
   ASSERT_FALSE(outside_domain(query));
   const Truth truth = truth_of(query);
-  const IntervalAnswer other = interval_answer(query, scalar);
+  const RoundedAnswer other = interval_answer(query, scalar);
   ASSERT_EQ(sign(truth.at_alarm), other.at_alarm);
   ASSERT_EQ(sign(truth.at_zero), other.at_zero);
   ASSERT_EQ(first_difference(expectation(truth, scalar), other.expected), std::nullopt);

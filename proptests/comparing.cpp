@@ -28,8 +28,8 @@ bool cubes_undecided(const Case& c, const oracle::CubeTruth& truth, bool alarm_c
     scale = std::max({scale, box->min.cwiseAbs().maxCoeff(), box->max.cwiseAbs().maxCoeff()});
   const Rational most =
       Rational(c.subject.bound(Field::value)) * oracle::ulp(Rational(scale), c.subject.info.declared.scalar);
-  return std::any_of(truth.gap.begin(), truth.gap.end(), [&](const Rational& gap) {
-    return CGAL::abs(gap - (alarm_counts ? truth.alarm : Rational(0))) <= most;
+  return std::any_of(truth.gap().begin(), truth.gap().end(), [&](const Rational& gap) {
+    return CGAL::abs(gap - (alarm_counts ? truth.alarm() : Rational(0))) <= most;
   });
 }
 

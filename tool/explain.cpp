@@ -114,8 +114,8 @@ std::string cubes_text(const Query& query, const oracle::Truth& truth) {
     text += fmt::format("  {}         min {}, max {}\n", label, vector(box->min), vector(box->max));
   text += fmt::format("  alarm     {}\n\n", number(query.distances.alarm));
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Rational& gap = truth.cubes->gap[axis];
-    const auto side = CGAL::sign(gap - truth.cubes->alarm);
+    const Rational& gap = truth.cubes->gap()[axis];
+    const auto side = CGAL::sign(gap - truth.cubes->alarm());
     text += fmt::format("  {}  gap {}: {} the alarm distance\n", "xyz"[axis], exactly(gap),
                         side == CGAL::NEGATIVE ? "below"
                         : side == CGAL::ZERO   ? "exactly"

@@ -74,7 +74,7 @@ Agreed agreed_truth(const Item& item, const Source& source, const std::vector<Sc
   if (item.expected) golden::check_case(*item.expected, source.scalar, truth, item.where);
   Agreed agreed{std::move(truth), {}};
   for (const Scalar scalar : scalars) {
-    oracle::IntervalAnswer second = oracle::interval_answer(query, scalar);
+    oracle::RoundedAnswer second = oracle::interval_answer(query, scalar);
     require_agreement(query, agreed.truth, second, scalar);
     agreed.rounded.emplace_back(scalar, std::move(second.expected));
   }
@@ -130,7 +130,7 @@ std::optional<std::string> excluded(const Source& source, const golden::EngineIn
 
 }  // namespace
 
-void require_agreement(const Query& query, const oracle::Truth& truth, const oracle::IntervalAnswer& second,
+void require_agreement(const Query& query, const oracle::Truth& truth, const oracle::RoundedAnswer& second,
                        Scalar scalar) {
   const auto differs = first_difference(oracle::expectation(truth, scalar), second.expected);
   if (differs || second.at_alarm != static_cast<int>(truth.at_alarm) ||

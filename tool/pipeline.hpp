@@ -57,7 +57,7 @@ struct Stop {
 void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& stop);
 
 /// Throws OracleFault where the two oracles differ on a question.
-void require_agreement(const Query& query, const oracle::Truth& truth, const oracle::IntervalAnswer& second,
+void require_agreement(const Query& query, const oracle::Truth& truth, const oracle::RoundedAnswer& second,
                        Scalar scalar);
 
 }  // namespace contact::tool

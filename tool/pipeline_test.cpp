@@ -159,7 +159,7 @@ TEST(Certify, NothingJudgedNeverCertifies) { EXPECT_FALSE(Report{}.certified());
 TEST(Certify, OraclesThatDifferAreAnOracleFault) {
   const Query query{Pair::sphere_sphere, Balls{{{0, 0, 0}, 1.5}, {{1, 2, 2}, 1.5}}, {0, 0.25}};
   const oracle::Truth truth = oracle::truth_of(query);
-  oracle::IntervalAnswer second = oracle::interval_answer(query, Scalar::binary64);
+  oracle::RoundedAnswer second = oracle::interval_answer(query, Scalar::binary64);
   EXPECT_NO_THROW(require_agreement(query, truth, second, Scalar::binary64));
   second.expected.contact->value = std::nextafter(second.expected.contact->value, 0.0);
   EXPECT_THROW(require_agreement(query, truth, second, Scalar::binary64), OracleFault);
