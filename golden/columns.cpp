@@ -55,16 +55,18 @@ template <class Visit>
 void for_each_column(const DatasetHeader& h, Row& row, Visit&& visit) {
   Case& c = row.c;
   visit("id", c.id, kIdLength);
-  const auto shape = [&](const std::string& at, auto& s) {
-    if constexpr (std::same_as<std::remove_cvref_t<decltype(s)>, Ball>) {
-      visit(at + "/center", s.center, 0);
-      visit(at + "/radius", s.radius, 0);
-    } else {
-      visit(at + "/min", s.min, 0);
-      visit(at + "/max", s.max, 0);
-    }
-  };
-  std::visit([&](auto& shapes) { shape("a", shapes.a), shape("b", shapes.b); }, c.query.shapes);
+  if (auto* balls = std::get_if<Balls>(&c.query.shapes)) {
+    visit("a/center", balls->a.center, 0);
+    visit("a/radius", balls->a.radius, 0);
+    visit("b/center", balls->b.center, 0);
+    visit("b/radius", balls->b.radius, 0);
+  } else {
+    auto& boxes = std::get<Boxes>(c.query.shapes);
+    visit("a/min", boxes.a.min, 0);
+    visit("a/max", boxes.a.max, 0);
+    visit("b/min", boxes.b.min, 0);
+    visit("b/max", boxes.b.max, 0);
+  }
   visit("alarm", c.query.distances.alarm, 0);
   visit("contact", c.query.distances.contact, 0);
   visit("flags", row.flags, 0);
@@ -141,8 +143,8 @@ struct Column {
 std::vector<Column> columns_of(const DatasetHeader& header) {
   std::vector<Column> columns;
   Row row(header);
-  for_each_column(header, row, [&](const std::string& path, const auto& value, std::size_t width) {
-    columns.push_back({path, type_of(value, width)});
+  for_each_column(header, row, [&](std::string_view path, const auto& value, std::size_t width) {
+    columns.push_back({std::string(path), type_of(value, width)});
   });
   return columns;
 }
@@ -157,15 +159,15 @@ class Encoder {
   Encoder(std::vector<Column>& columns, const std::filesystem::path& path, std::uint64_t row)
       : next_(columns.begin()), where_{path.string(), row + 1, true} {}
 
-  void operator()(const std::string&, const double& x, std::size_t) { put(x), ++next_; }
-  void operator()(const std::string&, const Vector3& v, std::size_t) {
+  void operator()(std::string_view, const double& x, std::size_t) { put(x), ++next_; }
+  void operator()(std::string_view, const Vector3& v, std::size_t) {
     for (const double x : v) put(x);
     ++next_;
   }
-  void operator()(const std::string&, const bool& x, std::size_t) { next_++->rows.push_back(x ? 1 : 0); }
-  void operator()(const std::string&, const std::uint32_t& x, std::size_t) { append(&x, sizeof x), ++next_; }
-  void operator()(const std::string&, const std::string& text, std::size_t width) { put(text, width), ++next_; }
-  void operator()(const std::string&, const std::array<std::string, 3>& texts, std::size_t width) {
+  void operator()(std::string_view, const bool& x, std::size_t) { next_++->rows.push_back(x ? 1 : 0); }
+  void operator()(std::string_view, const std::uint32_t& x, std::size_t) { append(&x, sizeof x), ++next_; }
+  void operator()(std::string_view, const std::string& text, std::size_t width) { put(text, width), ++next_; }
+  void operator()(std::string_view, const std::array<std::string, 3>& texts, std::size_t width) {
     for (const std::string& text : texts) put(text, width);
     ++next_;
   }
@@ -196,20 +198,20 @@ class Decoder {
   Decoder(const std::vector<Column>& columns, std::size_t at, const Location& where)
       : next_(columns.begin()), at_(at), where_(where) {}
 
-  void operator()(const std::string&, double& x, std::size_t) { x = number_at(0), ++next_; }
-  void operator()(const std::string&, Vector3& v, std::size_t) {
+  void operator()(std::string_view, double& x, std::size_t) { x = number_at(0), ++next_; }
+  void operator()(std::string_view, Vector3& v, std::size_t) {
     for (int axis = 0; axis < 3; ++axis) v[axis] = number_at(static_cast<std::size_t>(axis));
     ++next_;
   }
-  void operator()(const std::string&, bool& x, std::size_t) {
+  void operator()(std::string_view, bool& x, std::size_t) {
     const char byte = *bytes(0);
     if (byte != 0 && byte != 1) refuse(fmt::format("expected 0 or 1, got {}", static_cast<unsigned char>(byte)));
     x = byte == 1;
     ++next_;
   }
-  void operator()(const std::string&, std::uint32_t& x, std::size_t) { std::memcpy(&x, bytes(0), sizeof x), ++next_; }
-  void operator()(const std::string&, std::string& text, std::size_t) { text = text_at(0), ++next_; }
-  void operator()(const std::string&, std::array<std::string, 3>& texts, std::size_t) {
+  void operator()(std::string_view, std::uint32_t& x, std::size_t) { std::memcpy(&x, bytes(0), sizeof x), ++next_; }
+  void operator()(std::string_view, std::string& text, std::size_t) { text = text_at(0), ++next_; }
+  void operator()(std::string_view, std::array<std::string, 3>& texts, std::size_t) {
     for (std::size_t axis = 0; axis < 3; ++axis) texts[axis] = text_at(axis);
     ++next_;
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -13,6 +14,7 @@
 #include "golden/families.hpp"
 #include "golden/flags.hpp"
 #include "golden/query_id.hpp"
+#include "golden/quick_case.hpp"
 
 namespace contact::golden {
 namespace {
@@ -27,27 +29,76 @@ constexpr std::array<std::string_view, kPairs.size()> kPairNames{name(kPairs[0])
                                                                  name(kPairs[3])};
 constexpr std::array<std::string_view, 2> kScalarNames{name(Scalar::binary32), name(Scalar::binary64)};
 
-std::string shape_text(const Ball& ball) {
-  return fmt::format(R"({{"center":{},"radius":{}}})", number(ball.center), number(ball.radius));
+void append(std::string& text, const Ball& ball) {
+  text += R"({"center":)";
+  append_number(text, ball.center);
+  text += R"(,"radius":)";
+  append_number(text, ball.radius);
+  text += '}';
 }
-std::string shape_text(const Box& box) {
-  return fmt::format(R"({{"min":{},"max":{}}})", number(box.min), number(box.max));
+void append(std::string& text, const Box& box) {
+  text += R"({"min":)";
+  append_number(text, box.min);
+  text += R"(,"max":)";
+  append_number(text, box.max);
+  text += '}';
 }
 
-std::string expect_text(const Case& c) {
-  if (c.rejected) return fmt::format(R"({{"rejected":{}}})", json_string(*c.rejected));
-  if (!c.expect.hit) return R"({"hit":false})";
-  if (!c.expect.contact) return R"({"hit":true})";
-  const Contact& k = *c.expect.contact;
-  return fmt::format(R"({{"hit":true,"degenerate":{},"normal":{},"point1":{},"point2":{},"value":{}}})", k.degenerate,
-                     number(k.normal), number(k.point1), number(k.point2), number(k.value));
+void append_inputs(std::string& text, const Query& query) {
+  std::visit(
+      [&](const auto& shapes) {
+        text += R"("a":)";
+        append(text, shapes.a);
+        text += R"(,"b":)";
+        append(text, shapes.b);
+      },
+      query.shapes);
+  text += R"(,"alarm":)";
+  append_number(text, query.distances.alarm);
+  text += R"(,"contact":)";
+  append_number(text, query.distances.contact);
 }
 
-std::string exact_text(const Case& c) {
+void append_expect(std::string& text, const Case& c) {
+  if (c.rejected) {
+    text += R"({"rejected":)" + json_string(*c.rejected) + '}';
+    return;
+  }
+  text += c.expect.hit ? R"({"hit":true)" : R"({"hit":false)";
+  if (c.expect.hit && c.expect.contact) {
+    const Contact& k = *c.expect.contact;
+    text += k.degenerate ? R"(,"degenerate":true,"normal":)" : R"(,"degenerate":false,"normal":)";
+    append_number(text, k.normal);
+    text += R"(,"point1":)";
+    append_number(text, k.point1);
+    text += R"(,"point2":)";
+    append_number(text, k.point2);
+    text += R"(,"value":)";
+    append_number(text, k.value);
+  }
+  text += '}';
+}
+
+void append_exact(std::string& text, const Case& c) {
   const oracle::Witness& w = c.exact;
-  if (c.query.balls() == nullptr) return fmt::format(R"({{"gap":["{}","{}","{}"]}})", w.gap[0], w.gap[1], w.gap[2]);
-  return fmt::format(R"({{"distance2":"{}","reach":"{}","margin_ulps":{}}})", w.distance2, w.reach,
-                     number(w.margin_ulps));
+  if (c.query.balls() == nullptr) {
+    text += R"({"gap":[")" + w.gap[0] + R"(",")" + w.gap[1] + R"(",")" + w.gap[2] + R"("]})";
+    return;
+  }
+  text += R"({"distance2":")" + w.distance2 + R"(","reach":")" + w.reach + R"(","margin_ulps":)";
+  append_number(text, w.margin_ulps);
+  text += '}';
+}
+
+/// "expect":...,"exact":... as both kinds of line end with it.
+void append_answer(std::string& text, const Case& c) {
+  text += R"("expect":)";
+  append_expect(text, c);
+  if (!c.rejected) {
+    text += R"(,"exact":)";
+    append_exact(text, c);
+  }
+  text += '}';
 }
 
 Ball read_ball(const Node& node) {
@@ -120,10 +171,9 @@ std::string field_text(const Expectation& e, const std::string& field) {
 }  // namespace
 
 std::string inputs_text(const Query& query) {
-  const auto [a, b] =
-      std::visit([](const auto& s) { return std::pair(shape_text(s.a), shape_text(s.b)); }, query.shapes);
-  return fmt::format(R"("a":{},"b":{},"alarm":{},"contact":{})", a, b, number(query.distances.alarm),
-                     number(query.distances.contact));
+  std::string text;
+  append_inputs(text, query);
+  return text;
 }
 
 Query read_inputs(const Node& line, Pair pair) {
@@ -167,10 +217,18 @@ std::string to_line(const DatasetHeader& h) {
 }
 
 std::string to_line(const Case& c) {
-  std::string flags;
-  for (const std::string& flag : c.flags) flags += (flags.empty() ? "" : ",") + json_string(flag);
-  return fmt::format(R"({{"id":"{}",{},"flags":[{}],"expect":{}{}}})", c.id, inputs_text(c.query), flags,
-                     expect_text(c), c.rejected ? "" : R"(,"exact":)" + exact_text(c));
+  std::string text;
+  text.reserve(1024);
+  text += R"({"id":")" + c.id + R"(",)";
+  append_inputs(text, c.query);
+  text += R"(,"flags":[)";
+  for (const std::string& flag : c.flags) {
+    if (&flag != &c.flags.front()) text += ',';
+    text += json_string(flag);
+  }
+  text += "],";
+  append_answer(text, c);
+  return text;
 }
 
 std::string query_line(const Query& query, Scalar scalar) {
@@ -179,8 +237,9 @@ std::string query_line(const Query& query, Scalar scalar) {
 }
 
 std::string answer_line(const Case& c) {
-  return fmt::format(R"({{"id":"{}","expect":{}{}}})", c.id, expect_text(c),
-                     c.rejected ? "" : R"(,"exact":)" + exact_text(c));
+  std::string text = R"({"id":")" + c.id + R"(",)";
+  append_answer(text, c);
+  return text;
 }
 
 Pair read_pair(const Node& node) { return kPairs[node.one_of(kPairNames)]; }
@@ -271,10 +330,13 @@ class JsonLines : public CaseSource {
   }
 
   Case read() override {
-    const auto json = parse_object(text_, where_);
-    Case c = read_case(Node(json, where_), header_);
-    check_question(c.query, c.id);
-    return c;
+    std::optional<Case> c = quick_case(text_, header_);
+    if (!c) {
+      const auto json = parse_object(text_, where_);
+      c = read_case(Node(json, where_), header_);
+    }
+    check_question(c->query, c->id);
+    return *std::move(c);
   }
 
  private:
@@ -282,6 +344,14 @@ class JsonLines : public CaseSource {
 };
 
 }  // namespace
+
+DatasetReader::Key DatasetReader::key_of(const std::string& id) {
+  // The id is that of its question by now: 24 hexadecimal digits.
+  Key key{};
+  std::from_chars(id.data(), id.data() + 16, key.first, 16);
+  std::from_chars(id.data() + 16, id.data() + 24, key.second, 16);
+  return key;
+}
 
 DatasetReader::DatasetReader(const std::filesystem::path& path) {
   if (holds_columns(path))
@@ -320,7 +390,7 @@ void DatasetReader::check(const Case& c) {
   if (c.rejected && !outside_domain(c.query))
     throw InputError(where(), "expect.rejected",
                      fmt::format("the question is inside the domain, got {}", json_string(*c.rejected)));
-  if (h.count > kRepeatsLookedFor || ids_.insert(c.id).second) return;
+  if (h.count > kRepeatsLookedFor || ids_.insert(key_of(c.id)).second) return;
   // A generator may repeat itself: the case is right if the family's generator makes this very question here.
   const Family* family = find_family(h.pair, h.family);
   const bool generated = family != nullptr &&
@@ -366,6 +436,15 @@ void check_rejection(const Case& c, const Location& where) {
   if (*c.rejected != field)
     throw InputError(where, "expect.rejected",
                      fmt::format("the file says {}, the first field outside the domain is {}", *c.rejected, field));
+}
+
+bool says(const Case& c, const Expectation& right, const oracle::Witness& exact) {
+  const auto same = [](const Contact& x, const Contact& y) {
+    return x.degenerate == y.degenerate && x.normal == y.normal && x.point1 == y.point1 && x.point2 == y.point2 &&
+           x.value == y.value;
+  };
+  return c.expect.hit == right.hit && c.expect.contact.has_value() == right.contact.has_value() &&
+         (!right.contact || same(*c.expect.contact, *right.contact)) && c.exact == exact;
 }
 
 void check_case(const Case& c, Scalar scalar, const oracle::Truth& truth, const Location& where) {

@@ -23,19 +23,44 @@ std::string shortened(std::string text) {
 
 }  // namespace
 
-std::string number(double x) {
-  if (std::isnan(x)) return "\"NaN\"";
-  if (std::isinf(x)) return x > 0 ? "\"Infinity\"" : "\"-Infinity\"";
-  if (x == 0) return "0";
-  std::array<char, 32> text{};
-  const bool scientific = std::abs(x) >= kFirstScientific;
-  const auto end = scientific
-                       ? std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::scientific).ptr
-                       : std::to_chars(text.data(), text.data() + text.size(), x).ptr;
-  return {text.data(), end};
+void append_number(std::string& text, double x) {
+  if (std::isnan(x)) {
+    text += "\"NaN\"";
+  } else if (std::isinf(x)) {
+    text += x > 0 ? "\"Infinity\"" : "\"-Infinity\"";
+  } else if (x == 0) {
+    text += '0';
+  } else {
+    std::array<char, 32> digits{};
+    const bool scientific = std::abs(x) >= kFirstScientific;
+    const auto end =
+        scientific ? std::to_chars(digits.data(), digits.data() + digits.size(), x, std::chars_format::scientific).ptr
+                   : std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr;
+    text.append(digits.data(), end);
+  }
 }
 
-std::string number(const Vector3& v) { return fmt::format("[{},{},{}]", number(v[0]), number(v[1]), number(v[2])); }
+void append_number(std::string& text, const Vector3& v) {
+  text += '[';
+  append_number(text, v[0]);
+  text += ',';
+  append_number(text, v[1]);
+  text += ',';
+  append_number(text, v[2]);
+  text += ']';
+}
+
+std::string number(double x) {
+  std::string text;
+  append_number(text, x);
+  return text;
+}
+
+std::string number(const Vector3& v) {
+  std::string text;
+  append_number(text, v);
+  return text;
+}
 
 std::string json_string(std::string_view text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

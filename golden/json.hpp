@@ -20,6 +20,8 @@ namespace contact::golden {
 /// 2^53 and more in scientific form, "NaN", "Infinity" and "-Infinity" as strings, and never -0.
 [[nodiscard]] std::string number(double x);
 [[nodiscard]] std::string number(const Vector3& v);
+void append_number(std::string& text, double x);
+void append_number(std::string& text, const Vector3& v);
 /// A JSON string, quoted and escaped.
 [[nodiscard]] std::string json_string(std::string_view text);
 

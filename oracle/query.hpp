@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <concepts>
 #include <optional>
 #include <string>
@@ -98,8 +99,22 @@ void for_each_number(AnyQuery& query, Visit&& visit) {
   visit(std::string("contact"), query.distances.contact);
 }
 
+/// Whether every number of a question lies inside the domain.
+[[nodiscard]] inline bool inside_domain(const Query& query) {
+  const auto length = [](double x) { return std::isfinite(x) && x >= 0; };
+  const auto shape = [&](const auto& s) {
+    if constexpr (std::same_as<std::remove_cvref_t<decltype(s)>, Ball>)
+      return s.center.allFinite() && length(s.radius);
+    else
+      return s.min.allFinite() && s.max.allFinite() && (s.min.array() <= s.max.array()).all();
+  };
+  return length(query.distances.alarm) && length(query.distances.contact) &&
+         std::visit([&](const auto& shapes) { return shape(shapes.a) && shape(shapes.b); }, query.shapes);
+}
+
 /// The first number of a question that lies outside the domain, or nothing.
 [[nodiscard]] inline std::optional<DomainError> outside_domain(const Query& query) {
+  if (inside_domain(query)) return std::nullopt;
   return std::visit(
       [&](const auto& shapes) -> std::optional<DomainError> {
         if (auto error = outside_domain("a", shapes.a)) return error;

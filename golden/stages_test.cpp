@@ -1,0 +1,88 @@
+// Every stage of the oracle against the others, on every committed case and on fresh questions of every family.
+#include <gtest/gtest.h>
+
+#include "golden/dataset.hpp"
+#include "golden/families.hpp"
+#include "oracle/quick_witness.hpp"
+#include "oracle/staged_oracle.hpp"
+
+namespace contact::golden {
+namespace {
+
+using oracle::Stage;
+
+/// What each stage says by itself is what the exact oracle says, where it says anything.
+void expect_stages_agree(const Query& query, Scalar scalar, oracle::StageCounts& decided) {
+  const oracle::Truth truth = oracle::truth_of(query);
+  const oracle::RoundedAnswer exact = oracle::rounded_answer(truth, scalar);
+  const oracle::Witness witness = oracle::witness(truth, scalar);
+  if (const auto quick = oracle::double_double_case(query, scalar)) {
+    ASSERT_EQ(first_difference(quick->answer, exact), std::nullopt) << query_line(query, scalar);
+    if (quick->margin_ulps) {
+      ASSERT_EQ(*quick->margin_ulps, witness.margin_ulps) << query_line(query, scalar);
+    }
+  }
+  if (const auto interval = oracle::interval_answer_within(oracle::kMostBits, query, scalar)) {
+    ASSERT_EQ(first_difference(*interval, exact), std::nullopt) << query_line(query, scalar);
+  }
+  oracle::Witness texts = oracle::quick_witness(query);
+  texts.margin_ulps = witness.margin_ulps;
+  ASSERT_EQ(texts, witness) << query_line(query, scalar);
+  const oracle::StagedAnswer staged = oracle::staged_answer(query, scalar);
+  ASSERT_EQ(
+      first_difference(
+          {static_cast<int>(staged.truth.at_alarm), static_cast<int>(staged.truth.at_zero), staged.expected}, exact),
+      std::nullopt)
+      << query_line(query, scalar);
+  decided.add(staged.stage);
+}
+
+std::uint64_t count(const oracle::StageCounts& decided, Stage stage) {
+  return decided.answers[static_cast<std::size_t>(stage)];
+}
+
+TEST(Stages, agree_on_every_committed_case_in_both_scalars) {
+  oracle::StageCounts decided;
+  std::uint64_t cases = 0;
+  for (const auto& path : dataset_files({std::filesystem::path(CONTACT_SOURCE_DIR) / "golden"})) {
+    DatasetReader reader(path);
+    if (reader.header().family == kInvalidFamily) continue;
+    while (const auto c = reader.next()) {
+      ++cases;
+      for (const Scalar scalar : kScalars) ASSERT_NO_FATAL_FAILURE(expect_stages_agree(c->query, scalar, decided));
+    }
+  }
+  EXPECT_GT(cases, 10000U);
+  EXPECT_GT(count(decided, Stage::double_double), cases);
+  EXPECT_GT(count(decided, Stage::interval), cases / 10);
+}
+
+TEST(Stages, agree_on_fresh_questions_of_every_family) {
+  constexpr std::uint64_t kQuestions = 60;
+  constexpr std::uint64_t kSeed = 20240607;
+  oracle::StageCounts decided;
+  for (const Pair pair : kPairs)
+    for (const Family& family : families_of(pair)) {
+      if (family.name == kInvalidFamily) continue;
+      for (const Scalar scalar : kScalars)
+        for (std::uint64_t index = 0; index < kQuestions; ++index)
+          ASSERT_NO_FATAL_FAILURE(
+              expect_stages_agree(generate_query(pair, family, scalar, kSeed, index), scalar, decided));
+    }
+  EXPECT_GT(count(decided, Stage::double_double), 1000U);
+  EXPECT_GT(count(decided, Stage::interval), 100U);
+}
+
+TEST(Stages, the_first_decides_whatever_is_generic) {
+  for (const Pair pair : kPairs) {
+    oracle::StageCounts decided;
+    const Family& generic = *find_family(pair, "generic");
+    for (std::uint64_t index = 0; index < 5000; ++index)
+      decided.add(
+          oracle::staged_answer(generate_query(pair, generic, Scalar::binary64, 1, index), Scalar::binary64).stage);
+    EXPECT_GE(count(decided, Stage::double_double), 4999U) << name(pair);
+  }
+}
+
+}  // namespace
+}  // namespace contact::golden
