@@ -209,11 +209,11 @@ std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, c
   return found;
 }
 
-void Diagnosis::count(const Place& place, bool right, const Set& agree, const Set& differ) {
+void Diagnosis::count(const Place& place, bool right, const Set& agree, const Set& differ, std::uint64_t weight) {
   if (right) {
     std::vector<std::uint64_t>& counts = contradicted_[place];
     counts.resize(causes().size());
-    for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += differ[i] ? 1 : 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += differ[i] ? weight : 0;
     return;
   }
   ++wrong_[std::string(kAspectNames[static_cast<std::size_t>(place.aspect)])];
@@ -235,12 +235,13 @@ void Diagnosis::add_wrong(const Explained& set, std::uint64_t n) {
 }
 
 void Diagnosis::add(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
-                    const Verdict& verdict, const Expectation* rounded) {
+                    const Verdict& verdict, const Expectation* rounded, std::uint64_t weight) {
   if (verdict.status != Claim::Status::answered) {
     ++silent_[query.pair];
     return;
   }
   ++answered_[query.pair];
+  if (weight == 0) return;
   const Facts facts(query, truth, declared.scalar, said_normal(claim, declared.conventions));
   const std::vector<Claimed> claimed = claimed_of(facts, claim, declared, verdict);
   const auto all = causes();
@@ -266,7 +267,7 @@ void Diagnosis::add(const Query& query, const Truth& truth, const Claim& claim, 
         agree[i] |= agree[static_cast<std::size_t>(normal - claimed.begin())];
     }
   for (std::size_t i = 0; i < claimed.size(); ++i)
-    count({claimed[i].aspect, query.pair, facts.region}, claimed[i].right, agree[i], differ[i]);
+    count({claimed[i].aspect, query.pair, facts.region}, claimed[i].right, agree[i], differ[i], weight);
   for (const Explanation& e : explain_wrong(query, truth, claim, declared, verdict, rounded)) ++explanations_[e];
 }
 

@@ -53,9 +53,10 @@ struct Finding {
 /// they were divided before `merge`.
 class Diagnosis {
  public:
-  /// What was said to a question inside the domain, right or wrong.
+  /// What was said to a question inside the domain, right or wrong. What is right in it speaks `weight`-fold against
+  /// the mistakes that say otherwise, for so many answers like it; an answer of weight 0 must be right.
   void add(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
-           const Verdict& verdict, const Expectation* rounded = nullptr);
+           const Verdict& verdict, const Expectation* rounded = nullptr, std::uint64_t weight = 1);
   /// An answer to a question outside the domain.
   void add_outside_domain(const Query& query);
   void merge(const Diagnosis& other);
@@ -104,7 +105,7 @@ class Diagnosis {
   };
   class Gain;
 
-  void count(const Place& place, bool is_right, const Set& agree, const Set& differ);
+  void count(const Place& place, bool is_right, const Set& agree, const Set& differ, std::uint64_t weight);
   void add_wrong(const Explained& set, std::uint64_t n);
 
   std::map<Explanation, std::uint64_t> explanations_;

@@ -36,6 +36,7 @@ struct Options {
   std::uint64_t shards = 64;
   std::string shard;
   bool stats = false;
+  std::string check = "sample";
 };
 
 [[noreturn]] void refuse(const std::string& problem) { throw golden::InputError({"certify", 0}, "", problem); }
@@ -143,7 +144,8 @@ class Kept {
 };
 
 /// Standard error: how long it took, and how much memory. (Not in the report, which is the same every time.)
-void print_stats(const std::vector<Report>& reports, std::chrono::steady_clock::duration taken) {
+void print_stats(const std::vector<Report>& reports, std::chrono::steady_clock::duration taken,
+                 const Oracles& oracles) {
   const double seconds = std::chrono::duration<double>(taken).count();
   const auto cases = static_cast<double>(reports.front().total().cases);
   rusage used{};
@@ -153,6 +155,10 @@ void print_stats(const std::vector<Report>& reports, std::chrono::steady_clock::
   };
   fmt::print(stderr, "{:.0f} questions in {:.1f} s, {:.0f} a second of processor time; {:.0f} MB at most\n", cases,
              seconds, cases / (cpu(used.ru_utime) + cpu(used.ru_stime)), static_cast<double>(used.ru_maxrss) / 1024);
+  std::vector<std::string> stages;
+  for (std::size_t i = 0; i < oracle::kStageNames.size(); ++i)
+    stages.push_back(fmt::format("{} {}", oracle::kStageNames[i], oracles.decided.answers[i]));
+  fmt::print(stderr, "decided by stage: {}; {} of them put to all oracles\n", fmt::join(stages, ", "), oracles.checked);
 }
 
 int certify(const Options& options) {
@@ -181,9 +187,11 @@ int certify(const Options& options) {
   const Kept kept(options.parts, sources, judged.front().report);
   if (options.max_time > 0)
     stop.deadline = Stop::Clock::now() + std::chrono::milliseconds(static_cast<std::int64_t>(options.max_time * 1000));
+  Oracles oracles;
+  oracles.check = static_cast<Check>(index_of(kCheckNames, options.check, "check"));
   const auto judge = [&](golden::Shard part) {
     if (auto bytes = kept.find(part)) return *std::move(bytes);
-    std::string bytes = pack(judge_part(cut(sources, part), judged, stop));
+    std::string bytes = pack(judge_part(cut(sources, part), judged, stop, oracles));
     if (stop.why.empty()) kept.keep(part, bytes);
     return bytes;
   };
@@ -213,7 +221,7 @@ int certify(const Options& options) {
   if (!files) return kCertified;
   for (Report& report : reports)
     if (report.unreached != 0) report.unknown_answers.clear();
-  if (options.stats) print_stats(reports, std::chrono::steady_clock::now() - begin);
+  if (options.stats) print_stats(reports, std::chrono::steady_clock::now() - begin, oracles);
   return files->write(reports, scoreboard);
 }
 
@@ -255,7 +263,12 @@ void add_certify(CLI::App& app, int& exit) {
       ->capture_default_str()
       ->check(kFromOne);
   command->add_option("--shard", options->shard, "I/N: judge only part I (from 0) of N, for `merge`")->needs(parts);
-  command->add_flag("--stats", options->stats, "Say on standard error how long it took, and how much memory");
+  command->add_flag("--stats", options->stats,
+                    "Say on standard error how long it took, how much memory, and which oracle decided how often");
+  command
+      ->add_option("--check", options->check,
+                   "Which questions all oracles are asked: sample (of a source of more than 4096), all")
+      ->capture_default_str();
   add_report_options(*command, options->reports);
   command->callback([options, &exit] { exit = certify(*options); });
 }

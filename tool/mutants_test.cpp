@@ -26,10 +26,11 @@ const std::vector<Subject>& judged() {
       subjects.back().report.engine = subjects.back().engine->info();
     }
     Stop never;
+    Oracles oracles;
     for (const golden::CommittedFile& file : golden::committed_files())
       judge_source({file.pair, file.scalar, std::string(file.family->name), kQuestions, std::nullopt, file.family,
                     golden::kCommittedSeed},
-                   subjects, never);
+                   subjects, never, oracles);
     return subjects;
   }();
   return all;

@@ -117,14 +117,15 @@ std::vector<Source> cut(std::vector<Source> sources, golden::Shard part) {
     const std::uint64_t first = std::clamp(begin, before, before + source.count);
     const std::uint64_t last = std::clamp(end, before, before + source.count);
     before += source.count;
+    source.whole = source.count;
     source.first += first - (before - source.count);
     source.count = last - first;
   }
   return sources;
 }
 
-Part judge_part(const std::vector<Source>& sources, std::vector<Subject>& subjects, Stop& stop) {
-  for (const Source& source : sources) judge_source(source, subjects, stop);
+Part judge_part(const std::vector<Source>& sources, std::vector<Subject>& subjects, Stop& stop, Oracles& oracles) {
+  for (const Source& source : sources) judge_source(source, subjects, stop, oracles);
   Part part;
   for (Subject& subject : subjects) {
     part.found.push_back(std::exchange(static_cast<Findings&>(subject.report), {}));

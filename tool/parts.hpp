@@ -21,7 +21,8 @@ struct Part {
 [[nodiscard]] std::vector<Source> cut(std::vector<Source> sources, golden::Shard part);
 
 /// Judges the questions of `sources`. The subjects' reports have no findings, before and after.
-[[nodiscard]] Part judge_part(const std::vector<Source>& sources, std::vector<Subject>& subjects, Stop& stop);
+[[nodiscard]] Part judge_part(const std::vector<Source>& sources, std::vector<Subject>& subjects, Stop& stop,
+                              Oracles& oracles);
 
 /// Adds what the next part found, or the first, to the reports of its subjects.
 void merge(std::vector<Report>& reports, Part part, bool first);

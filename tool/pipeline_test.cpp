@@ -1,14 +1,20 @@
 // Production broken on purpose is refuted with the right field named, and oracles that differ stop a run.
 #include "tool/pipeline.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <functional>
+#include <map>
 
 #include "contact/cube_cube.hpp"
 #include "contact/sphere_sphere.hpp"
+#include "golden/query_id.hpp"
 #include "tool/process.hpp"
 
 namespace contact::tool {
@@ -40,11 +46,12 @@ Report judged(Pair pair, Broken::Change change) {
   subjects.push_back({std::make_unique<Broken>(std::move(change)), {}});
   subjects.front().report.engine = subjects.front().engine->info();
   Stop never;
+  Oracles oracles;
   for (const auto& path :
        golden::dataset_files({std::filesystem::path(CONTACT_SOURCE_DIR) / "golden" / std::string(name(pair))})) {
     const golden::DatasetHeader header = golden::DatasetReader(path).header();
     if (header.family != "invalid")
-      judge_source({header.pair, header.scalar, header.family, header.count, path}, subjects, never);
+      judge_source({header.pair, header.scalar, header.family, header.count, path}, subjects, never, oracles);
   }
   return std::move(subjects.front().report);
 }
@@ -166,6 +173,119 @@ TEST(Certify, OraclesThatDifferAreAnOracleFault) {
   second = oracle::interval_answer(query, Scalar::binary64);
   second.at_zero = -1;
   EXPECT_THROW(require_agreement(query, truth, second, Scalar::binary64), OracleFault);
+}
+
+TEST(Sample, has_every_question_of_a_small_source_and_all_where_all_are_wanted) {
+  const std::string outside = "0001";  // a multiple of no n but 1
+  for (const oracle::Stage stage : {oracle::Stage::double_double, oracle::Stage::interval, oracle::Stage::exact}) {
+    EXPECT_TRUE(is_checked(Check::sample, kWhole, outside, stage));
+    EXPECT_FALSE(is_checked(Check::sample, kWhole + 1, outside, stage));
+    EXPECT_TRUE(is_checked(Check::all, kWhole + 1, outside, stage));
+    EXPECT_TRUE(is_checked(Check::sample, kWhole + 1, "0000", stage));
+  }
+  EXPECT_TRUE(is_checked(Check::sample, kWhole + 1, "0010", oracle::Stage::interval));
+  EXPECT_FALSE(is_checked(Check::sample, kWhole + 1, "0010", oracle::Stage::double_double));
+}
+
+TEST(Sample, of_a_large_source_is_one_in_1024_and_of_the_hard_questions_one_in_16) {
+  const golden::Family& generic = *golden::find_family(Pair::cube_cube, "generic");
+  constexpr std::uint64_t kCount = 50'000;
+  std::uint64_t quick = 0;
+  std::uint64_t hard = 0;
+  for (std::uint64_t i = 0; i < kCount; ++i) {
+    const std::string id = golden::query_id(golden::generate_query(Pair::cube_cube, generic, Scalar::binary64, 3, i));
+    quick += is_checked(Check::sample, kCount, id, oracle::Stage::double_double) ? 1 : 0;
+    hard += is_checked(Check::sample, kCount, id, oracle::Stage::exact) ? 1 : 0;
+  }
+  EXPECT_NEAR(static_cast<double>(quick), kCount / 1024.0, 25);  // 3.6 standard deviations
+  EXPECT_NEAR(static_cast<double>(hard), kCount / 16.0, 200);
+}
+
+/// What is said of an engine that is wrong about every third point, by so many threads.
+std::string report_by(std::size_t threads, bool fail_fast) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  std::vector<Subject> subjects;
+  subjects.push_back({std::make_unique<Broken>([](const Query& query, Claim& claim) {
+                        if (query.distances.contact > 0.5)
+                          in_contact(claim, [](ContactClaim& c) { c.point1 = 2 * *c.point1; });
+                      }),
+                      {}});
+  subjects.front().report.engine = subjects.front().engine->info();
+  Stop stop;
+  stop.at_first_failure = fail_fast;
+  Oracles oracles;
+  constexpr std::uint64_t kCount = 6000;  // more than a sample has in full
+  for (const std::string_view family : {"generic", "touching"})
+    judge_source({Pair::sphere_sphere, Scalar::binary64, std::string(family), kCount, std::nullopt,
+                  golden::find_family(Pair::sphere_sphere, family), 11},
+                 subjects, stop, oracles);
+  if (!fail_fast) {
+    EXPECT_EQ(oracles.decided.answers[0] + oracles.decided.answers[1] + oracles.decided.answers[2], 2 * kCount);
+    EXPECT_GT(oracles.checked, 0U);
+    EXPECT_LT(oracles.checked, kCount);
+  }
+  EXPECT_FALSE(subjects.front().report.certified());
+  return json_text(subjects.front().report);
+}
+
+TEST(Pipeline, a_report_does_not_depend_on_the_threads) {
+  const std::string one = report_by(1, false);
+  EXPECT_EQ(one, report_by(2, false));
+  EXPECT_EQ(one, report_by(5, false));
+  const std::string first = report_by(1, true);
+  EXPECT_NE(one, first);
+  EXPECT_EQ(first, report_by(5, true));
+}
+
+/// What a dataset is refused with, by so many threads; each line of it is one question of the family, some with
+/// changes.
+std::string refusal_by(std::size_t threads,
+                       const std::map<std::uint64_t, std::pair<std::string, std::string>>& changes) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  const auto path = std::filesystem::temp_directory_path() / fmt::format("contact-pipeline-test-{}.jsonl", threads);
+  constexpr std::uint64_t kCount = 300;
+  golden::DatasetHeader header;
+  header.family = "generic";
+  header.seed = 5;
+  header.count = kCount;
+  {
+    std::ofstream file(path);
+    file << to_line(header) << '\n';
+    for (std::uint64_t i = 0; i < kCount; ++i) {
+      std::string line = to_line(golden::make_case(
+          golden::generate_query(header.pair, *golden::find_family(header.pair, header.family), header.scalar, 5, i),
+          header.scalar));
+      if (const auto change = changes.find(i); change != changes.end()) {
+        const auto& [from, to] = change->second;
+        line.replace(line.find(from), from.size(), to);
+      }
+      file << line << '\n';
+    }
+  }
+  std::vector<Subject> subjects;
+  subjects.push_back({engines::make_built_in("production"), {}});
+  subjects.front().report.engine = subjects.front().engine->info();
+  Stop never;
+  Oracles oracles;
+  std::string refusal;
+  try {
+    judge_source({header.pair, header.scalar, header.family, kCount, path}, subjects, never, oracles);
+  } catch (const golden::InputError& error) {
+    refusal = error.what();
+  }
+  std::filesystem::remove(path);
+  return refusal.substr(std::min(refusal.size(), refusal.find(".jsonl")));
+}
+
+TEST(Pipeline, a_dataset_is_refused_for_its_first_fault_whatever_the_threads) {
+  const std::pair<std::string, std::string> wrong_hit{R"("expect":{"hit":)", R"("expect":{"hit":1)"};
+  const std::pair<std::string, std::string> wrong_distance{R"("distance2":"0x)", R"("distance2":"0x1)"};
+  for (const std::size_t threads : {1, 5}) {
+    EXPECT_EQ(refusal_by(threads, {}), "");
+    // The reader meets line 102 long before line 72 is judged, and that one is named.
+    const std::string refusal = refusal_by(threads, {{70, wrong_distance}, {100, wrong_hit}});
+    EXPECT_TRUE(refusal.starts_with(".jsonl:72: exact.distance2: the file says 0x1")) << refusal;
+  }
 }
 
 }  // namespace
