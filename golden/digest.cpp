@@ -2,7 +2,6 @@
 #include "golden/digest.hpp"
 
 #include "golden/query_id.hpp"
-#include "oracle/truth.hpp"
 
 namespace contact::golden {
 
@@ -20,10 +19,5 @@ std::string digest_bytes(const Expectation& expect) {
 std::string digest_bytes(const DomainError& error) { return error.field + '\0'; }
 
 std::string digest_bytes(const Case& c) { return c.rejected ? *c.rejected + '\0' : digest_bytes(c.expect); }
-
-std::string digest_bytes(const Query& query, Scalar scalar) {
-  if (const auto error = outside_domain(query)) return digest_bytes(*error);
-  return digest_bytes(oracle::expectation(oracle::truth_of(query), scalar));
-}
 
 }  // namespace contact::golden

@@ -14,7 +14,5 @@ namespace contact::golden {
 /// Outside the domain: the first field there in ASCII and one zero byte.
 [[nodiscard]] std::string digest_bytes(const DomainError& error);
 [[nodiscard]] std::string digest_bytes(const Case& c);
-/// The exact oracle's answer, without the flags and witnesses of a case: three times as fast.
-[[nodiscard]] std::string digest_bytes(const Query& query, Scalar scalar);
 
 }  // namespace contact::golden

@@ -10,8 +10,11 @@
 
 namespace contact::tool {
 
-/// The bytes of an answer: the exact oracle's (golden::digest_bytes), or whoever else's.
+/// The bytes of an answer, golden::digest_bytes of it.
 using AnswerBytes = std::string (*)(const Query& query, Scalar scalar);
+
+/// The oracle's, by its stages; a sample of the questions is put to all oracles (docs/oracle-stages.md).
+[[nodiscard]] std::string oracle_bytes(const Query& query, Scalar scalar);
 
 /// The digest of the answers to the first counts[0] questions from number `first`, to the first counts[1], and so on.
 /// Domain: `counts` ascend.
@@ -23,7 +26,7 @@ using AnswerBytes = std::string (*)(const Query& query, Scalar scalar);
 /// of many answers are what they were, and otherwise left out (keep) or made (fill), or made in any case (anew).
 enum class Most { keep, fill, anew };
 
-/// The digests of a committed file's generator, by the exact oracle: that of many answers always.
+/// The digests of a committed file's generator, by the oracle: that of many answers always.
 [[nodiscard]] golden::Digests renewed_digests(const golden::CommittedFile& stream, const golden::Recorded& recorded,
                                               Most most);
 

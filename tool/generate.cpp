@@ -126,7 +126,7 @@ void generate(const GenerateOptions& o) {
   }
   if (o.output.empty()) {
     const golden::CommittedFile stream{header.pair, header.scalar, family};
-    fmt::print("{}\n", digests_of(stream, header.seed, first, {header.count}, golden::digest_bytes).front());
+    fmt::print("{}\n", digests_of(stream, header.seed, first, {header.count}, oracle_bytes).front());
     return;
   }
   const auto question = [&](std::uint64_t i) {

@@ -110,21 +110,6 @@ oracle::RoundedAnswer rounded_answer(const oracle::StagedAnswer& staged) {
   return {static_cast<int>(staged.truth.at_alarm), static_cast<int>(staged.truth.at_zero), staged.expected};
 }
 
-/// Asks both slow oracles what a stage has answered.
-void check_stage(const Query& query, const oracle::StagedAnswer& staged, Scalar scalar) {
-  const oracle::Truth truth = oracle::truth_of(query);
-  require_agreement(query, truth, oracle::interval_answer(query, scalar), scalar);
-  if (staged.stage == oracle::Stage::exact) return;
-  const std::string_view stage = oracle::kStageNames[static_cast<std::size_t>(staged.stage)];
-  require_agreement(query, truth, rounded_answer(staged), scalar, stage);
-  const oracle::Witness exact = oracle::witness(truth, scalar);
-  oracle::Witness quick = oracle::quick_witness(query);
-  quick.margin_ulps = staged.margin_ulps.value_or(exact.margin_ulps);
-  if (quick != exact)
-    throw OracleFault(fmt::format("the exact oracle and the {} oracle differ in the witness ({})\n{}", stage,
-                                  name(scalar), golden::query_line(query, scalar)));
-}
-
 /// A dataset's case against the stages; what they do not confirm is for the exact oracle to word.
 void check_expectation(const Item& item, const oracle::StagedAnswer& staged, Scalar scalar) {
   if (staged.margin_ulps || item.question.query.boxes() != nullptr) {
@@ -225,6 +210,20 @@ void require_agreement(const Query& query, const oracle::Truth& truth, const ora
                        Scalar scalar, std::string_view second_name) {
   if (const auto differs = first_difference(oracle::rounded_answer(truth, scalar), second))
     throw OracleFault(fmt::format("the exact oracle and the {} oracle differ in {} ({})\n{}", second_name, *differs,
+                                  name(scalar), golden::query_line(query, scalar)));
+}
+
+void check_stage(const Query& query, const oracle::StagedAnswer& staged, Scalar scalar) {
+  const oracle::Truth truth = oracle::truth_of(query);
+  require_agreement(query, truth, oracle::interval_answer(query, scalar), scalar);
+  if (staged.stage == oracle::Stage::exact) return;
+  const std::string_view stage = oracle::kStageNames[static_cast<std::size_t>(staged.stage)];
+  require_agreement(query, truth, rounded_answer(staged), scalar, stage);
+  const oracle::Witness exact = oracle::witness(truth, scalar);
+  oracle::Witness quick = oracle::quick_witness(query);
+  quick.margin_ulps = staged.margin_ulps.value_or(exact.margin_ulps);
+  if (quick != exact)
+    throw OracleFault(fmt::format("the exact oracle and the {} oracle differ in the witness ({})\n{}", stage,
                                   name(scalar), golden::query_line(query, scalar)));
 }
 
