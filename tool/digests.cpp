@@ -134,8 +134,8 @@ bool check(const Options& o) {
       fmt::print("{}: no digest of {} answers\n", stream.path(), count);
     }
     if (counts.empty()) continue;
-    const auto found = digests_of(stream, golden::kCommittedSeed, 0, counts,
-                                  o.production ? production_bytes : oracle_bytes);
+    const auto found =
+        digests_of(stream, golden::kCommittedSeed, 0, counts, o.production ? production_bytes : oracle_bytes);
     for (std::size_t i = 0; i < counts.size(); ++i) {
       const bool same = digests.at(counts[i]) == found[i];
       ++(same ? right : wrong);
