@@ -280,7 +280,7 @@ std::string refusal_by(std::size_t threads,
 TEST(Pipeline, a_dataset_is_refused_for_its_first_fault_whatever_the_threads) {
   const std::pair<std::string, std::string> wrong_hit{R"("expect":{"hit":)", R"("expect":{"hit":1)"};
   const std::pair<std::string, std::string> wrong_distance{R"("distance2":"0x)", R"("distance2":"0x1)"};
-  for (const std::size_t threads : {1, 5}) {
+  for (const std::size_t threads : {std::size_t{1}, std::size_t{5}}) {
     EXPECT_EQ(refusal_by(threads, {}), "");
     // The reader meets line 102 long before line 72 is judged, and that one is named.
     const std::string refusal = refusal_by(threads, {{70, wrong_distance}, {100, wrong_hit}});
