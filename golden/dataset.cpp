@@ -360,6 +360,7 @@ DatasetReader::DatasetReader(const std::filesystem::path& path) {
     throw InputError({path.string(), 0}, "", "no HDF5 file, or one without its beginning");
   else
     source_ = std::make_unique<JsonLines>(path);
+  if (header().count <= kRepeatsLookedFor) ids_.reserve(header().count);
 }
 
 bool DatasetReader::advance() {
