@@ -278,6 +278,8 @@ TEST(DoubleDouble, rounds_only_what_rounds_to_one_number) {
   EXPECT_EQ(rounded({1 + 0x1p-24, 0, 0}, Scalar::binary32), 1.0);
   EXPECT_NE(rounded({1 + 0x1p-24, 0x1p-90, 0}, Scalar::binary32), std::optional(1.0));
   EXPECT_NE(rounded({1 + 0x1p-24, 0x1p-90, 0x1p-100}, Scalar::binary32), std::optional(1.0));
+  EXPECT_NE(rounded({1 + 0x1p-24, -0x1p-90, 0}, Scalar::binary32), std::optional(1 + 0x1p-23));
+  EXPECT_NE(rounded({1 + 0x1.8p-23, -0x1p-90, 0x1p-100}, Scalar::binary32), std::optional(1 + 0x1p-22));
   EXPECT_EQ(rounded({1 + 0x1p-23, 0x1p-80, 0x1p-90}, Scalar::binary32), 1 + 0x1p-23);
   EXPECT_EQ(rounded({0x1p200, 0, 0}, Scalar::binary32), std::numeric_limits<double>::infinity());
   const auto zero = rounded({-0x1p-190, 0, 0}, Scalar::binary32);
