@@ -6,11 +6,14 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <map>
+#include <thread>
 
 #include "contact/cube_cube.hpp"
 #include "contact/sphere_sphere.hpp"
@@ -205,7 +208,10 @@ TEST(Sample, of_a_large_source_is_one_in_1024_and_of_the_hard_questions_one_in_1
 std::string report_by(std::size_t threads, bool fail_fast) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   std::vector<Subject> subjects;
-  subjects.push_back({std::make_unique<Broken>([](const Query& query, Claim& claim) {
+  std::atomic<bool> waited = threads == 1;
+  subjects.push_back({std::make_unique<Broken>([&](const Query& query, Claim& claim) {
+                        // Long enough for other threads to be done with what comes later.
+                        if (!waited.exchange(true)) std::this_thread::sleep_for(std::chrono::milliseconds(100));
                         if (query.distances.contact > 0.5)
                           in_contact(claim, [](ContactClaim& c) { c.point1 = 2 * *c.point1; });
                       }),
