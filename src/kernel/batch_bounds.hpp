@@ -12,7 +12,9 @@ inline constexpr double kFilterFloor = 0x1p-950;
 
 /// Numbers of at least this magnitude lose nothing that matters where a product of theirs underflows.
 inline constexpr double kLeast = 0x1p-900;
-inline constexpr double kMost = 0x1p1000;
+inline constexpr double kMost = 0x1p1020;
+/// A component of the normal of at least this magnitude has residuals that are normal numbers.
+inline constexpr double kLeastComponent = 0x1p-960;
 /// A factor of that magnitude, or 0: no product of two underflows, so that a product is 0 where a factor is.
 inline constexpr double kLeastFactor = 0x1p-450;
 /// More than any reach that is not plainly a hit, in units of the largest component of delta.
@@ -23,8 +25,12 @@ inline constexpr double kNormalError = 96 * kUnitSquared;
 /// |error| of a point, of |r n| and of the sum's high part; what rounding the ends of its interval adds included.
 inline constexpr double kPointError = 128 * kUnitSquared;
 inline constexpr double kPointSumError = 4 * kUnitSquared;
-/// |error| of a value, of sqrt D + T; what rounding the ends of its interval adds included.
-inline constexpr double kValueError = 256 * kUnitSquared;
+/// |error| of a value, of sqrt D + T.
+inline constexpr double kValueError = 160 * kUnitSquared;
+/// |error| of a value whose T is kept exactly: of sqrt D, and of the low part, what rounding the ends of its interval
+/// adds included.
+inline constexpr double kRootError = 160 * kUnitSquared;
+inline constexpr double kLowError = 4 * kUnit;
 
 /// fma(low, 1 + eta, high) = fma(low, 1 - eta, high) is the rounded sum where |error| <= eta 2^-55 |high|.
 inline constexpr double kNormalEta = 0x1p-42;

@@ -276,31 +276,44 @@ struct Grids {
   V leading = all(0);
   V middle = all(0);
   V rest = all(0);
-  V inexact = all(0);  ///< the sum of what is not on the grids, as magnitudes
 
   HWY_INLINE explicit Grids(V power) : first(hn::Mul(power, all(6))), second(hn::Mul(power, all(0x1.8p-46))) {}
 
-  HWY_INLINE void add_rest(V x) {
-    rest = hn::Add(rest, x);
-    inexact = hn::Add(inexact, hn::Abs(x));
-  }
-  HWY_INLINE void add_middle(V x) {
-    const V on_grid = hn::Sub(hn::Add(x, second), second);
-    middle = hn::Add(middle, on_grid);
-    add_rest(hn::Sub(x, on_grid));
-  }
-  /// sign (high + low)^2, sign being 1 or -1: high^2 is the leading part, 2 high low of the first order.
-  HWY_INLINE void add_square(V high, V low, V sign) {
+  /// Adds (high + low)^2, or subtracts it: high^2 is the leading part, 2 high low of the first order.
+  template <bool kSubtract>
+  HWY_INLINE void add_square(V high, V low) {
     const V square = hn::Mul(high, high);
-    const V on_grid = hn::Sub(hn::Add(square, first), first);
-    leading = hn::MulAdd(on_grid, sign, leading);
-    add_middle(hn::Mul(hn::Sub(square, on_grid), sign));
-    add_middle(hn::Mul(hn::MulSub(high, high, square), sign));
-    const V twice = hn::Mul(hn::Add(high, high), sign);
-    const V cross = hn::Sub(hn::MulAdd(twice, low, second), second);
-    middle = hn::Add(middle, cross);
-    add_rest(hn::MulSub(twice, low, cross));
-    add_rest(hn::Mul(hn::Mul(low, low), sign));
+    const V on_first = hn::Sub(hn::Add(square, first), first);
+    const V below_first = hn::Sub(square, on_first);
+    const V residual = hn::MulSub(high, high, square);
+    const V twice = hn::Add(high, high);
+    const V below = hn::Sub(hn::Add(below_first, second), second);
+    const V of_residual = hn::Sub(hn::Add(residual, second), second);
+    const V of_cross = hn::Sub(hn::MulAdd(twice, low, second), second);
+    const V on_second = hn::Add(hn::Add(below, of_residual), of_cross);
+    const V remainders = hn::Add(hn::Sub(below_first, below), hn::Sub(residual, of_residual));
+    const V under = hn::Add(remainders, hn::MulAdd(low, low, hn::MulSub(twice, low, of_cross)));
+    if constexpr (kSubtract) {
+      leading = hn::Sub(leading, on_first);
+      middle = hn::Sub(middle, on_second);
+      rest = hn::Sub(rest, under);
+    } else {
+      leading = hn::Add(leading, on_first);
+      middle = hn::Add(middle, on_second);
+      rest = hn::Add(rest, under);
+    }
+  }
+
+  /// Whether (high + low)^2 lies on the grids, so that nothing of it was added plainly.
+  [[nodiscard]] HWY_INLINE M holds_square(V high, V low) const {
+    const V square = hn::Mul(high, high);
+    const V below_first = hn::Sub(square, hn::Sub(hn::Add(square, first), first));
+    const V residual = hn::MulSub(high, high, square);
+    const V twice = hn::Add(high, high);
+    const V of_cross = hn::Sub(hn::MulAdd(twice, low, second), second);
+    return hn::And(hn::And(hn::Eq(below_first, hn::Sub(hn::Add(below_first, second), second)),
+                           hn::Eq(residual, hn::Sub(hn::Add(residual, second), second))),
+                   hn::And(hn::Eq(hn::MulSub(twice, low, of_cross), all(0)), hn::Eq(low, all(0))));
   }
 };
 
@@ -319,31 +332,35 @@ struct NearTouching {
   V length_high;
   V length_low;
 
-  HWY_INLINE NearTouching(const Delta& d, const Scale& scale, V d2, const Length& length) {
-    const Delta unit = scaled(d, scale.down);
-    length_high = hn::Mul(length.high, scale.down);
-    length_low = hn::Mul(length.low, scale.down);
-    const V tail = hn::Mul(length.tail, scale.down);
+  /// `unit` is delta scaled, d2 its squared length, `before` delta as it was.
+  HWY_INLINE NearTouching(const Delta& unit, V d2, const Delta& before, V down, const Length& length) {
+    length_high = hn::Mul(length.high, down);
+    length_low = hn::Mul(length.low, down);
+    const V tail = hn::Mul(length.tail, down);
     const V power = power_of_two(d2);
     near = hn::And(hn::Le(hn::Abs(hn::NegMulAdd(length_high, length_high, d2)), hn::Mul(d2, all(bounds::kNear))),
                    hn::And(hn::Ge(d2, all(bounds::kLeast)), hn::Le(d2, all(bounds::kMost))));
     Grids grids(power);
-    grids.add_square(unit.x.high, unit.x.low, all(1));
-    grids.add_square(unit.y.high, unit.y.low, all(1));
-    grids.add_square(unit.z.high, unit.z.low, all(1));
-    grids.add_square(length_high, length_low, all(-1));
-    grids.add_rest(hn::Mul(hn::Add(length_high, length_high), hn::Neg(tail)));
+    grids.add_square<false>(unit.x.high, unit.x.low);
+    grids.add_square<false>(unit.y.high, unit.y.low);
+    grids.add_square<false>(unit.z.high, unit.z.low);
+    grids.add_square<true>(length_high, length_low);
+    grids.rest = hn::NegMulAdd(hn::Add(length_high, length_high), tail, grids.rest);
     const Double2 upper = two_sum(grids.leading, grids.middle);
     const Double2 sum = two_sum(upper.high, grids.rest);
     difference = {sum.high, hn::Add(upper.low, sum.low)};
     error = hn::Mul(power, all(bounds::kNearError));
-    const M exact =
-        hn::And(hn::And(hn::And(hn::And(proper_factor(unit.x.high, d.x.high), proper_factor(unit.x.low, d.x.low)),
-                                hn::And(proper_factor(unit.y.high, d.y.high), proper_factor(unit.y.low, d.y.low))),
-                        hn::And(proper_factor(unit.z.high, d.z.high), proper_factor(unit.z.low, d.z.low))),
-                hn::And(hn::And(proper_factor(length_low, length.low), hn::Eq(length.tail, all(0))),
-                        hn::Eq(grids.inexact, all(0))));
-    zero = hn::And(hn::And(near, exact), hn::Eq(upper.high, all(0)));
+    zero = hn::And(near, hn::And(hn::Eq(upper.high, all(0)), hn::Eq(grids.rest, all(0))));
+    if (hn::AllFalse(D(), zero)) return;
+    // Proved where everything lies on the grids, and no product is 0 because it was too small.
+    const M on_grids =
+        hn::And(hn::And(grids.holds_square(unit.x.high, unit.x.low), grids.holds_square(unit.y.high, unit.y.low)),
+                hn::And(grids.holds_square(unit.z.high, unit.z.low), grids.holds_square(length_high, length_low)));
+    const M proper = hn::And(hn::And(hn::And(proper_factor(unit.x.high, before.x.high), hn::Eq(before.x.low, all(0))),
+                                     hn::And(proper_factor(unit.y.high, before.y.high), hn::Eq(before.y.low, all(0)))),
+                             hn::And(hn::And(proper_factor(unit.z.high, before.z.high), hn::Eq(before.z.low, all(0))),
+                                     hn::And(hn::Eq(length.low, all(0)), hn::Eq(length.tail, all(0)))));
+    zero = hn::And(zero, hn::And(on_grids, proper));
   }
 
   [[nodiscard]] HWY_INLINE M negative() const {
@@ -353,17 +370,18 @@ struct NearTouching {
     return hn::And(near, hn::Gt(hn::Sub(difference.high, hn::Add(error, error)), all(0)));
   }
 
-  /// E / (s + length), times scale.up; `root` is s before it was multiplied by scale.up.
+  /// E / (s + length), times `up`; `root` is s before it was multiplied by `up`.
   HWY_INLINE V value(const Double2& root, V up, M& certain) const {
     const Double2 sum = two_sum(root.high, length_high);
     const V sum_low = hn::Add(sum.low, hn::Add(root.low, length_low));
-    const V quotient = hn::Div(difference.high, sum.high);
+    const V reciprocal = hn::Div(all(1), sum.high);
+    const V quotient = hn::Mul(difference.high, reciprocal);
     const V remainder = hn::NegMulAdd(quotient, sum.high, difference.high);
-    const V low = hn::Div(hn::Add(remainder, hn::NegMulAdd(quotient, sum_low, difference.low)), sum.high);
-    const V relative = hn::Mul(hn::Abs(quotient), all(bounds::kQuotientError));
-    const V spread = hn::Div(hn::Add(error, error), sum.high);
+    const V low = hn::Mul(hn::Add(remainder, hn::NegMulAdd(quotient, sum_low, difference.low)), reciprocal);
+    const V spread = hn::Mul(hn::Add(error, error), reciprocal);
     M agree;
-    const V result = hn::Mul(rounded_within(quotient, low, hn::Add(relative, spread), agree), up);
+    const V result = hn::Mul(
+        rounded_within(quotient, low, hn::MulAdd(hn::Abs(quotient), all(bounds::kQuotientError), spread), agree), up);
     const V magnitude = hn::Abs(result);
     const M in_range = hn::And(hn::Ge(magnitude, all(bounds::kLeast)), hn::Le(magnitude, all(bounds::kMost)));
     certain = hn::Or(zero, hn::And(near, hn::And(agree, in_range)));
@@ -397,61 +415,122 @@ HWY_INLINE V scaled_reach(V r1, V r2, double alarm, V down) {
   return hn::Min(hn::MulAdd(all(alarm), down, hn::Add(hn::Mul(r1, down), hn::Mul(r2, down))), all(bounds::kReachCap));
 }
 
-/// Decides lanes that the filter leaves open.
-HWY_INLINE void settle(const Delta& d, const Scale& scale, V d2, const Length& reach, M& hit, M& open) {
-  const NearTouching touching(d, scale, d2, reach);
-  const M inside = hn::Or(touching.zero, touching.negative());
-  hit = hn::Or(hit, hn::And(open, inside));
-  open = hn::AndNot(hn::Or(inside, touching.positive()), open);
+/// A vector of contacts as the fast stage leaves it. The masks say where a number is certain, but for what `usable`
+/// adds: that the bounds hold at all.
+struct Stage {
+  Delta unit;  ///< delta, scaled
+  V d2;        ///< its squared length, plainly
+  Direction n;
+  Numbers numbers;
+  Filter filter;
+  M good_x, good_y, good_z;  ///< normal and points on an axis
+  M good_value;
+};
+
+/// center + radius q of both balls on one axis, by the true bounds.
+HWY_INLINE V point_within(V center, V signed_radius, V q, V low, M& certain) {
+  const V w = hn::Abs(hn::Mul(signed_radius, q));
+  const Double2 sum = point(center, signed_radius, q, low);
+  const V high = hn::Abs(sum.high);
+  const V error = hn::MulAdd(w, all(bounds::kPointError), hn::Mul(high, all(bounds::kPointSumError)));
+  const V number = rounded_within(sum.high, sum.low, error, certain);
+  const V magnitude = hn::Max(high, w);
+  certain = hn::And(certain, hn::And(hn::Ge(magnitude, all(bounds::kLeast)), hn::Le(magnitude, all(bounds::kMost))));
+  return hn::Add(number, all(0));  // every zero is +0
 }
 
-/// One coordinate of a point, by whatever is certain.
-struct Coordinate {
-  V number;
+/// One axis of normal and points, by whatever is certain.
+struct Axis {
+  V n, p, r;
   M certain;
 
-  HWY_INLINE Coordinate(V center, V signed_radius, V q, V low, V d_high, M only_axis) {
-    const V w = hn::Abs(hn::Mul(signed_radius, q));
-    const Double2 sum = point(center, signed_radius, q, low);
-    const V high = hn::Abs(sum.high);
-    const V error = hn::MulAdd(w, all(bounds::kPointError), hn::Mul(high, all(bounds::kPointSumError)));
-    number = rounded_within(sum.high, sum.low, error, certain);
-    const V magnitude = hn::Max(high, w);
-    certain = hn::And(certain, hn::And(hn::Ge(magnitude, all(bounds::kLeast)), hn::Le(magnitude, all(bounds::kMost))));
-    // r n is 0, or +-r where the other components of delta are 0: one sum, rounded once.
-    const M nothing = hn::Or(hn::Eq(signed_radius, all(0)), hn::Eq(d_high, all(0)));
-    const V whole = hn::Xor(signed_radius, hn::And(d_high, all(-0.0)));
-    const V plain = hn::Add(center, hn::IfThenZeroElse(nothing, whole));
-    const M exact = hn::Or(nothing, only_axis);
-    number = hn::IfThenElse(exact, plain, number);
-    certain = hn::Or(certain, exact);
+  /// Where delta is 0 on this axis, or on both others: r n is 0 or +-r, and a point one sum, rounded once.
+  HWY_INLINE void take_simple(V center1, V radius1, V center2, V radius2, V d_high, M none, M only) {
+    const M simple = hn::Or(none, only);
+    const V sign = hn::And(d_high, all(-0.0));
+    const auto moved = [&](V center, V radius) HWY_ATTR {
+      return hn::Add(hn::Add(center, hn::IfThenZeroElse(none, hn::Xor(radius, sign))), all(0));
+    };
+    n = hn::IfThenElse(simple, hn::IfThenZeroElse(none, hn::Xor(all(1), sign)), n);
+    p = hn::IfThenElse(simple, moved(center1, radius1), p);
+    r = hn::IfThenElse(simple, moved(center2, radius2), r);
+    certain = hn::Or(certain, simple);
+  }
+
+  /// Where the quick tests said no though the bounds hold.
+  HWY_INLINE void take_bounds(V center1, V radius1, V center2, V radius2, V q, V low, M usable) {
+    M agree = hn::And(usable, hn::Ge(hn::Abs(q), all(bounds::kLeastComponent)));
+    const V normal = rounded(q, low, bounds::kNormalEta, agree);
+    M first;
+    M second;
+    const V point1 = point_within(center1, radius1, q, low, first);
+    const V point2 = point_within(center2, radius2, q, low, second);
+    const M better = hn::AndNot(certain, hn::And(agree, hn::And(first, second)));
+    n = hn::IfThenElse(better, normal, n);
+    p = hn::IfThenElse(better, point1, p);
+    r = hn::IfThenElse(better, point2, r);
+    certain = hn::Or(certain, better);
   }
 };
 
-/// A vector of pairs of which some number is not certain yet: interval tests with the true bounds, the near path, and
-/// pairs whose answers are simple. What is not certain after that goes to the scalar function.
+/// A value that neither the quick test nor the near path settles: the interval of its true bound; the exact sum where
+/// delta has one component; T rounded where s is too small to matter but for its sign.
+HWY_INLINE V other_value(const Delta& d, M only_axis, const Double2& root, const Length& less, M usable, M& certain) {
+  const auto in_range = [](V x) HWY_ATTR {
+    return hn::And(hn::Ge(hn::Abs(x), all(bounds::kLeast)), hn::Le(hn::Abs(x), all(bounds::kMost)));
+  };
+  // T is exact, so that all of the error is the root's, and the last sums'.
+  const Double2 sum = two_difference(root.high, less.high);
+  const Double2 second = two_difference(sum.low, less.low);
+  const V sum_low = hn::Add(second.high, hn::Add(root.low, hn::Sub(second.low, less.tail)));
+  const V error = hn::MulAdd(root.high, all(bounds::kRootError), hn::Mul(hn::Abs(sum_low), all(bounds::kLowError)));
+  V value = rounded_within(sum.high, sum_low, error, certain);
+  const M whole = hn::Eq(less.tail, all(0));
+
+  // s = |d| = |dh| +- |dl|: two components are 0, and so are their low parts.
+  const V high = hn::Add(hn::Add(hn::Abs(d.x.high), hn::Abs(d.y.high)), hn::Abs(d.z.high));
+  const V low =
+      hn::Add(hn::Add(hn::Xor(d.x.low, hn::And(d.x.high, all(-0.0))), hn::Xor(d.y.low, hn::And(d.y.high, all(-0.0)))),
+              hn::Xor(d.z.low, hn::And(d.z.high, all(-0.0))));
+  const Double2 leading = two_difference(high, less.high);
+  const Double2 once = two_sum(leading.low, low);
+  const Double2 twice = two_difference(once.high, less.low);
+  const M exact = hn::And(hn::And(only_axis, whole), hn::And(hn::Eq(once.low, all(0)), hn::Eq(twice.low, all(0))));
+  value = hn::IfThenElse(exact, hn::Add(leading.high, twice.high), value);
+
+  // 0 < s < 2^-54 |T.low|, or than T where that is one number: no double lies between T.low and T.low - s, and so no
+  // rounding boundary. T.low (1 - u) is between the same doubles, or the lower one, which is none; T.low (1 + 2u) where
+  // T.low is minus a power of two; elsewhere it may be too far and must agree with T.low itself.
+  const M number = hn::Eq(less.low, all(0));
+  const V room = hn::IfThenElse(number, less.high, hn::Abs(less.low));
+  const M small = hn::And(hn::Gt(high, all(0)), hn::Lt(hn::Mul(high, all(0x1p54)), room));
+  const M positive = hn::Gt(less.low, all(0));
+  const V nudged =
+      hn::MulAdd(less.low, hn::IfThenElse(positive, all(1 - bounds::kUnit), all(1 + 2 * bounds::kUnit)), less.high);
+  const M agree = hn::Or(hn::Or(positive, hn::Eq(nudged, hn::Add(less.high, less.low))),
+                         hn::Eq(power_of_two(less.low), hn::Abs(less.low)));
+  const M tiny = hn::And(hn::And(whole, hn::Ge(less.high, all(bounds::kLeast))), hn::And(small, agree));
+  value = hn::IfThenElse(tiny, hn::Neg(nudged), value);
+  certain = hn::Or(certain, hn::Or(exact, tiny));
+  return hn::Add(value, all(0));
+}
+
+/// A vector of pairs of which some number is not certain yet. What is not certain after that goes to the function of
+/// one pair.
 template <bool kScaled>
-HWY_NOINLINE void finish(Job& job, std::size_t i) {
+HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
   const Loaded in(job.pairs, i);
-  const Delta d = delta_of(in);
-  const V zero = all(0);
+  const Delta d = kScaled ? delta_of(in) : stage.unit;
   Scale scale{all(1), all(1)};
   if constexpr (kScaled) scale = scale_of(d);
-  const Delta unit = scaled(d, scale.down);
-  const V d2 = squared_length(unit.x.high, unit.y.high, unit.z.high);
+  const V zero = all(0);
   const M coincident = coincide(d);
-  M usable = hn::And(hn::Ge(d2, all(bounds::kLeast)), hn::Le(d2, all(bounds::kMost)));
-  if constexpr (kScaled) usable = hn::And(usable, hn::Lt(largest_component(d), all(bounds::kMost)));
-
-  const double alarm = job.question.distances.alarm;
-  const double contact = job.question.distances.contact;
-  V reach = hn::Add(hn::Add(in.ar, in.br), all(alarm));
-  if constexpr (kScaled) reach = scaled_reach(in.ar, in.br, alarm, scale.down);
-  const Filter filter(d2, reach);
-  M hit = filter.hit;
-  M open = hn::Not(hn::Or(filter.hit, filter.miss));
+  M usable = hn::And(hn::Ge(stage.d2, all(bounds::kLeast)), hn::Le(stage.d2, all(bounds::kMost)));
+  M hit = stage.filter.hit;
+  M open = hn::Not(hn::Or(hit, stage.filter.miss));
   if constexpr (kScaled) {
     // Delta overflowed, or is too large to be scaled: nothing above means anything.
+    usable = hn::And(usable, hn::Lt(largest_component(d), all(bounds::kMost)));
     const M lost = hn::Not(hn::Or(usable, coincident));
     hit = hn::AndNot(lost, hit);
     open = hn::Or(open, lost);
@@ -459,85 +538,84 @@ HWY_NOINLINE void finish(Job& job, std::size_t i) {
   hit = hn::Or(hit, coincident);
   open = hn::AndNot(coincident, open);
 
-  const Direction n(unit, d2);
+  // Decisions and values near touching.
+  const double alarm = job.question.distances.alarm;
+  const double contact = job.question.distances.contact;
   const Length less(in.ar, in.br, all(contact));
-  Double2 root = n.root;
-  if constexpr (kScaled) root = scaled(root, scale.up);
-  const Double2 sum = two_difference(root.high, less.high);
-  const V magnitude = hn::Abs(sum.high);
-  M value_certain;
-  V value = rounded_within(sum.high, hn::Add(sum.low, hn::Sub(root.low, less.low)),
-                           hn::Mul(hn::Add(root.high, less.high), all(bounds::kValueError)), value_certain);
-  value_certain =
-      hn::And(value_certain, hn::And(hn::Ge(magnitude, all(bounds::kLeast)), hn::Le(magnitude, all(bounds::kMost))));
-  value_certain = hn::And(value_certain, usable);
-
+  V value = stage.numbers.value;
+  M value_certain = hn::And(stage.good_value, usable);
+  // Coincident: value = -T, one rounding where T is a sum of two numbers.
+  value = hn::IfThenElse(coincident, hn::Sub(zero, hn::Add(less.high, less.low)), value);
+  value_certain = hn::Or(value_certain, hn::And(coincident, hn::Eq(less.tail, zero)));
   const bool same = alarm == contact;
-  const M undecided = hn::And(open, usable);
+  M undecided = hn::And(open, usable);
   if (!same && !hn::AllFalse(D(), undecided)) {
-    M settled = undecided;
-    settle(d, scale, d2, Length(in.ar, in.br, all(alarm)), hit, settled);
-    open = hn::Or(hn::AndNot(usable, open), settled);
+    const NearTouching touching(stage.unit, stage.d2, d, scale.down, Length(in.ar, in.br, all(alarm)));
+    const M inside = hn::And(undecided, hn::Or(touching.zero, touching.negative()));
+    hit = hn::Or(hit, inside);
+    open = hn::AndNot(hn::Or(inside, hn::And(undecided, touching.positive())), open);
+    undecided = hn::And(open, usable);
   }
-  const M wanting = hn::AndNot(value_certain, hn::And(usable, hn::Or(hit, open)));
+  M wanting = hn::AndNot(value_certain, hn::And(usable, hn::Or(hit, undecided)));
   if (!hn::AllFalse(D(), wanting)) {
-    const NearTouching touching(d, scale, d2, less);
+    const NearTouching touching(stage.unit, stage.d2, d, scale.down, less);
     if (same) {
       const M inside = hn::And(undecided, hn::Or(touching.zero, touching.negative()));
       hit = hn::Or(hit, inside);
       open = hn::AndNot(hn::Or(inside, hn::And(undecided, touching.positive())), open);
     }
     M certain;
-    const V near_value = touching.value(n.root, scale.up, certain);
+    const V near_value = touching.value(stage.n.root, scale.up, certain);
     certain = hn::And(certain, wanting);
     value = hn::IfThenElse(certain, near_value, value);
     value_certain = hn::Or(value_certain, certain);
   }
 
-  // Where two components of delta are 0 the normal is that axis.
-  const M no_x = hn::Eq(d.x.high, zero);
-  const M no_y = hn::Eq(d.y.high, zero);
-  const M no_z = hn::Eq(d.z.high, zero);
-  const M only_x = hn::And(no_y, no_z);  // coincident centres too
-  const M only_y = hn::AndNot(no_y, hn::And(no_x, no_z));
-  const M only_z = hn::AndNot(no_z, hn::And(no_x, no_y));
-  const V along_x = hn::IfThenElse(coincident, all(1), d.x.high);
-
-  Numbers numbers;
-  const auto component = [](V q, V low, V d_high, M only_axis, M& certain) HWY_ATTR {
-    M agree = hn::Ge(hn::Abs(q), all(bounds::kLeast));
-    const V number = rounded(q, low, bounds::kNormalEta, agree);
-    const M none = hn::Eq(d_high, all(0));
-    certain = hn::And(certain, hn::Or(hn::Or(none, only_axis), agree));
-    return hn::IfThenElse(only_axis, hn::CopySign(all(1), d_high), hn::IfThenZeroElse(none, number));
-  };
-  M certain = hn::Or(usable, hn::Or(only_x, hn::Or(only_y, only_z)));
-  numbers.nx = component(n.qx, n.low_x, along_x, only_x, certain);
-  numbers.ny = component(n.qy, n.low_y, d.y.high, only_y, certain);
-  numbers.nz = component(n.qz, n.low_z, d.z.high, only_z, certain);
-  const V radius1 = hn::Mul(in.ar, all(job.sign1));
-  const V radius2 = hn::Mul(in.br, all(job.sign2));
-  const auto coordinate = [&certain](V center, V radius, V q, V low, V d_high, M only_axis) HWY_ATTR {
-    const Coordinate c(center, radius, q, low, d_high, only_axis);
-    certain = hn::And(certain, c.certain);
-    return hn::Add(c.number, all(0));  // every zero is +0
-  };
-  numbers.px = coordinate(in.ax, radius1, n.qx, n.low_x, along_x, only_x);
-  numbers.py = coordinate(in.ay, radius1, n.qy, n.low_y, d.y.high, only_y);
-  numbers.pz = coordinate(in.az, radius1, n.qz, n.low_z, d.z.high, only_z);
-  numbers.rx = coordinate(in.bx, radius2, n.qx, n.low_x, along_x, only_x);
-  numbers.ry = coordinate(in.by, radius2, n.qy, n.low_y, d.y.high, only_y);
-  numbers.rz = coordinate(in.bz, radius2, n.qz, n.low_z, d.z.high, only_z);
-  // Coincident: value = -T, one rounding where T is a sum of two numbers.
-  const V minus_less = hn::Sub(zero, hn::Add(less.high, less.low));
-  numbers.value = hn::IfThenElse(coincident, minus_less, value);
-  value_certain = hn::Or(hn::AndNot(coincident, value_certain), hn::And(coincident, hn::Eq(less.tail, zero)));
-
+  // Where a component of delta is 0 so is that of the normal; where two are, the normal is the third axis.
+  Numbers numbers = stage.numbers;
+  Axis x{numbers.nx, numbers.px, numbers.rx, hn::And(stage.good_x, usable)};
+  Axis y{numbers.ny, numbers.py, numbers.ry, hn::And(stage.good_y, usable)};
+  Axis z{numbers.nz, numbers.pz, numbers.rz, hn::And(stage.good_z, usable)};
+  M wanting_axis = hn::AndNot(hn::And(x.certain, hn::And(y.certain, z.certain)), hit);
+  wanting = hn::AndNot(value_certain, hit);
+  if (!hn::AllFalse(D(), hn::Or(wanting_axis, wanting))) {
+    const V radius1 = hn::Mul(in.ar, all(job.sign1));
+    const V radius2 = hn::Mul(in.br, all(job.sign2));
+    const M no_x = hn::Eq(d.x.high, zero);
+    const M no_y = hn::Eq(d.y.high, zero);
+    const M no_z = hn::Eq(d.z.high, zero);
+    const M only_x = hn::And(no_y, no_z);  // coincident centres too
+    const M only_y = hn::AndNot(no_y, hn::And(no_x, no_z));
+    const M only_z = hn::AndNot(no_z, hn::And(no_x, no_y));
+    // +0 stands for a component of coincident centres: the normal is (1,0,0).
+    const V x_high = hn::IfThenZeroElse(coincident, d.x.high);
+    x.take_simple(in.ax, radius1, in.bx, radius2, x_high, hn::AndNot(coincident, no_x), only_x);
+    y.take_simple(in.ay, radius1, in.by, radius2, d.y.high, no_y, only_y);
+    z.take_simple(in.az, radius1, in.bz, radius2, d.z.high, no_z, only_z);
+    if (!hn::AllFalse(D(), hn::AndNot(x.certain, hit)))
+      x.take_bounds(in.ax, radius1, in.bx, radius2, stage.n.qx, stage.n.low_x, usable);
+    if (!hn::AllFalse(D(), hn::AndNot(y.certain, hit)))
+      y.take_bounds(in.ay, radius1, in.by, radius2, stage.n.qy, stage.n.low_y, usable);
+    if (!hn::AllFalse(D(), hn::AndNot(z.certain, hit)))
+      z.take_bounds(in.az, radius1, in.bz, radius2, stage.n.qz, stage.n.low_z, usable);
+    if (!hn::AllFalse(D(), wanting)) {
+      const Double2 root = kScaled ? scaled(stage.n.root, scale.up) : stage.n.root;
+      M certain;
+      const M only_axis = hn::Or(only_x, hn::Or(only_y, only_z));
+      const V other = other_value(d, only_axis, root, less, usable, certain);
+      certain = hn::And(certain, hn::AndNot(coincident, wanting));
+      value = hn::IfThenElse(certain, other, value);
+      value_certain = hn::Or(value_certain, certain);
+    }
+  }
+  numbers = {x.n, y.n, z.n, x.p, y.p, z.p, x.r, y.r, z.r, value};
   numbers.store(job.out, i, hit);
   store_states(hit, coincident, job.out.state + i);
-  const unsigned left = bits_of(hn::Or(open, hn::AndNot(hn::And(certain, value_certain), hit)));
   job.count.hits += hn::CountTrue(D(), hit);
-  if (left == 0) return;
+  const M certain = hn::And(hn::And(x.certain, y.certain), hn::And(z.certain, value_certain));
+  const M rest = hn::Or(open, hn::AndNot(certain, hit));
+  if (hn::AllFalse(D(), rest)) return;
+  const unsigned left = bits_of(rest);
   const unsigned hits = bits_of(hit);
   for (std::size_t lane = 0; lane < hn::Lanes(D()) && i + lane < job.size; ++lane) {
     if (((left >> lane) & 1) == 0) continue;
@@ -545,6 +623,19 @@ HWY_NOINLINE void finish(Job& job, std::size_t i) {
     ++job.count.exact;
     job.count.hits += (job.out.state[i + lane] != batch::PairState::miss ? 1U : 0U) - ((hits >> lane) & 1);
   }
+}
+
+/// The quick tests of one axis: normal and both points.
+HWY_INLINE M quick_axis(V center1, V radius1, V least1, V center2, V radius2, V least2, V q, V low, V& n, V& p, V& r) {
+  M good = hn::Ge(hn::Abs(q), all(bounds::kLeastComponent));
+  n = rounded(q, low, bounds::kNormalEta, good);
+  const Double2 first = point(center1, radius1, q, low);
+  good = hn::And(good, hn::Ge(hn::Abs(first.high), least1));
+  p = rounded(first.high, first.low, bounds::kSumEta, good);
+  const Double2 second = point(center2, radius2, q, low);
+  good = hn::And(good, hn::Ge(hn::Abs(second.high), least2));
+  r = rounded(second.high, second.low, bounds::kSumEta, good);
+  return good;
 }
 
 /// The contacts of a vector of pairs. False, and nothing written, where one needs to be scaled first.
@@ -568,33 +659,27 @@ HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
   Numbers numbers;
   const Direction n(unit, d2);
   const V least = all(bounds::kLeast);
-  M good = hn::And(hn::Ge(d2, least), hn::Ge(hn::Min(hn::Min(hn::Abs(n.qx), hn::Abs(n.qy)), hn::Abs(n.qz)), least));
-  numbers.nx = rounded(n.qx, n.low_x, bounds::kNormalEta, good);
-  numbers.ny = rounded(n.qy, n.low_y, bounds::kNormalEta, good);
-  numbers.nz = rounded(n.qz, n.low_z, bounds::kNormalEta, good);
-
   const V share = all(bounds::kUncancelled);
-  const auto points = [&](V cx, V cy, V cz, V radius, V& px, V& py, V& pz) HWY_ATTR {
-    const Double2 x = point(cx, radius, n.qx, n.low_x);
-    const Double2 y = point(cy, radius, n.qy, n.low_y);
-    const Double2 z = point(cz, radius, n.qz, n.low_z);
-    const V smallest = hn::Min(hn::Min(hn::Abs(x.high), hn::Abs(y.high)), hn::Abs(z.high));
-    good = hn::And(good, hn::Ge(smallest, hn::Max(hn::Abs(hn::Mul(radius, share)), least)));
-    px = rounded(x.high, x.low, bounds::kSumEta, good);
-    py = rounded(y.high, y.low, bounds::kSumEta, good);
-    pz = rounded(z.high, z.low, bounds::kSumEta, good);
-  };
-  points(in.ax, in.ay, in.az, hn::Mul(in.ar, all(job.sign1)), numbers.px, numbers.py, numbers.pz);
-  points(in.bx, in.by, in.bz, hn::Mul(in.br, all(job.sign2)), numbers.rx, numbers.ry, numbers.rz);
+  const V radius1 = hn::Mul(in.ar, all(job.sign1));
+  const V radius2 = hn::Mul(in.br, all(job.sign2));
+  const V least1 = hn::Max(hn::Mul(in.ar, share), least);
+  const V least2 = hn::Max(hn::Mul(in.br, share), least);
+  const M good_x =
+      quick_axis(in.ax, radius1, least1, in.bx, radius2, least2, n.qx, n.low_x, numbers.nx, numbers.px, numbers.rx);
+  const M good_y =
+      quick_axis(in.ay, radius1, least1, in.by, radius2, least2, n.qy, n.low_y, numbers.ny, numbers.py, numbers.ry);
+  const M good_z =
+      quick_axis(in.az, radius1, least1, in.bz, radius2, least2, n.qz, n.low_z, numbers.nz, numbers.pz, numbers.rz);
 
   Double2 root = n.root;
   if constexpr (kScaled) root = scaled(root, scale.up);
   const Double2 less = two_sum(radii.high, all(job.question.distances.contact));
   const Double2 sum = two_difference(root.high, less.high);
   const V sum_low = hn::Add(sum.low, hn::Sub(root.low, hn::Add(less.low, radii.low)));
-  good = hn::And(good, hn::Ge(hn::Abs(sum.high), hn::Max(hn::Mul(hn::Add(root.high, less.high), share), least)));
-  numbers.value = rounded(sum.high, sum_low, bounds::kSumEta, good);
+  M good_value = hn::Ge(hn::Abs(sum.high), hn::Max(hn::Mul(hn::Add(root.high, less.high), share), least));
+  numbers.value = rounded(sum.high, sum_low, bounds::kSumEta, good_value);
 
+  const M good = hn::And(hn::And(hn::And(good_x, good_y), hn::And(good_z, good_value)), hn::Ge(d2, least));
   if (HWY_LIKELY(hn::AllTrue(D(), hn::Or(filter.miss, hn::And(filter.hit, good))))) {
     numbers.store(job.out, i, filter.hit);
     store_flags(filter.hit, reinterpret_cast<std::uint8_t*>(job.out.state + i));
@@ -606,7 +691,8 @@ HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
     const M in_range = hn::And(hn::Ge(d2, least), hn::Le(hn::MulAdd(reach, reach, d2), most));
     if (!hn::AllTrue(D(), hn::Or(hn::Or(filter.miss, in_range), coincide(d)))) return false;
   }
-  finish<kScaled>(job, i);
+  const Stage stage{unit, d2, n, numbers, filter, good_x, good_y, good_z, good_value};
+  finish<kScaled>(job, i, stage);
   return true;
 }
 
@@ -666,15 +752,17 @@ batch::Count compute_sphere_hits(const SpherePairs& pairs, const SphereQuestion&
       const V d2 = squared_length(hn::Sub(in.bx, in.ax), hn::Sub(in.by, in.ay), hn::Sub(in.bz, in.az));
       const V reach = hn::Add(hn::Add(in.ar, in.br), all(question.distances.alarm));
       const M keep = hn::Not(Filter(d2, reach).miss);
-      hn::CompressStore(in.ax, keep, d, kept[0] + k);
-      hn::CompressStore(in.ay, keep, d, kept[1] + k);
-      hn::CompressStore(in.az, keep, d, kept[2] + k);
-      hn::CompressStore(in.ar, keep, d, kept[3] + k);
-      hn::CompressStore(in.bx, keep, d, kept[4] + k);
-      hn::CompressStore(in.by, keep, d, kept[5] + k);
-      hn::CompressStore(in.bz, keep, d, kept[6] + k);
-      hn::CompressStore(in.br, keep, d, kept[7] + k);
-      k += hn::CompressStore(hn::Iota(words, i), hn::RebindMask(words, keep), words, kept_index + k);
+      // Whole vectors: there is room behind, and a masked store would keep the next one waiting.
+      hn::StoreU(hn::Compress(in.ax, keep), d, kept[0] + k);
+      hn::StoreU(hn::Compress(in.ay, keep), d, kept[1] + k);
+      hn::StoreU(hn::Compress(in.az, keep), d, kept[2] + k);
+      hn::StoreU(hn::Compress(in.ar, keep), d, kept[3] + k);
+      hn::StoreU(hn::Compress(in.bx, keep), d, kept[4] + k);
+      hn::StoreU(hn::Compress(in.by, keep), d, kept[5] + k);
+      hn::StoreU(hn::Compress(in.bz, keep), d, kept[6] + k);
+      hn::StoreU(hn::Compress(in.br, keep), d, kept[7] + k);
+      hn::StoreU(hn::Compress(hn::Iota(words, i), hn::RebindMask(words, keep)), words, kept_index + k);
+      k += hn::CountTrue(d, keep);
     }
     for (; i < end; ++i, ++k) {
       for (std::size_t column = 0; column < 4; ++column) {
@@ -714,11 +802,12 @@ HWY_NOINLINE void finish_test(const SpherePairs& pairs, double alarm, std::size_
   const M usable = hn::And(hn::Lt(largest_component(d), all(bounds::kMost)), hn::Ge(d2, all(bounds::kLeast)));
   M hits = hn::Or(coincident, hn::And(usable, filter.hit));
   M open = hn::AndNot(hn::Or(hits, hn::And(usable, filter.miss)), hn::Eq(all(0), all(0)));
-  M near = hn::And(open, usable);
-  open = hn::AndNot(usable, open);
-  settle(d, scale, d2, Length(in.ar, in.br, all(alarm)), hits, near);
+  const NearTouching touching(unit, d2, d, scale.down, Length(in.ar, in.br, all(alarm)));
+  const M inside = hn::And(hn::And(open, usable), hn::Or(touching.zero, touching.negative()));
+  hits = hn::Or(hits, inside);
+  open = hn::AndNot(hn::Or(inside, hn::And(usable, touching.positive())), open);
   store_flags(hits, hit);
-  const unsigned left = bits_of(hn::Or(open, near));
+  const unsigned left = bits_of(open);
   for (std::size_t lane = 0; lane < hn::Lanes(D()) && i + lane < pairs.size; ++lane) {
     if (((left >> lane) & 1) == 0) continue;
     hit[lane] = test_sphere_sphere(pairs.first(i + lane), pairs.second(i + lane), alarm) ? 1 : 0;
