@@ -1,4 +1,5 @@
-// Plain double arithmetic over structures of arrays. Numbers of pairs are multiples of every vector length.
+// Plain double arithmetic over structures of arrays: the formulas as upstream has them, and their bits. Numbers of
+// pairs are multiples of every vector length.
 #include "plain_batch.hpp"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "plain_batch.cpp"
@@ -42,7 +43,7 @@ struct Pair {
     dx = hn::Sub(bx, ax);
     dy = hn::Sub(by, ay);
     dz = hn::Sub(bz, az);
-    d2 = hn::MulAdd(dz, dz, hn::MulAdd(dy, dy, hn::Mul(dx, dx)));
+    d2 = hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
     radii = hn::Add(ar, br);
     const V reach = hn::Add(radii, hn::Set(d, alarm));
     hit = hn::Le(d2, hn::Mul(reach, reach));
@@ -58,16 +59,15 @@ struct Numbers {
 
   HWY_INLINE Numbers(const Pair& p, double contact) {
     const V s = hn::Sqrt(p.d2);
-    const V y = hn::Div(hn::Set(D(), 1), s);
-    number[0] = hn::Mul(p.dx, y);
-    number[1] = hn::Mul(p.dy, y);
-    number[2] = hn::Mul(p.dz, y);
-    number[3] = hn::MulAdd(p.ar, number[0], p.ax);
-    number[4] = hn::MulAdd(p.ar, number[1], p.ay);
-    number[5] = hn::MulAdd(p.ar, number[2], p.az);
-    number[6] = hn::NegMulAdd(p.br, number[0], p.bx);
-    number[7] = hn::NegMulAdd(p.br, number[1], p.by);
-    number[8] = hn::NegMulAdd(p.br, number[2], p.bz);
+    number[0] = hn::Div(p.dx, s);
+    number[1] = hn::Div(p.dy, s);
+    number[2] = hn::Div(p.dz, s);
+    number[3] = hn::Add(p.ax, hn::Mul(p.ar, number[0]));
+    number[4] = hn::Add(p.ay, hn::Mul(p.ar, number[1]));
+    number[5] = hn::Add(p.az, hn::Mul(p.ar, number[2]));
+    number[6] = hn::Sub(p.bx, hn::Mul(p.br, number[0]));
+    number[7] = hn::Sub(p.by, hn::Mul(p.br, number[1]));
+    number[8] = hn::Sub(p.bz, hn::Mul(p.br, number[2]));
     number[9] = hn::Sub(hn::Sub(s, p.radii), hn::Set(D(), contact));
   }
 };

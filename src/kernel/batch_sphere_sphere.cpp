@@ -40,10 +40,9 @@ struct Filter {
   M miss;
 
   HWY_INLINE Filter(V d2, V reach) {
-    const V reach2 = hn::Mul(reach, reach);
-    const V sum = hn::Add(d2, reach2);
-    const V difference = hn::Sub(d2, reach2);
-    const V gap = hn::Add(hn::Mul(sum, all(bounds::kFilterGap)), all(bounds::kFilterFloor));
+    const V sum = hn::MulAdd(reach, reach, d2);
+    const V difference = hn::NegMulAdd(reach, reach, d2);
+    const V gap = hn::MulAdd(sum, all(bounds::kFilterGap), all(bounds::kFilterFloor));
     hit = hn::Lt(difference, hn::Neg(gap));
     miss = hn::Gt(difference, gap);
   }
@@ -181,10 +180,47 @@ HWY_INLINE V reciprocal_root(V x) {
 #endif
 }
 
-/// high + low rounded, and in `certain` whether an error of eta 2^-55 |high| could change it.
-HWY_INLINE V rounded(V high, V low, double eta, M& certain) {
-  const V above = hn::MulAdd(low, all(1 + eta), high);
-  certain = hn::And(certain, hn::Eq(above, hn::MulAdd(low, all(1 - eta), high)));
+/// mask && a == b, lane by lane.
+HWY_INLINE M and_equal(M mask, V a, V b) {
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
+  return M{_mm512_mask_cmp_pd_mask(mask.raw, a.raw, b.raw, _CMP_EQ_OQ)};  // one instruction
+#else
+  return hn::And(mask, hn::Eq(a, b));
+#endif
+}
+
+/// mask && a >= b, lane by lane.
+HWY_INLINE M and_at_least(M mask, V a, V b) {
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
+  return M{_mm512_mask_cmp_pd_mask(mask.raw, a.raw, b.raw, _CMP_GE_OQ)};
+#else
+  return hn::And(mask, hn::Ge(a, b));
+#endif
+}
+
+/// a b + c where the mask says so, else 0.
+HWY_INLINE V masked_multiply_add(M mask, V a, V b, V c) {
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
+  return V{_mm512_maskz_fmadd_pd(mask.raw, a.raw, b.raw, c.raw)};
+#else
+  return hn::IfThenElseZero(mask, hn::MulAdd(a, b, c));
+#endif
+}
+
+/// The lesser of |a| and |b|.
+HWY_INLINE V least_magnitude(V a, V b) {
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
+  return V{_mm512_range_pd(a.raw, b.raw, 0x8 | 0x2)};  // the one of least magnitude, with its sign cleared
+#else
+  return hn::Min(hn::Abs(a), hn::Abs(b));
+#endif
+}
+
+/// high + low rounded where `wanted`, else 0; `certain` loses the wanted lanes where an error of eta 2^-55 |high| could
+/// change it.
+HWY_INLINE V rounded(V high, V low, double eta, M wanted, M& certain) {
+  const V above = masked_multiply_add(wanted, low, all(1 + eta), high);
+  certain = and_equal(certain, above, hn::MulAdd(low, all(1 - eta), high));
   return above;
 }
 
@@ -238,18 +274,18 @@ HWY_INLINE Double2 point(V center, V radius, V q, V low) {
 struct Numbers {
   V nx, ny, nz, px, py, pz, rx, ry, rz, value;
 
-  HWY_INLINE void store(const ContactRows& out, std::size_t i, M hit) const {
+  HWY_INLINE void store(const ContactRows& out, std::size_t i) const {
     const D d;
-    hn::StoreU(hn::IfThenElseZero(hit, nx), d, out.number[0] + i);
-    hn::StoreU(hn::IfThenElseZero(hit, ny), d, out.number[1] + i);
-    hn::StoreU(hn::IfThenElseZero(hit, nz), d, out.number[2] + i);
-    hn::StoreU(hn::IfThenElseZero(hit, px), d, out.number[3] + i);
-    hn::StoreU(hn::IfThenElseZero(hit, py), d, out.number[4] + i);
-    hn::StoreU(hn::IfThenElseZero(hit, pz), d, out.number[5] + i);
-    hn::StoreU(hn::IfThenElseZero(hit, rx), d, out.number[6] + i);
-    hn::StoreU(hn::IfThenElseZero(hit, ry), d, out.number[7] + i);
-    hn::StoreU(hn::IfThenElseZero(hit, rz), d, out.number[8] + i);
-    hn::StoreU(hn::IfThenElseZero(hit, value), d, out.number[9] + i);
+    hn::StoreU(nx, d, out.number[0] + i);
+    hn::StoreU(ny, d, out.number[1] + i);
+    hn::StoreU(nz, d, out.number[2] + i);
+    hn::StoreU(px, d, out.number[3] + i);
+    hn::StoreU(py, d, out.number[4] + i);
+    hn::StoreU(pz, d, out.number[5] + i);
+    hn::StoreU(rx, d, out.number[6] + i);
+    hn::StoreU(ry, d, out.number[7] + i);
+    hn::StoreU(rz, d, out.number[8] + i);
+    hn::StoreU(value, d, out.number[9] + i);
   }
 };
 
@@ -415,19 +451,19 @@ HWY_INLINE V scaled_reach(V r1, V r2, double alarm, V down) {
   return hn::Min(hn::MulAdd(all(alarm), down, hn::Add(hn::Mul(r1, down), hn::Mul(r2, down))), all(bounds::kReachCap));
 }
 
-/// A vector of contacts as the fast stage leaves it. The masks say where a number is certain, but for what `usable`
-/// adds: that the bounds hold at all.
+/// A vector of contacts as the fast stage leaves it, numbers of misses 0.
 struct Stage {
   Delta unit;  ///< delta, scaled
   V d2;        ///< its squared length, plainly
   Direction n;
   Numbers numbers;
   Filter filter;
-  M good_x, good_y, good_z;  ///< normal and points on an axis
-  M good_value;
+  V uncancelled;  ///< what points and value must be left with for the quick tests to mean anything
+  M axes_agree;   ///< the quick tests of normal and points
+  M value_agrees;
 };
 
-/// center + radius q of both balls on one axis, by the true bounds.
+/// center + radius q on one axis, by the true bounds.
 HWY_INLINE V point_within(V center, V signed_radius, V q, V low, M& certain) {
   const V w = hn::Abs(hn::Mul(signed_radius, q));
   const Double2 sum = point(center, signed_radius, q, low);
@@ -460,7 +496,7 @@ struct Axis {
   /// Where the quick tests said no though the bounds hold.
   HWY_INLINE void take_bounds(V center1, V radius1, V center2, V radius2, V q, V low, M usable) {
     M agree = hn::And(usable, hn::Ge(hn::Abs(q), all(bounds::kLeastComponent)));
-    const V normal = rounded(q, low, bounds::kNormalEta, agree);
+    const V normal = rounded(q, low, bounds::kNormalEta, usable, agree);
     M first;
     M second;
     const V point1 = point_within(center1, radius1, q, low, first);
@@ -543,7 +579,9 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
   const double contact = job.question.distances.contact;
   const Length less(in.ar, in.br, all(contact));
   V value = stage.numbers.value;
-  M value_certain = hn::And(stage.good_value, usable);
+  const V uncancelled = hn::Add(stage.uncancelled, stage.uncancelled);  // of rounded numbers
+  const M value_agrees = hn::And(stage.value_agrees, usable);
+  M value_certain = hn::And(value_agrees, hn::Ge(hn::Abs(value), uncancelled));
   // Coincident: value = -T, one rounding where T is a sum of two numbers.
   value = hn::IfThenElse(coincident, hn::Sub(zero, hn::Add(less.high, less.low)), value);
   value_certain = hn::Or(value_certain, hn::And(coincident, hn::Eq(less.tail, zero)));
@@ -573,9 +611,14 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
 
   // Where a component of delta is 0 so is that of the normal; where two are, the normal is the third axis.
   Numbers numbers = stage.numbers;
-  Axis x{numbers.nx, numbers.px, numbers.rx, hn::And(stage.good_x, usable)};
-  Axis y{numbers.ny, numbers.py, numbers.ry, hn::And(stage.good_y, usable)};
-  Axis z{numbers.nz, numbers.pz, numbers.rz, hn::And(stage.good_z, usable)};
+  const M axes_agree = hn::And(stage.axes_agree, usable);
+  const auto quick = [&](V q, V p, V r) HWY_ATTR {
+    return hn::And(hn::And(axes_agree, hn::Ge(hn::Abs(q), all(bounds::kLeastComponent))),
+                   hn::Ge(least_magnitude(p, r), uncancelled));
+  };
+  Axis x{numbers.nx, numbers.px, numbers.rx, quick(stage.n.qx, numbers.px, numbers.rx)};
+  Axis y{numbers.ny, numbers.py, numbers.ry, quick(stage.n.qy, numbers.py, numbers.ry)};
+  Axis z{numbers.nz, numbers.pz, numbers.rz, quick(stage.n.qz, numbers.pz, numbers.rz)};
   M wanting_axis = hn::AndNot(hn::And(x.certain, hn::And(y.certain, z.certain)), hit);
   wanting = hn::AndNot(value_certain, hit);
   if (!hn::AllFalse(D(), hn::Or(wanting_axis, wanting))) {
@@ -608,8 +651,10 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
       value_certain = hn::Or(value_certain, certain);
     }
   }
-  numbers = {x.n, y.n, z.n, x.p, y.p, z.p, x.r, y.r, z.r, value};
-  numbers.store(job.out, i, hit);
+  const auto of_hit = [hit](V number) HWY_ATTR { return hn::IfThenElseZero(hit, number); };
+  numbers = {of_hit(x.n), of_hit(y.n), of_hit(z.n), of_hit(x.p), of_hit(y.p),
+             of_hit(z.p), of_hit(x.r), of_hit(y.r), of_hit(z.r), of_hit(value)};
+  numbers.store(job.out, i);
   store_states(hit, coincident, job.out.state + i);
   job.count.hits += hn::CountTrue(D(), hit);
   const M certain = hn::And(hn::And(x.certain, y.certain), hn::And(z.certain, value_certain));
@@ -623,19 +668,6 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
     ++job.count.exact;
     job.count.hits += (job.out.state[i + lane] != batch::PairState::miss ? 1U : 0U) - ((hits >> lane) & 1);
   }
-}
-
-/// The quick tests of one axis: normal and both points.
-HWY_INLINE M quick_axis(V center1, V radius1, V least1, V center2, V radius2, V least2, V q, V low, V& n, V& p, V& r) {
-  M good = hn::Ge(hn::Abs(q), all(bounds::kLeastComponent));
-  n = rounded(q, low, bounds::kNormalEta, good);
-  const Double2 first = point(center1, radius1, q, low);
-  good = hn::And(good, hn::Ge(hn::Abs(first.high), least1));
-  p = rounded(first.high, first.low, bounds::kSumEta, good);
-  const Double2 second = point(center2, radius2, q, low);
-  good = hn::And(good, hn::Ge(hn::Abs(second.high), least2));
-  r = rounded(second.high, second.low, bounds::kSumEta, good);
-  return good;
 }
 
 /// The contacts of a vector of pairs. False, and nothing written, where one needs to be scaled first.
@@ -656,32 +688,46 @@ HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
   if constexpr (kScaled) reach = scaled_reach(in.ar, in.br, alarm, scale.down);
   const Filter filter(d2, reach);
 
-  Numbers numbers;
   const Direction n(unit, d2);
-  const V least = all(bounds::kLeast);
-  const V share = all(bounds::kUncancelled);
-  const V radius1 = hn::Mul(in.ar, all(job.sign1));
-  const V radius2 = hn::Mul(in.br, all(job.sign2));
-  const V least1 = hn::Max(hn::Mul(in.ar, share), least);
-  const V least2 = hn::Max(hn::Mul(in.br, share), least);
-  const M good_x =
-      quick_axis(in.ax, radius1, least1, in.bx, radius2, least2, n.qx, n.low_x, numbers.nx, numbers.px, numbers.rx);
-  const M good_y =
-      quick_axis(in.ay, radius1, least1, in.by, radius2, least2, n.qy, n.low_y, numbers.ny, numbers.py, numbers.ry);
-  const M good_z =
-      quick_axis(in.az, radius1, least1, in.bz, radius2, least2, n.qz, n.low_z, numbers.nz, numbers.pz, numbers.rz);
-
   Double2 root = n.root;
   if constexpr (kScaled) root = scaled(root, scale.up);
   const Double2 less = two_sum(radii.high, all(job.question.distances.contact));
+  const V least = all(bounds::kLeast);
+  const V uncancelled = hn::Max(hn::Mul(hn::Add(root.high, less.high), all(bounds::kUncancelled)), least);
+
+  Numbers numbers;
+  const M wanted = hn::Not(filter.miss);
+  M axes_agree = wanted;
+  M value_agrees = wanted;
+  numbers.nx = rounded(n.qx, n.low_x, bounds::kNormalEta, wanted, axes_agree);
+  numbers.ny = rounded(n.qy, n.low_y, bounds::kNormalEta, wanted, axes_agree);
+  numbers.nz = rounded(n.qz, n.low_z, bounds::kNormalEta, wanted, axes_agree);
+  const V component = least_magnitude(least_magnitude(n.qx, n.qy), n.qz);
+
   const Double2 sum = two_difference(root.high, less.high);
   const V sum_low = hn::Add(sum.low, hn::Sub(root.low, hn::Add(less.low, radii.low)));
-  M good_value = hn::Ge(hn::Abs(sum.high), hn::Max(hn::Mul(hn::Add(root.high, less.high), share), least));
-  numbers.value = rounded(sum.high, sum_low, bounds::kSumEta, good_value);
+  numbers.value = rounded(sum.high, sum_low, bounds::kSumEta, wanted, value_agrees);
+  V left = sum.high;  // the least that cancellation has left of a point or the value
+  const auto rounded_point = [&](V center, V radius, V q, V low) HWY_ATTR {
+    const Double2 at = point(center, radius, q, low);
+    left = least_magnitude(left, at.high);
+    return rounded(at.high, at.low, bounds::kSumEta, wanted, axes_agree);
+  };
+  const V radius1 = hn::Mul(in.ar, all(job.sign1));
+  const V radius2 = hn::Mul(in.br, all(job.sign2));
+  numbers.px = rounded_point(in.ax, radius1, n.qx, n.low_x);
+  numbers.py = rounded_point(in.ay, radius1, n.qy, n.low_y);
+  numbers.pz = rounded_point(in.az, radius1, n.qz, n.low_z);
+  numbers.rx = rounded_point(in.bx, radius2, n.qx, n.low_x);
+  numbers.ry = rounded_point(in.by, radius2, n.qy, n.low_y);
+  numbers.rz = rounded_point(in.bz, radius2, n.qz, n.low_z);
 
-  const M good = hn::And(hn::And(hn::And(good_x, good_y), hn::And(good_z, good_value)), hn::Ge(d2, least));
-  if (HWY_LIKELY(hn::AllTrue(D(), hn::Or(filter.miss, hn::And(filter.hit, good))))) {
-    numbers.store(job.out, i, filter.hit);
+  M good = hn::And(hn::And(filter.hit, axes_agree), value_agrees);
+  good = and_at_least(good, left, uncancelled);
+  good = and_at_least(good, component, all(bounds::kLeastComponent));
+  good = and_at_least(good, d2, least);
+  if (HWY_LIKELY(hn::AllTrue(D(), hn::Or(filter.miss, good)))) {
+    numbers.store(job.out, i);
     store_flags(filter.hit, reinterpret_cast<std::uint8_t*>(job.out.state + i));
     job.count.hits += hn::CountTrue(D(), filter.hit);
     return true;
@@ -691,7 +737,7 @@ HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
     const M in_range = hn::And(hn::Ge(d2, least), hn::Le(hn::MulAdd(reach, reach, d2), most));
     if (!hn::AllTrue(D(), hn::Or(hn::Or(filter.miss, in_range), coincide(d)))) return false;
   }
-  const Stage stage{unit, d2, n, numbers, filter, good_x, good_y, good_z, good_value};
+  const Stage stage{unit, d2, n, numbers, filter, uncancelled, axes_agree, value_agrees};
   finish<kScaled>(job, i, stage);
   return true;
 }
