@@ -89,10 +89,8 @@ std::size_t compute_hits(const kernel::SpherePairs& pairs, Distances distances, 
   for (std::size_t i = 0; i < pairs.size; i += hn::Lanes(D())) {
     const Pair p(pairs, i, distances.alarm);
     const Numbers n(p, distances.contact);
-    // Whole vectors: no more hits than pairs have been written, and the columns go on behind these.
-    for (std::size_t k = 0; k < 10; ++k) hn::StoreU(hn::Compress(n.number[k], p.hit), D(), out.number[k] + hits);
-    hn::StoreU(hn::Compress(hn::Iota(words, i), hn::RebindMask(words, p.hit)), words, indices);
-    const std::size_t more = hn::CountTrue(D(), p.hit);
+    for (std::size_t k = 0; k < 10; ++k) hn::CompressBlendedStore(n.number[k], p.hit, D(), out.number[k] + hits);
+    const std::size_t more = hn::CompressStore(hn::Iota(words, i), hn::RebindMask(words, p.hit), words, indices);
     for (std::size_t k = 0; k < more; ++k) {
       index[hits + k] = static_cast<std::uint32_t>(indices[k]);
       out.state[hits + k] = batch::PairState::contact;

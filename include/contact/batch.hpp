@@ -58,7 +58,7 @@ struct Count {
 //             has been written then.
 // Result      the bits that the function of one pair gives, for every vector width and with every instruction set.
 // Environment any rounding mode, flush-to-zero and denormals-are-zero, exceptions unmasked: the answer is the same, and
-//             the caller's environment and exception flags are as they were (on x86; elsewhere flags may be raised).
+//             the caller's environment and exception flags are as they were.
 // Threads     no shared state: calls on disjoint outputs may run at once.
 // Source      docs/error-bounds.md.
 // Evidence    golden/batch_test.cpp compares every instruction set that is at hand with the functions of one pair.

@@ -35,7 +35,8 @@ inline constexpr double kLowError = 4 * kUnit;
 /// fma(low, 1 + eta, high) = fma(low, 1 - eta, high) is the rounded sum where |error| <= eta 2^-55 |high|.
 inline constexpr double kNormalEta = 0x1p-42;
 inline constexpr double kSumEta = 0x1p-22;
-/// The share of sqrt D + T, which is more than both radii, that must be left of a point and a value for kSumEta to hold.
+/// The share of sqrt D + T, which is more than both radii, that must be left of a point and a value for kSumEta to
+/// hold.
 inline constexpr double kUncancelled = 0x1p-21;
 
 /// E = D - T^2 near touching: |error| at most this times the power of two that is at most D.

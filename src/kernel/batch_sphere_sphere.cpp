@@ -34,19 +34,15 @@ constexpr std::size_t kMostLanes = HWY_MAX_BYTES / sizeof(double);
 
 HWY_INLINE V all(double x) { return hn::Set(D(), x); }
 
-/// Whether D and reach^2 differ by more than plain arithmetic may err.
-struct Filter {
-  M hit;
-  M miss;
-
-  HWY_INLINE Filter(V d2, V reach) {
-    const V sum = hn::MulAdd(reach, reach, d2);
-    const V difference = hn::NegMulAdd(reach, reach, d2);
-    const V gap = hn::MulAdd(sum, all(bounds::kFilterGap), all(bounds::kFilterFloor));
-    hit = hn::Lt(difference, hn::Neg(gap));
-    miss = hn::Gt(difference, gap);
-  }
-};
+/// Whether D and reach^2 differ by more than plain arithmetic may err. (Two masks in one struct would travel through
+/// general registers.)
+HWY_INLINE void filter(V d2, V reach, M& hit, M& miss) {
+  const V sum = hn::MulAdd(reach, reach, d2);
+  const V difference = hn::NegMulAdd(reach, reach, d2);
+  const V gap = hn::MulAdd(sum, all(bounds::kFilterGap), all(bounds::kFilterFloor));
+  hit = hn::Lt(difference, hn::Neg(gap));
+  miss = hn::Gt(difference, gap);
+}
 
 HWY_INLINE V squared_length(V x, V y, V z) { return hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x))); }
 
@@ -455,9 +451,11 @@ HWY_INLINE V scaled_reach(V r1, V r2, double alarm, V down) {
 struct Stage {
   Delta unit;  ///< delta, scaled
   V d2;        ///< its squared length, plainly
-  Direction n;
+  V qx, qy, qz, low_x, low_y, low_z;
+  Double2 root;
   Numbers numbers;
-  Filter filter;
+  M hit;
+  M miss;
   V uncancelled;  ///< what points and value must be left with for the quick tests to mean anything
   M axes_agree;   ///< the quick tests of normal and points
   M value_agrees;
@@ -472,7 +470,9 @@ HWY_INLINE V point_within(V center, V signed_radius, V q, V low, M& certain) {
   const V number = rounded_within(sum.high, sum.low, error, certain);
   const V magnitude = hn::Max(high, w);
   certain = hn::And(certain, hn::And(hn::Ge(magnitude, all(bounds::kLeast)), hn::Le(magnitude, all(bounds::kMost))));
-  return hn::Add(number, all(0));  // every zero is +0
+  const M no_radius = hn::Eq(signed_radius, all(0));
+  certain = hn::Or(certain, no_radius);
+  return hn::Add(hn::IfThenElse(no_radius, center, number), all(0));  // every zero is +0
 }
 
 /// One axis of normal and points, by whatever is certain.
@@ -512,15 +512,15 @@ struct Axis {
 /// A value that neither the quick test nor the near path settles: the interval of its true bound; the exact sum where
 /// delta has one component; T rounded where s is too small to matter but for its sign.
 HWY_INLINE V other_value(const Delta& d, M only_axis, const Double2& root, const Length& less, M usable, M& certain) {
-  const auto in_range = [](V x) HWY_ATTR {
-    return hn::And(hn::Ge(hn::Abs(x), all(bounds::kLeast)), hn::Le(hn::Abs(x), all(bounds::kMost)));
-  };
   // T is exact, so that all of the error is the root's, and the last sums'.
   const Double2 sum = two_difference(root.high, less.high);
   const Double2 second = two_difference(sum.low, less.low);
   const V sum_low = hn::Add(second.high, hn::Add(root.low, hn::Sub(second.low, less.tail)));
   const V error = hn::MulAdd(root.high, all(bounds::kRootError), hn::Mul(hn::Abs(sum_low), all(bounds::kLowError)));
   V value = rounded_within(sum.high, sum_low, error, certain);
+  const V magnitude = hn::Abs(sum.high);
+  certain = hn::And(hn::And(certain, usable),
+                    hn::And(hn::Ge(magnitude, all(bounds::kLeast)), hn::Le(magnitude, all(bounds::kMost))));
   const M whole = hn::Eq(less.tail, all(0));
 
   // s = |d| = |dh| +- |dl|: two components are 0, and so are their low parts.
@@ -562,8 +562,8 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
   const V zero = all(0);
   const M coincident = coincide(d);
   M usable = hn::And(hn::Ge(stage.d2, all(bounds::kLeast)), hn::Le(stage.d2, all(bounds::kMost)));
-  M hit = stage.filter.hit;
-  M open = hn::Not(hn::Or(hit, stage.filter.miss));
+  M hit = stage.hit;
+  M open = hn::Not(hn::Or(hit, stage.miss));
   if constexpr (kScaled) {
     // Delta overflowed, or is too large to be scaled: nothing above means anything.
     usable = hn::And(usable, hn::Lt(largest_component(d), all(bounds::kMost)));
@@ -603,7 +603,7 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
       open = hn::AndNot(hn::Or(inside, hn::And(undecided, touching.positive())), open);
     }
     M certain;
-    const V near_value = touching.value(stage.n.root, scale.up, certain);
+    const V near_value = touching.value(stage.root, scale.up, certain);
     certain = hn::And(certain, wanting);
     value = hn::IfThenElse(certain, near_value, value);
     value_certain = hn::Or(value_certain, certain);
@@ -616,9 +616,9 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
     return hn::And(hn::And(axes_agree, hn::Ge(hn::Abs(q), all(bounds::kLeastComponent))),
                    hn::Ge(least_magnitude(p, r), uncancelled));
   };
-  Axis x{numbers.nx, numbers.px, numbers.rx, quick(stage.n.qx, numbers.px, numbers.rx)};
-  Axis y{numbers.ny, numbers.py, numbers.ry, quick(stage.n.qy, numbers.py, numbers.ry)};
-  Axis z{numbers.nz, numbers.pz, numbers.rz, quick(stage.n.qz, numbers.pz, numbers.rz)};
+  Axis x{numbers.nx, numbers.px, numbers.rx, quick(stage.qx, numbers.px, numbers.rx)};
+  Axis y{numbers.ny, numbers.py, numbers.ry, quick(stage.qy, numbers.py, numbers.ry)};
+  Axis z{numbers.nz, numbers.pz, numbers.rz, quick(stage.qz, numbers.pz, numbers.rz)};
   M wanting_axis = hn::AndNot(hn::And(x.certain, hn::And(y.certain, z.certain)), hit);
   wanting = hn::AndNot(value_certain, hit);
   if (!hn::AllFalse(D(), hn::Or(wanting_axis, wanting))) {
@@ -636,13 +636,13 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
     y.take_simple(in.ay, radius1, in.by, radius2, d.y.high, no_y, only_y);
     z.take_simple(in.az, radius1, in.bz, radius2, d.z.high, no_z, only_z);
     if (!hn::AllFalse(D(), hn::AndNot(x.certain, hit)))
-      x.take_bounds(in.ax, radius1, in.bx, radius2, stage.n.qx, stage.n.low_x, usable);
+      x.take_bounds(in.ax, radius1, in.bx, radius2, stage.qx, stage.low_x, usable);
     if (!hn::AllFalse(D(), hn::AndNot(y.certain, hit)))
-      y.take_bounds(in.ay, radius1, in.by, radius2, stage.n.qy, stage.n.low_y, usable);
+      y.take_bounds(in.ay, radius1, in.by, radius2, stage.qy, stage.low_y, usable);
     if (!hn::AllFalse(D(), hn::AndNot(z.certain, hit)))
-      z.take_bounds(in.az, radius1, in.bz, radius2, stage.n.qz, stage.n.low_z, usable);
+      z.take_bounds(in.az, radius1, in.bz, radius2, stage.qz, stage.low_z, usable);
     if (!hn::AllFalse(D(), wanting)) {
-      const Double2 root = kScaled ? scaled(stage.n.root, scale.up) : stage.n.root;
+      const Double2 root = kScaled ? scaled(stage.root, scale.up) : stage.root;
       M certain;
       const M only_axis = hn::Or(only_x, hn::Or(only_y, only_z));
       const V other = other_value(d, only_axis, root, less, usable, certain);
@@ -686,7 +686,9 @@ HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
   const double alarm = job.question.distances.alarm;
   V reach = hn::Add(radii.high, all(alarm));
   if constexpr (kScaled) reach = scaled_reach(in.ar, in.br, alarm, scale.down);
-  const Filter filter(d2, reach);
+  M hit;
+  M miss;
+  filter(d2, reach, hit, miss);
 
   const Direction n(unit, d2);
   Double2 root = n.root;
@@ -696,7 +698,7 @@ HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
   const V uncancelled = hn::Max(hn::Mul(hn::Add(root.high, less.high), all(bounds::kUncancelled)), least);
 
   Numbers numbers;
-  const M wanted = hn::Not(filter.miss);
+  const M wanted = hn::Not(miss);
   M axes_agree = wanted;
   M value_agrees = wanted;
   numbers.nx = rounded(n.qx, n.low_x, bounds::kNormalEta, wanted, axes_agree);
@@ -722,22 +724,53 @@ HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
   numbers.ry = rounded_point(in.by, radius2, n.qy, n.low_y);
   numbers.rz = rounded_point(in.bz, radius2, n.qz, n.low_z);
 
-  M good = hn::And(hn::And(filter.hit, axes_agree), value_agrees);
+  M good = hn::And(hn::And(hit, axes_agree), value_agrees);
   good = and_at_least(good, left, uncancelled);
   good = and_at_least(good, component, all(bounds::kLeastComponent));
   good = and_at_least(good, d2, least);
-  if (HWY_LIKELY(hn::AllTrue(D(), hn::Or(filter.miss, good)))) {
+  if (HWY_LIKELY(hn::AllTrue(D(), hn::Or(miss, good)))) {
     numbers.store(job.out, i);
-    store_flags(filter.hit, reinterpret_cast<std::uint8_t*>(job.out.state + i));
-    job.count.hits += hn::CountTrue(D(), filter.hit);
+    store_flags(hit, reinterpret_cast<std::uint8_t*>(job.out.state + i));
+    job.count.hits += hn::CountTrue(D(), hit);
     return true;
   }
   if constexpr (!kScaled) {
     const V most = all(bounds::kMost);
     const M in_range = hn::And(hn::Ge(d2, least), hn::Le(hn::MulAdd(reach, reach, d2), most));
-    if (!hn::AllTrue(D(), hn::Or(hn::Or(filter.miss, in_range), coincide(d)))) return false;
+    if (!hn::AllTrue(D(), hn::Or(hn::Or(miss, in_range), coincide(d)))) return false;
   }
-  const Stage stage{unit, d2, n, numbers, filter, uncancelled, axes_agree, value_agrees};
+  // Member by member: whole structs would be kept in memory on the quick way too.
+  Stage stage;
+  stage.unit.x.high = unit.x.high;
+  stage.unit.x.low = unit.x.low;
+  stage.unit.y.high = unit.y.high;
+  stage.unit.y.low = unit.y.low;
+  stage.unit.z.high = unit.z.high;
+  stage.unit.z.low = unit.z.low;
+  stage.d2 = d2;
+  stage.qx = n.qx;
+  stage.qy = n.qy;
+  stage.qz = n.qz;
+  stage.low_x = n.low_x;
+  stage.low_y = n.low_y;
+  stage.low_z = n.low_z;
+  stage.root.high = n.root.high;
+  stage.root.low = n.root.low;
+  stage.numbers.nx = numbers.nx;
+  stage.numbers.ny = numbers.ny;
+  stage.numbers.nz = numbers.nz;
+  stage.numbers.px = numbers.px;
+  stage.numbers.py = numbers.py;
+  stage.numbers.pz = numbers.pz;
+  stage.numbers.rx = numbers.rx;
+  stage.numbers.ry = numbers.ry;
+  stage.numbers.rz = numbers.rz;
+  stage.numbers.value = numbers.value;
+  stage.hit = hit;
+  stage.miss = miss;
+  stage.uncancelled = uncancelled;
+  stage.axes_agree = axes_agree;
+  stage.value_agrees = value_agrees;
   finish<kScaled>(job, i, stage);
   return true;
 }
@@ -782,12 +815,9 @@ batch::Count compute_spheres(const SpherePairs& pairs, const SphereQuestion& que
 /// Contacts of the pairs that are not plainly misses, strip by strip: their numbers are brought together first.
 batch::Count compute_sphere_hits(const SpherePairs& pairs, const SphereQuestion& question, std::uint32_t* index,
                                  const ContactRows& out) {
-  const D d;
-  const hn::RebindToUnsigned<D> words;
-  const std::size_t lanes = hn::Lanes(d);
-  constexpr std::size_t kRoom = kStrip + kMostLanes;
-  HWY_ALIGN double kept[8][kRoom];
-  HWY_ALIGN std::uint64_t kept_index[kRoom];
+  const std::size_t lanes = hn::Lanes(D());
+  HWY_ALIGN double kept[8][kStrip];
+  std::uint32_t kept_index[kStrip];
   batch::Count count;
   for (std::size_t begin = 0; begin < pairs.size; begin += kStrip) {
     const std::size_t end = std::min(begin + kStrip, pairs.size);
@@ -796,26 +826,19 @@ batch::Count compute_sphere_hits(const SpherePairs& pairs, const SphereQuestion&
     for (; i + lanes <= end; i += lanes) {
       const Loaded in(pairs, i);
       const V d2 = squared_length(hn::Sub(in.bx, in.ax), hn::Sub(in.by, in.ay), hn::Sub(in.bz, in.az));
-      const V reach = hn::Add(hn::Add(in.ar, in.br), all(question.distances.alarm));
-      const M keep = hn::Not(Filter(d2, reach).miss);
-      // Whole vectors: there is room behind, and a masked store would keep the next one waiting.
-      hn::StoreU(hn::Compress(in.ax, keep), d, kept[0] + k);
-      hn::StoreU(hn::Compress(in.ay, keep), d, kept[1] + k);
-      hn::StoreU(hn::Compress(in.az, keep), d, kept[2] + k);
-      hn::StoreU(hn::Compress(in.ar, keep), d, kept[3] + k);
-      hn::StoreU(hn::Compress(in.bx, keep), d, kept[4] + k);
-      hn::StoreU(hn::Compress(in.by, keep), d, kept[5] + k);
-      hn::StoreU(hn::Compress(in.bz, keep), d, kept[6] + k);
-      hn::StoreU(hn::Compress(in.br, keep), d, kept[7] + k);
-      hn::StoreU(hn::Compress(hn::Iota(words, i), hn::RebindMask(words, keep)), words, kept_index + k);
-      k += hn::CountTrue(d, keep);
-    }
-    for (; i < end; ++i, ++k) {
-      for (std::size_t column = 0; column < 4; ++column) {
-        kept[column][k] = pairs.a[column][i];
-        kept[4 + column][k] = pairs.b[column][i];
+      M hit;
+      M miss;
+      filter(d2, hn::Add(hn::Add(in.ar, in.br), all(question.distances.alarm)), hit, miss);
+      const unsigned keep = ~bits_of(miss);
+      for (std::size_t lane = 0; lane < lanes; ++lane) {  // no branch: hits come in no order
+        kept_index[k] = static_cast<std::uint32_t>(i + lane);
+        k += (keep >> lane) & 1;
       }
-      kept_index[k] = i;
+    }
+    for (; i < end; ++i) kept_index[k++] = static_cast<std::uint32_t>(i);
+    for (std::size_t column = 0; column < 8; ++column) {
+      const double* from = column < 4 ? pairs.a[column] : pairs.b[column - 4];
+      for (std::size_t row = 0; row < k; ++row) kept[column][row] = from[kept_index[row]];
     }
     const ContactRows rows = out.from(count.hits);
     const batch::Count strip = compute_spheres(
@@ -827,7 +850,7 @@ batch::Count compute_sphere_hits(const SpherePairs& pairs, const SphereQuestion&
         for (double* column : rows.number) column[row] = column[from];
         rows.state[row] = rows.state[from];
       }
-      index[count.hits + row++] = static_cast<std::uint32_t>(kept_index[from]);
+      index[count.hits + row++] = kept_index[from];
     }
     count.hits += strip.hits;
     count.exact += strip.exact;
@@ -843,11 +866,13 @@ HWY_NOINLINE void finish_test(const SpherePairs& pairs, double alarm, std::size_
   const Scale scale = scale_of(d);
   const Delta unit = scaled(d, scale.down);
   const V d2 = squared_length(unit.x.high, unit.y.high, unit.z.high);
-  const Filter filter(d2, scaled_reach(in.ar, in.br, alarm, scale.down));
+  M inside_filter;
+  M outside_filter;
+  filter(d2, scaled_reach(in.ar, in.br, alarm, scale.down), inside_filter, outside_filter);
   const M coincident = coincide(d);
   const M usable = hn::And(hn::Lt(largest_component(d), all(bounds::kMost)), hn::Ge(d2, all(bounds::kLeast)));
-  M hits = hn::Or(coincident, hn::And(usable, filter.hit));
-  M open = hn::AndNot(hn::Or(hits, hn::And(usable, filter.miss)), hn::Eq(all(0), all(0)));
+  M hits = hn::Or(coincident, hn::And(usable, inside_filter));
+  M open = hn::AndNot(hn::Or(hits, hn::And(usable, outside_filter)), hn::Eq(all(0), all(0)));
   const NearTouching touching(unit, d2, d, scale.down, Length(in.ar, in.br, all(alarm)));
   const M inside = hn::And(hn::And(open, usable), hn::Or(touching.zero, touching.negative()));
   hits = hn::Or(hits, inside);
@@ -868,9 +893,11 @@ HWY_INLINE void test_vector(const SpherePairs& pairs, double alarm, std::size_t 
                             batch::Count& count) {
   const Loaded in(pairs, i);
   const V d2 = squared_length(hn::Sub(in.bx, in.ax), hn::Sub(in.by, in.ay), hn::Sub(in.bz, in.az));
-  const Filter filter(d2, hn::Add(hn::Add(in.ar, in.br), all(alarm)));
-  const M decided = hn::Or(filter.hit, filter.miss);
-  store_flags(filter.hit, hit);
+  M inside;
+  M outside;
+  filter(d2, hn::Add(hn::Add(in.ar, in.br), all(alarm)), inside, outside);
+  const M decided = hn::Or(inside, outside);
+  store_flags(inside, hit);
   if (HWY_LIKELY(hn::AllTrue(D(), decided))) return;
 #if HWY_NATIVE_FMA
   finish_test(pairs, alarm, i, hit, count);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "kernel/exact.hpp"
+#include "kernel/floating_point_environment.hpp"
 #include "kernel/sphere_sphere_double_double.hpp"
 
 namespace contact {
@@ -139,9 +140,9 @@ class Rounding {
   std::optional<ExactPair> exact_;
 };
 
-}  // namespace
+// Behind calls that are not inlined: what RoundToNearest sets must be set before anything is computed.
 
-bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm) {
+[[gnu::noinline]] bool decide(const Ball& a, const Ball& b, double alarm) {
   switch (filter(a, b, alarm)) {
     case Filtered::hit:
       return true;
@@ -153,9 +154,22 @@ bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm) {
   return ExactPair(a, b, {alarm, 0}).hit();
 }
 
-std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances, ContactPoints points) {
-  if (!test_sphere_sphere(a, b, distances.alarm)) return std::nullopt;
+[[gnu::noinline]] std::optional<Contact> contact_of(const Ball& a, const Ball& b, Distances distances,
+                                                    ContactPoints points) {
+  if (!decide(a, b, distances.alarm)) return std::nullopt;
   return Rounding(a, b, distances.contact).contact(points);
+}
+
+}  // namespace
+
+bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm) {
+  const kernel::RoundToNearest environment;
+  return decide(a, b, alarm);
+}
+
+std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances, ContactPoints points) {
+  const kernel::RoundToNearest environment;
+  return contact_of(a, b, distances, points);
 }
 
 }  // namespace contact
