@@ -312,7 +312,7 @@ Query touching_at_any_scale(golden::Random& random) {
   }
   for (int ulps = random.between(0, 3); ulps > 0; --ulps)
     b.radius = std::nextafter(b.radius, random.chance(2) ? 1e300 : 0);
-  double contact = random.chance(2) ? alarm : 0;
+  const double contact = random.chance(2) ? alarm : 0;
   const double scale = std::ldexp(1.0, random.chance(2) ? 0 : random.between(-900, 900));
   a.center *= scale;
   b.center *= scale;
@@ -321,12 +321,26 @@ Query touching_at_any_scale(golden::Random& random) {
           {alarm * scale, contact * scale}};
 }
 
+/// Ordinary pairs where the numbers of the answer lose bits to the bottom of the range, or are lost themselves.
+Query at_the_bottom(golden::Random& random) {
+  const double scale = std::ldexp(1.0, -random.between(890, 1074));
+  const auto ball = [&] {
+    Ball made;
+    for (int k = 0; k < 3; ++k) made.center[k] = random.uniform(-4.0, 4.0) * scale;
+    made.radius = random.uniform(0.0, 4.0) * scale;
+    return made;
+  };
+  const Ball a = ball();
+  const Ball b = ball();
+  const double alarm = random.uniform(0.0, 4.0) * scale;
+  return {Pair::sphere_sphere, Balls{a, b}, {alarm, random.uniform(0.0, 4.0) * scale}};
+}
+
 TEST(BatchSphereSphere, gives_the_bits_of_one_pair_where_vectors_are_on_their_own) {
-  const std::pair<const char*, Make> families[] = {{"underflowing", underflowing},
-                                                   {"near_a_plane", near_a_plane},
-                                                   {"anything", anything},
-                                                   {"on_a_grid", on_a_grid},
-                                                   {"touching_at_any_scale", touching_at_any_scale}};
+  const std::pair<const char*, Make> families[] = {
+      {"underflowing", underflowing}, {"near_a_plane", near_a_plane},
+      {"anything", anything},         {"at_the_bottom", at_the_bottom},
+      {"on_a_grid", on_a_grid},       {"touching_at_any_scale", touching_at_any_scale}};
   for (const auto& [name, make] : families) {
     SCOPED_TRACE(name);
     each_with_its_followers(questions_of(name, make),
