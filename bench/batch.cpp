@@ -205,9 +205,28 @@ void register_families() {
   Spheres uniform = make_spheres(kFamilyPairs);
   for (auto& column : uniform.in)
     for (double& x : column) x *= 0x1p-830;
+  uniform.distances = {kDistances.alarm * 0x1p-830, kDistances.contact * 0x1p-830};
   register_family("uniform_scale_1e-250", std::move(uniform));
 }
 #endif
+
+/// The generic pairs as an array of structures.
+const std::vector<PlainPair>& plain_pairs(std::size_t size) {
+  static std::map<std::size_t, std::vector<PlainPair>> made;
+  std::vector<PlainPair>& pairs = made[size];
+  if (pairs.empty())
+    for (std::size_t i = 0; i < size; ++i)
+      pairs.push_back({generic_spheres(size).pairs().first(i), generic_spheres(size).pairs().second(i)});
+  return pairs;
+}
+
+template <class Compute>
+void call_one_by_one(std::size_t size, Compute compute) {
+  for (const PlainPair& pair : plain_pairs(size)) {
+    auto contact = compute(pair.a, pair.b, kDistances);
+    benchmark::DoNotOptimize(contact);
+  }
+}
 
 [[maybe_unused]] const bool registered = [] {
   beside_plain(
@@ -250,23 +269,18 @@ void register_families() {
         Cubes& c = generic_cubes(n);
         plain_test_cube_cube(c.pairs(), kDistances.alarm, c.hit.data());
       });
-  at_every_size("Scalar/compute/plain", "", [](std::size_t n) {
-    static std::map<std::size_t, std::pair<std::vector<PlainPair>, std::vector<PlainContact>>> made;
-    auto& [pairs, contacts] = made[n];
-    if (pairs.empty()) {
-      const kernel::SpherePairs columns = generic_spheres(n).pairs();
-      for (std::size_t i = 0; i < n; ++i) pairs.push_back({columns.first(i), columns.second(i)});
-      contacts.resize(n);
-    }
-    plain_compute_scalar(pairs.data(), n, kDistances, contacts.data());
+  at_every_size("Scalar/compute/plain_loop", "", [](std::size_t n) {
+    static std::map<std::size_t, std::vector<PlainContact>> made;
+    std::vector<PlainContact>& contacts = made[n];
+    contacts.resize(n);
+    plain_compute_scalar(plain_pairs(n).data(), n, kDistances, contacts.data());
   });
+  at_every_size("Scalar/compute/plain", "",
+                [](std::size_t n) { call_one_by_one(n, &plain_contact_of_pair); });
   at_every_size("Scalar/compute/ours", "", [](std::size_t n) {
-    Spheres& s = generic_spheres(n);
-    const kernel::SpherePairs pairs = s.pairs();
-    std::size_t hits = 0;
-    for (std::size_t i = 0; i < n; ++i)
-      hits += compute_sphere_sphere(pairs.first(i), pairs.second(i), kDistances).has_value() ? 1U : 0U;
-    benchmark::DoNotOptimize(hits);
+    call_one_by_one(n, [](const Ball& a, const Ball& b, Distances distances) {
+      return compute_sphere_sphere(a, b, distances);
+    });
   });
 #ifdef CONTACT_BENCH_FAMILIES
   register_families();

@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include <cmath>
+#include <optional>
 
 HWY_BEFORE_NAMESPACE();
 namespace contact::bench {
@@ -163,6 +164,13 @@ void plain_compute_scalar(const PlainPair* pairs, std::size_t size, Distances di
     const Vector3 n(dx / s, dy / s, dz / s);
     out[i].contact = {n, a.center + a.radius * n, b.center - b.radius * n, s - radii - distances.contact, false};
   }
+}
+
+std::optional<Contact> plain_contact_of_pair(const Ball& a, const Ball& b, Distances distances) {
+  PlainContact contact{};
+  const PlainPair pair{a, b};
+  plain_compute_scalar(&pair, 1, distances, &contact);
+  return contact.hit ? std::optional(contact.contact) : std::nullopt;
 }
 
 }  // namespace contact::bench

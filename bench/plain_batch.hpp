@@ -2,6 +2,8 @@
 // the batch kernels, for comparison. Its answers are wrong near the boundary.
 #pragma once
 
+#include <optional>
+
 #include "kernel/batch.hpp"
 
 namespace contact::bench {
@@ -22,5 +24,7 @@ struct PlainContact {
   bool hit;
 };
 void plain_compute_scalar(const PlainPair* pairs, std::size_t size, Distances distances, PlainContact* out);
+/// The function of one pair, as compute_sphere_sphere is called.
+std::optional<Contact> plain_contact_of_pair(const Ball& a, const Ball& b, Distances distances);
 
 }  // namespace contact::bench

@@ -25,7 +25,7 @@ class Grid {
   [[nodiscard]] Integer operator()(double x) const;
 
   /// Numbers on a grid whose largest is below 2^kFixedLength in its units are answered by FixedInteger.
-  static constexpr int kFixedLength = 512;
+  static constexpr int kFixedLength = 1280;
   [[nodiscard]] bool is_fixed() const { return end_ - exponent_ <= kFixedLength; }
   /// The same number. Domain: is_fixed().
   [[nodiscard]] FixedInteger fixed(double x) const;

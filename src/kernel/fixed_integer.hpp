@@ -22,7 +22,7 @@ class FixedInteger {
   using Wide = std::uint64_t;
 #endif
   static constexpr int kLimbBits = std::numeric_limits<Limb>::digits;
-  static constexpr int kBits = 5376;
+  static constexpr int kBits = 13056;
 
   FixedInteger() = default;
   FixedInteger(const FixedInteger& other) : negative_(other.negative_), size_(other.size_) {
