@@ -275,12 +275,10 @@ void call_one_by_one(std::size_t size, Compute compute) {
     contacts.resize(n);
     plain_compute_scalar(plain_pairs(n).data(), n, kDistances, contacts.data());
   });
-  at_every_size("Scalar/compute/plain", "",
-                [](std::size_t n) { call_one_by_one(n, &plain_contact_of_pair); });
+  at_every_size("Scalar/compute/plain", "", [](std::size_t n) { call_one_by_one(n, &plain_contact_of_pair); });
   at_every_size("Scalar/compute/ours", "", [](std::size_t n) {
-    call_one_by_one(n, [](const Ball& a, const Ball& b, Distances distances) {
-      return compute_sphere_sphere(a, b, distances);
-    });
+    call_one_by_one(
+        n, [](const Ball& a, const Ball& b, Distances distances) { return compute_sphere_sphere(a, b, distances); });
   });
 #ifdef CONTACT_BENCH_FAMILIES
   register_families();

@@ -59,6 +59,10 @@ struct SphereQuestion {
 /// Writes the contact of pair i to a row; zeros for a miss.
 void contact_of_one_pair(const SpherePairs& pairs, const SphereQuestion& question, std::size_t i,
                          const ContactRows& out, std::size_t row);
+/// Settles some numbers of pair i, which is a hit, in its row: those whose bits are set, as the functions of one pair
+/// do.
+void round_numbers(const SpherePairs& pairs, const SphereQuestion& question, std::size_t i, unsigned numbers,
+                   const ContactRows& out);
 batch::Count test_sphere_sphere_scalar(const SpherePairs& pairs, double alarm, std::uint8_t* hit);
 batch::Count compute_sphere_sphere_scalar(const SpherePairs& pairs, const SphereQuestion& question,
                                           const ContactRows& out);

@@ -4,8 +4,23 @@
 #include "contact/cube_cube.hpp"
 #include "contact/sphere_sphere.hpp"
 #include "kernel/batch.hpp"
+#include "kernel/sphere_sphere_numbers.hpp"
 
 namespace contact::kernel {
+
+void round_numbers(const SpherePairs& pairs, const SphereQuestion& question, std::size_t i, unsigned numbers,
+                   const ContactRows& out) {
+  Contact contact{};
+  round_numbers(pairs.first(i), pairs.second(i), question.distances.contact, question.points, numbers, contact);
+  for (std::size_t k = 0; k < ContactRows::kNumbers; ++k) {
+    if ((numbers >> k & 1) == 0) continue;
+    const auto axis = static_cast<Eigen::Index>(k % 3);
+    out.number[k][i] = k < 3   ? contact.normal[axis]
+                       : k < 6 ? contact.point1[axis]
+                       : k < 9 ? contact.point2[axis]
+                               : contact.value;
+  }
+}
 
 void contact_of_one_pair(const SpherePairs& pairs, const SphereQuestion& question, std::size_t i,
                          const ContactRows& out, std::size_t row) {

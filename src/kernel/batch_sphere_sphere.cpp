@@ -18,6 +18,7 @@
 #include "contact/sphere_sphere.hpp"
 #include "kernel/batch.hpp"
 #include "kernel/batch_bounds.hpp"
+#include "kernel/sphere_sphere_numbers.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace contact::kernel {
@@ -661,11 +662,21 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
   const M rest = hn::Or(open, hn::AndNot(certain, hit));
   if (hn::AllFalse(D(), rest)) return;
   const unsigned left = bits_of(rest);
+  const unsigned undecided_lanes = bits_of(open);
+  const unsigned uncertain[] = {bits_of(hn::Not(x.certain)), bits_of(hn::Not(y.certain)), bits_of(hn::Not(z.certain)),
+                                bits_of(hn::Not(value_certain))};
   const unsigned hits = bits_of(hit);
   for (std::size_t lane = 0; lane < hn::Lanes(D()) && i + lane < job.size; ++lane) {
     if (((left >> lane) & 1) == 0) continue;
-    contact_of_one_pair(job.pairs, job.question, i + lane, job.out, i + lane);
     ++job.count.exact;
+    if (((undecided_lanes >> lane) & 1) == 0) {
+      unsigned numbers_left = ((uncertain[3] >> lane) & 1) << kValueNumber;
+      for (unsigned axis = 0; axis < 3; ++axis)
+        numbers_left |= ((uncertain[axis] >> lane) & 1) * (kAxisNumbers << axis);
+      round_numbers(job.pairs, job.question, i + lane, numbers_left, job.out);
+      continue;
+    }
+    contact_of_one_pair(job.pairs, job.question, i + lane, job.out, i + lane);
     job.count.hits += (job.out.state[i + lane] != batch::PairState::miss ? 1U : 0U) - ((hits >> lane) & 1);
   }
 }

@@ -123,7 +123,8 @@ FixedInteger fixed(const Integer& n) {
   const Integer magnitude = abs(n);
   const int length = n.is_zero() ? 0 : static_cast<int>(msb(magnitude)) + 1;
   for (int bit = 0; bit < length; bit += 32)
-    sum += FixedInteger(static_cast<std::uint32_t>((magnitude >> static_cast<unsigned>(bit)) & 0xffffffffU), bit, false);
+    sum +=
+        FixedInteger(static_cast<std::uint32_t>((magnitude >> static_cast<unsigned>(bit)) & 0xffffffffU), bit, false);
   return n.sign() < 0 ? -sum : sum;
 }
 

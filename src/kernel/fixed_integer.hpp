@@ -150,7 +150,8 @@ class FixedInteger {
 
   bool negative_ = false;
   std::size_t size_ = 0;
-  std::array<Limb, static_cast<std::size_t>(kBits / kLimbBits)> limbs_;  // least first; those from size_ on mean nothing
+  std::array<Limb, static_cast<std::size_t>(kBits / kLimbBits)>
+      limbs_;  // least first; those from size_ on mean nothing
 };
 
 }  // namespace contact::kernel

@@ -11,6 +11,7 @@
 #include "kernel/exact.hpp"
 #include "kernel/floating_point_environment.hpp"
 #include "kernel/sphere_sphere_double_double.hpp"
+#include "kernel/sphere_sphere_numbers.hpp"
 
 namespace contact {
 namespace {
@@ -116,33 +117,40 @@ auto exactly(const Ball& a, const Ball& b, Distances distances, const Ask& ask) 
   return exactly(a, b, {alarm, 0}, [](const auto& pair) { return pair.hit(); });
 }
 
-// A contact's numbers as bits of a set: the normal's axes, the first point's, the second's, the value.
-constexpr unsigned kPoint = 3;
-constexpr unsigned kValue = 9;
-constexpr unsigned kAllNumbers = (1U << 10) - 1;
-
 /// Whether a point moves against the normal.
 constexpr bool is_negative(std::size_t sphere, PointOn on) { return (on == PointOn::nearest_surface) != (sphere == 0); }
 
-/// Settles the numbers of a hit that the fast stage left open. None of them depends on the alarm distance.
+/// A point at the centre takes no arithmetic; -0 is +0, by the bits, since a sum may flush a subnormal number.
+void put_at_center(const Vector3& center, Vector3& point) {
+  for (int axis = 0; axis < 3; ++axis)
+    point[axis] = std::bit_cast<std::uint64_t>(center[axis]) << 1 == 0 ? 0.0 : center[axis];
+}
+
+/// Settles the numbers of a hit whose bits are set, and whether it is degenerate. None depends on the alarm distance.
 [[gnu::noinline]] void round_exactly(const Ball& a, const Ball& b, double contact_distance, ContactPoints points,
-                                     unsigned open, Contact& contact) {
+                                     unsigned numbers, Contact& contact) {
+  if (points.first == PointOn::center) numbers &= ~(7U << kernel::kPointNumber);
+  if (points.second == PointOn::center) numbers &= ~(7U << (2 * kernel::kPointNumber));
   exactly(a, b, {0, contact_distance}, [&](const auto& pair) {
     contact.degenerate = pair.coincident();
     for (unsigned axis = 0; axis < 3; ++axis) {
-      if (open >> axis & 1) contact.normal[axis] = pair.normal(axis);
-      if (open >> (kPoint + axis) & 1) contact.point1[axis] = pair.point(0, axis, is_negative(0, points.first));
-      if (open >> (2 * kPoint + axis) & 1) contact.point2[axis] = pair.point(1, axis, is_negative(1, points.second));
+      if (numbers >> axis & 1) contact.normal[axis] = pair.normal(axis);
+      if (numbers >> (kernel::kPointNumber + axis) & 1)
+        contact.point1[axis] = pair.point(0, axis, is_negative(0, points.first));
+      if (numbers >> (2 * kernel::kPointNumber + axis) & 1)
+        contact.point2[axis] = pair.point(1, axis, is_negative(1, points.second));
     }
-    if (open >> kValue & 1) contact.value = pair.value();
+    if (numbers >> kernel::kValueNumber & 1) contact.value = pair.value();
   });
+  if (points.first == PointOn::center) put_at_center(a.center, contact.point1);
+  if (points.second == PointOn::center) put_at_center(b.center, contact.point2);
 }
 
 /// The numbers of a hit whose rounding is certain in the fast stage; returns the others.
 unsigned round_quickly(const Ball& a, const Ball& b, double contact_distance, ContactPoints points, Contact& contact) {
   contact.degenerate = false;
   const auto fast = kernel::DoubleDoublePair::of(a, b, {0, contact_distance});
-  if (!fast) return kAllNumbers;
+  if (!fast) return kernel::kAllNumbers;
   unsigned open = 0;
   const auto take = [&open](const kernel::Approximation& number, double& to, unsigned bit) {
     if (const auto certain = number.rounded())
@@ -153,18 +161,12 @@ unsigned round_quickly(const Ball& a, const Ball& b, double contact_distance, Co
   for (unsigned axis = 0; axis < 3; ++axis) {
     take(fast->normal(axis), contact.normal[axis], axis);
     const double r1 = is_negative(0, points.first) ? -a.radius : a.radius;
-    take(fast->point(a.center[axis], r1, axis), contact.point1[axis], kPoint + axis);
+    take(fast->point(a.center[axis], r1, axis), contact.point1[axis], kernel::kPointNumber + axis);
     const double r2 = is_negative(1, points.second) ? -b.radius : b.radius;
-    take(fast->point(b.center[axis], r2, axis), contact.point2[axis], 2 * kPoint + axis);
+    take(fast->point(b.center[axis], r2, axis), contact.point2[axis], 2 * kernel::kPointNumber + axis);
   }
-  take(fast->value(), contact.value, kValue);
+  take(fast->value(), contact.value, kernel::kValueNumber);
   return open;
-}
-
-/// A point at the centre takes no arithmetic; -0 is +0, by the bits, since a sum may flush a subnormal number.
-void put_at_center(const Vector3& center, Vector3& point) {
-  for (int axis = 0; axis < 3; ++axis)
-    point[axis] = std::bit_cast<std::uint64_t>(center[axis]) << 1 == 0 ? 0.0 : center[axis];
 }
 
 /// The contact of a pair, or false.
@@ -172,10 +174,10 @@ bool contact_of(const Ball& a, const Ball& b, Distances distances, ContactPoints
   const Filtered filtered = filter(a, b, distances.alarm);
   if (filtered == Filtered::miss) return false;
   if (filtered == Filtered::undecided && !decide_exactly(a, b, distances.alarm)) return false;
-  unsigned open = round_quickly(a, b, distances.contact, points, contact);
-  if (open != 0) round_exactly(a, b, distances.contact, points, open, contact);
+  const unsigned open = round_quickly(a, b, distances.contact, points, contact);
   if (points.first == PointOn::center) put_at_center(a.center, contact.point1);
   if (points.second == PointOn::center) put_at_center(b.center, contact.point2);
+  if (open != 0) round_exactly(a, b, distances.contact, points, open, contact);
   return true;
 }
 
@@ -215,6 +217,12 @@ bool contact_of_pair(const Ball& a, const Ball& b, Distances distances, ContactP
 }
 
 }  // namespace
+
+void kernel::round_numbers(const Ball& a, const Ball& b, double contact_distance, ContactPoints points,
+                           unsigned numbers, Contact& contact) {
+  const unsigned open = round_quickly(a, b, contact_distance, points, contact) & numbers;
+  if (open != 0) round_exactly(a, b, contact_distance, points, open, contact);
+}
 
 bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm) {
   const kernel::RoundToNearest environment;
