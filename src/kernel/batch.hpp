@@ -84,6 +84,8 @@ batch::Count test_cube_cube_vectors(const BoxPairs& pairs, double alarm, std::ui
 
 /// The instruction sets that the kernels are compiled for and the processor has, in Highway's names, best first.
 [[nodiscard]] std::vector<std::string> instruction_sets();
+/// Whether the one that serves computes contacts in vectors: it takes a fused multiply-add.
+[[nodiscard]] bool vectors_compute_contacts();
 /// From now on that one serves, in all threads; with an empty name the best again.
 void use_instruction_set(std::string_view name);
 

@@ -960,6 +960,8 @@ batch::Count compute_sphere_hits(const SpherePairs& pairs, const SphereQuestion&
 
 #endif
 
+bool computes_contacts() { return HWY_HAVE_FLOAT64 && HWY_NATIVE_FMA; }
+
 }  // namespace HWY_NAMESPACE
 }  // namespace contact::kernel
 HWY_AFTER_NAMESPACE();
@@ -970,6 +972,7 @@ namespace contact::kernel {
 HWY_EXPORT(test_spheres);
 HWY_EXPORT(compute_spheres);
 HWY_EXPORT(compute_sphere_hits);
+HWY_EXPORT(computes_contacts);
 
 batch::Count test_sphere_sphere_vectors(const SpherePairs& pairs, double alarm, std::uint8_t* hit) {
   return HWY_DYNAMIC_DISPATCH(test_spheres)(pairs, alarm, hit);
@@ -984,6 +987,8 @@ batch::Count compute_sphere_sphere_hits_vectors(const SpherePairs& pairs, const 
                                                 std::uint32_t* index, const ContactRows& out) {
   return HWY_DYNAMIC_DISPATCH(compute_sphere_hits)(pairs, question, index, out);
 }
+
+bool vectors_compute_contacts() { return HWY_DYNAMIC_DISPATCH(computes_contacts)(); }
 
 }  // namespace contact::kernel
 #endif  // HWY_ONCE

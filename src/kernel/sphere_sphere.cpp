@@ -147,7 +147,8 @@ void put_at_center(const Vector3& center, Vector3& point) {
 }
 
 /// The numbers of a hit whose rounding is certain in the fast stage; returns the others.
-unsigned round_quickly(const Ball& a, const Ball& b, double contact_distance, ContactPoints points, Contact& contact) {
+[[gnu::always_inline]] inline unsigned round_quickly(const Ball& a, const Ball& b, double contact_distance,
+                                                     ContactPoints points, Contact& contact) {
   contact.degenerate = false;
   const auto fast = kernel::DoubleDoublePair::of(a, b, {0, contact_distance});
   if (!fast) return kernel::kAllNumbers;
@@ -170,7 +171,8 @@ unsigned round_quickly(const Ball& a, const Ball& b, double contact_distance, Co
 }
 
 /// The contact of a pair, or false.
-bool contact_of(const Ball& a, const Ball& b, Distances distances, ContactPoints points, Contact& contact) {
+[[gnu::always_inline]] inline bool contact_of(const Ball& a, const Ball& b, Distances distances, ContactPoints points,
+                                              Contact& contact) {
   const Filtered filtered = filter(a, b, distances.alarm);
   if (filtered == Filtered::miss) return false;
   if (filtered == Filtered::undecided && !decide_exactly(a, b, distances.alarm)) return false;

@@ -125,7 +125,8 @@ class DoubleDoublePair {
   std::array<DoubleDouble, 3> normal_;  ///< n
 };
 
-inline std::optional<DoubleDoublePair> DoubleDoublePair::of(const Ball& a, const Ball& b, Distances distances) {
+[[gnu::always_inline]] inline std::optional<DoubleDoublePair> DoubleDoublePair::of(const Ball& a, const Ball& b,
+                                                                                   Distances distances) {
   if (!in_range(a) || !in_range(b) || !in_range(distances.contact) || !rounds_to_nearest()) return std::nullopt;
 
   std::array<DoubleDouble, 3> delta;
