@@ -1,8 +1,11 @@
 // DiscreteIntersection: which models can meet, whether two elements do, and their contact.
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <span>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "contact/contact.hpp"
@@ -62,6 +65,26 @@ class DiscreteIntersection : public Intersection, public BaseIntersector {
   virtual int computeIntersection(const Sphere& sph1, const RigidSphere& sph2, OutputVector& contacts,
                                   const Intersection& currentIntersection) const;
 
+  /// Many pairs at once, spheres by the batch kernels: the same contacts, and none between boxes. False, and nothing
+  /// written, where a derived class may have overridden the methods above, and for other models.
+  template <class Model1, class Model2>
+  bool intersectPairs(const Model1& model1, const Model2& model2, std::span<const ElementPair> pairs,
+                      std::span<std::size_t> written, OutputVector& contacts,
+                      const Intersection& currentIntersection) const {
+    constexpr bool kSpheres = requires {
+      model1.balls();
+      model2.balls();
+    };
+    if constexpr (kSpheres)
+      return intersectSpheres({model1, model1.balls(), point_on(points_, Model1::kKind)},
+                              {model2, model2.balls(), point_on(points_, Model2::kKind)}, pairs, written, contacts,
+                              currentIntersection);
+    else if constexpr (std::is_same_v<Model1, CubeCollisionModel> && std::is_same_v<Model2, CubeCollisionModel>)
+      return intersectCubes(written);
+    else
+      return false;
+  }
+
   [[nodiscard]] PointConvention points() const { return points_; }
 
  protected:
@@ -89,6 +112,17 @@ class DiscreteIntersection : public Intersection, public BaseIntersector {
   }
 
  private:
+  struct Spheres {
+    const CollisionModel& model;
+    const BallArray& balls;
+    PointOn on;
+  };
+  bool intersectSpheres(const Spheres& first, const Spheres& second, std::span<const ElementPair> pairs,
+                        std::span<std::size_t> written, OutputVector& contacts,
+                        const Intersection& currentIntersection) const;
+  bool intersectCubes(std::span<std::size_t> written) const;
+  [[nodiscard]] bool may_be_overridden() const;
+
   PointConvention points_;
   std::vector<std::shared_ptr<const void>> created_;  ///< what the factory's creators made
 };

@@ -2,6 +2,8 @@
 // an intersector class starts from.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 
 #include "contact/detection_output.hpp"
@@ -9,6 +11,12 @@
 namespace contact {
 
 class Intersection;
+
+/// Two elements by their indices in the models that are asked about.
+struct ElementPair {
+  Index first;
+  Index second;
+};
 
 /// Intersects elements of two models of known types. Its methods are const: several threads may ask at once.
 class ElementIntersector {
@@ -32,6 +40,11 @@ class ElementIntersector {
                            OutputVector& contacts) const = 0;
   /// The class that does it and the two model types.
   [[nodiscard]] virtual std::string name() const = 0;
+  /// Many pairs of elements, in their order: canIntersect, then intersect, or anything that comes to the same. Appends
+  /// to `contacts`; written[k] is how many pair k appended. Domain: `written` is as long as `pairs`.
+  virtual void intersectPairs(const CollisionModel& model1, const CollisionModel& model2,
+                              std::span<const ElementPair> pairs, std::span<std::size_t> written,
+                              OutputVector& contacts, const Intersection& currentIntersection) const;
 };
 
 /// What an intersector class starts from: the vector it writes to, and begin and end that write nothing.

@@ -38,6 +38,20 @@ class MemberElementIntersector final : public ElementIntersector {
   int endIntersect(const CollisionModel& model1, const CollisionModel& model2, OutputVector& contacts) const override {
     return object_->endIntersection(model1, model2, contacts);
   }
+  /// By T's own intersectPairs where it has one and that takes the pairs.
+  void intersectPairs(const CollisionModel& model1, const CollisionModel& model2, std::span<const ElementPair> pairs,
+                      std::span<std::size_t> written, OutputVector& contacts,
+                      const Intersection& currentIntersection) const override {
+    const auto& first = static_cast<const Model1&>(model1);
+    const auto& second = static_cast<const Model2&>(model2);
+    if constexpr (requires {
+                    {
+                      object_->intersectPairs(first, second, pairs, written, contacts, currentIntersection)
+                      } -> std::same_as<bool>;
+                  })
+      if (object_->intersectPairs(first, second, pairs, written, contacts, currentIntersection)) return;
+    ElementIntersector::intersectPairs(model1, model2, pairs, written, contacts, currentIntersection);
+  }
   [[nodiscard]] std::string name() const override {
     return std::string(T::kName) + "<" + std::string(Model1::kName) + "," + std::string(Model2::kName) + ">";
   }

@@ -23,7 +23,7 @@ struct PluginEntry {
 };
 
 /// Changes whenever a class that crosses the border changes.
-inline constexpr int kPluginInterface = 1;
+inline constexpr int kPluginInterface = 2;
 
 class PluginError : public std::runtime_error {
  public:

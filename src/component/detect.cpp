@@ -43,6 +43,9 @@ Tree tree_of(const CollisionModel& model) {
 /// Contacts are gathered in blocks of about so many: one growing vector would be copied again and again.
 constexpr std::size_t kBlock = 1 << 18;
 
+/// So many candidates are put to the intersector together, or a few more.
+constexpr std::size_t kTogether = 1024;
+
 /// The contacts of one element: part of a block.
 struct Run {
   std::size_t block = 0;
@@ -73,6 +76,27 @@ std::optional<OutputVector> detect(const Intersection& intersection, const Colli
   std::vector<OutputVector> blocks;
   std::size_t found = 0;
   std::vector<Run> runs(static_cast<std::size_t>(model1.getSize()));
+  std::vector<ElementPair> pairs;  // of whole elements of model1
+  std::vector<std::size_t> written;
+  const auto put_to_intersector = [&] {
+    // The first grows as it must, since most models have few contacts; those behind it are made whole.
+    if (blocks.empty())
+      blocks.emplace_back();
+    else if (blocks.back().size() >= kBlock)
+      blocks.emplace_back().reserve(kBlock + kBlock / 8);
+    OutputVector& block = blocks.back();
+    std::size_t end = block.size();
+    written.assign(pairs.size(), 0);
+    intersector->intersectPairs(first, second, pairs, written, block, intersection);
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      Run& run = runs[static_cast<std::size_t>(swap ? pairs[k].second : pairs[k].first)];
+      if (run.begin == run.end) run = {blocks.size() - 1, end, end};
+      end += written[k];
+      run.end = end;
+      found += written[k];
+    }
+    pairs.clear();
+  };
   std::vector<Index> near;
   for (const auto& [box, i] : tree1) {
     near.clear();
@@ -80,23 +104,10 @@ std::optional<OutputVector> detect(const Intersection& intersection, const Colli
          it != tree2.qend(); ++it)
       if (!self || it->second > i) near.push_back(it->second);
     std::sort(near.begin(), near.end());
-    // The first grows as it must, since most models have few contacts; those behind it are made whole.
-    if (blocks.empty())
-      blocks.emplace_back();
-    else if (blocks.back().size() >= kBlock)
-      blocks.emplace_back().reserve(kBlock + kBlock / 8);
-    OutputVector& block = blocks.back();
-    Run& run = runs[static_cast<std::size_t>(i)];
-    run = {blocks.size() - 1, block.size(), block.size()};
-    for (const Index j : near) {
-      const CollisionElement elem1(first, swap ? j : i);
-      const CollisionElement elem2(second, swap ? i : j);
-      if (intersector->canIntersect(elem1, elem2, intersection))
-        intersector->intersect(elem1, elem2, block, intersection);
-    }
-    run.end = block.size();
-    found += run.end - run.begin;
+    for (const Index j : near) pairs.push_back(swap ? ElementPair{j, i} : ElementPair{i, j});
+    if (pairs.size() >= kTogether) put_to_intersector();
   }
+  if (!pairs.empty()) put_to_intersector();
   contacts.reserve(contacts.size() + found);
   for (const Run& run : runs)
     if (run.begin != run.end)

@@ -490,6 +490,21 @@ TEST(Detect, of_an_unsupported_or_ignored_pair_is_nothing_which_is_not_the_same_
   EXPECT_TRUE(detect(component, s, far)->empty());
 }
 
+/// A component of one's own that answers spheres differently.
+class Silent : public ProximityIntersection {
+ public:
+  using ProximityIntersection::computeIntersection;
+  using ProximityIntersection::ProximityIntersection;
+  int computeIntersection(const Sphere&, const Sphere&, OutputVector&, const Intersection&) const override { return 0; }
+};
+
+TEST(Detect, asks_the_methods_of_a_derived_component) {
+  const auto first = spheres("first", {{{0, 0, 0}, 1}, {{9, 0, 0}, 1}});
+  const auto second = spheres("second", {{{1, 0, 0}, 1}});
+  EXPECT_EQ(detect(ProximityIntersection({0, 0}), first, second).value().size(), 1U);
+  EXPECT_EQ(detect(Silent({0, 0}), first, second).value().size(), 0U);
+}
+
 /// Distances that ProximityIntersection would refuse.
 class Careless : public DiscreteIntersection {
  public:

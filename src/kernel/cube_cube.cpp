@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/exact_sum.hpp"
+#include "kernel/floating_point_environment.hpp"
 
 namespace contact {
 namespace {
@@ -22,12 +23,18 @@ bool within(double low, double high, double alarm) {
   return sign_of_sum({low, -high, -alarm}) <= 0;
 }
 
-}  // namespace
-
-bool test_cube_cube(const Box& a, const Box& b, double alarm) {
+// Not inlined: what RoundToNearest sets must be set before anything is computed.
+[[gnu::noinline]] bool decide(const Box& a, const Box& b, double alarm) {
   for (int axis = 0; axis < 3; ++axis)
     if (!within(a.min[axis], b.max[axis], alarm) || !within(b.min[axis], a.max[axis], alarm)) return false;
   return true;
+}
+
+}  // namespace
+
+bool test_cube_cube(const Box& a, const Box& b, double alarm) {
+  const kernel::RoundToNearest environment;
+  return decide(a, b, alarm);
 }
 
 }  // namespace contact

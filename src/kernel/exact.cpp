@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -94,15 +95,43 @@ double round_floor(const Integer& floor, bool exact, int exponent) {
   return round_magnitude(exact ? -floor : -floor - 1, !exact, exponent, true);
 }
 
+/// x 2^exponent, for estimates.
+struct Estimate {
+  double x;
+  int exponent;
+};
+
+/// |c| + |e| / sqrt(D) within a few units of the last place.
+Estimate estimate_of_magnitudes(const FixedInteger& c, const FixedInteger& e, const Estimate& D) {
+  Estimate first{};
+  first.x = c.leading(first.exponent);
+  Estimate second{};
+  second.x = e.leading(second.exponent) / std::sqrt(D.x);
+  second.exponent -= D.exponent / 2;
+  if (second.x == 0) return first;
+  if (first.x == 0) return second;
+  const int exponent = std::max(first.exponent, second.exponent);
+  return {std::ldexp(first.x, first.exponent - exponent) + std::ldexp(second.x, second.exponent - exponent), exponent};
+}
+
+/// Half way between the positive number with these bits and the next: significand 2^exponent.
+Decoded boundary_above(std::uint64_t bits) {
+  const Decoded d = decode(std::bit_cast<double>(bits));
+  return {2 * d.significand + 1, d.exponent - 1, false};
+}
+
 }  // namespace
 
 Grid::Grid(std::initializer_list<double> numbers) {
   exponent_ = std::numeric_limits<int>::max();
+  end_ = std::numeric_limits<int>::min();
   for (const double x : numbers) {
     const Decoded d = decode(x);
-    if (d.significand != 0) exponent_ = std::min(exponent_, d.exponent + std::countr_zero(d.significand));
+    if (d.significand == 0) continue;
+    exponent_ = std::min(exponent_, d.exponent + std::countr_zero(d.significand));
+    end_ = std::max(end_, d.exponent + kSignificandBits);
   }
-  if (exponent_ == std::numeric_limits<int>::max()) exponent_ = 0;
+  if (exponent_ == std::numeric_limits<int>::max()) exponent_ = end_ = 0;
 }
 
 Integer Grid::operator()(double x) const {
@@ -115,6 +144,13 @@ Integer Grid::operator()(double x) const {
   else
     n >>= static_cast<unsigned>(-shift);  // trailing zeros only: the grid holds x
   return d.negative ? -n : n;
+}
+
+FixedInteger Grid::fixed(double x) const {
+  const Decoded d = decode(x);
+  if (d.significand == 0) return {};
+  const int zeros = std::countr_zero(d.significand);
+  return {d.significand >> zeros, d.exponent + zeros - exponent_, d.negative};
 }
 
 Integer floor_sqrt(const Integer& n) {
@@ -154,6 +190,52 @@ double round_sum(const Integer& c, const Integer& e, const Integer& D, int expon
   else
     floor -= ratio.exact ? ratio.value : ratio.value + 1;
   return round_floor(floor, ratio.exact, exponent - static_cast<int>(p));
+}
+
+// The leading bits are estimated and then verified: the number lies between the rounding boundaries beside the result,
+// by the signs of two exact expressions. An estimate that is off costs steps, never the answer.
+double round_sum(const FixedInteger& c, const FixedInteger& e, const FixedInteger& D, int exponent) {
+  // X = |c + e / sqrt(D)|. With s = sqrt(D), where the signs differ: X = |c^2 D - e^2| / (D (|c| + |e| / s)).
+  const bool cancels = c.sign() * e.sign() < 0;
+  const FixedInteger e2 = e * e;
+  Estimate root2{};
+  root2.x = D.leading(root2.exponent);
+  if (root2.exponent % 2 != 0) root2 = {root2.x / 2, root2.exponent + 1};
+  Estimate X = estimate_of_magnitudes(c, e, root2);
+  int sign = c.sign() != 0 ? c.sign() : e.sign();
+  if (cancels) {
+    const FixedInteger difference = c * c * D - e2;
+    sign *= difference.sign();
+    int bits = 0;
+    X.x = difference.leading(bits) / (root2.x * X.x);
+    X.exponent = bits - root2.exponent - X.exponent;
+  }
+  if (sign == 0) return 0.0;
+
+  // The sign of X - m. With u = sign c - m and f = sign e: u^2 D against f^2 where their signs differ.
+  const FixedInteger u0 = sign < 0 ? -c : c;
+  const int f = sign * e.sign();
+  const auto compare = [&](const Decoded& m) {
+    const int finer = std::max(0, exponent - m.exponent);
+    const FixedInteger u = (u0 << finer) - FixedInteger(m.significand, m.exponent - exponent + finer, false);
+    if (f == 0 || u.sign() * f >= 0) return f == 0 ? u.sign() : f;
+    return u.sign() * compare_magnitudes(u * u * D, e2 << (2 * finer));
+  };
+  const double estimate = std::ldexp(X.x, X.exponent + exponent);
+  auto bits = std::bit_cast<std::uint64_t>(std::min(estimate, std::numeric_limits<double>::max()));
+  constexpr auto kInfinite = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
+  int above = compare(boundary_above(bits));
+  while (above > 0 && ++bits != kInfinite) above = compare(boundary_above(bits));
+  if (above == 0) bits += bits & 1;
+  while (above < 0 && bits != 0) {
+    const int below = compare(boundary_above(bits - 1));
+    if (below > 0) break;
+    if (below == 0) bits -= bits & 1;
+    if (below == 0) break;
+    --bits;
+  }
+  if (bits == 0) return 0.0;
+  return std::bit_cast<double>(bits | (sign < 0 ? std::uint64_t{1} << 63 : 0));
 }
 
 double round_root_less(const Integer& D, const Integer& t, int exponent) {

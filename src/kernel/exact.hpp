@@ -8,6 +8,8 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <initializer_list>
 
+#include "kernel/fixed_integer.hpp"
+
 namespace contact::kernel {
 
 // Without expression templates: plain values, so that `auto` and `?:` mean what they say.
@@ -22,8 +24,15 @@ class Grid {
   /// x / 2^exponent. Domain: x is one of the numbers given, or a sum of their integer multiples.
   [[nodiscard]] Integer operator()(double x) const;
 
+  /// Numbers on a grid whose largest is below 2^kFixedLength in its units are answered by FixedInteger.
+  static constexpr int kFixedLength = 1280;
+  [[nodiscard]] bool is_fixed() const { return end_ - exponent_ <= kFixedLength; }
+  /// The same number. Domain: is_fixed().
+  [[nodiscard]] FixedInteger fixed(double x) const;
+
  private:
   int exponent_ = 0;
+  int end_ = 0;  ///< every number is below 2^end_ in magnitude
 };
 
 /// floor(sqrt(n)), n >= 0.
@@ -34,8 +43,17 @@ class Grid {
 
 /// (c + e / sqrt(D)) 2^exponent rounded once to binary64, to nearest, ties to even. Domain: D > 0.
 [[nodiscard]] double round_sum(const Integer& c, const Integer& e, const Integer& D, int exponent);
+/// The same by products alone. Domain: an exponent near the range of double, and for L = Grid::kFixedLength
+///             |c| < 2^(L+2), |e| < 2^(2L+4), D < 2^(2L+4).
+[[nodiscard]] double round_sum(const FixedInteger& c, const FixedInteger& e, const FixedInteger& D, int exponent);
 
 /// (sqrt(D) - t) 2^exponent rounded once to binary64, to nearest, ties to even. Domain: D > 0, t >= 0.
 [[nodiscard]] double round_root_less(const Integer& D, const Integer& t, int exponent);
+[[nodiscard]] inline double round_integer(const FixedInteger& n, int exponent) {
+  return round_sum(n, {}, FixedInteger(1, 0, false), exponent);
+}
+[[nodiscard]] inline double round_root_less(const FixedInteger& D, const FixedInteger& t, int exponent) {
+  return round_sum(-t, D, D, exponent);
+}
 
 }  // namespace contact::kernel

@@ -117,6 +117,44 @@ TEST(Grid, of_zeros_alone_has_exponent_0) {
   EXPECT_EQ(zeros(-0.0), 0);
 }
 
+/// The same integer on the stack.
+FixedInteger fixed(const Integer& n) {
+  FixedInteger sum;
+  const Integer magnitude = abs(n);
+  const int length = n.is_zero() ? 0 : static_cast<int>(msb(magnitude)) + 1;
+  for (int bit = 0; bit < length; bit += 32)
+    sum +=
+        FixedInteger(static_cast<std::uint32_t>((magnitude >> static_cast<unsigned>(bit)) & 0xffffffffU), bit, false);
+  return n.sign() < 0 ? -sum : sum;
+}
+
+/// Whether round_sum of integers on the stack takes them.
+bool fits(const Integer& c, const Integer& e, const Integer& D, int exponent) {
+  const auto below = [](const Integer& n, int bits) { return abs(n) < power(bits); };
+  return below(c, Grid::kFixedLength + 2) && below(e, 2 * Grid::kFixedLength + 4) &&
+         below(D, 2 * Grid::kFixedLength + 4) && exponent >= -1076 && exponent <= 1024;
+}
+
+// The answers of both integers, which are the same.
+
+double rounded_integer(const Integer& n, int exponent) {
+  const double y = round_integer(n, exponent);
+  if (fits(n, 0, 1, exponent)) expect_same(round_integer(fixed(n), exponent), y);
+  return y;
+}
+
+double rounded_sum(const Integer& c, const Integer& e, const Integer& D, int exponent) {
+  const double y = round_sum(c, e, D, exponent);
+  if (fits(c, e, D, exponent)) expect_same(round_sum(fixed(c), fixed(e), fixed(D), exponent), y);
+  return y;
+}
+
+double rounded_root_less(const Integer& D, const Integer& t, int exponent) {
+  const double y = round_root_less(D, t, exponent);
+  if (fits(t, 0, D, exponent)) expect_same(round_root_less(fixed(D), fixed(t), exponent), y);
+  return y;
+}
+
 TEST(RoundInteger, gives_back_every_number_that_a_grid_took) {
   std::mt19937_64 random(2);
   for (int i = 0; i < 20000; ++i) {
@@ -125,83 +163,84 @@ TEST(RoundInteger, gives_back_every_number_that_a_grid_took) {
     const auto x = std::bit_cast<double>(bits);
     if (!std::isfinite(x) || x == 0) continue;
     const Grid grid{x};
-    expect_same(round_integer(grid(x), grid.exponent()), x);
+    expect_same(rounded_integer(grid(x), grid.exponent()), x);
+    expect_same(round_integer(grid.fixed(x), grid.exponent()), x);
     const Grid finer{x, kLeast};
-    expect_same(round_integer(finer(x), finer.exponent()), x);
+    expect_same(rounded_integer(finer(x), finer.exponent()), x);
   }
 }
 
 TEST(RoundInteger, breaks_ties_to_even) {
   for (const int sign : {1, -1}) {
-    expect_same(round_integer(sign * (power(53) + 1), 0), sign * 0x1p53);        // 2^53 and 2^53 + 2: half way
-    expect_same(round_integer(sign * (power(53) + 2), 0), sign * (0x1p53 + 2));  // representable
-    expect_same(round_integer(sign * (power(53) + 3), 0), sign * (0x1p53 + 4));  // half way to the even one
-    expect_same(round_integer(sign * ((power(53) + 1) * 8 + 1), -3), sign * (0x1p53 + 2));  // an eighth above the tie
-    expect_same(round_integer(sign * ((power(53) + 3) * 8 - 1), -3), sign * (0x1p53 + 2));  // an eighth below it
+    expect_same(rounded_integer(sign * (power(53) + 1), 0), sign * 0x1p53);        // 2^53 and 2^53 + 2: half way
+    expect_same(rounded_integer(sign * (power(53) + 2), 0), sign * (0x1p53 + 2));  // representable
+    expect_same(rounded_integer(sign * (power(53) + 3), 0), sign * (0x1p53 + 4));  // half way to the even one
+    expect_same(rounded_integer(sign * ((power(53) + 1) * 8 + 1), -3), sign * (0x1p53 + 2));  // an eighth above the tie
+    expect_same(rounded_integer(sign * ((power(53) + 3) * 8 - 1), -3), sign * (0x1p53 + 2));  // an eighth below it
   }
 }
 
 TEST(RoundInteger, carries_into_the_next_binade) {
-  expect_same(round_integer(power(54) - 1, 0), 0x1p54);         // half way between 2^54 - 2 and 2^54
-  expect_same(round_integer(power(200) - 1, -100), 0x1p100);    // just below 2^100
-  expect_same(round_integer(-(power(200) - 1), -200), -1.0);    // just above -1
-  expect_same(round_integer(power(53) - 1, -1075), 0x1p-1022);  // from the subnormals: 2^52 - 1/2 smallest ones
-  expect_same(round_integer(power(54) - 1, -1076), 0x1p-1022);  // a quarter below 2^52 smallest ones
-  expect_same(round_integer(power(54) - 3, -1076), 0x1p-1022 - kLeast);  // three quarters below
+  expect_same(rounded_integer(power(54) - 1, 0), 0x1p54);         // half way between 2^54 - 2 and 2^54
+  expect_same(rounded_integer(power(200) - 1, -100), 0x1p100);    // just below 2^100
+  expect_same(rounded_integer(-(power(200) - 1), -200), -1.0);    // just above -1
+  expect_same(rounded_integer(power(53) - 1, -1075), 0x1p-1022);  // from the subnormals: 2^52 - 1/2 smallest ones
+  expect_same(rounded_integer(power(54) - 1, -1076), 0x1p-1022);  // a quarter below 2^52 smallest ones
+  expect_same(rounded_integer(power(54) - 3, -1076), 0x1p-1022 - kLeast);  // three quarters below
 }
 
 TEST(RoundInteger, rounds_once_below_the_normal_range) {
-  expect_same(round_integer(1, -1074), kLeast);
-  expect_same(round_integer(1, -1075), 0.0);                  // half the smallest subnormal: ties to 0, which is even
-  expect_same(round_integer(3, -1076), kLeast);               // three quarters
-  expect_same(round_integer(3, -1075), 2 * kLeast);           // 1.5: ties to 2
-  expect_same(round_integer(5, -1075), 2 * kLeast);           // 2.5: ties to 2
-  expect_same(round_integer(-7, -1075), -4 * kLeast);         // -3.5: ties to -4
-  expect_same(round_integer(power(100) + 1, -1175), kLeast);  // a hair more than half
-  expect_same(round_integer(1, -100000), 0.0);
+  expect_same(rounded_integer(1, -1074), kLeast);
+  expect_same(rounded_integer(1, -1075), 0.0);                  // half the smallest subnormal: ties to 0, which is even
+  expect_same(rounded_integer(3, -1076), kLeast);               // three quarters
+  expect_same(rounded_integer(3, -1075), 2 * kLeast);           // 1.5: ties to 2
+  expect_same(rounded_integer(5, -1075), 2 * kLeast);           // 2.5: ties to 2
+  expect_same(rounded_integer(-7, -1075), -4 * kLeast);         // -3.5: ties to -4
+  expect_same(rounded_integer(power(100) + 1, -1175), kLeast);  // a hair more than half
+  expect_same(rounded_integer(1, -100000), 0.0);
 }
 
 TEST(RoundInteger, gives_plus_zero_for_every_zero) {
-  expect_same(round_integer(0, 0), 0.0);
-  expect_same(round_integer(0, 5000), 0.0);
-  expect_same(round_integer(-1, -1075), 0.0);  // underflow from below
-  expect_same(round_integer(-1, -9000), 0.0);
+  expect_same(rounded_integer(0, 0), 0.0);
+  expect_same(rounded_integer(0, 5000), 0.0);
+  expect_same(rounded_integer(-1, -1075), 0.0);  // underflow from below
+  expect_same(rounded_integer(-1, -9000), 0.0);
 }
 
 TEST(RoundInteger, overflows_from_half_an_ulp_beyond_the_largest_finite_number) {
-  expect_same(round_integer(power(53) - 1, 971), kLargest);
+  expect_same(rounded_integer(power(53) - 1, 971), kLargest);
   // 2^1024 - 2^970 is half way between the largest finite number and 2^1024, which would be even
-  expect_same(round_integer(power(54) - 1, 970), kInfinity);
-  expect_same(round_integer((power(54) - 1) * 1024 - 1, 960), kLargest);
-  expect_same(round_integer(-(power(54) - 1), 970), -kInfinity);
-  expect_same(round_integer(-((power(54) - 1) * 1024 - 1), 960), -kLargest);
-  expect_same(round_integer(1, 1023), 0x1p1023);
-  expect_same(round_integer(1, 1024), kInfinity);
-  expect_same(round_integer(-1, 100000), -kInfinity);
+  expect_same(rounded_integer(power(54) - 1, 970), kInfinity);
+  expect_same(rounded_integer((power(54) - 1) * 1024 - 1, 960), kLargest);
+  expect_same(rounded_integer(-(power(54) - 1), 970), -kInfinity);
+  expect_same(rounded_integer(-((power(54) - 1) * 1024 - 1), 960), -kLargest);
+  expect_same(rounded_integer(1, 1023), 0x1p1023);
+  expect_same(rounded_integer(1, 1024), kInfinity);
+  expect_same(rounded_integer(-1, 100000), -kInfinity);
 }
 
 TEST(RoundSum, of_a_perfect_square_is_the_rational_number) {
-  expect_same(round_sum(0, 3, 25, 0), 0.6);     // 3 / 5
-  expect_same(round_sum(0, -4, 25, 0), -0.8);   // -4 / 5
-  expect_same(round_sum(1, -3, 25, 0), 0.4);    // 1 - 3 / 5
-  expect_same(round_sum(-1, 4, 25, -1), -0.1);  // (-1 + 4 / 5) / 2
-  expect_same(round_sum(7, 0, 25, 3), 56.0);    // 7 * 8
-  expect_same(round_sum(0, 0, 2, 0), 0.0);
+  expect_same(rounded_sum(0, 3, 25, 0), 0.6);     // 3 / 5
+  expect_same(rounded_sum(0, -4, 25, 0), -0.8);   // -4 / 5
+  expect_same(rounded_sum(1, -3, 25, 0), 0.4);    // 1 - 3 / 5
+  expect_same(rounded_sum(-1, 4, 25, -1), -0.1);  // (-1 + 4 / 5) / 2
+  expect_same(rounded_sum(7, 0, 25, 3), 56.0);    // 7 * 8
+  expect_same(rounded_sum(0, 0, 2, 0), 0.0);
 }
 
 TEST(RoundSum, of_an_irrational_root_is_the_nearest_number) {
   // decimal expansions of 1/sqrt(2), 1/sqrt(3), 1 + 1/sqrt(2), 1 - 1/sqrt(2), 3/sqrt(2) - 2
-  expect_same(round_sum(0, 1, 2, 0), 0.707106781186547524400844362104849039);
-  expect_same(round_sum(0, 1, 3, 0), 0.577350269189625764509148780501957456);
-  expect_same(round_sum(1, 1, 2, 0), 1.707106781186547524400844362104849039);
-  expect_same(round_sum(1, -1, 2, 0), 0.292893218813452475599155637895150961);
-  expect_same(round_sum(-2, 3, 2, 0), 0.121320343559642573202533086314547118);
+  expect_same(rounded_sum(0, 1, 2, 0), 0.707106781186547524400844362104849039);
+  expect_same(rounded_sum(0, 1, 3, 0), 0.577350269189625764509148780501957456);
+  expect_same(rounded_sum(1, 1, 2, 0), 1.707106781186547524400844362104849039);
+  expect_same(rounded_sum(1, -1, 2, 0), 0.292893218813452475599155637895150961);
+  expect_same(rounded_sum(-2, 3, 2, 0), 0.121320343559642573202533086314547118);
 }
 
 TEST(RoundSum, that_cancels_exactly_is_plus_zero) {
-  expect_same(round_sum(-2, 10, 25, 0), 0.0);
-  expect_same(round_sum(2, -10, 25, 0), 0.0);
-  expect_same(round_sum(power(900), -3 * power(1000), 9 * power(200), -2000), 0.0);
+  expect_same(rounded_sum(-2, 10, 25, 0), 0.0);
+  expect_same(rounded_sum(2, -10, 25, 0), 0.0);
+  expect_same(rounded_sum(power(900), -3 * power(1000), 9 * power(200), -2000), 0.0);
 }
 
 TEST(RoundSum, breaks_ties_to_even_and_sees_the_least_remainder) {
@@ -209,27 +248,27 @@ TEST(RoundSum, breaks_ties_to_even_and_sees_the_least_remainder) {
   for (const int sign : {1, -1}) {
     const Integer c = sign * power(53);
     const Integer e = sign * K;
-    expect_same(round_sum(c, e, K * K, 0), sign * 0x1p53);                       // 2^53 + 1 exactly
-    expect_same(round_sum(c, e, K * K - 1, 0), sign * (0x1p53 + 2));             // 2^53 + 1 and about 2^-401 more
-    expect_same(round_sum(c, e, K * K + 1, 0), sign * 0x1p53);                   // as much less
-    expect_same(round_sum(c + sign * 2, e, K * K, 0), sign * (0x1p53 + 4));      // 2^53 + 3 exactly
-    expect_same(round_sum(c + sign * 2, e, K * K + 1, 0), sign * (0x1p53 + 2));  // as much less
-    expect_same(round_sum(c + sign * 2, -e, K * K, 0), sign * 0x1p53);           // 2^53 + 2 - 1, the signs differing
-    expect_same(round_sum(c + sign * 2, -e, K * K + 1, 0), sign * (0x1p53 + 2));
-    expect_same(round_sum(c + sign * 2, -e, K * K - 1, 0), sign * 0x1p53);
+    expect_same(rounded_sum(c, e, K * K, 0), sign * 0x1p53);                       // 2^53 + 1 exactly
+    expect_same(rounded_sum(c, e, K * K - 1, 0), sign * (0x1p53 + 2));             // 2^53 + 1 and about 2^-401 more
+    expect_same(rounded_sum(c, e, K * K + 1, 0), sign * 0x1p53);                   // as much less
+    expect_same(rounded_sum(c + sign * 2, e, K * K, 0), sign * (0x1p53 + 4));      // 2^53 + 3 exactly
+    expect_same(rounded_sum(c + sign * 2, e, K * K + 1, 0), sign * (0x1p53 + 2));  // as much less
+    expect_same(rounded_sum(c + sign * 2, -e, K * K, 0), sign * 0x1p53);           // 2^53 + 2 - 1, the signs differing
+    expect_same(rounded_sum(c + sign * 2, -e, K * K + 1, 0), sign * (0x1p53 + 2));
+    expect_same(rounded_sum(c + sign * 2, -e, K * K - 1, 0), sign * 0x1p53);
   }
 }
 
 TEST(RoundSum, rounds_once_at_both_ends_of_the_range) {
-  expect_same(round_sum(0, 5, 25, -1075), 0.0);     // half the smallest subnormal
-  expect_same(round_sum(0, -5, 25, -1075), 0.0);    // and no -0
-  expect_same(round_sum(0, 5, 24, -1075), kLeast);  // 5 / sqrt(24) > 1
-  expect_same(round_sum(0, 5, 26, -1075), 0.0);     // 5 / sqrt(26) < 1
-  expect_same(round_sum(0, 15, 25, -1075), 2 * kLeast);
-  expect_same(round_sum(power(54) - 2, 5, 25, 970), kInfinity);  // 2^1024 - 2^970: the tie goes to infinity
-  expect_same(round_sum(power(54) - 2, 5, 26, 970), kLargest);   // less than it
-  expect_same(round_sum(-(power(54) - 2), -5, 25, 970), -kInfinity);
-  expect_same(round_sum(-(power(54) - 2), -5, 26, 970), -kLargest);
+  expect_same(rounded_sum(0, 5, 25, -1075), 0.0);     // half the smallest subnormal
+  expect_same(rounded_sum(0, -5, 25, -1075), 0.0);    // and no -0
+  expect_same(rounded_sum(0, 5, 24, -1075), kLeast);  // 5 / sqrt(24) > 1
+  expect_same(rounded_sum(0, 5, 26, -1075), 0.0);     // 5 / sqrt(26) < 1
+  expect_same(rounded_sum(0, 15, 25, -1075), 2 * kLeast);
+  expect_same(rounded_sum(power(54) - 2, 5, 25, 970), kInfinity);  // 2^1024 - 2^970: the tie goes to infinity
+  expect_same(rounded_sum(power(54) - 2, 5, 26, 970), kLargest);   // less than it
+  expect_same(rounded_sum(-(power(54) - 2), -5, 25, 970), -kInfinity);
+  expect_same(rounded_sum(-(power(54) - 2), -5, 26, 970), -kLargest);
 }
 
 TEST(RoundSum, lies_between_its_rounding_boundaries_for_random_and_nearly_cancelling_sums) {
@@ -250,7 +289,7 @@ TEST(RoundSum, lies_between_its_rounding_boundaries_for_random_and_nearly_cancel
     }
     if (random() % 4 == 0) c = -c;
     const int exponent = static_cast<int>(random() % 1200) - 1150;
-    const double y = round_sum(c, e, D, exponent);
+    const double y = rounded_sum(c, e, D, exponent);
     if (!std::isfinite(y)) continue;
     const Rational d{boost::multiprecision::cpp_int(D)};
     ASSERT_TRUE(is_nearest(y, rational(c, exponent), Rational(rational(e, exponent) / d), d))
@@ -267,51 +306,51 @@ TEST(RoundSum, of_a_solution_of_pells_equation_keeps_its_last_digits) {
     p = 2 * q + 3 * p;
     q = next;
     ASSERT_EQ(q * q - 2 * p * p, 1);
-    const double y = round_sum(-p, q, 2, 0);
+    const double y = rounded_sum(-p, q, 2, 0);
     ASSERT_TRUE(is_nearest(y, rational(-p, 0), Rational(rational(q, 0) / 2), 2)) << i;
   }
 }
 
 TEST(RoundRootLess, of_a_perfect_square_is_the_integer) {
-  expect_same(round_root_less(25, 3, 0), 2.0);
-  expect_same(round_root_less(25, 7, -2), -0.5);
-  expect_same(round_root_less(25, 0, 1), 10.0);
-  expect_same(round_root_less(25, 5, 0), 0.0);  // exactly zero is +0
-  expect_same(round_root_less(power(2000), power(1000), -3000), 0.0);
+  expect_same(rounded_root_less(25, 3, 0), 2.0);
+  expect_same(rounded_root_less(25, 7, -2), -0.5);
+  expect_same(rounded_root_less(25, 0, 1), 10.0);
+  expect_same(rounded_root_less(25, 5, 0), 0.0);  // exactly zero is +0
+  expect_same(rounded_root_less(power(2000), power(1000), -3000), 0.0);
 }
 
 TEST(RoundRootLess, of_an_irrational_root_is_the_nearest_number) {
   // decimal expansions of sqrt(2), sqrt(2) - 1, sqrt(3) - 2
-  expect_same(round_root_less(2, 0, 0), 1.414213562373095048801688724209698079);
-  expect_same(round_root_less(2, 1, 0), 0.414213562373095048801688724209698079);
-  expect_same(round_root_less(3, 2, 0), -0.267949192431122706472553658494127633);
+  expect_same(rounded_root_less(2, 0, 0), 1.414213562373095048801688724209698079);
+  expect_same(rounded_root_less(2, 1, 0), 0.414213562373095048801688724209698079);
+  expect_same(rounded_root_less(3, 2, 0), -0.267949192431122706472553658494127633);
 }
 
 TEST(RoundRootLess, breaks_ties_to_even_and_sees_the_least_remainder) {
   const Integer odd = power(53) + 1;  // half way between 2^53 and 2^53 + 2
-  expect_same(round_root_less(odd * odd, 0, 0), 0x1p53);
-  expect_same(round_root_less(odd * odd + 1, 0, 0), 0x1p53 + 2);
-  expect_same(round_root_less(odd * odd - 1, 0, 0), 0x1p53);
-  expect_same(round_root_less((odd + 2) * (odd + 2), 0, 0), 0x1p53 + 4);
-  expect_same(round_root_less((odd + 2) * (odd + 2) - 1, 0, 0), 0x1p53 + 2);
-  expect_same(round_root_less(1, power(53) + 2, 0), -0x1p53);        // -(2^53 + 1)
-  expect_same(round_root_less(2, power(53) + 2, 0), -0x1p53);        // nearer to zero than the tie
-  expect_same(round_root_less(3, power(53) + 4, 0), -(0x1p53 + 2));  // -(2^53 + 2.27)
+  expect_same(rounded_root_less(odd * odd, 0, 0), 0x1p53);
+  expect_same(rounded_root_less(odd * odd + 1, 0, 0), 0x1p53 + 2);
+  expect_same(rounded_root_less(odd * odd - 1, 0, 0), 0x1p53);
+  expect_same(rounded_root_less((odd + 2) * (odd + 2), 0, 0), 0x1p53 + 4);
+  expect_same(rounded_root_less((odd + 2) * (odd + 2) - 1, 0, 0), 0x1p53 + 2);
+  expect_same(rounded_root_less(1, power(53) + 2, 0), -0x1p53);        // -(2^53 + 1)
+  expect_same(rounded_root_less(2, power(53) + 2, 0), -0x1p53);        // nearer to zero than the tie
+  expect_same(rounded_root_less(3, power(53) + 4, 0), -(0x1p53 + 2));  // -(2^53 + 2.27)
   const Integer K = power(300);
-  expect_same(round_root_less(K * K - 1, K + power(53) + 1, 0), -(0x1p53 + 2));  // -(2^53 + 1) and 2^-301 less
-  expect_same(round_root_less(K * K + 1, K + power(53) + 1, 0), -0x1p53);        // as much more
+  expect_same(rounded_root_less(K * K - 1, K + power(53) + 1, 0), -(0x1p53 + 2));  // -(2^53 + 1) and 2^-301 less
+  expect_same(rounded_root_less(K * K + 1, K + power(53) + 1, 0), -0x1p53);        // as much more
 }
 
 TEST(RoundRootLess, rounds_once_at_both_ends_of_the_range) {
-  expect_same(round_root_less(1, 0, -1075), 0.0);
-  expect_same(round_root_less(1, 2, -1075), 0.0);     // -1/2 of the smallest subnormal, and no -0
-  expect_same(round_root_less(2, 0, -1075), kLeast);  // sqrt(2) / 2 of it
-  expect_same(round_root_less(9, 0, -1075), 2 * kLeast);
+  expect_same(rounded_root_less(1, 0, -1075), 0.0);
+  expect_same(rounded_root_less(1, 2, -1075), 0.0);     // -1/2 of the smallest subnormal, and no -0
+  expect_same(rounded_root_less(2, 0, -1075), kLeast);  // sqrt(2) / 2 of it
+  expect_same(rounded_root_less(9, 0, -1075), 2 * kLeast);
   const Integer edge = power(54) - 1;
-  expect_same(round_root_less(edge * edge, 0, 970), kInfinity);
-  expect_same(round_root_less(edge * edge - 1, 0, 970), kLargest);
-  expect_same(round_root_less(1, edge + 1, 970), -kInfinity);
-  expect_same(round_root_less(2, edge + 1, 970), -kLargest);  // sqrt(2) - 1 nearer to zero than the tie
+  expect_same(rounded_root_less(edge * edge, 0, 970), kInfinity);
+  expect_same(rounded_root_less(edge * edge - 1, 0, 970), kLargest);
+  expect_same(rounded_root_less(1, edge + 1, 970), -kInfinity);
+  expect_same(rounded_root_less(2, edge + 1, 970), -kLargest);  // sqrt(2) - 1 nearer to zero than the tie
 }
 
 TEST(RoundRootLess, lies_between_its_rounding_boundaries_for_random_and_nearly_cancelling_differences) {
@@ -321,7 +360,7 @@ TEST(RoundRootLess, lies_between_its_rounding_boundaries_for_random_and_nearly_c
     Integer t = random_integer(random, static_cast<unsigned>(random() % 200));
     if (i % 2 == 0) t = floor_sqrt(D) + static_cast<int>(random() % 2);
     const int exponent = static_cast<int>(random() % 1200) - 1150;
-    const double y = round_root_less(D, t, exponent);
+    const double y = rounded_root_less(D, t, exponent);
     if (!std::isfinite(y)) continue;
     // (sqrt(D) - t) 2^exponent = u + w sqrt(D)
     ASSERT_TRUE(

@@ -1,0 +1,494 @@
+// The batch API: every instruction set that is at hand gives the bits of the functions of one pair, on questions of
+// every family and on those that only vectors can get wrong.
+//
+// CONTACT_BATCH_QUESTIONS sets how many questions a family makes (kQuestions).
+#include "contact/batch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "contact/cube_cube.hpp"
+#include "contact/sphere_sphere.hpp"
+#include "golden/families.hpp"
+#include "kernel/batch.hpp"
+#include "kernel/floating_point_environment_for_tests.hpp"
+
+namespace contact {
+namespace {
+
+constexpr std::uint64_t kSeed = 7;
+
+std::uint64_t questions() {
+  constexpr std::uint64_t kQuestions = 150;
+  const char* asked = std::getenv("CONTACT_BATCH_QUESTIONS");
+  return asked ? std::strtoull(asked, nullptr, 10) : kQuestions;
+}
+
+/// Runs a piece of a test with one instruction set after the other.
+void for_each_instruction_set(const std::function<void()>& work) {
+  for (const std::string& name : kernel::instruction_sets()) {
+    SCOPED_TRACE(name);
+    kernel::use_instruction_set(name);
+    work();
+    if (testing::Test::HasFailure()) break;
+  }
+  kernel::use_instruction_set("");
+}
+
+struct Spheres {
+  std::array<std::vector<double>, 4> a;
+  std::array<std::vector<double>, 4> b;
+
+  void push_back(const Balls& balls) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      a[k].push_back(balls.a.center[static_cast<Eigen::Index>(k)]);
+      b[k].push_back(balls.b.center[static_cast<Eigen::Index>(k)]);
+    }
+    a[3].push_back(balls.a.radius);
+    b[3].push_back(balls.b.radius);
+  }
+  [[nodiscard]] std::size_t size() const { return a[0].size(); }
+  [[nodiscard]] batch::BallColumns first() const { return {a[0], a[1], a[2], a[3]}; }
+  [[nodiscard]] batch::BallColumns second() const { return {b[0], b[1], b[2], b[3]}; }
+  [[nodiscard]] Balls operator[](std::size_t i) const {
+    return {{{a[0][i], a[1][i], a[2][i]}, a[3][i]}, {{b[0][i], b[1][i], b[2][i]}, b[3][i]}};
+  }
+};
+
+/// A row of an answer as bits: ten numbers and the state.
+using Row = std::array<std::uint64_t, 11>;
+
+struct Contacts {
+  explicit Contacts(std::size_t size) : state(size, batch::PairState{77}) {
+    for (auto& column : number) column.assign(size, std::numeric_limits<double>::quiet_NaN());
+  }
+  [[nodiscard]] batch::ContactColumns columns() {
+    auto& n = number;
+    return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}, n[9], state};
+  }
+  [[nodiscard]] Row row(std::size_t i) const {
+    Row bits{};
+    for (std::size_t k = 0; k < number.size(); ++k) bits[k] = std::bit_cast<std::uint64_t>(number[k][i]);
+    bits[10] = static_cast<std::uint64_t>(state[i]);
+    return bits;
+  }
+
+  std::array<std::vector<double>, 10> number;
+  std::vector<batch::PairState> state;
+};
+
+/// What the function of one pair says.
+Row expected_row(const Balls& balls, Distances distances, ContactPoints points) {
+  Row bits{};
+  const auto contact = compute_sphere_sphere(balls.a, balls.b, distances, points);
+  if (!contact) return bits;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    bits[k] = std::bit_cast<std::uint64_t>(contact->normal[axis]);
+    bits[3 + k] = std::bit_cast<std::uint64_t>(contact->point1[axis]);
+    bits[6 + k] = std::bit_cast<std::uint64_t>(contact->point2[axis]);
+  }
+  bits[9] = std::bit_cast<std::uint64_t>(contact->value);
+  bits[10] = contact->degenerate ? 2 : 1;
+  return bits;
+}
+
+std::string words(const Balls& balls, Distances distances) {
+  std::string text;
+  const auto add = [&](double x) {
+    char buffer[40];
+    std::snprintf(buffer, sizeof buffer, "%a ", x);
+    text += buffer;
+  };
+  for (const Ball& ball : {balls.a, balls.b}) {
+    for (int k = 0; k < 3; ++k) add(ball.center[k]);
+    add(ball.radius);
+  }
+  add(distances.alarm);
+  add(distances.contact);
+  return text;
+}
+
+/// Every instruction set answers all pairs as the functions of one pair do; returns the pairs that the best one left to
+/// them.
+std::size_t expect_same_bits(const Spheres& spheres, Distances distances, ContactPoints points = {}) {
+  const std::size_t size = spheres.size();
+  std::vector<Row> expected;
+  std::vector<std::uint32_t> hits;
+  for (std::size_t i = 0; i < size; ++i) {
+    expected.push_back(expected_row(spheres[i], distances, points));
+    if (expected[i][10] != 0) hits.push_back(static_cast<std::uint32_t>(i));
+    EXPECT_EQ(test_sphere_sphere(spheres[i].a, spheres[i].b, distances.alarm), expected[i][10] != 0);
+  }
+  std::size_t exact = 0;
+  bool best = true;
+  for_each_instruction_set([&] {
+    std::vector<std::uint8_t> decisions(size, 77);
+    EXPECT_EQ(batch::test_sphere_sphere(spheres.first(), spheres.second(), distances.alarm, decisions).hits,
+              hits.size());
+    Contacts dense(size);
+    const batch::Count count =
+        batch::compute_sphere_sphere(spheres.first(), spheres.second(), distances, dense.columns(), points);
+    EXPECT_EQ(count.hits, hits.size());
+    if (best) exact = count.exact;
+    best = false;
+    for (std::size_t i = 0; i < size; ++i) {
+      EXPECT_EQ(decisions[i], expected[i][10] != 0 ? 1 : 0) << words(spheres[i], distances);
+      EXPECT_EQ(dense.row(i), expected[i]) << i << ": " << words(spheres[i], distances);
+    }
+    Contacts compact(size);
+    std::vector<std::uint32_t> index(size, 77);
+    ASSERT_EQ(batch::compute_sphere_sphere_hits(spheres.first(), spheres.second(), distances, index, compact.columns(),
+                                                points)
+                  .hits,
+              hits.size());
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+      EXPECT_EQ(index[k], hits[k]);
+      EXPECT_EQ(compact.row(k), expected[hits[k]]) << words(spheres[hits[k]], distances);
+    }
+  });
+  return exact;
+}
+
+/// Questions one after the other, each with its own distances for itself and those that follow it: a number of pairs
+/// that fills no vector.
+template <class Ask>
+void each_with_its_followers(const std::vector<Query>& queries, const Ask& ask) {
+  constexpr std::size_t kFollowers = 10;
+  for (std::size_t k = 0; k < queries.size() && !testing::Test::HasFailure(); ++k) {
+    Spheres spheres;
+    for (std::size_t j = 0; j <= kFollowers; ++j) spheres.push_back(*queries[(k + j) % queries.size()].balls());
+    ask(spheres, queries[k].distances);
+  }
+}
+
+std::vector<Query> questions_of(Pair pair, const golden::Family& family, Scalar scalar) {
+  std::vector<Query> queries;
+  for (std::uint64_t i = 0; i < questions(); ++i)
+    queries.push_back(golden::generate_query(pair, family, scalar, kSeed, i));
+  return queries;
+}
+
+TEST(BatchSphereSphere, gives_the_bits_of_one_pair_on_every_family) {
+  for (const golden::Family& family : golden::sphere_families()) {
+    if (family.outside_domain) continue;
+    for (const Scalar scalar : kScalars) {
+      SCOPED_TRACE(std::string(family.name) + " " + std::string(name(scalar)));
+      each_with_its_followers(
+          questions_of(Pair::sphere_sphere, family, scalar),
+          [](const Spheres& spheres, Distances distances) { expect_same_bits(spheres, distances); });
+    }
+  }
+}
+
+/// A question of a test's own family.
+using Make = Query (*)(golden::Random&);
+
+std::vector<Query> questions_of(const char* family, Make make) {
+  std::vector<Query> queries;
+  for (std::uint64_t i = 0; i < questions(); ++i) {
+    golden::Random random(golden::Random::key("sphere_sphere", family, "binary64", kSeed), i);
+    queries.push_back(make(random));
+  }
+  return queries;
+}
+
+double any_magnitude(golden::Random& random, int low, int high) {
+  return random.with_sign(random.magnitude<double>(low, high));
+}
+
+/// Touching but for products of d's components that underflow: a square or a cross product that comes out 0 must not be
+/// taken for a proof.
+Query underflowing(golden::Random& random) {
+  Ball a{{0, 0, 0}, 0.5};
+  Ball b{{0, 0, 0}, 0.5};
+  const auto axis = static_cast<Eigen::Index>(random.below(3));
+  b.center[axis] = random.with_sign(1.0);
+  const double tiny = random.with_sign(std::ldexp(1.0, -random.between(400, 1074)));
+  switch (random.turn(5)) {
+    case 0:
+      b.center[(axis + 1) % 3] = tiny;
+      break;
+    case 1:  // the exact difference has a low part that is tiny
+      a.center[axis] = tiny;
+      break;
+    case 2:
+      b.radius += std::ldexp(1.0, -60);
+      b.center[(axis + 2) % 3] = tiny;
+      a.radius = std::abs(tiny);
+      break;
+    case 3:
+      a.radius = 1;
+      b.radius = std::abs(tiny);
+      b.center[(axis + 1) % 3] = tiny;
+      break;
+    default:
+      a.center[(axis + 1) % 3] = tiny;
+      a.radius = 1;
+      b.radius = 0;
+  }
+  const double far = std::ldexp(1.0, random.chance(2) ? 0 : random.between(-60, 400));
+  a.center *= far;
+  b.center *= far;
+  a.radius *= far;
+  b.radius *= far;
+  return {Pair::sphere_sphere, Balls{a, b}, {0, 0}};
+}
+
+/// A contact point near a coordinate plane: nearly all of it cancels.
+Query near_a_plane(golden::Random& random) {
+  Ball a{{}, random.uniform(0.5, 2.0)};
+  Ball b{{}, random.uniform(0.5, 2.0)};
+  Vector3 delta;
+  for (int k = 0; k < 3; ++k) {
+    a.center[k] = random.uniform(-1.0, 1.0);
+    delta[k] = random.uniform(-1.0, 1.0);
+  }
+  const Vector3 n = delta / std::sqrt(delta.dot(delta));
+  const auto axis = static_cast<Eigen::Index>(random.below(3));
+  a.center[axis] = -a.radius * n[axis] * (1 + random.with_sign(std::ldexp(1.0, -random.between(15, 60))));
+  b.center = a.center + delta;
+  return {Pair::sphere_sphere, Balls{a, b}, {random.uniform(0.0, 1.0), random.uniform(0.0, 1.0)}};
+}
+
+/// Every number of a magnitude of its own, zeros of both signs among them.
+Query anything(golden::Random& random) {
+  const auto any = [&](bool sign) {
+    if (random.chance(5)) return sign && random.chance(2) ? -0.0 : 0.0;
+    const double x = any_magnitude(random, -1074, 1022);
+    return sign ? x : std::abs(x);
+  };
+  const auto ball = [&] {
+    Ball made;
+    for (int k = 0; k < 3; ++k) made.center[k] = any(true);
+    made.radius = any(false);
+    return made;
+  };
+  const Ball a = ball();
+  const Ball b = ball();
+  const double alarm = any(false);
+  return {Pair::sphere_sphere, Balls{a, b}, {alarm, any(false)}};
+}
+
+/// Whole numbers on a small grid: touching, coincident, in a plane, along an axis, and ties of every kind.
+Query on_a_grid(golden::Random& random) {
+  const double unit = std::ldexp(1.0, random.chance(2) ? 0 : random.between(-1070, 1000));
+  const auto ball = [&] {
+    Ball made;
+    for (int k = 0; k < 3; ++k) made.center[k] = random.with_sign(static_cast<double>(random.below(4)) * unit);
+    made.radius = static_cast<double>(random.below(4)) * unit;
+    return made;
+  };
+  Ball a = ball();
+  const Ball b = ball();
+  if (random.chance(3)) a.radius += std::ldexp(unit, -52);
+  const double alarm = static_cast<double>(random.below(3)) * unit;
+  return {Pair::sphere_sphere, Balls{a, b}, {alarm, random.chance(2) ? alarm : 0.1 * unit}};
+}
+
+/// The surfaces within a few ulps of the alarm distance, and of the contact distance, at any scale, d_y and d_z of any
+/// size beside d_x.
+Query touching_at_any_scale(golden::Random& random) {
+  Ball a{{}, random.uniform(0.5, 2.0)};
+  Ball b{{}, random.uniform(0.0, 2.0)};
+  Vector3 delta{random.uniform(-1.0, 1.0), any_magnitude(random, -70, 0), any_magnitude(random, -70, 0)};
+  for (int k = 0; k < 3; ++k) a.center[k] = random.with_sign(random.uniform(0.0, 1.0));
+  b.center = a.center + delta;
+  delta = b.center - a.center;
+  const double length = std::sqrt(delta.dot(delta));
+  a.radius = length * random.unit<double>();
+  b.radius = length - a.radius;
+  double alarm = 0;
+  if (random.chance(2)) {
+    alarm = b.radius * random.unit<double>();
+    b.radius -= alarm;
+  }
+  for (int ulps = random.between(0, 3); ulps > 0; --ulps)
+    b.radius = std::nextafter(b.radius, random.chance(2) ? 1e300 : 0);
+  const double contact = random.chance(2) ? alarm : 0;
+  const double scale = std::ldexp(1.0, random.chance(2) ? 0 : random.between(-900, 900));
+  a.center *= scale;
+  b.center *= scale;
+  return {Pair::sphere_sphere,
+          Balls{{a.center, a.radius * scale}, {b.center, b.radius * scale}},
+          {alarm * scale, contact * scale}};
+}
+
+/// Ordinary pairs where the numbers of the answer lose bits to the bottom of the range, or are lost themselves.
+Query at_the_bottom(golden::Random& random) {
+  const double scale = std::ldexp(1.0, -random.between(890, 1074));
+  const auto ball = [&] {
+    Ball made;
+    for (int k = 0; k < 3; ++k) made.center[k] = random.uniform(-4.0, 4.0) * scale;
+    made.radius = random.uniform(0.0, 4.0) * scale;
+    return made;
+  };
+  const Ball a = ball();
+  const Ball b = ball();
+  const double alarm = random.uniform(0.0, 4.0) * scale;
+  return {Pair::sphere_sphere, Balls{a, b}, {alarm, random.uniform(0.0, 4.0) * scale}};
+}
+
+TEST(BatchSphereSphere, gives_the_bits_of_one_pair_where_vectors_are_on_their_own) {
+  const std::pair<const char*, Make> families[] = {
+      {"underflowing", underflowing}, {"near_a_plane", near_a_plane},
+      {"anything", anything},         {"at_the_bottom", at_the_bottom},
+      {"on_a_grid", on_a_grid},       {"touching_at_any_scale", touching_at_any_scale}};
+  for (const auto& [name, make] : families) {
+    SCOPED_TRACE(name);
+    each_with_its_followers(questions_of(name, make),
+                            [](const Spheres& spheres, Distances distances) { expect_same_bits(spheres, distances); });
+  }
+}
+
+TEST(BatchSphereSphere, puts_points_where_the_convention_says) {
+  for (const PointOn first : {PointOn::nearest_surface, PointOn::center, PointOn::far_surface})
+    for (const PointOn second : {PointOn::nearest_surface, PointOn::center, PointOn::far_surface})
+      for (const char* family : {"generic", "coincident", "one_axis", "zero_radius"}) {
+        std::vector<Query> queries =
+            questions_of(Pair::sphere_sphere, *golden::find_family(Pair::sphere_sphere, family), Scalar::binary64);
+        queries.resize(std::min<std::size_t>(queries.size(), 30));
+        each_with_its_followers(queries, [&](const Spheres& spheres, Distances distances) {
+          expect_same_bits(spheres, distances, {first, second});
+        });
+      }
+}
+
+TEST(BatchSphereSphere, is_right_for_every_number_of_pairs) {
+  const golden::Family& generic = *golden::find_family(Pair::sphere_sphere, "generic");
+  Spheres spheres;
+  Distances distances{};
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    expect_same_bits(spheres, distances);
+    const Query query = golden::generate_query(Pair::sphere_sphere, generic, Scalar::binary64, kSeed, i);
+    spheres.push_back(*query.balls());
+    distances = query.distances;
+  }
+  for (std::uint64_t i = 0; i < 1500; ++i)
+    spheres.push_back(*golden::generate_query(Pair::sphere_sphere, generic, Scalar::binary64, kSeed, i).balls());
+  expect_same_bits(spheres, distances);
+}
+
+TEST(BatchSphereSphere, leaves_few_pairs_to_exact_arithmetic) {
+  kernel::use_instruction_set("");
+  if (!kernel::vectors_compute_contacts()) GTEST_SKIP() << "no fused multiply-add in vectors here";
+  const auto share = [](const char* family, Distances distances) {
+    Spheres spheres;
+    for (std::uint64_t i = 0; i < 2000; ++i)
+      spheres.push_back(*golden::generate_query(Pair::sphere_sphere, *golden::find_family(Pair::sphere_sphere, family),
+                                                Scalar::binary64, kSeed, i)
+                             .balls());
+    return static_cast<double>(expect_same_bits(spheres, distances)) / static_cast<double>(spheres.size());
+  };
+  for (const Distances distances : {Distances{0, 0}, Distances{0.25, 0.25}, Distances{0.5, 0.0625}}) {
+    SCOPED_TRACE(std::to_string(distances.alarm) + " " + std::to_string(distances.contact));
+    EXPECT_LE(share("generic", distances), 0.0);
+    EXPECT_LE(share("near_touching", distances), 0.01);
+    EXPECT_LE(share("touching", distances), 0.05);
+    EXPECT_LE(share("far_from_origin", distances), 0.01);
+    EXPECT_LE(share("containment", distances), 0.01);
+    // -T is taken where it is a sum of two numbers, and with a contact distance it can be one of three.
+    EXPECT_LE(share("coincident", distances), distances.contact == 0 ? 0.01 : 0.1);
+    EXPECT_LE(share("near_coincident", distances), 0.05);
+  }
+}
+
+TEST(BatchSphereSphere, does_not_depend_on_the_callers_floating_point_environment) {
+  std::vector<Query> queries;
+  for (const golden::Family& family : golden::sphere_families())
+    if (!family.outside_domain)
+      for (std::uint64_t i = 0; i < 20; ++i)
+        queries.push_back(golden::generate_query(Pair::sphere_sphere, family, Scalar::binary64, kSeed, i));
+  Spheres spheres;
+  for (const Query& query : queries) spheres.push_back(*query.balls());
+  const Distances distances{0.25, 0.125};
+  const std::size_t size = spheres.size();
+  Contacts expected(size);
+  batch::compute_sphere_sphere(spheres.first(), spheres.second(), distances, expected.columns());
+  std::vector<std::uint8_t> expected_hits(size);
+  batch::test_sphere_sphere(spheres.first(), spheres.second(), distances.alarm, expected_hits);
+  for (const auto& environment : kernel::floating_point_environments()) {
+    SCOPED_TRACE(environment.name);
+    Contacts actual(size);
+    std::vector<std::uint8_t> hits(size);
+    int rounding = 0;
+    kernel::in_environment(environment, [&] {
+      batch::compute_sphere_sphere(spheres.first(), spheres.second(), distances, actual.columns());
+      batch::test_sphere_sphere(spheres.first(), spheres.second(), distances.alarm, hits);
+      rounding = std::fegetround();
+    });
+    EXPECT_EQ(rounding, environment.rounding);
+    EXPECT_EQ(hits, expected_hits);
+    for (std::size_t i = 0; i < size; ++i) EXPECT_EQ(actual.row(i), expected.row(i)) << words(spheres[i], distances);
+  }
+}
+
+struct CubePairs {
+  std::array<std::vector<double>, 6> a;
+  std::array<std::vector<double>, 6> b;
+
+  void push_back(const Boxes& boxes) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto axis = static_cast<Eigen::Index>(k);
+      a[k].push_back(boxes.a.min[axis]);
+      a[3 + k].push_back(boxes.a.max[axis]);
+      b[k].push_back(boxes.b.min[axis]);
+      b[3 + k].push_back(boxes.b.max[axis]);
+    }
+  }
+  [[nodiscard]] batch::BoxColumns first() const { return {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}}; }
+  [[nodiscard]] batch::BoxColumns second() const { return {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}}; }
+};
+
+TEST(BatchCubeCube, decides_as_one_pair_on_every_family) {
+  constexpr std::size_t kFollowers = 10;
+  for (const golden::Family& family : golden::cube_families()) {
+    if (family.outside_domain) continue;
+    for (const Scalar scalar : kScalars) {
+      SCOPED_TRACE(std::string(family.name) + " " + std::string(name(scalar)));
+      const std::vector<Query> queries = questions_of(Pair::cube_cube, family, scalar);
+      std::size_t hits = 0;
+      for (std::size_t k = 0; k < queries.size() && !HasFailure(); ++k) {
+        const double alarm = queries[k].distances.alarm;
+        CubePairs cubes;
+        std::vector<std::uint8_t> expected;
+        for (std::size_t j = 0; j <= kFollowers; ++j) {
+          const Boxes& boxes = *queries[(k + j) % queries.size()].boxes();
+          cubes.push_back(boxes);
+          expected.push_back(test_cube_cube(boxes.a, boxes.b, alarm) ? 1 : 0);
+          hits += expected.back();
+        }
+        for_each_instruction_set([&] {
+          std::vector<std::uint8_t> actual(expected.size(), 77);
+          batch::test_cube_cube(cubes.first(), cubes.second(), alarm, actual);
+          EXPECT_EQ(actual, expected) << "question " << k;
+        });
+      }
+      EXPECT_GT(hits, 0U);
+    }
+  }
+}
+
+TEST(Batch, names_the_column_that_is_too_short) {
+  const std::vector<double> two(2);
+  const std::vector<double> one(1);
+  std::vector<std::uint8_t> hit(2);
+  try {
+    batch::test_sphere_sphere({two, two, two, two}, {two, two, one, two}, 0, hit);
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("b.z"), std::string::npos) << error.what();
+  }
+  EXPECT_THROW(batch::test_sphere_sphere({two, two, two, two}, {two, two, two, two}, 0, std::span(hit).first(1)),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace contact

@@ -1,0 +1,78 @@
+// Many pairs, one after the other: the specification of the vector kernels.
+#include <optional>
+
+#include "contact/cube_cube.hpp"
+#include "contact/sphere_sphere.hpp"
+#include "kernel/batch.hpp"
+#include "kernel/sphere_sphere_numbers.hpp"
+
+namespace contact::kernel {
+
+void round_numbers(const SpherePairs& pairs, const SphereQuestion& question, std::size_t i, unsigned numbers,
+                   const ContactRows& out) {
+  Contact contact{};
+  round_numbers(pairs.first(i), pairs.second(i), question.distances.contact, question.points, numbers, contact);
+  for (std::size_t k = 0; k < ContactRows::kNumbers; ++k) {
+    if ((numbers >> k & 1) == 0) continue;
+    const auto axis = static_cast<Eigen::Index>(k % 3);
+    out.number[k][i] = k < 3   ? contact.normal[axis]
+                       : k < 6 ? contact.point1[axis]
+                       : k < 9 ? contact.point2[axis]
+                               : contact.value;
+  }
+}
+
+void contact_of_one_pair(const SpherePairs& pairs, const SphereQuestion& question, std::size_t i,
+                         const ContactRows& out, std::size_t row) {
+  const auto contact = compute_sphere_sphere(pairs.first(i), pairs.second(i), question.distances, question.points);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto k = static_cast<Eigen::Index>(axis);
+    out.number[axis][row] = contact ? contact->normal[k] : 0.0;
+    out.number[3 + axis][row] = contact ? contact->point1[k] : 0.0;
+    out.number[6 + axis][row] = contact ? contact->point2[k] : 0.0;
+  }
+  out.number[9][row] = contact ? contact->value : 0.0;
+  out.state[row] = !contact              ? batch::PairState::miss
+                   : contact->degenerate ? batch::PairState::degenerate
+                                         : batch::PairState::contact;
+}
+
+batch::Count test_sphere_sphere_scalar(const SpherePairs& pairs, double alarm, std::uint8_t* hit) {
+  batch::Count count{0, pairs.size};
+  for (std::size_t i = 0; i < pairs.size; ++i) {
+    hit[i] = test_sphere_sphere(pairs.first(i), pairs.second(i), alarm) ? 1 : 0;
+    count.hits += hit[i];
+  }
+  return count;
+}
+
+batch::Count compute_sphere_sphere_scalar(const SpherePairs& pairs, const SphereQuestion& question,
+                                          const ContactRows& out) {
+  batch::Count count{0, pairs.size};
+  for (std::size_t i = 0; i < pairs.size; ++i) {
+    contact_of_one_pair(pairs, question, i, out, i);
+    count.hits += out.state[i] != batch::PairState::miss ? 1U : 0U;
+  }
+  return count;
+}
+
+batch::Count compute_sphere_sphere_hits_scalar(const SpherePairs& pairs, const SphereQuestion& question,
+                                               std::uint32_t* index, const ContactRows& out) {
+  batch::Count count{0, pairs.size};
+  for (std::size_t i = 0; i < pairs.size; ++i) {
+    contact_of_one_pair(pairs, question, i, out, count.hits);
+    if (out.state[count.hits] != batch::PairState::miss) index[count.hits++] = static_cast<std::uint32_t>(i);
+  }
+  return count;
+}
+
+batch::Count test_cube_cube_scalar(const BoxPairs& pairs, double alarm, std::uint8_t* hit) {
+  batch::Count count{0, pairs.size};
+  for (std::size_t i = 0; i < pairs.size; ++i) {
+    hit[i] = test_cube_cube(pairs.first(i), pairs.second(i), alarm) ? 1 : 0;
+    count.hits += hit[i];
+  }
+  return count;
+}
+
+}  // namespace contact::kernel
