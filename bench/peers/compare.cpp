@@ -30,8 +30,8 @@ struct Data {
   explicit Data(std::size_t size) : answers(size), hit(size), columns(18, size), box_columns(12, size), state(size) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> coordinate(-10, 10);
-    std::uniform_real_distribution<double> radius(0.5, 11);
-    std::uniform_real_distribution<double> extent(1, 12);
+    std::uniform_real_distribution<double> radius(0.5, 12.75);
+    std::uniform_real_distribution<double> extent(5.4, 18);
     const auto vector = [&](auto& of) {
       const double x = of(random);
       const double y = of(random);
