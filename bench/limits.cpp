@@ -50,8 +50,10 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include <benchmark/benchmark.h>
+#include <sys/resource.h>
 
 #include <array>
+#include <chrono>
 #include <cstdlib>
 #include <map>
 #include <vector>
@@ -120,12 +122,26 @@ BENCHMARK(compute_in_threads)->Name("Threads/compute")->Threads(1)->Threads(2)->
 #ifdef CONTACT_COMMAND
 void explain_one_question(benchmark::State& state) {
   constexpr const char* kCommand =
-      R"(echo '{"a":{"center":[0,0,0],"radius":0.5},"b":{"center":[1,1e-9,0],"radius":0.5},"alarm":0,"contact":0}' | )" CONTACT_COMMAND
-      " explain > /dev/null";
-  for ([[maybe_unused]] auto _ : state)
+      R"(echo '{"a":{"center":[0,0,0],"radius":0.5},"b":{"center":[1,1e-9,0],"radius":0.5},)"
+      R"("alarm":0,"contact":0}' | )" CONTACT_COMMAND " explain > /dev/null";
+  const auto spent = [] {  // processor time of shell and command: a wall clock would measure the machine's load
+    rusage usage{};
+    getrusage(RUSAGE_CHILDREN, &usage);
+    const auto seconds = [](const timeval& t) {
+      return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  };
+  const auto start = std::chrono::steady_clock::now();
+  for ([[maybe_unused]] auto _ : state) {
+    const double before = spent();
     if (std::system(kCommand) != 0) state.SkipWithError("explain failed");
+    state.SetIterationTime(spent() - before);
+  }
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  state.counters["wall"] = wall.count() / static_cast<double>(state.iterations());
 }
-BENCHMARK(explain_one_question)->Name("Startup/explain")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(explain_one_question)->Name("Startup/explain")->Unit(benchmark::kMillisecond)->UseManualTime();
 #endif
 
 [[maybe_unused]] const bool registered = [] {
