@@ -160,7 +160,9 @@ def machine(m):
                       for level, size in sorted(caches.items()))
     sets = [label for key, label in SETS.items() if m.ns(f"Batch/test/ours/{key}/L2")]
     return (f"Measured on: {cpu()}, {m.context['num_cpus']} processors, {sizes}, {sets[0]}; "
-            f"compiled by {m.context['compiler']}, the `bench` preset.")
+            f"compiled by {m.context['compiler']}, the `bench` preset.\n"
+            f"Load average at the beginning: {m.context['load_avg'][0]:.1f}. What else ran does not count in processor "
+            "time; it does by the wall clock, and in caches and memory.")
 
 
 def facts(m):
