@@ -1,0 +1,61 @@
+// libccd: Minkowski portal refinement and GJK on the support function of a sphere.
+#include <ccd/ccd.h>
+
+#include <cmath>
+
+#include "peers/peers.hpp"
+
+#ifndef CCD_DOUBLE
+#error "libccd is compared in double precision"
+#endif
+
+namespace contact::bench {
+namespace {
+
+void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
+  const auto& ball = *static_cast<const Ball*>(object);
+  const ccd_real_t* d = direction->v;
+  const double scale = ball.radius / std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+  for (int k = 0; k < 3; ++k) point->v[k] = ball.center[k] + scale * d[k];
+}
+void center(const void* object, ccd_vec3_t* point) {
+  for (int k = 0; k < 3; ++k) point->v[k] = static_cast<const Ball*>(object)->center[k];
+}
+
+ccd_t settings() {
+  ccd_t ccd;
+  CCD_INIT(&ccd);
+  ccd.support1 = ccd.support2 = support;
+  ccd.center1 = ccd.center2 = center;
+  ccd.max_iterations = 100;  // by default no limit, and then some questions are never answered
+  return ccd;
+}
+
+struct Mpr {
+  ccd_t ccd = settings();
+  bool test(const Balls& p) const { return ccdMPRIntersect(&p.a, &p.b, &ccd) != 0; }
+  bool compute(const Balls& p, Contact& out) const {
+    ccd_vec3_t direction;
+    ccd_vec3_t position;
+    if (ccdMPRPenetration(&p.a, &p.b, &ccd, &out.value, &direction, &position) != 0) return false;
+    out.normal = {direction.v[0], direction.v[1], direction.v[2]};
+    out.point1 = {position.v[0], position.v[1], position.v[2]};
+    return true;
+  }
+};
+
+struct Gjk {
+  ccd_t ccd = settings();
+  bool test(const Balls& p) const { return ccdGJKIntersect(&p.a, &p.b, &ccd) != 0; }
+};
+
+}  // namespace
+
+std::vector<Peer> ccd_peers() {
+  // Its point is where a force should act, which is not said to be any point of ours.
+  const Conventions conventions{.points = Points::none, .value = ValueKind::depth, .margin = Margin::none};
+  return {make_peer("libccd, MPR", conventions, false, std::make_shared<Mpr>()),
+          make_peer("libccd, GJK", conventions, true, std::make_shared<Gjk>())};
+}
+
+}  // namespace contact::bench

@@ -1,0 +1,34 @@
+// Where the data of a benchmark is: numbers of pairs that fit in the second level cache, in the third, and in neither.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include "kernel/batch.hpp"
+
+namespace contact::bench {
+
+struct Place {
+  const char* name;
+  std::size_t pairs;
+};
+inline constexpr std::array<Place, 3> kPlaces{{{"L2", 1 << 12}, {"L3", 1 << 17}, {"memory", 1 << 23}}};
+
+/// Registers work(pairs) for a place, with the best vectors. Processor time: what else the machine does is not counted.
+template <class Work>
+void at_place(const std::string& name, const Place& place, Work work) {
+  const auto run = [work, n = place.pairs, ready = false](benchmark::State& state) mutable {
+    kernel::use_instruction_set("");
+    if (!ready) work(n);  // makes the data
+    ready = true;
+    for ([[maybe_unused]] auto _ : state) work(n);
+    state.counters["time/pair"] = benchmark::Counter(
+        static_cast<double>(n), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  };
+  benchmark::RegisterBenchmark((name + "/" + place.name).c_str(), run);
+}
+
+}  // namespace contact::bench

@@ -1,0 +1,278 @@
+"""Writes what ./run bench measured to docs/performance.md, between its markers, and to docs/performance.svg.
+
+usage: report.py MEASURED.json      what Google Benchmark wrote, with repetitions
+"""
+import json
+import math
+import pathlib
+import re
+import sys
+
+DOCS = pathlib.Path(__file__).resolve().parent.parent / "docs"
+PLACES = ("L2", "L3", "memory")
+# The rows of the tables: name in the benchmark, and whether it is ours, plain, or a peer.
+SUBJECTS = {
+    "plain double": "plain", "plain double, vectors": "plain", "ours, scalar": "ours", "ours, batch": "ours",
+    "FCL": "peer", "Bullet, algorithm": "peer", "Bullet, contactPairTest": "peer", "ODE": "peer",
+    "libccd, MPR": "peer", "libccd, GJK": "peer", "CGAL Epick": "peer", "CGAL Epeck": "peer", "GMP rationals": "peer",
+}
+FAMILIES = ("generic", "near_touching", "touching", "far_from_origin", "extreme_scale", "coincident")
+# Bytes that a pair's question and answer take; 5 of 12 pairs are hits.
+BYTES = {"test": 65, "compute": 145, "hits": 64 + 85 * 5 / 12, "cubes": 97}
+OPERATIONS = {"test": "decide", "compute": "contacts", "hits": "hits alone", "cubes": "boxes"}
+SETS = {"AVX3": "AVX-512", "AVX2": "AVX2", "SSE4": "SSE4", "NEON": "NEON"}
+
+
+class Measured:
+    def __init__(self, path):
+        document = json.loads(pathlib.Path(path).read_text())
+        self.context = document["context"]
+        self.entries = {}
+        for entry in document["benchmarks"]:
+            if entry.get("error_occurred"):
+                sys.exit(f"{entry['name']}: {entry['error_message']}")
+            # The median of the repetitions, or the only one.
+            if entry.get("aggregate_name") == "median" or entry["repetitions"] == 1:
+                self.entries[entry["run_name"]] = entry
+
+    def ns(self, name):
+        """Nanoseconds a pair, or None where nothing was measured."""
+        entry = self.entries.get(name)
+        return entry and 1e9 * entry["time/pair"]
+
+    def ratio(self, name, to):
+        a, b = self.ns(name), self.ns(to)
+        return a and b and a / b
+
+
+def number(x, digits=3):
+    """Three significant digits without an exponent; a dash for what was not measured."""
+    if x is None:
+        return "–"
+    text = f"{x:.{digits}g}"
+    return f"{float(text):.0f}" if "e" in text or x >= 100 else f"{x:.{max(0, digits - len(str(int(x))))}f}"
+
+
+def table(head, rows):
+    lines = [head, ["---"] + ["--:"] * (len(head) - 1), *rows]
+    return "\n".join("| " + " | ".join(str(cell) for cell in line) + " |" for line in lines)
+
+
+def wrong(m, subject):
+    """Of the committed questions: asked, wrong decisions by family, fields claimed, fields wrong."""
+    entries = [m.entries.get(f"Wrong/{subject}/{family}/iterations:1/repeats:1") for family in FAMILIES]
+    if None in entries:
+        return None
+    return {"asked": int(sum(e["asked"] for e in entries)), "decisions": [int(e["wrong decisions"]) for e in entries],
+            "fields": int(sum(e["fields"] for e in entries)), "bad": int(sum(e["wrong fields"] for e in entries))}
+
+
+def peers_table(m):
+    rows = []
+    for subject in SUBJECTS:
+        ns = {op: {place: m.ns(f"Peer/{subject}/{op}/{place}") for place in PLACES} for op in ("test", "compute")}
+        found = wrong(m, subject)
+        faster = [m.ratio(f"Peer/{subject}/compute/{place}", f"Peer/ours, batch/compute/{place}") for place in PLACES]
+        cells = [number(ns["test"]["L2"]), *(number(ns["compute"][place]) for place in PLACES),
+                 *(number(x) for x in faster)]
+        if found:
+            cells += [f"{sum(found['decisions'])} of {found['asked']}",
+                      f"{found['bad']} of {found['fields']}" if found["fields"] else "–"]
+        else:
+            cells += ["as plain double"] * 2
+        name = f"**{subject}**" if SUBJECTS[subject] == "ours" else subject
+        rows.append([name, *cells])
+    head = ["", "decide, L2", "contact, L2", "L3", "memory", "to ours, batch: L2", "L3", "memory", "wrong decisions",
+            "wrong numbers"]
+    return table(head, rows)
+
+
+def scalar_table(m):
+    rows = []
+    for subject in SUBJECTS:
+        if subject in ("plain double, vectors", "ours, batch"):
+            continue
+        rows.append([subject] + [number(m.ratio(f"Peer/{subject}/{op}/{place}", f"Peer/{to}/{op}/{place}"))
+                                 for to in ("plain double", "ours, scalar")
+                                 for op, place in (("test", "L2"), ("compute", "L2"), ("compute", "memory"))])
+    head = ["", "to plain double: decide, L2", "contact, L2", "memory", "to ours, scalar: decide, L2", "contact, L2",
+            "memory"]
+    return table(head, rows)
+
+
+def boxes_table(m):
+    rows = []
+    for subject in SUBJECTS:
+        name = f"Peer/{subject}/boxes/"
+        if m.ns(name + "L2"):
+            rows.append([subject, *(number(m.ns(name + place)) for place in PLACES),
+                         *(number(m.ratio(name + place, f"Peer/ours, batch/boxes/{place}")) for place in PLACES)])
+    return table(["", "L2", "L3", "memory", "to ours, batch: L2", "L3", "memory"], rows)
+
+
+def wrong_table(m):
+    rows = []
+    for subject in SUBJECTS:
+        found = wrong(m, subject)
+        if found:
+            rows.append([subject, *(count or "." for count in found["decisions"])])
+    return table(["", *(family.replace("_", " ") for family in FAMILIES)], rows)
+
+
+def batch_table(m):
+    rows = []
+    for op, what in OPERATIONS.items():
+        for key, label in SETS.items():
+            ours, plain = f"Batch/{op}/ours/{key}/", f"Batch/{op}/plain/{key}/"
+            if not m.ns(ours + "L2"):
+                continue
+            streaming = m.ns(ours + "memory")
+            rows.append([f"{what}, {label}",
+                         *(f"{number(m.ns(plain + place))} → {number(m.ns(ours + place))}" for place in PLACES),
+                         *(number(m.ratio(ours + place, plain + place)) for place in PLACES),
+                         number(BYTES[op] / streaming),
+                         f"{100 * m.ratio(f'Limit/{op}/memory', ours + 'memory'):.0f} %"])
+    head = ["", "plain → ours, ns: L2", "L3", "memory", "ratio L2", "L3", "memory", "GB/s from memory",
+            "of the bandwidth"]
+    return table(head, rows)
+
+
+def families_table(m):
+    rows = []
+    generic = "Family/compute/generic"
+    for name, entry in sorted(m.entries.items(), key=lambda item: item[1].get("time/pair", 0)):
+        if name.startswith("Family/compute/"):
+            share = 100 * entry["exact"]
+            rows.append([name.rsplit("/", 1)[1].replace("_", " "), f"{100 * entry['hits']:.0f} %", number(m.ns(name)),
+                         number(m.ratio(name, generic)), f"{share:.2g} %" if share else "none"])
+    return table(["", "hits", "ns", "to generic", "left to the scalar function"], rows)
+
+
+def cpu():
+    info = pathlib.Path("/proc/cpuinfo")
+    found = info.exists() and re.search(r"^model name\s*:\s*(.+)$", info.read_text(), re.M)
+    return found[1] if found else "an unknown processor"
+
+
+def machine(m):
+    caches = {c["level"]: c["size"] for c in m.context["caches"] if c["type"] in ("Data", "Unified")}
+    sizes = ", ".join(f"L{level} {size // 2**10} KiB" if size < 2**20 else f"L{level} {size // 2**20} MiB"
+                      for level, size in sorted(caches.items()))
+    sets = [label for key, label in SETS.items() if m.ns(f"Batch/test/ours/{key}/L2")]
+    return (f"Measured on: {cpu()}, {m.context['num_cpus']} processors, {sizes}, {sets[0]}; "
+            f"compiled by {m.context['compiler']}, the `bench` preset.\n"
+            f"Load average at the beginning: {m.context['load_avg'][0]:.1f}. What else ran does not count in processor "
+            "time; it does by the wall clock, and in caches and memory.")
+
+
+def facts(m):
+    one, two = (m.entries[f"Threads/compute/real_time/threads:{n}"] for n in (1, 2))
+    start = m.entries["Startup/explain/manual_time"]
+    triad = 24 / m.ns("Limit/triad/memory")
+    moved = BYTES["compute"] / m.ns("Limit/compute/memory")
+    return table(["", ""], [
+        ["STREAM triad from memory, one thread, 24 bytes a number", f"{number(triad)} GB/s"],
+        ["the bytes of contacts moved and nothing computed, 145 bytes a pair", f"{number(moved)} GB/s"],
+        ["contacts in L2, two threads to one, by processor time",
+         f"{number(2 * one['cpu_time'] / two['cpu_time'])} ×"],
+        ["the same by the wall clock", f"{number(two['items_per_second'] / one['items_per_second'])} ×"],
+        ["a call of `compute_sphere_sphere` to a call of plain double, in L2",
+         f"{number(m.ratio('Scalar/compute/ours/L2', 'Scalar/compute/plain/L2'))} ×"],
+        ["`contact-oracle explain`, one question, from the shell and back: processor time",
+         f"{number(start['real_time'])} ms"],
+        ["the same by the wall clock", f"{number(1e3 * start['wall'])} ms"],
+    ])
+
+
+def summary(m):
+    peers = [s for s in SUBJECTS if SUBJECTS[s] == "peer" and m.ns(f"Peer/{s}/compute/L2")]
+    said = []
+    for place, where in (("L2", "in the second level cache"), ("memory", "from memory")):
+        for ours in ("ours, batch", "ours, scalar"):
+            name = f"Peer/{ours}/compute/{place}"
+            ratios = ((m.ratio(f"Peer/{s}/compute/{place}", name), s) for s in peers)
+            best = min((ratio, s) for ratio, s in ratios if ratio)
+            said.append(f"| {ours}, {where} | {number(best[0])} × ({best[1]}) |")
+    return "\n".join(["| contacts | the fastest peer takes |", "|---|---|", *said])
+
+
+COLOURS = {"ours": "#1f6fb2", "plain": "#8a8f98", "peer": "#d98b3a"}
+PALE = {"ours": "#a9cbe8", "plain": "#d3d6da", "peer": "#f2d3b0"}
+
+
+def plot(m):
+    """Contacts by subject on a logarithmic axis, in L2 and from memory; and ours to plain with the same vectors."""
+    left, top, width, row = 190, 70, 560, 34
+    low, high = 1, 10000
+    subjects = sorted((s for s in SUBJECTS if m.ns(f"Peer/{s}/compute/L2")), key=lambda s: m.ns(f"Peer/{s}/compute/L2"))
+    at = lambda ns: left + width * math.log10(ns / low) / math.log10(high / low)
+    out, labels = [], []  # labels lie on top
+    text = lambda x, y, what, extra="": labels.append(f'<text x="{x:.1f}" y="{y:.1f}" {extra}>{what}</text>')
+    line = lambda x1, y1, x2, y2, extra: out.append(
+        f'<line x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}" {extra}/>')
+    bar = lambda x, y, w, h, colour: out.append(
+        f'<rect x="{x:.1f}" y="{y:.1f}" width="{w:.1f}" height="{h:.1f}" fill="{colour}"/>')
+
+    text(left, 28, "A contact of two spheres, nanoseconds a pair", 'class="title"')
+    text(left, 48, "dark: data in L2; pale: from memory; one thread", 'class="note"')
+    bottom = top + row * len(subjects)
+    for decade in (1, 10, 100, 1000, 10000):
+        line(at(decade), top - 6, at(decade), bottom, 'stroke="#e3e5e8"')
+        text(at(decade), bottom + 16, decade, 'text-anchor="middle" class="note"')
+    for i, subject in enumerate(subjects):
+        y, kind = top + row * i, SUBJECTS[subject]
+        text(left - 8, y + 18, subject, 'text-anchor="end"' + (' font-weight="bold"' if kind == "ours" else ""))
+        for ns, colour, dy in ((m.ns(f"Peer/{subject}/compute/L2"), COLOURS[kind], 2),
+                               (m.ns(f"Peer/{subject}/compute/memory"), PALE[kind], 15)):
+            if ns:
+                bar(left, y + dy, at(ns) - left, 12, colour)
+                text(at(ns) + 4, y + dy + 10, number(ns), 'class="note"')
+    limit = m.ns("Limit/compute/memory")
+    line(at(limit), top - 6, at(limit), bottom, 'stroke="#b3261e" stroke-dasharray="4 3"')
+    text(at(limit) + 5, bottom - 6, f"memory bandwidth: the bytes of a pair take {number(limit)} ns",
+         'fill="#b3261e" class="note"')
+
+    best = next(key for key in SETS if m.ns(f"Batch/test/ours/{key}/L2"))
+    top2 = bottom + 96
+    most = 1.25 * max(m.ratio(f"Batch/{op}/ours/{best}/{p}", f"Batch/{op}/plain/{best}/{p}")
+                      for op in OPERATIONS for p in PLACES)
+    to = lambda ratio: left + width * ratio / most
+    text(left, top2 - 42, f"Batch: time to plain double with the same vectors ({SETS[best]})", 'class="title"')
+    text(left, top2 - 22, "from top to bottom: L2, L3, memory", 'class="note"')
+    bottom2 = top2 + 50 * len(OPERATIONS)
+    line(to(1), top2 - 6, to(1), bottom2, 'stroke="#8a8f98" stroke-dasharray="4 3"')
+    text(to(1), bottom2 + 14, "1 = plain double", 'text-anchor="middle" class="note"')
+    for i, (op, what) in enumerate(OPERATIONS.items()):
+        y = top2 + 50 * i
+        text(left - 8, y + 25, what, 'text-anchor="end"')
+        for k, (place, colour) in enumerate(zip(PLACES, ("#1f6fb2", "#5f9bcd", "#a9cbe8"))):
+            ratio = m.ratio(f"Batch/{op}/ours/{best}/{place}", f"Batch/{op}/plain/{best}/{place}")
+            bar(left, y + 2 + 14 * k, to(ratio) - left, 12, colour)
+            text(to(ratio) + 4, y + 12 + 14 * k, f"{ratio:.2f}", 'class="note"')
+    style = "text{font:13px sans-serif}.title{font-size:16px;font-weight:bold}"
+    style += ".note{font-size:11px;paint-order:stroke;stroke:#fff;stroke-width:3px}"
+    size = f'viewBox="0 0 800 {bottom2 + 30}" width="800" fill="#202124"'
+    return "\n".join([f'<svg xmlns="http://www.w3.org/2000/svg" {size}>', f"<style>{style}</style>",
+                      '<rect width="100%" height="100%" fill="#fff"/>', *out, *labels, "</svg>", ""])
+
+
+def main():
+    m = Measured(sys.argv[1])
+    block = "\n\n".join([
+        machine(m), "![Contacts by subject, and batch to plain double](performance.svg)",
+        summary(m), "### Spheres, beside the peers",
+        "Nanoseconds a pair; then the contact's as a multiple of ours, batch.", peers_table(m),
+        "The same as ratios, one pair after the other.", scalar_table(m),
+        "### Wrong decisions by family", f"Of {wrong(m, 'FCL')['asked'] // len(FAMILIES)} each.", wrong_table(m),
+        "### Boxes, beside the peers", boxes_table(m),
+        "### Batch, beside plain double with the same vectors", batch_table(m),
+        "### Contacts by family, batch, in L2", families_table(m), "### Limits", facts(m)])
+    page = DOCS / "performance.md"
+    begin, end = "<!-- measured:begin -->", "<!-- measured:end -->"
+    head, rest = page.read_text().split(begin)
+    page.write_text(head + begin + "\n" + block + "\n" + end + rest.split(end)[1])
+    (DOCS / "performance.svg").write_text(plot(m))
+    print(f"wrote {page} and {DOCS / 'performance.svg'}")
+
+
+main()
