@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
-#include <bit>
-#include <cmath>
 #include <stdexcept>
+
+#include "golden/answer_bytes.hpp"
 
 namespace contact::golden {
 namespace {
@@ -16,11 +16,6 @@ void require(int ok) {
 }
 
 EVP_MD_CTX* as_context(void* p) { return static_cast<EVP_MD_CTX*>(p); }
-
-std::uint64_t canonical_bits(double x) {
-  if (std::isnan(x)) return 0x7ff8000000000000;
-  return std::bit_cast<std::uint64_t>(x == 0 ? 0.0 : x);
-}
 
 }  // namespace
 
@@ -46,11 +41,6 @@ std::array<std::uint8_t, 32> Sha256::digest() const {
 std::string Sha256::hex() const {
   const auto bytes = digest();
   return fmt::format("{:02x}", fmt::join(bytes, ""));
-}
-
-void add_big_endian(std::string& bytes, double x) {
-  const std::uint64_t bits = canonical_bits(x);
-  for (int shift = 56; shift >= 0; shift -= 8) bytes.push_back(static_cast<char>((bits >> shift) & 0xff));
 }
 
 std::string query_id(const Query& query) {
