@@ -163,7 +163,8 @@ def main():
         except (Failure, OSError) as failure:
             complaints.append(f"{one.compiler} {one.options}: {failure}")
             rows.append(row)
-    print("\n".join(complaints + [""] if complaints else []), end="\n" if complaints else "")
+    for complaint in complaints:
+        print(complaint)
     print_table([["compiler", "options", "architecture", "way", "questions", "right", "wrong"], *rows])
     if complaints or not rows:
         print(f"\nNOT the same bits everywhere: {len(complaints)} differences or platforms that cannot be told")
