@@ -47,6 +47,7 @@ class Random {
   }
   /// Uniform in 0 .. n - 1 (the bias of a remainder of 64 bits does not matter here).
   std::uint64_t below(std::uint64_t n) { return bits() % n; }
+  std::size_t index(std::size_t n) { return static_cast<std::size_t>(below(n)); }
   /// A whole number, uniform in low .. high.
   template <std::signed_integral Int>
   Int between(Int low, Int high) {
