@@ -52,7 +52,8 @@ class Failure(Exception):
 def output(command):
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
-        raise Failure(f"{' '.join(map(str, command))}: exit status {done.returncode}\n{done.stdout[-4000:]}{done.stderr[-4000:]}")
+        raise Failure(f"{' '.join(map(str, command))}: exit status {done.returncode}\n"
+                      f"{done.stdout[-4000:]}{done.stderr[-4000:]}")
     return done.stdout
 
 
@@ -147,11 +148,14 @@ def main():
         platforms += FOREIGN
     platforms = [one for one in platforms if options.only in f"{one.compiler} {one.options}"]
 
+    if not platforms:
+        parser.error(f"no platform has {options.only!r} in it")
+
     rows, complaints = [], []
     for one in platforms:
         counts = [MANY] if one.emulator else sorted({MANY, options.count})
         row = ["?", one.options, one.compiler, "-", "-", "-", "cannot be told"]
-        print(f"{one.compiler} {one.options} ...", file=sys.stderr, flush=True)
+        print(f"{one.compiler} {one.options}", end=" ... ", file=sys.stderr, flush=True)
         try:
             row[0] = version(one.compiler)
             row[2] = (output([one.compiler, "-dumpmachine"]).split("-")[0] + (", qemu" if one.emulator else ""))
@@ -160,13 +164,14 @@ def main():
                 right, wrong = compare(one, command, way, manifest, counts, options.jobs)
                 complaints += wrong
                 rows.append([*row[:3], way, str(counts[-1]), str(right), f"{len(wrong)} WRONG" if wrong else "."])
+                print(f"{way}: {right} right, {len(wrong)} wrong", file=sys.stderr, flush=True)
         except (Failure, OSError) as failure:
             complaints.append(f"{one.compiler} {one.options}: {failure}")
             rows.append(row)
-    for complaint in complaints:
-        print(complaint)
+            print(row[-1], file=sys.stderr, flush=True)
+    print("".join(complaint + "\n" for complaint in complaints), end="")
     print_table([["compiler", "options", "architecture", "way", "questions", "right", "wrong"], *rows])
-    if complaints or not rows:
+    if complaints:
         print(f"\nNOT the same bits everywhere: {len(complaints)} differences or platforms that cannot be told")
         return 1
     print(f"\nthe same bits everywhere, on {machine.platform()}")
