@@ -9,6 +9,7 @@ import hashlib
 import json
 import os
 import platform as machine
+import re
 import shutil
 import subprocess
 import sys
@@ -135,7 +136,7 @@ def main():
                         help="questions a stream on this machine; 1000000 where the manifest has that digest")
     parser.add_argument("--compilers", default="g++,clang++", help="for this machine")
     parser.add_argument("--quick", action="store_true", help="this machine alone, at -O0 and at -O3 -march=native")
-    parser.add_argument("--only", default="", metavar="TEXT", help="the platforms whose compiler and options contain TEXT")
+    parser.add_argument("--only", default="", metavar="REGEX", help="the platforms with it in their compiler and options")
     parser.add_argument("--build", type=Path, default=ROOT / "build" / "portability", help="where to build")
     parser.add_argument("--manifest", type=Path, default=ROOT / "golden" / "manifest.json")
     parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)))
@@ -146,10 +147,10 @@ def main():
                  for flags in (QUICK if options.quick else NATIVE)]
     if not options.quick:
         platforms += FOREIGN
-    platforms = [one for one in platforms if options.only in f"{one.compiler} {one.options}"]
+    platforms = [one for one in platforms if re.search(options.only, f"{one.compiler} {one.options}")]
 
     if not platforms:
-        parser.error(f"no platform has {options.only!r} in it")
+        parser.error(f"no platform has {options.only} in its compiler and options")
 
     rows, complaints = [], []
     for one in platforms:

@@ -26,7 +26,7 @@ class OtherBits(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             manifest = Path(folder) / "manifest.json"
             manifest.write_text(json.dumps({"files": list(files.values())}))
-            run = portability("--compilers", COMPILER, "--only", "-O3", "--manifest", manifest)
+            run = portability("--compilers", COMPILER, "--only=-O3", "--manifest", manifest)
         self.assertEqual(run.returncode, 1, run.stderr)
         self.assertIn(f"sphere_sphere/generic.jsonl: the manifest says {64 * '0'} for 10000 answers", run.stdout)
         self.assertIn(f"gives {right}", run.stdout)
