@@ -14,7 +14,7 @@ endif()
 # bounds, the generator's bytes and the plain formulas mean; x87 registers would round twice.
 add_library(contact_strict_floating_point INTERFACE)
 target_compile_options(contact_strict_floating_point INTERFACE -ffp-contract=off)
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "i[3-6]86")
+if(CMAKE_SIZEOF_VOID_P EQUAL 4 AND CMAKE_SYSTEM_PROCESSOR MATCHES "i[3-6]86|x86|AMD64")
   target_compile_options(contact_strict_floating_point INTERFACE -msse2 -mfpmath=sse)
 endif()
 if("${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" MATCHES "-ffast-math|-Ofast|-funsafe-math-optimizations")

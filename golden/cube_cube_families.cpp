@@ -210,7 +210,7 @@ Cubes<Real> extreme_scale(Random& random) {
     }
     case 2: {  // an alarm distance that the sum loses: only the exact comparison sees it
       c = overlapping<Real>(random);
-      const auto axis = random.below(3);
+      const auto axis = random.index(3);
       c.alarm = std::ldexp(Real{1}, -random.between(60, -Limits::min_exponent - 4));
       const int ulps = random.between(-1, 1);
       place(c, axis, random.chance(2), [&](Real max) { return ulps_away(max, ulps); });
@@ -232,10 +232,10 @@ Cubes<Real> extreme_scale(Random& random) {
     case 4: {  // apart on one axis, and max + alarm overflows on another: an infinite sum hits nothing
       c = overlapping<Real>(random);
       c.scale(Limits::max_exponent - 6);
-      const auto axis = random.below(3);
+      const auto axis = random.index(3);
       c.alarm = Limits::max() * random.uniform(Real{0.125}, Real{0.25});
       c.max1[axis] = Limits::max() * random.uniform(Real{0.96875}, Real{1});
-      const auto other = (axis + 1 + random.below(2)) % 3;
+      const auto other = (axis + 1 + random.index(2)) % 3;
       const Real beyond = c.alarm + Limits::max() * random.uniform(Real{0.0625}, Real{0.125});
       place(c, other, random.chance(2), [&](Real max) { return max + beyond; });
       if (random.chance(2)) c.swap_boxes();

@@ -5,18 +5,7 @@
 #include <bit>
 #include <limits>
 
-#include "golden/query_id.hpp"
-
 namespace contact::golden {
-
-Random::Key Random::key(std::string_view pair, std::string_view family, std::string_view scalar, std::uint64_t seed) {
-  Sha256 hash;
-  hash.add("contact-oracle/1|").add(pair).add("|").add(family).add("|").add(scalar).add("|").add(std::to_string(seed));
-  const auto bytes = hash.digest();
-  Key key{};
-  for (std::size_t i = 0; i < 16; ++i) key.word[i / 8] |= static_cast<std::uint64_t>(bytes[i]) << (8 * (i % 8));
-  return key;
-}
 
 std::span<const Family> families_of(Pair pair) { return pair == Pair::cube_cube ? cube_families() : sphere_families(); }
 
@@ -26,8 +15,8 @@ const Family* find_family(Pair pair, std::string_view name) {
   return it == families.end() ? nullptr : &*it;
 }
 
-Query generate_query(Pair pair, const Family& family, Scalar scalar, std::uint64_t seed, std::uint64_t index) {
-  Random random(Random::key(name(pair), family.name, name(scalar), seed), index);
+Query generate_query(Pair pair, const Family& family, Scalar scalar, Random::Key key, std::uint64_t index) {
+  Random random(key, index);
   return family.make(pair, scalar, random);
 }
 

@@ -33,6 +33,9 @@ inline constexpr std::string_view kInvalidFamily = "invalid";
 [[nodiscard]] const Family* find_family(Pair pair, std::string_view name);
 
 /// One question: a pure function of its arguments, the same on every platform.
+[[nodiscard]] Query generate_query(Pair pair, const Family& family, Scalar scalar, Random::Key key,
+                                   std::uint64_t index);
+/// The same with the key of pair, family, scalar and seed.
 [[nodiscard]] Query generate_query(Pair pair, const Family& family, Scalar scalar, std::uint64_t seed,
                                    std::uint64_t index);
 

@@ -5,11 +5,11 @@
 #include <openssl/evp.h>
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <concepts>
 #include <span>
 #include <stdexcept>
+
+#include "golden/answer_bytes.hpp"
 
 namespace contact::golden {
 namespace {
@@ -19,11 +19,6 @@ void require(int ok) {
 }
 
 EVP_MD_CTX* as_context(void* p) { return static_cast<EVP_MD_CTX*>(p); }
-
-std::uint64_t canonical_bits(double x) {
-  if (std::isnan(x)) return 0x7ff8000000000000;
-  return std::bit_cast<std::uint64_t>(x == 0 ? 0.0 : x);
-}
 
 /// The longest name, one zero byte and the numbers of two boxes and two distances.
 constexpr std::size_t kLongestCanonical = name(Pair::rigid_sphere_rigid_sphere).size() + 1 + 14 * 8;
@@ -72,11 +67,6 @@ std::array<std::uint8_t, 32> Sha256::digest() const {
 std::string Sha256::hex() const {
   const auto bytes = digest();
   return fmt::format("{:02x}", fmt::join(bytes, ""));
-}
-
-void add_big_endian(std::string& bytes, double x) {
-  const std::uint64_t bits = canonical_bits(x);
-  for (int shift = 56; shift >= 0; shift -= 8) bytes.push_back(static_cast<char>((bits >> shift) & 0xff));
 }
 
 std::string query_id(const Query& query) {

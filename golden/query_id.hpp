@@ -26,9 +26,6 @@ class Sha256 {
   std::unique_ptr<void, Free> context_;
 };
 
-/// Appends a number as big-endian binary64, +0 for -0 and 0x7ff8000000000000 for NaN.
-void add_big_endian(std::string& bytes, double x);
-
 /// The first 24 hexadecimal digits of SHA-256 over the pair's name in ASCII, one zero byte, and every number as
 /// big-endian binary64 in the canonical order.
 [[nodiscard]] std::string query_id(const Query& query);

@@ -1,11 +1,16 @@
 // The counter-based random numbers behind every generated question: Philox4x64-10 (Random123).
 #pragma once
 
+// Where Random123 knows of no 128-bit product (32-bit processors, riscv64, s390x) it has no Philox4x64 unless it is
+// asked to make the product of smaller ones.
+#define R123_USE_MULHILO64_C99 1
 #include <Random123/philox.h>
 
 #include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace contact::golden {
@@ -21,6 +26,13 @@ class Random {
   };
   [[nodiscard]] static Key key(std::string_view pair, std::string_view family, std::string_view scalar,
                                std::uint64_t seed);
+  /// The same from the bytes of the digest.
+  [[nodiscard]] static Key key(std::span<const std::uint8_t, 16> bytes) {
+    Key key{};
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+      key.word[i / 8] |= static_cast<std::uint64_t>(bytes[i]) << (8 * (i % 8));
+    return key;
+  }
 
   Random(Key key, std::uint64_t index) : key_{{key.word[0], key.word[1]}}, counter_{{0, index, 0, 0}} {}
 
@@ -35,6 +47,7 @@ class Random {
   }
   /// Uniform in 0 .. n - 1 (the bias of a remainder of 64 bits does not matter here).
   std::uint64_t below(std::uint64_t n) { return bits() % n; }
+  std::size_t index(std::size_t n) { return static_cast<std::size_t>(below(n)); }
   /// A whole number, uniform in low .. high.
   template <std::signed_integral Int>
   Int between(Int low, Int high) {

@@ -82,8 +82,8 @@ Quadruple quadruple(Random& random, std::int64_t largest) {
     Quadruple result{{m * m + n * n - p * p - q * q, 2 * (m * q + n * p), 2 * (n * q - m * p)},
                      m * m + n * n + p * p + q * q};
     if (result.d == 0) continue;
-    std::swap(result.delta[0], result.delta[random.below(3)]);
-    std::swap(result.delta[1], result.delta[1 + random.below(2)]);
+    std::swap(result.delta[0], result.delta[random.index(3)]);
+    std::swap(result.delta[1], result.delta[1 + random.index(2)]);
     for (std::int64_t& x : result.delta)
       if (random.chance(2)) x = -x;
     return result;
@@ -332,7 +332,7 @@ Spheres<Real> extreme_scale(Random& random) {
       for (Real* x : {&s.r1, &s.r2, &s.alarm, &s.contact}) *x = static_cast<Real>(random.between(0, 100)) * kTiny;
       return s;
     case 3: {  // delta = (1, tiny, 0): a square that underflows decides, on every axis
-      const auto axis = random.below(3);
+      const auto axis = random.index(3);
       const Real scale = std::ldexp(Real{1}, random.between(-20, 20));
       s.c2[axis] = random.with_sign(scale);
       s.c2[(axis + 1) % 3] = random.with_sign(std::ldexp(scale, -random.between(kHalf + kHalf / 8, 2 * kHalf - 32)));
@@ -578,8 +578,8 @@ void turn_about(Spheres<Real>& s, Random& random) {
     std::swap(s.c1[i], s.c1[j]);
     std::swap(s.c2[i], s.c2[j]);
   };
-  swap_axes(0, random.below(3));
-  swap_axes(1, 1 + random.below(2));
+  swap_axes(0, random.index(3));
+  swap_axes(1, 1 + random.index(2));
   for (std::size_t i = 0; i < 3; ++i)
     if (random.chance(2)) {
       s.c1[i] = -s.c1[i];

@@ -7,9 +7,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "contact/cube_cube.hpp"
-#include "contact/sphere_sphere.hpp"
 #include "golden/digest.hpp"
+#include "golden/production.hpp"
 #include "golden/query_id.hpp"
 #include "tool/commands.hpp"
 #include "tool/pipeline.hpp"
@@ -19,6 +18,8 @@ namespace contact::tool {
 
 std::vector<std::string> digests_of(const golden::CommittedFile& stream, std::uint64_t seed, std::uint64_t first,
                                     const std::vector<std::uint64_t>& counts, AnswerBytes answer) {
+  const golden::Random::Key key =
+      golden::Random::key(name(stream.pair), stream.family->name, name(stream.scalar), seed);
   Progress progress(stream.path(), counts.back());
   golden::Sha256 hash;
   std::vector<std::string> digests;
@@ -28,7 +29,7 @@ std::vector<std::string> digests_of(const golden::CommittedFile& stream, std::ui
       throw_if_interrupted();
       std::vector<std::string> answers(std::min<std::uint64_t>(kRun, count - done));
       in_parallel(answers.size(), [&](std::size_t i) {
-        const Query query = golden::generate_query(stream.pair, *stream.family, stream.scalar, seed, first + done + i);
+        const Query query = golden::generate_query(stream.pair, *stream.family, stream.scalar, key, first + done + i);
         answers[i] = answer(query, stream.scalar);
       });
       for (const std::string& bytes : answers) hash.add(bytes);
@@ -75,22 +76,7 @@ struct Options {
   bool force = false;
 };
 
-Expectation production(const Query& query) {
-  if (const Boxes* boxes = query.boxes())
-    return {test_cube_cube(boxes->a, boxes->b, query.distances.alarm), std::nullopt};
-  const auto contact = compute_sphere_sphere(query.balls()->a, query.balls()->b, query.distances);
-  return {contact.has_value(), contact};
-}
-
-std::string production_bytes(const Query& query, Scalar) {
-  if (const auto error = outside_domain(query)) return golden::digest_bytes(*error);
-  return golden::digest_bytes(production(query));
-}
-
-/// Production rounds to binary64; what is no number has no scalar.
-bool production_answers(const golden::CommittedFile& stream) {
-  return stream.scalar == Scalar::binary64 || stream.pair == Pair::cube_cube || stream.family->outside_domain;
-}
+std::string production_bytes(const Query& query, Scalar) { return golden::production_bytes(query); }
 
 void write(const Options& o) {
   const auto recorded = golden::recorded_digests(o.folder);
@@ -118,7 +104,7 @@ bool check(const Options& o) {
   std::size_t right = 0;
   std::size_t wrong = 0;
   for (const golden::CommittedFile& stream : golden::committed_files()) {
-    if (o.production && !production_answers(stream)) continue;
+    if (o.production && !golden::production_answers(stream)) continue;
     std::vector<std::uint64_t> counts;
     const auto file = recorded.find(stream.path());
     const golden::Digests none;

@@ -9,6 +9,7 @@
 
 #include "engines/engine.hpp"
 #include "engines/mutants.hpp"
+#include "golden/answer_bytes.hpp"
 #include "golden/query_id.hpp"
 #include "oracle/judge.hpp"
 #include "tool/process.hpp"

@@ -5,6 +5,13 @@
 #error "contact-oracle promises exact decisions and correct rounding: build it without -ffast-math"
 #endif
 
+#include <cfloat>
+
+// 1 and 2 are the registers of the x87, which round twice; the others leave float and double as they are.
+#if FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2 || FLT_EVAL_METHOD < 0
+#error "contact-oracle promises the same bits everywhere: build it without excess precision (-msse2 -mfpmath=sse)"
+#endif
+
 #include <boost/multiprecision/cpp_int.hpp>
 #include <initializer_list>
 
