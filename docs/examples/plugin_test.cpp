@@ -231,7 +231,7 @@ TEST(Plugins, that_are_missing_or_broken_are_refused_with_the_file_and_the_reaso
   std::filesystem::remove(text);
   EXPECT_EQ(refusal_of(testing::TempDir()).find(testing::TempDir() + ": cannot be loaded: "), 0U);
   EXPECT_EQ(refusal_of(NO_ENTRY), NO_ENTRY ": is no plug-in: it exports no contact_plugin_entry");
-  EXPECT_EQ(refusal_of(WRONG_INTERFACE), WRONG_INTERFACE ": was built for plug-in interface 2, this is 1");
+  EXPECT_EQ(refusal_of(WRONG_INTERFACE), WRONG_INTERFACE ": was built for plug-in interface 3, this is 2");
 }
 
 TEST(Plugins, that_fail_while_they_register_are_refused_and_stay_loaded) {
