@@ -74,12 +74,12 @@ Expectation spheres(std::span<const Query, kWindow> window, std::size_t place) {
   const std::size_t count = batch::compute_sphere_sphere_hits(a, b, distances, index, hits.columns()).hits;
 
   const bool is_hit = dense.state[place] != batch::PairState::miss;
-  const auto* const end = index.data() + count;
-  const auto* const row = std::find(index.data(), static_cast<const std::uint32_t*>(end), place);
-  if (is_hit != (hit[place] != 0) || is_hit != (row != end)) differ();
+  const std::span<const std::uint32_t> indices(index.data(), count);
+  const auto row = std::find(indices.begin(), indices.end(), place);
+  if (is_hit != (hit[place] != 0) || is_hit != (row != indices.end())) differ();
   if (!is_hit) return {false, std::nullopt};
   const Expectation found{true, dense.contact(place)};
-  const Expectation compacted{true, hits.contact(static_cast<std::size_t>(row - index.data()))};
+  const Expectation compacted{true, hits.contact(static_cast<std::size_t>(row - indices.begin()))};
   if (digest_bytes(found) != digest_bytes(compacted)) differ();
   return found;
 }
