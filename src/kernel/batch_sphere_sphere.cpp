@@ -300,6 +300,17 @@ struct Length {
     low = rest.high;
     tail = rest.low;
   }
+
+  /// The length rounded once: low and tail by rounding to odd, which lies on no boundary.
+  [[nodiscard]] HWY_INLINE V rounded() const {
+    const hn::RebindToUnsigned<D> words;
+    const auto bits = hn::BitCast(words, low);
+    const auto even = hn::AndNot(bits, hn::Set(words, 1));
+    const auto stepped = hn::IfThenElse(hn::RebindMask(words, hn::Lt(hn::Xor(hn::And(low, all(-0.0)), tail), all(0))),
+                                        hn::Sub(bits, even), hn::Add(bits, even));
+    const V odd = hn::IfThenElse(hn::Eq(tail, all(0)), low, hn::BitCast(D(), stepped));
+    return hn::Add(high, odd);
+  }
 };
 
 /// What the near path accumulates on two fixed grids and, below them, plainly.
@@ -583,9 +594,10 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
   const V uncancelled = hn::Add(stage.uncancelled, stage.uncancelled);  // of rounded numbers
   const M value_agrees = hn::And(stage.value_agrees, usable);
   M value_certain = hn::And(value_agrees, hn::Ge(hn::Abs(value), uncancelled));
-  // Coincident: value = -T, one rounding where T is a sum of two numbers.
-  value = hn::IfThenElse(coincident, hn::Sub(zero, hn::Add(less.high, less.low)), value);
-  value_certain = hn::Or(value_certain, hn::And(coincident, hn::Eq(less.tail, zero)));
+  if (!hn::AllFalse(D(), coincident)) {  // value = -T
+    value = hn::IfThenElse(coincident, hn::Sub(zero, less.rounded()), value);
+    value_certain = hn::Or(value_certain, coincident);
+  }
   const bool same = alarm == contact;
   M undecided = hn::And(open, usable);
   if (!same && !hn::AllFalse(D(), undecided)) {
