@@ -213,6 +213,15 @@ HWY_INLINE V least_magnitude(V a, V b) {
 #endif
 }
 
+/// The lesser of a, which is not negative, and |b|.
+HWY_INLINE V lesser_magnitude(V a, V b) {
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
+  return least_magnitude(a, b);
+#else
+  return hn::Min(a, hn::Abs(b));
+#endif
+}
+
 /// high + low rounded where `wanted`, else 0; `certain` loses the wanted lanes where an error of eta 2^-55 |high| could
 /// change it.
 HWY_INLINE V rounded(V high, V low, double eta, M wanted, M& certain) {
@@ -262,9 +271,11 @@ struct Direction {
 /// center + radius (q + low).
 HWY_INLINE Double2 point(V center, V radius, V q, V low) {
   const V w = hn::Mul(radius, q);
-  const V w_low = hn::MulAdd(radius, low, hn::MulSub(radius, q, w));
-  const Double2 sum = two_sum(center, w);
-  return {sum.high, hn::Add(sum.low, w_low)};
+  const V high = hn::Add(center, w);
+  const V w_part = hn::Sub(high, center);
+  const V center_lost = hn::Sub(center, hn::Sub(high, w_part));  // exact, as in two_sum
+  const V w_lost = hn::MulAdd(radius, low, hn::MulSub(radius, q, w_part));
+  return {high, hn::Add(center_lost, w_lost)};
 }
 
 /// The ten numbers of contacts.
@@ -727,15 +738,15 @@ HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
   numbers.nx = rounded(n.qx, n.low_x, bounds::kNormalEta, wanted, axes_agree);
   numbers.ny = rounded(n.qy, n.low_y, bounds::kNormalEta, wanted, axes_agree);
   numbers.nz = rounded(n.qz, n.low_z, bounds::kNormalEta, wanted, axes_agree);
-  const V component = least_magnitude(least_magnitude(n.qx, n.qy), n.qz);
+  const V component = lesser_magnitude(least_magnitude(n.qx, n.qy), n.qz);
 
   const Double2 sum = two_difference(root.high, less.high);
   const V sum_low = hn::Add(sum.low, hn::Sub(root.low, hn::Add(less.low, radii.low)));
   numbers.value = rounded(sum.high, sum_low, bounds::kSumEta, wanted, value_agrees);
-  V left = sum.high;  // the least that cancellation has left of a point or the value
+  V left = hn::Abs(sum.high);  // the least that cancellation has left of a point or the value
   const auto rounded_point = [&](V center, V radius, V q, V low) HWY_ATTR {
     const Double2 at = point(center, radius, q, low);
-    left = least_magnitude(left, at.high);
+    left = lesser_magnitude(left, at.high);
     return rounded(at.high, at.low, bounds::kSumEta, wanted, axes_agree);
   };
   const V radius1 = hn::Mul(in.ar, all(job.sign1));
