@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -261,6 +262,36 @@ Query coincident_near_a_tie(golden::Random& random) {
   return {Pair::sphere_sphere, Balls{{center, r}, {center, half}}, {0, least}};
 }
 
+/// Touching up to 2^-107 .. 2^-158 of the distance: T is the distance's leading bits in three numbers, the last of
+/// which is cut. What the near path's sums lose is of the same size.
+Query touching_beyond_two_numbers(golden::Random& random) {
+  using Real =
+      boost::multiprecision::number<boost::multiprecision::cpp_bin_float<400, boost::multiprecision::digit_base_2>,
+                                    boost::multiprecision::et_off>;
+  Balls balls{};
+  Real D = 0;
+  for (int k = 0; k < 3; ++k) {
+    balls.a.center[k] = random.uniform(-0.001, 0.001);
+    balls.b.center[k] = random.uniform(-1.0, 1.0);
+    const Real d = Real(balls.b.center[k]) - Real(balls.a.center[k]);
+    D += d * d;
+  }
+  Real rest = sqrt(D);
+  const auto lower = [&rest] {
+    auto part = static_cast<double>(rest);
+    if (Real(part) > rest) part = std::nextafter(part, 0.0);
+    rest -= Real(part);
+    return part;
+  };
+  balls.a.radius = lower();
+  balls.b.radius = lower();
+  double last = lower();
+  const std::uint64_t cut = (std::uint64_t{1} << random.between(0, 52)) - 1;
+  last = std::bit_cast<double>(std::bit_cast<std::uint64_t>(last) & ~cut);
+  if (random.chance(2)) last = std::nextafter(last, 1.0);
+  return {Pair::sphere_sphere, balls, {last, last}};
+}
+
 /// A contact point near a coordinate plane: nearly all of it cancels.
 Query near_a_plane(golden::Random& random) {
   Ball a{{}, random.uniform(0.5, 2.0)};
@@ -359,6 +390,7 @@ TEST(BatchSphereSphere, gives_the_bits_of_one_pair_where_vectors_are_on_their_ow
   const std::pair<const char*, Make> families[] = {{"underflowing", underflowing},
                                                    {"near_a_plane", near_a_plane},
                                                    {"coincident_near_a_tie", coincident_near_a_tie},
+                                                   {"touching_beyond_two_numbers", touching_beyond_two_numbers},
                                                    {"anything", anything},
                                                    {"at_the_bottom", at_the_bottom},
                                                    {"on_a_grid", on_a_grid},
