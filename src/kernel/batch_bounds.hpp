@@ -24,7 +24,7 @@ inline constexpr double kReachCap = 0x1p400;
 inline constexpr double kNormalError = 96 * kUnitSquared;
 /// |error| of a point, of |r n| and of the sum's high part; what rounding the ends of its interval adds included.
 inline constexpr double kPointError = 128 * kUnitSquared;
-inline constexpr double kPointSumError = 4 * kUnitSquared;
+inline constexpr double kPointSumError = 6 * kUnitSquared;
 /// |error| of a value, of sqrt D + T.
 inline constexpr double kValueError = 160 * kUnitSquared;
 /// |error| of a value whose T is kept exactly: of sqrt D, and of the low part, what rounding the ends of its interval

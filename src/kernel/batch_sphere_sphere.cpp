@@ -213,6 +213,15 @@ HWY_INLINE V least_magnitude(V a, V b) {
 #endif
 }
 
+/// The lesser of a, which is not negative, and |b|.
+HWY_INLINE V lesser_magnitude(V a, V b) {
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
+  return least_magnitude(a, b);
+#else
+  return hn::Min(a, hn::Abs(b));
+#endif
+}
+
 /// high + low rounded where `wanted`, else 0; `certain` loses the wanted lanes where an error of eta 2^-55 |high| could
 /// change it.
 HWY_INLINE V rounded(V high, V low, double eta, M wanted, M& certain) {
@@ -262,15 +271,21 @@ struct Direction {
 /// center + radius (q + low).
 HWY_INLINE Double2 point(V center, V radius, V q, V low) {
   const V w = hn::Mul(radius, q);
-  const V w_low = hn::MulAdd(radius, low, hn::MulSub(radius, q, w));
-  const Double2 sum = two_sum(center, w);
-  return {sum.high, hn::Add(sum.low, w_low)};
+  const V high = hn::Add(center, w);
+  const V w_part = hn::Sub(high, center);
+  const V center_lost = hn::Sub(center, hn::Sub(high, w_part));  // exact, as in two_sum
+  const V w_lost = hn::MulAdd(radius, low, hn::MulSub(radius, q, w_part));
+  return {high, hn::Add(center_lost, w_lost)};
 }
 
 /// The ten numbers of contacts.
 struct Numbers {
   V nx, ny, nz, px, py, pz, rx, ry, rz, value;
 
+  HWY_INLINE static Numbers load(const ContactRows& from, std::size_t i) {
+    const auto at = [&](std::size_t k) HWY_ATTR { return hn::LoadU(D(), from.number[k] + i); };
+    return {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8), at(9)};
+  }
   HWY_INLINE void store(const ContactRows& out, std::size_t i) const {
     const D d;
     hn::StoreU(nx, d, out.number[0] + i);
@@ -299,6 +314,17 @@ struct Length {
     high = sum.high;
     low = rest.high;
     tail = rest.low;
+  }
+
+  /// The length rounded once: low and tail by rounding to odd, which lies on no boundary.
+  [[nodiscard]] HWY_INLINE V rounded() const {
+    const hn::RebindToUnsigned<D> words;
+    const auto bits = hn::BitCast(words, low);
+    const auto even = hn::AndNot(bits, hn::Set(words, 1));
+    const auto stepped = hn::IfThenElse(hn::RebindMask(words, hn::Lt(hn::Xor(hn::And(low, all(-0.0)), tail), all(0))),
+                                        hn::Sub(bits, even), hn::Add(bits, even));
+    const V odd = hn::IfThenElse(hn::Eq(tail, all(0)), low, hn::BitCast(D(), stepped));
+    return hn::Add(high, odd);
   }
 };
 
@@ -448,13 +474,12 @@ HWY_INLINE V scaled_reach(V r1, V r2, double alarm, V down) {
   return hn::Min(hn::MulAdd(all(alarm), down, hn::Add(hn::Mul(r1, down), hn::Mul(r2, down))), all(bounds::kReachCap));
 }
 
-/// A vector of contacts as the fast stage leaves it, numbers of misses 0.
+/// A vector of contacts as the fast stage leaves it; the numbers are in their rows, those of misses 0.
 struct Stage {
   Delta unit;  ///< delta, scaled
   V d2;        ///< its squared length, plainly
   V qx, qy, qz, low_x, low_y, low_z;
   Double2 root;
-  Numbers numbers;
   M hit;
   M miss;
   V uncancelled;  ///< what points and value must be left with for the quick tests to mean anything
@@ -579,13 +604,15 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
   const double alarm = job.question.distances.alarm;
   const double contact = job.question.distances.contact;
   const Length less(in.ar, in.br, all(contact));
-  V value = stage.numbers.value;
+  Numbers numbers = Numbers::load(job.out, i);
+  V value = numbers.value;
   const V uncancelled = hn::Add(stage.uncancelled, stage.uncancelled);  // of rounded numbers
   const M value_agrees = hn::And(stage.value_agrees, usable);
   M value_certain = hn::And(value_agrees, hn::Ge(hn::Abs(value), uncancelled));
-  // Coincident: value = -T, one rounding where T is a sum of two numbers.
-  value = hn::IfThenElse(coincident, hn::Sub(zero, hn::Add(less.high, less.low)), value);
-  value_certain = hn::Or(value_certain, hn::And(coincident, hn::Eq(less.tail, zero)));
+  if (!hn::AllFalse(D(), coincident)) {  // value = -T
+    value = hn::IfThenElse(coincident, hn::Sub(zero, less.rounded()), value);
+    value_certain = hn::Or(value_certain, coincident);
+  }
   const bool same = alarm == contact;
   M undecided = hn::And(open, usable);
   if (!same && !hn::AllFalse(D(), undecided)) {
@@ -611,7 +638,6 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
   }
 
   // Where a component of delta is 0 so is that of the normal; where two are, the normal is the third axis.
-  Numbers numbers = stage.numbers;
   const M axes_agree = hn::And(stage.axes_agree, usable);
   const auto quick = [&](V q, V p, V r) HWY_ATTR {
     return hn::And(hn::And(axes_agree, hn::Ge(hn::Abs(q), all(bounds::kLeastComponent))),
@@ -681,7 +707,7 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
   }
 }
 
-/// The contacts of a vector of pairs. False, and nothing written, where one needs to be scaled first.
+/// The contacts of a vector of pairs. False, and nothing that counts written, where one needs to be scaled first.
 template <bool kScaled>
 HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
   const Loaded in(job.pairs, i);
@@ -708,39 +734,39 @@ HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
   const V least = all(bounds::kLeast);
   const V uncancelled = hn::Max(hn::Mul(hn::Add(root.high, less.high), all(bounds::kUncancelled)), least);
 
-  Numbers numbers;
+  // Written as they come, and again where they do not hold: there are too few registers to keep them.
+  const auto write = [&](std::size_t k, V number) HWY_ATTR { hn::StoreU(number, D(), job.out.number[k] + i); };
   const M wanted = hn::Not(miss);
   M axes_agree = wanted;
   M value_agrees = wanted;
-  numbers.nx = rounded(n.qx, n.low_x, bounds::kNormalEta, wanted, axes_agree);
-  numbers.ny = rounded(n.qy, n.low_y, bounds::kNormalEta, wanted, axes_agree);
-  numbers.nz = rounded(n.qz, n.low_z, bounds::kNormalEta, wanted, axes_agree);
-  const V component = least_magnitude(least_magnitude(n.qx, n.qy), n.qz);
+  write(0, rounded(n.qx, n.low_x, bounds::kNormalEta, wanted, axes_agree));
+  write(1, rounded(n.qy, n.low_y, bounds::kNormalEta, wanted, axes_agree));
+  write(2, rounded(n.qz, n.low_z, bounds::kNormalEta, wanted, axes_agree));
+  const V component = lesser_magnitude(least_magnitude(n.qx, n.qy), n.qz);
 
   const Double2 sum = two_difference(root.high, less.high);
   const V sum_low = hn::Add(sum.low, hn::Sub(root.low, hn::Add(less.low, radii.low)));
-  numbers.value = rounded(sum.high, sum_low, bounds::kSumEta, wanted, value_agrees);
-  V left = sum.high;  // the least that cancellation has left of a point or the value
+  write(9, rounded(sum.high, sum_low, bounds::kSumEta, wanted, value_agrees));
+  V left = hn::Abs(sum.high);  // the least that cancellation has left of a point or the value
   const auto rounded_point = [&](V center, V radius, V q, V low) HWY_ATTR {
     const Double2 at = point(center, radius, q, low);
-    left = least_magnitude(left, at.high);
+    left = lesser_magnitude(left, at.high);
     return rounded(at.high, at.low, bounds::kSumEta, wanted, axes_agree);
   };
   const V radius1 = hn::Mul(in.ar, all(job.sign1));
   const V radius2 = hn::Mul(in.br, all(job.sign2));
-  numbers.px = rounded_point(in.ax, radius1, n.qx, n.low_x);
-  numbers.py = rounded_point(in.ay, radius1, n.qy, n.low_y);
-  numbers.pz = rounded_point(in.az, radius1, n.qz, n.low_z);
-  numbers.rx = rounded_point(in.bx, radius2, n.qx, n.low_x);
-  numbers.ry = rounded_point(in.by, radius2, n.qy, n.low_y);
-  numbers.rz = rounded_point(in.bz, radius2, n.qz, n.low_z);
+  write(3, rounded_point(in.ax, radius1, n.qx, n.low_x));
+  write(4, rounded_point(in.ay, radius1, n.qy, n.low_y));
+  write(5, rounded_point(in.az, radius1, n.qz, n.low_z));
+  write(6, rounded_point(in.bx, radius2, n.qx, n.low_x));
+  write(7, rounded_point(in.by, radius2, n.qy, n.low_y));
+  write(8, rounded_point(in.bz, radius2, n.qz, n.low_z));
 
   M good = hn::And(hn::And(hit, axes_agree), value_agrees);
   good = and_at_least(good, left, uncancelled);
   good = and_at_least(good, component, all(bounds::kLeastComponent));
   good = and_at_least(good, d2, least);
   if (HWY_LIKELY(hn::AllTrue(D(), hn::Or(miss, good)))) {
-    numbers.store(job.out, i);
     store_flags(hit, reinterpret_cast<std::uint8_t*>(job.out.state + i));
     job.count.hits += hn::CountTrue(D(), hit);
     return true;
@@ -767,16 +793,6 @@ HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
   stage.low_z = n.low_z;
   stage.root.high = n.root.high;
   stage.root.low = n.root.low;
-  stage.numbers.nx = numbers.nx;
-  stage.numbers.ny = numbers.ny;
-  stage.numbers.nz = numbers.nz;
-  stage.numbers.px = numbers.px;
-  stage.numbers.py = numbers.py;
-  stage.numbers.pz = numbers.pz;
-  stage.numbers.rx = numbers.rx;
-  stage.numbers.ry = numbers.ry;
-  stage.numbers.rz = numbers.rz;
-  stage.numbers.value = numbers.value;
   stage.hit = hit;
   stage.miss = miss;
   stage.uncancelled = uncancelled;

@@ -19,6 +19,7 @@ namespace {
 constexpr int kMinExponent = -1074;  // of the smallest subnormal
 constexpr int kMaxExponent = 1023;   // of the largest finite number's leading bit
 constexpr int kSignificandBits = 53;
+constexpr int kMostSteps = 40;  // an estimate is a few units of the last place off, and a step is one
 constexpr int kBitsForRounding = kSignificandBits + 2;  // the rounding bit, and one for a bound that is not tight
 
 /// |x| = significand 2^exponent, from the bits alone: no floating-point mode can change it.
@@ -112,6 +113,14 @@ Estimate estimate_of_magnitudes(const FixedInteger& c, const FixedInteger& e, co
   if (first.x == 0) return second;
   const int exponent = std::max(first.exponent, second.exponent);
   return {std::ldexp(first.x, first.exponent - exponent) + std::ldexp(second.x, second.exponent - exponent), exponent};
+}
+
+Integer integer(const FixedInteger& n) {
+  Integer magnitude;
+  const auto limbs = n.limbs();
+  for (std::size_t i = limbs.size(); i-- > 0;)
+    magnitude = (magnitude << static_cast<unsigned>(FixedInteger::kLimbBits)) + limbs[i];
+  return n.sign() < 0 ? -magnitude : magnitude;
 }
 
 /// Half way between the positive number with these bits and the next: significand 2^exponent.
@@ -212,28 +221,36 @@ double round_sum(const FixedInteger& c, const FixedInteger& e, const FixedIntege
   }
   if (sign == 0) return 0.0;
 
+  return round_sum_near(std::ldexp(X.x, X.exponent + exponent), sign, c, e, D, exponent);
+}
+
+double round_sum_near(double estimate, int sign, const FixedInteger& c, const FixedInteger& e, const FixedInteger& D,
+                      int exponent) {
   // The sign of X - m. With u = sign c - m and f = sign e: u^2 D against f^2 where their signs differ.
+  const FixedInteger e2 = e * e;
   const FixedInteger u0 = sign < 0 ? -c : c;
   const int f = sign * e.sign();
+  int steps = 0;
   const auto compare = [&](const Decoded& m) {
+    ++steps;
     const int finer = std::max(0, exponent - m.exponent);
     const FixedInteger u = (u0 << finer) - FixedInteger(m.significand, m.exponent - exponent + finer, false);
     if (f == 0 || u.sign() * f >= 0) return f == 0 ? u.sign() : f;
     return u.sign() * compare_magnitudes(u * u * D, e2 << (2 * finer));
   };
-  const double estimate = std::ldexp(X.x, X.exponent + exponent);
-  auto bits = std::bit_cast<std::uint64_t>(std::min(estimate, std::numeric_limits<double>::max()));
   constexpr auto kInfinite = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
+  auto bits = std::bit_cast<std::uint64_t>(std::min(estimate, std::numeric_limits<double>::max()));
   int above = compare(boundary_above(bits));
-  while (above > 0 && ++bits != kInfinite) above = compare(boundary_above(bits));
+  while (above > 0 && ++bits != kInfinite && steps < kMostSteps) above = compare(boundary_above(bits));
   if (above == 0) bits += bits & 1;
-  while (above < 0 && bits != 0) {
+  while (above < 0 && bits != 0 && steps < kMostSteps) {
     const int below = compare(boundary_above(bits - 1));
     if (below > 0) break;
     if (below == 0) bits -= bits & 1;
     if (below == 0) break;
     --bits;
   }
+  if (steps >= kMostSteps) return round_sum(integer(c), integer(e), integer(D), exponent);
   if (bits == 0) return 0.0;
   return std::bit_cast<double>(bits | (sign < 0 ? std::uint64_t{1} << 63 : 0));
 }

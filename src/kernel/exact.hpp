@@ -54,6 +54,11 @@ class Grid {
 ///             |c| < 2^(L+2), |e| < 2^(2L+4), D < 2^(2L+4).
 [[nodiscard]] double round_sum(const FixedInteger& c, const FixedInteger& e, const FixedInteger& D, int exponent);
 
+/// The same, |c + e / sqrt(D)| 2^exponent being about `estimate`. A wrong one costs steps, and after kMostSteps the
+/// integers above answer. Domain: c + e / sqrt(D) has that sign, which is not 0.
+[[nodiscard]] double round_sum_near(double estimate, int sign, const FixedInteger& c, const FixedInteger& e,
+                                    const FixedInteger& D, int exponent);
+
 /// (sqrt(D) - t) 2^exponent rounded once to binary64, to nearest, ties to even. Domain: D > 0, t >= 0.
 [[nodiscard]] double round_root_less(const Integer& D, const Integer& t, int exponent);
 [[nodiscard]] inline double round_integer(const FixedInteger& n, int exponent) {

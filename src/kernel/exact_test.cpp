@@ -369,5 +369,38 @@ TEST(RoundRootLess, lies_between_its_rounding_boundaries_for_random_and_nearly_c
   }
 }
 
+TEST(RoundSumNear, is_right_from_any_estimate) {
+  std::mt19937_64 random(5);
+  const auto small = [&random](unsigned bits) {
+    const Integer n = random_integer(random, bits) + 1;
+    return random() % 2 == 0 ? n : -n;
+  };
+  for (int i = 0; i < 30; ++i) {
+    const Integer c = i % 3 == 0 ? Integer(0) : small(60);
+    const Integer e = small(90);
+    const Integer D = random_integer(random, 62) + 1;
+    const int exponent = i % 5 == 0 ? -1100 : static_cast<int>(random() % 200) - 100;
+    const double y = round_sum(c, e, D, exponent);
+    if (y == 0) continue;
+    const auto near = [&](double estimate) {
+      return round_sum_near(estimate, y < 0 ? -1 : 1, fixed(c), fixed(e), fixed(D), exponent);
+    };
+    const double right = std::abs(y);
+    double above = right;
+    double below = right;
+    for (int step = 0; step < 50; ++step) {  // past the step that gives up
+      expect_same(near(above), y);
+      expect_same(near(below), y);
+      above = std::nextafter(above, kInfinity);
+      below = std::nextafter(below, 0);
+    }
+    for (const double wrong : {right * 1.5, right / 3, 0.0, kLeast, 1.0, kLargest, kInfinity})
+      expect_same(near(wrong), y);
+  }
+  // Half way between 2 and 2 + 2^-51, from far away
+  expect_same(round_sum_near(1, 1, fixed(power(53) + 1), {}, fixed(1), -52), 2.0);
+  expect_same(round_sum_near(kLargest, -1, fixed(-(power(53) + 3)), {}, fixed(1), -52), -(2 + 0x1p-50));
+}
+
 }  // namespace
 }  // namespace contact::kernel

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 namespace contact::kernel {
 
@@ -47,6 +48,8 @@ class FixedInteger {
   [[nodiscard]] int bit_length() const {
     return size_ == 0 ? 0 : static_cast<int>(size_) * kLimbBits - std::countl_zero(limbs_[size_ - 1]);
   }
+  /// The magnitude's limbs, least first.
+  [[nodiscard]] std::span<const Limb> limbs() const { return std::span(limbs_).first(size_); }
   /// |n| = x 2^exponent within 2^-60 of itself, 1/2 <= x <= 1, or x = 0.
   [[nodiscard]] double leading(int& exponent) const {
     exponent = bit_length();

@@ -12,6 +12,7 @@
 #include "kernel/floating_point_environment.hpp"
 #include "kernel/sphere_sphere_double_double.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
+#include "kernel/sphere_sphere_one_vector.hpp"
 
 namespace contact {
 namespace {
@@ -31,11 +32,15 @@ constexpr double kGap = 0x1p-48;
 constexpr double kLeast = 0x1p-900;
 constexpr double kMost = 0x1p1000;
 
-Filtered filter(const Ball& a, const Ball& b, double alarm) {
+double squared_distance(const Ball& a, const Ball& b) {
   const double dx = b.center[0] - a.center[0];
   const double dy = b.center[1] - a.center[1];
   const double dz = b.center[2] - a.center[2];
-  const double D = dx * dx + dy * dy + dz * dz;
+  return dx * dx + dy * dy + dz * dz;
+}
+
+/// D is squared_distance(a, b).
+Filtered filter(const Ball& a, const Ball& b, double D, double alarm) {
   const double reach = (a.radius + b.radius) + alarm;
   const double reach2 = reach * reach;
   if (!(D > kLeast && D < kMost && reach2 > kLeast && reach2 < kMost))
@@ -173,7 +178,7 @@ void put_at_center(const Vector3& center, Vector3& point) {
 /// The contact of a pair, or false.
 [[gnu::always_inline]] inline bool contact_of(const Ball& a, const Ball& b, Distances distances, ContactPoints points,
                                               Contact& contact) {
-  const Filtered filtered = filter(a, b, distances.alarm);
+  const Filtered filtered = filter(a, b, squared_distance(a, b), distances.alarm);
   if (filtered == Filtered::miss) return false;
   if (filtered == Filtered::undecided && !decide_exactly(a, b, distances.alarm)) return false;
   const unsigned open = round_quickly(a, b, distances.contact, points, contact);
@@ -186,7 +191,7 @@ void put_at_center(const Vector3& center, Vector3& point) {
 // Behind calls that are not inlined: what RoundToNearest sets must be set before anything is computed.
 
 [[gnu::noinline]] bool decide(const Ball& a, const Ball& b, double alarm) {
-  switch (filter(a, b, alarm)) {
+  switch (filter(a, b, squared_distance(a, b), alarm)) {
     case Filtered::hit:
       return true;
     case Filtered::miss:
@@ -211,18 +216,57 @@ void put_at_center(const Vector3& center, Vector3& point) {
 }
 #endif
 
-bool contact_of_pair(const Ball& a, const Ball& b, Distances distances, ContactPoints points, Contact& contact) {
+bool contact_by_any_means(const Ball& a, const Ball& b, Distances distances, ContactPoints points, Contact& contact) {
 #if defined(__x86_64__) && !defined(__FMA__)
   if (__builtin_cpu_supports("fma")) return contact_by_fma(a, b, distances, points, contact);
 #endif
   return contact_portably(a, b, distances, points, contact);
 }
 
+#if CONTACT_HAS_ONE_VECTOR
+/// +-1, or 0 for a point at the centre.
+constexpr double sign_of(std::size_t sphere, PointOn on) {
+  return on == PointOn::center ? 0 : is_negative(sphere, on) ? -1 : 1;
+}
+
+/// Settles most pairs, and leaves the others to any means.
+[[gnu::noinline, gnu::target("avx2,fma")]] bool contact_by_one_vector(const Ball& a, const Ball& b, Distances distances,
+                                                                      ContactPoints points, Contact& contact) {
+  const double D = squared_distance(a, b);
+  const Filtered filtered = filter(a, b, D, distances.alarm);
+  if (filtered == Filtered::miss) return false;
+  if (filtered == Filtered::hit && D > kLeast &&
+      kernel::one_vector::contact_of_hit(a, b, D, distances.contact, sign_of(0, points.first) * a.radius,
+                                         sign_of(1, points.second) * b.radius, contact))
+    return true;
+  return contact_by_any_means(a, b, distances, points, contact);
+}
+#endif
+
+bool contact_of_pair(const Ball& a, const Ball& b, Distances distances, ContactPoints points, Contact& contact) {
+#if CONTACT_HAS_ONE_VECTOR
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    return contact_by_one_vector(a, b, distances, points, contact);
+#endif
+  return contact_by_any_means(a, b, distances, points, contact);
+}
+
+/// A contact whose numbers are to be written: zeros first would cost as much as a miss.
+struct Unset {
+  operator Contact() const {  // NOLINT(google-explicit-constructor)
+    Contact contact;
+    contact.degenerate = false;  // a bool may not be copied before it is set
+    return contact;
+  }
+};
+
 }  // namespace
 
 void kernel::round_numbers(const Ball& a, const Ball& b, double contact_distance, ContactPoints points,
                            unsigned numbers, Contact& contact) {
   const unsigned open = round_quickly(a, b, contact_distance, points, contact) & numbers;
+  if (points.first == PointOn::center) put_at_center(a.center, contact.point1);
+  if (points.second == PointOn::center) put_at_center(b.center, contact.point2);
   if (open != 0) round_exactly(a, b, contact_distance, points, open, contact);
 }
 
@@ -233,7 +277,7 @@ bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm) {
 
 std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances, ContactPoints points) {
   const kernel::RoundToNearest environment;
-  std::optional<Contact> contact(std::in_place);
+  std::optional<Contact> contact(std::in_place, Unset());
   if (!contact_of_pair(a, b, distances, points, *contact)) contact.reset();
   return contact;
 }

@@ -18,6 +18,8 @@
 #include <vector>
 
 #include "kernel/floating_point_environment_for_tests.hpp"
+#include "kernel/sphere_sphere_numbers.hpp"
+#include "kernel/sphere_sphere_one_vector.hpp"
 
 namespace contact {
 namespace {
@@ -232,6 +234,57 @@ TEST(SphereSphere, the_contact_distance_is_taken_from_the_value_before_it_is_rou
   EXPECT_EQ(compute_sphere_sphere(ball(0, 0, 0, 0x1p-60), ball(1, 0, 0, 0), {1, 0x1p-60})->value, 1.0);
   EXPECT_EQ(compute_sphere_sphere(ball(0, 0, 0, 0x1p-60), ball(1, 0, 0, 0), {1, 1})->value, -0x1p-60);
 }
+
+#if CONTACT_HAS_ONE_VECTOR
+
+[[gnu::target("avx2,fma")]] bool settled_by_one_vector(const Ball& a, const Ball& b, double contact_distance,
+                                                       Contact& contact) {
+  const double dx = b.center[0] - a.center[0];
+  const double dy = b.center[1] - a.center[1];
+  const double dz = b.center[2] - a.center[2];
+  return kernel::one_vector::contact_of_hit(a, b, dx * dx + dy * dy + dz * dz, contact_distance, a.radius, -b.radius,
+                                            contact);
+}
+
+TEST(OneVector, settles_ordinary_pairs_as_the_other_stages_do_and_leaves_what_cancels) {
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) GTEST_SKIP() << "no such vectors here";
+  std::mt19937_64 random(11);
+  const auto number = [&random](int low, int high) {
+    const double significand = 1 + static_cast<double>(random() >> 12) * 0x1p-52;
+    const int exponent = low + static_cast<int>(random() % static_cast<std::uint64_t>(high - low + 1));
+    return std::ldexp(random() % 2 == 0 ? significand : -significand, exponent);
+  };
+  constexpr int kCount = 20000;
+  const auto settled = [&](int low, int high, int zeros, bool touching) {
+    int count = 0;
+    for (int i = 0; i < kCount; ++i) {
+      Ball a{{}, std::abs(number(low, high))};
+      Ball b{{}, std::abs(number(low, high))};
+      for (int axis = zeros; axis < 3; ++axis) {
+        a.center[axis] = number(low, high);
+        b.center[axis] = number(low, high);
+      }
+      const double distance = std::abs(number(low, high));
+      if (touching) a.radius = std::abs((b.center - a.center).norm() - b.radius - distance);
+      Contact contact{};
+      if (!settled_by_one_vector(a, b, distance, contact)) continue;
+      ++count;
+      Contact otherwise{};
+      kernel::round_numbers(a, b, distance, {}, kernel::kAllNumbers, otherwise);
+      EXPECT_EQ(bits_of(contact), bits_of(otherwise)) << i;
+    }
+    return count;
+  };
+  EXPECT_GE(settled(0, 3, 0, false), kCount * 0.999);
+  EXPECT_GE(settled(0, 30, 0, false), kCount * 0.4);  // some coordinates are small beside the radii
+  EXPECT_GE(settled(200, 203, 0, false), kCount * 0.999);
+  EXPECT_GE(settled(-400, -398, 0, false), kCount * 0.999);
+  EXPECT_LE(settled(0, 3, 0, true), kCount * 0.6);  // the others' values have lost nothing
+  settled(-300, 300, 0, false);
+  settled(-20, 0, 1, false);  // points on the plane lose everything
+}
+
+#endif
 
 // Hostile questions: raw bits, subnormals, small grids full of ties, and pairs a few ulps from touching.
 
