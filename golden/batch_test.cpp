@@ -386,6 +386,23 @@ Query at_the_bottom(golden::Random& random) {
   return {Pair::sphere_sphere, Balls{a, b}, {alarm, random.uniform(0.0, 4.0) * scale}};
 }
 
+/// Where sums of lengths, differences of coordinates and the answer itself pass the largest finite number.
+Query at_the_top(golden::Random& random) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  const auto length = [&] { return random.chance(2) ? kLargest : random.uniform(0.0, 1.0) * kLargest; };
+  const auto ball = [&] {
+    Ball made{{0, 0, 0}, length()};
+    for (int k = 0; k < 3; ++k)
+      if (random.chance(2)) made.center[k] = random.with_sign(length());
+    return made;
+  };
+  const Ball a = ball();
+  Ball b = ball();
+  if (random.chance(2)) b.center = a.center;
+  const double alarm = random.chance(2) ? 0 : length();
+  return {Pair::sphere_sphere, Balls{a, b}, {alarm, random.chance(2) ? alarm : length()}};
+}
+
 TEST(BatchSphereSphere, gives_the_bits_of_one_pair_where_vectors_are_on_their_own) {
   const std::pair<const char*, Make> families[] = {{"underflowing", underflowing},
                                                    {"near_a_plane", near_a_plane},
@@ -393,6 +410,7 @@ TEST(BatchSphereSphere, gives_the_bits_of_one_pair_where_vectors_are_on_their_ow
                                                    {"touching_beyond_two_numbers", touching_beyond_two_numbers},
                                                    {"anything", anything},
                                                    {"at_the_bottom", at_the_bottom},
+                                                   {"at_the_top", at_the_top},
                                                    {"on_a_grid", on_a_grid},
                                                    {"touching_at_any_scale", touching_at_any_scale}};
   for (const auto& [name, make] : families) {

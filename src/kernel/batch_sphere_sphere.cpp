@@ -611,7 +611,8 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
   M value_certain = hn::And(value_agrees, hn::Ge(hn::Abs(value), uncancelled));
   if (!hn::AllFalse(D(), coincident)) {  // value = -T
     value = hn::IfThenElse(coincident, hn::Sub(zero, less.rounded()), value);
-    value_certain = hn::Or(value_certain, coincident);
+    // Beyond the largest number the parts of T are no numbers.
+    value_certain = hn::Or(value_certain, hn::And(coincident, hn::IsFinite(value)));
   }
   const bool same = alarm == contact;
   M undecided = hn::And(open, usable);
