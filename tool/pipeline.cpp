@@ -294,6 +294,7 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
   std::uint64_t reached = 0;
   bool all_read = !stop.why.empty();
   std::atomic<bool> over = false;  // nothing more is merged
+  std::exception_ptr error;  // thrown behind the pipeline, which loses what is on its way when one is thrown in it
   // Slices come to be merged in the order in which they were read, and the first that fails ends the run: those before
   // it are all asked, and what is found in those behind it is left out, so that nothing depends on the threads.
   const auto read = [&](tbb::flow_control& flow) -> std::shared_ptr<Slice> {
@@ -317,10 +318,11 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
     return slice;
   };
   const auto merge = [&](const std::shared_ptr<Slice>& slice) {
-    if (!stop.why.empty()) return;
+    if (error || !stop.why.empty()) return;
     if (slice->error) {
+      error = slice->error;
       over = true;
-      std::rethrow_exception(slice->error);
+      return;
     }
     progress.add(slice->count);
     if (!slice->asked_all) return;
@@ -339,6 +341,7 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
       tbb::make_filter<void, std::shared_ptr<Slice>>(tbb::filter_mode::serial_in_order, read) &
           tbb::make_filter<std::shared_ptr<Slice>, std::shared_ptr<Slice>>(tbb::filter_mode::parallel, judge) &
           tbb::make_filter<std::shared_ptr<Slice>, void>(tbb::filter_mode::serial_in_order, merge));
+  if (error) std::rethrow_exception(error);
   if (stop.late() && stop.why.empty()) stop.why = "the time was up";
   for (Subject* subject : judged) {
     subject->report.unreached += source.count - reached;
