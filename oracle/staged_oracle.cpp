@@ -25,6 +25,10 @@ RoundedAnswer rounded_answer(const Truth& truth, Scalar scalar) {
   return {static_cast<int>(truth.at_alarm), static_cast<int>(truth.at_zero), expectation(truth, scalar)};
 }
 
+RoundedAnswer rounded_answer(const StagedAnswer& staged) {
+  return {static_cast<int>(staged.truth.at_alarm), static_cast<int>(staged.truth.at_zero), staged.expected};
+}
+
 std::optional<std::string> first_difference(const RoundedAnswer& x, const RoundedAnswer& y) {
   if (const auto field = contact::first_difference(x.expected, y.expected)) return field;
   if (x.at_alarm != y.at_alarm || x.at_zero != y.at_zero) return "the decision";

@@ -31,6 +31,7 @@ struct StagedAnswer {
 
 /// The two decisions and the rounding that a truth stands for.
 [[nodiscard]] RoundedAnswer rounded_answer(const Truth& truth, Scalar scalar);
+[[nodiscard]] RoundedAnswer rounded_answer(const StagedAnswer& staged);
 
 /// The first thing in which two answers differ: "the decision", or a field; nothing where they are the same.
 [[nodiscard]] std::optional<std::string> first_difference(const RoundedAnswer& x, const RoundedAnswer& y);

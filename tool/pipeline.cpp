@@ -106,10 +106,6 @@ struct Agreed {
   }
 };
 
-oracle::RoundedAnswer rounded_answer(const oracle::StagedAnswer& staged) {
-  return {static_cast<int>(staged.truth.at_alarm), static_cast<int>(staged.truth.at_zero), staged.expected};
-}
-
 /// A dataset's case against the stages; what they do not confirm is for the exact oracle to word.
 void check_expectation(const Item& item, const oracle::StagedAnswer& staged, Scalar scalar) {
   if (staged.margin_ulps || item.question.query.boxes() != nullptr) {
@@ -218,7 +214,7 @@ void check_stage(const Query& query, const oracle::StagedAnswer& staged, Scalar 
   require_agreement(query, truth, oracle::interval_answer(query, scalar), scalar);
   if (staged.stage == oracle::Stage::exact) return;
   const std::string_view stage = oracle::kStageNames[static_cast<std::size_t>(staged.stage)];
-  require_agreement(query, truth, rounded_answer(staged), scalar, stage);
+  require_agreement(query, truth, oracle::rounded_answer(staged), scalar, stage);
   const oracle::Witness exact = oracle::witness(truth, scalar);
   oracle::Witness quick = oracle::quick_witness(query);
   quick.margin_ulps = staged.margin_ulps.value_or(exact.margin_ulps);
