@@ -11,10 +11,11 @@ namespace contact::oracle {
 /// The answer of the exact oracle where sums and products of two doubles with a proved bound of their error settle
 /// every decision and every rounding; nothing otherwise, and nothing for numbers that are neither 0 nor of magnitude
 /// 2^-200 .. 2^200, nor in a floating-point environment other than the default one.
+///
 /// Domain      every number of the question finite and inside the domain
-/// Error       none: an interval that contains the real number lies on one side of the boundary, or rounds to one
-/// number Source      docs/oracle-stages.md#the-first-stage derives the bounds Evidence
-/// oracle/double_double_oracle_test.cpp
+/// Error       none: the interval around the real number lies on one side of the boundary, or rounds to one number
+/// Source      docs/oracle-stages.md#the-first-stage
+/// Evidence    oracle/double_double_oracle_test.cpp
 [[nodiscard]] std::optional<RoundedAnswer> double_double_answer(const Query& query, Scalar scalar);
 
 /// The same with what a golden file records beside the answer of two spheres: (sqrt(D) - reach) / ulp(reach) in
