@@ -4,19 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/right_claim.hpp"
+
 namespace contact::oracle {
 namespace {
 
 Decision decide(bool claimed, bool expected) {
   if (claimed == expected) return Decision::right;
   return expected ? Decision::missed_hit : Decision::false_hit;
-}
-
-/// Whether the pair counts as hit for a claim whose meaning of touching is `touching`.
-bool expected_hit(const Query& query, const Truth& truth, Touching touching, Margin margin) {
-  if (margin == Margin::none || query.distances.alarm == 0)
-    return touching == Touching::closed ? truth.at_zero != CGAL::POSITIVE : truth.at_zero == CGAL::NEGATIVE;
-  return margin == Margin::inclusive ? truth.at_alarm != CGAL::POSITIVE : truth.at_alarm == CGAL::NEGATIVE;
 }
 
 FieldVerdict worse(const FieldVerdict& x, const FieldVerdict& y) {

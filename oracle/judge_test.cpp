@@ -10,6 +10,8 @@
 #include <tuple>
 #include <vector>
 
+#include "oracle/right_claim.hpp"
+
 namespace contact::oracle {
 namespace {
 
@@ -581,6 +583,68 @@ TEST(JudgeCoincident, no_contact_is_right_where_declared_and_for_the_contact_alo
 }
 
 // What a wrong answer says about the engine's conventions.
+
+TEST(RightClaim, is_correctly_rounded_in_the_judges_eyes_under_every_declaration) {
+  const std::vector<Query> queries{
+      touching(),
+      touching(0.5, 0.25),
+      overlapping(0.25),
+      overlapping(0, Pair::sphere_rigid_sphere),
+      apart(2),
+      apart(3),
+      apart(4),
+      coincident(),
+      spheres({{0.1, 0.2, 0.3}, 0.7}, {{0.4, -0.5, 0.6}, 0.35}, 0.01, 0.003, Pair::rigid_sphere_rigid_sphere),
+      {Pair::cube_cube, Boxes{{{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {2, 1, 1}}}, {0, 0}}};
+  std::size_t contacts = 0;
+  const auto check = [&](const Declaration& declared) {
+    for (const Query& query : queries) {
+      const Truth truth = truth_of(query);
+      const Claim claim = right_claim(query, truth, declared);
+      EXPECT_EQ(judge(query, truth, claim, declared).level(), Level::correctly_rounded);
+      contacts += claim.contact ? 1 : 0;
+    }
+  };
+  for (const Scalar scalar : kScalars)
+    for (std::size_t points = 0; points < kPointsNames.size(); ++points)
+      for (const Coincident coincident : {Coincident::any_unit_normal, Coincident::zero_normal, Coincident::no_contact})
+        for (const NormalDirection normal : {NormalDirection::first_to_second, NormalDirection::second_to_first}) {
+          Declaration declared;
+          declared.scalar = scalar;
+          declared.conventions.points = static_cast<Points>(points);
+          declared.conventions.coincident = coincident;
+          declared.conventions.normal = normal;
+          check(declared);
+        }
+  for (const ValueKind value : {ValueKind::signed_distance, ValueKind::depth, ValueKind::none})
+    for (const Margin margin : {Margin::inclusive, Margin::exclusive, Margin::none})
+      for (const Touching touching : {Touching::closed, Touching::open})
+        for (const bool less : {true, false}) {
+          Declaration declared;
+          declared.conventions.value = value;
+          declared.conventions.margin = margin;
+          declared.conventions.touching_contact = touching;
+          declared.conventions.touching_overlap = touching;
+          declared.conventions.value_less_contact = less;
+          check(declared);
+        }
+  EXPECT_GT(contacts, 400U);
+}
+
+TEST(RightClaim, says_what_the_conventions_ask_for) {
+  Declaration declared;
+  declared.conventions.points = Points::published;
+  declared.conventions.normal = NormalDirection::second_to_first;
+  declared.conventions.value = ValueKind::depth;
+  const Query query = overlapping();
+  const Claim claim = right_claim(query, truth_of(query), declared);
+  ASSERT_TRUE(claim.contact);
+  EXPECT_EQ(*claim.overlap, true);
+  EXPECT_EQ(*claim.contact->normal, Vector3(-1, 0, 0));
+  EXPECT_EQ(*claim.contact->point1, Vector3(-2, 0, 0));
+  EXPECT_EQ(*claim.contact->point2, Vector3(7, 0, 0));
+  EXPECT_EQ(*claim.contact->value, 1);
+}
 
 TEST(JudgeExplains, nothing_where_the_answer_is_right) {
   EXPECT_TRUE(explained(overlapping(), value_of(-1)).empty());

@@ -25,6 +25,7 @@ TOOL = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
 ROOT = Path(__file__).resolve().parent.parent
 GOLDEN = ROOT / "golden"
 RECORDED = GOLDEN / "recorded" / "sofa-2a278d8"
+LEVELS = ["correctly-rounded", "faithful", "bounded", "decisions", "conservative", "none"]
 PAIRS = ("sphere_sphere", "rigid_sphere_rigid_sphere", "sphere_rigid_sphere", "cube_cube")
 SPHERES = {"a": {"center": [0, 0, 0], "radius": 1.5}, "b": {"center": [1, 2, 2], "radius": 1.5}, "alarm": 0, "contact": 0.25}
 CUBES = {"a": {"min": [0, 0, 0], "max": [1, 1, 1]}, "b": {"min": [1, 0, 0], "max": [2, 1, 1]}, "alarm": 0.5, "contact": 0}
@@ -348,6 +349,52 @@ class Certify(Case):
         os.close(slave)
         self.assertIn(b"\r", os.read(master, 65536))
         os.close(master)
+
+    def test_the_report_is_coloured_at_a_terminal_alone_and_says_the_same(self):
+        def at_terminal(*args, **variables):
+            try:
+                master, slave = pty.openpty()
+            except OSError as error:
+                self.skipTest(f"no terminal can be made here: {error}")
+            environment = {key: value for key, value in os.environ.items() if key != "NO_COLOR"}
+            process = subprocess.Popen([TOOL, *map(str, args)], stdout=slave, stderr=subprocess.DEVNULL, cwd=ROOT,
+                                       env={**environment, "TERM": "xterm", **variables})
+            os.close(slave)
+            said = b""
+            try:
+                while more := os.read(master, 65536):
+                    said += more
+            except OSError:  # the other end is closed
+                pass
+            os.close(master)
+            process.wait()
+            return said.decode().replace("\r\n", "\n")
+        for engine in ("plain-double", "production"):
+            args = ("certify", GOLDEN / "sphere_sphere" / "touching.jsonl", GOLDEN / "cube_cube" / "touching.jsonl", "--engine", engine)
+            plain = run(*args).stdout
+            self.assertNotIn("\x1b", plain)
+            coloured = at_terminal(*args)
+            self.assertIn("\x1b[31m" if engine == "plain-double" else "\x1b[32m", coloured)
+            self.assertEqual(re.sub(r"\x1b\[[0-9;]*m", "", coloured), plain)
+            for variables in ({"NO_COLOR": "1"}, {"TERM": "dumb"}):
+                self.assertEqual(at_terminal(*args, **variables), plain)
+
+    def test_the_report_at_a_terminal_is_short_and_the_worst_comes_first(self):
+        whole = self.certify_json("golden", "--engine", "plain-double")
+        out = self.refuted("certify", "golden", "--engine", "plain-double")
+        rows = out.split("\n\n")[1].splitlines()
+        self.assertGreater(len(whole["families"]), 60)
+        self.assertLess(len(rows), 20)
+        self.assertLess(max(map(len, rows)), 170)
+        ranks = [LEVELS.index(row.split()[-1]) for row in rows[1:] if row.split()[1].isdigit() and "total" not in row]
+        self.assertGreater(len(ranks), 5)
+        self.assertEqual(ranks, sorted(ranks, reverse=True))
+        # What has no row of its own is added up: the columns still hold every case.
+        number = lambda row: int(re.split(r"  +", row)[1])
+        self.assertEqual(sum(map(number, rows[1:-1])), whole["total"]["cases"])
+        self.assertEqual(number(rows[-1]), whole["total"]["cases"])
+        rows = self.holds("certify", "golden", "--engine", "production").split("\n\n")[1].splitlines()
+        self.assertEqual([row.split(" ")[0] for row in rows], ["family", *PAIRS, "total"])
 
 
 class KnownFailures(Case):

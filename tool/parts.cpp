@@ -40,13 +40,23 @@ namespace contact::tool {
 
 template <class Archive>
 void serialize(Archive& archive, FieldCount& c) {
-  archive(c.grades, c.worst, c.worst_id);
+  archive(c.grades, c.worst, c.worst_id, c.errors);
+}
+
+template <class Archive>
+void serialize(Archive& archive, MarginBin& m) {
+  archive(m.side, m.power);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Decisions& d) {
+  archive(d.claimed, d.wrong);
 }
 
 template <class Archive>
 void serialize(Archive& archive, FamilyReport& f) {
   archive(f.source, f.pair, f.scalar, f.family, f.cases, f.hits, f.missed_hits, f.false_hits, f.outside_domain,
-          f.not_finite, f.accepted, f.statuses, f.fields, f.levels, f.accepted_levels);
+          f.not_finite, f.accepted, f.statuses, f.fields, f.levels, f.accepted_levels, f.margins);
 }
 
 template <class Archive>
@@ -61,17 +71,20 @@ void serialize(Archive& archive, Failure& f) {
 
 template <class Archive>
 void save(Archive& archive, const WorstCase& w) {
-  archive(golden::query_line(w.query, w.scalar), w.query.pair, w.scalar, w.verdict);
+  archive(golden::query_line(w.query, w.scalar), w.query.pair, w.scalar, golden::to_line("", w.claim), w.verdict);
 }
 
 template <class Archive>
 void load(Archive& archive, WorstCase& w) {
-  std::string line;
+  std::string query;
+  std::string claim;
   Pair pair{};
-  archive(line, pair, w.scalar, w.verdict);
+  archive(query, pair, w.scalar, claim, w.verdict);
   const golden::Location where{"a worst case", 0};
-  const auto json = golden::parse_object(line, where);
-  w.query = golden::read_inputs(golden::Node(json, where), pair);
+  const auto question = golden::parse_object(query, where);
+  w.query = golden::read_inputs(golden::Node(question, where), pair);
+  const auto answer = golden::parse_object(claim, where);
+  w.claim = golden::read_claim(golden::Node(answer, where));
 }
 
 template <class Archive>
@@ -88,7 +101,7 @@ void serialize(Archive& archive, Part& p) {
 namespace {
 
 constexpr std::string_view kFormat = "contact-oracle/part";
-constexpr std::uint64_t kVersion = 1;
+constexpr std::uint64_t kVersion = 2;
 
 std::string digest_of_file(const std::filesystem::path& path) {
   auto file = golden::open_to_read(path, true);

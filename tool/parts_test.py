@@ -41,7 +41,7 @@ class Case(unittest.TestCase):
     def report(self, name, *args, code=None, **options):
         """The JSON report of a run and what it printed."""
         path = self.folder / f"{name}.json"
-        done = run(*args, "--json", path, **options)
+        done = run(*args, "--json", path, "--report", path.with_suffix(".html"), **options)
         self.assertTrue(path.exists(), done.stderr)
         if code is not None:
             self.assertEqual(done.returncode, code, done.stderr)
@@ -54,8 +54,10 @@ class Case(unittest.TestCase):
             with self.subTest(other):
                 path, done = self.report(i, *other, code=printed.returncode, **options)
                 self.assertEqual(path.read_bytes(), whole.read_bytes())
+                self.assertEqual(path.with_suffix(".html").read_bytes(), whole.with_suffix(".html").read_bytes())
                 # `merge` draws no questions, and so tells no seed.
-                self.assertEqual(done.stdout.removeprefix("seed 7\n"), printed.stdout.removeprefix("seed 7\n"))
+                said = lambda run: re.sub(r"^seed 7\n|\nReport: .*\n$", "", run.stdout)
+                self.assertEqual(said(done), said(printed))
         return json.loads(whole.read_bytes())
 
     def refused(self, args, *words, code=2, **options):

@@ -95,16 +95,32 @@ std::vector<Item> generated(const Source& source, const Slice& slice) {
   return items;
 }
 
-/// What the oracles say of a question: exactly, and rounded to each scalar that matters.
+/// What the oracles say of a question, in one scalar.
+struct Rounded {
+  Scalar scalar;
+  Expectation expected;
+  std::optional<MarginBin> margin;  ///< of spheres
+};
+
+/// The same exactly, and in each scalar that matters.
 struct Agreed {
   oracle::Truth truth;
-  std::vector<std::pair<Scalar, Expectation>> rounded;
+  std::vector<Rounded> rounded;
 
-  [[nodiscard]] const Expectation* in(Scalar scalar) const {
-    const auto it = std::find_if(rounded.begin(), rounded.end(), [&](const auto& r) { return r.first == scalar; });
-    return it == rounded.end() ? nullptr : &it->second;
+  [[nodiscard]] const Rounded& in(Scalar scalar) const {
+    return *std::find_if(rounded.begin(), rounded.end(), [&](const Rounded& r) { return r.scalar == scalar; });
   }
 };
+
+std::optional<MarginBin> margin_of(const oracle::StagedAnswer& staged, Scalar scalar) {
+  if (!staged.truth.spheres) return std::nullopt;
+  const int side = static_cast<int>(staged.truth.at_alarm);
+  if (side == 0) return MarginBin{};
+  const double ulps = staged.margin_ulps
+                          ? *staged.margin_ulps
+                          : oracle::round_to_nearest(staged.truth.spheres->margin(scalar), Scalar::binary64);
+  return MarginBin{side, power_of(ulps)};
+}
 
 /// A dataset's case against the stages; what they do not confirm is for the exact oracle to word.
 void check_expectation(const Item& item, const oracle::StagedAnswer& staged, Scalar scalar) {
@@ -130,8 +146,9 @@ Agreed agreed_truth(const Item& item, const Source& source, const std::vector<Sc
       check_stage(query, staged, scalar);
       ++slice.checked;
     }
+    const std::optional<MarginBin> margin = margin_of(staged, scalar);
     if (!agreed) agreed.emplace(Agreed{std::move(staged.truth), {}});
-    agreed->rounded.emplace_back(scalar, std::move(staged.expected));
+    agreed->rounded.push_back({scalar, std::move(staged.expected), margin});
   }
   return *std::move(agreed);
 }
@@ -162,11 +179,15 @@ void judge_one(const Item& item, const std::optional<Agreed>& agreed, const Sour
   const Baseline* baseline = subject.baseline.get();
   const oracle::Declaration& declared = report.engine.declared;
   const oracle::Truth* truth = agreed ? &agreed->truth : nullptr;
-  const Expectation* rounded = agreed ? agreed->in(declared.scalar) : nullptr;
+  const Rounded* in_scalar = agreed ? &agreed->in(declared.scalar) : nullptr;
+  const Expectation* rounded = agreed ? &in_scalar->expected : nullptr;
   const Verdict verdict =
       agreed ? oracle::judge(query, *truth, claim, declared, rounded) : oracle::judge_outside_domain(claim);
   const Level level = verdict.level();
-  found.families.front().add(verdict, id, truth != nullptr && truth->hit());
+  // An engine that knows no alarm distance decides at another margin.
+  const bool decides_there = declared.conventions.margin != Margin::none || query.distances.alarm == 0;
+  found.families.front().add(verdict, id, truth != nullptr && truth->hit(),
+                             agreed && decides_there ? in_scalar->margin : std::nullopt);
   const bool accepted = level > report.required && baseline != nullptr && baseline->accepts(id, level);
   // What is right speaks against a hypothesis as what is wrong speaks for one.
   if (truth != nullptr && !accepted)
@@ -177,7 +198,7 @@ void judge_one(const Item& item, const std::optional<Agreed>& agreed, const Sour
     return;
   }
   if (report.allow_unsupported && verdict.status == Claim::Status::unsupported) return;
-  const WorstCase worst{query, source.scalar, verdict};
+  const WorstCase worst{query, source.scalar, claim, verdict};
   found.add(Failure{id, query.pair, source.scalar, source.family, level, worst.what(), accepted});
   if (accepted)
     found.families.front().accept(level);

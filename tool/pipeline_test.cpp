@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <map>
 #include <thread>
 
@@ -105,6 +106,30 @@ TEST(Certify, TouchingTakenForApartIsRefutedAsMissedHits) {
   EXPECT_EQ(wrong_fields(report), "contact overlap");
   EXPECT_EQ(report.total().false_hits, 0U);
   EXPECT_GE(report.total().missed_hits, 400U);
+  EXPECT_GT(report.total().margins.size(), 20U);
+  for (const auto& [margin, decisions] : report.total().margins)
+    EXPECT_EQ(decisions.wrong, margin.side == 0 ? decisions.claimed : 0);
+}
+
+TEST(Certify, ErrorsAreCountedByTheirPowerOfTwo) {
+  EXPECT_EQ(power_of(1), 0);
+  EXPECT_EQ(power_of(-1.99), 0);
+  EXPECT_EQ(power_of(2), 1);
+  EXPECT_EQ(power_of(0.49), -2);
+  EXPECT_EQ(power_of(1e300), kFarthestPower);
+  EXPECT_EQ(power_of(std::numeric_limits<double>::infinity()), kFarthestPower);
+  EXPECT_EQ(power_of(std::numeric_limits<double>::denorm_min()), -kFarthestPower);
+  // A binary64 normal is measured in ulps of 1, which are 2^-52.
+  const Report report = judged(Pair::sphere_sphere, [](const Query& query, Claim& claim) {
+    in_contact(claim, [&](ContactClaim& c) {
+      if (query.balls()->a.center != query.balls()->b.center) (*c.normal)[0] += 3 * std::ldexp(1, -42);
+    });
+  });
+  const FieldCount normal = report.total().fields[0];
+  ASSERT_EQ(normal.errors.size(), 1U);
+  EXPECT_EQ(normal.errors.begin()->first, 11);
+  EXPECT_EQ(normal.errors.begin()->second, normal.at(Grade::beyond_bound));
+  EXPECT_GT(normal.at(Grade::beyond_bound), 1000U);
 }
 
 TEST(Certify, TheRadiusOfTheWrongSphereIsRefutedInPoint2) {

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "golden/dataset.hpp"
+#include "oracle/right_claim.hpp"
 
 namespace contact::tool {
 namespace {
@@ -30,14 +31,25 @@ std::string printable(std::string text) {
   return text;
 }
 
+/// An answer as an object: {"overlap":true,"contact":{...}}.
+std::string claim_object(const Claim& claim) {
+  const std::string text = golden::claim_text(claim);  // ,"overlap":true and so on
+  return "{" + text.substr(std::min<std::size_t>(1, text.size())) + "}";
+}
+
 std::uint64_t sum(const auto& counts) { return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}); }
 
 }  // namespace
+
+int power_of(double ulps) {
+  return std::isinf(ulps) ? kFarthestPower : std::clamp(std::ilogb(ulps), -kFarthestPower, kFarthestPower);
+}
 
 std::uint64_t FieldCount::judged() const { return sum(grades); }
 
 void FieldCount::add(const oracle::FieldVerdict& verdict, const std::string& id) {
   ++grades[static_cast<std::size_t>(verdict.grade)];
+  if (verdict.error > 0) ++errors[power_of(verdict.error)];
   if (verdict.error > worst) {
     worst = verdict.error;
     worst_id = id;
@@ -46,6 +58,7 @@ void FieldCount::add(const oracle::FieldVerdict& verdict, const std::string& id)
 
 void FieldCount::merge(const FieldCount& other) {
   for (std::size_t i = 0; i < grades.size(); ++i) grades[i] += other.grades[i];
+  for (const auto& [power, count] : other.errors) errors[power] += count;
   if (other.worst > worst) {
     worst = other.worst;
     worst_id = other.worst_id;
@@ -82,7 +95,8 @@ Level FamilyReport::level_but_accepted(bool allow_unsupported) const {
   return Level::none;
 }
 
-void FamilyReport::add(const Verdict& verdict, const std::string& id, bool hit) {
+void FamilyReport::add(const Verdict& verdict, const std::string& id, bool hit,
+                       const std::optional<MarginBin>& margin) {
   ++cases;
   hits += hit ? 1 : 0;
   missed_hits += verdict.missed_hit() ? 1 : 0;
@@ -93,6 +107,11 @@ void FamilyReport::add(const Verdict& verdict, const std::string& id, bool hit) 
   for (std::size_t i = 0; i < fields.size(); ++i)
     if (verdict.fields[i]) fields[i].add(*verdict.fields[i], id);
   ++levels[static_cast<std::size_t>(verdict.level())];
+  if (!margin || (verdict.overlap == oracle::Decision::unclaimed && verdict.contact == oracle::Decision::unclaimed))
+    return;
+  Decisions& decisions = margins[*margin];
+  ++decisions.claimed;
+  decisions.wrong += verdict.missed_hit() || verdict.false_hit() ? 1 : 0;
 }
 
 void FamilyReport::accept(Level level) {
@@ -119,6 +138,10 @@ void FamilyReport::merge(const FamilyReport& other) {
   for (std::size_t i = 0; i < levels.size(); ++i) {
     levels[i] += other.levels[i];
     accepted_levels[i] += other.accepted_levels[i];
+  }
+  for (const auto& [margin, decisions] : other.margins) {
+    margins[margin].claimed += decisions.claimed;
+    margins[margin].wrong += decisions.wrong;
   }
 }
 
@@ -147,6 +170,14 @@ WorstCase::Kind WorstCase::kind() const {
   if (verdict.missed_hit()) return Kind::missed_hit;
   if (verdict.false_hit()) return Kind::false_hit;
   return verdict.not_finite() ? Kind::not_finite : Kind::number_off;
+}
+
+Claim WorstCase::right(const oracle::Declaration& declared) const {
+  if (inside_domain(query)) return oracle::right_claim(query, oracle::truth_of(query), declared);
+  Claim rejection;
+  rejection.status = Claim::Status::rejected;
+  rejection.text = outside_domain(query)->field;
+  return rejection;
 }
 
 double WorstCase::severity() const {
@@ -290,7 +321,7 @@ std::vector<std::string> Report::left_out() const {
   return lines;
 }
 
-std::string json_text(const Report& report) {
+std::string json_text(const Report& report, bool with_failures) {
   using golden::json_string;
   using golden::number;
   const auto family_text = [&](const FamilyReport& f) {
@@ -301,16 +332,22 @@ std::string json_text(const Report& report) {
     for (const Field field : oracle::kFields) {
       const FieldCount& c = f.fields[static_cast<std::size_t>(field)];
       if (c.judged() == 0) continue;
+      std::string errors;
+      for (const auto& [power, n] : c.errors) errors += fmt::format("{}[{},{}]", errors.empty() ? "" : ",", power, n);
       fields += fmt::format(
-          R"({}"{}":{{"judged":{},"correctly_rounded":{},"faithful":{},"bounded":{},"beyond_bound":{},"not_finite":{},"worst_ulps":{},"worst_id":{}}})",
+          R"({}"{}":{{"judged":{},"correctly_rounded":{},"faithful":{},"bounded":{},"beyond_bound":{},"not_finite":{},"worst_ulps":{},"worst_id":{},"errors":[{}]}})",
           fields.empty() ? "" : ",", name(field), c.judged(), c.at(Grade::correctly_rounded), c.at(Grade::faithful),
           c.at(Grade::bounded), c.at(Grade::beyond_bound), c.at(Grade::not_finite), number(c.worst),
-          json_string(c.worst_id));
+          json_string(c.worst_id), errors);
     }
+    std::string margins;
+    for (const auto& [margin, decisions] : f.margins)
+      margins += fmt::format("{}[{},{},{},{}]", margins.empty() ? "" : ",", margin.side, margin.power,
+                             decisions.claimed, decisions.wrong);
     return fmt::format(
-        R"("cases":{},"judged":{},"accepted":{},"hits":{},"missed_hits":{},"false_hits":{},"outside_domain":{},"not_finite":{},"level":"{}","answers":{{{}}},"fields":{{{}}})",
+        R"("cases":{},"judged":{},"accepted":{},"hits":{},"missed_hits":{},"false_hits":{},"outside_domain":{},"not_finite":{},"level":"{}","answers":{{{}}},"fields":{{{}}},"margins":[{}])",
         f.cases, f.judged(report.allow_unsupported), f.accepted, f.hits, f.missed_hits, f.false_hits, f.outside_domain,
-        f.not_finite, name(f.level(report.allow_unsupported)), statuses, fields);
+        f.not_finite, name(f.level(report.allow_unsupported)), statuses, fields, margins);
   };
   std::string families;
   for (const FamilyReport& f : report.families)
@@ -325,10 +362,11 @@ std::string json_text(const Report& report) {
     unknown += fmt::format("{}\"{}\"", unknown.empty() ? "" : ",", id);
   std::string worst;
   for (const WorstCase& w : report.worst)
-    worst += fmt::format("{}{{\"what\":{},\"query\":{}}}", worst.empty() ? "" : ",\n", json_string(w.what()),
-                         golden::query_line(w.query, w.scalar));
+    worst += fmt::format(R"({}{{"what":{},"query":{},"claimed":{},"right":{}}})", worst.empty() ? "" : ",\n",
+                         json_string(w.what()), golden::query_line(w.query, w.scalar), claim_object(w.claim),
+                         claim_object(w.right(report.engine.declared)));
   std::string failures;
-  for (const Failure& f : report.failures)
+  for (const Failure& f : std::span(report.failures).first(with_failures ? report.failures.size() : 0))
     failures += fmt::format(R"({}{{"id":"{}","pair":"{}","scalar":"{}","family":{},"level":"{}","what":{}{}}})",
                             failures.empty() ? "" : ",\n", f.id, name(f.pair), name(f.scalar), json_string(f.family),
                             name(f.level), json_string(f.what), f.accepted ? R"(,"accepted":true)" : "");
@@ -346,16 +384,19 @@ std::string json_text(const Report& report) {
   for (const oracle::Finding& f : report.why.findings())
     causes +=
         fmt::format(R"({}{{"cause":{},"explained":{}}})", causes.empty() ? "" : ",", json_string(f.cause), f.explained);
+  const Bounds& bounds = report.engine.declared.bounds;
   return fmt::format(
       "{{\"format\":\"contact-oracle/"
       "report\",\"version\":1,\"engine\":{{\"name\":{},\"version\":{}}},\"scalar\":\"{}\",\"conventions\":{},"
-      "\"required\":\"{}\",\"certified\":{},\"verdict\":{},\"diagnosis\":[{}],\"causes\":[{}],\n\"total\":{{{}}},"
+      "\"bounds\":{{\"value\":{},\"normal\":{},\"point\":{}}},\"required\":\"{}\",\"certified\":{},\"verdict\":{},"
+      "\"diagnosis\":[{}],\"causes\":[{}],\n\"total\":{{{}}},"
       "\n\"families\":[\n{}],\n\"skipped\":[{}],\n\"unknown_answers\":[{}],\n\"not_reached\":{},\n{}\"worst\":[{}],"
       "\n\"failure_count\":{},\"failures\":[\n{}]}}\n",
       json_string(report.engine.name), json_string(report.engine.version), name(report.engine.declared.scalar),
-      golden::conventions_text(report.engine.declared.conventions), name(report.required), report.certified(),
-      json_string(report.sentence()), diagnosis, causes, family_text(report.total()), families, skipped, unknown,
-      report.unreached, baseline, worst, report.failure_count, failures);
+      golden::conventions_text(report.engine.declared.conventions), number(bounds.value), number(bounds.normal),
+      number(bounds.point), name(report.required), report.certified(), json_string(report.sentence()), diagnosis,
+      causes, family_text(report.total()), families, skipped, unknown, report.unreached, baseline, worst,
+      report.failure_count, failures);
 }
 
 }  // namespace contact::tool

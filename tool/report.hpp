@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -21,11 +22,31 @@ using oracle::Grade;
 using oracle::Level;
 using oracle::Verdict;
 
+/// The power of two that a number of ulps, not 0, is counted under: floor(log2(ulps)), or at either end of the range
+/// what lies beyond it.
+inline constexpr int kFarthestPower = 64;
+[[nodiscard]] int power_of(double ulps);
+
+/// Where a question lies: how far the spheres are from the alarm distance.
+struct MarginBin {
+  int side = 0;   ///< -1 hit, 0 exactly at the alarm distance, 1 miss
+  int power = 0;  ///< power_of the distance in ulps of the reach; 0 at side 0
+
+  friend auto operator<=>(const MarginBin&, const MarginBin&) = default;
+};
+
+/// How many decisions were claimed, and how many of them are wrong.
+struct Decisions {
+  std::uint64_t claimed = 0;
+  std::uint64_t wrong = 0;
+};
+
 /// The claims of one field: how many reach each grade, and the largest error.
 struct FieldCount {
   std::array<std::uint64_t, oracle::kGradeNames.size()> grades{};
   double worst = 0;  ///< ulps of the field's scale
   std::string worst_id;
+  std::map<int, std::uint64_t> errors;  ///< those with an error, by its power_of
 
   [[nodiscard]] std::uint64_t at(Grade grade) const { return grades[static_cast<std::size_t>(grade)]; }
   [[nodiscard]] std::uint64_t judged() const;
@@ -50,6 +71,7 @@ struct FamilyReport {
   std::array<FieldCount, oracle::kFields.size()> fields;
   std::array<std::uint64_t, oracle::kLevelNames.size()> levels{};  ///< cases by the strictest level they reach
   decltype(levels) accepted_levels{};                              ///< those of them that are accepted failures
+  std::map<MarginBin, Decisions> margins;                          ///< decisions on spheres
 
   [[nodiscard]] std::string title() const;  ///< family_title, or "total"
   [[nodiscard]] FieldCount all_fields() const;
@@ -61,7 +83,8 @@ struct FamilyReport {
   [[nodiscard]] Level level(bool allow_unsupported) const;
   /// The level of all cases but the accepted failures.
   [[nodiscard]] Level level_but_accepted(bool allow_unsupported) const;
-  void add(const Verdict& verdict, const std::string& id, bool hit);
+  /// `margin`: of a question whose decisions depend on it.
+  void add(const Verdict& verdict, const std::string& id, bool hit, const std::optional<MarginBin>& margin);
   /// A case already added is a failure that the baseline accepts.
   void accept(Level level);
   /// Cases that the run ended before.
@@ -73,12 +96,15 @@ struct FamilyReport {
 struct WorstCase {
   Query query;
   Scalar scalar;
+  Claim claim;
   Verdict verdict;
 
   [[nodiscard]] std::string what() const;  ///< "missed hit", "normal not finite", "value off by 12.5 ulps"
   enum class Kind { no_answer, missed_hit, false_hit, not_finite, number_off };  ///< the worst first
   [[nodiscard]] Kind kind() const;
   [[nodiscard]] double severity() const;
+  /// What the engine should have claimed.
+  [[nodiscard]] Claim right(const oracle::Declaration& declared) const;
 };
 
 /// Cases that the engine's declaration excludes.
@@ -139,9 +165,11 @@ inline constexpr std::size_t kWorstOfAKind = 2;
 inline constexpr std::size_t kMostFailures = 100'000;  // that a report lists: some 20 MB
 
 /// The reports in their forms.
-[[nodiscard]] std::string terminal_text(const Report& report);
-[[nodiscard]] std::string scoreboard_text(const std::vector<Report>& reports);
-[[nodiscard]] std::string json_text(const Report& report);
+/// `colour`: with the codes that a terminal knows.
+[[nodiscard]] std::string terminal_text(const Report& report, bool colour);
+[[nodiscard]] std::string scoreboard_text(const std::vector<Report>& reports, bool colour);
+/// `failures`: whether they are listed.
+[[nodiscard]] std::string json_text(const Report& report, bool failures = true);
 [[nodiscard]] std::string junit_text(const Report& report);
 [[nodiscard]] std::string markdown_text(const Report& report);
 [[nodiscard]] std::string html_text(const std::vector<Report>& reports);

@@ -2,6 +2,9 @@
 #include "tool/report_files.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
 
 #include "tool/process.hpp"
 
@@ -10,6 +13,15 @@ namespace {
 
 std::unique_ptr<golden::OutputFile> opened(const std::string& path) {
   return path.empty() ? nullptr : std::make_unique<golden::OutputFile>(path);
+}
+
+/// At a terminal that knows colours, unless NO_COLOR says otherwise (https://no-color.org).
+bool wants_colour() {
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);
+    return std::string_view(value == nullptr ? "" : value);
+  };
+  return ::isatty(STDOUT_FILENO) == 1 && variable("NO_COLOR").empty() && variable("TERM") != "dumb";
 }
 
 void write_to(const std::unique_ptr<golden::OutputFile>& file, const std::string& text) {
@@ -40,7 +52,8 @@ int ReportFiles::write(const std::vector<Report>& reports, bool scoreboard) {
   write_to(junit_, junit_text(first));
   write_to(markdown_, markdown_text(first));
   write_to(html_, html_text(reports));
-  fmt::print("{}", scoreboard ? scoreboard_text(reports) : terminal_text(first));
+  const bool colour = wants_colour();
+  fmt::print("{}", scoreboard ? scoreboard_text(reports, colour) : terminal_text(first, colour));
   if (!html_path_.empty()) fmt::print("\nReport: {}\n", html_path_);
   if (first.judged() == 0)
     throw golden::InputError({"certify", 0}, "", "no case was judged: see what was skipped, and why");

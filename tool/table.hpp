@@ -1,10 +1,12 @@
 // A table at a terminal: the first column to the left, the others to the right.
 #pragma once
 
+#include <fmt/color.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,7 +16,18 @@ class Table {
  public:
   void row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
 
-  [[nodiscard]] std::string text() const {
+  /// Leaves out the columns that hold nothing but ".", or nothing, below their head.
+  void drop_empty_columns() {
+    for (std::size_t column = rows_.front().size(); column-- > 1;) {
+      const auto empty = [&](const auto& row) { return row[column] == "." || row[column].empty(); };
+      if (!std::all_of(rows_.begin() + 1, rows_.end(), empty)) continue;
+      for (auto& row : rows_) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
+    }
+  }
+
+  /// `style`: how a cell is printed, from the head of its column and its text; without it everything is plain.
+  using Style = std::function<fmt::text_style(const std::string& head, const std::string& cell)>;
+  [[nodiscard]] std::string text(const Style& style = {}) const {
     std::vector<std::size_t> widths;
     for (const auto& row : rows_) {
       widths.resize(std::max(widths.size(), row.size()));
@@ -22,10 +35,18 @@ class Table {
     }
     std::string text;
     for (const auto& row : rows_) {
+      // Spaces are added outside of a cell's style, and none behind the last cell that says something.
       std::string line;
-      for (std::size_t i = 0; i < row.size(); ++i)
-        line += i == 0 ? fmt::format("{:<{}}", row[i], widths[i]) : fmt::format("  {:>{}}", row[i], widths[i]);
-      line.erase(line.find_last_not_of(' ') + 1);
+      std::string spaces;
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        const std::string padding(widths[i] - row[i].size(), ' ');
+        spaces += i == 0 ? "" : "  " + padding;
+        if (!row[i].empty()) {
+          line += spaces + (style ? fmt::format(style(rows_.front()[i], row[i]), "{}", row[i]) : row[i]);
+          spaces.clear();
+        }
+        if (i == 0) spaces += padding;
+      }
       text += line + "\n";
     }
     return text;

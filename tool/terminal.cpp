@@ -1,4 +1,5 @@
 // The report for a person at a terminal: the table by family, the worst cases, the verdict; and the scoreboard.
+#include <fmt/color.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,30 +13,80 @@
 namespace contact::tool {
 namespace {
 
+constexpr std::size_t kMostRows = 12;  // of a table; what has no row of its own is added up
+
+const fmt::text_style kGood = fmt::fg(fmt::terminal_color::green);
+const fmt::text_style kBad = fmt::fg(fmt::terminal_color::red);
+const fmt::text_style kHead = fmt::emphasis::bold;
+
 std::string cell(std::uint64_t n) { return n == 0 ? "." : std::to_string(n); }
+
+std::string styled(const fmt::text_style& style, const std::string& text, bool colour) {
+  return colour ? fmt::format(style, "{}", text) : text;
+}
+
+/// What is wrong stands out.
+fmt::text_style style_of(const std::string& head, const std::string& cell) {
+  if (head == cell) return kHead;
+  if (cell == "certified") return kGood;
+  if (cell == "REFUTED") return kBad;
+  const bool counts_wrong = head.starts_with("missed") || head.starts_with("false") || head.starts_with("beyond") ||
+                            head == "no answer" || head == "not finite";
+  return counts_wrong && cell != "." ? kBad : fmt::text_style();
+}
+
+std::uint64_t wrong(const FamilyReport& f) {
+  return f.missed_hits + f.false_hits + f.unanswered() + f.not_finite + f.all_fields().at(Grade::beyond_bound);
+}
+
+/// Families that fall short, the worst first, as many as there is room for, then the others added up by pair. A few
+/// families all have their row.
+std::vector<std::pair<std::string, FamilyReport>> rows_of(const Report& report) {
+  std::vector<FamilyReport> families = report.families;
+  const auto level = [&](const FamilyReport& f) { return f.level(report.allow_unsupported); };
+  std::stable_sort(families.begin(), families.end(), [&](const FamilyReport& x, const FamilyReport& y) {
+    return std::pair(level(x), wrong(x)) > std::pair(level(y), wrong(y));
+  });
+  const auto short_of = [&](const FamilyReport& f) { return level(f) > report.required; };
+  const std::size_t shown =
+      families.size() <= kMostRows
+          ? families.size()
+          : std::min(kMostRows, static_cast<std::size_t>(std::count_if(families.begin(), families.end(), short_of)));
+  std::vector<std::pair<std::string, FamilyReport>> rows;
+  for (std::size_t i = 0; i < shown; ++i) rows.emplace_back(families[i].title(), families[i]);
+  std::map<Pair, std::pair<std::size_t, FamilyReport>> others;
+  for (std::size_t i = shown; i < families.size(); ++i) {
+    auto& pair = others[families[i].pair];
+    ++pair.first;
+    pair.second.merge(families[i]);
+  }
+  for (const auto& [pair, sum] : others)
+    rows.emplace_back(fmt::format("{} ({} {})", name(pair), sum.first, shown == 0 ? "families" : "others"), sum.second);
+  if (rows.size() > 1) rows.emplace_back("total", report.total());
+  return rows;
+}
 
 }  // namespace
 
-std::string terminal_text(const Report& report) {
+std::string terminal_text(const Report& report, bool colour) {
   Table table;
   table.row({"family", "cases", "hits", "missed", "false", "no answer", "not finite", "correctly rounded", "faithful",
-             "bounded", "beyond", "worst (ulps)", "its id"});
-  const auto add = [&](const FamilyReport& f) {
+             "bounded", "beyond", "worst (ulps)", "level"});
+  for (const auto& [title, f] : rows_of(report)) {
     const FieldCount all = f.all_fields();
-    table.row({f.title(), cell(f.cases), cell(f.hits), cell(f.missed_hits), cell(f.false_hits), cell(f.unanswered()),
+    table.row({title, cell(f.cases), cell(f.hits), cell(f.missed_hits), cell(f.false_hits), cell(f.unanswered()),
                cell(f.not_finite), cell(all.at(Grade::correctly_rounded)), cell(all.at(Grade::faithful)),
                cell(all.at(Grade::bounded)), cell(all.at(Grade::beyond_bound)),
-               all.worst_id.empty() ? "" : fmt::format("{:.3g}", all.worst), all.worst_id});
-  };
-  for (const FamilyReport& f : report.families) add(f);
-  if (report.families.size() > 1) add(report.total());
+               all.worst_id.empty() ? "" : fmt::format("{:.3g}", all.worst),
+               std::string(name(f.level(report.allow_unsupported)))});
+  }
+  table.drop_empty_columns();
 
-  std::string text = fmt::format("{} ({}), required: {}\n\n", report.who(), name(report.engine.declared.scalar),
-                                 name(report.required));
-  text += table.text();
-  text +=
-      "\nThe columns from 'correctly rounded' to 'beyond' count fields: normal, point1, point2 and value of every "
-      "contact.\n";
+  std::string text = styled(kHead,
+                            fmt::format("{} ({}), required: {}", report.who(), name(report.engine.declared.scalar),
+                                        name(report.required)),
+                            colour) +
+                     "\n\n" + table.text(colour ? style_of : Table::Style());
   const FamilyReport all = report.total();
   std::string levels;
   for (const Field field : oracle::kFields) {
@@ -45,22 +96,27 @@ std::string terminal_text(const Report& report) {
           fmt::format("  {} {:.4g} %", name(field),
                       100.0 * static_cast<double>(c.at(Grade::correctly_rounded)) / static_cast<double>(c.judged()));
   }
-  if (!levels.empty()) text += "Correctly rounded by field:" + levels + "\n";
-  const auto listed = [&](std::string_view title, const std::vector<std::string>& lines) {
-    if (!lines.empty()) text += fmt::format("\n{}:\n  {}\n", title, fmt::join(lines, "\n  "));
+  if (!levels.empty())
+    text +=
+        "\nThe columns from 'correctly rounded' on count fields: normal, point1, point2 and value of every contact."
+        "\nCorrectly rounded by field:" +
+        levels + "\n";
+  const auto listed = [&](const std::string& title, const std::vector<std::string>& lines) {
+    if (!lines.empty())
+      text += fmt::format("\n{}\n  {}\n", styled(kHead, title + ":", colour), fmt::join(lines, "\n  "));
   };
   listed("Not judged", report.left_out());
   if (!report.certified() && !report.worst.empty()) {
-    text += "\nThe worst cases, as lines for `contact-oracle explain`:\n";
+    text += "\n" + styled(kHead, "The worst cases, as lines for `contact-oracle explain`:", colour) + "\n";
     for (const WorstCase& w : report.worst)
-      text += fmt::format("  # {}\n  {}\n", w.what(), golden::query_line(w.query, w.scalar));
+      text += fmt::format("  # {}\n  {}\n", styled(kBad, w.what(), colour), golden::query_line(w.query, w.scalar));
   }
   listed("Diagnosis", report.why.lines());
   listed("Baseline", report.baseline_lines());
-  return text + "\n" + report.sentence() + "\n";
+  return text + "\n" + styled(report.certified() ? kGood : kBad, report.sentence(), colour) + "\n";
 }
 
-std::string scoreboard_text(const std::vector<Report>& reports) {
+std::string scoreboard_text(const std::vector<Report>& reports, bool colour) {
   Table summary;
   summary.row({"engine", "verdict", "level reached", "cases", "missed hits", "false hits", "not finite", "fields",
                "correctly rounded", "beyond bound"});
@@ -74,33 +130,42 @@ std::string scoreboard_text(const std::vector<Report>& reports) {
                  cell(all.cases), cell(all.missed_hits), cell(all.false_hits), cell(all.not_finite),
                  cell(fields.judged()), fmt::format("{:.1f} %", share), cell(fields.at(Grade::beyond_bound))});
   }
-  // Family by family, in the order of the first engine that judged it.
-  std::vector<std::string> order;
-  std::map<std::string, std::vector<std::string>> rows;
+  // Family by family: those where most is wrong, of all engines together, come first.
+  struct Row {
+    std::uint64_t wrong = 0;
+    std::vector<std::string> cells;
+  };
+  std::map<std::string, Row> rows;
   for (std::size_t i = 0; i < reports.size(); ++i)
     for (const FamilyReport& f : reports[i].families) {
-      auto& row = rows[f.title()];
-      if (row.empty()) {
-        order.push_back(f.title());
-        row.resize(reports.size(), "-");
-      }
-      row[i] = f.missed_hits + f.false_hits + f.not_finite == 0
-                   ? "."
-                   : fmt::format("{}/{}/{}", f.missed_hits, f.false_hits, f.not_finite);
+      Row& row = rows[f.title()];
+      if (row.cells.empty()) row.cells.assign(reports.size(), "-");
+      const std::uint64_t here = f.missed_hits + f.false_hits + f.not_finite;
+      row.wrong += here;
+      row.cells[i] = here == 0 ? "." : fmt::format("{}/{}/{}", f.missed_hits, f.false_hits, f.not_finite);
     }
+  std::vector<std::pair<std::string, Row>> worst(rows.begin(), rows.end());
+  std::stable_sort(worst.begin(), worst.end(),
+                   [](const auto& x, const auto& y) { return x.second.wrong > y.second.wrong; });
+  const auto is_wrong = [](const auto& row) { return row.second.wrong != 0; };
+  const auto all_wrong = static_cast<std::size_t>(std::count_if(worst.begin(), worst.end(), is_wrong));
+  const std::size_t shown = std::min(kMostRows, all_wrong);
   Table families;
   std::vector<std::string> head{"missed hits / false hits / not finite"};
   for (const Report& report : reports) head.push_back(report.engine.name);
   families.row(head);
-  for (const std::string& family : order) {
-    std::vector<std::string> cells{family};
-    cells.insert(cells.end(), rows[family].begin(), rows[family].end());
+  for (std::size_t i = 0; i < shown; ++i) {
+    std::vector<std::string> cells{worst[i].first};
+    cells.insert(cells.end(), worst[i].second.cells.begin(), worst[i].second.cells.end());
     families.row(std::move(cells));
   }
-  std::string text = summary.text() + "\n" + families.text() +
-                     "\n.  none      -  not judged: the file holds numbers that the engine's scalar does not\n\n";
+  std::string text = summary.text(colour ? style_of : Table::Style()) + "\n" +
+                     families.text(colour ? style_of : Table::Style()) +
+                     "\n.  none      -  not judged: the file holds numbers that the engine's scalar does not\n" +
+                     fmt::format("and {} families with less that is wrong, {} with nothing; --report shows all\n\n",
+                                 all_wrong - shown, worst.size() - all_wrong);
   for (const Report& report : reports) {
-    text += report.sentence() + "\n";
+    text += styled(report.certified() ? kGood : kBad, report.sentence(), colour) + "\n";
     for (const std::string& d : report.why.lines()) text += "  " + d + "\n";
   }
   return text;

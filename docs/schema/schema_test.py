@@ -309,7 +309,10 @@ class Refused(Case):
             "answers": (["total", "answers", "missing"], None), "unknown field": (["total", "fields", "depth"], {}),
             "grade": (["total", "fields", "value", "faithful"], None), "id": (["failures", 0, "id"], "x"),
             "accepted": (["failures", 0, "accepted"], "no"), "level of a failure": (["failures", 0, "level"], "good"),
-            "query": (["worst", 0, "query", "alarm"], None), "count": (["failure_count"], "1"),
+            "query": (["worst", 0, "query", "alarm"], None), "claimed and not": (["worst", 0, "claimed", "error"], "text"),
+            "nothing right": (["worst", 0, "right"], None), "bound": (["bounds", "value"], 0.5),
+            "power": (["total", "fields", "value", "errors"], [[65, 1]]), "no error": (["total", "fields", "value", "errors"], [[1, 0]]),
+            "side": (["total", "margins", 0, 0], 2), "half a margin": (["total", "margins", 0], [0, 0, 1]), "count": (["failure_count"], "1"),
             "scalar": (["scalar"], "double"), "conventions": (["conventions", "colour"], 7)})
         self.valid("report.json", {**report, "added": 7})
 

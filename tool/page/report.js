@@ -1,0 +1,335 @@
+// What the page adds to its text: charts (D3), the worst cases in space (three.js), and buttons that copy.
+"use strict";
+(() => {
+  const superscript = (n) => String(n).replace(/./g, (c) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]);
+  /** 2^power in few characters: 1/8, 1, 1024, 2⁴⁰. */
+  const two = (power) => (power < -6 || power > 10 ? "2" + superscript(power) : power < 0 ? "1/" + 2 ** -power : 2 ** power);
+  const element = (name, attributes = {}, ...children) => {
+    const made = document.createElement(name);
+    Object.assign(made, attributes);
+    made.append(...children);
+    return made;
+  };
+
+  // ---- charts ----
+
+  /**
+   * Bars on a logarithmic scale, one a column.
+   * columns: [{label, title, parts: [[class, count], ...]}], a part being drawn before those behind it.
+   */
+  function bars(figure, width, columns, axis, bound) {
+    const height = 190, left = 44, right = 24, bottom = 38, top = 8;
+    const most = d3.max(columns, (c) => d3.max(c.parts, (p) => p[1]));
+    const x = d3.scale.ordinal().domain(d3.range(columns.length)).rangeBands([left, width - right], 0.12, 0.1);
+    const y = d3.scale.log().domain([0.6, Math.max(most, 10)]).range([height - bottom, top]);
+    const svg = d3.select(figure).append("svg").attr({viewBox: `0 0 ${width} ${height}`, role: "img"});
+    svg.append("title").text(figure.querySelector("figcaption").textContent);
+    const decades = d3.range(Math.ceil(Math.log10(y.domain()[1])) + 1).map((p) => 10 ** p).filter((v) => v <= y.domain()[1]);
+    svg.append("g").attr("transform", `translate(${left},0)`)
+      .call(d3.svg.axis().scale(y).orient("left").tickValues(decades).tickFormat(d3.format(",")).tickSize(-(width - left - right), 0));
+    // As many labels as there is room for; those that are no power always.
+    const every = Math.ceil(columns.length * 46 / width);
+    const labelled = d3.range(columns.length).filter((i) => columns[i].always || (columns[i].power !== undefined &&
+      columns[i].power % every === 0 && ![i - 1, i + 1].some((k) => columns[k] && columns[k].always && every > 1)));
+    svg.append("g").attr("transform", `translate(0,${height - bottom})`)
+      .call(d3.svg.axis().scale(x).tickValues(labelled).tickFormat((i) => columns[i].label).tickSize(3, 0));
+    svg.append("text").attr({x: (left + width - right) / 2, y: height - 4, "text-anchor": "middle"}).text(axis);
+    columns.forEach((column, i) => {
+      const group = svg.append("g");
+      group.append("title").text(column.title);
+      for (const [name, count] of column.parts)
+        if (count > 0)
+          group.append("rect").attr({class: name, x: x(i), y: y(count), width: x.rangeBand(), height: height - bottom - y(count)});
+    });
+    const said = columns.filter((column) => column.parts.some((part) => part[1] > 0)).map((column) => column.title);
+    figure.append(element("details", {}, element("summary", {}, "as numbers"), element("p", {}, said.join("; "))));
+    if (bound !== undefined) {
+      const at = x(bound) - 0.06 * x.rangeBand();
+      svg.append("line").attr({class: "bound", x1: at, x2: at, y1: top, y2: height - bottom});
+    }
+  }
+
+  function figure(caption) {
+    return element("figure", {className: "chart"}, element("figcaption", {}, caption));
+  }
+
+  const name = (family) => `${family.pair}/${family.family}${family.scalar === "binary32" ? ".f32" : ""}`;
+
+  /** How far off the numbers of each field are. */
+  function errors(counts, bounds, width) {
+    const grid = element("div", {className: "grid"});
+    const fields = Object.entries(counts.fields);
+    const powers = fields.flatMap(([, f]) => f.errors.map((e) => e[0]));
+    if (powers.length === 0 && fields.every(([, f]) => f.not_finite === 0))
+      return element("p", {}, fields.length === 0 ? "No number was claimed here." :
+        `Nothing to draw: ${d3.sum(fields, ([, f]) => f.judged)} numbers, every one without an error.`);
+    const low = Math.min(-2, ...powers), high = Math.max(4, ...powers);
+    for (const [field, f] of fields) {
+      const bound = Math.log2(bounds[field.startsWith("point") ? "point" : field]);
+      const at = new Map(f.errors);
+      const right = f.judged - f.not_finite - d3.sum(f.errors, (e) => e[1]);
+      const columns = [{label: "right", always: true, title: `${right} without an error`, parts: [["c0", right]]}];
+      for (let p = low; p <= high; ++p)
+        columns.push({label: two(p), power: p, title: `${at.get(p) || 0} off by ${two(p)} to ${two(p + 1)} ulps`,
+                      parts: [[p < bound ? "c1" : "c3", at.get(p) || 0]]});
+      columns.push({label: "not finite", always: true, title: `${f.not_finite} not finite`, parts: [["c4", f.not_finite]]});
+      const chart = figure(`${field}: ${f.judged} claims, ${f.beyond_bound} beyond the bound, ${f.not_finite} not finite`);
+      bars(chart, width, columns, "error in ulps (dashed: the bound)", Math.ceil(bound) - low + 1);
+      grid.append(chart);
+    }
+    return grid;
+  }
+
+  /** Which decisions are wrong, by the distance from where hit becomes miss. */
+  function decisions(counts, scalar, width) {
+    if (counts.margins.length === 0) return element("p", {}, "No decision on two spheres was claimed here.");
+    const wrong = counts.margins.filter((m) => m[3] > 0);
+    const farthest = wrong.reduce((far, m) => (m[0] !== 0 && (far === null || m[1] > far) ? m[1] : far), null);
+    const caption = wrong.length === 0 ? "Every decision is right, however near" :
+      `${d3.sum(wrong, (m) => m[3])} wrong decisions` + (farthest === null ? ", all exactly at the limit" :
+        `, the farthest ${two(farthest)} to ${two(farthest + 1)} ulps from the limit`);
+    const high = Math.min(60, Math.max(4, ...counts.margins.map((m) => m[1])));
+    const low = Math.max(-30, Math.min(0, ...counts.margins.map((m) => m[1])));
+    const columns = [];
+    const column = (side, power, label) => {
+      const here = counts.margins.filter((m) => m[0] === side &&
+        (side === 0 || Math.min(high, Math.max(low, m[1])) === power));
+      const claimed = d3.sum(here, (m) => m[2]), bad = d3.sum(here, (m) => m[3]);
+      const where = side === 0 ? "exactly at the limit" : `${two(power)} to ${two(power + 1)} ulps ${side < 0 ? "inside" : "outside"}`;
+      columns.push({label, power: side === 0 ? undefined : power, always: side === 0,
+                    title: `${where}: ${claimed} decisions, ${bad} wrong`, parts: [["all", claimed], ["c3", bad]]});
+    };
+    for (let p = high; p >= low; --p) column(-1, p, "−" + two(p));
+    column(0, 0, "0");
+    for (let p = low; p <= high; ++p) column(1, p, two(p));
+    const chart = figure(caption);
+    bars(chart, width, columns, `hit ←  √D − reach in ulps of reach (${scalar})  → miss`);
+    return chart;
+  }
+
+  function charts(section, report) {
+    const place = section.querySelector(".charts");
+    const shown = element("div");
+    const choice = element("select");
+    const all = [["all families", report.total], ...report.families.map((f) => [name(f), f])];
+    choice.append(...all.map(([label], i) => element("option", {value: i}, label)));
+    const draw = () => {
+      const counts = all[choice.value || 0][1];
+      const width = Math.max(300, place.clientWidth), narrow = width < 984;  // two columns, as the style sheet has them
+      shown.replaceChildren(
+        element("h3", {}, "How far off the numbers are"), errors(counts, report.bounds, narrow ? width : width / 2 - 12),
+        element("h3", {}, "Where decisions go wrong"),
+        element("p", {}, "Pale: all decisions on spheres. Dark: the wrong ones. Both scales are logarithmic."),
+        decisions(counts, report.scalar, width));
+    };
+    choice.addEventListener("change", draw);
+    place.append(element("label", {}, "Charts of ", choice), shown);
+    draw();
+  }
+
+  // ---- space ----
+
+  let renderer = null;  // one for all views: a browser grants a page few
+  function space() {
+    if (renderer) return renderer;
+    document.body.append(element("script", {textContent: document.getElementById("space").textContent}));
+    renderer = new THREE.WebGLRenderer({antialias: true, alpha: true, preserveDrawingBuffer: true});
+    return renderer;
+  }
+
+  const numbers = (v) => v.map(Number);  // "NaN" and "Infinity" are text in JSON
+  const finite = (v) => v.every(Number.isFinite);
+  const color = (property) => new THREE.Color(getComputedStyle(document.documentElement).getPropertyValue(property).trim());
+
+  /** The two shapes, moved and scaled to fit into the unit ball: what is done to every point of theirs. */
+  function frame(query) {
+    const shapes = [query.a, query.b].map((s) => {
+      const low = numbers(s.center || s.min), high = numbers(s.center || s.max), r = Number(s.radius || 0);
+      return {low: low.map((x) => x - r), high: high.map((x) => x + r), all: [...low, ...high, r]};
+    });
+    const largest = Math.max(...shapes.flatMap((s) => s.all.map(Math.abs)));
+    // Sums and quotients of these neither overflow nor vanish.
+    const k = largest > 2 ** 400 ? 2 ** -700 : largest < 2 ** -400 ? 2 ** 600 : 1;
+    const low = [0, 1, 2].map((i) => Math.min(...shapes.map((s) => s.low[i] * k)));
+    const high = [0, 1, 2].map((i) => Math.max(...shapes.map((s) => s.high[i] * k)));
+    const middle = low.map((x, i) => x / 2 + high[i] / 2);
+    const extent = Math.max(...low.map((x, i) => high[i] / 2 - x / 2)) || 1;
+    return {point: (v) => new THREE.Vector3(...v.map((x, i) => (x * k - middle[i]) / extent)), length: (x) => x * k / extent};
+  }
+
+  function scene(worst, left_out) {
+    const {query, claimed, right} = worst;
+    const all = new THREE.Scene();
+    const {point, length} = frame(query);
+    const add = (geometry, material, at) => {
+      const mesh = new THREE.Mesh(geometry, material);
+      if (at) mesh.position.copy(at);
+      all.add(mesh);
+      return mesh;
+    };
+    const centers = [["a", "--first"], ["b", "--second"]].map(([key, property]) => {
+      const shape = query[key], paint = color(property);
+      const glass = new THREE.MeshPhongMaterial({color: paint, transparent: true, opacity: 0.28, depthWrite: false});
+      const lines = new THREE.LineBasicMaterial({color: paint, transparent: true, opacity: 0.55});
+      let geometry, wires, at;
+      if (shape.center) {
+        at = point(numbers(shape.center));
+        const radius = length(Number(shape.radius));
+        geometry = new THREE.SphereBufferGeometry(radius, 48, 32);
+        wires = new THREE.WireframeGeometry(new THREE.SphereBufferGeometry(radius, 16, 8));
+      } else {
+        const low = point(numbers(shape.min)), high = point(numbers(shape.max));
+        at = low.clone().add(high).multiplyScalar(0.5);
+        geometry = new THREE.BoxBufferGeometry(...high.sub(low).toArray());
+        wires = new THREE.EdgesGeometry(geometry);
+      }
+      add(geometry, glass, at);
+      const wired = new THREE.LineSegments(wires, lines);
+      wired.position.copy(at);
+      all.add(wired);
+      add(new THREE.SphereBufferGeometry(0.02, 12, 8), new THREE.MeshBasicMaterial({color: paint}), at);
+      return at;
+    });
+    // Right: a ball and a thick, short arrow. Claimed: a cage around it and a thin, long arrow.
+    for (const [says, answer, property] of [["right", right, "--right"], ["claimed", claimed, "--claimed"]]) {
+      if (!answer.contact) continue;
+      const is_right = says === "right", material = new THREE.MeshBasicMaterial({color: color(property), wireframe: !is_right});
+      const solid = new THREE.MeshBasicMaterial({color: color(property)});
+      for (const field of ["point1", "point2", "point"]) {
+        if (!answer.contact[field]) continue;
+        const v = numbers(answer.contact[field]), at = finite(v) ? point(v) : null;
+        if (at && at.length() < 3)
+          add(is_right ? new THREE.SphereBufferGeometry(0.035, 16, 12) : new THREE.OctahedronBufferGeometry(0.075), material, at);
+        else
+          left_out.push(`${says} ${field} (${at ? "far outside" : "not finite"})`);
+      }
+      if (!answer.contact.normal) continue;
+      const n = new THREE.Vector3(...numbers(answer.contact.normal));
+      if (!finite(n.toArray()) || n.length() === 0) {
+        left_out.push(`${says} normal (${n.length() === 0 ? "zero" : "not finite"})`);
+        continue;
+      }
+      n.normalize();
+      const size = is_right ? 0.45 : 0.65, thick = is_right ? 0.016 : 0.007;
+      const turn = new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 1, 0), n);
+      const from = centers[0].clone().add(centers[1]).multiplyScalar(0.5);
+      add(new THREE.CylinderBufferGeometry(thick, thick, size, 12), solid, from.clone().addScaledVector(n, size / 2)).quaternion.copy(turn);
+      add(new THREE.ConeBufferGeometry(3 * thick, 0.09, 16), solid, from.clone().addScaledVector(n, size)).quaternion.copy(turn);
+    }
+    all.add(new THREE.HemisphereLight(0xffffff, 0x555555, 1));
+    return all;
+  }
+
+  function view(figure, worst) {
+    const canvas = element("canvas", {tabIndex: 0});
+    const caption = element("figcaption");
+    figure.append(canvas, caption);
+    canvas.setAttribute("role", "img");
+    canvas.setAttribute("aria-label", `The two shapes, the right and the claimed contact: ${worst.what}. ` +
+      "Arrow keys turn, plus and minus zoom, 0 goes back.");
+    let drawn, camera, controls, left_out;
+    const draw = () => {
+      const scale = Math.min(2, devicePixelRatio || 1);
+      const width = Math.round(canvas.clientWidth * scale), height = Math.round(canvas.clientHeight * scale);
+      if (width === 0 || height === 0) return;
+      if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
+      camera.aspect = width / height;
+      camera.updateProjectionMatrix();
+      renderer.setSize(width, height, false);
+      renderer.render(drawn, camera);
+      const flat = canvas.getContext("2d");
+      flat.clearRect(0, 0, width, height);
+      flat.drawImage(renderer.domElement, 0, 0);
+    };
+    const fresh = () => {
+      left_out = [];
+      drawn = scene(worst, left_out);
+    };
+    const start = () => {
+      try {
+        space();
+      } catch (error) {
+        figure.replaceChildren(element("p", {}, `No view in space: ${error.message || error}`));
+        return;
+      }
+      camera = new THREE.PerspectiveCamera(35, 4 / 3, 0.1, 50);
+      const home = () => {
+        camera.position.set(1.3, 1.1, 3.5);
+        camera.zoom = 1;
+        camera.lookAt(0, 0, 0);
+      };
+      home();
+      fresh();
+      controls = new THREE.OrbitControls(camera, canvas);
+      Object.assign(controls, {enableKeys: false, enableZoom: false, enablePan: false});
+      controls.addEventListener("change", draw);
+      canvas.addEventListener("keydown", (event) => {
+        const turn = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]}[event.key];
+        const zoom = {"+": 1.2, "=": 1.2, "-": 1 / 1.2}[event.key];
+        if (turn) {
+          const place = new THREE.Spherical().setFromVector3(camera.position);
+          place.theta += 0.15 * turn[0];
+          place.phi += 0.15 * turn[1];
+          camera.position.setFromSpherical(place.makeSafe());
+        } else if (zoom) {
+          camera.zoom = Math.min(50, Math.max(0.3, camera.zoom * zoom));
+        } else if (event.key === "0" || event.key === "Home") {
+          home();
+        } else {
+          return;
+        }
+        event.preventDefault();
+        controls.update();
+        draw();
+      });
+      matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+        fresh();
+        draw();
+      });
+      new ResizeObserver(draw).observe(canvas);
+      const legend = (name, sign, text) => [element("b", {className: name}, sign + " " + text), "  "];
+      caption.append(...legend("a", "◯", "a"), ...legend("b", "◯", "b"), ...legend("r", "●", "right"),
+                     ...legend("c", "◇", "claimed"), "· drag, or arrow keys, + − 0");
+      if (left_out.length !== 0) caption.append(element("br"), "Not in the picture: " + left_out.join(", "));
+      figure.dataset.drawn = "yes";
+      draw();
+    };
+    new IntersectionObserver((entries, observer) => {
+      if (!entries.some((e) => e.isIntersecting)) return;
+      observer.disconnect();
+      start();
+    }, {rootMargin: "200px"}).observe(canvas);
+  }
+
+  // ---- the page ----
+
+  for (const section of document.querySelectorAll("section")) {
+    const report = JSON.parse(section.querySelector("script.data").textContent);
+    if (typeof d3 === "undefined") {
+      section.querySelector(".charts").append(element("p", {}, "Built without D3 and three.js: no charts and no views."));
+      continue;
+    }
+    charts(section, report);
+    for (const article of section.querySelectorAll("article")) {
+      const worst = report.worst[article.dataset.case];
+      if (inside(worst.query)) view(article.querySelector(".view"), worst);
+    }
+  }
+  /** Whether every number of a question is finite, so that it can be drawn. */
+  function inside(query) {
+    return [query.a, query.b].every((s) => finite(numbers(s.center ? [...s.center, s.radius] : [...s.min, ...s.max])));
+  }
+
+  for (const box of document.querySelectorAll(".copy")) {
+    const button = box.querySelector("button"), code = box.querySelector("code");
+    button.addEventListener("click", async () => {
+      try {
+        await navigator.clipboard.writeText(code.textContent);
+      } catch {
+        getSelection().selectAllChildren(code);  // where the clipboard is not granted
+        document.execCommand("copy");
+      }
+      button.textContent = "Copied";
+    });
+  }
+})();
