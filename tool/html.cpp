@@ -178,6 +178,13 @@ std::string counts(const Report& report) {
          "normal, point1, point2 and value of every contact.</p></details>\n";
 }
 
+/// A number as in JSON, without the quotes around what JSON has no number for.
+std::string shown(double x) {
+  std::string text = golden::number(x);
+  std::erase(text, '"');
+  return text;
+}
+
 /// A number of the right answer beside the claimed one, a line each; where they differ the claimed one is marked.
 std::string number_rows(std::string_view title, const std::vector<std::string>& right,
                         const std::vector<std::string>& claimed, const std::string& error) {
@@ -205,11 +212,11 @@ std::string numbers_table(const WorstCase& w, const oracle::Declaration& declare
   const auto vector = [](const Claim& claim, auto member) {
     std::vector<std::string> texts;
     if (claim.contact && (*claim.contact).*member)
-      for (const double x : *((*claim.contact).*member)) texts.push_back(golden::number(x));
+      for (const double x : *((*claim.contact).*member)) texts.push_back(shown(x));
     return texts;
   };
   const auto value = [](const Claim& claim) {
-    return claim.contact && claim.contact->value ? std::vector<std::string>{golden::number(*claim.contact->value)}
+    return claim.contact && claim.contact->value ? std::vector<std::string>{shown(*claim.contact->value)}
                                                  : std::vector<std::string>{};
   };
   const auto error = [&](Field field) -> std::string {

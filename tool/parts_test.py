@@ -174,8 +174,8 @@ class Parts(Case):
         self.refused(("merge", folder), path, "bytes", "has grown")
         path.write_bytes(whole.replace(b'"part":[1,2]', b'"part":[0,2]', 1))
         self.refused(("merge", path, path), path, "sha256", "damaged")
-        path.write_bytes(whole.replace(b'"version":1', b'"version":2', 1))
-        self.refused(("merge", folder), path, "version", "reads version 1")
+        path.write_bytes(whole.replace(b'"version":2', b'"version":3', 1))
+        self.refused(("merge", folder), path, "version", "reads version 2")
 
     def test_a_folder_of_another_run_is_not_gone_on_with(self):
         folder = self.parts([*FRESH, "--generate", "50"], 2)

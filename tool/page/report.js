@@ -27,10 +27,11 @@
     const decades = d3.range(Math.ceil(Math.log10(y.domain()[1])) + 1).map((p) => 10 ** p).filter((v) => v <= y.domain()[1]);
     svg.append("g").attr("transform", `translate(${left},0)`)
       .call(d3.svg.axis().scale(y).orient("left").tickValues(decades).tickFormat(d3.format(",")).tickSize(-(width - left - right), 0));
-    // As many labels as there is room for; those that are no power always.
+    // As many labels as there is room for; those that are no power always, and then no power beside them.
     const every = Math.ceil(columns.length * 46 / width);
-    const labelled = d3.range(columns.length).filter((i) => columns[i].always || (columns[i].power !== undefined &&
-      columns[i].power % every === 0 && ![i - 1, i + 1].some((k) => columns[k] && columns[k].always && every > 1)));
+    const always = d3.range(columns.length).filter((i) => columns[i].always);
+    const free = (i) => always.every((k) => Math.abs(x(i) - x(k)) > 20 + 3 * columns[k].label.length);
+    const labelled = d3.range(columns.length).filter((i) => columns[i].always || (columns[i].power % every === 0 && free(i)));
     svg.append("g").attr("transform", `translate(0,${height - bottom})`)
       .call(d3.svg.axis().scale(x).tickValues(labelled).tickFormat((i) => columns[i].label).tickSize(3, 0));
     svg.append("text").attr({x: (left + width - right) / 2, y: height - 4, "text-anchor": "middle"}).text(axis);
@@ -62,13 +63,13 @@
     const powers = fields.flatMap(([, f]) => f.errors.map((e) => e[0]));
     if (powers.length === 0 && fields.every(([, f]) => f.not_finite === 0))
       return element("p", {}, fields.length === 0 ? "No number was claimed here." :
-        `Nothing to draw: ${d3.sum(fields, ([, f]) => f.judged)} numbers, every one without an error.`);
+        `Nothing to draw: ${d3.sum(fields, ([, f]) => f.judged)} numbers, every one correctly rounded.`);
     const low = Math.min(-2, ...powers), high = Math.max(4, ...powers);
     for (const [field, f] of fields) {
       const bound = Math.log2(bounds[field.startsWith("point") ? "point" : field]);
       const at = new Map(f.errors);
       const right = f.judged - f.not_finite - d3.sum(f.errors, (e) => e[1]);
-      const columns = [{label: "right", always: true, title: `${right} without an error`, parts: [["c0", right]]}];
+      const columns = [{label: "right", always: true, title: `${right} correctly rounded`, parts: [["c0", right]]}];
       for (let p = low; p <= high; ++p)
         columns.push({label: two(p), power: p, title: `${at.get(p) || 0} off by ${two(p)} to ${two(p + 1)} ulps`,
                       parts: [[p < bound ? "c1" : "c3", at.get(p) || 0]]});
