@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
+#include <unordered_map>
 
 namespace contact::oracle {
 namespace {
@@ -138,6 +140,8 @@ std::string share(std::uint64_t n, std::uint64_t of, std::string_view what) {
   return std::to_string(n) + " of " + std::to_string(of) + " wrong " + std::string(what) + " claims";
 }
 
+std::uint64_t rounded(double n) { return static_cast<std::uint64_t>(std::llround(std::max(n, 0.0))); }
+
 std::string joined(const std::vector<std::string>& parts) {
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i)
@@ -209,7 +213,8 @@ std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, c
   return found;
 }
 
-void Diagnosis::count(const Place& place, bool right, const Set& agree, const Set& differ, std::uint64_t weight) {
+void Diagnosis::count(std::uint64_t key, const Place& place, bool right, const Set& agree, const Set& differ,
+                      std::uint64_t weight) {
   if (right) {
     std::vector<std::uint64_t>& counts = contradicted_[place];
     counts.resize(causes().size());
@@ -217,25 +222,40 @@ void Diagnosis::count(const Place& place, bool right, const Set& agree, const Se
     return;
   }
   ++wrong_[std::string(kAspectNames[static_cast<std::size_t>(place.aspect)])];
-  add_wrong({place, agree}, 1);
+  add_wrong({key, place, agree}, 1);
 }
 
-void Diagnosis::add_wrong(const Explained& set, std::uint64_t n) {
-  if (set.by.none()) {
-    unexplained_[set.place] += n;
-    return;
+void Diagnosis::add_wrong(const Wrong& wrong, std::uint64_t n) {
+  // The first in order are the same whatever comes when, and none of those has ever been dropped.
+  sample_[wrong] += n;
+  if (sample_.size() > kSample) sample_.erase(std::prev(sample_.end()));
+}
+
+bool Diagnosis::is_sampled() const {
+  const auto sum = [](const auto& counts) {
+    return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0},
+                           [](std::uint64_t n, const auto& entry) { return n + entry.second; });
+  };
+  return sum(sample_) < sum(wrong_);
+}
+
+std::vector<Diagnosis::Alike> Diagnosis::alike() const {
+  std::map<Aspect, double> sampled;
+  for (const auto& [wrong, n] : sample_) sampled[wrong.place.aspect] += static_cast<double>(n);
+  std::map<Place, std::unordered_map<Set, double>> sets;
+  for (const auto& [wrong, n] : sample_) {
+    const std::uint64_t all = wrong_.at(std::string(kAspectNames[static_cast<std::size_t>(wrong.place.aspect)]));
+    sets[wrong.place][wrong.by] += static_cast<double>(n) * static_cast<double>(all) / sampled[wrong.place.aspect];
   }
-  sets_[set] += n;
-  if (sets_.size() <= kMostSets) return;
-  // Past the limit the last in order counts as unexplained. The first ones are the same whatever comes when, and none
-  // of those has ever been dropped.
-  const auto last = std::prev(sets_.end());
-  unexplained_[last->first.place] += last->second;
-  sets_.erase(last);
+  std::vector<Alike> found;
+  for (const auto& [place, by_set] : sets)
+    for (const auto& [by, n] : by_set) found.push_back({place, by, n});
+  return found;
 }
 
-void Diagnosis::add(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
-                    const Verdict& verdict, const Expectation* rounded, std::uint64_t weight) {
+void Diagnosis::add(std::uint64_t key, const Query& query, const Truth& truth, const Claim& claim,
+                    const Declaration& declared, const Verdict& verdict, const Expectation* rounded,
+                    std::uint64_t weight) {
   if (verdict.status != Claim::Status::answered) {
     ++silent_[query.pair];
     return;
@@ -267,7 +287,7 @@ void Diagnosis::add(const Query& query, const Truth& truth, const Claim& claim, 
         agree[i] |= agree[static_cast<std::size_t>(normal - claimed.begin())];
     }
   for (std::size_t i = 0; i < claimed.size(); ++i)
-    count({claimed[i].aspect, query.pair, facts.region}, claimed[i].right, agree[i], differ[i], weight);
+    count(key, {claimed[i].aspect, query.pair, facts.region}, claimed[i].right, agree[i], differ[i], weight);
   for (const Explanation& e : explain_wrong(query, truth, claim, declared, verdict, rounded)) ++explanations_[e];
 }
 
@@ -296,8 +316,7 @@ void Diagnosis::merge(const Diagnosis& other) {
   for (const auto& [what, n] : other.outside_) outside_[what] += n;
   for (const auto& [pair, n] : other.silent_) silent_[pair] += n;
   for (const auto& [pair, n] : other.answered_) answered_[pair] += n;
-  for (const auto& [set, n] : other.sets_) add_wrong(set, n);
-  for (const auto& [place, n] : other.unexplained_) unexplained_[place] += n;
+  for (const auto& [wrong, n] : other.sample_) add_wrong(wrong, n);
   for (const auto& [place, counts] : other.contradicted_) {
     std::vector<std::uint64_t>& mine = contradicted_[place];
     mine.resize(counts.size());
@@ -308,17 +327,16 @@ void Diagnosis::merge(const Diagnosis& other) {
 /// What one cause explains of what is left, place by place.
 class Diagnosis::Gain {
  public:
-  Gain(const Diagnosis& run, const std::map<Explained, std::uint64_t>& left, std::size_t cause)
-      : run_(run), cause_(cause) {
-    for (const auto& [set, n] : left)
-      if (set.by[cause]) explained_[set.place] += n;
+  Gain(const Diagnosis& run, const std::vector<Alike>& left, std::size_t cause) : run_(run), cause_(cause) {
+    for (const Alike& wrong : left)
+      if (wrong.by[cause]) explained_[wrong.place] += wrong.n;
     for (const auto& [place, n] : explained_) {
-      const std::uint64_t against = contradictions(place);
+      const double against = contradictions(place);
       if (n <= against || (!speaks_of(place.aspect) && !places_.contains({Aspect::normal, place.pair, place.region})))
         continue;
       places_.insert(place);
       total_ += n;
-      score_ += static_cast<double>(n) - static_cast<double>(against);
+      score_ += n - against;
     }
     // A mistake that is made wherever it can be is the simpler one: what speaks against it elsewhere counts a little.
     double elsewhere = 0;
@@ -333,11 +351,11 @@ class Diagnosis::Gain {
   }
 
   [[nodiscard]] double score() const { return score_; }
-  [[nodiscard]] std::uint64_t total() const { return total_; }
-  [[nodiscard]] bool explains(const Explained& set) const { return set.by[cause_] && places_.contains(set.place); }
+  [[nodiscard]] double total() const { return total_; }
+  [[nodiscard]] bool explains(const Alike& wrong) const { return wrong.by[cause_] && places_.contains(wrong.place); }
 
   [[nodiscard]] std::string sentence() const {
-    std::map<Aspect, std::uint64_t> by_aspect;
+    std::map<Aspect, double> by_aspect;
     std::set<Pair> pairs;
     std::set<Region> regions;
     for (const Place& place : places_) {
@@ -363,15 +381,15 @@ class Diagnosis::Gain {
     parts.clear();
     for (const auto& [aspect, n] : by_aspect) {
       const std::string_view what = kAspectNames[static_cast<std::size_t>(aspect)];
-      parts.push_back(share(n, run_.wrong_.at(std::string(what)), what));
+      parts.push_back(share(rounded(n), run_.wrong_.at(std::string(what)), what));
     }
-    return text + ": explains " + joined(parts);
+    return text + (run_.is_sampled() ? ": explains about " : ": explains ") + joined(parts);
   }
 
  private:
-  [[nodiscard]] std::uint64_t contradictions(const Place& place) const {
+  [[nodiscard]] double contradictions(const Place& place) const {
     const auto it = run_.contradicted_.find(place);
-    return it == run_.contradicted_.end() ? 0 : it->second[cause_];
+    return it == run_.contradicted_.end() ? 0 : static_cast<double>(it->second[cause_]);
   }
   /// Whether the cause says where a point is; else it explains those points that go with a wrong normal.
   [[nodiscard]] bool speaks_of(Aspect aspect) const {
@@ -380,9 +398,9 @@ class Diagnosis::Gain {
 
   const Diagnosis& run_;
   std::size_t cause_;
-  std::map<Place, std::uint64_t> explained_;
+  std::map<Place, double> explained_;
   std::set<Place> places_;
-  std::uint64_t total_ = 0;
+  double total_ = 0;
   double score_ = 0;
 };
 
@@ -399,11 +417,10 @@ std::vector<Finding> Diagnosis::findings() const {
                          std::string(name(pair)) + ": " + std::to_string(n) + " questions",
                      n});
   std::uint64_t all = 0;
-  for (const auto& [set, n] : sets_) all += n;
-  for (const auto& [place, n] : unexplained_) all += n;
-  auto left = sets_;
+  for (const auto& [aspect, n] : wrong_) all += n;
+  std::vector<Alike> left = alike();
   constexpr std::size_t kMostFindings = 6;
-  std::uint64_t rest = all;
+  auto rest = static_cast<double>(all);
   while (found.size() < kMostFindings && !left.empty()) {
     std::optional<Gain> best;
     std::string_view id;
@@ -414,14 +431,16 @@ std::vector<Finding> Diagnosis::findings() const {
       id = causes()[c].id;
     }
     // A mistake that explains next to nothing explains it by chance.
-    if (!best || best->total() * 50 < all) break;
-    found.push_back({std::string(id), best->sentence(), best->total()});
+    if (!best || best->total() * 50 < static_cast<double>(all)) break;
+    found.push_back({std::string(id), best->sentence(), rounded(best->total())});
     rest -= best->total();
-    std::erase_if(left, [&](const auto& entry) { return best->explains(entry.first); });
+    std::erase_if(left, [&](const Alike& wrong) { return best->explains(wrong); });
   }
-  if (rest * 10 > all)
-    found.push_back(
-        {"", std::to_string(rest) + " of " + std::to_string(all) + " wrong claims fit no known mistake", rest});
+  if (const std::uint64_t n = rounded(rest); n * 10 > all)
+    found.push_back({"",
+                     (is_sampled() ? "about " : "") + std::to_string(n) + " of " + std::to_string(all) +
+                         " wrong claims fit no known mistake",
+                     n});
   return found;
 }
 

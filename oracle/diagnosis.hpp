@@ -48,14 +48,17 @@ struct Finding {
 [[nodiscard]] std::string_view sentence_of(std::string_view cause);
 
 /// Holds every known mistake against everything that an engine said. A mistake explains a wrong claim where its formula
-/// gives what was claimed, and is contradicted by a right claim where it gives something else. Memory is bounded:
-/// counts by mistake, and by set of mistakes. What is found does not depend on the order of the answers, nor on how
-/// they were divided before `merge`.
+/// gives what was claimed, and is contradicted by a right claim where it gives something else. Memory is bounded: of
+/// more than kSample wrong claims, those to the questions with the smallest keys speak for the others of their aspect.
+/// What is found does not depend on the order of the answers, nor on how they were divided before `merge`.
 class Diagnosis {
  public:
+  static constexpr std::size_t kSample = 16384;
+
   /// What was said to a question inside the domain, right or wrong. What is right in it speaks `weight`-fold against
-  /// the mistakes that say otherwise, for so many answers like it; an answer of weight 0 must be right.
-  void add(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
+  /// the mistakes that say otherwise, for so many answers like it; an answer of weight 0 must be right. `key` is the
+  /// question's own: 64 bits of a digest of it.
+  void add(std::uint64_t key, const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
            const Verdict& verdict, const Expectation* rounded = nullptr, std::uint64_t weight = 1);
   /// An answer to a question outside the domain.
   void add_outside_domain(const Query& query);
@@ -71,12 +74,11 @@ class Diagnosis {
   /// All that was counted, for an archive of Cereal's.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(explanations_, wrong_, sets_, unexplained_, contradicted_, answered_, silent_, outside_);
+    archive(explanations_, wrong_, sample_, contradicted_, answered_, silent_, outside_);
   }
 
  private:
   static constexpr std::size_t kMostCauses = 256;
-  static constexpr std::size_t kMostSets = 4096;
   using Set = std::bitset<kMostCauses>;
   /// Where claims are counted apart: a mistake may be made in some places only.
   struct Place {
@@ -90,28 +92,38 @@ class Diagnosis {
     }
     friend auto operator<=>(const Place&, const Place&) = default;
   };
-  struct Explained {
+  struct Wrong {
+    std::uint64_t key;  ///< of its question
     Place place;
-    Set by;  ///< the mistakes that explain it, at least one
+    Set by;  ///< the mistakes that explain it
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(place, by);
+      archive(key, place, by);
     }
-    friend bool operator<(const Explained& x, const Explained& y) {
-      if (x.by != y.by) return x.by.to_string() < y.by.to_string();
-      return x.place < y.place;
+    friend bool operator<(const Wrong& x, const Wrong& y) {
+      if (x.key != y.key) return x.key < y.key;
+      if (x.place != y.place) return x.place < y.place;
+      return x.by.to_string() < y.by.to_string();
     }
+  };
+  /// Wrong claims of a place that the same mistakes explain, and how many: estimated where only a sample is kept.
+  struct Alike {
+    Place place;
+    Set by;
+    double n;
   };
   class Gain;
 
-  void count(const Place& place, bool is_right, const Set& agree, const Set& differ, std::uint64_t weight);
-  void add_wrong(const Explained& set, std::uint64_t n);
+  void count(std::uint64_t key, const Place& place, bool is_right, const Set& agree, const Set& differ,
+             std::uint64_t weight);
+  void add_wrong(const Wrong& wrong, std::uint64_t n);
+  [[nodiscard]] std::vector<Alike> alike() const;
+  [[nodiscard]] bool is_sampled() const;
 
   std::map<Explanation, std::uint64_t> explanations_;
   std::map<std::string, std::uint64_t> wrong_;
-  std::map<Explained, std::uint64_t> sets_;                   ///< wrong claims, by the mistakes that explain them
-  std::map<Place, std::uint64_t> unexplained_;                ///< wrong claims that none explains, or too few sets tell
+  std::map<Wrong, std::uint64_t> sample_;                     ///< wrong claims, the smallest keys
   std::map<Place, std::vector<std::uint64_t>> contradicted_;  ///< right claims, by mistake
   std::map<Pair, std::uint64_t> answered_;
   std::map<Pair, std::uint64_t> silent_;                       ///< questions without an answer

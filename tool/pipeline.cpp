@@ -172,6 +172,13 @@ std::uint64_t weight_of(std::uint64_t index, std::uint64_t size, Level level) {
   return index % n == 0 ? n : 0;
 }
 
+/// The first 64 bits of an id, which is a digest in hexadecimal.
+std::uint64_t key_of(const std::string& id) {
+  std::uint64_t key = 0;
+  std::from_chars(id.data(), id.data() + std::min<std::size_t>(id.size(), 16), key, 16);
+  return key;
+}
+
 void judge_one(const Item& item, const std::optional<Agreed>& agreed, const Source& source, const Claim& claim,
                const Subject& subject, Findings& found) {
   const auto& [id, query] = item.question;
@@ -191,7 +198,8 @@ void judge_one(const Item& item, const std::optional<Agreed>& agreed, const Sour
   const bool accepted = level > report.required && baseline != nullptr && baseline->accepts(id, level);
   // What is right speaks against a hypothesis as what is wrong speaks for one.
   if (truth != nullptr && !accepted)
-    found.why.add(query, *truth, claim, declared, verdict, rounded, weight_of(item.index, source.size(), level));
+    found.why.add(key_of(id), query, *truth, claim, declared, verdict, rounded,
+                  weight_of(item.index, source.size(), level));
   if (verdict.answered_outside_domain && !accepted) found.why.add_outside_domain(query);
   if (level <= report.required) {
     if (baseline != nullptr && baseline->lists(id)) found.gone.insert(id);

@@ -95,6 +95,43 @@ TEST(Certify, ANormalOfTheWrongSignIsRefutedAndItsConventionNamed) {
   EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), names_convention));
 }
 
+/// What plain double does wrong in generated questions of two families, from the given one on.
+oracle::Diagnosis diagnosis_of_plain_double(std::uint64_t first, std::uint64_t count) {
+  std::vector<Subject> subjects;
+  subjects.push_back({engines::make_built_in("plain-double"), {}});
+  subjects.front().report.engine = subjects.front().engine->info();
+  Stop never;
+  Oracles oracles;
+  for (const std::string_view family : {"near_touching", "coincident"})
+    judge_source({Pair::sphere_sphere, Scalar::binary64, std::string(family), count, std::nullopt,
+                  golden::find_family(Pair::sphere_sphere, family), 5, first},
+                 subjects, never, oracles);
+  return std::move(subjects.front().report.why);
+}
+
+TEST(Certify, OfALargeRunASampleOfTheWrongClaimsNamesTheSameMistakes) {
+  constexpr std::uint64_t kCount = 4000;
+  oracle::Diagnosis few = diagnosis_of_plain_double(0, kCount);
+  const oracle::Diagnosis second = diagnosis_of_plain_double(kCount, kCount);
+  const oracle::Diagnosis third = diagnosis_of_plain_double(2 * kCount, kCount);
+  oracle::Diagnosis forwards = few;
+  forwards.merge(second);
+  forwards.merge(third);
+  oracle::Diagnosis backwards = third;
+  backwards.merge(second);
+  backwards.merge(few);
+  EXPECT_EQ(forwards.lines(), backwards.lines());
+  const auto of_few = few.findings();
+  const auto of_all = forwards.findings();
+  ASSERT_EQ(of_few.size(), of_all.size());
+  for (std::size_t i = 0; i < of_all.size(); ++i) {
+    EXPECT_EQ(of_all[i].cause, of_few[i].cause);
+    EXPECT_NEAR(static_cast<double>(of_all[i].explained) / static_cast<double>(3 * of_few[i].explained), 1, 0.05);
+    EXPECT_EQ(of_few[i].sentence.find("about"), std::string::npos) << of_few[i].sentence;
+    EXPECT_NE(of_all[i].sentence.find("explains about"), std::string::npos) << of_all[i].sentence;
+  }
+}
+
 TEST(Certify, TouchingTakenForApartIsRefutedAsMissedHits) {
   const Report report = judged(Pair::sphere_sphere, [](const Query& query, Claim& claim) {
     if (oracle::truth_of(query).at_alarm == CGAL::ZERO) {
