@@ -54,6 +54,8 @@ class Answer {
     say(CONTACT_VALUE);
     *value_ = v;
   }
+  /// Instead of an answer: the engine refuses such a shape.
+  void unsupported() { say(CONTACT_UNSUPPORTED); }
 
  private:
   void say(int what) { *said_ |= static_cast<std::uint32_t>(what); }

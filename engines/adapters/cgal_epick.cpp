@@ -7,9 +7,11 @@
 
 namespace contact::adapters {
 
+// Beyond the scale the rounded reach^2 overflows, and CGAL divides by zero, or underflows.
 std::string declaration() {
   return R"({"engine":{"name":"cgal-epick","version":")" CGAL_VERSION_STR
-         R"("},"scalar":"binary64","pairs":["sphere_sphere"]})";
+         R"("},"scalar":"binary64","pairs":["sphere_sphere"],)"
+         R"("conventions":{"scale":{"min":1e-150,"max":1e150}}})";
 }
 
 void answer(const Question& q, Answer& said) {

@@ -29,13 +29,16 @@ mjModel* load() {
 
 }  // namespace
 
+// The scale is mjMAXVAL, beyond which MuJoCo calls a coordinate bad.
 std::string declaration() {
   return R"({"engine":{"name":"mujoco","version":")" + std::string(mj_versionString()) +
          R"("},"scalar":"binary64","pairs":["sphere_sphere"],"conventions":{"points":"midpoint",)"
-         R"("value_less_contact":false}})";
+         R"("value_less_contact":false,"scale":{"min":0,"max":1e10}}})";
 }
 
 void answer(const Question& q, Answer& said) {
+  // Its own handler waits for somebody to press Enter.
+  mju_user_error = [](const char* message) { throw std::runtime_error(message); };
   static mjModel* const model = load();
   static mjData* const data = mj_makeData(model);
   for (int i = 0; i < 2; ++i) {

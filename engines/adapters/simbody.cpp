@@ -22,8 +22,9 @@ void answer(const Question& q, Answer& said) {
   static const SimTK::ContactTracker::SphereSphere tracker;
   const SimTK::UntrackedContact before(SimTK::ContactSurfaceIndex(0), SimTK::ContactSurfaceIndex(1));
   SimTK::Contact now;
-  tracker.trackContact(before, at(q.a), ContactGeometry::Sphere(q.a[3]), at(q.b), ContactGeometry::Sphere(q.b[3]),
-                       q.alarm, now);
+  const bool done = tracker.trackContact(before, at(q.a), ContactGeometry::Sphere(q.a[3]), at(q.b),
+                                         ContactGeometry::Sphere(q.b[3]), q.alarm, now);
+  if (!done) return said.unsupported();  // it gives up on coincident centres, and says so
   const bool hit = !now.isEmpty() && SimTK::CircularPointContact::isInstance(now);
   said.hit(hit);
   if (!hit) return;

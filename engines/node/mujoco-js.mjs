@@ -9,10 +9,11 @@ const model = mujoco.MjModel.from_xml_string(`<mujoco><worldbody>
   <body><freejoint/><geom name="b" type="sphere" size="1"/></body>
 </worldbody><contact><pair geom1="a" geom2="b"/></contact></mujoco>`);
 const data = new mujoco.MjData(model);
+const mjMAXVAL = 1e10; // beyond it MuJoCo calls a coordinate bad
 
 serve({
   engine: {name: 'mujoco-js', version: versionOf('@mujoco/mujoco')}, scalar: 'binary64', pairs: ['sphere_sphere'],
-  conventions: {points: 'midpoint', value_less_contact: false},
+  conventions: {points: 'midpoint', value_less_contact: false, scale: {min: 0, max: mjMAXVAL}},
 }, ({a, b, alarm}) => {
   [a, b].forEach(({center, radius}, i) => {
     data.geom_xpos.set(center, 3 * i);

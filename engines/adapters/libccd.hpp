@@ -37,10 +37,11 @@ inline ccd_t ccd_settings() {
 }
 
 // The position is "where force should take a place", which is no point of ours. The library exports no version.
-inline std::string ccd_declaration(const std::string& name) {
+inline std::string ccd_declaration(const std::string& name, const std::string& scale) {
   return R"({"engine":{"name":")" + name +
          R"(","version":"2.1"},"scalar":"binary64","pairs":["sphere_sphere"],"conventions":{"points":"none",)"
-         R"("value":"depth","value_less_contact":false,"margin":"none"}})";
+         R"("value":"depth","value_less_contact":false,"margin":"none")" +
+         scale + "}}";
 }
 
 /// Answers by ccdMPRPenetration or ccdGJKPenetration.
@@ -49,11 +50,12 @@ inline void ccd_answer(decltype(&ccdMPRPenetration) penetration, const Question&
   const CcdSphere a(q.a);
   const CcdSphere b(q.b);
   ccd_real_t depth = 0;
-  ccd_vec3_t direction;
+  ccd_vec3_t direction = {{0, 0, 0}};
   ccd_vec3_t position;
   const bool hit = penetration(&a, &b, &ccd, &depth, &direction, &position) == 0;
   said.hit(hit);
-  if (!hit) return;
+  // Of shapes that only touch it says no more than that, and leaves the rest as it was.
+  if (!hit || ccdVec3Eq(&direction, ccd_vec3_origin)) return;
   said.normal(direction.v);
   said.value(depth);
 }
