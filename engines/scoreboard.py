@@ -120,7 +120,7 @@ class Engine:
         pairs = {f["pair"] for f in report["families"]}
         try:
             self.time = f"{microseconds(command, pairs == {'cube_cube'}):.1f}"
-        except (subprocess.SubprocessError, OSError):
+        except (subprocess.SubprocessError, OSError, ValueError):
             self.time = "-"
 
     def families(self, pair):
@@ -232,7 +232,10 @@ def finding_texts(tool, engines, findings):
             continue
         path, header, case = asked[finding["id"], finding["scalar"]]
         query = {"pair": header["pair"], **{key: case[key] for key in ("a", "b", "alarm", "contact")}}
-        answer, = conversation(e.command, [query])
+        try:
+            answer, = conversation(e.command, [query])
+        except (subprocess.SubprocessError, OSError, ValueError) as problem:
+            answer = {"error": str(problem)}
         made = subprocess.run([tool, "explain"], input=json.dumps({"id": case["id"], "scalar": header["scalar"], **query}) + "\n",
                               capture_output=True, text=True, check=True)
         lines = [line.strip() for line in made.stdout.splitlines() if line.strip()]
@@ -275,7 +278,8 @@ def main(tool, *wanted):
                                                           check=True).stdout.splitlines()]
     names = {e["name"] for e in listed}
     if unknown := [name for name in wanted if name not in names]:
-        sys.exit(f"no engine {', '.join(unknown)}; contact-oracle engines lists them")
+        print(f"no engine {', '.join(unknown)}; contact-oracle engines lists them", file=sys.stderr)
+        sys.exit(2)
     listed = [e for e in listed if (e["name"] in wanted if wanted else "command" in e or e["name"] in REFERENCES)]
     engines, absent = [], []
     for engine in listed:

@@ -7,7 +7,8 @@
 
 namespace contact::adapters {
 
-// Beyond the scale the rounded reach^2 overflows, and CGAL divides by zero, or underflows.
+// Beyond the scale the rounded reach^2 overflows, which ends the process in its conversion to a rational, or
+// underflows.
 std::string declaration() {
   return R"({"engine":{"name":"cgal-epick","version":")" CGAL_VERSION_STR
          R"("},"scalar":"binary64","pairs":["sphere_sphere"],)"
