@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "engines/adapters.hpp"
 #include "engines/mutants.hpp"
 #include "engines/subprocess.hpp"
 #include "tool/commands.hpp"
@@ -63,7 +64,7 @@ std::unique_ptr<engines::Engine> mutant(const std::string& name) {
 
 void add_engine_options(CLI::App& command, EngineOptions& options) {
   auto* engine =
-      command.add_option("--engine", options.engine, "A built-in engine; `contact-oracle engines` lists them");
+      command.add_option("--engine", options.engine, "An engine by name; `contact-oracle engines` lists them");
   auto* program = command.add_option("--engine-command", options.command,
                                      "An engine in any language: a program that speaks the engine protocol, with its "
                                      "arguments; split as a shell splits words, without a shell");
@@ -96,9 +97,11 @@ std::unique_ptr<engines::Engine> built_in(const std::string& name, PointConventi
   if (name.starts_with(engines::kMutantPrefix)) return mutant(name);
   std::vector<std::string_view> names;
   for (const engines::BuiltIn& e : engines::built_in_engines()) names.push_back(e.name);
+  for (const engines::Adapter& a : engines::adapters()) names.push_back(a.name);
   names.emplace_back("mutant:ID");
   static_cast<void>(index_of(names, name, "engine"));
-  return engines::make_built_in(name, points);
+  if (auto engine = engines::make_built_in(name, points)) return engine;
+  throw golden::InputError({"command line", 0}, "", fmt::format("engine '{}' is an adapter, and not built in", name));
 }
 
 std::unique_ptr<engines::Engine> make_engine(const EngineOptions& options, std::function<void()> check) {
@@ -122,6 +125,12 @@ std::unique_ptr<engines::Engine> make_engine(const EngineOptions& options, std::
         options,
         {std::filesystem::read_symlink("/proc/self/exe").string(), "serve", "--engine-library", options.library},
         std::move(check));
+  }
+  for (const engines::Adapter& adapter : engines::adapters()) {
+    if (adapter.name != options.engine) continue;
+    if (auto words = engines::command_of(adapter)) return subprocess(options, std::move(*words), std::move(check));
+    throw golden::InputError({"command line", 0}, "",
+                             fmt::format("engine '{}' is not here; ./run engines installs it", adapter.name));
   }
   return built_in(options.engine.empty() ? "production" : options.engine, computed_points(options));
 }

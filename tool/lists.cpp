@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 #include <memory>
 
+#include "engines/adapters.hpp"
 #include "engines/engine.hpp"
 #include "engines/mutants.hpp"
 #include "golden/families.hpp"
@@ -25,7 +26,19 @@ void list_engines(bool json, bool every_mutant) {
       fmt::print("{{\"name\":{},\"scalar\":\"{}\",\"about\":{}}}\n", json_string(e.name), name(e.scalar),
                  json_string(e.about));
     else
-      fmt::print("{:<14}{}  {}\n", e.name, name(e.scalar), e.about);
+      fmt::print("{:<18}{}  {}\n", e.name, name(e.scalar), e.about);
+  for (const engines::Adapter& a : engines::adapters()) {
+    const auto command = engines::command_of(a);
+    if (json) {
+      std::vector<std::string> words;
+      for (const std::string& word : command.value_or(std::vector<std::string>{})) words.push_back(json_string(word));
+      fmt::print(R"({{"name":{},"scalar":"{}","about":{},"command":{}}}{})", json_string(a.name), name(a.scalar),
+                 json_string(a.about), command ? fmt::format("[{}]", fmt::join(words, ",")) : "null", "\n");
+    } else {
+      fmt::print("{:<18}{}  {}{}\n", a.name, name(a.scalar), a.about,
+                 command ? "" : ": not here, ./run engines installs it");
+    }
+  }
   for (const engines::Mutant& m : engines::mutants()) {
     const std::string full_name = fmt::format("{}{}", engines::kMutantPrefix, m.id);
     if (json)
@@ -37,7 +50,7 @@ void list_engines(bool json, bool every_mutant) {
       fmt::print("{:<40}{}\n", full_name, m.about);
   }
   if (!json && !every_mutant)
-    fmt::print("{:<14}{} engines with one mistake each, docs/bug-zoo.md; --mutants lists them\n", "mutant:ID",
+    fmt::print("{:<18}{} engines with one mistake each, docs/bug-zoo.md; --mutants lists them\n", "mutant:ID",
                engines::mutants().size());
 }
 

@@ -1,0 +1,63 @@
+// libccd sees a shape through functions of its user: those of a sphere, as its own examples write them.
+#pragma once
+
+#include <ccd/ccd.h>
+#include <ccd/vec3.h>
+
+#include "engines/adapters/adapter.hpp"
+
+namespace contact::adapters {
+
+struct CcdSphere {
+  explicit CcdSphere(const double* x) : radius(x[3]) { ccdVec3Set(&center, x[0], x[1], x[2]); }
+  ccd_vec3_t center;
+  ccd_real_t radius;
+};
+
+inline void ccd_support(const void* shape, const ccd_vec3_t* direction, ccd_vec3_t* point) {
+  const auto& sphere = *static_cast<const CcdSphere*>(shape);
+  ccdVec3Copy(point, direction);
+  ccdVec3Normalize(point);
+  ccdVec3Scale(point, sphere.radius);
+  ccdVec3Add(point, &sphere.center);
+}
+
+inline void ccd_center(const void* shape, ccd_vec3_t* point) {
+  ccdVec3Copy(point, &static_cast<const CcdSphere*>(shape)->center);
+}
+
+/// libccd's header leaves the number of iterations unlimited; its README sets 100.
+inline ccd_t ccd_settings() {
+  ccd_t ccd;
+  CCD_INIT(&ccd);
+  ccd.support1 = ccd.support2 = ccd_support;
+  ccd.center1 = ccd.center2 = ccd_center;
+  ccd.max_iterations = 100;
+  return ccd;
+}
+
+// The position is "where force should take a place", which is no point of ours. The library exports no version.
+inline std::string ccd_declaration(const std::string& name, const std::string& scale) {
+  return R"({"engine":{"name":")" + name +
+         R"(","version":"2.1"},"scalar":"binary64","pairs":["sphere_sphere"],"conventions":{"points":"none",)"
+         R"("value":"depth","value_less_contact":false,"margin":"none")" +
+         scale + "}}";
+}
+
+/// Answers by ccdMPRPenetration or ccdGJKPenetration.
+inline void ccd_answer(decltype(&ccdMPRPenetration) penetration, const Question& q, Answer& said) {
+  static const ccd_t ccd = ccd_settings();
+  const CcdSphere a(q.a);
+  const CcdSphere b(q.b);
+  ccd_real_t depth = 0;
+  ccd_vec3_t direction = {{0, 0, 0}};
+  ccd_vec3_t position;
+  const bool hit = penetration(&a, &b, &ccd, &depth, &direction, &position) == 0;
+  said.hit(hit);
+  // Of shapes that only touch it says no more than that, and leaves the rest as it was.
+  if (!hit || ccdVec3Eq(&direction, ccd_vec3_origin)) return;
+  said.normal(direction.v);
+  said.value(depth);
+}
+
+}  // namespace contact::adapters

@@ -1,0 +1,96 @@
+#!/usr/bin/env python3
+"""Every adapter whose engine is here asks it in the right way: on small integers, where no engine has an excuse. And those
+that are not here, or do not start, say so.
+
+    adapters_test.py contact-oracle"""
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+TOOL = sys.argv[1]
+# Their own tolerances are larger than 8 ulps: these are held to their decisions alone.
+TOLERANT = {"bullet-gjk", "bullet-gjk-float", "libccd", "libccd-gjk", "havok", "jolt", "physx"}
+# What people write into their build files.
+NAMES = {"fcl", "bullet", "ode", "libccd", "mujoco"}
+
+
+def run(*arguments, stdin=None, tool=TOOL, **options):
+    return subprocess.run([tool, *map(str, arguments)], input=stdin, capture_output=True, text=True, timeout=300, **options)
+
+
+def listed(tool=TOOL):
+    made = run("engines", "--json", tool=tool)
+    return [e for e in map(json.loads, made.stdout.splitlines()) if "command" in e]
+
+
+class Adapters(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        # Centres 5, 3 and sqrt(50) apart; neither these nor the alarm distance make any pair touch.
+        spheres = [{"pair": "sphere_sphere", "a": {"center": [1, 2, 3], "radius": i}, "alarm": alarm, "contact": 0.5,
+                    "b": {"center": [1 + x, 2 + y, 3 + z], "radius": j}}
+                   for x, y, z in ([3, 4, 0], [-1, 2, -2], [7, 0, 1]) for i in (1, 2) for j in (1.25, 3.5) for alarm in (0, 1)]
+        boxes = [{"pair": "cube_cube", "a": {"min": [0, 0, 0], "max": [2, 2, 2]}, "alarm": alarm, "contact": 0,
+                  "b": {"min": [i, j, 0], "max": [i + 1, j + 1, 1]}} for i in (-4, -0.5, 1, 2.5) for j in (-0.5, 1, 5) for alarm in (0, 1)]
+        cls.files = []
+        for name, questions in (("spheres", spheres), ("boxes", boxes)):
+            for scalar in ("binary64", "binary32"):
+                path = cls.folder / f"{name}.{scalar}.jsonl"
+                asked = "".join(json.dumps({**q, "scalar": scalar}) + "\n" for q in questions)
+                made = run("annotate", "-", "--family", name, "-o", path, stdin=asked)
+                assert made.returncode == 0, made.stderr
+                cls.files.append(path)
+        # The program looks for its adapters beside itself: here it has none.
+        cls.alone = cls.folder / "contact-oracle"
+        shutil.copy(TOOL, cls.alone)
+
+    def test_every_engine_here_is_right_where_arithmetic_is_exact(self):
+        here = [e["name"] for e in listed() if e["command"]]
+        if not here:
+            self.skipTest("no engine is here; ./run engines installs them")
+        for name in here:
+            with self.subTest(name):
+                level = "decisions" if name in TOLERANT else "bounded"
+                made = run("certify", *self.files, "--engine", name, "--level", level, "--start-limit", 60)
+                self.assertEqual((made.returncode, made.stderr), (0, ""), made.stdout)
+
+    def test_the_list_says_of_every_engine_whether_it_is_here(self):
+        for tool in (TOOL, self.alone):
+            engines, lines = listed(tool), run("engines", tool=tool).stdout.splitlines()
+            self.assertLessEqual(NAMES, {e["name"] for e in engines})
+            for engine in engines:
+                line, = (line for line in lines if line.split()[0] == engine["name"])
+                self.assertEqual(engine["command"] is None, line.endswith("not here, ./run engines installs it"), line)
+
+    def test_an_engine_that_is_not_here_is_refused_with_what_installs_it(self):
+        made = run("certify", *self.files, "--engine", "fcl", tool=self.alone)
+        self.assertEqual((made.returncode, made.stdout), (2, ""), made.stderr)
+        self.assertIn("engine 'fcl' is not here; ./run engines installs it", made.stderr)
+
+    def test_an_adapter_that_does_not_load_is_an_engine_that_does_not_start(self):
+        library = self.folder / "engines" / "ode.so"
+        library.parent.mkdir()
+        library.write_text("no library")
+        made = run("certify", *self.files, "--engine", "ode", tool=self.alone)
+        self.assertEqual(made.returncode, 3, made.stdout)
+        self.assertIn("ode.so", made.stderr)
+
+    def test_an_engine_of_node_without_node_does_not_start(self):
+        here = [e["name"] for e in listed() if e["command"] and e["command"][0] == "node"]
+        if not here:
+            self.skipTest("no engine of npm is here; ./run engines installs them")
+        made = run("certify", *self.files, "--engine", here[0], env={**os.environ, "PATH": str(self.folder)})
+        self.assertEqual(made.returncode, 3, made.stdout)
+        self.assertIn("node", made.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[2:]])

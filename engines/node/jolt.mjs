@@ -1,0 +1,53 @@
+// Jolt Physics: TransformedShape.CollideShape with the alarm distance as its largest separation.
+import {serve, versionOf} from './loop.mjs';
+import load from 'jolt-physics';
+
+const jolt = await load();
+
+// Nothing collides before a JoltInterface has been made.
+const layer = 0;
+const pairs = new jolt.ObjectLayerPairFilterTable(1);
+pairs.EnableCollision(layer, layer);
+const broad = new jolt.BroadPhaseLayerInterfaceTable(1, 1);
+broad.MapObjectToBroadPhaseLayer(layer, new jolt.BroadPhaseLayer(0));
+const world = new jolt.JoltSettings();
+world.mObjectLayerPairFilter = pairs;
+world.mBroadPhaseLayerInterface = broad;
+world.mObjectVsBroadPhaseLayerFilter = new jolt.ObjectVsBroadPhaseLayerFilterTable(broad, 1, pairs, 1);
+new jolt.JoltInterface(world);
+
+const [unit, origin, upright] = [new jolt.Vec3(1, 1, 1), new jolt.RVec3(0, 0, 0), new jolt.Quat(0, 0, 0, 1)];
+const [settings, everything] = [new jolt.CollideShapeSettings(), new jolt.ShapeFilter()];
+const numbers = (v) => [v.GetX(), v.GetY(), v.GetZ()];
+
+// Points are relative to the base offset, which is the origin here.
+serve({
+  engine: {name: 'jolt', version: versionOf('jolt-physics')}, scalar: 'binary32', pairs: ['sphere_sphere'],
+  conventions: {normal_unit: false, value: 'depth', value_less_contact: false},
+}, ({a, b, alarm}) => {
+  const [made, shapes] = [[], []];
+  const make = (thing) => (made.push(thing), thing);
+  const sphere = ({radius}) => {
+    const shape = new jolt.SphereShape(radius);
+    shape.AddRef();
+    shapes.push(shape);
+    return shape;
+  };
+  const at = ({center}) => make(new jolt.RVec3(...center));
+  const second = make(new jolt.TransformedShape());
+  second.mShape = sphere(b);
+  second.SetWorldTransform(at(b), upright, unit);
+  settings.mMaxSeparationDistance = alarm;
+  const collector = make(new jolt.CollideShapeClosestHitCollisionCollector());
+  // The shape that is handed over is shape 1 of the result.
+  const place = jolt.RMat44.prototype.sTranslation(at(a));
+  second.CollideShape(sphere(a), unit, place, settings, origin, collector, everything);
+  const found = collector.HadHit() ? collector.mHit : null;
+  const contact = found && {
+    normal: numbers(found.mPenetrationAxis), point1: numbers(found.mContactPointOn1),
+    point2: numbers(found.mContactPointOn2), value: found.mPenetrationDepth,
+  };
+  made.forEach((thing) => jolt.destroy(thing));
+  shapes.forEach((shape) => shape.Release());
+  return {overlap: found !== null, contact};
+});

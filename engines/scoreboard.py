@@ -1,0 +1,321 @@
+#!/usr/bin/env python3
+"""Certifies every engine that is here on the committed golden files, and writes the tables of docs/scoreboard.md, and the
+whole page once more as docs/scoreboard.html.
+
+    python3 engines/scoreboard.py build/release/contact-oracle             every engine
+    python3 engines/scoreboard.py build/release/contact-oracle fcl ode     these alone; their tables are printed, not written
+    python3 engines/scoreboard.py build/release/contact-oracle --html      the page as it is, as HTML
+
+What stands outside of the page's markers, and engines/findings.json, are written by people."""
+import json
+import re
+import resource
+import subprocess
+import sys
+import tempfile
+from collections import Counter
+from pathlib import Path
+
+import markdown
+
+ROOT = Path(__file__).resolve().parent.parent
+PAGE = ROOT / "docs/scoreboard.md"
+BEGIN, END = "<!-- engines:begin -->\n", "<!-- engines:end -->\n"
+GRADES = ("not_finite", "beyond_bound", "bounded", "faithful", "correctly_rounded")  # the worst first
+FIELDS = ("normal", "point1", "point2", "point", "value")
+# What the others are seen beside: this project's own, and the formulas as everybody computes them.
+REFERENCES = ("production", "plain-double", "plain-float")
+
+
+def certified(tool, name):
+    """The report of an engine, or the reason why there is none."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "report.json"
+        run = subprocess.run([tool, "certify", "golden", "--engine", name, "--start-limit", "60", "--json", path],
+                             cwd=ROOT, capture_output=True, text=True)
+        if run.returncode not in (0, 1):
+            said = (run.stderr or run.stdout).strip().splitlines()
+            return said[-1] if said else f"exit status {run.returncode}"
+        return json.loads(path.read_text())
+
+
+def conversation(command, queries):
+    """What an engine answers to queries of the protocol, one by one; it must survive them."""
+    lines = ['{"op":"hello","protocol":1}']
+    lines += [json.dumps({"op": "query", "seq": i + 1, **q}) for i, q in enumerate(queries)] + ['{"op":"stop"}']
+    run = subprocess.run(command, input="\n".join(lines) + "\n", capture_output=True, text=True, check=True, timeout=300)
+    return [json.loads(line) for line in run.stdout.splitlines()][1:]
+
+
+def microseconds(command, boxes):
+    """The processor's time for a question: reading and writing JSON, and the engine. The least of three. Time on the clock
+    would say more of what else the machine does."""
+    query = {"pair": "cube_cube", "a": {"min": [0, 0, 0], "max": [2, 2, 2]}, "b": {"min": [1, 1, 1], "max": [3, 4, 5]}}
+    if not boxes:
+        query = {"pair": "sphere_sphere", "a": {"center": [0, 0, 0], "radius": 1.5},
+                 "b": {"center": [1, 0.5, 1.75], "radius": 1.25}}
+    query.update(alarm=0, contact=0)
+
+    def seconds(count):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        conversation(command, [query] * count)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+    count = 5000
+    return max(0, min(seconds(count) for _ in range(3)) - min(seconds(1) for _ in range(3))) / count * 1e6
+
+
+def added(families):
+    """Families as one: a binary64 engine is asked each in both scalars."""
+    sums = Counter()
+    fields = {}
+    for f in families:
+        sums.update({key: f[key] for key in ("judged", "hits", "missed_hits", "false_hits", "not_finite")})
+        sums["unanswered"] += sum(n for how, n in f["answers"].items() if how != "answered")
+        for name, field in f["fields"].items():
+            if not field["judged"]:
+                continue
+            to = fields.setdefault(name, Counter())
+            worst = max(float(to["worst_ulps"]), float(field["worst_ulps"]))
+            to.update({key: field[key] for key in ("judged", *GRADES)})
+            to["worst_ulps"] = worst
+    return {**sums, "fields": fields}
+
+
+def number(n):
+    return str(n) if n else "."
+
+
+def ulps(x):
+    return f"{x:.2g}" if x < 1e5 else f"{x:.0e}"
+
+
+def level_of(field):
+    """The worst grade, how many have it where it is a failure, and the largest error in ulps."""
+    if field is None:
+        return ""
+    grade = next(g for g in GRADES if field[g])
+    if grade == "not_finite":
+        return f"not finite: {field[grade]}"
+    if grade == "beyond_bound":
+        return f"beyond: {field[grade]}, {ulps(field['worst_ulps'])}"
+    return grade.replace("_", " ") + ("" if grade == "correctly_rounded" else f", {ulps(field['worst_ulps'])}")
+
+
+def table(head, rows):
+    return "\n".join("| " + " | ".join(row) + " |" for row in [head, ["---"] * len(head), *rows]) + "\n\n"
+
+
+def decisions(counts):
+    """Missed and false hits of some questions, and those without an answer."""
+    if not counts.get("judged"):
+        return ""
+    missed, false, lost = counts["missed_hits"], counts["false_hits"], counts["unanswered"]
+    return (f"{missed} / {false}" if missed or false else ".") + (f", {lost} unanswered" if lost else "")
+
+
+class Engine:
+    def __init__(self, listed, report, command):
+        self.name, self.about, self.report, self.command = listed["name"], listed["about"], report, command
+        self.scalar, self.conventions, self.total = report["scalar"], report["conventions"], added(report["families"])
+        pairs = {f["pair"] for f in report["families"]}
+        try:
+            self.time = f"{microseconds(command, pairs == {'cube_cube'}):.1f}"
+        except (subprocess.SubprocessError, OSError, ValueError):
+            self.time = "-"
+
+    def families(self, pair):
+        """The families of a pair, by name, in both scalars."""
+        of = {}
+        for f in self.report["families"]:
+            if f["pair"] == pair and f["judged"]:
+                of.setdefault(f["family"], []).append(f)
+        return {name: added(parts) for name, parts in of.items()}
+
+
+def main_table(engines):
+    rows = []
+    for e in engines:
+        wrong = sum(f["beyond_bound"] + f["not_finite"] for f in e.total["fields"].values())
+        rows.append([f"`{e.name}`", e.report["engine"]["version"], e.scalar, e.report["total"]["level"],
+                     str(e.total["judged"]), number(e.total["missed_hits"]), number(e.total["false_hits"]),
+                     number(wrong), number(e.total["not_finite"]), number(e.total["unanswered"]), e.time,
+                     f"`./run certify golden --engine {e.name}`"])
+    return table(["engine", "version", "arithmetic", "level", "judged", "missed hits", "false hits", "wrong numbers",
+                  "not finite", "no answer", "µs a question", "again"], rows)
+
+
+def edge_table(engines):
+    rows = []
+    for e in engines:
+        families = e.families("sphere_sphere")
+        if "touching" not in families:
+            continue
+        c = e.conventions
+        touching = {c["touching_overlap"], c["touching_contact"]}
+        says = touching.pop() if len(touching) == 1 else f"overlap {c['touching_overlap']}, contact {c['touching_contact']}"
+
+        def cell(family):
+            counts = families[family]
+            return f"{decisions(counts)} of {counts['judged']}"
+
+        fields = families["coincident"]["fields"]
+        rows.append([f"`{e.name}`", says, cell("touching"), c["coincident"].replace("_", " "), cell("coincident"),
+                     level_of(fields.get("normal")), level_of(fields.get("value")), c["margin"], cell("alarm_edge")])
+    return table(["engine", "touching", "wrong", "coincident centres", "wrong", "normal there", "value there", "margin",
+                  "wrong at it"], rows)
+
+
+def family_tables(engines):
+    text = ""
+    for pair, title in (("sphere_sphere", "spheres"), ("cube_cube", "boxes")):
+        for scalar in ("binary64", "binary32"):
+            of = {e.name: e.families(pair) for e in engines if e.scalar == scalar}
+            of = {name: families for name, families in of.items() if families}
+            names = list(dict.fromkeys(family for families in of.values() for family in families))
+            if not of:
+                continue
+            text += f"{title.capitalize()}, engines in {scalar}:\n\n"
+            text += table(["engine", *names], [[f"`{name}`"] + [decisions(families.get(family, {})) for family in names]
+                                               for name, families in of.items()])
+    return text
+
+
+def detail(e):
+    text = f"<details markdown=\"1\">\n<summary><code>{e.name}</code>: {e.about}</summary>\n\n"
+    declared = [f"{key} {json.dumps(value) if isinstance(value, (dict, bool)) else value}" for key, value in e.conventions.items()]
+    text += f"Declares {', '.join(declared)}.\n\n"
+    if e.report["diagnosis"]:
+        text += "What the report says of the wrong answers:\n\n" + "".join(f"- {line}\n" for line in e.report["diagnosis"]) + "\n"
+    fields = [f for f in FIELDS if f in e.total["fields"]]
+    rows = []
+    for pair in ("sphere_sphere", "cube_cube"):
+        for name, f in e.families(pair).items():
+            rows.append([("" if pair == "sphere_sphere" else "boxes: ") + name, str(f["judged"]), str(f["hits"]),
+                         number(f["missed_hits"]), number(f["false_hits"]), number(f["not_finite"]), number(f["unanswered"]),
+                         *(level_of(f["fields"].get(field)) for field in fields)])
+    text += table(["family", "judged", "hits", "missed", "false", "not finite", "no answer", *fields], rows)
+    return text + "</details>\n\n"
+
+
+def shown(answer):
+    """An answer of the protocol, short."""
+    if "unsupported" in answer or "error" in answer:
+        return f"no answer: {answer.get('unsupported') or answer.get('error')}"
+    words = []
+    if "overlap" in answer:
+        words.append("overlap" if answer["overlap"] else "no overlap")
+    if "contact" in answer:
+        contact = answer["contact"]
+        numbers = [] if contact is None else [f"{key} {value if isinstance(value, str) else json.dumps(value)}"
+                                              for key, value in contact.items()]
+        words.append("no contact" if contact is None else "contact with " + ", ".join(numbers) if numbers else "contact")
+    return "; ".join(words)
+
+
+def questions():
+    """Every committed question of two spheres or boxes, by its id: its file and itself."""
+    of = {}
+    for path in sorted((ROOT / "golden").glob("*_*/*.jsonl")):
+        with path.open() as lines:
+            header = json.loads(next(lines))
+            for line in lines:
+                case = json.loads(line)
+                of.setdefault((case["id"], header["scalar"]), (path.relative_to(ROOT), header, case))
+    return of
+
+
+def finding_texts(tool, engines, findings):
+    text, asked = "", questions()
+    for finding in findings:
+        e = next((e for e in engines if e.name == finding["engine"]), None)
+        if e is None:
+            continue
+        path, header, case = asked[finding["id"], finding["scalar"]]
+        query = {"pair": header["pair"], **{key: case[key] for key in ("a", "b", "alarm", "contact")}}
+        try:
+            answer, = conversation(e.command, [query])
+        except (subprocess.SubprocessError, OSError, ValueError) as problem:
+            answer = {"error": str(problem)}
+        made = subprocess.run([tool, "explain"], input=json.dumps({"id": case["id"], "scalar": header["scalar"], **query}) + "\n",
+                              capture_output=True, text=True, check=True)
+        lines = [line.strip() for line in made.stdout.splitlines() if line.strip()]
+        text += f"**`{e.name}`** on `{case['id']}` in [{path.relative_to('golden')}](../{path}).\n{finding['about']}\n\n"
+        text += "```text\n" + "\n".join(lines[1:]) + f"\n{e.name} says: {shown(answer)}\n```\n\n"
+    return text
+
+
+def html():
+    """The page as one self-contained HTML file."""
+    body = markdown.markdown(PAGE.read_text(), extensions=["tables", "fenced_code", "toc", "md_in_html"])
+    # Figures that are wrong stand out, and stay figures for those who do not see the colour.
+    body = re.sub(r"<td>(\d+ / \d+.*?|(?:beyond|not finite): .*?)</td>", r'<td class="bad">\1</td>', body)
+    body = re.sub(r"<td>(\.|correctly rounded)</td>", r'<td class="ok">\1</td>', body)
+    body = body.replace("<table>", '<div class="wide" tabindex="0"><table>').replace("</table>", "</table></div>")
+    style = """
+:root{color-scheme:light dark;--ok:#0b6e4f;--bad:#b3261e;--line:#8885;--soft:#8882;--link:#0b57d0}
+@media (prefers-color-scheme:dark){:root{--ok:#5fd3a6;--bad:#ff8f85;--link:#a8c7fa}}
+body{font:15px/1.5 system-ui,sans-serif;max-width:80rem;margin:1.5rem auto;padding:0 1rem}
+p,li{max-width:52rem;overflow-wrap:anywhere}h1{font-size:1.6rem}h2{font-size:1.25rem;margin-top:2.2rem}h3{font-size:1.05rem}
+a{color:var(--link)}.wide{overflow-x:auto}
+table{border-collapse:collapse;font-size:.87rem;font-variant-numeric:tabular-nums}
+th,td{padding:.2rem .6rem;border-bottom:1px solid var(--line);text-align:left;vertical-align:top}
+th,td code{white-space:nowrap}td{min-width:2.5rem}tbody tr:hover{background:var(--soft)}
+@media (min-width:50rem){td:first-child,th:first-child{position:sticky;left:0;background:Canvas}}
+.ok{color:var(--ok)}.bad{color:var(--bad);font-weight:600}
+pre{overflow-x:auto;background:var(--soft);padding:.6rem .8rem;border-radius:.3rem;font-size:.8rem}
+code{font-size:.87em}summary{cursor:pointer;margin:.4rem 0}"""
+    PAGE.with_suffix(".html").write_text(
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+        "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
+        f"<title>contact-oracle: scoreboard</title><style>{style}</style></head>\n<body>\n{body}\n</body></html>\n")
+
+
+def main(tool, *wanted):
+    tool = str(Path(tool).resolve())
+    if wanted == ("--html",):
+        return html()
+    listed = [json.loads(line) for line in subprocess.run([tool, "engines", "--json"], capture_output=True, text=True,
+                                                          check=True).stdout.splitlines()]
+    names = {e["name"] for e in listed}
+    if unknown := [name for name in wanted if name not in names]:
+        print(f"no engine {', '.join(unknown)}; contact-oracle engines lists them", file=sys.stderr)
+        sys.exit(2)
+    listed = [e for e in listed if (e["name"] in wanted if wanted else "command" in e or e["name"] in REFERENCES)]
+    engines, absent = [], []
+    for engine in listed:
+        name = engine["name"]
+        if engine.get("command", "built in") is None:
+            absent.append(f"- `{name}` is not installed here; `./run engines` installs what it needs.")
+            continue
+        print(name, file=sys.stderr, flush=True)
+        report = certified(tool, name)
+        if isinstance(report, str):
+            absent.append(f"- `{name}` could not be certified: {report}")
+        else:
+            engines.append(Engine(engine, report, engine.get("command") or [tool, "serve", "--engine", name]))
+
+    text = "## All engines\n\n" + main_table(engines)
+    text += ("## At the edges\n\nWhat each declares about spheres that touch, share their centre, or are as far apart as the alarm "
+             "distance, and how many of the questions\nthere it decides wrongly: missed / false hits, `.` for none.\n\n") + edge_table(engines)
+    text += ("## Decisions by family\n\nMissed / false hits; `.` is all right, an empty cell was not asked. A binary64 engine is asked "
+             "each family in both scalars.\n\n") + family_tables(engines)
+    text += ("## Each engine by family\n\nOf each field the worst grade, how many have it where it is a failure, and the largest error "
+             "in ulps of the field's scale.\n\n")
+    text += "".join(map(detail, engines))
+    findings = json.loads((ROOT / "engines/findings.json").read_text())
+    text += ("## Findings looked at by hand\n\nOne an engine: what `./run explain` says of the question, what the engine says, and "
+             "why, by its source or documentation.\n\n") + finding_texts(tool, engines, findings)
+    text += "## Not measured\n\n" + "".join(line + "\n" for line in absent)
+    if wanted:
+        print(text)
+        return
+    page = PAGE.read_text()
+    head, rest = page.split(BEGIN)
+    PAGE.write_text(head + BEGIN + text + END + rest.split(END)[1])
+    html()
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
