@@ -180,7 +180,7 @@ std::filesystem::path on_path(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "/usr/bin:/bin" : path);
   for (std::string folder; std::getline(folders, folder, ':');) {
-    const std::filesystem::path file = std::filesystem::path(folder.empty() ? "." : folder) / program;
+    std::filesystem::path file = std::filesystem::path(folder.empty() ? "." : folder) / program;
     if (std::filesystem::is_regular_file(file) && ::access(file.c_str(), X_OK) == 0) return file;
   }
   return {};

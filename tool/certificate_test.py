@@ -463,6 +463,13 @@ class Accepted(Case):
         self.put(certificate, ("accepted", 0, "expires"), "someday")
         self.refuted("/accepted/0/expires")
 
+    def test_a_question_that_failed_in_both_scalars_is_accepted_as_bad_as_the_worse(self):
+        first = self.report["failures"][0]
+        self.assertEqual(first["level"], "none")
+        self.report["failures"].insert(0, {**first, "level": "decisions"})
+        self.write(failure_count=self.count + 1)
+        self.assertEqual(run("certify", *self.ARGS, "--baseline", self.known).returncode, 0)
+
     def test_what_is_no_day_and_no_reason_is_refused(self):
         for keys, word in (({"expires": "2027-02-29"}, "YYYY-MM-DD"), ({"expires": "soon"}, "YYYY-MM-DD"),
                            ({"expires": 7}, "expires"), ({"reason": ""}, "reason"), ({"reason": ["x"]}, "reason")):
