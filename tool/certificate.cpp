@@ -175,6 +175,11 @@ std::size_t digest_place(const std::string& text, const golden::Location& where)
   return begin;
 }
 
+/// Absolute first: the standard library leaves the name of a file that is not there yet as relative as it is.
+std::filesystem::path resolved(const std::filesystem::path& path) {
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+}
+
 /// The file that a shell would start for a name without a slash.
 std::filesystem::path on_path(const std::string& program) {
   const char* path = std::getenv("PATH");
@@ -265,11 +270,9 @@ std::filesystem::path common_folder(const std::vector<Source>& sources) {
 }
 
 std::string seen_from(const std::filesystem::path& folder, const std::filesystem::path& path) {
-  return std::filesystem::weakly_canonical(path).lexically_relative(folder).generic_string();
+  return resolved(path).lexically_relative(folder).generic_string();
 }
 
-std::filesystem::path folder_of(const std::filesystem::path& file) {
-  return std::filesystem::weakly_canonical(file).parent_path();
-}
+std::filesystem::path folder_of(const std::filesystem::path& file) { return resolved(file).parent_path(); }
 
 }  // namespace contact::tool

@@ -212,6 +212,19 @@ class Holds(Case):
         for dataset in (other, other / "d.jsonl"):
             self.holds(args=("--results", other / "c.answers.jsonl", "--dataset", dataset))
 
+    def test_names_may_be_relative_to_where_one_stands(self):
+        (self.folder / "golden" / "cube_cube").mkdir(parents=True)
+        shutil.copy(GOLDEN / "cube_cube" / "flat.jsonl", self.folder / "golden" / "cube_cube")
+        for name in ("new.json", "new.json", "golden/../new.json", "golden/in.json"):  # absent, and then there
+            with self.subTest(name):
+                self.assertEqual(run("certify", "golden", "--certificate", name, cwd=self.folder).returncode, 0)
+                certificate = json.loads((self.folder / name).read_text())
+                inside = name == "golden/in.json"
+                self.assertEqual(certificate["questions"]["folder"], "cube_cube" if inside else "golden/cube_cube")
+                self.assertEqual(certificate["answers"]["file"], Path(name).stem + ".answers.jsonl")
+                for path, cwd in ((name, self.folder), (self.folder / name, ROOT)):
+                    self.assertEqual(run("verify", path, cwd=cwd).returncode, 0)
+
     def test_answers_can_be_recorded_without_a_certificate(self):
         recorded = self.folder / "r.jsonl"
         done = run("certify", "golden/sphere_sphere/generic.jsonl", "--engine", "plain-double", "--record", recorded)

@@ -45,7 +45,8 @@ TEST(Environment, flushed_results_and_inputs_are_told_apart) {
 #endif
 
 TEST(Environment, processor_system_and_compiler_have_names) {
-  for (const char* key : {"processor", "system", "compiler"}) EXPECT_FALSE(environment().at(key).get<std::string>().empty()) << key;
+  for (const char* key : {"processor", "system", "compiler"})
+    EXPECT_FALSE(environment().at(key).get<std::string>().empty()) << key;
 }
 
 }  // namespace
