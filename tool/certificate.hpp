@@ -14,8 +14,8 @@
 namespace contact::tool {
 
 /// What a certificate states that its dataset and its answers cannot say again, and the names of its files.
-struct Stated {  // NOLINT(bugprone-exception-escape): the destructor of JSON allocates, and would end the program
-  std::string issued;              ///< a day
+struct Stated {        // NOLINT(bugprone-exception-escape): the destructor of JSON allocates, and would end the program
+  std::string issued;  ///< a day
   nlohmann::json environment;      ///< that of the run
   nlohmann::json engine;           ///< where it came from: provenance()
   std::string folder;              ///< that the names of the datasets begin in, seen from the certificate's
