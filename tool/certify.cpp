@@ -9,8 +9,10 @@
 #include <memory>
 #include <random>
 
+#include "tool/certificate_files.hpp"
 #include "tool/cluster.hpp"
 #include "tool/commands.hpp"
+#include "tool/date.hpp"
 #include "tool/engine_options.hpp"
 #include "tool/parts.hpp"
 #include "tool/process.hpp"
@@ -37,6 +39,9 @@ struct Options {
   std::string shard;
   bool stats = false;
   std::string check = "sample";
+  CertificateOptions certificate;
+  std::string accept_reason;
+  std::string accept_until;
 };
 
 [[noreturn]] void refuse(const std::string& problem) { throw golden::InputError({"certify", 0}, "", problem); }
@@ -89,16 +94,54 @@ std::vector<Source> generated(const Options& options, std::uint64_t seed) {
   return sources;
 }
 
-std::vector<Subject> subjects(const Options& options, bool scoreboard, const Stop& stop) {
+/// The failures to accept; what has expired of them is said on standard error.
+std::shared_ptr<const Baseline> read_baseline(const Options& options) {
+  if (options.baseline.empty()) return nullptr;
+  if (!options.accept_until.empty() && !is_date(options.accept_until))
+    refuse(fmt::format("--accept-until: expected a day, YYYY-MM-DD, got '{}'", options.accept_until));
+  SavedReport saved = read_report(options.baseline);
+  for (Failure& f : saved.failures) {
+    if (f.reason.empty()) f.reason = options.accept_reason;
+    if (f.expires.empty()) f.expires = options.accept_until;
+  }
+  auto baseline = std::make_shared<const Baseline>(saved, issue_date());
+  constexpr std::size_t kShown = 5;
+  const auto& expired = baseline->expired();
+  if (Cluster::is_first())
+    for (std::size_t i = 0; i < expired.size() && i <= kShown; ++i)
+      fmt::print(stderr, "{}: {}\n", options.baseline,
+                 i < kShown ? expired[i] : fmt::format("and {} more have expired", expired.size() - kShown));
+  if (const auto id = baseline->unexplained(); id && !options.certificate.certificate.empty())
+    throw golden::InputError(
+        {options.baseline, 0}, "failures",
+        fmt::format("a certificate says why a failure is accepted and until when, and {} has no "
+                    "\"reason\" or no \"expires\": add them, or --accept-reason and --accept-until",
+                    *id));
+  return baseline;
+}
+
+/// A certificate tells of one whole run in one process, from which all answers came.
+void require_whole(const Options& options, bool scoreboard) {
+  if (options.certificate.none()) return;
+  if (scoreboard) refuse("--certificate and --record are one engine's: give the engine");
+  if (!options.parts.empty() || Cluster::size() > 1)
+    refuse(
+        "--certificate and --record are of one whole run: a run in parts keeps no answers. What recorded them can be "
+        "judged at once, by --results");
+  if (!options.certificate.certificate.empty() && (options.fail_fast || options.max_time > 0))
+    refuse("--certificate is of a whole run, which --fail-fast and --max-time may end early");
+}
+
+std::vector<Subject> subjects(const Options& options, bool scoreboard, const Stop& stop,
+                              CertificateFiles& certificate) {
   if (scoreboard && !options.baseline.empty()) refuse("--baseline is one engine's: give the engine");
-  std::shared_ptr<const Baseline> baseline;
-  if (!options.baseline.empty()) baseline = std::make_shared<Baseline>(read_report(options.baseline));
+  const std::shared_ptr<const Baseline> baseline = read_baseline(options);
   std::vector<Subject> found;
   if (scoreboard) {
     for (const engines::BuiltIn& e : engines::built_in_engines())
       if (e.on_scoreboard) found.push_back({engines::make_built_in(e.name, computed_points(options.engine)), {}});
   } else {
-    found.push_back({make_engine(options.engine, [&stop] { stop.check(); }), {}});
+    found.push_back({certificate.watched(make_engine(options.engine, [&stop] { stop.check(); })), {}});
   }
   for (Subject& subject : found) {
     subject.report.engine = subject.engine->info();
@@ -169,7 +212,9 @@ int certify(const Options& options) {
                               : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
   Stop stop;
   stop.at_first_failure = options.fail_fast;
-  std::vector<Subject> judged = subjects(options, scoreboard, stop);
+  require_whole(options, scoreboard);
+  CertificateFiles certificate(options.certificate, options.engine);
+  std::vector<Subject> judged = subjects(options, scoreboard, stop, certificate);
   std::vector<Source> sources;
   if (options.generate != 0) {
     if (!options.seed && (!options.parts.empty() || Cluster::size() > 1))
@@ -222,7 +267,10 @@ int certify(const Options& options) {
   for (Report& report : reports)
     if (report.unreached != 0) report.unknown_answers.clear();
   if (options.stats) print_stats(reports, std::chrono::steady_clock::now() - begin, oracles);
-  return files->write(reports, scoreboard);
+  const int exit = files->write(reports, scoreboard);
+  if (exit == kCertified || exit == kRefuted)
+    certificate.write(reports.front(), sources, oracles, judged.front().baseline.get());
+  return exit;
 }
 
 }  // namespace
@@ -249,8 +297,15 @@ void add_certify(CLI::App& app, int& exit) {
   command->add_option("--seed", options->seed, "With --generate: the seed (default: random, printed)")
       ->check(kFromZero)
       ->needs(generate);
-  command->add_option("--baseline", options->baseline,
-                      "A JSON report of this engine: its failures are accepted, only new ones and worse ones fail");
+  auto* baseline =
+      command->add_option("--baseline", options->baseline,
+                          "A JSON report of this engine: its failures are accepted, only new ones and worse ones fail");
+  command->add_option("--accept-reason", options->accept_reason, "Why, where the baseline does not say")
+      ->needs(baseline);
+  command
+      ->add_option("--accept-until", options->accept_until,
+                   "The last day on which, YYYY-MM-DD, where the baseline does not say")
+      ->needs(baseline);
   command->add_flag("--fail-fast", options->fail_fast, "Stop at the first failure; the questions left are missing");
   command
       ->add_option("--max-time", options->max_time,
@@ -270,6 +325,7 @@ void add_certify(CLI::App& app, int& exit) {
                    "Which questions all oracles are asked: sample (of a source of more than 4096), all")
       ->capture_default_str();
   add_report_options(*command, options->reports);
+  add_certificate_options(*command, options->certificate);
   command->callback([options, &exit] { exit = certify(*options); });
 }
 

@@ -22,6 +22,7 @@ void add_serve(CLI::App& app, int& exit);
 void add_properties(CLI::App& app, int& exit);
 void add_lint(CLI::App& app, int& exit);
 void add_merge(CLI::App& app, int& exit);
+void add_verify(CLI::App& app, int& exit);
 void add_lists(CLI::App& app, int& exit);  ///< engines, families
 
 /// Validators for whole numbers from 0 and from 1; CLI11 would let -1 wrap around.

@@ -8,6 +8,7 @@
 
 #include "golden/dataset.hpp"
 #include "oracle/truth.hpp"
+#include "tool/environment.hpp"
 #include "tool/page.hpp"
 #include "tool/report.hpp"
 
@@ -295,12 +296,13 @@ std::string section(const Report& report) {
          "</script></section>\n";
 }
 
-std::string compiler() {
-#if defined(__clang__)
-  return fmt::format("clang {}.{}.{}", __clang_major__, __clang_minor__, __clang_patchlevel__);
-#else
-  return fmt::format("GCC {}.{}.{}", __GNUC__, __GNUC_MINOR__, __GNUC_PATCHLEVEL__);
-#endif
+/// Where and under which floating-point modes the report was made.
+std::string made_on() {
+  const auto here = environment();
+  const auto text = [&](const char* key) { return escaped(here.at(key).get<std::string>()); };
+  return fmt::format("{}, {}; {}, rounding {}, subnormal results {}, subnormal inputs {}", text("processor"),
+                     text("system"), text("compiler"), text("rounding"), text("subnormal_results"),
+                     text("subnormal_inputs"));
 }
 
 }  // namespace
@@ -317,7 +319,7 @@ std::string html_text(const std::vector<Report>& reports) {
   html += "<p>Each engine held against the exact answer.</p>\n";
   if (reports.size() > 1) html += summary(reports);
   for (const Report& report : reports) html += section(report);
-  html += fmt::format("<footer>Judged by contact-oracle {}, built with {}.", CONTACT_VERSION, compiler());
+  html += fmt::format("<footer>Judged by contact-oracle {} on {}.", CONTACT_VERSION, made_on());
   if (!page::kLicences.empty())
     html += fmt::format("<details><summary>Libraries in this page</summary><pre>{}</pre></details>",
                         escaped(page::kLicences));

@@ -66,6 +66,7 @@ int run(int argc, char** argv) {
   add_properties(app, exit);
   add_lint(app, exit);
   add_merge(app, exit);
+  add_verify(app, exit);
   add_digests(app, exit);
   add_adequacy(app, exit);
   add_detect(app, exit);

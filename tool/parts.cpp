@@ -103,6 +103,12 @@ namespace {
 constexpr std::string_view kFormat = "contact-oracle/part";
 constexpr std::uint64_t kVersion = 2;
 
+std::string digest_of(golden::Shard part, const std::string& run, const std::string& bytes) {
+  return golden::Sha256().add(fmt::format("{}/{}", part.index, part.of)).add(run).add(bytes).hex();
+}
+
+}  // namespace
+
 std::string digest_of_file(const std::filesystem::path& path) {
   auto file = golden::open_to_read(path, true);
   golden::Sha256 hash;
@@ -113,12 +119,6 @@ std::string digest_of_file(const std::filesystem::path& path) {
   }
   return hash.hex();
 }
-
-std::string digest_of(golden::Shard part, const std::string& run, const std::string& bytes) {
-  return golden::Sha256().add(fmt::format("{}/{}", part.index, part.of)).add(run).add(bytes).hex();
-}
-
-}  // namespace
 
 std::vector<Source> cut(std::vector<Source> sources, golden::Shard part) {
   std::uint64_t all = 0;

@@ -10,6 +10,9 @@
 
 namespace contact::tool {
 
+/// The SHA-256 of a file's bytes, in hexadecimal.
+[[nodiscard]] std::string digest_of_file(const std::filesystem::path& path);
+
 /// What one part found, of each subject.
 struct Part {
   std::vector<Findings> found;

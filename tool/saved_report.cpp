@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "golden/dataset.hpp"
+#include "tool/date.hpp"
 
 namespace contact::tool {
 namespace {
@@ -39,9 +41,30 @@ SavedFamily read_family(const Node& node) {
   return family;
 }
 
-Failure read_failure(const Node& node) {
-  return {node.at("id").text(),     golden::read_pair(node.at("pair")), golden::read_scalar(node.at("scalar")),
-          node.at("family").text(), level_of(node.at("level")),         node.at("what").text()};
+/// "reason" and "expires" of a failure, or of a report for all its failures: what is absent stays as it is.
+void read_acceptance(const Node& node, Failure& into) {
+  if (const auto reason = node.find("reason")) {
+    into.reason = reason->text();
+    if (into.reason.empty()) reason->refuse("a reason says why");
+  }
+  if (const auto expires = node.find("expires")) {
+    into.expires = expires->text();
+    if (!is_date(into.expires)) expires->refuse("expected a day, YYYY-MM-DD");
+  }
+}
+
+Failure read_failure(const Node& node, const Failure& of_all) {
+  Failure failure{node.at("id").text(),
+                  golden::read_pair(node.at("pair")),
+                  golden::read_scalar(node.at("scalar")),
+                  node.at("family").text(),
+                  level_of(node.at("level")),
+                  node.at("what").text(),
+                  false,
+                  of_all.reason,
+                  of_all.expires};
+  read_acceptance(node, failure);
+  return failure;
 }
 
 }  // namespace
@@ -68,21 +91,40 @@ SavedReport read_report(const std::filesystem::path& path) {
                     {},
                     report.at("failure_count").count()};
   for (const Node& family : report.at("families").items()) saved.families.push_back(read_family(family));
-  for (const Node& failure : report.at("failures").items()) saved.failures.push_back(read_failure(failure));
+  Failure of_all{};
+  read_acceptance(report, of_all);
+  for (const Node& failure : report.at("failures").items()) saved.failures.push_back(read_failure(failure, of_all));
   return saved;
 }
 
-Baseline::Baseline(const SavedReport& report) : path_(report.path.string()), engine_(report.engine) {
+Baseline::Baseline(const SavedReport& report, const std::string& today)
+    : path_(report.path.string()), engine_(report.engine) {
   if (report.failure_count != report.failures.size())
     throw golden::InputError({path_, 0}, "failures",
                              fmt::format("lists {} of {} failures: too many to accept one by one",
                                          report.failures.size(), report.failure_count));
-  for (const Failure& f : report.failures) levels_.emplace(f.id, f.level);
+  for (const Failure& f : report.failures) {
+    if (!f.expires.empty() && f.expires < today) {
+      expired_.push_back(
+          fmt::format("{} was accepted until {}{}{}", f.id, f.expires, f.reason.empty() ? "" : ": ", f.reason));
+      continue;
+    }
+    const auto [it, is_new] = accepted_.try_emplace(f.id, Acceptance{f.level, f.reason, f.expires});
+    // The question stands in a file of each scalar: what it may do in one it may do in the other.
+    if (!is_new) it->second.level = std::max(it->second.level, f.level);
+  }
+}
+
+std::optional<std::string> Baseline::unexplained() const {
+  const auto it = std::find_if(accepted_.begin(), accepted_.end(), [](const auto& entry) {
+    return entry.second.reason.empty() || entry.second.expires.empty();
+  });
+  return it == accepted_.end() ? std::nullopt : std::optional(it->first);
 }
 
 bool Baseline::accepts(const std::string& id, Level level) const {
-  const auto it = levels_.find(id);
-  return it != levels_.end() && level <= it->second;
+  const auto it = accepted_.find(id);
+  return it != accepted_.end() && level <= it->second.level;
 }
 
 }  // namespace contact::tool

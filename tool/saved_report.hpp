@@ -23,6 +23,8 @@ struct Failure {
   oracle::Level level;  ///< that its answer does reach
   std::string what;
   bool accepted = false;
+  std::string reason{};   ///< why it may be accepted, where the report says so
+  std::string expires{};  ///< the last day on which it may be, YYYY-MM-DD; empty: none was named
 };
 
 /// pair/family, with .f32 for questions in binary32.
@@ -61,22 +63,37 @@ struct Accepted {
   std::uint64_t failures;
 };
 
+/// Why a failure is accepted, how bad it may be, and until when.
+struct Acceptance {
+  oracle::Level level;  ///< the worst that its answer may reach
+  std::string reason;
+  std::string expires;
+};
+
 /// Failures that a run may have again, by question.
 class Baseline {
  public:
-  /// Throws golden::InputError where the report does not list all failures.
-  explicit Baseline(const SavedReport& report);
+  /// The failures whose acceptance has not expired on the day `today`. Throws golden::InputError where the report does
+  /// not list all failures.
+  Baseline(const SavedReport& report, const std::string& today);
 
   [[nodiscard]] const std::string& engine() const { return engine_; }
-  [[nodiscard]] Accepted accepted() const { return {path_, levels_.size()}; }
-  [[nodiscard]] bool lists(const std::string& id) const { return levels_.contains(id); }
+  [[nodiscard]] Accepted accepted() const { return {path_, accepted_.size()}; }
+  [[nodiscard]] bool lists(const std::string& id) const { return accepted_.contains(id); }
   /// Whether a question may be answered no better than `level`: it was answered no better then.
   [[nodiscard]] bool accepts(const std::string& id, oracle::Level level) const;
+  /// Of a question that is listed.
+  [[nodiscard]] const Acceptance& acceptance(const std::string& id) const { return accepted_.at(id); }
+  /// A listed failure without a reason or a last day; nothing where all have both.
+  [[nodiscard]] std::optional<std::string> unexplained() const;
+  /// The failures whose acceptance has expired, a line each.
+  [[nodiscard]] const std::vector<std::string>& expired() const { return expired_; }
 
  private:
   std::string path_;
   std::string engine_;
-  std::unordered_map<std::string, oracle::Level> levels_;
+  std::unordered_map<std::string, Acceptance> accepted_;
+  std::vector<std::string> expired_;
 };
 
 }  // namespace contact::tool

@@ -126,6 +126,27 @@ class Accepted(Case):
         self.assertIn("baseline", json.loads(report.read_text()))
         self.valid("report.json", json.loads(report.read_text()))
 
+    def test_certificates_are_valid_whatever_the_engine(self):
+        path, known = self.folder / "certificate.json", self.folder / "known.json"
+        one = GOLDEN / "sphere_sphere" / "touching.jsonl"
+        run("certify", one, "--engine", "plain-double", "--json", known)
+        plain = f"{sys.executable} {ROOT / 'docs' / 'examples' / 'engines' / 'plain.py'}"
+        table = {
+            "production": (0, [GOLDEN, "--engine", "production"]),
+            "binary32, and much left out": (1, [GOLDEN / "sphere_sphere", "--engine", "plain-float"]),
+            "a command": (1, [GOLDEN / "sphere_sphere", "--engine-command", plain]),
+            "recorded": (1, [GOLDEN / "sphere_sphere", "--results", GOLDEN / "recorded" / "sofa-2a278d8" / "sphere_sphere.jsonl"]),
+            "generated": (0, ["--generate", 3, "--seed", 2**64 - 1]),
+            "accepted": (0, [one, "--engine", "plain-double", "--baseline", known, "--accept-reason", "known",
+                             "--accept-until", "2999-12-31"]),
+        }
+        for name, (code, options) in table.items():
+            with self.subTest(name):
+                done = run("certify", *options, "--certificate", path)
+                self.assertEqual(done.returncode, code, done.stderr)
+                self.valid("certificate.json", json.loads(path.read_text()))
+        self.assertTrue(json.loads(path.read_text())["accepted"])
+
     def test_both_sides_of_the_protocol_are_valid(self):
         recording = self.folder / "questions.jsonl"
         script = f"import sys, subprocess; p = subprocess.Popen([{TOOL!r}, 'serve'], stdin=subprocess.PIPE, text=True)\n" \
@@ -315,6 +336,25 @@ class Refused(Case):
             "side": (["total", "margins", 0, 0], 2), "half a margin": (["total", "margins", 0], [0, 0, 1]), "count": (["failure_count"], "1"),
             "scalar": (["scalar"], "double"), "conventions": (["conventions", "colour"], 7)})
         self.valid("report.json", {**report, "added": 7})
+
+    def test_typical_mistakes_in_a_certificate(self):
+        path, known = self.folder / "certificate.json", self.folder / "known.json"
+        options = [GOLDEN / "sphere_sphere" / "touching.jsonl", "--engine", "plain-double"]
+        run("certify", *options, "--json", known)
+        run("certify", *options, "--baseline", known, "--accept-reason", "known", "--accept-until", "2999-12-31",
+            "--certificate", path)
+        source, family = ["questions", "sources", 0], ["found", "families", 0]
+        self.check("certificate.json", json.loads(path.read_text()), {
+            "format": (["format"], "contact-oracle/report"), "digest": (["sha256"], "0" * 63), "day": (["issued"], "today"),
+            "unknown key": (["colour"], 7), "rounding": (["environment", "rounding"], "up"), "environment": (["environment"], None),
+            "stage": (["oracle", "decided", "guess"], 1), "kind": (["engine", "kind"], "magic"),
+            "a command of none": (["engine", "command"], "python3"), "a file without a name": (["engine", "files", 0], {"sha256": "0" * 64}),
+            "no source": (["questions", "sources"], []), "a seed of a dataset": ([*source, "seed"], 7),
+            "digest of a dataset": ([*source, "sha256"], None), "digest of questions": ([*source, "questions"], None),
+            "answers": (["answers", "sha256"], None), "required": (["found", "required"], "none"), "share": (["found", "share_judged"], 1),
+            "grade": ([*family, "fields", "value", "grade"], "good"), "level": ([*family, "level"], None),
+            "unknown count": ([*family, "colour"], 7), "crashes": (["found", "total", "answers", "crash"], 0),
+            "no reason": (["accepted", 0, "reason"], ""), "no day": (["accepted", 0, "expires"], None)})
 
 
 if __name__ == "__main__":
