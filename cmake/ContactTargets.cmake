@@ -10,6 +10,10 @@ if(CONTACT_SANITIZE)
   target_link_options(contact_warnings INTERFACE -fsanitize=address,undefined)
 endif()
 
+if(CONTACT_FUZZ)
+  target_compile_options(contact_warnings INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
 # Strict floating point. Contraction would fuse a product and a sum into one rounding, and so change what the filters'
 # bounds, the generator's bytes and the plain formulas mean; x87 registers would round twice.
 add_library(contact_strict_floating_point INTERFACE)

@@ -1,4 +1,4 @@
-// explain: the exact answer to a question, in words and numbers, beside what plain double arithmetic would have said.
+// explain: questions from a file or from a person, and the exact answer to each.
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
@@ -6,124 +6,13 @@
 #include <optional>
 
 #include "golden/dataset.hpp"
-#include "golden/plain.hpp"
-#include "golden/query_id.hpp"
-#include "oracle/truth.hpp"
 #include "tool/commands.hpp"
+#include "tool/explanation.hpp"
 #include "tool/pipeline.hpp"
 #include "tool/process.hpp"
 
 namespace contact::tool {
 namespace {
-
-using golden::number;
-using oracle::Exact;
-using oracle::Rational;
-
-constexpr std::size_t kLongestExact = 40;  // digits of an exact number that a person still reads
-
-std::string vector(const Vector3& v) { return fmt::format("({}, {}, {})", number(v[0]), number(v[1]), number(v[2])); }
-
-/// An exact number for a person: its decimal value, and the dyadic string where that is short.
-std::string exactly(const Rational& x) {
-  const std::string dyadic = oracle::dyadic_string(x);
-  const double rounded = oracle::round_to_nearest(x, Scalar::binary64);
-  const bool is_double = std::isfinite(rounded) && Rational(rounded) == x;
-  const std::string decimal = std::isfinite(rounded) ? number(rounded) : "beyond the range of binary64";
-  return fmt::format("{} {}{}", is_double ? "=" : "~", decimal,
-                     dyadic.size() <= kLongestExact ? fmt::format("  (exactly {})", dyadic) : "");
-}
-
-/// Where the exact real lies beside its rounding.
-std::string neighbourhood(const Exact& x, double rounded, Scalar scalar) {
-  if (!std::isfinite(rounded)) return "beyond the largest finite number";
-  const auto side = x.compare(Rational(rounded));
-  if (side == CGAL::EQUAL) return "exactly";
-  const double offset = oracle::error_in_units(Rational(rounded), x, oracle::ulp(x, scalar));
-  return fmt::format("{} {:.6g} ulp {}", offset == 0.5 ? "about" : "exact real", offset,
-                     side == CGAL::LARGER ? "above" : "below");
-}
-
-std::string relation(CGAL::Sign sign, double alarm) {
-  if (sign == CGAL::NEGATIVE) return alarm > 0 ? "within the alarm distance" : "overlapping";
-  if (sign == CGAL::POSITIVE) return alarm > 0 ? "beyond the alarm distance" : "apart";
-  return alarm > 0 ? "exactly at the alarm distance, which counts" : "exactly touching, which counts";
-}
-
-std::string plain_double_says(const Query& query, bool hit) {
-  const bool plain = golden::plain_overlap(query, Scalar::binary64);
-  return fmt::format("  plain double arithmetic says {}{}\n", plain ? "hit" : "miss", plain == hit ? "" : ": WRONG");
-}
-
-std::string spheres_text(const Query& query, const oracle::Truth& truth, Scalar scalar) {
-  const oracle::SphereTruth& t = *truth.spheres;
-  const Balls& balls = *query.balls();
-  std::string text;
-  for (const auto& [label, ball] : {std::pair{"a", &balls.a}, {"b", &balls.b}})
-    text += fmt::format("  {}         center {}, radius {}\n", label, vector(ball->center), number(ball->radius));
-  text += fmt::format("  distances alarm {}, contact {}\n\n", number(query.distances.alarm),
-                      number(query.distances.contact));
-  text += fmt::format("  D         |b - a|^2        {}\n", exactly(t.distance2()));
-  text += fmt::format("  reach     alarm + r1 + r2  {}\n", exactly(t.reach()));
-  text += fmt::format("  reach^2                    {}\n", exactly(t.reach() * t.reach()));
-  text += fmt::format("  margin    sqrt(D) - reach  {} ulps of reach ({})\n\n",
-                      number(oracle::round_to_nearest(t.margin(scalar), Scalar::binary64)), name(scalar));
-  text += fmt::format("  D {} reach^2: {}.  {}\n",
-                      truth.at_alarm == CGAL::ZERO       ? "="
-                      : truth.at_alarm == CGAL::NEGATIVE ? "<"
-                                                         : ">",
-                      relation(truth.at_alarm, query.distances.alarm), truth.hit() ? "HIT" : "MISS");
-  text += plain_double_says(query, truth.hit());
-  if (!truth.hit()) return text;
-
-  const Contact c = *oracle::expectation(truth, scalar).contact;
-  const auto plain = golden::PlainSpheres<double>(balls, query.distances).contact({});
-  if (c.degenerate)
-    text +=
-        "  The centres coincide: the normal is (1,0,0) by agreement, and any unit normal is right for another "
-        "engine.\n";
-  text += fmt::format("\n  {:<10}{:<26}{:<36}{}\n", "", fmt::format("rounded to {}", name(scalar)),
-                      "the exact real lies", "plain double says");
-  const auto row = [&](const std::string& field, const Exact& x, double rounded, std::optional<double> said) {
-    std::string beside = "no contact";
-    if (said)
-      beside = number(*said) + (*said == rounded ? ""
-                                : std::isfinite(*said)
-                                    ? fmt::format("  (off by {:.3g} ulp)",
-                                                  oracle::error_in_units(Rational(*said), x, oracle::ulp(x, scalar)))
-                                    : "  (not finite)");
-    text += fmt::format("  {:<10}{:<26}{:<36}{}\n", field, number(rounded), neighbourhood(x, rounded, scalar), beside);
-  };
-  const auto said = [&](auto member, int axis) { return plain ? std::optional((*plain.*member)[axis]) : std::nullopt; };
-  for (int axis = 0; axis < 3; ++axis)
-    row(fmt::format("normal[{}]", axis), t.normal(axis), c.normal[axis], said(&Contact::normal, axis));
-  for (int axis = 0; axis < 3; ++axis)
-    row(fmt::format("point1[{}]", axis), t.point(0, axis, PointOn::nearest_surface), c.point1[axis],
-        said(&Contact::point1, axis));
-  for (int axis = 0; axis < 3; ++axis)
-    row(fmt::format("point2[{}]", axis), t.point(1, axis, PointOn::nearest_surface), c.point2[axis],
-        said(&Contact::point2, axis));
-  row("value", t.value(true), c.value, plain ? std::optional(plain->value) : std::nullopt);
-  return text;
-}
-
-std::string cubes_text(const Query& query, const oracle::Truth& truth) {
-  const Boxes& boxes = *query.boxes();
-  std::string text;
-  for (const auto& [label, box] : {std::pair{"a", &boxes.a}, {"b", &boxes.b}})
-    text += fmt::format("  {}         min {}, max {}\n", label, vector(box->min), vector(box->max));
-  text += fmt::format("  alarm     {}\n\n", number(query.distances.alarm));
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Rational& gap = truth.cubes->gap()[axis];
-    const auto side = CGAL::sign(gap - truth.cubes->alarm());
-    text += fmt::format("  {}  gap {}: {} the alarm distance\n", "xyz"[axis], exactly(gap),
-                        side == CGAL::NEGATIVE ? "below"
-                        : side == CGAL::ZERO   ? "exactly"
-                                               : "ABOVE");
-  }
-  text += fmt::format("\n  {}.  {}\n", relation(truth.at_alarm, query.distances.alarm), truth.hit() ? "HIT" : "MISS");
-  return text + plain_double_says(query, truth.hit());
-}
 
 void explain(const std::string& input, bool json) {
   InputLines lines(input);
@@ -144,9 +33,8 @@ void explain(const std::string& input, bool json) {
       any = true;
       continue;
     }
-    fmt::print("{}{} {}\n", any ? "\n" : "", name(query.pair), golden::query_id(query));
+    fmt::print("{}{}", any ? "\n" : "", explanation(query, truth, scalar));
     any = true;
-    fmt::print("{}", truth.spheres ? spheres_text(query, truth, scalar) : cubes_text(query, truth));
   }
   if (!any) throw golden::InputError(lines.where(), "", "no question given: expected JSON lines");
 }
