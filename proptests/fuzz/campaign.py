@@ -1,0 +1,55 @@
+#!/usr/bin/env python3
+"""Runs libFuzzer's targets side by side and tells what came of it: python3 proptests/fuzz/campaign.py BUILD [--minutes N] [TARGET...]
+
+Inputs that reach something new are kept in BUILD/corpus, and are where the next campaign begins; what fails is in BUILD/crashes."""
+import argparse
+import os
+import re
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+TARGETS = sorted(path.name for path in (HERE / "corpus").iterdir())
+
+
+def fuzz(build, target, seconds):
+    corpus, crashes = build / "corpus" / target, build / "crashes"
+    corpus.mkdir(parents=True, exist_ok=True)
+    crashes.mkdir(exist_ok=True)
+    start = time.monotonic()
+    done = subprocess.run(
+        [build / "proptests/fuzz" / f"fuzz_{target}", f"-max_total_time={seconds:.0f}", "-rss_limit_mb=4096", "-timeout=60",
+         "-print_final_stats=1", f"-artifact_prefix={crashes}/{target}-", corpus, HERE / "corpus" / target],
+        capture_output=True, text=True, errors="replace")
+    (build / f"fuzz_{target}.log").write_text(done.stderr)
+    edges = re.findall(r"cov: (\d+)", done.stderr)
+    counters = re.search(r"\((\d+) inline 8-bit counters\)", done.stderr)
+    runs = re.search(r"number_of_executed_units: (\d+)", done.stderr)
+    return (target, runs.group(1) if runs else "?", f"{edges[-1] if edges else '?'} of {counters.group(1) if counters else '?'}",
+            str(len(list(corpus.iterdir()))), f"{time.monotonic() - start:.0f}",
+            "no failure" if done.returncode == 0 else f"FAILED, {build}/fuzz_{target}.log")
+
+
+def main():
+    arguments = argparse.ArgumentParser(description="Fuzzing, side by side")
+    arguments.add_argument("build", type=Path)
+    arguments.add_argument("--minutes", type=float, default=1, help="of each target (default: 1)")
+    arguments.add_argument("--jobs", type=int, default=os.cpu_count(), help="targets at once (default: one a core)")
+    arguments.add_argument("targets", nargs="*", metavar="TARGET", help=f"of {', '.join(TARGETS)} (default: all)")
+    wanted = arguments.parse_args()
+    if unknown := [t for t in wanted.targets if t not in TARGETS]:
+        arguments.error(f"no such target: {', '.join(unknown)}; there are {', '.join(TARGETS)}")
+    with ThreadPoolExecutor(wanted.jobs) as pool:
+        rows = list(pool.map(lambda t: fuzz(wanted.build.resolve(), t, 60 * wanted.minutes), wanted.targets or TARGETS))
+    rows.insert(0, ("target", "executions", "edges reached", "inputs kept", "seconds", "outcome"))
+    widths = [max(len(row[i]) for row in rows) for i in range(6)]
+    for row in rows:
+        print("  ".join(text.ljust(width) if i in (0, 5) else text.rjust(width) for i, (text, width) in enumerate(zip(row, widths))))
+    return 0 if all(row[5] == "no failure" for row in rows[1:]) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
