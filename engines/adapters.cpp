@@ -1,6 +1,7 @@
 // The table of adapters, and where they are.
 #include "engines/adapters.hpp"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -36,22 +37,40 @@ constexpr std::array kAdapters{
     Adapter{"three", "three.js: intersectsSphere, intersectsBox", binary64, "three"},
 };
 
+namespace fs = std::filesystem;
+
+const fs::path kNode = CONTACT_NODE_DIR;
+
+fs::path module_of(const Adapter& adapter) { return kNode / (std::string(adapter.name) + ".mjs"); }
+
+/// Libraries lie beside this program, which serves them, so that a crash of one is the other's end.
+fs::path program() { return fs::read_symlink("/proc/self/exe"); }
+fs::path library_of(const Adapter& adapter) {
+  return program().parent_path() / "engines" / (std::string(adapter.name) + ".so");
+}
+
 }  // namespace
 
 std::span<const Adapter> adapters() { return kAdapters; }
 
+const Adapter* find_adapter(std::string_view name) {
+  const auto found =
+      std::find_if(kAdapters.begin(), kAdapters.end(), [&](const Adapter& adapter) { return adapter.name == name; });
+  return found == kAdapters.end() ? nullptr : &*found;
+}
+
 std::optional<std::vector<std::string>> command_of(const Adapter& adapter) {
-  namespace fs = std::filesystem;
   if (!adapter.npm.empty()) {
-    const fs::path folder = CONTACT_NODE_DIR;
-    if (!fs::exists(folder / "node_modules" / adapter.npm)) return std::nullopt;
-    return {{"node", folder / (std::string(adapter.name) + ".mjs")}};
+    if (!fs::exists(kNode / "node_modules" / adapter.npm)) return std::nullopt;
+    return {{"node", module_of(adapter)}};
   }
-  // The libraries lie beside this program, which serves them, so that a crash of one is the other's end.
-  const fs::path program = fs::read_symlink("/proc/self/exe");
-  const fs::path library = program.parent_path() / "engines" / (std::string(adapter.name) + ".so");
-  if (!fs::exists(library)) return std::nullopt;
-  return {{program, "serve", "--engine-library", library}};
+  if (!fs::exists(library_of(adapter))) return std::nullopt;
+  return {{program(), "serve", "--engine-library", library_of(adapter)}};
+}
+
+std::vector<fs::path> files_of(const Adapter& adapter) {
+  if (adapter.npm.empty()) return {library_of(adapter)};
+  return {module_of(adapter), kNode / "package-lock.json"};
 }
 
 }  // namespace contact::engines

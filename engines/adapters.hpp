@@ -1,6 +1,7 @@
 // Engines that others wrote, each behind an adapter that is started as a process of its own.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,7 +23,14 @@ struct Adapter {
 
 [[nodiscard]] std::span<const Adapter> adapters();
 
+/// The adapter of that name, or null.
+[[nodiscard]] const Adapter* find_adapter(std::string_view name);
+
 /// What starts it, or nothing where its engine is not installed.
 [[nodiscard]] std::optional<std::vector<std::string>> command_of(const Adapter& adapter);
+
+/// The files that make an installed one what it is: its library; or its module, and the versions and digests of the
+/// packages that it loads.
+[[nodiscard]] std::vector<std::filesystem::path> files_of(const Adapter& adapter);
 
 }  // namespace contact::engines

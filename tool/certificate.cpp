@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "engines/adapters.hpp"
 #include "engines/subprocess.hpp"
 #include "golden/dataset.hpp"
 #include "golden/query_id.hpp"
@@ -238,6 +239,10 @@ json provenance(const EngineOptions& options, const std::filesystem::path& folde
   if (!options.library.empty()) {
     add("file", seen_from(folder, options.library), options.library);
     return {{"kind", "library"}, {"files", std::move(files)}};
+  }
+  if (const engines::Adapter* adapter = engines::find_adapter(options.engine)) {
+    for (const std::filesystem::path& file : engines::files_of(*adapter)) add("file", seen_from(folder, file), file);
+    return {{"kind", "adapter"}, {"files", std::move(files)}};
   }
   if (options.command.empty()) {
     add("program", "contact-oracle", "/proc/self/exe");

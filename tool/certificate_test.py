@@ -132,6 +132,21 @@ class Holds(Case):
         self.assertEqual([f["sha256"] for f in certificate["engine"]["files"] if "file" in f],
                          [hashlib.sha256(PLAIN.read_bytes()).hexdigest()])
 
+    def test_an_adapter_is_bound_by_its_own_files(self):
+        here = [e for e in map(json.loads, run("engines", "--json").stdout.splitlines()) if e.get("command")]
+        if not here:
+            self.skipTest("no adapter's engine is here; ./run engines installs them")
+        for engine in (here[0], here[-1]):
+            with self.subTest(engine["name"]):
+                path = self.folder / f"{engine['name']}.json"
+                run("certify", GOLDEN / "quick", "--engine", engine["name"], "--start-limit", 60, "--certificate", path)
+                stated = json.loads(path.read_text())["engine"]
+                self.assertEqual(stated["kind"], "adapter")
+                bound = {Path(os.path.normpath(path.parent / f["file"])): f["sha256"] for f in stated["files"]}
+                self.assertEqual(bound.pop(Path(engine["command"][-1])), hashlib.sha256(Path(engine["command"][-1]).read_bytes()).hexdigest())
+                self.assertEqual([file.name for file in bound], ["package-lock.json"] if engine["command"][0] == "node" else [])
+                self.assertEqual(run("verify", path).returncode, 0)
+
     def test_a_refuted_engine_has_a_certificate_that_says_so_and_never_passes_for_a_level(self):
         certificate = self.certify("golden/sphere_sphere/touching.jsonl", "--engine", "plain-double", code=1)
         self.assertFalse(certificate["found"]["certified"])

@@ -126,11 +126,10 @@ std::unique_ptr<engines::Engine> make_engine(const EngineOptions& options, std::
         {std::filesystem::read_symlink("/proc/self/exe").string(), "serve", "--engine-library", options.library},
         std::move(check));
   }
-  for (const engines::Adapter& adapter : engines::adapters()) {
-    if (adapter.name != options.engine) continue;
-    if (auto words = engines::command_of(adapter)) return subprocess(options, std::move(*words), std::move(check));
+  if (const engines::Adapter* adapter = engines::find_adapter(options.engine)) {
+    if (auto words = engines::command_of(*adapter)) return subprocess(options, std::move(*words), std::move(check));
     throw golden::InputError({"command line", 0}, "",
-                             fmt::format("engine '{}' is not here; ./run engines installs it", adapter.name));
+                             fmt::format("engine '{}' is not here; ./run engines installs it", adapter->name));
   }
   return built_in(options.engine.empty() ? "production" : options.engine, computed_points(options));
 }
