@@ -1,0 +1,312 @@
+#!/usr/bin/env python3
+"""Checks the proofs behind every constant that accepts a fast answer.   python3 docs/proofs/prove.py [--coq]
+
+Without an option: the numbers of bounds.json into the scripts, Gappa on each, the links between them, and the headers that
+carry the proved bounds into C++. With --coq every Gappa proof is checked by Coq with each rewriting hint made a lemma, and
+so are the lemmas of coq/. README.md says how to read a script.
+
+--write   writes the headers        --table   prints the list of constants        --only NAME   that script alone
+"""
+
+import argparse
+import concurrent.futures
+import json
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from fractions import Fraction
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+# Numbers are rounded up to a whole number of 2^-20 of their unit, so that scripts, links and headers have the same dyadic number.
+RESOLUTION = 2**20
+UNITS = {"": Fraction(1), "u": Fraction(1, 2**53), "u^2": Fraction(1, 2**106), "u^3": Fraction(1, 2**159)}
+# What a digit more may be given away where a bound was only rounded up for reading.
+SKIPPED = 77
+
+
+class ProofError(Exception):
+    """Something that is not proved, in words."""
+
+
+def number(text):
+    """'34.5 u^2', '2^-950' or '3 * 2^-140' exactly, but rounded up to a whole number of 2^-20 of the unit."""
+    power = re.fullmatch(r"(?:([0-9.]+) \* )?2\^(-?\d+)", text)
+    if power:
+        factor, unit = Fraction(power[1] or 1), Fraction(2) ** int(power[2])
+    else:
+        digits, _, unit = text.partition(" ")
+        factor, unit = Fraction(digits), UNITS[unit]
+    return Fraction(math.ceil(factor * RESOLUTION), RESOLUTION) * unit
+
+
+def dyadic(x):
+    """x as Gappa writes it: a whole number times a power of two."""
+    exponent = -(x.denominator.bit_length() - 1)
+    return f"{x.numerator}b{exponent}" if exponent else str(x.numerator)
+
+
+def hexadecimal(x):
+    """x as a C++ literal; it must be a double."""
+    value = float(x)
+    if Fraction(value) != x:
+        raise ProofError(f"{x} is not a double")
+    mantissa, exponent = value.hex().split("p")
+    mantissa = re.sub(r"\.?0+$", "", mantissa)
+    return f"{mantissa}p{int(exponent)}"
+
+
+def camel(name):
+    return "k" + "".join(part.capitalize() for part in name.split("_"))
+
+
+class Table:
+    """bounds.json: the one list of numbers."""
+
+    def __init__(self, folder):
+        data = json.loads((folder / "bounds.json").read_text())
+        self.bounds = {bound["name"]: bound for bound in data["bounds"]}
+        if len(self.bounds) != len(data["bounds"]):
+            raise ProofError("bounds.json: a name stands twice")
+        self.values = {name: number(bound["value"]) for name, bound in self.bounds.items()}
+        self.links = data["links"]
+        self.constants = data["constants"]
+
+    def evaluate(self, expression):
+        """A sum of products of names and numbers, exactly."""
+        total = Fraction(0)
+        for term in expression.split(" + "):
+            product = Fraction(1)
+            for factor in term.split(" * "):
+                product *= self.values[factor] if factor in self.values else number(factor)
+            total += product
+        return total
+
+    def check_links(self):
+        for link in self.links:
+            small, large = link["holds"].split(" <= ")
+            if self.evaluate(small) > self.evaluate(large):
+                raise ProofError(f"link fails: {link['holds']} ({link['why']})")
+
+
+class Script:
+    """One Gappa script, its hypotheses and its conclusions by name."""
+
+    def __init__(self, path):
+        self.name = path.stem
+        self.text = path.read_text()
+        code = re.sub(r"#.*", "", self.text)
+        goal = re.search(r"\{(.*?)\}", code, re.DOTALL)
+        if not goal or goal[1].count("->") != 1:
+            raise ProofError(f"{path.name}: one goal with one arrow is wanted")
+        before, after = goal[1].split("->")
+        self.hypotheses = re.findall(r"@(\w+)@", code[: goal.start()] + before + code[goal.end() :])
+        self.assumed = [re.sub(r"\s", "", part) for part in before.split("/\\")]
+        self.conclusions = re.findall(r"@(\w+)@", after)
+        self.hints = code[goal.end() :].count("->")
+
+    def filled(self, table):
+        def value(match):
+            if match[1] not in table.values:
+                raise ProofError(f"{self.name}.g: bounds.json has no {match[1]}")
+            return dyadic(table.values[match[1]])
+
+        return re.sub(r"@(\w+)@", value, self.text)
+
+
+def check_order(scripts, table, lemmas):
+    """Every hypothesis is given or the conclusion of exactly what the table names, and nothing rests on itself."""
+    uses = {}
+    for name, bound in table.bounds.items():
+        source = bound.get("proved_by")
+        if source is None:
+            if "given" not in bound:
+                raise ProofError(f"bounds.json: {name} is neither given nor proved")
+            continue
+        if source.endswith(".g"):
+            script = scripts.get(source[:-2])
+            if script is None or name not in script.conclusions:
+                raise ProofError(f"link fails: {source} does not conclude {name}")
+            uses[name] = set(script.hypotheses)
+        else:
+            file, _, lemma = source.partition(":")
+            if lemma not in lemmas.get(file, ()):
+                raise ProofError(f"link fails: coq/{file} has no lemma {lemma}")
+            uses[name] = set(bound.get("from", ()))
+    for script in scripts.values():
+        for name in script.conclusions:
+            if name in table.bounds and table.bounds[name].get("proved_by") != script.name + ".g" and name in uses:
+                raise ProofError(f"link fails: {script.name}.g concludes {name}, and so does {table.bounds[name]['proved_by']}")
+        for part in script.assumed:
+            found = re.search(r"@(\w+)@", part)
+            if not found:
+                raise ProofError(f"{script.name}.g: the hypothesis {part} has a number of its own")
+            symbols = table.bounds.get(found[1], {}).get("bounds")
+            subject = re.fullmatch(r"\|?(.*?)\|?<=@\w+@", part)
+            if symbols and (not subject or re.sub(r"\d+$", "", subject[1]) not in symbols):
+                raise ProofError(f"link fails: {script.name}.g takes {found[1]} for a bound of {part}; it is one of {symbols}")
+    done, path = set(), []
+
+    def visit(name):
+        if name in done:
+            return
+        if name in path:
+            raise ProofError("link fails: a circle " + " <- ".join(path[path.index(name) :] + [name]))
+        path.append(name)
+        for other in sorted(uses.get(name, ())):
+            visit(other)
+        path.pop()
+        done.add(name)
+
+    for name in table.bounds:
+        visit(name)
+
+
+def run(command, folder, limit):
+    try:
+        return subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=limit)
+    except subprocess.TimeoutExpired as late:
+        raise ProofError(f"{command[-1]}: not done after {limit} s") from late
+
+
+
+def without_warnings(result):
+    """Gappa warns of hints that it cannot prove itself; with --coq they are proved. A goal stands on its own."""
+    return "\n".join(line for line in result.stderr.splitlines() if not line.startswith("Warning"))
+
+
+def gappa(script, table, folder):
+    file = folder / f"{script.name}.g"
+    file.write_text(script.filled(table))
+    result = run(["gappa", "-Eprecision=128", file.name], folder, 120)
+    if result.returncode != 0:
+        raise ProofError(f"{script.name}.g is not proved:\n{without_warnings(result)}")
+
+
+# A hint comes out of Gappa as an unproved hypothesis and a lemma that applies it.
+HINT = re.compile(r"Hypothesis (a\d+) : (.*?)\.\nLemma (b\d+) : (.*?)\.\n.*?Qed\.\n", re.DOTALL)
+DISCHARGE = "Ltac hint := intros; unfold Float1; field; repeat split; assumption || lra.\n"
+
+
+def coq(script, table, folder):
+    file = folder / f"{script.name}.g"
+    file.write_text(script.filled(table))
+    result = run(["gappa", "-Eprecision=128", "-Bcoq", file.name], folder, 120)
+    if result.returncode != 0:
+        raise ProofError(f"{script.name}.g is not proved:\n{without_warnings(result)}")
+    text, replaced = HINT.subn(lambda found: f"Lemma {found[3]} : {found[4]}.\nProof. hint. Qed.\n", result.stdout)
+    # Reals and Lra come first: names of Reals would hide Gappa's.
+    text = "Require Import Reals Lra.\n" + text.replace("Section Generated", DISCHARGE + "Section Generated", 1)
+    if re.search(r"\b(Hypothesis|Axiom|Admitted|admit)\b", text):
+        raise ProofError(f"{script.name}.g: a hypothesis is left in its Coq proof")
+    proof = folder / f"{script.name}.v"
+    proof.write_text(text)
+    result = run(["coqc", "-q", proof.name], folder, 600)
+    if result.returncode != 0:
+        raise ProofError(f"{script.name}.g: Coq refuses the proof ({replaced} hints)\n{result.stdout[-500:]}{result.stderr[-2000:]}")
+
+
+def lemma_file(path, folder):
+    shutil.copy(path, folder / path.name)
+    text = path.read_text()
+    if re.search(r"\b(Hypothesis|Axiom|Admitted|admit|Conjecture|Parameter)\b", text):
+        raise ProofError(f"coq/{path.name}: something in it is not proved")
+    result = run(["coqc", "-q", path.name], folder, 600)
+    if result.returncode != 0:
+        raise ProofError(f"coq/{path.name}: Coq refuses it\n{result.stderr[-2000:]}")
+
+
+def header(table, side):
+    lines = [
+        f"// The proved bounds of {side['what']}, from docs/proofs/bounds.json: written by docs/proofs/prove.py --write.",
+        "#pragma once",
+        "",
+        f"namespace {side['namespace']} {{",
+        "",
+    ]
+    for name in side["bounds"]:
+        bound = table.bounds[name]
+        lines.append(f"inline constexpr double {camel(name)} = {hexadecimal(table.values[name])};  // {bound['value']}")
+    return "\n".join([*lines, "", f"}}  // namespace {side['namespace']}", ""])
+
+
+def check_headers(table, write):
+    for side in table.constants:
+        path = ROOT / side["header"]
+        text = header(table, side)
+        if write:
+            path.write_text(text)
+        elif not path.exists() or path.read_text() != text:
+            raise ProofError(f"{side['header']} is not what bounds.json says: prove.py --write")
+
+
+def print_table(table):
+    print("| constant | its value | proved bound | proved |\n|---|---|---|---|")
+    for side in table.constants:
+        for row in side["rows"]:
+            used, proved = table.evaluate(row["value"]), table.evaluate(row["needs"])
+            share = f"{float(proved / used) * 100:.1f} %"
+            print(f"| `{row['name']}` | {row['value']} | {row.get('shown', row['needs'])} = {shown(proved)} | {share} |")
+
+
+def shown(x):
+    for unit in ("u", "u^2", ""):
+        scaled = float(x / UNITS[unit])
+        if unit and 0.01 <= scaled < 10000:
+            return f"{scaled:.6g} {unit}"
+    return f"2^{math.log2(x):.3f}"
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--coq", action="store_true")
+    parser.add_argument("--write", action="store_true")
+    parser.add_argument("--table", action="store_true")
+    parser.add_argument("--only")
+    parser.add_argument("--folder", type=Path, default=HERE, help="another folder with bounds.json, scripts/ and coq/")
+    options = parser.parse_args(arguments)
+    needed = ["gappa", "coqc"] if options.coq else ["gappa"]
+    for program in needed:
+        if shutil.which(program) is None:
+            print(f"{program} is not installed: nothing was checked", file=sys.stderr)
+            return SKIPPED
+    try:
+        table = Table(options.folder)
+        if options.table:
+            print_table(table)
+            return 0
+        scripts = {path.stem: Script(path) for path in sorted((options.folder / "scripts").glob("*.g"))}
+        files = sorted((options.folder / "coq").glob("*.v"))
+        lemmas = {path.name: re.findall(r"^(?:Lemma|Theorem) (\w+)", path.read_text(), re.MULTILINE) for path in files}
+        if options.only:
+            scripts = {name: script for name, script in scripts.items() if name == options.only}
+            files = [path for path in files if path.stem == options.only]
+        else:
+            check_order(scripts, table, lemmas)
+            table.check_links()
+            check_headers(table, options.write)
+        with tempfile.TemporaryDirectory() as name, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            folder = Path(name)
+            check = coq if options.coq else gappa
+            waiting = [pool.submit(check, script, table, folder) for script in scripts.values()]
+            if options.coq:
+                waiting += [pool.submit(lemma_file, path, folder) for path in files]
+            failures = [str(error) for error in (future.exception() for future in waiting) if error]
+        if failures:
+            raise ProofError("\n".join(failures))
+        hints = sum(script.hints for script in scripts.values())
+        print(f"{len(scripts)} scripts with {hints} hints" +
+              (f", {sum(map(len, lemmas.values()))} Coq lemmas" if options.coq else "") + ": proved")
+        return 0
+    except ProofError as error:
+        print(f"not proved: {error}", file=sys.stderr)
+        return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
