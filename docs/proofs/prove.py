@@ -36,6 +36,8 @@ class ProofError(Exception):
 
 def number(text):
     """'34.5 u^2', '2^-950' or '3 * 2^-140' exactly, but rounded up to a whole number of 2^-20 of the unit."""
+    if " + " in text:
+        return sum(map(number, text.split(" + ")))
     power = re.fullmatch(r"(?:([0-9.]+) \* )?2\^(-?\d+)", text)
     if power:
         factor, unit = Fraction(power[1] or 1), Fraction(2) ** int(power[2])
@@ -65,6 +67,23 @@ def camel(name):
     return "k" + "".join(part.capitalize() for part in name.split("_"))
 
 
+CPP_NAMES = {"kUnit": "0x1p-53", "kUnitSquared": "0x1p-106", "kU2": "0x1p-106"}
+
+
+def cpp_constant(file, name):
+    """What a header says: a sum of products of numbers and of the names of powers of u."""
+    found = re.findall(rf"constexpr double {name} = ([^;]*);", (ROOT / file).read_text())
+    if len(found) != 1:
+        raise ProofError(f"{file} has {len(found)} definitions of {name}")
+    total = Fraction(0)
+    for term in found[0].split(" + "):
+        product = Fraction(1)
+        for factor in term.split(" * "):
+            product *= Fraction(float.fromhex(CPP_NAMES.get(factor, factor)) if not factor.isdigit() else int(factor))
+        total += product
+    return total
+
+
 class Table:
     """bounds.json: the one list of numbers."""
 
@@ -87,6 +106,18 @@ class Table:
             total += product
         return total
 
+    def rows(self):
+        """Each constant of C++, with its value and what is proved to suffice, in its own unit."""
+        for side in self.constants:
+            for row in side["rows"]:
+                factor = math.prod(map(number, row["times"].split(" * "))) if "times" in row else 1
+                yield row, cpp_constant(row["in"], row["constant"]), self.values[row["needs"]] / factor
+
+    def check_constants(self):
+        for row, value, needed in self.rows():
+            if value < needed:
+                raise ProofError(f"{row['in']}: {row['constant']} is {shown(value)}, and {row['needs']} needs {shown(needed)}")
+
     def check_links(self):
         for link in self.links:
             small, large = link["holds"].split(" <= ")
@@ -105,7 +136,11 @@ class Script:
         if not goal or goal[1].count("->") != 1:
             raise ProofError(f"{path.name}: one goal with one arrow is wanted")
         before, after = goal[1].split("->")
-        self.hypotheses = re.findall(r"@(\w+)@", code[: goal.start()] + before + code[goal.end() :])
+        # A conclusion is |..| <= @name@; any other name is used, but where the table says that this script proves it.
+        bounded = re.sub(r"<=\s*@\w+@", "", after)
+        self.used = re.findall(r"@(\w+)@", code[: goal.start()] + before + bounded + code[goal.end() :])
+        self.grids = re.findall(r"@FIX\(\w+,\s*(-\d+)\)", after)
+        self.concluded = re.findall(r"@(\w+)@", after)
         self.assumed = [re.sub(r"\s", "", part) for part in before.split("/\\")]
         self.conclusions = re.findall(r"@(\w+)@", after)
         self.hints = code[goal.end() :].count("->")
@@ -130,25 +165,26 @@ def check_order(scripts, table, lemmas):
             continue
         if source.endswith(".g"):
             script = scripts.get(source[:-2])
-            if script is None or name not in script.conclusions:
+            if script is None or name not in script.concluded:
                 raise ProofError(f"link fails: {source} does not conclude {name}")
-            uses[name] = set(script.hypotheses)
+            uses[name] = {used for used in script.used if table.bounds.get(used, {}).get("proved_by") != source}
         else:
             file, _, lemma = source.partition(":")
             if lemma not in lemmas.get(file, ()):
                 raise ProofError(f"link fails: coq/{file} has no lemma {lemma}")
             uses[name] = set(bound.get("from", ()))
+    grids = {grid for script in scripts.values() for grid in script.grids}
     for script in scripts.values():
-        for name in script.conclusions:
-            if name in table.bounds and table.bounds[name].get("proved_by") != script.name + ".g" and name in uses:
-                raise ProofError(f"link fails: {script.name}.g concludes {name}, and so does {table.bounds[name]['proved_by']}")
         for part in script.assumed:
+            grid = re.fullmatch(r"@FIX\(\w+,(-\d+)\)", part)
+            if grid and grid[1] in grids:
+                continue
             found = re.search(r"@(\w+)@", part)
-            if not found:
+            if not found or grid:
                 raise ProofError(f"{script.name}.g: the hypothesis {part} has a number of its own")
             symbols = table.bounds.get(found[1], {}).get("bounds")
-            subject = re.fullmatch(r"\|?(.*?)\|?<=@\w+@", part)
-            if symbols and (not subject or re.sub(r"\d+$", "", subject[1]) not in symbols):
+            subject = re.fullmatch(r"\|?(.*?)\|?(?:<=@\w+@|in\[.*,@\w+@\])", part)
+            if symbols and not (subject and {subject[1], subject[1].rstrip("0123456789")} & set(symbols)):
                 raise ProofError(f"link fails: {script.name}.g takes {found[1]} for a bound of {part}; it is one of {symbols}")
     done, path = set(), []
 
@@ -229,9 +265,9 @@ def header(table, side):
         f"namespace {side['namespace']} {{",
         "",
     ]
-    for name in side["bounds"]:
-        bound = table.bounds[name]
-        lines.append(f"inline constexpr double {camel(name)} = {hexadecimal(table.values[name])};  // {bound['value']}")
+    definitions = [f"inline constexpr double {camel(name)} = {hexadecimal(table.values[name])};" for name in side["bounds"]]
+    width = max(map(len, definitions))
+    lines += [f"{definition:{width}}  // {table.bounds[name]['value']}" for name, definition in zip(side["bounds"], definitions)]
     return "\n".join([*lines, "", f"}}  // namespace {side['namespace']}", ""])
 
 
@@ -246,20 +282,20 @@ def check_headers(table, write):
 
 
 def print_table(table):
-    print("| constant | its value | proved bound | proved |\n|---|---|---|---|")
-    for side in table.constants:
-        for row in side["rows"]:
-            used, proved = table.evaluate(row["value"]), table.evaluate(row["needs"])
-            share = f"{float(proved / used) * 100:.1f} %"
-            print(f"| `{row['name']}` | {row['value']} | {row.get('shown', row['needs'])} = {shown(proved)} | {share} |")
+    print("| constant | of | its value | proved to suffice | that share | proof |\n|---|---|---|---|---|---|")
+    for row, value, needed in table.rows():
+        proof = table.bounds[row["needs"]].get("proved_by", "links")
+        file = Path(row["in"]).name
+        print(f"| `{row['constant']}` | {file} | {shown(value)} | {shown(needed)} | {float(needed / value) * 100:.1f} % | `{row['needs']}`: {proof} |")
 
 
 def shown(x):
     for unit in ("u", "u^2", ""):
         scaled = float(x / UNITS[unit])
-        if unit and 0.01 <= scaled < 10000:
+        if unit and 0.001 <= scaled < 10000:
             return f"{scaled:.6g} {unit}"
-    return f"2^{math.log2(x):.3f}"
+    power = math.log2(x.numerator) - math.log2(x.denominator)
+    return f"2^{power:.2f}".removesuffix(".00")
 
 
 def main(arguments=None):
@@ -289,6 +325,7 @@ def main(arguments=None):
         else:
             check_order(scripts, table, lemmas)
             table.check_links()
+            table.check_constants()
             check_headers(table, options.write)
         with tempfile.TemporaryDirectory() as name, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             folder = Path(name)

@@ -59,12 +59,12 @@ Qed.
 Lemma beside_a_double : forall high x, double high -> Rabs (x - high) < bpow radix2 (-54) * Rabs high -> RN x = high.
 Proof.
   intros high x F H. destruct (Rtotal_order high 0) as [N | [Z | P]].
-  - rewrite Rabs_left in H by exact N.
+  - rewrite (Rabs_left high) in H by exact N.
     assert (E := beside_a_positive_double (- high) (- x) (double_opposite high F)).
     rewrite RN_opposite in E. rewrite <- (Ropp_involutive (RN x)), E, Ropp_involutive; try lra.
     replace (- x - - high) with (- (x - high)) by ring. rewrite Rabs_Ropp. exact H.
   - rewrite Z, Rabs_R0, Rmult_0_r in H. assert (0 <= Rabs (x - 0)) by apply Rabs_pos. lra.
-  - rewrite Rabs_pos_eq in H by lra. now apply beside_a_positive_double.
+  - rewrite (Rabs_pos_eq high) in H by lra. now apply beside_a_positive_double.
 Qed.
 
 (* The quick test: RN(high + low (1 + eta)) = RN(high + low (1 - eta)). *)

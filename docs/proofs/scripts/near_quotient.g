@@ -9,4 +9,4 @@ exact = (eh + y + dy) / (1 + x + dx);
   /\ |x| <= @near_sum_low@ /\ |dx| <= @near_sum_error@ /\ |y| <= @near_difference_low@ /\ |dy| <= @near_difference_error@
   -> |low| <= @near_quotient_low@ /\ |1 + low - exact| <= @near_quotient@ }
 1 + low - exact -> (eh - 1) * e1 + (y - x) * e2 + (rem + (y - x) * (1 + e2)) * ((1 + e3) * (1 + r) * (1 + e4) - 1)
-  + (dx - dy + (x + dx) * (eh - 1 + y + dy - x - dx) / (1 + x + dx)) { 1 + x + dx <> 0 };
+  + (dx - dy + (x + dx) * (eh - 1 + y + dy - x - dx) / (1 + x + dx)) { 1 + x + dx <> 0, 1 + r <> 0, 1 + eq <> 0 };
