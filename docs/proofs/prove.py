@@ -5,7 +5,7 @@ Without an option: the numbers of bounds.json into the scripts, Gappa on each, t
 carry the proved bounds into C++. With --coq every Gappa proof is checked by Coq with each rewriting hint made a lemma, and
 so are the lemmas of coq/. README.md says how to read a script.
 
---write   writes the headers        --table   prints the list of constants        --only NAME   that script alone
+--write   writes the headers        --table   prints the list of constants        --only NAME   that script alone, and no link
 """
 
 import argparse
@@ -247,14 +247,27 @@ def coq(script, table, folder):
         raise ProofError(f"{script.name}.g: Coq refuses the proof ({replaced} hints)\n{result.stdout[-500:]}{result.stderr[-2000:]}")
 
 
-def lemma_file(path, folder):
-    shutil.copy(path, folder / path.name)
-    text = path.read_text()
-    if re.search(r"\b(Hypothesis|Axiom|Admitted|admit|Conjecture|Parameter)\b", text):
-        raise ProofError(f"coq/{path.name}: something in it is not proved")
-    result = run(["coqc", "-q", path.name], folder, 600)
-    if result.returncode != 0:
-        raise ProofError(f"coq/{path.name}: Coq refuses it\n{result.stderr[-2000:]}")
+def lemma_files(paths, folder):
+    """The files of lemmas, each after those that it requires."""
+    texts = {path.stem: path.read_text() for path in paths}
+    done = set()
+
+    def compile_after_its_own(name):
+        if name in done:
+            return
+        done.add(name)
+        for line in re.findall(r"^Require Import (.*)\.$", texts[name], re.MULTILINE):
+            for other in line.split():
+                compile_after_its_own(other)
+        if re.search(r"\b(Hypothesis|Variable|Axiom|Admitted|admit|Conjecture|Parameter)\b", texts[name]):
+            raise ProofError(f"coq/{name}.v: something in it is not proved")
+        (folder / f"{name}.v").write_text(texts[name])
+        result = run(["coqc", "-q", f"{name}.v"], folder, 600)
+        if result.returncode != 0:
+            raise ProofError(f"coq/{name}.v: Coq refuses it\n{result.stderr[-2000:]}")
+
+    for name in texts:
+        compile_after_its_own(name)
 
 
 def header(table, side):
@@ -321,7 +334,7 @@ def main(arguments=None):
         lemmas = {path.name: re.findall(r"^(?:Lemma|Theorem) (\w+)", path.read_text(), re.MULTILINE) for path in files}
         if options.only:
             scripts = {name: script for name, script in scripts.items() if name == options.only}
-            files = [path for path in files if path.stem == options.only]
+            files = []
         else:
             check_order(scripts, table, lemmas)
             table.check_links()
@@ -331,8 +344,8 @@ def main(arguments=None):
             folder = Path(name)
             check = coq if options.coq else gappa
             waiting = [pool.submit(check, script, table, folder) for script in scripts.values()]
-            if options.coq:
-                waiting += [pool.submit(lemma_file, path, folder) for path in files]
+            if options.coq and files:
+                waiting.append(pool.submit(lemma_files, files, folder))
             failures = [str(error) for error in (future.exception() for future in waiting) if error]
         if failures:
             raise ProofError("\n".join(failures))

@@ -1,5 +1,5 @@
-// The constants of the vector kernels: each bound is derived in docs/error-bounds.md under its own name, and held against
-// what docs/proofs proves to suffice.
+// The constants of the vector kernels: each bound is derived in docs/error-bounds.md under its own name, and held
+// against what docs/proofs proves to suffice.
 #pragma once
 
 #include "kernel/proved_bounds.hpp"
