@@ -170,9 +170,13 @@ def check_order(scripts, table, lemmas):
             uses[name] = {used for used in script.used if table.bounds.get(used, {}).get("proved_by") != source}
         else:
             file, _, lemma = source.partition(":")
-            if lemma not in lemmas.get(file, ()):
-                raise ProofError(f"link fails: coq/{file} has no lemma {lemma}")
-            uses[name] = set(bound.get("from", ()))
+            fraction = Fraction(bound["value"])
+            if f"{fraction.numerator} / {fraction.denominator}" not in lemmas.get(file, {}).get(lemma, ""):
+                raise ProofError(f"link fails: coq/{file} has no lemma {lemma} about {bound['value']}")
+    for text in [*(script.text for script in scripts.values()), json.dumps([*table.bounds.values(), *table.links])]:
+        for file, lemma in re.findall(r"coq/(\w+\.v)(?:, (\w+))?", text):
+            if file not in lemmas or lemma and lemma not in lemmas[file]:
+                raise ProofError(f"coq/{file} has no lemma {lemma}")
     grids = {grid for script in scripts.values() for grid in script.grids}
     for script in scripts.values():
         for part in script.assumed:
@@ -331,7 +335,8 @@ def main(arguments=None):
             return 0
         scripts = {path.stem: Script(path) for path in sorted((options.folder / "scripts").glob("*.g"))}
         files = sorted((options.folder / "coq").glob("*.v"))
-        lemmas = {path.name: re.findall(r"^(?:Lemma|Theorem) (\w+)", path.read_text(), re.MULTILINE) for path in files}
+        lemmas = {path.name: dict(re.findall(r"^(?:Lemma|Theorem) (\w+)(.*?)^Proof", path.read_text(), re.MULTILINE | re.DOTALL))
+                  for path in files}
         if options.only:
             scripts = {name: script for name, script in scripts.items() if name == options.only}
             files = []

@@ -73,7 +73,7 @@ class Planted(unittest.TestCase):
             return bound["name"]
 
         with ThreadPoolExecutor() as pool:
-            proved = [bound for bound in data["bounds"] if "proved_by" in bound]
+            proved = [bound for bound in data["bounds"] if bound.get("proved_by", "").endswith(".g")]
             self.assertGreater(len(proved), 60)
             loose = [name for name in pool.map(tight, proved) if name]
         self.assertEqual(loose, [])

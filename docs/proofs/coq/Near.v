@@ -43,3 +43,26 @@ Proof.
       assert (C : LM * (1 + e) + rest <= 0) by nra. apply RN_monotone in C.
       assert (Z : RN 0 = 0) by (apply RN_double; apply generic_format_0). lra.
 Qed.
+
+(* near_difference.g: where upper.low is not 0, upper.high is at most twice the sum. *)
+Lemma upper_beside_the_sum : forall LM (m : Z) rest, LM = IZR m * bpow radix2 (-98) -> Rabs rest <= bpow radix2 (-94) ->
+  RN LM <> LM -> Rabs (RN LM) <= 2 * Rabs (RN (RN LM + rest)).
+Proof.
+  intros LM m rest HLM Hrest N. destruct (upper_is_exact_or_large LM m HLM) as [X | X]; [contradiction|].
+  assert (B : bpow radix2 (-46) = 281474976710656 * bpow radix2 (-94)) by (simpl; lra).
+  assert (Q : 0 < bpow radix2 (-94)) by apply bpow_gt_0.
+  assert (U : 0 < u < / 4) by (unfold u; simpl; lra).
+  destruct (one_rounding LM) as [e [He Ee]].
+  { apply Rle_trans with (2 := X). apply bpow_le. lia. }
+  assert (L : bpow radix2 (-46) / 2 <= Rabs (RN LM)).
+  { rewrite Ee, Rabs_mult. assert (P : 1 - Rabs e <= Rabs (1 + e)).
+    { apply Rabs_le_inv in He. rewrite (Rabs_pos_eq (1 + e)) by lra. unfold Rabs. destruct (Rcase_abs e); lra. }
+    assert (0 <= Rabs e) by apply Rabs_pos. nra. }
+  assert (S : 3 / 4 * Rabs (RN LM) <= Rabs (RN LM + rest)).
+  { assert (T := Rabs_triang_inv (RN LM) (- rest)). rewrite Rabs_Ropp in T. replace (RN LM - - rest) with (RN LM + rest) in T by ring. lra. }
+  destruct (one_rounding (RN LM + rest)) as [d [Hd Ed]].
+  { apply Rle_trans with (bpow radix2 (-94)); [apply bpow_le; lia|]. lra. }
+  rewrite Ed, Rabs_mult. assert (P : 1 - Rabs d <= Rabs (1 + d)).
+  { apply Rabs_le_inv in Hd. rewrite (Rabs_pos_eq (1 + d)) by lra. unfold Rabs. destruct (Rcase_abs d); lra. }
+  assert (0 <= Rabs d) by apply Rabs_pos. assert (0 <= Rabs (RN LM + rest)) by apply Rabs_pos. nra.
+Qed.

@@ -1,4 +1,4 @@
-# Grids::add_square for k = 0, D' in [1, 2): the square on whole numbers of 2^-50. What is left is exact: coq/ErrorFree.v, fast_two_sum.
+# Grids::add_square for k = 0, D' in [1, 2): the square on whole numbers of 2^-50. What is left is exact: coq/ErrorFree.v, grid_remainder.
 # Numbers are whole multiples of 2^-174 in these scripts: k >= -900, and 2^-1074 is the least number.
 @rnd = float<53, -174, ne>;
 on_first = rnd(square + 6) - 6;

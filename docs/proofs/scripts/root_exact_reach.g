@@ -1,5 +1,5 @@
 # other_value(): T exactly, in units of s. A = second.high; second.low is at most u |A|, and less.tail at most u (|A| + u |A| + s),
-# since what a rounded sum loses is at most either term (coq/ErrorFree.v). Linear in s and A: of s, of A.
+# since what a rounded sum loses is at most either term (coq/Rounding.v, lost_by_a_sum_is_less_than_first). Linear in s and A: of s, of A.
 # The last sum's rounding, u of the low part, is of_low.
 of_s = error + tail * e1 + (ls + tail * (1 + e1)) * e2;
 of_a = (second + tail * (1 + w)) * e1 + (second + tail * (1 + w)) * (1 + e1) * e2;
