@@ -5,7 +5,7 @@ Without an option: the numbers of bounds.json into the scripts, Gappa on each, t
 carry the proved bounds into C++. With --coq every Gappa proof is checked by Coq with each rewriting hint made a lemma, and
 so are the lemmas of coq/. README.md says how to read a script.
 
---write   writes the headers        --table   prints the list of constants        --only NAME   that script alone, and no link
+--write   writes the headers and the table of README.md        --table   prints the list of constants        --only NAME   that script alone, and no link
 """
 
 import argparse
@@ -26,8 +26,12 @@ ROOT = HERE.parent.parent
 # Numbers are rounded up to a whole number of 2^-20 of their unit, so that scripts, links and headers have the same dyadic number.
 RESOLUTION = 2**20
 UNITS = {"": Fraction(1), "u": Fraction(1, 2**53), "u^2": Fraction(1, 2**106), "u^3": Fraction(1, 2**159)}
-# What a digit more may be given away where a bound was only rounded up for reading.
+# ctest's word for a test that could not run.
 SKIPPED = 77
+# Near touching the scripts scale D' into [1, 2). Its exponent k is between -900 and 1020, and 2^-1074 the least number: whole numbers of
+# 2^-174 and, at the other end, of 2^-2094. What a coarser grid proves of an error a finer one does; both are checked.
+NARROW = "float<53, -174, ne>"
+WIDE = (NARROW, "float<53, -2094, ne>")
 
 
 class ProofError(Exception):
@@ -145,13 +149,17 @@ class Script:
         self.conclusions = re.findall(r"@(\w+)@", after)
         self.hints = code[goal.end() :].count("->")
 
-    def filled(self, table):
+    def variants(self):
+        """The least exponents to check it for: both ends of the range where the script stands for many."""
+        return WIDE if NARROW in self.text else ("",)
+
+    def filled(self, table, least=""):
         def value(match):
             if match[1] not in table.values:
                 raise ProofError(f"{self.name}.g: bounds.json has no {match[1]}")
             return dyadic(table.values[match[1]])
 
-        return re.sub(r"@(\w+)@", value, self.text)
+        return re.sub(r"@(\w+)@", value, self.text.replace(NARROW, least or NARROW))
 
 
 def check_order(scripts, table, lemmas):
@@ -221,11 +229,12 @@ def without_warnings(result):
 
 
 def gappa(script, table, folder):
-    file = folder / f"{script.name}.g"
-    file.write_text(script.filled(table))
-    result = run(["gappa", "-Eprecision=128", file.name], folder, 120)
-    if result.returncode != 0:
-        raise ProofError(f"{script.name}.g is not proved:\n{without_warnings(result)}")
+    for variant, least in enumerate(script.variants()):
+        file = folder / f"{script.name}{variant or ''}.g"
+        file.write_text(script.filled(table, least))
+        result = run(["gappa", "-Eprecision=128", file.name], folder, 120)
+        if result.returncode != 0:
+            raise ProofError(f"{script.name}.g is not proved:\n{without_warnings(result)}")
 
 
 # A hint comes out of Gappa as an unproved hypothesis and a lemma that applies it.
@@ -234,21 +243,21 @@ DISCHARGE = "Ltac hint := intros; unfold Float1; field; repeat split; assumption
 
 
 def coq(script, table, folder):
-    file = folder / f"{script.name}.g"
-    file.write_text(script.filled(table))
-    result = run(["gappa", "-Eprecision=128", "-Bcoq", file.name], folder, 120)
-    if result.returncode != 0:
-        raise ProofError(f"{script.name}.g is not proved:\n{without_warnings(result)}")
-    text, replaced = HINT.subn(lambda found: f"Lemma {found[3]} : {found[4]}.\nProof. hint. Qed.\n", result.stdout)
-    # Reals and Lra come first: names of Reals would hide Gappa's.
-    text = "Require Import Reals Lra.\n" + text.replace("Section Generated", DISCHARGE + "Section Generated", 1)
-    if re.search(r"\b(Hypothesis|Axiom|Admitted|admit)\b", text):
-        raise ProofError(f"{script.name}.g: a hypothesis is left in its Coq proof")
-    proof = folder / f"{script.name}.v"
-    proof.write_text(text)
-    result = run(["coqc", "-q", proof.name], folder, 600)
-    if result.returncode != 0:
-        raise ProofError(f"{script.name}.g: Coq refuses the proof ({replaced} hints)\n{result.stdout[-500:]}{result.stderr[-2000:]}")
+    for variant, least in enumerate(script.variants()):
+        name = f"{script.name}{variant or ''}"
+        (folder / f"{name}.g").write_text(script.filled(table, least))
+        result = run(["gappa", "-Eprecision=128", "-Bcoq", f"{name}.g"], folder, 120)
+        if result.returncode != 0:
+            raise ProofError(f"{script.name}.g is not proved:\n{without_warnings(result)}")
+        text, replaced = HINT.subn(lambda found: f"Lemma {found[3]} : {found[4]}.\nProof. hint. Qed.\n", result.stdout)
+        # Reals and Lra come first: names of Reals would hide Gappa's.
+        text = "Require Import Reals Lra.\n" + text.replace("Section Generated", DISCHARGE + "Section Generated", 1)
+        if re.search(r"\b(Hypothesis|Axiom|Admitted|admit)\b", text):
+            raise ProofError(f"{script.name}.g: a hypothesis is left in its Coq proof")
+        (folder / f"{name}.v").write_text(text)
+        result = run(["coqc", "-q", f"{name}.v"], folder, 600)
+        if result.returncode != 0:
+            raise ProofError(f"{script.name}.g: Coq refuses the proof ({replaced} hints)\n{result.stdout[-500:]}{result.stderr[-2000:]}")
 
 
 def lemma_files(paths, folder):
@@ -298,12 +307,28 @@ def check_headers(table, write):
             raise ProofError(f"{side['header']} is not what bounds.json says: prove.py --write")
 
 
-def print_table(table):
-    print("| constant | of | its value | proved to suffice | that share | proof |\n|---|---|---|---|---|---|")
+def constants_table(table):
+    lines = ["| constant | of | its value | proved to suffice | share | bound, proof |", "|---|---|---|---|---|---|"]
     for row, value, needed in table.rows():
-        proof = table.bounds[row["needs"]].get("proved_by", "links")
-        file = Path(row["in"]).name
-        print(f"| `{row['constant']}` | {file} | {shown(value)} | {shown(needed)} | {float(needed / value) * 100:.1f} % | `{row['needs']}`: {proof} |")
+        proof = table.bounds[row["needs"]].get("proved_by", "given")
+        cells = [f"`{row['constant']}`", Path(row["in"]).name, shown(value), shown(needed), f"{float(needed / value) * 100:.0f} %",
+                 f"`{row['needs']}`, {proof}"]
+        lines.append(f"| {' | '.join(cells)} |")
+    return "\n".join(lines)
+
+
+def check_page(table, write):
+    """The table of README.md is the list's."""
+    path = HERE / "README.md"
+    text = path.read_text()
+    begin, end = "<!-- constants:begin -->\n", "\n<!-- constants:end -->"
+    before, _, rest = text.partition(begin)
+    _, _, after = rest.partition(end.strip())
+    wanted = before + begin + constants_table(table) + end + after
+    if write:
+        path.write_text(wanted)
+    elif text != wanted:
+        raise ProofError("docs/proofs/README.md has another table of constants than bounds.json: prove.py --write")
 
 
 def shown(x):
@@ -311,6 +336,8 @@ def shown(x):
         scaled = float(x / UNITS[unit])
         if unit and 0.001 <= scaled < 10000:
             return f"{scaled:.6g} {unit}"
+    if 1 < x < 1 + Fraction(1, 2**40):
+        return f"1 + {shown(x - 1)}"
     power = math.log2(x.numerator) - math.log2(x.denominator)
     return f"2^{power:.2f}".removesuffix(".00")
 
@@ -331,7 +358,7 @@ def main(arguments=None):
     try:
         table = Table(options.folder)
         if options.table:
-            print_table(table)
+            print(constants_table(table))
             return 0
         scripts = {path.stem: Script(path) for path in sorted((options.folder / "scripts").glob("*.g"))}
         files = sorted((options.folder / "coq").glob("*.v"))
@@ -345,6 +372,7 @@ def main(arguments=None):
             table.check_links()
             table.check_constants()
             check_headers(table, options.write)
+            check_page(table, options.write)
         with tempfile.TemporaryDirectory() as name, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             folder = Path(name)
             check = coq if options.coq else gappa

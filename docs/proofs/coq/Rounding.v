@@ -62,6 +62,23 @@ Proof.
   apply Rmult_le_reg_r with (1 + u); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. nra.
 Qed.
 
+(* Half a unit of the result: |RN(x) - x| is at most u of RN(x) too. *)
+Lemma one_rounding_of_the_result : forall x, bpow radix2 (-1022) <= Rabs x -> Rabs (RN x - x) <= u * Rabs (RN x).
+Proof.
+  intros x Hx. rewrite <- half_unit. apply relative_error_N_FLT_round; [reflexivity | exact Hx].
+Qed.
+
+Lemma one_rounding_of_a_sum_of_the_result : forall x y, double x -> double y ->
+  Rabs (RN (x + y) - (x + y)) <= u * Rabs (RN (x + y)).
+Proof.
+  intros x y Fx Fy. destruct (Rle_or_lt (bpow radix2 (-1022)) (Rabs (x + y))) as [H | H].
+  - now apply one_rounding_of_the_result.
+  - rewrite RN_double.
+    + unfold Rminus. rewrite Rplus_opp_r, Rabs_R0. apply Rmult_le_pos; [apply bpow_ge_0 | apply Rabs_pos].
+    + apply (FLT_format_plus_small radix2 emin prec); [exact Fx | exact Fy |].
+      apply Rlt_le. apply Rlt_le_trans with (1 := H). apply bpow_le. unfold prec, emin. lia.
+Qed.
+
 (* What a rounded sum loses is a double, and at most either term. *)
 Lemma lost_by_a_sum_is_double : forall x y, double x -> double y -> double (RN (x + y) - (x + y)).
 Proof. intros x y Fx Fy. apply plus_error; auto with typeclass_instances. Qed.
