@@ -99,9 +99,10 @@ def shared_root(worst, delta, center, r1, r2, distance):
     value = two_sum(sh, -less[0])
     last = rn(value[1] + rn(sl - rn(less[1] + radii[1])))
     worst.take("value_of_s", abs(s - T - value[0] - last) / (s + T))
+    return sh, sl
 
 
-def one_pair(worst, delta, center, r1, distance):
+def one_pair(worst, delta, center, r1):
     """One pair through the fast stage of one pair."""
     high = [rn(d) for d in delta]
     low = [rn(d - h) for d, h in zip(delta, high)]
@@ -133,7 +134,7 @@ def one_pair(worst, delta, center, r1, distance):
             worst.take("pair_point_of_w", (abs(c + r1 * d / s - at[0] - rn(at[1] + wl)) - U * U * abs(at[0])) / abs(w))
 
 
-def near(worst, delta, r1):
+def near(worst, delta, sh, sl):
     """A radius that nearly touches, through the grids and the quotient."""
     high = [rn(d) for d in delta]
     low = [rn(d - h) for d, h in zip(delta, high)]
@@ -141,7 +142,7 @@ def near(worst, delta, r1):
         return
     D = sum(d * d for d in delta)
     s = root(D)
-    Th = rn(s * (1 + Fraction(random.choice([0, 1, -1, 5]), 2 ** random.randrange(11, 60))))
+    Th = rn(s * (1 + Fraction(random.choice([0, 1, -1, 5]), 2 ** random.randrange(13, 60))))
     Tl = rn(Th * Fraction(random.randrange(-(2**53), 2**53), 2**107))
     Tt = rn(Tl * Fraction(random.randrange(-(2**53), 2**53), 2**107))
     plain = rn(high[2] * high[2] + rn(high[1] * high[1] + rn(high[0] * high[0])))
@@ -162,7 +163,20 @@ def near(worst, delta, r1):
         sums = [rn(sums[0] + sign * on_first), rn(sums[1] + sign * on_second), rn(sums[2] + sign * under)]
     rest = rn(sums[2] - 2 * Th * Tt)
     E = D - (Th + Tl + Tt) ** 2
-    worst.take("near_error", abs(sums[0] + sums[1] + rest - E) / power)
+    summed = sums[0] + sums[1] + rest
+    worst.take("near_error", abs(summed - E) / power)
+    upper = two_sum(sums[0], sums[1])
+    total = two_sum(upper[0], rest)
+    of_two = two_sum(sh, Th)
+    of_two_low = rn(of_two[1] + rn(sl + Tl))
+    reciprocal = rn(1 / of_two[0])
+    quotient = rn(total[0] * reciprocal)
+    if not quotient:
+        return
+    remainder = rn(total[0] - quotient * of_two[0])
+    last = rn(rn(remainder + rn(rn(upper[1] + total[1]) - quotient * of_two_low)) * reciprocal)
+    exact = summed / (s + Th + Tl + Tt)
+    worst.take("near_quotient", abs(quotient + last - exact) / abs(quotient))
 
 
 def of_two(worst, x, y):
@@ -204,9 +218,10 @@ def main():
         if not any(delta):
             continue
         r1, r2, distance = (abs(number(spread)) for _ in range(3))
-        shared_root(worst, delta, center, r1, r2, distance)
-        one_pair(worst, delta, center, r1, distance)
-        near(worst, delta, r1)
+        found = shared_root(worst, delta, center, r1, r2, distance)
+        one_pair(worst, delta, center, r1)
+        if found:
+            near(worst, delta, *found)
         pairs = []
         for _ in range(2):
             h = abs(number(3))

@@ -9,12 +9,16 @@ by which Gappa "proves" what is not so, and a lemma without a proof.
 import contextlib
 import io
 import json
+import math
 import re
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
 from pathlib import Path
 
 import prove
@@ -79,7 +83,7 @@ class Planted(unittest.TestCase):
         self.assertEqual(loose, [])
 
     def test_a_link_that_does_not_hold_is_refused(self):
-        self.edit("bounds.json", '"value_of_s <= uncancelled_sum"', '"uncancelled_sum <= value_of_s"')
+        self.edit("bounds.json", '"value_of_s + point_underflow <= uncancelled_sum"', '"uncancelled_sum <= value_of_s"')
         self.refused("link fails: uncancelled_sum <= value_of_s")
 
     def test_a_hypothesis_with_the_number_of_another_is_refused(self):
@@ -98,10 +102,49 @@ class Planted(unittest.TestCase):
         self.edit("scripts/recip_root.g", "|e2| <= @u@", "|e2| <= @u@ /\\ |rho| <= @rho@")
         self.refused("a circle")
 
-    def test_a_constant_below_what_is_proved_is_refused(self):
-        self.edit("bounds.json", '{"constant": "kPointError", "in": "src/kernel/batch_bounds.hpp", "needs": "point_interval"}',
-                  '{"constant": "kPointError", "in": "src/kernel/batch_bounds.hpp", "needs": "value_of_s"}')
-        self.refused("kPointError is 128 u^2")
+    def planted_constants(self):
+        """Each constant of C++ with what is proved to suffice, in a copy of the sources that may be edited."""
+        table = prove.Table(self.folder)
+        sources = self.folder / "sources"
+        for side in table.constants:
+            for file in {row["in"] for row in side["rows"]} | {side["header"]}:
+                (sources / file).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(prove.ROOT / file, sources / file)
+        rows = list(table.rows())
+        with unittest.mock.patch.object(prove, "ROOT", sources):
+            for row, _, needed in rows:
+                path = sources / row["in"]
+                text = path.read_text()
+
+                def plant(value):
+                    found, count = re.subn(rf"(constexpr double {row['constant']} = )[^;]*", rf"\g<1>{prove.hexadecimal(value)}", text)
+                    self.assertEqual(count, 1)
+                    path.write_text(found)
+
+                yield row, needed, plant, table, path
+                path.write_text(text)
+
+    def test_a_constant_one_step_below_what_is_proved_is_refused(self):
+        count = 0
+        for row, needed, plant, table, _ in self.planted_constants():
+            with self.subTest(constant=row["constant"], needs=row["needs"]):
+                step = Fraction(math.ulp(float(needed)))
+                plant(needed - step)
+                with self.assertRaisesRegex(prove.ProofError, row["constant"]):
+                    table.check_constants()
+                count += 1
+        self.assertGreater(count, 25)
+
+    @unittest.skipIf(shutil.which("g++") is None, "no compiler")
+    def test_a_constant_one_step_below_what_is_proved_does_not_compile(self):
+        for row, needed, plant, _, path in self.planted_constants():
+            if path.name != "batch_bounds.hpp":
+                continue
+            with self.subTest(constant=row["constant"], needs=row["needs"]):
+                plant(needed - Fraction(math.ulp(float(needed))))
+                compiled = subprocess.run(["g++", "-std=c++20", "-fsyntax-only", "-x", "c++", f"-I{path.parents[1]}", str(path)],
+                                          capture_output=True, text=True)
+                self.assertIn("static assertion failed", compiled.stderr)
 
     def test_a_header_that_says_something_else_is_refused(self):
         self.edit("bounds.json", '"name": "filter_gap", "value": "5.0002 u"', '"name": "filter_gap", "value": "5.0003 u"')
