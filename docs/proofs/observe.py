@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The worst errors of the formulas that docs/proofs bounds, on random and on hard numbers.   python3 docs/proofs/observe.py [COUNT]
+"""The worst errors of the formulas that docs/proofs bounds, on random numbers.   python3 docs/proofs/observe.py [COUNT]
 
 The formulas of src/kernel/batch_sphere_sphere.cpp, sphere_sphere_one_vector.hpp, sphere_sphere_double_double.hpp and
 oracle/double_double.hpp once more in exact arithmetic, each rounding where the code has it, against numbers with 400 bits. Prints
@@ -184,7 +184,8 @@ def of_two(worst, x, y):
     (xh, xl), (yh, yl) = x, y
     p = rn(xh * yh)
     e = xh * yh - p
-    worst.take("oracle_product", abs(p + rn(e + rn(xl * yh + rn(xh * yl + rn(xl * yl)))) - (xh + xl) * (yh + yl)) / abs((xh + xl) * (yh + yl)))
+    exact = (xh + xl) * (yh + yl)
+    worst.take("oracle_product", abs(p + rn(e + rn(xl * yh + rn(xh * yl + rn(xl * yl)))) - exact) / abs(exact))
     t = rn(1 / xh)
     found = t + rn(t * rn(rn(1 - xh * t) - xl * t))
     worst.take("oracle_reciprocal", abs(found * (xh + xl) - 1))

@@ -5,7 +5,9 @@ Without an option: the numbers of bounds.json into the scripts, Gappa on each, t
 carry the proved bounds into C++. With --coq every Gappa proof is checked by Coq with each rewriting hint made a lemma, and
 so are the lemmas of coq/. README.md says how to read a script.
 
---write   writes the headers and the table of README.md        --table   prints the list of constants        --only NAME   that script alone, and no link
+--write       writes the headers and the table of README.md
+--table       prints the list of constants
+--only NAME   that script alone, and no link
 """
 
 import argparse
@@ -23,13 +25,13 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-# Numbers are rounded up to a whole number of 2^-20 of their unit, so that scripts, links and headers have the same dyadic number.
+# Numbers are rounded up to a whole number of 2^-20 of their unit: scripts, links and headers have the same dyadic number.
 RESOLUTION = 2**20
 UNITS = {"": Fraction(1), "u": Fraction(1, 2**53), "u^2": Fraction(1, 2**106), "u^3": Fraction(1, 2**159)}
 # ctest's word for a test that could not run.
 SKIPPED = 77
-# Near touching the scripts scale D' into [1, 2). Its exponent k is between -900 and 1020, and 2^-1074 the least number: whole numbers of
-# 2^-174 and, at the other end, of 2^-2094. What a coarser grid proves of an error a finer one does; both are checked.
+# Near touching the scripts scale D' into [1, 2). Its exponent k is between -900 and 1020, and 2^-1074 the least number:
+# whole numbers of 2^-174 and, at the other end, of 2^-2094. Both are checked.
 NARROW = "float<53, -174, ne>"
 WIDE = (NARROW, "float<53, -2094, ne>")
 
@@ -120,7 +122,8 @@ class Table:
     def check_constants(self):
         for row, value, needed in self.rows():
             if value < needed:
-                raise ProofError(f"{row['in']}: {row['constant']} is {shown(value)}, and {row['needs']} needs {shown(needed)}")
+                raise ProofError(f"{row['in']}: {row['constant']} is {shown(value)}, "
+                                 f"and {row['needs']} needs {shown(needed)}")
 
     def check_links(self):
         for link in self.links:
@@ -197,7 +200,8 @@ def check_order(scripts, table, lemmas):
             symbols = table.bounds.get(found[1], {}).get("bounds")
             subject = re.fullmatch(r"\|?(.*?)\|?(?:<=@\w+@|in\[.*,@\w+@\])", part)
             if symbols and not (subject and {subject[1], subject[1].rstrip("0123456789")} & set(symbols)):
-                raise ProofError(f"link fails: {script.name}.g takes {found[1]} for a bound of {part}; it is one of {symbols}")
+                raise ProofError(f"link fails: {script.name}.g takes {found[1]} for a bound of {part}; "
+                                 f"it is one of {symbols}")
     done, path = set(), []
 
     def visit(name):
@@ -257,7 +261,7 @@ def coq(script, table, folder):
         (folder / f"{name}.v").write_text(text)
         result = run(["coqc", "-q", f"{name}.v"], folder, 600)
         if result.returncode != 0:
-            raise ProofError(f"{script.name}.g: Coq refuses the proof ({replaced} hints)\n{result.stdout[-500:]}{result.stderr[-2000:]}")
+            raise ProofError(f"{script.name}.g: Coq refuses the proof ({replaced} hints)\n{result.stderr[-2000:]}")
 
 
 def lemma_files(paths, folder):
@@ -293,7 +297,8 @@ def header(table, side):
     ]
     definitions = [f"inline constexpr double {camel(name)} = {hexadecimal(table.values[name])};" for name in side["bounds"]]
     width = max(map(len, definitions))
-    lines += [f"{definition:{width}}  // {table.bounds[name]['value']}" for name, definition in zip(side["bounds"], definitions)]
+    for name, definition in zip(side["bounds"], definitions):
+        lines.append(f"{definition:{width}}  // {table.bounds[name]['value']}")
     return "\n".join([*lines, "", f"}}  // namespace {side['namespace']}", ""])
 
 
@@ -311,8 +316,8 @@ def constants_table(table):
     lines = ["| constant | of | its value | proved to suffice | share | bound, proof |", "|---|---|---|---|---|---|"]
     for row, value, needed in table.rows():
         proof = table.bounds[row["needs"]].get("proved_by", "given")
-        cells = [f"`{row['constant']}`", Path(row["in"]).name, shown(value), shown(needed), f"{float(needed / value) * 100:.0f} %",
-                 f"`{row['needs']}`, {proof}"]
+        cells = [f"`{row['constant']}`", Path(row["in"]).name, shown(value), shown(needed),
+                 f"{float(needed / value) * 100:.0f} %", f"`{row['needs']}`, {proof}"]
         lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines)
 
@@ -362,8 +367,8 @@ def main(arguments=None):
             return 0
         scripts = {path.stem: Script(path) for path in sorted((options.folder / "scripts").glob("*.g"))}
         files = sorted((options.folder / "coq").glob("*.v"))
-        lemmas = {path.name: dict(re.findall(r"^(?:Lemma|Theorem) (\w+)(.*?)^Proof", path.read_text(), re.MULTILINE | re.DOTALL))
-                  for path in files}
+        statement = re.compile(r"^(?:Lemma|Theorem) (\w+)(.*?)^Proof", re.MULTILINE | re.DOTALL)
+        lemmas = {path.name: dict(statement.findall(path.read_text())) for path in files}
         if options.only:
             scripts = {name: script for name, script in scripts.items() if name == options.only}
             files = []

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """What prove.py must refuse.   python3 docs/proofs/prove_test.py [--coq]
 
-Faults are planted in a copy of bounds.json, the scripts and the constants: every proved bound one unit of its last digit smaller, links
-that do not hold, a hypothesis that takes another's number, a constant of C++ below what is proved. With --coq a wrong hint too,
-by which Gappa "proves" what is not so, and a lemma without a proof.
+Faults are planted in a copy of bounds.json, the scripts and the constants: every proved bound one unit of its last digit
+smaller, links that do not hold, a hypothesis that takes another's number, a constant of C++ below what is proved. With
+--coq a wrong hint too, by which Gappa "proves" what is not so, and a lemma without a proof.
 """
 
 import contextlib
@@ -117,7 +117,8 @@ class Planted(unittest.TestCase):
                 text = path.read_text()
 
                 def plant(value):
-                    found, count = re.subn(rf"(constexpr double {row['constant']} = )[^;]*", rf"\g<1>{prove.hexadecimal(value)}", text)
+                    definition = rf"(constexpr double {row['constant']} = )[^;]*"
+                    found, count = re.subn(definition, rf"\g<1>{prove.hexadecimal(value)}", text)
                     self.assertEqual(count, 1)
                     path.write_text(found)
 
@@ -142,8 +143,8 @@ class Planted(unittest.TestCase):
                 continue
             with self.subTest(constant=row["constant"], needs=row["needs"]):
                 plant(needed - Fraction(math.ulp(float(needed))))
-                compiled = subprocess.run(["g++", "-std=c++20", "-fsyntax-only", "-x", "c++", f"-I{path.parents[1]}", str(path)],
-                                          capture_output=True, text=True)
+                command = ["g++", "-std=c++20", "-fsyntax-only", "-x", "c++", f"-I{path.parents[1]}", str(path)]
+                compiled = subprocess.run(command, capture_output=True, text=True)
                 self.assertIn("static assertion failed", compiled.stderr)
 
     def test_a_header_that_says_something_else_is_refused(self):
@@ -162,8 +163,7 @@ class PlantedForCoq(Planted):
         self.refused("Coq refuses the proof", "--coq", "--only", "root")
 
     def test_a_lemma_without_a_proof_is_refused(self):
-        self.edit("coq/Weights.v", "intros c D S D' S' _ _ HD HS. apply Rabs_le_inv in HD. apply Rabs_le_inv in HS. split; apply Rabs_le; lra.\nQed.",
-                  "Admitted.")
+        self.edit("coq/Weights.v", "apply Rabs_le_inv in HS. split; apply Rabs_le; lra.\nQed.", "Admitted.")
         with self.assertRaisesRegex(prove.ProofError, "not proved"):
             prove.lemma_files([self.folder / "coq" / "Weights.v"], self.folder)
 

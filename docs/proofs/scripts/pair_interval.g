@@ -1,4 +1,5 @@
-# What Approximation::rounded() needs of each error: low -+ error is rounded, and the error itself in three roundings at most.
+# What Approximation::rounded() needs of each error: low -+ error is rounded, and the error itself in three roundings at
+# most.
 up = (1 + @u@) / (1 - 4 * @u@);
 { |e| <= @u@
   -> (@pair_normal@ + @rest@ * e) * up <= @pair_normal_needed@

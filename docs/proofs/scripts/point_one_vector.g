@@ -1,4 +1,5 @@
-# The same in one vector of one pair: the residual of w is exact and is added to low's part, that to the exact rest of c + w.
+# The same in one vector of one pair: the residual of w is exact and is added to low's part, that to the exact rest of c
+# + w.
 lw = ((1 + ew) * low + ew) * (1 + e2) * (1 + e3);
 ow = (1 + ew) * (1 + low + dn) - 1 - lw;
 lh = eh * (1 + e3);
