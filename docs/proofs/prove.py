@@ -322,11 +322,14 @@ def constants_table(table):
     return "\n".join(lines)
 
 
-def check_page(table, write):
-    """The table of README.md is the list's."""
+def check_page(table, scripts, write):
+    """The table of README.md is the list's, and it says of every script what rests on it."""
     path = HERE / "README.md"
     text = path.read_text()
     begin, end = "<!-- constants:begin -->\n", "\n<!-- constants:end -->"
+    unnamed = [name for name in scripts if f"`{name}`" not in text]
+    if unnamed:
+        raise ProofError(f"docs/proofs/README.md does not say what rests on {', '.join(unnamed)}")
     before, _, rest = text.partition(begin)
     _, _, after = rest.partition(end.strip())
     wanted = before + begin + constants_table(table) + end + after
@@ -377,7 +380,7 @@ def main(arguments=None):
             table.check_links()
             table.check_constants()
             check_headers(table, options.write)
-            check_page(table, options.write)
+            check_page(table, scripts, options.write)
         with tempfile.TemporaryDirectory() as name, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             folder = Path(name)
             check = coq if options.coq else gappa
