@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "oracle/proved_bounds.hpp"
 #include "oracle/query.hpp"
 
 namespace contact::oracle {
@@ -19,6 +20,9 @@ inline constexpr double kReciprocalError = 9 * kU2;
 inline constexpr double kRootError = 5 * kU2;
 /// More than the roundings of any one radius, to nearest, take off it.
 inline constexpr double kRadiusRounding = 1 + 0x1p-49;
+// docs/proofs, oracle_*.g; the sum's bound is the cited theorem's.
+static_assert(kProductError >= proved::kOracleProduct && kReciprocalError >= proved::kOracleReciprocal &&
+              kRootError >= proved::kOracleRoot && kRadiusRounding >= proved::kRadiusRounding);
 
 /// A real number x with |x - (high + low)| <= radius, and high = high + low rounded to nearest.
 /// The operations expect round-to-nearest, no overflow, and of a product that its operands are 0 or of magnitude 2^-480

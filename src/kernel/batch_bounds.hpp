@@ -1,5 +1,8 @@
-// The constants of the vector kernels: each bound is derived in docs/error-bounds.md under its own name.
+// The constants of the vector kernels: each bound is derived in docs/error-bounds.md under its own name, and held
+// against what docs/proofs proves to suffice.
 #pragma once
+
+#include "kernel/proved_bounds.hpp"
 
 namespace contact::kernel::bounds {
 
@@ -45,5 +48,21 @@ inline constexpr double kNearError = 0x1p-142;
 inline constexpr double kNear = 0x1p-9;
 /// |error| of E / (sqrt D + T), of itself, beside that of E.
 inline constexpr double kQuotientError = 512 * kUnitSquared;
+
+// A filter's gap, and the floor under it.
+static_assert(kFilterGap >= proved::kFilterGap && kFilterFloor >= proved::kFilterFloor);
+// The proofs assume that what is smaller is not accepted.
+static_assert(kLeast >= proved::kLeast && kLeastComponent >= proved::kLeastComponent &&
+              kLeastFactor >= proved::kLeastFactor && kNear <= proved::kNear);
+// The intervals' errors.
+static_assert(kNormalError >= proved::kNormal);
+static_assert(kPointError >= proved::kPointInterval && kPointSumError >= proved::kPointSumInterval);
+static_assert(kValueError >= proved::kValueOfS && kValueError >= proved::kValueOfT);
+static_assert(kRootError >= proved::kRootInterval && kLowError >= proved::kLowInterval);
+static_assert(kNearError >= proved::kNearError && kNearError >= proved::kNearSpread);
+static_assert(kQuotientError >= proved::kNearQuotientInterval);
+// The quick tests allow for eta 2^-55 of what is left.
+static_assert(kNormalEta * 0x1p-55 >= proved::kNormal);
+static_assert(kSumEta * 0x1p-55 * kUncancelled >= proved::kUncancelledSum);
 
 }  // namespace contact::kernel::bounds

@@ -10,6 +10,7 @@
 
 #include "kernel/exact.hpp"
 #include "kernel/floating_point_environment.hpp"
+#include "kernel/proved_bounds.hpp"
 #include "kernel/sphere_sphere_double_double.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 #include "kernel/sphere_sphere_one_vector.hpp"
@@ -31,6 +32,7 @@ constexpr double kGap = 0x1p-48;
 // flushed square of a component loses is at most 3 * 2^-1022, below 2^-100 of a D of at least 2^-900.
 constexpr double kLeast = 0x1p-900;
 constexpr double kMost = 0x1p1000;
+static_assert(kGap >= kernel::proved::kScalarGap && kLeast >= kernel::proved::kLeast);  // docs/proofs, scalar_filter.g
 
 double squared_distance(const Ball& a, const Ball& b) {
   const double dx = b.center[0] - a.center[0];

@@ -10,6 +10,7 @@
 
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
+#include "kernel/proved_bounds.hpp"
 
 namespace contact::kernel {
 
@@ -89,6 +90,10 @@ class DoubleDoublePair {
   static constexpr double kValueRootError = 19 * 0x1p-106;  // of s
   static constexpr double kValueLessError = 9 * 0x1p-106;   // of t
   static constexpr double kLastSumError = 3 * 0x1p-106;     // of |h|, the sum of the high parts
+  // docs/proofs, pair_*.g
+  static_assert(kNormalError >= proved::kPairNormalNeeded && kPointError >= proved::kPairPointNeeded);
+  static_assert(kValueRootError >= proved::kPairValueRootNeeded && kValueLessError >= proved::kPairValueLessNeeded);
+  static_assert(kLastSumError >= proved::kPairLastSumNeeded);
 
   /// Nothing where the bounds do not hold: coincident centres, a number other than 0 outside [2^-220, 2^220], or a
   /// rounding mode that is not to nearest. Within them nothing overflows, D's terms are multiples of 2^-544, |n_i| and

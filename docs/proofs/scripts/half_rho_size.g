@@ -1,0 +1,1 @@
+{ |rho| <= @rho@ /\ |dr| <= @half_rho_error@ -> |rho / 2 + dr| <= @half_rho@ }
