@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 
+#include "tool/cluster.hpp"
 #include "tool/process.hpp"
 
 namespace contact::tool {
@@ -15,13 +16,15 @@ std::unique_ptr<golden::OutputFile> opened(const std::string& path) {
   return path.empty() ? nullptr : std::make_unique<golden::OutputFile>(path);
 }
 
-/// At a terminal that knows colours, unless NO_COLOR says otherwise (https://no-color.org).
+/// At a terminal that knows colours, unless NO_COLOR says otherwise (https://no-color.org). To processes that mpirun
+/// started it gives a terminal of its own, whatever becomes of what they print.
 bool wants_colour() {
   const auto variable = [](const char* name) {
     const char* value = std::getenv(name);
     return std::string_view(value == nullptr ? "" : value);
   };
-  return ::isatty(STDOUT_FILENO) == 1 && variable("NO_COLOR").empty() && variable("TERM") != "dumb";
+  return Cluster::size() == 1 && ::isatty(STDOUT_FILENO) == 1 && variable("NO_COLOR").empty() &&
+         variable("TERM") != "dumb";
 }
 
 void write_to(const std::unique_ptr<golden::OutputFile>& file, const std::string& text) {

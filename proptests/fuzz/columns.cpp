@@ -88,9 +88,10 @@ void replace(const Handle& file, const std::string& name, Changes& changes) {
 }
 
 void change(const Handle& file, Changes& changes) {
+  const std::size_t which = changes.next();
   const std::set<std::string> names = golden::hdf5::object_names(file);
   if (names.empty()) return;
-  const std::string name = *std::next(names.begin(), static_cast<std::ptrdiff_t>(changes.next() % names.size()));
+  const std::string name = *std::next(names.begin(), static_cast<std::ptrdiff_t>(which % names.size()));
   const Handle object(H5Oopen(file, name.c_str(), H5P_DEFAULT), H5Oclose);
   const bool is_column = H5Iget_type(object) == H5I_DATASET;
   switch (changes.next() % 5) {
