@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -347,10 +346,7 @@ class JsonLines : public CaseSource {
 
 DatasetReader::Key DatasetReader::key_of(const std::string& id) {
   // The id is that of its question by now: 24 hexadecimal digits.
-  Key key{};
-  std::from_chars(id.data(), id.data() + 16, key.first, 16);
-  std::from_chars(id.data() + 16, id.data() + 24, key.second, 16);
-  return key;
+  return {id_digits(id, 0, 16), static_cast<std::uint32_t>(id_digits(id, 16, 8))};
 }
 
 DatasetReader::DatasetReader(const std::filesystem::path& path) {

@@ -5,6 +5,7 @@
 #include <openssl/evp.h>
 
 #include <algorithm>
+#include <charconv>
 #include <concepts>
 #include <span>
 #include <stdexcept>
@@ -92,6 +93,13 @@ std::string query_id(const Query& query) {
   std::string id(24, '\0');
   for (std::size_t i = 0; i < id.size(); ++i) id[i] = "0123456789abcdef"[digest[i / 2] >> (i % 2 == 0 ? 4 : 0) & 15];
   return id;
+}
+
+std::uint64_t id_digits(std::string_view id, std::size_t first, std::size_t count) {
+  const std::string_view digits = id.substr(first, count);
+  std::uint64_t number = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), number, 16);
+  return number;
 }
 
 }  // namespace contact::golden

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -29,5 +30,8 @@ class Sha256 {
 /// The first 24 hexadecimal digits of SHA-256 over the pair's name in ASCII, one zero byte, and every number as
 /// big-endian binary64 in the canonical order.
 [[nodiscard]] std::string query_id(const Query& query);
+
+/// `count` of an id's digits, 16 at most, from `first` on, as a number.
+[[nodiscard]] std::uint64_t id_digits(std::string_view id, std::size_t first, std::size_t count);
 
 }  // namespace contact::golden

@@ -257,7 +257,7 @@ class Page(unittest.TestCase):
             self.assertEqual([sum(x) for x in zip(*map(count, here))] or [0, 0],
                              [sum(m[2] for m in counts["margins"]), sum(m[3] for m in counts["margins"])])
             off = sum(int(title.split()[0]) for title in said if " off by " in title)
-            self.assertEqual(off, sum(n for field in counts["fields"].values() for _, n in field["errors"]) if off else 0)
+            self.assertEqual(off, sum(n for field in counts["fields"].values() for _, n in field["errors"]))
 
     def test_every_word_can_be_read_in_light_and_dark(self):
         page, report = self.wrong

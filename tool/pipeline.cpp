@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <charconv>
 #include <cmath>
 #include <exception>
 
@@ -172,13 +171,6 @@ std::uint64_t weight_of(std::uint64_t index, std::uint64_t size, Level level) {
   return index % n == 0 ? n : 0;
 }
 
-/// The first 64 bits of an id, which is a digest in hexadecimal.
-std::uint64_t key_of(const std::string& id) {
-  std::uint64_t key = 0;
-  std::from_chars(id.data(), id.data() + std::min<std::size_t>(id.size(), 16), key, 16);
-  return key;
-}
-
 void judge_one(const Item& item, const std::optional<Agreed>& agreed, const Source& source, const Claim& claim,
                const Subject& subject, Findings& found) {
   const auto& [id, query] = item.question;
@@ -198,7 +190,7 @@ void judge_one(const Item& item, const std::optional<Agreed>& agreed, const Sour
   const bool accepted = level > report.required && baseline != nullptr && baseline->accepts(id, level);
   // What is right speaks against a hypothesis as what is wrong speaks for one.
   if (truth != nullptr && !accepted)
-    found.why.add(key_of(id), query, *truth, claim, declared, verdict, rounded,
+    found.why.add(golden::id_digits(id, 0, 16), query, *truth, claim, declared, verdict, rounded,
                   weight_of(item.index, source.size(), level));
   if (verdict.answered_outside_domain && !accepted) found.why.add_outside_domain(query);
   if (level <= report.required) {
@@ -226,9 +218,7 @@ std::optional<std::string> excluded(const Source& source, const golden::EngineIn
 
 bool is_checked(Check check, std::uint64_t size, const std::string& id, oracle::Stage stage) {
   if (check == Check::all || size <= kWhole) return true;
-  unsigned digits = 0;
-  std::from_chars(id.data(), id.data() + 4, digits, 16);
-  return digits % (stage == oracle::Stage::double_double ? kOneIn : kHardOneIn) == 0;
+  return golden::id_digits(id, 0, 4) % (stage == oracle::Stage::double_double ? kOneIn : kHardOneIn) == 0;
 }
 
 void require_agreement(const Query& query, const oracle::Truth& truth, const oracle::RoundedAnswer& second,
