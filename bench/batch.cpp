@@ -7,13 +7,14 @@
 #include <benchmark/benchmark.h>
 
 #include <map>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "contact/sphere_sphere.hpp"
 #include "kernel/batch.hpp"
+#include "places.hpp"
 #include "plain_batch.hpp"
+#include "uniform.hpp"
 
 #ifdef CONTACT_BENCH_FAMILIES
 #include "golden/families.hpp"
@@ -85,19 +86,11 @@ struct Spheres {
 };
 
 Spheres make_spheres(std::size_t size) {
-  std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> coordinate(-10, 10);
-  std::uniform_real_distribution<double> radius(0.5, 11);
+  Uniform uniform(1);
   Spheres spheres(size);
   for (std::size_t i = 0; i < size; ++i) {
-    const auto ball = [&] {
-      Ball made;
-      for (int k = 0; k < 3; ++k) made.center[k] = coordinate(random);
-      made.radius = radius(random);
-      return made;
-    };
-    const Ball a = ball();
-    spheres.set(i, a, ball());
+    const Ball a = uniform.ball();
+    spheres.set(i, a, uniform.ball());
   }
   return spheres;
 }
@@ -130,44 +123,25 @@ struct Cubes {
 Cubes& generic_cubes(std::size_t size) {
   static std::map<std::size_t, Cubes> made;
   if (const auto found = made.find(size); found != made.end()) return found->second;
-  std::mt19937_64 random(2);
-  std::uniform_real_distribution<double> coordinate(-10, 10);
-  std::uniform_real_distribution<double> extent(1, 12);
+  Uniform uniform(2);
   Cubes cubes(size);
-  for (std::size_t side = 0; side < 2; ++side)
-    for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t i = 0; i < size; ++i) {
-        cubes.in[6 * side + k][i] = coordinate(random);
-        cubes.in[6 * side + 3 + k][i] = cubes.in[6 * side + k][i] + extent(random);
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Box box = uniform.box();
+      for (std::size_t k = 0; k < 3; ++k) {
+        cubes.in[6 * side + k][i] = box.min[static_cast<Eigen::Index>(k)];
+        cubes.in[6 * side + 3 + k][i] = box.max[static_cast<Eigen::Index>(k)];
       }
+    }
   return made.emplace(size, std::move(cubes)).first->second;
-}
-
-void count(benchmark::State& state, std::size_t pairs) {
-  state.counters["time/pair"] = benchmark::Counter(
-      static_cast<double>(pairs), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
-}
-
-/// Registers work(size) for the three places that data may be in.
-template <class Work>
-void at_every_size(const std::string& name, const std::string& instruction_set, Work work) {
-  constexpr std::pair<const char*, std::size_t> kPlaces[] = {{"L2", 1 << 12}, {"L3", 1 << 17}, {"memory", 1 << 23}};
-  for (const auto& [place, size] : kPlaces)
-    benchmark::RegisterBenchmark((name + "/" + place).c_str(),
-                                 [instruction_set, work, n = size](benchmark::State& state) {
-                                   kernel::use_instruction_set(instruction_set);
-                                   work(n);  // makes the data
-                                   for ([[maybe_unused]] auto _ : state) work(n);
-                                   count(state, n);
-                                 });
 }
 
 /// Registers a kernel and its plain counterpart with every instruction set.
 template <class Ours, class Plain>
 void beside_plain(const std::string& name, Ours ours, Plain plain) {
   for (const std::string& set : kernel::instruction_sets()) {
-    at_every_size("Batch/" + name + "/ours/" + set, set, ours);
-    at_every_size("Batch/" + name + "/plain/" + set, set, plain);
+    at_every_place("Batch/" + name + "/ours/" + set, ours, set);
+    at_every_place("Batch/" + name + "/plain/" + set, plain, set);
   }
 }
 
@@ -269,14 +243,14 @@ void call_one_by_one(std::size_t size, Compute compute) {
         Cubes& c = generic_cubes(n);
         plain_test_cube_cube(c.pairs(), kDistances.alarm, c.hit.data());
       });
-  at_every_size("Scalar/compute/plain_loop", "", [](std::size_t n) {
+  at_every_place("Scalar/compute/plain_loop", [](std::size_t n) {
     static std::map<std::size_t, std::vector<PlainContact>> made;
     std::vector<PlainContact>& contacts = made[n];
     contacts.resize(n);
     plain_compute_scalar(plain_pairs(n).data(), n, kDistances, contacts.data());
   });
-  at_every_size("Scalar/compute/plain", "", [](std::size_t n) { call_one_by_one(n, &plain_contact_of_pair); });
-  at_every_size("Scalar/compute/ours", "", [](std::size_t n) {
+  at_every_place("Scalar/compute/plain", [](std::size_t n) { call_one_by_one(n, &plain_contact_of_pair); });
+  at_every_place("Scalar/compute/ours", [](std::size_t n) {
     call_one_by_one(
         n, [](const Ball& a, const Ball& b, Distances distances) { return compute_sphere_sphere(a, b, distances); });
   });

@@ -61,6 +61,7 @@ HWY_AFTER_NAMESPACE();
 #include "columns.hpp"
 #include "contact/batch.hpp"
 #include "places.hpp"
+#include "uniform.hpp"
 
 namespace contact::bench {
 
@@ -99,13 +100,13 @@ void compute_in_threads(benchmark::State& state) {
   constexpr std::size_t kPairs = 1 << 12;
   const Columns columns(18, kPairs);
   std::vector<batch::PairState> states(kPairs);
-  std::uint64_t random = 1;
-  const auto uniform = [&] {  // in [0, 1)
-    random = random * 6364136223846793005U + 1442695040888963407U;
-    return static_cast<double>(random >> 11U) * 0x1p-53;
-  };
+  Uniform uniform(1);
   for (std::size_t i = 0; i < kPairs; ++i)
-    for (std::size_t k = 0; k < 8; ++k) columns[k][i] = k % 4 == 3 ? 0.5 + 10.5 * uniform() : 20 * uniform() - 10;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Ball ball = uniform.ball();
+      for (std::size_t k = 0; k < 3; ++k) columns[4 * side + k][i] = ball.center[static_cast<Eigen::Index>(k)];
+      columns[4 * side + 3][i] = ball.radius;
+    }
   const batch::BallColumns a{columns[0], columns[1], columns[2], columns[3]};
   const batch::BallColumns b{columns[4], columns[5], columns[6], columns[7]};
   const batch::ContactColumns out{{columns[8], columns[9], columns[10]},

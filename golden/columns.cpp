@@ -2,6 +2,7 @@
 #include "golden/columns.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -26,6 +27,7 @@ using hdf5::Lock;
 constexpr std::uint64_t kBlock = 4096;  // rows in a chunk of the file and in memory
 constexpr unsigned kDeflate = 4;        // 9 takes four times as long for 1 % of the size
 constexpr std::size_t kIdLength = 24;
+constexpr std::size_t kFirstWidth = 32;      // of a column of exact numbers, doubled until its longest text has room
 constexpr std::size_t kRejectedLength = 11;  // a.center[0]
 constexpr std::size_t kMostFlags = 32;
 const Vector3 kZero = Vector3::Zero();
@@ -90,11 +92,21 @@ struct Type {
   std::size_t size;
   hsize_t across;  ///< values in a row
   std::string words;
+  std::size_t widest;  ///< that texts may become
+
+  [[nodiscard]] bool is_text() const { return H5Tget_class(file) == H5T_STRING; }
+  /// Whether a file has texts as wide as its longest.
+  [[nodiscard]] bool grows() const { return is_text() && widest > kFirstWidth; }
+  void set_width(std::size_t width) {
+    file = hdf5::text_type(width);
+    memory = hdf5::text_type(width);
+    size = width;
+  }
 };
 
 Handle copied(hid_t type) { return {H5Tcopy(type), H5Tclose}; }
 Type type_of(const double& /*value*/, std::size_t /*width*/) {
-  return {copied(H5T_IEEE_F64LE), copied(H5T_NATIVE_DOUBLE), 8, 1, "64-bit IEEE numbers"};
+  return {copied(H5T_IEEE_F64LE), copied(H5T_NATIVE_DOUBLE), 8, 1, "64-bit IEEE numbers", 8};
 }
 Type type_of(const Vector3& v, std::size_t width) {
   Type type = type_of(v[0], width);
@@ -102,13 +114,16 @@ Type type_of(const Vector3& v, std::size_t width) {
   return type;
 }
 Type type_of(const bool& /*value*/, std::size_t /*width*/) {
-  return {copied(H5T_STD_U8LE), copied(H5T_NATIVE_UINT8), 1, 1, "8-bit unsigned integers"};
+  return {copied(H5T_STD_U8LE), copied(H5T_NATIVE_UINT8), 1, 1, "8-bit unsigned integers", 1};
 }
 Type type_of(const std::uint32_t& /*value*/, std::size_t /*width*/) {
-  return {copied(H5T_STD_U32LE), copied(H5T_NATIVE_UINT32), 4, 1, "32-bit unsigned integers"};
+  return {copied(H5T_STD_U32LE), copied(H5T_NATIVE_UINT32), 4, 1, "32-bit unsigned integers", 4};
 }
 Type type_of(const std::string& /*value*/, std::size_t width) {
-  return {hdf5::text_type(width), hdf5::text_type(width), width, 1, fmt::format("texts of {} bytes", width)};
+  const std::size_t first = std::min(width, kFirstWidth);
+  const std::string upto = first == width ? "" : "up to ";
+  return {
+      hdf5::text_type(first), hdf5::text_type(first), first, 1, fmt::format("texts of {}{} bytes", upto, width), width};
 }
 Type type_of(const std::array<std::string, 3>& v, std::size_t width) {
   Type type = type_of(v[0], width);
@@ -121,7 +136,10 @@ struct Column {
   std::string path;
   Type type;
   Handle dataset{};
+  std::size_t created_width = 0;  ///< of the dataset, when it was created
   std::vector<char> rows{};
+
+  [[nodiscard]] bool is_created() const { return dataset >= 0 && created_width == type.size; }
 
   [[nodiscard]] std::vector<hsize_t> shape(hsize_t height) const {
     return type.across == 1 ? std::vector{height} : std::vector{height, type.across};
@@ -129,14 +147,36 @@ struct Column {
 
   /// Reads or writes `count` rows from `first` on: transfer(dataset, type, memory space, file space, bytes).
   template <class Transfer>
-  void transfer(hsize_t first, hsize_t count, Transfer call) {
+  void transfer(hid_t set, hsize_t first, hsize_t count, Transfer call) {
     const std::vector<hsize_t> size = shape(count);
     std::vector<hsize_t> start(size.size(), 0);
     start[0] = first;
     const Handle memory(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
-    const Handle file(H5Dget_space(dataset), H5Sclose);
+    const Handle file(H5Dget_space(set), H5Sclose);
     checked(H5Sselect_hyperslab(file, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr));
-    checked(call(dataset, type.memory, memory, file, rows.data()));
+    checked(call(set, type.memory, memory, file, rows.data()));
+  }
+  /// Reads rows of this column, or of one with texts of another width.
+  void read(hid_t set, hsize_t first, hsize_t count) {
+    rows.resize(count * type.across * type.size);
+    transfer(set, first, count, [](hid_t from, hid_t as, hid_t memory, hid_t file, char* bytes) {
+      return H5Dread(from, as, memory, file, H5P_DEFAULT, bytes);
+    });
+  }
+  void write(hsize_t first, hsize_t count) {
+    transfer(dataset, first, count, [](hid_t to, hid_t as, hid_t memory, hid_t file, const char* bytes) {
+      return H5Dwrite(to, as, memory, file, H5P_DEFAULT, bytes);
+    });
+    rows.clear();
+  }
+
+  /// Gives texts in memory more room.
+  void widen(std::size_t width) {
+    std::vector<char> wider(rows.size() / type.size * width);
+    for (std::size_t i = 0; i * type.size < rows.size(); ++i)
+      std::copy_n(rows.data() + i * type.size, type.size, wider.data() + i * width);
+    rows = std::move(wider);
+    type.set_width(width);
   }
 };
 
@@ -166,9 +206,9 @@ class Encoder {
   }
   void operator()(std::string_view, const bool& x, std::size_t) { next_++->rows.push_back(x ? 1 : 0); }
   void operator()(std::string_view, const std::uint32_t& x, std::size_t) { append(&x, sizeof x), ++next_; }
-  void operator()(std::string_view, const std::string& text, std::size_t width) { put(text, width), ++next_; }
-  void operator()(std::string_view, const std::array<std::string, 3>& texts, std::size_t width) {
-    for (const std::string& text : texts) put(text, width);
+  void operator()(std::string_view, const std::string& text, std::size_t) { put(text), ++next_; }
+  void operator()(std::string_view, const std::array<std::string, 3>& texts, std::size_t) {
+    for (const std::string& text : texts) put(text);
     ++next_;
   }
 
@@ -181,11 +221,14 @@ class Encoder {
     x = std::isnan(x) ? kNone : x == 0 ? 0.0 : x;
     append(&x, sizeof x);
   }
-  void put(const std::string& text, std::size_t width) {
-    if (text.size() > width)
-      throw InputError(where_, where_written(*next_), fmt::format("at most {} bytes have room, got '{}'", width, text));
+  void put(const std::string& text) {
+    const std::size_t widest = next_->type.widest;
+    if (text.size() > widest)
+      throw InputError(where_, where_written(*next_),
+                       fmt::format("at most {} bytes have room, got '{}'", widest, text));
+    if (text.size() > next_->type.size) next_->widen(std::min(widest, std::bit_ceil(text.size())));
     append(text.data(), text.size());
-    next_->rows.resize(next_->rows.size() + width - text.size());
+    next_->rows.resize(next_->rows.size() + next_->type.size - text.size());
   }
 
   std::vector<Column>::iterator next_;
@@ -292,16 +335,24 @@ class ColumnsWriter : public DatasetWriter {
     for (const auto& [key, value] : header.items()) hdf5::write_attribute(file_, key, value);
     std::set<std::string> groups;
     columns_ = columns_of(header_);
-    for (Column& column : columns_) {
+    for (const Column& column : columns_)
       if (const std::string group = group_of(column.path); group != column.path && groups.insert(group).second)
         hdf5::create_group(file_, group);
+  }
+
+  /// Makes the columns as wide as the rows in memory; those that are in the file already are copied.
+  void create_columns() {
+    for (Column& column : columns_) {
+      if (column.is_created()) continue;
+      const Handle narrower = std::move(column.dataset);
+      if (narrower >= 0) checked(H5Ldelete(file_, column.path.c_str(), H5P_DEFAULT));
       const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
       checked(H5Pset_obj_track_times(creation, false));
       if (header_.count != 0) {  // what has no rows has no chunks
         const std::vector<hsize_t> chunk = column.shape(std::min(kBlock, header_.count));
         checked(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
         // Bytes of texts compress as well without, and putting a column's long padding back in order takes long.
-        if (H5Tget_class(column.type.file) != H5T_STRING) checked(H5Pset_shuffle(creation));
+        if (!column.type.is_text()) checked(H5Pset_shuffle(creation));
         checked(H5Pset_deflate(creation, kDeflate));
         checked(H5Pset_fletcher32(creation));
       }
@@ -311,7 +362,16 @@ class ColumnsWriter : public DatasetWriter {
       const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
       column.dataset = Handle(
           H5Dcreate2(file_, column.path.c_str(), column.type.file, space, H5P_DEFAULT, creation, access), H5Dclose);
+      column.created_width = column.type.size;
       if (column.path == "flags") hdf5::write_attribute(column.dataset, kFlagNames, flag_names());
+      if (narrower < 0) continue;
+      std::vector<char> rows;
+      rows.swap(column.rows);
+      for (std::uint64_t first = 0; first < written_; first += kBlock) {
+        column.read(narrower, first, kBlock);
+        column.write(first, kBlock);
+      }
+      rows.swap(column.rows);
     }
   }
 
@@ -332,14 +392,10 @@ class ColumnsWriter : public DatasetWriter {
   }
 
   void flush() {
+    create_columns();
     const std::uint64_t count = rows_ - written_;
     if (count == 0) return;
-    for (Column& column : columns_) {
-      column.transfer(written_, count, [](hid_t set, hid_t type, hid_t memory, hid_t file, const char* bytes) {
-        return H5Dwrite(set, type, memory, file, H5P_DEFAULT, bytes);
-      });
-      column.rows.clear();
-    }
+    for (Column& column : columns_) column.write(written_, count);
     written_ = rows_;
   }
 
@@ -439,6 +495,8 @@ class ColumnsSource : public CaseSource {
     column.dataset = Handle(H5Dopen2(file_, column.path.c_str(), H5P_DEFAULT), H5Dclose);
     const auto refuse = [&](const std::string& problem) { throw InputError(whole_, where_written(column), problem); };
     const Handle type(H5Dget_type(column.dataset), H5Tclose);
+    if (const std::size_t width = H5Tget_size(type); column.type.grows() && width > 0 && width <= column.type.widest)
+      column.type.set_width(width);
     if (checked(H5Tequal(type, column.type.file)) == 0) refuse("expected " + column.type.words);
     const Handle space(H5Dget_space(column.dataset), H5Sclose);
     std::vector<hsize_t> shape(static_cast<std::size_t>(checked(H5Sget_simple_extent_ndims(space))));
@@ -462,12 +520,8 @@ class ColumnsSource : public CaseSource {
     loaded_ = 0;
     const std::uint64_t count = std::min(kBlock, header_.count - first);
     for (Column& column : columns_) {
-      column.rows.resize(count * column.type.across * column.type.size);
-      reading({where_.file, first + 1, true}, where_written(column), [&] {
-        column.transfer(first, count, [](hid_t set, hid_t type, hid_t memory, hid_t file, char* bytes) {
-          return H5Dread(set, type, memory, file, H5P_DEFAULT, bytes);
-        });
-      });
+      reading({where_.file, first + 1, true}, where_written(column),
+              [&] { column.read(column.dataset, first, count); });
     }
     first_ = first;
     loaded_ = count;

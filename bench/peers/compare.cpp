@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <map>
-#include <random>
 
 #include "columns.hpp"
 #include "contact/batch.hpp"
@@ -14,6 +13,7 @@
 #include "peers/peers.hpp"
 #include "places.hpp"
 #include "plain_batch.hpp"
+#include "uniform.hpp"
 
 namespace contact::bench {
 namespace {
@@ -28,28 +28,12 @@ struct Data {
   std::vector<batch::PairState> state;
 
   explicit Data(std::size_t size) : answers(size), hit(size), columns(18, size), box_columns(12, size), state(size) {
-    std::mt19937_64 random(3);
-    std::uniform_real_distribution<double> coordinate(-10, 10);
-    std::uniform_real_distribution<double> radius(0.5, 12.75);
-    std::uniform_real_distribution<double> extent(5.4, 18);
-    const auto vector = [&](auto& of) {
-      const double x = of(random);
-      const double y = of(random);
-      return Vector3(x, y, of(random));
-    };
-    const auto ball = [&] {
-      const Vector3 center = vector(coordinate);
-      return Ball{center, radius(random)};
-    };
-    const auto box = [&] {
-      const Vector3 min = vector(coordinate);
-      return Box{min, min + vector(extent)};
-    };
+    Uniform uniform(3);
     for (std::size_t i = 0; i < size; ++i) {
-      const Ball a = ball();
-      balls.push_back({a, ball()});
-      const Box c = box();
-      boxes.push_back({c, box()});
+      const Ball a = uniform.ball();
+      balls.push_back({a, uniform.ball()});
+      const Box c = uniform.box();
+      boxes.push_back({c, uniform.box()});
     }
     for (std::size_t i = 0; i < size; ++i)
       for (std::size_t side = 0; side < 2; ++side) {

@@ -1,0 +1,38 @@
+// The questions of every benchmark that is about no family: uniform, half of them hits, in an order that cannot be
+// learned.
+#pragma once
+
+#include <random>
+
+#include "contact/geometry.hpp"
+
+namespace contact::bench {
+
+class Uniform {
+ public:
+  explicit Uniform(std::uint64_t seed) : random_(seed) {}
+
+  Ball ball() {
+    const Vector3 center = vector(coordinate_);
+    return {center, radius_(random_)};
+  }
+  Box box() {
+    const Vector3 min = vector(coordinate_);
+    return {min, min + vector(extent_)};
+  }
+
+ private:
+  Vector3 vector(std::uniform_real_distribution<double>& of) {
+    const double x = of(random_);
+    const double y = of(random_);
+    return {x, y, of(random_)};
+  }
+
+  std::mt19937_64 random_;
+  std::uniform_real_distribution<double> coordinate_{-10, 10};
+  // With these every other pair is a hit.
+  std::uniform_real_distribution<double> radius_{0.5, 12.75};
+  std::uniform_real_distribution<double> extent_{5.4, 18};
+};
+
+}  // namespace contact::bench
