@@ -28,11 +28,6 @@ Claim cubes_claim(bool overlap) {
   return claim;
 }
 
-ContactPoints contact_points(const Query& query, PointConvention convention) {
-  const auto kind = [](bool rigid) { return rigid ? SphereKind::rigid : SphereKind::deformable; };
-  return {point_on(convention, kind(query.first_is_rigid())), point_on(convention, kind(query.second_is_rigid()))};
-}
-
 template <class Real>
 Claim plain(const Query& query, PointConvention points) {
   if (const Boxes* boxes = query.boxes())
@@ -43,16 +38,27 @@ Claim plain(const Query& query, PointConvention points) {
 
 Claim published(const Query& query, PointConvention) { return production_answer(query, PointConvention::published); }
 
+/// The questions one by one.
+template <Claim (*kAnswer)(const Query&, PointConvention)>
+std::vector<Claim> each(std::span<const Question> questions, PointConvention points) {
+  std::vector<Claim> claims;
+  claims.reserve(questions.size());
+  for (const Question& question : questions) claims.push_back(kAnswer(question.query, points));
+  return claims;
+}
+
 constexpr std::array kBuiltIn{
     BuiltIn{"production", "this project's implementation: exact decisions, correctly rounded numbers", Scalar::binary64,
-            true, production_answer},
+            true, each<production_answer>},
+    BuiltIn{"batch", "production through its functions for many pairs; batch:AVX2 and so on choose the vectors",
+            Scalar::binary64, false, batch_answers},
     BuiltIn{"component", "production through DiscreteIntersection and whole models", Scalar::binary64, false,
-            component_answer},
+            each<component_answer>},
     BuiltIn{"plain-double", "the seed's formulas in plain double arithmetic, as SOFA computes them", Scalar::binary64,
-            true, plain<double>},
-    BuiltIn{"plain-float", "the seed's formulas in plain float arithmetic", Scalar::binary32, true, plain<float>},
+            true, each<plain<double>>},
+    BuiltIn{"plain-float", "the seed's formulas in plain float arithmetic", Scalar::binary32, true, each<plain<float>>},
     BuiltIn{"published", "production with the contact points of the seed's printed formula", Scalar::binary64, true,
-            published},
+            each<published>},
 };
 
 class MutantEngine final : public Engine {
@@ -75,12 +81,7 @@ class BuiltInEngine final : public Engine {
   BuiltInEngine(const BuiltIn& engine, golden::EngineInfo info, PointConvention points)
       : Engine(std::move(info)), engine_(engine), points_(points) {}
 
-  std::vector<Claim> answer(std::span<const Question> questions) override {
-    std::vector<Claim> claims;
-    claims.reserve(questions.size());
-    for (const Question& question : questions) claims.push_back(engine_.answer(question.query, points_));
-    return claims;
-  }
+  std::vector<Claim> answer(std::span<const Question> questions) override { return engine_.answer(questions, points_); }
 
  private:
   const BuiltIn& engine_;
@@ -102,10 +103,15 @@ std::unique_ptr<Engine> make_built_in(std::string_view name, PointConvention poi
       }
     return nullptr;
   }
-  const auto it = std::find_if(kBuiltIn.begin(), kBuiltIn.end(), [&](const BuiltIn& e) { return e.name == name; });
+  std::string_view listed = name;
+  if (name.starts_with(kBatchPrefix)) {
+    use_batch_instruction_set(name.substr(kBatchPrefix.size()));
+    listed = "batch";
+  }
+  const auto it = std::find_if(kBuiltIn.begin(), kBuiltIn.end(), [&](const BuiltIn& e) { return e.name == listed; });
   if (it == kBuiltIn.end()) return nullptr;
   golden::EngineInfo info;
-  info.name = it->name;
+  info.name = name;
   info.version = CONTACT_VERSION;
   info.declared.scalar = it->scalar;
   info.declared.conventions.points = static_cast<Points>(points);
@@ -118,6 +124,11 @@ Claim production_answer(const Query& query, PointConvention points) {
   const Balls& balls = *query.balls();
   return spheres_claim(test_sphere_sphere(balls.a, balls.b, query.distances.alarm),
                        compute_sphere_sphere(balls.a, balls.b, query.distances, contact_points(query, points)));
+}
+
+ContactPoints contact_points(const Query& query, PointConvention convention) {
+  const auto kind = [](bool rigid) { return rigid ? SphereKind::rigid : SphereKind::deformable; };
+  return {point_on(convention, kind(query.first_is_rigid())), point_on(convention, kind(query.second_is_rigid()))};
 }
 
 Claim rejection(const DomainError& error) {

@@ -56,13 +56,17 @@ struct BuiltIn {
   Scalar scalar;
   bool on_scoreboard;  ///< whether `certify` with neither engine nor dataset judges it
   /// Answers under a contact-point convention: what computeIntersection and testIntersection say.
-  Claim (*answer)(const Query& query, PointConvention points);
+  std::vector<Claim> (*answer)(std::span<const Question> questions, PointConvention points);
 };
 
 [[nodiscard]] std::span<const BuiltIn> built_in_engines();
 
+/// Before the name of an instruction set in the name of an engine.
+inline constexpr std::string_view kBatchPrefix = "batch:";
+
 /// The built-in engine of that name, or nullptr; it computes and declares the convention `points`. Mutants are named
-/// `mutant:ID` and know the first convention alone.
+/// `mutant:ID` and know the first convention alone. `batch:SET` is `batch` with vectors of one instruction set, which
+/// from then on serves every batch call of the process.
 [[nodiscard]] std::unique_ptr<Engine> make_built_in(std::string_view name,
                                                     PointConvention points = PointConvention::nearest_surface);
 
@@ -73,6 +77,16 @@ struct BuiltIn {
 [[nodiscard]] Claim production_answer(const Query& query, PointConvention points);
 /// The engine `component`: production through DiscreteIntersection, each question as two models of one element.
 [[nodiscard]] Claim component_answer(const Query& query, PointConvention points);
+/// The engine `batch`: each question among those that stand beside it, in its own distances.
+[[nodiscard]] std::vector<Claim> batch_answers(std::span<const Question> questions, PointConvention points);
+
+/// The instruction sets that `batch` may use here, in Highway's names, best first.
+[[nodiscard]] std::vector<std::string> batch_instruction_sets();
+/// That one serves from now on; with an empty name the best again. Throws std::invalid_argument for one not here.
+void use_batch_instruction_set(std::string_view name);
+
+/// The points that a pair of models has under a convention.
+[[nodiscard]] ContactPoints contact_points(const Query& query, PointConvention convention);
 
 /// What an engine of ours says to a question outside the domain.
 [[nodiscard]] Claim rejection(const DomainError& error);

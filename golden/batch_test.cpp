@@ -1,7 +1,7 @@
-// The batch API: every instruction set that is at hand gives the bits of the functions of one pair, on questions of
-// every family and on those that only vectors can get wrong.
+// The batch API: every instruction set that is at hand gives the bits of the functions of one pair and of the oracle,
+// on questions of every family and on those that only vectors can get wrong.
 //
-// CONTACT_BATCH_QUESTIONS sets how many questions a family makes (kQuestions).
+// CONTACT_BATCH_QUESTIONS sets how many questions a family makes, CONTACT_BATCH_SEED which ones.
 #include "contact/batch.hpp"
 
 #include <gtest/gtest.h>
@@ -21,17 +21,18 @@
 #include "kernel/batch.hpp"
 #include "kernel/floating_point_environment_for_tests.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
+#include "oracle/staged_oracle.hpp"
 
 namespace contact {
 namespace {
 
-constexpr std::uint64_t kSeed = 7;
-
-std::uint64_t questions() {
-  constexpr std::uint64_t kQuestions = 150;
-  const char* asked = std::getenv("CONTACT_BATCH_QUESTIONS");
-  return asked ? std::strtoull(asked, nullptr, 10) : kQuestions;
+std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
+  const char* given = std::getenv(name);
+  return given ? std::strtoull(given, nullptr, 10) : otherwise;
 }
+
+const std::uint64_t kQuestions = from_environment("CONTACT_BATCH_QUESTIONS", 150);
+const std::uint64_t kSeed = from_environment("CONTACT_BATCH_SEED", 7);
 
 /// Runs a piece of a test with one instruction set after the other.
 void for_each_instruction_set(const std::function<void()>& work) {
@@ -125,6 +126,14 @@ Row expected_row(const Balls& balls, Distances distances, ContactPoints points) 
   return row_of(*contact);
 }
 
+/// What the oracle says, where it knows the convention.
+void expect_oracle_agrees(const Row& row, const Balls& balls, Distances distances, ContactPoints points) {
+  if (points.first != PointOn::nearest_surface || points.second != PointOn::nearest_surface) return;
+  const Expectation expected =
+      oracle::staged_answer({Pair::sphere_sphere, balls, distances}, Scalar::binary64).expected;
+  EXPECT_EQ(row, expected.hit ? row_of(*expected.contact) : Row{}) << words(balls, distances);
+}
+
 /// Every instruction set answers all pairs as the functions of one pair do; returns the pairs that the best one left to
 /// them.
 std::size_t expect_same_bits(const Spheres& spheres, Distances distances, ContactPoints points = {}) {
@@ -133,6 +142,7 @@ std::size_t expect_same_bits(const Spheres& spheres, Distances distances, Contac
   std::vector<std::uint32_t> hits;
   for (std::size_t i = 0; i < size; ++i) {
     expected.push_back(expected_row(spheres[i], distances, points));
+    expect_oracle_agrees(expected.back(), spheres[i], distances, points);
     if (expected[i][10] != 0) hits.push_back(static_cast<std::uint32_t>(i));
     EXPECT_EQ(test_sphere_sphere(spheres[i].a, spheres[i].b, distances.alarm), expected[i][10] != 0);
   }
@@ -180,7 +190,7 @@ void each_with_its_followers(const std::vector<Query>& queries, const Ask& ask) 
 
 std::vector<Query> questions_of(Pair pair, const golden::Family& family, Scalar scalar) {
   std::vector<Query> queries;
-  for (std::uint64_t i = 0; i < questions(); ++i)
+  for (std::uint64_t i = 0; i < kQuestions; ++i)
     queries.push_back(golden::generate_query(pair, family, scalar, kSeed, i));
   return queries;
 }
@@ -202,7 +212,7 @@ using Make = Query (*)(golden::Random&);
 
 std::vector<Query> questions_of(const char* family, Make make) {
   std::vector<Query> queries;
-  for (std::uint64_t i = 0; i < questions(); ++i) {
+  for (std::uint64_t i = 0; i < kQuestions; ++i) {
     golden::Random random(golden::Random::key("sphere_sphere", family, "binary64", kSeed), i);
     queries.push_back(make(random));
   }

@@ -265,6 +265,17 @@ class Certify(Case):
                 self.assertIn("\nCERTIFIED: component", out)
         self.assertIn("\nCERTIFIED: component", self.holds("certify", "golden", "--engine", "component", "--family", "invalid"))
 
+    def test_batches_are_right_with_every_instruction_set_and_convention(self):
+        sets = run("certify", "golden", "--engine", "batch:none").stderr.split("known: ")[1].strip().split(", ")
+        for engine in ["batch", *(f"batch:{name}" for name in sets)]:
+            with self.subTest(engine):
+                out = self.holds("certify", "golden/quick", "--engine", engine, "--level", "correctly-rounded")
+                self.assertIn(f"\nCERTIFIED: {engine}", out)
+        for points in ("center", "published"):
+            out = self.holds("certify", *(GOLDEN / pair / "generic.jsonl" for pair in PAIRS), "--engine", "batch",
+                             "--points", points, "--level", "correctly-rounded")
+            self.assertIn("\nCERTIFIED: batch", out)
+
     def test_recorded_answers_of_sofa_are_refuted_with_the_counts_that_the_files_hold(self):
         for pair in PAIRS:
             with self.subTest(pair):

@@ -25,6 +25,10 @@ void add_merge(CLI::App& app, int& exit);
 void add_verify(CLI::App& app, int& exit);
 void add_lists(CLI::App& app, int& exit);  ///< engines, families
 
+/// Parses a command line, does what it says and returns the exit code; what is wrong with its options is told on
+/// standard error. Throws what a command throws: golden::InputError, OracleFault, engines::HarnessInvalid, Interrupted.
+int run_command(int argc, const char* const* argv);
+
 /// Validators for whole numbers from 0 and from 1; CLI11 would let -1 wrap around.
 extern const CLI::Validator kFromZero;
 extern const CLI::Validator kFromOne;

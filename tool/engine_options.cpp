@@ -95,6 +95,11 @@ PointConvention computed_points(const EngineOptions& options) {
 
 std::unique_ptr<engines::Engine> built_in(const std::string& name, PointConvention points) {
   if (name.starts_with(engines::kMutantPrefix)) return mutant(name);
+  if (name.starts_with(engines::kBatchPrefix)) {
+    const std::vector<std::string> sets = engines::batch_instruction_sets();
+    static_cast<void>(index_of(sets, name.substr(engines::kBatchPrefix.size()), "instruction set of this processor"));
+    return engines::make_built_in(name, points);
+  }
   std::vector<std::string_view> names;
   for (const engines::BuiltIn& e : engines::built_in_engines()) names.push_back(e.name);
   for (const engines::Adapter& a : engines::adapters()) names.push_back(a.name);

@@ -109,7 +109,8 @@ void generate(const GenerateOptions& o) {
     throw InputError(where, "--family",
                      fmt::format("unknown family '{}' of {}; known: {}", o.family, o.pair, fmt::join(names, ", ")));
   }
-  if (o.output.empty() && !o.digest) throw InputError(where, "--output", "missing, and only --digest does without a file");
+  if (o.output.empty() && !o.digest)
+    throw InputError(where, "--output", "missing, and only --digest does without a file");
   if (!o.output.empty()) check_output("generate", o.output);
   golden::DatasetHeader header;
   header.pair = *pair;

@@ -57,6 +57,9 @@ def main():
     put("manifest", "of-none", f'{{"format":"contact-oracle/manifest","version":1,"generator":"{entry["generator"]}","files":[\n]}}\n')
     adequacy = json.loads((ROOT / "golden/adequacy.json").read_text())
     put("manifest", "adequacy", json.dumps({k: (v[:2] if isinstance(v, list) else v) for k, v in adequacy.items()})[:4000])
+    for change in ([0, 0, 0], [0, 40, 7], [9, 3, 8], [4, 100, 200], [1, 1, 6, 30, 20, 9]):
+        put("certificate", "-".join(map(str, change)), bytes(change))
+    put("certificate", "text", '{"format":"contact-oracle/certificate","version":1,"sha256":"' + "0" * 64 + '"}\n')
     for change in ([0], [1, 0, 0], [0, 9, 3, 0, 7, 4, 255, 240, 0], [0, 5, 1, 2, 1, 1, 2], [2, 0, 2, 0, 4], [1, 12, 4, 0, 3, 2, 65, 66]):
         put("columns", "-".join(map(str, change)), bytes(change))
 
