@@ -2,8 +2,8 @@
 """Faults on purpose: python3 tool/faults_test.py PATH_TO_TOOL [--times N] [--seed S] [unittest arguments].
 
 Killed, interrupted, cut off from disk or reader at random moments, fed what has no end: nothing half-written is taken for whole, no
-verdict is wrong, memory stays bounded, and a message names what is wrong. --times N (1) multiplies every try of the quick run; the
-table at the end says what came of them. With CONTACT_MPIRUN, a command that starts four processes, PATH_TO_TOOL was built with MPI
+verdict is wrong, memory stays bounded, and a message names what is wrong. Without --times N it is a quick run: some of the commands
+that are drawn, once. The table at the end says what came of the tries. With CONTACT_MPIRUN, a command that starts four processes, PATH_TO_TOOL was built with MPI
 and the processes of a cluster are killed too. Root alone mounts small and read-only disks."""
 import argparse
 import collections
@@ -40,6 +40,7 @@ SANITIZED = b"__asan_init" in Path(TOOL).read_bytes()
 ENVIRONMENT = {**os.environ, "SOURCE_DATE_EPOCH": "1700000000", "ASAN_OPTIONS": os.environ.get("ASAN_OPTIONS", "") + ":detect_leaks=0"}
 UNFINISHED = re.compile(r"\.unfinished\d*$")
 MEGABYTE = 1 << 20
+SIZE = 1 if TIMES == 1 else 4  # of the work that is disturbed
 TALLY = collections.defaultdict(collections.Counter)  # fault: outcome: how often
 PEAK = collections.defaultdict(float)  # fault: megabytes
 
@@ -47,12 +48,12 @@ PEAK = collections.defaultdict(float)  # fault: megabytes
 FRESH = ("certify", "--engine", "plain-double", "--pair", "sphere_sphere", "--family", "touching,generic", "--seed", "7")
 REPORTS = ("--json", "r.json", "--report", "r.html", "--junit", "r.xml", "--markdown", "r.md")
 COMMANDS = {
-    "generate": (("generate", "--pair", "sphere_sphere", "--family", "touching", "--count", "3000", "--seed", "7", "-o", "g.jsonl"), ["g.jsonl"], 0),
-    "generate (HDF5)": (("generate", "--pair", "sphere_sphere", "--family", "generic", "--count", "3000", "--seed", "7", "-o", "g.h5"), ["g.h5"], 0),
+    "generate": (("generate", "--pair", "sphere_sphere", "--family", "touching", "--count", str(800 * SIZE), "--seed", "7", "-o", "g.jsonl"), ["g.jsonl"], 0),
+    "generate (HDF5)": (("generate", "--pair", "sphere_sphere", "--family", "generic", "--count", str(800 * SIZE), "--seed", "7", "-o", "g.h5"), ["g.h5"], 0),
     "convert": (("convert", "in/big.jsonl", "-o", "c.h5"), ["c.h5"], 0),
-    "certify": ((*FRESH, "--generate", "5000", *REPORTS), ["r.json", "r.html", "r.xml", "r.md"], 1),
+    "certify": ((*FRESH, "--generate", str(1500 * SIZE), *REPORTS), ["r.json", "r.html", "r.xml", "r.md"], 1),
     "certify --certificate": (("certify", "in/touching.jsonl", "--engine", "plain-double", "--certificate", "k.json"), ["k.json", "k.answers.jsonl"], 1),
-    "certify --parts": ((*FRESH, "--generate", "5000", "--parts", "p", "--shards", "16", *REPORTS), ["r.json", "r.html", "r.xml", "r.md"], 1),
+    "certify --parts": ((*FRESH, "--generate", str(1500 * SIZE), "--parts", "p", "--shards", "16", *REPORTS), ["r.json", "r.html", "r.xml", "r.md"], 1),
     "merge": (("merge", "in/parts", *REPORTS), ["r.json", "r.html", "r.xml", "r.md"], 1),
 }
 
@@ -88,8 +89,8 @@ class Inputs:
         unittest.addModuleCleanup(shutil.rmtree, cls.folder)
         (cls.folder / "in").mkdir()
         shutil.copy(GOLDEN / "sphere_sphere" / "touching.jsonl", cls.folder / "in")
-        for args in (("generate", "--pair", "cube_cube", "--family", "nested", "--count", "9000", "--seed", "1", "-o", "in/big.jsonl"),
-                     (*FRESH, "--generate", "3000", "--parts", "in/parts", "--shards", "32")):
+        for args in (("generate", "--pair", "cube_cube", "--family", "nested", "--count", str(3000 * SIZE), "--seed", "1", "-o", "in/big.jsonl"),
+                     (*FRESH, "--generate", str(800 * SIZE), "--parts", "in/parts", "--shards", "32")):
             assert tool(*args, cwd=cls.folder).returncode in (0, 1), args
         for name, (args, outputs, code) in COMMANDS.items():
             with work() as place:
@@ -123,6 +124,10 @@ class Case(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
         self.random = random.Random(f"{OPTIONS.seed} {self.id()}")
+
+    def some(self, of, most=2):
+        """All of them, or in a quick run as many as it has time for."""
+        return self.random.sample(list(of), most) if TIMES == 1 else list(of)
 
     def file(self, name, content):
         (self.folder / name).write_text(content)
@@ -183,9 +188,9 @@ def started(*args, **options):
 
 
 class Stopped(Case):
-    def tries(self, names=COMMANDS, each=2):
-        for name in names:
-            for _ in range(each * TIMES):
+    def tries(self, names=COMMANDS):
+        for name in self.some(names):
+            for _ in range(TIMES):
                 with self.subTest(name), work() as place:
                     yield name, place
 
@@ -203,7 +208,7 @@ class Stopped(Case):
                                       "whole" if whole == len(COMMANDS[name][1]) else "some outputs whole" if whole else "as before"] += 1
 
     def test_a_run_that_is_interrupted_leaves_nothing_unfinished(self):
-        for name, place in self.tries(each=1):
+        for name, place in self.tries():
             for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
                 old = self.old_outputs(place, name)
                 process = started(*COMMANDS[name][0], cwd=place)
@@ -222,7 +227,7 @@ class Stopped(Case):
             self.assert_goes_on(place, name)
 
     def test_a_run_whose_reader_goes_ends_and_leaves_nothing_unfinished(self):
-        for name, place in self.tries(each=1):
+        for name, place in self.tries():
             old = self.old_outputs(place, name)
             process = started(*COMMANDS[name][0], cwd=place)
             time.sleep(self.random.uniform(0, Inputs.seconds[name]))
@@ -281,7 +286,7 @@ class Stopped(Case):
     @unittest.skipUnless(MPIRUN, "no cluster here: CONTACT_MPIRUN is not set")
     def test_a_cluster_of_which_a_process_is_killed_leaves_what_was_there_or_the_whole(self):
         # Each of four processes works slower than one alone, and all of them start slowly.
-        for name, place in self.tries(("generate", "certify", "certify --parts"), each=1):
+        for name, place in self.tries(("generate", "certify", "certify --parts")):
             for victim in ("mpirun", "a process"):
                 old = self.old_outputs(place, name)
                 process = subprocess.Popen([*MPIRUN, TOOL, *COMMANDS[name][0]], cwd=place, env=ENVIRONMENT, text=True, start_new_session=True,
@@ -332,7 +337,8 @@ class Disks(Case):
         TALLY[fault]["refused" if done.returncode == 2 else "it was large enough"] += 1
 
     def test_a_full_disk(self):
-        for name, (args, _, _) in COMMANDS.items():
+        for name in self.some(COMMANDS):
+            args = COMMANDS[name][0]
             size = sum(map(len, Inputs.whole[name].values()))
             for _ in range(TIMES):
                 with self.subTest(name), self.disk("-o", f"size={max(8192, int(self.random.uniform(0, 1.2) * size))}") as disk, work(disk) as place:
@@ -340,7 +346,8 @@ class Disks(Case):
                     self.check("disk full", name, place, old, tool(*args, cwd=place), "No space left on device")
 
     def test_a_file_that_may_not_grow(self):
-        for name, (args, outputs, _) in COMMANDS.items():
+        for name in self.some(COMMANDS):
+            args = COMMANDS[name][0]
             size = max(map(len, Inputs.whole[name].values()))
             for _ in range(TIMES):
                 limit = int(self.random.uniform(0, 1.2) * size)
@@ -350,7 +357,8 @@ class Disks(Case):
                     self.check("file size limited", name, place, old, done, "File too large")
 
     def test_a_read_only_disk_and_a_folder_of_somebody_else(self):
-        for name, (args, outputs, _) in COMMANDS.items():
+        for name in self.some(COMMANDS):
+            args = COMMANDS[name][0]
             with self.subTest(name), self.disk() as disk, work(disk) as place:
                 old = self.old_outputs(place, name)
                 subprocess.run(["mount", "-o", "remount,ro", disk], check=True)
@@ -376,7 +384,8 @@ class Disks(Case):
 
     def test_standard_output_on_a_full_disk(self):
         with open("/dev/full", "w") as full:
-            for name, (args, _, _) in COMMANDS.items():
+            for name in self.some(COMMANDS):
+                args = COMMANDS[name][0]
                 with self.subTest(name), work() as place:
                     done = tool(*args, cwd=place, capture_output=False, stdout=full, stderr=subprocess.PIPE)
                     self.assertEqual(done.returncode, 2)
@@ -387,9 +396,9 @@ class Disks(Case):
 
 class Together(Case):
     def test_runs_at_once_on_one_output_write_one_whole_of_theirs(self):
-        for _ in range(2 * TIMES):
+        for _ in range(TIMES):
             with work() as place:
-                runs = [started("generate", "--pair", "sphere_sphere", "--family", "touching", "--count", "1500", "--seed", str(seed),
+                runs = [started("generate", "--pair", "sphere_sphere", "--family", "touching", "--count", str(400 * SIZE), "--seed", str(seed),
                                 "-o", "g.jsonl", cwd=place) for seed in range(4)]
                 victim = self.random.randrange(8)
                 time.sleep(self.random.uniform(0, 1))
@@ -407,7 +416,7 @@ class Together(Case):
         name = "certify --parts"
         for _ in range(TIMES):
             with work() as place:
-                names = [(*FRESH, "--generate", "5000", "--parts", "p", "--shards", "16", "--json", f"{i}.json") for i in range(3)]
+                names = [(*FRESH, "--generate", str(1500 * SIZE), "--parts", "p", "--shards", "16", "--json", f"{i}.json") for i in range(3)]
                 for process in [started(*args, cwd=place) for args in names]:
                     _, err = process.communicate(timeout=120)
                     self.assertEqual(process.returncode, 1, err)
@@ -431,7 +440,7 @@ class Together(Case):
         (self.folder / "x.json.unfinished1").symlink_to(elsewhere)
         os.link(elsewhere, self.folder / "x.json.unfinished3")
         self.assertEqual(tool("certify", FLAT, "--json", target).returncode, 0)
-        self.assertEqual(json.loads(target.read_text())["verdict"], "certified")
+        self.assertEqual(json.loads(target.read_text())["verdict"][:9], "CERTIFIED")
         self.assertEqual(elsewhere.read_text(), "precious")
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["precious", "x.json", "x.json.unfinished1", "x.json.unfinished3"])
 
@@ -454,7 +463,7 @@ class Links(Case):
                 self.assertIn(words, done.stderr)
                 self.assertTrue((self.folder / name).is_symlink())
                 if lands:
-                    self.assertEqual(json.loads((self.folder / lands).read_text())["verdict"], "certified")
+                    self.assertEqual(json.loads((self.folder / lands).read_text())["verdict"][:9], "CERTIFIED")
                 TALLY["outputs that are links"]["written where it leads" if code == 0 else "refused"] += 1
         self.assertEqual([path for path in self.folder.rglob("*") if UNFINISHED.search(path.name)], [])
 
@@ -517,7 +526,7 @@ class Endless(Case):
 
     def test_what_is_as_long_as_it_may_be_is_read_in_bounded_memory(self):
         # Just below the limits: the worst that a parser can make of a line are many small values.
-        for name, args, text, words in (("question", ("explain",), '{"a":[' + "0," * (MEGABYTE // 2 - 8) + "0]}", "missing"),
+        for name, args, text, words in (("question", ("explain",), '{"a":[' + "0," * (MEGABYTE // 2 - 8) + "0]}", "a: expected an object"),
                                         ("key", ("explain",), '{"' + "k" * (MEGABYTE - 100) + '":1}', "unknown key"),
                                         ("repeated key", ("explain",), '{"' + "k" * 1000 + '":1,"' + "k" * 1000 + '":1}', "twice in one object"),
                                         ("token", ("explain",), '{"a":"' + "k" * (MEGABYTE - 100), "malformed JSON"),
@@ -570,7 +579,7 @@ class Columns(Case):
 
     def test_bombs(self):
         h5py, numpy = self.h5py, self.numpy
-        huge = 1 << 40
+        most = 8 if TIMES > 1 else 1
 
         def anew(path, **how):
             """The column as it was, but stored in another way; h5py's own name for the ways."""
@@ -611,11 +620,11 @@ class Columns(Case):
 
         def nested(file):
             group = file
-            for _ in range(3000):
+            for _ in range(400 * most):
                 group = group.create_group("a" * 1000)
 
         def attributes(file):
-            for i in range(20_000):
+            for i in range(500 * most):
                 file.attrs[f"x{i}"] = 0
 
         def virtual(file):
@@ -634,18 +643,19 @@ class Columns(Case):
             file["a/around"] = file["/"]
 
         table = {
-            "a chunk that inflates to 2 GB": (inflating("id", 2048 if TIMES > 1 else 512), "/id", "more than its"),
-            "numbers that inflate to 2 GB": (inflating("a/min", 2048 if TIMES > 1 else 512), "/a/min", "more than its"),
-            "a chunk of a gigabyte": (anew("alarm", maxshape=(None,), chunks=(1 << 27,), compression="gzip"), "/alarm", "more than 16777216 bytes"),
-            "10^12 rows that are nowhere": (declared(huge), "not stored"),
+            "a chunk that inflates without end": (inflating("id", 300 * most), "/id", "more than its"),
+            "numbers that inflate without end": (inflating("a/min", 300 * most), "/a/min", "more than its"),
+            "a chunk that inflates to much": (inflating("id", 100), "id: "),
+            "a chunk larger than memory": (anew("alarm", maxshape=(None,), chunks=(most << 22,), compression="gzip"), "/alarm", "more than 16777216 bytes"),
+            "10^12 rows that are nowhere": (declared(1 << 40), "not stored"),
             "2^63 rows": (lambda file: file.attrs.__setitem__("count", numpy.uint64(1 << 63)), ""),
             "a filter that is none of ours": (anew("alarm", chunks=True, compression="lzf"), "/alarm", "filters"),
             "two filters of one kind": (anew("alarm", chunks=True, scaleoffset=3), "/alarm", "filters"),
-            "3000 groups, one in the other": (nested, "more than 64"),
+            "hundreds of groups, one in the other": (nested, "more than 64"),
             "a group in itself": (around, "/a/around"),
-            "20000 attributes": (attributes, "more than 64"),
-            "a long text": (lambda file: file.attrs.__setitem__("family", numpy.bytes_(b"x" * 65000)), "family"),
-            "10^9 numbers": (lambda file: file.attrs.create("seed", 7, shape=(1 << 10,), dtype="u8"), "short list"),
+            "hundreds of attributes": (attributes, "more than 64"),
+            "a long text": (lambda file: file.attrs.__setitem__("family", numpy.bytes_(b"x" * 60000)), "sha256"),
+            "4096 numbers for one": (lambda file: file.attrs.create("seed", numpy.zeros(4096, "u8")), "short list"),
             "a virtual column": (virtual, "/alarm", "chunks"),
             "a column of another file": (linked(lambda: h5py.ExternalLink(str(self.good), "contact")), "/alarm"),
             "a link": (linked(lambda: h5py.SoftLink("/contact")), "/alarm"),
@@ -654,9 +664,15 @@ class Columns(Case):
         for name, (change, *words) in table.items():
             path = self.folder / "bomb.h5"
             shutil.copy(self.good, path)
-            with h5py.File(path, "r+") as file:
-                change(file)
-            for args in (("certify", path), ("lint", "--generated", path), ("convert", path, "-o", self.folder / "x.jsonl")):
+            # Elsewhere: what this process had in memory before counts as its children's.
+            if (maker := os.fork()) == 0:
+                with contextlib.suppress(BaseException):
+                    with h5py.File(path, "r+") as file:
+                        change(file)
+                    os._exit(0)
+                os._exit(1)
+            self.assertEqual(os.waitpid(maker, 0)[1], 0, name)
+            for args in self.some((("certify", path), ("lint", "--generated", path), ("convert", path, "-o", self.folder / "x.jsonl")), 1):
                 with self.subTest(name, command=args[0]):
                     self.refused("hostile HDF5", args, path, *words, most=400)
 
@@ -676,8 +692,6 @@ class Clocks(Case):
             self.assertEqual(tool("verify", self.folder / "k.json").returncode, 0)
             TALLY["days at the ends of time"]["right"] += 1
         for epoch in ("", "-1", "253402300800", "1e9", "18446744073709551616", "x"):
-            self.refused("days that are none", ("certify", FLAT, "--certificate", self.folder / "no.json"), "SOURCE_DATE_EPOCH",
-                         preexec_fn=lambda: None) if False else None
             done = tool("certify", FLAT, "--certificate", self.folder / "no.json", env={**os.environ, "SOURCE_DATE_EPOCH": epoch})
             self.assertEqual(done.returncode, 2, epoch)
             self.assertIn("SOURCE_DATE_EPOCH", done.stderr)
@@ -690,7 +704,7 @@ class Clocks(Case):
         environment = {**ENVIRONMENT, "LD_PRELOAD": self.FAKE, "FAKETIME_TIMESTAMP_FILE": str(rc), "FAKETIME_NO_CACHE": "1",
                        "DONT_FAKE_MONOTONIC": "1"}  # as a set clock is: what runs on steadily does not jump
         del environment["SOURCE_DATE_EPOCH"]
-        args = (*FRESH[:1], "--generate", "400", *FRESH[3:], "--engine-command", f"{sys.executable} docs/examples/engines/plain.py",
+        args = (*FRESH[:1], "--generate", str(100 * SIZE), *FRESH[3:], "--engine-command", f"{sys.executable} docs/examples/engines/plain.py",
                 "--answer-limit", "20", "--max-time", "300")
         whole = tool(*args, "--json", self.folder / "whole.json")
         self.assertIn(whole.returncode, (0, 1), whole.stderr)
@@ -724,6 +738,6 @@ def table():
 
 if __name__ == "__main__":
     print(f"seed {OPTIONS.seed}", flush=True)
-    ran = unittest.main(argv=[sys.argv[0], *REST], exit=False)
+    ran = unittest.main(argv=[sys.argv[0], *REST], exit=False, catchbreak=True)
     print(table())
     sys.exit(not ran.result.wasSuccessful())
