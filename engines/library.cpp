@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <boost/dll/shared_library.hpp>
+#include <cfenv>
 #include <functional>
 
 #include "engines/contact_engine.h"
@@ -87,6 +88,38 @@ struct Arrays {
   std::vector<double> value;
 };
 
+/// The floating-point environment that a library finds and leaves: its own from one call to the next, as in a process
+/// without us. What it sets (at its loading already, where it was built with -ffast-math) would change how we read
+/// numbers.
+class Theirs {
+ public:
+  template <class Work>
+  auto operator()(Work work) {
+    struct Ours {
+      explicit Ours(std::fenv_t& theirs) : left(theirs) {
+        std::fegetenv(&ours);
+        std::fesetenv(&left);
+      }
+      Ours(const Ours&) = delete;
+      Ours& operator=(const Ours&) = delete;
+      ~Ours() {
+        std::fegetenv(&left);
+        std::fesetenv(&ours);
+      }
+      std::fenv_t& left;
+      std::fenv_t ours{};
+    } const back(environment_);
+    return work();
+  }
+
+ private:
+  std::fenv_t environment_ = [] {
+    std::fenv_t now{};
+    std::fegetenv(&now);
+    return now;
+  }();
+};
+
 class Library final : public Engine {
  public:
   explicit Library(const std::filesystem::path& file) : Engine({}) {
@@ -94,19 +127,19 @@ class Library final : public Engine {
       throw HarnessInvalid(fmt::format("{}: {}", file.string(), problem));
     };
     try {
-      library_.load(std::filesystem::absolute(file), boost::dll::load_mode::rtld_now);
+      theirs_([&] { library_.load(std::filesystem::absolute(file), boost::dll::load_mode::rtld_now); });
     } catch (const std::exception& error) {
       refuse(fmt::format("cannot be loaded: {}", error.what()));
     }
     for (const char* function : {"contact_engine_interface", "contact_engine_declaration", "contact_engine_answer"})
       if (!library_.has(function)) refuse(fmt::format("is no engine: it exports no {}", function));
-    if (const auto built = library_.get<std::int32_t()>("contact_engine_interface")();
+    if (const auto built = theirs_(library_.get<std::int32_t()>("contact_engine_interface"));
         built != CONTACT_ENGINE_INTERFACE)
       refuse(fmt::format("was built for engine interface {}, this is {}", built, CONTACT_ENGINE_INTERFACE));
     answer_ = library_.get<std::int32_t(const contact_questions*, contact_answers*)>("contact_engine_answer");
     const golden::Location where{file.string() + ": declaration", 0};
     try {
-      const auto json = golden::parse_object(library_.get<const char*()>("contact_engine_declaration")(), where);
+      const auto json = golden::parse_object(theirs_(library_.get<const char*()>("contact_engine_declaration")), where);
       const golden::Node node(json, where);
       node.allow_only({"engine", "scalar", "pairs", "conventions", "bounds"});
       set_info(golden::read_engine_info(node));
@@ -130,7 +163,7 @@ class Library final : public Engine {
                                     arrays.contact.data()};
       contact_answers answers{arrays.said.data(), arrays.normal.data(), arrays.point1.data(), arrays.point2.data(),
                               arrays.value.data()};
-      const std::int32_t error = answer_(&asked, &answers);
+      const std::int32_t error = theirs_([&] { return answer_(&asked, &answers); });
       for (std::size_t i = 0; i < run; ++i) {
         claims.push_back(arrays.claim(i));
         if (error == 0) continue;
@@ -144,6 +177,7 @@ class Library final : public Engine {
   }
 
  private:
+  Theirs theirs_;
   boost::dll::shared_library library_;
   std::function<std::int32_t(const contact_questions*, contact_answers*)> answer_;
 };

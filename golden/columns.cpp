@@ -1,7 +1,10 @@
 // A dataset as columns in HDF5: docs/formats.md#columns.
 #include "golden/columns.hpp"
 
+#include <zlib.h>
+
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -30,6 +33,10 @@ constexpr std::size_t kIdLength = 24;
 constexpr std::size_t kFirstWidth = 32;      // of a column of exact numbers, doubled until its longest text has room
 constexpr std::size_t kRejectedLength = 11;  // a.center[0]
 constexpr std::size_t kMostFlags = 32;
+constexpr hsize_t kLargestChunk = hsize_t{1} << 24;     // bytes; the largest here has 4096 gaps, of 3 x 535
+constexpr hsize_t kMostDeflated = 1032;                 // times smaller than before is the most that deflate can make
+constexpr hsize_t kLargestInflated = hsize_t{1} << 28;  // bytes that HDF5 may try to inflate a chunk to
+constexpr std::size_t kChecksum = 4;                    // bytes that may be deflated beside the rows
 const Vector3 kZero = Vector3::Zero();
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 const char* const kDigest = "sha256";
@@ -138,6 +145,7 @@ struct Column {
   Handle dataset{};
   std::size_t created_width = 0;  ///< of the dataset, when it was created
   std::vector<char> rows{};
+  std::vector<hsize_t> chunk{};  ///< the shape of those that are read
 
   [[nodiscard]] bool is_created() const { return dataset >= 0 && created_width == type.size; }
 
@@ -409,6 +417,26 @@ class ColumnsWriter : public DatasetWriter {
   std::uint64_t written_ = 0;
 };
 
+/// Whether a chunk, whose filters end in deflate or in a checksum behind it, inflates to at most `most` bytes.
+bool inflates_within(const Column& column, const std::vector<hsize_t>& at, std::size_t size, std::size_t most) {
+  std::vector<unsigned char> stored(size);
+  std::uint32_t left_out = 0;
+  checked(H5Dread_chunk(column.dataset, H5P_DEFAULT, at.data(), &left_out, stored.data()));
+  std::array<unsigned char, 65536> piece;
+  z_stream stream{};
+  stream.next_in = stored.data();
+  stream.avail_in = static_cast<unsigned>(stored.size());
+  inflateInit(&stream);
+  int status = Z_OK;
+  while (status == Z_OK && stream.total_out <= most + kChecksum) {
+    stream.next_out = piece.data();
+    stream.avail_out = static_cast<unsigned>(piece.size());
+    status = inflate(&stream, Z_NO_FLUSH);
+  }
+  inflateEnd(&stream);
+  return stream.total_out <= most + kChecksum;  // what is damaged HDF5 finds
+}
+
 /// Work that reads; what HDF5 cannot read is refused with file, row and field.
 template <class Work>
 auto reading(const Location& where, const std::string& field, Work work) {
@@ -509,6 +537,7 @@ class ColumnsSource : public CaseSource {
     if (const H5D_layout_t layout = H5Pget_layout(creation);
         layout != (header_.count == 0 ? H5D_CONTIGUOUS : H5D_CHUNKED) || H5Pget_external_count(creation) != 0)
       refuse("expected chunks in this file");
+    if (header_.count != 0) column.chunk = chunk_of(column, creation, refuse);
     if (column.path != "flags") return;
     const nlohmann::json names = hdf5::read_attribute(column.dataset, kFlagNames);
     const Location& where = whole_;
@@ -516,12 +545,57 @@ class ColumnsSource : public CaseSource {
     if (flag_names_.size() > kMostFlags) refuse(fmt::format("more than {} names", kMostFlags));
   }
 
+  /// The shape of a column's chunks. Refuses those that are large, and filters that nobody here knows.
+  template <class Refuse>
+  static std::vector<hsize_t> chunk_of(const Column& column, hid_t creation, Refuse refuse) {
+    std::vector<hsize_t> chunk(column.shape(0).size());
+    checked(H5Pget_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
+    hsize_t bytes = column.type.size;
+    for (const hsize_t size : chunk) bytes = size > kLargestChunk ? kLargestChunk + 1 : bytes * size;
+    if (bytes > kLargestChunk)
+      refuse(fmt::format("chunks of ({}), and of more than {} bytes", fmt::join(chunk, ", "), kLargestChunk));
+    constexpr std::array kFilters{H5Z_FILTER_SHUFFLE, H5Z_FILTER_DEFLATE, H5Z_FILTER_FLETCHER32};
+    auto next = kFilters.begin();
+    for (int i = 0; i < checked(H5Pget_nfilters(creation)); ++i) {
+      std::size_t none = 0;
+      const auto filter =
+          checked(H5Pget_filter2(creation, static_cast<unsigned>(i), nullptr, &none, nullptr, 0, nullptr, nullptr));
+      next = std::find(next, kFilters.end(), filter);
+      if (next == kFilters.end()) refuse("expected no filters but shuffle, deflate and Fletcher-32, in that order");
+      ++next;
+    }
+    return chunk;
+  }
+
+  /// Refuses rows that are not stored, which HDF5 would make up, and a chunk that inflates to more than its rows: HDF5
+  /// would give it all the memory that it asks for.
+  void check_chunks(const Column& column, hsize_t first, hsize_t count) const {
+    std::vector<hsize_t> at(column.chunk.size(), 0);
+    hsize_t most = column.type.size;
+    for (const hsize_t size : column.chunk) most *= size;
+    for (at[0] = first / column.chunk[0] * column.chunk[0]; at[0] < first + count; at[0] += column.chunk[0])
+      for (hsize_t across = 0; across < column.type.across; across += column.chunk.back()) {
+        if (at.size() > 1) at[1] = across;
+        unsigned left_out = 0;
+        haddr_t address = HADDR_UNDEF;
+        hsize_t size = 0;
+        checked(H5Dget_chunk_info_by_coord(column.dataset, at.data(), &left_out, &address, &size));
+        if (address == HADDR_UNDEF) throw hdf5::Error(fmt::format("the rows from {} on are not stored", at[0]));
+        if (size > 2 * kLargestChunk ||
+            (size * kMostDeflated > kLargestInflated && !inflates_within(column, at, size, most)))
+          throw hdf5::Error(fmt::format("the chunk of the rows from {} on is of more than its {} bytes", at[0], most));
+        if (at.size() == 1) break;
+      }
+  }
+
   void load(std::uint64_t first) {
     loaded_ = 0;
     const std::uint64_t count = std::min(kBlock, header_.count - first);
     for (Column& column : columns_) {
-      reading({where_.file, first + 1, true}, where_written(column),
-              [&] { column.read(column.dataset, first, count); });
+      reading({where_.file, first + 1, true}, where_written(column), [&] {
+        check_chunks(column, first, count);
+        column.read(column.dataset, first, count);
+      });
     }
     first_ = first;
     loaded_ = count;

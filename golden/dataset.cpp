@@ -23,6 +23,9 @@ constexpr std::uint64_t kVersion = 1;
 // Repeated questions are looked for in files of up to this many cases; beyond, their ids would not fit in little
 // memory.
 constexpr std::uint64_t kRepeatsLookedFor = 1'000'000;
+// A report has some kilobytes for each file.
+constexpr std::size_t kMostFiles = 100'000;
+constexpr std::size_t kHeaderLength = 65536;  // of which a results file has told what it is
 
 constexpr std::array<std::string_view, kPairs.size()> kPairNames{name(kPairs[0]), name(kPairs[1]), name(kPairs[2]),
                                                                  name(kPairs[3])};
@@ -322,8 +325,7 @@ class JsonLines : public CaseSource {
   }
 
   bool advance() override {
-    if (!std::getline(stream_, text_)) return false;
-    ++where_.line;
+    if (!read_line(stream_, text_, where_)) return false;
     if (stream_.eof()) throw InputError(where_, "", "the last line has no line feed: the file is truncated");
     return true;
   }
@@ -399,8 +401,10 @@ void DatasetReader::check(const Case& c) {
 
 bool DatasetReader::is_dataset(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
-  std::string line;
-  std::getline(stream, line);
+  std::string line(kHeaderLength, '\0');
+  stream.read(line.data(), static_cast<std::streamsize>(line.size()));
+  line.resize(static_cast<std::size_t>(stream.gcount()));
+  line.resize(std::min(line.find('\n'), line.size()));
   // A results file says what it is; anything else is read as a dataset, so that a damaged one is refused, not passed
   // over.
   return line.find(R"("format":"contact-oracle/results")") == std::string::npos;
@@ -417,9 +421,19 @@ std::vector<std::filesystem::path> dataset_files(const std::vector<std::filesyst
     std::vector<std::filesystem::path> found;
     for (auto it = std::filesystem::recursive_directory_iterator(path); it != end(it); ++it) {
       const auto& entry = *it;
-      if (!quick_too && entry.is_directory() && entry.path().filename() == kQuickFolder) it.disable_recursion_pending();
-      if (entry.is_regular_file() && names_dataset(entry.path()) && DatasetReader::is_dataset(entry.path()))
+      if (!quick_too && entry.path().filename() == kQuickFolder) it.disable_recursion_pending();
+      // A link that leads nowhere and a pipe are found too: their reader refuses them, and nobody takes the rest for
+      // all.
+      std::error_code dangling;
+      if (!entry.is_directory(dangling) && names_dataset(entry.path()) &&
+          (!entry.is_regular_file(dangling) || DatasetReader::is_dataset(entry.path())))
         found.push_back(entry.path());
+      if (files.size() + found.size() > kMostFiles)
+        throw InputError(
+            {path.string(), 0}, "",
+            fmt::format("more than {} datasets, each with a place in the report; `convert` joins the shards "
+                        "of one",
+                        kMostFiles));
     }
     if (found.empty()) throw InputError({path.string(), 0}, "", "no dataset (*.jsonl, *.h5) in this folder");
     std::sort(found.begin(), found.end());

@@ -23,6 +23,9 @@ std::recursive_mutex& mutex() {
   return one;
 }
 
+// More of either than any file here has: whoever nests or repeats them without end is stopped at so many.
+constexpr std::size_t kMostNames = 64;
+
 std::string innermost_error() {
   std::string text = "HDF5 does not say why";
   const auto visit = [](unsigned depth, const H5E_error2_t* error, void* found) -> herr_t {
@@ -166,10 +169,12 @@ nlohmann::json read_attribute(hid_t object, const std::string& name) {
 std::vector<std::string> attribute_names(hid_t object) {
   std::vector<std::string> names;
   const auto visit = [](hid_t, const char* name, const H5A_info_t*, void* found) -> herr_t {
-    static_cast<std::vector<std::string>*>(found)->emplace_back(name);
-    return 0;
+    auto& all = *static_cast<std::vector<std::string>*>(found);
+    all.emplace_back(name);
+    return all.size() > kMostNames ? 1 : 0;
   };
-  checked(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, visit, &names));
+  if (checked(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, visit, &names)) > 0)
+    throw Error(fmt::format("more than {} attributes", kMostNames));
   return names;
 }
 
@@ -177,10 +182,12 @@ std::set<std::string> object_names(hid_t file) {
   std::set<std::string> names;
   const auto visit = [](hid_t, const char* name, const H5L_info_t* link, void* found) -> herr_t {
     const bool here = link->type == H5L_TYPE_HARD;
-    static_cast<std::set<std::string>*>(found)->insert(std::string(name) + (here ? "" : " (a link)"));
-    return 0;
+    auto& all = *static_cast<std::set<std::string>*>(found);
+    all.insert(std::string(name) + (here ? "" : " (a link)"));
+    return all.size() > kMostNames ? 1 : 0;
   };
-  checked(H5Lvisit(file, H5_INDEX_NAME, H5_ITER_NATIVE, visit, &names));
+  if (checked(H5Lvisit(file, H5_INDEX_NAME, H5_ITER_NATIVE, visit, &names)) > 0)
+    throw Error(fmt::format("more than {} groups and columns", kMostNames));
   return names;
 }
 

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <set>
 
@@ -16,8 +18,10 @@ constexpr int kDeepest = 8;                  // no format of this project nests 
 constexpr double kFirstScientific = 0x1p53;  // some readers take longer integers for 64-bit ones
 constexpr std::size_t kLongestEcho = 60;     // of a refused value in a message
 
-std::string shortened(std::string text) {
-  if (text.size() > kLongestEcho) text = text.substr(0, kLongestEcho) + "...";
+constexpr std::size_t kLongestProblem = 300;  // of a parser's message, which quotes what it read last
+
+std::string shortened(std::string text, std::size_t longest = kLongestEcho) {
+  if (text.size() > longest) text = text.substr(0, longest) + "...";
   return text;
 }
 
@@ -68,13 +72,61 @@ std::string json_string(std::string_view text) {
 
 std::ifstream open_to_read(const std::filesystem::path& path, bool regular) {
   const Location where{path.string(), 0};
-  if (!std::filesystem::exists(path)) throw InputError(where, "", "cannot read: no such file");
-  if (std::filesystem::is_directory(path)) throw InputError(where, "", "cannot read: it is a directory");
-  if (regular && !std::filesystem::is_regular_file(path))
+  using std::filesystem::file_type;
+  std::error_code error;
+  const file_type type = std::filesystem::status(path, error).type();
+  if (type == file_type::not_found) throw InputError(where, "", "cannot read: no such file");
+  if (error) throw InputError(where, "", "cannot read: " + error.message());
+  if (type == file_type::directory) throw InputError(where, "", "cannot read: it is a directory");
+  if (regular && type != file_type::regular)
     throw InputError(where, "", "not a regular file, and it is read more than once");
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw InputError(where, "", "cannot read");
+  if (!stream) throw InputError(where, "", fmt::format("cannot read: {}", std::strerror(errno)));
   return stream;
+}
+
+namespace {
+
+void require_read(const std::istream& stream, const Location& where) {
+  if (stream.bad()) throw InputError({where.file, 0}, "", fmt::format("cannot read: {}", std::strerror(errno)));
+}
+
+}  // namespace
+
+bool read_line(std::istream& stream, std::string& line, Location& where, std::size_t longest) {
+  std::array<char, 8192> piece;
+  line.clear();
+  for (bool more = true; more;) {
+    stream.getline(piece.data(), piece.size());
+    const auto read = static_cast<std::size_t>(stream.gcount());
+    const bool ended = stream.good() && read != 0;  // by a line feed, which is counted
+    line.append(piece.data(), read - (ended ? 1 : 0));
+    if (line.size() > longest)
+      throw InputError({where.file, where.line + 1}, "", fmt::format("a line of more than {} bytes", longest));
+    more = stream.fail() && !stream.eof() && !stream.bad() && read != 0;
+    if (more) stream.clear();
+  }
+  require_read(stream, where);
+  if (stream.eof() && !line.empty()) stream.clear(std::ios::eofbit);
+  if (stream.fail()) return false;
+  ++where.line;
+  return true;
+}
+
+std::string read_rest(std::istream& stream, const Location& where, std::size_t most) {
+  std::string text;
+  std::array<char, 65536> piece;
+  while (stream.read(piece.data(), piece.size()) || stream.gcount() > 0) {
+    text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > most) throw InputError(where, "", fmt::format("more than {} bytes", most));
+  }
+  require_read(stream, where);
+  return text;
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::ifstream stream = open_to_read(path);
+  return read_rest(stream, {path.string(), 0});
 }
 
 nlohmann::json parse_object(std::string_view line, const Location& where) {
@@ -84,7 +136,7 @@ nlohmann::json parse_object(std::string_view line, const Location& where) {
     if (event == nlohmann::json::parse_event_t::object_start) open.emplace_back();
     if (event == nlohmann::json::parse_event_t::object_end) open.pop_back();
     if (event == nlohmann::json::parse_event_t::key && !open.back().insert(parsed.get<std::string>()).second)
-      throw InputError(where, parsed.get<std::string>(), "the key stands twice in one object");
+      throw InputError(where, shortened(parsed.get<std::string>()), "the key stands twice in one object");
     return true;
   };
   try {
@@ -92,7 +144,8 @@ nlohmann::json parse_object(std::string_view line, const Location& where) {
     if (!parsed.is_object()) throw InputError(where, "", "expected a JSON object, got " + shortened(parsed.dump()));
     return parsed;
   } catch (const nlohmann::json::exception& error) {
-    const std::string text = error.what();  // "[json.exception.parse_error.101] parse error at ...": the tag is noise
+    const std::string text = shortened(
+        error.what(), kLongestProblem);  // "[json.exception.parse_error.101] parse error at ...": the tag is noise
     const auto tag = text.find("] ");
     // What was read last is quoted as it came, and that need not be UTF-8.
     std::string shown;
@@ -104,7 +157,8 @@ nlohmann::json parse_object(std::string_view line, const Location& where) {
 }
 
 Node Node::child(const nlohmann::json& json, const std::string& step) const {
-  return {json, *where_, step.front() == '[' || path_.empty() ? path_ + step : path_ + "." + step};
+  const std::string& name = step.size() > kLongestEcho ? shortened(step) : step;
+  return {json, *where_, name.starts_with('[') || path_.empty() ? path_ + name : path_ + "." + name};
 }
 
 Node Node::at(std::string_view key) const {

@@ -66,6 +66,17 @@ class Node {
 /// than once must be `regular`.
 [[nodiscard]] std::ifstream open_to_read(const std::filesystem::path& path, bool regular = false);
 
+inline constexpr std::size_t kLongestLine = std::size_t{1} << 20;  ///< bytes; lines here have some thousands
+inline constexpr std::size_t kLargestText = std::size_t{1} << 28;  ///< bytes of what is read as a whole, as models are
+
+/// Reads the next line as std::getline does, and counts it in `where`. A longer one, whose memory nobody could bound,
+/// and a device that fails are refused.
+[[nodiscard]] bool read_line(std::istream& stream, std::string& line, Location& where,
+                             std::size_t longest = kLongestLine);
+/// The rest of a stream; refused where it is more than `most` bytes or the device fails.
+[[nodiscard]] std::string read_rest(std::istream& stream, const Location& where, std::size_t most = kLargestText);
+[[nodiscard]] std::string read_text(const std::filesystem::path& path);
+
 /// Parses one line as a JSON object. Malformed text, a repeated key or nesting deeper than any format here is refused.
 [[nodiscard]] nlohmann::json parse_object(std::string_view line, const Location& where);
 

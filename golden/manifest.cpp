@@ -20,12 +20,6 @@ std::string digests_text(const Digests& digests) {
   return "\"digests\":{" + text + "}";
 }
 
-std::string text_of(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << open_to_read(path).rdbuf();
-  return text.str();
-}
-
 }  // namespace
 
 std::string manifest_text(const std::vector<ManifestEntry>& entries) {
@@ -58,7 +52,7 @@ std::map<std::string, Recorded> recorded_digests(const std::filesystem::path& fo
   const Location where{(folder / kManifestName).string(), 0};
   std::map<std::string, Recorded> recorded;
   if (!std::filesystem::exists(where.file)) return recorded;
-  const auto json = parse_object(text_of(where.file), where);
+  const auto json = parse_object(read_text(where.file), where);
   for (const Node& file : Node(json, where).at("files").items()) {
     Recorded& r = recorded[file.at("path").text()];
     r.generator = file.at("generator").text();
@@ -74,7 +68,7 @@ std::map<std::string, std::uint64_t> recorded_kills(const std::filesystem::path&
   const Location where{(folder / kAdequacyName).string(), 0};
   std::map<std::string, std::uint64_t> kills;
   if (!std::filesystem::exists(where.file)) return kills;
-  const auto json = parse_object(text_of(where.file), where);
+  const auto json = parse_object(read_text(where.file), where);
   for (const Node& file : Node(json, where).at("files").items()) {
     const std::string path = file.at("path").text();
     const auto entry =
@@ -90,7 +84,7 @@ std::map<std::string, std::uint64_t> recorded_kills(const std::filesystem::path&
 
 void record_digests(const std::filesystem::path& folder, const std::string& path, const Digests& digests) {
   // An entry is a line of its own, and the digests are the last of it.
-  std::string text = text_of(folder / kManifestName);
+  std::string text = read_text(folder / kManifestName);
   const std::size_t entry = text.find("{\"path\":" + json_string(path) + ",");
   const std::size_t begin = text.find("\"digests\":{", entry);
   const std::size_t end = text.find('}', begin);
@@ -103,7 +97,7 @@ void record_digests(const std::filesystem::path& folder, const std::string& path
 
 void check_manifest(const std::filesystem::path& folder, const std::vector<ManifestEntry>& found) {
   const std::filesystem::path path = folder / kManifestName;
-  const std::string text = text_of(path);
+  const std::string text = read_text(path);
   if (text == manifest_text(found)) return;
   // Say which line is the first to differ: a file's entry is a line of its own.
   std::istringstream given(text);

@@ -9,7 +9,9 @@
 namespace contact::golden {
 
 /// A file to be: what is written to temporary() becomes the file by commit(), and without it nothing is left behind,
-/// whatever happened. Links are followed; a pipe or a device cannot be replaced, and is its own temporary.
+/// but where the process is killed: then `FILE.unfinished` stays, and the next that writes FILE takes it over. It is
+/// locked while somebody writes it; two runs at once have one each, and the last to commit stands. Links are followed,
+/// also to what is not there yet; a pipe or a device cannot be replaced, and is its own temporary.
 class PendingFile {
  public:
   explicit PendingFile(const std::filesystem::path& path);
@@ -19,13 +21,17 @@ class PendingFile {
 
   [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }
   [[nodiscard]] bool replaceable() const { return temporary_ != path_; }
+  /// Puts the file in its place, its bytes on the disk before its name.
   void commit();
   /// Throws InputError naming the file: "cannot write: why".
   [[noreturn]] void fail(const std::string& why) const;
 
  private:
+  void take_temporary();
+
   std::filesystem::path path_;
   std::filesystem::path temporary_;
+  int lock_ = -1;  ///< descriptor of the temporary; -1 where there is none
 };
 
 /// Text that is written as a whole or not at all.

@@ -167,8 +167,7 @@ Results read_results(const std::filesystem::path& path) {
   std::ifstream stream = open_to_read(path);
   Location where{path.string(), 0};
   Results results;
-  for (std::string line; std::getline(stream, line);) {
-    ++where.line;
+  for (std::string line; read_line(stream, line, where);) {
     if (stream.eof()) throw InputError(where, "", "the last line has no line feed: the file is truncated");
     const auto json = parse_object(line, where);
     const Node node(json, where);

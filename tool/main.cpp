@@ -1,8 +1,10 @@
 // contact-oracle: the command line.
 #include <fmt/format.h>
 
+#include <cfenv>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <optional>
 
 #include "engines/subprocess.hpp"
@@ -33,6 +35,9 @@ int guarded(int argc, char** argv) {
   } catch (const Interrupted& error) {
     fmt::print(stderr, "contact-oracle: {}\n", error.what());
     return kInterrupted;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "contact-oracle: not enough memory\n");
+    return kBadInput;
   } catch (const std::exception& error) {
     fmt::print(stderr, "contact-oracle: {}\n", error.what());
     return kBadInput;
@@ -44,6 +49,8 @@ int guarded(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace contact;
+  // Before main only others can have changed it, such as a library that was built with -ffast-math. Threads inherit it.
+  std::fesetenv(FE_DFL_ENV);
   tool::catch_signals();
   std::optional<tool::Cluster> cluster;
   try {

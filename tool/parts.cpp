@@ -13,7 +13,6 @@
 #include <cereal/types/set.hpp>
 #include <cereal/types/string.hpp>
 #include <cereal/types/vector.hpp>
-#include <iterator>
 #include <sstream>
 
 #include "golden/output_file.hpp"
@@ -117,6 +116,7 @@ std::string digest_of_file(const std::filesystem::path& path) {
     hash.add({buffer.data(), static_cast<std::size_t>(file.gcount())});
     throw_if_interrupted();
   }
+  if (file.bad()) throw golden::InputError({path.string(), 0}, "", "cannot read");
   return hash.hex();
 }
 
@@ -207,10 +207,11 @@ void write_part(const std::filesystem::path& path, golden::Shard part, const std
 }
 
 PartFile read_part(const std::filesystem::path& path) {
-  auto stream = golden::open_to_read(path);
-  const golden::Location where{path.string(), 1};
+  auto stream = golden::open_to_read(path, true);
+  golden::Location where{path.string(), 0};
   std::string line;
-  if (!std::getline(stream, line)) throw golden::InputError(where, "", "empty: the file is truncated");
+  if (!golden::read_line(stream, line, where, golden::kLargestText))
+    throw golden::InputError(where, "", "empty: the file is truncated");
   const auto json = golden::parse_object(line, where);
   const golden::Node node(json, where);
   if (const golden::Node format = node.at("format"); format.text() != kFormat)
@@ -227,7 +228,7 @@ PartFile read_part(const std::filesystem::path& path) {
   if (!json.at("run").is_object() || end == std::string::npos || end < begin)
     throw golden::InputError(where, "run", "expected what is judged, as this program writes it");
   file.run = line.substr(begin, end - begin);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  const std::string bytes = golden::read_rest(stream, where);
   if (const golden::Node size = node.at("bytes"); size.count() != bytes.size())
     size.refuse(fmt::format("{} bytes follow: the file is truncated or has grown", bytes.size()));
   const std::string digest = digest_of(file.part, file.run, bytes);
@@ -235,7 +236,9 @@ PartFile read_part(const std::filesystem::path& path) {
     sha256.refuse("the file is damaged: its digest is " + digest);
   try {
     file.content = unpack(bytes);
-  } catch (const cereal::Exception& error) {
+  } catch (const golden::InputError&) {
+    throw;
+  } catch (const std::exception& error) {  // of the archive, or of a vector of more entries than there is memory
     throw golden::InputError(where, "", fmt::format("written by another build of this program ({})", error.what()));
   }
   return file;

@@ -24,22 +24,30 @@ void catch_signals() {
   // Without SA_RESTART, so that a command waiting for its input ends too.
   struct sigaction action {};
   action.sa_handler = [](int) { interrupted = 1; };
-  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    sigaction(signal, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);  // nohup and a shell's & have their reasons
+  }
+  // A reader that is gone and a file that may not grow are errors of the write, so that what is unfinished is removed.
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
 }
 
 void throw_if_interrupted() {
   if (interrupted != 0) throw Interrupted();
+  // What nobody reads any more is not worked out to its end, which may never come.
+  if (ferror_unlocked(stdout) != 0) throw golden::InputError({"standard output", 0}, "", "cannot write");
 }
 
-InputLines::InputLines(const std::string& path)
-    : file_(path == "-" ? std::ifstream() : golden::open_to_read(path)),
+InputLines::InputLines(const std::string& path, std::size_t longest)
+    : longest_(longest),
+      file_(path == "-" ? std::ifstream() : golden::open_to_read(path)),
       stream_(path == "-" ? std::cin : file_),
       where_{path, 0} {}
 
 bool InputLines::next() {
-  const bool read = static_cast<bool>(std::getline(stream_, line_));
+  const bool read = golden::read_line(stream_, line_, where_, longest_);
   throw_if_interrupted();
-  if (read) ++where_.line;
   return read;
 }
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/input_error.hpp"
+#include "golden/json.hpp"
 
 namespace contact::tool {
 
@@ -28,18 +28,20 @@ struct Interrupted : std::runtime_error {
   explicit Interrupted(const std::string& what = "interrupted; nothing was written") : std::runtime_error(what) {}
 };
 void catch_signals();
+/// Throws Interrupted, or InputError where standard output could not be written.
 void throw_if_interrupted();
 
 /// The lines of a file, or of standard input for "-".
 class InputLines {
  public:
-  explicit InputLines(const std::string& path);
+  explicit InputLines(const std::string& path, std::size_t longest = golden::kLongestLine);
   /// Reads the next line; false after the last.
   [[nodiscard]] bool next();
   [[nodiscard]] const std::string& text() const { return line_; }
   [[nodiscard]] const golden::Location& where() const { return where_; }
 
  private:
+  std::size_t longest_;
   std::ifstream file_;
   std::istream& stream_;
   std::string line_;

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "golden/dataset.hpp"
 #include "tool/date.hpp"
@@ -74,8 +73,7 @@ std::string family_title(Pair pair, std::string_view family, Scalar scalar) {
 }
 
 SavedReport read_report(const std::filesystem::path& path) {
-  auto file = golden::open_to_read(path);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string text = golden::read_text(path);
   const golden::Location where{path.string(), 0};
   const auto json = golden::parse_object(text, where);
   const Node report(json, where);

@@ -72,7 +72,7 @@ Scene read_scene(const std::vector<std::string>& paths, const ModelFactory& fact
   Scene scene;
   std::map<std::string, std::string> named;  // where each name was given
   for (const std::string& path : paths) {
-    InputLines lines(path);
+    InputLines lines(path, golden::kLargestText);
     while (lines.next()) {
       const auto parsed = golden::parse_object(lines.text(), lines.where());
       const Node node(parsed, lines.where());

@@ -79,7 +79,7 @@ void print(std::vector<Difference> found) {
 class Certificate {
  public:
   explicit Certificate(const Options& options)
-      : options_(options), where_{options.certificate, 0}, text_(read(options.certificate)) {
+      : options_(options), where_{options.certificate, 0}, text_(golden::read_text(options.certificate)) {
     json_ = golden::parse_object(text_, where_);
     const Node root = node();
     if (const Node format = root.at("format"); format.text() != "contact-oracle/certificate")
@@ -185,11 +185,6 @@ class Certificate {
   [[nodiscard]] std::size_t engine_files() const { return engine_files_; }
 
  private:
-  static std::string read(const std::string& path) {
-    auto file = golden::open_to_read(path);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-
   [[nodiscard]] std::filesystem::path folder() const { return folder_of(options_.certificate); }
 
   [[nodiscard]] std::filesystem::path dataset(const std::string& name, std::size_t sources) const {
