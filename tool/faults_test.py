@@ -191,54 +191,56 @@ class Stopped(Case):
     def tries(self, names=COMMANDS):
         for name in self.some(names):
             for _ in range(TIMES):
-                with self.subTest(name), work() as place:
-                    yield name, place
+                yield name
 
     def test_a_run_that_is_killed_leaves_what_was_there_or_the_whole(self):
-        for name, place in self.tries():
-            old = self.old_outputs(place, name)
-            for _ in range(self.random.choice((1, 1, 2))):  # also with what a killed run has left already
-                process = started(*COMMANDS[name][0], cwd=place)
-                time.sleep(self.random.uniform(0, 1.1 * Inputs.seconds[name]))
-                os.killpg(process.pid, signal.SIGKILL)
-                process.communicate()
-                whole, left = self.assert_whole_or_as_before(place, name, old, killed=True)
-            self.assert_goes_on(place, name)
-            TALLY[f"kill -9: {name}"]["as before, something unfinished beside it" if left and not whole else
-                                      "whole" if whole == len(COMMANDS[name][1]) else "some outputs whole" if whole else "as before"] += 1
+        for name in self.tries():
+            with self.subTest(name), work() as place:
+                old = self.old_outputs(place, name)
+                for _ in range(self.random.choice((1, 1, 2))):  # also with what a killed run has left already
+                    process = started(*COMMANDS[name][0], cwd=place)
+                    time.sleep(self.random.uniform(0, 1.1 * Inputs.seconds[name]))
+                    os.killpg(process.pid, signal.SIGKILL)
+                    process.communicate()
+                    whole, left = self.assert_whole_or_as_before(place, name, old, killed=True)
+                self.assert_goes_on(place, name)
+                TALLY[f"kill -9: {name}"]["as before, something unfinished beside it" if left and not whole else
+                                          "whole" if whole == len(COMMANDS[name][1]) else "some outputs whole" if whole else "as before"] += 1
 
     def test_a_run_that_is_interrupted_leaves_nothing_unfinished(self):
-        for name, place in self.tries():
-            for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
-                old = self.old_outputs(place, name)
-                process = started(*COMMANDS[name][0], cwd=place)
-                time.sleep(self.random.uniform(0.02, Inputs.seconds[name]))
-                process.send_signal(number)
-                out, err = process.communicate(timeout=60)
-                # Or it was done, or had not even begun to listen.
-                self.assertIn(process.returncode, (130, COMMANDS[name][2], -number), err)
-                if process.returncode == 130:
-                    self.assertIn("interrupted", err)
-                    self.assertNotRegex(out, "CERTIFIED|REFUTED")
-                self.assert_whole_or_as_before(place, name, old)
-                TALLY["SIGTERM, SIGINT, SIGHUP"]["interrupted" if process.returncode == 130 else "done" if process.returncode >= 0 else "not begun"] += 1
-                for output in COMMANDS[name][1]:
-                    (place / output).unlink(missing_ok=True)
-            self.assert_goes_on(place, name)
+        for name in self.tries():
+            with self.subTest(name), work() as place:
+                for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+                    old = self.old_outputs(place, name)
+                    process = started(*COMMANDS[name][0], cwd=place)
+                    time.sleep(self.random.uniform(0.02, Inputs.seconds[name]))
+                    process.send_signal(number)
+                    out, err = process.communicate(timeout=60)
+                    # Or it was done, or had not even begun to listen.
+                    self.assertIn(process.returncode, (130, COMMANDS[name][2], -number), err)
+                    if process.returncode == 130:
+                        self.assertIn("interrupted", err)
+                        self.assertNotRegex(out, "CERTIFIED|REFUTED")
+                    self.assert_whole_or_as_before(place, name, old)
+                    TALLY["SIGTERM, SIGINT, SIGHUP"]["interrupted" if process.returncode == 130 else "done" if process.returncode >= 0 else "not begun"] += 1
+                    for output in COMMANDS[name][1]:
+                        (place / output).unlink(missing_ok=True)
+                self.assert_goes_on(place, name)
 
     def test_a_run_whose_reader_goes_ends_and_leaves_nothing_unfinished(self):
-        for name, place in self.tries():
-            old = self.old_outputs(place, name)
-            process = started(*COMMANDS[name][0], cwd=place)
-            time.sleep(self.random.uniform(0, Inputs.seconds[name]))
-            process.stdout.close()
-            self.assertIn(process.wait(timeout=60), (2, COMMANDS[name][2]))
-            err = process.stderr.read()
-            process.stderr.close()
-            if process.returncode == 2:
-                self.assertRegex(err, "cannot write")
-            self.assert_whole_or_as_before(place, name, old)
-            TALLY["standard output closed"]["refused" if process.returncode == 2 else "done"] += 1
+        for name in self.tries():
+            with self.subTest(name), work() as place:
+                old = self.old_outputs(place, name)
+                process = started(*COMMANDS[name][0], cwd=place)
+                time.sleep(self.random.uniform(0, Inputs.seconds[name]))
+                process.stdout.close()
+                self.assertIn(process.wait(timeout=60), (2, COMMANDS[name][2]))
+                err = process.stderr.read()
+                process.stderr.close()
+                if process.returncode == 2:
+                    self.assertRegex(err, "cannot write")
+                self.assert_whole_or_as_before(place, name, old)
+                TALLY["standard output closed"]["refused" if process.returncode == 2 else "done"] += 1
         question = b'{"a":{"center":[0,0,0],"radius":1},"b":{"center":[1,2,2],"radius":1},"alarm":0,"contact":0}\n'
 
         def endless(write):
@@ -286,32 +288,33 @@ class Stopped(Case):
     @unittest.skipUnless(MPIRUN, "no cluster here: CONTACT_MPIRUN is not set")
     def test_a_cluster_of_which_a_process_is_killed_leaves_what_was_there_or_the_whole(self):
         # Each of four processes works slower than one alone, and all of them start slowly.
-        for name, place in self.tries(("generate", "certify", "certify --parts")):
-            for victim in ("mpirun", "a process"):
-                old = self.old_outputs(place, name)
-                process = subprocess.Popen([*MPIRUN, TOOL, *COMMANDS[name][0]], cwd=place, env=ENVIRONMENT, text=True, start_new_session=True,
-                                           stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-                ranks = lambda: [int(pid) for pid in subprocess.run(["pgrep", "-fx", re.escape(" ".join([TOOL, *COMMANDS[name][0]]))],
-                                                                    capture_output=True, text=True).stdout.split()]
-                deadline = time.monotonic() + 60
-                while not ranks() and process.poll() is None and time.monotonic() < deadline:
-                    time.sleep(0.02)
-                time.sleep(self.random.uniform(0, 1 + Inputs.seconds[name]))
-                with contextlib.suppress(ProcessLookupError, IndexError):
-                    os.kill(process.pid if victim == "mpirun" else self.random.choice(ranks()), signal.SIGKILL)
-                out, err = process.communicate(timeout=60)
-                while ranks() and time.monotonic() < deadline:
-                    time.sleep(0.05)
-                self.assertEqual(ranks(), [], "processes outlive their cluster")
-                done = process.returncode == COMMANDS[name][2]
-                whole, _ = self.assert_whole_or_as_before(place, name, old, killed=True)
-                if not done:
-                    self.assertNotIn(process.returncode, (0, 1), err)
-                    self.assertNotRegex(out, "CERTIFIED|REFUTED")
-                elif victim != "mpirun":
-                    self.assertEqual(whole, len(COMMANDS[name][1]), err)
-                TALLY[f"kill -9: {victim} of four"]["done" if done else "no result, and said so" if whole < len(COMMANDS[name][1]) else "whole, and said so"] += 1
-            self.assert_goes_on(place, name)
+        for name in self.tries(("generate", "certify", "certify --parts")):
+            with self.subTest(name), work() as place:
+                for victim in ("mpirun", "a process"):
+                    old = self.old_outputs(place, name)
+                    process = subprocess.Popen([*MPIRUN, TOOL, *COMMANDS[name][0]], cwd=place, env=ENVIRONMENT, text=True, start_new_session=True,
+                                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                    ranks = lambda: [int(pid) for pid in subprocess.run(["pgrep", "-fx", re.escape(" ".join([TOOL, *COMMANDS[name][0]]))],
+                                                                        capture_output=True, text=True).stdout.split()]
+                    deadline = time.monotonic() + 60
+                    while not ranks() and process.poll() is None and time.monotonic() < deadline:
+                        time.sleep(0.02)
+                    time.sleep(self.random.uniform(0, 1 + Inputs.seconds[name]))
+                    with contextlib.suppress(ProcessLookupError, IndexError):
+                        os.kill(process.pid if victim == "mpirun" else self.random.choice(ranks()), signal.SIGKILL)
+                    out, err = process.communicate(timeout=60)
+                    while ranks() and time.monotonic() < deadline:
+                        time.sleep(0.05)
+                    self.assertEqual(ranks(), [], "processes outlive their cluster")
+                    done = process.returncode == COMMANDS[name][2]
+                    whole, _ = self.assert_whole_or_as_before(place, name, old, killed=True)
+                    if not done:
+                        self.assertNotIn(process.returncode, (0, 1), err)
+                        self.assertNotRegex(out, "CERTIFIED|REFUTED")
+                    elif victim != "mpirun":
+                        self.assertEqual(whole, len(COMMANDS[name][1]), err)
+                    TALLY[f"kill -9: {victim} of four"]["done" if done else "no result, and said so" if whole < len(COMMANDS[name][1]) else "whole, and said so"] += 1
+                self.assert_goes_on(place, name)
 
 
 class Disks(Case):
