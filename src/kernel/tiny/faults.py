@@ -6,6 +6,8 @@ condition left out. The copy is compiled, and tiny_kernels must find a wrong ans
 WORD only faults whose text holds it. Prints each fault and what found it; exit status 1 where one was not found.
 """
 
+import concurrent.futures
+import re
 import shutil
 import subprocess
 import sys
@@ -25,7 +27,7 @@ ESTIMATE = "batch, by an estimate"
 # What is asked, the file, what stands there, and what is put in its place.
 FAULTS = [
     # The filter of one pair.
-    ("one pair", FILTER, "kGap = 32 * kUnit", "kGap = 2 * kUnit"),
+    ("one pair", FILTER, "kGap = 32 * kUnit", "kGap = 1 * kUnit"),
     ("one pair", FILTER, " + dz * dz", ""),
     ("one pair", FILTER, "b.center[1] - a.center[1]", "b.center[1] + a.center[1]"),
     ("one pair", FILTER, "(a.radius + b.radius) + alarm", "(a.radius + b.radius)"),
@@ -39,8 +41,7 @@ FAULTS = [
     ("one pair", PAIR, "(a - (high - b_part)) + (b - b_part)", "(a - (high - b_part)) - (b - b_part)"),
     ("one pair", PAIR, "kNormalError = 30 * kUnitSquared", "kNormalError = 1 * kUnitSquared"),
     ("one pair", PAIR, "kPointError = 35 * kUnitSquared", "kPointError = 1 * kUnitSquared"),
-    ("one pair", PAIR, "kValueRootError = 19 * kUnitSquared", "kValueRootError = 0.5 * kUnitSquared"),
-    ("one pair", PAIR, "kValueLessError = 9 * kUnitSquared", "kValueLessError = 0 * kUnitSquared"),
+    ("one pair", PAIR, "(kValueRootError * root_.high + kValueLessError * less_.high) + kLast", "kLast"),
     ("one pair", PAIR, "kLastSumError = 3 * kUnitSquared", "kLastSumError = 0 * kUnitSquared"),
     ("one pair", PAIR, "low - error", "low"),
     ("one pair", PAIR, "low + error", "low"),
@@ -109,7 +110,7 @@ FAULTS = [
     ("one vector", VECTOR, "(Lanes::bits(certain) | 0b1000) & Lanes::bits(last_certain)", "(Lanes::bits(certain) | 0b1000)"),
     ("one vector", VECTOR, "(Lanes::bits(certain) | 0b1000) & Lanes::bits(last_certain)", "Lanes::bits(last_certain)"),
     # The vector kernels: the filter and the shared root.
-    (DIVISION, BOUNDS, "kFilterGap = 16 * kUnit", "kFilterGap = 0.5 * kUnit"),
+    (DIVISION, BOUNDS, "kFilterGap = 16 * kUnit", "kFilterGap = 0 * kUnit"),
     (DIVISION, BATCH, "hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x)))", "hn::MulAdd(y, y, hn::Mul(x, x))"),
     (DIVISION, BATCH, "hit = hn::Lt(difference, hn::Neg(gap));", "hit = hn::Lt(difference, gap);"),
     (DIVISION, BATCH, "miss = hn::Gt(difference, gap);", "miss = hn::Gt(difference, hn::Neg(gap));"),
@@ -136,7 +137,7 @@ FAULTS = [
     (DIVISION, BATCH, "hn::MulAdd(radius, low, hn::MulSub(radius, q, w_part))", "hn::MulSub(radius, q, w_part)"),
     (DIVISION, BATCH, "hn::MulAdd(radius, low, hn::MulSub(radius, q, w_part))", "hn::MulAdd(radius, low, hn::Sub(w, w_part))"),
     (DIVISION, BATCH, "{high, hn::Add(center_lost, w_lost)}", "{high, w_lost}"),
-    (DIVISION, BOUNDS, "kNormalEta = 2048 * kUnit", "kNormalEta = 16 * kUnit"),
+    (DIVISION, BOUNDS, "kNormalEta = 2048 * kUnit", "kNormalEta = 2 * kUnit"),
     (DIVISION, BOUNDS, "kSumEta = 1024 * kUnit * two_to(kHalf)", "kSumEta = 4 * kUnit * two_to(kHalf)"),
     (DIVISION, BOUNDS, "kUncancelled = two_to(-kHalf)", "kUncancelled = two_to(-kHalf - 8)"),
     (DIVISION, BATCH, "certain = and_equal(certain, above, hn::MulAdd(low, all(1 - eta), high));", "certain = and_equal(certain, above, above);"),
@@ -264,28 +265,32 @@ def found(build, sources, kernel):
     return None
 
 
+def plant(build, kernel, file, old, new):
+    """What finds a fault, or None."""
+    with tempfile.TemporaryDirectory() as changed:
+        sources = Path(changed) / "src"
+        shutil.copytree(ROOT / "src/kernel", sources / "kernel")
+        path = sources / "kernel" / file
+        text = path.read_text()
+        if text.count(old) != 1:
+            raise ValueError(f"{file} holds {text.count(old)} times: {old}")
+        path.write_text(text.replace(old, new))
+        for header in (sources / "kernel").glob("*.hpp"):  # the compiler would refuse a constant below its proved bound
+            header.write_text(re.sub(r"static_assert\([^;]*(?:proved|ForDouble)::[^;]*\);", "", header.read_text()))
+        return found(build, sources, kernel)
+
+
 def main():
     compiler, eigen, *words = sys.argv[1:]
-    missed = count = 0
-    with tempfile.TemporaryDirectory() as temporary:
+    faults = [fault for fault in FAULTS if not words or any(word in "\t".join(fault) for word in words)]
+    missed = 0
+    with tempfile.TemporaryDirectory() as temporary, concurrent.futures.ThreadPoolExecutor(2) as pool:
         build = Build(compiler, eigen, Path(temporary))
-        for kernel, file, old, new in FAULTS:
-            if words and not any(word in "\t".join((kernel, file, old, new)) for word in words):
-                continue
-            count += 1
-            with tempfile.TemporaryDirectory() as changed:
-                sources = Path(changed) / "src"
-                shutil.copytree(ROOT / "src/kernel", sources / "kernel")
-                path = sources / "kernel" / file
-                text = path.read_text()
-                if text.count(old) != 1:
-                    raise ValueError(f"{file} holds {text.count(old)} times: {old}")
-                path.write_text(text.replace(old, new))
-                what = found(build, sources, kernel)
+        for (kernel, file, old, new), what in zip(faults, pool.map(lambda fault: plant(build, *fault), faults)):
             missed += what is None
             print(f"{kernel}: {file}: {old}  ->  {new}\n    {what or 'NOT FOUND'}", flush=True)
-    print(f"{count} faults, {missed} not found")
-    return 1 if missed or not count else 0
+    print(f"{len(faults)} faults, {missed} not found")
+    return 1 if missed or not faults else 0
 
 
 if __name__ == "__main__":

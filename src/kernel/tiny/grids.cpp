@@ -76,13 +76,15 @@ std::vector<Grid> grids(int bits, bool whole) {
 
   const Numbers places = whole ? Numbers{-2, -1, 0, 1, 2, 3, 4} : Numbers{-1, 0, 3, 4};
   const Numbers radii = whole ? Numbers{0, 1, 2, 3} : Numbers{0, 2, 3};
-  grid("integers", {Numbers{0, 1}, {0, 1}, {0, 1}, radii, places, places, places, radii}, {0, 1, far}, {0, 1},
+  Numbers places_x = places;
+  std::replace(places_x.begin(), places_x.end(), 0.0, -0.0);
+  grid("integers", {Numbers{0, 1}, {-0.0, 1}, {0, 1}, radii, places_x, places, places, radii}, {0, 1, far}, {0, 1},
        whole ? std::vector{nearest, center, published} : std::vector{nearest, published});
 
   if (few) {
-    const int low = whole ? (bits == 6 ? -8 : bits == 7 ? -2 : 0) : 0;
+    const int low = whole ? (bits <= 6 ? -8 : bits == 7 ? -1 : 0) : 0;
     const int shown = whole ? bits : 5;
-    const Numbers first = whole ? bits == 8 ? edges(bits, 12) : all(bits, 0, 1) : edges(bits, 4);
+    const Numbers first = whole ? bits >= 7 ? edges(bits, 12) : all(bits, 0, 1) : edges(bits, 4);
     grid("directions",
          {zero, zero, zero, {1}, all(shown, 0, 1), or_zero(all(bits, low, 1)), or_zero(all(shown, low, 1)), {1}}, {far},
          zero, {nearest});
@@ -100,7 +102,7 @@ std::vector<Grid> grids(int bits, bool whole) {
          {of_both_signs(whole ? all(bits, -3, 3) : times(edges(bits, 8), -3, 3)),
           {0, 1},
           zero,
-          whole ? all(bits, -2, bits == 8 ? 0 : 2) : times(edges(bits, 8), -2, 2),
+          whole && bits < 8 ? all(bits, -2, 2) : times(edges(bits, whole ? 12 : 8), -2, 2),
           {3},
           {0, 2},
           {0, 1},
@@ -114,7 +116,7 @@ std::vector<Grid> grids(int bits, bool whole) {
           {1},
           whole ? all(5, 0, 1) : edges(bits, 4),
           whole ? all(12, -1, 1) : times(all(6, 0, 1), -2, 1),
-          or_zero(times(edges(bits, whole ? 10 : 4), whole ? -3 : 0, 1)),
+          or_zero(times(edges(bits, whole ? 5 : 4), whole ? -3 : 0, 1)),
           {1}},
          {far}, zero, {nearest});
     grid("rounded differences",
@@ -122,13 +124,13 @@ std::vector<Grid> grids(int bits, bool whole) {
           edges(bits, 2),
           zero,
           {1},
-          of_both_signs(times(edges(bits, whole ? 12 : 4), -bits - 2, bits + 2, whole ? 1 : 3)),
+          of_both_signs(times(edges(bits, whole ? 12 : 4), -bits - 2, bits + 2, whole ? bits / 8 : 3)),
           of_both_signs(times(edges(bits, whole ? 5 : 2), -bits, 1, whole ? 3 : 5)),
           or_zero(edges(bits, 2)),
           {1}},
          {far}, zero, {nearest});
     grid("points",
-         {of_both_signs(whole ? all(12, -1, 2) : times(edges(bits, 12), -3, 3)),
+         {of_both_signs(whole ? all(12, 0, 1) : times(edges(bits, 12), -3, 3)),
           {0, 1},
           zero,
           times(edges(bits, whole ? 8 : 4), -2, 1),
@@ -155,23 +157,22 @@ std::vector<Grid> grids(int bits, bool whole) {
        {zero,
         zero,
         zero,
-        whole && few ? all(bits, -2, 3) : times(edges(bits, whole ? 12 : 6), -2, 3),
+        whole && bits < 8 ? all(bits, -2, 3) : times(edges(bits, whole ? 12 : 6), -2, 3),
         {1, 3},
         {0, 2, 4},
         {0, 1},
-        or_zero(times(edges(bits, whole ? 12 : 4), -2 * bits, 2, whole ? 1 : 4))},
+        or_zero(times(edges(bits, whole ? 12 : 4), -2 * bits, 2, whole ? 2 : 4))},
        {far}, or_zero(times(edges(bits, 3), -bits - 2, 1, bits)), {nearest});
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::array<Numbers, 8> balls{
-        zero, zero, zero, times(edges(bits, whole ? 6 : 2), -2, 3, 2),
-        zero, zero, zero, or_zero(times(edges(bits, whole ? 4 : 2), -bits - 2, 0, whole ? 3 : 6))};
-    balls[axis] = edges(bits, whole ? 12 : 4);
+    std::array<Numbers, 8> balls{zero, zero, zero, times(edges(bits, whole ? 4 : 2), -2, 3, 2), zero, zero, zero, {}};
+    balls[axis] = edges(bits, 4);
     balls[4 + axis] = of_both_signs(times(edges(bits, whole ? 6 : 2), -bits - 2, bits + 2, whole ? 3 : 6));
+    balls[7] = or_zero(times(edges(bits, whole ? 4 : 2), -bits - 2, 0, whole ? bits / 4 + 2 : 6));
     grid("along an axis", balls, {far}, or_zero(times(edges(bits, 3), -bits - 2, 1, bits)), {nearest});
   }
   grid("near touching",
-       {zero, zero, zero, all(whole ? std::min(bits, 16) : std::min(bits, 6), 0, 2),
-        edges(bits, whole && bits < 16 ? 6 : 3), or_zero(edges(bits, whole && bits < 16 ? 5 : 2)), zero,
+       {or_zero({std::ldexp(1.5, -bits - 1)}), zero, zero, all(std::min(bits, whole ? 13 : 6), 0, bits < 16 ? 2 : 1),
+        edges(bits, 3), or_zero(edges(bits, bits < 16 ? 2 : 1)), or_zero({edges(bits, 2)[1]}),
         or_zero(times(edges(bits, 2), -bits - 1, -bits + 4, 4))},
        {0, std::ldexp(1, 2 - bits)}, {0, std::ldexp(1, 2 - bits)}, {nearest});
   grid("short distances",
@@ -182,8 +183,9 @@ std::vector<Grid> grids(int bits, bool whole) {
         or_zero(times(edges(bits, 2), -3 * bits, -1, whole ? bits / 2 : bits)),
         {0, 1},
         or_zero({std::ldexp(-1.5, -2 * bits)}),
-        or_zero(times(edges(bits, whole ? 5 : 3), -bits - 2, 1, whole ? 2 : 3))},
-       {far}, or_zero(times(edges(bits, whole ? 5 : 3), -2 * bits - 2, -bits + 2, whole ? 2 : 4)), {nearest});
+        or_zero(times(edges(bits, whole ? 5 : 3), -bits - 2, 1, whole ? bits / 6 + 2 : 3))},
+       {far}, or_zero(times(edges(bits, whole ? 5 : 3), -2 * bits - 2, -bits + 2, whole ? bits / 6 + 2 : 4)),
+       {nearest});
   const Numbers sizes =
       whole ? Numbers{-1000, -700, -455, -440, -230, 0, 500, 1000, 1022} : Numbers{-700, -445, 0, 505, 1022};
   Numbers extreme{0};
