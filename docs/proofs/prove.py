@@ -73,7 +73,8 @@ def camel(name):
     return "k" + "".join(part.capitalize() for part in name.split("_"))
 
 
-CPP_NAMES = {"kUnit": "0x1p-53", "kUnitSquared": "0x1p-106", "kU2": "0x1p-106"}
+CPP_NAMES = {"kUnit": "0x1p-53", "kUnitSquared": "0x1p-106", "kU2": "0x1p-106", "two_to(kHalf)": "0x1p21",
+             "two_to(-kHalf)": "0x1p-21"}
 
 
 def cpp_constant(file, name):

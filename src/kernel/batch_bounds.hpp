@@ -2,67 +2,92 @@
 // against what docs/proofs proves to suffice.
 #pragma once
 
+#include <cstdint>
+#include <limits>
+
 #include "kernel/proved_bounds.hpp"
 
-namespace contact::kernel::bounds {
+namespace contact::kernel {
 
-inline constexpr double kUnit = 0x1p-53;          // u
-inline constexpr double kUnitSquared = 0x1p-106;  // u^2
+constexpr double two_to(int exponent) {
+  double power = 1;
+  for (; exponent > 0; --exponent) power *= 2;
+  for (; exponent < 0; ++exponent) power /= 2;
+  return power;
+}
 
-/// |D - reach^2| decides beyond this share of D + reach^2: 16 u. kFilterFloor covers products that underflow.
-inline constexpr double kFilterGap = 16 * kUnit;
-inline constexpr double kFilterFloor = 0x1p-950;
+/// For numbers with as many bits as Real's, and the exponents of double. Real is double; the tests' numbers are
+/// shorter.
+template <class Real>
+struct Bounds {
+  static constexpr int kBits = std::numeric_limits<Real>::digits;  // p
+  static constexpr double kUnit = two_to(-kBits);                  // u
+  static constexpr double kUnitSquared = kUnit * kUnit;            // u^2
+  /// The last bit of a significand, where it is as long as that of double and ends in zeros.
+  static constexpr std::uint64_t kLastBit = std::uint64_t{1} << (std::numeric_limits<double>::digits - kBits);
 
-/// Numbers of at least this magnitude lose nothing that matters where a product of theirs underflows.
-inline constexpr double kLeast = 0x1p-900;
-inline constexpr double kMost = 0x1p1020;
-/// A component of the normal of at least this magnitude has residuals that are normal numbers.
-inline constexpr double kLeastComponent = 0x1p-960;
-/// A factor of that magnitude, or 0: no product of two underflows, so that a product is 0 where a factor is.
-inline constexpr double kLeastFactor = 0x1p-450;
-/// More than any reach that is not plainly a hit, in units of the largest component of delta.
-inline constexpr double kReachCap = 0x1p400;
+  /// |D - reach^2| decides beyond this share of D + reach^2: 16 u. kFilterFloor covers products that underflow.
+  static constexpr double kFilterGap = 16 * kUnit;
+  static constexpr double kFilterFloor = 0x1p-950;
 
-/// |error| of a normal's component, of |n|.
-inline constexpr double kNormalError = 96 * kUnitSquared;
-/// |error| of a point, of |r n| and of the sum's high part; what rounding the ends of its interval adds included.
-inline constexpr double kPointError = 128 * kUnitSquared;
-inline constexpr double kPointSumError = 6 * kUnitSquared;
-/// |error| of a value, of sqrt D + T.
-inline constexpr double kValueError = 160 * kUnitSquared;
-/// |error| of a value whose T is kept exactly: of sqrt D, and of the low part, what rounding the ends of its interval
-/// adds included.
-inline constexpr double kRootError = 160 * kUnitSquared;
-inline constexpr double kLowError = 4 * kUnit;
+  /// Numbers of at least this magnitude lose nothing that matters where a product of theirs underflows.
+  static constexpr double kLeast = 0x1p-900;
+  static constexpr double kMost = 0x1p1020;
+  /// A component of the normal of at least this magnitude has residuals that are normal numbers.
+  static constexpr double kLeastComponent = 0x1p-960;
+  /// A factor of that magnitude, or 0: no product of two underflows, so that a product is 0 where a factor is.
+  static constexpr double kLeastFactor = 0x1p-450;
+  /// More than any reach that is not plainly a hit, in units of the largest component of delta.
+  static constexpr double kReachCap = 0x1p400;
 
-/// fma(low, 1 + eta, high) = fma(low, 1 - eta, high) is the rounded sum where |error| <= eta 2^-55 |high|.
-inline constexpr double kNormalEta = 0x1p-42;
-inline constexpr double kSumEta = 0x1p-22;
-/// The share of sqrt D + T, which is more than both radii, that must be left of a point and a value for kSumEta to
-/// hold.
-inline constexpr double kUncancelled = 0x1p-21;
+  /// |error| of a normal's component, of |n|.
+  static constexpr double kNormalError = 96 * kUnitSquared;
+  /// |error| of a point, of |r n| and of the sum's high part; what rounding the ends of its interval adds included.
+  static constexpr double kPointError = 128 * kUnitSquared;
+  static constexpr double kPointSumError = 6 * kUnitSquared;
+  /// |error| of a value, of sqrt D + T.
+  static constexpr double kValueError = 160 * kUnitSquared;
+  /// |error| of a value whose T is kept exactly: of sqrt D, and of the low part, what rounding the ends of its interval
+  /// adds included.
+  static constexpr double kRootError = 160 * kUnitSquared;
+  static constexpr double kLowError = 4 * kUnit;
 
-/// E = D - T^2 near touching: |error| at most this times the power of two that is at most D.
-inline constexpr double kNearError = 0x1p-142;
-/// D and T^2 are near where they differ by at most this share of D.
-inline constexpr double kNear = 0x1p-9;
-/// |error| of E / (sqrt D + T), of itself, beside that of E.
-inline constexpr double kQuotientError = 512 * kUnitSquared;
+  /// fma(low, 1 + eta, high) = fma(low, 1 - eta, high) is the rounded sum where |error| <= eta u / 4 |high|.
+  static constexpr double kNormalEta = 2048 * kUnit;
+  static constexpr int kHalf = (kBits - 10) / 2;
+  static constexpr double kSumEta = 1024 * kUnit * two_to(kHalf);
+  /// The share of sqrt D + T, which is more than both radii, that must be left of a point and a value for kSumEta to
+  /// hold.
+  static constexpr double kUncancelled = two_to(-kHalf);
 
+  /// E = D - T^2 near touching: |error| at most this times the power of two that is at most D.
+  static constexpr double kNearError = 0x1p17 * kUnit * kUnitSquared;
+  /// D and T^2 are near where they differ by at most this share of D.
+  static constexpr double kNear = 0x1p-9;
+  /// Sums with these times that power of two round to its two grids: whole numbers of 8 u and of 256 u^2.
+  static constexpr double kFirstGrid = 6;
+  static constexpr double kSecondGrid = 0x1.8p7 * kUnit;
+  /// |error| of E / (sqrt D + T), of itself, beside that of E.
+  static constexpr double kQuotientError = 512 * kUnitSquared;
+};
+
+using ForDouble = Bounds<double>;
+static_assert(ForDouble::kUnit == 0x1p-53 && ForDouble::kUncancelled == 0x1p-21 && ForDouble::kSumEta == 0x1p-22);
 // A filter's gap, and the floor under it.
-static_assert(kFilterGap >= proved::kFilterGap && kFilterFloor >= proved::kFilterFloor);
+static_assert(ForDouble::kFilterGap >= proved::kFilterGap && ForDouble::kFilterFloor >= proved::kFilterFloor);
 // The proofs assume that what is smaller is not accepted.
-static_assert(kLeast >= proved::kLeast && kLeastComponent >= proved::kLeastComponent &&
-              kLeastFactor >= proved::kLeastFactor && kNear <= proved::kNear);
+static_assert(ForDouble::kLeast >= proved::kLeast && ForDouble::kLeastComponent >= proved::kLeastComponent &&
+              ForDouble::kLeastFactor >= proved::kLeastFactor && ForDouble::kNear <= proved::kNear);
 // The intervals' errors.
-static_assert(kNormalError >= proved::kNormal);
-static_assert(kPointError >= proved::kPointInterval && kPointSumError >= proved::kPointSumInterval);
-static_assert(kValueError >= proved::kValueOfS && kValueError >= proved::kValueOfT);
-static_assert(kRootError >= proved::kRootInterval && kLowError >= proved::kLowInterval);
-static_assert(kNearError >= proved::kNearError && kNearError >= proved::kNearSpread);
-static_assert(kQuotientError >= proved::kNearQuotientInterval);
-// The quick tests allow for eta 2^-55 of what is left.
-static_assert(kNormalEta * 0x1p-55 >= proved::kNormal);
-static_assert(kSumEta * 0x1p-55 * kUncancelled >= proved::kUncancelledSum);
+static_assert(ForDouble::kNormalError >= proved::kNormal);
+static_assert(ForDouble::kPointError >= proved::kPointInterval &&
+              ForDouble::kPointSumError >= proved::kPointSumInterval);
+static_assert(ForDouble::kValueError >= proved::kValueOfS && ForDouble::kValueError >= proved::kValueOfT);
+static_assert(ForDouble::kRootError >= proved::kRootInterval && ForDouble::kLowError >= proved::kLowInterval);
+static_assert(ForDouble::kNearError >= proved::kNearError && ForDouble::kNearError >= proved::kNearSpread);
+static_assert(ForDouble::kQuotientError >= proved::kNearQuotientInterval);
+// The quick tests allow for eta u / 4 of what is left.
+static_assert(ForDouble::kNormalEta * ForDouble::kUnit / 4 >= proved::kNormal);
+static_assert(ForDouble::kSumEta * ForDouble::kUnit / 4 * ForDouble::kUncancelled >= proved::kUncancelledSum);
 
-}  // namespace contact::kernel::bounds
+}  // namespace contact::kernel

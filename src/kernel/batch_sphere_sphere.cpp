@@ -30,6 +30,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::ScalableTag<double>;
 using V = hn::Vec<D>;
 using M = hn::Mask<D>;
+using bounds = Bounds<hn::TFromD<D>>;
 
 constexpr std::size_t kMostLanes = HWY_MAX_BYTES / sizeof(double);
 
@@ -222,7 +223,7 @@ HWY_INLINE V lesser_magnitude(V a, V b) {
 #endif
 }
 
-/// high + low rounded where `wanted`, else 0; `certain` loses the wanted lanes where an error of eta 2^-55 |high| could
+/// high + low rounded where `wanted`, else 0; `certain` loses the wanted lanes where an error of eta u / 4 |high| could
 /// change it.
 HWY_INLINE V rounded(V high, V low, double eta, M wanted, M& certain) {
   const V above = masked_multiply_add(wanted, low, all(1 + eta), high);
@@ -320,7 +321,7 @@ struct Length {
   [[nodiscard]] HWY_INLINE V rounded() const {
     const hn::RebindToUnsigned<D> words;
     const auto bits = hn::BitCast(words, low);
-    const auto even = hn::AndNot(bits, hn::Set(words, 1));
+    const auto even = hn::AndNot(bits, hn::Set(words, bounds::kLastBit));
     const auto stepped = hn::IfThenElse(hn::RebindMask(words, hn::Lt(hn::Xor(hn::And(low, all(-0.0)), tail), all(0))),
                                         hn::Sub(bits, even), hn::Add(bits, even));
     const V odd = hn::IfThenElse(hn::Eq(tail, all(0)), low, hn::BitCast(D(), stepped));
@@ -330,13 +331,14 @@ struct Length {
 
 /// What the near path accumulates on two fixed grids and, below them, plainly.
 struct Grids {
-  V first;   ///< 6 * 2^k: a sum with it rounds to whole numbers of 2^(k-50)
-  V second;  ///< 1.5 * 2^(k-46): to whole numbers of 2^(k-98)
+  V first;   ///< 6 * 2^k: a sum with it rounds to whole numbers of 8 u 2^k
+  V second;  ///< 192 u 2^k: to whole numbers of 256 u^2 2^k
   V leading = all(0);
   V middle = all(0);
   V rest = all(0);
 
-  HWY_INLINE explicit Grids(V power) : first(hn::Mul(power, all(6))), second(hn::Mul(power, all(0x1.8p-46))) {}
+  HWY_INLINE explicit Grids(V power)
+      : first(hn::Mul(power, all(bounds::kFirstGrid))), second(hn::Mul(power, all(bounds::kSecondGrid))) {}
 
   /// Adds (high + low)^2, or subtracts it: high^2 is the leading part, 2 high low of the first order.
   template <bool kSubtract>
@@ -560,12 +562,12 @@ HWY_INLINE V other_value(const Delta& d, M only_axis, const Double2& root, const
   const M exact = hn::And(hn::And(only_axis, whole), hn::And(hn::Eq(once.low, all(0)), hn::Eq(twice.low, all(0))));
   value = hn::IfThenElse(exact, hn::Add(leading.high, twice.high), value);
 
-  // 0 < s < 2^-54 |T.low|, or than T where that is one number: no double lies between T.low and T.low - s, and so no
+  // 0 < s < u / 2 |T.low|, or than T where that is one number: no double lies between T.low and T.low - s, and so no
   // rounding boundary. T.low (1 - u) is between the same doubles, or the lower one, which is none; T.low (1 + 2u) where
   // T.low is minus a power of two; elsewhere it may be too far and must agree with T.low itself.
   const M number = hn::Eq(less.low, all(0));
   const V room = hn::IfThenElse(number, less.high, hn::Abs(less.low));
-  const M small = hn::And(hn::Gt(high, all(0)), hn::Lt(hn::Mul(high, all(0x1p54)), room));
+  const M small = hn::And(hn::Gt(high, all(0)), hn::Lt(hn::Mul(high, all(2 / bounds::kUnit)), room));
   const M positive = hn::Gt(less.low, all(0));
   const V nudged =
       hn::MulAdd(less.low, hn::IfThenElse(positive, all(1 - bounds::kUnit), all(1 + 2 * bounds::kUnit)), less.high);

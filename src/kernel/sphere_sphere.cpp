@@ -10,47 +10,20 @@
 
 #include "kernel/exact.hpp"
 #include "kernel/floating_point_environment.hpp"
-#include "kernel/proved_bounds.hpp"
 #include "kernel/sphere_sphere_double_double.hpp"
+#include "kernel/sphere_sphere_filter.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 #include "kernel/sphere_sphere_one_vector.hpp"
 
 namespace contact {
 namespace {
 
+using kernel::filter;
+using kernel::Filtered;
 using kernel::FixedInteger;
 using kernel::Grid;
 using kernel::Integer;
-
-enum class Filtered { hit, miss, undecided };
-
-// u = 2^-53. To nearest, D and reach^2 are each within 5.0001 u of the reals (three roundings of squares that carry two
-// or three more), and the product below adds 1 u: a relative gap of 11.1 u decides. A directed rounding mode doubles
-// every one of them, 22.2 u, so 32 u decides in every mode.
-constexpr double kGap = 0x1p-48;
-// Between these bounds no square, product or sum leaves the normal range in a way that matters: what an underflowing or
-// flushed square of a component loses is at most 3 * 2^-1022, below 2^-100 of a D of at least 2^-900.
-constexpr double kLeast = 0x1p-900;
-constexpr double kMost = 0x1p1000;
-static_assert(kGap >= kernel::proved::kScalarGap && kLeast >= kernel::proved::kLeast);  // docs/proofs, scalar_filter.g
-
-double squared_distance(const Ball& a, const Ball& b) {
-  const double dx = b.center[0] - a.center[0];
-  const double dy = b.center[1] - a.center[1];
-  const double dz = b.center[2] - a.center[2];
-  return dx * dx + dy * dy + dz * dz;
-}
-
-/// D is squared_distance(a, b).
-Filtered filter(const Ball& a, const Ball& b, double D, double alarm) {
-  const double reach = (a.radius + b.radius) + alarm;
-  const double reach2 = reach * reach;
-  if (!(D > kLeast && D < kMost && reach2 > kLeast && reach2 < kMost))
-    return alarm == std::numeric_limits<double>::infinity() ? Filtered::hit : Filtered::undecided;
-  if (D < reach2 * (1 - kGap)) return Filtered::hit;
-  if (D > reach2 * (1 + kGap)) return Filtered::miss;
-  return Filtered::undecided;
-}
+using kernel::squared_distance;
 
 Integer on_grid(const Grid& grid, double x, Integer /*as*/) { return grid(x); }
 FixedInteger on_grid(const Grid& grid, double x, FixedInteger /*as*/) { return grid.fixed(x); }
@@ -237,7 +210,7 @@ constexpr double sign_of(std::size_t sphere, PointOn on) {
   const double D = squared_distance(a, b);
   const Filtered filtered = filter(a, b, D, distances.alarm);
   if (filtered == Filtered::miss) return false;
-  if (filtered == Filtered::hit && D > kLeast &&
+  if (filtered == Filtered::hit && D > kernel::PlainBounds<double>::kLeast &&
       kernel::one_vector::contact_of_hit(a, b, D, distances.contact, sign_of(0, points.first) * a.radius,
                                          sign_of(1, points.second) * b.radius, contact))
     return true;

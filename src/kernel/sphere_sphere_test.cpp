@@ -9,15 +9,14 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <limits>
 #include <optional>
 #include <random>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "kernel/floating_point_environment_for_tests.hpp"
+#include "kernel/sphere_sphere_filter.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 #include "kernel/sphere_sphere_one_vector.hpp"
 
@@ -471,14 +470,8 @@ CONTACT_NOINLINE std::array<double, 2> plain_sides(const Question& q) {
 }
 
 TEST(SphereSphereFilter, its_gap_is_neither_broken_nor_more_than_12_times_too_loose) {
-  constexpr double kGap = 0x1p-48;  // compared with the source below
+  constexpr double kGap = kernel::PlainBounds<double>::kGap;
   constexpr double u = 0x1p-53;
-  std::ifstream file(std::string(CONTACT_SOURCE_DIR) + "/src/kernel/sphere_sphere.cpp");
-  std::stringstream source;
-  source << file.rdbuf();
-  ASSERT_NE(source.str().find("constexpr double kGap = 0x1p-48;"), std::string::npos)
-      << "the filter's gap was changed: change it here, and its derivation there";
-
   Hostile hostile(14);
   std::vector<Question> questions;
   std::vector<Sides> exact;

@@ -1,0 +1,297 @@
+#!/usr/bin/env python3
+"""Plants faults in the kernels and asks that short numbers find each.   python3 faults.py COMPILER EIGEN [WORD]
+
+Each fault is one change of a copy of the sources: a term dropped, an operation or an operand swapped, a constant too small, a
+condition left out. The copy is compiled, and tiny_kernels must find a wrong answer, in its quick run or in the whole one. With
+WORD only faults whose text holds it. Prints each fault and what found it; exit status 1 where one was not found.
+"""
+
+import concurrent.futures
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[2]
+FILTER = "sphere_sphere_filter.hpp"
+PAIR = "sphere_sphere_double_double.hpp"
+VECTOR = "sphere_sphere_one_vector.hpp"
+BATCH = "batch_sphere_sphere.cpp"
+BOUNDS = "batch_bounds.hpp"
+DIVISION = "batch, by division"
+ESTIMATE = "batch, by an estimate"
+
+# What is asked, the file, what stands there, and what is put in its place.
+FAULTS = [
+    # The filter of one pair.
+    ("one pair", FILTER, "kGap = 32 * kUnit", "kGap = 1 * kUnit"),
+    ("one pair", FILTER, " + dz * dz", ""),
+    ("one pair", FILTER, "b.center[1] - a.center[1]", "b.center[1] + a.center[1]"),
+    ("one pair", FILTER, "(a.radius + b.radius) + alarm", "(a.radius + b.radius)"),
+    ("one pair", FILTER, "D < reach2 * (1 - Limits::kGap)", "D > reach2 * (1 - Limits::kGap)"),
+    ("one pair", FILTER, "D > reach2 * (1 + Limits::kGap)", "D > reach2 * (1 - Limits::kGap)"),
+    ("filter, rounding up", FILTER, "kGap = 32 * kUnit", "kGap = 2 * kUnit"),
+    ("filter, rounding down", FILTER, "kGap = 32 * kUnit", "kGap = 2 * kUnit"),
+    ("filter, rounding to zero", FILTER, "kGap = 32 * kUnit", "kGap = 2 * kUnit"),
+    # The fast stage of one pair.
+    ("one pair", PAIR, "(a - (high - b_part)) + (b - b_part)", "(a - (high - b_part))"),
+    ("one pair", PAIR, "(a - (high - b_part)) + (b - b_part)", "(a - (high - b_part)) - (b - b_part)"),
+    ("one pair", PAIR, "kNormalError = 30 * kUnitSquared", "kNormalError = 1 * kUnitSquared"),
+    ("one pair", PAIR, "kPointError = 35 * kUnitSquared", "kPointError = 1 * kUnitSquared"),
+    ("one pair", PAIR, "(kValueRootError * root_.high + kValueLessError * less_.high) + kLast", "kLast"),
+    ("one pair", PAIR, "kLastSumError = 3 * kUnitSquared", "kLastSumError = 0 * kUnitSquared"),
+    ("one pair", PAIR, "low - error", "low"),
+    ("one pair", PAIR, "low + error", "low"),
+    ("one pair", PAIR, "below == above", "true"),
+    ("one pair", PAIR, "return below + 0.0;", "return below;"),
+    ("one pair", PAIR, "fma(signed_radius, n.low, fma(signed_radius, n.high, -w))", "fma(signed_radius, n.high, -w)"),
+    ("one pair", PAIR, "fma(signed_radius, n.low, fma(signed_radius, n.high, -w))", "signed_radius * n.low"),
+    ("one pair", PAIR, "return {h.high, h.low + w_low,", "return {h.high, w_low,"),
+    ("one pair", PAIR, "return {h.high, h.low + w_low,", "return {h.high, h.low,"),
+    ("one pair", PAIR, "kPointError * abs(w) + kLastSumError * abs(h.high)", "kPointError * abs(w) * kUnit + kLastSumError * abs(h.high)"),
+    ("one pair", PAIR, "h.low + (root_.low - less_.low)", "(root_.low - less_.low)"),
+    ("one pair", PAIR, "h.low + (root_.low - less_.low)", "h.low - less_.low"),
+    ("one pair", PAIR, "h.low + (root_.low - less_.low)", "h.low + root_.low"),
+    ("one pair", PAIR, "h.low + (root_.low - less_.low)", "h.low + (root_.low + less_.low)"),
+    ("one pair", PAIR, "two_sum<Real>(b.center[axis], -a.center[axis])", "two_sum<Real>(b.center[axis], a.center[axis])"),
+    ("one pair", PAIR, "fma(2 * high, low, fma(high, high, -square[i]))", "fma(high, high, -square[i])"),
+    ("one pair", PAIR, "fma(2 * high, low, fma(high, high, -square[i]))", "2 * high * low"),
+    ("one pair", PAIR, "fma(2 * high, low, fma(high, high, -square[i]))", "fma(high, low, fma(high, high, -square[i]))"),
+    ("one pair", PAIR, "residual += ", "residual = "),
+    ("one pair", PAIR, "(xy.low + xyz.low) + residual", "xyz.low + residual"),
+    ("one pair", PAIR, "(xy.low + xyz.low) + residual", "xy.low + residual"),
+    ("one pair", PAIR, "(xy.low + xyz.low) + residual", "(xy.low + xyz.low)"),
+    ("one pair", PAIR, "(xy.low + xyz.low) + residual", "(xy.low + xyz.low) - residual"),
+    ("one pair", PAIR, "(fma(-root, root, D.high) + D.low)", "fma(-root, root, D.high)"),
+    ("one pair", PAIR, "(fma(-root, root, D.high) + D.low)", "D.low"),
+    ("one pair", PAIR, "/ (2 * root)", "/ root"),
+    ("one pair", PAIR, "{less.high, radii.low + less.low}", "{less.high, less.low}"),
+    ("one pair", PAIR, "{less.high, radii.low + less.low}", "{less.high, radii.low}"),
+    ("one pair", PAIR, "two_sum(radii.high, distances.contact)", "two_sum(radii.high, distances.alarm)"),
+    ("one pair", PAIR, "fma(-q, root, high) + low", "fma(-q, root, high)"),
+    ("one pair", PAIR, "fma(-q, root, high) + low", "low"),
+    ("one pair", PAIR, "fma(-q, pair.root_.low, remainder) / root", "remainder / root"),
+    ("one pair", PAIR, "fma(-q, pair.root_.low, remainder) / root", "fma(q, pair.root_.low, remainder) / root"),
+    ("one pair", PAIR, "fma(-q, pair.root_.low, remainder) / root", "fma(-q, pair.root_.low, remainder) * root"),
+    # One pair in one vector.
+    ("one vector", VECTOR, "(a - (high - b_part)) + (b - b_part)", "(b - b_part)"),
+    ("one vector", VECTOR, "Lanes::all(1 - eta)", "Lanes::all(1)"),
+    ("one vector", VECTOR, "Lanes::all(1 + eta)", "Lanes::all(1)"),
+    ("one vector", VECTOR, "((center - (high - w_part)) + (w - w_part)) + w_low", "(w - w_part) + w_low"),
+    ("one vector", VECTOR, "((center - (high - w_part)) + (w - w_part)) + w_low", "(center - (high - w_part)) + w_low"),
+    ("one vector", VECTOR, "((center - (high - w_part)) + (w - w_part)) + w_low", "((center - (high - w_part)) + (w - w_part))"),
+    ("one vector", VECTOR, "Lanes::at_least(Lanes::magnitude(high), uncancelled)", "Lanes::equal(high, high)"),
+    ("one vector", VECTOR, "(second - (dh - part)) - (first + part)", "(second - (dh - part))"),
+    ("one vector", VECTOR, "Lanes::multiply_add(dl, Lanes::all(y), Lanes::multiply_subtract(dh, Lanes::all(y), q))",
+     "Lanes::multiply_subtract(dh, Lanes::all(y), q)"),
+    ("one vector", VECTOR, "Lanes::multiply_add(dl, Lanes::all(y), Lanes::multiply_subtract(dh, Lanes::all(y), q))",
+     "dl * Lanes::all(y)"),
+    ("one vector", VECTOR, "-fma(Real(0.5), (rx + ry) + rz, cross)", "-fma(Real(0.5), ry + rz, cross)"),
+    ("one vector", VECTOR, "-fma(Real(0.5), (rx + ry) + rz, cross)", "-fma(Real(0.5), rx + rz, cross)"),
+    ("one vector", VECTOR, "-fma(Real(0.5), (rx + ry) + rz, cross)", "-fma(Real(0.5), rx + ry, cross)"),
+    ("one vector", VECTOR, "-fma(Real(0.5), (rx + ry) + rz, cross)", "-fma(Real(0.5), (rx + ry) + rz, 0 * cross)"),
+    ("one vector", VECTOR, "-fma(Real(0.5), (rx + ry) + rz, cross)", "fma(Real(0.5), (rx + ry) + rz, cross)"),
+    ("one vector", VECTOR, "-fma(Real(0.5), (rx + ry) + rz, cross)", "-fma(Real(1), (rx + ry) + rz, cross)"),
+    ("one vector", VECTOR, "Lanes::multiply_add(q, Lanes::all(half_rho), e)", "e"),
+    ("one vector", VECTOR, "Lanes::multiply_add(q, Lanes::all(half_rho), e)", "q * Lanes::all(half_rho)"),
+    ("one vector", VECTOR, "root * (fma(-y, root, Real(1)) - half_rho)", "root * fma(-y, root, Real(1))"),
+    ("one vector", VECTOR, "root * (fma(-y, root, Real(1)) - half_rho)", "root * (fma(-y, root, Real(1)) + half_rho)"),
+    ("one vector", VECTOR, "root * (fma(-y, root, Real(1)) - half_rho)", "root * (-half_rho)"),
+    ("one vector", VECTOR, "(less.low + radii.low)", "less.low"),
+    ("one vector", VECTOR, "(less.low + radii.low)", "radii.low"),
+    ("one vector", VECTOR, "Lanes::with_last(w2_low, root_low -", "Lanes::with_last(w2_low, 0 * root_low -"),
+    ("one vector", VECTOR, "Lanes::multiply_add(r1, low, Lanes::multiply_subtract(r1, q, w1))", "r1 * low"),
+    ("one vector", VECTOR, "Lanes::multiply_add(r2, low, Lanes::multiply_subtract(r2, q, w2))",
+     "Lanes::multiply_subtract(r2, q, w2)"),
+    ("one vector", VECTOR, " + Lanes::all(0);  // every", ";  // every"),
+    ("one vector", VECTOR, "(Lanes::bits(certain) | 0b1000) & Lanes::bits(last_certain)", "(Lanes::bits(certain) | 0b1000)"),
+    ("one vector", VECTOR, "(Lanes::bits(certain) | 0b1000) & Lanes::bits(last_certain)", "Lanes::bits(last_certain)"),
+    # The vector kernels: the filter and the shared root.
+    (DIVISION, BOUNDS, "kFilterGap = 16 * kUnit", "kFilterGap = 0 * kUnit"),
+    (DIVISION, BATCH, "hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x)))", "hn::MulAdd(y, y, hn::Mul(x, x))"),
+    (DIVISION, BATCH, "hit = hn::Lt(difference, hn::Neg(gap));", "hit = hn::Lt(difference, gap);"),
+    (DIVISION, BATCH, "miss = hn::Gt(difference, gap);", "miss = hn::Gt(difference, hn::Neg(gap));"),
+    (DIVISION, BATCH, "hn::Add(hn::Sub(a, hn::Sub(high, b_part)), hn::Sub(b, b_part))", "hn::Sub(a, hn::Sub(high, b_part))"),
+    (DIVISION, BATCH, "hn::Sub(hn::Sub(b, hn::Sub(high, a_part)), hn::Add(a, a_part))", "hn::Sub(b, hn::Sub(high, a_part))"),
+    (DIVISION, BATCH, "return hn::Div(all(1), hn::Sqrt(x));", "return hn::Sqrt(hn::Div(all(1), hn::Mul(x, all(1.03125))));"),
+    (DIVISION, BATCH, "hn::MulAdd(d.x.low, y, hn::MulSub(d.x.high, y, qx))", "hn::MulSub(d.x.high, y, qx)"),
+    (DIVISION, BATCH, "hn::MulAdd(d.y.low, y, hn::MulSub(d.y.high, y, qy))", "hn::Mul(d.y.low, y)"),
+    (DIVISION, BATCH, "hn::MulAdd(d.z.low, y, hn::MulSub(d.z.high, y, qz))", "hn::MulAdd(d.z.low, y, hn::MulAdd(d.z.high, y, qz))"),
+    (DIVISION, BATCH, "hn::Add(hn::Add(rx, ry), rz)", "hn::Add(ry, rz)"),
+    (DIVISION, BATCH, "hn::Add(hn::Add(rx, ry), rz)", "hn::Add(rx, rz)"),
+    (DIVISION, BATCH, "hn::Add(hn::Add(rx, ry), rz)", "hn::Add(rx, ry)"),
+    (DIVISION, BATCH, "hn::MulAdd(qx, ex, hn::MulAdd(qy, ey, hn::Mul(qz, ez)))", "hn::MulAdd(qy, ey, hn::Mul(qz, ez))"),
+    (DIVISION, BATCH, "hn::MulAdd(qx, ex, hn::MulAdd(qy, ey, hn::Mul(qz, ez)))", "hn::MulAdd(qx, ex, hn::Mul(qy, ey))"),
+    (DIVISION, BATCH, "hn::NegMulSub(all(0.5),", "hn::NegMulSub(all(0.25),"),
+    (DIVISION, BATCH, "hn::NegMulSub(all(0.5),", "hn::MulSub(all(0.5),"),
+    (DIVISION, BATCH, "low_x = hn::MulAdd(qx, half_rho, ex);", "low_x = ex;"),
+    (DIVISION, BATCH, "low_y = hn::MulAdd(qy, half_rho, ey);", "low_y = hn::MulAdd(qx, half_rho, ey);"),
+    (DIVISION, BATCH, "low_z = hn::MulAdd(qz, half_rho, ez);", "low_z = hn::Mul(qz, half_rho);"),
+    (DIVISION, BATCH, "hn::Sub(hn::NegMulAdd(y, root.high, one), half_rho)", "hn::Neg(half_rho)"),
+    (DIVISION, BATCH, "hn::Sub(hn::NegMulAdd(y, root.high, one), half_rho)", "hn::NegMulAdd(y, root.high, one)"),
+    (DIVISION, BATCH, "hn::Sub(hn::NegMulAdd(y, root.high, one), half_rho)", "hn::Add(hn::NegMulAdd(y, root.high, one), half_rho)"),
+    # Points, values and the tests of their roundings.
+    (DIVISION, BATCH, "hn::MulAdd(radius, low, hn::MulSub(radius, q, w_part))", "hn::MulSub(radius, q, w_part)"),
+    (DIVISION, BATCH, "hn::MulAdd(radius, low, hn::MulSub(radius, q, w_part))", "hn::MulAdd(radius, low, hn::Sub(w, w_part))"),
+    (DIVISION, BATCH, "{high, hn::Add(center_lost, w_lost)}", "{high, w_lost}"),
+    (DIVISION, BOUNDS, "kNormalEta = 2048 * kUnit", "kNormalEta = 2 * kUnit"),
+    (DIVISION, BOUNDS, "kSumEta = 1024 * kUnit * two_to(kHalf)", "kSumEta = 4 * kUnit * two_to(kHalf)"),
+    (DIVISION, BOUNDS, "kUncancelled = two_to(-kHalf)", "kUncancelled = two_to(-kHalf - 8)"),
+    (DIVISION, BATCH, "certain = and_equal(certain, above, hn::MulAdd(low, all(1 - eta), high));", "certain = and_equal(certain, above, above);"),
+    (DIVISION, BATCH, "hn::Add(sum.low, hn::Sub(root.low, hn::Add(less.low, radii.low)))", "hn::Add(sum.low, hn::Sub(root.low, less.low))"),
+    (DIVISION, BATCH, "hn::Add(sum.low, hn::Sub(root.low, hn::Add(less.low, radii.low)))", "hn::Add(sum.low, hn::Sub(root.low, radii.low))"),
+    (DIVISION, BATCH, "good = and_at_least(good, left, uncancelled);", ""),
+    (DIVISION, BATCH, "good = and_at_least(good, component, all(bounds::kLeastComponent));", ""),
+    (DIVISION, BATCH, "M good = hn::And(hn::And(hit, axes_agree), value_agrees);", "M good = hn::And(hit, axes_agree);"),
+    (DIVISION, BATCH, "M good = hn::And(hn::And(hit, axes_agree), value_agrees);", "M good = hn::And(hit, value_agrees);"),
+    (DIVISION, BATCH, "const V radius2 = hn::Mul(in.br, all(job.sign2));\n  write(3", "const V radius2 = hn::Mul(in.br, all(job.sign1));\n  write(3"),
+    # What the quick tests leave.
+    (DIVISION, BOUNDS, "kPointError = 128 * kUnitSquared", "kPointError = 0.5 * kUnitSquared"),
+    (DIVISION, BOUNDS, "kPointSumError = 6 * kUnitSquared", "kPointSumError = 0 * kUnitSquared"),
+    (DIVISION, BOUNDS, "kRootError = 160 * kUnitSquared", "kRootError = 0.5 * kUnitSquared"),
+    (DIVISION, BOUNDS, "kLowError = 4 * kUnit", "kLowError = 0 * kUnit"),
+    (DIVISION, BATCH, "certain = hn::Eq(above, hn::Add(high, hn::Sub(low, error)));", "certain = hn::Eq(above, above);"),
+    (DIVISION, BATCH, "hn::Eq(tail, all(0)), low, hn::BitCast(D(), stepped)", "hn::Eq(all(0), all(0)), low, hn::BitCast(D(), stepped)"),
+    (DIVISION, BATCH, "hn::Sub(bits, even), hn::Add(bits, even)", "hn::Add(bits, even), hn::Sub(bits, even)"),
+    (DIVISION, BATCH, "hn::And(hn::And(only_axis, whole), hn::And(hn::Eq(once.low, all(0)), hn::Eq(twice.low, all(0))))",
+     "hn::And(only_axis, hn::And(hn::Eq(once.low, all(0)), hn::Eq(twice.low, all(0))))"),
+    (DIVISION, BATCH, "hn::And(hn::And(only_axis, whole), hn::And(hn::Eq(once.low, all(0)), hn::Eq(twice.low, all(0))))",
+     "hn::And(hn::And(only_axis, whole), hn::Eq(twice.low, all(0)))"),
+    (DIVISION, BATCH, "hn::And(hn::And(only_axis, whole), hn::And(hn::Eq(once.low, all(0)), hn::Eq(twice.low, all(0))))",
+     "hn::And(hn::And(only_axis, whole), hn::Eq(once.low, all(0)))"),
+    (DIVISION, BATCH, "all(2 / bounds::kUnit)", "all(0.03125 / bounds::kUnit)"),
+    (DIVISION, BATCH, "all(1 - bounds::kUnit), all(1 + 2 * bounds::kUnit)", "all(1), all(1 + 2 * bounds::kUnit)"),
+    (DIVISION, BATCH, "all(1 - bounds::kUnit), all(1 + 2 * bounds::kUnit)", "all(1 - bounds::kUnit), all(1)"),
+    (DIVISION, BATCH, "hn::IfThenElse(tiny, hn::Neg(nudged), value)", "hn::IfThenElse(tiny, nudged, value)"),
+    (DIVISION, BATCH, "n = hn::IfThenElse(simple, hn::IfThenZeroElse(none, hn::Xor(all(1), sign)), n);",
+     "n = hn::IfThenElse(simple, hn::IfThenZeroElse(none, all(1)), n);"),
+    (DIVISION, BATCH, "hn::IfThenZeroElse(none, hn::Xor(radius, sign))", "hn::IfThenZeroElse(none, radius)"),
+    (DIVISION, BATCH, "hn::Add(second.high, hn::Add(root.low, hn::Sub(second.low, less.tail)))", "hn::Add(second.high, root.low)"),
+    (DIVISION, BATCH, "hn::Add(second.high, hn::Add(root.low, hn::Sub(second.low, less.tail)))",
+     "hn::Add(root.low, hn::Sub(second.low, less.tail))"),
+    # Near touching.
+    (DIVISION, BOUNDS, "kNearError = 0x1p17 *", "kNearError = 0x1p10 *"),
+    (DIVISION, BOUNDS, "kQuotientError = 512 * kUnitSquared", "kQuotientError = 0 * kUnitSquared"),
+    (DIVISION, BOUNDS, "kFirstGrid = 6;", "kFirstGrid = 0.25;"),
+    (DIVISION, BOUNDS, "kSecondGrid = 0x1.8p7 * kUnit", "kSecondGrid = 0x1.8p2 * kUnit"),
+    (DIVISION, BATCH, "const V of_residual = hn::Sub(hn::Add(residual, second), second);", "const V of_residual = all(0);"),
+    (DIVISION, BATCH, "hn::Add(hn::Add(below, of_residual), of_cross)", "hn::Add(below, of_residual)"),
+    (DIVISION, BATCH, "hn::Add(hn::Add(below, of_residual), of_cross)", "hn::Add(of_residual, of_cross)"),
+    (DIVISION, BATCH, "hn::Add(remainders, hn::MulAdd(low, low, hn::MulSub(twice, low, of_cross)))", "all(0)"),
+    (DIVISION, BATCH, "grids.add_square<true>(length_high, length_low);", "grids.add_square<true>(length_high, all(0));"),
+    (DIVISION, BATCH, "grids.add_square<false>(unit.y.high, unit.y.low);", "grids.add_square<false>(unit.y.high, all(0));"),
+    (DIVISION, BATCH, "hn::Lt(hn::Add(difference.high, hn::Add(error, error)), all(0))", "hn::Lt(hn::Sub(difference.high, error), all(0))"),
+    (DIVISION, BATCH, "hn::Gt(hn::Sub(difference.high, hn::Add(error, error)), all(0))", "hn::Gt(hn::Add(difference.high, error), all(0))"),
+    (DIVISION, BATCH, "zero = hn::And(zero, hn::And(on_grids, proper));", ""),
+    (DIVISION, BATCH, "zero = hn::And(zero, hn::And(on_grids, proper));", "zero = hn::And(zero, on_grids);"),
+    (DIVISION, BATCH, "hn::And(near, hn::And(hn::Eq(upper.high, all(0)), hn::Eq(grids.rest, all(0))))", "hn::And(near, hn::Eq(upper.high, all(0)))"),
+    (DIVISION, BATCH, "hn::Add(sum.low, hn::Add(root.low, length_low))", "sum.low"),
+    (DIVISION, BATCH, "hn::Add(remainder, hn::NegMulAdd(quotient, sum_low, difference.low))", "remainder"),
+    (DIVISION, BATCH, "hn::Add(remainder, hn::NegMulAdd(quotient, sum_low, difference.low))", "hn::NegMulAdd(quotient, sum_low, difference.low)"),
+    (DIVISION, BATCH, "certain = hn::Or(zero, hn::And(near, hn::And(agree, in_range)));", "certain = hn::Or(zero, hn::And(agree, in_range));"),
+    # Scaling.
+    (DIVISION, BATCH, "if constexpr (kScaled) root = scaled(root, scale.up);", ""),
+    (DIVISION, BATCH, "hn::Add(hn::Mul(r1, down), hn::Mul(r2, down))", "hn::Mul(r1, down)"),
+    (DIVISION, BATCH, "const Double2 root = kScaled ? scaled(stage.root, scale.up) : stage.root;", "const Double2 root = stage.root;"),
+    # AVX-512.
+    (ESTIMATE, BATCH, "all(35.0 / 128)", "all(-35.0 / 8)"),
+    (ESTIMATE, BATCH, "all(0.375)), h, all(0.5)", "all(0.25)), h, all(0.5)"),
+    (ESTIMATE, BATCH, "all(0.375)), h, all(0.5)", "all(0.375)), h, all(0.25)"),
+    (ESTIMATE, BATCH, "return M{_mm512_mask_cmp_pd_mask(mask.raw, a.raw, b.raw, _CMP_EQ_OQ)};", "return M{_mm512_mask_cmp_pd_mask(mask.raw, a.raw, b.raw, _CMP_GE_OQ)};"),
+]
+TARGETS = {DIVISION: {"12": "tiny_12", "16": "tiny_16"}, ESTIMATE: {"12": "tiny_12_estimate", "16": "tiny_16_estimate"}}
+
+
+class Build:
+    """Objects in a folder, of the sources as they are, and beside them those of changed copies."""
+
+    def __init__(self, compiler, eigen, folder):
+        self.compiler = compiler
+        self.eigen = eigen
+        self.folder = folder
+        for name in ("batch_columns", "batch_kernels", "grids", "harness", "main", "one_pair"):
+            self.compile(ROOT / "src", folder, name, name, "-O2")
+        for kernel, targets in TARGETS.items():
+            for bits in targets:
+                self.compile_for(ROOT / "src", folder, kernel, bits)
+
+    def compile(self, sources, to, name, source, *options):
+        subprocess.run([self.compiler, "-std=c++20", "-O1", "-ffp-contract=off", "-w", f"-I{sources}", f"-I{ROOT / 'include'}",
+                        "-isystem", self.eigen, *options, "-c", str(sources / "kernel/tiny" / f"{source}.cpp"), "-o",
+                        str(to / f"{name}.o")], check=True)
+
+    def compile_for(self, sources, to, kernel, bits):
+        """The source that holds a kernel of so many bits."""
+        if kernel not in TARGETS:
+            self.compile(sources, to, "one_pair", "one_pair")
+            return
+        name = TARGETS[kernel][bits]
+        self.compile(sources, to, name, "batch", f"-I{sources / 'kernel/tiny'}", f"-DCONTACT_TINY_BITS={bits}",
+                     f"-DCONTACT_TINY_ESTIMATE={int(kernel == ESTIMATE)}", f"-DCONTACT_TINY_TARGET={name}", "-DEIGEN_DONT_VECTORIZE")
+
+    def link(self, changed):
+        """tiny_kernels with the objects of a folder, and those of the sources as they are."""
+        objects = [changed / path.name if (changed / path.name).exists() else path for path in sorted(self.folder.glob("*.o"))]
+        subprocess.run([self.compiler, *map(str, objects), "-o", str(changed / "tiny_kernels")], check=True)
+        return changed / "tiny_kernels"
+
+
+def wrong_in(program, how, kernel):
+    """What a run finds wrong, or None. It is ended then."""
+    last = ""
+    with subprocess.Popen([program, how, kernel], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as run:
+        for line in run.stdout:
+            columns = line.rstrip("\n").split("\t")
+            if columns[0] in ("wrong", "never"):
+                run.kill()
+                return f"{how}, {columns[2]} bits, {': '.join(columns[3:])}"
+            last = line.strip()
+        return f"{how}, {last}" if run.wait() != 0 else None
+
+
+def found(build, sources, kernel):
+    """What finds the fault in `sources`, or None: the quick runs first."""
+    changed = sources.parent
+    for how in ("quick", "whole"):
+        for bits in TARGETS.get(kernel, {"": ""}):
+            if how == "quick":
+                build.compile_for(sources, changed, kernel, bits)
+            what = wrong_in(build.link(changed), how, f"{kernel} {bits}".strip())
+            if what:
+                return what
+    return None
+
+
+def plant(build, kernel, file, old, new):
+    """What finds a fault, or None."""
+    with tempfile.TemporaryDirectory() as changed:
+        sources = Path(changed) / "src"
+        shutil.copytree(ROOT / "src/kernel", sources / "kernel")
+        path = sources / "kernel" / file
+        text = path.read_text()
+        if text.count(old) != 1:
+            raise ValueError(f"{file} holds {text.count(old)} times: {old}")
+        path.write_text(text.replace(old, new))
+        for header in (sources / "kernel").glob("*.hpp"):  # the compiler would refuse a constant below its proved bound
+            header.write_text(re.sub(r"static_assert\([^;]*(?:proved|ForDouble)::[^;]*\);", "", header.read_text()))
+        return found(build, sources, kernel)
+
+
+def main():
+    compiler, eigen, *words = sys.argv[1:]
+    faults = [fault for fault in FAULTS if not words or any(word in "\t".join(fault) for word in words)]
+    missed = 0
+    with tempfile.TemporaryDirectory() as temporary, concurrent.futures.ThreadPoolExecutor(2) as pool:
+        build = Build(compiler, eigen, Path(temporary))
+        for (kernel, file, old, new), what in zip(faults, pool.map(lambda fault: plant(build, *fault), faults)):
+            missed += what is None
+            print(f"{kernel}: {file}: {old}  ->  {new}\n    {what or 'NOT FOUND'}", flush=True)
+    print(f"{len(faults)} faults, {missed} not found")
+    return 1 if missed or not faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
