@@ -1,5 +1,6 @@
-/* An engine in a shared library that sets the floating-point environment when it is loaded and again at every answer, and leaves it so.
-   It says back the numbers that it is asked with, and as the value what 1 + 2^-60 is where it computes. */
+/* An engine in a shared library that sets the floating-point environment when it is loaded and again at every answer,
+   and leaves it so. It says back the numbers that it is asked with, and as the value what 1 + 2^-60 is where it
+   computes. */
 #include <fenv.h>
 
 #include "engines/contact_engine.h"
