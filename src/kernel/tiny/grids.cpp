@@ -115,7 +115,7 @@ std::vector<Grid> grids(int bits, bool whole) {
           zero,
           {1},
           whole ? all(5, 0, 1) : edges(bits, 4),
-          whole ? all(12, -1, 1) : times(all(6, 0, 1), -2, 1),
+          whole ? all(12, -1, 1) : times(all(9, 0, 1), -2, 1),
           or_zero(times(edges(bits, whole ? 5 : 4), whole ? -3 : 0, 1)),
           {1}},
          {far}, zero, {nearest});
