@@ -54,8 +54,9 @@ class Rewriter:
 
     def add(self, start, end, function, changes, **more):
         key = (start, end, function.split("::")[-1], str(more.get("replaced")))
+        before = more.pop("before", f"mutant::{function}({{}}, ")
         if key not in self.places:
-            self.places[key] = Place(start, end, function, list(changes), more.pop("before", f"mutant::{function}({{}}, "), **more)
+            self.places[key] = Place(start, end, function, list(changes), before, **more)
 
     def visit_unit(self, unit):
         self.macros = [(c.extent.start.offset, c.extent.end.offset) for c in unit.cursor.get_children()
@@ -155,7 +156,9 @@ class Rewriter:
             if sign in ("<<", ">>") and not is_number(left.type) and "Integer" not in left.type.spelling:
                 return
             name, *changes = BINARY.get(sign) or ASSIGN[sign]
-            self.add(start, end, f"{when}::{name}", [f"{sign} becomes {c}" for c in changes], replaced=[(at, until, ",")])
+            vector = left.type.get_canonical().kind == TypeKind.VECTOR
+            self.add(start, end, f"{when}::{name}", [f"{sign} becomes {c}" for c in changes], replaced=[(at, until, ",")],
+                     **({"before": f"mutated::vector_{name}({{}}, "} if vector else {}))
 
     def visit_call(self, start, end, when):
         text = self.text[start:end]

@@ -25,6 +25,14 @@ MUTANT_INTRINSIC2(_mm256_andnot_pd, b, b, b, 1)
 MUTANT_INTRINSIC3(_mm256_fmadd_pd, ::_mm256_fmsub_pd(a, b, c), ::_mm256_fnmadd_pd(a, b, c))
 MUTANT_INTRINSIC3(_mm256_fmsub_pd, ::_mm256_fmadd_pd(a, b, c), ::_mm256_fnmsub_pd(a, b, c))
 
+#define MUTANT_OPERATOR(name, op, op1)                                              \
+  MUTANT_INTRINSIC __m256d name(unsigned place, __m256d a, __m256d b) {            \
+    return ::mutant::on(place) ? pick(place, a op b, a op1 b, a, a, 1) : a op b;   \
+  }
+MUTANT_OPERATOR(vector_add, +, -)
+MUTANT_OPERATOR(vector_sub, -, +)
+MUTANT_OPERATOR(vector_mul, *, /)
+
 /// With what is a macro where the compiler does not optimize, and an immediate operand.
 MUTANT_INTRINSIC __m256d compare(unsigned place, __m256d a, __m256d b, int how) {
   const __m256d right = how == _CMP_GE_OQ ? ::_mm256_cmp_pd(a, b, _CMP_GE_OQ) : ::_mm256_cmp_pd(a, b, _CMP_EQ_OQ);
@@ -34,6 +42,7 @@ MUTANT_INTRINSIC __m256d compare(unsigned place, __m256d a, __m256d b, int how) 
   return pick(place, right, ::_mm256_cmp_pd(a, b, _CMP_NEQ_OQ), right, right, 1);
 }
 
+#undef MUTANT_OPERATOR
 #undef MUTANT_INTRINSIC2
 #undef MUTANT_INTRINSIC3
 
