@@ -406,11 +406,12 @@ TEST(JudgeNormal, of_any_length_is_normalised_exactly_where_declared_and_bounded
 
 TEST(JudgeNormal, of_any_length_may_err_to_neither_side_whatever_its_sign) {
   const Declaration any_length = with([](Conventions& c) { c.normal_unit = false; });
-  for (const double sign : {1.0, -1.0}) {
-    const Query query = spheres({{0, 0, 0}, 2}, {sign * Vector3(3, 4, 0), 3});
-    EXPECT_EQ(level_of(query, normal_of(sign * Vector3(3, 4, 0)), any_length), Level::bounded);
-    for (const double x : {2.9, 3.1})
-      EXPECT_EQ(level_of(query, normal_of(sign * Vector3(x, 4, 0)), any_length), Level::decisions) << sign << " " << x;
+  // n is about (1, +-2^-20, 0): what turns y by 2^-40 turns x by 2^-60, which is within its bound
+  for (const double y : {1.0, -1.0}) {
+    const Query query = spheres({{0, 0, 0}, 0x1p20}, {{0x1p20, y, 0}, 3});
+    EXPECT_EQ(level_of(query, normal_of({0x1p20, y, 0}), any_length), Level::bounded);
+    for (const double off : {0x1p-20, -0x1p-20})
+      EXPECT_EQ(level_of(query, normal_of({0x1p20, y + off, 0}), any_length), Level::decisions) << y << " " << off;
   }
 }
 
@@ -480,6 +481,8 @@ TEST(JudgeFields, a_rounding_that_is_known_already_changes_no_verdict) {
                               value_of(above(right.value))};
     for (int axis = 0; axis < 3; ++axis) {
       const Vector3 off = Vector3::Unit(axis);
+      claims.push_back(
+          contact_of({.normal = off, .point1 = right.point1, .point2 = right.point2, .point = {}, .value = {}}));
       claims.push_back(normal_of(right.normal + off));
       claims.push_back(points_of(right.point1 + off, right.point2));
       claims.push_back(points_of(right.point1, right.point2 + off));
@@ -653,6 +656,36 @@ TEST(JudgeCoincident, points_go_with_a_unit_normal_as_it_is_claimed) {
                                   .point = {},
                                   .value = {}});
   EXPECT_EQ(level_of(spheres({{0, 0, 0}, 2}, {{0, 0, 0}, 3}), claim), Level::correctly_rounded);
+}
+
+TEST(JudgeCoincident, a_zero_normal_of_any_length_is_wrong_and_its_points_are_centres) {
+  const Declaration any_length = with([](Conventions& c) { c.normal_unit = false; });
+  const Claim claim =
+      contact_of({.normal = Vector3(0, 0, 0), .point1 = Vector3(7, 0, 0), .point2 = {}, .point = {}, .value = {}});
+  const Verdict verdict = judged(coincident(), claim, any_length);
+  EXPECT_EQ(verdict.at(Field::normal)->grade, Grade::beyond_bound);
+  EXPECT_EQ(verdict.at(Field::point1)->grade, Grade::correctly_rounded);
+}
+
+TEST(JudgeCoincident, a_midpoint_without_a_normal_is_not_judged) {
+  const Verdict verdict = judged(coincident(), midpoint_of({1, 2, 3}), with_points(Points::midpoint));
+  EXPECT_FALSE(verdict.at(Field::point).has_value());
+}
+
+TEST(JudgeDecisions, a_contact_of_cubes_is_a_decision_without_fields) {
+  const Query query{Pair::cube_cube, Boxes{{{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {2, 1, 1}}}, {0, 0}};
+  for (const Coincident coincident : {Coincident::any_unit_normal, Coincident::no_contact}) {
+    const Declaration declared = with([&](Conventions& c) { c.coincident = coincident; });
+    const Verdict verdict = judged(query, normal_of({1, 0, 0}), declared);
+    EXPECT_EQ(verdict.contact, Decision::right);
+    EXPECT_FALSE(verdict.at(Field::normal).has_value());
+    EXPECT_EQ(judged(query, no_contact(), declared).contact, Decision::missed_hit);
+  }
+}
+
+TEST(JudgeLevels, grades_have_the_names_of_the_reports) {
+  EXPECT_EQ(name(Grade::correctly_rounded), "correctly-rounded");
+  EXPECT_EQ(name(Grade::not_finite), "not finite");
 }
 
 TEST(JudgeCoincident, centres_need_no_normal_to_be_judged) {

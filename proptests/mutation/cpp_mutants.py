@@ -122,7 +122,10 @@ class Rewriter:
             operands = children if kind == K.UNARY_OPERATOR else list(cursor.get_arguments())
             if len(operands) == 1 and operands[0] is not None:
                 sign = self.text[start:operands[0].extent.start.offset].strip()
-                if sign in UNARY and not (sign == "-" and strip(operands[0]).kind in LITERALS and self.piece(strip(operands[0])) == "0"):
+                # An expression of Eigen's is made of what it negates, minus and all.
+                if "Eigen" in operands[0].type.get_canonical().spelling:
+                    pass
+                elif sign in UNARY and not (sign == "-" and strip(operands[0]).kind in LITERALS and self.piece(strip(operands[0])) == "0"):
                     name, *changes = UNARY[sign]
                     self.add(start, end, f"{when}::{name}", [f"{sign} {c}" for c in changes],
                              replaced=[(start, operands[0].extent.start.offset, "")])
