@@ -217,6 +217,8 @@ class Rewriter:
             return
         if inner.kind == K.CALL_EXPR and inner.spelling.startswith("operator"):
             return
+        if re.search(r"^std::nullopt$|\w\{\}$", text):  # nothing already
+            return
         # A reference cannot be made anew, and a vector not outside of its instruction set.
         if self.result.kind in (TypeKind.LVALUEREFERENCE, TypeKind.RVALUEREFERENCE, TypeKind.POINTER):
             return

@@ -271,6 +271,7 @@ def tests_of_cpp():
                                           "--family", "quick", "--level", "correctly-rounded"]
         found[f"lint {pair}"] = [tool, "lint", golden / pair]
         found[f"certify {pair}"] = [tool, "certify", golden / pair, "--engine", "production", "--check", "all", "--level", "correctly-rounded"]
+    found["lint golden"] = [tool, "lint", golden]  # with its manifest
     found["digests"] = [tool, "digests", golden]
     found["digests --production"] = [tool, "digests", golden, "--production"]
     script = TREE / "tool" / "cli_test.py"
@@ -380,7 +381,7 @@ class Runner:
     def settle(self, mutant, tests):
         """The outcome of one mutant, from the file where nothing that it rests on has changed."""
         mine = {t: e for t, e in tests.items() if "id" not in mutant or e["reached"].get(mutant["id"]) == 2}
-        source = hashlib.sha256((ROOT / mutant["file"]).read_bytes()).hexdigest()[:16]
+        source = source_of(mutant["file"])
         old = self.results.get(name(mutant))
         survived = {}
         if old and old["source"] == source:
@@ -425,6 +426,17 @@ class Runner:
         return entry
 
 
+def settle(runner, mutant, tests):
+    if "text" not in mutant:
+        return runner.settle(mutant, tests["cpp"])
+    file = TREE / mutant["file"]
+    write(file, mutant["text"])
+    try:
+        return runner.settle(mutant, tests["python"])
+    finally:
+        write(file, (ROOT / mutant["file"]).read_bytes())
+
+
 # What came of it.
 
 
@@ -437,6 +449,35 @@ def explanations():
             for nth in entry.get("nth", [1]):
                 found["|".join((entry["file"], entry["line"], change, str(nth)))] = (number, entry["why"])
     return found
+
+
+def write_page(mutants):
+    """The table of every outcome that is recorded of the sources as they are."""
+    results, why = Runner(TREE / "results.jsonl").results, explanations()
+    rows = [HEADING]
+    for component, files in COMPONENTS.items():
+        all_ = [m for m in mutants if m["component"] == component and not m.get("dropped")]
+        sources = {f: source_of(f) for f in files}
+        known = [m for m in all_ if name(m) in results and results[name(m)]["source"] == sources[m["file"]]
+                 and results[name(m)]["outcome"] != "no mutant"]
+        killed = sum(results[name(m)]["outcome"] == "killed" for m in known)
+        explained = sum(results[name(m)]["outcome"] != "killed" and name(m) in why for m in known)
+        rows.append(row(component, len(all_), len(known), killed, explained))
+    text = PAGE.read_text()
+    PAGE.write_text(re.sub(r"(<!-- scores:begin -->\n```text\n).*?(```\n<!-- scores:end -->)", lambda m: m[1] + table(rows) + "\n" + m[2], text,
+                           flags=re.S))
+    print(table(rows))
+
+
+HEADING = ("component", "mutants", "judged", "killed", "explained", "left", "score")
+
+
+def row(component, mutants, judged, killed, explained):
+    return (component, *map(str, (mutants, judged, killed, explained, judged - killed - explained)), f"{100 * killed / max(judged, 1):.1f} %")
+
+
+def source_of(file):
+    return hashlib.sha256((ROOT / file).read_bytes()).hexdigest()[:16]
 
 
 def table(rows):
@@ -453,7 +494,7 @@ def main():
     parser.add_argument("--most", type=float, default=30, metavar="SECONDS", help="tests that take longer are left out (default: 30)")
     parser.add_argument("--survivors", action="store_true", help="only those that survived before, against what is new")
     parser.add_argument("--only", metavar="REGEX", help="mutants whose name has it")
-    parser.add_argument("--write", action="store_true", help="the table of scores into docs/mutation-testing.md")
+    parser.add_argument("--write", action="store_true", help="what is known so far into docs/mutation-testing.md, and no mutant is run")
     options = parser.parse_args()
     wanted = options.components or list(COMPONENTS)
     if unknown := [c for c in wanted if c not in COMPONENTS]:
@@ -462,6 +503,9 @@ def main():
     TREE.mkdir(parents=True, exist_ok=True)
     schemata = Schemata({c: files for c, files in COMPONENTS.items() if files[0].endswith(".cpp")})
     mutants = schemata.make()
+    if options.write:
+        write_page(mutants + python_mutants("verify", "golden/verify.py"))
+        return 0
     schemata.build()
     cpp = [c for c in wanted if c in schemata.files]
     tests = {"cpp": recorded(tests_of_cpp(), TREE / "reached", options.most) if cpp else {}}
@@ -472,8 +516,8 @@ def main():
 
     runner = Runner(TREE / "results.jsonl")
     why = explanations()
-    rows = [("component", "mutants", "judged", "killed", "explained", "left", "score")]
-    used, left, names = set(), [], {name(m) for m in mutants}
+    rows = [HEADING]
+    left, names, interrupted = [], {name(m) for m in mutants}, False
     for component in wanted:
         all_ = sorted((m for m in mutants if m["component"] == component and not m.get("dropped")), key=name)
         if component in schemata.files:
@@ -489,40 +533,33 @@ def main():
             random.Random(options.seed).shuffle(all_)
         chosen = all_[:options.sample]
         count = collections.Counter()
-        for i, mutant in enumerate(chosen):
-            if "text" in mutant:
-                write(TREE / mutant["file"], mutant["text"])
-                outcome = runner.settle(mutant, tests["python"])
-                write(TREE / mutant["file"], (ROOT / mutant["file"]).read_bytes())
-            else:
-                outcome = runner.settle(mutant, tests["cpp"])
+        for i, mutant in enumerate([] if interrupted else chosen):
+            try:
+                outcome = settle(runner, mutant, tests)
+            except KeyboardInterrupt:
+                interrupted = True
+                break
+            count["judged"] += 1
             killed = outcome["outcome"] == "killed"
             count["killed"] += killed
             if name(mutant) in why:
-                used.add(name(mutant))
                 if killed:
                     say(f"explained and killed: {EXPLAINED.name}:{why[name(mutant)][0]}: {name(mutant)}")
                 else:
                     count["explained"] += 1
             elif not killed:
-                count["left"] += 1
                 left.append((mutant, outcome["outcome"]))
             if sys.stderr.isatty() or i % 100 == 99:
                 end = "\r" if sys.stderr.isatty() else "\n"
                 print(f"{component}: {i + 1} of {len(chosen)}, {count['killed']} killed", end=end, file=sys.stderr, flush=True)
-        rows.append((component, str(len(all_)), str(len(chosen)), str(count["killed"]), str(count["explained"]), str(count["left"]),
-                     f"{100 * count['killed'] / max(len(chosen), 1):.1f} %"))
+        rows.append(row(component, len(all_), count["judged"], count["killed"], count["explained"]))
     for mutant, outcome in sorted(left, key=lambda one: (one[0]["file"], one[0]["at"])):
         print(f"{mutant['file']}:{mutant['at']}: {mutant['change']} ({mutant['nth']}) {outcome}: {mutant['line']}")
     stale = [key for key in why if key not in names and key.split("|")[0] in {f for c in wanted for f in COMPONENTS[c]}]
     for key in stale:
         print(f"stale: {EXPLAINED.name}:{why[key][0]}: there is no such mutant any more: {key}")
     print(table(rows))
-    if options.write:
-        text = PAGE.read_text()
-        PAGE.write_text(re.sub(r"(<!-- scores:begin -->\n```text\n).*?(\n```\n<!-- scores:end -->)",
-                               lambda m: m[1] + table(rows) + m[2], text, flags=re.S))
-    return 1 if left or stale else 0
+    return 130 if interrupted else 1 if left or stale else 0
 
 
 if __name__ == "__main__":
