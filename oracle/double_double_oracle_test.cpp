@@ -10,6 +10,10 @@
 #include <cstdint>
 #include <random>
 
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
+
 #include "oracle/double_double.hpp"
 #include "oracle/staged_oracle.hpp"
 
@@ -316,6 +320,36 @@ TEST(DoubleDoubleOracle, declines_in_any_rounding_mode_but_to_nearest) {
     EXPECT_FALSE(double_double_answer(query, Scalar::binary64)) << mode;
     EXPECT_FALSE(double_double_answer(boxes, Scalar::binary64)) << mode;
   }
+}
+
+#ifdef __SSE2__
+TEST(DoubleDoubleOracle, declines_where_subnormal_numbers_are_flushed_or_taken_for_zero) {
+  const Query query{Pair::sphere_sphere, Balls{{{0, 0, 0}, 2}, {{3, 4, 0}, 3}}, {0, 0}};
+  const unsigned before = _mm_getcsr();
+  ASSERT_TRUE(double_double_answer(query, Scalar::binary64));
+  for (const unsigned flushed : {0x8000U, 0x0040U}) {
+    _mm_setcsr(before | flushed);
+    const bool answered = double_double_answer(query, Scalar::binary64).has_value();
+    _mm_setcsr(before);
+    EXPECT_FALSE(answered) << flushed;
+  }
+}
+#endif
+
+TEST(DoubleDoubleOracle, tells_the_margin_of_a_golden_file_or_nothing) {
+  const auto margin = [](double r1, double r2) {
+    const Query query{Pair::sphere_sphere, Balls{{{0, 0, 0}, r1}, {{3, 4, 0}, r2}}, {0, 0}};
+    const auto found = double_double_case(query, Scalar::binary64);
+    const double right = witness(truth_of(query), Scalar::binary64).margin_ulps;
+    if (found && found->margin_ulps) EXPECT_EQ(*found->margin_ulps, right) << r1 << " " << r2;
+    return found ? found->margin_ulps : std::nullopt;
+  };
+  EXPECT_TRUE(margin(2, 2));
+  EXPECT_TRUE(margin(0.1, 0.2));
+  EXPECT_TRUE(margin(0x1p-150, 0));
+  // 1 - 2^-54 rounds to 1, whose ulp is twice as large: that is left to the others
+  EXPECT_FALSE(margin(1 - 0x1p-53, 0x1p-54));
+  EXPECT_TRUE(margin(1, 0));
 }
 
 TEST(StagedOracle, passes_on_what_a_stage_declines_and_says_who_decided) {

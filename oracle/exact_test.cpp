@@ -276,6 +276,20 @@ TEST(Ulp, goes_on_growing_above_the_largest_finite_number) {
   EXPECT_EQ(ulp(power_of_two(130), kFloat), power_of_two(107));
 }
 
+TEST(FloorLog2, is_the_exponent_of_the_power_of_two_at_or_below_a_magnitude) {
+  for (const int k : {-1074, -3, 0, 1, 1023}) {
+    const Rational power = power_of_two(k);
+    const Rational hair = power * power_of_two(-2000);
+    for (const int sign : {1, -1}) {
+      EXPECT_EQ(floor_log2(Rational(sign) * power), k);
+      EXPECT_EQ(floor_log2(Rational(sign) * (power + hair)), k);
+      EXPECT_EQ(floor_log2(Rational(sign) * (power - hair)), k - 1);
+    }
+  }
+  EXPECT_EQ(floor_log2(Rational(1) / Rational(3)), -2);
+  EXPECT_EQ(floor_log2(Rational(7) / Rational(2)), 1);
+}
+
 TEST(Neighbours, step_through_the_scalar_and_past_its_end) {
   for (const FormatFacts& f : kFacts) {
     EXPECT_EQ(next_up(1, f.scalar), 1 + f.epsilon);

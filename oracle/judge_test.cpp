@@ -276,6 +276,10 @@ TEST(JudgeLevels, outside_the_domain_refusing_or_failing_is_right_and_an_answer_
   for (const Claim::Status status : {Claim::Status::answered, Claim::Status::unsupported, Claim::Status::timeout,
                                      Claim::Status::crash, Claim::Status::missing})
     EXPECT_EQ(level(status), Level::none);
+  Claim claim;
+  claim.status = Claim::Status::crash;
+  claim.text = "signal 11";
+  EXPECT_EQ(judge_outside_domain(claim).text, "signal 11");
 }
 
 // Bounds.
@@ -398,6 +402,105 @@ TEST(JudgeNormal, of_any_length_is_normalised_exactly_where_declared_and_bounded
   EXPECT_EQ(level_of(overlapping(), normal_of({1, 0x1p-49, 0}), any_length), Level::bounded);
   EXPECT_EQ(level_of(overlapping(), normal_of({1, above(0x1p-49), 0}), any_length), Level::decisions);
   EXPECT_EQ(level_of(overlapping(), normal_of({2, 0x1p-48, 0}), any_length), Level::bounded);
+}
+
+TEST(JudgeNormal, of_any_length_may_err_to_neither_side_whatever_its_sign) {
+  const Declaration any_length = with([](Conventions& c) { c.normal_unit = false; });
+  // n is about (1, +-2^-20, 0): what turns y by 2^-40 turns x by 2^-60, which is within its bound
+  for (const double y : {1.0, -1.0}) {
+    const Query query = spheres({{0, 0, 0}, 0x1p20}, {{0x1p20, y, 0}, 3});
+    EXPECT_EQ(level_of(query, normal_of({0x1p20, y, 0}), any_length), Level::bounded);
+    for (const double off : {0x1p-20, -0x1p-20})
+      EXPECT_EQ(level_of(query, normal_of({0x1p20, y + off, 0}), any_length), Level::decisions) << y << " " << off;
+  }
+}
+
+TEST(JudgeFields, each_axis_counts_alone) {
+  const Query query = spheres({{1, 2, 3}, 2}, {{4, 6, 3}, 3});  // n (0.6, 0.8, 0); both points (2.2, 3.6, 3)
+  const Vector3 n(0.6, 0.8, 0);
+  const Vector3 p(2.2, 3.6, 3);
+  const Declaration midpoint = with_points(Points::midpoint);
+  EXPECT_EQ(level_of(query, points_of(p, p)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(query, midpoint_of(p), midpoint), Level::correctly_rounded);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vector3 off = Vector3::Unit(axis);
+    EXPECT_EQ(level_of(query, normal_of(n + off)), Level::decisions) << axis;
+    EXPECT_EQ(level_of(query, points_of(p + off, p)), Level::decisions) << axis;
+    EXPECT_EQ(level_of(query, points_of(p, p + off)), Level::decisions) << axis;
+    EXPECT_EQ(level_of(query, midpoint_of(p + off), midpoint), Level::decisions) << axis;
+  }
+}
+
+TEST(JudgeFields, errors_are_measured_from_the_right_number_in_ulps_of_its_scale) {
+  const auto error = [](const Query& query, const Vector3& n, const Declaration& declared) {
+    return judged(query, normal_of(n), declared).at(Field::normal)->error;
+  };
+  const Declaration any_length = with([](Conventions& c) { c.normal_unit = false; });
+  // 0 instead of (0.6, 0.8, 0) is 0.8 off; ulp(1) = 2^-52
+  EXPECT_DOUBLE_EQ(error(touching(), {0, 0, 0}, any_length), 0.8 * 0x1p52);
+  // where any unit normal is right, what is off is its squared length
+  EXPECT_DOUBLE_EQ(error(coincident(), {0, 2, 0}, {}), 3 * 0x1p52);
+  EXPECT_EQ(error(coincident(), {0, 1, 0}, {}), 0);
+  EXPECT_EQ(error(coincident(), {0, 2, 0}, any_length), 0);
+  EXPECT_LT(error(touching(), {3, 4, 0}, any_length), 1);
+  EXPECT_EQ(error(overlapping(), {1, 0x1p-49, 0}, any_length), 8);
+  // what is not finite has no error
+  EXPECT_EQ(error(touching(), {kNan, 0, 0}, {}), 0);
+  EXPECT_EQ(judged(overlapping(), value_of(kNan)).at(Field::value)->error, 0);
+}
+
+TEST(JudgeFields, the_middle_is_measured_by_the_larger_sphere) {
+  // 8 ulp(8) = 2^-46; the other sphere's coordinates and radius are 4 at most
+  const Declaration midpoint = with_points(Points::midpoint);
+  const Query first = spheres({{0, 0, 0}, 8}, {{4, 0, 0}, 1});
+  EXPECT_EQ(level_of(first, midpoint_of({5.5 + 0x1p-46, 0, 0}), midpoint), Level::bounded);
+  const Query second = spheres({{0, 0, 0}, 1}, {{4, 0, 0}, 8});
+  EXPECT_EQ(level_of(second, midpoint_of({-1.5 + 0x1p-46, 0, 0}), midpoint), Level::bounded);
+}
+
+TEST(JudgeFields, a_rounding_that_is_known_already_changes_no_verdict) {
+  const Query generic = spheres({{0.1, 0.2, 0.3}, 0.7}, {{0.4, -0.5, 0.6}, 0.35}, 0.01, 0.003);
+  std::vector<Declaration> declarations{{}};
+  for (std::size_t points = 0; points < kPointsNames.size(); ++points)
+    declarations.push_back(with_points(static_cast<Points>(points)));
+  declarations.push_back(with([](Conventions& c) { c.normal = NormalDirection::second_to_first; }));
+  declarations.push_back(with([](Conventions& c) { c.normal_unit = false; }));
+  declarations.push_back(with([](Conventions& c) { c.value = ValueKind::depth; }));
+  declarations.push_back(with([](Conventions& c) { c.value_less_contact = false; }));
+  std::size_t wrong = 0;
+  for (const Query& query : {generic, touching(0.5, 0.25), overlapping(0.25), coincident()}) {
+    const Truth truth = truth_of(query);
+    const Expectation known = expectation(truth, Scalar::binary64);
+    const Contact& right = *known.contact;
+    std::vector<Claim> claims{normal_of(right.normal),
+                              normal_of(-right.normal),
+                              points_of(right.point1, right.point2),
+                              points_of(right.point2, right.point1),
+                              value_of(right.value),
+                              value_of(-right.value),
+                              value_of(above(right.value))};
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vector3 off = Vector3::Unit(axis);
+      claims.push_back(
+          contact_of({.normal = off, .point1 = right.point1, .point2 = right.point2, .point = {}, .value = {}}));
+      claims.push_back(normal_of(right.normal + off));
+      claims.push_back(points_of(right.point1 + off, right.point2));
+      claims.push_back(points_of(right.point1, right.point2 + off));
+    }
+    for (const Declaration& declared : declarations)
+      for (const Claim& claim : claims) {
+        const Verdict plain = judge(query, truth, claim, declared);
+        const Verdict quick = judge(query, truth, claim, declared, &known);
+        wrong += plain.level() == Level::decisions ? 1 : 0;
+        for (const Field field : kFields) {
+          ASSERT_EQ(plain.at(field).has_value(), quick.at(field).has_value());
+          if (!plain.at(field)) continue;
+          EXPECT_EQ(plain.at(field)->grade, quick.at(field)->grade) << name(field);
+          EXPECT_EQ(plain.at(field)->error, quick.at(field)->error) << name(field);
+        }
+      }
+  }
+  EXPECT_GT(wrong, 100U);  // there was something to be found
 }
 
 // Conventions of the points.
@@ -543,6 +646,52 @@ TEST(JudgeCoincident, the_midpoint_goes_with_the_claimed_normal_normalised_where
   });
   EXPECT_EQ(judged(coincident(), claim({0, 9, 0}, {7, -0.5, 0}), any_length).at(Field::point)->grade,
             Grade::correctly_rounded);
+}
+
+TEST(JudgeCoincident, points_go_with_a_unit_normal_as_it_is_claimed) {
+  // unit within 8 roundings, and 2 n = 2 - 2^-50 all the same
+  const Claim claim = contact_of({.normal = Vector3(1 - 0x4p-53, 0, 0),
+                                  .point1 = Vector3(2 - 0x1p-50, 0, 0),
+                                  .point2 = {},
+                                  .point = {},
+                                  .value = {}});
+  EXPECT_EQ(level_of(spheres({{0, 0, 0}, 2}, {{0, 0, 0}, 3}), claim), Level::correctly_rounded);
+}
+
+TEST(JudgeCoincident, a_zero_normal_of_any_length_is_wrong_and_its_points_are_centres) {
+  const Declaration any_length = with([](Conventions& c) { c.normal_unit = false; });
+  const Claim claim =
+      contact_of({.normal = Vector3(0, 0, 0), .point1 = Vector3(7, 0, 0), .point2 = {}, .point = {}, .value = {}});
+  const Verdict verdict = judged(coincident(), claim, any_length);
+  EXPECT_EQ(verdict.at(Field::normal)->grade, Grade::beyond_bound);
+  EXPECT_EQ(verdict.at(Field::point1)->grade, Grade::correctly_rounded);
+}
+
+TEST(JudgeCoincident, a_midpoint_without_a_normal_is_not_judged) {
+  const Verdict verdict = judged(coincident(), midpoint_of({1, 2, 3}), with_points(Points::midpoint));
+  EXPECT_FALSE(verdict.at(Field::point).has_value());
+}
+
+TEST(JudgeDecisions, a_contact_of_cubes_is_a_decision_without_fields) {
+  const Query query{Pair::cube_cube, Boxes{{{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {2, 1, 1}}}, {0, 0}};
+  for (const Coincident coincident : {Coincident::any_unit_normal, Coincident::no_contact}) {
+    const Declaration declared = with([&](Conventions& c) { c.coincident = coincident; });
+    const Verdict verdict = judged(query, normal_of({1, 0, 0}), declared);
+    EXPECT_EQ(verdict.contact, Decision::right);
+    EXPECT_FALSE(verdict.at(Field::normal).has_value());
+    EXPECT_EQ(judged(query, no_contact(), declared).contact, Decision::missed_hit);
+  }
+}
+
+TEST(JudgeLevels, grades_have_the_names_of_the_reports) {
+  EXPECT_EQ(name(Grade::correctly_rounded), "correctly-rounded");
+  EXPECT_EQ(name(Grade::not_finite), "not finite");
+}
+
+TEST(JudgeCoincident, centres_need_no_normal_to_be_judged) {
+  const Declaration center = with_points(Points::center);
+  EXPECT_EQ(level_of(coincident(), points_of({7, 0, 0}, {7, 0, 0}), center), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), points_of({8, 0, 0}, {7, 0, 0}), center), Level::decisions);
 }
 
 TEST(JudgeCoincident, points_go_with_the_normalised_normal_where_it_may_have_any_length) {

@@ -796,7 +796,8 @@ class BadDatasets(Case):
             "non-canonical number": ([good[0], re.sub(r'("alarm":[0-9.]+)', r"\1e0", good[1]), *good[2:]],
                                      f"{path}:2: ", "canonical"),
             "key order": ([good[0], line({"a": case["a"], **case}), *good[2:]], f"{path}:2: ", "canonical"),
-            "spaces": ([good[0], json.dumps(case), *good[2:]], f"{path}:2: ", "canonical"),
+            "spaces": ([good[0], json.dumps(case), *good[2:]], f"{path}:2: ", "canonical",
+                       f"from column {good[1].index(':') + 2}: expected ...{good[1][good[1].index(':') + 1:][:60]}\n"),
             "carriage return": ([good[0], good[1] + "\r", *good[2:]], f"{path}:2: ", "canonical"),
         }
         self.assertNotIn("Coincident", flags)

@@ -111,6 +111,27 @@ TEST(Grid, is_the_coarsest_on_which_every_number_is_an_integer) {
   EXPECT_EQ(whole(-kLargest), -((power(53) - 1) << 2045));  // (2^53 - 1) 2^971 over 2^-1074
 }
 
+TEST(Grid, is_fixed_while_its_numbers_fit_in_that_many_bits) {
+  static_assert(Grid::kFixedLength == 1280);
+  EXPECT_TRUE((Grid{0x1p-256, 0x1p1023}.is_fixed()));
+  EXPECT_FALSE((Grid{0x1p-257, 0x1p1023}.is_fixed()));
+  EXPECT_TRUE((Grid{0x1p1023, 0, 0x1p-256}.is_fixed()));
+  EXPECT_FALSE((Grid{kLeast, 1e300}.is_fixed()));
+  EXPECT_TRUE((Grid{0, 0}.is_fixed()));
+}
+
+TEST(FixedInteger, has_the_length_and_the_leading_part_of_its_magnitude) {
+  for (const int shift : {0, 1, 52, 63, 64, 65, 127, 128, 1000})
+    for (const bool negative : {false, true}) {
+      const FixedInteger n(3, shift, negative);  // 3/4 of 2^(shift + 2)
+      EXPECT_EQ(n.bit_length(), shift + 2);
+      int exponent = 0;
+      EXPECT_EQ(n.leading(exponent), 0.75);
+      EXPECT_EQ(exponent, shift + 2);
+    }
+  EXPECT_EQ(FixedInteger().bit_length(), 0);
+}
+
 TEST(Grid, of_zeros_alone_has_exponent_0) {
   const Grid zeros{0.0, -0.0};
   EXPECT_EQ(zeros.exponent(), 0);
