@@ -33,7 +33,8 @@ KINDS = 4  # mutants a place, at most: mutant.hpp
 COMPONENTS = {
     "kernel": ["src/kernel/cube_cube.cpp", "src/kernel/exact.cpp", "src/kernel/exact.hpp", "src/kernel/exact_sum.cpp",
                "src/kernel/fixed_integer.hpp", "src/kernel/floating_point_environment.hpp", "src/kernel/sphere_sphere.cpp",
-               "src/kernel/sphere_sphere_double_double.hpp", "src/kernel/sphere_sphere_one_vector.hpp"],
+               "src/kernel/sphere_sphere_double_double.hpp", "src/kernel/sphere_sphere_filter.hpp",
+               "src/kernel/sphere_sphere_one_vector.hpp"],
     "batch": ["src/kernel/batch.cpp", "src/kernel/batch.hpp", "src/kernel/batch_cube_cube.cpp", "src/kernel/batch_scalar.cpp",
               "src/kernel/batch_sphere_sphere.cpp", "src/kernel/batch_targets.cpp"],
     "oracle": ["oracle/cube_cube.cpp", "oracle/double_double.hpp", "oracle/double_double_oracle.cpp", "oracle/exact.cpp", "oracle/exact.hpp",
@@ -220,7 +221,7 @@ class Schemata:
     def write(self, file, rewriter, dropped):
         text = rewriter.rewritten(dropped)
         path = TREE / file
-        for line, include in (("namespace hn = hwy::HWY_NAMESPACE;", "mutant_vectors.hpp"), ("using V = __m256d;", "mutant_intrinsics.hpp")):
+        for line, include in (("namespace hn = hwy::HWY_NAMESPACE;", "mutant_vectors.hpp"), ('#define CONTACT_ONE_VECTOR [[gnu::always_inline, gnu::target("avx2,fma")]] inline', "mutant_intrinsics.hpp")):
             if line in text:
                 at = text[:text.index(line)].count("\n") + 2
                 text = text.replace(line, f'{line}\n#include "{HERE}/{include}"\n#line {at} "{path}"', 1)
