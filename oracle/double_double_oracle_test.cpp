@@ -341,7 +341,9 @@ TEST(DoubleDoubleOracle, tells_the_margin_of_a_golden_file_or_nothing) {
     const Query query{Pair::sphere_sphere, Balls{{{0, 0, 0}, r1}, {{3, 4, 0}, r2}}, {0, 0}};
     const auto found = double_double_case(query, Scalar::binary64);
     const double right = witness(truth_of(query), Scalar::binary64).margin_ulps;
-    if (found && found->margin_ulps) EXPECT_EQ(*found->margin_ulps, right) << r1 << " " << r2;
+    if (found && found->margin_ulps) {
+      EXPECT_EQ(*found->margin_ulps, right) << r1 << " " << r2;
+    }
     return found ? found->margin_ulps : std::nullopt;
   };
   EXPECT_TRUE(margin(2, 2));

@@ -1,9 +1,10 @@
-// What a rewritten file calls in the place of its operators, constants, conditions, returns and statements: the same, but for
-// the one mutant that CONTACT_MUTANT names. All mutants are in one program, so that none is compiled on its own.
+// What a rewritten file calls in the place of its operators, constants, conditions, returns and statements: the same,
+// but for the one mutant that CONTACT_MUTANT names. All mutants are in one program, so that none is compiled on its
+// own.
 //
-// Mutant 4 place + variant is the variant-th change of a place. With CONTACT_MUTANTS_REACHED=FILE nothing is changed, and at
-// exit FILE.PID gets a byte a mutant: 0 never executed, 1 it would have changed no value, 2 it would have, 3 no such mutant for these
-// types. A test during which it would have changed no value cannot kill it.
+// Mutant 4 place + variant is the variant-th change of a place. With CONTACT_MUTANTS_REACHED=FILE nothing is changed,
+// and at exit FILE.PID gets a byte a mutant: 0 never executed, 1 it would have changed no value, 2 it would have, 3 no
+// such mutant for these types. A test during which it would have changed no value cannot kill it.
 #pragma once
 #pragma GCC system_header
 
@@ -70,20 +71,25 @@ inline void note(unsigned place, unsigned variant, unsigned char what) {
 
 template <class T>
 bool same(const T& x, const T& y) {
-  if constexpr (std::is_arithmetic_v<T>) return std::memcmp(&x, &y, sizeof x) == 0;
-  else return false;  // not looked at: it may have changed
+  if constexpr (std::is_arithmetic_v<T>)
+    return std::memcmp(&x, &y, sizeof x) == 0;
+  else
+    return false;  // not looked at: it may have changed
 }
 
-/// What a place gives under the chosen mutant, or `right` while recording. `wrong` are functions, one a variant, that return
-/// void where the types know no such operation.
+/// What a place gives under the chosen mutant, or `right` while recording. `wrong` are functions, one a variant, that
+/// return void where the types know no such operation.
 template <class R, class... Wrong>
 [[gnu::noinline]] R pick(unsigned place, const R& right, const Wrong&... wrong) {
   unsigned variant = 0;
   if (recording) {
     (..., [&] {
-      if constexpr (std::is_void_v<decltype(wrong())>) note(place, variant, kNone);
-      else if constexpr (std::is_arithmetic_v<R>) note(place, variant, same<R>(right, wrong()) ? kUnchanged : kChanged);
-      else note(place, variant, kChanged);
+      if constexpr (std::is_void_v<decltype(wrong())>)
+        note(place, variant, kNone);
+      else if constexpr (std::is_arithmetic_v<R>)
+        note(place, variant, same<R>(right, wrong()) ? kUnchanged : kChanged);
+      else
+        note(place, variant, kChanged);
       ++variant;
     }());
     return right;

@@ -3,20 +3,22 @@ namespace mutated {
 
 #define MUTANT_INTRINSIC [[gnu::always_inline, gnu::target("avx2,fma")]] inline
 
-MUTANT_INTRINSIC __m256d pick(unsigned place, __m256d right, __m256d wrong0, __m256d wrong1, __m256d wrong2, unsigned variants) {
+MUTANT_INTRINSIC __m256d pick(unsigned place, __m256d right, __m256d wrong0, __m256d wrong1, __m256d wrong2,
+                              unsigned variants) {
   const auto wrong = [&](unsigned i) -> const __m256d& { return i == 0 ? wrong0 : i == 1 ? wrong1 : wrong2; };
   if (!::mutant::recording) return ::mutant::chosen < variants ? wrong(::mutant::chosen) : right;
   for (unsigned i = 0; i < variants; ++i)
-    ::mutant::note(place, i, std::memcmp(&right, &wrong(i), sizeof right) == 0 ? ::mutant::kUnchanged : ::mutant::kChanged);
+    ::mutant::note(place, i,
+                   std::memcmp(&right, &wrong(i), sizeof right) == 0 ? ::mutant::kUnchanged : ::mutant::kChanged);
   return right;
 }
 
-#define MUTANT_INTRINSIC2(name, wrong0, wrong1, wrong2, variants)                                       \
-  MUTANT_INTRINSIC __m256d name(unsigned place, __m256d a, __m256d b) {                                 \
+#define MUTANT_INTRINSIC2(name, wrong0, wrong1, wrong2, variants)                                            \
+  MUTANT_INTRINSIC __m256d name(unsigned place, __m256d a, __m256d b) {                                      \
     return ::mutant::on(place) ? pick(place, ::name(a, b), wrong0, wrong1, wrong2, variants) : ::name(a, b); \
   }
-#define MUTANT_INTRINSIC3(name, wrong0, wrong1)                                                         \
-  MUTANT_INTRINSIC __m256d name(unsigned place, __m256d a, __m256d b, __m256d c) {                      \
+#define MUTANT_INTRINSIC3(name, wrong0, wrong1)                                                             \
+  MUTANT_INTRINSIC __m256d name(unsigned place, __m256d a, __m256d b, __m256d c) {                          \
     return ::mutant::on(place) ? pick(place, ::name(a, b, c), wrong0, wrong1, wrong1, 2) : ::name(a, b, c); \
   }
 MUTANT_INTRINSIC2(_mm256_and_pd, ::_mm256_or_pd(a, b), a, b, 3)
@@ -25,9 +27,9 @@ MUTANT_INTRINSIC2(_mm256_andnot_pd, b, b, b, 1)
 MUTANT_INTRINSIC3(_mm256_fmadd_pd, ::_mm256_fmsub_pd(a, b, c), ::_mm256_fnmadd_pd(a, b, c))
 MUTANT_INTRINSIC3(_mm256_fmsub_pd, ::_mm256_fmadd_pd(a, b, c), ::_mm256_fnmsub_pd(a, b, c))
 
-#define MUTANT_OPERATOR(name, op, op1)                                              \
-  MUTANT_INTRINSIC __m256d name(unsigned place, __m256d a, __m256d b) {            \
-    return ::mutant::on(place) ? pick(place, a op b, a op1 b, a, a, 1) : a op b;   \
+#define MUTANT_OPERATOR(name, op, op1)                                           \
+  MUTANT_INTRINSIC __m256d name(unsigned place, __m256d a, __m256d b) {          \
+    return ::mutant::on(place) ? pick(place, a op b, a op1 b, a, a, 1) : a op b; \
   }
 MUTANT_OPERATOR(vector_add, +, -)
 MUTANT_OPERATOR(vector_sub, -, +)

@@ -1,27 +1,26 @@
 // The functions of mutant.hpp, which includes this twice: at run time alone, and constexpr.
 
 // Two operands. A change exists where it compiles and gives what converts to the same type.
-#define MUTANT_WRONG(expression)                                                          \
-  [&]<class X_, class Y_>(const X_& x, const Y_& y) {                                      \
+#define MUTANT_WRONG(expression)                                                               \
+  [&]<class X_, class Y_>(const X_& x, const Y_& y) {                                          \
     if constexpr (requires { static_cast<R>(expression); }) return static_cast<R>(expression); \
   }
-#define MUTANT_BINARY2(name, op, op1, op2)                                                         \
-  template <class A, class B>                                                                      \
-  MUTANT_FUNCTION auto name(unsigned place, const A& a, const B& b) {                              \
-    using R = std::decay_t<decltype(a op b)>;                                                      \
-    if (MUTANT_ON(place))                                                                          \
-      return pick<R>(                                                                              \
-          place, static_cast<R>(a op b), [&] { return MUTANT_WRONG(x op1 y)(a, b); },              \
-          [&] { return MUTANT_WRONG(x op2 y)(a, b); });                                            \
-    return static_cast<R>(a op b);                                                                 \
+#define MUTANT_BINARY2(name, op, op1, op2)                                            \
+  template <class A, class B>                                                         \
+  MUTANT_FUNCTION auto name(unsigned place, const A& a, const B& b) {                 \
+    using R = std::decay_t<decltype(a op b)>;                                         \
+    if (MUTANT_ON(place))                                                             \
+      return pick<R>(                                                                 \
+          place, static_cast<R>(a op b), [&] { return MUTANT_WRONG(x op1 y)(a, b); }, \
+          [&] { return MUTANT_WRONG(x op2 y)(a, b); });                               \
+    return static_cast<R>(a op b);                                                    \
   }
-#define MUTANT_BINARY(name, op, op1)                                                               \
-  template <class A, class B>                                                                      \
-  MUTANT_FUNCTION auto name(unsigned place, const A& a, const B& b) {                              \
-    using R = std::decay_t<decltype(a op b)>;                                                      \
-    if (MUTANT_ON(place))                                                                          \
-      return pick<R>(place, static_cast<R>(a op b), [&] { return MUTANT_WRONG(x op1 y)(a, b); });  \
-    return static_cast<R>(a op b);                                                                 \
+#define MUTANT_BINARY(name, op, op1)                                                                                  \
+  template <class A, class B>                                                                                         \
+  MUTANT_FUNCTION auto name(unsigned place, const A& a, const B& b) {                                                 \
+    using R = std::decay_t<decltype(a op b)>;                                                                         \
+    if (MUTANT_ON(place)) return pick<R>(place, static_cast<R>(a op b), [&] { return MUTANT_WRONG(x op1 y)(a, b); }); \
+    return static_cast<R>(a op b);                                                                                    \
   }
 MUTANT_BINARY2(lt, <, <=, >=)
 MUTANT_BINARY2(le, <=, <, >)
@@ -39,36 +38,39 @@ MUTANT_BINARY(bit_xor, ^, |)
 MUTANT_BINARY(div, /, *)
 
 // A division by an integer 0 ends the program: while recording it must not happen.
-#define MUTANT_DIVIDE(name, op, op1)                                                     \
-  template <class A, class B>                                                            \
-  MUTANT_FUNCTION auto name(unsigned place, const A& a, const B& b) {                    \
-    using R = std::decay_t<decltype(a op b)>;                                            \
-    if (MUTANT_ON(place))                                                                \
-      return pick<R>(place, static_cast<R>(a op b), [&] {                                \
-        if constexpr (std::is_integral_v<B>)                                             \
-          if (recording && b == 0) return static_cast<R>((a op b) + 1);                  \
-        return MUTANT_WRONG(x op1 y)(a, b);                                              \
-      });                                                                                \
-    return static_cast<R>(a op b);                                                       \
+#define MUTANT_DIVIDE(name, op, op1)                                    \
+  template <class A, class B>                                           \
+  MUTANT_FUNCTION auto name(unsigned place, const A& a, const B& b) {   \
+    using R = std::decay_t<decltype(a op b)>;                           \
+    if (MUTANT_ON(place))                                               \
+      return pick<R>(place, static_cast<R>(a op b), [&] {               \
+        if constexpr (std::is_integral_v<B>)                            \
+          if (recording && b == 0) return static_cast<R>((a op b) + 1); \
+        return MUTANT_WRONG(x op1 y)(a, b);                             \
+      });                                                               \
+    return static_cast<R>(a op b);                                      \
   }
 MUTANT_DIVIDE(mul, *, /)
 MUTANT_DIVIDE(mod, %, /)
 
 // Compound assignment.
-#define MUTANT_ASSIGN(name, op, op1)                                                     \
-  template <class A, class B>                                                            \
-  MUTANT_FUNCTION A& name(unsigned place, A& a, const B& b) {                            \
-    if (MUTANT_ON(place)) {                                                              \
-      const bool exists = [](auto& x, const auto& y) { return requires { x op1 y; }; }(a, b); \
-      if (recording) note(place, 0, exists ? kChanged : kNone);                          \
-      else if (chosen == 0)                                                              \
-        if constexpr (requires { a op1 b; }) {                                           \
-          a op1 b;                                                                       \
-          return a;                                                                      \
-        }                                                                                \
-    }                                                                                    \
-    a op b;                                                                              \
-    return a;                                                                            \
+#define MUTANT_ASSIGN(name, op, op1)                          \
+  template <class A, class B>                                 \
+  MUTANT_FUNCTION A& name(unsigned place, A& a, const B& b) { \
+    if (MUTANT_ON(place)) {                                   \
+      const bool exists = [](auto& x, const auto& y) {        \
+        return requires { x op1 y; };                         \
+      }(a, b);                                                \
+      if (recording)                                          \
+        note(place, 0, exists ? kChanged : kNone);            \
+      else if (chosen == 0)                                   \
+        if constexpr (requires { a op1 b; }) {                \
+          a op1 b;                                            \
+          return a;                                           \
+        }                                                     \
+    }                                                         \
+    a op b;                                                   \
+    return a;                                                 \
   }
 MUTANT_ASSIGN(add_to, +=, -=)
 MUTANT_ASSIGN(sub_from, -=, +=)
@@ -79,28 +81,30 @@ MUTANT_ASSIGN(shr_by, >>=, <<=)
 MUTANT_ASSIGN(or_with, |=, &=)
 MUTANT_ASSIGN(and_with, &=, |=)
 
-#define MUTANT_UNARY(name, op, wrong)                                                    \
-  template <class A>                                                                     \
-  MUTANT_FUNCTION auto name(unsigned place, const A& a) {                                \
-    using R = std::decay_t<decltype(op a)>;                                              \
-    if (MUTANT_ON(place))                                                                \
-      return pick<R>(place, static_cast<R>(op a), [&] { return MUTANT_WRONG(wrong)(a, a); }); \
-    return static_cast<R>(op a);                                                         \
+#define MUTANT_UNARY(name, op, wrong)                                                                             \
+  template <class A>                                                                                              \
+  MUTANT_FUNCTION auto name(unsigned place, const A& a) {                                                         \
+    using R = std::decay_t<decltype(op a)>;                                                                       \
+    if (MUTANT_ON(place)) return pick<R>(place, static_cast<R>(op a), [&] { return MUTANT_WRONG(wrong)(a, a); }); \
+    return static_cast<R>(op a);                                                                                  \
   }
 MUTANT_UNARY(negative, -, x)
 MUTANT_UNARY(negation, !, x)
 MUTANT_UNARY(complement, ~, x)
 
-#define MUTANT_STEP(name, op, op1)                                                       \
-  template <class A>                                                                     \
-  MUTANT_FUNCTION A& name(unsigned place, A& a) {                                        \
-    if (MUTANT_ON(place)) {                                                              \
-      if constexpr (requires { op1 a; }) {                                               \
-        if (recording) note(place, 0, kChanged);                                         \
-        else if (chosen == 0) return op1 a;                                              \
-      } else if (recording) note(place, 0, kNone);                                       \
-    }                                                                                    \
-    return op a;                                                                         \
+#define MUTANT_STEP(name, op, op1)                \
+  template <class A>                              \
+  MUTANT_FUNCTION A& name(unsigned place, A& a) { \
+    if (MUTANT_ON(place)) {                       \
+      if constexpr (requires { op1 a; }) {        \
+        if (recording)                            \
+          note(place, 0, kChanged);               \
+        else if (chosen == 0)                     \
+          return op1 a;                           \
+      } else if (recording)                       \
+        note(place, 0, kNone);                    \
+    }                                             \
+    return op a;                                  \
   }
 MUTANT_STEP(increment, ++, --)
 MUTANT_STEP(decrement, --, ++)
@@ -131,7 +135,8 @@ template <class A>
 MUTANT_FUNCTION A constant_of(unsigned place, A a) {
   if (MUTANT_ON(place)) {
     if constexpr (std::is_same_v<A, bool>)
-      return pick<A>(place, a, [&] { return !a; }, [] {});
+      return pick<A>(
+          place, a, [&] { return !a; }, [] {});
     else if constexpr (std::is_integral_v<A>)
       return pick<A>(
           place, a, [&] { return static_cast<A>(a + 1); }, [&] { return static_cast<A>(a - 1); });

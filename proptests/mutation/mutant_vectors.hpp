@@ -1,4 +1,5 @@
-// The same for Highway's functions. Included once an instruction set, inside contact::kernel::HWY_NAMESPACE, after `hn`.
+// The same for Highway's functions. Included once an instruction set, inside contact::kernel::HWY_NAMESPACE, after
+// `hn`.
 namespace mutated {
 
 template <class R>
@@ -36,26 +37,26 @@ HWY_NOINLINE R pick(unsigned place, R right, R wrong0, R wrong1, R wrong2, unsig
   return right;
 }
 
-#define MUTANT_VECTOR1(name, right, wrong)                                           \
-  template <class A>                                                                 \
-  HWY_INLINE auto name(unsigned place, A a) {                                        \
-    using R = decltype(right);                                                       \
-    if (::mutant::on(place)) return pick<R>(place, right, wrong, wrong, wrong, 1);   \
-    return right;                                                                    \
+#define MUTANT_VECTOR1(name, right, wrong)                                         \
+  template <class A>                                                               \
+  HWY_INLINE auto name(unsigned place, A a) {                                      \
+    using R = decltype(right);                                                     \
+    if (::mutant::on(place)) return pick<R>(place, right, wrong, wrong, wrong, 1); \
+    return right;                                                                  \
   }
-#define MUTANT_VECTOR2(name, wrong0, wrong1, wrong2, variants)                                      \
-  template <class A, class B>                                                                       \
-  HWY_INLINE auto name(unsigned place, A a, B b) {                                                  \
-    using R = decltype(hn::name(a, b));                                                             \
+#define MUTANT_VECTOR2(name, wrong0, wrong1, wrong2, variants)                                        \
+  template <class A, class B>                                                                         \
+  HWY_INLINE auto name(unsigned place, A a, B b) {                                                    \
+    using R = decltype(hn::name(a, b));                                                               \
     if (::mutant::on(place)) return pick<R>(place, hn::name(a, b), wrong0, wrong1, wrong2, variants); \
-    return hn::name(a, b);                                                                          \
+    return hn::name(a, b);                                                                            \
   }
-#define MUTANT_VECTOR3(name, wrong0, wrong1, variants)                                              \
-  template <class A, class B, class C>                                                              \
-  HWY_INLINE auto name(unsigned place, A a, B b, C c) {                                             \
-    using R = decltype(hn::name(a, b, c));                                                          \
+#define MUTANT_VECTOR3(name, wrong0, wrong1, variants)                                                   \
+  template <class A, class B, class C>                                                                   \
+  HWY_INLINE auto name(unsigned place, A a, B b, C c) {                                                  \
+    using R = decltype(hn::name(a, b, c));                                                               \
     if (::mutant::on(place)) return pick<R>(place, hn::name(a, b, c), wrong0, wrong1, wrong1, variants); \
-    return hn::name(a, b, c);                                                                       \
+    return hn::name(a, b, c);                                                                            \
   }
 
 MUTANT_VECTOR1(Neg, hn::Neg(a), a)
