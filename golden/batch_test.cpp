@@ -19,7 +19,7 @@
 #include "contact/sphere_sphere.hpp"
 #include "golden/families.hpp"
 #include "kernel/batch.hpp"
-#include "kernel/floating_point_environment_for_tests.hpp"
+#include "environment/floating_point_environments.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 #include "oracle/staged_oracle.hpp"
 
@@ -496,12 +496,12 @@ TEST(BatchSphereSphere, does_not_depend_on_the_callers_floating_point_environmen
   batch::compute_sphere_sphere(spheres.first(), spheres.second(), distances, expected.columns());
   std::vector<std::uint8_t> expected_hits(size);
   batch::test_sphere_sphere(spheres.first(), spheres.second(), distances.alarm, expected_hits);
-  for (const auto& environment : kernel::floating_point_environments()) {
+  for (const auto& environment : floating_point_environments()) {
     SCOPED_TRACE(environment.name);
     Contacts actual(size);
     std::vector<std::uint8_t> hits(size);
     int rounding = 0;
-    kernel::in_environment(environment, [&] {
+    in_environment(environment, [&] {
       batch::compute_sphere_sphere(spheres.first(), spheres.second(), distances, actual.columns());
       batch::test_sphere_sphere(spheres.first(), spheres.second(), distances.alarm, hits);
       rounding = std::fegetround();

@@ -2,12 +2,14 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "oracle/default_environment.hpp"
 #include "oracle/truth.hpp"
 
 namespace contact::oracle {
 
 const CubeTruth::Numbers& CubeTruth::exact() const {
   if (exact_) return *exact_;
+  const DefaultEnvironment environment;
   Numbers& n = exact_.emplace();
   n.alarm = Rational(distances_.alarm);
   for (int axis = 0; axis < 3; ++axis)

@@ -7,6 +7,8 @@
 #include <set>
 #include <unordered_map>
 
+#include "oracle/default_environment.hpp"
+
 namespace contact::oracle {
 namespace {
 
@@ -154,6 +156,7 @@ std::string joined(const std::vector<std::string>& parts) {
 std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, const Claim& claim,
                                        const Declaration& declared, const Verdict& verdict,
                                        const Expectation* rounded) {
+  const DefaultEnvironment environment;
   std::vector<Explanation> found;
   if (verdict.status != Claim::Status::answered || verdict.level() <= Level::bounded) return found;
 
@@ -262,6 +265,7 @@ void Diagnosis::add(std::uint64_t key, const Query& query, const Truth& truth, c
   }
   ++answered_[query.pair];
   if (weight == 0) return;
+  const DefaultEnvironment environment;
   const Facts facts(query, truth, declared.scalar, said_normal(claim, declared.conventions));
   const std::vector<Claimed> claimed = claimed_of(facts, claim, declared, verdict);
   const auto all = causes();

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "oracle/default_environment.hpp"
 #include "oracle/double_double.hpp"
 
 namespace contact::oracle {
@@ -15,19 +16,6 @@ constexpr double kLeast = 0x1p-200;
 constexpr double kLargest = 0x1p200;
 // Sums of three, which is all that boxes need, stay below the largest finite number.
 constexpr double kLargestOfBoxes = 0x1p1000;
-
-/// Whether sums are rounded to nearest and subnormal numbers are kept. Code of others may have changed that, and not
-/// every way of doing so shows in fegetround().
-bool environment_is_default() {
-  static volatile const double one = 1;
-  static volatile const double hair = 0x1p-60;
-  static volatile const double half = 0.5;
-  static volatile const double least_normal = std::numeric_limits<double>::min();
-  static volatile const double least = std::numeric_limits<double>::denorm_min();
-  const double x = one;
-  const double subnormal = least;
-  return x + hair == x && x - hair == x && least_normal * half != 0 && subnormal != 0;
-}
 
 bool in_range(double x) {
   const double magnitude = std::abs(x);
@@ -69,7 +57,7 @@ std::optional<double> margin_of(const DoubleDouble& distance, const DoubleDouble
 std::optional<DoubleDoubleCase> spheres(const Balls& balls, Distances distances, Scalar scalar, bool with_margin) {
   const auto& [a, b] = balls;
   if (!in_range(a.center) || !in_range(b.center) || !in_range(a.radius) || !in_range(b.radius) ||
-      !in_range(distances.alarm) || !in_range(distances.contact) || !environment_is_default())
+      !in_range(distances.alarm) || !in_range(distances.contact))
     return std::nullopt;
   std::array<DoubleDouble, 3> delta;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -108,8 +96,7 @@ std::optional<DoubleDoubleCase> spheres(const Balls& balls, Distances distances,
 std::optional<DoubleDoubleCase> cubes(const Boxes& boxes, Distances distances) {
   const auto& [a, b] = boxes;
   const auto most = [](const Vector3& v) { return v.array().abs().maxCoeff(); };
-  if (!(std::max({most(a.min), most(a.max), most(b.min), most(b.max), distances.alarm}) <= kLargestOfBoxes) ||
-      !environment_is_default())
+  if (!(std::max({most(a.min), most(a.max), most(b.min), most(b.max), distances.alarm}) <= kLargestOfBoxes))
     return std::nullopt;
   DoubleDoubleCase found{{-1, -1, {}}, std::nullopt};
   for (Eigen::Index axis = 0; axis < 3; ++axis)
@@ -125,6 +112,7 @@ std::optional<DoubleDoubleCase> cubes(const Boxes& boxes, Distances distances) {
 }
 
 std::optional<DoubleDoubleCase> answer(const Query& query, Scalar scalar, bool with_margin) {
+  const DefaultEnvironment environment;
   return query.balls() != nullptr ? spheres(*query.balls(), query.distances, scalar, with_margin)
                                   : cubes(*query.boxes(), query.distances);
 }

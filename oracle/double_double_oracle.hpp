@@ -10,7 +10,7 @@ namespace contact::oracle {
 
 /// The answer of the exact oracle where sums and products of two doubles with a proved bound of their error settle
 /// every decision and every rounding; nothing otherwise, and nothing for numbers that are neither 0 nor of magnitude
-/// 2^-200 .. 2^200, nor in a floating-point environment other than the default one.
+/// 2^-200 .. 2^200.
 ///
 /// Domain      every number of the question finite and inside the domain
 /// Error       none: the interval around the real number lies on one side of the boundary, or rounds to one number

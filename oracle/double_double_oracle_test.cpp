@@ -5,14 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <cfenv>
 #include <cmath>
 #include <cstdint>
 #include <random>
-
-#ifdef __SSE2__
-#include <xmmintrin.h>
-#endif
 
 #include "oracle/double_double.hpp"
 #include "oracle/staged_oracle.hpp"
@@ -301,40 +296,6 @@ TEST(DoubleDoubleOracle, declines_numbers_out_of_its_range) {
   EXPECT_FALSE(double_double_answer(with_radius(0x0.fffffffffffffp-200), Scalar::binary64));
   EXPECT_TRUE(double_double_answer(with_radius(0), Scalar::binary64));
 }
-
-/// The caller's rounding mode, put back at the end.
-struct RoundingMode {
-  explicit RoundingMode(int mode) { std::fesetround(mode); }
-  RoundingMode(const RoundingMode&) = delete;
-  RoundingMode& operator=(const RoundingMode&) = delete;
-  ~RoundingMode() { std::fesetround(FE_TONEAREST); }
-};
-
-TEST(DoubleDoubleOracle, declines_in_any_rounding_mode_but_to_nearest) {
-  const Query query{Pair::sphere_sphere, Balls{{{0, 0, 0}, 1.5}, {{1, 2, 2}, 2}}, {0, 0.25}};
-  const Query boxes{Pair::cube_cube, Boxes{{{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {2, 1, 1}}}, {0, 0}};
-  EXPECT_TRUE(double_double_answer(query, Scalar::binary64));
-  EXPECT_TRUE(double_double_answer(boxes, Scalar::binary64));
-  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
-    const RoundingMode here(mode);
-    EXPECT_FALSE(double_double_answer(query, Scalar::binary64)) << mode;
-    EXPECT_FALSE(double_double_answer(boxes, Scalar::binary64)) << mode;
-  }
-}
-
-#ifdef __SSE2__
-TEST(DoubleDoubleOracle, declines_where_subnormal_numbers_are_flushed_or_taken_for_zero) {
-  const Query query{Pair::sphere_sphere, Balls{{{0, 0, 0}, 2}, {{3, 4, 0}, 3}}, {0, 0}};
-  const unsigned before = _mm_getcsr();
-  ASSERT_TRUE(double_double_answer(query, Scalar::binary64));
-  for (const unsigned flushed : {0x8000U, 0x0040U}) {
-    _mm_setcsr(before | flushed);
-    const bool answered = double_double_answer(query, Scalar::binary64).has_value();
-    _mm_setcsr(before);
-    EXPECT_FALSE(answered) << flushed;
-  }
-}
-#endif
 
 TEST(DoubleDoubleOracle, tells_the_margin_of_a_golden_file_or_nothing) {
   const auto margin = [](double r1, double r2) {

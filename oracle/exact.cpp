@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "oracle/default_environment.hpp"
+
 namespace contact::oracle {
 namespace {
 
@@ -105,6 +107,7 @@ Exact::Enclosure Exact::enclosure(int bits) const {
 }
 
 double round_to_nearest(const Exact& x, Scalar scalar) {
+  const DefaultEnvironment environment;
   if (x.sign() == CGAL::ZERO) return 0.0;
   // The candidate only starts the walk, at the right number or beside it; exact comparisons end it.
   for (double d = candidate(x, scalar);;) {
@@ -116,6 +119,7 @@ double round_to_nearest(const Exact& x, Scalar scalar) {
 }
 
 bool is_correctly_rounded(double claim, const Exact& x, Scalar scalar) {
+  const DefaultEnvironment environment;
   if (std::isnan(claim)) return false;
   if (std::isinf(claim)) {
     const double last = std::copysign(largest_finite(scalar), claim);
@@ -125,6 +129,7 @@ bool is_correctly_rounded(double claim, const Exact& x, Scalar scalar) {
 }
 
 bool is_faithful(double claim, const Exact& x, Scalar scalar) {
+  const DefaultEnvironment environment;
   if (!std::isfinite(claim)) return false;
   if (!representable(claim, scalar)) return false;
   const auto side = x.compare(Rational(claim));
@@ -143,6 +148,7 @@ Rational ulp(const Exact& x, Scalar scalar) {
 }
 
 Boundary nearest_boundary(const Exact& x, Scalar scalar) {
+  const DefaultEnvironment environment;
   const double rounded = round_to_nearest(x, scalar);
   const double limit = largest_finite(scalar);
   const double d = std::clamp(rounded, -limit, limit);
@@ -157,6 +163,7 @@ Rational distance_in_ulps(const Exact& x, const Boundary& boundary) {
 }
 
 double error_in_units(const Rational& claim, const Exact& x, const Rational& unit) {
+  const DefaultEnvironment environment;
   const Exact difference = x.plus(-claim);
   if (difference.sign() == CGAL::ZERO) return 0.0;
   return CGAL::to_interval(tight_magnitude(difference.scaled(Rational(1) / unit)).high).second;
@@ -167,6 +174,7 @@ bool is_within(const Rational& claim, const Exact& x, const Rational& bound) {
 }
 
 double next_up(double x, Scalar scalar) {
+  const DefaultEnvironment environment;
   return scalar == Scalar::binary32 ? as_float_neighbour(x, std::numeric_limits<float>::infinity())
                                     : std::nextafter(x, std::numeric_limits<double>::infinity());
 }

@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "oracle/default_environment.hpp"
+
 namespace contact::oracle {
 namespace {
 
@@ -149,6 +151,7 @@ RoundedAnswer cubes(const Boxes& boxes, Distances distances, mpfr_prec_t precisi
 }  // namespace
 
 std::optional<RoundedAnswer> interval_answer_within(int most, const Query& query, Scalar scalar) {
+  const DefaultEnvironment environment;
   for (mpfr_prec_t precision = kFirstPrecision; precision <= most; precision *= 2) {
     try {
       return query.balls() != nullptr ? spheres(*query.balls(), query.distances, scalar, precision)

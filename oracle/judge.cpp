@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/default_environment.hpp"
 #include "oracle/right_claim.hpp"
 
 namespace contact::oracle {
@@ -192,6 +193,7 @@ std::optional<PointOn> point_of(const Conventions& conventions, const Query& que
 }
 
 FieldVerdict grade(double claim, const Exact& x, Scalar scalar, const Exact& scale, double bound) {
+  const DefaultEnvironment environment;
   if (is_correctly_rounded(claim, x, scalar)) return {};
   if (!std::isfinite(claim)) return {Grade::not_finite, 0};
   const Rational unit = ulp(scale, scalar);
@@ -230,6 +232,7 @@ Level Verdict::level() const {
 
 Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
               const Expectation* rounded) {
+  const DefaultEnvironment environment;
   const Conventions& conventions = declared.conventions;
   Verdict verdict;
   verdict.status = claim.status;

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "oracle/default_environment.hpp"
+
 namespace contact::oracle {
 namespace {
 
@@ -119,6 +121,7 @@ Witness cubes(const Boxes& boxes) {
 }  // namespace
 
 Witness quick_witness(const Query& query) {
+  const DefaultEnvironment environment;
   return query.balls() != nullptr ? spheres(*query.balls(), query.distances) : cubes(*query.boxes());
 }
 

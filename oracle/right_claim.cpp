@@ -1,15 +1,19 @@
 // What an engine should have claimed: the truth under its conventions.
 #include "oracle/right_claim.hpp"
 
+#include "oracle/default_environment.hpp"
+
 namespace contact::oracle {
 
 bool expected_hit(const Query& query, const Truth& truth, Touching touching, Margin margin) {
+  const DefaultEnvironment environment;
   if (margin == Margin::none || query.distances.alarm == 0)
     return touching == Touching::closed ? truth.at_zero != CGAL::POSITIVE : truth.at_zero == CGAL::NEGATIVE;
   return margin == Margin::inclusive ? truth.at_alarm != CGAL::POSITIVE : truth.at_alarm == CGAL::NEGATIVE;
 }
 
 Claim right_claim(const Query& query, const Truth& truth, const Declaration& declared) {
+  const DefaultEnvironment environment;
   const Conventions& conventions = declared.conventions;
   Claim claim;
   claim.overlap = expected_hit(query, truth, conventions.touching_overlap, conventions.margin);

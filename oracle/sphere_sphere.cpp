@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "oracle/default_environment.hpp"
 #include "oracle/truth.hpp"
 
 namespace contact::oracle {
@@ -31,8 +32,16 @@ SphereTruth::Numbers::Numbers(const Balls& balls, Distances distances)
 }
 
 const SphereTruth::Numbers& SphereTruth::exact() const {
-  if (!exact_) exact_.emplace(balls_, distances_);
+  if (!exact_) {
+    const DefaultEnvironment environment;
+    exact_.emplace(balls_, distances_);
+  }
   return *exact_;
+}
+
+bool SphereTruth::degenerate() const {
+  const DefaultEnvironment environment;
+  return balls_.a.center == balls_.b.center;
 }
 
 // Both sides of sqrt(D) <= reach are >= 0, so their squares stand in the same order.
@@ -52,6 +61,7 @@ Exact SphereTruth::point(int sphere, int axis, PointOn on) const {
 }
 
 Rational SphereTruth::point_for(int sphere, int axis, PointOn on, const Vector3& normal) const {
+  const DefaultEnvironment environment;
   return exact().center[index(sphere)][index(axis)] +
          side(sphere, on) * exact().radius[index(sphere)] * Rational(normal[axis]);
 }

@@ -20,7 +20,7 @@ class SphereTruth {
   explicit SphereTruth(const Balls& balls, Distances distances) : balls_(balls), distances_(distances) {}
 
   /// D = 0.
-  [[nodiscard]] bool degenerate() const { return balls_.a.center == balls_.b.center; }
+  [[nodiscard]] bool degenerate() const;
   [[nodiscard]] const Rational& distance2() const { return exact().distance2; }
   [[nodiscard]] const Rational& reach() const { return exact().reach; }
   /// The sign of sqrt(D) - reach, and of sqrt(D) - (r1 + r2).

@@ -13,7 +13,7 @@
 #include "fuzz/fuzz.hpp"
 #include "golden/dataset.hpp"
 #include "kernel/batch.hpp"
-#include "kernel/floating_point_environment_for_tests.hpp"
+#include "environment/floating_point_environments.hpp"
 #include "tool/pipeline.hpp"
 
 namespace contact::fuzz {
@@ -111,7 +111,7 @@ std::array<std::uint8_t, kCopies> batch_hits(const Boxes& boxes, double alarm) {
 }
 
 /// Production with one instruction set after the other, in an environment, held against `right`.
-void try_production(const Query& query, const Expectation& right, const kernel::FloatingPointEnvironment& environment) {
+void try_production(const Query& query, const Expectation& right, const FloatingPointEnvironment& environment) {
   for (const std::string& set : kernel::instruction_sets()) {
     kernel::use_instruction_set(set);
     std::string differs;
@@ -119,7 +119,7 @@ void try_production(const Query& query, const Expectation& right, const kernel::
       std::optional<Contact> one;
       std::vector<Row> many;
       bool hit = false;
-      kernel::in_environment(environment, [&] {
+      in_environment(environment, [&] {
         one = compute_sphere_sphere(balls->a, balls->b, query.distances);
         hit = test_sphere_sphere(balls->a, balls->b, query.distances.alarm);
         many = batch_rows(*balls, query.distances);
@@ -132,7 +132,7 @@ void try_production(const Query& query, const Expectation& right, const kernel::
     } else {
       bool one = false;
       std::array<std::uint8_t, kCopies> many{};
-      kernel::in_environment(environment, [&] {
+      in_environment(environment, [&] {
         one = test_cube_cube(query.boxes()->a, query.boxes()->b, query.distances.alarm);
         many = batch_hits(*query.boxes(), query.distances.alarm);
       });
@@ -178,7 +178,7 @@ void try_input(Bytes bytes) {
     tool::require_agreement(query, truth, oracle::interval_answer(query, scalar), scalar);
     tool::check_stage(query, oracle::staged_answer(query, scalar), scalar);
   }
-  static const auto environments = kernel::floating_point_environments();
+  static const auto environments = floating_point_environments();
   try_production(query, oracle::expectation(truth, Scalar::binary64), environments[kind / 4 % environments.size()]);
 }
 

@@ -20,7 +20,7 @@
 #include "component/models_for_tests.hpp"
 #include "contact/cube_cube.hpp"
 #include "contact/discrete_intersection.hpp"
-#include "kernel/floating_point_environment_for_tests.hpp"
+#include "environment/floating_point_environments.hpp"
 
 namespace contact {
 namespace {
@@ -201,9 +201,9 @@ TEST(Detect, finds_the_same_in_every_floating_point_environment) {
     const auto s = spheres("first", scene.first);
     const auto r = rigid_spheres("second", scene.second);
     const std::vector<std::string> expected = text(*detect(component, s, r));
-    for (const auto& environment : kernel::floating_point_environments()) {
+    for (const auto& environment : floating_point_environments()) {
       std::optional<OutputVector> contacts;
-      kernel::in_environment(environment, [&] { contacts = detect(component, s, r); });
+      in_environment(environment, [&] { contacts = detect(component, s, r); });
       EXPECT_EQ(text(*contacts), expected) << scene.name << ", " << environment.name;
     }
   }

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "component/models_for_tests.hpp"
-#include "kernel/floating_point_environment_for_tests.hpp"
+#include "environment/floating_point_environments.hpp"
 #include "oracle/exact.hpp"
 
 namespace contact {
@@ -317,9 +317,9 @@ int infinite(double x) { return std::isfinite(x) ? 0 : (x < 0 ? -1 : 1); }
 
 template <class Model>
 void expect_boxes_contain_their_spheres(const Model& model) {
-  for (const auto& environment : kernel::floating_point_environments()) {
+  for (const auto& environment : floating_point_environments()) {
     std::vector<Box> boxes(static_cast<std::size_t>(model.getSize()));
-    kernel::in_environment(environment, [&] {
+    in_environment(environment, [&] {
       for (Index i = 0; i < model.getSize(); ++i) boxes[static_cast<std::size_t>(i)] = model.bounding_box(i);
     });
     for (Index i = 0; i < model.getSize(); ++i) {

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/floating_point_environment_for_tests.hpp"
+#include "environment/floating_point_environments.hpp"
 
 namespace contact {
 namespace {

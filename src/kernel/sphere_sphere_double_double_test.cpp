@@ -11,7 +11,7 @@
 #include <random>
 #include <string>
 
-#include "kernel/floating_point_environment_for_tests.hpp"
+#include "environment/floating_point_environments.hpp"
 
 namespace contact::kernel {
 namespace {

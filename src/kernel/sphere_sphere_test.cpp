@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/floating_point_environment_for_tests.hpp"
+#include "environment/floating_point_environments.hpp"
 #include "kernel/sphere_sphere_filter.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 #include "kernel/sphere_sphere_one_vector.hpp"

@@ -1,4 +1,4 @@
-// The floating-point environments that a caller may have set: what a kernel's answers must not depend on.
+// The floating-point environments that a caller may have set: what no answer may depend on.
 #pragma once
 
 #include <cfenv>
@@ -9,7 +9,7 @@
 #include <immintrin.h>
 #endif
 
-namespace contact::kernel {
+namespace contact {
 
 struct FloatingPointEnvironment {
   std::string name;
@@ -46,4 +46,4 @@ void in_environment(const FloatingPointEnvironment& environment, Work&& work) {
   std::fesetenv(&before);
 }
 
-}  // namespace contact::kernel
+}  // namespace contact
