@@ -7,7 +7,6 @@ import os
 import re
 import subprocess
 import sys
-import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -19,18 +18,19 @@ def fuzz(build, target, seconds):
     corpus, crashes = build / "corpus" / target, build / "crashes"
     corpus.mkdir(parents=True, exist_ok=True)
     crashes.mkdir(exist_ok=True)
-    start = time.monotonic()
-    done = subprocess.run(
-        [build / "proptests/fuzz" / f"fuzz_{target}", f"-max_total_time={seconds:.0f}", "-rss_limit_mb=4096", "-timeout=60",
-         "-print_final_stats=1", f"-artifact_prefix={crashes}/{target}-", corpus, HERE / "corpus" / target],
-        capture_output=True, text=True, errors="replace")
-    (build / f"fuzz_{target}.log").write_text(done.stderr)
-    edges = re.findall(r"cov: (\d+)", done.stderr)
-    counters = re.search(r"\((\d+) inline 8-bit counters\)", done.stderr)
-    runs = re.search(r"number_of_executed_units: (\d+)", done.stderr)
+    log = build / f"fuzz_{target}.log"
+    with log.open("wb") as out:
+        process = subprocess.Popen(
+            [build / "proptests/fuzz" / f"fuzz_{target}", f"-max_total_time={seconds:.0f}", "-rss_limit_mb=4096", "-timeout=60",
+             "-print_final_stats=1", f"-artifact_prefix={crashes}/{target}-", corpus, HERE / "corpus" / target],
+            stdout=subprocess.DEVNULL, stderr=out)
+        _, status, usage = os.wait4(process.pid, 0)
+    text = log.read_text(errors="replace")
+    edges = re.findall(r"cov: (\d+)", text)
+    counters = re.search(r"\((\d+) inline 8-bit counters\)", text)
+    runs = re.search(r"number_of_executed_units: (\d+)", text)
     return (target, runs.group(1) if runs else "?", f"{edges[-1] if edges else '?'} of {counters.group(1) if counters else '?'}",
-            str(len(list(corpus.iterdir()))), f"{time.monotonic() - start:.0f}",
-            "no failure" if done.returncode == 0 else f"FAILED, {build}/fuzz_{target}.log")
+            str(len(list(corpus.iterdir()))), f"{usage.ru_utime + usage.ru_stime:.0f}", "no failure" if status == 0 else f"FAILED, {log}")
 
 
 def main():
@@ -44,7 +44,7 @@ def main():
         arguments.error(f"no such target: {', '.join(unknown)}; there are {', '.join(TARGETS)}")
     with ThreadPoolExecutor(wanted.jobs) as pool:
         rows = list(pool.map(lambda t: fuzz(wanted.build.resolve(), t, 60 * wanted.minutes), wanted.targets or TARGETS))
-    rows.insert(0, ("target", "executions", "edges reached", "inputs kept", "seconds", "outcome"))
+    rows.insert(0, ("target", "executions", "edges reached", "inputs kept", "CPU seconds", "outcome"))
     widths = [max(len(row[i]) for row in rows) for i in range(6)]
     for row in rows:
         print("  ".join(text.ljust(width) if i in (0, 5) else text.rjust(width) for i, (text, width) in enumerate(zip(row, widths))))

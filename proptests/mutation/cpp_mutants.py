@@ -224,6 +224,9 @@ class Rewriter:
             return
         if inner.type.get_canonical().kind in (TypeKind.CONSTANTARRAY, TypeKind.INCOMPLETEARRAY, TypeKind.VOID):
             return
+        # A view would be of a copy that is gone.
+        if re.match(r"std::(span|basic_string_view)<", self.result.get_canonical().spelling):
+            return
         if not is_number(value.type) and re.search(r"HWY_NAMESPACE|__m256d", self.text):
             return
         negates = value.type.get_canonical().kind == TypeKind.BOOL

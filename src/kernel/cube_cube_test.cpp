@@ -208,9 +208,9 @@ TEST(CubeCube, decides_as_integers_do_in_every_floating_point_environment) {
   const auto hits = std::count(expected.begin(), expected.end(), true);
   EXPECT_GT(hits, 3600);  // 30 to 70 %
   EXPECT_LT(hits, 8400);
-  for (const auto& environment : kernel::floating_point_environments()) {
+  for (const auto& environment : floating_point_environments()) {
     std::vector<bool> actual;
-    kernel::in_environment(environment, [&] {
+    in_environment(environment, [&] {
       for (const Question& q : questions) actual.push_back(test_cube_cube(q.a, q.b, q.alarm));
     });
     EXPECT_EQ(actual, expected) << environment.name;

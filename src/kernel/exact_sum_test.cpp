@@ -45,10 +45,10 @@ TEST(ExactSum, the_exponent_scales_before_the_one_rounding) {
 }
 
 TEST(ExactSum, is_the_same_in_every_floating_point_environment) {
-  for (const auto& environment : kernel::floating_point_environments()) {
+  for (const auto& environment : floating_point_environments()) {
     std::uint64_t rounded = 0;
     int sign = 0;
-    kernel::in_environment(environment, [&] {
+    in_environment(environment, [&] {
       rounded = std::bit_cast<std::uint64_t>(rounded_sum({kLeast, 0x1p-1060, 1, -1}));
       sign = sign_of_sum({1, kLeast, -1});
     });

@@ -379,10 +379,10 @@ TEST(SphereSphere, answers_the_same_in_every_floating_point_environment) {
     const auto hits = std::count_if(expected.begin(), expected.end(), [](const Answer& a) { return a.test; });
     EXPECT_GT(hits, 1200);  // the questions are worth asking: 30 to 70 % of them are hits
     EXPECT_LT(hits, 2800);
-    for (const auto& environment : kernel::floating_point_environments()) {
+    for (const auto& environment : floating_point_environments()) {
       std::vector<Answer> actual;
       actual.reserve(questions.size());
-      kernel::in_environment(environment, [&] {
+      in_environment(environment, [&] {
         for (const Question& q : questions) actual.push_back(answer(q, points));
       });
       EXPECT_EQ(std::mismatch(actual.begin(), actual.end(), expected.begin()).first - actual.begin(), 4000)
@@ -392,9 +392,9 @@ TEST(SphereSphere, answers_the_same_in_every_floating_point_environment) {
 }
 
 TEST(SphereSphere, leaves_the_rounding_mode_as_it_found_it) {
-  for (const auto& environment : kernel::floating_point_environments()) {
+  for (const auto& environment : floating_point_environments()) {
     int after = -1;
-    kernel::in_environment(environment, [&] {
+    in_environment(environment, [&] {
       (void)compute_sphere_sphere(ball(0, 0, 0, 1.5), ball(1, 2, 2, 1.5), {0, 0.25});
       after = std::fegetround();
     });
@@ -446,9 +446,9 @@ TEST(SphereSphereFilter, never_decides_wrongly_beside_touching_in_any_rounding_m
   const auto hits = std::count(expected.begin(), expected.end(), true);
   EXPECT_GT(hits, 18000);
   EXPECT_LT(hits, 42000);
-  for (const auto& environment : kernel::floating_point_environments()) {
+  for (const auto& environment : floating_point_environments()) {
     std::vector<bool> actual;
-    kernel::in_environment(environment, [&] {
+    in_environment(environment, [&] {
       for (const Question& q : questions) actual.push_back(test_sphere_sphere(q.a, q.b, q.distances.alarm));
     });
     EXPECT_EQ(actual, expected) << environment.name;
@@ -480,10 +480,10 @@ TEST(SphereSphereFilter, its_gap_is_neither_broken_nor_more_than_12_times_too_lo
     exact.push_back(exact_sides(questions.back()));
   }
   double worst = 0;
-  for (const auto& environment : kernel::floating_point_environments()) {
+  for (const auto& environment : floating_point_environments()) {
     std::vector<std::array<double, 2>> plain;
     plain.reserve(questions.size());
-    kernel::in_environment(environment, [&] {
+    in_environment(environment, [&] {
       for (const Question& q : questions) plain.push_back(plain_sides(q));
     });
     double worst_D = 0;
