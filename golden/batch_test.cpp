@@ -17,9 +17,9 @@
 
 #include "contact/cube_cube.hpp"
 #include "contact/sphere_sphere.hpp"
+#include "environment/floating_point_environments.hpp"
 #include "golden/families.hpp"
 #include "kernel/batch.hpp"
-#include "environment/floating_point_environments.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 #include "oracle/staged_oracle.hpp"
 

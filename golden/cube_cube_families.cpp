@@ -267,7 +267,8 @@ constexpr std::array kFamilies{
            made<far_from_origin<double>, far_from_origin<float>>, false, false},
     Family{"extreme_scale", "sums that overflow, alarm distances that vanish in a sum, subnormal and mixed magnitudes",
            made<extreme_scale<double>, extreme_scale<float>>, false, false},
-    Family{kInvalidFamily, "each number in turn NaN or infinite, a box inverted, a distance negative: it must be refused",
+    Family{kInvalidFamily,
+           "each number in turn NaN or infinite, a box inverted, a distance negative: it must be refused",
            spoiled<ordinary<double>, ordinary<float>>, false, false, true},
 };
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "golden/families.hpp"
+#include "golden/lint.hpp"
 #include "golden/output_file.hpp"
 #include "golden/query_id.hpp"
 
@@ -116,6 +117,17 @@ TEST(CheckCase, NamesTheFieldTheValueAndTheRightOne) {
     EXPECT_STREQ(error.what(),
                  "file.jsonl:3: expect.point2[1]: the file says 1.0000000000000002, the exact answer rounds to 1");
   }
+}
+
+TEST(Lint, CallsBackAfterEveryCaseAndTellsWhatItSaw) {
+  int cases = 0;
+  const LintedFile file = lint(CONTACT_SOURCE_DIR "/golden/quick/cube_cube.jsonl", false, [&] { ++cases; });
+  EXPECT_EQ(cases, 9);
+  EXPECT_EQ(file.header.count, 9U);
+  EXPECT_TRUE(file.closest.empty());  // boxes have no rounded number
+  // What throws there ends the work.
+  struct Enough {};
+  EXPECT_THROW((void)lint(CONTACT_SOURCE_DIR "/golden/quick/cube_cube.jsonl", false, [] { throw Enough{}; }), Enough);
 }
 
 }  // namespace

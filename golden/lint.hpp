@@ -30,7 +30,8 @@ struct LintedFile {
 void check_canonical(const DatasetReader& reader, const std::string& expected);
 
 /// Checks one dataset; throws InputError at the first thing that is wrong. `generated` allows a file that its family's
-/// generator made to repeat a question. `after_case` is called after each case (progress).
+/// generator made to repeat a question. `after_case` is called after each case: it shows progress, and
+/// throws to end the work.
 [[nodiscard]] LintedFile lint(const std::filesystem::path& path, bool generated,
                               const std::function<void()>& after_case);
 

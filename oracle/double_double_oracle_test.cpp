@@ -295,6 +295,11 @@ TEST(DoubleDoubleOracle, declines_numbers_out_of_its_range) {
   EXPECT_FALSE(double_double_answer(with_radius(0x1.0000000000001p200), Scalar::binary64));
   EXPECT_FALSE(double_double_answer(with_radius(0x0.fffffffffffffp-200), Scalar::binary64));
   EXPECT_TRUE(double_double_answer(with_radius(0), Scalar::binary64));
+  const auto boxes_up_to = [](double most) {
+    return Query{Pair::cube_cube, Boxes{{{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {2, most, 1}}}, {0, 0}};
+  };
+  EXPECT_TRUE(double_double_answer(boxes_up_to(0x1p1000), Scalar::binary64));
+  EXPECT_FALSE(double_double_answer(boxes_up_to(0x1.0000000000001p1000), Scalar::binary64));
 }
 
 TEST(DoubleDoubleOracle, tells_the_margin_of_a_golden_file_or_nothing) {

@@ -2,6 +2,7 @@
 #include "oracle/exact.hpp"
 
 #include <CGAL/Gmpz.h>
+#include <gmpxx.h>
 
 #include <algorithm>
 #include <cmath>
@@ -208,10 +209,8 @@ std::string dyadic_string(const Rational& x) {
   const auto trailing = static_cast<int>(mpz_scan1(numerator.mpz(), 0));
   const auto below = static_cast<int>(mpz_scan1(x.denominator().mpz(), 0));
   const Gmpz odd = numerator >> trailing;
-  std::string digits(mpz_sizeinbase(odd.mpz(), 16) + 2, '\0');
-  mpz_get_str(digits.data(), 16, odd.mpz());
-  digits.resize(digits.find('\0'));
-  return (CGAL::sign(x) == CGAL::NEGATIVE ? "-0x" : "0x") + digits + "p" + std::to_string(trailing - below);
+  return (CGAL::sign(x) == CGAL::NEGATIVE ? "-0x" : "0x") + mpz_class(odd.mpz()).get_str(16) + "p" +
+         std::to_string(trailing - below);
 }
 
 }  // namespace contact::oracle

@@ -22,10 +22,7 @@ class Interval {
   explicit Interval(mpfr_prec_t precision) { mpfi_init2(value_, precision); }
   Interval(mpfr_prec_t precision, double exact) : Interval(precision) { mpfi_set_d(value_, exact); }
   Interval(const Interval& other) : Interval(mpfi_get_prec(other.value_)) { mpfi_set(value_, other.value_); }
-  Interval& operator=(const Interval& other) {
-    if (this != &other) mpfi_set(value_, other.value_);
-    return *this;
-  }
+  Interval& operator=(const Interval& other) = delete;
   ~Interval() { mpfi_clear(value_); }
 
   friend Interval operator+(const Interval& x, const Interval& y) { return apply(mpfi_add, x, y); }

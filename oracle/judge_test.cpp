@@ -751,6 +751,7 @@ TEST(RightClaim, is_correctly_rounded_in_the_judges_eyes_under_every_declaration
       const Truth truth = truth_of(query);
       const Claim claim = right_claim(query, truth, declared);
       EXPECT_EQ(judge(query, truth, claim, declared).level(), Level::correctly_rounded);
+      EXPECT_EQ(claim.speaks_of_contact, query.balls() != nullptr);
       contacts += claim.contact ? 1 : 0;
     }
   };

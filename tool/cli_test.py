@@ -963,6 +963,14 @@ class Generate(Case):
                 self.make(f"{pair}.{family}.jsonl", pair=pair, family=family, count=5, seed=2**64 - 1)
         self.holds("lint", "--generated", self.folder)
 
+    def test_a_question_that_its_generator_makes_twice_passes_lint_as_generated_alone(self):
+        # Binary32's numbers at the ends of its range are few.
+        made = self.make("a.jsonl", "--scalar", "binary32", family="extreme_scale", count=460, seed=72).splitlines()
+        identity = json.loads(made[460])["id"]
+        self.assertEqual(json.loads(made[324])["id"], identity)
+        self.holds("lint", "--generated", self.folder / "a.jsonl")
+        self.refused(("lint", self.folder / "a.jsonl"), "a.jsonl:461: id: ", "twice", identity)
+
     def test_a_shard_without_a_case_is_either_refused_or_a_dataset_that_passes_lint(self):
         path = self.folder / "none.jsonl"
         args = ("generate", "--pair", "cube_cube", "--family", "flat", "--count", 3, "--seed", 1, "--shard", "0/9",

@@ -103,6 +103,7 @@ void change(const Handle& file, Changes& changes) {
       break;
     case 2: {
       const auto attributes = golden::hdf5::attribute_names(file);
+      if (attributes.empty()) break;
       const std::string& attribute = attributes.at(changes.next() % attributes.size());
       checked(H5Adelete(file, attribute.c_str()));
       const std::size_t value = changes.next();
