@@ -171,6 +171,7 @@ class Schemata:
                         rewriter.visit_unit(unit)
         number = 0
         for rewriter in rewriters.values():
+            number += -number % 128  # room, so that a place more in one file does not change all others
             for place in sorted(rewriter.places.values(), key=lambda p: (p.start, -p.end)):
                 place.number = number
                 number += 1

@@ -20,7 +20,7 @@ constexpr int kMinExponent = -1074;  // of the smallest subnormal
 constexpr int kMaxExponent = 1023;   // of the largest finite number's leading bit
 constexpr int kSignificandBits = 53;
 constexpr int kMostSteps = 40;  // an estimate is a few units of the last place off, and a step is one
-constexpr int kBitsForRounding = kSignificandBits + 2;  // the rounding bit, and one for a bound that is not tight
+constexpr int kBitsForRounding = kSignificandBits + 1;  // the rounding bit; whether anything follows is told apart
 
 /// |x| = significand 2^exponent, from the bits alone: no floating-point mode can change it.
 struct Decoded {
