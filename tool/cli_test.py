@@ -350,16 +350,20 @@ class Certify(Case):
         self.assertIn("20 judged cases", out)
 
     def test_no_progress_is_written_where_standard_error_is_not_a_terminal_and_a_bar_where_it_is(self):
-        args = ("certify", GOLDEN / "sphere_sphere" / "upstream.jsonl")
-        self.holds(*args)
-        try:
-            master, slave = pty.openpty()
-        except OSError as error:
-            self.skipTest(f"no terminal can be made here: {error}")
-        run(*args, capture_output=False, stdout=subprocess.DEVNULL, stderr=slave)
-        os.close(slave)
-        self.assertIn(b"\r", os.read(master, 65536))
-        os.close(master)
+        for command in ("certify", "lint"):
+            args = (command, GOLDEN / "sphere_sphere" / "upstream.jsonl")
+            self.holds(*args)
+            try:
+                master, slave = pty.openpty()
+            except OSError as error:
+                self.skipTest(f"no terminal can be made here: {error}")
+            run(*args, capture_output=False, stdout=subprocess.DEVNULL, stderr=slave)
+            os.close(slave)
+            bar = os.read(master, 65536)
+            os.close(master)
+            self.assertIn(b"\r", bar)
+            done = [int(n) for n in re.findall(rb"(\d+) of 891", bar)]
+            self.assertTrue(done and 0 < max(done) <= 891, done)
 
     def test_the_report_is_coloured_at_a_terminal_alone_and_says_the_same(self):
         def at_terminal(*args, **variables):
@@ -803,6 +807,25 @@ class BadDatasets(Case):
         self.assertNotIn("Coincident", flags)
         self.check(table, ["lint"])
 
+    def test_lint_refuses_a_file_without_a_case_and_a_manifest_of_a_file(self):
+        header = {**committed("cube_cube/generic.jsonl", 0, 0)[0], "count": 0}
+        self.check({"no case": ([header], f"{self.path}:1: count: ", "at least one case")}, ["lint"])
+        self.file("x.jsonl", text(committed("cube_cube/generic.jsonl", 0, 210)))
+        self.refused(("lint", self.folder / "x.jsonl", "--write-manifest"), "x.jsonl: --write-manifest: ", "folders")
+
+    def test_a_manifest_has_a_generators_digests_for_what_it_made_alone(self):
+        made = {"cube_cube/separated.jsonl": (), "sphere_sphere/generic.jsonl": ("--pair", "sphere_rigid_sphere"),
+                "sphere_sphere/touching.jsonl": ("--pair", "sphere_sphere", "--scalar", "binary32"), "cube_cube/generic.jsonl": ("--family", "flat"),
+                "cube_cube/touching.jsonl": ("--seed", 43), "cube_cube/flat.jsonl": ("--shard", "0/2"), "cube_cube/elsewhere.jsonl": ("--family", "nested")}
+        for path, other in made.items():
+            (self.folder / path).parent.mkdir(exist_ok=True)
+            options = {"--pair": path.split("/")[0], "--family": Path(path).stem, "--seed": 42, **dict(zip(other[::2], other[1::2]))}
+            self.holds("generate", "--count", 8, *(word for pair in options.items() for word in pair), "-o", self.folder / path)
+        self.holds("lint", self.folder, "--write-manifest")
+        self.holds("lint", self.folder)
+        listed = {one["path"]: list(one["digests"]) for one in json.loads((self.folder / "manifest.json").read_text())["files"]}
+        self.assertEqual(listed, {path: ["8", "10000"] if not other else ["4" if "--shard" in other else "8"] for path, other in made.items()})
+
     def test_a_manifest_must_agree_with_its_folder(self):
         for name in ("generic.jsonl", "touching.jsonl"):
             self.file(name, (GOLDEN / "cube_cube" / name).read_text())
@@ -921,6 +944,16 @@ class Outputs(Case):
         self.assertEqual((process.returncode, out), (130, ""))
         self.assertIn("interrupted", err)
         self.assertEqual((list(self.folder.iterdir()), target.read_text()), ([target], "old\n"))
+
+    def test_an_interrupted_lint_ends_before_its_file_does(self):
+        path = self.folder / "long.jsonl"
+        self.holds("generate", "--pair", "sphere_sphere", "--family", "generic", "--count", 60000, "--seed", 1, "-o", path)
+        process = subprocess.Popen([TOOL, "lint", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(0.3)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, out), (130, ""))
+        self.assertIn("interrupted", err)
 
     def test_an_interruption_ends_a_command_that_waits_for_its_input(self):
         process = subprocess.Popen([TOOL, "explain"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)

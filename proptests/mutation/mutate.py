@@ -27,7 +27,7 @@ BUILD = TREE / "build" / "release"  # as far from its tree as build/release from
 EXPLAINED = HERE / "explained.jsonl"
 PAGE = ROOT / "docs" / "mutation-testing.md"
 # A mutant is put to these tests thousands of times: fewer questions than they ask otherwise.
-ENVIRONMENT = {"CONTACT_BATCH_QUESTIONS": "40"}
+ENVIRONMENT = {"CONTACT_BATCH_QUESTIONS": "80"}
 KINDS = 4  # mutants a place, at most: mutant.hpp
 
 COMPONENTS = {
@@ -278,7 +278,7 @@ def tests_of_cpp():
     found["digests --production"] = [tool, "digests", golden, "--production"]
     script = TREE / "tool" / "cli_test.py"
     found |= {f"cli_test {test}": [sys.executable, script, tool, "-f", test] for test in unittests(
-        script, {"BadDatasets", "Generate", "Adequacy", "Annotate", "Explain"})}
+        script, {"BadDatasets", "Generate", "Adequacy", "Annotate", "Explain", "Outputs"})}
     return found
 
 

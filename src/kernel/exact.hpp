@@ -38,8 +38,8 @@ class Grid {
   [[nodiscard]] FixedInteger fixed(double x) const;
 
  private:
-  int exponent_ = 0;
-  int end_ = 0;  ///< every number is below 2^end_ in magnitude
+  int exponent_;
+  int end_;  ///< every number is below 2^end_ in magnitude
 };
 
 /// floor(sqrt(n)), n >= 0.

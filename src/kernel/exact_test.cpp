@@ -258,6 +258,15 @@ TEST(RoundSum, of_an_irrational_root_is_the_nearest_number) {
   expect_same(rounded_sum(-2, 3, 2, 0), 0.121320343559642573202533086314547118);
 }
 
+TEST(RoundSum, of_the_least_numbers_that_a_length_allows_sees_the_rounding_bit) {
+  for (const int sign : {1, -1}) {
+    expect_same(rounded_sum(sign, 3 * sign, power(108), 0), sign * (1 + 0x1p-52));   // 1 + 3/4 of the last place
+    expect_same(rounded_sum(sign, -3 * sign, power(110), 0), sign * (1 - 0x1p-53));  // as much below 1
+    expect_same(rounded_sum(sign, 1 * sign, power(108), 0), sign * 1.0);             // 1 + 1/4
+    expect_same(rounded_sum(0, sign * (power(53) + 3), power(106), 0), sign * (1 + 0x1p-51));  // a tie to even
+  }
+}
+
 TEST(RoundSum, that_cancels_exactly_is_plus_zero) {
   expect_same(rounded_sum(-2, 10, 25, 0), 0.0);
   expect_same(rounded_sum(2, -10, 25, 0), 0.0);

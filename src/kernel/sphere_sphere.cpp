@@ -106,7 +106,8 @@ void put_at_center(const Vector3& center, Vector3& point) {
     point[axis] = std::bit_cast<std::uint64_t>(center[axis]) << 1 == 0 ? 0.0 : center[axis];
 }
 
-/// Settles the numbers of a hit whose bits are set, and whether it is degenerate. None depends on the alarm distance.
+/// Settles the numbers of a hit whose bits are set, but for points at a centre, and whether it is degenerate. None
+/// depends on the alarm distance.
 [[gnu::noinline]] void round_exactly(const Ball& a, const Ball& b, double contact_distance, ContactPoints points,
                                      unsigned numbers, Contact& contact) {
   if (points.first == PointOn::center) numbers &= ~(7U << kernel::kPointNumber);
@@ -122,8 +123,6 @@ void put_at_center(const Vector3& center, Vector3& point) {
     }
     if (numbers >> kernel::kValueNumber & 1) contact.value = pair.value();
   });
-  if (points.first == PointOn::center) put_at_center(a.center, contact.point1);
-  if (points.second == PointOn::center) put_at_center(b.center, contact.point2);
 }
 
 /// The numbers of a hit whose rounding is certain in the fast stage; returns the others.
@@ -150,16 +149,22 @@ void put_at_center(const Vector3& center, Vector3& point) {
   return open;
 }
 
+/// Settles the numbers of a hit whose bits are set, and perhaps others.
+[[gnu::always_inline]] inline void round(const Ball& a, const Ball& b, double contact_distance, ContactPoints points,
+                                         unsigned numbers, Contact& contact) {
+  const unsigned open = round_quickly(a, b, contact_distance, points, contact) & numbers;
+  if (points.first == PointOn::center) put_at_center(a.center, contact.point1);
+  if (points.second == PointOn::center) put_at_center(b.center, contact.point2);
+  if (open != 0) round_exactly(a, b, contact_distance, points, open, contact);
+}
+
 /// The contact of a pair, or false.
 [[gnu::always_inline]] inline bool contact_of(const Ball& a, const Ball& b, Distances distances, ContactPoints points,
                                               Contact& contact) {
   const Filtered filtered = filter(a, b, squared_distance(a, b), distances.alarm);
   if (filtered == Filtered::miss) return false;
   if (filtered == Filtered::undecided && !decide_exactly(a, b, distances.alarm)) return false;
-  const unsigned open = round_quickly(a, b, distances.contact, points, contact);
-  if (points.first == PointOn::center) put_at_center(a.center, contact.point1);
-  if (points.second == PointOn::center) put_at_center(b.center, contact.point2);
-  if (open != 0) round_exactly(a, b, distances.contact, points, open, contact);
+  round(a, b, distances.contact, points, kernel::kAllNumbers, contact);
   return true;
 }
 
@@ -239,10 +244,7 @@ struct Unset {
 
 void kernel::round_numbers(const Ball& a, const Ball& b, double contact_distance, ContactPoints points,
                            unsigned numbers, Contact& contact) {
-  const unsigned open = round_quickly(a, b, contact_distance, points, contact) & numbers;
-  if (points.first == PointOn::center) put_at_center(a.center, contact.point1);
-  if (points.second == PointOn::center) put_at_center(b.center, contact.point2);
-  if (open != 0) round_exactly(a, b, contact_distance, points, open, contact);
+  round(a, b, contact_distance, points, numbers, contact);
 }
 
 bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm) {

@@ -152,6 +152,11 @@ TEST(SphereSphere, an_infinite_alarm_distance_is_no_limit) {
                  {3, 0, 4}, 4);
   expect_contact(compute_sphere_sphere(ball(0, 0, 0, 0), ball(3 * kLeast, 0, 4 * kLeast, 0), {kInfinity, 7 * kLeast}),
                  {0.6, 0, 0.8}, {0, 0, 0}, {3 * kLeast, 0, 4 * kLeast}, -2 * kLeast);
+  // Where squares underflow in part: a power of two changes no direction.
+  const Vector3 far(0.7123456789012345, -0.1234567890123456, 0.5432109876543211);
+  const Vector3 n = compute_sphere_sphere({Vector3::Zero(), 0}, {far, 0}, {kInfinity, 0})->normal;
+  for (const double scale : {0x1p-440, 0x1p-455, 0x1p-485, 0x1p-505, 0x1p-512, 0x1p-520, 0x1p-535, 0x1p-560})
+    EXPECT_EQ(compute_sphere_sphere({Vector3::Zero(), 0}, {far * scale, 0}, {kInfinity, 0})->normal, n) << scale;
 }
 
 TEST(SphereSphere, a_result_beyond_the_largest_finite_number_is_infinite) {
