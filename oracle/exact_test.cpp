@@ -156,6 +156,10 @@ TEST(RoundToNearest, rounds_once_among_the_subnormals) {
     expect_rounds(Rational(-7) * half(least), f.scalar, -4 * f.least);
     expect_rounds(Rational(f.normal) - half(least), f.scalar, f.normal);
     expect_rounds(Rational(f.normal) - half(least) - hair(), f.scalar, f.normal - f.least);
+    // Of a tie's two neighbours the odd one is wrong.
+    EXPECT_FALSE(is_correctly_rounded(f.least, half(least), f.scalar));
+    EXPECT_FALSE(is_correctly_rounded(f.least, Rational(3) * half(least), f.scalar));
+    EXPECT_FALSE(is_correctly_rounded(3 * f.least, Rational(5) * half(least), f.scalar));
   }
 }
 

@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -94,19 +95,13 @@ template <class R, class... Wrong>
     }());
     return right;
   }
-  if constexpr (std::is_copy_constructible_v<R>) {
-    R result = right;
-    (..., [&] {
-      if constexpr (!std::is_void_v<decltype(wrong())>)
-        if (variant == chosen) {
-          if constexpr (std::is_copy_assignable_v<R>) result = wrong();
-        }
-      ++variant;
-    }());
-    return result;
-  } else {
-    return right;
-  }
+  std::optional<R> result;
+  (..., [&] {
+    if constexpr (!std::is_void_v<decltype(wrong())>)
+      if (variant == chosen) result.emplace(wrong());
+    ++variant;
+  }());
+  return result ? *result : right;
 }
 
 namespace runtime {
