@@ -454,9 +454,9 @@ def explanations():
 
 
 def write_page(mutants):
-    """The table of every outcome that is recorded of the sources as they are."""
+    """The table of every outcome that is recorded of the sources as they are; where there is none here, what the page has."""
     results, why = Runner(TREE / "results.jsonl").results, explanations()
-    rows = [HEADING]
+    rows, text = [HEADING], PAGE.read_text()
     for component, files in COMPONENTS.items():
         all_ = [m for m in mutants if m["component"] == component and not m.get("dropped")]
         sources = {f: source_of(f) for f in files}
@@ -464,8 +464,8 @@ def write_page(mutants):
                  and results[name(m)]["outcome"] != "no mutant"]
         killed = sum(results[name(m)]["outcome"] == "killed" for m in known)
         explained = sum(results[name(m)]["outcome"] != "killed" and name(m) in why for m in known)
-        rows.append(row(component, len(all_), len(known), killed, explained))
-    text = PAGE.read_text()
+        before = re.search(rf"^{component} .*", text, re.M)[0].split()
+        rows.append(row(component, len(all_), len(known), killed, explained) if known else (*before[:-2], f"{before[-2]} %"))
     PAGE.write_text(re.sub(r"(<!-- scores:begin -->\n```text\n).*?(```\n<!-- scores:end -->)", lambda m: m[1] + table(rows) + "\n" + m[2], text,
                            flags=re.S))
     print(table(rows))
