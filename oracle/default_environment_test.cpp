@@ -59,7 +59,7 @@ class Said {
   std::string all_;
 };
 
-/// A claim that is near the right one: half an ulp or so off, by a contraction of the product that plain doubles make.
+/// A claim that is near the right one: its normal an ulp or two off, its value a subnormal number or nothing.
 Claim near_claim(const Query& query) {
   Claim claim = right_claim(query, truth_of(query), {});
   if (!claim.contact) return claim;

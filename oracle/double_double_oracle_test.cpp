@@ -295,6 +295,15 @@ TEST(DoubleDoubleOracle, declines_numbers_out_of_its_range) {
   EXPECT_FALSE(double_double_answer(with_radius(0x1.0000000000001p200), Scalar::binary64));
   EXPECT_FALSE(double_double_answer(with_radius(0x0.fffffffffffffp-200), Scalar::binary64));
   EXPECT_TRUE(double_double_answer(with_radius(0), Scalar::binary64));
+  // Each number alone.
+  for (int number = 0; number < 10; ++number) {
+    Query query = with_radius(1.5);
+    int at = 0;
+    for_each_number(query, [&](const std::string&, double& x) {
+      if (at++ == number) x = 0x1.8p200;
+    });
+    EXPECT_FALSE(double_double_answer(query, Scalar::binary64)) << number;
+  }
   const auto boxes_up_to = [](double most) {
     return Query{Pair::cube_cube, Boxes{{{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {2, most, 1}}}, {0, 0}};
   };
