@@ -234,6 +234,23 @@ void Diagnosis::add_wrong(const Wrong& wrong, std::uint64_t n) {
   if (sample_.size() > kSample) sample_.erase(std::prev(sample_.end()));
 }
 
+bool Diagnosis::Place::is_sound() const {
+  return static_cast<std::size_t>(aspect) < kAspectNames.size() && static_cast<std::size_t>(pair) < kPairs.size() &&
+         static_cast<std::size_t>(region) < kRegionNames.size();
+}
+
+bool Diagnosis::is_sound() const {
+  return std::all_of(sample_.begin(), sample_.end(),
+                     [&](const auto& entry) {
+                       const auto& [place, by] = std::tie(entry.first.place, entry.first.by);
+                       return place.is_sound() && (by >> causes().size()).none() &&
+                              wrong_.contains(std::string(kAspectNames[static_cast<std::size_t>(place.aspect)]));
+                     }) &&
+         std::all_of(contradicted_.begin(), contradicted_.end(), [](const auto& entry) {
+           return entry.first.is_sound() && entry.second.size() == causes().size();
+         });
+}
+
 bool Diagnosis::is_sampled() const {
   const auto sum = [](const auto& counts) {
     return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0},

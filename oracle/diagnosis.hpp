@@ -76,6 +76,8 @@ class Diagnosis {
   void serialize(Archive& archive) {
     archive(explanations_, wrong_, sample_, contradicted_, answered_, silent_, outside_);
   }
+  /// Whether it could have been counted: what an archive holds may name what there is not.
+  [[nodiscard]] bool is_sound() const;
 
  private:
   static constexpr std::size_t kMostCauses = 256;
@@ -90,6 +92,7 @@ class Diagnosis {
     void serialize(Archive& archive) {
       archive(aspect, pair, region);
     }
+    [[nodiscard]] bool is_sound() const;
     friend auto operator<=>(const Place&, const Place&) = default;
   };
   struct Wrong {

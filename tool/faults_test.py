@@ -8,6 +8,7 @@ and the processes of a cluster are killed too. Root alone mounts small and read-
 import argparse
 import collections
 import contextlib
+import hashlib
 import json
 import os
 import random
@@ -683,6 +684,40 @@ class Columns(Case):
             for args in self.some((("certify", path), ("lint", "--generated", path), ("convert", path, "-o", self.folder / "x.jsonl")), 1):
                 with self.subTest(name, command=args[0]):
                     self.refused("hostile HDF5", args, path, *words, most=400)
+
+
+class Parts(Case):
+    """Parts of a run whose digest is right, and whose bytes are anything."""
+
+    def test_bytes_that_no_run_wrote_under_the_digest_that_they_have(self):
+        path = self.folder / "part-0-of-1.part"
+        tool(*FRESH, "--generate", 50, "--parts", self.folder, "--shards", 1)
+        line, _, good = path.read_bytes().partition(b"\n")
+        head, _, _ = line.decode().rpartition(',"bytes":')
+        run = head[head.index('"run":') + len('"run":'):]
+
+        def write(content):
+            digest = hashlib.sha256(f"0/1{run}".encode() + content).hexdigest()
+            path.write_bytes(f'{head},"bytes":{len(content)},"sha256":"{digest}"}}\n'.encode() + content)
+        write(good)
+        self.assertEqual(path.read_bytes(), line + b"\n" + good)
+        for _ in range(100 if TIMES == 1 else 1000 * TIMES):
+            at, kind = self.random.randrange(len(good)), self.random.choice(("size", "enumeration", "bit", "less"))
+            content = bytearray(good)
+            if kind == "size":  # where it is one, of more than any memory
+                content[at:at + 8] = (1 << 40).to_bytes(8, "little")
+            elif kind == "less":
+                del content[at]
+            else:
+                content[at] = 255 if kind == "enumeration" else content[at] ^ 1 << self.random.randrange(8)
+            write(content)
+            with self.subTest(kind, at=at):
+                code, said, megabytes = measured("merge", path, "--json", self.folder / "r.json", "--report", self.folder / "r.html")
+                self.assertIn((code, len(said.splitlines())), ((0, 0), (1, 0), (2, 1)), said[:500])
+                if not SANITIZED:
+                    self.assertLess(megabytes, 80, said)
+                PEAK["hostile parts"] = max(PEAK["hostile parts"], megabytes)
+                TALLY["hostile parts"]["refused" if code == 2 else "merged"] += 1
 
 
 class Clocks(Case):

@@ -11,14 +11,57 @@
 #include <cereal/types/map.hpp>
 #include <cereal/types/optional.hpp>
 #include <cereal/types/set.hpp>
-#include <cereal/types/string.hpp>
-#include <cereal/types/vector.hpp>
 #include <sstream>
 
 #include "golden/output_file.hpp"
 #include "golden/query_id.hpp"
 #include "golden/results.hpp"
 #include "tool/process.hpp"
+
+// Cereal's own readers of text and vectors make room for as many entries as a file states. These make it as entries
+// come, so that a file asks for no more memory than it has bytes for.
+namespace cereal {
+
+template <class Archive>
+void save(Archive& archive, const std::string& text) {
+  archive(make_size_tag(static_cast<size_type>(text.size())), binary_data(text.data(), text.size()));
+}
+
+template <class Archive>
+void load(Archive& archive, std::string& text) {
+  size_type left = 0;
+  archive(make_size_tag(left));
+  text.clear();
+  while (left > 0) {
+    const auto now = static_cast<std::size_t>(std::min<size_type>(left, 1 << 16));
+    text.resize(text.size() + now);
+    archive(binary_data(text.data() + text.size() - now, now));
+    left -= now;
+  }
+}
+
+template <class Archive, class T>
+void save(Archive& archive, const std::vector<T>& entries) {
+  archive(make_size_tag(static_cast<size_type>(entries.size())));
+  for (const T& entry : entries) archive(entry);
+}
+
+template <class Archive, class T>
+void load(Archive& archive, std::vector<T>& entries) {
+  size_type left = 0;
+  archive(make_size_tag(left));
+  for (entries.clear(); left > 0; --left) archive(entries.emplace_back());
+}
+
+/// What is neither true nor false must not become a bool.
+inline void load(PortableBinaryInputArchive& archive, bool& value) {
+  std::uint8_t byte = 0;
+  archive(byte);
+  if (byte > 1) throw Exception("neither true nor false");
+  value = byte == 1;
+}
+
+}  // namespace cereal
 
 // How Cereal walks through what others declare.
 namespace contact::oracle {
@@ -79,6 +122,7 @@ void load(Archive& archive, WorstCase& w) {
   std::string claim;
   Pair pair{};
   archive(query, pair, w.scalar, claim, w.verdict);
+  if (static_cast<std::size_t>(pair) >= kPairs.size()) throw cereal::Exception("no such pair");
   const golden::Location where{"a worst case", 0};
   const auto question = golden::parse_object(query, where);
   w.query = golden::read_inputs(golden::Node(question, where), pair);
@@ -101,6 +145,36 @@ namespace {
 
 constexpr std::string_view kFormat = "contact-oracle/part";
 constexpr std::uint64_t kVersion = 2;
+
+// Whether what a part tells is of kinds that there are, which become indices into their names.
+
+template <class Enumeration>
+bool is_below(Enumeration value, std::size_t count) {
+  return static_cast<std::size_t>(value) < count;
+}
+
+bool is_sound(const Verdict& verdict) {
+  return is_below(verdict.status, std::tuple_size_v<decltype(FamilyReport::statuses)>) &&
+         std::max(verdict.overlap, verdict.contact) <= oracle::Decision::false_hit &&
+         std::min(verdict.overlap, verdict.contact) >= oracle::Decision::unclaimed &&
+         std::all_of(verdict.fields.begin(), verdict.fields.end(),
+                     [](const auto& field) { return !field || is_below(field->grade, oracle::kGradeNames.size()); });
+}
+
+bool is_sound(const Findings& found) {
+  const auto pair_and_scalar = [](Pair pair, Scalar scalar) {
+    return is_below(pair, kPairs.size()) && is_below(scalar, kScalars.size());
+  };
+  return found.why.is_sound() &&
+         std::all_of(found.families.begin(), found.families.end(),
+                     [&](const FamilyReport& f) { return pair_and_scalar(f.pair, f.scalar); }) &&
+         std::all_of(
+             found.worst.begin(), found.worst.end(),
+             [&](const WorstCase& w) { return pair_and_scalar(w.query.pair, w.scalar) && is_sound(w.verdict); }) &&
+         std::all_of(found.failures.begin(), found.failures.end(), [&](const Failure& f) {
+           return pair_and_scalar(f.pair, f.scalar) && is_below(f.level, oracle::kLevelNames.size());
+         });
+}
 
 std::string digest_of(golden::Shard part, const std::string& run, const std::string& bytes) {
   return golden::Sha256().add(fmt::format("{}/{}", part.index, part.of)).add(run).add(bytes).hex();
@@ -173,6 +247,10 @@ Part unpack(const std::string& bytes) {
   cereal::PortableBinaryInputArchive archive(stream);
   Part part;
   archive(part);
+  if (part.found.size() != part.unasked.size() ||
+      !std::all_of(part.found.begin(), part.found.end(), [](const Findings& f) { return is_sound(f); }))
+    throw cereal::Exception("it tells of what there is not");
+  if (stream.peek() != std::istringstream::traits_type::eof()) throw cereal::Exception("more than a part");
   return part;
 }
 
@@ -236,9 +314,10 @@ PartFile read_part(const std::filesystem::path& path) {
     sha256.refuse("the file is damaged: its digest is " + digest);
   try {
     file.content = unpack(bytes);
+    if (file.content.found.size() != 1) throw cereal::Exception("not the findings of one engine");
   } catch (const golden::InputError&) {
     throw;
-  } catch (const std::exception& error) {  // of the archive, or of a vector of more entries than there is memory
+  } catch (const std::exception& error) {  // of the archive: cut short, or a size that no text can have
     throw golden::InputError(where, "", fmt::format("written by another build of this program ({})", error.what()));
   }
   return file;
