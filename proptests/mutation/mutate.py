@@ -6,18 +6,20 @@ once to record which mutants change a value during it; a mutant is then put to t
 fails. What survives is killed by a new test, or explained in explained.jsonl, one entry a mutant. docs/mutation-testing.md"""
 import argparse
 import collections
+import contextlib
 import hashlib
 import json
 import os
 import random
 import re
-import resource
 import shlex
 import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -244,7 +246,7 @@ class Schemata:
 
     def build(self):
         say("building", *TARGETS)
-        done = subprocess.run(["ninja", "-C", BUILD, f"-j{os.environ.get('JOBS', '1')}", *TARGETS], stdout=sys.stderr)
+        done = subprocess.run(["ninja", "-C", BUILD, f"-j{os.environ.get('JOBS', os.cpu_count())}", *TARGETS], stdout=sys.stderr)
         if done.returncode:
             sys.exit("the rewritten tree cannot be built")
 
@@ -304,20 +306,42 @@ class Hung(Exception):
     pass
 
 
+RUNNING, INTERRUPTED = set(), threading.Event()
+
+
 def run(command, seconds, environment):
-    """The exit status; killed with all that it started when it takes too long."""
-    process = subprocess.Popen(list(map(str, command)), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=TREE,
-                               env={**os.environ, **ENVIRONMENT, **environment}, start_new_session=True,
-                               preexec_fn=lambda: (resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30)),
-                                                   resource.setrlimit(resource.RLIMIT_CORE, (0, 0))))
+    """The exit status; killed with all that it started when it takes too long, or when all is interrupted."""
+    if INTERRUPTED.is_set():
+        raise KeyboardInterrupt
+    process = subprocess.Popen(["prlimit", f"--as={8 << 30}", "--core=0", *map(str, command)], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL, cwd=TREE, env={**os.environ, **ENVIRONMENT, **environment}, start_new_session=True)
+    RUNNING.add(process)
     try:
-        return process.wait(seconds)
+        status = process.wait(seconds)
+        if INTERRUPTED.is_set():
+            raise KeyboardInterrupt
+        return status
     except subprocess.TimeoutExpired:
         raise Hung from None
     finally:
+        RUNNING.discard(process)
         if process.poll() is None:
             os.killpg(process.pid, signal.SIGKILL)
             process.wait()
+
+
+def side_by_side(work, items):
+    """What work gives for each, as it is done; an interruption ends what runs, whose outcome is nobody's."""
+    with ThreadPoolExecutor(int(os.environ.get("JOBS", os.cpu_count()))) as pool:
+        try:
+            yield from pool.map(work, items)
+        except KeyboardInterrupt:
+            INTERRUPTED.set()
+            for process in list(RUNNING):
+                with contextlib.suppress(ProcessLookupError):
+                    os.killpg(process.pid, signal.SIGKILL)
+            pool.shutdown(cancel_futures=True)
+            raise
 
 
 def stamp(command):
@@ -333,37 +357,43 @@ def stamp(command):
 def recorded(tests, folder, most, kills_cpp=True):
     """Seconds of each test, and which mutants change a value during it; kept until its program changes. A test that fails is left out."""
     folder.mkdir(parents=True, exist_ok=True)
-    found = {}
-    for i, (test, command) in enumerate(tests.items()):
+
+    def one(entry):
+        i, (test, command) = entry
         file = folder / f"{hashlib.sha256(test.encode()).hexdigest()[:16]}.json"
         old = json.loads(file.read_text()) if file.exists() else {}
-        if old.get("stamp") != stamp(command) or ("slow" in str(old["status"]) and most > old.get("most", 0)):
-            say(f"{i + 1}/{len(tests)}", test)
-            start = time.monotonic()
-            try:
-                status = run(command, most, {})
-            except Hung:
-                status = "slow"
-            seconds, reached = time.monotonic() - start, {}
-            if status == 0 and kills_cpp:
-                with tempfile.TemporaryDirectory() as place:
-                    try:
-                        status = run(command, 20 * most, {"CONTACT_MUTANTS_REACHED": f"{place}/reached"})
-                    except Hung:
-                        status = "slow while recording"
-                    for one in Path(place).iterdir():
-                        for id, what in enumerate(one.read_bytes()):
-                            if what:
-                                now = reached.get(id, 0)
-                                reached[id] = what if now in (0, 3) or what == 2 else now
-            old = {"stamp": stamp(command), "test": test, "status": status, "seconds": seconds, "most": most,
-                   "reached": "".join(f"{id}:{what} " for id, what in sorted(reached.items()))}
-            file.write_text(json.dumps(old))
-        if old["status"] == 0:
-            reached = dict(map(int, pair.split(":")) for pair in old["reached"].split())
-            found[test] = {"command": command, "seconds": old["seconds"], "reached": reached, "stamp": old["stamp"]}
+        if old.get("stamp") == stamp(command) and not ("slow" in str(old["status"]) and most > old.get("most", 0)):
+            return old
+        say(f"{i + 1}/{len(tests)}", test)
+        start = time.monotonic()
+        try:
+            status = run(command, most, {})
+        except Hung:
+            status = "slow"
+        seconds, reached = time.monotonic() - start, {}
+        if status == 0 and kills_cpp:
+            with tempfile.TemporaryDirectory() as place:
+                try:
+                    status = run(command, 20 * most, {"CONTACT_MUTANTS_REACHED": f"{place}/reached"})
+                except Hung:
+                    status = "slow while recording"
+                for path in Path(place).iterdir():
+                    for id, what in enumerate(path.read_bytes()):
+                        if what:
+                            now = reached.get(id, 0)
+                            reached[id] = what if now in (0, 3) or what == 2 else now
+        new = {"stamp": stamp(command), "test": test, "status": status, "seconds": seconds, "most": most,
+               "reached": "".join(f"{id}:{what} " for id, what in sorted(reached.items()))}
+        file.write_text(json.dumps(new))
+        return new
+
+    found = {}
+    for (test, command), entry in zip(tests.items(), side_by_side(one, enumerate(tests.items()))):
+        if entry["status"] == 0:
+            reached = dict(map(int, pair.split(":")) for pair in entry["reached"].split())
+            found[test] = {"command": command, "seconds": entry["seconds"], "reached": reached, "stamp": entry["stamp"]}
         else:
-            say(f"left out: {test} ({old['status']})")
+            say(f"left out: {test} ({entry['status']})")
     return found
 
 
@@ -464,18 +494,20 @@ def write_page(mutants):
                  and results[name(m)]["outcome"] != "no mutant"]
         killed = sum(results[name(m)]["outcome"] == "killed" for m in known)
         explained = sum(results[name(m)]["outcome"] != "killed" and name(m) in why for m in known)
-        before = re.search(rf"^{component} .*", text, re.M)[0].split()
-        rows.append(row(component, len(all_), len(known), killed, explained) if known else (*before[:-2], f"{before[-2]} %"))
+        if not known:
+            judged, killed, explained = map(int, re.search(rf"^{component} +\d+ +(\d+) +(\d+) +(\d+)", text, re.M).groups())
+        rows.append(row(component, len(all_), len(known) or judged, killed, explained))
     PAGE.write_text(re.sub(r"(<!-- scores:begin -->\n```text\n).*?(```\n<!-- scores:end -->)", lambda m: m[1] + table(rows) + "\n" + m[2], text,
                            flags=re.S))
     print(table(rows))
 
 
-HEADING = ("component", "mutants", "judged", "killed", "explained", "left", "score")
+HEADING = ("component", "mutants", "judged", "killed", "explained", "left", "of all", "of mistakes")
 
 
 def row(component, mutants, judged, killed, explained):
-    return (component, *map(str, (mutants, judged, killed, explained, judged - killed - explained)), f"{100 * killed / max(judged, 1):.1f} %")
+    shares = (f"{100 * killed / max(of, 1):.1f} %" for of in (judged, judged - explained))
+    return (component, *map(str, (mutants, judged, killed, explained, judged - killed - explained)), *shares)
 
 
 def source_of(file):
@@ -535,11 +567,14 @@ def main():
             random.Random(options.seed).shuffle(all_)
         chosen = all_[:options.sample]
         count = collections.Counter()
-        for i, mutant in enumerate([] if interrupted else chosen):
+        # verify.py's are written in its place, one at a time.
+        outcomes = (side_by_side if component in schemata.files else map)(lambda m: settle(runner, m, tests), [] if interrupted else chosen)
+        for i, mutant in enumerate(chosen):
             try:
-                outcome = settle(runner, mutant, tests)
+                outcome = next(outcomes, None)
             except KeyboardInterrupt:
-                interrupted = True
+                outcome, interrupted = None, True
+            if outcome is None:
                 break
             count["judged"] += 1
             killed = outcome["outcome"] == "killed"

@@ -4,10 +4,15 @@
 On a small program of each language. 77 where Python's libclang is not there, after what needs none of it."""
 import collections
 import json
+import os
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 import unittest
+import unittest.mock
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -76,6 +81,27 @@ class Names(unittest.TestCase):
         for text, (_, why) in mutate.explanations().items():
             self.assertEqual(len(text.split("|")) >= 4, True, text)
             self.assertGreater(len(why), 20, text)
+
+
+@unittest.mock.patch("mutate.TREE", HERE)  # where runs stand
+class Runs(unittest.TestCase):
+    def test_what_takes_too_long_is_killed_with_all_that_it_started(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaises(mutate.Hung):
+                mutate.run(["sh", "-c", f"(sleep 2; touch {folder}/late) & wait"], 0.2, {})
+            time.sleep(2.5)
+            self.assertEqual(os.listdir(folder), [])
+
+    def test_an_interruption_ends_what_runs_and_nobody_counts_its_outcome(self):
+        threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+        outcomes = []
+        try:
+            with self.assertRaises(KeyboardInterrupt):
+                for status in mutate.side_by_side(lambda seconds: mutate.run(["sleep", seconds], 60, {}), [0, 30, 30, 30]):
+                    outcomes.append(status)
+        finally:
+            mutate.INTERRUPTED.clear()
+        self.assertEqual((outcomes, mutate.RUNNING), ([0], set()))
 
 
 @unittest.skipIf(Index is None, "Python's libclang is not there (python3-clang-14)")
