@@ -349,23 +349,6 @@ class Certify(Case):
         self.assertIn("seed 7\n", out)
         self.assertIn("20 judged cases", out)
 
-    def test_no_progress_is_written_where_standard_error_is_not_a_terminal_and_a_bar_where_it_is(self):
-        for command in ("certify", "lint"):
-            args = (command, GOLDEN / "sphere_sphere" / "upstream.jsonl")
-            self.holds(*args)
-            try:
-                master, slave = pty.openpty()
-            except OSError as error:
-                self.skipTest(f"no terminal can be made here: {error}")
-            run(*args, capture_output=False, stdout=subprocess.DEVNULL, stderr=slave)
-            os.close(slave)
-            bar = os.read(master, 65536)
-            os.close(master)
-            self.assertIn(b"\r", bar)
-            # Certifying so few may be over before a number is drawn.
-            done = [int(n) for n in re.findall(rb"(\d+) of 891", bar)]
-            self.assertTrue(all(n <= 891 for n in done) and (command != "lint" or max(done, default=0) > 0), done)
-
     def test_the_report_is_coloured_at_a_terminal_alone_and_says_the_same(self):
         def at_terminal(*args, **variables):
             try:
@@ -900,6 +883,23 @@ class BadUsage(Case):
 class Outputs(Case):
     GENERATE = ("generate", "--pair", "sphere_sphere", "--family", "generic", "--seed", 1, "--count")
     CERTIFY = ("certify", GOLDEN / "cube_cube" / "generic.jsonl")
+
+    def test_no_progress_is_written_where_standard_error_is_not_a_terminal_and_a_bar_where_it_is(self):
+        for command in ("certify", "lint"):
+            args = (command, GOLDEN / "sphere_sphere" / "upstream.jsonl")
+            self.holds(*args)
+            try:
+                master, slave = pty.openpty()
+            except OSError as error:
+                self.skipTest(f"no terminal can be made here: {error}")
+            run(*args, capture_output=False, stdout=subprocess.DEVNULL, stderr=slave)
+            os.close(slave)
+            bar = os.read(master, 65536)
+            os.close(master)
+            self.assertIn(b"\r", bar)
+            # Certifying so few may be over before a number is drawn.
+            done = [int(n) for n in re.findall(rb"(\d+) of 891", bar)]
+            self.assertTrue(all(n <= 891 for n in done) and (command != "lint" or max(done, default=0) > 0), done)
 
     def test_an_output_that_cannot_be_written_is_refused_by_name(self):
         (self.folder / "folder.jsonl").mkdir()

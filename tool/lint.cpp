@@ -70,10 +70,8 @@ void lint(const Options& o) {
     });
     for (const golden::ManifestEntry& entry : entries) cases += entry.file.header.count;
     files += entries.size();
-    if (!std::filesystem::is_directory(path)) {
-      if (o.write_manifest) throw golden::InputError({path, 0}, "--write-manifest", "is for folders");
-      continue;
-    }
+    if (o.write_manifest && !std::filesystem::is_directory(path))
+      throw golden::InputError({path, 0}, "--write-manifest", "is for folders");
     const std::filesystem::path manifest = std::filesystem::path(path) / golden::kManifestName;
     if (!o.write_manifest && !std::filesystem::exists(manifest)) continue;
     add_what_files_do_not_tell(entries, path, o.write_manifest);
