@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
@@ -302,8 +304,23 @@ Query touching_beyond_two_numbers(golden::Random& random) {
   return {Pair::sphere_sphere, balls, {last, last}};
 }
 
-/// A contact point near a coordinate plane: nearly all of it cancels.
-Query near_a_plane(golden::Random& random) {
+/// Centres on a line along an axis, a distance of 54 bits apart, and a value half way between two doubles, or beside
+/// that.
+Query one_axis_at_a_tie(golden::Random& random) {
+  const auto axis = static_cast<Eigen::Index>(random.below(3));
+  const double side = random.with_sign(1.0);
+  Balls balls{};
+  for (int k = 0; k < 3; ++k) balls.a.center[k] = balls.b.center[k] = random.uniform(-1.0, 1.0);
+  balls.a.center[axis] = side * random.with_sign(0x1p-53);
+  balls.b.center[axis] = side * random.uniform(1.0, 1.5);
+  const double small = std::ldexp(static_cast<double>(random.below(4)), -52);
+  balls.a.radius = random.chance(2) ? small : 0.25 + small;
+  if (random.chance(2)) balls.b.radius = std::ldexp(1.0, -random.between(2, 120));
+  return {Pair::sphere_sphere, balls, {2, random.chance(2) ? 0 : small}};
+}
+
+/// A contact point near a coordinate plane: nearly all of it cancels, all but 2^-bits.
+Query near_a_plane(golden::Random& random, int bits) {
   Ball a{{}, random.uniform(0.5, 2.0)};
   Ball b{{}, random.uniform(0.5, 2.0)};
   Vector3 delta;
@@ -313,10 +330,13 @@ Query near_a_plane(golden::Random& random) {
   }
   const Vector3 n = delta / std::sqrt(delta.dot(delta));
   const auto axis = static_cast<Eigen::Index>(random.below(3));
-  a.center[axis] = -a.radius * n[axis] * (1 + random.with_sign(std::ldexp(1.0, -random.between(15, 60))));
+  a.center[axis] = -a.radius * n[axis] * (1 + random.with_sign(std::ldexp(1.0, -bits)));
   b.center = a.center + delta;
   return {Pair::sphere_sphere, Balls{a, b}, {random.uniform(0.0, 1.0), random.uniform(0.0, 1.0)}};
 }
+Query near_a_plane(golden::Random& random) { return near_a_plane(random, random.between(15, 60)); }
+/// Where what is left is as small as what the quick way loses.
+Query nearer_a_plane(golden::Random& random) { return near_a_plane(random, random.between(44, 53)); }
 
 /// Every number of a magnitude of its own, zeros of both signs among them.
 Query anything(golden::Random& random) {
@@ -415,7 +435,9 @@ Query at_the_top(golden::Random& random) {
 
 TEST(BatchSphereSphere, gives_the_bits_of_one_pair_where_vectors_are_on_their_own) {
   const std::pair<const char*, Make> families[] = {{"underflowing", underflowing},
+                                                   {"one_axis_at_a_tie", one_axis_at_a_tie},
                                                    {"near_a_plane", near_a_plane},
+                                                   {"nearer_a_plane", nearer_a_plane},
                                                    {"coincident_near_a_tie", coincident_near_a_tie},
                                                    {"touching_beyond_two_numbers", touching_beyond_two_numbers},
                                                    {"anything", anything},
@@ -549,8 +571,9 @@ TEST(BatchCubeCube, decides_as_one_pair_on_every_family) {
         }
         for_each_instruction_set([&] {
           std::vector<std::uint8_t> actual(expected.size(), 77);
-          batch::test_cube_cube(cubes.first(), cubes.second(), alarm, actual);
+          const batch::Count count = batch::test_cube_cube(cubes.first(), cubes.second(), alarm, actual);
           EXPECT_EQ(actual, expected) << "question " << k;
+          EXPECT_EQ(count.hits, static_cast<std::size_t>(std::count(expected.begin(), expected.end(), 1)));
         });
       }
       EXPECT_GT(hits, 0U);
@@ -558,18 +581,103 @@ TEST(BatchCubeCube, decides_as_one_pair_on_every_family) {
   }
 }
 
+TEST(BatchSphereSphere, counts_every_pair_that_it_left_to_the_function_of_one_pair) {
+  using Call = std::size_t (*)(const Spheres&, Distances);
+  const Call decided = [](const Spheres& spheres, Distances distances) {
+    std::vector<std::uint8_t> hits(spheres.size());
+    return batch::test_sphere_sphere(spheres.first(), spheres.second(), distances.alarm, hits).exact;
+  };
+  const Call computed = [](const Spheres& spheres, Distances distances) {
+    Contacts contacts(spheres.size());
+    return batch::compute_sphere_sphere(spheres.first(), spheres.second(), distances, contacts.columns()).exact;
+  };
+  const Call of_hits = [](const Spheres& spheres, Distances distances) {
+    Contacts contacts(spheres.size());
+    std::vector<std::uint32_t> index(spheres.size());
+    return batch::compute_sphere_sphere_hits(spheres.first(), spheres.second(), distances, index, contacts.columns())
+        .exact;
+  };
+  for_each_instruction_set([&] {
+    for (const Call call : {decided, computed, of_hits}) {
+      std::size_t left = 0;
+      std::vector<Query> queries = questions_of("anything", anything);
+      for (const auto& [name, make] :
+           {std::pair<const char*, Make>{"at_the_top", at_the_top}, {"underflowing", underflowing}})
+        for (const Query& query : questions_of(name, make)) queries.push_back(query);
+      for (const Query& query : queries) {
+        Spheres spheres;
+        spheres.push_back(*query.balls());
+        const std::size_t of_one = call(spheres, query.distances);
+        ASSERT_LE(of_one, 1U);
+        left += of_one;
+        for (std::size_t n = 2; n <= 19; ++n) {
+          spheres.push_back(*query.balls());
+          EXPECT_EQ(call(spheres, query.distances), n * of_one)
+              << n << " of " << words(*query.balls(), query.distances);
+        }
+      }
+      EXPECT_GT(left, 0U);
+    }
+  });
+}
+
 TEST(Batch, names_the_column_that_is_too_short) {
   const std::vector<double> two(2);
   const std::vector<double> one(1);
+  const auto refuses = [](const std::string& column, const std::function<void()>& call) {
+    try {
+      call();
+      ADD_FAILURE() << "accepted: " << column;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find("column " + column + " holds 1 "), std::string::npos) << error.what();
+    }
+  };
   std::vector<std::uint8_t> hit(2);
-  try {
-    batch::test_sphere_sphere({two, two, two, two}, {two, two, one, two}, 0, hit);
-    FAIL() << "accepted";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("b.z"), std::string::npos) << error.what();
+  const std::array kBallColumns{"x", "y", "z", "radius"};
+  const std::array kBoxColumns{"min x", "min y", "min z", "max x", "max y", "max z"};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const std::string name = side == 0 ? "a." : "b.";
+    for (std::size_t column = side == 0 ? 1 : 0; column < kBallColumns.size(); ++column) {  // a.x tells the length
+      std::array<std::array<std::span<const double>, 4>, 2> c{{{two, two, two, two}, {two, two, two, two}}};
+      c[side][column] = one;
+      refuses(name + kBallColumns[column], [&] {
+        batch::test_sphere_sphere({c[0][0], c[0][1], c[0][2], c[0][3]}, {c[1][0], c[1][1], c[1][2], c[1][3]}, 0, hit);
+      });
+    }
+    for (std::size_t column = side == 0 ? 1 : 0; column < kBoxColumns.size(); ++column) {
+      std::array<batch::BoxColumns, 2> c;
+      c.fill({{two, two, two}, {two, two, two}});
+      (column < 3 ? c[side].min[column] : c[side].max[column - 3]) = one;
+      refuses(name + kBoxColumns[column], [&] { batch::test_cube_cube(c[0], c[1], 0, hit); });
+    }
   }
-  EXPECT_THROW(batch::test_sphere_sphere({two, two, two, two}, {two, two, two, two}, 0, std::span(hit).first(1)),
-               std::invalid_argument);
+  const batch::BallColumns balls{two, two, two, two};
+  refuses("hit", [&] { batch::test_sphere_sphere(balls, balls, 0, std::span(hit).first(1)); });
+  refuses("hit", [&] {
+    batch::test_cube_cube({{two, two, two}, {two, two, two}}, {{two, two, two}, {two, two, two}}, 0,
+                          std::span(hit).first(1));
+  });
+  Contacts contacts(2);
+  std::vector<std::uint32_t> index(2);
+  const auto compute = [&](const batch::ContactColumns& out) {
+    batch::compute_sphere_sphere(balls, balls, {0, 0}, out);
+  };
+  const std::array kOutputs{"normal", "point1", "point2"};
+  for (std::size_t column = 0; column < 9; ++column) {
+    batch::ContactColumns out = contacts.columns();
+    auto& vector = column < 3 ? out.normal : column < 6 ? out.point1 : out.point2;
+    vector[column % 3] = vector[column % 3].first(1);
+    refuses(std::string(kOutputs[column / 3]) + " " + std::string(1, "xyz"[column % 3]), [&] { compute(out); });
+  }
+  batch::ContactColumns out = contacts.columns();
+  out.value = out.value.first(1);
+  refuses("value", [&] { compute(out); });
+  out = contacts.columns();
+  out.state = out.state.first(1);
+  refuses("state", [&] { compute(out); });
+  refuses("index", [&] {
+    batch::compute_sphere_sphere_hits(balls, balls, {0, 0}, std::span(index).first(1), contacts.columns());
+  });
 }
 
 }  // namespace

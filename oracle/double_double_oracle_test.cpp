@@ -272,6 +272,7 @@ TEST(DoubleDouble, rounds_only_what_rounds_to_one_number) {
   EXPECT_EQ(rounded({kUp, -0x1p-53 + 0x1p-106, 0x1p-106}, Scalar::binary64), std::nullopt);
   // A radius that reaches over the boundary, and one that does not.
   EXPECT_EQ(rounded({1, 0, 0x1p-53}, Scalar::binary64), std::nullopt);
+  EXPECT_EQ(rounded({kUp, 0, 0x1p-53}, Scalar::binary64), std::nullopt);  // to the very boundary, a tie away from it
   EXPECT_EQ(rounded({1, 0, 0x1.8p-55}, Scalar::binary64), 1.0);
   // binary32: a binary64 number beside its tie must not be rounded twice.
   EXPECT_EQ(rounded({1 + 0x1p-24, 0, 0}, Scalar::binary32), 1.0);

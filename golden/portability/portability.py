@@ -71,8 +71,10 @@ def built(platform, folder, jobs):
     settings = {"CONTACT_ANSWERS": "ON", "CMAKE_BUILD_TYPE": "", "CMAKE_CXX_COMPILER": platform.compiler,
                 "CMAKE_CXX_FLAGS": platform.options}
     if platform.emulator:
-        settings |= {"CMAKE_SYSTEM_NAME": "Linux", "CMAKE_SYSTEM_PROCESSOR": platform.processor,
-                     "CMAKE_EXE_LINKER_FLAGS": "-static"}
+        settings |= {"CMAKE_SYSTEM_NAME": "Linux", "CMAKE_SYSTEM_PROCESSOR": platform.processor}
+        # Highway, which the batch kernels need, is packaged as a shared library alone; nothing else needs any of that processor's.
+        if not Path(f"/usr/lib/{platform.compiler.removesuffix('-g++')}/libhwy.so").exists():
+            settings |= {"CMAKE_EXE_LINKER_FLAGS": "-static", "CMAKE_DISABLE_FIND_PACKAGE_hwy": "ON"}
     output(["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", *(f"-D{key}={value}" for key, value in settings.items())])
     output(["cmake", "--build", build, "--parallel", str(jobs), "--target", "answers"])
     program = str(build / "golden" / "portability" / "answers")

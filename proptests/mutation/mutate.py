@@ -288,7 +288,8 @@ def tests_of_python():
     script = TREE / "golden" / "verify_test.py"
     tool = BUILD / "contact-oracle"
     found = {f"verify.py {folder}": [sys.executable, TREE / "golden" / "verify.py", TREE / "golden" / folder] for folder in ("quick", "cube_cube")}
-    return found | {f"verify_test {test}": [sys.executable, script, tool, "-f", test] for test in unittests(script)}
+    # Broken changes verify.py's text itself, and would miss what it looks for.
+    return found | {f"verify_test {test}": [sys.executable, script, tool, "-f", test] for test in unittests(script, {"Right", "Wrong"})}
 
 
 def unittests(script, wanted=None):

@@ -109,10 +109,14 @@ struct Padded {
 
 #if HWY_NATIVE_FMA
 
-/// high + low, unevaluated.
+/// high + low, unevaluated. (A constructor that the compiler makes is not compiled for the instruction set of this
+/// namespace, and cannot call those of NEON's vectors.)
 struct Double2 {
   V high;
   V low;
+
+  HWY_INLINE Double2() {}
+  HWY_INLINE Double2(V h, V l) : high(h), low(l) {}
 };
 
 /// a + b exactly (Knuth).
@@ -133,6 +137,9 @@ struct Delta {
   Double2 x;
   Double2 y;
   Double2 z;
+
+  HWY_INLINE Delta() {}
+  HWY_INLINE Delta(Double2 on_x, Double2 on_y, Double2 on_z) : x(on_x), y(on_y), z(on_z) {}
 };
 
 /// The power of two that is at most |x|, or 0 for a subnormal x.
@@ -487,6 +494,8 @@ struct Stage {
   V uncancelled;  ///< what points and value must be left with for the quick tests to mean anything
   M axes_agree;   ///< the quick tests of normal and points
   M value_agrees;
+
+  HWY_INLINE Stage() {}
 };
 
 /// center + radius q on one axis, by the true bounds.
@@ -694,7 +703,6 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
   const unsigned undecided_lanes = bits_of(open);
   const unsigned uncertain[] = {bits_of(hn::Not(x.certain)), bits_of(hn::Not(y.certain)), bits_of(hn::Not(z.certain)),
                                 bits_of(hn::Not(value_certain))};
-  const unsigned hits = bits_of(hit);
   for (std::size_t lane = 0; lane < hn::Lanes(D()) && i + lane < job.size; ++lane) {
     if (((left >> lane) & 1) == 0) continue;
     ++job.count.exact;
@@ -706,7 +714,7 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
       continue;
     }
     contact_of_one_pair(job.pairs, job.question, i + lane, job.out, i + lane);
-    job.count.hits += (job.out.state[i + lane] != batch::PairState::miss ? 1U : 0U) - ((hits >> lane) & 1);
+    job.count.hits += job.out.state[i + lane] != batch::PairState::miss ? 1U : 0U;
   }
 }
 

@@ -87,8 +87,8 @@ Floor floor_ratio(const Integer& e, const Integer& D, unsigned p) {
   return result;
 }
 
-/// The scale at which a number known to be at least 2^lower_bound shows its leading bits.
-unsigned scale_for(int lower_bound) { return static_cast<unsigned>(std::max(0, kBitsForRounding - lower_bound)); }
+/// The scale at which a number known to be at least 2^lower_bound shows its leading bits, as many as rounding needs.
+unsigned scale_for(int lower_bound) { return static_cast<unsigned>(std::max(0, kBitsForRounding - 1 - lower_bound)); }
 
 /// (floor + f) 2^exponent rounded, where 0 <= f < 1 and `exact` says f = 0; floor may be negative.
 double round_floor(const Integer& floor, bool exact, int exponent) {

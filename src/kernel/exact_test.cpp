@@ -430,6 +430,11 @@ TEST(RoundSumNear, is_right_from_any_estimate) {
   // Half way between 2 and 2 + 2^-51, from far away
   expect_same(round_sum_near(1, 1, fixed(power(53) + 1), {}, fixed(1), -52), 2.0);
   expect_same(round_sum_near(kLargest, -1, fixed(-(power(53) + 3)), {}, fixed(1), -52), -(2 + 0x1p-50));
+  // Half a unit beyond the largest number, and a quarter, from the number below it
+  for (const double estimate : {std::nextafter(kLargest, 0), kLargest}) {
+    expect_same(round_sum_near(estimate, 1, fixed(power(54) - 1), {}, fixed(1), 970), kInfinity);
+    expect_same(round_sum_near(estimate, 1, fixed(power(55) - 3), {}, fixed(1), 969), kLargest);
+  }
 }
 
 }  // namespace
