@@ -193,6 +193,12 @@ class Right(Case):
             run(TOOL, "annotate", "-", "--family", "hardest", "-o", path, input=made.stdout)
             self.assertEqual(path.read_bytes(), (GOLDEN / "sphere_sphere" / name).read_bytes())
 
+    def test_letters_beyond_ascii_are_read_and_shown_as_they_are(self):
+        header, *cases = (GOLDEN / "cube_cube" / "flat.jsonl").read_text().splitlines()
+        self.accepted(self.file("d.jsonl", [re.sub('"generator":"[^"]*"', '"generator":"Gödel 1"', header), *cases]))
+        done = verify(self.file("d.jsonl", [header.replace('"nearest_surface"', '"über"'), *cases]))
+        self.assertEqual(done.stdout.splitlines()[0], f'{self.folder}/d.jsonl:1: points: expected "nearest_surface", got "über"')
+
     def test_a_shard_and_a_file_without_flags_are_accepted(self):
         path = self.folder / "shard.jsonl"
         run(TOOL, "generate", "--pair", "sphere_sphere", "--family", "generic", "--count", 9, "--seed", 2**64 - 1, "--shard", "1/3",
@@ -514,6 +520,9 @@ class Wrong(Case):
         done = verify(self.file("d.jsonl", lines))
         self.assertEqual((done.returncode, len(done.stdout.splitlines())), (1, 22))
         self.assertRegex(done.stdout.splitlines()[20], r"d\.jsonl: and \d+ more$")
+        right = (GOLDEN / "cube_cube" / "generic.jsonl").read_text().splitlines()
+        done = verify(self.file("d.jsonl", [re.sub('"hit":(true|false)', '"hit":7', one) if i <= 20 else one for i, one in enumerate(right)]))
+        self.assertEqual((done.returncode, len(done.stdout.splitlines())), (1, 21))  # all of them, and the sum
 
     def test_the_manifest_is_checked(self):
         for name in ("generic.jsonl", "touching.jsonl"):
