@@ -155,7 +155,8 @@ TEST(SphereSphere, an_infinite_alarm_distance_is_no_limit) {
   // Where squares underflow in part: a power of two changes no direction.
   const Vector3 far(0.7123456789012345, -0.1234567890123456, 0.5432109876543211);
   const Vector3 n = compute_sphere_sphere({Vector3::Zero(), 0}, {far, 0}, {kInfinity, 0})->normal;
-  for (const double scale : {0x1p-440, 0x1p-455, 0x1p-485, 0x1p-505, 0x1p-512, 0x1p-520, 0x1p-535, 0x1p-560})
+  for (const double scale :
+       {0x1p-440, 0x1p-455, 0x1p-485, 0x1p-505, 0x1p-512, 0x1p-520, 0x1p-525, 0x1p-528, 0x1p-531, 0x1p-535, 0x1p-560})
     for (const double r : {0.0, 1.0})  // points and value of the size of the distance, and of an ordinary one
       EXPECT_EQ(compute_sphere_sphere({Vector3::Zero(), r}, {far * scale, r}, {kInfinity, 0})->normal, n) << scale;
 }
