@@ -89,6 +89,7 @@ class Inputs:
         cls.folder, cls.whole, cls.seconds = Path(tempfile.mkdtemp(prefix="contact-faults-")), {}, {}
         unittest.addModuleCleanup(shutil.rmtree, cls.folder)
         (cls.folder / "in").mkdir()
+        (cls.folder / "disk").mkdir()
         shutil.copy(GOLDEN / "sphere_sphere" / "touching.jsonl", cls.folder / "in")
         for args in (("generate", "--pair", "cube_cube", "--family", "nested", "--count", str(3000 * SIZE), "--seed", "1", "-o", "in/big.jsonl"),
                      (*FRESH, "--generate", str(800 * SIZE), "--parts", "in/parts", "--shards", "32")):
@@ -106,9 +107,9 @@ setUpModule = Inputs.make
 
 
 @contextlib.contextmanager
-def work(base=None):
-    """An empty folder, always of one name and depth: a certificate tells where its dataset is, seen from its own place."""
-    place = (base or Inputs.folder) / "work"
+def work():
+    """An empty folder, always of one name and place, on a disk of its own or not: a certificate tells where its dataset is, seen from there."""
+    place = Inputs.folder / "disk" / "work"
     place.mkdir()
     (place / "in").symlink_to(Inputs.folder / "in")
     try:
@@ -323,8 +324,7 @@ class Stopped(Case):
 class Disks(Case):
     @contextlib.contextmanager
     def disk(self, *options):
-        place = self.folder / "disk"
-        place.mkdir(exist_ok=True)
+        place = Inputs.folder / "disk"
         if not IS_ROOT or subprocess.run(["mount", "-t", "tmpfs", *options, "tmpfs", place], capture_output=True).returncode != 0:
             self.skipTest("only root can mount a disk")
         try:
@@ -347,7 +347,7 @@ class Disks(Case):
             args = COMMANDS[name][0]
             size = sum(map(len, Inputs.whole[name].values()))
             for _ in range(TIMES):
-                with self.subTest(name), self.disk("-o", f"size={max(8192, int(self.random.uniform(0, 1.2) * size))}") as disk, work(disk) as place:
+                with self.subTest(name), self.disk("-o", f"size={max(8192, int(self.random.uniform(0, 1.2) * size))}"), work() as place:
                     old = self.old_outputs(place, name)
                     self.check("disk full", name, place, old, tool(*args, cwd=place), "No space left on device")
 
@@ -365,7 +365,7 @@ class Disks(Case):
     def test_a_read_only_disk_and_a_folder_of_somebody_else(self):
         for name in self.some(COMMANDS):
             args = COMMANDS[name][0]
-            with self.subTest(name), self.disk() as disk, work(disk) as place:
+            with self.subTest(name), self.disk() as disk, work() as place:
                 old = self.old_outputs(place, name)
                 subprocess.run(["mount", "-o", "remount,ro", disk], check=True)
                 done = tool(*args, cwd=place)
