@@ -168,9 +168,8 @@ bool is_sound(const Findings& found) {
   return found.why.is_sound() &&
          std::all_of(found.families.begin(), found.families.end(),
                      [&](const FamilyReport& f) { return pair_and_scalar(f.pair, f.scalar); }) &&
-         std::all_of(
-             found.worst.begin(), found.worst.end(),
-             [&](const WorstCase& w) { return pair_and_scalar(w.query.pair, w.scalar) && is_sound(w.verdict); }) &&
+         std::all_of(found.worst.begin(), found.worst.end(),
+                     [&](const WorstCase& w) { return is_below(w.scalar, kScalars.size()) && is_sound(w.verdict); }) &&
          std::all_of(found.failures.begin(), found.failures.end(), [&](const Failure& f) {
            return pair_and_scalar(f.pair, f.scalar) && is_below(f.level, oracle::kLevelNames.size());
          });
