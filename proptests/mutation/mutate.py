@@ -48,7 +48,7 @@ COMPONENTS = {
     "lint": ["golden/lint.cpp", "tool/lint.cpp"],
     "verify": ["golden/verify.py"],
 }
-TARGETS = ["kernel_test", "batch_test", "oracle_test", "golden_test", "contact-oracle"]
+TARGETS = ["kernel_test", "batch_test", "oracle_test", "golden_test", "engines_test", "contact-oracle"]
 # Highway's vectors are parsed twice: what is compiled for AVX-512 alone, and what for all others.
 VECTOR_PARSES = [["-march=haswell", "-DHWY_COMPILE_ONLY_STATIC"], ["-march=skylake-avx512", "-DHWY_COMPILE_ONLY_STATIC"]]
 
@@ -258,9 +258,10 @@ def tests_of_cpp():
     """Commands by name: every GoogleTest test on its own, and some of the program's."""
     tool = BUILD / "contact-oracle"
     found = {}
-    for program in ("src/kernel/kernel_test", "golden/batch_test", "oracle/oracle_test", "golden/golden_test"):
+    for program, suites in (("src/kernel/kernel_test", "*"), ("golden/batch_test", "*"), ("oracle/oracle_test", "*"), ("golden/golden_test", "*"),
+                            ("engines/engines_test", "Mutants.*")):
         suite = ""
-        for line in output([BUILD / program, "--gtest_list_tests"]).splitlines():
+        for line in output([BUILD / program, "--gtest_list_tests", f"--gtest_filter={suites}"]).splitlines():
             if not line.startswith(" "):
                 suite = line.split()[0]
             else:

@@ -1,0 +1,467 @@
+// Why answers are wrong. The spheres of the examples are 7 apart, and everything about them is worked out by hand.
+#include "oracle/diagnosis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "oracle/right_claim.hpp"
+
+namespace contact::oracle {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// delta (2,3,6), distance 7; surfaces 7 - r1 - r2 apart.
+Query seven_apart(double r1, double r2, double alarm, double contact = 0, Pair pair = Pair::sphere_sphere) {
+  return {pair, Balls{{{1, 2, 4}, r1}, {{3, 5, 10}, r2}}, {alarm, contact}};
+}
+Query coincident() { return {Pair::sphere_sphere, Balls{{{1, 2, 4}, 2}, {{1, 2, 4}, 3}}, {0, 0}}; }
+/// A box from 0 to (2,3,4), and one of the extents (1,2,3) that begins at `corner`.
+Query boxes(const Vector3& corner, double alarm) {
+  return {Pair::cube_cube, Boxes{{{0, 0, 0}, {2, 3, 4}}, {corner, corner + Vector3(1, 2, 3)}}, {alarm, 0}};
+}
+
+struct Example {
+  explicit Example(const Query& asked) : query(asked), truth(truth_of(query)) {}
+  [[nodiscard]] Facts facts(std::optional<Numbers> said_normal = std::nullopt) const {
+    return {query, truth, Scalar::binary64, said_normal};
+  }
+  [[nodiscard]] Predictions say(std::string_view cause) const { return predict(causes()[cause_index(cause)], facts()); }
+
+  Query query;
+  Truth truth;
+};
+
+void expect_numbers(const Said& said, const Numbers& expected, std::string_view what) {
+  ASSERT_EQ(said.kind, Said::Kind::numbers) << what;
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(static_cast<double>(said.numbers[i]), static_cast<double>(expected[i]), 1e-15) << what << " " << i;
+}
+bool is_hit(const Said& said) {
+  EXPECT_EQ(said.kind, Said::Kind::numbers);
+  EXPECT_TRUE(said.numbers[0] == 0 || said.numbers[0] == 1);
+  return said.numbers[0] == 1;
+}
+
+Region region(const Query& query) { return Example(query).facts().region; }
+
+TEST(Facts, ARegionIsWhereTheShapesLie) {
+  EXPECT_EQ(region(coincident()), Region::coincident);
+  EXPECT_EQ(region(seven_apart(9, 2, 0)), Region::inside) << "touching from inside";
+  EXPECT_EQ(region(seven_apart(2, 9, 0)), Region::inside);
+  EXPECT_EQ(region(seven_apart(9, 2.5, 0)), Region::overlapping);
+  EXPECT_EQ(region(seven_apart(4, 4, 1)), Region::overlapping);
+  EXPECT_EQ(region(seven_apart(3, 4, 0)), Region::touching);
+  EXPECT_EQ(region(seven_apart(3, 4, 1)), Region::near) << "just touching, within the alarm distance";
+  EXPECT_EQ(region(seven_apart(2, 3, 2.5)), Region::near);
+  EXPECT_EQ(region(seven_apart(2, 3, 2)), Region::at_alarm);
+  EXPECT_EQ(region(seven_apart(2, 3, 1.5)), Region::beyond);
+  EXPECT_EQ(region(boxes({1, 1, 1}, 0)), Region::inside) << "sharing faces";
+  EXPECT_EQ(region(boxes({1.5, 1, 1}, 0)), Region::overlapping);
+  EXPECT_EQ(region(boxes({2, 1, 1}, 0)), Region::touching);
+  EXPECT_EQ(region(boxes({3, 1, 1}, 1)), Region::at_alarm);
+  EXPECT_EQ(region(boxes({3, 1, 1}, 2)), Region::near);
+  EXPECT_EQ(region(boxes({3, 1, 1}, 0.5)), Region::beyond);
+  const Query larger{Pair::cube_cube, Boxes{{{1, 1, 1}, {2, 2, 2}}, {{0, 0, 0}, {3, 3, 3}}}, {0, 0}};
+  EXPECT_EQ(region(larger), Region::inside) << "the first in the second";
+}
+
+TEST(Facts, DistancesAndGapsAreThoseOfTheQuestion) {
+  const Facts spheres = Example(seven_apart(2, 3, 4, 1)).facts();
+  EXPECT_EQ(spheres.D, 49);
+  EXPECT_EQ(spheres.distance, 7);
+  EXPECT_EQ(spheres.radii(), 5);
+  EXPECT_EQ(spheres.delta, (Numbers{2, 3, 6}));
+  expect_numbers(spheres.n, {2.L / 7, 3.L / 7, 6.L / 7}, "n");
+  const Facts one = Example(boxes({5, 4, -9}, 0)).facts();  // beside, above, and below by 9 - 3
+  EXPECT_EQ(one.gap(0), 3);
+  EXPECT_EQ(one.gap(1), 1);
+  EXPECT_EQ(one.gap(2), 6);
+  EXPECT_EQ(one.widest_gap(), 6);
+  EXPECT_EQ(Example(boxes({0.5, 0.5, 0.5}, 0)).facts().gap(0), -1.5);
+  const Numbers said{0, 0, 1};
+  EXPECT_EQ(Example(coincident()).facts(said).n, said) << "no direction but what was said";
+}
+
+TEST(Facts, AComparisonThatHangsOnTheLastBitsIsNoOpinion) {
+  const Real next = std::numeric_limits<Real>::epsilon();
+  EXPECT_EQ(Said::at_most(1, 1).kind, Said::Kind::no_opinion);
+  EXPECT_EQ(Said::at_most(1, 1 + 15 * next).kind, Said::Kind::no_opinion);
+  EXPECT_EQ(Said::at_most(-1, -1 - 15 * next).kind, Said::Kind::no_opinion);
+  EXPECT_TRUE(is_hit(Said::at_most(1, 1 + 20 * next)));
+  EXPECT_FALSE(is_hit(Said::at_most(1 + 20 * next, 1)));
+  EXPECT_FALSE(is_hit(Said::at_most(3, 0)));
+  EXPECT_EQ(Said::at_most(std::numeric_limits<Real>::quiet_NaN(), 1).kind, Said::Kind::no_opinion);
+}
+
+TEST(Causes, EachHasAnIdASentenceAndAtLeastOneFormula) {
+  for (std::size_t i = 0; i < causes().size(); ++i) {
+    const Cause& cause = causes()[i];
+    EXPECT_EQ(cause_index(cause.id), i) << "two are called " << cause.id;
+    EXPECT_EQ(sentence_of(cause.id), cause.sentence);
+    EXPECT_GT(cause.sentence.size(), 8U) << cause.id;
+    EXPECT_TRUE(cause.edit || cause.hit || cause.normal || cause.point || cause.value) << cause.id;
+  }
+  EXPECT_EQ(sentence_of("accepts-nan"), "accepts NaN");
+  EXPECT_EQ(sentence_of("no-answer"), "gives no answer");
+  EXPECT_THROW(static_cast<void>(sentence_of("no-such-cause")), std::out_of_range);
+}
+
+// Those that no mutant of engines/ makes; of all others engines/mutants_test.cpp compares the formulas with the
+// mutants.
+TEST(Causes, FormulasWithoutAMutant) {
+  const Example near(seven_apart(2, 3, 4, 1));
+  // r1 = 4, r2 = 9: 13 and the alarm distance reach 7.
+  const Predictions squared = near.say("radii-squared");
+  EXPECT_TRUE(is_hit(squared.hit));
+  expect_numbers(squared.point[0], {1 + 8.L / 7, 2 + 12.L / 7, 4 + 24.L / 7}, "point1");
+  expect_numbers(squared.point[1], {3 - 18.L / 7, 5 - 27.L / 7, 10 - 54.L / 7}, "point2");
+  expect_numbers(squared.value, {7 - 13 - 1, 0, 0}, "value");
+  EXPECT_FALSE(is_hit(Example(seven_apart(0.5, 0.25, 6.5)).say("radii-squared").hit)) << "0.25 + 0.0625 + 6.5 < 7";
+  // Surfaces are 2 apart.
+  expect_numbers(near.say("points-past-half-value").point[0], {1 + 8.L / 7, 2 + 12.L / 7, 4 + 24.L / 7}, "point1");
+  expect_numbers(near.say("points-past-half-value").point[1], {3 - 10.L / 7, 5 - 15.L / 7, 10 - 30.L / 7}, "point2");
+  for (const Said& said : near.say("points-not-finite").point) EXPECT_TRUE(std::isnan(said.numbers[0]));
+  expect_numbers(near.say("value-contact-per-sphere").value, {0, 0, 0}, "7 - 5 - 1 - 1");
+}
+
+TEST(Causes, AnArithmeticIsVagueByTheLargestNumberAndItsBits) {
+  // The sum of radii, distances and separation is 5 + 4 + 1 + 7, larger than any coordinate; eight roundings to 11
+  // bits.
+  const Example near(seven_apart(2, 3, 4, 1));
+  constexpr Real kLoss = 8 * 17.L / 2048;
+  const Predictions said = near.say("three-digits");
+  expect_numbers(said.normal, {2.L / 7, 3.L / 7, 6.L / 7}, "normal");
+  expect_numbers(said.point[1], {3 - 6.L / 7, 5 - 9.L / 7, 10 - 18.L / 7}, "point2");
+  expect_numbers(said.value, {1, 0, 0}, "value");
+  EXPECT_DOUBLE_EQ(static_cast<double>(said.normal.tolerance), static_cast<double>(kLoss / 7));
+  EXPECT_DOUBLE_EQ(static_cast<double>(said.point[1].tolerance), static_cast<double>(kLoss + 3 * kLoss / 7));
+  EXPECT_DOUBLE_EQ(static_cast<double>(said.value.tolerance), static_cast<double>(kLoss));
+  EXPECT_EQ(said.hit.kind, Said::Kind::no_opinion) << "2 from the edge";
+  EXPECT_EQ(Example(seven_apart(2, 3, 2.05)).say("three-digits").hit.kind, Said::Kind::anything);
+  EXPECT_EQ(Example(seven_apart(2, 3, 2.1)).say("three-digits").hit.kind, Said::Kind::no_opinion);
+  // Of the engine's own format: 52 bits, and coordinates of 2^40 outweigh all distances.
+  const Query far{
+      Pair::sphere_sphere, Balls{{{std::ldexp(1.0, 40), 0, 0}, 1}, {{std::ldexp(1.0, 40) - 4, 0, 0}, 1}}, {3, 0}};
+  EXPECT_EQ(Example(far).say("rounding").value.tolerance, std::ldexp(Real{1}, 40 + 3 - 52));
+  EXPECT_EQ(Example(boxes({-1024, 0, 0}, 0)).say("three-digits").hit.kind, Said::Kind::no_opinion) << "1023 - 4";
+  EXPECT_EQ(Example(boxes({-4, 0, 0}, 3.01)).say("three-digits").hit.kind, Said::Kind::anything);
+  EXPECT_EQ(Example(coincident()).say("three-digits").normal.kind, Said::Kind::no_opinion);
+  EXPECT_EQ(Example(coincident()).say("three-digits").point[0].kind, Said::Kind::no_opinion);
+  expect_numbers(Example(coincident()).say("three-digits").value, {-5, 0, 0}, "value");
+}
+
+TEST(Causes, SquaresLeaveTheRangeOfTheEnginesFormat) {
+  const auto lost = [](double distance, double radius, double alarm, Scalar scalar) {
+    const Query query{Pair::sphere_sphere, Balls{{{0, 0, 0}, radius}, {{distance, 0, 0}, radius}}, {alarm, 0}};
+    const Truth truth = truth_of(query);
+    return predict(causes()[cause_index("square-range")], Facts(query, truth, scalar, std::nullopt)).hit.kind ==
+           Said::Kind::anything;
+  };
+  EXPECT_FALSE(lost(1, 1, 1, Scalar::binary64));
+  EXPECT_FALSE(lost(0x1p511, 1, 0, Scalar::binary64));
+  EXPECT_TRUE(lost(0x1p512, 1, 0, Scalar::binary64)) << "2^1024";
+  EXPECT_FALSE(lost(0x1p-511, 1, 0, Scalar::binary64)) << "2^-1022 is the smallest normal number";
+  EXPECT_TRUE(lost(0x1p-512, 1, 0, Scalar::binary64));
+  EXPECT_TRUE(lost(1, 0x1p512, 0, Scalar::binary64));
+  EXPECT_TRUE(lost(1, 1, 0x1p512, Scalar::binary64));
+  EXPECT_FALSE(lost(0, 1, 0, Scalar::binary64)) << "the square of 0 is right";
+  EXPECT_FALSE(lost(0x1p63, 1, 0, Scalar::binary32));
+  EXPECT_TRUE(lost(0x1p64, 1, 0, Scalar::binary32));
+  EXPECT_TRUE(lost(0x1p-64, 1, 0, Scalar::binary32));
+}
+
+// Whole runs.
+
+/// An engine's answers to questions, and what is diagnosed.
+class Campaign {
+ public:
+  /// The right answer, with a change.
+  template <class Change>
+  Campaign& says(const Query& query, Change change, std::uint64_t weight = 1) {
+    const Truth truth = truth_of(query);
+    Claim claim = right_claim(query, truth, declared_);
+    change(claim);
+    diagnosis.add(++key_, query, truth, claim, declared_, judge(query, truth, claim, declared_), nullptr, weight);
+    return *this;
+  }
+  Campaign& right(const Query& query, std::uint64_t weight = 1) {
+    return says(
+        query, [](Claim&) {}, weight);
+  }
+  [[nodiscard]] std::vector<std::string> sentences() const {
+    std::vector<std::string> all;
+    for (const Finding& f : diagnosis.findings()) all.push_back(f.sentence);
+    return all;
+  }
+
+  Diagnosis diagnosis;
+
+ private:
+  Declaration declared_;
+  std::uint64_t key_ = 0;
+};
+
+using Lines = std::vector<std::string>;
+
+/// An answer that claims nothing but a value, a normal, or a decision.
+auto value(double x) {
+  return [x](Claim& claim) {
+    claim.overlap.reset();
+    claim.contact.emplace().value = x;
+  };
+}
+void reversed(Claim& claim) {
+  const Vector3 n = *claim.contact->normal;
+  claim.overlap.reset();
+  claim.contact.emplace().normal = Vector3(-n);
+}
+void missed(Claim& claim) {
+  claim = {};
+  claim.overlap = false;
+}
+void silent(Claim& claim) {
+  claim = {};
+  claim.status = Claim::Status::error;
+}
+
+TEST(Diagnosis, WhatIsRightHasNoFinding) {
+  Campaign run;
+  EXPECT_TRUE(run.diagnosis.findings().empty());
+  EXPECT_TRUE(run.diagnosis.lines().empty());
+  for (int i = 0; i < 5; ++i) run.right(seven_apart(2, 3 + 0.25 * i, 4, 1)).right(boxes({3, 1, 1}, 0.25 * i));
+  run.right(coincident());
+  EXPECT_TRUE(run.diagnosis.findings().empty());
+  EXPECT_TRUE(run.diagnosis.lines().empty());
+  EXPECT_TRUE(run.diagnosis.wrong().empty());
+}
+
+TEST(Diagnosis, AMistakeIsNamedWithHowMuchItExplains) {
+  Campaign run;
+  for (int i = 0; i < 7; ++i) run.says(seven_apart(2, 1 + 0.125 * i, 8, 1 + i), value(7));
+  const auto findings = run.diagnosis.findings();
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].cause, "value-is-distance");
+  EXPECT_EQ(
+      findings[0].sentence,
+      "value is the distance of the centres: radii and contact distance left out: explains 7 of 7 wrong value claims");
+  EXPECT_EQ(findings[0].explained, 7U);
+  EXPECT_EQ(run.diagnosis.wrong(), (std::map<std::string, std::uint64_t>{{"value", 7}}));
+}
+
+TEST(Diagnosis, TheMistakeThatExplainsMoreIsNamedFirst) {
+  Campaign run;
+  for (int i = 0; i < 4; ++i) run.says(seven_apart(2, 1 + 0.125 * i, 8, 1 + i), value(7));
+  for (int i = 0; i < 5; ++i) run.says(seven_apart(2, 1 + 0.125 * i, 8, 1 + i), reversed);
+  EXPECT_EQ(run.sentences(), (Lines{"normal points from second to first: explains 5 of 5 wrong normal claims",
+                                    "value is the distance of the centres: radii and contact distance left out: "
+                                    "explains 4 of 4 wrong value claims"}));
+}
+
+TEST(Diagnosis, WhereAMistakeIsMadeIsSaidIfItIsNotMadeElsewhere) {
+  Campaign run;
+  for (int i = 0; i < 3; ++i) run.says(seven_apart(4, 4 + 0.125 * i, 0, 1), reversed);
+  EXPECT_EQ(run.sentences(), (Lines{"normal points from second to first: explains 3 of 3 wrong normal claims"}));
+  run.right(seven_apart(1, 2, 8, 1));  // short of the alarm distance
+  EXPECT_EQ(
+      run.sentences(),
+      (Lines{"normal points from second to first, where the shapes overlap: explains 3 of 3 wrong normal claims"}));
+  run.says(seven_apart(9, 1, 0, 1), reversed);
+  EXPECT_EQ(run.sentences(),
+            (Lines{"normal points from second to first, where one shape lies inside the other and where the "
+                   "shapes overlap: explains 4 of 4 wrong normal claims"}));
+  run.says(seven_apart(3, 4, 0, 1), reversed);
+  EXPECT_EQ(run.sentences(),
+            (Lines{"normal points from second to first, where one shape lies inside the other, where the "
+                   "shapes overlap and where the shapes just touch: explains 5 of 5 wrong normal claims"}));
+}
+
+TEST(Diagnosis, ThePairOfAMistakeIsSaidIfItIsNotMadeInOthers) {
+  Campaign run;
+  for (int i = 0; i < 3; ++i)
+    run.says(seven_apart(4, 4 + 0.125 * i, 0, 1, Pair::sphere_rigid_sphere), reversed)
+        .right(seven_apart(4, 4 + 0.125 * i, 0, 1));
+  EXPECT_EQ(run.sentences(),
+            (Lines{"normal points from second to first, in sphere_rigid_sphere: explains 3 of 3 wrong normal claims"}));
+}
+
+TEST(Diagnosis, WhatIsRightSpeaksAgainstAMistakeWhereItIsSaid) {
+  Campaign run;
+  for (int i = 0; i < 3; ++i) run.says(seven_apart(4, 4 + 0.125 * i, 0, 1), reversed);
+  run.right(seven_apart(4, 5, 0, 1), 2);
+  EXPECT_EQ(run.sentences(), (Lines{"normal points from second to first: explains 3 of 3 wrong normal claims"}));
+  run.right(seven_apart(4, 5.5, 0, 1), 0);
+  EXPECT_EQ(run.sentences().size(), 1U) << "weight 0 counts for nothing";
+  run.right(seven_apart(4, 5.5, 0, 1));
+  EXPECT_EQ(run.sentences(), (Lines{"3 of 3 wrong claims fit no known mistake"}))
+      << "three right ones against three wrong";
+}
+
+TEST(Diagnosis, WhatFitsNoMistakeIsCountedFromATenthOn) {
+  Campaign run;
+  for (int i = 0; i < 18; ++i) run.says(seven_apart(2, 1 + 0.125 * i, 8, 1 + i), value(7));
+  run.says(seven_apart(2, 3, 8, 1), value(77)).says(seven_apart(2, 3, 8, 1), value(1234));
+  EXPECT_EQ(run.sentences().size(), 1U) << "2 of 20";
+  run.says(seven_apart(2, 3, 8, 1), value(123));
+  const Lines sentences = run.sentences();
+  ASSERT_EQ(sentences.size(), 2U);
+  EXPECT_EQ(sentences[1], "3 of 21 wrong claims fit no known mistake");
+  EXPECT_EQ(run.diagnosis.findings()[1].cause, "");
+  EXPECT_EQ(run.diagnosis.findings()[1].explained, 3U);
+}
+
+TEST(Diagnosis, AMistakeThatExplainsLessThanAFiftiethIsChance) {
+  Campaign run;
+  for (int i = 0; i < 49; ++i) run.says(seven_apart(2, 1 + 0.0625 * i, 8, 1 + i), value(7));
+  run.says(seven_apart(2, 3, 8, 1), reversed);
+  EXPECT_EQ(run.sentences().size(), 2U) << "1 of 50";
+  run.says(seven_apart(2, 3, 8, 1), value(7));
+  EXPECT_EQ(run.sentences().size(), 1U) << "1 of 51";
+}
+
+TEST(Diagnosis, APointFollowsAWrongNormalAndIsNoMistakeOfItsOwn) {
+  Campaign run;
+  for (int i = 0; i < 3; ++i)
+    run.says(seven_apart(2, 1 + i, 8, 1), [i](Claim& claim) {
+      claim.contact->normal = Vector3(1, 0, 0);
+      claim.contact->point1 = Vector3(1 + 2, 2, 4);
+      claim.contact->point2 = Vector3(3 - (1 + i), 5, 10);
+    });
+  EXPECT_EQ(
+      run.sentences(),
+      (Lines{"normal always (1, 0, 0): explains 3 of 3 wrong normal claims, 3 of 3 wrong point1 claims and 3 of 3 "
+             "wrong point2 claims"}));
+}
+
+TEST(Diagnosis, AnEditExplainsDecisionsValuesAndPoints) {
+  // The radius of the first sphere for both: 2 + 2 and the alarm distance do not reach 7, and point2 lies at 2 from its
+  // centre.
+  Campaign run;
+  for (int i = 0; i < 4; ++i) run.says(seven_apart(2, 4 + 0.125 * i, 2.5), missed);
+  for (int i = 0; i < 4; ++i)
+    run.says(seven_apart(2, 4 + 0.125 * i, 8, 1), [](Claim& claim) {
+      claim.contact->point2 = Vector3(3 - 4.0 / 7, 5 - 6.0 / 7, 10 - 12.0 / 7);
+      claim.contact->value = 7 - 4 - 1;
+    });
+  EXPECT_EQ(run.sentences(),
+            (Lines{"radius of the first sphere used for both: explains 4 of 4 wrong overlap claims, 4 of 4 wrong "
+                   "point2 claims and 4 of 4 wrong value claims"}));
+}
+
+TEST(Diagnosis, NumbersThatAreNotFiniteAreNamed) {
+  Campaign run;
+  for (int i = 0; i < 3; ++i) run.says(coincident(), value(i == 0 ? kInfinity : kNan));
+  EXPECT_EQ(run.sentences(), (Lines{"value is NaN or infinite: explains 3 of 3 wrong value claims"}));
+}
+
+TEST(Diagnosis, InTheConventionsOfTheEngineAMistakeIsTheSame) {
+  // A depth without the contact distance, whose radii are left out: -7.
+  Declaration declared;
+  declared.conventions.value = ValueKind::depth;
+  declared.conventions.value_less_contact = false;
+  declared.conventions.normal = NormalDirection::second_to_first;
+  Diagnosis diagnosis;
+  for (int i = 0; i < 3; ++i) {
+    const Query query = seven_apart(2, 1 + i, 8, 1);
+    const Truth truth = truth_of(query);
+    Claim claim = right_claim(query, truth, declared);
+    claim.contact->value = -7;
+    claim.contact->normal = Vector3(-1, 0, 0);
+    diagnosis.add(static_cast<std::uint64_t>(i), query, truth, claim, declared, judge(query, truth, claim, declared));
+  }
+  EXPECT_EQ(diagnosis.lines(), (Lines{"normal always (1, 0, 0): explains 3 of 3 wrong normal claims",
+                                      "radii left out: explains 3 of 3 wrong value claims"}));
+}
+
+TEST(Diagnosis, SilenceIsCountedByPairAndIsSometimesSo) {
+  Campaign run;
+  run.says(coincident(), silent)
+      .says(coincident(), silent)
+      .says(boxes({3, 1, 1}, 0), silent)
+      .right(boxes({1, 1, 1}, 0));
+  EXPECT_EQ(run.sentences(), (Lines{"gives no answer, in sphere_sphere: 2 questions",
+                                    "gives no answer, sometimes, in cube_cube: 1 questions"}));
+  EXPECT_EQ(run.diagnosis.findings()[0].cause, "no-answer");
+  EXPECT_EQ(run.diagnosis.findings()[0].explained, 2U);
+}
+
+TEST(Diagnosis, AnAnswerOutsideTheDomainIsNamedByWhatIsWrongThere) {
+  Diagnosis diagnosis;
+  diagnosis.add_outside_domain(seven_apart(2, -3, 4));
+  for (int i = 0; i < 3; ++i) diagnosis.add_outside_domain(seven_apart(kInfinity, kNan, 4));
+  for (int i = 0; i < 2; ++i) diagnosis.add_outside_domain(seven_apart(2, kInfinity, 4));
+  for (int i = 0; i < 4; ++i) diagnosis.add_outside_domain(boxes({1, 1, 1}, -1));
+  EXPECT_EQ(diagnosis.lines(),
+            (Lines{"accepts a box turned inside out, or a negative distance: 4 answers where there is no question",
+                   "accepts NaN: 3 answers where there is no question",
+                   "accepts infinity: 2 answers where there is no question",
+                   "accepts a negative radius or distance: 1 answers where there is no question"}));
+}
+
+TEST(Diagnosis, AConventionIsNamedWhereHalfAFieldIsRightUnderIt) {
+  Campaign run;
+  run.says(seven_apart(4, 4, 0), value(1)).says(seven_apart(4, 5, 0), value(2));
+  run.says(seven_apart(4, 6, 0, 1), value(77)).says(seven_apart(4, 7, 0, 1), value(1234));
+  const auto names = [&] {
+    const Lines lines = run.diagnosis.lines();
+    return std::find(lines.begin(), lines.end(),
+                     "value: 2 of 4 wrong answers are right under the convention value = depth less contact") !=
+           lines.end();
+  };
+  EXPECT_TRUE(names());
+  run.says(seven_apart(4, 7.5, 0, 1), value(5678));
+  for (const std::string& line : run.diagnosis.lines())
+    EXPECT_EQ(line.find("under the convention"), std::string::npos) << line;
+}
+
+TEST(Diagnosis, OfManyWrongClaimsASampleSpeaksForAll) {
+  const Example hit(boxes({1, 1, 1}, 0));
+  Claim claim;
+  claim.overlap = false;
+  const Verdict verdict = judge(hit.query, hit.truth, claim, {});
+  Diagnosis diagnosis;
+  std::uint64_t key = 0;
+  while (key < Diagnosis::kSample) diagnosis.add(++key, hit.query, hit.truth, claim, {}, verdict);
+  EXPECT_EQ(diagnosis.findings().at(0).sentence.find("about"), std::string::npos);
+  while (key < Diagnosis::kSample + 1000) diagnosis.add(++key, hit.query, hit.truth, claim, {}, verdict);
+  const Finding found = diagnosis.findings().at(0);
+  EXPECT_NE(found.sentence.find(": explains about 17384 of 17384 wrong overlap claims"), std::string::npos)
+      << found.sentence;
+  EXPECT_EQ(found.explained, 17384U);
+}
+
+TEST(Diagnosis, DoesNotDependOnHowTheAnswersWereDivided) {
+  const auto part = [](int which) {
+    Campaign run;
+    for (int i = 0; i < 9; ++i) {
+      const Query query = seven_apart(2, 1 + 0.125 * i, 8, 1 + i);
+      if (which != -1 && i % 3 != which) {
+        continue;
+      }
+      run.says(query, value(7)).right(seven_apart(4, 4, 0, i)).says(coincident(), silent);
+      run.diagnosis.add_outside_domain(seven_apart(2, -3, 4));
+      if (i > 5) run.says(query, value(77)).says(query, value(-7 + 3 + 0.125 * i + 1 + i));
+    }
+    return run.diagnosis;
+  };
+  const Diagnosis whole = part(-1);
+  Diagnosis merged = part(2);
+  merged.merge(part(0));
+  merged.merge(part(1));
+  EXPECT_EQ(merged.lines(), whole.lines());
+  EXPECT_EQ(merged.wrong(), whole.wrong());
+  EXPECT_GT(whole.lines().size(), 3U);
+  Diagnosis other = merged;
+  other.merge(whole);
+  EXPECT_EQ(other.wrong().at("value"), 2 * whole.wrong().at("value"));
+  EXPECT_TRUE(other.is_sound());
+}
+
+}  // namespace
+}  // namespace contact::oracle
