@@ -152,9 +152,228 @@ TEST(Causes, AnArithmeticIsVagueByTheLargestNumberAndItsBits) {
   EXPECT_EQ(Example(far).say("rounding").value.tolerance, std::ldexp(Real{1}, 40 + 3 - 52));
   EXPECT_EQ(Example(boxes({-1024, 0, 0}, 0)).say("three-digits").hit.kind, Said::Kind::no_opinion) << "1023 - 4";
   EXPECT_EQ(Example(boxes({-4, 0, 0}, 3.01)).say("three-digits").hit.kind, Said::Kind::anything);
+  const Query at_edge{Pair::cube_cube, Boxes{{{-256, 0, 0}, {0, 1, 1}}, {{1, 0, 0}, {2, 1, 1}}}, {0, 0}};
+  EXPECT_EQ(Example(at_edge).say("three-digits").hit.kind, Said::Kind::anything) << "1 from the edge: 8 x 256 / 2048";
   EXPECT_EQ(Example(coincident()).say("three-digits").normal.kind, Said::Kind::no_opinion);
   EXPECT_EQ(Example(coincident()).say("three-digits").point[0].kind, Said::Kind::no_opinion);
   expect_numbers(Example(coincident()).say("three-digits").value, {-5, 0, 0}, "value");
+}
+
+/// From which alarm distance on a mistake makes a question a hit.
+struct Turn {
+  std::string_view cause;
+  Query query;
+  double alarm;
+};
+constexpr double kAlways = 0;
+
+void expect_turns(const std::vector<Turn>& turns) {
+  for (const Turn& turn : turns) {
+    const auto said = [&](double alarm) {
+      Query query = turn.query;
+      query.distances.alarm = alarm;
+      return is_hit(Example(query).say(turn.cause).hit);
+    };
+    if (turn.alarm == kAlways) {
+      EXPECT_TRUE(said(0)) << turn.cause;
+    } else if (turn.alarm == kInfinity) {
+      EXPECT_FALSE(said(1e6)) << turn.cause;
+    } else {
+      EXPECT_FALSE(said(turn.alarm * (1 - 1e-9))) << turn.cause;
+      EXPECT_TRUE(said(turn.alarm * (1 + 1e-9))) << turn.cause;
+    }
+  }
+}
+
+TEST(Causes, DecisionsAboutSpheresTurnWhereTheFormulaSays) {
+  const Query q = seven_apart(2, 3, 0, 1);
+  const Query small = seven_apart(0.5, 0.25, 0, 1);
+  using std::sqrt;
+  expect_turns({
+      {"first-radius-for-both", q, 7 - 4},
+      {"second-radius-for-both", q, 7 - 6},
+      {"first-radius-missing", q, 7 - 3},
+      {"second-radius-missing", q, 7 - 2},
+      {"radii-missing", q, 7},
+      {"radii-doubled", small, 7 - 1.5},
+      {"radii-halved", q, 7 - 2.5},
+      {"radii-exchanged", q, 7 - 5},
+      {"alarm-ignored", q, kInfinity},
+      {"alarm-doubled", q, 1},
+      {"alarm-halved", q, 4},
+      {"distances-exchanged", q, kInfinity},
+      {"distances-exchanged", seven_apart(2, 3, 0, 2.5), kAlways},
+      {"first-shape-twice", q, kAlways},
+      {"x-ignored", small, sqrt(9 + 36) - 0.75},
+      {"y-ignored", small, sqrt(4 + 36) - 0.75},
+      {"z-ignored", small, sqrt(4 + 9) - 0.75},
+      {"x-added", q, sqrt(16 + 9 + 36) - 5},
+      {"y-added", q, sqrt(4 + 49 + 36) - 5},
+      {"z-added", q, sqrt(4 + 9 + 196) - 5},
+      {"centres-added", q, sqrt(16 + 49 + 196) - 5},
+      {"first-centre-ignored", q, sqrt(9 + 25 + 100) - 5},
+      {"second-centre-ignored", small, sqrt(1 + 4 + 16) - 0.75},
+      {"axes-crossed", q, sqrt(16 + 64 + 1) - 5},  // (5, 10, 3) - (1, 2, 4)
+      {"x-twice", q, sqrt(4 + 4 + 36) - 5},
+      {"squared-against-sum", q, 49 - 5},
+      {"distance-against-square", small, sqrt(7) - 0.75},
+      {"sum-of-squares", q, 6},  // 49 <= 4 + 9 + 36
+      {"alarm-squared-apart", q, sqrt(49 - 25)},
+      {"alarm-outside-square", q, 49 - 25},
+      {"radii-multiplied", q, 7 - 6},
+      {"radii-subtracted", q, 7 - 1},
+      {"larger-radius-only", q, 7 - 3},
+      {"smaller-radius-only", q, 7 - 2},
+      {"alarm-subtracted", q, kInfinity},
+      {"alarm-subtracted", seven_apart(4, 4, 0), kAlways},
+      {"contact-for-alarm", q, kInfinity},
+      {"contact-for-alarm", seven_apart(2, 3, 0, 2.5), kAlways},
+      {"contact-widens", q, 7 - 5 - 1},
+      {"contact-narrows", q, 7 - 5 + 1},
+      {"larger-distance", q, 2},
+      {"larger-distance", seven_apart(2, 3, 0, 2.5), kAlways},
+      {"alarm-capped", seven_apart(2.5, 3, 0), 1.5},
+      {"alarm-capped", seven_apart(1.5, 3, 0), kInfinity},  // 4.5 and at most 1.5
+      {"alarm-capped", seven_apart(3, 1.5, 0), kInfinity},
+      {"radii-product", q, kInfinity},                   // 49 > 2 x 3 x 5
+      {"radii-product", seven_apart(3, 3, 0), kAlways},  // 49 < 3 x 3 x 6
+      {"tolerance-of-coordinates", q, 2 - 1e-6 * 10},
+      {"coordinate-sum", q, 11 - 5},
+      {"largest-coordinate", q, 6 - 5},
+      {"one-axis-enough", small, 2 - 0.75},
+      {"tolerance-1e-2", q, 2 - 0.01},
+      {"tolerance-minus-1e-2", q, 2 + 0.01},
+      {"single-decision", q, 2 - 0x1p-22},  // half way from 7 to the number of single precision before it
+      {"inverted", seven_apart(4, 4, 0), kInfinity},
+      {"always-hit", q, kAlways},
+      {"never-hit", q, kInfinity},
+      {"never-hit", seven_apart(4, 4, 0), kInfinity},
+  });
+}
+
+TEST(Causes, DecisionsAboutBoxesTurnWhereTheFormulaSays) {
+  // Gaps of 3 and 1 to the second box, and of 6 from it: it ends at z = -6. Centres (1, 1.5, 2) and (5.5, 5, -7.5).
+  const Query q = boxes({5, 4, -9}, 0);
+  const Query above = boxes({5, 0, 0}, 0);
+  const Query below = boxes({0, 0, -9}, 0);
+  expect_turns({
+      {"x-ignored", above, kAlways},
+      {"y-ignored", q, 6},
+      {"z-ignored", q, 3},
+      {"axes-crossed", above, 1},  // the second from (0, 0, 5) to (2, 3, 6)
+      {"x-twice", q, 6},
+      {"contact-widens", {q.pair, q.shapes, {0, 2}}, 4},
+      {"one-axis-enough", q, 1},
+      {"box-first-side", q, 6},
+      {"box-first-side", above, kAlways},
+      {"box-second-side", q, 3},
+      {"box-second-side", below, kAlways},
+      {"box-extents-full", q, 9.5 - 7},
+      {"box-extents-quarter", q, 9.5 - 1.75},
+      {"box-centres", q, 9.5},
+      {"box-euclidean", q, std::sqrt(9 + 1 + 36)},
+      {"box-euclidean", above, 3},
+      {"box-alarm-first", above, 3},
+      {"box-alarm-first", below, kInfinity},
+      {"box-alarm-second", below, 6},
+      {"box-alarm-second", above, kInfinity},
+      {"box-min-min", q, 9},
+      {"box-max-max", q, 10},
+      {"box-min-zero", q, 6},
+      {"box-min-zero", above, kAlways},
+      {"box-centre-is-max", q, 10 - 3.5},
+      {"box-z-extent-lost", q, 9.5 - 0.002},
+      {"box-gap-sum", q, 3 + 1 + 6},
+      {"box-contains", boxes({0.5, 0.5, 0.5}, 0), kAlways},
+      {"box-contains", boxes({1.5, 0.5, 0.5}, 0), 0.5},
+      {"box-contains", boxes({0.5, -0.25, 0.5}, 0), 0.25},
+      {"single-decision", above, 3 - 0x1p-22 - 0x1p-23},  // 3 - 2^-22 is single; 2 more is half way to 5, and even
+      {"single-decision", below, 6 - 0x1p-22},
+      {"never-hit", q, kInfinity},
+  });
+}
+
+TEST(Causes, OneSideOfABoxIsLeftOut) {
+  const std::array<std::string_view, 6> causes_by_side{"box-x-low",  "box-y-low",  "box-z-low",
+                                                       "box-x-high", "box-y-high", "box-z-high"};
+  for (int low : {0, 1})
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < 6; ++i) {
+        // The second box beyond the first on one axis: below it, so that a.min - b.max is the gap, or above it.
+        Vector3 corner(0.5, 0.5, 0.5);
+        corner[axis] = low == 0 ? -9 : 9;
+        const std::size_t side = static_cast<std::size_t>(3 * low + axis);
+        EXPECT_EQ(is_hit(Example(boxes(corner, 0)).say(causes_by_side[i]).hit), i == side)
+            << causes_by_side[i] << ' ' << side;
+      }
+}
+
+TEST(Causes, BoxesByTheirCorners) {
+  const auto hit = [](std::string_view cause, const Query& query) { return is_hit(Example(query).say(cause).hit); };
+  const Query by_min = boxes({1.5, 2.5, 3.5}, 0);
+  const Query by_max = boxes({-0.5, -1, -1}, 0);
+  const Query first_inside{Pair::cube_cube, Boxes{{{1, 1, 1}, {2, 2, 2}}, {{0, 0, 0}, {3, 3, 3}}}, {0, 0}};
+  const Query crossing{Pair::cube_cube, Boxes{{{0, 1, 1}, {9, 2, 2}}, {{1, 0, 1}, {2, 9, 2}}}, {0, 0}};
+  for (const Query& query : {by_min, by_max, boxes({2, 3, 4}, 0), boxes({-1, -2, -3}, 0)}) {
+    EXPECT_TRUE(hit("box-corners", query));
+    EXPECT_TRUE(hit("box-corners-one", query)) << "touching included";
+  }
+  EXPECT_TRUE(hit("box-corners", first_inside));
+  EXPECT_FALSE(hit("box-corners-one", first_inside));
+  EXPECT_FALSE(hit("box-corners", crossing));
+  EXPECT_FALSE(hit("box-corners", boxes({2.5, 0, 0}, 0.25)));
+  EXPECT_TRUE(hit("box-corners", boxes({2.5, 0, 0}, 0.5)));
+  EXPECT_TRUE(hit("box-corners", boxes({-1.5, 0, 0}, 0.5)));
+}
+
+TEST(Causes, DecisionsThatAreWrongInSomePlacesOnly) {
+  const auto hit = [](std::string_view cause, const Query& query) { return is_hit(Example(query).say(cause).hit); };
+  const auto along = [](const Vector3& delta, double radius) {
+    return Query{Pair::sphere_sphere, Balls{{{0, 0, 0}, radius}, {delta, radius}}, {0, 0}};
+  };
+  EXPECT_FALSE(hit("edge-open", seven_apart(3, 4, 0)));
+  EXPECT_TRUE(hit("edge-open", seven_apart(4, 4, 0)));
+  EXPECT_FALSE(hit("edge-open", seven_apart(1, 4, 0)));
+  EXPECT_FALSE(hit("tolerance-minus-1e-15", seven_apart(3, 4, 0))) << "narrower by however little";
+  EXPECT_FALSE(hit("inside-missed", seven_apart(9, 1, 0)));
+  EXPECT_TRUE(hit("inside-missed", seven_apart(4, 4, 0)));
+  EXPECT_FALSE(hit("oblique-missed", along({1, 1, 1}, 5)));
+  for (const Vector3& delta : {Vector3(0, 1, 1), Vector3(1, 0, 1), Vector3(1, 1, 0)})
+    EXPECT_TRUE(hit("oblique-missed", along(delta, 5)));
+  EXPECT_FALSE(hit("large-missed", along({1, 1, 1}, 10000)));
+  EXPECT_TRUE(hit("large-missed", along({1, 1, 1}, 9999)));
+  EXPECT_TRUE(hit("inverted", seven_apart(1, 2, 0)));
+  EXPECT_FALSE(
+      hit("box-flat-missed", {Pair::cube_cube, Boxes{{{0, 0, 0}, {1, 1, 0}}, {{0, 0, 0}, {1, 1, 1}}}, {0, 0}}));
+  EXPECT_FALSE(
+      hit("box-flat-missed", {Pair::cube_cube, Boxes{{{0, 0, 0}, {1, 1, 1}}, {{0, 1, 0}, {1, 1, 1}}}, {0, 0}}));
+  EXPECT_TRUE(hit("box-flat-missed", boxes({1, 1, 1}, 0)));
+  for (const std::string_view cause : {"squared-against-sum", "sum-of-squares", "larger-radius-only", "alarm-capped"})
+    EXPECT_EQ(Example(boxes({1, 1, 1}, 0)).say(cause).hit.kind, Said::Kind::no_opinion) << cause;
+  for (const std::string_view cause : {"box-euclidean", "box-corners", "box-x-low", "sum-range"})
+    EXPECT_EQ(Example(seven_apart(4, 4, 0)).say(cause).hit.kind, Said::Kind::no_opinion) << cause;
+}
+
+TEST(Causes, NormalsAndValuesAtTheirEdges) {
+  const auto normal = [](std::string_view cause, const Query& query, const Numbers& said) {
+    return predict(causes()[cause_index(cause)], Example(query).facts(said)).normal;
+  };
+  const Query q = seven_apart(2, 3, 4);
+  expect_numbers(normal("normal-wrong-length", q, {2, 3, 6}), {2, 3, 6}, "twice the length");
+  EXPECT_EQ(normal("normal-wrong-length", q, {0, 0, 0}).kind, Said::Kind::no_opinion);
+  EXPECT_EQ(normal("normal-wrong-length", q, {1.0L / 0.0L, 0, 0}).kind, Said::Kind::no_opinion);
+  const Query tie{Pair::sphere_sphere, Balls{{{0, 0, 0}, 4}, {{-3, 3, 1}, 4}}, {0, 0}};
+  expect_numbers(normal("normal-snapped", tie, {}), {-1, 0, 0}, "the first of equal ones");
+  const Query close{Pair::sphere_sphere, Balls{{{0, 0, 0}, 4}, {{0, 0x1p-30, 0}, 4}}, {0, 0}};  // 9.3e-10
+  expect_numbers(normal("centres-within-1e-9", close, {0, 0, -1}), {0, 0, -1}, "whichever axis was said");
+  expect_numbers(normal("centres-within-1e-9", close, {1, 1, 0}), {1, 0, 0}, "no axis was said");
+  EXPECT_EQ(normal("centres-within-1e-12", close, {0, 0, -1}).kind, Said::Kind::no_opinion);
+  const Query half{Pair::sphere_sphere, Balls{{{0, 0, 0}, 4}, {{0, 0.5, 0}, 3}}, {0, 0}};
+  expect_numbers(Example(half).say("radii-halved").normal, {0, 1, 0}, "an edit leaves the direction");
+  expect_numbers(Example(half).say("radii-halved").value, {0.5L - 3.5L, 0, 0}, "value");
+  EXPECT_EQ(Example(coincident()).say("radii-halved").normal.kind, Said::Kind::no_opinion);
+  expect_numbers(Example(seven_apart(3, 3.5, 4)).say("value-bool").value, {1, 0, 0}, "a gap of a half");
+  expect_numbers(Example(seven_apart(3, 4, 4)).say("value-bool").value, {0, 0, 0}, "touching");
 }
 
 TEST(Causes, SquaresLeaveTheRangeOfTheEnginesFormat) {
@@ -418,6 +637,142 @@ TEST(Diagnosis, AConventionIsNamedWhereHalfAFieldIsRightUnderIt) {
   run.says(seven_apart(4, 7.5, 0, 1), value(5678));
   for (const std::string& line : run.diagnosis.lines())
     EXPECT_EQ(line.find("under the convention"), std::string::npos) << line;
+}
+
+TEST(Diagnosis, WhatIsContradictedInOnePlaceIsExplainedInOthers) {
+  Campaign run;
+  for (int i = 0; i < 10; ++i) run.says(seven_apart(1 + 0.125 * i, 2, 8, 1), reversed);
+  for (int i = 0; i < 3; ++i) run.says(seven_apart(4, 4 + 0.125 * i, 0, 1), reversed);
+  for (int i = 0; i < 5; ++i) run.right(seven_apart(4, 4 + 0.125 * i, 0, 1));
+  EXPECT_EQ(run.sentences(),
+            (Lines{"normal points from second to first, short of the alarm distance: explains 10 of 13 wrong "
+                   "normal claims",
+                   "3 of 13 wrong claims fit no known mistake"}));
+}
+
+TEST(Diagnosis, WhatIsRightInOneRunSpeaksAgainstWhatIsWrongInAnother) {
+  // The radius of the first sphere for both, which comes first in the rule base.
+  Campaign wrong;
+  Campaign right;
+  for (int i = 0; i < 3; ++i) {
+    wrong.says(seven_apart(2, 3 + 0.125 * i, 8, 1), value(7 - 4 - 1));
+    right.right(seven_apart(2, 3 + 0.125 * i, 8, 1));
+  }
+  EXPECT_EQ(wrong.sentences(), (Lines{"radius of the first sphere used for both: explains 3 of 3 wrong value claims"}));
+  wrong.diagnosis.merge(right.diagnosis);
+  EXPECT_EQ(wrong.sentences(), (Lines{"3 of 3 wrong claims fit no known mistake"}));
+}
+
+TEST(Diagnosis, AVagueMistakeIsNamedWhereNoOtherFits) {
+  Campaign run;
+  run.says(seven_apart(2, 3, 4, 1), value(1.001));  // 8 x 17 / 2^15 = 0.004, / 2^18 = 0.0005
+  EXPECT_EQ(run.diagnosis.findings().at(0).cause, "four-digits");
+}
+
+TEST(Diagnosis, AFormulaIsMetWithinTheBoundThatIsDeclared) {
+  const auto found = [](double claimed) {
+    Campaign run;
+    run.says(seven_apart(2, 3, 8, 1), value(claimed));
+    return run.diagnosis.findings().at(0).cause;
+  };
+  EXPECT_EQ(found(7 + 8 * 0x1p-50), "value-is-distance") << "8 ulps of 7";
+  EXPECT_EQ(found(7 - 8 * 0x1p-50), "value-is-distance");
+  EXPECT_EQ(found(7 + 9 * 0x1p-50), "");
+  EXPECT_EQ(found(7 - 9 * 0x1p-50), "");
+}
+
+TEST(Diagnosis, OfAPointTheBoundCountsUlpsOfItsOwnSpheresCoordinates) {
+  // One centre is 2^40 away, along each axis in turn; what is said of a point relative to its centre may be off by what
+  // was lost there, and of the other sphere's point by nothing.
+  constexpr double kUlp = 0x1p-12;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool first : {true, false}) {
+      Balls balls{{{5, 7, 11}, 4}, {{5, 7, 11}, 4}};
+      (first ? balls.a : balls.b).center[axis] += 0x1p40;
+      const Query query{Pair::sphere_sphere, balls, {0x1p41, 0}};
+      for (const bool point_of_first : {true, false}) {
+        Campaign run;
+        run.says(query, [&](Claim& claim) {
+          claim.overlap.reset();
+          ContactClaim& contact = claim.contact.emplace();
+          Vector3 off(0, 0, 0);
+          off[axis] = first == point_of_first ? -4 : 4;  // towards the other
+          off[(axis + 1) % 3] = 4 * kUlp;
+          (point_of_first ? contact.point1 : contact.point2) = off;
+        });
+        const bool near = run.diagnosis.findings().at(0).cause == "points-local";
+        EXPECT_EQ(near, first == point_of_first) << axis << first << point_of_first << ' ' << run.sentences().at(0);
+      }
+    }
+}
+
+/// What an archive is given: every member of a diagnosis.
+template <class Look>
+struct Members {
+  Look look;
+  template <class... Member>
+  void operator()(Member&... members) {
+    look(members...);
+  }
+};
+template <class Look>
+void look_inside(Diagnosis& diagnosis, Look look) {
+  Members<Look> archive{look};
+  diagnosis.serialize(archive);
+}
+
+TEST(Diagnosis, WhatCannotHaveBeenCountedIsNotSound) {
+  Campaign run;
+  run.says(seven_apart(2, 3, 8, 1), value(7)).right(seven_apart(4, 4, 0, 1));
+  EXPECT_TRUE(run.diagnosis.is_sound());
+  Diagnosis other = run.diagnosis;
+  look_inside(other, [](auto&, auto& wrong, auto&...) { wrong.clear(); });
+  EXPECT_FALSE(other.is_sound()) << "a sample of what is not wrong";
+  for (const int longer : {-1, 1}) {
+    other = run.diagnosis;
+    look_inside(other, [&](auto&, auto&, auto&, auto& contradicted, auto&...) {
+      auto& counts = contradicted.begin()->second;
+      counts.resize(counts.size() + static_cast<std::size_t>(longer));
+    });
+    EXPECT_FALSE(other.is_sound()) << "counts of causes that there are not";
+  }
+  for (const int field : {0, 1, 2}) {
+    const auto spoil = [&](auto& place) {
+      if (field == 0) place.aspect = static_cast<Aspect>(kAspectNames.size());
+      if (field == 1) place.pair = static_cast<Pair>(kPairs.size());
+      if (field == 2) place.region = static_cast<Region>(kRegionNames.size());
+    };
+    other = run.diagnosis;
+    look_inside(other, [&](auto&, auto&, auto&, auto& contradicted, auto&...) {
+      auto node = contradicted.extract(contradicted.begin());
+      spoil(node.key());
+      contradicted.insert(std::move(node));
+    });
+    EXPECT_FALSE(other.is_sound()) << field;
+    other = run.diagnosis;
+    look_inside(other, [&](auto&, auto&, auto& sample, auto&...) {
+      auto node = sample.extract(sample.begin());
+      spoil(node.key().place);
+      sample.insert(std::move(node));
+    });
+    EXPECT_FALSE(other.is_sound()) << field;
+  }
+  other = run.diagnosis;
+  look_inside(other, [](auto&, auto&, auto& sample, auto&...) {
+    auto node = sample.extract(sample.begin());
+    node.key().by.set(causes().size());
+    sample.insert(std::move(node));
+  });
+  EXPECT_FALSE(other.is_sound()) << "explained by a cause that there is not";
+}
+
+TEST(Diagnosis, AnAnswerOfWeightNothingLeavesNoCounts) {
+  Campaign run;
+  run.right(seven_apart(4, 4, 0, 1), 0);
+  look_inside(run.diagnosis, [](auto&, auto&, auto&, auto& contradicted, auto& answered, auto&...) {
+    EXPECT_TRUE(contradicted.empty());
+    EXPECT_EQ(answered.at(Pair::sphere_sphere), 1U);
+  });
 }
 
 TEST(Diagnosis, OfManyWrongClaimsASampleSpeaksForAll) {
