@@ -484,7 +484,7 @@ class ColumnsSource : public CaseSource {
     if (index < first_ || index >= first_ + loaded_) load(index / kBlock * kBlock);
     Row row(header_);
     for_each_column(header_, row, Decoder(columns_, index - first_, where_));
-    check_question(row.c.query, row.c.id);
+    check(row.c);
     if (row.flags >> flag_names_.size() != 0 && flag_names_.size() < kMostFlags)
       throw InputError(where_, "/flags", fmt::format("a bit without a name, in {:#x}", row.flags));
     for (std::size_t i = 0; i < flag_names_.size(); ++i)

@@ -152,6 +152,23 @@ TEST_F(Columns, AreRefusedWhereverAByteIsAnotherOrMeanTheSame) {
   }
 }
 
+TEST_F(Columns, AreRefusedWhereATextIsNoExactNumber) {
+  DatasetHeader header;
+  header.family = "generic";
+  header.count = 1;
+  Case c =
+      make_case(generate_query(header.pair, *find_family(header.pair, "generic"), header.scalar, 1, 0), header.scalar);
+  c.exact.reach = "0x2p0";
+  const fs::path path = folder_ / "made.h5";
+  const auto writer = create_dataset(path, header);
+  writer->write(c, to_line(c));
+  writer->commit();
+  const std::string found = read(path);
+  EXPECT_NE(found.find("exact.reach: expected an exact number such as \"-0x1abdp-12\", got \"0x2p0\""),
+            std::string::npos)
+      << found;
+}
+
 TEST_F(Columns, AreRefusedWhereTheyAreCut) {
   const std::string good = content(make(300));
   for (std::size_t size = 0; size < good.size(); size += 997) {

@@ -307,10 +307,22 @@ Case read_case(const Node& line, const DatasetHeader& header) {
   return c;
 }
 
-void CaseSource::check_question(const Query& query, const std::string& id) const {
-  if (header_.scalar == Scalar::binary32) check_representable(query, where_);
-  check_id(query, id, where_);
-  if (header_.family != kInvalidFamily) check_domain(query, where_);
+void CaseSource::check(const Case& c) const {
+  if (header_.scalar == Scalar::binary32) check_representable(c.query, where_);
+  check_id(c.query, c.id, where_);
+  if (c.rejected) return;
+  check_domain(c.query, where_);
+  const auto exact = [&](const std::string& field, const std::string& text) {
+    if (!oracle::is_dyadic_string(text))
+      throw InputError(where_, "exact." + field,
+                       fmt::format("expected an exact number such as \"-0x1abdp-12\", got {}", json_string(text)));
+  };
+  if (c.query.balls()) {
+    exact("distance2", c.exact.distance2);
+    exact("reach", c.exact.reach);
+  } else {
+    for (std::size_t axis = 0; axis < 3; ++axis) exact(fmt::format("gap[{}]", axis), c.exact.gap[axis]);
+  }
 }
 
 namespace {
@@ -336,7 +348,7 @@ class JsonLines : public CaseSource {
       const auto json = parse_object(text_, where_);
       c = read_case(Node(json, where_), header_);
     }
-    check_question(c->query, c->id);
+    check(*c);
     return *std::move(c);
   }
 

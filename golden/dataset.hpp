@@ -105,8 +105,8 @@ class CaseSource {
   [[nodiscard]] const std::string& text() const { return text_; }
 
  protected:
-  /// What every source asks of a question before it reads the answer: its id, its scalar and the domain.
-  void check_question(const Query& query, const std::string& id) const;
+  /// What every source asks of a case: the id, scalar and domain of its question, and that its exact numbers are some.
+  void check(const Case& c) const;
 
   DatasetHeader header_;
   Location where_;

@@ -213,4 +213,25 @@ std::string dyadic_string(const Rational& x) {
          std::to_string(trailing - below);
 }
 
+bool is_dyadic_string(std::string_view text) {
+  if (text == "0x0p0") return true;
+  const auto drop = [&text](std::string_view start) {
+    const bool there = text.starts_with(start);
+    if (there) text.remove_prefix(start.size());
+    return there;
+  };
+  // Neither part begins with 0, but for an exponent of 0.
+  const auto only = [](std::string_view part, std::string_view digits) {
+    return !part.empty() && part.find_first_not_of(digits) == std::string_view::npos && part.front() != '0';
+  };
+  drop("-");
+  if (!drop("0x")) return false;
+  const std::string_view integer = text.substr(0, text.find('p'));
+  if (!only(integer, "0123456789abcdef") || std::string_view("13579bdf").find(integer.back()) == std::string_view::npos)
+    return false;
+  text.remove_prefix(integer.size());
+  if (!drop("p")) return false;
+  return text == "0" || (drop("-"), only(text, "0123456789"));
+}
+
 }  // namespace contact::oracle

@@ -5,6 +5,7 @@
 #include <CGAL/Sqrt_extension.h>
 
 #include <string>
+#include <string_view>
 
 #include "oracle/query.hpp"
 
@@ -81,5 +82,7 @@ struct Boundary {
 
 /// A dyadic rational as -0x1abdp-12: sign, odd hexadecimal integer, power of two; 0x0p0 for zero.
 [[nodiscard]] std::string dyadic_string(const Rational& x);
+/// Whether a text is the one spelling of some dyadic rational.
+[[nodiscard]] bool is_dyadic_string(std::string_view text);
 
 }  // namespace contact::oracle

@@ -703,6 +703,8 @@ class BadDatasets(Case):
             "negative alarm": (identified(put(good, ["alarm"], -0.5)), f"{path}:2: alarm: ", "-0.5"),
             "min above max": (identified(put(self.cubes, ["a", "min", 2], 1e9)), f"{path}:2: a.min[2]: ", "1e"),
             "text for a number": (put(good, ["alarm"], "wide"), f"{path}:2: alarm: ", '"wide"'),
+            "no exact number": (put(good, ["exact", "reach"], "0x3\bp0"), f"{path}:2: exact.reach: ", r'got "0x3\bp0"'),
+            "no gap": (put(self.cubes, ["exact", "gap", 2], "3"), f"{path}:2: exact.gap[2]: ", "exact number", '"3"'),
             "two coordinates": (put(good, ["b", "center"], [1, 2]), f"{path}:2: b.center: ", "[1,2]"),
             "number too large": ([good[0], re.sub(r'"alarm":[^,]+', '"alarm":1e999', line(good[1]))], f"{path}:2: ", "1e999"),
             "wrong id": (put(good, ["id"], "0" * 24), f"{path}:2: id: ", "0" * 24, good[1]["id"]),
