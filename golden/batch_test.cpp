@@ -480,6 +480,25 @@ TEST(BatchSphereSphere, gives_the_bits_of_one_pair_where_vectors_are_on_their_ow
   }
 }
 
+TEST(BatchSphereSphere, sees_what_breaks_a_tie_however_far_below_it) {
+  // The distance is 1 + 2^-52 and 2^-53, half way between two doubles; the radius takes next to nothing from it.
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {1.0, -1.0}) {
+      Spheres spheres;
+      for (int k = 50; k < 330; ++k) {
+        Balls balls{};
+        balls.a.center.setZero();
+        balls.b.center.setZero();
+        balls.a.center[axis] = -side * 0x1p-53;
+        balls.b.center[axis] = side * (1 + 0x1p-52);
+        balls.a.radius = 0;
+        balls.b.radius = std::ldexp(1.0, -k);
+        spheres.push_back(balls);
+      }
+      expect_same_bits(spheres, {2, 0});
+    }
+}
+
 TEST(BatchSphereSphere, gives_the_bits_of_one_pair_where_those_of_a_vector_differ) {
   each_with_its_followers(questions_of("of_any_family", of_any_family),
                           [](const Spheres& spheres, Distances distances) { expect_same_bits(spheres, distances); });

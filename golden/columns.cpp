@@ -29,7 +29,6 @@ using hdf5::Lock;
 
 constexpr std::uint64_t kBlock = 4096;  // rows in a chunk of the file and in memory
 constexpr unsigned kDeflate = 4;        // 9 takes four times as long for 1 % of the size
-constexpr std::size_t kIdLength = 24;
 constexpr std::size_t kFirstWidth = 32;      // of a column of exact numbers, doubled until its longest text has room
 constexpr std::size_t kRejectedLength = 11;  // a.center[0]
 constexpr std::size_t kMostFlags = 32;

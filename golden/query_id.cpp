@@ -90,9 +90,13 @@ std::string query_id(const Query& query) {
   put(query.distances.alarm);
   put(query.distances.contact);
   const auto digest = context.digest({bytes.begin(), at});
-  std::string id(24, '\0');
+  std::string id(kIdLength, '\0');
   for (std::size_t i = 0; i < id.size(); ++i) id[i] = "0123456789abcdef"[digest[i / 2] >> (i % 2 == 0 ? 4 : 0) & 15];
   return id;
+}
+
+bool is_query_id(std::string_view text) {
+  return text.size() == kIdLength && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
 std::uint64_t id_digits(std::string_view id, std::size_t first, std::size_t count) {

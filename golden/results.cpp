@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "golden/dataset.hpp"
+#include "golden/query_id.hpp"
 
 namespace contact::golden {
 namespace {
@@ -181,8 +182,10 @@ Results read_results(const std::filesystem::path& path) {
       continue;
     }
     node.allow_only({"id", "overlap", "contact", "unsupported", "rejected", "error"});
-    if (!results.claims.emplace(node.at("id").text(), read_claim(node)).second)
-      node.at("id").refuse("this question is answered twice");
+    const Node id = node.at("id");
+    if (!is_query_id(id.text()))
+      id.refuse(fmt::format("expected the {} hexadecimal digits of a question's id", kIdLength));
+    if (!results.claims.emplace(id.text(), read_claim(node)).second) id.refuse("this question is answered twice");
   }
   if (where.line == 0) throw InputError(where, "", "empty: a results file begins with its header");
   return results;

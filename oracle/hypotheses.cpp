@@ -123,8 +123,7 @@ bool squares_out_of_range(F f) {
   const Real smallest = std::ldexp(Real{1}, format.min_exponent);
   const auto lost = [&](Real x) { return x != 0 && (x * x < smallest || x * x >= largest); };
   return f.D >= largest || (f.D > 0 && f.D < smallest) || lost(f.distance) || lost(f.radii() + f.alarm) ||
-         std::any_of(kAxes.begin(), kAxes.end(), [&](std::size_t axis) { return lost(f.delta[axis]); }) ||
-         f.radii() + f.alarm >= largest;
+         std::any_of(kAxes.begin(), kAxes.end(), [&](std::size_t axis) { return lost(f.delta[axis]); });
 }
 
 /// What rounding every number to `bits` bits, 0 for the engine's own, can do to an answer: some roundings of what goes

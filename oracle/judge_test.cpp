@@ -825,6 +825,11 @@ TEST(JudgeExplains, the_points) {
   EXPECT_TRUE(says(center, "point2", "points", "center"));
   const auto nearest = explained(overlapping(), points_of({2, 0, 0}, {1, 0, 0}), with_points(Points::published));
   EXPECT_TRUE(says(nearest, "point1", "points", "nearest_surface"));
+  // Radii 2 and 3 about (7,0,0): the middle of the surface points lies half behind the centre.
+  Claim behind = midpoint_of({7.5, 0, 0});
+  behind.contact->normal = Vector3(1, 0, 0);
+  EXPECT_TRUE(
+      says(explained(coincident(), behind, with_points(Points::midpoint)), "point", "normal", "second-to-first"));
 }
 
 TEST(JudgeExplains, the_value) {

@@ -640,6 +640,7 @@ class Results(Case):
             "unknown scalar": (header(scalar="half"), f"{path}:1: scalar: ", "half"),
             "no engine": ([{k: v for k, v in right[0].items() if k != "engine"}], f"{path}:1: engine: ", "missing"),
             "answered twice": (right + right[hit:hit + 1], f"{path}:{len(right) + 1}: id: ", right[hit]["id"]),
+            "no id": ([*right, {"id": "8d12\\", "overlap": True}], f"{path}:{len(right) + 1}: id: ", "24 hexadecimal digits", r'"8d12\\"'),
             "overlap no boolean": (claim(overlap="yes"), here + "overlap: ", "yes"),
             "contact no object": (claim(contact=[1]), here + "contact", "[1]"),
             "normal of two": (contact(normal=[1, 0]), here + "contact.normal: ", "[1,0]"),
