@@ -20,10 +20,11 @@ def fuzz(build, target, seconds):
     crashes.mkdir(exist_ok=True)
     log = build / f"fuzz_{target}.log"
     with log.open("wb") as out:
+        # Where memory was got is not needed while nothing fails: walking the stack at every request takes a tenth of the time.
         process = subprocess.Popen(
             [build / "proptests/fuzz" / f"fuzz_{target}", f"-max_total_time={seconds:.0f}", "-rss_limit_mb=4096", "-timeout=60",
              "-print_final_stats=1", f"-artifact_prefix={crashes}/{target}-", corpus, HERE / "corpus" / target],
-            stdout=subprocess.DEVNULL, stderr=out)
+            stdout=subprocess.DEVNULL, stderr=out, env={"ASAN_OPTIONS": "malloc_context_size=2"} | os.environ)
         _, status, usage = os.wait4(process.pid, 0)
     text = log.read_text(errors="replace")
     edges = re.findall(r"cov: (\d+)", text)
