@@ -158,6 +158,7 @@ TEST(Causes, AnArithmeticIsVagueByTheLargestNumberAndItsBits) {
       Pair::cube_cube, Boxes{{{0, 0, 0}, {0x1p-8, 0.25, 0.25}}, {{0x1p-7, 0, 0}, {0.5, 0.25, 0.25}}}, {0, 0}};
   EXPECT_EQ(Example(small).say("three-digits").hit.kind, Said::Kind::no_opinion)
       << "2^-8 from the edge: 8 x 0.5 / 2048 = 2^-9";
+  EXPECT_EQ(Example(boxes({1, 1, 1}, 3)).say("three-digits").hit.kind, Said::Kind::no_opinion) << "4 from the edge";
   EXPECT_EQ(Example(coincident()).say("three-digits").normal.kind, Said::Kind::no_opinion);
   EXPECT_EQ(Example(coincident()).say("three-digits").point[0].kind, Said::Kind::no_opinion);
   expect_numbers(Example(coincident()).say("three-digits").value, {-5, 0, 0}, "value");
@@ -241,6 +242,8 @@ TEST(Causes, DecisionsAboutSpheresTurnWhereTheFormulaSays) {
       {"alarm-capped", seven_apart(2.5, 3, 0), 1.5},
       {"alarm-capped", seven_apart(1.5, 3, 0), kInfinity},  // 4.5 and at most 1.5
       {"alarm-capped", seven_apart(3, 1.5, 0), kInfinity},
+      {"radii-product", seven_apart(6, 1, 0), kInfinity},  // 49 > 6 x 7
+      {"radii-product", seven_apart(1, 6, 0), kInfinity},
       {"radii-product", q, kInfinity},                   // 49 > 2 x 3 x 5
       {"radii-product", seven_apart(3, 3, 0), kAlways},  // 49 < 3 x 3 x 6
       {"tolerance-of-coordinates", q, 2 - 1e-6 * 10},
@@ -264,6 +267,7 @@ TEST(Causes, DecisionsAboutBoxesTurnWhereTheFormulaSays) {
   const Query below = boxes({0, 0, -9}, 0);
   const Query turned{Pair::cube_cube, Boxes{{{10, 20, 30}, {12, 23, 34}}, {{1, 2, 3}, {4, 5, 6}}}, {0, 0}};
   expect_turns({
+      {"first-shape-twice", q, kAlways},
       {"x-ignored", above, kAlways},
       {"y-ignored", q, 6},
       {"z-ignored", q, 3},
@@ -383,6 +387,10 @@ TEST(Causes, NormalsAndValuesAtTheirEdges) {
   expect_numbers(Example(half).say("three-digits").normal, {0, 1, 0}, "within a distance of 1");
   expect_numbers(Example(seven_apart(2, 3, 4, 1)).say("first-shape-twice").value, {0 - 2 - 2 - 1, 0, 0}, "to itself");
   EXPECT_EQ(Example(coincident()).say("radii-halved").normal.kind, Said::Kind::no_opinion);
+  EXPECT_EQ(Example(coincident()).say("first-centre-ignored").point[0].kind, Said::Kind::no_opinion);
+  const double off = 0x1p-30;
+  const Query finer{Pair::sphere_sphere, Balls{{{1 + off, 2, 4}, 2 + off}, {{3, 5 + off, 10}, 3 + off}}, {4, 1 + off}};
+  expect_numbers(Example(finer).say("inputs-single").value, {7 - 5 - 1, 0, 0}, "what single precision leaves");
   expect_numbers(Example(seven_apart(3, 3.5, 4)).say("value-bool").value, {1, 0, 0}, "a gap of a half");
   expect_numbers(Example(seven_apart(3, 4, 4)).say("value-bool").value, {0, 0, 0}, "touching");
 }
@@ -403,6 +411,8 @@ TEST(Causes, SquaresLeaveTheRangeOfTheEnginesFormat) {
   EXPECT_TRUE(lost(1, 1, 0x1p512, Scalar::binary64));
   EXPECT_TRUE(lost(1, 0x1p510, 0x1p511, Scalar::binary64)) << "radii and alarm distance together";
   EXPECT_FALSE(lost(0, 1, 0, Scalar::binary64)) << "the square of 0 is right";
+  const Query flat{Pair::sphere_sphere, Balls{{{0, 0, 0}, 1}, {{1, 0x1p-600, 0}, 1}}, {0, 0}};
+  EXPECT_EQ(Example(flat).say("square-range").hit.kind, Said::Kind::anything) << "one component";
   EXPECT_FALSE(lost(0x1p63, 1, 0, Scalar::binary32));
   EXPECT_TRUE(lost(0x1p64, 1, 0, Scalar::binary32));
   EXPECT_TRUE(lost(0x1p-64, 1, 0, Scalar::binary32));
@@ -681,6 +691,12 @@ TEST(Diagnosis, AVagueMistakeIsNamedWhereNoOtherFits) {
   Campaign run;
   run.says(seven_apart(2, 3, 4, 1), value(1.001));  // 8 x 17 / 2^15 = 0.004, / 2^18 = 0.0005
   EXPECT_EQ(run.diagnosis.findings().at(0).cause, "four-digits");
+  Campaign finer;
+  finer.says(seven_apart(2, 3, 4, 1), value(1.00001));  // 8 x 17 / 2^23 = 0.000016
+  EXPECT_EQ(finer.diagnosis.findings().at(0).cause, "single-precision");
+  Campaign all;  // touching and not
+  for (int i = 0; i < 3; ++i) all.says(seven_apart(3, 4, 0), missed).says(seven_apart(4, 4, 0), missed);
+  EXPECT_NE(all.diagnosis.findings().at(0).cause, "edge-open");
 }
 
 TEST(Diagnosis, AFormulaIsMetWithinTheBoundThatIsDeclared) {
