@@ -99,7 +99,6 @@ Count explained_by_cause(const Mutant& mutant) {
       look(said.point[0], numbers_of(*claim.contact->point1), numbers_of(q.right.contact->point1));
     if (points && claim.contact->point2)
       look(said.point[1], numbers_of(*claim.contact->point2), numbers_of(q.right.contact->point2));
-    // Production's value, with the contact distance subtracted, is that of the formulas less the same.
     if (claim.contact->value) look(said.value, {*claim.contact->value, 0, 0}, {q.right.contact->value, 0, 0});
   }
   return count;

@@ -122,7 +122,7 @@ bool squares_out_of_range(F f) {
   const Real largest = std::ldexp(Real{1}, format.max_exponent + 1);
   const Real smallest = std::ldexp(Real{1}, format.min_exponent);
   const auto lost = [&](Real x) { return x != 0 && (x * x < smallest || x * x >= largest); };
-  return f.D >= largest || (f.D > 0 && f.D < smallest) || lost(f.distance) || lost(f.radii() + f.alarm) ||
+  return lost(f.distance) || lost(f.radii() + f.alarm) ||
          std::any_of(kAxes.begin(), kAxes.end(), [&](std::size_t axis) { return lost(f.delta[axis]); });
 }
 
@@ -740,9 +740,8 @@ Facts::Facts(const Query& query, const Truth& true_of_it, Scalar engine_scalar, 
     };
     inside = in(a, b) || in(b, a);
   }
-  if (truth->at_alarm == CGAL::POSITIVE)
-    region = Region::beyond;
-  else if (coincident)
+  if (truth->at_alarm == CGAL::POSITIVE) return;
+  if (coincident)
     region = Region::coincident;
   else if (truth->at_alarm == CGAL::ZERO)
     region = alarm == 0 ? Region::touching : Region::at_alarm;
