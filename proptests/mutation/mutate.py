@@ -9,6 +9,7 @@ import collections
 import contextlib
 import hashlib
 import json
+import math
 import os
 import random
 import re
@@ -311,25 +312,38 @@ class Hung(Exception):
 RUNNING, INTERRUPTED = set(), threading.Event()
 
 
-def run(command, seconds, environment):
-    """The exit status; killed with all that it started when it takes too long, or when all is interrupted."""
+def run(command, processor, clock, environment):
+    """The exit status, and the processor's seconds; killed with all that it started when it takes more of those, or more by the clock, or
+    when all is interrupted. The clock is for what sleeps: it also tells how busy the machine is."""
     if INTERRUPTED.is_set():
         raise KeyboardInterrupt
-    process = subprocess.Popen(["prlimit", f"--as={8 << 30}", "--core=0", *map(str, command)], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+    process = subprocess.Popen(["prlimit", f"--as={8 << 30}", "--core=0", f"--cpu={math.ceil(processor)}:{math.ceil(processor) + 5}", *map(str, command)], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                                stderr=subprocess.DEVNULL, cwd=TREE, env={**os.environ, **ENVIRONMENT, **environment}, start_new_session=True)
     RUNNING.add(process)
+    late = threading.Event()
+
+    def stop():
+        late.set()
+        os.killpg(process.pid, signal.SIGKILL)
+
+    alarm = threading.Timer(clock, stop)
+    alarm.start()
     try:
-        status = process.wait(seconds)
+        # Its number stays its own until it is waited for below, so that nothing else is killed.
+        os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)
+        alarm.cancel()
+        alarm.join()
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
         if INTERRUPTED.is_set():
             raise KeyboardInterrupt
-        return status
-    except subprocess.TimeoutExpired:
-        raise Hung from None
+        if late.is_set() or process.returncode == -signal.SIGXCPU:
+            raise Hung
+        return process.returncode, usage.ru_utime + usage.ru_stime
     finally:
         RUNNING.discard(process)
-        if process.poll() is None:
-            os.killpg(process.pid, signal.SIGKILL)
-            process.wait()
 
 
 def side_by_side(work, items):
@@ -357,26 +371,26 @@ def stamp(command):
 
 
 def recorded(tests, folder, most, kills_cpp=True):
-    """Seconds of each test, and which mutants change a value during it; kept until its program changes. A test that fails is left out."""
+    """Seconds of each test, of a processor and by the clock, and which mutants change a value during it; kept until its program changes. A test that fails is left out."""
     folder.mkdir(parents=True, exist_ok=True)
 
     def one(entry):
         i, (test, command) = entry
         file = folder / f"{hashlib.sha256(test.encode()).hexdigest()[:16]}.json"
         old = json.loads(file.read_text()) if file.exists() else {}
-        if old.get("stamp") == stamp(command) and not ("slow" in str(old["status"]) and most > old.get("most", 0)):
+        if old.get("stamp") == stamp(command) and "clock" in old and not ("slow" in str(old["status"]) and most > old["most"]):
             return old
         say(f"{i + 1}/{len(tests)}", test)
-        start = time.monotonic()
+        start, seconds, reached = time.monotonic(), most, {}
         try:
-            status = run(command, most, {})
+            status, seconds = run(command, most, 10 * most, {})
         except Hung:
             status = "slow"
-        seconds, reached = time.monotonic() - start, {}
+        clock = time.monotonic() - start
         if status == 0 and kills_cpp:
             with tempfile.TemporaryDirectory() as place:
                 try:
-                    status = run(command, 20 * most, {"CONTACT_MUTANTS_REACHED": f"{place}/reached"})
+                    status, _ = run(command, 20 * most, 200 * most, {"CONTACT_MUTANTS_REACHED": f"{place}/reached"})
                 except Hung:
                     status = "slow while recording"
                 for path in Path(place).iterdir():
@@ -384,7 +398,7 @@ def recorded(tests, folder, most, kills_cpp=True):
                         if what:
                             now = reached.get(id, 0)
                             reached[id] = what if now in (0, 3) or what == 2 else now
-        new = {"stamp": stamp(command), "test": test, "status": status, "seconds": seconds, "most": most,
+        new = {"stamp": stamp(command), "test": test, "status": status, "seconds": seconds, "clock": clock, "most": most,
                "reached": "".join(f"{id}:{what} " for id, what in sorted(reached.items()))}
         file.write_text(json.dumps(new))
         return new
@@ -393,7 +407,7 @@ def recorded(tests, folder, most, kills_cpp=True):
     for (test, command), entry in zip(tests.items(), side_by_side(one, enumerate(tests.items()))):
         if entry["status"] == 0:
             reached = dict(map(int, pair.split(":")) for pair in entry["reached"].split())
-            found[test] = {"command": command, "seconds": entry["seconds"], "reached": reached, "stamp": entry["stamp"]}
+            found[test] = {"command": command, "seconds": entry["seconds"], "clock": entry["clock"], "reached": reached, "stamp": entry["stamp"]}
         else:
             say(f"left out: {test} ({entry['status']})")
     return found
@@ -430,7 +444,9 @@ class Runner:
             self.runs[test] += 1
             outcome = "survived"
             try:
-                if run(entry["command"], max(5, 20 * entry["seconds"]), {"CONTACT_MUTANT": str(mutant["id"])} if "id" in mutant else {}) != 0:
+                status, _ = run(entry["command"], max(5, 20 * entry["seconds"]), max(60, 20 * entry["clock"]),
+                                {"CONTACT_MUTANT": str(mutant["id"])} if "id" in mutant else {})
+                if status != 0:
                     outcome = "killed"
             except Hung:
                 outcome = "killed"
@@ -444,7 +460,7 @@ class Runner:
     def cost(self, test, entry, file):
         """Seconds over the chance that it kills, as far as it has shown."""
         chance = (self.by_file[file][test] + 0.5) / (self.runs[test] + 2)
-        return (entry["seconds"] + 0.01) / chance
+        return (entry["clock"] + 0.01) / chance
 
     @staticmethod
     def unreached(mutant, tests):
@@ -527,7 +543,7 @@ def main():
     parser.add_argument("components", nargs="*", metavar="COMPONENT", help=f"of {', '.join(COMPONENTS)} (default: all)")
     parser.add_argument("--sample", type=int, metavar="N", help="N mutants of each component, drawn with the seed")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--most", type=float, default=30, metavar="SECONDS", help="tests that take longer are left out (default: 30)")
+    parser.add_argument("--most", type=float, default=30, metavar="SECONDS", help="tests that take longer, of a processor, are left out (default: 30)")
     parser.add_argument("--survivors", action="store_true", help="only those that survived before, against what is new")
     parser.add_argument("--only", metavar="REGEX", help="mutants whose name has it")
     parser.add_argument("--write", action="store_true", help="what is known so far into docs/mutation-testing.md, and no mutant is run")

@@ -88,16 +88,24 @@ class Runs(unittest.TestCase):
     def test_what_takes_too_long_is_killed_with_all_that_it_started(self):
         with tempfile.TemporaryDirectory() as folder:
             with self.assertRaises(mutate.Hung):
-                mutate.run(["sh", "-c", f"(sleep 2; touch {folder}/late) & wait"], 0.2, {})
+                mutate.run(["sh", "-c", f"(sleep 2; touch {folder}/late) & wait"], 60, 0.2, {})
             time.sleep(2.5)
             self.assertEqual(os.listdir(folder), [])
+
+    def test_what_takes_too_much_of_a_processor_is_killed_however_long_it_may_take_by_the_clock(self):
+        with self.assertRaises(mutate.Hung):
+            mutate.run(["sh", "-c", "while :; do :; done"], 1, 600, {})
+
+    def test_to_sleep_takes_nothing_of_a_processor(self):
+        status, seconds = mutate.run(["sh", "-c", "sleep 1.5; exit 3"], 1, 600, {})
+        self.assertEqual((status, seconds < 1), (3, True))
 
     def test_an_interruption_ends_what_runs_and_nobody_counts_its_outcome(self):
         threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
         outcomes = []
         try:
             with self.assertRaises(KeyboardInterrupt):
-                for status in mutate.side_by_side(lambda seconds: mutate.run(["sleep", seconds], 60, {}), [0, 30, 30, 30]):
+                for status, _ in mutate.side_by_side(lambda seconds: mutate.run(["sleep", seconds], 60, 60, {}), [0, 30, 30, 30]):
                     outcomes.append(status)
         finally:
             mutate.INTERRUPTED.clear()
