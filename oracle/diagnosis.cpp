@@ -365,7 +365,7 @@ class Diagnosis::Gain {
     for (const auto& [place, counts] : run.contradicted_) {
       if (places_.contains(place)) continue;
       ++elsewhere;
-      against += counts[cause] > 0 ? 1 : 0;
+      if (counts[cause] > 0) ++against;
     }
     if (elsewhere > 0) score_ *= 1 - 0.05 * against / elsewhere;
     score_ *= causes()[cause].weight;

@@ -411,8 +411,13 @@ TEST(Causes, SquaresLeaveTheRangeOfTheEnginesFormat) {
   EXPECT_TRUE(lost(1, 1, 0x1p512, Scalar::binary64));
   EXPECT_TRUE(lost(1, 0x1p510, 0x1p511, Scalar::binary64)) << "radii and alarm distance together";
   EXPECT_FALSE(lost(0, 1, 0, Scalar::binary64)) << "the square of 0 is right";
-  const Query flat{Pair::sphere_sphere, Balls{{{0, 0, 0}, 1}, {{1, 0x1p-600, 0}, 1}}, {0, 0}};
-  EXPECT_EQ(Example(flat).say("square-range").hit.kind, Said::Kind::anything) << "one component";
+  for (int axis = 0; axis < 3; ++axis) {
+    Vector3 flat(1, 1, 1);
+    const auto asked = [&] { return Query{Pair::sphere_sphere, Balls{{{0, 0, 0}, 1}, {flat, 1}}, {0, 0}}; };
+    EXPECT_EQ(Example(asked()).say("square-range").hit.kind, Said::Kind::no_opinion);
+    flat[axis] = 0x1p-600;
+    EXPECT_EQ(Example(asked()).say("square-range").hit.kind, Said::Kind::anything) << "component " << axis;
+  }
   EXPECT_FALSE(lost(0x1p63, 1, 0, Scalar::binary32));
   EXPECT_TRUE(lost(0x1p64, 1, 0, Scalar::binary32));
   EXPECT_TRUE(lost(0x1p-64, 1, 0, Scalar::binary32));
@@ -532,6 +537,10 @@ TEST(Diagnosis, ThePairOfAMistakeIsSaidIfItIsNotMadeInOthers) {
         .right(seven_apart(4, 4 + 0.125 * i, 0, 1));
   EXPECT_EQ(run.sentences(),
             (Lines{"normal points from second to first, in sphere_rigid_sphere: explains 3 of 3 wrong normal claims"}));
+  run.right(seven_apart(1, 2, 8, 1));
+  EXPECT_EQ(run.sentences().at(0),
+            "normal points from second to first, in sphere_rigid_sphere: explains 3 of 3 wrong normal claims")
+      << "right elsewhere in the other pair: that tells nothing of where in this one";
 }
 
 TEST(Diagnosis, WhatIsRightSpeaksAgainstAMistakeWhereItIsSaid) {
