@@ -43,13 +43,18 @@ def main():
     wanted = arguments.parse_args()
     if unknown := [t for t in wanted.targets if t not in TARGETS]:
         arguments.error(f"no such target: {', '.join(unknown)}; there are {', '.join(TARGETS)}")
+    build = wanted.build.resolve()
     with ThreadPoolExecutor(wanted.jobs) as pool:
-        rows = list(pool.map(lambda t: fuzz(wanted.build.resolve(), t, 60 * wanted.minutes), wanted.targets or TARGETS))
+        rows = list(pool.map(lambda t: fuzz(build, t, 60 * wanted.minutes), wanted.targets or TARGETS))
     rows.insert(0, ("target", "executions", "edges reached", "inputs kept", "CPU seconds", "outcome"))
     widths = [max(len(row[i]) for row in rows) for i in range(6)]
     for row in rows:
         print("  ".join(text.ljust(width) if i in (0, 5) else text.rjust(width) for i, (text, width) in enumerate(zip(row, widths))))
-    return 0 if all(row[5] == "no failure" for row in rows[1:]) else 1
+    # Where only this output is left of a run: libFuzzer ends with a short input in base 64.
+    failed = [row[0] for row in rows[1:] if row[5] != "no failure"]
+    for target in failed:
+        print(f"\n{target}:", *(build / f"fuzz_{target}.log").read_text(errors="replace").splitlines()[-60:], sep="\n", file=sys.stderr)
+    return 1 if failed else 0
 
 
 if __name__ == "__main__":
