@@ -117,25 +117,37 @@ json instead_of(const json& value, const json& elsewhere, std::size_t kind) {
   }
 }
 
+/// How many values there are in a value, at any depth.
+std::size_t places(const json& value) {
+  std::size_t n = 0;
+  if (value.is_structured())
+    for (const json& inner : value) n += 1 + places(inner);
+  return n;
+}
+/// The k-th of them, each before what is in it: what it stands in, and where. Domain: k < places(value).
+std::pair<json*, json::iterator> place(json& value, std::size_t k) {
+  for (json::iterator at = value.begin();; ++at) {
+    if (k == 0) return {&value, at};
+    const std::size_t inner = places(*at);
+    if (k <= inner) return place(*at, k - 1);
+    k -= inner + 1;
+  }
+}
+
 /// The certificate with some of its values changed, each by three bytes.
 json changed(Bytes bytes) {
   json statement = folder().right;
   statement.erase("sha256");
   while (!bytes.empty()) {
-    json flat = statement.flatten();
-    std::vector<json::json_pointer> places;
-    for (const auto& [pointer, value] : flat.items())
-      for (json::json_pointer at(pointer); !at.empty(); at = at.parent_pointer()) places.push_back(at);
+    const std::size_t n = places(statement);
     // A value that is put beside or into itself doubles: a few such changes are enough.
-    if (places.empty() || places.size() > 10'000) break;
+    if (n == 0 || n > 10'000) break;
     const std::size_t first = next(bytes) * 7;
-    const json::json_pointer at = places[(first + next(bytes)) % places.size()];
+    const auto [owner, at] = place(statement, (first + next(bytes)) % n);
     const std::size_t kind = next(bytes);
-    const json value = statement.at(at);
-    const json elsewhere = statement.at(places[(first * 31 + kind) % places.size()]);
-    statement[at] = instead_of(value, elsewhere, kind);
-    if (kind >= 192 && statement.at(at.parent_pointer()).is_object())
-      statement.at(at.parent_pointer()).erase(at.back());
+    const json elsewhere = *place(statement, (first * 31 + kind) % n).second;
+    *at = instead_of(*at, elsewhere, kind);
+    if (kind >= 192 && owner->is_object()) owner->erase(at);
   }
   return statement;
 }
