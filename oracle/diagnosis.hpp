@@ -24,6 +24,7 @@ struct Explanation {
   void serialize(Archive& archive) {
     archive(field, convention, value);
   }
+  // NOLINTNEXTLINE(modernize-use-nullptr): the 0 is in what the compiler makes
   friend auto operator<=>(const Explanation&, const Explanation&) = default;
 };
 
@@ -93,6 +94,7 @@ class Diagnosis {
       archive(aspect, pair, region);
     }
     [[nodiscard]] bool is_sound() const;
+    // NOLINTNEXTLINE(modernize-use-nullptr): the 0 is in what the compiler makes
     friend auto operator<=>(const Place&, const Place&) = default;
   };
   struct Wrong {

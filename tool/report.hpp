@@ -32,6 +32,7 @@ struct MarginBin {
   int side = 0;   ///< -1 hit, 0 exactly at the alarm distance, 1 miss
   int power = 0;  ///< power_of the distance in ulps of the reach; 0 at side 0
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): the 0 is in what the compiler makes
   friend auto operator<=>(const MarginBin&, const MarginBin&) = default;
 };
 
