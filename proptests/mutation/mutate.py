@@ -317,7 +317,8 @@ def run(command, processor, clock, environment):
     when all is interrupted. The clock is for what sleeps: it also tells how busy the machine is."""
     if INTERRUPTED.is_set():
         raise KeyboardInterrupt
-    process = subprocess.Popen(["prlimit", f"--as={8 << 30}", "--core=0", f"--cpu={math.ceil(processor)}:{math.ceil(processor) + 5}", *map(str, command)], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+    limits = [f"--as={8 << 30}", "--core=0", f"--cpu={math.ceil(processor)}:{math.ceil(processor) + 5}"]
+    process = subprocess.Popen(["prlimit", *limits, *map(str, command)], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                                stderr=subprocess.DEVNULL, cwd=TREE, env={**os.environ, **ENVIRONMENT, **environment}, start_new_session=True)
     RUNNING.add(process)
     late = threading.Event()
@@ -343,7 +344,11 @@ def run(command, processor, clock, environment):
             raise Hung
         return process.returncode, usage.ru_utime + usage.ru_stime
     finally:
+        alarm.cancel()
         RUNNING.discard(process)
+        if process.returncode is None:  # interrupted while it was waited for
+            os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
 
 
 def side_by_side(work, items):
@@ -371,7 +376,8 @@ def stamp(command):
 
 
 def recorded(tests, folder, most, kills_cpp=True):
-    """Seconds of each test, of a processor and by the clock, and which mutants change a value during it; kept until its program changes. A test that fails is left out."""
+    """Seconds of each test, of a processor and by the clock, and which mutants change a value during it; kept until its program changes.
+    A test that fails is left out."""
     folder.mkdir(parents=True, exist_ok=True)
 
     def one(entry):

@@ -83,6 +83,9 @@ class Names(unittest.TestCase):
             self.assertGreater(len(why), 20, text)
 
 
+POPEN = subprocess.Popen
+
+
 @unittest.mock.patch("mutate.TREE", HERE)  # where runs stand
 class Runs(unittest.TestCase):
     def test_what_takes_too_long_is_killed_with_all_that_it_started(self):
@@ -99,6 +102,18 @@ class Runs(unittest.TestCase):
     def test_to_sleep_takes_nothing_of_a_processor(self):
         status, seconds = mutate.run(["sh", "-c", "sleep 1.5; exit 3"], 1, 600, {})
         self.assertEqual((status, seconds < 1), (3, True))
+
+    def test_an_interruption_of_the_one_that_waits_leaves_neither_process_nor_alarm(self):
+        threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+        started = []
+        with unittest.mock.patch("mutate.subprocess.Popen", lambda *a, **k: started.append(POPEN(*a, **k)) or started[-1]):
+            with self.assertRaises(KeyboardInterrupt):
+                mutate.run(["sleep", 600], 60, 600, {})
+        self.assertEqual((started[0].returncode, mutate.RUNNING), (-signal.SIGKILL, set()))
+        for thread in threading.enumerate():
+            if isinstance(thread, threading.Timer):
+                thread.join(60)
+                self.assertFalse(thread.is_alive())
 
     def test_an_interruption_ends_what_runs_and_nobody_counts_its_outcome(self):
         threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
