@@ -49,7 +49,7 @@ def fuzz(build, target, seconds):
 
 
 def main():
-    arguments = argparse.ArgumentParser(description="Fuzzing, side by side")
+    arguments = argparse.ArgumentParser(description="Fuzzing, side by side", allow_abbrev=False)
     arguments.add_argument("build", type=Path)
     arguments.add_argument("--minutes", type=float, default=1, help="of each target (default: 1)")
     arguments.add_argument("--jobs", type=int, default=os.cpu_count(), help="targets at once (default: one a core)")
