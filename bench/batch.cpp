@@ -174,7 +174,7 @@ void register_family(const std::string& label, Spheres made) {
 }
 
 void register_families() {
-  for (const golden::Family& family : golden::sphere_families())
+  for (const golden::Family& family : golden::families_of(Pair::sphere_sphere))
     if (!family.outside_domain) register_family(std::string(family.name), family_spheres(std::string(family.name)));
   Spheres uniform = make_spheres(kFamilyPairs);
   for (auto& column : uniform.in)

@@ -8,9 +8,9 @@
 
 #include "golden/dataset_writer.hpp"
 #include "golden/families.hpp"
-#include "oracle/judge.hpp"
-#include "oracle/staged_oracle.hpp"
-#include "tool/pipeline.hpp"
+#include "oracle/judge/judge.hpp"
+#include "oracle/truth/staged_oracle.hpp"
+#include "tool/run/pipeline.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 // judge.
 #include <benchmark/benchmark.h>
 
-#include "engines/subprocess.hpp"
+#include "engines/hosts/subprocess.hpp"
 #include "golden/families.hpp"
 
 namespace {

@@ -161,8 +161,8 @@ def machine(m):
     sets = [label for key, label in SETS.items() if m.ns(f"Batch/test/ours/{key}/L2")]
     return (f"Measured on: {cpu()}, {m.context['num_cpus']} processors, {sizes}, {sets[0]}; "
             f"compiled by {m.context['compiler']}, the `bench` preset.\n"
-            f"Load average at the beginning: {m.context['load_avg'][0]:.1f}. What else ran does not count in processor "
-            "time; it does by the wall clock, and in caches and memory.")
+            f"Load average at the beginning: {m.context['load_avg'][0]:.1f}. Other programs do not count in processor "
+            "time. They affect times by the wall clock, caches and memory.")
 
 
 def facts(m):
@@ -171,14 +171,14 @@ def facts(m):
     triad = 24 / m.ns("Limit/triad/memory")
     moved = BYTES["compute"] / m.ns("Limit/compute/memory")
     return table(["", ""], [
-        ["STREAM triad from memory, one thread, 24 bytes a number", f"{number(triad)} GB/s"],
-        ["the bytes of contacts moved and nothing computed, 145 bytes a pair", f"{number(moved)} GB/s"],
-        ["contacts in L2, two threads to one, by processor time",
+        ["STREAM triad from memory, one thread, 24 bytes per number", f"{number(triad)} GB/s"],
+        ["moving the bytes of contacts without computing anything, 145 bytes per pair", f"{number(moved)} GB/s"],
+        ["contacts in L2, speed of two threads relative to one, by processor time",
          f"{number(2 * one['cpu_time'] / two['cpu_time'])} ×"],
         ["the same by the wall clock", f"{number(two['items_per_second'] / one['items_per_second'])} ×"],
-        ["a call of `compute_sphere_sphere` to a call of plain double, in L2",
+        ["time of a call of `compute_sphere_sphere` relative to a call of plain double, in L2",
          f"{number(m.ratio('Scalar/compute/ours/L2', 'Scalar/compute/plain/L2'))} ×"],
-        ["`contact-oracle explain`, one question, from the shell and back: processor time",
+        ["`contact-oracle explain` with one question, started from a shell: processor time",
          f"{number(start['real_time'])} ms"],
         ["the same by the wall clock", f"{number(1e3 * start['wall'])} ms"],
     ])
@@ -193,7 +193,7 @@ def summary(m):
             ratios = ((m.ratio(f"Peer/{s}/compute/{place}", name), s) for s in peers)
             best = min((ratio, s) for ratio, s in ratios if ratio)
             said.append(f"| {ours}, {where} | {number(best[0])} × ({best[1]}) |")
-    return "\n".join(["| contacts | the fastest peer takes |", "|---|---|", *said])
+    return "\n".join(["| contacts with | time of the fastest peer, relative to this |", "|---|---|", *said])
 
 
 COLOURS = {"ours": "#1f6fb2", "plain": "#8a8f98", "peer": "#d98b3a"}
@@ -261,9 +261,10 @@ def main():
     block = "\n\n".join([
         machine(m), "![Contacts by subject, and batch to plain double](performance.svg)",
         summary(m), "### Spheres, beside the peers",
-        "Nanoseconds a pair; then the contact's as a multiple of ours, batch.", peers_table(m),
-        "The same as ratios, one pair after the other.", scalar_table(m),
-        "### Wrong decisions by family", f"Of {wrong(m, 'FCL')['asked'] // len(FAMILIES)} each.", wrong_table(m),
+        'Nanoseconds per pair; then the time of a contact as a multiple of the time of "ours, batch".', peers_table(m),
+        "The same times as ratios, for subjects that take one pair after the other.", scalar_table(m),
+        "### Wrong decisions by family",
+        f"Out of {wrong(m, 'FCL')['asked'] // len(FAMILIES)} questions in each family.", wrong_table(m),
         "### Boxes, beside the peers", boxes_table(m),
         "### Batch, beside plain double with the same vectors", batch_table(m),
         "### Contacts by family, batch, in L2", families_table(m), "### Limits", facts(m)])

@@ -15,15 +15,48 @@ if(CONTACT_FUZZ)
 endif()
 
 # Strict floating point. Contraction would fuse a product and a sum into one rounding, and so change what the filters'
-# bounds, the generator's bytes and the plain formulas mean; x87 registers would round twice.
+# bounds, the generator's bytes and the plain formulas mean; x87 registers would round twice; what -ffast-math allows
+# changes all of it. Whoever asks for such a thing, in CXXFLAGS, a preset or a parent project, means other code: each is
+# undone here, one by one, since none undoes all. These options come last on the command line. Only -frounding-math stays,
+# which loses speed alone and which CGAL asks for.
 add_library(contact_strict_floating_point INTERFACE)
-target_compile_options(contact_strict_floating_point INTERFACE -ffp-contract=off)
-if(CMAKE_SIZEOF_VOID_P EQUAL 4 AND CMAKE_SYSTEM_PROCESSOR MATCHES "i[3-6]86|x86|AMD64")
-  target_compile_options(contact_strict_floating_point INTERFACE -msse2 -mfpmath=sse)
+include(CheckCXXCompilerFlag)
+set(strict)
+foreach(flag
+    -fno-fast-math -fno-unsafe-math-optimizations -fno-associative-math -fno-reciprocal-math -fno-finite-math-only -fsigned-zeros
+    -fno-single-precision-constant -fno-cx-limited-range -fno-cx-fortran-rules -fexcess-precision=standard  # gcc's
+    -fhonor-nans -fhonor-infinities -fno-approx-func -fdenormal-fp-math=ieee -ffp-eval-method=source  # clang's
+    -ffp-contract=off)
+  string(MAKE_C_IDENTIFIER "contact_has${flag}" known)
+  set(CMAKE_REQUIRED_FLAGS -Werror)
+  set(CMAKE_REQUIRED_QUIET ON)
+  check_cxx_compiler_flag(${flag} ${known})
+  if(${known})
+    string(APPEND strict " ${flag}")
+  endif()
+endforeach()
+unset(CMAKE_REQUIRED_FLAGS)
+unset(CMAKE_REQUIRED_QUIET)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  string(APPEND strict " -ftrapping-math")  # the default; clang's is the other, which is as good
+elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  # What is undone may be the parts of -ffp-model=fast, of which clang warns.
+  string(APPEND strict " -Wno-unknown-warning-option -Wno-overriding-t-option -Wno-overriding-option")
 endif()
-if("${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" MATCHES "-ffast-math|-Ofast|-funsafe-math-optimizations")
-  message(FATAL_ERROR "contact-oracle promises exact decisions and correct rounding: build it without -ffast-math")
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(i[3-6]86|x86.*|AMD64)$")
+  string(APPEND strict " -msse2 -mfpmath=sse")
 endif()
+# One string: of equal options CMake keeps the first, which may be before the one that it undoes.
+target_compile_options(contact_strict_floating_point INTERFACE "SHELL:${strict}")
+# Else the linker would add what flushes subnormal numbers from the start.
+target_link_options(contact_strict_floating_point INTERFACE "SHELL:-fno-fast-math -fno-unsafe-math-optimizations")
+
+# contact_together(target): its sources are compiled several at a time, so that the large headers are read once for them all.
+function(contact_together target)
+  if(CONTACT_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+  endif()
+endfunction()
 
 # contact_library(name SOURCES ... LINK ... PRIVATE_LINK ...): a static library with the alias contact::name.
 function(contact_library name)
@@ -35,6 +68,7 @@ function(contact_library name)
                         PRIVATE ${ARG_PRIVATE_LINK} $<BUILD_INTERFACE:contact_warnings>
                                 $<BUILD_INTERFACE:contact_strict_floating_point>)
   set_target_properties(contact_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  contact_together(contact_${name})
 endfunction()
 
 include(${CMAKE_CURRENT_LIST_DIR}/ContactPlugin.cmake)
@@ -42,20 +76,40 @@ include(${CMAKE_CURRENT_LIST_DIR}/ContactPlugin.cmake)
 # What the sanitizers look at every time: production, the oracles and the readers. `./run dev` has them look at all.
 add_custom_target(core_tests)
 
-# contact_test(name [CORE] LABEL label SOURCES ... LINK ...): one GoogleTest program; every test in it is a ctest of that label.
+# contact_test(name [CORE] [ALONE] LABEL label SOURCES ... LINK ...): one GoogleTest program; every test in it is a ctest of that
+# label. ALONE compiles its files one by one: they call different things by one name.
 function(contact_test name)
-  cmake_parse_arguments(ARG "CORE" "LABEL" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "CORE;ALONE" "LABEL" "SOURCES;LINK" ${ARGN})
   if(NOT CONTACT_TESTS)
     return()
   endif()
   add_executable(${name} ${ARG_SOURCES})
   target_compile_features(${name} PRIVATE cxx_std_20)
   target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest_main contact_warnings contact_strict_floating_point)
-  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/proptests)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # what is tested is optimised as ever
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/dev ${PROJECT_SOURCE_DIR}/proptests)
   target_compile_definitions(${name} PRIVATE CONTACT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  if(NOT ARG_ALONE)
+    contact_together(${name})
+  endif()
   if(ARG_CORE)
     add_dependencies(core_tests ${name})
     string(APPEND ARG_LABEL -core)  # one label: a list does not come through, and ctest -L looks for a part
   endif()
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 120 PROPERTIES LABELS ${ARG_LABEL})
+endfunction()
+
+# The kinds of pairs that have files of their own on every floor; include/contact/pairs.hpp lists what they are.
+set(CONTACT_PAIRS cube_cube sphere_sphere)
+
+# contact_pair_files(result pattern..): each pattern once for each kind of pairs, its name for @.
+function(contact_pair_files result)
+  set(files)
+  foreach(pattern ${ARGN})
+    foreach(pair ${CONTACT_PAIRS})
+      string(REPLACE "@" ${pair} file ${pattern})
+      list(APPEND files ${file})
+    endforeach()
+  endforeach()
+  set(${result} ${files} PARENT_SCOPE)
 endfunction()

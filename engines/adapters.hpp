@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "contact/contact.hpp"
-#include "golden/results.hpp"
-#include "oracle/claim.hpp"
+#include "engines/protocol/results.hpp"
+#include "oracle/judge/claim.hpp"
 
 namespace contact::engines {
 

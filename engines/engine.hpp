@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "contact/contact.hpp"
-#include "golden/results.hpp"
-#include "oracle/claim.hpp"
-#include "oracle/query.hpp"
+#include "engines/protocol/results.hpp"
+#include "oracle/judge/claim.hpp"
+#include "oracle/truth/query.hpp"
 
 namespace contact::engines {
 
@@ -24,12 +24,12 @@ struct Question {
 /// Answers questions. Engines may be asked from several threads at once.
 class Engine {
  public:
-  explicit Engine(golden::EngineInfo info) : info_(std::move(info)) {}
+  explicit Engine(engines::EngineInfo info) : info_(std::move(info)) {}
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
   virtual ~Engine() = default;
 
-  [[nodiscard]] const golden::EngineInfo& info() const { return info_; }
+  [[nodiscard]] const engines::EngineInfo& info() const { return info_; }
   /// One claim for each question, in their order.
   [[nodiscard]] virtual std::vector<Claim> answer(std::span<const Question> questions) = 0;
   /// The ids of recorded answers that no question has asked for, in their order.
@@ -37,10 +37,10 @@ class Engine {
 
  protected:
   /// For engines that say who they are only after they have been started.
-  void set_info(golden::EngineInfo info) { info_ = std::move(info); }
+  void set_info(engines::EngineInfo info) { info_ = std::move(info); }
 
  private:
-  golden::EngineInfo info_;
+  engines::EngineInfo info_;
 };
 
 /// The contact-point conventions that built-in engines compute, and their names: the first of Points.
@@ -71,7 +71,7 @@ inline constexpr std::string_view kBatchPrefix = "batch:";
                                                     PointConvention points = PointConvention::nearest_surface);
 
 /// An engine that answers from a results file; what stands not in it is missing.
-[[nodiscard]] std::unique_ptr<Engine> make_recorded(golden::Results results);
+[[nodiscard]] std::unique_ptr<Engine> make_recorded(engines::Results results);
 
 /// The engine `production`.
 [[nodiscard]] Claim production_answer(const Query& query, PointConvention points);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Certifies every engine that is here on the committed golden files, and writes the tables of docs/scoreboard.md, and the
-whole page once more as docs/scoreboard.html.
+whole page once more as build/scoreboard.html.
 
     python3 engines/scoreboard.py build/release/contact-oracle             every engine
     python3 engines/scoreboard.py build/release/contact-oracle fcl ode     these alone; their tables are printed, not written
@@ -19,7 +19,7 @@ from pathlib import Path
 import markdown
 
 ROOT = Path(__file__).resolve().parent.parent
-PAGE = ROOT / "docs/scoreboard.md"
+PAGE, HTML = ROOT / "docs/scoreboard.md", ROOT / "build/scoreboard.html"
 BEGIN, END = "<!-- engines:begin -->\n", "<!-- engines:end -->\n"
 GRADES = ("not_finite", "beyond_bound", "bounded", "faithful", "correctly_rounded")  # the worst first
 FIELDS = ("normal", "point1", "point2", "point", "value")
@@ -31,7 +31,8 @@ def certified(tool, name):
     """The report of an engine, or the reason why there is none."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "report.json"
-        run = subprocess.run([tool, "certify", "golden", "--engine", name, "--start-limit", "60", "--json", path],
+        slow = [] if name in REFERENCES else ["--start-limit", "60"]
+        run = subprocess.run([tool, "certify", "golden", "--engine", name, *slow, "--json", path],
                              cwd=ROOT, capture_output=True, text=True)
         if run.returncode not in (0, 1):
             said = (run.stderr or run.stdout).strip().splitlines()
@@ -71,7 +72,7 @@ def added(families):
     sums = Counter()
     fields = {}
     for f in families:
-        sums.update({key: f[key] for key in ("judged", "hits", "missed_hits", "false_hits", "not_finite")})
+        sums.update({key: f[key] for key in ("judged", "hits", "missed_hits", "false_hits", "incomplete", "not_finite")})
         sums["unanswered"] += sum(n for how, n in f["answers"].items() if how != "answered")
         for name, field in f["fields"].items():
             if not field["judged"]:
@@ -139,11 +140,12 @@ def main_table(engines):
     for e in engines:
         wrong = sum(f["beyond_bound"] + f["not_finite"] for f in e.total["fields"].values())
         rows.append([f"`{e.name}`", e.report["engine"]["version"], e.scalar, e.report["total"]["level"],
-                     str(e.total["judged"]), number(e.total["missed_hits"]), number(e.total["false_hits"]),
-                     number(wrong), number(e.total["not_finite"]), number(e.total["unanswered"]), e.time,
+                     str(e.report["total"]["decided"]["hits"]), str(e.report["total"]["decided"]["misses"]),
+                     number(e.total["missed_hits"]), number(e.total["false_hits"]), number(e.total["incomplete"]),
+                     str(sum(f["judged"] for f in e.total["fields"].values())), number(wrong), number(e.total["not_finite"]), number(e.total["unanswered"]), e.time,
                      f"`./run certify golden --engine {e.name}`"])
-    return table(["engine", "version", "arithmetic", "level", "judged", "missed hits", "false hits", "wrong numbers",
-                  "not finite", "no answer", "µs a question", "again"], rows)
+    return table(["engine", "version", "arithmetic", "level", "hits", "misses", "missed hits", "false hits", "missing fields",
+                  "numbers", "wrong numbers", "not finite", "no answer", "µs a question", "again"], rows)
 
 
 def edge_table(engines):
@@ -185,7 +187,7 @@ def family_tables(engines):
 def detail(e):
     text = f"<details markdown=\"1\">\n<summary><code>{e.name}</code>: {e.about}</summary>\n\n"
     declared = [f"{key} {json.dumps(value) if isinstance(value, (dict, bool)) else value}" for key, value in e.conventions.items()]
-    text += f"Declares {', '.join(declared)}.\n\n"
+    text += f"Declares {', '.join(declared)}; claims {', '.join(e.report['claims'])}.\n\n{e.report['verdict']}\n\n"
     if e.report["diagnosis"]:
         text += "What the report says of the wrong answers:\n\n" + "".join(f"- {line}\n" for line in e.report["diagnosis"]) + "\n"
     fields = [f for f in FIELDS if f in e.total["fields"]]
@@ -193,9 +195,10 @@ def detail(e):
     for pair in ("sphere_sphere", "cube_cube"):
         for name, f in e.families(pair).items():
             rows.append([("" if pair == "sphere_sphere" else "boxes: ") + name, str(f["judged"]), str(f["hits"]),
-                         number(f["missed_hits"]), number(f["false_hits"]), number(f["not_finite"]), number(f["unanswered"]),
+                         number(f["missed_hits"]), number(f["false_hits"]), number(f["incomplete"]), number(f["not_finite"]),
+                         number(f["unanswered"]),
                          *(level_of(f["fields"].get(field)) for field in fields)])
-    text += table(["family", "judged", "hits", "missed", "false", "not finite", "no answer", *fields], rows)
+    text += table(["family", "judged", "hits", "missed", "false", "missing fields", "not finite", "no answer", *fields], rows)
     return text + "</details>\n\n"
 
 
@@ -252,6 +255,7 @@ def html():
     # Figures that are wrong stand out, and stay figures for those who do not see the colour.
     body = re.sub(r"<td>(\d+ / \d+.*?|(?:beyond|not finite): .*?)</td>", r'<td class="bad">\1</td>', body)
     body = re.sub(r"<td>(\.|correctly rounded)</td>", r'<td class="ok">\1</td>', body)
+    body = re.sub(r'href="(?!https?:|#)', 'href="../docs/', body)
     body = body.replace("<table>", '<div class="wide" tabindex="0"><table>').replace("</table>", "</table></div>")
     style = """
 :root{color-scheme:light dark;--ok:#0b6e4f;--bad:#b3261e;--line:#8885;--soft:#8882;--link:#0b57d0}
@@ -266,7 +270,8 @@ th,td code{white-space:nowrap}td{min-width:2.5rem}tbody tr:hover{background:var(
 .ok{color:var(--ok)}.bad{color:var(--bad);font-weight:600}
 pre{overflow-x:auto;background:var(--soft);padding:.6rem .8rem;border-radius:.3rem;font-size:.8rem}
 code{font-size:.87em}summary{cursor:pointer;margin:.4rem 0}"""
-    PAGE.with_suffix(".html").write_text(
+    HTML.parent.mkdir(exist_ok=True)
+    HTML.write_text(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
         "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
         f"<title>contact-oracle: scoreboard</title><style>{style}</style></head>\n<body>\n{body}\n</body></html>\n")

@@ -21,7 +21,7 @@ TEST(Upstream, PlainDoubleUnderTheCenterConventionIsSofaToTheBit) {
   std::size_t not_finite = 0;
   for (const Pair pair : kPairs) {
     const std::string folder(name(pair));
-    const golden::Results recorded = golden::read_results(golden / "recorded/sofa-2a278d8" / (folder + ".jsonl"));
+    const engines::Results recorded = engines::read_results(golden / "recorded/sofa-2a278d8" / (folder + ".jsonl"));
     golden::DatasetReader reader(golden / folder / "upstream.jsonl");
     while (const auto c = reader.next()) {
       const auto it = recorded.claims.find(c->id);

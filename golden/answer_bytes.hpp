@@ -5,7 +5,7 @@
 #include <string>
 
 #include "contact/domain.hpp"
-#include "oracle/expectation.hpp"
+#include "oracle/truth/expectation.hpp"
 
 namespace contact::golden {
 

@@ -1,5 +1,6 @@
 // A dataset as columns in HDF5: docs/formats.md#columns.
 #include "golden/columns.hpp"
+#include "formats/sha256.hpp"
 
 #include <zlib.h>
 
@@ -10,33 +11,42 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
 #include <vector>
 
+#include "formats/hdf5.hpp"
+#include "formats/output_file.hpp"
 #include "golden/families.hpp"
 #include "golden/flags.hpp"
-#include "golden/hdf5.hpp"
-#include "golden/output_file.hpp"
 #include "golden/query_id.hpp"
 
 namespace contact::golden {
 namespace {
 
-using hdf5::checked;
-using hdf5::Handle;
-using hdf5::Lock;
+using formats::hdf5::checked;
+using formats::hdf5::Handle;
+using formats::hdf5::Lock;
 
-constexpr std::uint64_t kBlock = 4096;  // rows in a chunk of the file and in memory
-constexpr unsigned kDeflate = 4;        // 9 takes four times as long for 1 % of the size
-constexpr std::size_t kFirstWidth = 32;      // of a column of exact numbers, doubled until its longest text has room
-constexpr std::size_t kRejectedLength = 11;  // a.center[0]
+constexpr std::uint64_t kBlock = 4096;   // rows in a chunk of the file and in memory
+constexpr unsigned kDeflate = 4;         // 9 takes four times as long for 1 % of the size
+constexpr std::size_t kFirstWidth = 32;  // of a column of exact numbers, doubled until its longest text has room
+/// Of the longest name of a number.
+const std::size_t kRejectedLength = [] {
+  std::size_t longest = 0;
+  for (const Pair pair : pairs_of_kinds()) {
+    const Query zeros = zero_query(pair);
+    for_each_number(std::as_const(zeros),
+                    [&](const std::string& field, double) { longest = std::max(longest, field.size()); });
+  }
+  return longest;
+}();
 constexpr std::size_t kMostFlags = 32;
 constexpr hsize_t kLargestChunk = hsize_t{1} << 24;     // bytes; the largest here has 4096 gaps, of 3 x 535
 constexpr hsize_t kMostDeflated = 1032;                 // times smaller than before is the most that deflate can make
 constexpr hsize_t kLargestInflated = hsize_t{1} << 28;  // bytes that HDF5 may try to inflate a chunk to
 constexpr std::size_t kChecksum = 4;                    // bytes that may be deflated beside the rows
-const Vector3 kZero = Vector3::Zero();
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 const char* const kDigest = "sha256";
 const char* const kFlagNames = "names";
@@ -46,8 +56,7 @@ struct Row {
   Case c;
   std::uint32_t flags = 0;
 
-  explicit Row(const DatasetHeader& h) : c{{}, {h.pair, Balls{{kZero, 0}, {kZero, 0}}, {0, 0}}, {}, {}, {}, {}} {
-    if (h.pair == Pair::cube_cube) c.query.shapes = Boxes{{kZero, kZero}, {kZero, kZero}};
+  explicit Row(const DatasetHeader& h) : c{{}, zero_query(h.pair), {}, {}, {}, {}} {
     if (h.family == kInvalidFamily) c.rejected = "";
     clear_contact();
   }
@@ -63,24 +72,14 @@ template <class Visit>
 void for_each_column(const DatasetHeader& h, Row& row, Visit&& visit) {
   Case& c = row.c;
   visit("id", c.id, kIdLength);
-  if (auto* balls = std::get_if<Balls>(&c.query.shapes)) {
-    visit("a/center", balls->a.center, 0);
-    visit("a/radius", balls->a.radius, 0);
-    visit("b/center", balls->b.center, 0);
-    visit("b/radius", balls->b.radius, 0);
-  } else {
-    auto& boxes = std::get<Boxes>(c.query.shapes);
-    visit("a/min", boxes.a.min, 0);
-    visit("a/max", boxes.a.max, 0);
-    visit("b/min", boxes.b.min, 0);
-    visit("b/max", boxes.b.max, 0);
-  }
-  visit("alarm", c.query.distances.alarm, 0);
-  visit("contact", c.query.distances.contact, 0);
+  for_each_field(c.query, [&](std::string path, auto& value, FieldKind /*kind*/) {
+    std::replace(path.begin(), path.end(), '.', '/');
+    visit(path, value, 0);
+  });
   visit("flags", row.flags, 0);
   if (c.rejected) return visit("expect/rejected", *c.rejected, kRejectedLength);
   visit("expect/hit", c.expect.hit, 0);
-  if (h.pair == Pair::cube_cube) return visit("exact/gap", c.exact.gap, longest_exact(1, h.scalar));
+  if (!has_numbers(h.pair)) return visit("exact/gap", c.exact.gap, longest_exact(1, h.scalar));
   visit("expect/degenerate", c.expect.contact->degenerate, 0);
   visit("expect/normal", c.expect.contact->normal, 0);
   visit("expect/point1", c.expect.contact->point1, 0);
@@ -104,8 +103,8 @@ struct Type {
   /// Whether a file has texts as wide as its longest.
   [[nodiscard]] bool grows() const { return is_text() && widest > kFirstWidth; }
   void set_width(std::size_t width) {
-    file = hdf5::text_type(width);
-    memory = hdf5::text_type(width);
+    file = formats::hdf5::text_type(width);
+    memory = formats::hdf5::text_type(width);
     size = width;
   }
 };
@@ -128,8 +127,12 @@ Type type_of(const std::uint32_t& /*value*/, std::size_t /*width*/) {
 Type type_of(const std::string& /*value*/, std::size_t width) {
   const std::size_t first = std::min(width, kFirstWidth);
   const std::string upto = first == width ? "" : "up to ";
-  return {
-      hdf5::text_type(first), hdf5::text_type(first), first, 1, fmt::format("texts of {}{} bytes", upto, width), width};
+  return {formats::hdf5::text_type(first),
+          formats::hdf5::text_type(first),
+          first,
+          1,
+          fmt::format("texts of {}{} bytes", upto, width),
+          width};
 }
 Type type_of(const std::array<std::string, 3>& v, std::size_t width) {
   Type type = type_of(v[0], width);
@@ -231,21 +234,21 @@ class Encoder {
   void put(const std::string& text) {
     const std::size_t widest = next_->type.widest;
     if (text.size() > widest)
-      throw InputError(where_, where_written(*next_),
-                       fmt::format("at most {} bytes have room, got '{}'", widest, text));
+      throw formats::InputError(where_, where_written(*next_),
+                                fmt::format("at most {} bytes have room, got '{}'", widest, text));
     if (text.size() > next_->type.size) next_->widen(std::min(widest, std::bit_ceil(text.size())));
     append(text.data(), text.size());
     next_->rows.resize(next_->rows.size() + next_->type.size - text.size());
   }
 
   std::vector<Column>::iterator next_;
-  Location where_;
+  formats::Location where_;
 };
 
 /// Gives a row the values that stand at one place of the columns.
 class Decoder {
  public:
-  Decoder(const std::vector<Column>& columns, std::size_t at, const Location& where)
+  Decoder(const std::vector<Column>& columns, std::size_t at, const formats::Location& where)
       : next_(columns.begin()), at_(at), where_(where) {}
 
   void operator()(std::string_view, double& x, std::size_t) { x = number_at(0), ++next_; }
@@ -284,16 +287,16 @@ class Decoder {
       if (std::memcmp(padding, padding + 1, size - text.size() - 1) != 0) refuse("text after the end of the text");
     // Every text of a row is a name or a number: none needs a character that JSON would have to escape.
     if (std::any_of(text.begin(), text.end(), [](char c) { return c <= ' ' || c > '~' || c == '"' || c == '\\'; }))
-      refuse("a character that no text here has, in " + json_string(text));
+      refuse("a character that no text here has, in " + formats::json_string(text));
     return text;
   }
   [[noreturn]] void refuse(const std::string& problem) const {
-    throw InputError(where_, where_written(*next_), problem);
+    throw formats::InputError(where_, where_written(*next_), problem);
   }
 
   std::vector<Column>::const_iterator next_;
   std::size_t at_;
-  const Location& where_;
+  const formats::Location& where_;
 };
 
 class ColumnsWriter : public DatasetWriter {
@@ -318,7 +321,7 @@ class ColumnsWriter : public DatasetWriter {
   void commit() override {
     guarded([&] {
       flush();
-      hdf5::write_attribute(file_, kDigest, hash_.hex());
+      formats::hdf5::write_attribute(file_, kDigest, hash_.hex());
       for (Column& column : columns_) column.dataset.close();
       file_.close();
     });
@@ -331,20 +334,20 @@ class ColumnsWriter : public DatasetWriter {
     const Lock lock;
     try {
       work();
-    } catch (const hdf5::Error& error) {
+    } catch (const formats::hdf5::Error& error) {
       pending_.fail(error.what());
     }
   }
 
   void create() {
-    file_ = hdf5::create_file(pending_.temporary());
+    file_ = formats::hdf5::create_file(pending_.temporary());
     const auto header = nlohmann::json::parse(to_line(header_));
-    for (const auto& [key, value] : header.items()) hdf5::write_attribute(file_, key, value);
+    for (const auto& [key, value] : header.items()) formats::hdf5::write_attribute(file_, key, value);
     std::set<std::string> groups;
     columns_ = columns_of(header_);
     for (const Column& column : columns_)
       if (const std::string group = group_of(column.path); group != column.path && groups.insert(group).second)
-        hdf5::create_group(file_, group);
+        formats::hdf5::create_group(file_, group);
   }
 
   /// Makes the columns as wide as the rows in memory; those that are in the file already are copied.
@@ -370,7 +373,7 @@ class ColumnsWriter : public DatasetWriter {
       column.dataset = Handle(
           H5Dcreate2(file_, column.path.c_str(), column.type.file, space, H5P_DEFAULT, creation, access), H5Dclose);
       column.created_width = column.type.size;
-      if (column.path == "flags") hdf5::write_attribute(column.dataset, kFlagNames, flag_names());
+      if (column.path == "flags") formats::hdf5::write_attribute(column.dataset, kFlagNames, flag_names());
       if (narrower < 0) continue;
       std::vector<char> rows;
       rows.swap(column.rows);
@@ -394,7 +397,7 @@ class ColumnsWriter : public DatasetWriter {
       if (std::find(c.flags.begin(), c.flags.end(), flags()[i].name) != c.flags.end()) bits |= std::uint32_t{1} << i;
     for (const std::string& flag : c.flags)
       if (std::none_of(flags().begin(), flags().end(), [&](const Flag& f) { return f.name == flag; }))
-        throw InputError({path_.string(), rows_ + 1, true}, "/flags", "undeclared flag " + flag);
+        throw formats::InputError({path_.string(), rows_ + 1, true}, "/flags", "undeclared flag " + flag);
     return bits;
   }
 
@@ -408,10 +411,10 @@ class ColumnsWriter : public DatasetWriter {
 
   std::filesystem::path path_;
   DatasetHeader header_;
-  PendingFile pending_;
+  formats::PendingFile pending_;
   Handle file_;
   std::vector<Column> columns_;
-  Sha256 hash_;
+  formats::Sha256 hash_;
   std::uint64_t rows_ = 0;
   std::uint64_t written_ = 0;
 };
@@ -438,12 +441,12 @@ bool inflates_within(const Column& column, const std::vector<hsize_t>& at, std::
 
 /// Work that reads; what HDF5 cannot read is refused with file, row and field.
 template <class Work>
-auto reading(const Location& where, const std::string& field, Work work) {
+auto reading(const formats::Location& where, const std::string& field, Work work) {
   const Lock lock;
   try {
     return work();
-  } catch (const hdf5::Error& error) {
-    throw InputError(where, field, fmt::format("cannot read: {}", error.what()));
+  } catch (const formats::hdf5::Error& error) {
+    throw formats::InputError(where, field, fmt::format("cannot read: {}", error.what()));
   }
 }
 
@@ -452,13 +455,13 @@ class ColumnsSource : public CaseSource {
   explicit ColumnsSource(const std::filesystem::path& path) : whole_{path.string(), 0} {
     where_ = {path.string(), 0, true};
     const Lock lock;
-    file_ = reading(whole_, "", [&] { return hdf5::open_file(path); });
+    file_ = reading(whole_, "", [&] { return formats::hdf5::open_file(path); });
     nlohmann::json attributes = nlohmann::json::object();
-    for (const std::string& name : reading(whole_, "", [&] { return hdf5::attribute_names(file_); }))
-      attributes[name] = reading(whole_, name, [&] { return hdf5::read_attribute(file_, name); });
-    digest_ = Node(attributes, whole_).at(kDigest).text();
+    for (const std::string& name : reading(whole_, "", [&] { return formats::hdf5::attribute_names(file_); }))
+      attributes[name] = reading(whole_, name, [&] { return formats::hdf5::read_attribute(file_, name); });
+    digest_ = formats::Node(attributes, whole_).at(kDigest).text();
     attributes.erase(kDigest);
-    header_ = read_header(Node(attributes, whole_));
+    header_ = read_header(formats::Node(attributes, whole_));
     columns_ = columns_of(header_);
     check_objects();
     for (Column& column : columns_) reading(whole_, where_written(column), [&] { open(column); });
@@ -473,8 +476,8 @@ class ColumnsSource : public CaseSource {
     }
     // The digest is of the whole file, so it says nothing where rows were passed over.
     if (hashed_ == header_.count && hash_.hex() != digest_)
-      throw InputError(whole_, kDigest,
-                       fmt::format("the file says {}, its rows as JSON lines have {}", digest_, hash_.hex()));
+      throw formats::InputError(whole_, kDigest,
+                                fmt::format("the file says {}, its rows as JSON lines have {}", digest_, hash_.hex()));
     return false;
   }
 
@@ -485,7 +488,7 @@ class ColumnsSource : public CaseSource {
     for_each_column(header_, row, Decoder(columns_, index - first_, where_));
     check(row.c);
     if (row.flags >> flag_names_.size() != 0 && flag_names_.size() < kMostFlags)
-      throw InputError(where_, "/flags", fmt::format("a bit without a name, in {:#x}", row.flags));
+      throw formats::InputError(where_, "/flags", fmt::format("a bit without a name, in {:#x}", row.flags));
     for (std::size_t i = 0; i < flag_names_.size(); ++i)
       if ((row.flags >> i & 1) != 0) row.c.flags.push_back(flag_names_[i]);
     settle_contact(row.c);
@@ -503,24 +506,27 @@ class ColumnsSource : public CaseSource {
       expected.insert(group_of(column.path));
       expected.insert(column.path);
     }
-    const std::set<std::string> found = reading(whole_, "", [&] { return hdf5::object_names(file_); });
+    const std::set<std::string> found = reading(whole_, "", [&] { return formats::hdf5::object_names(file_); });
     for (const std::string& name : expected)
-      if (!found.contains(name)) throw InputError(whole_, "/" + name, "missing");
+      if (!found.contains(name)) throw formats::InputError(whole_, "/" + name, "missing");
     for (const std::string& name : found) {
       if (!expected.contains(name))
-        throw InputError(whole_, "/" + name, fmt::format("unknown; known here: /{}", fmt::join(expected, ", /")));
+        throw formats::InputError(whole_, "/" + name,
+                                  fmt::format("unknown; known here: /{}", fmt::join(expected, ", /")));
       reading(whole_, "/" + name, [&] {
         const Handle object(H5Oopen(file_, name.c_str(), H5P_DEFAULT), H5Oclose);
-        for (const std::string& attribute : hdf5::attribute_names(object))
+        for (const std::string& attribute : formats::hdf5::attribute_names(object))
           if (name != "flags" || attribute != kFlagNames)
-            throw InputError(whole_, fmt::format("/{}: attribute {}", name, attribute), "unknown");
+            throw formats::InputError(whole_, fmt::format("/{}: attribute {}", name, attribute), "unknown");
       });
     }
   }
 
   void open(Column& column) {
     column.dataset = Handle(H5Dopen2(file_, column.path.c_str(), H5P_DEFAULT), H5Dclose);
-    const auto refuse = [&](const std::string& problem) { throw InputError(whole_, where_written(column), problem); };
+    const auto refuse = [&](const std::string& problem) {
+      throw formats::InputError(whole_, where_written(column), problem);
+    };
     const Handle type(H5Dget_type(column.dataset), H5Tclose);
     if (const std::size_t width = H5Tget_size(type); column.type.grows() && width > 0 && width <= column.type.widest)
       column.type.set_width(width);
@@ -538,9 +544,10 @@ class ColumnsSource : public CaseSource {
       refuse("expected chunks in this file");
     if (header_.count != 0) column.chunk = chunk_of(column, creation, refuse);
     if (column.path != "flags") return;
-    const nlohmann::json names = hdf5::read_attribute(column.dataset, kFlagNames);
-    const Location& where = whole_;
-    for (const Node& name : Node(names, where, "/flags: attribute names").items()) flag_names_.push_back(name.text());
+    const nlohmann::json names = formats::hdf5::read_attribute(column.dataset, kFlagNames);
+    const formats::Location& where = whole_;
+    for (const formats::Node& name : formats::Node(names, where, "/flags: attribute names").items())
+      flag_names_.push_back(name.text());
     if (flag_names_.size() > kMostFlags) refuse(fmt::format("more than {} names", kMostFlags));
   }
 
@@ -579,10 +586,12 @@ class ColumnsSource : public CaseSource {
         haddr_t address = HADDR_UNDEF;
         hsize_t size = 0;
         checked(H5Dget_chunk_info_by_coord(column.dataset, at.data(), &left_out, &address, &size));
-        if (address == HADDR_UNDEF) throw hdf5::Error(fmt::format("the rows from {} on are not stored", at[0]));
+        if (address == HADDR_UNDEF)
+          throw formats::hdf5::Error(fmt::format("the rows from {} on are not stored", at[0]));
         if (size > 2 * kLargestChunk ||
             (size * kMostDeflated > kLargestInflated && !inflates_within(column, at, size, most)))
-          throw hdf5::Error(fmt::format("the chunk of the rows from {} on is of more than its {} bytes", at[0], most));
+          throw formats::hdf5::Error(
+              fmt::format("the chunk of the rows from {} on is of more than its {} bytes", at[0], most));
         if (at.size() == 1) break;
       }
   }
@@ -602,10 +611,10 @@ class ColumnsSource : public CaseSource {
 
   /// A miss has no contact, and its row says so in every column of it.
   void settle_contact(Case& c) const {
-    if (!c.rejected && c.expect.hit && header_.pair != Pair::cube_cube) return;
+    if (!c.rejected && c.expect.hit && has_numbers(header_.pair)) return;
     const Contact& k = *c.expect.contact;
     const auto none = [&](const char* field, bool is_none) {
-      if (!is_none) throw InputError(where_, field, "a miss has no contact");
+      if (!is_none) throw formats::InputError(where_, field, "a miss has no contact");
     };
     none("/expect/degenerate", !k.degenerate);
     none("/expect/normal", k.normal.array().isNaN().all());
@@ -615,24 +624,24 @@ class ColumnsSource : public CaseSource {
     c.expect.contact.reset();
   }
 
-  Location whole_;
+  formats::Location whole_;
   Handle file_;
   std::string digest_;
   std::vector<Column> columns_;
   std::vector<std::string> flag_names_;
   std::uint64_t first_ = 0;
   std::uint64_t loaded_ = 0;
-  Sha256 hash_;
+  formats::Sha256 hash_;
   std::uint64_t hashed_ = 0;
 };
 
 }  // namespace
 
 bool holds_columns(const std::filesystem::path& path) {
-  std::ifstream stream = open_to_read(path, true);
+  std::ifstream stream = formats::open_to_read(path, true);
   std::array<char, 8> first{};
   stream.read(first.data(), first.size());
-  return hdf5::is_hdf5({first.data(), static_cast<std::size_t>(stream.gcount())});
+  return formats::hdf5::is_hdf5({first.data(), static_cast<std::size_t>(stream.gcount())});
 }
 
 std::unique_ptr<CaseSource> open_columns(const std::filesystem::path& path) {

@@ -64,7 +64,7 @@ class Columns : public testing::Test {
       DatasetReader reader(path);
       while (reader.next()) lines += reader.text() + "\n";
       return lines;
-    } catch (const InputError& error) {
+    } catch (const formats::InputError& error) {
       return std::string("refused ") + error.what();
     }
   }

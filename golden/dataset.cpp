@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "golden/columns.hpp"
@@ -19,30 +20,27 @@ namespace contact::golden {
 namespace {
 
 constexpr std::string_view kFormat = "contact-oracle/dataset";
+constexpr std::string_view kResultsFormat = "contact-oracle/results";
 constexpr std::uint64_t kVersion = 1;
 // Repeated questions are looked for in files of up to this many cases; beyond, their ids would not fit in little
 // memory.
 constexpr std::uint64_t kRepeatsLookedFor = 1'000'000;
 // A report has some kilobytes for each file.
 constexpr std::size_t kMostFiles = 100'000;
-constexpr std::size_t kHeaderLength = 65536;  // of which a results file has told what it is
 
-constexpr std::array<std::string_view, kPairs.size()> kPairNames{name(kPairs[0]), name(kPairs[1]), name(kPairs[2]),
-                                                                 name(kPairs[3])};
 constexpr std::array<std::string_view, 2> kScalarNames{name(Scalar::binary32), name(Scalar::binary64)};
 
-void append(std::string& text, const Ball& ball) {
-  text += R"({"center":)";
-  append_number(text, ball.center);
-  text += R"(,"radius":)";
-  append_number(text, ball.radius);
-  text += '}';
-}
-void append(std::string& text, const Box& box) {
-  text += R"({"min":)";
-  append_number(text, box.min);
-  text += R"(,"max":)";
-  append_number(text, box.max);
+template <DescribedShape Shape>
+void append(std::string& text, const Shape& shape) {
+  char before = '{';
+  for_each_field(shape, [&](const auto& field, const auto& value) {
+    text += before;
+    text += '"';
+    text += field.name;
+    text += "\":";
+    formats::append_number(text, value);
+    before = ',';
+  });
   text += '}';
 }
 
@@ -56,39 +54,39 @@ void append_inputs(std::string& text, const Query& query) {
       },
       query.shapes);
   text += R"(,"alarm":)";
-  append_number(text, query.distances.alarm);
+  formats::append_number(text, query.distances.alarm);
   text += R"(,"contact":)";
-  append_number(text, query.distances.contact);
+  formats::append_number(text, query.distances.contact);
 }
 
 void append_expect(std::string& text, const Case& c) {
   if (c.rejected) {
-    text += R"({"rejected":)" + json_string(*c.rejected) + '}';
+    text += R"({"rejected":)" + formats::json_string(*c.rejected) + '}';
     return;
   }
   text += c.expect.hit ? R"({"hit":true)" : R"({"hit":false)";
   if (c.expect.hit && c.expect.contact) {
     const Contact& k = *c.expect.contact;
     text += k.degenerate ? R"(,"degenerate":true,"normal":)" : R"(,"degenerate":false,"normal":)";
-    append_number(text, k.normal);
+    formats::append_number(text, k.normal);
     text += R"(,"point1":)";
-    append_number(text, k.point1);
+    formats::append_number(text, k.point1);
     text += R"(,"point2":)";
-    append_number(text, k.point2);
+    formats::append_number(text, k.point2);
     text += R"(,"value":)";
-    append_number(text, k.value);
+    formats::append_number(text, k.value);
   }
   text += '}';
 }
 
 void append_exact(std::string& text, const Case& c) {
   const oracle::Witness& w = c.exact;
-  if (c.query.balls() == nullptr) {
+  if (!c.query.has_numbers()) {
     text += R"({"gap":[")" + w.gap[0] + R"(",")" + w.gap[1] + R"(",")" + w.gap[2] + R"("]})";
     return;
   }
   text += R"({"distance2":")" + w.distance2 + R"(","reach":")" + w.reach + R"(","margin_ulps":)";
-  append_number(text, w.margin_ulps);
+  formats::append_number(text, w.margin_ulps);
   text += '}';
 }
 
@@ -103,38 +101,42 @@ void append_answer(std::string& text, const Case& c) {
   text += '}';
 }
 
-Ball read_ball(const Node& node) {
-  node.allow_only({"center", "radius"});
-  return {node.at("center").vector(), node.at("radius").number()};
-}
-
-Box read_box(const Node& node) {
-  node.allow_only({"min", "max"});
-  return {node.at("min").vector(), node.at("max").vector()};
-}
-
-void check_domain(const Query& query, const Location& where) {
-  if (const auto error = outside_domain(query))
-    throw InputError(where, error->field, fmt::format("{}, got {}", error->rule, number(error->value)));
-}
-
-void check_representable(const Query& query, const Location& where) {
-  for_each_number(query, [&](const std::string& field, double x) {
-    if (std::isfinite(x) && (std::abs(x) > static_cast<double>(std::numeric_limits<float>::max()) ||
-                             static_cast<double>(static_cast<float>(x)) != x))
-      throw InputError(where, field, fmt::format("not a binary32 number in a binary32 file, got {}", number(x)));
+template <DescribedShape Shape>
+void read(const formats::Node& node, Shape& shape) {
+  node.allow_only(kFieldNames<Shape>);
+  for_each_field(shape, [&](const auto& field, auto& value) {
+    if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, double>)
+      value = node.at(field.name).number();
+    else
+      value = node.at(field.name).vector();
   });
 }
 
-void check_id(const Query& query, const std::string& id, const Location& where) {
-  if (const std::string right = query_id(query); id != right)
-    throw InputError(where, "id", fmt::format("the id of this question is {}, got {}", right, json_string(id)));
+void check_domain(const Query& query, const formats::Location& where) {
+  if (const auto error = outside_domain(query))
+    throw formats::InputError(where, error->field,
+                              fmt::format("{}, got {}", error->rule, formats::number(error->value)));
 }
 
-Expectation read_expectation(const Node& node, Pair pair) {
+void check_representable(const Query& query, const formats::Location& where) {
+  for_each_number(query, [&](const std::string& field, double x) {
+    if (std::isfinite(x) && (std::abs(x) > static_cast<double>(std::numeric_limits<float>::max()) ||
+                             static_cast<double>(static_cast<float>(x)) != x))
+      throw formats::InputError(where, field,
+                                fmt::format("not a binary32 number in a binary32 file, got {}", formats::number(x)));
+  });
+}
+
+void check_id(const Query& query, const std::string& id, const formats::Location& where) {
+  if (const std::string right = query_id(query); id != right)
+    throw formats::InputError(where, "id",
+                              fmt::format("the id of this question is {}, got {}", right, formats::json_string(id)));
+}
+
+Expectation read_expectation(const formats::Node& node, Pair pair) {
   Expectation expect;
   expect.hit = node.at("hit").boolean();
-  if (!expect.hit || pair == Pair::cube_cube) {
+  if (!expect.hit || !has_numbers(pair)) {
     node.allow_only({"hit"});
     return expect;
   }
@@ -144,9 +146,9 @@ Expectation read_expectation(const Node& node, Pair pair) {
   return expect;
 }
 
-oracle::Witness read_witness(const Node& node, Pair pair) {
+oracle::Witness read_witness(const formats::Node& node, Pair pair) {
   oracle::Witness w;
-  if (pair == Pair::cube_cube) {
+  if (!has_numbers(pair)) {
     node.allow_only({"gap"});
     const auto gaps = node.at("gap").items();
     if (gaps.size() != 3) node.at("gap").refuse("expected three exact numbers");
@@ -165,9 +167,9 @@ std::string field_text(const Expectation& e, const std::string& field) {
   if (field == "hit" || field == "contact") return text_of(e.hit);
   const Contact& c = *e.contact;
   if (field == "degenerate") return text_of(c.degenerate);
-  if (field == "value") return number(c.value);
+  if (field == "value") return formats::number(c.value);
   const Vector3& v = field.starts_with("normal") ? c.normal : field.starts_with("point1") ? c.point1 : c.point2;
-  return number(v[field[field.size() - 2] - '0']);
+  return formats::number(v[field[field.size() - 2] - '0']);
 }
 
 }  // namespace
@@ -178,12 +180,18 @@ std::string inputs_text(const Query& query) {
   return text;
 }
 
-Query read_inputs(const Node& line, Pair pair) {
-  const Node a = line.at("a");
-  const Node b = line.at("b");
-  const Distances distances{line.at("alarm").number(), line.at("contact").number()};
-  if (pair == Pair::cube_cube) return {pair, Boxes{read_box(a), read_box(b)}, distances};
-  return {pair, Balls{read_ball(a), read_ball(b)}, distances};
+Query read_inputs(const formats::Node& line, Pair pair) {
+  const formats::Node a = line.at("a");
+  const formats::Node b = line.at("b");
+  Query query = zero_query(pair);
+  query.distances = {line.at("alarm").number(), line.at("contact").number()};
+  std::visit(
+      [&](auto& shapes) {
+        read(a, shapes.a);
+        read(b, shapes.b);
+      },
+      query.shapes);
+  return query;
 }
 
 Case make_case(const Query& query, Scalar scalar) {
@@ -200,21 +208,22 @@ Case make_case(const Query& query, Scalar scalar) {
   return c;
 }
 
-Shard read_shard(const std::string& text, const Location& where, const std::string& option) {
+Shard read_shard(const std::string& text, const formats::Location& where, const std::string& option) {
   Shard shard{};
   char slash = 0;
   std::istringstream stream(text);
   stream >> shard.index >> slash >> shard.of;
   if (!stream || slash != '/' || !stream.eof() || text.find('-') != std::string::npos || shard.of == 0 ||
       shard.index >= shard.of)
-    throw InputError(where, option, fmt::format("expected I/N with I below N, got '{}'", text));
+    throw formats::InputError(where, option, fmt::format("expected I/N with I below N, got '{}'", text));
   return shard;
 }
 
 std::string to_line(const DatasetHeader& h) {
   return fmt::format(
       R"({{"format":"{}","version":{},"pair":"{}","scalar":"{}","family":{},"seed":{},"count":{},"generator":{},"points":"nearest_surface"{}}})",
-      kFormat, kVersion, name(h.pair), name(h.scalar), json_string(h.family), h.seed, h.count, json_string(h.generator),
+      kFormat, kVersion, name(h.pair), name(h.scalar), formats::json_string(h.family), h.seed, h.count,
+      formats::json_string(h.generator),
       h.shard ? fmt::format(R"(,"shard":[{},{}])", h.shard->index, h.shard->of) : "");
 }
 
@@ -226,7 +235,7 @@ std::string to_line(const Case& c) {
   text += R"(,"flags":[)";
   for (const std::string& flag : c.flags) {
     if (&flag != &c.flags.front()) text += ',';
-    text += json_string(flag);
+    text += formats::json_string(flag);
   }
   text += "],";
   append_answer(text, c);
@@ -244,17 +253,31 @@ std::string answer_line(const Case& c) {
   return text;
 }
 
-Pair read_pair(const Node& node) { return kPairs[node.one_of(kPairNames)]; }
-Scalar read_scalar(const Node& node) { return static_cast<Scalar>(node.one_of(kScalarNames)); }
+Pair read_pair(const formats::Node& node) { return kPairs[node.one_of(kPairNames)]; }
+Scalar read_scalar(const formats::Node& node) { return static_cast<Scalar>(node.one_of(kScalarNames)); }
 
-ReadQuery read_query(const Node& line, const DatasetHeader* file) {
+/// The first pair whose first shape has a field that the question's first shape names; `otherwise` where none does.
+Pair pair_by_fields(const formats::Node& line, Pair otherwise) {
+  for (const Pair pair : kPairs)
+    if (std::visit(
+            [&](const auto& shapes) {
+              const auto names = kFieldNames<std::remove_cvref_t<decltype(shapes.a)>>;
+              return std::any_of(names.begin(), names.end(),
+                                 [&](auto name) { return line.at("a").find(name).has_value(); });
+            },
+            description(pair).zeros()))
+      return pair;
+  return otherwise;
+}
+
+ReadQuery read_query(const formats::Node& line, const DatasetHeader* file) {
   // What a case, a protocol message or a worst case carries beside its question is passed over, not guessed at.
   line.allow_only({"id", "pair", "scalar", "a", "b", "alarm", "contact", "flags", "expect", "exact", "op", "seq"});
   Pair pair = file != nullptr ? file->pair : Pair::sphere_sphere;
   if (const auto given = line.find("pair"))
     pair = read_pair(*given);
-  else if (file == nullptr && (line.at("a").find("min") || line.at("a").find("max")))
-    pair = Pair::cube_cube;
+  else if (file == nullptr)
+    pair = pair_by_fields(line, pair);
   const auto scalar = line.find("scalar");
   ReadQuery read{read_inputs(line, pair), scalar            ? read_scalar(*scalar)
                                           : file != nullptr ? file->scalar
@@ -265,11 +288,11 @@ ReadQuery read_query(const Node& line, const DatasetHeader* file) {
   return read;
 }
 
-DatasetHeader read_header(const Node& node) {
+DatasetHeader read_header(const formats::Node& node) {
   DatasetHeader header;
-  if (const Node format = node.at("format"); format.text() != kFormat)
+  if (const formats::Node format = node.at("format"); format.text() != kFormat)
     format.refuse(fmt::format("expected \"{}\"", kFormat));
-  if (const Node version = node.at("version"); version.count() != kVersion)
+  if (const formats::Node version = node.at("version"); version.count() != kVersion)
     version.refuse(fmt::format("this program reads version {}", kVersion));
   node.allow_only({"format", "version", "pair", "scalar", "family", "seed", "count", "generator", "points", "shard"});
   header.pair = read_pair(node.at("pair"));
@@ -279,7 +302,7 @@ DatasetHeader read_header(const Node& node) {
   header.seed = node.at("seed").count();
   header.count = node.at("count").count();
   header.generator = node.at("generator").text();
-  if (const Node points = node.at("points"); points.text() != "nearest_surface")
+  if (const formats::Node points = node.at("points"); points.text() != "nearest_surface")
     points.refuse("expected \"nearest_surface\"");
   if (const auto shard = node.find("shard")) {
     const auto parts = shard->items();
@@ -290,11 +313,11 @@ DatasetHeader read_header(const Node& node) {
   return header;
 }
 
-Case read_case(const Node& line, const DatasetHeader& header) {
+Case read_case(const formats::Node& line, const DatasetHeader& header) {
   line.allow_only({"id", "a", "b", "alarm", "contact", "flags", "expect", "exact"});
   Case c{line.at("id").text(), read_inputs(line, header.pair), {}, {}, std::nullopt, {}};
-  for (const Node& flag : line.at("flags").items()) c.flags.push_back(flag.text());
-  const Node expect = line.at("expect");
+  for (const formats::Node& flag : line.at("flags").items()) c.flags.push_back(flag.text());
+  const formats::Node expect = line.at("expect");
   if (header.family == kInvalidFamily) {
     expect.allow_only({"rejected"});
     c.rejected = expect.at("rejected").text();
@@ -314,10 +337,11 @@ void CaseSource::check(const Case& c) const {
   check_domain(c.query, where_);
   const auto exact = [&](const std::string& field, const std::string& text) {
     if (!oracle::is_dyadic_string(text))
-      throw InputError(where_, "exact." + field,
-                       fmt::format("expected an exact number such as \"-0x1abdp-12\", got {}", json_string(text)));
+      throw formats::InputError(
+          where_, "exact." + field,
+          fmt::format("expected an exact number such as \"-0x1abdp-12\", got {}", formats::json_string(text)));
   };
-  if (c.query.balls()) {
+  if (c.query.has_numbers()) {
     exact("distance2", c.exact.distance2);
     exact("reach", c.exact.reach);
   } else {
@@ -329,24 +353,24 @@ namespace {
 
 class JsonLines : public CaseSource {
  public:
-  explicit JsonLines(const std::filesystem::path& path) : stream_(open_to_read(path, true)) {
+  explicit JsonLines(const std::filesystem::path& path) : stream_(formats::open_to_read(path, true)) {
     where_ = {path.string(), 0};
-    if (!advance()) throw InputError(where_, "", "empty: a dataset begins with its header");
-    const auto json = parse_object(text_, where_);
-    header_ = read_header(Node(json, where_));
+    if (!advance()) throw formats::InputError(where_, "", "empty: a dataset begins with its header");
+    const auto json = formats::parse_object(text_, where_);
+    header_ = read_header(formats::Node(json, where_));
   }
 
   bool advance() override {
-    if (!read_line(stream_, text_, where_)) return false;
-    if (stream_.eof()) throw InputError(where_, "", "the last line has no line feed: the file is truncated");
+    if (!formats::read_line(stream_, text_, where_)) return false;
+    if (stream_.eof()) throw formats::InputError(where_, "", "the last line has no line feed: the file is truncated");
     return true;
   }
 
   Case read() override {
     std::optional<Case> c = quick_case(text_, header_);
     if (!c) {
-      const auto json = parse_object(text_, where_);
-      c = read_case(Node(json, where_), header_);
+      const auto json = formats::parse_object(text_, where_);
+      c = read_case(formats::Node(json, where_), header_);
     }
     check(*c);
     return *std::move(c);
@@ -367,7 +391,7 @@ DatasetReader::DatasetReader(const std::filesystem::path& path) {
   if (holds_columns(path))
     source_ = open_columns(path);
   else if (path.extension() == kColumnsExtension)
-    throw InputError({path.string(), 0}, "", "no HDF5 file, or one without its beginning");
+    throw formats::InputError({path.string(), 0}, "", "no HDF5 file, or one without its beginning");
   else
     source_ = std::make_unique<JsonLines>(path);
   if (header().count <= kRepeatsLookedFor) ids_.reserve(header().count);
@@ -377,10 +401,11 @@ bool DatasetReader::advance() {
   const std::uint64_t count = header().count;
   const bool more = source_->advance();
   if (more && passed_ == count)
-    throw InputError({where().file, 1}, "count", fmt::format("the header says {}, the file holds more cases", count));
+    throw formats::InputError({where().file, 1}, "count",
+                              fmt::format("the header says {}, the file holds more cases", count));
   if (!more && passed_ != count)
-    throw InputError({where().file, 1}, "count",
-                     fmt::format("the header says {}, the file holds {} cases", count, passed_));
+    throw formats::InputError({where().file, 1}, "count",
+                              fmt::format("the header says {}, the file holds {} cases", count, passed_));
   passed_ += more ? 1 : 0;
   return more;
 }
@@ -399,33 +424,40 @@ std::optional<Case> DatasetReader::next() {
 void DatasetReader::check(const Case& c) {
   const DatasetHeader& h = header();
   if (c.rejected && !outside_domain(c.query))
-    throw InputError(where(), "expect.rejected",
-                     fmt::format("the question is inside the domain, got {}", json_string(*c.rejected)));
+    throw formats::InputError(
+        where(), "expect.rejected",
+        fmt::format("the question is inside the domain, got {}", formats::json_string(*c.rejected)));
   if (h.count > kRepeatsLookedFor || ids_.insert(key_of(c.id)).second) return;
   // A generator may repeat itself: the case is right if the family's generator makes this very question here.
   const Family* family = find_family(h.pair, h.family);
   const bool generated = family != nullptr &&
                          (h.shard || query_id(generate_query(h.pair, *family, h.scalar, h.seed, passed_ - 1)) == c.id);
   if (!generated)
-    throw InputError(where(), "id", fmt::format("the same question stands in this file twice, got \"{}\"", c.id));
+    throw formats::InputError(where(), "id",
+                              fmt::format("the same question stands in this file twice, got \"{}\"", c.id));
   ++repeats_;
 }
 
 bool DatasetReader::is_dataset(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::string line(kHeaderLength, '\0');
-  stream.read(line.data(), static_cast<std::streamsize>(line.size()));
-  line.resize(static_cast<std::size_t>(stream.gcount()));
-  line.resize(std::min(line.find('\n'), line.size()));
   // A results file says what it is; anything else is read as a dataset, so that a damaged one is refused, not passed
   // over.
-  return line.find(R"("format":"contact-oracle/results")") == std::string::npos;
+  try {
+    std::ifstream stream = formats::open_to_read(path);
+    formats::Location where{path.string(), 0};
+    std::string line;
+    if (!formats::read_line(stream, line, where)) return true;
+    const auto header = formats::parse_object(line, where);
+    const auto format = formats::Node(header, where).find("format");
+    return !format || format->text() != kResultsFormat;
+  } catch (const formats::InputError&) {
+    return true;
+  }
 }
 
 std::vector<std::filesystem::path> dataset_files(const std::vector<std::filesystem::path>& paths, bool quick_too) {
   std::vector<std::filesystem::path> files;
   for (const auto& path : paths) {
-    if (!std::filesystem::exists(path)) throw InputError({path.string(), 0}, "", "no such file or folder");
+    if (!std::filesystem::exists(path)) throw formats::InputError({path.string(), 0}, "", "no such file or folder");
     if (!std::filesystem::is_directory(path)) {
       files.push_back(path);
       continue;
@@ -441,24 +473,25 @@ std::vector<std::filesystem::path> dataset_files(const std::vector<std::filesyst
           (!entry.is_regular_file(dangling) || DatasetReader::is_dataset(entry.path())))
         found.push_back(entry.path());
       if (files.size() + found.size() > kMostFiles)
-        throw InputError(
+        throw formats::InputError(
             {path.string(), 0}, "",
             fmt::format("more than {} datasets, each with a place in the report; `convert` joins the shards "
                         "of one",
                         kMostFiles));
     }
-    if (found.empty()) throw InputError({path.string(), 0}, "", "no dataset (*.jsonl, *.h5) in this folder");
+    if (found.empty()) throw formats::InputError({path.string(), 0}, "", "no dataset (*.jsonl, *.h5) in this folder");
     std::sort(found.begin(), found.end());
     files.insert(files.end(), found.begin(), found.end());
   }
   return files;
 }
 
-void check_rejection(const Case& c, const Location& where) {
+void check_rejection(const Case& c, const formats::Location& where) {
   const std::string field = outside_domain(c.query)->field;
   if (*c.rejected != field)
-    throw InputError(where, "expect.rejected",
-                     fmt::format("the file says {}, the first field outside the domain is {}", *c.rejected, field));
+    throw formats::InputError(
+        where, "expect.rejected",
+        fmt::format("the file says {}, the first field outside the domain is {}", *c.rejected, field));
 }
 
 bool says(const Case& c, const Expectation& right, const oracle::Witness& exact) {
@@ -470,20 +503,20 @@ bool says(const Case& c, const Expectation& right, const oracle::Witness& exact)
          (!right.contact || same(*c.expect.contact, *right.contact)) && c.exact == exact;
 }
 
-void check_case(const Case& c, Scalar scalar, const oracle::Truth& truth, const Location& where) {
+void check_case(const Case& c, Scalar scalar, const oracle::Truth& truth, const formats::Location& where) {
   const Expectation right = oracle::expectation(truth, scalar);
   if (const auto field = first_difference(c.expect, right))
-    throw InputError(where, "expect." + *field,
-                     fmt::format("the file says {}, the exact answer rounds to {}", field_text(c.expect, *field),
-                                 field_text(right, *field)));
+    throw formats::InputError(where, "expect." + *field,
+                              fmt::format("the file says {}, the exact answer rounds to {}",
+                                          field_text(c.expect, *field), field_text(right, *field)));
   const oracle::Witness witness = oracle::witness(truth, scalar);
   const auto compare = [&](const std::string& field, const std::string& found, const std::string& expected) {
     if (found != expected)
-      throw InputError(where, "exact." + field, fmt::format("the file says {}, exact is {}", found, expected));
+      throw formats::InputError(where, "exact." + field, fmt::format("the file says {}, exact is {}", found, expected));
   };
   compare("distance2", c.exact.distance2, witness.distance2);
   compare("reach", c.exact.reach, witness.reach);
-  compare("margin_ulps", number(c.exact.margin_ulps), number(witness.margin_ulps));
+  compare("margin_ulps", formats::number(c.exact.margin_ulps), formats::number(witness.margin_ulps));
   for (std::size_t axis = 0; axis < 3; ++axis)
     compare(fmt::format("gap[{}]", axis), c.exact.gap[axis], witness.gap[axis]);
 }

@@ -11,10 +11,10 @@
 #include <unordered_set>
 #include <vector>
 
-#include "golden/json.hpp"
-#include "oracle/expectation.hpp"
-#include "oracle/query.hpp"
-#include "oracle/truth.hpp"
+#include "formats/json.hpp"
+#include "oracle/truth/expectation.hpp"
+#include "oracle/truth/query.hpp"
+#include "oracle/truth/truth.hpp"
 
 namespace contact::golden {
 
@@ -25,8 +25,8 @@ struct Shard {
   std::uint64_t index;
   std::uint64_t of;
 };
-/// A shard from I/N. Throws InputError naming the option.
-[[nodiscard]] Shard read_shard(const std::string& text, const Location& where, const std::string& option);
+/// A shard from I/N. Throws formats::InputError naming the option.
+[[nodiscard]] Shard read_shard(const std::string& text, const formats::Location& where, const std::string& option);
 
 /// Part `index` of `of` of `count` questions begins with the question cut(count, index, of) and ends before the next
 /// cut.
@@ -66,7 +66,7 @@ struct Case {
 
 /// "a":...,"b":...,"alarm":...,"contact":... of a question, and the same read back, whatever its numbers are.
 [[nodiscard]] std::string inputs_text(const Query& query);
-[[nodiscard]] Query read_inputs(const Node& line, Pair pair);
+[[nodiscard]] Query read_inputs(const formats::Node& line, Pair pair);
 
 /// A question from a line that may leave out the pair (radius means sphere_sphere, min and max cube_cube) and the
 /// scalar.
@@ -75,17 +75,17 @@ struct ReadQuery {
   Scalar scalar;
 };
 /// A pair or a scalar by its name.
-[[nodiscard]] Pair read_pair(const Node& node);
-[[nodiscard]] Scalar read_scalar(const Node& node);
+[[nodiscard]] Pair read_pair(const formats::Node& node);
+[[nodiscard]] Scalar read_scalar(const formats::Node& node);
 
 /// The header of a dataset, checked.
-[[nodiscard]] DatasetHeader read_header(const Node& node);
+[[nodiscard]] DatasetHeader read_header(const formats::Node& node);
 /// A line of a dataset, its form checked and no more.
-[[nodiscard]] Case read_case(const Node& line, const DatasetHeader& header);
+[[nodiscard]] Case read_case(const formats::Node& line, const DatasetHeader& header);
 
 /// Reads a user's question, a protocol query or a line of a dataset, whose answer is passed over; `file` is the header
 /// that tells its pair and scalar.
-[[nodiscard]] ReadQuery read_query(const Node& line, const DatasetHeader* file = nullptr);
+[[nodiscard]] ReadQuery read_query(const formats::Node& line, const DatasetHeader* file = nullptr);
 
 /// The cases of a file, whatever its form.
 class CaseSource {
@@ -101,7 +101,7 @@ class CaseSource {
   [[nodiscard]] virtual Case read() = 0;
 
   [[nodiscard]] const DatasetHeader& header() const { return header_; }
-  [[nodiscard]] const Location& where() const { return where_; }
+  [[nodiscard]] const formats::Location& where() const { return where_; }
   [[nodiscard]] const std::string& text() const { return text_; }
 
  protected:
@@ -109,7 +109,7 @@ class CaseSource {
   void check(const Case& c) const;
 
   DatasetHeader header_;
-  Location where_;
+  formats::Location where_;
   std::string text_;
 };
 
@@ -120,12 +120,12 @@ class DatasetReader {
   explicit DatasetReader(const std::filesystem::path& path);
 
   [[nodiscard]] const DatasetHeader& header() const { return source_->header(); }
-  /// The next case, or nothing after the last. Throws InputError at anything malformed.
+  /// The next case, or nothing after the last. Throws formats::InputError at anything malformed.
   [[nodiscard]] std::optional<Case> next();
   /// Passes over the next n cases, or as many as there are, unread: of them only the number is checked.
   void skip(std::uint64_t n);
   /// Where the case that next() gave last stands, and its text.
-  [[nodiscard]] const Location& where() const { return source_->where(); }
+  [[nodiscard]] const formats::Location& where() const { return source_->where(); }
   [[nodiscard]] const std::string& text() const { return source_->text(); }
 
   /// How many questions stood in the file before, as the family's generator makes them.
@@ -149,7 +149,9 @@ class DatasetReader {
     friend bool operator==(const Key&, const Key&) = default;
   };
   struct Hash {
-    std::size_t operator()(const Key& key) const noexcept { return static_cast<std::size_t>(key.first); }  // SHA-256's digits
+    std::size_t operator()(const Key& key) const noexcept {
+      return static_cast<std::size_t>(key.first);
+    }  // SHA-256's digits
   };
   [[nodiscard]] static Key key_of(const std::string& id);
   std::unique_ptr<std::pmr::monotonic_buffer_resource> memory_ =
@@ -167,12 +169,13 @@ inline constexpr std::string_view kQuickFolder = "quick";
                                                                bool quick_too = false);
 
 /// Compares what a case of the family `invalid` says with the first field outside the domain. Throws InputError.
-void check_rejection(const Case& c, const Location& where);
+void check_rejection(const Case& c, const formats::Location& where);
 
 /// Whether a case says this answer and these exact numbers, word for word.
 [[nodiscard]] bool says(const Case& c, const Expectation& right, const oracle::Witness& exact);
 
-/// Compares a case with what the oracle says. Throws InputError naming the field, the value found and the right one.
-void check_case(const Case& c, Scalar scalar, const oracle::Truth& truth, const Location& where);
+/// Compares a case with what the oracle says. Throws formats::InputError naming the field, the value found and the
+/// right one.
+void check_case(const Case& c, Scalar scalar, const oracle::Truth& truth, const formats::Location& where);
 
 }  // namespace contact::golden

@@ -4,10 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <nlohmann/json.hpp>
 
+#include "formats/output_file.hpp"
 #include "golden/families.hpp"
 #include "golden/lint.hpp"
-#include "golden/output_file.hpp"
 #include "golden/query_id.hpp"
 
 namespace contact::golden {
@@ -17,26 +18,26 @@ const Query kWorkedSpheres{Pair::sphere_sphere, Balls{{{0, 0, 0}, 1.5}, {{1, 2, 
 const Query kWorkedCubes{Pair::cube_cube, Boxes{{{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {2, 1, 1}}}, {0.5, 0}};
 
 TEST(Numbers, AreShortestAndIntegersFrom2To53AreScientific) {
-  EXPECT_EQ(number(0.1), "0.1");
-  EXPECT_EQ(number(1.0), "1");
-  EXPECT_EQ(number(-0.0), "0");
-  EXPECT_EQ(number(0x1p-1074), "5e-324");
-  EXPECT_EQ(number(9007199254740991.0), "9007199254740991");       // 2^53 - 1
-  EXPECT_EQ(number(9007199254740992.0), "9.007199254740992e+15");  // 2^53
-  EXPECT_EQ(number(123456789012345680.0), "1.2345678901234568e+17");
-  EXPECT_EQ(number(std::numeric_limits<double>::max()), "1.7976931348623157e+308");
-  EXPECT_EQ(number(std::numeric_limits<double>::quiet_NaN()), "\"NaN\"");
-  EXPECT_EQ(number(-std::numeric_limits<double>::infinity()), "\"-Infinity\"");
+  EXPECT_EQ(formats::number(0.1), "0.1");
+  EXPECT_EQ(formats::number(1.0), "1");
+  EXPECT_EQ(formats::number(-0.0), "0");
+  EXPECT_EQ(formats::number(0x1p-1074), "5e-324");
+  EXPECT_EQ(formats::number(9007199254740991.0), "9007199254740991");       // 2^53 - 1
+  EXPECT_EQ(formats::number(9007199254740992.0), "9.007199254740992e+15");  // 2^53
+  EXPECT_EQ(formats::number(123456789012345680.0), "1.2345678901234568e+17");
+  EXPECT_EQ(formats::number(std::numeric_limits<double>::max()), "1.7976931348623157e+308");
+  EXPECT_EQ(formats::number(std::numeric_limits<double>::quiet_NaN()), "\"NaN\"");
+  EXPECT_EQ(formats::number(-std::numeric_limits<double>::infinity()), "\"-Infinity\"");
 }
 
 TEST(Numbers, ReadBackAsTheSameBinary64) {
-  const Location where{"here", 1};
+  const formats::Location where{"here", 1};
   for (const CommittedFile& file : committed_files()) {
     if (file.family->outside_domain) continue;
     for (std::uint64_t i = 0; i < 50; ++i) {
       const Query query = generate_query(file.pair, *file.family, file.scalar, 3, i);
-      const auto json = parse_object(query_line(query, file.scalar), where);
-      EXPECT_EQ(query_id(read_query(Node(json, where)).query), query_id(query)) << file.path() << " " << i;
+      const auto json = formats::parse_object(query_line(query, file.scalar), where);
+      EXPECT_EQ(query_id(read_query(formats::Node(json, where)).query), query_id(query)) << file.path() << " " << i;
     }
   }
 }
@@ -83,7 +84,7 @@ TEST(Reader, GivesBackWhatWasWritten) {
   header.family = "worked";
   header.count = 1;
   {
-    OutputFile file(path);
+    formats::OutputFile file(path);
     file.write(to_line(header) + "\n" + to_line(make_case(kWorkedSpheres, Scalar::binary64)) + "\n");
     file.commit();
   }
@@ -99,7 +100,7 @@ TEST(Reader, GivesBackWhatWasWritten) {
 TEST(OutputFile, LeavesNothingBehindWithoutCommit) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "contact_oracle_output_test";
   std::filesystem::create_directory(folder);
-  { OutputFile(folder / "x").write("half"); }
+  { formats::OutputFile(folder / "x").write("half"); }
   EXPECT_TRUE(std::filesystem::is_empty(folder));
   std::filesystem::remove(folder);
 }
@@ -107,13 +108,13 @@ TEST(OutputFile, LeavesNothingBehindWithoutCommit) {
 TEST(CheckCase, NamesTheFieldTheValueAndTheRightOne) {
   Case c = make_case(kWorkedSpheres, Scalar::binary64);
   const oracle::Truth truth = oracle::truth_of(kWorkedSpheres);
-  const Location where{"file.jsonl", 3};
+  const formats::Location where{"file.jsonl", 3};
   EXPECT_NO_THROW(check_case(c, Scalar::binary64, truth, where));
   c.expect.contact->point2[1] = 1.0000000000000002;
   try {
     check_case(c, Scalar::binary64, truth, where);
     FAIL();
-  } catch (const InputError& error) {
+  } catch (const formats::InputError& error) {
     EXPECT_STREQ(error.what(),
                  "file.jsonl:3: expect.point2[1]: the file says 1.0000000000000002, the exact answer rounds to 1");
   }

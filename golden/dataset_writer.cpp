@@ -1,8 +1,8 @@
 // Writing a dataset case by case, as JSON lines or as columns.
 #include "golden/dataset_writer.hpp"
 
+#include "formats/output_file.hpp"
 #include "golden/columns.hpp"
-#include "golden/output_file.hpp"
 
 namespace contact::golden {
 namespace {
@@ -21,7 +21,7 @@ class LinesWriter : public DatasetWriter {
   void commit() override { file_.commit(); }
 
  private:
-  OutputFile file_;
+  formats::OutputFile file_;
 };
 
 }  // namespace

@@ -7,12 +7,25 @@
 
 namespace contact::golden {
 
-std::span<const Family> families_of(Pair pair) { return pair == Pair::cube_cube ? cube_families() : sphere_families(); }
+std::span<const Family> families_of(Pair pair) {
+  return std::visit([](const auto& shapes) { return families_of(static_cast<decltype(&shapes)>(nullptr)); },
+                    description(pair).zeros());
+}
 
 const Family* find_family(Pair pair, std::string_view name) {
   const auto families = families_of(pair);
   const auto it = std::find_if(families.begin(), families.end(), [&](const Family& f) { return f.name == name; });
   return it == families.end() ? nullptr : &*it;
+}
+
+std::vector<HitsAlone> families_of_hits_alone() {
+  std::vector<HitsAlone> found;
+  for (const Pair pair : pairs_of_kinds())
+    for (const Family& f : families_of(pair))
+      if (!f.hits_alone.empty()) found.push_back({pair, f.name, f.hits_alone});
+  found.push_back(
+      {Pair::sphere_sphere, "hardest", "it is a list of the closest numbers known, and a miss has no number"});
+  return found;
 }
 
 Query generate_query(Pair pair, const Family& family, Scalar scalar, Random::Key key, std::uint64_t index) {
@@ -30,8 +43,7 @@ std::vector<CommittedFile> committed_files() {
   for (const Pair pair : kPairs)
     for (const Family& family : families_of(pair))
       for (const Scalar scalar : kScalars)
-        if (pair == Pair::sphere_sphere || pair == Pair::cube_cube || family.every_sphere_kind)
-          files.push_back({pair, scalar, &family});
+        if (pair == pairs_of_kinds()[kind_of(pair)] || family.every_pair) files.push_back({pair, scalar, &family});
   return files;
 }
 
@@ -57,16 +69,17 @@ void spoil(Query& query, Random& random) {
       break;
   }
   const double amount = random.between(1, 8);
-  if (Boxes* boxes = std::get_if<Boxes>(&query.shapes); boxes != nullptr && which < 12) {
-    Box& box = which < 6 ? boxes->a : boxes->b;
-    const auto axis = static_cast<Eigen::Index>(which % 3);
-    std::swap(box.min[axis], box.max[axis]);
-  } else if (which < 8) {
-    auto& balls = std::get<Balls>(query.shapes);
-    (which < 4 ? balls.a : balls.b).radius = -amount;
-  } else {
-    x = -amount;
-  }
+  std::visit(
+      [&]<class A, class B>(Two<A, B>& shapes) {
+        const int number = static_cast<int>(which);
+        if (number < kNumbersOf<A>)
+          ShapeDescription<A>::break_a_rule(shapes.a, number, amount);
+        else if (number < kNumbersOf<A> + kNumbersOf<B>)
+          ShapeDescription<B>::break_a_rule(shapes.b, number - kNumbersOf<A>, amount);
+        else
+          x = -amount;
+      },
+      query.shapes);
 }
 
 }  // namespace contact::golden

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "golden/random.hpp"
-#include "oracle/query.hpp"
+#include "oracle/truth/query.hpp"
 
 namespace contact::golden {
 
@@ -17,18 +17,29 @@ struct Family {
   std::string_view name;
   std::string_view reason;
   Query (*make)(Pair pair, Scalar scalar, Random& random);
-  bool spheres;                 ///< for sphere pairs, else for cubes
-  bool every_sphere_kind;       ///< committed for the two rigid kinds too, which share the mathematics
+  bool every_pair;              ///< committed for every pair of its two shapes, else for the first of them
   bool outside_domain = false;  ///< makes questions that must be refused
+  /// Why it makes nothing but hits. Empty where both answers occur, as they do wherever the family's meaning allows it.
+  std::string_view hits_alone = {};
 };
 
 /// The family that makes them. Its files hold such questions and no others, and are judged only when named.
 inline constexpr std::string_view kInvalidFamily = "invalid";
 
-[[nodiscard]] std::span<const Family> sphere_families();
-[[nodiscard]] std::span<const Family> cube_families();
+// The families of each kind of pairs, in files of its own; the pointer says which, and is nullptr.
+#define CONTACT_DECLARE(A, B) [[nodiscard]] std::span<const Family> families_of(const Two<A, B>* kind);
+CONTACT_KINDS(CONTACT_DECLARE)
+#undef CONTACT_DECLARE
 /// The families that make questions for a pair.
 [[nodiscard]] std::span<const Family> families_of(Pair pair);
+/// Families of hits alone: who always says hit is right about each of their decisions.
+struct HitsAlone {
+  Pair pair;  ///< the first of their two shapes
+  std::string_view family;
+  std::string_view why;
+};
+/// Those of the tables, and committed ones that no generator makes. No family is of misses alone.
+[[nodiscard]] std::vector<HitsAlone> families_of_hits_alone();
 /// The family of that name for a pair, or nullptr.
 [[nodiscard]] const Family* find_family(Pair pair, std::string_view name);
 

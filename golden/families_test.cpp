@@ -11,7 +11,8 @@
 #include "golden/flags.hpp"
 #include "golden/plain.hpp"
 #include "golden/query_id.hpp"
-#include "oracle/interval_oracle.hpp"
+#include "oracle/truth/exact_truth.hpp"
+#include "oracle/truth/interval_oracle.hpp"
 
 namespace contact::golden {
 namespace {
@@ -103,16 +104,82 @@ TEST(Families, GenericPairsHitInThirtyToSeventyPercent) {
   });
 }
 
-TEST(Families, TouchingSpheresTouchExactly) {
+TEST(Families, GiveBothAnswersOrSayWhyAllAreHits) {
+  constexpr std::uint64_t kQuestions = 500;
+  constexpr std::uint64_t kLeastPercent = 15;
+  const auto hits_alone = families_of_hits_alone();
+  for (const Pair pair : kPairs)
+    for (const Family& family : families_of(pair))
+      for (const Scalar scalar : kScalars) {
+        if (family.outside_domain) continue;
+        SCOPED_TRACE(std::string(name(pair)) + " " + std::string(family.name) + " " + std::string(name(scalar)));
+        std::uint64_t hits = 0;
+        for (std::uint64_t i = 0; i < kQuestions; ++i)
+          hits += oracle::truth_of(generate_query(pair, family, scalar, 5, i)).hit() ? 1 : 0;
+        if (std::any_of(hits_alone.begin(), hits_alone.end(), [&](const HitsAlone& listed) {
+              return kind_of(listed.pair) == kind_of(pair) && listed.family == family.name;
+            })) {
+          EXPECT_EQ(hits, kQuestions) << "it has misses: take its reason out of the table";
+        } else {
+          EXPECT_GE(hits * 100, kQuestions * kLeastPercent);
+          EXPECT_GE((kQuestions - hits) * 100, kQuestions * kLeastPercent);
+        }
+      }
+}
+
+TEST(Families, TouchingShapesTouchExactlyButForSomeThatAreOneUlpApart) {
   for_each_file("touching", [](const CommittedFile& file) {
     const auto exactly = count_if(file, [](const Query& q, const oracle::Truth& t) {
-      return q.distances.alarm == 0 && t.at_alarm == CGAL::ZERO;
+      return q.distances.alarm == 0 && t.at_alarm == oracle::Side::at;
     });
     // Of the boxes a third is one ulp inside on one axis (still touching where others touch), a third one ulp apart.
     if (file.pair == Pair::cube_cube)
       EXPECT_GE(exactly, kCommittedCount / 2) << title(file);
     else
-      EXPECT_EQ(exactly, kCommittedCount) << title(file);
+      EXPECT_EQ(exactly, kCommittedCount * 4 / 5) << title(file);
+  });
+}
+
+/// Whether a question that misses would hit if one of its numbers were the next of the scalar, up or down.
+bool is_one_step_from_a_hit(const Query& query, Scalar scalar) {
+  bool found = false;
+  for (int which = 0; which < 10; ++which)
+    for (const double end : {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}) {
+      Query moved = query;
+      int place = 0;
+      for_each_number(moved, [&](const std::string&, double& x) {
+        if (place++ == which)
+          x = scalar == Scalar::binary32
+                  ? static_cast<double>(std::nextafter(static_cast<float>(x), static_cast<float>(end)))
+                  : std::nextafter(x, end);
+      });
+      found = found || (!outside_domain(moved) && oracle::truth_of(moved).hit());
+    }
+  return found;
+}
+
+TEST(Families, AboutContactsMissByOneStep) {
+  for (const std::string_view family : {"touching", "contact_edge", "near_coincident", "hard_to_round"})
+    for_each_file(family, [](const CommittedFile& file) {
+      if (file.pair == Pair::cube_cube) return;
+      const auto misses = count_if(file, [&](const Query& q, const oracle::Truth& t) {
+        if (!t.hit()) {
+          EXPECT_TRUE(is_one_step_from_a_hit(q, file.scalar)) << title(file) << "\n" << query_line(q, file.scalar);
+        }
+        return !t.hit();
+      });
+      EXPECT_EQ(misses, kCommittedCount / 5) << title(file);
+    });
+}
+
+TEST(Families, SeparatedBoxesAreFarFromEveryEdgeOnBothSides) {
+  for_each_file("separated", [](const CommittedFile& file) {
+    const auto hits = count_if(file, [&](const Query&, const oracle::Truth& t) {
+      EXPECT_EQ(t.at_zero, oracle::Side::beyond) << title(file);
+      EXPECT_GE(CGAL::abs(t.gaps()->widest_gap() - t.gaps()->alarm()), oracle::Rational(0.5)) << title(file);
+      return t.hit();
+    });
+    EXPECT_EQ(hits, kCommittedCount * 2 / 5) << title(file);
   });
 }
 
@@ -122,7 +189,7 @@ TEST(Families, NearTouchingStaysWithinAFewUlpsOnBothSides) {
     for (std::uint64_t i = 0; i < kCommittedCount; ++i) {
       const oracle::Truth t = oracle::truth_of(generate_query(file.pair, *file.family, file.scalar, kCommittedSeed, i));
       EXPECT_LE(std::abs(oracle::witness(t, file.scalar).margin_ulps), 8) << title(file) << " " << i;
-      ++sides[t.at_alarm];
+      ++sides[static_cast<int>(t.at_alarm)];
     }
     EXPECT_GE(sides[-1], 30);
     EXPECT_GE(sides[1], 30);
@@ -135,7 +202,7 @@ TEST(Families, AlarmEdgesLieAtAlarmDistancesAboveZero) {
     for (std::uint64_t i = 0; i < kCommittedCount; ++i) {
       const Query q = generate_query(file.pair, *file.family, file.scalar, kCommittedSeed, i);
       EXPECT_GT(q.distances.alarm, 0);
-      ++sides[oracle::truth_of(q).at_alarm];
+      ++sides[static_cast<int>(oracle::truth_of(q).at_alarm)];
     }
     for (const int side : {-1, 0, 1}) EXPECT_GE(sides[side], 15) << title(file) << " side " << side;
   });
@@ -146,8 +213,7 @@ TEST(Families, ContactEdgesHoldExactZerosAndBothSigns) {
     std::map<int, int> signs;
     for (std::uint64_t i = 0; i < kCommittedCount; ++i) {
       const oracle::Truth t = oracle::truth_of(generate_query(file.pair, *file.family, file.scalar, kCommittedSeed, i));
-      EXPECT_TRUE(t.hit()) << title(file) << " " << i;
-      ++signs[t.spheres->value(true).sign()];
+      if (t.hit()) ++signs[t.distance()->value(true).sign()];
     }
     for (const int sign : {-1, 0, 1}) EXPECT_GE(signs[sign], 30) << title(file) << " sign " << sign;
   });
@@ -155,11 +221,10 @@ TEST(Families, ContactEdgesHoldExactZerosAndBothSigns) {
 
 TEST(Families, CoincidentCentresCoincideAndNearOnesDoNot) {
   for_each_file("coincident", [](const CommittedFile& file) {
-    EXPECT_EQ(count_if(file, [](const Query&, const oracle::Truth& t) { return t.spheres->degenerate(); }),
-              kCommittedCount);
+    EXPECT_EQ(count_if(file, [](const Query&, const oracle::Truth& t) { return t.degenerate(); }), kCommittedCount);
   });
   for_each_file("near_coincident", [](const CommittedFile& file) {
-    EXPECT_GE(count_if(file, [](const Query&, const oracle::Truth& t) { return !t.spheres->degenerate(); }),
+    EXPECT_GE(count_if(file, [](const Query&, const oracle::Truth& t) { return !t.degenerate(); }),
               kCommittedCount * 95 / 100);
   });
 }
@@ -252,7 +317,8 @@ TEST(Families, HardToRoundHoldsEveryClassAsCloseAsItsConstructionSays) {
     for (std::uint64_t i = 0; i < kCommittedCount; ++i) {
       const Query q = generate_query(file.pair, *file.family, file.scalar, kCommittedSeed, i);
       const oracle::Truth t = oracle::truth_of(q);
-      ASSERT_TRUE(t.hit()) << title(file) << " " << i;
+      ASSERT_EQ(t.hit(), i % 5 != 3) << title(file) << " " << i;
+      if (!t.hit()) continue;  // one of each class in five
       const auto within = [&](std::string_view field, int exponent) {
         return closeness(field, t, file.scalar).value_or(0) < exponent;
       };
@@ -288,7 +354,7 @@ TEST(Families, HardToRoundHoldsEveryClassAsCloseAsItsConstructionSays) {
       }
     }
     EXPECT_EQ(classes.size(), 2U + 3 + 6 + 3) << title(file);
-    for (const auto& [name, count] : classes) EXPECT_GE(count, 10) << title(file) << " " << name;
+    for (const auto& [name, count] : classes) EXPECT_GE(count, 8) << title(file) << " " << name;
   });
 }
 
@@ -297,7 +363,8 @@ TEST(Families, TiesOfHardToRoundHaveEvenNeighboursAboveAndBelow) {
     std::map<std::pair<bool, bool>, int> seen;  // a point or the value; rounded up or down
     for (std::uint64_t i = 0; i < kCommittedCount; ++i) {
       const oracle::Truth t = oracle::truth_of(generate_query(file.pair, *file.family, file.scalar, kCommittedSeed, i));
-      for (const auto& [field, number] : oracle::numbers(*t.spheres)) {
+      if (!t.hit()) continue;
+      for (const auto& [field, number] : oracle::numbers(*t.distance())) {
         const oracle::Boundary boundary = oracle::nearest_boundary(number, file.scalar);
         if (number.compare(boundary.at) != CGAL::EQUAL) continue;
         EXPECT_NE(field, "normal") << "which is never a tie";

@@ -6,14 +6,15 @@
 #include <cmath>
 
 #include "golden/plain.hpp"
+#include "oracle/truth/exact_truth.hpp"
 
 namespace contact::golden {
 namespace {
 
+using oracle::DistanceTruth;
 using oracle::Exact;
 using oracle::power_of_two;
 using oracle::Rational;
-using oracle::SphereTruth;
 using oracle::Truth;
 
 constexpr int kNearUlps = 8;        // "near" a boundary: within this many ulps of it
@@ -25,7 +26,7 @@ bool is_near_zero(const Exact& x, const Exact& scale, Scalar scalar) {
   return oracle::is_within(Rational(0), x, Rational(kNearUlps) * oracle::ulp(scale, scalar));
 }
 
-Rational largest_gap(const Truth& truth) { return truth.cubes->widest_gap(); }
+const Rational& largest_gap(const Truth& truth) { return truth.gaps()->widest_gap(); }
 
 Rational largest_coordinate(const Query& query) {
   Rational largest(0);
@@ -39,11 +40,11 @@ Rational smallest_normal(Scalar scalar) { return power_of_two(format_of(scalar).
 Rational first_beyond(Scalar scalar) { return power_of_two(format_of(scalar).max_exponent + 1); }
 
 bool near_boundary(const Query& query, const Truth& truth, Scalar scalar) {
-  if (truth.at_alarm == CGAL::ZERO) return false;
-  if (truth.spheres) return oracle::is_within(Rational(0), truth.spheres->margin(scalar), Rational(kNearUlps));
-  const Rational off = largest_gap(truth) - truth.cubes->alarm();
+  if (truth.at_alarm == oracle::Side::at) return false;
+  if (truth.has_numbers()) return oracle::is_within(Rational(0), truth.distance()->margin(scalar), Rational(kNearUlps));
+  const Rational off = largest_gap(truth) - truth.gaps()->alarm();
   return CGAL::abs(off) <=
-         Rational(kNearUlps) * oracle::ulp(std::max(largest_coordinate(query), truth.cubes->alarm()), scalar);
+         Rational(kNearUlps) * oracle::ulp(std::max(largest_coordinate(query), truth.gaps()->alarm()), scalar);
 }
 
 bool contained(const Box& inner, const Box& outer) {
@@ -58,15 +59,15 @@ bool has_subnormal(const Query& query, Scalar scalar) {
 }
 
 bool result_overflows(const Truth& truth, Scalar scalar) {
-  if (!truth.spheres || !truth.hit()) return false;
+  if (!truth.has_numbers() || !truth.hit()) return false;
   const Contact contact = *oracle::expectation(truth, scalar).contact;
   return !std::isfinite(contact.value) || !contact.point1.allFinite() || !contact.point2.allFinite();
 }
 
 template <class Predicate>
 bool any_number(const Truth& truth, Scalar scalar, Predicate predicate) {
-  if (!truth.spheres || !truth.hit()) return false;
-  const auto all = oracle::numbers(*truth.spheres);
+  if (!truth.has_numbers() || !truth.hit()) return false;
+  const auto all = oracle::numbers(*truth.distance());
   return std::any_of(all.begin(), all.end(), [&](const auto& each) {
     return predicate(each.number, oracle::nearest_boundary(each.number, scalar));
   });
@@ -87,10 +88,12 @@ bool any_delta(const Query& query, auto&& predicate) {
 
 const std::array kFlags{
     Flag{"Touching", "exactly touching, alarm distance 0", "strict comparisons; a rounded square root beside the radii",
-         [](const Query& q, const Truth& t, Scalar) { return q.distances.alarm == 0 && t.at_alarm == CGAL::ZERO; }},
-    Flag{"AlarmEdge", "exactly at an alarm distance above 0",
-         "the margin added twice, not at all, or compared strictly",
-         [](const Query& q, const Truth& t, Scalar) { return q.distances.alarm > 0 && t.at_alarm == CGAL::ZERO; }},
+         [](const Query& q, const Truth& t, Scalar) {
+           return q.distances.alarm == 0 && t.at_alarm == oracle::Side::at;
+         }},
+    Flag{
+        "AlarmEdge", "exactly at an alarm distance above 0", "the margin added twice, not at all, or compared strictly",
+        [](const Query& q, const Truth& t, Scalar) { return q.distances.alarm > 0 && t.at_alarm == oracle::Side::at; }},
     Flag{"NearBoundary", "up to 8 ulps from the decision's boundary, not on it",
          "squared comparisons in plain arithmetic; absolute tolerances; single precision inside", near_boundary},
     Flag{"PlainWrong", "plain arithmetic in the file's scalar decides wrongly",
@@ -99,23 +102,23 @@ const std::array kFlags{
     Flag{"ContactEdge", "value within 8 ulps of its scale of zero",
          "the sign of value; cancellation in distance - radii - contact",
          [](const Query& q, const Truth& t, Scalar s) {
-           return t.spheres && t.hit() && (q.distances.contact > 0 || t.at_alarm != CGAL::ZERO) &&
-                  is_near_zero(t.spheres->value(true), t.spheres->value_scale(), s);
+           return t.has_numbers() && t.hit() && (q.distances.contact > 0 || t.at_alarm != oracle::Side::at) &&
+                  is_near_zero(t.distance()->value(true), t.distance()->value_scale(), s);
          }},
     Flag{"Coincident", "one centre for both spheres", "0/0 for the normal, points that are not finite",
-         [](const Query&, const Truth& t, Scalar) { return t.spheres && t.spheres->degenerate(); }},
+         [](const Query&, const Truth& t, Scalar) { return t.degenerate(); }},
     Flag{"NearlyCoincident", "centres apart by less than a 2^20th of the radii, or by subnormal numbers",
          "an absolute epsilon below which the normal becomes a fixed axis; squares that underflow",
-         [](const Query& q, const Truth& t, Scalar s) {
-           if (!t.spheres || t.spheres->degenerate()) return false;
-           const Rational radii = Rational(q.balls()->a.radius) + Rational(q.balls()->b.radius);
-           return t.spheres->distance2() < square(radii * power_of_two(-20)) ||
-                  t.spheres->distance2() < square(smallest_normal(s));
+         [](const Query&, const Truth& t, Scalar s) {
+           if (!t.has_numbers() || t.degenerate()) return false;
+           return t.distance()->distance2() < square(t.distance()->radii() * power_of_two(-20)) ||
+                  t.distance()->distance2() < square(smallest_normal(s));
          }},
     Flag{"Containment", "one shape lies inside the other", "depth from the wrong side; boundaries taken for solids",
          [](const Query& q, const Truth& t, Scalar) {
            if (const Boxes* b = q.boxes()) return contained(b->a, b->b) || contained(b->b, b->a);
-           return t.spheres->distance2() <= square(Rational(q.balls()->a.radius) - Rational(q.balls()->b.radius));
+           if (q.balls() == nullptr) return false;
+           return t.distance()->distance2() <= square(Rational(q.balls()->a.radius) - Rational(q.balls()->b.radius));
          }},
     Flag{"ZeroRadius", "a sphere without extent", "divisions by a radius; strict overlap tests",
          [](const Query& q, const Truth&, Scalar) {
@@ -136,15 +139,18 @@ const std::array kFlags{
     Flag{"FarFromOrigin", "coordinates 2^8 times the reach (of a box: its distances) and more",
          "coordinates stored in a smaller format; tolerances that grow with the coordinates",
          [](const Query& q, const Truth& t, Scalar) {
-           if (t.spheres)
-             return largest_coordinate(q) >= power_of_two(8) * t.spheres->reach() && !CGAL::is_zero(t.spheres->reach());
-           return largest_coordinate(q) >= power_of_two(8) * (CGAL::abs(largest_gap(t)) + t.cubes->alarm()) &&
-                  !CGAL::is_zero(largest_coordinate(q)) && !CGAL::is_zero(CGAL::abs(largest_gap(t)) + t.cubes->alarm());
+           if (t.has_numbers())
+             return largest_coordinate(q) >= power_of_two(8) * t.distance()->reach() &&
+                    !CGAL::is_zero(t.distance()->reach());
+           return largest_coordinate(q) >= power_of_two(8) * (CGAL::abs(largest_gap(t)) + t.gaps()->alarm()) &&
+                  !CGAL::is_zero(largest_coordinate(q)) &&
+                  !CGAL::is_zero(CGAL::abs(largest_gap(t)) + t.gaps()->alarm());
          }},
     Flag{"SquareOverflow", "a squared length exceeds the scalar's range",
          "infinite or NaN where the answer is finite; hits from inf <= inf",
          [](const Query&, const Truth& t, Scalar s) {
-           return t.spheres && std::max(t.spheres->distance2(), square(t.spheres->reach())) >= first_beyond(s);
+           return t.has_numbers() &&
+                  std::max(t.distance()->distance2(), square(t.distance()->reach())) >= first_beyond(s);
          }},
     Flag{"SquareUnderflow", "the square of a difference that is not zero falls below the normal range",
          "a distance of zero between spheres that are apart; normals of the wrong length",
@@ -154,11 +160,12 @@ const std::array kFlags{
     Flag{"ReachOverflow", "alarm + r1 + r2, or max + alarm, exceeds the largest finite number",
          "an infinite reach that hits everything",
          [](const Query& q, const Truth& t, Scalar s) {
-           if (t.spheres) return t.spheres->reach() >= first_beyond(s);
+           if (t.has_numbers()) return t.distance()->reach() >= first_beyond(s);
+           if (q.boxes() == nullptr) return false;
            Rational largest(0);
            for (int axis = 0; axis < 3; ++axis)
              largest = std::max({largest, Rational(q.boxes()->a.max[axis]), Rational(q.boxes()->b.max[axis])});
-           return largest + t.cubes->alarm() >= first_beyond(s);
+           return largest + t.gaps()->alarm() >= first_beyond(s);
          }},
     Flag{"ResultOverflow", "a number of the answer rounds to infinity", "NaN from inf - inf",
          [](const Query&, const Truth& t, Scalar s) { return result_overflows(t, s); }},

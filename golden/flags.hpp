@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "oracle/query.hpp"
-#include "oracle/truth.hpp"
+#include "oracle/truth/query.hpp"
+#include "oracle/truth/truth.hpp"
 
 namespace contact::golden {
 

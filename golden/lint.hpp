@@ -6,13 +6,14 @@
 #include <functional>
 
 #include "golden/dataset.hpp"
-#include "oracle/truth.hpp"
+#include "oracle/truth/truth.hpp"
 
 namespace contact::golden {
 
 /// The case whose number of a field lies closest to a boundary of its rounding, ties apart; the first of several.
 struct Closest {
-  oracle::FieldDistance distance;
+  std::string_view field;
+  int log2 = 0;  ///< of its distance from there in ulps, rounded down
   std::string id;
 };
 
@@ -29,9 +30,9 @@ struct LintedFile {
 /// Refuses what the reader read last unless its text is `expected`, the canonical one.
 void check_canonical(const DatasetReader& reader, const std::string& expected);
 
-/// Checks one dataset; throws InputError at the first thing that is wrong. `generated` allows a file that its family's
-/// generator made to repeat a question. `after_case` is called after each case: it shows progress, and
-/// throws to end the work.
+/// Checks one dataset; throws formats::InputError at the first thing that is wrong. `generated` allows a file that its
+/// family's generator made to repeat a question. `after_case` is called after each case: it shows progress, and throws
+/// to end the work.
 [[nodiscard]] LintedFile lint(const std::filesystem::path& path, bool generated,
                               const std::function<void()>& after_case);
 

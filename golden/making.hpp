@@ -4,8 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/cube_cube.hpp"
-#include "contact/sphere_sphere.hpp"
+#include "contact/pair_functions.hpp"
 #include "golden/families.hpp"
 #include "golden/plain.hpp"
 
@@ -21,9 +20,7 @@ Real ulps_away(Real x, int ulps) {
 
 /// Whether plain arithmetic decides a question wrongly; the exact decision is production's.
 inline bool fools_plain(const Query& query, Scalar scalar) {
-  const double alarm = query.distances.alarm;
-  const bool hit = query.balls() != nullptr ? test_sphere_sphere(query.balls()->a, query.balls()->b, alarm)
-                                            : test_cube_cube(query.boxes()->a, query.boxes()->b, alarm);
+  const bool hit = std::visit([&](const auto& shapes) { return is_hit(shapes, query.distances); }, query.shapes);
   return plain_overlap(query, scalar) != hit;
 }
 

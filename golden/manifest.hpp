@@ -48,7 +48,7 @@ struct Recorded {
 void record_digests(const std::filesystem::path& folder, const std::string& path, const Digests& digests);
 
 /// Compares the manifest of a folder with what was found there: the same files, each entry the same to the byte. Throws
-/// InputError naming what differs.
+/// formats::InputError naming what differs.
 void check_manifest(const std::filesystem::path& folder, const std::vector<ManifestEntry>& found);
 
 }  // namespace contact::golden

@@ -3,22 +3,24 @@
 
 #include <optional>
 
-#include "contact/cube_cube.hpp"
-#include "contact/sphere_sphere.hpp"
+#include "contact/pair_functions.hpp"
 #include "golden/answer_bytes.hpp"
 
 namespace contact::golden {
 
 bool production_answers(const CommittedFile& stream) {
-  return stream.scalar == Scalar::binary64 || stream.pair == Pair::cube_cube || stream.family->outside_domain;
+  return stream.scalar == Scalar::binary64 || !has_numbers(stream.pair) || stream.family->outside_domain;
 }
 
 std::string production_bytes(const Query& query) {
   if (const auto error = outside_domain(query)) return digest_bytes(*error);
-  if (const Boxes* boxes = query.boxes())
-    return digest_bytes(Expectation{test_cube_cube(boxes->a, boxes->b, query.distances.alarm), std::nullopt});
-  const auto contact = compute_sphere_sphere(query.balls()->a, query.balls()->b, query.distances);
-  return digest_bytes(Expectation{contact.has_value(), contact});
+  return std::visit(
+      [&](const auto& shapes) {
+        if (!query.has_numbers()) return digest_bytes(Expectation{is_hit(shapes, query.distances), std::nullopt});
+        const auto contact = contact_of(shapes, query.distances);
+        return digest_bytes(Expectation{contact.has_value(), contact});
+      },
+      query.shapes);
 }
 
 }  // namespace contact::golden

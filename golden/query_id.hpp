@@ -1,31 +1,14 @@
-// The identity of a question and of a file: SHA-256.
+// The identity of a question: the beginning of a SHA-256.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <string_view>
 
-#include "oracle/query.hpp"
+#include "oracle/truth/query.hpp"
 
 namespace contact::golden {
-
-/// SHA-256 over pieces of text, as they come.
-class Sha256 {
- public:
-  Sha256();
-  Sha256& add(std::string_view bytes);
-  [[nodiscard]] std::array<std::uint8_t, 32> digest() const;
-  [[nodiscard]] std::string hex() const;
-
- private:
-  struct Free {
-    void operator()(void* context) const;
-  };
-  std::unique_ptr<void, Free> context_;
-};
 
 /// The first 24 hexadecimal digits of SHA-256 over the pair's name in ASCII, one zero byte, and every number as
 /// big-endian binary64 in the canonical order.

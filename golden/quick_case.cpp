@@ -74,23 +74,20 @@ std::optional<std::size_t> read_object(Result<value> node, std::span<const std::
   return read_members(object, keys, member);
 }
 
-constexpr std::array<std::string_view, 2> kBallKeys{"center", "radius"};
-constexpr std::array<std::string_view, 2> kBoxKeys{"min", "max"};
 constexpr std::array<std::string_view, 6> kExpectKeys{"hit", "degenerate", "normal", "point1", "point2", "value"};
 constexpr std::array<std::string_view, 3> kSphereWitnessKeys{"distance2", "reach", "margin_ulps"};
 constexpr std::array<std::string_view, 1> kCubeWitnessKeys{"gap"};
 constexpr std::array<std::string_view, 8> kCaseKeys{"id", "a", "b", "alarm", "contact", "flags", "expect", "exact"};
 
-bool read(Result<value> node, Ball& ball) {
-  return read_object(node, kBallKeys, [&](std::size_t key, Result<value> x) {
-           return key == 0 ? read(x, ball.center) : read(x, ball.radius);
-         }) == kBallKeys.size();
-}
-
-bool read(Result<value> node, Box& box) {
-  return read_object(node, kBoxKeys, [&](std::size_t key, Result<value> x) {
-           return read(x, key == 0 ? box.min : box.max);
-         }) == kBoxKeys.size();
+template <DescribedShape Shape>
+bool read(Result<value> node, Shape& shape) {
+  return read_object(node, kFieldNames<Shape>, [&](std::size_t key, Result<value> x) {
+           bool done = false;
+           for_each_field(shape, [&](const auto& field, auto& to) {
+             if (field.name == kFieldNames<Shape>[key]) done = read(x, to);
+           });
+           return done;
+         }) == kFieldNames<Shape>.size();
 }
 
 bool read(Result<value> node, Expectation& expect, Pair pair) {
@@ -111,23 +108,17 @@ bool read(Result<value> node, Expectation& expect, Pair pair) {
         return read(x, contact.value);
     }
   });
-  if (!expect.hit || pair == Pair::cube_cube) return keys == 1;
+  if (!expect.hit || !has_numbers(pair)) return keys == 1;
   expect.contact = contact;
   return keys == kExpectKeys.size();
 }
 
 bool read(Result<value> node, oracle::Witness& exact, Pair pair) {
-  if (pair == Pair::cube_cube)
+  if (!has_numbers(pair))
     return read_object(node, kCubeWitnessKeys, [&](std::size_t, Result<value> x) { return read(x, exact.gap); }) == 1;
   return read_object(node, kSphereWitnessKeys, [&](std::size_t key, Result<value> x) {
            return key == 2 ? read(x, exact.margin_ulps) : read(x, key == 0 ? exact.distance2 : exact.reach);
          }) == kSphereWitnessKeys.size();
-}
-
-template <class Shapes>
-bool read_shape(Result<value> node, Case& c, bool first) {
-  auto& shapes = std::get<Shapes>(c.query.shapes);
-  return read(node, first ? shapes.a : shapes.b);
 }
 
 }  // namespace
@@ -143,18 +134,16 @@ std::optional<Case> quick_case(std::string& line, const DatasetHeader& header) {
   simdjson::ondemand::object object;
   if (document.get_object().get(object) != simdjson::SUCCESS) return std::nullopt;
 
-  const bool boxes = header.pair == Pair::cube_cube;
-  const Vector3 zero = Vector3::Zero();
-  std::optional<Case> found(Case{{}, {header.pair, Balls{{zero, 0}, {zero, 0}}, {0, 0}}, {}, {}, std::nullopt, {}});
+  std::optional<Case> found(Case{{}, zero_query(header.pair), {}, {}, std::nullopt, {}});
   Case& c = *found;
-  if (boxes) c.query.shapes = Boxes{{zero, zero}, {zero, zero}};
   const auto keys = read_members(object, kCaseKeys, [&](std::size_t key, Result<value> x) {
     switch (key) {
       case 0:
         return read(x, c.id);
       case 1:
       case 2:
-        return boxes ? read_shape<Boxes>(x, c, key == 1) : read_shape<Balls>(x, c, key == 1);
+        return std::visit([&](auto& shapes) { return key == 1 ? read(x, shapes.a) : read(x, shapes.b); },
+                          c.query.shapes);
       case 3:
         return read(x, c.query.distances.alarm);
       case 4:

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <random>
 
 namespace contact::golden {
@@ -14,10 +15,10 @@ std::filesystem::path golden() { return std::filesystem::path(CONTACT_SOURCE_DIR
 /// What the careful reader makes of a line, written canonically; nothing where it refuses.
 std::optional<std::string> carefully(const std::string& line, const DatasetHeader& header) {
   try {
-    const Location where{"case", 0};
-    const auto json = parse_object(line, where);
-    return to_line(read_case(Node(json, where), header));
-  } catch (const InputError&) {
+    const formats::Location where{"case", 0};
+    const auto json = formats::parse_object(line, where);
+    return to_line(read_case(formats::Node(json, where), header));
+  } catch (const formats::InputError&) {
     return std::nullopt;
   }
 }
@@ -67,10 +68,13 @@ TEST(QuickCase, reads_nearly_every_committed_line_as_the_careful_reader_does) {
 }
 
 TEST(QuickCase, leaves_the_family_invalid_to_the_careful_reader) {
+  std::size_t left = 0;
   for (const File& file : files()) {
     if (file.header.family != "invalid") continue;
     for (const std::string& line : file.lines) EXPECT_EQ(quickly(line, file.header), std::nullopt);
+    left += file.lines.size();
   }
+  EXPECT_GT(left, 500U);
 }
 
 const std::string kLine =

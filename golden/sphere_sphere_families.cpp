@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
+#include "contact/sphere_sphere.hpp"
 #include "golden/making.hpp"
 
 namespace contact::golden {
@@ -43,6 +45,41 @@ struct Spheres {
       *x = std::ldexp(*x, exponent);
   }
 };
+
+/// Cuts the alarm distance and the radii, one after another, until the spheres just miss each other: the last one cut
+/// is the greatest length that leaves them apart. Spheres of one centre, and those that miss already, stay as they are.
+template <class Real>
+void just_miss(Spheres<Real>& s, Random& random) {
+  using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+  const auto hit = [&] {
+    const Query query = s.query(Pair::sphere_sphere);
+    return test_sphere_sphere(query.balls()->a, query.balls()->b, query.distances.alarm);
+  };
+  std::array lengths{&s.alarm, &s.r1, &s.r2};
+  if (random.chance(2)) std::swap(lengths[1], lengths[2]);
+  if (s.c1 == s.c2 || !hit()) return;
+  for (Real* length : lengths) {
+    auto hits = std::bit_cast<Bits>(std::exchange(*length, Real{0}));
+    if (hit()) continue;
+    for (Bits misses = 0; hits - misses > 1;) {  // numbers from 0 on are in the order of their bits
+      const Bits middle = misses + (hits - misses) / 2;
+      *length = std::bit_cast<Real>(middle);
+      (hit() ? hits : misses) = middle;
+    }
+    *length = std::bit_cast<Real>(hits - 1);
+    return;
+  }
+}
+
+/// One question in five of a family about contacts misses, so that nobody is right who always says hit: that one of
+/// five. Classes take turns by other primes, so each of them has its misses.
+constexpr int kMissing = 3;
+
+template <class Real>
+Spheres<Real> or_just_missed(Spheres<Real> s, Random& random) {
+  if (random.turn(5) == kMissing) just_miss(s, random);
+  return s;
+}
 
 template <class Real>
 std::array<Real, 3> triple(Random& random, Real low, Real high) {
@@ -134,7 +171,11 @@ Spheres<Real> touching(Random& random) {
   const auto make = [&] { return exactly_touching<Real>(random); };
   Spheres<Real> s = random.turn(2) == 0 ? make() : searched<Spheres, Real>(random, Pair::sphere_sphere, make);
   s.scale(random.between(-40, 40));
-  return s;
+  if (random.turn(5) == kMissing && random.chance(2)) {  // a coordinate one ulp farther, else a radius one ulp shorter
+    const std::size_t axis = random.index(3);
+    s.c2[axis] = ulps_away(s.c2[axis], s.c2[axis] < s.c1[axis] ? -1 : 1);
+  }
+  return or_just_missed(s, random);
 }
 
 /// A radius or a distance: not below 0, whatever the steps beside it did.
@@ -185,7 +226,7 @@ Spheres<Real> alarm_edge(Random& random) {
 }
 
 template <class Real>
-Spheres<Real> contact_edge(Random& random) {
+Spheres<Real> on_contact_edge(Random& random) {
   if (random.turn(4) == 0) {  // value exactly 0 at a contact distance other than 0
     auto [s, total] = exact_distance<Real>(random);
     const std::int64_t first = random.between<std::int64_t>(0, total / 2);
@@ -206,6 +247,11 @@ Spheres<Real> contact_edge(Random& random) {
 }
 
 template <class Real>
+Spheres<Real> contact_edge(Random& random) {
+  return or_just_missed(on_contact_edge<Real>(random), random);
+}
+
+template <class Real>
 Spheres<Real> coincident(Random& random) {
   Spheres<Real> s = ordinary<Real>(random);
   if (random.turn(8) == 0) s.r1 = 0;
@@ -219,7 +265,7 @@ Spheres<Real> coincident(Random& random) {
 }
 
 template <class Real>
-Spheres<Real> near_coincident(Random& random) {
+Spheres<Real> beside_each_other(Random& random) {
   Spheres<Real> s = ordinary<Real>(random);
   constexpr Real kTiny = std::numeric_limits<Real>::denorm_min();
   switch (random.turn(3)) {
@@ -242,6 +288,11 @@ Spheres<Real> near_coincident(Random& random) {
         s.c2[i] = random.with_sign(random.magnitude<Real>(std::numeric_limits<Real>::min_exponent - 10, -20));
   }
   return s;
+}
+
+template <class Real>
+Spheres<Real> near_coincident(Random& random) {
+  return or_just_missed(beside_each_other<Real>(random), random);
 }
 
 template <class Real>
@@ -632,46 +683,52 @@ Spheres<Real> hard_to_round(Random& random) {
     std::swap(s.r1, s.r2);
   }
   turn_about(s, random);
-  return s;
+  return or_just_missed(s, random);
 }
 
 constexpr std::array kFamilies{
     Family{"generic", "ordinary numbers with full significands: the bulk of what an engine meets",
-           made<ordinary<double>, ordinary<float>>, true, true},
+           made<ordinary<double>, ordinary<float>>, true},
     Family{"touching",
-           "exactly touching, by Pythagorean quadruples: closed or open; half searched for squares that round apart",
-           made<touching<double>, touching<float>>, true, true},
+           "exactly touching, by Pythagorean quadruples: closed or open; half searched for squares that round apart; "
+           "a fifth one ulp apart",
+           made<touching<double>, touching<float>>, true},
     Family{"near_touching", "up to 4 ulps from touching, searched for wrong decisions of plain arithmetic",
-           made<near_touching<double>, near_touching<float>>, true, false},
+           made<near_touching<double>, near_touching<float>>, false},
     Family{"alarm_edge",
            "exactly at the alarm distance and up to 4 ulps beside it; radii, alarm and contact all differ",
-           made<alarm_edge<double>, alarm_edge<float>>, true, true},
-    Family{"contact_edge", "the value changes sign: exactly zero, or what is left after cancellation",
-           made<contact_edge<double>, contact_edge<float>>, true, false},
+           made<alarm_edge<double>, alarm_edge<float>>, true},
+    Family{"contact_edge",
+           "the value changes sign: exactly zero, or what is left after cancellation; a fifth just "
+           "beyond the alarm distance",
+           made<contact_edge<double>, contact_edge<float>>, false},
     Family{"coincident", "one centre for both: no direction, 0/0 in plain arithmetic",
-           made<coincident<double>, coincident<float>>, true, true},
-    Family{"near_coincident", "centres a few ulps or a subnormal number apart: the direction is all that is left",
-           made<near_coincident<double>, near_coincident<float>>, true, false},
+           made<coincident<double>, coincident<float>>, true, false, "a distance of 0 is within every reach"},
+    Family{
+        "near_coincident",
+        "centres a few ulps or a subnormal number apart: the direction is all that is left; a fifth too small to touch",
+        made<near_coincident<double>, near_coincident<float>>, false},
     Family{"containment", "one sphere inside the other, touching from inside included",
-           made<containment<double>, containment<float>>, true, false},
+           made<containment<double>, containment<float>>, false, false, "a sphere and what is inside it overlap"},
     Family{"zero_radius", "points: on a surface, beside it, and two of them at the alarm distance",
-           made<zero_radius<double>, zero_radius<float>>, true, false},
+           made<zero_radius<double>, zero_radius<float>>, false},
     Family{"far_from_origin", "small distances between large coordinates: cancellation in delta, coarse contact points",
-           made<far_from_origin<double>, far_from_origin<float>>, true, false},
+           made<far_from_origin<double>, far_from_origin<float>>, false},
     Family{"extreme_scale",
            "squares that overflow or underflow, mixed magnitudes, subnormal and the largest finite numbers",
-           made<extreme_scale<double>, extreme_scale<float>>, true, false},
+           made<extreme_scale<double>, extreme_scale<float>>, false},
     Family{"one_axis", "two components of the difference are zero: every axis and direction, zeros must be zeros",
-           made<one_axis<double>, one_axis<float>>, true, false},
+           made<one_axis<double>, one_axis<float>>, false},
     Family{"hard_to_round",
-           "numbers beside the middle of two neighbours, 2^-20 ulp and much less; exact ties, and ties spoiled",
-           made<hard_to_round<double>, hard_to_round<float>>, true, false},
+           "numbers beside the middle of two neighbours, 2^-20 ulp and much less; exact ties, and ties spoiled; "
+           "a fifth just out of reach",
+           made<hard_to_round<double>, hard_to_round<float>>, false},
     Family{kInvalidFamily, "each number in turn NaN, infinite or negative: it must be refused, not answered",
-           spoiled<ordinary<double>, ordinary<float>>, true, false, true},
+           spoiled<ordinary<double>, ordinary<float>>, false, true},
 };
 
 }  // namespace
 
-std::span<const Family> sphere_families() { return kFamilies; }
+std::span<const Family> families_of(const Balls* /*kind*/) { return kFamilies; }
 
 }  // namespace contact::golden

@@ -3,8 +3,8 @@
 
 #include "golden/dataset.hpp"
 #include "golden/families.hpp"
-#include "oracle/quick_witness.hpp"
-#include "oracle/staged_oracle.hpp"
+#include "oracle/truth/quick_witness.hpp"
+#include "oracle/truth/staged_oracle.hpp"
 
 namespace contact::golden {
 namespace {

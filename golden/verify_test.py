@@ -190,7 +190,7 @@ class Right(Case):
             made = run(sys.executable, GOLDEN / "hardest.py", scalar)
             self.assertEqual(made.returncode, 0, made.stderr)
             path = self.folder / name
-            run(TOOL, "annotate", "-", "--family", "hardest", "-o", path, input=made.stdout)
+            self.assertEqual(run(TOOL, "annotate", "-", "--family", "hardest", "-o", path, input=made.stdout).returncode, 0)
             self.assertEqual(path.read_bytes(), (GOLDEN / "sphere_sphere" / name).read_bytes())
 
     def test_letters_beyond_ascii_are_read_and_shown_as_they_are(self):
@@ -201,8 +201,9 @@ class Right(Case):
 
     def test_a_shard_and_a_file_without_flags_are_accepted(self):
         path = self.folder / "shard.jsonl"
-        run(TOOL, "generate", "--pair", "sphere_sphere", "--family", "generic", "--count", 9, "--seed", 2**64 - 1, "--shard", "1/3",
-            "-o", path)
+        made = run(TOOL, "generate", "--pair", "sphere_sphere", "--family", "generic", "--count", 9, "--seed", 2**64 - 1,
+                   "--shard", "1/3", "-o", path)
+        self.assertEqual(made.returncode, 0, made.stderr)
         self.assertIn('"shard":[1,3]', path.read_text())
         self.accepted(path)
 
@@ -527,7 +528,7 @@ class Wrong(Case):
     def test_the_manifest_is_checked(self):
         for name in ("generic.jsonl", "touching.jsonl"):
             self.file(name, (GOLDEN / "cube_cube" / name).read_text().splitlines())
-        run(TOOL, "lint", self.folder, "--write-manifest")
+        self.assertEqual(run(TOOL, "lint", self.folder, "--write-manifest").returncode, 0)
         self.accepted(self.folder)
         manifest = self.folder / "manifest.json"
         right = manifest.read_text()

@@ -1,7 +1,7 @@
 // Whether and how an engine answers: always, the same again, alone or in a batch, and bad input refused.
 #include <fmt/format.h>
 
-#include "golden/results.hpp"
+#include "engines/protocol/results.hpp"
 #include "proptests/law_functions.hpp"
 
 namespace contact::proptests {
@@ -29,11 +29,10 @@ std::string status(const Claim& claim) {
 
 /// Two claims as text, which tells numbers apart by their bits (but for the sign of a zero) and takes NaN for itself.
 Outcome same(const Case& c, std::size_t i, std::size_t j, std::string_view how) {
-  const std::string x = golden::claim_text(c.claims[i]);
-  const std::string y = golden::claim_text(c.claims[j]);
+  const std::string x = engines::claim_object(c.claims[i]);
+  const std::string y = engines::claim_object(c.claims[j]);
   if (x == y) return {};
-  return Outcome::violated(
-      fmt::format("the same question got two answers, {}: {{{}}} and {{{}}}", how, x.substr(1), y.substr(1)));
+  return Outcome::violated(fmt::format("the same question got two answers, {}: {} and {}", how, x, y));
 }
 
 }  // namespace
@@ -65,8 +64,11 @@ Questions with_others(const Trial& trial, const Subject&) {
 Outcome check_answers(const Case& c) {
   const Claim& claim = c.claims[0];
   if (claim.status != Claim::Status::answered) return Outcome::violated(status(claim));
-  if (!claim.overlap && !claim.speaks_of_contact) return Outcome::violated("the answer makes no claim");
-  return {};
+  const auto verdict = oracle::judge(c.queries[0], c.truth(0), claim, c.subject.info.declared);
+  if (verdict.status != Claim::Status::answered) return Outcome::violated(verdict.text);
+  if (verdict.missing.empty()) return {};
+  return Outcome::violated(
+      fmt::format("the answer to a hit lacks {}, which the engine declares", fmt::join(verdict.missing.names(), ", ")));
 }
 
 Outcome check_survives_bad_input(const Case& c) {

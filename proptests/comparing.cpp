@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "golden/json.hpp"
+#include "formats/json.hpp"
+#include "oracle/truth/exact_truth.hpp"
 
 namespace contact::proptests {
 namespace {
 
 /// | sqrt(D) - reach | within four times the value's bound: an engine may decide by squares, and square its reach.
-bool spheres_undecided(const Case& c, const oracle::SphereTruth& truth, bool alarm_counts, const Query& query) {
+bool spheres_undecided(const Case& c, const oracle::DistanceTruth& truth, bool alarm_counts, const Query& query) {
   const Rational reach =
       alarm_counts ? truth.reach() : Rational(query.balls()->a.radius) + Rational(query.balls()->b.radius);
   const Rational unit = oracle::ulp(oracle::Exact(reach), c.subject.info.declared.scalar);
@@ -21,7 +22,7 @@ bool spheres_undecided(const Case& c, const oracle::SphereTruth& truth, bool ala
 }
 
 /// On some axis | gap - alarm | within the value's bound, at the largest number that it is computed from.
-bool cubes_undecided(const Case& c, const oracle::CubeTruth& truth, bool alarm_counts, const Query& query) {
+bool cubes_undecided(const Case& c, const oracle::GapTruth& truth, bool alarm_counts, const Query& query) {
   const Boxes& boxes = *query.boxes();
   double scale = alarm_counts ? query.distances.alarm : 0;
   for (const Box* box : {&boxes.a, &boxes.b})
@@ -73,8 +74,8 @@ bool undecided(const Case& c, std::size_t i) {
   if (c.subject.correctly_rounded) return false;
   const bool alarm_counts = c.subject.info.declared.conventions.margin != Margin::none;
   const oracle::Truth& truth = c.truth(i);
-  return truth.spheres ? spheres_undecided(c, *truth.spheres, alarm_counts, c.queries[i])
-                       : cubes_undecided(c, *truth.cubes, alarm_counts, c.queries[i]);
+  return truth.has_numbers() ? spheres_undecided(c, *truth.distance(), alarm_counts, c.queries[i])
+                             : cubes_undecided(c, *truth.gaps(), alarm_counts, c.queries[i]);
 }
 
 std::optional<std::string> different_decisions(const Case& c, std::size_t i, std::size_t j) {
@@ -96,7 +97,7 @@ std::optional<std::string> different_numbers(const Case& c, std::size_t i, std::
   const bool exactly = c.subject.correctly_rounded;
   const double normal = std::ldexp(1.0, format_of(c.subject.info.declared.scalar).min_exponent);
   for (const Field field : fields) {
-    if (!claims(c.subject.info.declared.conventions, field)) continue;
+    if (!c.subject.claims(field)) continue;
     const int scaled = field == Field::normal ? 0 : exponent;
     for (const Component& x : components(field, *c.contact(j), wanted, *c.contact(i))) {
       if (x.got == x.wanted || std::isnan(x.got) || std::isnan(x.wanted)) continue;
@@ -120,37 +121,21 @@ std::optional<std::string> different_numbers(const Case& c, std::size_t i, std::
   return std::nullopt;
 }
 
-bool coincident(const Case& c, std::size_t i) { return c.truth(i).spheres && c.truth(i).spheres->degenerate(); }
+bool coincident(const Case& c, std::size_t i) { return c.truth(i).degenerate(); }
 
 Rational unit_of(const Case& c, std::size_t i, Field field) {
-  const oracle::SphereTruth& truth = *c.truth(i).spheres;
+  const oracle::DistanceTruth& truth = *c.truth(i).distance();
   const Scalar scalar = c.subject.info.declared.scalar;
   if (field == Field::normal) return oracle::ulp(Rational(1), scalar);
   if (field == Field::value) return oracle::ulp(truth.value_scale(), scalar);
   return oracle::ulp(std::max(truth.point_scale(0), truth.point_scale(1)), scalar);
 }
 
-bool claims(const Conventions& conventions, Field field) {
-  switch (field) {
-    case Field::normal:
-      return true;
-    case Field::value:
-      return conventions.value != ValueKind::none;
-    case Field::point:
-      return conventions.points == Points::midpoint;
-    case Field::point1:
-      return conventions.points <= Points::published || conventions.points == Points::first_only;
-    case Field::point2:
-      return conventions.points <= Points::published || conventions.points == Points::second_only;
-  }
-  return false;
-}
-
 Vector3 first_to_second(const Conventions& conventions, const Vector3& normal) {
   return conventions.normal == NormalDirection::first_to_second ? normal : Vector3(-normal);
 }
 
-std::string text(double x) { return golden::number(x); }
-std::string text(const Vector3& v) { return golden::number(v); }
+std::string text(double x) { return formats::number(x); }
+std::string text(const Vector3& v) { return formats::number(v); }
 
 }  // namespace contact::proptests

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "oracle/truth/exact_truth.hpp"
 #include "proptests/law.hpp"
 
 namespace contact::proptests {
@@ -34,8 +35,6 @@ using oracle::Rational;
 /// The size of one ulp of a field's scale, the larger of both spheres' for points.
 [[nodiscard]] Rational unit_of(const Case& c, std::size_t i, Field field);
 
-/// Whether an engine declares a field at all.
-[[nodiscard]] bool claims(const Conventions& conventions, Field field);
 using oracle::point_of;
 /// The claimed normal turned to point from the first to the second.
 [[nodiscard]] Vector3 first_to_second(const Conventions& conventions, const Vector3& normal);

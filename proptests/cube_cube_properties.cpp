@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "oracle/interval_oracle.hpp"
-#include "oracle/truth.hpp"
+#include "oracle/truth/interval_oracle.hpp"
+#include "oracle/truth/truth.hpp"
 #include "proptests/generators.hpp"
 
 namespace contact {
@@ -44,7 +44,7 @@ TEST(CubeCubeQuestions, are_hits_by_half_and_hold_enough_of_every_kind) {
     const oracle::Truth truth = oracle::truth_of(query);
     const auto& [a, b] = *query.boxes();
     hits += truth.hit() ? 1 : 0;
-    exactly += truth.at_alarm == CGAL::ZERO ? 1 : 0;
+    exactly += truth.at_alarm == oracle::Side::at ? 1 : 0;
     bool plain = true;
     bool has_subnormal = false;
     bool has_flat = false;

@@ -128,15 +128,15 @@ Outcome check_decisions(const Case& c) {
 }
 
 Outcome check_touching(const Case& c) {
-  return c.truth(0).at_alarm == CGAL::ZERO && c.truth(1).at_alarm == CGAL::POSITIVE ? check_decisions(c)
-                                                                                    : Outcome::vacuous();
+  return c.truth(0).at_alarm == oracle::Side::at && c.truth(1).at_alarm == oracle::Side::beyond ? check_decisions(c)
+                                                                                                : Outcome::vacuous();
 }
 
 Outcome check_test_agrees(const Case& c) {
   const Conventions& declared = c.subject.info.declared.conventions;
   const Claim& claim = c.claims[0];
   if (!claim.overlap || !claim.speaks_of_contact || undecided(c, 0)) return Outcome::vacuous();
-  if (declared.touching_overlap != declared.touching_contact && c.truth(0).at_zero == CGAL::ZERO)
+  if (declared.touching_overlap != declared.touching_contact && c.truth(0).at_zero == oracle::Side::at)
     return Outcome::vacuous();
   if (declared.coincident == Coincident::no_contact && coincident(c, 0)) return Outcome::vacuous();
   if (*claim.overlap == claim.contact.has_value()) return {};

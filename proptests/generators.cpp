@@ -11,7 +11,7 @@
 
 #include "golden/dataset.hpp"
 #include "golden/families.hpp"
-#include "oracle/exact.hpp"
+#include "oracle/truth/exact.hpp"
 
 namespace contact {
 
@@ -45,95 +45,11 @@ double significand(const Range& range, std::uint64_t word) {
   return std::ldexp(static_cast<double>(digits), 1 - precision);
 }
 
-Query spheres_of(const std::vector<double>& x) {
-  return {Pair::sphere_sphere,
-          Balls{{{x[0], x[1], x[2]}, std::abs(x[3])}, {{x[4], x[5], x[6]}, std::abs(x[7])}},
-          {std::abs(x[8]), std::abs(x[9])}};
-}
-
-/// Ten numbers of one kind.
-rc::Gen<Query> spheres_from(rc::Gen<double> number) { return rc::gen::map(numbers(10, std::move(number)), spheres_of); }
-
-/// Boxes that overlap on two axes and on the third are the alarm distance apart as double computes it, up to 2 ulps
-/// off.
-rc::Gen<Query> boxes_near_touching(const Range& range, rc::Gen<double> number) {
-  return rc::gen::map(rc::gen::tuple(boxes_from(std::move(number)), integer(0, 2), integer(-2, 2), integer(0, 1)),
-                      [range](const std::tuple<Query, int, int, int>& parts) {
-                        auto [query, touching, ulps, second_first] = parts;
-                        auto& [a, b] = std::get<Boxes>(query.shapes);
-                        for (int axis = 0; axis < 3; ++axis) {
-                          if (axis != touching) {
-                            b.min[axis] = std::min(b.min[axis], a.max[axis]);
-                            b.max[axis] = std::max(b.max[axis], a.min[axis]);
-                            continue;
-                          }
-                          const double low = range.moved(range.rounded(a.max[axis] + query.distances.alarm), ulps);
-                          b.min[axis] = low;
-                          b.max[axis] = std::max(b.max[axis], low);
-                        }
-                        if (second_first == 1) std::swap(a, b);
-                        return query;
-                      });
-}
-
-/// The second box within the first on every axis, and flat on some.
-rc::Gen<Query> boxes_nested(rc::Gen<double> number) {
-  return rc::gen::map(rc::gen::pair(boxes_from(std::move(number)), integer(0, 7)), [](std::pair<Query, int> parts) {
-    auto& [a, b] = std::get<Boxes>(parts.first.shapes);
-    b.min = b.min.cwiseMax(a.min).cwiseMin(a.max);
-    b.max = b.max.cwiseMax(a.min).cwiseMin(a.max);
-    for (int axis = 0; axis < 3; ++axis)
-      if ((parts.second >> axis & 1) == 1) b.max[axis] = b.min[axis];
-    return parts.first;
-  });
-}
-
-using Quadruple = std::array<int, 4>;
-const std::vector<Quadruple> kQuadruples{{1, 2, 2, 3}, {2, 3, 6, 7},  {3, 4, 0, 5},  {1, 4, 8, 9},
-                                         {0, 0, 1, 1}, {2, 6, 9, 11}, {8, 9, 12, 17}};
-
-/// Two centres a quadruple apart, on integers below 32 times a power of two.
-struct Apart {
-  Ball a;
-  Ball b;
-  int distance;
-  std::vector<int> k;  ///< seven more integers, -9 .. 9
-  double unit;
-};
-rc::Gen<Apart> apart(const Range& range, int highest) {
-  const int most = std::max(range.bottom, std::min(range.top, highest) - 5);
-  return rc::gen::map(
-      rc::gen::tuple(rc::gen::elementOf(kQuadruples), rc::gen::container<std::vector<int>>(7, integer(-9, 9)),
-                     integer(range.bottom, most)),
-      [](const std::tuple<Quadruple, std::vector<int>, int>& parts) {
-        const auto& [quadruple, k, exponent] = parts;
-        const double unit = std::ldexp(1.0, exponent);
-        Apart made{{{k[0] * unit, k[1] * unit, k[2] * unit}, 0}, {}, quadruple[3], k, unit};
-        made.b = made.a;
-        for (int axis = 0; axis < 3; ++axis) {
-          const auto i = static_cast<std::size_t>(axis);
-          const int step = quadruple[(i + static_cast<std::size_t>(k[3] + 9)) % 3];
-          made.b.center[axis] = (k[i] + (k[4 + i % 2] % 2 == 0 ? step : -step)) * unit;
-        }
-        return made;
-      });
-}
-
 }  // namespace
 
 rc::Gen<std::vector<double>> numbers(std::size_t count, rc::Gen<double> number) {
   return rc::gen::container<std::vector<double>>(count, std::move(number));
 }
-
-Query boxes_of(const std::vector<double>& x) {
-  const auto box = [&](std::size_t at) {
-    const Vector3 p(x[at], x[at + 1], x[at + 2]);
-    const Vector3 q(x[at + 3], x[at + 4], x[at + 5]);
-    return Box{p.cwiseMin(q), p.cwiseMax(q)};
-  };
-  return {Pair::cube_cube, Boxes{box(0), box(6)}, {std::abs(x[12]), 0}};
-}
-rc::Gen<Query> boxes_from(rc::Gen<double> number) { return rc::gen::map(numbers(13, std::move(number)), boxes_of); }
 
 Range::Range(Scalar of, double least_magnitude, double most_magnitude)
     : scalar(of), least(least_magnitude), most(std::min(most_magnitude, largest(of))) {
@@ -251,130 +167,11 @@ rc::Gen<double> any_number(const Range& range) {
                         beside_dyadic(range), ordinary(range));
 }
 
-rc::Gen<Query> spheres_near_touching(const Range& range, rc::Gen<double> number) {
-  return rc::gen::map(rc::gen::tuple(spheres_from(std::move(number)), integer(-2, 2), integer(0, 1)),
-                      [range](const std::tuple<Query, int, int>& parts) {
-                        auto [query, ulps, by_alarm] = parts;
-                        auto& [a, b] = std::get<Balls>(query.shapes);
-                        const Vector3 delta = b.center - a.center;
-                        const double distance = range.rounded(delta.stableNorm());
-                        if (!delta.allFinite() || !std::isfinite(delta.stableNorm())) return query;
-                        if (a.radius > distance) a.radius = range.rounded(distance / 2);
-                        if (by_alarm == 0) {
-                          query.distances.alarm = 0;
-                          b.radius = std::max(0.0, range.moved(range.rounded(distance - a.radius), ulps));
-                        } else {
-                          b.radius = std::min(b.radius, range.rounded((distance - a.radius) / 2));
-                          query.distances.alarm =
-                              std::max(0.0, range.moved(range.rounded(distance - (a.radius + b.radius)), ulps));
-                        }
-                        return query;
-                      });
-}
-
-rc::Gen<Query> spheres_on_a_quadruple(const Range& range) {
-  return rc::gen::map(
-      rc::gen::tuple(apart(range, format_of(range.scalar).max_exponent), integer(-2, 1), integer(0, 2)),
-      [range](const std::tuple<Apart, int, int>& parts) {
-        auto [made, ulps, lengths] = parts;
-        auto& [a, b, distance, k, unit] = made;
-        // The distance is shared out to both radii, or to one radius and the alarm; the last part
-        // moves by ulps.
-        const int first = std::abs(k[6]) % (distance + 1);
-        const double last = std::max(0.0, range.moved((distance - first) * unit, ulps));
-        a.radius = lengths == 2 ? 0 : first * unit;
-        b.radius = lengths == 1 ? 0 : lengths == 2 ? first * unit : last;
-        return Query{Pair::sphere_sphere, Balls{a, b}, {lengths == 0 ? 0 : last, std::abs(k[5]) * unit}};
-      });
-}
-
-rc::Gen<Query> spheres_coincident(const Range& range, rc::Gen<double> number, bool exactly) {
-  return rc::gen::map(rc::gen::pair(spheres_from(std::move(number)), integer(0, 3)),
-                      [range, exactly](std::pair<Query, int> parts) {
-                        auto& [a, b] = std::get<Balls>(parts.first.shapes);
-                        b.center = a.center;
-                        if (parts.second == 0 && !exactly)
-                          b.center = -b.center.cwiseAbs().cwiseMin(std::ldexp(1.0, range.bottom));
-                        return parts.first;
-                      });
-}
-
-rc::Gen<Query> spheres_touching(const Range& range, bool by_alarm) {
-  return rc::gen::map(apart(range, format_of(range.scalar).max_exponent), [by_alarm](const Apart& made) {
-    auto [a, b, distance, k, unit] = made;
-    const int first = std::abs(k[6]) % (distance + 1);
-    const int second = by_alarm ? std::abs(k[4]) % (distance - first + 1) : distance - first;
-    a.radius = first * unit;
-    b.radius = second * unit;
-    const double alarm = (distance - first - second) * unit;
-    return Query{Pair::sphere_sphere, Balls{a, b}, {alarm, std::abs(k[5]) * unit}};
-  });
-}
-
-rc::Gen<Query> sphere_queries(const Range& range) {
-  return rc::gen::weightedOneOf<Query>({{2, spheres_from(any_number(range))},
-                                        {2, spheres_from(any_bits(range))},
-                                        {1, spheres_from(subnormal(range))},
-                                        {1, spheres_from(extreme(range))},
-                                        {2, spheres_from(huge(range))},
-                                        {2, spheres_from(small_dyadic(range))},
-                                        {1, spheres_from(beside_dyadic(range))},
-                                        {2, spheres_from(ordinary(range))},
-                                        {4, spheres_near_touching(range, ordinary(range))},
-                                        {1, spheres_near_touching(range, any_bits(range))},
-                                        {1, spheres_near_touching(range, subnormal(range))},
-                                        {5, spheres_on_a_quadruple(range)},
-                                        {2, spheres_coincident(range, any_number(range), false)},
-                                        {1, spheres_coincident(range, huge(range), false)}});
-}
-
-rc::Gen<Query> boxes_touching(const Range& range, bool by_alarm) {
-  // Corners and the alarm on one grid of integers, so that their sums are exact: below 2^50, or 2^20 in binary32.
-  const int digits = range.scalar == Scalar::binary32 ? 18 : 48;
-  const int most = std::max(range.bottom, std::min(range.top, format_of(range.scalar).max_exponent) - digits - 4);
-  const auto whole = full_size(rc::gen::inRange<std::int64_t>(-(std::int64_t{1} << digits), std::int64_t{1} << digits));
-  return rc::gen::map(rc::gen::tuple(rc::gen::container<std::vector<std::int64_t>>(8, whole),
-                                     integer(range.bottom, most), integer(0, 2), integer(0, 1)),
-                      [by_alarm](const std::tuple<std::vector<std::int64_t>, int, int, int>& parts) {
-                        const auto& [k, exponent, axis, below] = parts;
-                        const auto at = [e = exponent](std::int64_t n) {
-                          return std::ldexp(static_cast<double>(n), e);
-                        };
-                        const Vector3 p(at(k[0]), at(k[1]), at(k[2]));
-                        const Vector3 q(at(k[3]), at(k[4]), at(k[5]));
-                        const Box a{p.cwiseMin(q), p.cwiseMax(q)};
-                        Box b = a;
-                        const double alarm = by_alarm ? at(std::abs(k[6])) : 0;
-                        const double width = at(std::abs(k[7]));
-                        if (below == 0) {
-                          b.min[axis] = a.max[axis] + alarm;
-                          b.max[axis] = b.min[axis] + width;
-                        } else {
-                          b.max[axis] = a.min[axis] - alarm;
-                          b.min[axis] = b.max[axis] - width;
-                        }
-                        return Query{Pair::cube_cube, Boxes{a, b}, {alarm, 0}};
-                      });
-}
-
-rc::Gen<Query> box_queries(const Range& range) {
-  return rc::gen::weightedOneOf<Query>({{2, boxes_from(any_number(range))},
-                                        {2, boxes_from(any_bits(range))},
-                                        {1, boxes_from(subnormal(range))},
-                                        {1, boxes_from(extreme(range))},
-                                        {2, boxes_from(small_dyadic(range))},
-                                        {1, boxes_nested(any_number(range))},
-                                        {1, boxes_near_touching(range, any_bits(range))},
-                                        {1, boxes_near_touching(range, subnormal(range))},
-                                        {1, boxes_near_touching(range, extreme(range))},
-                                        {2, boxes_near_touching(range, small_dyadic(range))},
-                                        {2, boxes_near_touching(range, beside_dyadic(range))},
-                                        {1, boxes_near_touching(range, huge(range))},
-                                        {2, boxes_near_touching(range, ordinary(range))}});
-}
-
 rc::Gen<Query> queries(Pair pair, const Range& range) {
-  return rc::gen::map(pair == Pair::cube_cube ? box_queries(range) : sphere_queries(range), [pair](Query query) {
+  const rc::Gen<Query> made =
+      std::visit([&](const auto& shapes) { return queries(static_cast<decltype(&shapes)>(nullptr), range); },
+                 description(pair).zeros());
+  return rc::gen::map(made, [pair](Query query) {
     query.pair = pair;
     return query;
   });

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/query.hpp"
+#include "oracle/truth/query.hpp"
 
 namespace contact {
 
@@ -69,6 +69,11 @@ rc::Gen<T> full_size(rc::Gen<T> gen) {
 [[nodiscard]] rc::Gen<std::vector<double>> numbers(std::size_t count, rc::Gen<double> number);
 
 // Questions. What is put together may leave the range; Range::contains tells.
+
+// Questions of each kind of pairs, in files of their own; the pointer says which, and is nullptr.
+#define CONTACT_DECLARE(A, B) [[nodiscard]] rc::Gen<Query> queries(const Two<A, B>* kind, const Range& range);
+CONTACT_KINDS(CONTACT_DECLARE)
+#undef CONTACT_DECLARE
 
 /// Spheres at every scale, near touching, on Pythagorean quadruples, coincident.
 [[nodiscard]] rc::Gen<Query> sphere_queries(const Range& range);

@@ -8,22 +8,24 @@
 #include <string_view>
 #include <vector>
 
-#include "golden/results.hpp"
-#include "oracle/truth.hpp"
+#include "engines/protocol/results.hpp"
+#include "oracle/truth/truth.hpp"
 #include "proptests/trial.hpp"
 
 namespace contact::proptests {
 
 /// The engine that laws are asked of, and what it is held to.
 struct Subject {
-  golden::EngineInfo info;
+  engines::EngineInfo info;
   bool correctly_rounded = false;  ///< held to correct rounding, else to its declared bounds
   Range range;                     ///< the numbers that it claims to serve
 
-  explicit Subject(golden::EngineInfo engine, bool held_to_correct_rounding);
+  explicit Subject(engines::EngineInfo engine, bool held_to_correct_rounding);
   /// The bound of a field that an answer is held to, in ulps of the field's scale; 1 where held to correct rounding.
   [[nodiscard]] double bound(oracle::Field field) const;
   [[nodiscard]] bool serves_spheres() const;
+  /// Whether the engine declares a field.
+  [[nodiscard]] bool claims(oracle::Field field) const { return info.declared.claimed().has(aspect(field)); }
 };
 
 /// One trial of a law: the questions asked and what the engine said.
@@ -95,7 +97,10 @@ struct Law {
   std::vector<Query> (*questions)(const Trial& trial, const Subject& subject);
   Outcome (*check)(const Case& c);
 
-  [[nodiscard]] bool applies(Pair pair) const { return pair == Pair::cube_cube ? of_cubes : of_spheres; }
+  [[nodiscard]] bool applies(Pair pair) const {
+    return (of_cubes && kind_of(pair) == kind_of(Pair::cube_cube)) ||
+           (of_spheres && kind_of(pair) == kind_of(Pair::sphere_sphere));
+  }
 };
 
 /// Every law. Where several are violated, the earlier one names the mistake better.

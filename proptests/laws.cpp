@@ -42,7 +42,8 @@ Reason without_span(const Subject& s) {
   return std::nullopt;
 }
 Reason without_several_sphere_kinds(const Subject& s) {
-  if (std::count_if(kPairs.begin(), kPairs.end(), [&](Pair p) { return p != Pair::cube_cube && s.info.serves(p); }) < 2)
+  if (std::count_if(kPairs.begin(), kPairs.end(),
+                    [&](Pair p) { return kind_of(p) == kind_of(Pair::sphere_sphere) && s.info.serves(p); }) < 2)
     return "the engine serves one kind of sphere pair";
   return std::nullopt;
 }
@@ -66,11 +67,12 @@ rc::Gen<Query> coincident_spheres(Pair pair, const Range& range) {
 }
 template <bool by_alarm>
 rc::Gen<Query> touching_shapes(Pair pair, const Range& range) {
-  return rc::gen::map(pair == Pair::cube_cube ? boxes_touching(range, by_alarm) : spheres_touching(range, by_alarm),
-                      [pair](Query query) {
-                        query.pair = pair;
-                        return query;
-                      });
+  return rc::gen::map(
+      kind_of(pair) == kind_of(Pair::cube_cube) ? boxes_touching(range, by_alarm) : spheres_touching(range, by_alarm),
+      [pair](Query query) {
+        query.pair = pair;
+        return query;
+      });
 }
 rc::Gen<Query> nested_boxes(Pair pair, const Range& range) {
   return rc::gen::map(queries(pair, range), [](Query query) {
@@ -98,8 +100,8 @@ constexpr auto kTogether = Asking::together;
 
 // In order: where several are violated, the earlier one names the mistake better.
 constexpr std::array kLaws{
-    Law{"answers", "Every question inside the domain gets an answer that claims something.",
-        "not unsupported, rejected, error, crash, timeout or missing",
+    Law{"answers", "Every question inside the domain gets an answer; one to a hit has every declared field.",
+        "not unsupported, rejected, error, crash, timeout or missing; no missing field",
         "what is not answered cannot be right; every other law leaves such questions out", kBits, kSpheres, kCubes, kNo,
         Asking::whatever_comes, never, queries, itself, check_answers},
     Law{"survives_bad_input", "A question outside the domain neither crashes nor hangs the engine.",
@@ -222,19 +224,20 @@ constexpr std::array kLaws{
 
 }  // namespace
 
-Subject::Subject(golden::EngineInfo engine, bool held_to_correct_rounding)
+Subject::Subject(engines::EngineInfo engine, bool held_to_correct_rounding)
     : info(std::move(engine)),
       correctly_rounded(held_to_correct_rounding),
       range(info.declared.scalar, info.declared.conventions.scale_min, info.declared.conventions.scale_max) {}
 
 double Subject::bound(oracle::Field field) const {
   if (correctly_rounded) return 1;
-  const Bounds& bounds = info.declared.bounds;
+  const DeclaredBounds& bounds = info.declared.bounds;
   return field == Field::normal ? bounds.normal : field == Field::value ? bounds.value : bounds.point;
 }
 
 bool Subject::serves_spheres() const {
-  return std::any_of(kPairs.begin(), kPairs.end(), [&](Pair p) { return p != Pair::cube_cube && info.serves(p); });
+  return std::any_of(kPairs.begin(), kPairs.end(),
+                     [&](Pair p) { return kind_of(p) == kind_of(Pair::sphere_sphere) && info.serves(p); });
 }
 
 std::span<const Law> laws() { return kLaws; }

@@ -60,7 +60,7 @@ const std::vector<Breakage> kBreakages{
      }},
     {"< for <=", "touching", nothing_before,
      [](const Query& q, Claim& claim) {
-       if (oracle::truth_of(q).at_alarm == CGAL::ZERO) decide(q, claim, false);
+       if (oracle::truth_of(q).at_alarm == oracle::Side::at) decide(q, claim, false);
      }},
     {"the alarm distance forgotten", "alarm_edge", [](Query& q) { q.distances.alarm = 0; }, nullptr},
     {"the alarm distance doubled", "alarm_edge", [](Query& q) { q.distances.alarm *= 2; }, nullptr},
@@ -134,7 +134,7 @@ const std::vector<Breakage> kBreakages{
      nullptr},
     {"boxes tested with < alone", "touching", nothing_before,
      [](const Query& q, Claim& claim) {
-       if (q.boxes() != nullptr && oracle::truth_of(q).at_alarm == CGAL::ZERO) claim.overlap = false;
+       if (q.boxes() != nullptr && oracle::truth_of(q).at_alarm == oracle::Side::at) claim.overlap = false;
      }},
     {"boxes tested by corners of the second", "nested", nothing_before,
      [](const Query& q, Claim& claim) {
@@ -148,7 +148,7 @@ const std::vector<Breakage> kBreakages{
        if (q.balls() == nullptr || q.distances.alarm == 0) return;
        // Not at the edge, which the laws about touching would name.
        const oracle::Truth truth = oracle::truth_of(q);
-       if (truth.at_alarm == CGAL::NEGATIVE && truth.at_zero == CGAL::POSITIVE) claim.overlap = false;
+       if (truth.at_alarm == oracle::Side::within && truth.at_zero == oracle::Side::beyond) claim.overlap = false;
      }},
     {"half the value for a sphere with a rigid sphere", "sphere_kinds", nothing_before,
      [](const Query& q, Claim& claim) {
@@ -156,8 +156,8 @@ const std::vector<Breakage> kBreakages{
      }},
 };
 
-golden::EngineInfo declaring(std::string name, double scale) {
-  golden::EngineInfo info;
+engines::EngineInfo declaring(std::string name, double scale) {
+  engines::EngineInfo info;
   info.name = std::move(name);
   info.version = "test";
   info.declared.conventions.scale_min = 1 / scale;
@@ -270,8 +270,8 @@ TEST(Laws, plain_float_at_an_honest_scale_fails_in_exact_decisions_and_at_coinci
     std::vector<Claim> answer(std::span<const Question> questions) override { return engine_->answer(questions); }
 
    private:
-    static golden::EngineInfo info_of() {
-      golden::EngineInfo info = declaring("plain-float", 0x1p20);
+    static engines::EngineInfo info_of() {
+      engines::EngineInfo info = declaring("plain-float", 0x1p20);
       info.declared.scalar = Scalar::binary32;
       return info;
     }
@@ -293,25 +293,32 @@ TEST(Laws, plain_double_is_not_correctly_rounded_which_numbers_of_a_few_bits_sho
     if (r.law->name == std::string_view("correctly_rounded") && !is_coincident(r.violation->trial.query))
       fewest = std::min(fewest, most);
     RecordProperty(std::string(r.law->name), std::to_string(most) + " significant bits");
-    EXPECT_LT(r.tested, 1000U) << r.law->name;
+    EXPECT_LE(r.tested, 500U) << r.law->name;
   }
   EXPECT_TRUE(violated(result).contains("correctly_rounded"));
   EXPECT_TRUE(violated(result).contains("decision"));
   EXPECT_LE(fewest, 8) << described(result);
 }
 
-TEST(Laws, every_broken_line_is_caught_within_10000_cases_and_named_by_the_law_that_fits) {
+TEST(Laws, every_broken_line_is_caught_within_500_cases_and_named_by_the_law_that_fits) {
+  int late = 0;
   for (const Breakage& breakage : kBreakages) {
-    const RunResult result = asked(std::make_unique<Broken>(breakage), 500);
+    // One law after the other, as the list has them: what comes behind the first that is violated says nothing here.
+    RunResult result;
+    for (auto law = laws().begin(); law != laws().end() && result.first_violated() == nullptr; ++law) {
+      if (law->only_when_named) continue;
+      result = asked(std::make_unique<Broken>(breakage), 500, false, {std::string(law->name)});
+    }
     const LawResult* first = result.first_violated();
     ASSERT_NE(first, nullptr) << breakage.what;
     EXPECT_EQ(first->law->name, breakage.law) << breakage.what << "\n" << described(result);
-    EXPECT_LT(first->tested, 10'000U);
+    late += first->tested > 100 ? 1 : 0;
     int most = 0;
     for_each_number(first->violation->trial.query,
                     [&](const std::string&, double x) { most = std::max(most, significant_bits(x)); });
     EXPECT_LE(most, 8) << breakage.what;
   }
+  EXPECT_LE(late, 1) << "but for an axis that boxes ignore, 100 cases are enough";
 }
 
 // What an engine does not claim is not asked of it, and the report says why.
@@ -322,8 +329,8 @@ TEST(Laws, that_an_engine_does_not_claim_are_skipped_visibly) {
     std::vector<Claim> answer(std::span<const Question> questions) override { return engine_->answer(questions); }
 
    private:
-    static golden::EngineInfo info_of() {
-      golden::EngineInfo info = declaring("modest", 0x1p100);
+    static engines::EngineInfo info_of() {
+      engines::EngineInfo info = declaring("modest", 0x1p100);
       info.pairs = {Pair::sphere_sphere};
       info.declared.conventions.points = Points::none;
       info.declared.conventions.value = ValueKind::none;
@@ -341,6 +348,7 @@ TEST(Laws, that_an_engine_does_not_claim_are_skipped_visibly) {
 }
 
 TEST(Shrinking, makes_every_step_easier_and_stays_in_the_range) {
+  int steps = 0;
   for (const Scalar scalar : kScalars) {
     const Range range(scalar);
     for (const Pair pair : {Pair::sphere_rigid_sphere, Pair::cube_cube})
@@ -350,9 +358,11 @@ TEST(Shrinking, makes_every_step_easier_and_stays_in_the_range) {
         for (const Trial& next : easier(trial, range)) {
           EXPECT_LT(difficulty(next), difficulty(trial));
           EXPECT_TRUE(range.contains(next.query));
+          ++steps;
         }
       }
   }
+  EXPECT_GT(steps, 400 * 5);
 }
 
 TEST(Shrinking, meets_numbers_outside_the_domain_and_leaves_them_behind) {

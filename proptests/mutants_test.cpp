@@ -2,28 +2,30 @@
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
 
+#include <cstdint>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "engines/engine.hpp"
-#include "engines/mutants.hpp"
+#include "engines/zoo/mutants.hpp"
 #include "proptests/run.hpp"
 
 namespace contact::proptests {
 namespace {
 
-/// The first law that a mutant breaks, or nothing.
+/// A law that a mutant breaks within 300 cases, or nothing. Nearly all break one in the first ten, which are the same.
 std::string broken_law(const engines::Mutant& mutant) {
   auto engine = engines::make_built_in(std::string(engines::kMutantPrefix) + std::string(mutant.id));
-  for (const Law& law : laws()) {
-    RunOptions options;
-    options.seed = 20;
-    options.cases = 300;
-    options.names = {std::string(law.name)};
-    const RunResult result = run_laws(engine, options);
-    if (const LawResult* broken = result.first_violated()) return std::string(broken->law->name);
-  }
+  for (const std::uint64_t cases : {10U, 300U})
+    for (const Law& law : laws()) {
+      RunOptions options;
+      options.seed = 20;
+      options.cases = cases;
+      options.names = {std::string(law.name)};
+      const RunResult result = run_laws(engine, options);
+      if (const LawResult* broken = result.first_violated()) return std::string(broken->law->name);
+    }
   return {};
 }
 

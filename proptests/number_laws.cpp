@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "oracle/truth/exact_truth.hpp"
 #include "proptests/law_functions.hpp"
 
 namespace contact::proptests {
@@ -25,7 +26,7 @@ oracle::Verdict judged(const Case& c, std::size_t i) {
 
 /// Whether question i has a contact with a direction, and the engine gave one.
 bool has_contact(const Case& c, std::size_t i) {
-  return c.contact(i) != nullptr && c.truth(i).spheres && !coincident(c, i);
+  return c.contact(i) != nullptr && c.truth(i).has_numbers() && !coincident(c, i);
 }
 
 const std::optional<Vector3>& point(const ContactClaim& claim, int sphere) {
@@ -35,7 +36,7 @@ const Ball& ball(const Query& query, int sphere) { return sphere == 0 ? query.ba
 /// How far a point may be off, in each coordinate.
 Rational point_error(const Case& c, int sphere) {
   return Rational(c.subject.bound(Field::point1)) *
-         oracle::ulp(c.truth(0).spheres->point_scale(sphere), c.subject.info.declared.scalar);
+         oracle::ulp(c.truth(0).distance()->point_scale(sphere), c.subject.info.declared.scalar);
 }
 
 bool finite(const std::optional<Vector3>& v) { return v && v->allFinite(); }
@@ -226,7 +227,7 @@ Outcome check_other_contact(const Case& c) {
   const auto& before = c.contact(0)->value;
   const auto& after = c.contact(1)->value;
   const Conventions& declared = c.subject.info.declared.conventions;
-  if (!claims(declared, Field::value) || !before || !after || !std::isfinite(*before) || !std::isfinite(*after))
+  if (!c.subject.claims(Field::value) || !before || !after || !std::isfinite(*before) || !std::isfinite(*after))
     return {};
   Rational change = Rational(c.queries[1].distances.contact) - Rational(c.queries[0].distances.contact);
   if (!declared.value_less_contact) change = Rational(0);

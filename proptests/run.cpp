@@ -106,11 +106,17 @@ class Runner {
     questions.reserve(queries.size());
     for (const Query& query : queries) questions.push_back({golden::query_id(query), query});
     std::vector<Claim> claims = engine_->answer(questions);
+    const auto keep_declared = [&] {
+      if (subject_.info.declared.claims)
+        for (Claim& claim : claims) claim.keep(*subject_.info.declared.claims);
+    };
+    keep_declared();
     const bool dead =
         std::any_of(claims.begin(), claims.end(), [](const Claim& c) { return c.status == Claim::Status::missing; });
     if (dead && options_.restart && restarts_++ < kMostRestarts) {
       engine_ = options_.restart();
       claims = engine_->answer(questions);
+      keep_declared();
     }
     for (const Claim& claim : claims)
       result_.ever_answered = result_.ever_answered ||
@@ -184,10 +190,10 @@ class Runner {
     };
     ++result_.shares.questions;
     add(Class::hit, truth.hit());
-    add(Class::exact_edge, truth.at_alarm == CGAL::ZERO);
-    add(Class::near_edge,
-        truth.spheres && truth.at_alarm != CGAL::ZERO && std::abs(oracle::witness(truth, scalar).margin_ulps) <= 4);
-    add(Class::coincident, truth.spheres && truth.spheres->degenerate());
+    add(Class::exact_edge, truth.at_alarm == oracle::Side::at);
+    add(Class::near_edge, truth.has_numbers() && truth.at_alarm != oracle::Side::at &&
+                              std::abs(oracle::witness(truth, scalar).margin_ulps) <= 4);
+    add(Class::coincident, truth.degenerate());
     add(Class::subnormal, is_subnormal);
     add(Class::huge, is_huge);
     const Boxes* boxes = c.queries[0].boxes();

@@ -66,7 +66,7 @@ struct Shares {
 };
 
 struct RunResult {
-  golden::EngineInfo engine;
+  engines::EngineInfo engine;
   std::vector<LawResult> laws;  ///< in the order of the list, so that the first violated names the mistake best
   Shares shares;
   bool ever_answered = false;

@@ -8,21 +8,12 @@
 namespace contact::proptests {
 namespace {
 
-/// Calls edit(v) for every vector of a question: centres, or corners.
+/// Calls edit(v) for every point of a question: centres, or corners.
 template <class Edit>
 void for_each_vector(Query& query, Edit edit) {
-  std::visit(
-      [&](auto& shapes) {
-        for (auto* shape : {&shapes.a, &shapes.b}) {
-          if constexpr (requires { shape->center; }) {
-            edit(shape->center);
-          } else {
-            edit(shape->min);
-            edit(shape->max);
-          }
-        }
-      },
-      query.shapes);
+  for_each_field(query, [&](const std::string&, auto& value, FieldKind /*kind*/) {
+    if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, Vector3>) edit(value);
+  });
 }
 
 Vector3 turned(const Change& change, const Vector3& v) {
@@ -69,7 +60,13 @@ Outcome compared(const Case& c, const ContactClaim* wanted, std::initializer_lis
 
 Questions swapped(const Trial& trial, const Subject&) {
   Query other = trial.query;
-  std::visit([](auto& shapes) { std::swap(shapes.a, shapes.b); }, other.shapes);
+  const bool swappable = std::visit(
+      []<class A, class B>(Two<A, B>& shapes) {
+        if constexpr (std::same_as<A, B>) std::swap(shapes.a, shapes.b);
+        return std::same_as<A, B>;
+      },
+      other.shapes);
+  if (!swappable) return {};
   return {trial.query, other};
 }
 
@@ -137,9 +134,7 @@ Outcome check_translated(const Case& c) {
   const Vector3 from = c.queries[0].balls()->a.center;
   const Vector3 to = c.queries[1].balls()->a.center;
   const auto check = [&](const std::optional<Vector3>& before, const std::optional<Vector3>& after, Field field) {
-    if (!claims(c.subject.info.declared.conventions, field) || !before || !after || !before->allFinite() ||
-        !after->allFinite())
-      return Outcome{};
+    if (!c.subject.claims(field) || !before || !after || !before->allFinite() || !after->allFinite()) return Outcome{};
     const Rational error = Rational(c.subject.bound(field)) * (unit_of(c, 0, field) + unit_of(c, 1, field));
     for (int axis = 0; axis < 3; ++axis) {
       const Rational shift = Rational(to[axis]) - Rational(from[axis]);
@@ -198,7 +193,7 @@ Outcome check_scaled(const Case& c) {
 Questions other_sphere_kinds(const Trial& trial, const Subject& subject) {
   Questions questions;
   for (const Pair pair : kPairs) {
-    if (pair == Pair::cube_cube || !subject.info.serves(pair)) continue;
+    if (kind_of(pair) != kind_of(Pair::sphere_sphere) || !subject.info.serves(pair)) continue;
     questions.push_back(trial.query);
     questions.back().pair = pair;
   }

@@ -34,7 +34,7 @@ std::int64_t difficulty(double x) {
 }
 
 std::int64_t difficulty(const Query& query) {
-  std::int64_t sum = query.pair == Pair::sphere_sphere || query.pair == Pair::cube_cube ? 0 : 1;
+  std::int64_t sum = query.pair == pairs_of_kinds()[kind_of(query.pair)] ? 0 : 1;
   for_each_number(query, [&](const std::string&, double x) { sum += difficulty(x); });
   if (const Balls* balls = query.balls();
       balls != nullptr && balls->a.radius == balls->b.radius && balls->a.radius != 0)
@@ -141,11 +141,9 @@ class Easier {
   /// Steps that keep what the numbers of a question have to do with each other.
   void whole_question() {
     const Query& query = trial_.query;
-    if (query.balls() != nullptr) {
-      Query plain = query;
-      plain.pair = Pair::sphere_sphere;
-      add(plain);
-    }
+    Query plain = query;
+    plain.pair = pairs_of_kinds()[kind_of(query.pair)];
+    add(plain);
     int largest = -2000;
     int smallest = 2000;
     for_each_number(query, [&](const std::string&, double x) {
@@ -157,12 +155,11 @@ class Easier {
     // All to the size of 1, all to integers, half way there.
     for (const int exponent : {-largest, -smallest, 3 - largest, -largest / 2, largest > 0 ? -1 : 1})
       if (exponent != 0) with_numbers([&](double x) { return range_.rounded(std::ldexp(x, exponent)); });
-    if (const Balls* balls = query.balls()) {
-      spheres(query, *balls);
-    } else {
-      const Vector3 corner = query.boxes()->a.min;
-      for (int axis = 0; axis < 3; ++axis) moved_to_origin(axis, corner[axis]);
-    }
+    const Balls* balls = query.balls();
+    if (balls != nullptr) first_center_to_origin(query, *balls);
+    const Vector3 first = first_point(query);
+    for (int axis = 0; axis < 3; ++axis) moved_to_origin(axis, first[axis]);
+    if (balls != nullptr) other_radii(query, *balls);
     // A common grid, and few digits at once.
     for (const int digits : {1, 2, 4, 8, 16, 24, 40})
       with_numbers(
@@ -171,14 +168,16 @@ class Easier {
       with_numbers([&](double x) { return with_bits(x, digits, kRoundings[0]); });
   }
 
-  void spheres(const Query& query, const Balls& balls) {
+  void first_center_to_origin(const Query& query, const Balls& balls) {
     Query origin = query;
     auto& moved = std::get<Balls>(origin.shapes);
     bool exact = true;
     for (int axis = 0; axis < 3; ++axis) exact = subtract_exactly(moved.b.center[axis], balls.a.center[axis]) && exact;
     moved.a.center.setZero();
     if (exact) add(origin);
-    for (int axis = 0; axis < 3; ++axis) moved_to_origin(axis, balls.a.center[axis]);
+  }
+
+  void other_radii(const Query& query, const Balls& balls) {
     const auto with = [&](double first, double second, double alarm) {
       Query other = query;
       auto& [a, b] = std::get<Balls>(other.shapes);
@@ -199,6 +198,16 @@ class Easier {
     with(0, 0, sum + alarm);
   }
 
+  /// The first point of the first shape that has one.
+  static Vector3 first_point(const Query& query) {
+    std::optional<Vector3> first;
+    for_each_field(query, [&](const std::string&, const auto& value, FieldKind /*kind*/) {
+      if constexpr (std::same_as<std::remove_cvref_t<decltype(value)>, Vector3>)
+        if (!first) first = value;
+    });
+    return first.value_or(Vector3::Zero());
+  }
+
   /// One coordinate of everything less `origin`, where that is exact.
   void moved_to_origin(int axis, double origin) {
     if (origin == 0) return;
@@ -207,14 +216,11 @@ class Easier {
     const auto move = [&](double& x) { exact = subtract_exactly(x, origin) && exact; };
     std::visit(
         [&](auto& shapes) {
-          for (auto* shape : {&shapes.a, &shapes.b}) {
-            if constexpr (requires { shape->center; }) {
-              move(shape->center[axis]);
-            } else {
-              move(shape->min[axis]);
-              move(shape->max[axis]);
-            }
-          }
+          const auto points = [&](const auto& /*field*/, auto& value) {
+            if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, Vector3>) move(value[axis]);
+          };
+          for_each_field(shapes.a, points);
+          for_each_field(shapes.b, points);
         },
         query.shapes);
     if (exact) add(query);

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "oracle/query.hpp"
+#include "oracle/truth/query.hpp"
 #include "proptests/generators.hpp"
 
 namespace contact::proptests {

@@ -7,11 +7,11 @@
 #include <new>
 #include <optional>
 
-#include "engines/subprocess.hpp"
-#include "golden/input_error.hpp"
-#include "tool/cluster.hpp"
-#include "tool/commands.hpp"
-#include "tool/process.hpp"
+#include "engines/hosts/subprocess.hpp"
+#include "formats/input_error.hpp"
+#include "tool/commands/commands.hpp"
+#include "tool/run/cluster.hpp"
+#include "tool/run/process.hpp"
 
 namespace contact::tool {
 namespace {
@@ -21,9 +21,9 @@ int guarded(int argc, char** argv) {
   try {
     const int exit = run_command(argc, argv);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-      throw golden::InputError({"standard output", 0}, "", "cannot write");
+      throw formats::InputError({"standard output", 0}, "", "cannot write");
     return exit;
-  } catch (const golden::InputError& error) {
+  } catch (const formats::InputError& error) {
     fmt::print(stderr, "contact-oracle: {}\n", error.what());
     return kBadInput;
   } catch (const OracleFault& error) {
@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
   std::optional<tool::Cluster> cluster;
   try {
     cluster.emplace(argc, argv);
-  } catch (const golden::InputError& error) {
+  } catch (const formats::InputError& error) {
     fmt::print(stderr, "contact-oracle: {}\n", error.what());
     return tool::kBadInput;
   }

@@ -9,7 +9,7 @@
 #include "columns.hpp"
 #include "contact/batch.hpp"
 #include "golden/dataset.hpp"
-#include "oracle/judge.hpp"
+#include "oracle/judge/judge.hpp"
 #include "peers/peers.hpp"
 #include "places.hpp"
 #include "plain_batch.hpp"

@@ -13,8 +13,8 @@
 
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
-#include "oracle/conventions.hpp"
-#include "oracle/query.hpp"
+#include "oracle/judge/conventions.hpp"
+#include "oracle/truth/query.hpp"
 
 namespace contact::bench {
 

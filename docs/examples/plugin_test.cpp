@@ -14,6 +14,7 @@
 #include "contact/detect.hpp"
 #include "contact/discrete_intersection.hpp"
 #include "droplets.hpp"
+#include "environment/floating_point_environments.hpp"
 
 namespace contact {
 namespace {
@@ -23,8 +24,8 @@ struct Loaded {
   ProximityIntersection before{{.alarm = 1, .contact = 0}};
 
   Loaded() {
-    load_plugin(CAPSULE_PLUGIN);
-    load_plugin(CUBE_CONTACT_PLUGIN);
+    load_plugin(CAPSULE);
+    load_plugin(CUBE_CONTACT);
   }
 };
 const Loaded& loaded() {
@@ -176,15 +177,15 @@ TEST(Plugins, do_not_depend_on_the_order_in_which_they_register) {
     }
     return all;
   };
-  EXPECT_EQ(contacts({CAPSULE_PLUGIN, CUBE_CONTACT_PLUGIN}), contacts({CUBE_CONTACT_PLUGIN, CAPSULE_PLUGIN}));
+  EXPECT_EQ(contacts({CAPSULE, CUBE_CONTACT}), contacts({CUBE_CONTACT, CAPSULE}));
 }
 
 TEST(Plugins, may_be_loaded_again_and_nothing_is_registered_twice) {
   loaded();
   const std::vector<std::string> names = IntersectorFactory::getInstance().names();
   const std::size_t makers = ModelFactory::getInstance().makers().size();
-  load_plugin(CAPSULE_PLUGIN);
-  load_plugin(std::filesystem::relative(CAPSULE_PLUGIN));
+  load_plugin(CAPSULE);
+  load_plugin(std::filesystem::relative(CAPSULE));
   EXPECT_EQ(IntersectorFactory::getInstance().names(), names);
   EXPECT_EQ(ModelFactory::getInstance().makers().size(), makers);
   EXPECT_EQ(std::count(names.begin(), names.end(), "CapsuleSphereIntersector"), 1);
@@ -231,7 +232,22 @@ TEST(Plugins, that_are_missing_or_broken_are_refused_with_the_file_and_the_reaso
   std::filesystem::remove(text);
   EXPECT_EQ(refusal_of(testing::TempDir()).find(testing::TempDir() + ": cannot be loaded: "), 0U);
   EXPECT_EQ(refusal_of(NO_ENTRY), NO_ENTRY ": is no plug-in: it exports no contact_plugin_entry");
-  EXPECT_EQ(refusal_of(WRONG_INTERFACE), WRONG_INTERFACE ": was built for plug-in interface 3, this is 2");
+  EXPECT_EQ(refusal_of(WRONG_INTERFACE), WRONG_INTERFACE ": was built for plug-in interface 4, this is 3");
+  EXPECT_EQ(refusal_of(""), ": names no file");
+  EXPECT_EQ(refusal_of(std::string(CAPSULE) + '\0' + ".txt").find(CAPSULE), 0U)
+      << "not taken for the file before the zero";
+  EXPECT_EQ(refusal_of(NO_FUNCTION), NO_FUNCTION ": exports no function to register with");
+}
+
+TEST(Plugins, are_refused_by_name_from_a_folder_that_is_gone) {
+  const std::filesystem::path before = std::filesystem::current_path();
+  const std::filesystem::path gone = std::filesystem::path(testing::TempDir()) / "contact_gone";
+  std::filesystem::create_directory(gone);
+  std::filesystem::current_path(gone);
+  std::filesystem::remove(gone);
+  const std::string refusal = refusal_of("capsule.so");
+  std::filesystem::current_path(before);
+  EXPECT_EQ(refusal, "capsule.so: cannot be found: No such file or directory");
 }
 
 TEST(Plugins, that_fail_while_they_register_are_refused_and_stay_loaded) {
@@ -241,6 +257,49 @@ TEST(Plugins, that_fail_while_they_register_are_refused_and_stay_loaded) {
   const DiscreteIntersection intersection;
   const auto names = IntersectorFactory::getInstance().names();
   EXPECT_EQ(std::count(names.begin(), names.end(), "HalfDone"), 1);
+  for (int i = 0; i < 2; ++i)
+    EXPECT_EQ(refusal_of(THROWS_A_NUMBER), THROWS_A_NUMBER ": failed to register: what it threw is no std::exception");
+  EXPECT_EQ(refusal_of(NOTHING_TO_CALL),
+            NOTHING_TO_CALL ": failed to register: creator Nothing: there is nothing to call");
+}
+
+TEST(Plugins, give_the_same_contacts_in_every_floating_point_environment) {
+  loaded();
+  const Scene scene;
+  const ProximityIntersection intersection({.alarm = 0.25, .contact = 0.125});
+  const auto expected = bits_of(*detect(intersection, *scene.capsules, *scene.spheres));
+  for (const FloatingPointEnvironment& environment : floating_point_environments()) {
+    std::optional<OutputVector> contacts;  // the capsules' arithmetic is plain: what it raises must not trap
+    in_environment(environment, [&] { contacts = detect(intersection, *scene.capsules, *scene.spheres); });
+    EXPECT_EQ(bits_of(*contacts), expected) << environment.name;
+  }
+}
+
+/// The value of the one contact between a drop of that type and a sphere; nothing where no intersector serves them.
+std::optional<double> size_of_drop(const std::string& type) {
+  DiscreteIntersection intersection;
+  intersection.intersectors.setSink({});
+  const auto drop = make(type, {});
+  const SphereCollisionModel sphere("s", Eigen::RowVector3d(0, 0, 0), Eigen::VectorXd::Ones(1));
+  const auto contacts = detect(intersection, *drop, sphere);
+  if (!contacts) return std::nullopt;
+  EXPECT_EQ(contacts->size(), 1U);
+  return contacts->at(0).value;
+}
+
+TEST(Plugins, that_each_have_a_class_of_one_name_are_served_by_their_own_intersectors) {
+  for (const char* plugin : {DROP_FIRST, DROP_SECOND, OPEN_DROP_FIRST, OPEN_DROP_SECOND}) load_plugin(plugin);
+  EXPECT_EQ(size_of_drop("Drop of first"), 1);
+  EXPECT_EQ(size_of_drop("Drop of second"), 2);
+  EXPECT_EQ(size_of_drop("open Drop of first"), 1);
+  EXPECT_EQ(size_of_drop("open Drop of second"), 2);
+}
+
+TEST(Plugins, serve_each_others_models_where_both_declare_the_same_identity) {
+  for (const char* plugin : {DROP_FIRST, DROP_SECOND, DROP_MAKER}) load_plugin(plugin);
+  EXPECT_EQ(size_of_drop("SharedDrop"), std::nullopt) << "nobody's, and not one of the others' by its name";
+  load_plugin(DROP_SERVER);
+  EXPECT_EQ(size_of_drop("SharedDrop"), 3);
 }
 
 TEST(Droplets, are_registered_by_their_translation_unit_and_are_spheres_to_all_others) {

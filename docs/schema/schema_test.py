@@ -40,6 +40,12 @@ def run(*args, **options):
     return subprocess.run([TOOL, *map(str, args)], capture_output=True, text=True, timeout=600, cwd=ROOT, **options)
 
 
+def refuted(*args):
+    done = run(*args)
+    if done.returncode != 1:
+        raise AssertionError(f"exit status {done.returncode}, and 1 was expected: {args}\n{done.stderr}")
+
+
 def lines_of(path):
     return [json.loads(line) for line in path.read_text().splitlines()]
 
@@ -104,6 +110,9 @@ class Accepted(Case):
         self.assertEqual(run("lint", "--generated", "--write-manifest", self.folder).returncode, 0)
         self.valid("manifest.json", json.loads((self.folder / "manifest.json").read_text()))
 
+    # Of both scalars, of every outcome, and few: each failure is a line of a report.
+    FEW = [GOLDEN / "sphere_sphere" / f"{name}.jsonl" for name in ("coincident", "invalid", "touching.f32", "upstream")]
+
     def test_reports_are_valid_whatever_the_verdict(self):
         report, older = self.folder / "report.json", self.folder / "older.json"
         table = {
@@ -117,11 +126,11 @@ class Accepted(Case):
         }
         for name, (code, options) in table.items():
             with self.subTest(name):
-                done = run("certify", GOLDEN / "sphere_sphere", *options, "--json", report)
+                done = run("certify", *self.FEW, *options, "--json", report)
                 self.assertEqual(done.returncode, code, done.stderr)
                 self.valid("report.json", json.loads(report.read_text()))
-        run("certify", GOLDEN / "sphere_sphere", "--engine", "plain-double", "--json", older)
-        done = run("certify", GOLDEN / "sphere_sphere", "--engine", "plain-double", "--baseline", older, "--json", report)
+        refuted("certify", *self.FEW, "--engine", "plain-double", "--json", older)
+        done = run("certify", *self.FEW, "--engine", "plain-double", "--baseline", older, "--json", report)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("baseline", json.loads(report.read_text()))
         self.valid("report.json", json.loads(report.read_text()))
@@ -129,13 +138,13 @@ class Accepted(Case):
     def test_certificates_are_valid_whatever_the_engine(self):
         path, known = self.folder / "certificate.json", self.folder / "known.json"
         one = GOLDEN / "sphere_sphere" / "touching.jsonl"
-        run("certify", one, "--engine", "plain-double", "--json", known)
+        refuted("certify", one, "--engine", "plain-double", "--json", known)
         plain = f"{sys.executable} {ROOT / 'docs' / 'examples' / 'engines' / 'plain.py'}"
         table = {
             "production": (0, [GOLDEN, "--engine", "production"]),
-            "binary32, and much left out": (1, [GOLDEN / "sphere_sphere", "--engine", "plain-float"]),
-            "a command": (1, [GOLDEN / "sphere_sphere", "--engine-command", plain]),
-            "recorded": (1, [GOLDEN / "sphere_sphere", "--results", GOLDEN / "recorded" / "sofa-2a278d8" / "sphere_sphere.jsonl"]),
+            "binary32, and much left out": (1, [*self.FEW, "--engine", "plain-float"]),
+            "a command": (1, [*self.FEW, "--engine-command", plain]),
+            "recorded": (1, [*self.FEW, "--results", GOLDEN / "recorded" / "sofa-2a278d8" / "sphere_sphere.jsonl"]),
             "generated": (0, ["--generate", 3, "--seed", 2**64 - 1]),
             "accepted": (0, [one, "--engine", "plain-double", "--baseline", known, "--accept-reason", "known",
                              "--accept-until", "2999-12-31"]),
@@ -172,6 +181,19 @@ class Names(Case):
         for name, shapes in (("sphere_family", "spheres"), ("cube_family", "cubes")):
             self.assertEqual(COMMON[name]["enum"], [one["family"] for one in listed if one.get("shapes") == shapes])
         self.assertEqual(COMMON["flag"]["enum"], [one["flag"] for one in listed if "flag" in one])
+
+    def test_pairs_and_shapes_are_the_programs(self):
+        pairs = [json.loads(line) for line in run("pairs", "--json").stdout.splitlines()]
+        self.assertEqual(COMMON["pair"]["enum"], [one["pair"] for one in pairs])
+        kinds = {"point": "vector", "length": "length"}
+        shapes = {shape["shape"]: shape["fields"] for one in pairs for shape in (one["a"], one["b"])}
+        self.assertIn("sphere", shapes)
+        for name, fields in shapes.items():
+            for prefix, kind in (("", kinds), ("any_", {"point": "any_vector", "length": "any_number"})):
+                schema = COMMON[prefix + name]
+                self.assertEqual(schema["required"], list(fields))
+                self.assertEqual({key: value["$ref"].rsplit("/")[-1] for key, value in schema["properties"].items()},
+                                 {key: kind[value] for key, value in fields.items()})
 
     def test_pairs_and_conventions_are_those_of_production(self):
         hello = json.loads(run("serve", input='{"op":"hello","protocol":1}\n{"op":"stop"}\n').stdout.splitlines()[0])
@@ -321,7 +343,7 @@ class Refused(Case):
 
     def test_typical_mistakes_in_a_report(self):
         path = self.folder / "report.json"
-        run("certify", GOLDEN / "sphere_sphere" / "coincident.jsonl", "--engine", "plain-double", "--json", path)
+        refuted("certify", GOLDEN / "sphere_sphere" / "coincident.jsonl", "--engine", "plain-double", "--json", path)
         report = json.loads(path.read_text())
         self.assertTrue(report["failures"] and report["worst"])
         self.check("report.json", report, {
@@ -330,6 +352,7 @@ class Refused(Case):
             "answers": (["total", "answers", "missing"], None), "unknown field": (["total", "fields", "depth"], {}),
             "grade": (["total", "fields", "value", "faithful"], None), "id": (["failures", 0, "id"], "x"),
             "accepted": (["failures", 0, "accepted"], "no"), "level of a failure": (["failures", 0, "level"], "good"),
+            "half a question": (["failures", 0, "b"], None), "no shape": (["failures", 0, "a"], {"radius": 1}),
             "query": (["worst", 0, "query", "alarm"], None), "claimed and not": (["worst", 0, "claimed", "error"], "text"),
             "nothing right": (["worst", 0, "right"], None), "bound": (["bounds", "value"], 0.5),
             "power": (["total", "fields", "value", "errors"], [[65, 1]]), "no error": (["total", "fields", "value", "errors"], [[1, 0]]),
@@ -340,9 +363,10 @@ class Refused(Case):
     def test_typical_mistakes_in_a_certificate(self):
         path, known = self.folder / "certificate.json", self.folder / "known.json"
         options = [GOLDEN / "sphere_sphere" / "touching.jsonl", "--engine", "plain-double"]
-        run("certify", *options, "--json", known)
-        run("certify", *options, "--baseline", known, "--accept-reason", "known", "--accept-until", "2999-12-31",
-            "--certificate", path)
+        refuted("certify", *options, "--json", known)
+        done = run("certify", *options, "--baseline", known, "--accept-reason", "known", "--accept-until", "2999-12-31",
+                   "--certificate", path)
+        self.assertEqual(done.returncode, 0, done.stderr)
         source, family = ["questions", "sources", 0], ["found", "families", 0]
         self.check("certificate.json", json.loads(path.read_text()), {
             "format": (["format"], "contact-oracle/report"), "digest": (["sha256"], "0" * 63), "day": (["issued"], "today"),

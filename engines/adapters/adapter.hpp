@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "engines/contact_engine.h"
+#include "engines/protocol/contact_engine.h"
 
 namespace contact::adapters {
 
@@ -17,7 +17,7 @@ struct Question {
   double alarm;
 };
 
-/// What is said of one question; what is not said is no claim.
+/// What is said of one question; of a hit, all that the declaration claims.
 class Answer {
  public:
   Answer(const contact_answers& all, std::size_t i)

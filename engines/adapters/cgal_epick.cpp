@@ -12,7 +12,7 @@ namespace contact::adapters {
 std::string declaration() {
   return R"({"engine":{"name":"cgal-epick","version":")" CGAL_VERSION_STR
          R"("},"scalar":"binary64","pairs":["sphere_sphere"],)"
-         R"("conventions":{"scale":{"min":1e-150,"max":1e150}}})";
+         R"("conventions":{"scale":{"min":1e-150,"max":1e150}},"claims":["overlap"]})";
 }
 
 void answer(const Question& q, Answer& said) {

@@ -9,7 +9,8 @@ namespace contact::adapters {
 
 std::string declaration() {
   return R"({"engine":{"name":"fcl-distance","version":")" FCL_VERSION
-         R"("},"scalar":"binary64","pairs":["sphere_sphere"],"conventions":{"value_less_contact":false}})";
+         R"("},"scalar":"binary64","pairs":["sphere_sphere"],"conventions":{"value_less_contact":false},)"
+         R"("claims":["overlap","contact"]})";
 }
 
 void answer(const Question& q, Answer& said) {
@@ -22,7 +23,8 @@ void answer(const Question& q, Answer& said) {
   fcl::DistanceResultd result;
   fcl::distance(&a, &b, fcl::DistanceRequestd(true), result);
   said.hit(result.min_distance <= q.alarm);
-  // Of spheres that touch or penetrate the plain request says only that they do, by the distance -1.
+  // Of spheres that touch or penetrate the plain request says only that they do, by the distance -1: so numbers are not
+  // among what it claims.
   if (!(result.min_distance <= q.alarm) || result.min_distance < 0) return;
   said.point1(result.nearest_points[0]);
   said.point2(result.nearest_points[1]);

@@ -11,6 +11,7 @@ serve({
     points: 'first_only', value_less_contact: false, touching_overlap: 'open', touching_contact: 'open', margin: 'none',
     coincident: 'no_contact',
   },
+  claims: ['contact', 'normal', 'point1', 'value'],
 }, ({a, b}) => {
   const sphere = ({center, radius}) => {
     const shape = new Sphere(new ShapeConfig(), radius);

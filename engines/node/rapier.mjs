@@ -1,4 +1,5 @@
-// Rapier: Shape.contactShape with the alarm distance as its prediction, and Shape.intersectsShape, which has no margin.
+// Rapier: Shape.contactShape with the alarm distance as its prediction, and Shape.intersectsShape, which has no margin:
+// with one, spheres overlap where they have a contact.
 import {numbers, serve, vector, versionOf} from './loop.mjs';
 import rapier from '@dimforge/rapier3d-compat';
 
@@ -12,9 +13,11 @@ serve({
   const [first, second] = [new rapier.Ball(a.radius), new rapier.Ball(b.radius)];
   const [from, to] = [vector(a.center), vector(b.center)];
   const found = first.contactShape(from, upright, second, to, upright, alarm);
-  const said = alarm === 0 ? {overlap: first.intersectsShape(from, upright, second, to, upright)} : {};
-  said.contact = found && {
-    normal: numbers(found.normal1), point1: numbers(found.point1), point2: numbers(found.point2), value: found.distance,
+  const overlap = alarm === 0 ? first.intersectsShape(from, upright, second, to, upright) : found !== null;
+  return {
+    overlap,
+    contact: found && {
+      normal: numbers(found.normal1), point1: numbers(found.point1), point2: numbers(found.point2), value: found.distance,
+    },
   };
-  return said;
 });

@@ -4,7 +4,7 @@ import {Box3, Sphere, Vector3} from 'three';
 
 serve({
   engine: {name: 'three', version: versionOf('three')}, scalar: 'binary64', pairs: ['sphere_sphere', 'cube_cube'],
-  conventions: {margin: 'none'},
+  conventions: {margin: 'none'}, claims: ['overlap'],
 }, ({pair, a, b}) => {
   if (pair === 'cube_cube') {
     const box = ({min, max}) => new Box3(new Vector3(...min), new Vector3(...max));

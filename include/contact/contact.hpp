@@ -30,10 +30,10 @@ struct ContactPoints {
 /// The contact-point conventions that have a name: ours, compiled SOFA's, and the one in SOFA's published description.
 enum class PointConvention { nearest_surface, center, published };
 
-/// What a sphere belongs to: particles that deform, or a rigid body. Only the convention `center` tells them apart.
+/// Whether a sphere belongs to a deformable body or to a rigid one. Only the convention `center` tells them apart.
 enum class SphereKind { deformable, rigid };
 
-/// Where a convention puts the point of a sphere of that kind.
+/// Where a convention puts the contact point of a sphere of this kind.
 [[nodiscard]] constexpr PointOn point_on(PointConvention convention, SphereKind kind) {
   switch (convention) {
     case PointConvention::center:

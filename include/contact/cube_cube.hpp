@@ -7,7 +7,8 @@ namespace contact {
 
 /// Whether two boxes are within `alarm` of each other on every axis.
 /// Units       one length unit throughout.
-/// Domain      finite; min <= max on every axis, alarm >= 0. Flat boxes, subnormals and the largest finite included.
+/// Domain      finite; min <= max on every axis, alarm >= 0. Flat boxes, subnormals and the largest finite numbers are
+///             included.
 /// Decision    on every axis a.min <= b.max + alarm and b.min <= a.max + alarm, exactly: touching counts.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
 /// Source      seed.txt, testIntersection(Cube&, Cube&); docs/specification.md#cube-pairs. SOFA's computeIntersection

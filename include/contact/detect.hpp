@@ -7,17 +7,21 @@
 
 namespace contact {
 
-/// Every contact between the elements of two models, or nothing where `intersection` has no intersector for them
-/// (which is not the same as no contact). `intersection` also supplies the distances.
+/// Every contact between the elements of two models. The result is std::nullopt if `intersection` has no intersector
+/// for them, which is not the same as an empty vector of contacts. `intersection` also supplies the distances.
 ///
-/// Sides       point[0] and elem.first belong to `model1` and the normal points from it, whichever way round the
-///             intersector takes the two.
-/// Order       by the index in model1, then the index in model2, then as the intersector wrote them; what it writes in
-///             beginIntersect comes first, what it writes in endIntersect last. Addresses play no part.
-/// Candidates  the pairs whose bounding boxes lie within the alarm distance on every axis, from a spatial index: nearly
-///             linear time where each element is near a bounded number of others. Each candidate is put to
-///             canIntersect, then to intersect.
-/// Throws      std::invalid_argument where a distance of `intersection` is negative or not finite.
+/// Sides       point[0] and elem.first belong to `model1` and the normal points away from it, in whichever order the
+///             intersector takes the two models.
+/// Order       by the index in model1, then by the index in model2, then as the intersector wrote them. Contacts from
+///             beginIntersect come first, contacts from endIntersect last. The order does not depend on addresses.
+/// Candidates  the pairs whose bounding boxes lie within the alarm distance on every axis. A spatial index finds
+///             them, in nearly linear time if each element is near a bounded number of others. canIntersect is asked
+///             about each candidate, then intersect.
+/// Throws      std::invalid_argument if a distance of `intersection` is negative or not finite; std::logic_error if a
+///             model's bounding box has a NaN or min > max, or if an intersector wrote a different number of contacts
+///             than it returned.
+/// Environment any, as for the functions of one pair. Models and intersectors are called in the default environment, so
+///             a plug-in's results do not depend on the caller's environment, and a plug-in does not trap.
 /// Evidence    src/component/detect_test.cpp; bench/detect.cpp.
 [[nodiscard]] std::optional<OutputVector> detect(const Intersection& intersection, const CollisionModel& model1,
                                                  const CollisionModel& model2);

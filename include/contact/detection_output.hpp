@@ -10,12 +10,28 @@
 
 namespace contact {
 
+/// A contact's number, and whether contact_id gave it or an intersector that numbers its contacts in another way.
+class ContactId {
+ public:
+  ContactId(std::int64_t number) : number_(number) {}  // NOLINT(google-explicit-constructor): a number is one
+  operator std::int64_t() const { return number_; }    // NOLINT(google-explicit-constructor)
+
+  /// Whether contact_id gave the number. Copies keep this; a ContactId made from a plain integer does not have it.
+  [[nodiscard]] bool is_of_pair() const { return of_pair_; }
+
+ private:
+  friend ContactId contact_id(const CollisionElement& first, const CollisionElement& second);
+
+  std::int64_t number_;
+  bool of_pair_ = false;
+};
+
 /// One contact. `point[0]` and `elem.first` belong to the first model, `normal` is a unit vector from it to the second.
 struct DetectionOutput {
-  using ContactId = std::int64_t;
+  using ContactId = contact::ContactId;
 
   std::pair<CollisionElement, CollisionElement> elem;
-  ContactId id;                  ///< contact_id of the pair, unless an intersector numbers its contacts otherwise
+  ContactId id;                  ///< contact_id of the pair, unless an intersector numbers its contacts in another way
   std::array<Vector3, 2> point;  ///< world coordinates
   Vector3 normal;
   double value;       ///< signed distance of the surfaces, less the contact distance
@@ -24,12 +40,12 @@ struct DetectionOutput {
 
 using OutputVector = std::vector<DetectionOutput>;
 
-/// SOFA's number of a contact: the element's index in the larger model, in the second where both are of one size. An
-/// element of the larger model that meets two of the smaller gives both contacts the same number.
-[[nodiscard]] DetectionOutput::ContactId contact_id(const CollisionElement& first, const CollisionElement& second);
+/// SOFA's number of a contact: the index of the element of the larger model, or of the second model if both have the
+/// same size. If an element of the larger model meets two elements of the smaller one, these contacts share a number.
+[[nodiscard]] ContactId contact_id(const CollisionElement& first, const CollisionElement& second);
 
-/// The same contact seen from the other model: elements and points exchanged, the normal turned round (zeros stay +0),
-/// and the number of a pair that contact_id had numbered is contact_id's again.
+/// The same contact seen from the other model: elements and points are exchanged and the normal is reversed (zeros stay
+/// +0). A number that contact_id gave is computed again for the new order; an intersector's own number stays.
 [[nodiscard]] DetectionOutput mirrored(const DetectionOutput& output);
 
 }  // namespace contact

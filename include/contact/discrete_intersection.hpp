@@ -19,14 +19,13 @@ namespace contact {
 
 /// SOFA's component for discrete detection between cubes and spheres.
 ///
-/// Its own alarm and contact distance are 0 and stay so: the distances of a test come from `currentIntersection`, which
-/// may be another object (ProximityIntersection below has distances of its own).
-/// Decision    exact, and every number of a contact correctly rounded: see test_sphere_sphere, compute_sphere_sphere
-/// and
+/// Its own alarm and contact distance are always 0. A test takes its distances from `currentIntersection`, which may be
+/// another object (ProximityIntersection below has distances of its own).
+/// Decision    exact. Every number of a contact is correctly rounded: see test_sphere_sphere, compute_sphere_sphere and
 ///             test_cube_cube.
 /// Domain      the distances of `currentIntersection` finite and >= 0; models check their data themselves.
 /// Threads     the methods are const; any number of threads may test and compute at once.
-/// Source      seed.txt; docs/sofa-map.md says what is as upstream and what is not.
+/// Source      seed.txt; docs/sofa-map.md says what is the same as in SOFA and what differs.
 /// Evidence    src/component/discrete_intersection_test.cpp; the engine `component` on every file in golden/.
 class DiscreteIntersection : public Intersection, public BaseIntersector {
  public:
@@ -42,8 +41,9 @@ class DiscreteIntersection : public Intersection, public BaseIntersector {
 
   IntersectorMap intersectors;
 
-  /// Whether two boxes are within the alarm distance on every axis. An element against itself answers whether its cone
-  /// of normals spans a half turn or more (angle >= pi/2 from its axis): whether the surface inside could touch itself.
+  /// Whether two boxes are within the alarm distance on every axis. For an element against itself the answer is whether
+  /// its cone of normals spans a half turn or more (angle >= pi/2 from its axis), so that the surface inside the box
+  /// could touch itself.
   [[nodiscard]] virtual bool testIntersection(const Cube& cube1, const Cube& cube2,
                                               const Intersection& currentIntersection) const;
   /// Writes nothing and returns 0.
@@ -65,8 +65,9 @@ class DiscreteIntersection : public Intersection, public BaseIntersector {
   virtual int computeIntersection(const Sphere& sph1, const RigidSphere& sph2, OutputVector& contacts,
                                   const Intersection& currentIntersection) const;
 
-  /// Many pairs at once, spheres by the batch kernels: the same contacts, and none between boxes. False, and nothing
-  /// written, where a derived class may have overridden the methods above, and for other models.
+  /// Intersects many pairs at once, spheres by the batch kernels. It appends the same contacts as computeIntersection,
+  /// and none between boxes. It returns false and writes nothing where a derived class may have overridden the methods
+  /// above, and for other models.
   template <class Model1, class Model2>
   bool intersectPairs(const Model1& model1, const Model2& model2, std::span<const ElementPair> pairs,
                       std::span<std::size_t> written, OutputVector& contacts,
@@ -76,9 +77,7 @@ class DiscreteIntersection : public Intersection, public BaseIntersector {
       model2.balls();
     };
     if constexpr (kSpheres)
-      return intersectSpheres({model1, model1.balls(), point_on(points_, Model1::kKind)},
-                              {model2, model2.balls(), point_on(points_, Model2::kKind)}, pairs, written, contacts,
-                              currentIntersection);
+      return intersectSpheres(spheres(model1), spheres(model2), pairs, written, contacts, currentIntersection);
     else if constexpr (std::is_same_v<Model1, CubeCollisionModel> && std::is_same_v<Model2, CubeCollisionModel>)
       return intersectCubes(written);
     else
@@ -88,7 +87,7 @@ class DiscreteIntersection : public Intersection, public BaseIntersector {
   [[nodiscard]] PointConvention points() const { return points_; }
 
  protected:
-  /// For elements of any two sphere classes with ball(): derived components add their own kinds with these.
+  /// These two serve any two sphere classes that have ball(). A derived component uses them for its own sphere classes.
   template <class SphereType1, class SphereType2>
   [[nodiscard]] bool testIntersectionSphere(const SphereType1& sph1, const SphereType2& sph2, double alarmDist) const {
     return test_sphere_sphere(sph1.ball(), sph2.ball(), alarmDist);
@@ -112,11 +111,19 @@ class DiscreteIntersection : public Intersection, public BaseIntersector {
   }
 
  private:
+  /// Where a model's numbers lie. `centers` holds x of every centre, then every y, then every z.
   struct Spheres {
     const CollisionModel& model;
-    const BallArray& balls;
+    const double* centers;
+    const double* radii;
+    Index count;
     PointOn on;
   };
+  template <class Model>
+  [[nodiscard]] Spheres spheres(const Model& model) const {
+    return {model, model.balls().centers.data(), model.balls().radii.data(), model.balls().radii.size(),
+            point_on(points_, Model::kKind)};
+  }
   bool intersectSpheres(const Spheres& first, const Spheres& second, std::span<const ElementPair> pairs,
                         std::span<std::size_t> written, OutputVector& contacts,
                         const Intersection& currentIntersection) const;
@@ -129,7 +136,7 @@ class DiscreteIntersection : public Intersection, public BaseIntersector {
 
 /// A DiscreteIntersection with an alarm and a contact distance of its own, as SOFA's BaseProximityIntersection.
 /// Units       of the models' coordinates.
-/// Domain      both finite and >= 0: anything else throws std::invalid_argument and changes nothing.
+/// Domain      both are finite and >= 0. Anything else throws std::invalid_argument and changes nothing.
 class ProximityIntersection : public DiscreteIntersection {
  public:
   explicit ProximityIntersection(Distances distances, PointConvention points = PointConvention::nearest_surface,

@@ -1,13 +1,33 @@
-// The input domain: what every boundary that data enters by asks before a kernel, which states it and checks nothing.
+// The input domain. Every place where data enter the project checks it here; the kernels state it and check nothing.
+//
+// Everything here is inline, so it is compiled with the caller's flags. -ffast-math lets a compiler assume that every
+// number is finite, flushing turns negative subnormal numbers into zero, and a comparison with NaN may trap. So the
+// functions look at the bits of the numbers, which none of these changes.
 #pragma once
 
-#include <cmath>
+#include <bit>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
-#include "contact/geometry.hpp"
+#include "contact/shapes.hpp"
 
 namespace contact {
+
+/// Neither infinite nor NaN, whatever the compiler may assume.
+[[nodiscard]] constexpr bool is_finite_by_bits(double x) {
+  return (std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff) != 0x7ff;
+}
+
+/// a < b, in every floating-point environment and without an exception. Domain: neither is NaN.
+[[nodiscard]] constexpr bool is_less_by_bits(double a, double b) {
+  const auto ordered = [](double x) {  // integers in the order of the numbers; both zeros are 0
+    const auto bits = std::bit_cast<std::int64_t>(x);
+    return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
+  };
+  return ordered(a) < ordered(b);
+}
 
 /// A number outside the domain: the field's path (such as `center[1]`), its value and the rule that it breaks.
 struct DomainError {
@@ -18,31 +38,48 @@ struct DomainError {
 
 /// The first rule that a length (radius, alarm or contact distance) breaks, or nothing.
 [[nodiscard]] inline std::optional<DomainError> outside_domain(const std::string& field, double length) {
-  if (!std::isfinite(length)) return DomainError{field, length, "must be finite"};
-  if (length < 0) return DomainError{field, length, "must not be negative"};
+  if (!is_finite_by_bits(length)) return DomainError{field, length, "must be finite"};
+  if (is_less_by_bits(length, 0)) return DomainError{field, length, "must not be negative"};
   return std::nullopt;
 }
 
 /// The first non-finite coordinate, or nothing.
 [[nodiscard]] inline std::optional<DomainError> outside_domain(const std::string& field, const Vector3& point) {
   for (int axis = 0; axis < 3; ++axis)
-    if (!std::isfinite(point[axis]))
+    if (!is_finite_by_bits(point[axis]))
       return DomainError{field + "[" + std::to_string(axis) + "]", point[axis], "must be finite"};
   return std::nullopt;
 }
 
-[[nodiscard]] inline std::optional<DomainError> outside_domain(const std::string& field, const Ball& ball) {
-  if (auto error = outside_domain(field + ".center", ball.center)) return error;
-  return outside_domain(field + ".radius", ball.radius);
+/// The first number of a shape that breaks a rule: those of its fields, then those of the whole.
+template <DescribedShape Shape>
+[[nodiscard]] std::optional<DomainError> outside_domain(const std::string& path, const Shape& shape) {
+  std::optional<DomainError> error;
+  for_each_field(shape, [&](const auto& field, const auto& value) {
+    if (!error) error = outside_domain(path + "." + std::string(field.name), value);
+  });
+  if (error) return error;
+  if (const auto broken = ShapeDescription<Shape>::broken_rule(shape, is_less_by_bits))
+    for_each_field(shape, [&](const auto& field, const auto& value) {
+      if constexpr (std::same_as<std::remove_cvref_t<decltype(value)>, Vector3>)
+        if (field.name == broken->field)
+          error = DomainError{path + "." + std::string(field.name) + "[" + std::to_string(broken->axis) + "]",
+                              value[broken->axis], std::string(broken->rule)};
+    });
+  return error;
 }
 
-[[nodiscard]] inline std::optional<DomainError> outside_domain(const std::string& field, const Box& box) {
-  if (auto error = outside_domain(field + ".min", box.min)) return error;
-  if (auto error = outside_domain(field + ".max", box.max)) return error;
-  for (int axis = 0; axis < 3; ++axis)
-    if (box.min[axis] > box.max[axis])
-      return DomainError{field + ".min[" + std::to_string(axis) + "]", box.min[axis], "must not exceed max"};
-  return std::nullopt;
+/// Whether there is no such number, without the words of an error.
+template <DescribedShape Shape>
+[[nodiscard]] bool inside_domain(const Shape& shape) {
+  bool inside = true;
+  for_each_field(shape, [&](const auto& field, const auto& value) {
+    if constexpr (std::same_as<std::remove_cvref_t<decltype(value)>, double>)
+      inside = inside && is_finite_by_bits(value) && !(field.kind == FieldKind::length && is_less_by_bits(value, 0));
+    else
+      inside = inside && is_finite_by_bits(value[0]) && is_finite_by_bits(value[1]) && is_finite_by_bits(value[2]);
+  });
+  return inside && !ShapeDescription<Shape>::broken_rule(shape, is_less_by_bits);
 }
 
 [[nodiscard]] inline std::optional<DomainError> outside_domain(Distances distances) {

@@ -1,4 +1,4 @@
-// Sums of doubles, exactly: for intersectors of your own that must decide and round as the built-in ones do.
+// Exact sums of doubles, for your own intersectors that must decide and round as the built-in ones do.
 #pragma once
 
 #include <initializer_list>

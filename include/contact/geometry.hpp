@@ -2,12 +2,18 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 
 namespace contact {
 
 using Vector3 = Eigen::Vector3d;
+// Vectors pass between files that are compiled with different flags, so no instruction set may ask for more alignment.
+static_assert(sizeof(Vector3) == 3 * sizeof(double) && alignof(Vector3) == alignof(double));
 
-/// A solid sphere. `radius` >= 0; one length unit for everything in a question.
+/// The index of an element in its model, or of a row, from 0. It is not Eigen::Index, because a macro can change that.
+using Index = std::ptrdiff_t;
+
+/// A solid sphere. `radius` >= 0. All numbers of a question have the same length unit.
 struct Ball {
   Vector3 center;
   double radius;
@@ -19,8 +25,8 @@ struct Box {
   Vector3 max;
 };
 
-/// The distances of SOFA's Intersection: pairs up to `alarm` apart are reported, and a contact's value is less
-/// `contact`.
+/// The distances of SOFA's Intersection. Pairs up to `alarm` apart are reported. `contact` is subtracted from the value
+/// of a contact.
 struct Distances {
   double alarm;
   double contact;

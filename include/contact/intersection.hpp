@@ -1,5 +1,5 @@
-// The interfaces of intersection: who finds intersectors and supplies distances, who intersects two elements, and what
-// an intersector class starts from.
+// The interfaces of intersection: Intersection finds intersectors and supplies distances, ElementIntersector intersects
+// two elements, and an intersector class derives from BaseIntersector.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace contact {
 
 class Intersection;
 
-/// Two elements by their indices in the models that are asked about.
+/// Two elements, each by its index in its model.
 struct ElementPair {
   Index first;
   Index second;
@@ -26,7 +26,7 @@ class ElementIntersector {
   ElementIntersector& operator=(const ElementIntersector&) = delete;
   virtual ~ElementIntersector() = default;
 
-  /// Whether the two elements can collide; may say yes where they do not.
+  /// Whether the two elements can collide. It may return true for elements that do not.
   [[nodiscard]] virtual bool canIntersect(const CollisionElement& elem1, const CollisionElement& elem2,
                                           const Intersection& currentIntersection) const = 0;
   /// Called before the elements of two models are intersected. Appends to `contacts` and returns how many.
@@ -38,16 +38,17 @@ class ElementIntersector {
   /// Called after the elements of two models have been intersected. Appends to `contacts` and returns how many.
   virtual int endIntersect(const CollisionModel& model1, const CollisionModel& model2,
                            OutputVector& contacts) const = 0;
-  /// The class that does it and the two model types.
+  /// The name of the class that intersects, with the two model types.
   [[nodiscard]] virtual std::string name() const = 0;
-  /// Many pairs of elements, in their order: canIntersect, then intersect, or anything that comes to the same. Appends
-  /// to `contacts`; written[k] is how many pair k appended. Domain: `written` is as long as `pairs`.
+  /// Intersects many pairs of elements, in their order. The result is the same as of canIntersect, then intersect, for
+  /// each pair. Appends to `contacts`; written[k] is how many contacts pair k appended. Domain: `written` is as long as
+  /// `pairs`.
   virtual void intersectPairs(const CollisionModel& model1, const CollisionModel& model2,
                               std::span<const ElementPair> pairs, std::span<std::size_t> written,
                               OutputVector& contacts, const Intersection& currentIntersection) const;
 };
 
-/// What an intersector class starts from: the vector it writes to, and begin and end that write nothing.
+/// The base of an intersector class. It names the vector of contacts; its begin and end methods write nothing.
 class BaseIntersector {
  public:
   using OutputVector = contact::OutputVector;
@@ -59,7 +60,7 @@ class BaseIntersector {
   ~BaseIntersector() = default;
 };
 
-/// Finds the intersector for two models, and supplies the alarm and the contact distance to whoever intersects.
+/// Finds the intersector for two models, and supplies the alarm and the contact distance to it.
 class Intersection {
  public:
   Intersection() = default;
@@ -67,19 +68,19 @@ class Intersection {
   Intersection& operator=(const Intersection&) = delete;
   virtual ~Intersection() = default;
 
-  /// The intersector for two models, or nullptr where there is none. `swapModels` is set to whether the elements must
-  /// be given to it in reverse order, and to false where there is none.
+  /// The intersector for two models, or nullptr if there is none. `swapModels` is set to true if the elements must be
+  /// given to it in reverse order, otherwise to false, also if there is no intersector.
   [[nodiscard]] virtual const ElementIntersector* findIntersector(const CollisionModel& object1,
                                                                   const CollisionModel& object2,
                                                                   bool& swapModels) const = 0;
   /// Whether there is an intersector for the models of two elements.
   [[nodiscard]] bool isSupported(const CollisionElement& elem1, const CollisionElement& elem2) const;
 
-  /// Whether pairs that do not touch yet are reported. Both distances are 0 where this is false.
+  /// Whether pairs that do not touch yet are reported. If this is false, both distances are 0.
   [[nodiscard]] virtual bool useProximity() const { return false; }
   [[nodiscard]] virtual double getAlarmDistance() const { return 0; }
   [[nodiscard]] virtual double getContactDistance() const { return 0; }
-  /// Without an effect where useProximity() is false.
+  /// These two have no effect if useProximity() is false.
   virtual void setAlarmDistance(double) {}
   virtual void setContactDistance(double) {}
 };

@@ -1,5 +1,5 @@
-// Creators of intersectors: what other translation units and shared libraries register, every DiscreteIntersection made
-// afterwards has.
+// Creators of intersectors. Other translation units and shared libraries register them, and every DiscreteIntersection
+// that is made afterwards has their intersectors.
 #pragma once
 
 #include <functional>
@@ -13,15 +13,16 @@ namespace contact {
 
 class DiscreteIntersection;
 
-/// The creators, in the order in which they were registered. That order decides: a DiscreteIntersection adds its own
-/// intersectors first, then each creator adds its, and for the same two model types the later entry replaces the
-/// earlier. Threads     registering and making a DiscreteIntersection may happen at once.
+/// The creators, in the order in which they were registered. A DiscreteIntersection adds its own intersectors first,
+/// then each creator in this order adds its own. For the same two model types the later entry replaces the earlier one.
+/// Threads     registering and making a DiscreteIntersection may happen at once.
 class IntersectorFactory {
  public:
   /// Adds intersectors to a DiscreteIntersection and returns what it must keep alive.
   using Creator = std::function<std::shared_ptr<const void>(DiscreteIntersection&)>;
 
-  /// False, and nothing happens, where a creator of that name is registered already.
+  /// Returns false and changes nothing if a creator of this name is registered already. Throws std::invalid_argument if
+  /// `creator` is empty.
   bool registerCreator(std::string name, Creator creator);
 
   /// Has every creator add its intersectors; returns what the DiscreteIntersection must keep alive.
@@ -29,7 +30,7 @@ class IntersectorFactory {
 
   [[nodiscard]] std::vector<std::string> names() const;
 
-  /// The one that a DiscreteIntersection asks unless it is given another.
+  /// The factory that a DiscreteIntersection uses unless it is given another.
   [[nodiscard]] static IntersectorFactory& getInstance();
 
  private:

@@ -38,7 +38,7 @@ class MemberElementIntersector final : public ElementIntersector {
   int endIntersect(const CollisionModel& model1, const CollisionModel& model2, OutputVector& contacts) const override {
     return object_->endIntersection(model1, model2, contacts);
   }
-  /// By T's own intersectPairs where it has one and that takes the pairs.
+  /// Calls T's own intersectPairs. If T has none, or if it returns false, each pair is intersected by itself.
   void intersectPairs(const CollisionModel& model1, const CollisionModel& model2, std::span<const ElementPair> pairs,
                       std::span<std::size_t> written, OutputVector& contacts,
                       const Intersection& currentIntersection) const override {
@@ -62,20 +62,20 @@ class MemberElementIntersector final : public ElementIntersector {
 
 /// Intersectors by the types of two models.
 ///
-/// Lookup      the entry whose types are the models' own or their bases', nearest first (fewest steps up both lineages
-///             together); at equal distance the order of the models as given before the swapped one, and then the entry
-///             that was added last.
-/// Order       an entry for the same two types in the same order replaces the one before it.
-/// Threads     any number may look up at once while none adds. Adding needs the map alone.
+/// Lookup      finds the entry whose types are the models' own types or their bases'. The nearest entry wins (fewest
+///             steps up both lineages together). At equal distance the given order of the models wins over the swapped
+///             one, and then the entry that was added last.
+/// Order       a new entry for the same two types in the same order replaces the old one.
+/// Threads     any number of threads may look up at once while none adds. A thread that adds must be the only user.
 class IntersectorMap {
  public:
-  /// Told once of every pair of model types for which there is no entry, by whichever thread looks it up first.
+  /// Receives one message for every pair of model types that has no entry, from the thread that looks it up first.
   using Sink = std::function<void(const std::string& message)>;
 
   /// Without a sink of your own, messages go to standard error.
   IntersectorMap();
 
-  /// Elements of a Model1 and a Model2 go to `object`, which must outlive the map's use. T needs a name
+  /// Sends elements of a Model1 and a Model2 to `object`, which must outlive the map's use. T needs a name
   /// `static constexpr std::string_view kName`, and
   ///   bool testIntersection(const E1&, const E2&, const Intersection& currentIntersection) const
   ///   int computeIntersection(const E1&, const E2&, OutputVector&, const Intersection& currentIntersection) const
@@ -83,25 +83,25 @@ class IntersectorMap {
   template <class Model1, class Model2, class T>
   void add(const T& object);
 
-  /// The pair has no intersector, and nobody needs to be told.
+  /// Says that the pair has no intersector; the map then gives no message about it.
   template <class Model1, class Model2>
   void ignore() {
     insert(Model1::static_type(), Model2::static_type(), nullptr);
   }
 
-  /// The intersector for two models, or nullptr. `swapModels`: whether it takes their elements in reverse order. A
-  /// pointer is good until an entry for the same types replaces its intersector.
+  /// The intersector for two models, or nullptr. `swapModels` tells whether it takes their elements in reverse order.
+  /// The pointer stays valid until an entry for the same types replaces the intersector.
   [[nodiscard]] const ElementIntersector* get(const CollisionModel& model1, const CollisionModel& model2,
                                               bool& swapModels) const;
 
-  /// Replaces the sink. An empty one is silence.
+  /// Replaces the sink. With an empty sink there are no messages.
   void setSink(Sink sink) { sink_ = std::move(sink); }
 
   /// The names of the intersectors in the order in which their entries were added; `ignored` for ignored pairs.
   [[nodiscard]] std::vector<std::string> names() const;
 
  private:
-  using Key = std::pair<std::type_index, std::type_index>;
+  using Key = std::pair<ModelId, ModelId>;
   struct Entry {
     std::string name;
     std::unique_ptr<const ElementIntersector> intersector;  ///< nullptr: ignored

@@ -1,4 +1,4 @@
-// Models by the name of their type, from named columns of numbers: what scene files hold.
+// Makes models by the name of their type from named columns of numbers, which scene files hold.
 #pragma once
 
 #include <functional>
@@ -9,23 +9,24 @@
 #include <vector>
 
 #include "contact/collision_model.hpp"
+#include "contact/rows.hpp"
 
 namespace contact {
 
-/// Columns by name, one row an element.
-using ModelColumns = std::map<std::string, Eigen::MatrixXd>;
+/// Columns by name, one row per element. Eigen's matrices are copied in and out.
+using ModelColumns = std::map<std::string, Rows<Eigen::Dynamic>>;
 
 /// One column that a model type is made from.
 struct ModelColumn {
   std::string name;
-  Index width;  ///< numbers an element
+  Index width;  ///< numbers per element
 };
 
 /// A model type that can be made by name.
 struct ModelMaker {
   std::string type;
   std::vector<ModelColumn> columns;
-  /// Called with exactly the columns declared, each of its width and all of one length.
+  /// Called with exactly the declared columns. Each has its declared width, and all have the same length.
   std::function<std::unique_ptr<CollisionModel>(std::string name, const ModelColumns& columns)> make;
 };
 
@@ -35,11 +36,12 @@ class ModelFactory {
  public:
   ModelFactory();
 
-  /// False, and nothing happens, where that type is registered already.
+  /// Returns false and changes nothing if this type is registered already. Throws std::invalid_argument if `maker.make`
+  /// is empty.
   bool registerModel(ModelMaker maker);
 
-  /// Throws InvalidModel where the type is unknown, or a column is missing, unknown, or of the wrong width or length,
-  /// and where the model itself refuses the data.
+  /// Throws InvalidModel if the type is unknown, if a column is missing, unknown, or of the wrong width or length, if
+  /// the model itself refuses the data, or if its maker returns nullptr.
   [[nodiscard]] std::unique_ptr<CollisionModel> make(const std::string& type, std::string name,
                                                      const ModelColumns& columns) const;
 

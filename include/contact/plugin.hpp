@@ -1,4 +1,4 @@
-// Plug-ins: shared libraries that bring model types and intersectors at run time.
+// Plug-ins: shared libraries that add model types and intersectors at run time.
 #pragma once
 
 #include <filesystem>
@@ -9,30 +9,32 @@
 
 namespace contact {
 
-/// Where a plug-in registers what it brings.
+/// The factories in which a plug-in registers its model types and creators.
 struct PluginHost {
   IntersectorFactory& intersectors;
   ModelFactory& models;
 };
 
-/// What a plug-in exports. Plug-in and host are C++ on both sides: build them with the same compiler, standard library
-/// and version of these headers.
+/// What a plug-in exports. The interface is C++ on both sides, so build plug-in and host with the same compiler,
+/// standard library and version of these headers.
 struct PluginEntry {
   int interface;  ///< kPluginInterface of the headers that it was built with
   void (*enter)(PluginHost& host);
 };
 
-/// Changes whenever a class that crosses the border changes.
-inline constexpr int kPluginInterface = 2;
+/// Changes whenever a class that both the plug-in and the host use changes.
+inline constexpr int kPluginInterface = 3;
 
 class PluginError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Loads a shared library, and has it register with the instances of both factories. It stays loaded until the program
-/// ends; a library that is loaded already is left alone. Throws PluginError where it cannot be loaded, is no plug-in,
-/// was built for another interface, or throws while it registers (what it had registered by then stays).
+/// Loads a shared library and lets it register with the instances of both factories. The library stays loaded until the
+/// program ends. If it is loaded already, nothing happens. Throws PluginError if no file is named, or if the library
+/// cannot be loaded, is no plug-in, was built for another interface, exports no function, or throws anything while it
+/// registers (what it has registered by then stays registered). An exception that leaves one of the library's static
+/// constructors, before it registers, ends the program.
 void load_plugin(const std::filesystem::path& library);
 
 }  // namespace contact

@@ -5,46 +5,51 @@
 
 #include "contact/collision_model.hpp"
 #include "contact/contact.hpp"
+#include "contact/rows.hpp"
 
 namespace contact {
 
-/// Many balls as a structure of arrays: column x of every centre, then y, then z, and the radii.
+/// A view of many balls as a structure of arrays: x of every centre, then every y, then every z, and the radii.
 struct BallArray {
-  Eigen::MatrixX3d centers;
-  Eigen::VectorXd radii;
+  Eigen::Map<const Rows<3>::Matrix> centers;
+  Eigen::Map<const Rows<1>::Matrix> radii;
 
   [[nodiscard]] Ball operator[](Index i) const { return {centers.row(i).transpose(), radii[i]}; }
 };
 
-/// Spheres on the particles of something deformable.
+/// Spheres on the particles of a deformable body.
 /// Units       one length unit throughout.
-/// Domain      finite centres; finite radii >= 0; as many of one as of the other. Anything else throws InvalidModel and
-///             leaves the model as it was.
+/// Domain      finite centres; finite radii >= 0; as many radii as centres. Anything else throws InvalidModel and
+///             does not change the model.
 class SphereCollisionModel : public ModelOf<SphereCollisionModel> {
  public:
   static constexpr std::string_view kName = "SphereCollisionModel";
+  static constexpr ModelIdentity<SphereCollisionModel> kIdentity{"contact::SphereCollisionModel"};
   static constexpr SphereKind kKind = SphereKind::deformable;
   using Element = class Sphere;
 
-  SphereCollisionModel(std::string name, Eigen::MatrixX3d centers, Eigen::VectorXd radii);
+  SphereCollisionModel(std::string name, Rows<3> centers, Rows<1> radii);
 
-  [[nodiscard]] Index getSize() const override { return balls_.radii.size(); }
+  [[nodiscard]] Index getSize() const override { return radii_.size(); }
   [[nodiscard]] Box bounding_box(Index index) const override;
-  [[nodiscard]] const BallArray& balls() const { return balls_; }
-  [[nodiscard]] const Eigen::VectorXd& getR() const { return balls_.radii; }
-  [[nodiscard]] double getRadius(Index index) const { return balls_.radii[index]; }
+  /// Valid while the model lives, its address stays, and nobody gives it other centres.
+  [[nodiscard]] BallArray balls() const { return {centers_.matrix(), radii_.matrix()}; }
+  [[nodiscard]] Eigen::Map<const Rows<1>::Matrix> getR() const { return radii_.matrix(); }
+  [[nodiscard]] double getRadius(Index index) const { return radii_(index); }
 
-  /// Moves every particle; the number stays.
-  void setCenters(Eigen::MatrixX3d centers);
+  /// Moves every particle; their number must not change.
+  void setCenters(Rows<3> centers);
 
  private:
-  BallArray balls_;
+  Rows<3> centers_;
+  Rows<1> radii_;
 };
 
-/// A rigid body's frame: where it is and how it is turned.
+/// A rigid body's frame: its position and orientation. The orientation is not aligned, because the alignment of
+/// Quaterniond depends on the instruction set; it converts to a Quaterniond.
 struct Frame {
   Vector3 center;
-  Eigen::Quaterniond orientation;
+  Eigen::Quaternion<double, Eigen::DontAlign> orientation;
 };
 
 /// Spheres that each sit at the origin of a rigid frame.
@@ -53,34 +58,38 @@ struct Frame {
 class RigidSphereModel : public ModelOf<RigidSphereModel> {
  public:
   static constexpr std::string_view kName = "RigidSphereModel";
+  static constexpr ModelIdentity<RigidSphereModel> kIdentity{"contact::RigidSphereModel"};
   static constexpr SphereKind kKind = SphereKind::rigid;
-  /// What a unit quaternion rounded to binary32 may miss by, with room: 4 components, each within 2^-25 of its real.
+  /// How far |q|^2 of a unit quaternion rounded to binary32 may be from 1, with room: each of the 4 components is
+  /// within 2^-25 of its real value.
   static constexpr double kUnitTolerance = 0x1p-20;
   using Element = class RigidSphere;
 
-  RigidSphereModel(std::string name, Eigen::MatrixX3d positions, Eigen::MatrixX4d orientations, Eigen::VectorXd radii);
+  RigidSphereModel(std::string name, Rows<3> positions, Rows<4> orientations, Rows<1> radii);
 
-  [[nodiscard]] Index getSize() const override { return balls_.radii.size(); }
+  [[nodiscard]] Index getSize() const override { return radii_.size(); }
   [[nodiscard]] Box bounding_box(Index index) const override;
-  [[nodiscard]] const BallArray& balls() const { return balls_; }
-  [[nodiscard]] const Eigen::VectorXd& getR() const { return balls_.radii; }
-  [[nodiscard]] double getRadius(Index index) const { return balls_.radii[index]; }
+  /// Valid while the model lives, its address stays, and nobody gives it other centres.
+  [[nodiscard]] BallArray balls() const { return {centers_.matrix(), radii_.matrix()}; }
+  [[nodiscard]] Eigen::Map<const Rows<1>::Matrix> getR() const { return radii_.matrix(); }
+  [[nodiscard]] double getRadius(Index index) const { return radii_(index); }
   [[nodiscard]] Frame frame(Index index) const;
 
-  /// Moves every frame; the number stays.
-  void setFrames(Eigen::MatrixX3d positions, Eigen::MatrixX4d orientations);
+  /// Moves every frame; their number must not change.
+  void setFrames(Rows<3> positions, Rows<4> orientations);
 
  private:
-  BallArray balls_;
-  Eigen::MatrixX4d orientations_;
+  Rows<3> centers_;
+  Rows<1> radii_;
+  Rows<4> orientations_;
 };
 
-/// A box that contains the ball, in every rounding mode: what a model of your own builds its bounding_box from. Its
+/// A box that contains the ball, in every rounding mode. Your own models can build their bounding_box from it. Its
 /// bounds are infinite where the ball reaches beyond the largest finite number.
 [[nodiscard]] Box box_around(const Ball& ball);
 
-/// The surface point of a ball for a normal that points into it: center - radius normal, every coordinate rounded once
-/// (fma; to nearest, in the caller's rounding mode). `far_surface` is the opposite point, `center` the centre.
+/// The surface point of a ball for a normal that points into it: center - radius normal. Every coordinate is rounded
+/// once (fma; to nearest, whatever the caller has set). `far_surface` gives the opposite point, `center` the centre.
 [[nodiscard]] Vector3 contact_point_by_normal(const Ball& ball, const Vector3& normal, PointOn on);
 
 /// A handle to one sphere of a model of type M.
@@ -95,9 +104,9 @@ class SphereOf : public ElementOf<M> {
   }
   [[nodiscard]] double r() const { return this->getCollisionModel().getRadius(this->getIndex()); }
 
-  /// The contact point for a normal that points from the contact into this sphere, as SOFA's: pass -n for the first
-  /// sphere of a pair and n for the second. Points of a DetectionOutput do not come from here: they follow from the
-  /// exact normal, this one from a normal that has been rounded already.
+  /// The contact point for a normal that points from the contact into this sphere, as in SOFA: pass -n for the first
+  /// sphere of a pair and n for the second. The points of a DetectionOutput do not come from here. They are computed
+  /// from the exact normal; this function gets a normal that has been rounded already.
   [[nodiscard]] Vector3 getContactPointByNormal(const Vector3& contactNormal,
                                                 PointConvention convention = PointConvention::nearest_surface) const {
     return contact_point_by_normal(ball(), contactNormal, point_on(convention, M::kKind));

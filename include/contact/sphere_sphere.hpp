@@ -11,20 +11,20 @@ namespace contact {
 /// Whether `a` and `b` are within the alarm distance of each other.
 ///   delta = b.center - a.center     D = |delta|^2     reach = alarm + a.radius + b.radius
 /// Units       one length unit throughout.
-/// Domain      finite; radii and alarm >= 0. Subnormals and the largest finite numbers included. An infinite alarm is
-///             no limit: every pair is a hit.
+/// Domain      finite; radii and alarm >= 0. Subnormals and the largest finite numbers are included. The alarm distance
+///             may be infinite: then every pair is a hit.
 /// Decision    D <= reach^2, exactly: touching counts. `reach` is a real number and never overflows.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
 /// Source      seed.txt, testIntersectionSphere; docs/specification.md#sphere-pairs.
 /// Evidence    src/kernel/sphere_sphere_test.cpp; proptests/sphere_sphere_properties.cpp.
 [[nodiscard]] bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm);
 
-/// The contact of `a` with `b`, or nothing when they are farther apart than `distances.alarm`.
+/// The contact of `a` with `b`, or std::nullopt if they are farther apart than `distances.alarm`.
 ///   normal = delta / sqrt(D)       value = sqrt(D) - (a.radius + b.radius) - distances.contact
 ///   point1 = a.center + a.radius normal     point2 = b.center - b.radius normal     (nearest_surface)
 /// Units       one length unit throughout; the normal is a unit vector from a to b.
-/// Domain      finite; radii, alarm and contact distance >= 0. Subnormals and the largest finite numbers included. An
-///             infinite alarm is no limit: every pair has its contact.
+/// Domain      finite; radii, alarm and contact distance >= 0. Subnormals and the largest finite numbers are included.
+///             The alarm distance may be infinite: then every pair has a contact.
 /// Decision    as test_sphere_sphere.
 /// Error       every number is the exact real rounded once to nearest, ties to even (0.5 ulp); beyond the largest
 ///             finite number it is infinite, as IEEE 754 rounds. Every zero is +0.

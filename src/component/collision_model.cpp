@@ -6,7 +6,7 @@
 namespace contact {
 
 const ModelType& CollisionModel::static_type() {
-  static const ModelType type{kName, typeid(CollisionModel), nullptr};
+  static const ModelType type{kName, ModelId(typeid(CollisionModel), "contact::CollisionModel"), nullptr};
   return type;
 }
 

@@ -45,13 +45,22 @@ TEST(ModelType, is_one_object_a_class_with_its_name_and_its_base) {
   const ModelType& type = SphereCollisionModel::static_type();
   EXPECT_EQ(&type, &SphereCollisionModel::static_type());
   EXPECT_EQ(type.name, "SphereCollisionModel");
-  EXPECT_EQ(type.id, std::type_index(typeid(SphereCollisionModel)));
+  EXPECT_EQ(type.id, ModelId(typeid(SphereCollisionModel), "contact::SphereCollisionModel"));
   EXPECT_EQ(type.base, &CollisionModel::static_type());
   EXPECT_EQ(CollisionModel::static_type().name, "CollisionModel");
   EXPECT_EQ(CollisionModel::static_type().base, nullptr);
   EXPECT_NE(type.id, RigidSphereModel::static_type().id);
   EXPECT_EQ(RigidSphereModel::static_type().name, "RigidSphereModel");
   EXPECT_EQ(CubeCollisionModel::static_type().name, "CubeCollisionModel");
+}
+
+TEST(ModelType, is_known_by_its_identity_where_it_declares_one_which_no_derived_class_inherits) {
+  EXPECT_EQ(ModelId(typeid(int), "a"), ModelId(typeid(double), "a"));
+  EXPECT_NE(ModelId(typeid(int), "a"), ModelId(typeid(int), "b"));
+  EXPECT_NE(ModelId(typeid(int), "a"), ModelId(typeid(int), ""));
+  EXPECT_NE(ModelId(typeid(int), ""), ModelId(typeid(double), ""));
+  EXPECT_EQ(Droplets::static_type().id, ModelId(typeid(Droplets), ""));
+  EXPECT_NE(Droplets::static_type().id, SphereCollisionModel::static_type().id);
 }
 
 TEST(ModelType, of_a_derived_model_names_its_whole_lineage) {

@@ -1,11 +1,11 @@
 // The rules that columns of numbers are held to before a model takes them.
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <string>
 
 #include "contact/collision_model.hpp"
+#include "contact/rows.hpp"
 
 namespace contact::component {
 
@@ -15,12 +15,11 @@ namespace contact::component {
 }
 
 /// The first number that is not finite, row by row, or nothing.
-template <class Matrix>
-[[nodiscard]] std::optional<DomainError> not_finite(const std::string& field, const Matrix& columns) {
-  if (columns.allFinite()) return std::nullopt;
+template <int Width>
+[[nodiscard]] std::optional<DomainError> not_finite(const std::string& field, const Rows<Width>& columns) {
   for (Index i = 0; i < columns.rows(); ++i)
     for (Index k = 0; k < columns.cols(); ++k)
-      if (!std::isfinite(columns(i, k))) return DomainError{row(row(field, i), k), columns(i, k), "must be finite"};
+      if (!is_finite_by_bits(columns(i, k))) return DomainError{row(row(field, i), k), columns(i, k), "must be finite"};
   return std::nullopt;
 }
 

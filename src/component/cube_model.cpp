@@ -5,18 +5,18 @@
 
 namespace contact {
 
-CubeCollisionModel::CubeCollisionModel(std::string name, Eigen::MatrixX3d min, Eigen::MatrixX3d max)
+CubeCollisionModel::CubeCollisionModel(std::string name, Rows<3> min, Rows<3> max)
     : ModelOf(std::move(name)),
       min_(std::move(min)),
       max_(std::move(max)),
-      cone_axis_(Eigen::MatrixX3d::Zero(min_.rows(), 3)),
-      cone_angle_(Eigen::VectorXd::Constant(min_.rows(), kWholeTurn)) {
+      cone_axis_(min_.rows(), 3),
+      cone_angle_(static_cast<std::size_t>(min_.rows()), kWholeTurn) {
   refuse(component::not_finite("min", min_));
   refuse(component::not_finite("max", max_));
   refuse(component::wrong_length("max", max_.rows(), "min", min_.rows()));
   for (Index i = 0; i < getSize(); ++i)
     for (int axis = 0; axis < 3; ++axis)
-      if (min_(i, axis) > max_(i, axis))
+      if (is_less_by_bits(max_(i, axis), min_(i, axis)))
         refuse(DomainError{component::row(component::row("min", i), axis), min_(i, axis), "must not exceed max"});
 }
 
@@ -31,10 +31,10 @@ void CubeCollisionModel::setParentOf(Index index, const Vector3& min, const Vect
   refuse(outside_domain(box, Box{min, max}));
   refuse(outside_domain(box + ".normal", normal));
   refuse(outside_domain(box + ".angle", angle));
-  min_.row(index) = min.transpose();
-  max_.row(index) = max.transpose();
-  cone_axis_.row(index) = normal.transpose();
-  cone_angle_[index] = angle;
+  min_.set(index, min);
+  max_.set(index, max);
+  cone_axis_.set(index, normal);
+  cone_angle_[static_cast<std::size_t>(index)] = angle;
 }
 
 }  // namespace contact

@@ -9,17 +9,13 @@
 #include <vector>
 
 #include "component/models_for_tests.hpp"
+#include "extreme_numbers.hpp"
 
 namespace contact {
 namespace {
 
 using component::cubes;
 using component::refusal;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kLeast = std::numeric_limits<double>::denorm_min();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 const std::vector<Box> kTwo{{{0, 0, 0}, {1, 2, 3}}, {{-1, -2, -3}, {4, 5, 6}}};
 

@@ -11,20 +11,20 @@
 #include <stdexcept>
 
 #include "component/message.hpp"
+#include "kernel/floating_point_environment.hpp"
 
 namespace contact {
 namespace {
 
 namespace geometry = boost::geometry;
 using Corner = geometry::model::point<double, 3, geometry::cs::cartesian>;
-using Bounds = geometry::model::box<Corner>;
-using Tree = geometry::index::rtree<std::pair<Bounds, Index>, geometry::index::quadratic<16>>;
+using BoundingBox = geometry::model::box<Corner>;
+using Tree = geometry::index::rtree<std::pair<BoundingBox, Index>, geometry::index::quadratic<16>>;
 
-/// A box for the tree, grown by `alarm`. Rounding separates no boxes that meet: it is monotone in every mode, and a
-/// bound of the other box is a number that it leaves alone. Nor does flushing subnormals to zero: every bound passes
-/// through this sum, so both sides are flushed. Numbers beyond a quarter of the range are brought to it: what meets
+/// A box for the tree, grown by `alarm`. Rounding separates no boxes that meet: it is monotone, and a bound of the
+/// other box is a number that it leaves alone. Numbers beyond a quarter of the range are brought to it: what meets
 /// outside still meets, and no sum inside the tree overflows.
-Bounds bounds(const Box& box, double alarm) {
+BoundingBox bounds(const Box& box, double alarm) {
   constexpr double kMost = std::numeric_limits<double>::max() / 4;
   const auto corner = [&](auto&& at) {
     return Corner(std::clamp(at(0), -kMost, kMost), std::clamp(at(1), -kMost, kMost), std::clamp(at(2), -kMost, kMost));
@@ -33,10 +33,21 @@ Bounds bounds(const Box& box, double alarm) {
           corner([&](int axis) { return box.max[axis] + alarm; })};
 }
 
+/// What an element says of itself, which a class of somebody else's may get wrong: the tree orders by these numbers.
+Box bounding_box(const CollisionModel& model, Index i) {
+  const Box box = model.bounding_box(i);
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(box.min[axis] <= box.max[axis]))
+      throw std::logic_error(std::string(model.type().name) + " \"" + model.getName() +
+                             "\": the bounding box of element " + std::to_string(i) + " is none");
+  return box;
+}
+
 Tree tree_of(const CollisionModel& model) {
-  std::vector<std::pair<Bounds, Index>> boxes;
-  boxes.reserve(static_cast<std::size_t>(model.getSize()));
-  for (Index i = 0; i < model.getSize(); ++i) boxes.emplace_back(bounds(model.bounding_box(i), 0), i);
+  const Index size = model.getSize();
+  std::vector<std::pair<BoundingBox, Index>> boxes;
+  boxes.reserve(static_cast<std::size_t>(size));
+  for (Index i = 0; i < size; ++i) boxes.emplace_back(bounds(bounding_box(model, i), 0), i);
   return Tree(boxes);  // packed: built whole, nearly linear
 }
 
@@ -53,10 +64,23 @@ struct Run {
   std::size_t end = 0;
 };
 
-}  // namespace
+/// Where `block` holds something else than what was counted. The counts are an intersector's, perhaps a plug-in's.
+void expect_counted(const ElementIntersector& intersector, const std::vector<std::size_t>& written, std::size_t before,
+                    std::size_t after) {
+  std::size_t left = after < before ? 0 : after - before;
+  bool right = after >= before;
+  for (const std::size_t count : written) {
+    right = right && count <= left;
+    left -= std::min(count, left);
+  }
+  if (!right || left != 0)
+    throw std::logic_error(intersector.name() +
+                           ": the numbers of contacts that it says it wrote are not those it wrote");
+}
 
-std::optional<OutputVector> detect(const Intersection& intersection, const CollisionModel& model1,
-                                   const CollisionModel& model2) {
+// Not inlined: what RoundToNearest sets must be set before anything is computed.
+[[gnu::noinline]] std::optional<OutputVector> detected(const Intersection& intersection, const CollisionModel& model1,
+                                                       const CollisionModel& model2) {
   const Distances distances{intersection.getAlarmDistance(), intersection.getContactDistance()};
   if (const auto error = outside_domain(distances)) throw std::invalid_argument(component::message(*error));
   bool swap = false;
@@ -67,7 +91,8 @@ std::optional<OutputVector> detect(const Intersection& intersection, const Colli
   const CollisionModel& first = swap ? model2 : model1;
   const CollisionModel& second = swap ? model1 : model2;
   const Tree tree2 = tree_of(model2);
-  const Tree tree1 = self ? tree2 : tree_of(model1);
+  const std::optional<Tree> other = self ? std::nullopt : std::optional(tree_of(model1));
+  const Tree& tree1 = other ? *other : tree2;
 
   // Elements are visited as the first model's tree holds them, neighbours after neighbours, so that the second's tree
   // and elements are in the cache; the contacts are put in order afterwards.
@@ -75,7 +100,7 @@ std::optional<OutputVector> detect(const Intersection& intersection, const Colli
   intersector->beginIntersect(first, second, contacts);
   std::vector<OutputVector> blocks;
   std::size_t found = 0;
-  std::vector<Run> runs(static_cast<std::size_t>(model1.getSize()));
+  std::vector<Run> runs(tree1.size());
   std::vector<ElementPair> pairs;  // of whole elements of model1
   std::vector<std::size_t> written;
   const auto put_to_intersector = [&] {
@@ -88,6 +113,7 @@ std::optional<OutputVector> detect(const Intersection& intersection, const Colli
     std::size_t end = block.size();
     written.assign(pairs.size(), 0);
     intersector->intersectPairs(first, second, pairs, written, block, intersection);
+    expect_counted(*intersector, written, end, block.size());
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       Run& run = runs[static_cast<std::size_t>(swap ? pairs[k].second : pairs[k].first)];
       if (run.begin == run.end) run = {blocks.size() - 1, end, end};
@@ -100,7 +126,7 @@ std::optional<OutputVector> detect(const Intersection& intersection, const Colli
   std::vector<Index> near;
   for (const auto& [box, i] : tree1) {
     near.clear();
-    for (auto it = tree2.qbegin(geometry::index::intersects(bounds(model1.bounding_box(i), distances.alarm)));
+    for (auto it = tree2.qbegin(geometry::index::intersects(bounds(bounding_box(model1, i), distances.alarm)));
          it != tree2.qend(); ++it)
       if (!self || it->second > i) near.push_back(it->second);
     std::sort(near.begin(), near.end());
@@ -115,6 +141,14 @@ std::optional<OutputVector> detect(const Intersection& intersection, const Colli
   intersector->endIntersect(first, second, contacts);
   if (swap) std::transform(contacts.begin(), contacts.end(), contacts.begin(), mirrored);
   return contacts;
+}
+
+}  // namespace
+
+std::optional<OutputVector> detect(const Intersection& intersection, const CollisionModel& model1,
+                                   const CollisionModel& model2) {
+  const kernel::RoundToNearest environment;
+  return detected(intersection, model1, model2);
 }
 
 std::optional<OutputVector> detect(const Intersection& intersection, const CollisionModel& model) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <random>
@@ -16,11 +17,13 @@
 #include <string>
 #include <vector>
 
+#include "component/counting_new_for_tests.hpp"
 #include "component/expected_for_tests.hpp"
 #include "component/models_for_tests.hpp"
 #include "contact/cube_cube.hpp"
 #include "contact/discrete_intersection.hpp"
 #include "environment/floating_point_environments.hpp"
+#include "extreme_numbers.hpp"
 
 namespace contact {
 namespace {
@@ -33,10 +36,6 @@ using component::rigid_spheres;
 using component::spheres;
 using component::text;
 using component::what_of;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 
 /// Two sets of spheres and the distances to detect with.
 struct Scene {
@@ -376,10 +375,11 @@ class Reversed : public ProximityIntersection {
 /// The lines of a detection seen from the other side, in the other side's order.
 std::vector<std::string> seen_from_the_other_side(OutputVector contacts) {
   std::transform(contacts.begin(), contacts.end(), contacts.begin(), mirrored);
-  std::stable_sort(contacts.begin(), contacts.end(), [](const auto& x, const auto& y) {
-    return std::pair(x.elem.first.getIndex(), x.elem.second.getIndex()) <
-           std::pair(y.elem.first.getIndex(), y.elem.second.getIndex());
-  });
+  std::multimap<std::pair<Index, Index>, DetectionOutput> sorted;  // those of one pair stay as they were written
+  for (const DetectionOutput& c : contacts)
+    sorted.emplace(std::pair(c.elem.first.getIndex(), c.elem.second.getIndex()), c);
+  contacts.clear();
+  for (const auto& entry : sorted) contacts.push_back(entry.second);
   return text(contacts);
 }
 
@@ -466,6 +466,155 @@ TEST(Detect, puts_first_what_begins_and_last_what_ends_and_keeps_each_pairs_cont
   EXPECT_EQ(numbers(*detect(component, s, c)),
             "s[0]c[0]-1 -0x1p+0; s[0]c[0]10 -0x1p+0; s[0]c[0]11 -0x1p+0; s[0]c[2]10 -0x1p+0; s[0]c[2]11 -0x1p+0; "
             "s[0]c[0]-2 -0x1p+0; ");
+}
+
+/// Numbers its contacts itself: 0 and 1 for each pair.
+class TwoContacts : public BaseIntersector {
+ public:
+  static constexpr std::string_view kName = "TwoContacts";
+  bool testIntersection(const Cube&, const Sphere&, const Intersection&) const { return true; }
+  int computeIntersection(const Cube& a, const Sphere& b, OutputVector& contacts, const Intersection&) const {
+    for (const int id : {0, 1}) contacts.push_back(numbered_contact(a, b, id));
+    return 2;
+  }
+};
+
+TEST(Detect, keeps_the_numbers_that_an_intersector_gave_when_it_swaps) {
+  const TwoContacts two;
+  DiscreteIntersection component;
+  component.intersectors.add<CubeCollisionModel, SphereCollisionModel>(two);
+  const auto s = spheres("s", std::vector<Ball>(2, Ball{{0, 0, 0}, 1}));
+  const auto c = cubes("c", std::vector<Box>(2, Box{{0, 0, 0}, {1, 1, 1}}));
+  const OutputVector contacts = *detect(component, s, c);
+  ASSERT_EQ(contacts.size(), 8U);
+  for (std::size_t k = 0; k < contacts.size(); ++k) EXPECT_EQ(contacts[k].id, static_cast<std::int64_t>(k % 2)) << k;
+}
+
+/// Says of each pair that it wrote so many contacts, and writes so many of all together.
+class Miscounting : public BaseIntersector {
+ public:
+  static constexpr std::string_view kName = "Miscounting";
+  Miscounting(std::size_t said, std::size_t wrote) : said_(said), wrote_(wrote) {}
+  bool testIntersection(const Sphere&, const Sphere&, const Intersection&) const { return true; }
+  int computeIntersection(const Sphere&, const Sphere&, OutputVector&, const Intersection&) const { return 0; }
+  bool intersectPairs(const SphereCollisionModel& a, const SphereCollisionModel& b, std::span<const ElementPair> pairs,
+                      std::span<std::size_t> written, OutputVector& contacts, const Intersection&) const {
+    std::fill(written.begin(), written.end(), said_);
+    contacts.insert(contacts.end(), wrote_, numbered_contact({a, pairs.front().first}, {b, pairs.front().second}, 5));
+    return true;
+  }
+
+ private:
+  std::size_t said_;
+  std::size_t wrote_;
+};
+
+TEST(Detect, refuses_an_intersector_that_wrote_another_number_of_contacts_than_it_says) {
+  const auto s = spheres("s", std::vector<Ball>(3, Ball{{0, 0, 0}, 1}));  // 3 pairs
+  const auto said = [&](std::size_t count, std::size_t wrote) {
+    const Miscounting miscounting(count, wrote);
+    DiscreteIntersection component;
+    component.intersectors.add<SphereCollisionModel, SphereCollisionModel>(miscounting);
+    return what_of<std::logic_error>([&] { (void)detect(component, s); });
+  };
+  const std::string refused =
+      "Miscounting<SphereCollisionModel,SphereCollisionModel>: the numbers of contacts that it says it wrote are not "
+      "those it wrote";
+  EXPECT_EQ(said(2, 6), "");
+  EXPECT_EQ(said(0, 0), "");
+  EXPECT_EQ(said(5, 0), refused);
+  EXPECT_EQ(said(1, 2), refused);
+  EXPECT_EQ(said(1, 4), refused);
+  EXPECT_EQ(said(0, 1), refused);
+  EXPECT_EQ(said(std::numeric_limits<std::size_t>::max(), 3), refused);
+  EXPECT_EQ(said(std::numeric_limits<std::size_t>::max() / 3 + 2, 3), refused) << "their sum overflows, to 3 or so";
+}
+
+/// Takes contacts back that others had written.
+class Shrinking : public Miscounting {
+ public:
+  Shrinking() : Miscounting(0, 0) {}
+  bool intersectPairs(const SphereCollisionModel&, const SphereCollisionModel&, std::span<const ElementPair>,
+                      std::span<std::size_t>, OutputVector& contacts, const Intersection&) const {
+    if (calls_++ > 0) contacts.clear();
+    if (calls_ == 1) return false;
+    return true;
+  }
+  int computeIntersection(const Sphere& a, const Sphere& b, OutputVector& contacts, const Intersection&) const {
+    contacts.push_back(numbered_contact(a, b, 5));
+    return 1;
+  }
+
+ private:
+  mutable int calls_ = 0;
+};
+
+TEST(Detect, refuses_an_intersector_that_takes_contacts_back) {
+  const auto s = spheres("s", std::vector<Ball>(60, Ball{{0, 0, 0}, 1}));  // more pairs than are put to it at once
+  const Shrinking shrinking;
+  DiscreteIntersection component;
+  component.intersectors.add<SphereCollisionModel, SphereCollisionModel>(shrinking);
+  EXPECT_NE(what_of<std::logic_error>([&] { (void)detect(component, s); }), "");
+}
+
+/// Two boxes, of which the second is whatever one likes.
+class OddBoxes : public ModelOf<OddBoxes> {
+ public:
+  static constexpr std::string_view kName = "OddBoxes";
+  using Element = ElementOf<OddBoxes>;
+  explicit OddBoxes(Box box) : ModelOf("odd"), box_(std::move(box)) {}
+  [[nodiscard]] Index getSize() const override { return 2; }
+  [[nodiscard]] Box bounding_box(Index index) const override {
+    return index == 1 ? box_ : Box{Vector3::Zero(), Vector3::Ones()};
+  }
+
+ private:
+  Box box_;
+};
+class OddIntersector : public BaseIntersector {
+ public:
+  static constexpr std::string_view kName = "OddIntersector";
+  bool testIntersection(const OddBoxes::Element&, const OddBoxes::Element&, const Intersection&) const { return true; }
+  int computeIntersection(const OddBoxes::Element& a, const OddBoxes::Element& b, OutputVector& contacts,
+                          const Intersection&) const {
+    contacts.push_back(numbered_contact(a, b, 5));
+    return 1;
+  }
+};
+
+TEST(Detect, refuses_a_bounding_box_that_is_none) {
+  const OddIntersector intersector;
+  DiscreteIntersection component;
+  component.intersectors.add<OddBoxes, OddBoxes>(intersector);
+  const auto said = [&](const Vector3& min, const Vector3& max) {
+    const OddBoxes model(Box{min, max});
+    return what_of<std::logic_error>([&] { (void)detect(component, model); });
+  };
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  const std::string refused = "OddBoxes \"odd\": the bounding box of element 1 is none";
+  EXPECT_EQ(said({0, 0, 0}, {0, 1, 1}), "");
+  EXPECT_EQ(said(Vector3::Constant(-kInfinity), Vector3::Constant(kInfinity)), "");
+  EXPECT_EQ(said({0, kNaN, 0}, {1, 1, 1}), refused);
+  EXPECT_EQ(said({0, 0, 0}, {1, 1, kNaN}), refused);
+  EXPECT_EQ(said({1, 0, 0}, {0, 1, 1}), refused);
+}
+
+TEST(Detect, of_a_model_with_itself_builds_its_tree_once) {
+  // Far apart: nothing but trees takes memory.
+  std::vector<Ball> apart;
+  for (int i = 0; i < 4000; ++i) apart.push_back({{10.0 * i, 0, 0}, 1});
+  const auto a = spheres("a", apart);
+  const auto b = spheres("b", apart);
+  const DiscreteIntersection component;
+  const auto taken_by = [](const std::function<void()>& work) {
+    const std::size_t before = component::bytes_allocated();
+    work();
+    return component::bytes_allocated() - before;
+  };
+  const std::size_t one = taken_by([&] { EXPECT_TRUE(detect(component, a)->empty()); });
+  const std::size_t two = taken_by([&] { (void)detect(component, a, b); });
+  EXPECT_GT(one, 4000 * sizeof(Box));
+  EXPECT_LT(one, two * 7 / 10);
 }
 
 TEST(Detect, begins_and_ends_once_also_where_there_are_no_elements) {

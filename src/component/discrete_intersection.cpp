@@ -47,7 +47,7 @@ const ElementIntersector* DiscreteIntersection::findIntersector(const CollisionM
 
 bool DiscreteIntersection::testIntersection(const Cube& cube1, const Cube& cube2,
                                             const Intersection& currentIntersection) const {
-  if (cube1 == cube2) return cube1.getConeAngle() >= std::numbers::pi / 2;
+  if (cube1 == cube2) return !is_less_by_bits(cube1.getConeAngle(), std::numbers::pi / 2);
   return test_cube_cube(cube1.box(), cube2.box(), currentIntersection.getAlarmDistance());
 }
 
@@ -113,11 +113,11 @@ bool DiscreteIntersection::intersectSpheres(const Spheres& first, const Spheres&
     const std::size_t size = some.size();
     for (std::size_t k = 0; k < size; ++k) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        in[axis][k] = first.balls.centers(some[k].first, static_cast<Index>(axis));
-        in[4 + axis][k] = second.balls.centers(some[k].second, static_cast<Index>(axis));
+        in[axis][k] = first.centers[static_cast<Index>(axis) * first.count + some[k].first];
+        in[4 + axis][k] = second.centers[static_cast<Index>(axis) * second.count + some[k].second];
       }
-      in[3][k] = first.balls.radii[some[k].first];
-      in[7][k] = second.balls.radii[some[k].second];
+      in[3][k] = first.radii[some[k].first];
+      in[7][k] = second.radii[some[k].second];
     }
     const auto given = [&](std::size_t column) { return std::span<const double>(in[column]).first(size); };
     const auto room = [&](std::size_t column) { return std::span<double>(out[column]).first(size); };

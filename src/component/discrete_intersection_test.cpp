@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "component/models_for_tests.hpp"
+#include "extreme_numbers.hpp"
 
 namespace contact {
 namespace {
@@ -22,9 +23,6 @@ using component::rigid_spheres;
 using component::spheres;
 using component::text;
 using component::what_of;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 static_assert(std::is_base_of_v<Intersection, DiscreteIntersection>);
 static_assert(std::is_base_of_v<BaseIntersector, DiscreteIntersection>);
@@ -303,14 +301,14 @@ Found find(const Intersection& intersection, const CollisionModel& a, const Coll
   return found;
 }
 
-struct Scene {
+struct OneOfEach {
   CubeCollisionModel cube = cubes("c", {{{0, 0, 0}, {1, 1, 1}}});
   SphereCollisionModel sphere = spheres("s", {kFirst});
   RigidSphereModel rigid = rigid_spheres("r", {kSecond});
 };
 
 TEST(DiscreteIntersection, finds_intersectors_for_the_four_built_in_pairs) {
-  const Scene scene;
+  const OneOfEach scene;
   const DiscreteIntersection component;
   const auto name = [&](const CollisionModel& a, const CollisionModel& b) {
     const Found found = find(component, a, b, true);
@@ -323,7 +321,7 @@ TEST(DiscreteIntersection, finds_intersectors_for_the_four_built_in_pairs) {
 }
 
 TEST(DiscreteIntersection, serves_a_rigid_sphere_and_a_sphere_swapped) {
-  const Scene scene;
+  const OneOfEach scene;
   const DiscreteIntersection component;
   const Found found = find(component, scene.rigid, scene.sphere);
   ASSERT_NE(found.intersector, nullptr);
@@ -332,7 +330,7 @@ TEST(DiscreteIntersection, serves_a_rigid_sphere_and_a_sphere_swapped) {
 }
 
 TEST(DiscreteIntersection, finds_none_for_a_cube_and_a_sphere_and_leaves_nothing_to_swap) {
-  const Scene scene;
+  const OneOfEach scene;
   DiscreteIntersection component;
   std::vector<std::string> messages;
   component.intersectors.setSink([&](const std::string& message) { messages.push_back(message); });
@@ -348,7 +346,7 @@ TEST(DiscreteIntersection, finds_none_for_a_cube_and_a_sphere_and_leaves_nothing
 }
 
 TEST(DiscreteIntersection, is_supported_says_whether_there_is_an_intersector) {
-  const Scene scene;
+  const OneOfEach scene;
   DiscreteIntersection component;
   component.intersectors.setSink({});
   EXPECT_TRUE(component.isSupported({scene.sphere, 0}, {scene.rigid, 0}));
@@ -360,7 +358,7 @@ TEST(DiscreteIntersection, is_supported_says_whether_there_is_an_intersector) {
 }
 
 TEST(DiscreteIntersection, what_it_finds_tests_and_computes_as_the_methods_do) {
-  const Scene scene;
+  const OneOfEach scene;
   const DiscreteIntersection component;
   const ElementIntersector* intersector = find(component, scene.sphere, scene.rigid).intersector;
   ASSERT_NE(intersector, nullptr);
@@ -415,7 +413,7 @@ class Contrary : public DiscreteIntersection {
 };
 
 TEST(DiscreteIntersection, a_derived_class_overrides_each_method_also_for_what_comes_through_the_map) {
-  const Scene scene;
+  const OneOfEach scene;
   const Contrary contrary;
   const DiscreteIntersection plain;
   const auto expect = [&](const CollisionModel& a, const CollisionModel& b, int id) {
@@ -497,7 +495,7 @@ class CubeSphere : public BaseIntersector {
 };
 
 TEST(DiscreteIntersection, takes_new_intersectors_at_run_time) {
-  const Scene scene;
+  const OneOfEach scene;
   const CubeSphere mine;
   DiscreteIntersection component;
   component.intersectors.setSink({});
@@ -513,7 +511,7 @@ TEST(DiscreteIntersection, takes_new_intersectors_at_run_time) {
 }
 
 TEST(BaseIntersector, writes_nothing_before_and_after) {
-  const Scene scene;
+  const OneOfEach scene;
   const DiscreteIntersection component;
   OutputVector contacts;
   EXPECT_EQ(component.beginIntersection(scene.sphere, scene.rigid, contacts), 0);

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "contact/detection_output.hpp"
-#include "oracle/truth.hpp"
+#include "oracle/truth/truth.hpp"
 
 namespace contact::component {
 
@@ -23,7 +23,7 @@ inline std::optional<DetectionOutput> expected_contact(const CollisionElement& e
                          .point = {Vector3::Zero(), Vector3::Zero()},
                          .normal = Vector3::Zero(),
                          .value = 0};
-  const bool reverse = truth.spheres->degenerate() && turned;
+  const bool reverse = truth.degenerate() && turned;
   const Contact contact =
       *oracle::expectation(reverse ? oracle::truth_of({Pair::sphere_sphere, Balls{ball2, ball1}, distances}) : truth,
                            Scalar::binary64)

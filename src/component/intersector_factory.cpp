@@ -2,12 +2,14 @@
 #include "contact/intersector_factory.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace contact {
 
 bool IntersectorFactory::registerCreator(std::string name, Creator creator) {
   const std::lock_guard lock(mutex_);
   if (std::any_of(creators_.begin(), creators_.end(), [&](const auto& c) { return c.first == name; })) return false;
+  if (!creator) throw std::invalid_argument("creator " + name + ": there is nothing to call");
   creators_.emplace_back(std::move(name), std::move(creator));
   return true;
 }

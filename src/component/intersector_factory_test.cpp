@@ -161,5 +161,12 @@ TEST(IntersectorFactory, a_creator_may_register_another_for_the_components_to_co
   EXPECT_EQ(who_serves(DiscreteIntersection(PointConvention::nearest_surface, factory)), 8);
 }
 
+TEST(IntersectorFactory, refuses_a_creator_that_is_nothing) {
+  IntersectorFactory factory;
+  EXPECT_EQ(component::what_of<std::invalid_argument>([&] { factory.registerCreator("Nothing", {}); }),
+            "creator Nothing: there is nothing to call");
+  EXPECT_TRUE(factory.names().empty());
+}
+
 }  // namespace
 }  // namespace contact

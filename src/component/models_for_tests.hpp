@@ -13,6 +13,7 @@
 #include "contact/cube_model.hpp"
 #include "contact/detection_output.hpp"
 #include "contact/sphere_model.hpp"
+#include "kernel/floating_point_environment.hpp"
 
 namespace contact::component {
 
@@ -55,6 +56,7 @@ inline CubeCollisionModel cubes(std::string name, const std::vector<Box>& boxes)
 
 /// A double as the hexadecimal number that it is: equal texts mean equal bits, -0 and +0 told apart.
 inline std::string text(double x) {
+  const kernel::RoundToNearest environment;  // the system's printf compares numbers, which may trap
   std::array<char, 40> digits{};
   std::snprintf(digits.data(), digits.size(), "%a", x);
   return digits.data();

@@ -25,7 +25,7 @@ StarIntersector::~StarIntersector() { --count(); }
 int StarIntersector::computeIntersection(const Stars::Element& star, const Sphere& sphere, OutputVector& contacts,
                                          const Intersection&) const {
   // A number that tells which component made this intersector.
-  contacts.push_back(numbered_contact(star, sphere, static_cast<DetectionOutput::ContactId>(object_->points())));
+  contacts.push_back(numbered_contact(star, sphere, static_cast<std::int64_t>(object_->points())));
   return 1;
 }
 

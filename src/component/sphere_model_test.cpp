@@ -13,7 +13,8 @@
 
 #include "component/models_for_tests.hpp"
 #include "environment/floating_point_environments.hpp"
-#include "oracle/exact.hpp"
+#include "extreme_numbers.hpp"
+#include "oracle/truth/exact.hpp"
 
 namespace contact {
 namespace {
@@ -26,11 +27,6 @@ using component::spheres;
 using component::text;
 using component::upright;
 using oracle::Rational;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kLeast = std::numeric_limits<double>::denorm_min();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 const std::vector<Ball> kTwo{{{1, 2, 3}, 4}, {{5, 6, 7}, 8}};
 
@@ -47,8 +43,8 @@ TEST(SphereModel, gives_back_what_it_was_given) {
 }
 
 TEST(SphereModel, stores_columns_one_after_the_other_and_takes_them_without_a_copy) {
-  Eigen::MatrixX3d centers = centers_of(kTwo);
-  Eigen::VectorXd radii = radii_of(kTwo);
+  Rows<3> centers = centers_of(kTwo);
+  Rows<1> radii = radii_of(kTwo);
   const double* const center_data = centers.data();
   const double* const radius_data = radii.data();
   const SphereCollisionModel model("s", std::move(centers), std::move(radii));
@@ -154,8 +150,8 @@ TEST(RigidSphereModel, gives_back_what_it_was_given_the_quaternion_in_the_order_
 }
 
 TEST(RigidSphereModel, stores_columns_and_takes_them_without_a_copy) {
-  Eigen::MatrixX3d positions = centers_of(kTwo);
-  Eigen::VectorXd radii = radii_of(kTwo);
+  Rows<3> positions = centers_of(kTwo);
+  Rows<1> radii = radii_of(kTwo);
   const double* const position_data = positions.data();
   const double* const radius_data = radii.data();
   const RigidSphereModel model("r", std::move(positions), upright(2), std::move(radii));

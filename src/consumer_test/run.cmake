@@ -1,9 +1,48 @@
-# Installs the production library into a new folder, builds a consumer and a plug-in against it there, and runs them.
-foreach(step
-    "${CMAKE_COMMAND};--install;${BUILD};--prefix;${WORK}/installed;--component;contact"
-    "${CMAKE_COMMAND};-S;${SOURCE};-B;${WORK}/build;-G;Ninja;-DCMAKE_PREFIX_PATH=${WORK}/installed;-DCMAKE_CXX_COMPILER=${COMPILER};-DCMAKE_CXX_FLAGS=${FLAGS};-DEXAMPLES=${EXAMPLES}"
-    "${CMAKE_COMMAND};--build;${WORK}/build"
-    "${WORK}/build/consumer;${WORK}/build/capsule.so")
-  execute_process(COMMAND ${step} COMMAND_ERROR_IS_FATAL ANY)
-endforeach()
-file(REMOVE_RECURSE ${WORK})
+# Somebody else's program against the installed library, built with the flags of VARIANT; and with `plain` flags, so that
+# either kind of program loads either kind of plug-in. VARIANT install: nothing but installs.
+cmake_minimum_required(VERSION 3.25)
+
+function(run)
+  execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+if(VARIANT STREQUAL install)
+  file(REMOVE_RECURSE ${WORK})
+  run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed --component contact)
+  return()
+endif()
+
+if(NEEDS)
+  file(STRINGS /proc/cpuinfo found REGEX "^flags.* ${NEEDS}( |$)" LIMIT_COUNT 1)
+  if(NOT found)
+    message("SKIPPED: this processor has no ${NEEDS}")
+    return()
+  endif()
+endif()
+
+set(flags_plain "-O2")
+set(flags_native "-O2 -march=native")
+set(flags_avx2 "-O2 -mavx2 -mfma")
+set(flags_unoptimised "-O0")
+set(flags_fast_math "-O2 -march=native -ffast-math")
+set(flags_fast_math_unoptimised "-O0 -ffast-math")
+set(flags_sanitized "-O1 -g -march=native -fsanitize=address,undefined -fno-sanitize-recover=all")
+set(variants plain native avx2 unoptimised fast_math fast_math_unoptimised sanitized)
+get_filename_component(folder ${COMPILER} NAME)
+set(folder ${WORK}/${folder})
+if(NOT EXISTS ${folder}/build.ninja)
+  foreach(variant ${variants})
+    list(APPEND settings "-DFLAGS_${variant}=${flags_${variant}}")
+  endforeach()
+  list(JOIN variants "," variants)
+  run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${folder} -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/installed
+      -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DEXAMPLES=${EXAMPLES} -DVARIANTS=${variants} ${settings})
+endif()
+run(${CMAKE_COMMAND} --build ${folder} --target consumer_plain capsule_plain consumer_${VARIANT} capsule_${VARIANT})
+run(${folder}/consumer_${VARIANT} ${folder}/capsule_${VARIANT}.so)
+if(NOT VARIANT STREQUAL plain)
+  run(${folder}/consumer_${VARIANT} ${folder}/capsule_plain.so)
+  if(NOT VARIANT STREQUAL sanitized)
+    run(${folder}/consumer_plain ${folder}/capsule_${VARIANT}.so)
+  endif()
+endif()

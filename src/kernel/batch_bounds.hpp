@@ -1,5 +1,5 @@
 // The constants of the vector kernels: each bound is derived in docs/error-bounds.md under its own name, and held
-// against what docs/proofs proves to suffice.
+// against what proofs proves to suffice.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ constexpr double two_to(int exponent) {
 /// For numbers with as many bits as Real's, and the exponents of double. Real is double; the tests' numbers are
 /// shorter.
 template <class Real>
-struct Bounds {
+struct FastBounds {
   static constexpr int kBits = std::numeric_limits<Real>::digits;  // p
   static constexpr double kUnit = two_to(-kBits);                  // u
   static constexpr double kUnitSquared = kUnit * kUnit;            // u^2
@@ -71,7 +71,7 @@ struct Bounds {
   static constexpr double kQuotientError = 512 * kUnitSquared;
 };
 
-using ForDouble = Bounds<double>;
+using ForDouble = FastBounds<double>;
 static_assert(ForDouble::kUnit == 0x1p-53 && ForDouble::kUncancelled == 0x1p-21 && ForDouble::kSumEta == 0x1p-22);
 // A filter's gap, and the floor under it.
 static_assert(ForDouble::kFilterGap >= proved::kFilterGap && ForDouble::kFilterFloor >= proved::kFilterFloor);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/exact_sum.hpp"
+#include "contact/pair_functions.hpp"
 #include "kernel/floating_point_environment.hpp"
 
 namespace contact {
@@ -35,6 +36,11 @@ bool within(double low, double high, double alarm) {
 bool test_cube_cube(const Box& a, const Box& b, double alarm) {
   const kernel::RoundToNearest environment;
   return decide(a, b, alarm);
+}
+
+bool is_hit(const Boxes& boxes, Distances distances) { return test_cube_cube(boxes.a, boxes.b, distances.alarm); }
+std::optional<Contact> contact_of(const Boxes& /*boxes*/, Distances /*distances*/, ContactPoints /*points*/) {
+  return std::nullopt;
 }
 
 }  // namespace contact

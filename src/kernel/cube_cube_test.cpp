@@ -15,15 +15,10 @@
 #include <vector>
 
 #include "environment/floating_point_environments.hpp"
+#include "extreme_numbers.hpp"
 
 namespace contact {
 namespace {
-
-constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kLeast = std::numeric_limits<double>::denorm_min();
-
-double above(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
-double below(double x) { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
 
 /// The answer, which is the same for swapped boxes.
 bool hit(const Box& a, const Box& b, double alarm) {

@@ -1,8 +1,11 @@
 // Exact arithmetic for what the filters leave: integers on a common grid, and correct rounding in Q(sqrt D).
 #pragma once
 
-#ifdef __FAST_MATH__
-#error "contact-oracle promises exact decisions and correct rounding: build it without -ffast-math"
+// The build undoes such options (cmake/ContactTargets.cmake). This is for another build, as far as a compiler tells.
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
+    (defined(__GCC_IEC_559) && __GCC_IEC_559 == 0)
+#error "contact-oracle promises exact decisions and correct rounding: build it without -ffast-math, or any part of it"
 #endif
 
 #include <cfloat>

@@ -1,6 +1,8 @@
 // Sums of doubles, exactly.
 #include "contact/exact_sum.hpp"
 
+#include <algorithm>
+
 #include "kernel/exact.hpp"
 
 namespace contact {
@@ -19,8 +21,10 @@ struct Sum {
 int sign_of_sum(std::initializer_list<double> terms) { return Sum(terms).total.sign(); }
 
 double rounded_sum(std::initializer_list<double> terms, int exponent) {
+  // Beyond this every sum is 0 or infinite, whatever its terms; nearer, no shift is long and no exponent overflows.
+  constexpr int kBeyond = 1 << 13;
   const Sum sum(terms);
-  return kernel::round_integer(sum.total, sum.grid.exponent() + exponent);
+  return kernel::round_integer(sum.total, sum.grid.exponent() + std::clamp(exponent, -kBeyond, kBeyond));
 }
 
 }  // namespace contact

@@ -1,6 +1,7 @@
 // Exact arithmetic of the kernel: every expectation is worked out by hand or verified by comparing squares of
 // rationals.
 #include "kernel/exact.hpp"
+#include "extreme_numbers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,10 +16,6 @@ namespace contact::kernel {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 
 Integer power(int exponent) { return Integer(1) << static_cast<unsigned>(exponent); }
 
@@ -320,7 +317,7 @@ TEST(RoundSum, lies_between_its_rounding_boundaries_for_random_and_nearly_cancel
     if (random() % 4 == 0) c = -c;
     const int exponent = static_cast<int>(random() % 1200) - 1150;
     const double y = rounded_sum(c, e, D, exponent);
-    if (!std::isfinite(y)) continue;
+    ASSERT_TRUE(std::isfinite(y));  // no exponent is that large
     const Rational d{boost::multiprecision::cpp_int(D)};
     ASSERT_TRUE(is_nearest(y, rational(c, exponent), Rational(rational(e, exponent) / d), d))
         << c << " + " << e << " / sqrt(" << D << ") 2^" << exponent << " -> " << y;
@@ -391,7 +388,7 @@ TEST(RoundRootLess, lies_between_its_rounding_boundaries_for_random_and_nearly_c
     if (i % 2 == 0) t = floor_sqrt(D) + static_cast<int>(random() % 2);
     const int exponent = static_cast<int>(random() % 1200) - 1150;
     const double y = rounded_root_less(D, t, exponent);
-    if (!std::isfinite(y)) continue;
+    ASSERT_TRUE(std::isfinite(y));  // no exponent is that large
     // (sqrt(D) - t) 2^exponent = u + w sqrt(D)
     ASSERT_TRUE(
         is_nearest(y, rational(-t, exponent), rational(1, exponent), Rational(boost::multiprecision::cpp_int(D))))
@@ -405,13 +402,15 @@ TEST(RoundSumNear, is_right_from_any_estimate) {
     const Integer n = random_integer(random, bits) + 1;
     return random() % 2 == 0 ? n : -n;
   };
+  int estimated = 0;
   for (int i = 0; i < 30; ++i) {
     const Integer c = i % 3 == 0 ? Integer(0) : small(60);
     const Integer e = small(90);
     const Integer D = random_integer(random, 62) + 1;
     const int exponent = i % 5 == 0 ? -1100 : static_cast<int>(random() % 200) - 100;
     const double y = round_sum(c, e, D, exponent);
-    if (y == 0) continue;
+    if (y == 0) continue;  // less than half of the smallest number, which has no estimate
+    ++estimated;
     const auto near = [&](double estimate) {
       return round_sum_near(estimate, y < 0 ? -1 : 1, fixed(c), fixed(e), fixed(D), exponent);
     };
@@ -427,6 +426,7 @@ TEST(RoundSumNear, is_right_from_any_estimate) {
     for (const double wrong : {right * 1.5, right / 3, 0.0, kLeast, 1.0, kLargest, kInfinity})
       expect_same(near(wrong), y);
   }
+  EXPECT_GE(estimated, 24);
   // Half way between 2 and 2 + 2^-51, from far away
   expect_same(round_sum_near(1, 1, fixed(power(53) + 1), {}, fixed(1), -52), 2.0);
   expect_same(round_sum_near(kLargest, -1, fixed(-(power(53) + 3)), {}, fixed(1), -52), -(2 + 0x1p-50));

@@ -1,4 +1,4 @@
-// The proved bounds of the kernels' numbers, from docs/proofs/bounds.json: written by docs/proofs/prove.py --write.
+// The proved bounds of the kernels' numbers, from proofs/bounds.json: written by proofs/prove.py --write.
 #pragma once
 
 namespace contact::kernel::proved {

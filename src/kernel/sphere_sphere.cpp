@@ -1,5 +1,22 @@
 // Sphere against sphere: the exact decision and the correctly rounded contact.
+//
+//   d = c2 - c1     D = |d|^2     s = sqrt(D)     n = d / s, or (1, 0, 0) where D = 0
+//   hit             D <= (r1 + r2 + alarm)^2
+//   point k         c_k + sign_k r_k n                sphere_sphere_numbers.hpp, sign_of
+//   value           s - (r1 + r2 + contact)
+//
+// A decision is asked of two stages, the second where the first leaves it open:
+//   filter          plain arithmetic and a bound on its error        sphere_sphere_filter.hpp
+//   decide_exactly  integers on a common grid                        ExactPair below, exact.hpp
+// The ten numbers of a hit are asked of three. Each computes with a bound on its error and keeps a number where every
+// real number within the bound rounds to the same double; the last has no error.
+//   by_one_vector   all of a pair or none, where there are AVX2 and FMA     sphere_sphere_one_vector.hpp
+//   round           each number in double-double arithmetic                 sphere_sphere_double_double.hpp
+//   round_exactly   each number that is left, in integers                   ExactPair below, exact.hpp
+// A call is compute_sphere_sphere, contact_of_pair, and the stages. docs/specification.md, "Correct rounding", says
+// why.
 #include "contact/sphere_sphere.hpp"
+#include "contact/pair_functions.hpp"
 
 #include <array>
 #include <bit>
@@ -23,6 +40,7 @@ using kernel::Filtered;
 using kernel::FixedInteger;
 using kernel::Grid;
 using kernel::Integer;
+using kernel::sign_of;
 using kernel::squared_distance;
 
 Integer on_grid(const Grid& grid, double x, Integer /*as*/) { return grid(x); }
@@ -59,10 +77,10 @@ class ExactPair {
     return kernel::round_sum(Number(), delta_[axis], D_, 0);
   }
 
-  /// center + sign radius n on one axis.
-  [[nodiscard]] double point(std::size_t sphere, std::size_t axis, bool negative) const {
+  /// center + sign radius n on one axis, for a sign of +-1.
+  [[nodiscard]] double point(std::size_t sphere, std::size_t axis, double sign) const {
     const Number& c = center_[sphere][axis];
-    const Number signed_radius = negative ? -radius_[sphere] : radius_[sphere];
+    const Number signed_radius = sign < 0 ? -radius_[sphere] : radius_[sphere];
     if (coincident()) return kernel::round_integer(axis == 0 ? c + signed_radius : c, exponent_);
     return kernel::round_sum(c, signed_radius * delta_[axis], D_, exponent_);
   }
@@ -97,9 +115,6 @@ auto exactly(const Ball& a, const Ball& b, Distances distances, const Ask& ask) 
   return exactly(a, b, {alarm, 0}, [](const auto& pair) { return pair.hit(); });
 }
 
-/// Whether a point moves against the normal.
-constexpr bool is_negative(std::size_t sphere, PointOn on) { return (on == PointOn::nearest_surface) != (sphere == 0); }
-
 /// A point at the centre takes no arithmetic; -0 is +0, by the bits, since a sum may flush a subnormal number.
 void put_at_center(const Vector3& center, Vector3& point) {
   for (int axis = 0; axis < 3; ++axis)
@@ -117,45 +132,39 @@ void put_at_center(const Vector3& center, Vector3& point) {
     for (unsigned axis = 0; axis < 3; ++axis) {
       if (numbers >> axis & 1) contact.normal[axis] = pair.normal(axis);
       if (numbers >> (kernel::kPointNumber + axis) & 1)
-        contact.point1[axis] = pair.point(0, axis, is_negative(0, points.first));
+        contact.point1[axis] = pair.point(0, axis, sign_of(points.first, 1));
       if (numbers >> (2 * kernel::kPointNumber + axis) & 1)
-        contact.point2[axis] = pair.point(1, axis, is_negative(1, points.second));
+        contact.point2[axis] = pair.point(1, axis, sign_of(points.second, -1));
     }
     if (numbers >> kernel::kValueNumber & 1) contact.value = pair.value();
   });
 }
 
-/// The numbers of a hit whose rounding is certain in the fast stage; returns the others.
-[[gnu::always_inline]] inline unsigned round_quickly(const Ball& a, const Ball& b, double contact_distance,
-                                                     ContactPoints points, Contact& contact) {
-  contact.degenerate = false;
-  const auto fast = kernel::DoubleDoublePair::of(a, b, {0, contact_distance});
-  if (!fast) return kernel::kAllNumbers;
-  unsigned open = 0;
-  const auto take = [&open](const kernel::Approximation& number, double& to, unsigned bit) {
-    if (const auto certain = number.rounded())
-      to = *certain;
-    else
-      open |= 1U << bit;
-  };
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    take(fast->normal(axis), contact.normal[axis], axis);
-    const double r1 = is_negative(0, points.first) ? -a.radius : a.radius;
-    take(fast->point(a.center[axis], r1, axis), contact.point1[axis], kernel::kPointNumber + axis);
-    const double r2 = is_negative(1, points.second) ? -b.radius : b.radius;
-    take(fast->point(b.center[axis], r2, axis), contact.point2[axis], 2 * kernel::kPointNumber + axis);
-  }
-  take(fast->value(), contact.value, kernel::kValueNumber);
-  return open;
-}
-
-/// Settles the numbers of a hit whose bits are set, and perhaps others.
+/// Settles the numbers of a hit whose bits are set, and perhaps others: in double-double arithmetic where their
+/// rounding is certain, else exactly.
 [[gnu::always_inline]] inline void round(const Ball& a, const Ball& b, double contact_distance, ContactPoints points,
                                          unsigned numbers, Contact& contact) {
-  const unsigned open = round_quickly(a, b, contact_distance, points, contact) & numbers;
+  contact.degenerate = false;
+  unsigned open = kernel::kAllNumbers;
+  if (const auto pair = kernel::DoubleDoublePair::of(a, b, {0, contact_distance})) {
+    const auto take = [&open](const kernel::Approximation& number, double& to, unsigned bit) {
+      if (const auto certain = number.rounded()) {
+        to = *certain;
+        open &= ~(1U << bit);
+      }
+    };
+    const double r1 = sign_of(points.first, 1) * a.radius;
+    const double r2 = sign_of(points.second, -1) * b.radius;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      take(pair->normal(axis), contact.normal[axis], axis);
+      take(pair->point(a.center[axis], r1, axis), contact.point1[axis], kernel::kPointNumber + axis);
+      take(pair->point(b.center[axis], r2, axis), contact.point2[axis], 2 * kernel::kPointNumber + axis);
+    }
+    take(pair->value(), contact.value, kernel::kValueNumber);
+  }
   if (points.first == PointOn::center) put_at_center(a.center, contact.point1);
   if (points.second == PointOn::center) put_at_center(b.center, contact.point2);
-  if (open != 0) round_exactly(a, b, contact_distance, points, open, contact);
+  if ((open & numbers) != 0) round_exactly(a, b, contact_distance, points, open & numbers, contact);
 }
 
 /// The contact of a pair, or false.
@@ -196,39 +205,32 @@ void put_at_center(const Vector3& center, Vector3& point) {
 }
 #endif
 
-bool contact_by_any_means(const Ball& a, const Ball& b, Distances distances, ContactPoints points, Contact& contact) {
-#if defined(__x86_64__) && !defined(__FMA__)
-  if (__builtin_cpu_supports("fma")) return contact_by_fma(a, b, distances, points, contact);
-#endif
-  return contact_portably(a, b, distances, points, contact);
-}
-
 #if CONTACT_HAS_ONE_VECTOR
-/// +-1, or 0 for a point at the centre.
-constexpr double sign_of(std::size_t sphere, PointOn on) {
-  return on == PointOn::center ? 0 : is_negative(sphere, on) ? -1 : 1;
-}
-
-/// Settles most pairs, and leaves the others to any means.
-[[gnu::noinline, gnu::target("avx2,fma")]] bool contact_by_one_vector(const Ball& a, const Ball& b, Distances distances,
-                                                                      ContactPoints points, Contact& contact) {
+/// A miss, a hit whose contact is settled, or neither.
+[[gnu::noinline, gnu::target("avx2,fma")]] Filtered by_one_vector(const Ball& a, const Ball& b, Distances distances,
+                                                                  ContactPoints points, Contact& contact) {
   const double D = squared_distance(a, b);
   const Filtered filtered = filter(a, b, D, distances.alarm);
-  if (filtered == Filtered::miss) return false;
-  if (filtered == Filtered::hit && D > kernel::PlainBounds<double>::kLeast &&
-      kernel::one_vector::contact_of_hit(a, b, D, distances.contact, sign_of(0, points.first) * a.radius,
-                                         sign_of(1, points.second) * b.radius, contact))
-    return true;
-  return contact_by_any_means(a, b, distances, points, contact);
+  if (filtered != Filtered::hit) return filtered;
+  const double r1 = sign_of(points.first, 1) * a.radius;
+  const double r2 = sign_of(points.second, -1) * b.radius;
+  const bool settled = D > kernel::PlainBounds<double>::kLeast &&
+                       kernel::one_vector::contact_of_hit(a, b, D, distances.contact, r1, r2, contact);
+  return settled ? Filtered::hit : Filtered::undecided;
 }
 #endif
 
 bool contact_of_pair(const Ball& a, const Ball& b, Distances distances, ContactPoints points, Contact& contact) {
 #if CONTACT_HAS_ONE_VECTOR
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    return contact_by_one_vector(a, b, distances, points, contact);
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+    const Filtered said = by_one_vector(a, b, distances, points, contact);
+    if (said != Filtered::undecided) return said == Filtered::hit;
+  }
 #endif
-  return contact_by_any_means(a, b, distances, points, contact);
+#if defined(__x86_64__) && !defined(__FMA__)
+  if (__builtin_cpu_supports("fma")) return contact_by_fma(a, b, distances, points, contact);
+#endif
+  return contact_portably(a, b, distances, points, contact);
 }
 
 /// A contact whose numbers are to be written: zeros first would cost as much as a miss.
@@ -257,6 +259,11 @@ std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Dista
   std::optional<Contact> contact(std::in_place, Unset());
   if (!contact_of_pair(a, b, distances, points, *contact)) contact.reset();
   return contact;
+}
+
+bool is_hit(const Balls& balls, Distances distances) { return test_sphere_sphere(balls.a, balls.b, distances.alarm); }
+std::optional<Contact> contact_of(const Balls& balls, Distances distances, ContactPoints points) {
+  return compute_sphere_sphere(balls.a, balls.b, distances, points);
 }
 
 }  // namespace contact

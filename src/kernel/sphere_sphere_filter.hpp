@@ -21,7 +21,7 @@ struct PlainBounds {
   static constexpr double kLeast = 0x1p-900;
   static constexpr double kMost = 0x1p1000;
 };
-static_assert(PlainBounds<double>::kGap >= proved::kScalarGap);  // docs/proofs, scalar_filter.g
+static_assert(PlainBounds<double>::kGap >= proved::kScalarGap);  // proofs, scalar_filter.g
 static_assert(PlainBounds<double>::kLeast >= proved::kLeast);
 
 template <class AnyBall>

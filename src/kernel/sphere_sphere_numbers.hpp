@@ -12,6 +12,12 @@ inline constexpr unsigned kValueNumber = 9;
 inline constexpr unsigned kAllNumbers = (1U << 10) - 1;
 inline constexpr unsigned kAxisNumbers = 0b001001001;
 
+/// Point k of a contact is c_k + sign r_k n, with `towards` 1 for the first ball and -1 for the second; 0 leaves it at
+/// the centre.
+constexpr double sign_of(PointOn on, double towards) {
+  return on == PointOn::nearest_surface ? towards : on == PointOn::far_surface ? -towards : 0;
+}
+
 /// Settles the numbers of a hit whose bits are set; what becomes of the others is not specified.
 /// Domain      to nearest, subnormals kept.
 void round_numbers(const Ball& a, const Ball& b, double contact_distance, ContactPoints points, unsigned numbers,

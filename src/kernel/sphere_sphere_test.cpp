@@ -16,19 +16,13 @@
 #include <vector>
 
 #include "environment/floating_point_environments.hpp"
+#include "extreme_numbers.hpp"
 #include "kernel/sphere_sphere_filter.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 #include "kernel/sphere_sphere_one_vector.hpp"
 
 namespace contact {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kLeast = std::numeric_limits<double>::denorm_min();
-
-double above(double x) { return std::nextafter(x, kInfinity); }
-double below(double x) { return std::nextafter(x, -kInfinity); }
 
 Ball ball(double x, double y, double z, double radius) { return {{x, y, z}, radius}; }
 
@@ -410,6 +404,7 @@ TEST(SphereSphere, leaves_the_rounding_mode_as_it_found_it) {
 }
 
 TEST(SphereSphere, swapped_spheres_negate_the_normal_exchange_the_points_and_keep_the_value) {
+  int compared = 0;
   for (const Question& q : hostile_questions(12, 3000)) {
     const auto forward = compute_sphere_sphere(q.a, q.b, q.distances);
     const auto backward = compute_sphere_sphere(q.b, q.a, q.distances);
@@ -418,10 +413,12 @@ TEST(SphereSphere, swapped_spheres_negate_the_normal_exchange_the_points_and_kee
     ASSERT_EQ(forward->value, backward->value);
     ASSERT_EQ(forward->degenerate, backward->degenerate);
     if (forward->degenerate) continue;
+    ++compared;
     ASSERT_EQ(forward->normal, -backward->normal);
     ASSERT_EQ(forward->point1, backward->point2);
     ASSERT_EQ(forward->point2, backward->point1);
   }
+  EXPECT_GT(compared, 900);
 }
 
 // The filter. 100 decimal digits hold D and reach^2 of near_touching() exactly.
@@ -487,7 +484,7 @@ TEST(SphereSphereFilter, its_gap_is_neither_broken_nor_more_than_12_times_too_lo
     exact.push_back(exact_sides(questions.back()));
   }
   double worst = 0;
-  for (const auto& environment : floating_point_environments()) {
+  for (const auto& environment : floating_point_environments(false)) {
     std::vector<std::array<double, 2>> plain;
     plain.reserve(questions.size());
     in_environment(environment, [&] {

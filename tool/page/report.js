@@ -68,8 +68,8 @@
     for (const [field, f] of fields) {
       const bound = Math.log2(bounds[field.startsWith("point") ? "point" : field]);
       const at = new Map(f.errors);
-      const right = f.judged - f.not_finite - d3.sum(f.errors, (e) => e[1]);
-      const columns = [{label: "right", always: true, title: `${right} correctly rounded`, parts: [["c0", right]]}];
+      const columns = [{label: "right", always: true, title: `${f.correctly_rounded} correctly rounded`,
+                        parts: [["c0", f.correctly_rounded]]}];
       for (let p = low; p <= high; ++p)
         columns.push({label: two(p), power: p, title: `${at.get(p) || 0} off by ${two(p)} to ${two(p + 1)} ulps`,
                       parts: [[p < bound ? "c1" : "c3", at.get(p) || 0]]});
@@ -142,11 +142,15 @@
   const finite = (v) => v.every(Number.isFinite);
   const color = (property) => new THREE.Color(getComputedStyle(document.documentElement).getPropertyValue(property).trim());
 
+  /** The points of a shape: its fields that are three numbers. */
+  const points = (shape) => Object.values(shape).filter(Array.isArray).map(numbers);
+
   /** The two shapes, moved and scaled to fit into the unit ball: what is done to every point of theirs. */
   function frame(query) {
     const shapes = [query.a, query.b].map((s) => {
-      const low = numbers(s.center || s.min), high = numbers(s.center || s.max), r = Number(s.radius || 0);
-      return {low: low.map((x) => x - r), high: high.map((x) => x + r), all: [...low, ...high, r]};
+      const at = points(s), r = Number(s.radius || 0);
+      const ends = (least) => [0, 1, 2].map((i) => Math[least](...at.map((p) => p[i])));
+      return {low: ends("min").map((x) => x - r), high: ends("max").map((x) => x + r), all: [...at.flat(), r]};
     });
     const largest = Math.max(...shapes.flatMap((s) => s.all.map(Math.abs)));
     // Sums and quotients of these neither overflow nor vanish.
@@ -178,10 +182,14 @@
         const radius = length(Number(shape.radius));
         geometry = new THREE.SphereBufferGeometry(radius, 48, 32);
         wires = new THREE.WireframeGeometry(new THREE.SphereBufferGeometry(radius, 16, 8));
-      } else {
+      } else if (shape.min) {
         const low = point(numbers(shape.min)), high = point(numbers(shape.max));
         at = low.clone().add(high).multiplyScalar(0.5);
         geometry = new THREE.BoxBufferGeometry(...high.sub(low).toArray());
+        wires = new THREE.EdgesGeometry(geometry);
+      } else {  // a shape without a drawing of its own: a dot at its first point
+        at = point(points(shape)[0]);
+        geometry = new THREE.SphereBufferGeometry(0.02, 12, 8);
         wires = new THREE.EdgesGeometry(geometry);
       }
       add(geometry, glass, at);
@@ -318,7 +326,7 @@
   }
   /** Whether every number of a question is finite, so that it can be drawn. */
   function inside(query) {
-    return [query.a, query.b].every((s) => finite(numbers(s.center ? [...s.center, s.radius] : [...s.min, ...s.max])));
+    return [query.a, query.b].every((s) => finite(numbers(Object.values(s).flat())));
   }
 
   for (const box of document.querySelectorAll(".copy")) {

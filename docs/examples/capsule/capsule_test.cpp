@@ -9,7 +9,7 @@
 #include "contact/detect.hpp"
 #include "contact/discrete_intersection.hpp"
 #include "contact/plugin.hpp"
-#include "oracle/exact.hpp"
+#include "oracle/truth/exact.hpp"
 
 namespace contact {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "contact/discrete_intersection.hpp"
 #include "contact/plugin.hpp"
-#include "oracle/query.hpp"
+#include "oracle/truth/query.hpp"
 
 namespace example {
 

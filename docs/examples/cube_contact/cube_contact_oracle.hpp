@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "oracle/exact.hpp"
-#include "oracle/query.hpp"
+#include "oracle/truth/exact.hpp"
+#include "oracle/truth/query.hpp"
 
 namespace example {
 

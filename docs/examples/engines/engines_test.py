@@ -335,8 +335,9 @@ class Misbehaving(NothingIsLeft):
         cls.bad, = (case["id"] for case in cases(cls.data[0]) if case["contact"] == 13)
 
     def certify(self, mode, *more, start_limit=10):
-        command = shlex.join([sys.executable, str(ROOT / "engines/misbehaving_engine.py"), mode])
-        return Run(*self.data, "--engine-command", command, "--start-limit", start_limit, "--answer-limit", LIMIT, *more)
+        command = shlex.join([sys.executable, str(ROOT / "engines/hosts/misbehaving_engine.py"), mode])
+        return Run(*self.data, "--engine-command", command, "--start-limit", start_limit, "--answer-limit", LIMIT,
+                   "--level", "decisions", *more)
 
     def judged(self, mode, run, **statuses):
         """Every question is judged; these have a status of their own, and all others are right."""
@@ -360,7 +361,7 @@ class Misbehaving(NothingIsLeft):
                 self.assertTrue(worst["what"].startswith(status + ": "), worst["what"])
                 self.assertIn(words, worst["what"])
                 self.assertIn(words, run.out)
-                self.assertRegex(run.out, rf"\nREFUTED: misbehaving {mode} .*: 1 {status}\.\n$")
+                self.assertRegex(run.out, rf"\nREFUTED: misbehaving {mode} .*: 1 {status}\. It rests on .*\n$")
                 # Once among others and once alone, and what it takes to start an engine.
                 self.assertLess(run.seconds, 2 * LIMIT + 8)
 
@@ -399,13 +400,13 @@ class Misbehaving(NothingIsLeft):
                 self.assertLess(run.seconds, LIMIT + 8)
 
     def test_every_mode_is_tried(self):
-        modes = set((ROOT / "engines/misbehaving_engine.py").read_text().split("mode == \"")[1:])
+        modes = set((ROOT / "engines/hosts/misbehaving_engine.py").read_text().split("mode == \"")[1:])
         modes = {mode.split('"')[0] for mode in modes} | {"well behaved"}
         self.assertEqual(modes, {*self.AT_13, *self.HARMLESS, *self.NO_START, *self.DEAD, "exits from 1 on"})
 
     def test_an_interruption_ends_the_run_and_the_engine(self):
         def interrupted(jobs):
-            command = shlex.join([sys.executable, str(ROOT / "engines/misbehaving_engine.py"), "always hangs"])
+            command = shlex.join([sys.executable, str(ROOT / "engines/hosts/misbehaving_engine.py"), "always hangs"])
             process = subprocess.Popen([TOOL, "certify", *self.data, "--engine-command", command, "--jobs", str(jobs)],
                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT,
                                        env=marked_environment())
@@ -431,7 +432,7 @@ class Libraries(NothingIsLeft):
              "alarm": 0, "contact": 13 if i == 5 else 0} for i in range(24)])
 
     def certify(self, library, misbehaves=""):
-        return Run(self.data, "--engine-library", library, environment={"CONTACT_MISBEHAVES": misbehaves})
+        return Run(self.data, "--engine-library", library, "--level", "decisions", environment={"CONTACT_MISBEHAVES": misbehaves})
 
     def test_a_library_that_is_none_is_refused_with_the_reason(self):
         words, empty = self.folder / "words.so", self.folder / "empty.c"
@@ -473,19 +474,19 @@ class Results(unittest.TestCase):
         asked = cases(data)
         said = [{"id": case["id"], "overlap": case["expect"]["hit"]} for case in asked]
         header = {"format": "contact-oracle/results", "version": 1, "engine": {"name": "test", "version": "1"},
-                  "scalar": "binary64", "pairs": ["sphere_sphere"]}
+                  "scalar": "binary64", "pairs": ["sphere_sphere"], "claims": ["overlap"]}
         unknown = {"id": "0123456789abcdef01234567", "overlap": True}
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "answers.jsonl"
             path.write_text(text([header, *said[:3], *said[4:]]))
-            run = Run(data, "--results", path)
+            run = Run(data, "--results", path, "--level", "decisions")
             self.assertEqual((run.code, run.err), (1, ""))
             self.assertEqual([worst["query"]["id"] for worst in run.report["worst"]], [asked[3]["id"]])
             self.assertIn("1 missing", run.out)
             self.assertIn(asked[3]["id"], run.out)
             # An answer to what is not asked is no mistake, since --family asks a part; but it is told.
             path.write_text(text([header, *said, unknown]))
-            run = Run(data, "--results", path)
+            run = Run(data, "--results", path, "--level", "decisions")
             self.assertEqual((run.code, run.err), (0, ""))
             self.assertRegex(run.out, r"\n  1 recorded answer belongs to no question asked: \w{24}\n")
 

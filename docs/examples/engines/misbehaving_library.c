@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engines/contact_engine.h"
+#include "engines/protocol/contact_engine.h"
 
 static int mode(const char* name) {
   const char* set = getenv("CONTACT_MISBEHAVES");
@@ -15,7 +15,7 @@ int32_t contact_engine_interface(void) { return CONTACT_ENGINE_INTERFACE + mode(
 const char* contact_engine_declaration(void) {
   if (mode("no declaration")) return "no JSON";
   return "{\"engine\":{\"name\":\"misbehaving\",\"version\":\"1\"},\"scalar\":\"binary64\",\"pairs\":[\"sphere_"
-         "sphere\"]}";
+         "sphere\"],\"claims\":[\"overlap\"]}";
 }
 
 int32_t contact_engine_answer(const contact_questions* q, contact_answers* answers) {

@@ -1,0 +1,58 @@
+# The tests written in Python, unittest's, and whatever else may be skipped.
+
+# One Python for all: the first on the path that has the packages of cmake/packages.txt. One that is not the system's does not see them.
+function(contact_has_packages result python)
+  execute_process(COMMAND ${python} -c "import h5py, jsonschema, yaml" RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+  if(failed)
+    set(${result} FALSE PARENT_SCOPE)
+  endif()
+endfunction()
+if(NOT Python3_EXECUTABLE)
+  find_program(CONTACT_PYTHON NAMES python3 VALIDATOR contact_has_packages)
+  if(CONTACT_PYTHON)
+    set(Python3_EXECUTABLE ${CONTACT_PYTHON})
+  endif()
+endif()
+find_package(Python3 3.10 REQUIRED COMPONENTS Interpreter)
+
+# A skip is never a pass: exit status 77, or unittest's own words. They stand behind "OK" alone: where a case failed it is a failure.
+function(contact_may_skip)
+  set_tests_properties(${ARGN} PROPERTIES SKIP_RETURN_CODE 77 SKIP_REGULAR_EXPRESSION "(^|\n)OK [(]skipped=")
+endfunction()
+
+# contact_python_test(file [NAME name] [ONLY regex] [EXCEPT regex] [ARGS ...] [PROPERTIES ...]): each case of the file is a ctest,
+# file.Class.case, and those that share a set-up are one, file.Class. With NAME the whole file is one. Given more than once, ONLY and
+# EXCEPT say which cases are meant.
+function(contact_python_test file)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "NAME;ONLY;EXCEPT" "ARGS;PROPERTIES")
+  get_filename_component(path ${file} ABSOLUTE)
+  get_filename_component(stem ${file} NAME_WE)
+  set(command ${Python3_EXECUTABLE} ${path} ${ARG_ARGS} -v)
+  if(ARG_NAME)
+    add_test(NAME ${ARG_NAME} COMMAND ${command} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+    set(tests ${ARG_NAME})
+  else()
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${path})
+    execute_process(COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/python_cases.py ${path}
+                    OUTPUT_VARIABLE cases OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+    string(REPLACE "\n" ";" cases "${cases}")
+    if(ARG_ONLY)
+      list(FILTER cases INCLUDE REGEX "${ARG_ONLY}")
+    endif()
+    if(ARG_EXCEPT)
+      list(FILTER cases EXCLUDE REGEX "${ARG_EXCEPT}")
+    endif()
+    if(NOT cases)
+      message(FATAL_ERROR "${file} has no such case")
+    endif()
+    set(tests)
+    foreach(case IN LISTS cases)
+      add_test(NAME ${stem}.${case} COMMAND ${command} ${case} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+      list(APPEND tests ${stem}.${case})
+    endforeach()
+  endif()
+  contact_may_skip(${tests})
+  if(ARG_PROPERTIES)
+    set_tests_properties(${tests} PROPERTIES ${ARG_PROPERTIES})
+  endif()
+endfunction()

@@ -1,0 +1,18 @@
+// The numbers at the ends of double's range, by the names that the tests use.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace contact {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kLargest = std::numeric_limits<double>::max();      ///< the largest finite number
+inline constexpr double kLeast = std::numeric_limits<double>::denorm_min();  ///< the least number above 0
+
+/// The next number up, and the next down.
+inline double above(double x) { return std::nextafter(x, kInfinity); }
+inline double below(double x) { return std::nextafter(x, -kInfinity); }
+
+}  // namespace contact

@@ -1,0 +1,29 @@
+// A user's question of any bytes is refused or explained, and the oracles agree on it.
+#include <nlohmann/json.hpp>
+#include "formats/input_error.hpp"
+#include "fuzz/fuzz.hpp"
+#include "golden/dataset.hpp"
+#include "tool/reports/explanation.hpp"
+#include "tool/run/pipeline.hpp"
+
+namespace contact::fuzz {
+
+void try_input(Bytes bytes) {
+  const formats::Location where{"question", 1};
+  try {
+    const auto json = formats::parse_object(text_of(bytes), where);
+    const auto [query, scalar] = golden::read_query(formats::Node(json, where));
+    const oracle::Truth truth = oracle::truth_of(query);
+    tool::require_agreement(query, truth, oracle::interval_answer(query, scalar), scalar);
+    tool::check_stage(query, oracle::staged_answer(query, scalar), scalar);
+    require(tool::explanation(query, truth, scalar).find(truth.hit() ? "HIT" : "MISS") != std::string::npos,
+            "an explanation without a decision");
+    // The line that explain is given back for a question explains the same question.
+    const std::string line = golden::query_line(query, scalar);
+    const auto again = formats::parse_object(line, where);
+    require(golden::query_line(golden::read_query(formats::Node(again, where)).query, scalar) == line, line);
+  } catch (const formats::InputError&) {
+  }
+}
+
+}  // namespace contact::fuzz

@@ -1,0 +1,48 @@
+// A manifest of any bytes, and a table of what the files kill: refused or read, and never taken for another folder's.
+#include "golden/manifest.hpp"
+
+#include <unistd.h>
+
+#include <fstream>
+
+#include "formats/input_error.hpp"
+#include "fuzz/fuzz.hpp"
+
+namespace contact::fuzz {
+namespace {
+
+/// A folder of this process.
+const std::filesystem::path& folder() {
+  static const struct Folder {
+    Folder() : path(std::filesystem::temp_directory_path() / ("fuzz-manifest-" + std::to_string(::getpid()))) {
+      std::filesystem::create_directories(path);
+    }
+    ~Folder() { std::filesystem::remove_all(path); }
+    std::filesystem::path path;
+  } made;
+  return made.path;
+}
+
+template <class Read>
+void try_to(Read&& read) {
+  try {
+    read();
+  } catch (const formats::InputError&) {
+  }
+}
+
+}  // namespace
+
+void try_input(Bytes bytes) {
+  for (const std::string_view name : {golden::kManifestName, golden::kAdequacyName})
+    std::ofstream(folder() / name, std::ios::binary)
+        .write(text_of(bytes).data(), static_cast<std::streamsize>(bytes.size()));
+  try_to([] { static_cast<void>(golden::recorded_digests(folder())); });
+  try_to([] { static_cast<void>(golden::recorded_kills(folder(), {})); });
+  try_to([&] {
+    golden::check_manifest(folder(), {});
+    require(text_of(bytes) == golden::manifest_text({}), "a manifest of other bytes counts as the empty one");
+  });
+}
+
+}  // namespace contact::fuzz

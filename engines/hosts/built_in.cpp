@@ -1,0 +1,133 @@
+// The engines that are part of this program: production, and the seed's formulas as everybody computes them.
+#include <algorithm>
+#include <array>
+
+#include "contact/pair_functions.hpp"
+#include "engines/engine.hpp"
+#include "engines/zoo/mutants.hpp"
+#include "golden/plain.hpp"
+
+namespace contact::engines {
+namespace {
+
+/// SOFA's computeIntersection of two cubes writes nothing: of a pair without numbers the overlap alone is claimed.
+Claim claim_of(const Query& query, bool overlap, const std::optional<Contact>& contact) {
+  Claim claim;
+  claim.overlap = overlap;
+  claim.speaks_of_contact = query.has_numbers();
+  if (contact) claim.contact = {contact->normal, contact->point1, contact->point2, std::nullopt, contact->value};
+  return claim;
+}
+
+template <Scalar kScalar>
+Claim plain(const Query& query, PointConvention points) {
+  return claim_of(query, golden::plain_overlap(query, kScalar),
+                  golden::plain_contact(query, kScalar, contact_points(query, points)));
+}
+
+Claim published(const Query& query, PointConvention) { return production_answer(query, PointConvention::published); }
+
+/// The questions one by one.
+template <Claim (*kAnswer)(const Query&, PointConvention)>
+std::vector<Claim> each(std::span<const Question> questions, PointConvention points) {
+  std::vector<Claim> claims;
+  claims.reserve(questions.size());
+  for (const Question& question : questions) claims.push_back(kAnswer(question.query, points));
+  return claims;
+}
+
+constexpr std::array kBuiltIn{
+    BuiltIn{"production", "this project's implementation: exact decisions, correctly rounded numbers", Scalar::binary64,
+            true, each<production_answer>},
+    BuiltIn{"batch", "production through its functions for many pairs; batch:AVX2 and so on choose the vectors",
+            Scalar::binary64, false, batch_answers},
+    BuiltIn{"component", "production through DiscreteIntersection and whole models", Scalar::binary64, false,
+            each<component_answer>},
+    BuiltIn{"plain-double", "the seed's formulas in plain double arithmetic, as SOFA computes them", Scalar::binary64,
+            true, each<plain<Scalar::binary64>>},
+    BuiltIn{"plain-float", "the seed's formulas in plain float arithmetic", Scalar::binary32, true,
+            each<plain<Scalar::binary32>>},
+    BuiltIn{"published", "production with the contact points of the seed's printed formula", Scalar::binary64, true,
+            each<published>},
+};
+
+class MutantEngine final : public Engine {
+ public:
+  MutantEngine(const Mutant& mutant, engines::EngineInfo info) : Engine(std::move(info)), mutant_(mutant) {}
+
+  std::vector<Claim> answer(std::span<const Question> questions) override {
+    std::vector<Claim> claims;
+    claims.reserve(questions.size());
+    for (const Question& question : questions) claims.push_back(answer_of(mutant_, question.query));
+    return claims;
+  }
+
+ private:
+  const Mutant& mutant_;
+};
+
+class BuiltInEngine final : public Engine {
+ public:
+  BuiltInEngine(const BuiltIn& engine, engines::EngineInfo info, PointConvention points)
+      : Engine(std::move(info)), engine_(engine), points_(points) {}
+
+  std::vector<Claim> answer(std::span<const Question> questions) override { return engine_.answer(questions, points_); }
+
+ private:
+  const BuiltIn& engine_;
+  PointConvention points_;
+};
+
+}  // namespace
+
+std::span<const BuiltIn> built_in_engines() { return kBuiltIn; }
+
+std::unique_ptr<Engine> make_built_in(std::string_view name, PointConvention points) {
+  if (name.starts_with(kMutantPrefix)) {
+    for (const Mutant& mutant : mutants())
+      if (mutant.id == name.substr(kMutantPrefix.size())) {
+        engines::EngineInfo info;
+        info.name = name;
+        info.version = CONTACT_VERSION;
+        return std::make_unique<MutantEngine>(mutant, std::move(info));
+      }
+    return nullptr;
+  }
+  std::string_view listed = name;
+  if (name.starts_with(kBatchPrefix)) {
+    use_batch_instruction_set(name.substr(kBatchPrefix.size()));
+    listed = "batch";
+  }
+  const auto it = std::find_if(kBuiltIn.begin(), kBuiltIn.end(), [&](const BuiltIn& e) { return e.name == listed; });
+  if (it == kBuiltIn.end()) return nullptr;
+  engines::EngineInfo info;
+  info.name = name;
+  info.version = CONTACT_VERSION;
+  info.declared.scalar = it->scalar;
+  info.declared.conventions.points = static_cast<Points>(points);
+  return std::make_unique<BuiltInEngine>(*it, std::move(info), points);
+}
+
+Claim production_answer(const Query& query, PointConvention points) {
+  if (const auto error = outside_domain(query)) return rejection(*error);
+  return std::visit(
+      [&](const auto& shapes) {
+        return claim_of(query, is_hit(shapes, query.distances),
+                        contact_of(shapes, query.distances, contact_points(query, points)));
+      },
+      query.shapes);
+}
+
+ContactPoints contact_points(const Query& query, PointConvention convention) {
+  const auto kind = [](bool rigid) { return rigid ? SphereKind::rigid : SphereKind::deformable; };
+  return {point_on(convention, kind(query.first_is_rigid())), point_on(convention, kind(query.second_is_rigid()))};
+}
+
+Claim rejection(const DomainError& error) {
+  Claim claim;
+  claim.status = Claim::Status::rejected;
+  claim.text = error.field;
+  return claim;
+}
+
+}  // namespace contact::engines

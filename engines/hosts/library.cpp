@@ -1,0 +1,184 @@
+// An engine in a shared library with the C interface of contact_engine.h.
+#include "engines/hosts/library.hpp"
+
+#define BOOST_DLL_USE_STD_FS
+#include <fmt/format.h>
+
+#include <boost/dll/shared_library.hpp>
+#include <cfenv>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "engines/hosts/subprocess.hpp"
+#include "engines/protocol/contact_engine.h"
+#include "engines/protocol/protocol.hpp"
+
+namespace contact::engines {
+namespace {
+
+static_assert(static_cast<int>(Pair::sphere_sphere) == CONTACT_SPHERE_SPHERE &&
+              static_cast<int>(Pair::rigid_sphere_rigid_sphere) == CONTACT_RIGID_SPHERE_RIGID_SPHERE &&
+              static_cast<int>(Pair::sphere_rigid_sphere) == CONTACT_SPHERE_RIGID_SPHERE &&
+              static_cast<int>(Pair::cube_cube) == CONTACT_CUBE_CUBE);
+
+/// Questions of one pair as the arrays that the library reads, and its answers.
+struct Arrays {
+  explicit Arrays(std::span<const Question> questions)
+      : pair(questions.front().query.pair),
+        said(questions.size()),
+        normal(3 * questions.size()),
+        point1(3 * questions.size()),
+        point2(3 * questions.size()),
+        value(questions.size()) {
+    const auto add = [](std::vector<double>& to, const auto& shape) {
+      for_each_number(shape, [&](double x) { to.push_back(x); });
+    };
+    for (const Question& question : questions) {
+      std::visit(
+          [&](const auto& shapes) {
+            add(a, shapes.a);
+            add(b, shapes.b);
+          },
+          question.query.shapes);
+      alarm.push_back(question.query.distances.alarm);
+      contact.push_back(question.query.distances.contact);
+    }
+  }
+
+  [[nodiscard]] Claim claim(std::size_t i) const {
+    const std::uint32_t s = said[i];
+    const auto says = [s](contact_said what) { return (s & static_cast<std::uint32_t>(what)) != 0; };
+    const auto vector = [i](const std::vector<double>& v) { return Vector3(v[3 * i], v[3 * i + 1], v[3 * i + 2]); };
+    Claim c;
+    for (const auto& [flag, status] : {std::pair{CONTACT_UNSUPPORTED, Claim::Status::unsupported},
+                                       {CONTACT_REJECTED, Claim::Status::rejected},
+                                       {CONTACT_ERROR, Claim::Status::error}})
+      if (says(flag)) {
+        c.status = status;
+        c.text = "the library says so";
+        return c;
+      }
+    if (says(CONTACT_SAYS_OVERLAP)) c.overlap = says(CONTACT_OVERLAPS);
+    c.speaks_of_contact = says(CONTACT_SAYS_CONTACT);
+    if (c.speaks_of_contact && says(CONTACT_TOUCHES)) {
+      ContactClaim& numbers = c.contact.emplace();
+      if (says(CONTACT_NORMAL)) numbers.normal = vector(normal);
+      if (says(CONTACT_POINT1)) numbers.point1 = vector(point1);
+      if (says(CONTACT_POINT2)) numbers.point2 = vector(point2);
+      if (says(CONTACT_MIDPOINT)) numbers.point = vector(point1);
+      if (says(CONTACT_VALUE)) numbers.value = value[i];
+    }
+    return c;
+  }
+
+  Pair pair;
+  std::vector<double> a;
+  std::vector<double> b;
+  std::vector<double> alarm;
+  std::vector<double> contact;
+  std::vector<std::uint32_t> said;
+  std::vector<double> normal;
+  std::vector<double> point1;
+  std::vector<double> point2;
+  std::vector<double> value;
+};
+
+/// The floating-point environment that a library finds and leaves: its own from one call to the next, as in a process
+/// without us. What it sets (at its loading already, where it was built with -ffast-math) would change how we read
+/// numbers.
+class Theirs {
+ public:
+  template <class Work>
+  auto operator()(Work work) {
+    struct Ours {
+      explicit Ours(std::fenv_t& theirs) : left(theirs) {
+        std::fegetenv(&ours);
+        std::fesetenv(&left);
+      }
+      Ours(const Ours&) = delete;
+      Ours& operator=(const Ours&) = delete;
+      ~Ours() {
+        std::fegetenv(&left);
+        std::fesetenv(&ours);
+      }
+      std::fenv_t& left;
+      std::fenv_t ours{};
+    } const back(environment_);
+    return work();
+  }
+
+ private:
+  std::fenv_t environment_ = [] {
+    std::fenv_t now{};
+    std::fegetenv(&now);
+    return now;
+  }();
+};
+
+class Library final : public Engine {
+ public:
+  explicit Library(const std::filesystem::path& file) : Engine({}) {
+    const auto refuse = [&](const std::string& problem) {
+      throw HarnessInvalid(fmt::format("{}: {}", file.string(), problem));
+    };
+    try {
+      theirs_([&] { library_.load(std::filesystem::absolute(file), boost::dll::load_mode::rtld_now); });
+    } catch (const std::exception& error) {
+      refuse(fmt::format("cannot be loaded: {}", error.what()));
+    }
+    for (const char* function : {"contact_engine_interface", "contact_engine_declaration", "contact_engine_answer"})
+      if (!library_.has(function)) refuse(fmt::format("is no engine: it exports no {}", function));
+    if (const auto built = theirs_(library_.get<std::int32_t()>("contact_engine_interface"));
+        built != CONTACT_ENGINE_INTERFACE)
+      refuse(fmt::format("was built for engine interface {}, this is {}", built, CONTACT_ENGINE_INTERFACE));
+    answer_ = library_.get<std::int32_t(const contact_questions*, contact_answers*)>("contact_engine_answer");
+    const formats::Location where{file.string() + ": declaration", 0};
+    try {
+      const auto json =
+          formats::parse_object(theirs_(library_.get<const char*()>("contact_engine_declaration")), where);
+      const formats::Node node(json, where);
+      set_info(engines::read_engine_info(node, {}));
+    } catch (const formats::InputError& error) {
+      throw HarnessInvalid(error.what());
+    }
+  }
+
+  std::vector<Claim> answer(std::span<const Question> questions) override {
+    std::vector<Claim> claims;
+    while (!questions.empty()) {
+      std::size_t run = 1;
+      while (run < questions.size() && questions[run].query.pair == questions.front().query.pair) ++run;
+      Arrays arrays(questions.first(run));
+      const contact_questions asked{run,
+                                    static_cast<std::int32_t>(arrays.pair),
+                                    arrays.pair == Pair::cube_cube ? 6 : 4,
+                                    arrays.a.data(),
+                                    arrays.b.data(),
+                                    arrays.alarm.data(),
+                                    arrays.contact.data()};
+      contact_answers answers{arrays.said.data(), arrays.normal.data(), arrays.point1.data(), arrays.point2.data(),
+                              arrays.value.data()};
+      const std::int32_t error = theirs_([&] { return answer_(&asked, &answers); });
+      for (std::size_t i = 0; i < run; ++i) {
+        claims.push_back(arrays.claim(i));
+        if (error == 0) continue;
+        claims.back() = {};
+        claims.back().status = Claim::Status::error;
+        claims.back().text = fmt::format("contact_engine_answer returned {}", error);
+      }
+      questions = questions.subspan(run);
+    }
+    return claims;
+  }
+
+ private:
+  Theirs theirs_;
+  boost::dll::shared_library library_;
+  std::function<std::int32_t(const contact_questions*, contact_answers*)> answer_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_library(const std::filesystem::path& file) { return std::make_unique<Library>(file); }
+
+}  // namespace contact::engines

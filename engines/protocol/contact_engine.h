@@ -1,0 +1,76 @@
+/* An engine as a shared library: the C interface that contact-oracle certifies it by (--engine-library FILE.so).
+   The library runs in a process of its own, so that a crash is a verdict and not the end of the run. It is asked by one
+   thread at a time. Nothing here needs C++ or a library; export the three functions at the end. */
+#ifndef CONTACT_ENGINE_H
+#define CONTACT_ENGINE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Changes whenever something below does. */
+#define CONTACT_ENGINE_INTERFACE 1
+
+enum contact_pair {
+  CONTACT_SPHERE_SPHERE = 0,
+  CONTACT_RIGID_SPHERE_RIGID_SPHERE = 1,
+  CONTACT_SPHERE_RIGID_SPHERE = 2,
+  CONTACT_CUBE_CUBE = 3
+};
+
+/* Questions of one pair kind, as arrays with one row a question. */
+typedef struct contact_questions {
+  size_t count;
+  int32_t pair;          /* enum contact_pair */
+  int32_t width;         /* numbers of a shape: 4 for spheres, 6 for cubes */
+  const double* a;       /* count rows: centre x y z and radius; or min x y z and max x y z */
+  const double* b;
+  const double* alarm;   /* count */
+  const double* contact; /* count */
+} contact_questions;
+
+/* What an answer says: a sum of these. A field that the declaration claims and that an answer to a hit does not say is a
+   missing field, which refutes the engine. */
+enum contact_said {
+  CONTACT_SAYS_OVERLAP = 1, /* whether the pair is within the alarm distance ... */
+  CONTACT_OVERLAPS = 2,     /* ... it is */
+  CONTACT_SAYS_CONTACT = 4, /* whether there is a contact ... */
+  CONTACT_TOUCHES = 8,      /* ... there is, with the numbers that the rest of the sum names */
+  CONTACT_NORMAL = 16,
+  CONTACT_POINT1 = 32,
+  CONTACT_POINT2 = 64,
+  CONTACT_MIDPOINT = 128, /* point1 holds the one point of the convention `midpoint` */
+  CONTACT_VALUE = 256,
+  CONTACT_UNSUPPORTED = 512, /* instead of an answer */
+  CONTACT_REJECTED = 1024,   /* instead of an answer: the input is outside the domain */
+  CONTACT_ERROR = 2048       /* instead of an answer */
+};
+
+/* Answers, as arrays with one row a question; every `said` is 0 when it is handed over. */
+typedef struct contact_answers {
+  uint32_t* said; /* count: sums of enum contact_said */
+  double* normal; /* count rows of 3, and so on */
+  double* point1;
+  double* point2;
+  double* value; /* count */
+} contact_answers;
+
+/* CONTACT_ENGINE_INTERFACE as the library was built. */
+int32_t contact_engine_interface(void);
+
+/* What the engine declares, as the hello message of the protocol without "op" and "protocol":
+   {"engine":{"name":"mine","version":"1"},"scalar":"binary64","pairs":["sphere_sphere"]}
+   "claims":["overlap","contact","value"] in it says which fields the engine gives; without it, all of its conventions. */
+const char* contact_engine_declaration(void);
+
+/* Fills in one answer a question. 0, or anything else for an error of all of them. */
+int32_t contact_engine_answer(const contact_questions* questions, contact_answers* answers);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

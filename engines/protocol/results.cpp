@@ -1,0 +1,222 @@
+// What engines say on paper: claims and declarations in JSON, and the results file that records them.
+#include "engines/protocol/results.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "golden/dataset.hpp"
+#include "golden/query_id.hpp"
+
+namespace contact::engines {
+namespace {
+
+constexpr std::string_view kFormat = "contact-oracle/results";
+constexpr std::uint64_t kVersion = 1;
+constexpr double kLeastBound = 1;
+constexpr double kLargestBound = 64;
+
+template <class Enum, std::size_t N>
+void read_choice(const formats::Node& node, std::string_view key, const std::array<std::string_view, N>& names,
+                 Enum& choice) {
+  if (const auto found = node.find(key)) choice = static_cast<Enum>(found->one_of(names));
+}
+
+Conventions read_conventions(const formats::Node& node) {
+  node.allow_only({"normal", "normal_unit", "points", "value", "value_less_contact", "touching_overlap",
+                   "touching_contact", "margin", "coincident", "scale"});
+  Conventions c;
+  read_choice(node, "normal", kNormalDirectionNames, c.normal);
+  if (const auto unit = node.find("normal_unit")) c.normal_unit = unit->boolean();
+  read_choice(node, "points", kPointsNames, c.points);
+  read_choice(node, "value", kValueKindNames, c.value);
+  if (const auto less = node.find("value_less_contact")) c.value_less_contact = less->boolean();
+  read_choice(node, "touching_overlap", kTouchingNames, c.touching_overlap);
+  read_choice(node, "touching_contact", kTouchingNames, c.touching_contact);
+  read_choice(node, "margin", kMarginNames, c.margin);
+  read_choice(node, "coincident", kCoincidentNames, c.coincident);
+  if (const auto scale = node.find("scale")) {
+    scale->allow_only({"min", "max"});
+    c.scale_min = scale->at("min").number();
+    c.scale_max = scale->at("max").number();
+    if (!(c.scale_min >= 0 && c.scale_min <= c.scale_max)) scale->refuse("expected 0 <= min <= max");
+  }
+  return c;
+}
+
+DeclaredBounds read_bounds(const formats::Node& node) {
+  node.allow_only({"value", "normal", "point"});
+  DeclaredBounds bounds;
+  for (const auto& [key, bound] :
+       {std::pair{"value", &bounds.value}, {"normal", &bounds.normal}, {"point", &bounds.point}})
+    if (const auto found = node.find(key)) {
+      *bound = found->number();
+      if (!(*bound >= kLeastBound && *bound <= kLargestBound)) found->refuse("a declared bound is 1 to 64 ulps");
+    }
+  return bounds;
+}
+
+/// What an engine declares to claim. A number is one of a contact, so it speaks of the contact too.
+Aspects read_claims(const formats::Node& node, const Conventions& conventions) {
+  Aspects claims;
+  for (const formats::Node& item : node.items()) {
+    const auto aspect = static_cast<Aspect>(item.one_of(kAspectNames));
+    if (!spoken_of(conventions).has(aspect)) item.refuse("the engine's conventions say that it gives none");
+    claims.add(aspect);
+    if (aspect > Aspect::contact) claims.add(Aspect::contact);
+  }
+  if (claims.empty()) node.refuse("an engine that claims nothing cannot be judged");
+  return claims;
+}
+
+}  // namespace
+
+bool EngineInfo::serves(Pair pair) const { return std::find(pairs.begin(), pairs.end(), pair) != pairs.end(); }
+
+EngineInfo read_engine_info(const formats::Node& node, std::initializer_list<std::string_view> beside) {
+  std::vector<std::string_view> known{"engine", "scalar", "pairs", "conventions", "bounds", "claims"};
+  known.insert(known.end(), beside);
+  node.allow_only(known);
+  EngineInfo info;
+  const formats::Node engine = node.at("engine");
+  engine.allow_only({"name", "version"});
+  info.name = engine.at("name").text();
+  info.version = engine.at("version").text();
+  info.declared.scalar = golden::read_scalar(node.at("scalar"));
+  info.pairs.clear();
+  for (const formats::Node& pair : node.at("pairs").items()) info.pairs.push_back(golden::read_pair(pair));
+  if (const auto conventions = node.find("conventions")) info.declared.conventions = read_conventions(*conventions);
+  if (const auto bounds = node.find("bounds")) info.declared.bounds = read_bounds(*bounds);
+  if (const auto claims = node.find("claims")) info.declared.claims = read_claims(*claims, info.declared.conventions);
+  return info;
+}
+
+std::string conventions_text(const Conventions& c) {
+  const auto pick = [](const auto& names, auto choice) { return names[static_cast<std::size_t>(choice)]; };
+  std::string text = fmt::format(
+      R"({{"normal":"{}","normal_unit":{},"points":"{}","value":"{}","value_less_contact":{},"touching_overlap":"{}","touching_contact":"{}","margin":"{}","coincident":"{}")",
+      pick(kNormalDirectionNames, c.normal), c.normal_unit, pick(kPointsNames, c.points),
+      pick(kValueKindNames, c.value), c.value_less_contact, pick(kTouchingNames, c.touching_overlap),
+      pick(kTouchingNames, c.touching_contact), pick(kMarginNames, c.margin), pick(kCoincidentNames, c.coincident));
+  if (c.scale_min != 0 || std::isfinite(c.scale_max))
+    text +=
+        fmt::format(R"(,"scale":{{"min":{},"max":{}}})", formats::number(c.scale_min), formats::number(c.scale_max));
+  return text + "}";
+}
+
+std::string engine_text(const EngineInfo& engine) {
+  std::string pairs;
+  for (const Pair pair : engine.pairs) pairs += fmt::format("{}\"{}\"", pairs.empty() ? "" : ",", name(pair));
+  const DeclaredBounds& b = engine.declared.bounds;
+  std::string claims;
+  if (engine.declared.claims)
+    claims = fmt::format(R"(,"claims":["{}"])", fmt::join(engine.declared.claims->names(), R"(",")"));
+  return fmt::format(
+      R"("engine":{{"name":{},"version":{}}},"scalar":"{}","pairs":[{}],"conventions":{},"bounds":{{"value":{},"normal":{},"point":{}}}{})",
+      formats::json_string(engine.name), formats::json_string(engine.version), name(engine.declared.scalar), pairs,
+      conventions_text(engine.declared.conventions), formats::number(b.value), formats::number(b.normal),
+      formats::number(b.point), claims);
+}
+
+std::string to_line(const EngineInfo& engine) {
+  return fmt::format(R"({{"format":"{}","version":{},{}}})", kFormat, kVersion, engine_text(engine));
+}
+
+Claim read_claim(const formats::Node& node) {
+  Claim claim;
+  for (const auto& [key, status] : {std::pair{"unsupported", Claim::Status::unsupported},
+                                    {"rejected", Claim::Status::rejected},
+                                    {"error", Claim::Status::error}})
+    if (const auto said = node.find(key)) {
+      if (claim.status != Claim::Status::answered) said->refuse("an answer is one of unsupported, rejected and error");
+      claim.status = status;
+      claim.text = said->text();
+    }
+  if (const auto overlap = node.find("overlap")) claim.overlap = overlap->boolean();
+  if (const auto contact = node.find("contact")) {
+    claim.speaks_of_contact = true;
+    if (!contact->is_null()) {
+      contact->allow_only({"normal", "point1", "point2", "point", "value"});
+      ContactClaim numbers;
+      for (const auto& [key, v] : {std::pair{"normal", &numbers.normal},
+                                   {"point1", &numbers.point1},
+                                   {"point2", &numbers.point2},
+                                   {"point", &numbers.point}})
+        if (const auto found = contact->find(key)) *v = found->vector();
+      if (const auto value = contact->find("value")) numbers.value = value->number();
+      claim.contact = numbers;
+    }
+  }
+  if (claim.status != Claim::Status::answered && (claim.overlap || claim.speaks_of_contact))
+    node.refuse("an answer claims something, or says why not");
+  return claim;
+}
+
+std::string to_line(const std::string& id, const Claim& claim) {
+  return fmt::format(R"({{"id":"{}"{}}})", id, claim_text(claim));
+}
+
+std::string claim_text(const Claim& claim) {
+  std::string text;
+  if (claim.overlap) text += fmt::format(R"(,"overlap":{})", *claim.overlap);
+  if (claim.speaks_of_contact && !claim.contact) text += R"(,"contact":null)";
+  if (claim.contact) {
+    std::string fields;
+    const auto add = [&](std::string_view key, const std::string& value) {
+      fields += fmt::format(R"({}"{}":{})", fields.empty() ? "" : ",", key, value);
+    };
+    if (claim.contact->normal) add("normal", formats::number(*claim.contact->normal));
+    if (claim.contact->point1) add("point1", formats::number(*claim.contact->point1));
+    if (claim.contact->point2) add("point2", formats::number(*claim.contact->point2));
+    if (claim.contact->point) add("point", formats::number(*claim.contact->point));
+    if (claim.contact->value) add("value", formats::number(*claim.contact->value));
+    text += R"(,"contact":{)" + fields + "}";
+  }
+  switch (claim.status) {
+    case Claim::Status::answered:
+      break;
+    case Claim::Status::unsupported:
+      text += R"(,"unsupported":)" + formats::json_string(claim.text);
+      break;
+    case Claim::Status::rejected:
+      text += R"(,"rejected":)" + formats::json_string(claim.text);
+      break;
+    default:
+      text += R"(,"error":)" + formats::json_string(claim.text);
+  }
+  return text;
+}
+
+std::string claim_object(const Claim& claim) {
+  const std::string text = claim_text(claim);
+  return "{" + text.substr(std::min<std::size_t>(1, text.size())) + "}";
+}
+
+Results read_results(const std::filesystem::path& path) {
+  std::ifstream stream = formats::open_to_read(path);
+  formats::Location where{path.string(), 0};
+  Results results;
+  for (std::string line; formats::read_line(stream, line, where);) {
+    if (stream.eof()) throw formats::InputError(where, "", "the last line has no line feed: the file is truncated");
+    const auto json = formats::parse_object(line, where);
+    const formats::Node node(json, where);
+    if (where.line == 1) {
+      if (const formats::Node format = node.at("format"); format.text() != kFormat)
+        format.refuse(fmt::format("expected \"{}\"", kFormat));
+      if (const formats::Node version = node.at("version"); version.count() != kVersion)
+        version.refuse(fmt::format("this program reads version {}", kVersion));
+      results.engine = read_engine_info(node, {"format", "version"});
+      continue;
+    }
+    node.allow_only({"id", "overlap", "contact", "unsupported", "rejected", "error"});
+    const formats::Node id = node.at("id");
+    if (!golden::is_query_id(id.text()))
+      id.refuse(fmt::format("expected the {} hexadecimal digits of a question's id", golden::kIdLength));
+    if (!results.claims.emplace(id.text(), read_claim(node)).second) id.refuse("this question is answered twice");
+  }
+  if (where.line == 0) throw formats::InputError(where, "", "empty: a results file begins with its header");
+  return results;
+}
+
+}  // namespace contact::engines

@@ -1,0 +1,48 @@
+// What engines say on paper: claims and declarations in JSON, and the results file that records them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "formats/json.hpp"
+#include "oracle/judge/claim.hpp"
+#include "oracle/judge/judge.hpp"
+
+namespace contact::engines {
+
+/// Who answers, and what it declares.
+struct EngineInfo {
+  std::string name;
+  std::string version;
+  std::vector<Pair> pairs{kPairs.begin(), kPairs.end()};
+  oracle::Declaration declared;
+
+  [[nodiscard]] bool serves(Pair pair) const;
+};
+
+/// "engine", "scalar", "pairs", "conventions", "bounds" and "claims" of a results header or a hello message, which has
+/// no other keys than these and those `beside` them.
+[[nodiscard]] EngineInfo read_engine_info(const formats::Node& node, std::initializer_list<std::string_view> beside);
+[[nodiscard]] std::string conventions_text(const Conventions& conventions);
+/// The same written, without braces, and the header of a results file.
+[[nodiscard]] std::string engine_text(const EngineInfo& engine);
+[[nodiscard]] std::string to_line(const EngineInfo& engine);
+
+/// The claim of an answer or of a results line; keys other than the claim's own are the caller's to check.
+[[nodiscard]] Claim read_claim(const formats::Node& node);
+/// ,"overlap":...,"contact":... of a claim, and one line of a results file.
+[[nodiscard]] std::string claim_text(const Claim& claim);
+/// The same as an object of its own, which is {} where nothing is claimed.
+[[nodiscard]] std::string claim_object(const Claim& claim);
+[[nodiscard]] std::string to_line(const std::string& id, const Claim& claim);
+
+/// A results file, whole.
+struct Results {
+  EngineInfo engine;
+  std::unordered_map<std::string, Claim> claims;
+};
+[[nodiscard]] Results read_results(const std::filesystem::path& path);
+
+}  // namespace contact::engines

@@ -1,0 +1,109 @@
+// What engines say on paper: declarations and claims, written and read back.
+#include "engines/protocol/results.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace contact::engines {
+namespace {
+
+EngineInfo read_back(const EngineInfo& info) {
+  const formats::Location where{"here", 1};
+  const auto json = formats::parse_object(to_line(info), where);
+  return read_engine_info(formats::Node(json, where), {"format", "version"});
+}
+
+Claim claim_of(const std::string& text) {
+  const formats::Location where{"here", 1};
+  const auto json = formats::parse_object(text, where);
+  return read_claim(formats::Node(json, where));
+}
+
+TEST(EngineInfo, EveryConventionSurvivesWritingAndReading) {
+  EngineInfo info;
+  info.name = "an \"engine\"";
+  info.version = "1";
+  info.pairs = {Pair::cube_cube};
+  info.declared.scalar = Scalar::binary32;
+  info.declared.bounds = {3, 2, 64};
+  Conventions& c = info.declared.conventions;
+  const auto same = [&] {
+    const EngineInfo back = read_back(info);
+    return back.name == info.name && back.pairs == info.pairs && back.declared.scalar == info.declared.scalar &&
+           back.declared.bounds == info.declared.bounds && back.declared.conventions == c;
+  };
+  EXPECT_TRUE(same());
+  c.normal = NormalDirection::second_to_first;
+  c.normal_unit = false;
+  c.value_less_contact = false;
+  c.touching_overlap = Touching::open;
+  c.scale_min = 1e-30;
+  c.scale_max = 1e30;
+  EXPECT_TRUE(same());
+  for (std::size_t i = 0; i < kPointsNames.size(); ++i) {
+    c.points = static_cast<Points>(i);
+    c.value = static_cast<ValueKind>(i % kValueKindNames.size());
+    c.margin = static_cast<Margin>(i % kMarginNames.size());
+    c.coincident = static_cast<Coincident>(i % kCoincidentNames.size());
+    c.touching_contact = static_cast<Touching>(i % kTouchingNames.size());
+    EXPECT_TRUE(same()) << kPointsNames[i];
+  }
+}
+
+TEST(EngineInfo, ClaimsSurviveWritingAndReadingAndAreAbsentWhereNotDeclared) {
+  EngineInfo info;
+  EXPECT_EQ(to_line(info).find("claims"), std::string::npos);
+  EXPECT_FALSE(read_back(info).declared.claims);
+  info.declared.claims = Aspects{Aspect::overlap, Aspect::contact, Aspect::value};
+  EXPECT_NE(to_line(info).find(R"("claims":["overlap","contact","value"])"), std::string::npos);
+  EXPECT_EQ(read_back(info).declared.claims, info.declared.claims);
+}
+
+EngineInfo declaring(const std::string& text) {
+  const formats::Location where{"here", 1};
+  const auto json = formats::parse_object(
+      R"({"engine":{"name":"x","version":"1"},"scalar":"binary64","pairs":["sphere_sphere"],)" + text + "}", where);
+  return read_engine_info(formats::Node(json, where), {});
+}
+
+TEST(EngineInfo, ANumberThatIsClaimedIsOneOfAContact) {
+  EXPECT_EQ(declaring(R"("claims":["normal"])").declared.claims, (Aspects{Aspect::contact, Aspect::normal}));
+}
+
+TEST(EngineInfo, ClaimsOfNothingOfWhatThereIsNotAndAgainstTheConventionsAreRefused) {
+  for (const char* claims :
+       {R"("claims":[])", R"("claims":["speed"])", R"("claims":"overlap")", R"("claims":["point"])",
+        R"("conventions":{"points":"none"},"claims":["overlap","point1"])",
+        R"("conventions":{"value":"none"},"claims":["value"])",
+        R"("conventions":{"points":"first_only"},"claims":["point2"])",
+        R"("conventions":{"points":"midpoint"},"claims":["point1"])"})
+    EXPECT_THROW(declaring(claims), formats::InputError) << claims;
+}
+
+TEST(Claim, AnAbsentKeyMakesNoClaimAndNullClaimsNoContact) {
+  EXPECT_FALSE(claim_of(R"({"overlap":true})").speaks_of_contact);
+  EXPECT_FALSE(claim_of(R"({"contact":null})").overlap.has_value());
+  EXPECT_TRUE(claim_of(R"({"contact":null})").speaks_of_contact);
+  EXPECT_FALSE(claim_of(R"({"contact":null})").contact.has_value());
+  const Claim partial = claim_of(R"({"contact":{"value":"-Infinity"}})");
+  EXPECT_FALSE(partial.contact->normal.has_value());
+  EXPECT_EQ(*partial.contact->value, -std::numeric_limits<double>::infinity());
+}
+
+TEST(Claim, SurvivesWritingAndReading) {
+  for (const std::string line :
+       {R"({"id":"x","overlap":true,"contact":{"normal":[1,0,0],"point1":["NaN",0,0.1],"point2":[0,0,0],"value":-1}})",
+        R"({"id":"x","contact":null})", R"({"id":"x","unsupported":"why"})", R"({"id":"x","rejected":"alarm"})",
+        R"({"id":"x","error":"text"})", R"({"id":"x","overlap":false,"contact":{"point":[1,2,3]}})"})
+    EXPECT_EQ(to_line("x", claim_of(line)), line);
+}
+
+TEST(Claim, CannotClaimAndExcuseItselfAtOnce) {
+  EXPECT_THROW(claim_of(R"({"overlap":true,"error":"x"})"), formats::InputError);
+  EXPECT_THROW(claim_of(R"({"unsupported":"x","error":"x"})"), formats::InputError);
+}
+
+}  // namespace
+}  // namespace contact::engines

@@ -1,0 +1,59 @@
+// Engines with one mistake each: the list of all, and how one answers.
+#include "engines/zoo/mutants.hpp"
+
+#include <vector>
+
+#include "engines/engine.hpp"
+#include "engines/zoo/mutating.hpp"
+
+namespace contact::engines {
+
+std::span<const Mutant> mutants() {
+  static const std::vector<Mutant> all = [] {
+    std::vector<Mutant> list;
+    const auto append = [&](std::span<const Mutant> some, Origin origin) {
+      for (Mutant m : some) {
+        m.origin = origin;
+        list.push_back(m);
+      }
+    };
+    append(real_mutants(), Origin::real);
+    append(own_mutants(), Origin::own);
+    append(precision_mutants(), Origin::precision);
+    return list;
+  }();
+  return all;
+}
+
+Claim answer_of(const Mutant& mutant, const Query& query) {
+  if (const auto error = outside_domain(query)) {
+    Claim claim = rejection(*error);
+    if (mutant.outside_domain) mutant.change(query, claim);
+    return claim;
+  }
+  Query asked = query;
+  if (mutant.ask != nullptr) mutant.ask(asked);
+  // What overflows in the mistake stays the largest number: production refuses infinities.
+  const double largest = std::numeric_limits<double>::max();
+  for_each_number(asked, [largest](const std::string&, double& x) { x = std::clamp(x, -largest, largest); });
+  Claim claim = production_answer(asked, PointConvention::nearest_surface);
+  if (mutant.change != nullptr && !mutant.outside_domain) mutant.change(query, claim);
+  return claim;
+}
+
+void decide(const Query& query, Claim& claim, bool hit) {
+  claim.overlap = hit;
+  if (query.balls() == nullptr) return;
+  if (!hit) claim.contact.reset();
+  if (!hit || claim.contact) return;
+  Query surely = query;
+  surely.distances.alarm = std::numeric_limits<double>::max();
+  claim.contact = production_answer(surely, PointConvention::nearest_surface).contact;
+  if (claim.contact) return;
+  // The surfaces are apart by more than the largest number.
+  const oracle::Truth as_a_hit = oracle::truth_with(query, oracle::Side::within, oracle::Side::within);
+  const Contact right = oracle::expectation(as_a_hit, Scalar::binary64).contact.value();
+  claim.contact = ContactClaim{right.normal, right.point1, right.point2, std::nullopt, right.value};
+}
+
+}  // namespace contact::engines

@@ -1,0 +1,115 @@
+// What mutants are made of: production's answer, the question in wide arithmetic, and edits of both.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "contact/sphere_sphere.hpp"
+#include "engines/zoo/mutants.hpp"
+#include "oracle/truth/truth.hpp"
+
+namespace contact::engines {
+
+/// Wide enough that a mutant is wrong by its one mistake, and not by rounding.
+using Wide = long double;
+
+/// Two spheres in wide arithmetic.
+struct WideSpheres {
+  explicit WideSpheres(const Query& query)
+      : r1(query.balls()->a.radius),
+        r2(query.balls()->b.radius),
+        alarm(query.distances.alarm),
+        contact(query.distances.contact) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      c1[i] = query.balls()->a.center[static_cast<Eigen::Index>(i)];
+      c2[i] = query.balls()->b.center[static_cast<Eigen::Index>(i)];
+      d[i] = c2[i] - c1[i];
+    }
+    D = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    distance = std::sqrt(D);
+    reach = alarm + r1 + r2;
+  }
+  [[nodiscard]] Wide value() const { return distance - r1 - r2 - contact; }
+
+  Wide r1, r2, alarm, contact;
+  std::array<Wide, 3> c1, c2, d;
+  Wide D, distance, reach;
+};
+
+inline const Balls& balls(const Query& q) { return *q.balls(); }
+inline bool coincident(const Query& q) { return q.balls() != nullptr && balls(q).a.center == balls(q).b.center; }
+/// Exactly: the surfaces overlap, or just touch.
+inline bool overlapping(const Query& q) { return oracle::truth_of(q).at_zero != oracle::Side::beyond; }
+inline bool at_edge(const Query& q) { return oracle::truth_of(q).at_alarm == oracle::Side::at; }
+
+inline double rounded(Wide x) { return static_cast<double>(x); }
+inline float single(double x) {
+  // Through memory: GCC 12 leaves out both conversions where it makes vectors of them.
+  const volatile float narrow = static_cast<float>(x);
+  return narrow;
+}
+inline double narrowed(double x) { return static_cast<double>(single(x)); }
+
+/// Changes the contact of an answer that has one.
+template <class Change>
+void in_contact(Claim& claim, Change change) {
+  if (claim.contact) change(*claim.contact);
+}
+/// The same where the centres are apart, so that there is a direction to be wrong about.
+template <class Change>
+void in_direction(const Query& q, Claim& claim, Change change) {
+  if (claim.contact && !coincident(q)) change(*claim.contact);
+}
+
+/// The contact points that go with the normal of a contact.
+inline void points_from_normal(const Query& q, ContactClaim& c) {
+  c.point1 = Vector3(balls(q).a.center + balls(q).a.radius * *c.normal);
+  c.point2 = Vector3(balls(q).b.center - balls(q).b.radius * *c.normal);
+}
+
+/// Another normal, and the points that go with it.
+template <class Change>
+void turn(const Query& q, Claim& claim, Change change) {
+  in_direction(q, claim, [&](ContactClaim& c) {
+    change(*c.normal);
+    points_from_normal(q, c);
+  });
+}
+
+/// Another decision for both claims, with the contact that the right formulas give.
+void decide(const Query& query, Claim& claim, bool hit);
+/// The same from a comparison in wide arithmetic, about spheres.
+template <class Compare>
+void decide_spheres(const Query& q, Claim& claim, Compare compare) {
+  if (q.balls() != nullptr) decide(q, claim, compare(WideSpheres(q)));
+}
+/// And about boxes.
+struct WideBox {
+  Eigen::Matrix<Wide, 3, 1> min;
+  Eigen::Matrix<Wide, 3, 1> max;
+};
+template <class Compare>
+void decide_boxes(const Query& q, Claim& claim, Compare compare) {
+  const auto wide = [](const Box& box) { return WideBox{box.min.cast<Wide>(), box.max.cast<Wide>()}; };
+  if (q.boxes() != nullptr)
+    decide(q, claim, compare(wide(q.boxes()->a), wide(q.boxes()->b), static_cast<Wide>(q.distances.alarm)));
+}
+
+/// Another value.
+template <class Value>
+void revalue(const Query& q, Claim& claim, Value value) {
+  if (claim.contact) claim.contact->value = rounded(value(WideSpheres(q)));
+}
+
+/// For changes of the question, which are made in it.
+inline Balls* balls_of(Query& q) { return std::get_if<Balls>(&q.shapes); }
+inline Boxes* boxes_of(Query& q) { return std::get_if<Boxes>(&q.shapes); }
+
+[[nodiscard]] std::span<const Mutant> real_mutants();
+[[nodiscard]] std::span<const Mutant> own_mutants();
+[[nodiscard]] std::span<const Mutant> precision_mutants();
+
+}  // namespace contact::engines

@@ -1,0 +1,74 @@
+// The pairs of shapes, listed once: the names and shapes of a pair, and whether its contacts have numbers.
+//
+// A new pair is a line in a list below, and files of its own on every floor: docs/architecture.md#where-to-add.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <variant>
+
+#include "contact/shapes.hpp"
+
+namespace contact {
+
+/// Two shapes that are asked about, first and second.
+template <class A, class B>
+struct Two {
+  A a;
+  B b;
+};
+
+/// The kinds of two shapes: X(first, second). Each floor declares what it has for each kind from this list.
+#define CONTACT_KINDS(X) \
+  X(Ball, Ball)          \
+  X(Box, Box)
+
+/// The pairs: X(name, first shape, second shape, its contacts have numbers, the first is rigid, the second is rigid).
+/// Under upstream's convention a rigid sphere reports its nearest surface point, a deformable one its centre.
+#define CONTACT_PAIRS(X)                                     \
+  X(sphere_sphere, Ball, Ball, true, false, false)           \
+  X(rigid_sphere_rigid_sphere, Ball, Ball, true, true, true) \
+  X(sphere_rigid_sphere, Ball, Ball, true, false, true)      \
+  X(cube_cube, Box, Box, false, false, false)
+
+#define CONTACT_NAME(name, ...) name,
+enum class Pair { CONTACT_PAIRS(CONTACT_NAME) };
+#undef CONTACT_NAME
+
+#define CONTACT_KIND(A, B) , Two<A, B>
+/// Two shapes of any kind.
+template <class... Kinds>
+struct AnyOfKinds;
+template <class... Kinds>
+struct AnyOfKinds<void, Kinds...> {
+  using Type = std::variant<Kinds...>;
+};
+using Shapes = AnyOfKinds<void CONTACT_KINDS(CONTACT_KIND)>::Type;
+#undef CONTACT_KIND
+
+using Balls = Two<Ball, Ball>;
+using Boxes = Two<Box, Box>;
+
+struct PairDescription {
+  Pair pair;
+  std::string_view name;
+  Shapes (*zeros)();  ///< its two shapes, every number 0
+  bool has_numbers;
+  bool first_is_rigid;
+  bool second_is_rigid;
+};
+
+#define CONTACT_PAIR(name, A, B, numbers, first_is_rigid, second_is_rigid) \
+  PairDescription{Pair::name, #name,          [] { return Shapes(Two<A, B>{zero_shape<A>(), zero_shape<B>()}); },                      \
+                  numbers,    first_is_rigid, second_is_rigid},
+inline constexpr PairDescription kPairTable[] = {CONTACT_PAIRS(CONTACT_PAIR)};
+#undef CONTACT_PAIR
+
+[[nodiscard]] constexpr const PairDescription& description(Pair pair) {
+  return kPairTable[static_cast<std::size_t>(pair)];
+}
+[[nodiscard]] constexpr std::string_view name(Pair pair) { return description(pair).name; }
+[[nodiscard]] constexpr bool has_numbers(Pair pair) { return description(pair).has_numbers; }
+
+}  // namespace contact

@@ -1,0 +1,113 @@
+// The causes of wrong answers: mistakes that engines make, each as a formula for what an engine with it would answer.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "oracle/judge/claim.hpp"
+#include "oracle/truth/truth.hpp"
+
+namespace contact::oracle {
+
+/// Squares of doubles neither overflow nor vanish in it, where the platform has a type wider than double. Nothing is
+/// judged with it: a formula only has to come near what an engine said.
+using Real = long double;
+using Numbers = std::array<Real, 3>;
+
+/// Where the two shapes of a question lie: each region exercises another part of the right formula.
+enum class Region { coincident, inside, overlapping, touching, near, at_alarm, beyond };
+inline constexpr std::array<std::string_view, 7> kRegionNames{
+    "where the centres coincide",  "where one shape lies inside the other", "where the shapes overlap",
+    "where the shapes just touch", "short of the alarm distance",           "exactly at the alarm distance",
+    "beyond the alarm distance"};
+
+/// The numbers of one question that formulas use. A cause may change any of them and compute the rest anew.
+struct Facts {
+  Facts(const Query& query, const Truth& truth, Scalar scalar, std::optional<Numbers> said_normal);
+
+  /// Computes what follows from the centres.
+  void settle();
+  /// Computes what follows from `delta`.
+  void settle_from_delta();
+
+  const Truth* truth;
+  Scalar scalar;
+  bool spheres;
+  Region region;
+  Real alarm;
+  Real contact;
+  // Spheres.
+  std::array<Numbers, 2> center{};
+  std::array<Real, 2> radius{};
+  Numbers delta{};
+  Real D = 0;         ///< delta.delta
+  Real distance = 0;  ///< sqrt(D)
+  Numbers n{};        ///< delta / sqrt(D), or the engine's normal where the centres coincide
+  // Boxes.
+  std::array<Numbers, 2> min{};
+  std::array<Numbers, 2> max{};
+  std::optional<Numbers> said_normal;  ///< first to second
+
+  [[nodiscard]] Real radii() const { return radius[0] + radius[1]; }
+  [[nodiscard]] Real gap(std::size_t axis) const;
+  [[nodiscard]] Real widest_gap() const;
+};
+
+/// What an engine with a mistake would say about one aspect.
+struct Said {
+  enum class Kind { no_opinion, numbers, anything };
+  Said(std::nullopt_t) : kind(Kind::no_opinion) {}  // NOLINT(google-explicit-constructor)
+  Said(Real x) : numbers{x, 0, 0} {}                // NOLINT(google-explicit-constructor)
+  Said(const Numbers& v) : numbers(v) {}            // NOLINT(google-explicit-constructor)
+  Said(const Numbers& v, Real off) : numbers(v), tolerance(off) {}
+  static Said hit(bool yes) { return yes ? Real{1} : Real{0}; }
+  /// Whether x <= y; no opinion where the last bits decide.
+  static Said at_most(Real x, Real y);
+  static Said anything() {
+    Said said(std::nullopt);
+    said.kind = Kind::anything;
+    return said;
+  }
+
+  Kind kind = Kind::numbers;
+  Numbers numbers{};   ///< decisions and values use the first; NaN stands for any number that is not finite
+  Real tolerance = 0;  ///< of formulas that are vaguer than the engine's own bound
+};
+
+/// A mistake, and formulas for the aspects that it changes; without `edit`, it has no opinion on the others.
+struct Cause {
+  std::string_view id;
+  std::string_view sentence;
+  /// Changes the question. The right formulas then give every aspect, and the functions below are not used.
+  std::function<void(Facts&)> edit{};
+  std::function<Said(const Facts&)> hit{};
+  std::function<Said(const Facts&)> normal{};
+  std::function<Said(const Facts&, std::size_t sphere)> point{};
+  std::function<Said(const Facts&)> value{};
+  /// How much an explained claim counts. A vague formula says only that something is off, and counts for less than 1,
+  /// so that a formula that says what is off goes before it.
+  double weight = 1;
+};
+
+/// A set of causes has so many bits, in memory and in files.
+inline constexpr std::size_t kMostCauses = 256;
+
+/// All causes. Order is priority: of several that say the same the simplest stands first. Throws std::length_error
+/// where there are more than kMostCauses.
+[[nodiscard]] std::span<const Cause> causes();
+/// The index of a cause in `causes()`. Throws std::out_of_range where there is none.
+[[nodiscard]] std::size_t cause_index(std::string_view id);
+
+/// What a cause says about each aspect of a question.
+struct Predictions {
+  Said hit = std::nullopt;
+  Said normal = std::nullopt;
+  std::array<Said, 2> point{std::nullopt, std::nullopt};
+  Said value = std::nullopt;
+};
+[[nodiscard]] Predictions predict(const Cause& cause, const Facts& facts);
+
+}  // namespace contact::oracle

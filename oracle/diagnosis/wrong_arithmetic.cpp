@@ -1,0 +1,128 @@
+// Causes that compute too coarsely. They stand last, and what the vague ones explain counts for less.
+#include "oracle/diagnosis/formulas.hpp"
+
+namespace contact::oracle::formulas {
+namespace {
+
+constexpr double kRangeWeight = 0.5;
+constexpr double kToleranceWeight = 0.95;
+
+Real largest_number(F f) { return std::ldexp(Real{1}, format_of(f.scalar).max_exponent + 1); }
+
+/// Whether a square leaves the range of the engine's own format, so that everything computed from it is lost.
+bool squares_out_of_range(F f) {
+  if (!f.spheres) return false;
+  const Real smallest = std::ldexp(Real{1}, format_of(f.scalar).min_exponent);
+  const auto lost = [&](Real x) { return x != 0 && (x * x < smallest || x * x >= largest_number(f)); };
+  return lost(f.distance) || lost(f.radii() + f.alarm) || std::any_of(f.delta.begin(), f.delta.end(), lost);
+}
+bool sums_out_of_range(F f) {
+  return std::any_of(kAxes.begin(), kAxes.end(), [&](std::size_t axis) {
+    return std::max(f.max[0][axis], f.max[1][axis]) + f.alarm >= largest_number(f);
+  });
+}
+
+Cause widened(std::string_view id, std::string_view sentence, Real by) {
+  return {
+      .id = id, .sentence = sentence, .hit = [by](F f) { return within(f, f.alarm + by); }, .weight = kToleranceWeight};
+}
+Cause narrowed(std::string_view id, std::string_view sentence, Real by) {
+  return {.id = id,
+          .sentence = sentence,
+          .hit = [by](F f) { return f.truth->at_alarm == Side::at ? Said::hit(false) : within(f, f.alarm - by); },
+          .weight = kToleranceWeight};
+}
+
+/// A normal along an axis, where the centres are so near. Engines differ in the axis, so the one that was said counts.
+Cause coincident_within(std::string_view id, std::string_view sentence, Real size) {
+  return normal(id, sentence, [size](F f) -> Said {
+    if (f.distance > size || !f.said_normal) return std::nullopt;
+    const Numbers& said = *f.said_normal;
+    return largest_of(said) == 1 && sum_of(said) == 1 ? said : Numbers{1, 0, 0};
+  });
+}
+
+/// The error of an answer whose numbers are rounded to `bits` bits; 0 stands for the engine's own format. Inputs and
+/// intermediate results are rounded several times: eight roundings are the allowance.
+Real loss(F f, int bits) {
+  constexpr Real kRoundings = 8;
+  Real most = f.radii() + f.alarm + f.contact + f.distance;
+  for (const auto* vectors : {&f.center, &f.min, &f.max})
+    for (const Numbers& v : *vectors) most = std::max(most, largest_of(v));
+  return kRoundings * std::ldexp(most, -(bits == 0 ? format_of(f.scalar).precision - 1 : bits));
+}
+/// How far the pair is from the edge of the decision.
+Real from_edge(F f) {
+  return f.spheres ? std::abs(f.distance - (f.radii() + f.alarm)) : std::abs(f.widest_gap() - f.alarm);
+}
+
+/// An arithmetic whose numbers are rounded to `bits` bits.
+Cause rounded(std::string_view id, std::string_view sentence, int bits, double weight) {
+  return {.id = id,
+          .sentence = sentence,
+          .hit = [bits](F f) { return where(from_edge(f) <= loss(f, bits), Said::anything()); },
+          .normal = [bits](F f) -> Said {
+            if (f.distance == 0) return std::nullopt;
+            return {f.n, loss(f, bits) / f.distance};
+          },
+          .point = [bits](F f, std::size_t sphere) -> Said {
+            if (f.distance == 0) return std::nullopt;
+            return {surface(f, sphere), loss(f, bits) + f.radius[sphere] * loss(f, bits) / f.distance};
+          },
+          .value =
+              [bits](F f) {
+                return Said({right_value(f), 0, 0}, loss(f, bits));
+              },
+          .weight = weight};
+}
+
+}  // namespace
+
+// Tolerances of the sizes that people choose. The smallest that explains an error is the one to name.
+#define CONTACT_TOLERANCE(size)                                                               \
+  widened("tolerance-" #size, "an absolute tolerance of " #size " widens the test", size##L), \
+      narrowed("tolerance-minus-" #size, "an absolute tolerance of " #size " narrows the test", size##L)
+
+std::vector<Cause> wrong_arithmetic() {
+  const auto lost_square = [](F f, std::size_t = 0) { return where(squares_out_of_range(f), Said::anything()); };
+  return {
+      {.id = "square-range",
+       .sentence = "squares overflow or underflow",
+       .hit = lost_square,
+       .normal = lost_square,
+       .point = lost_square,
+       .value = lost_square,
+       .weight = kRangeWeight},
+      {.id = "sum-range",
+       .sentence = "a sum overflows",
+       .hit = boxes([](F f) { return where(sums_out_of_range(f), Said::anything()); }),
+       .weight = kRangeWeight},
+      CONTACT_TOLERANCE(1e-15),
+      CONTACT_TOLERANCE(1e-14),
+      CONTACT_TOLERANCE(1e-12),
+      CONTACT_TOLERANCE(1e-10),
+      CONTACT_TOLERANCE(1e-9),
+      CONTACT_TOLERANCE(1e-8),
+      CONTACT_TOLERANCE(1e-7),
+      CONTACT_TOLERANCE(1e-6),
+      CONTACT_TOLERANCE(1e-5),
+      CONTACT_TOLERANCE(1e-4),
+      CONTACT_TOLERANCE(1e-3),
+      CONTACT_TOLERANCE(1e-2),
+      coincident_within("centres-within-1e-19", "centres within an absolute 1e-19 taken for coincident", 1.09e-19L),
+      coincident_within("centres-within-1e-15", "centres within an absolute 1e-15 taken for coincident", 1e-15L),
+      coincident_within("centres-within-1e-12", "centres within an absolute 1e-12 taken for coincident", 1e-12L),
+      coincident_within("centres-within-1e-9", "centres within an absolute 1e-9 taken for coincident", 1e-9L),
+      coincident_within("centres-within-1e-6", "centres within an absolute 1e-6 taken for coincident", 1e-6L),
+      coincident_within("centres-within-1e-3", "centres within an absolute 1e-3 taken for coincident", 1e-3L),
+      rounded("rounding", "intermediate results rounded: wrong in the last bits", 0, 0.7),
+      rounded("single-precision", "computes in single precision", 23, 0.5),
+      rounded("five-digits", "right to about five digits only", 18, 0.4),
+      rounded("four-digits", "right to about four digits only, as an estimate of a reciprocal square root is", 15,
+              0.35),
+      rounded("three-digits", "right to about three digits only", 11, 0.3),
+  };
+}
+#undef CONTACT_TOLERANCE
+
+}  // namespace contact::oracle::formulas

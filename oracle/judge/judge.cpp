@@ -1,0 +1,301 @@
+// A claim held against the truth under an engine's conventions, field by field.
+#include "oracle/judge/judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "oracle/judge/right_claim.hpp"
+#include "oracle/truth/default_environment.hpp"
+#include "oracle/truth/exact_truth.hpp"
+
+namespace contact::oracle {
+namespace {
+
+Decision decide(bool claimed, bool expected) {
+  if (claimed == expected) return Decision::right;
+  return expected ? Decision::missed_hit : Decision::false_hit;
+}
+
+FieldVerdict worse(const FieldVerdict& x, const FieldVerdict& y) {
+  return {std::max(x.grade, y.grade), std::max(x.error, y.error)};
+}
+
+bool is_finite(const Vector3& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
+
+Rational squared_length(const Vector3& v) {
+  Rational sum(0);
+  for (int axis = 0; axis < 3; ++axis) sum += Rational(v[axis]) * Rational(v[axis]);
+  return sum;
+}
+
+/// The error of a claimed normal that is exactly normalised first, at `bounded` at best. Two different square roots
+/// meet here, so enclosures of both are narrowed until the bound is settled; closer than 2^-4000 is equal.
+FieldVerdict grade_direction(double component, const Rational& length2, const Exact& x, const Rational& unit,
+                             double bound) {
+  const Exact direction = CGAL::is_zero(Rational(component))
+                              ? Exact(Rational(0))
+                              : Exact(Rational(0), Rational(component) / length2, length2);
+  for (int bits = 128;; bits *= 2) {
+    const auto p = direction.enclosure(bits);
+    const auto q = x.enclosure(bits);
+    const Rational most = std::max(p.high - q.low, q.high - p.low) / unit;
+    const Rational least = std::max(Rational(0), Rational(std::max(p.low - q.high, q.low - p.high))) / unit;
+    const double error = CGAL::to_interval(most).second;
+    if (most <= Rational(bound) || bits > 4000) return {Grade::bounded, error};
+    if (least > Rational(bound)) return {Grade::beyond_bound, error};
+  }
+}
+
+/// Judges the fields of one claimed contact of two spheres.
+class ContactJudge {
+ public:
+  ContactJudge(const Query& query, const DistanceTruth& truth, const ContactClaim& claim, const Declaration& declared,
+               const Contact* rounded)
+      : query_(query),
+        truth_(truth),
+        claim_(claim),
+        declared_(declared),
+        conventions_(declared.conventions),
+        rounded_(rounded) {
+    // What the claim says of n, first to second, for points where the centres coincide.
+    if (claim.normal)
+      claimed_n_ = conventions_.normal == NormalDirection::first_to_second ? *claim.normal : -*claim.normal;
+  }
+
+  [[nodiscard]] std::optional<FieldVerdict> normal() const {
+    if (!claim_.normal || !claims(Field::normal)) return std::nullopt;
+    const Vector3& n = claimed_n_;
+    if (!is_finite(n)) return FieldVerdict{Grade::not_finite, 0};
+    if (truth_.degenerate()) return coincident_normal(n);
+    if (rounded_ != nullptr && conventions_.normal_unit && n == rounded_->normal) return FieldVerdict{};
+    FieldVerdict verdict;
+    const Rational length2 = squared_length(n);
+    const Rational unit = ulp(Rational(1), declared_.scalar);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Exact x = truth_.normal(axis);
+      if (conventions_.normal_unit)
+        verdict = worse(verdict, grade(n[axis], x, declared_.scalar, Rational(1), declared_.bounds.normal));
+      else if (CGAL::is_zero(length2))
+        verdict = worse(verdict, {Grade::beyond_bound, error_in_units(Rational(0), x, unit)});
+      else
+        verdict = worse(verdict, grade_direction(n[axis], length2, x, unit, declared_.bounds.normal));
+    }
+    return verdict;
+  }
+
+  /// The contact point of sphere 0 or 1.
+  [[nodiscard]] std::optional<FieldVerdict> point(int sphere) const {
+    const std::optional<Vector3>& p = sphere == 0 ? claim_.point1 : claim_.point2;
+    const std::optional<PointOn> on = point_of(conventions_, query_, sphere);
+    if (!p || !on || !claims(sphere == 0 ? Field::point1 : Field::point2)) return std::nullopt;
+    if (truth_.degenerate() && *on != PointOn::center && !knows_coincident_normal()) return std::nullopt;
+    if (rounded_ != nullptr && !truth_.degenerate() && *on == PointOn::nearest_surface &&
+        *p == (sphere == 0 ? rounded_->point1 : rounded_->point2))
+      return FieldVerdict{};
+    FieldVerdict verdict;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Exact x = truth_.degenerate() ? coincident_point(sphere, axis, *on) : truth_.point(sphere, axis, *on);
+      verdict =
+          worse(verdict, grade((*p)[axis], x, declared_.scalar, truth_.point_scale(sphere), declared_.bounds.point));
+    }
+    return verdict;
+  }
+
+  [[nodiscard]] std::optional<FieldVerdict> midpoint() const {
+    if (!claim_.point || conventions_.points != Points::midpoint || !claims(Field::point)) return std::nullopt;
+    if (truth_.degenerate() && !knows_coincident_normal()) return std::nullopt;
+    FieldVerdict verdict;
+    const Rational scale = std::max(truth_.point_scale(0), truth_.point_scale(1));
+    for (int axis = 0; axis < 3; ++axis) {
+      const Exact x = truth_.degenerate() ? coincident_midpoint(axis) : truth_.midpoint(axis);
+      verdict = worse(verdict, grade((*claim_.point)[axis], x, declared_.scalar, scale, declared_.bounds.point));
+    }
+    return verdict;
+  }
+
+  [[nodiscard]] std::optional<FieldVerdict> value() const {
+    if (!claim_.value || conventions_.value == ValueKind::none || !claims(Field::value)) return std::nullopt;
+    if (rounded_ != nullptr && conventions_.value == ValueKind::signed_distance && conventions_.value_less_contact &&
+        *claim_.value == rounded_->value)
+      return FieldVerdict{};
+    Exact x = truth_.value(conventions_.value_less_contact);
+    if (conventions_.value == ValueKind::depth) x = x.scaled(Rational(-1));
+    return grade(*claim_.value, x, declared_.scalar, truth_.value_scale(), declared_.bounds.value);
+  }
+
+ private:
+  [[nodiscard]] bool claims(Field field) const { return declared_.claimed().has(aspect(field)); }
+
+  /// D = 0: any finite unit normal is right, to 8 roundings of its squared length, or exactly zero where so declared.
+  [[nodiscard]] FieldVerdict coincident_normal(const Vector3& n) const {
+    const Rational length2 = squared_length(n);
+    if (conventions_.coincident == Coincident::zero_normal)
+      return CGAL::is_zero(length2) ? FieldVerdict{} : FieldVerdict{Grade::beyond_bound, error_from_unit(length2)};
+    const bool right = conventions_.normal_unit ? CGAL::abs(length2 - Rational(1)) <=
+                                                      Rational(8) * power_of_two(-format_of(declared_.scalar).precision)
+                                                : !CGAL::is_zero(length2);
+    const Grade best = conventions_.normal_unit ? Grade::correctly_rounded : Grade::bounded;
+    return right ? FieldVerdict{best, 0} : FieldVerdict{Grade::beyond_bound, error_from_unit(length2)};
+  }
+  [[nodiscard]] double error_from_unit(const Rational& length2) const {
+    return error_in_units(length2, Rational(1), ulp(Rational(1), declared_.scalar));
+  }
+
+  [[nodiscard]] bool knows_coincident_normal() const { return claim_.normal && is_finite(claimed_n_); }
+  /// D = 0: the point that goes with the claimed normal.
+  [[nodiscard]] Exact coincident_point(int sphere, int axis, PointOn on) const {
+    if (on == PointOn::center) return truth_.point(sphere, axis, on);
+    const Rational center = truth_.point_for(sphere, axis, on, Vector3::Zero());
+    return beside_center(center, truth_.point_for(sphere, axis, on, claimed_n_) - center);
+  }
+  /// D = 0: the middle of the two nearest surface points that go with the claimed normal.
+  [[nodiscard]] Exact coincident_midpoint(int axis) const {
+    const Rational center = truth_.point_for(0, axis, PointOn::nearest_surface, Vector3::Zero());
+    const Rational sum = truth_.point_for(0, axis, PointOn::nearest_surface, claimed_n_) +
+                         truth_.point_for(1, axis, PointOn::nearest_surface, claimed_n_);
+    return beside_center(center, sum / Rational(2) - center);
+  }
+  /// center + along, `along` being a multiple of the claimed normal, which is normalised exactly where it need not be
+  /// unit.
+  [[nodiscard]] Exact beside_center(const Rational& center, const Rational& along) const {
+    const Rational length2 = squared_length(claimed_n_);
+    if (conventions_.normal_unit || CGAL::is_zero(length2)) return center + along;
+    return {center, along / length2, length2};
+  }
+
+  const Query& query_;
+  const DistanceTruth& truth_;
+  const ContactClaim& claim_;
+  const Declaration& declared_;
+  const Conventions& conventions_;
+  const Contact* rounded_;  ///< the right answer, or nullptr
+  Vector3 claimed_n_ = Vector3::Zero();
+};
+
+/// What the engine declares and this answer to a hit lacks. Of a pair without numbers an answer is one decision: both
+/// are asked for only where the engine lists them.
+Aspects missing_aspects(const Claim& claim, const Declaration& declared, bool has_numbers, bool overlap_expected,
+                        bool contact_expected) {
+  Aspects asked;
+  if (overlap_expected && (has_numbers || declared.claims)) asked.add(Aspect::overlap);
+  if (has_numbers && contact_expected) {
+    asked.add(Aspect::contact);
+    if (claim.contact)
+      for (const Field field : kFields) asked.add(aspect(field));
+  }
+  return declared.claimed().common(asked).without(claim.says());
+}
+
+}  // namespace
+
+std::optional<PointOn> point_of(const Conventions& conventions, const Query& query, int sphere) {
+  switch (conventions.points) {
+    case Points::nearest_surface:
+      return PointOn::nearest_surface;
+    case Points::center: {
+      const bool rigid = sphere == 0 ? query.first_is_rigid() : query.second_is_rigid();
+      return rigid ? PointOn::nearest_surface : PointOn::center;
+    }
+    case Points::published:
+      return PointOn::far_surface;
+    case Points::first_only:
+      return sphere == 0 ? std::optional(PointOn::nearest_surface) : std::nullopt;
+    case Points::second_only:
+      return sphere == 1 ? std::optional(PointOn::nearest_surface) : std::nullopt;
+    case Points::midpoint:
+    case Points::none:
+      break;
+  }
+  return std::nullopt;
+}
+
+FieldVerdict grade(double claim, const Exact& x, Scalar scalar, const Exact& scale, double bound) {
+  const DefaultEnvironment environment;
+  if (is_correctly_rounded(claim, x, scalar)) return {};
+  if (!std::isfinite(claim)) return {Grade::not_finite, 0};
+  const Rational unit = ulp(scale, scalar);
+  const double error = error_in_units(Rational(claim), x, unit);
+  if (is_faithful(claim, x, scalar)) return {Grade::faithful, error};
+  return {is_within(Rational(claim), x, Rational(bound) * unit) ? Grade::bounded : Grade::beyond_bound, error};
+}
+
+bool Verdict::not_finite() const {
+  return std::any_of(fields.begin(), fields.end(), [](const auto& f) { return f && f->grade == Grade::not_finite; });
+}
+
+Level Verdict::level() const {
+  if (status != Claim::Status::answered || answered_outside_domain || missed_hit() || !missing.empty())
+    return Level::none;
+  if (false_hit()) return Level::conservative;
+  Level level = Level::correctly_rounded;
+  for (const auto& field : fields) {
+    if (!field) continue;
+    switch (field->grade) {
+      case Grade::correctly_rounded:
+        break;
+      case Grade::faithful:
+        level = std::max(level, Level::faithful);
+        break;
+      case Grade::bounded:
+        level = std::max(level, Level::bounded);
+        break;
+      case Grade::beyond_bound:
+      case Grade::not_finite:
+        level = std::max(level, Level::decisions);
+        break;
+    }
+  }
+  return level;
+}
+
+Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
+              const Expectation* rounded) {
+  const DefaultEnvironment environment;
+  const Conventions& conventions = declared.conventions;
+  Verdict verdict;
+  verdict.status = claim.status;
+  verdict.text = claim.text;
+  bool contact_expected = expected_hit(query, truth, conventions.touching_contact, conventions.margin);
+  if (truth.degenerate() && conventions.coincident == Coincident::no_contact) contact_expected = false;
+  verdict.has_numbers = truth.has_numbers() && contact_expected;
+  if (claim.status != Claim::Status::answered) return verdict;
+
+  // What is not declared is not judged.
+  const Aspects claimed = declared.claimed();
+  const bool says_overlap = claim.overlap && claimed.has(Aspect::overlap);
+  const bool says_contact = claim.speaks_of_contact && claimed.has(Aspect::contact);
+  const bool overlap_expected = expected_hit(query, truth, conventions.touching_overlap, conventions.margin);
+  if (!says_overlap && !says_contact) {
+    verdict.status = Claim::Status::error;
+    verdict.text = claim.overlap || claim.speaks_of_contact ? "the answer claims nothing that the engine declares"
+                                                            : "the answer makes no claim";
+    return verdict;
+  }
+  verdict.missing = missing_aspects(claim, declared, truth.has_numbers(), overlap_expected, contact_expected);
+  if (says_overlap) {
+    verdict.overlap = decide(*claim.overlap, overlap_expected);
+    verdict.overlap_expected = overlap_expected;
+  }
+  if (!says_contact) return verdict;
+
+  verdict.contact = decide(claim.contact.has_value(), contact_expected);
+  verdict.contact_expected = contact_expected;
+  if (!contact_expected || !claim.contact || !truth.has_numbers()) return verdict;
+
+  const ContactJudge fields(query, *truth.distance(), *claim.contact, declared,
+                            rounded != nullptr && rounded->contact ? &*rounded->contact : nullptr);
+  verdict.fields = {fields.normal(), fields.point(0), fields.point(1), fields.midpoint(), fields.value()};
+  return verdict;
+}
+
+Verdict judge_outside_domain(const Claim& claim) {
+  Verdict verdict;
+  verdict.refused_outside_domain = claim.status == Claim::Status::rejected || claim.status == Claim::Status::error;
+  if (verdict.refused_outside_domain) return verdict;
+  verdict.status = claim.status;
+  verdict.text = claim.text;
+  verdict.answered_outside_domain = claim.status == Claim::Status::answered;
+  return verdict;
+}
+
+}  // namespace contact::oracle

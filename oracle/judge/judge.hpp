@@ -1,0 +1,104 @@
+// A claim held against the truth under an engine's conventions, field by field. docs/specification.md#judging is the
+// law.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "contact/contact.hpp"
+#include "oracle/judge/claim.hpp"
+#include "oracle/judge/conventions.hpp"
+#include "oracle/truth/expectation.hpp"
+#include "oracle/truth/truth.hpp"
+
+namespace contact::oracle {
+
+class Exact;
+
+/// Strictest first; each level includes those after it.
+enum class Level { correctly_rounded, faithful, bounded, decisions, conservative, none };
+inline constexpr std::array<std::string_view, 6> kLevelNames{"correctly-rounded", "faithful",     "bounded",
+                                                             "decisions",         "conservative", "none"};
+[[nodiscard]] constexpr std::string_view name(Level level) { return kLevelNames[static_cast<std::size_t>(level)]; }
+
+/// How right one claimed field is: the worst of its components.
+enum class Grade { correctly_rounded, faithful, bounded, beyond_bound, not_finite };
+inline constexpr std::array<std::string_view, 5> kGradeNames{"correctly-rounded", "faithful", "bounded", "beyond bound",
+                                                             "not finite"};
+[[nodiscard]] constexpr std::string_view name(Grade grade) { return kGradeNames[static_cast<std::size_t>(grade)]; }
+
+enum class Field { normal, point1, point2, point, value };
+inline constexpr std::array kFields{Field::normal, Field::point1, Field::point2, Field::point, Field::value};
+/// Fields are the aspects that are numbers, in their order.
+[[nodiscard]] constexpr Aspect aspect(Field field) {
+  return static_cast<Aspect>(static_cast<int>(field) + static_cast<int>(Aspect::normal));
+}
+[[nodiscard]] constexpr std::string_view name(Field field) {
+  return kAspectNames[static_cast<std::size_t>(aspect(field))];
+}
+static_assert(aspect(Field::value) == Aspect::value);
+
+/// One of the two yes-or-no claims: `overlap` or the existence of a contact.
+enum class Decision { unclaimed, right, missed_hit, false_hit };
+
+struct FieldVerdict {
+  Grade grade = Grade::correctly_rounded;
+  /// Upper bound of the error in ulps of the field's scale; 0 where correctly rounded (not measured there).
+  double error = 0;
+};
+
+struct Verdict {
+  Claim::Status status = Claim::Status::answered;
+  std::string text;  ///< for every status but answered: why
+  Decision overlap = Decision::unclaimed;
+  Decision contact = Decision::unclaimed;
+  bool answered_outside_domain = false;  ///< gave an answer where there is no question
+  bool refused_outside_domain = false;   ///< gave none there, which is right
+  Aspects missing;                       ///< declared, asked for by this hit, and not in the answer
+  // What a right answer says, for the decisions that are judged.
+  std::optional<bool> overlap_expected;
+  std::optional<bool> contact_expected;
+  bool has_numbers = false;  ///< whether a right answer has numbers, claimed or not
+  std::array<std::optional<FieldVerdict>, kFields.size()> fields;
+
+  [[nodiscard]] const std::optional<FieldVerdict>& at(Field field) const {
+    return fields[static_cast<std::size_t>(field)];
+  }
+  [[nodiscard]] bool missed_hit() const { return overlap == Decision::missed_hit || contact == Decision::missed_hit; }
+  [[nodiscard]] bool false_hit() const { return overlap == Decision::false_hit || contact == Decision::false_hit; }
+  [[nodiscard]] bool not_finite() const;
+  /// The strictest level that every claim of the answer reaches.
+  [[nodiscard]] Level level() const;
+};
+
+/// What an engine declares: everything that its answers are judged by.
+struct Declaration {
+  Scalar scalar = Scalar::binary64;
+  Conventions conventions;
+  DeclaredBounds bounds;
+  std::optional<Aspects> claims{};  ///< nothing: all that the conventions speak of
+
+  /// What is judged of an answer, and what an answer to a hit of two spheres must have.
+  [[nodiscard]] Aspects claimed() const { return claims.value_or(spoken_of(conventions)); }
+  friend bool operator==(const Declaration&, const Declaration&) = default;
+};
+
+/// Where the contact point of a sphere (0 or 1) should lie; nothing where the conventions claim none.
+[[nodiscard]] std::optional<PointOn> point_of(const Conventions& conventions, const Query& query, int sphere);
+
+/// Domain: the question is inside the domain.
+/// `rounded` is the truth correctly rounded to the declared scalar, where that is known already: a number that equals
+/// it need not be compared exactly.
+[[nodiscard]] Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
+                            const Expectation* rounded = nullptr);
+
+/// A question outside the domain: refusing it (or failing) is right, any answer is wrong.
+[[nodiscard]] Verdict judge_outside_domain(const Claim& claim);
+
+/// The grade of one claimed number. `scale` is the number whose ulp measures the error.
+[[nodiscard]] FieldVerdict grade(double claim, const Exact& x, Scalar scalar, const Exact& scale, double bound);
+
+}  // namespace contact::oracle

@@ -1,0 +1,982 @@
+// The judge, convention by convention and level by level. Every expectation follows from docs/specification.md#judging.
+#include "oracle/diagnosis/diagnosis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "extreme_numbers.hpp"
+#include "oracle/judge/right_claim.hpp"
+
+namespace contact::oracle {
+namespace {
+
+Query spheres(const Ball& a, const Ball& b, double alarm = 0, double contact = 0, Pair pair = Pair::sphere_sphere) {
+  return {pair, Balls{a, b}, {alarm, contact}};
+}
+
+// distance 5 along (0.6, 0.8, 0); radii 2 and 3: touching
+Query touching(double alarm = 0, double contact = 0) { return spheres({{0, 0, 0}, 2}, {{3, 4, 0}, 3}, alarm, contact); }
+// distance 4 along x; radii 2 and 3: depth 1; n (1,0,0), points (2,0,0) and (1,0,0), all exact
+Query overlapping(double contact = 0, Pair pair = Pair::sphere_sphere) {
+  return spheres({{0, 0, 0}, 2}, {{4, 0, 0}, 3}, 0, contact, pair);
+}
+// distance 8 along x; radii 2 and 3: 3 apart
+Query apart(double alarm) { return spheres({{0, 0, 0}, 2}, {{8, 0, 0}, 3}, alarm); }
+Query coincident() { return spheres({{7, 0, 0}, 2}, {{7, 0, 0}, 3}); }
+
+Claim overlap(bool claimed) {
+  Claim claim;
+  claim.overlap = claimed;
+  return claim;
+}
+Claim no_contact() {
+  Claim claim;
+  claim.speaks_of_contact = true;
+  return claim;
+}
+Claim contact_of(ContactClaim contact) {
+  Claim claim = no_contact();
+  claim.contact = std::move(contact);
+  return claim;
+}
+Claim normal_of(const Vector3& n) {
+  return contact_of({.normal = n, .point1 = {}, .point2 = {}, .point = {}, .value = {}});
+}
+Claim points_of(const Vector3& p1, const Vector3& p2) {
+  return contact_of({.normal = {}, .point1 = p1, .point2 = p2, .point = {}, .value = {}});
+}
+Claim midpoint_of(const Vector3& p) {
+  return contact_of({.normal = {}, .point1 = {}, .point2 = {}, .point = p, .value = {}});
+}
+Claim value_of(double value) {
+  return contact_of({.normal = {}, .point1 = {}, .point2 = {}, .point = {}, .value = value});
+}
+
+/// The engine declares what it claims and no more: a field that is left out is what the tests of JudgeClaims are about.
+Declaration of_these(const Claim& claim, Declaration declared) {
+  declared.claims = claim.says();
+  return declared;
+}
+Verdict judged(const Query& query, const Claim& claim, const Declaration& declared = {}) {
+  return judge(query, truth_of(query), claim, of_these(claim, declared));
+}
+Level level_of(const Query& query, const Claim& claim, const Declaration& declared = {}) {
+  return judged(query, claim, declared).level();
+}
+template <class Change>
+Declaration with(Change change) {
+  Declaration declared;
+  change(declared.conventions);
+  return declared;
+}
+Declaration with_points(Points points) {
+  return with([&](Conventions& c) { c.points = points; });
+}
+
+std::vector<Explanation> explained(const Query& query, const Claim& claim, const Declaration& declared = {}) {
+  const Truth truth = truth_of(query);
+  return explain_wrong(query, truth, claim, of_these(claim, declared), judged(query, claim, declared));
+}
+bool says(const std::vector<Explanation>& found, const std::string& field, const std::string& convention,
+          const std::string& value) {
+  return std::find(found.begin(), found.end(), Explanation{field, convention, value}) != found.end();
+}
+
+// Claims.
+
+Claim whole_answer(const Query& query) { return right_claim(query, truth_of(query), Declaration{}); }
+Verdict as_declared(const Query& query, const Claim& claim, const Declaration& declared = {}) {
+  return judge(query, truth_of(query), claim, declared);
+}
+Declaration claiming(std::initializer_list<Aspect> aspects) {
+  Declaration declared;
+  declared.claims = aspects;
+  return declared;
+}
+
+TEST(JudgeClaims, without_a_declaration_an_answer_to_a_hit_has_all_that_the_conventions_speak_of) {
+  const Claim whole = whole_answer(overlapping());
+  EXPECT_TRUE(as_declared(overlapping(), whole).missing.empty());
+  EXPECT_EQ(as_declared(overlapping(), whole).level(), Level::correctly_rounded);
+  for (const Aspect left_out : {Aspect::overlap, Aspect::normal, Aspect::point1, Aspect::point2, Aspect::value}) {
+    Claim claim = whole;
+    claim.keep(whole.says().without({left_out}));
+    const Verdict verdict = as_declared(overlapping(), claim);
+    EXPECT_EQ(verdict.missing, Aspects{left_out});
+    EXPECT_EQ(verdict.level(), Level::none);
+  }
+}
+
+TEST(JudgeClaims, an_empty_contact_lacks_every_number_and_no_contact_key_lacks_the_contact) {
+  Claim silent = contact_of({});
+  silent.overlap = true;
+  EXPECT_EQ(as_declared(overlapping(), silent).missing,
+            (Aspects{Aspect::normal, Aspect::point1, Aspect::point2, Aspect::value}));
+  EXPECT_EQ(as_declared(overlapping(), overlap(true)).missing, Aspects{Aspect::contact});
+}
+
+TEST(JudgeClaims, a_miss_a_missed_hit_and_a_contact_that_should_not_be_lack_no_number) {
+  EXPECT_TRUE(as_declared(apart(1), overlap(false)).missing.empty());
+  EXPECT_TRUE(as_declared(apart(1), no_contact()).missing.empty());
+  EXPECT_EQ(as_declared(overlapping(), no_contact()).missing, Aspects{Aspect::overlap});
+  Claim phantom = contact_of({});
+  phantom.overlap = false;
+  EXPECT_TRUE(as_declared(apart(1), phantom).missing.empty());
+}
+
+TEST(JudgeClaims, what_is_not_declared_is_neither_missing_nor_judged) {
+  Claim claim = whole_answer(overlapping());
+  claim.contact->normal = Vector3(0, 1, 0);
+  claim.contact->point1.reset();
+  const Declaration declared = claiming({Aspect::overlap, Aspect::contact, Aspect::value});
+  const Verdict verdict = as_declared(overlapping(), claim, declared);
+  EXPECT_TRUE(verdict.missing.empty());
+  EXPECT_FALSE(verdict.at(Field::normal));
+  EXPECT_FALSE(verdict.at(Field::point2));
+  EXPECT_TRUE(verdict.at(Field::value));
+  EXPECT_EQ(verdict.level(), Level::correctly_rounded);
+  claim.overlap = false;
+  EXPECT_EQ(as_declared(overlapping(), claim, claiming({Aspect::contact})).overlap, Decision::unclaimed);
+  EXPECT_EQ(as_declared(overlapping(), claim, declared).overlap, Decision::missed_hit);
+}
+
+TEST(JudgeClaims, an_answer_of_nothing_that_is_declared_is_an_error) {
+  EXPECT_EQ(as_declared(overlapping(), overlap(true), claiming({Aspect::contact})).status, Claim::Status::error);
+  EXPECT_EQ(as_declared(overlapping(), Claim{}).status, Claim::Status::error);
+}
+
+TEST(JudgeClaims, of_the_points_those_that_the_convention_names_are_asked) {
+  const auto missing = [](Points points) {
+    Claim claim = contact_of({.normal = Vector3(1, 0, 0), .point1 = {}, .point2 = {}, .point = {}, .value = -1});
+    claim.overlap = true;
+    return as_declared(overlapping(), claim, with_points(points)).missing;
+  };
+  EXPECT_EQ(missing(Points::nearest_surface), (Aspects{Aspect::point1, Aspect::point2}));
+  EXPECT_EQ(missing(Points::center), (Aspects{Aspect::point1, Aspect::point2}));
+  EXPECT_EQ(missing(Points::published), (Aspects{Aspect::point1, Aspect::point2}));
+  EXPECT_EQ(missing(Points::midpoint), Aspects{Aspect::point});
+  EXPECT_EQ(missing(Points::first_only), Aspects{Aspect::point1});
+  EXPECT_EQ(missing(Points::second_only), Aspects{Aspect::point2});
+  EXPECT_TRUE(missing(Points::none).empty());
+}
+
+TEST(JudgeClaims, an_answer_about_boxes_is_one_decision_unless_overlap_is_listed) {
+  const Query boxes{Pair::cube_cube, Boxes{{{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {2, 1, 1}}}, {0, 0}};
+  EXPECT_TRUE(as_declared(boxes, overlap(true)).missing.empty());
+  EXPECT_TRUE(as_declared(boxes, contact_of({})).missing.empty());
+  EXPECT_EQ(as_declared(boxes, contact_of({}), claiming({Aspect::overlap, Aspect::contact})).missing,
+            Aspects{Aspect::overlap});
+  EXPECT_FALSE(as_declared(boxes, overlap(true)).has_numbers);
+}
+
+TEST(JudgeClaims, the_verdict_keeps_what_a_right_answer_says) {
+  const Verdict hit = as_declared(touching(), whole_answer(touching()));
+  EXPECT_EQ(hit.overlap_expected, true);
+  EXPECT_EQ(hit.contact_expected, true);
+  EXPECT_TRUE(hit.has_numbers);
+  const Verdict miss = as_declared(apart(1), overlap(true));
+  EXPECT_EQ(miss.overlap_expected, false);
+  EXPECT_FALSE(miss.contact_expected);
+  EXPECT_FALSE(miss.has_numbers);
+  const Declaration open = with([](Conventions& c) { c.touching_contact = Touching::open; });
+  EXPECT_EQ(as_declared(touching(), whole_answer(touching()), open).contact_expected, false);
+}
+
+TEST(JudgeClaims, a_convention_that_explains_what_is_missing_is_named) {
+  const auto why = [](const Claim& claim) {
+    const Truth truth = truth_of(overlapping());
+    return explain_wrong(overlapping(), truth, claim, {}, as_declared(overlapping(), claim));
+  };
+  Claim claim = whole_answer(overlapping());
+  claim.contact->point = Vector3(1.5, 0, 0);
+  claim.contact->point1.reset();
+  claim.contact->point2.reset();
+  EXPECT_TRUE(says(why(claim), "point1", "points", "midpoint"));
+  claim.contact->point = Vector3(3, 0, 0);
+  EXPECT_FALSE(says(why(claim), "point1", "points", "midpoint"));
+  claim.contact->point.reset();
+  EXPECT_TRUE(says(why(claim), "point2", "points", "none"));
+  claim.contact->point1 = Vector3(2, 0, 0);
+  const auto first = why(claim);
+  EXPECT_TRUE(says(first, "point2", "points", "first_only"));
+  EXPECT_FALSE(says(first, "point2", "points", "none"));
+  claim.contact->value.reset();
+  EXPECT_TRUE(says(why(claim), "value", "value", "none"));
+  // Where no contact was due, none of its fields were: but then the contact itself would be wrong.
+  const Truth truth = truth_of(coincident());
+  Claim silent = contact_of({});
+  silent.overlap = true;
+  for (const auto& e : explain_wrong(coincident(), truth, silent, {}, as_declared(coincident(), silent)))
+    EXPECT_NE(e.convention, "coincident") << e.field;
+}
+
+// Decisions.
+
+TEST(JudgeDecisions, a_right_overlap_is_right_and_a_wrong_one_is_a_missed_or_a_false_hit) {
+  EXPECT_EQ(judged(overlapping(), overlap(true)).overlap, Decision::right);
+  EXPECT_EQ(judged(overlapping(), overlap(false)).overlap, Decision::missed_hit);
+  EXPECT_EQ(judged(apart(1), overlap(false)).overlap, Decision::right);
+  EXPECT_EQ(judged(apart(1), overlap(true)).overlap, Decision::false_hit);
+}
+
+TEST(JudgeDecisions, overlap_and_contact_are_two_claims) {
+  Claim claim = no_contact();
+  claim.overlap = true;
+  const Verdict verdict = judged(overlapping(), claim);
+  EXPECT_EQ(verdict.overlap, Decision::right);
+  EXPECT_EQ(verdict.contact, Decision::missed_hit);
+  EXPECT_TRUE(verdict.missed_hit());
+  EXPECT_FALSE(verdict.false_hit());
+  EXPECT_EQ(judged(overlapping(), overlap(true)).contact, Decision::unclaimed);
+  EXPECT_EQ(judged(overlapping(), no_contact()).overlap, Decision::unclaimed);
+  EXPECT_EQ(judged(apart(1), value_of(3)).contact, Decision::false_hit);
+  EXPECT_EQ(judged(apart(1), no_contact()).contact, Decision::right);
+}
+
+TEST(JudgeDecisions, the_fields_of_a_false_hit_are_not_judged) {
+  EXPECT_FALSE(judged(apart(1), value_of(kNaN)).at(Field::value));
+}
+
+TEST(JudgeDecisions, touching_is_a_hit_unless_it_is_declared_open_for_that_claim) {
+  EXPECT_EQ(judged(touching(), overlap(true)).overlap, Decision::right);
+  EXPECT_EQ(judged(touching(), overlap(false)).overlap, Decision::missed_hit);
+  const Declaration open_overlap = with([](Conventions& c) { c.touching_overlap = Touching::open; });
+  EXPECT_EQ(judged(touching(), overlap(false), open_overlap).overlap, Decision::right);
+  EXPECT_EQ(judged(touching(), overlap(true), open_overlap).overlap, Decision::false_hit);
+  EXPECT_EQ(judged(touching(), no_contact(), open_overlap).contact, Decision::missed_hit);  // the other claim
+  const Declaration open_contact = with([](Conventions& c) { c.touching_contact = Touching::open; });
+  EXPECT_EQ(judged(touching(), no_contact(), open_contact).contact, Decision::right);
+  EXPECT_EQ(judged(touching(), value_of(0), open_contact).contact, Decision::false_hit);
+  EXPECT_EQ(judged(touching(), overlap(false), open_contact).overlap, Decision::missed_hit);
+  // open or closed is about equality alone
+  EXPECT_EQ(judged(overlapping(), overlap(true), open_overlap).overlap, Decision::right);
+}
+
+TEST(JudgeDecisions, equality_at_an_alarm_distance_follows_the_margin_and_not_touching) {
+  EXPECT_EQ(judged(apart(3), overlap(true)).overlap, Decision::right);
+  EXPECT_EQ(judged(apart(below(3)), overlap(false)).overlap, Decision::right);
+  const Declaration exclusive = with([](Conventions& c) { c.margin = Margin::exclusive; });
+  EXPECT_EQ(judged(apart(3), overlap(false), exclusive).overlap, Decision::right);
+  EXPECT_EQ(judged(apart(3), overlap(true), exclusive).overlap, Decision::false_hit);
+  EXPECT_EQ(judged(apart(3), no_contact(), exclusive).contact, Decision::right);
+  EXPECT_EQ(judged(apart(above(3)), overlap(true), exclusive).overlap, Decision::right);
+  EXPECT_EQ(judged(touching(), overlap(true), exclusive).overlap, Decision::right);  // alarm 0: touching decides
+  const Declaration open = with([](Conventions& c) { c.touching_overlap = c.touching_contact = Touching::open; });
+  EXPECT_EQ(judged(apart(3), overlap(true), open).overlap, Decision::right);
+}
+
+TEST(JudgeDecisions, without_a_margin_both_claims_are_judged_at_alarm_0) {
+  const Declaration none = with([](Conventions& c) { c.margin = Margin::none; });
+  EXPECT_EQ(judged(apart(3), overlap(false), none).overlap, Decision::right);
+  EXPECT_EQ(judged(apart(100), no_contact(), none).contact, Decision::right);
+  EXPECT_EQ(judged(apart(100), overlap(true), none).overlap, Decision::false_hit);
+  EXPECT_EQ(judged(touching(9), overlap(true), none).overlap, Decision::right);
+  EXPECT_EQ(judged(touching(9), overlap(false), none).overlap, Decision::missed_hit);
+  const Declaration open = with([](Conventions& c) {
+    c.margin = Margin::none;
+    c.touching_overlap = Touching::open;
+  });
+  EXPECT_EQ(judged(touching(9), overlap(false), open).overlap, Decision::right);
+}
+
+TEST(JudgeDecisions, cubes_are_judged_by_the_same_rules) {
+  const auto boxes = [](double gap, double alarm) {
+    return Query{Pair::cube_cube, Boxes{{{0, 0, 0}, {1, 1, 1}}, {{1 + gap, 0, 0}, {4, 1, 1}}}, {alarm, 0}};
+  };
+  EXPECT_EQ(judged(boxes(0, 0), overlap(true)).overlap, Decision::right);
+  EXPECT_EQ(judged(boxes(0, 0), overlap(false)).overlap, Decision::missed_hit);
+  EXPECT_EQ(judged(boxes(1, 1), overlap(true)).overlap, Decision::right);
+  EXPECT_EQ(judged(boxes(1, 0.5), overlap(true)).overlap, Decision::false_hit);
+  const Declaration open = with([](Conventions& c) { c.touching_overlap = Touching::open; });
+  EXPECT_EQ(judged(boxes(0, 0), overlap(false), open).overlap, Decision::right);
+  const Declaration exclusive = with([](Conventions& c) { c.margin = Margin::exclusive; });
+  EXPECT_EQ(judged(boxes(1, 1), overlap(false), exclusive).overlap, Decision::right);
+}
+
+// Levels.
+
+TEST(JudgeLevels, a_missed_hit_reaches_none_and_a_false_hit_is_conservative) {
+  EXPECT_EQ(level_of(overlapping(), overlap(false)), Level::none);
+  EXPECT_EQ(level_of(overlapping(), no_contact()), Level::none);
+  EXPECT_EQ(level_of(apart(1), overlap(true)), Level::conservative);
+  EXPECT_EQ(level_of(apart(1), value_of(3)), Level::conservative);
+  EXPECT_EQ(level_of(apart(1), overlap(false)), Level::correctly_rounded);
+  Claim both = value_of(-1);  // a missed overlap beside a perfect contact
+  both.overlap = false;
+  EXPECT_EQ(level_of(overlapping(), both), Level::none);
+}
+
+TEST(JudgeLevels, the_worst_field_decides) {
+  ContactClaim claim{
+      .normal = Vector3(1, 0, 0), .point1 = Vector3(2, 0, 0), .point2 = Vector3(1, 0, 0), .point = {}, .value = -1.0};
+  EXPECT_EQ(level_of(overlapping(), contact_of(claim)), Level::correctly_rounded);
+  claim.point2 = Vector3(above(1), 0, 0);
+  EXPECT_EQ(level_of(overlapping(), contact_of(claim)),
+            Level::bounded);  // 1 is representable: its neighbour is no rounding
+  claim.value = 12;
+  EXPECT_EQ(level_of(overlapping(), contact_of(claim)), Level::decisions);
+}
+
+TEST(JudgeLevels, a_better_field_after_a_worse_one_raises_nothing) {
+  // point1 = 2 n = (1.2, 1.6, 0); the double 1.2 lies below 6/5, so the next one is the other number beside it
+  ContactClaim claim{.normal = Vector3(below(0.6), 0.8, 0),
+                     .point1 = Vector3(above(1.2), 1.6, 0),
+                     .point2 = {},
+                     .point = {},
+                     .value = {}};
+  const Verdict verdict = judged(touching(), contact_of(claim));
+  EXPECT_EQ(verdict.at(Field::normal)->grade, Grade::bounded);
+  EXPECT_EQ(verdict.at(Field::point1)->grade, Grade::faithful);
+  EXPECT_EQ(verdict.level(), Level::bounded);
+  claim.normal = Vector3(1, 0, 0);
+  EXPECT_EQ(level_of(touching(), contact_of(claim)), Level::decisions);
+}
+
+TEST(JudgeLevels, each_level_includes_those_after_it) {
+  EXPECT_LT(Level::correctly_rounded, Level::faithful);
+  EXPECT_LT(Level::faithful, Level::bounded);
+  EXPECT_LT(Level::bounded, Level::decisions);
+  EXPECT_LT(Level::decisions, Level::conservative);
+  EXPECT_LT(Level::conservative, Level::none);
+  EXPECT_EQ(name(Level::correctly_rounded), "correctly-rounded");
+  EXPECT_EQ(name(Level::faithful), "faithful");
+  EXPECT_EQ(name(Level::bounded), "bounded");
+  EXPECT_EQ(name(Level::decisions), "decisions");
+  EXPECT_EQ(name(Level::conservative), "conservative");
+}
+
+TEST(JudgeLevels, the_other_number_beside_the_real_is_faithful_and_one_further_is_bounded) {
+  // n_x = 0.6, whose double 0.59999999999999997780 is below it
+  EXPECT_EQ(level_of(touching(), normal_of({0.6, 0.8, 0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(touching(), normal_of({above(0.6), 0.8, 0})), Level::faithful);
+  EXPECT_EQ(level_of(touching(), normal_of({below(0.6), 0.8, 0})), Level::bounded);
+  EXPECT_EQ(level_of(touching(), normal_of({above(above(0.6)), 0.8, 0})), Level::bounded);
+  const Verdict faithful = judged(touching(), normal_of({above(0.6), 0.8, 0}));
+  EXPECT_EQ(faithful.at(Field::normal)->grade, Grade::faithful);
+  // 0.6 is 0.2 of its ulp 2^-53 above its double, so 0.8 below the next; half that in ulps of 1
+  EXPECT_NEAR(faithful.at(Field::normal)->error, 0.4, 0.01);
+}
+
+TEST(JudgeLevels, a_status_other_than_answered_reaches_no_level) {
+  for (const Claim::Status status : {Claim::Status::unsupported, Claim::Status::rejected, Claim::Status::error,
+                                     Claim::Status::timeout, Claim::Status::crash, Claim::Status::missing}) {
+    Claim claim = overlap(true);
+    claim.status = status;
+    claim.text = "why";
+    const Verdict verdict = judged(overlapping(), claim);
+    EXPECT_EQ(verdict.level(), Level::none);
+    EXPECT_EQ(verdict.status, status);
+    EXPECT_EQ(verdict.text, "why");
+    EXPECT_EQ(verdict.overlap, Decision::unclaimed);
+    EXPECT_TRUE(explained(overlapping(), claim).empty());
+  }
+}
+
+TEST(JudgeLevels, an_answer_without_a_claim_is_an_error) {
+  const Verdict verdict = judged(overlapping(), Claim{});
+  EXPECT_EQ(verdict.status, Claim::Status::error);
+  EXPECT_FALSE(verdict.text.empty());
+  EXPECT_EQ(verdict.level(), Level::none);
+}
+
+TEST(JudgeLevels, a_field_that_is_not_claimed_is_not_judged) {
+  const Verdict verdict = judged(overlapping(), value_of(-1));
+  EXPECT_TRUE(verdict.at(Field::value));
+  for (const Field field : {Field::normal, Field::point1, Field::point2, Field::point}) EXPECT_FALSE(verdict.at(field));
+  EXPECT_EQ(level_of(overlapping(), contact_of({})), Level::correctly_rounded);
+}
+
+TEST(JudgeLevels, outside_the_domain_refusing_or_failing_is_right_and_an_answer_is_wrong) {
+  const auto level = [](Claim::Status status) {
+    Claim claim = overlap(true);
+    claim.status = status;
+    return judge_outside_domain(claim).level();
+  };
+  EXPECT_EQ(level(Claim::Status::rejected), Level::correctly_rounded);
+  EXPECT_EQ(level(Claim::Status::error), Level::correctly_rounded);
+  for (const Claim::Status status : {Claim::Status::answered, Claim::Status::unsupported, Claim::Status::timeout,
+                                     Claim::Status::crash, Claim::Status::missing})
+    EXPECT_EQ(level(status), Level::none);
+  Claim claim;
+  claim.status = Claim::Status::crash;
+  claim.text = "signal 11";
+  EXPECT_EQ(judge_outside_domain(claim).text, "signal 11");
+}
+
+// Bounds.
+
+TEST(JudgeBounds, a_bound_that_is_exactly_met_holds_and_the_next_number_breaks_it) {
+  // value -1 beside max(4, 5, 0) = 5: ulp(5) = 2^-50, 8 of them 2^-47
+  EXPECT_EQ(level_of(overlapping(), value_of(-1 + 0x1p-47)), Level::bounded);
+  EXPECT_EQ(level_of(overlapping(), value_of(-1 - 0x1p-47)), Level::bounded);
+  EXPECT_EQ(level_of(overlapping(), value_of(above(-1 + 0x1p-47))), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(), value_of(below(-1 - 0x1p-47))), Level::decisions);
+  EXPECT_EQ(judged(overlapping(), value_of(-1 + 0x1p-47)).at(Field::value)->error, 8);
+}
+
+TEST(JudgeBounds, a_declared_bound_replaces_the_default) {
+  Declaration declared;
+  declared.bounds.value = 1;
+  EXPECT_EQ(level_of(overlapping(), value_of(-1 + 0x1p-50), declared), Level::bounded);
+  EXPECT_EQ(level_of(overlapping(), value_of(above(-1 + 0x1p-50)), declared), Level::decisions);
+  declared.bounds.normal = 64;  // 64 ulp(1) = 2^-46
+  EXPECT_EQ(level_of(overlapping(), normal_of({1 + 0x1p-46, 0, 0}), declared), Level::bounded);
+  EXPECT_EQ(level_of(overlapping(), normal_of({above(1 + 0x1p-46), 0, 0}), declared), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(), normal_of({1, 0x1p-46, 0}), declared), Level::bounded);
+}
+
+TEST(JudgeBounds, each_point_is_measured_by_the_larger_of_its_coordinates_and_radius) {
+  // point1: max(0, 2) = 2, ulp 2^-51, 8 of them 2^-48; point2: max(4, 3) = 4, 2^-47
+  const Vector3 p1(2, 0, 0);
+  const Vector3 p2(1, 0, 0);
+  EXPECT_EQ(level_of(overlapping(), points_of(p1 + Vector3(0, 0x1p-48, 0), p2)), Level::bounded);
+  EXPECT_EQ(level_of(overlapping(), points_of(p1 + Vector3(0, above(0x1p-48), 0), p2)), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(), points_of(p1, p2 - Vector3(0, 0, 0x1p-47))), Level::bounded);
+  EXPECT_EQ(level_of(overlapping(), points_of(p1, p2 - Vector3(0, 0, above(0x1p-47)))), Level::decisions);
+}
+
+TEST(JudgeBounds, a_binary32_engine_is_judged_by_the_rounding_and_the_ulps_of_binary32) {
+  Declaration declared;
+  declared.scalar = Scalar::binary32;
+  const auto f = [](float x) { return static_cast<double>(x); };
+  EXPECT_EQ(level_of(touching(), normal_of({f(0.6F), f(0.8F), 0}), declared), Level::correctly_rounded);
+  EXPECT_EQ(level_of(touching(), normal_of({0.6, 0.8, 0}), declared), Level::bounded);   // no binary32 numbers
+  EXPECT_EQ(level_of(touching(), normal_of({f(0.6F), f(0.8F), 0})), Level::decisions);   // and the other way round
+  EXPECT_EQ(level_of(overlapping(), value_of(-1 + 0x1p-18), declared), Level::bounded);  // 8 ulp(5) = 2^-18
+  EXPECT_EQ(level_of(overlapping(), value_of(above(-1 + 0x1p-18)), declared), Level::decisions);
+}
+
+TEST(JudgeBounds, a_cancelled_value_is_measured_by_what_cancelled) {
+  // touching: value 0, scale 5; 0.9 e-15 is one ulp(5), whatever it is in ulps of 0
+  EXPECT_EQ(level_of(touching(), value_of(0x1p-50)), Level::bounded);
+  EXPECT_EQ(judged(touching(), value_of(0x1p-50)).at(Field::value)->error, 1);
+  // a large contact distance is a scale, too: 8 ulp(1024) = 2^-39
+  EXPECT_EQ(level_of(touching(0, 1024), value_of(-1024 + 0x1p-39)), Level::bounded);
+  EXPECT_EQ(level_of(touching(0, 1024), value_of(-1024 + 0x1.1p-39)), Level::decisions);
+}
+
+// Numbers that are not finite, and zeros.
+
+TEST(JudgeInfinity, a_number_that_is_not_finite_is_wrong_where_the_truth_is_finite) {
+  for (const double bad : {kInfinity, -kInfinity, kNaN}) {
+    for (const Claim& claim : {value_of(bad), normal_of({1, bad, 0}), points_of({2, 0, 0}, {1, bad, 0})}) {
+      const Verdict verdict = judged(overlapping(), claim);
+      EXPECT_TRUE(verdict.not_finite());
+      EXPECT_EQ(verdict.level(), Level::decisions);
+    }
+  }
+  EXPECT_EQ(judged(overlapping(), value_of(kNaN)).at(Field::value)->grade, Grade::not_finite);
+  EXPECT_FALSE(judged(overlapping(), value_of(12)).not_finite());
+}
+
+// coincident spheres of the largest radius M: value -2 M, which rounds to -infinity
+Query huge() { return spheres({{0, 0, 0}, kLargest}, {{0, 0, 0}, kLargest}); }
+
+TEST(JudgeInfinity, an_equal_infinity_is_right_and_the_other_one_is_not) {
+  EXPECT_EQ(level_of(huge(), value_of(-kInfinity)), Level::correctly_rounded);
+  EXPECT_EQ(judged(huge(), value_of(-kInfinity)).at(Field::value)->error, 0);
+  EXPECT_EQ(judged(huge(), value_of(kInfinity)).at(Field::value)->grade, Grade::not_finite);
+  EXPECT_EQ(judged(huge(), value_of(kNaN)).at(Field::value)->grade, Grade::not_finite);
+}
+
+TEST(JudgeInfinity, a_finite_claim_is_measured_against_the_exact_real) {
+  // -1 against -2 M = -(2^1025 - 2^972), whose ulp is 2^972: 2^53 - 1 ulps, but for a hair
+  const FieldVerdict far = *judged(huge(), value_of(-1)).at(Field::value);
+  EXPECT_EQ(far.grade, Grade::beyond_bound);
+  EXPECT_EQ(far.error, 0x1.fffffffffffffp52);
+  // M + 2^970 ties to infinity; M is half its own ulp away, and the number beside the real
+  const Query edge = spheres({{0, 0, 0}, kLargest}, {{0, 0, 0}, 0}, 0, 0x1p970);
+  const FieldVerdict near = *judged(edge, value_of(-kLargest)).at(Field::value);
+  EXPECT_EQ(near.grade, Grade::faithful);
+  EXPECT_EQ(near.error, 0.5);
+  EXPECT_EQ(judged(edge, value_of(below(kLargest) * -1)).at(Field::value)->grade, Grade::bounded);
+  EXPECT_EQ(judged(edge, value_of(-kInfinity)).at(Field::value)->grade, Grade::correctly_rounded);
+}
+
+TEST(JudgeZero, minus_zero_is_as_good_as_plus_zero) {
+  EXPECT_EQ(level_of(touching(), value_of(-0.0)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(overlapping(), normal_of({1, -0.0, -0.0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(overlapping(), points_of({2, -0.0, 0}, {1, 0, -0.0})), Level::correctly_rounded);
+}
+
+// Conventions of the normal.
+
+TEST(JudgeNormal, may_point_from_the_second_to_the_first_where_declared) {
+  const Declaration reversed = with([](Conventions& c) { c.normal = NormalDirection::second_to_first; });
+  EXPECT_EQ(level_of(touching(), normal_of({-0.6, -0.8, 0}), reversed), Level::correctly_rounded);
+  EXPECT_EQ(level_of(touching(), normal_of({0.6, 0.8, 0}), reversed), Level::decisions);
+  EXPECT_EQ(level_of(touching(), normal_of({-0.6, -0.8, 0})), Level::decisions);
+}
+
+TEST(JudgeNormal, of_any_length_is_normalised_exactly_where_declared_and_bounded_at_best) {
+  const Declaration any_length = with([](Conventions& c) { c.normal_unit = false; });
+  EXPECT_EQ(level_of(touching(), normal_of({3, 4, 0}), any_length), Level::bounded);
+  EXPECT_EQ(level_of(touching(), normal_of({0.6, 0.8, 0}), any_length), Level::bounded);
+  EXPECT_EQ(level_of(touching(), normal_of({0x3p-1000, 0x4p-1000, 0}), any_length), Level::bounded);
+  EXPECT_EQ(level_of(touching(), normal_of({0x3p900, 0x4p900, 0}), any_length), Level::bounded);
+  EXPECT_EQ(level_of(touching(), normal_of({4, 3, 0}), any_length), Level::decisions);
+  EXPECT_EQ(level_of(touching(), normal_of({-3, -4, 0}), any_length), Level::decisions);
+  EXPECT_EQ(level_of(touching(), normal_of({0, 0, 0}), any_length), Level::decisions);
+  EXPECT_EQ(level_of(touching(), normal_of({3, 4, kInfinity}), any_length), Level::decisions);
+  EXPECT_EQ(level_of(touching(), normal_of({3, 4, 0})), Level::decisions);  // undeclared
+  // against (1,0,0): (1, t, 0) is t off in y, but for t^3; 8 ulp(1) = 2^-49
+  EXPECT_EQ(level_of(overlapping(), normal_of({1, 0x1p-49, 0}), any_length), Level::bounded);
+  EXPECT_EQ(level_of(overlapping(), normal_of({1, above(0x1p-49), 0}), any_length), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(), normal_of({2, 0x1p-48, 0}), any_length), Level::bounded);
+}
+
+TEST(JudgeNormal, of_any_length_may_err_to_neither_side_whatever_its_sign) {
+  const Declaration any_length = with([](Conventions& c) { c.normal_unit = false; });
+  // n is about (1, +-2^-20, 0): what turns y by 2^-40 turns x by 2^-60, which is within its bound
+  for (const double y : {1.0, -1.0}) {
+    const Query query = spheres({{0, 0, 0}, 0x1p20}, {{0x1p20, y, 0}, 3});
+    EXPECT_EQ(level_of(query, normal_of({0x1p20, y, 0}), any_length), Level::bounded);
+    for (const double off : {0x1p-20, -0x1p-20})
+      EXPECT_EQ(level_of(query, normal_of({0x1p20, y + off, 0}), any_length), Level::decisions) << y << " " << off;
+  }
+}
+
+TEST(JudgeFields, each_axis_counts_alone) {
+  const Query query = spheres({{1, 2, 3}, 2}, {{4, 6, 3}, 3});  // n (0.6, 0.8, 0); both points (2.2, 3.6, 3)
+  const Vector3 n(0.6, 0.8, 0);
+  const Vector3 p(2.2, 3.6, 3);
+  const Declaration midpoint = with_points(Points::midpoint);
+  EXPECT_EQ(level_of(query, points_of(p, p)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(query, midpoint_of(p), midpoint), Level::correctly_rounded);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vector3 off = Vector3::Unit(axis);
+    EXPECT_EQ(level_of(query, normal_of(n + off)), Level::decisions) << axis;
+    EXPECT_EQ(level_of(query, points_of(p + off, p)), Level::decisions) << axis;
+    EXPECT_EQ(level_of(query, points_of(p, p + off)), Level::decisions) << axis;
+    EXPECT_EQ(level_of(query, midpoint_of(p + off), midpoint), Level::decisions) << axis;
+  }
+}
+
+TEST(JudgeFields, errors_are_measured_from_the_right_number_in_ulps_of_its_scale) {
+  const auto error = [](const Query& query, const Vector3& n, const Declaration& declared) {
+    return judged(query, normal_of(n), declared).at(Field::normal)->error;
+  };
+  const Declaration any_length = with([](Conventions& c) { c.normal_unit = false; });
+  // 0 instead of (0.6, 0.8, 0) is 0.8 off; ulp(1) = 2^-52
+  EXPECT_DOUBLE_EQ(error(touching(), {0, 0, 0}, any_length), 0.8 * 0x1p52);
+  // where any unit normal is right, what is off is its squared length
+  EXPECT_DOUBLE_EQ(error(coincident(), {0, 2, 0}, {}), 3 * 0x1p52);
+  EXPECT_EQ(error(coincident(), {0, 1, 0}, {}), 0);
+  EXPECT_EQ(error(coincident(), {0, 2, 0}, any_length), 0);
+  EXPECT_LT(error(touching(), {3, 4, 0}, any_length), 1);
+  EXPECT_EQ(error(overlapping(), {1, 0x1p-49, 0}, any_length), 8);
+  // what is not finite has no error
+  EXPECT_EQ(error(touching(), {kNaN, 0, 0}, {}), 0);
+  EXPECT_EQ(judged(overlapping(), value_of(kNaN)).at(Field::value)->error, 0);
+}
+
+TEST(JudgeFields, the_middle_is_measured_by_the_larger_sphere) {
+  // 8 ulp(8) = 2^-46; the other sphere's coordinates and radius are 4 at most
+  const Declaration midpoint = with_points(Points::midpoint);
+  const Query first = spheres({{0, 0, 0}, 8}, {{4, 0, 0}, 1});
+  EXPECT_EQ(level_of(first, midpoint_of({5.5 + 0x1p-46, 0, 0}), midpoint), Level::bounded);
+  const Query second = spheres({{0, 0, 0}, 1}, {{4, 0, 0}, 8});
+  EXPECT_EQ(level_of(second, midpoint_of({-1.5 + 0x1p-46, 0, 0}), midpoint), Level::bounded);
+}
+
+TEST(JudgeFields, a_rounding_that_is_known_already_changes_no_verdict) {
+  const Query generic = spheres({{0.1, 0.2, 0.3}, 0.7}, {{0.4, -0.5, 0.6}, 0.35}, 0.01, 0.003);
+  std::vector<Declaration> declarations{{}};
+  for (std::size_t points = 0; points < kPointsNames.size(); ++points)
+    declarations.push_back(with_points(static_cast<Points>(points)));
+  declarations.push_back(with([](Conventions& c) { c.normal = NormalDirection::second_to_first; }));
+  declarations.push_back(with([](Conventions& c) { c.normal_unit = false; }));
+  declarations.push_back(with([](Conventions& c) { c.value = ValueKind::depth; }));
+  declarations.push_back(with([](Conventions& c) { c.value_less_contact = false; }));
+  std::size_t wrong = 0;
+  for (const Query& query : {generic, touching(0.5, 0.25), overlapping(0.25), coincident()}) {
+    const Truth truth = truth_of(query);
+    const Expectation known = expectation(truth, Scalar::binary64);
+    const Contact& right = *known.contact;
+    std::vector<Claim> claims{normal_of(right.normal),
+                              normal_of(-right.normal),
+                              points_of(right.point1, right.point2),
+                              points_of(right.point2, right.point1),
+                              value_of(right.value),
+                              value_of(-right.value),
+                              value_of(above(right.value))};
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vector3 off = Vector3::Unit(axis);
+      claims.push_back(
+          contact_of({.normal = off, .point1 = right.point1, .point2 = right.point2, .point = {}, .value = {}}));
+      claims.push_back(normal_of(right.normal + off));
+      claims.push_back(points_of(right.point1 + off, right.point2));
+      claims.push_back(points_of(right.point1, right.point2 + off));
+    }
+    for (const Declaration& declared : declarations)
+      for (const Claim& claim : claims) {
+        const Verdict plain = judge(query, truth, claim, of_these(claim, declared));
+        const Verdict quick = judge(query, truth, claim, of_these(claim, declared), &known);
+        wrong += plain.level() == Level::decisions ? 1 : 0;
+        for (const Field field : kFields) {
+          ASSERT_EQ(plain.at(field).has_value(), quick.at(field).has_value());
+          if (!plain.at(field)) continue;
+          EXPECT_EQ(plain.at(field)->grade, quick.at(field)->grade) << name(field);
+          EXPECT_EQ(plain.at(field)->error, quick.at(field)->error) << name(field);
+        }
+      }
+  }
+  EXPECT_GT(wrong, 100U);  // there was something to be found
+}
+
+// Conventions of the points.
+
+TEST(JudgePoints, lie_on_the_nearest_surface_by_default) {
+  EXPECT_EQ(level_of(overlapping(), points_of({2, 0, 0}, {1, 0, 0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(overlapping(), points_of({-2, 0, 0}, {7, 0, 0})), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(), points_of({0, 0, 0}, {4, 0, 0})), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(), points_of({1, 0, 0}, {2, 0, 0})), Level::decisions);  // exchanged
+}
+
+TEST(JudgePoints, are_centres_of_deformable_spheres_and_surface_points_of_rigid_ones_where_declared) {
+  const Declaration center = with_points(Points::center);
+  const Vector3 surface1(2, 0, 0);
+  const Vector3 surface2(1, 0, 0);
+  const Vector3 center1(0, 0, 0);
+  const Vector3 center2(4, 0, 0);
+  for (const auto& [pair, p1, p2] :
+       {std::tuple(Pair::sphere_sphere, center1, center2), std::tuple(Pair::sphere_rigid_sphere, center1, surface2),
+        std::tuple(Pair::rigid_sphere_rigid_sphere, surface1, surface2)}) {
+    EXPECT_EQ(level_of(overlapping(0, pair), points_of(p1, p2), center), Level::correctly_rounded) << name(pair);
+    EXPECT_EQ(level_of(overlapping(0, pair), points_of(surface1, surface2)), Level::correctly_rounded) << name(pair);
+  }
+  EXPECT_EQ(level_of(overlapping(0, Pair::sphere_rigid_sphere), points_of(center1, center2), center), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(), points_of(surface1, surface2), center), Level::decisions);
+}
+
+TEST(JudgePoints, lie_on_the_far_surface_by_the_published_formula) {
+  const Declaration published = with_points(Points::published);
+  EXPECT_EQ(level_of(overlapping(), points_of({-2, 0, 0}, {7, 0, 0}), published), Level::correctly_rounded);
+  EXPECT_EQ(level_of(overlapping(), points_of({2, 0, 0}, {1, 0, 0}), published), Level::decisions);
+}
+
+TEST(JudgePoints, may_be_one_midpoint) {
+  const Declaration midpoint = with_points(Points::midpoint);
+  EXPECT_EQ(level_of(overlapping(), midpoint_of({1.5, 0, 0}), midpoint), Level::correctly_rounded);  // (2 + 1) / 2
+  // 8 ulps of the larger scale, 4: 2^-47
+  EXPECT_EQ(level_of(overlapping(), midpoint_of({1.5, 0x1p-47, 0}), midpoint), Level::bounded);
+  EXPECT_EQ(level_of(overlapping(), midpoint_of({1.5, above(0x1p-47), 0}), midpoint), Level::decisions);
+  EXPECT_FALSE(judged(overlapping(), points_of({9, 9, 9}, {9, 9, 9}), midpoint).at(Field::point1));
+  EXPECT_FALSE(judged(overlapping(), midpoint_of({9, 9, 9})).at(Field::point));
+}
+
+TEST(JudgePoints, may_be_claimed_of_one_sphere_or_of_none) {
+  const Claim first_right = points_of({2, 0, 0}, {9, 9, 9});
+  const Claim second_right = points_of({9, 9, 9}, {1, 0, 0});
+  EXPECT_EQ(level_of(overlapping(), first_right, with_points(Points::first_only)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(overlapping(), second_right, with_points(Points::first_only)), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(), second_right, with_points(Points::second_only)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(overlapping(), first_right, with_points(Points::second_only)), Level::decisions);
+  const Verdict none = judged(overlapping(), first_right, with_points(Points::none));
+  EXPECT_FALSE(none.at(Field::point1));
+  EXPECT_FALSE(none.at(Field::point2));
+}
+
+// Conventions of the value.
+
+TEST(JudgeValue, is_signed_and_less_the_contact_distance_by_default) {
+  // 4 - 5 = -1, less 0.25
+  EXPECT_EQ(level_of(overlapping(0.25), value_of(-1.25)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(overlapping(0.25), value_of(-1)), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(0.25), value_of(1.25)), Level::decisions);
+}
+
+TEST(JudgeValue, may_be_a_depth_with_or_without_the_contact_distance) {
+  const auto declared = [](ValueKind kind, bool less) {
+    return with([&](Conventions& c) {
+      c.value = kind;
+      c.value_less_contact = less;
+    });
+  };
+  EXPECT_EQ(level_of(overlapping(0.25), value_of(1.25), declared(ValueKind::depth, true)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(overlapping(0.25), value_of(-1.25), declared(ValueKind::depth, true)), Level::decisions);
+  EXPECT_EQ(level_of(overlapping(0.25), value_of(1), declared(ValueKind::depth, false)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(overlapping(0.25), value_of(-1), declared(ValueKind::signed_distance, false)),
+            Level::correctly_rounded);
+  EXPECT_FALSE(judged(overlapping(), value_of(77), declared(ValueKind::none, true)).at(Field::value));
+}
+
+// Coincident centres.
+
+TEST(JudgeCoincident, any_unit_normal_is_right) {
+  for (const Vector3& n : {Vector3(1, 0, 0), Vector3(0, 0, -1), Vector3(0.6, 0.8, 0), Vector3(0, -1, 0)})
+    EXPECT_EQ(level_of(coincident(), normal_of(n)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), normal_of({0, 0, 0})), Level::decisions);
+  EXPECT_EQ(level_of(coincident(), normal_of({1, 1, 0})), Level::decisions);
+  EXPECT_EQ(judged(coincident(), normal_of({kNaN, kNaN, kNaN})).at(Field::normal)->grade, Grade::not_finite);
+}
+
+TEST(JudgeCoincident, unit_means_that_its_squared_length_is_within_8_roundings_of_1) {
+  // |n.n - 1| <= 8 u = 2^-50: (1, y, 0) is off by y^2, so y = 2^-25 is the last
+  EXPECT_EQ(level_of(coincident(), normal_of({1, 0x1p-25, 0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), normal_of({1, above(0x1p-25), 0})), Level::decisions);
+  // below 1: x = 1 - k 2^-53 is off by k 2^-52 - k^2 2^-106, less than 4 2^-52 for k = 4 and more for k = 5
+  EXPECT_EQ(level_of(coincident(), normal_of({1 - 0x4p-53, 0, 0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), normal_of({1 - 0x5p-53, 0, 0})), Level::decisions);
+  Declaration single;
+  single.scalar = Scalar::binary32;  // 2^-21: y = 2^-10.5 lies between 2^-11 and 2^-10
+  EXPECT_EQ(level_of(coincident(), normal_of({1, 0x1p-11, 0}), single), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), normal_of({1, 0x1p-10, 0}), single), Level::decisions);
+}
+
+TEST(JudgeCoincident, points_go_with_the_claimed_normal) {
+  // centres (7,0,0), radii 2 and 3, n = (0, 0, -1): (7, 0, -2) and (7, 0, 3)
+  const auto claim = [](const Vector3& n, const Vector3& p1, const Vector3& p2) {
+    return contact_of({.normal = n, .point1 = p1, .point2 = p2, .point = {}, .value = -5.0});
+  };
+  const Vector3 down(0, 0, -1);
+  EXPECT_EQ(level_of(coincident(), claim(down, {7, 0, -2}, {7, 0, 3})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), claim(down, {9, 0, 0}, {4, 0, 0})), Level::decisions);
+  EXPECT_EQ(level_of(coincident(), claim({1, 0, 0}, {9, 0, 0}, {4, 0, 0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), claim(down, {7, 0, 2}, {7, 0, -3}), with_points(Points::published)),
+            Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), claim(down, {7, 0, 0}, {7, 0, 0}), with_points(Points::center)),
+            Level::correctly_rounded);
+  const Declaration reversed = with([](Conventions& c) { c.normal = NormalDirection::second_to_first; });
+  EXPECT_EQ(level_of(coincident(), claim(-down, {7, 0, -2}, {7, 0, 3}), reversed), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), claim(down, {7, 0, -2}, {7, 0, 3}), reversed), Level::decisions);
+}
+
+TEST(JudgeCoincident, points_without_a_finite_normal_cannot_be_judged) {
+  EXPECT_FALSE(judged(coincident(), points_of({1, 2, 3}, {4, 5, 6})).at(Field::point1));
+  const Claim bad = contact_of({.normal = Vector3(kNaN, 0, 0),
+                                .point1 = Vector3(7, 0, 0),
+                                .point2 = Vector3(7, 0, 0),
+                                .point = {},
+                                .value = {}});
+  EXPECT_FALSE(judged(coincident(), bad).at(Field::point1));
+  EXPECT_EQ(level_of(coincident(), bad), Level::decisions);
+}
+
+TEST(JudgeCoincident, the_midpoint_goes_with_the_claimed_normal_normalised_where_that_is_declared) {
+  // (c + 2 n + c - 3 n) / 2 = (7,0,0) - n / 2
+  const auto claim = [](const Vector3& n, const Vector3& p) {
+    return contact_of({.normal = n, .point1 = {}, .point2 = {}, .point = p, .value = {}});
+  };
+  EXPECT_EQ(level_of(coincident(), claim({0, 1, 0}, {7, -0.5, 0}), with_points(Points::midpoint)),
+            Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), claim({0, 1, 0}, {6.5, 0, 0}), with_points(Points::midpoint)), Level::decisions);
+  const Declaration any_length = with([](Conventions& c) {
+    c.points = Points::midpoint;
+    c.normal_unit = false;
+  });
+  EXPECT_EQ(judged(coincident(), claim({0, 9, 0}, {7, -0.5, 0}), any_length).at(Field::point)->grade,
+            Grade::correctly_rounded);
+}
+
+TEST(JudgeCoincident, points_go_with_a_unit_normal_as_it_is_claimed) {
+  // unit within 8 roundings, and 2 n = 2 - 2^-50 all the same
+  const Claim claim = contact_of({.normal = Vector3(1 - 0x4p-53, 0, 0),
+                                  .point1 = Vector3(2 - 0x1p-50, 0, 0),
+                                  .point2 = {},
+                                  .point = {},
+                                  .value = {}});
+  EXPECT_EQ(level_of(spheres({{0, 0, 0}, 2}, {{0, 0, 0}, 3}), claim), Level::correctly_rounded);
+}
+
+TEST(JudgeCoincident, a_zero_normal_of_any_length_is_wrong_and_its_points_are_centres) {
+  const Declaration any_length = with([](Conventions& c) { c.normal_unit = false; });
+  const Claim claim =
+      contact_of({.normal = Vector3(0, 0, 0), .point1 = Vector3(7, 0, 0), .point2 = {}, .point = {}, .value = {}});
+  const Verdict verdict = judged(coincident(), claim, any_length);
+  EXPECT_EQ(verdict.at(Field::normal)->grade, Grade::beyond_bound);
+  EXPECT_EQ(verdict.at(Field::point1)->grade, Grade::correctly_rounded);
+}
+
+TEST(JudgeCoincident, a_midpoint_without_a_normal_is_not_judged) {
+  const Verdict verdict = judged(coincident(), midpoint_of({1, 2, 3}), with_points(Points::midpoint));
+  EXPECT_FALSE(verdict.at(Field::point).has_value());
+}
+
+TEST(JudgeDecisions, a_contact_of_cubes_is_a_decision_without_fields) {
+  const Query query{Pair::cube_cube, Boxes{{{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {2, 1, 1}}}, {0, 0}};
+  for (const Coincident coincident : {Coincident::any_unit_normal, Coincident::no_contact}) {
+    const Declaration declared = with([&](Conventions& c) { c.coincident = coincident; });
+    const Verdict verdict = judged(query, normal_of({1, 0, 0}), declared);
+    EXPECT_EQ(verdict.contact, Decision::right);
+    EXPECT_FALSE(verdict.at(Field::normal).has_value());
+    EXPECT_EQ(judged(query, no_contact(), declared).contact, Decision::missed_hit);
+  }
+}
+
+TEST(JudgeLevels, grades_have_the_names_of_the_reports) {
+  EXPECT_EQ(name(Grade::correctly_rounded), "correctly-rounded");
+  EXPECT_EQ(name(Grade::not_finite), "not finite");
+}
+
+TEST(JudgeCoincident, centres_need_no_normal_to_be_judged) {
+  const Declaration center = with_points(Points::center);
+  EXPECT_EQ(level_of(coincident(), points_of({7, 0, 0}, {7, 0, 0}), center), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), points_of({8, 0, 0}, {7, 0, 0}), center), Level::decisions);
+}
+
+TEST(JudgeCoincident, points_go_with_the_normalised_normal_where_it_may_have_any_length) {
+  const Declaration any_length = with([](Conventions& c) { c.normal_unit = false; });
+  const Claim claim = contact_of({.normal = Vector3(0, 6, 8),
+                                  .point1 = Vector3(7, 1.2, 1.6),
+                                  .point2 = Vector3(7, below(-1.8), -2.4),
+                                  .point = {},
+                                  .value = {}});
+  const Verdict verdict = judged(coincident(), claim, any_length);
+  EXPECT_EQ(verdict.at(Field::normal)->grade, Grade::bounded);            // at best, as everywhere
+  EXPECT_EQ(verdict.at(Field::point1)->grade, Grade::correctly_rounded);  // 2 * 0.6, 2 * 0.8
+  // -3 * 0.6 = -1.8, whose double -1.8000000000000000444 lies below it: one further down is no neighbour of the real
+  EXPECT_EQ(verdict.at(Field::point2)->grade, Grade::bounded);
+}
+
+TEST(JudgeCoincident, value_is_judged_as_ever) {
+  EXPECT_EQ(level_of(coincident(), value_of(-5)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), value_of(-4)), Level::decisions);
+}
+
+TEST(JudgeCoincident, a_zero_normal_is_right_where_declared_and_only_it) {
+  const Declaration zero = with([](Conventions& c) { c.coincident = Coincident::zero_normal; });
+  EXPECT_EQ(level_of(coincident(), normal_of({0, -0.0, 0}), zero), Level::correctly_rounded);
+  EXPECT_EQ(level_of(coincident(), normal_of({1, 0, 0}), zero), Level::decisions);
+  EXPECT_EQ(level_of(coincident(), normal_of({0, 0, 0x1p-1074}), zero), Level::decisions);
+  EXPECT_EQ(level_of(touching(), normal_of({0, 0, 0}), zero), Level::decisions);  // these centres do not coincide
+}
+
+TEST(JudgeCoincident, no_contact_is_right_where_declared_and_for_the_contact_alone) {
+  const Declaration none = with([](Conventions& c) { c.coincident = Coincident::no_contact; });
+  EXPECT_EQ(level_of(coincident(), no_contact(), none), Level::correctly_rounded);
+  EXPECT_EQ(judged(coincident(), value_of(-5), none).contact, Decision::false_hit);
+  EXPECT_EQ(judged(coincident(), overlap(true), none).overlap, Decision::right);
+  EXPECT_EQ(judged(coincident(), overlap(false), none).overlap, Decision::missed_hit);
+  EXPECT_EQ(judged(overlapping(), no_contact(), none).contact, Decision::missed_hit);
+  EXPECT_EQ(judged(coincident(), no_contact()).contact, Decision::missed_hit);
+}
+
+// What a wrong answer says about the engine's conventions.
+
+TEST(RightClaim, is_correctly_rounded_in_the_judges_eyes_under_every_declaration) {
+  const std::vector<Query> queries{
+      touching(),
+      touching(0.5, 0.25),
+      overlapping(0.25),
+      overlapping(0, Pair::sphere_rigid_sphere),
+      apart(2),
+      apart(3),
+      apart(4),
+      coincident(),
+      spheres({{0.1, 0.2, 0.3}, 0.7}, {{0.4, -0.5, 0.6}, 0.35}, 0.01, 0.003, Pair::rigid_sphere_rigid_sphere),
+      {Pair::cube_cube, Boxes{{{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {2, 1, 1}}}, {0, 0}}};
+  std::size_t contacts = 0;
+  const auto check = [&](const Declaration& declared) {
+    for (const Query& query : queries) {
+      const Truth truth = truth_of(query);
+      const Claim claim = right_claim(query, truth, declared);
+      EXPECT_EQ(judge(query, truth, claim, declared).level(), Level::correctly_rounded);
+      EXPECT_EQ(claim.speaks_of_contact, query.balls() != nullptr);
+      contacts += claim.contact ? 1 : 0;
+    }
+  };
+  for (const Scalar scalar : kScalars)
+    for (std::size_t points = 0; points < kPointsNames.size(); ++points)
+      for (const Coincident coincident : {Coincident::any_unit_normal, Coincident::zero_normal, Coincident::no_contact})
+        for (const NormalDirection normal : {NormalDirection::first_to_second, NormalDirection::second_to_first}) {
+          Declaration declared;
+          declared.scalar = scalar;
+          declared.conventions.points = static_cast<Points>(points);
+          declared.conventions.coincident = coincident;
+          declared.conventions.normal = normal;
+          check(declared);
+        }
+  for (const ValueKind value : {ValueKind::signed_distance, ValueKind::depth, ValueKind::none})
+    for (const Margin margin : {Margin::inclusive, Margin::exclusive, Margin::none})
+      for (const Touching touching : {Touching::closed, Touching::open})
+        for (const bool less : {true, false}) {
+          Declaration declared;
+          declared.conventions.value = value;
+          declared.conventions.margin = margin;
+          declared.conventions.touching_contact = touching;
+          declared.conventions.touching_overlap = touching;
+          declared.conventions.value_less_contact = less;
+          check(declared);
+        }
+  EXPECT_GT(contacts, 400U);
+}
+
+TEST(RightClaim, says_what_the_conventions_ask_for) {
+  Declaration declared;
+  declared.conventions.points = Points::published;
+  declared.conventions.normal = NormalDirection::second_to_first;
+  declared.conventions.value = ValueKind::depth;
+  const Query query = overlapping();
+  const Claim claim = right_claim(query, truth_of(query), declared);
+  ASSERT_TRUE(claim.contact);
+  EXPECT_EQ(*claim.overlap, true);
+  EXPECT_EQ(*claim.contact->normal, Vector3(-1, 0, 0));
+  EXPECT_EQ(*claim.contact->point1, Vector3(-2, 0, 0));
+  EXPECT_EQ(*claim.contact->point2, Vector3(7, 0, 0));
+  EXPECT_EQ(*claim.contact->value, 1);
+}
+
+TEST(JudgeExplains, nothing_where_the_answer_is_right) {
+  EXPECT_TRUE(explained(overlapping(), value_of(-1)).empty());
+  EXPECT_TRUE(explained(overlapping(), value_of(above(-1))).empty());
+}
+
+TEST(JudgeExplains, nothing_where_no_convention_makes_it_right) {
+  EXPECT_TRUE(explained(overlapping(), value_of(77)).empty());
+  EXPECT_TRUE(explained(overlapping(), points_of({77, 0, 0}, {78, 0, 0})).empty());
+}
+
+TEST(JudgeExplains, the_direction_and_the_length_of_a_normal) {
+  const auto reversed = explained(touching(), normal_of({-0.6, -0.8, 0}));
+  ASSERT_EQ(reversed.size(), 1U);
+  EXPECT_TRUE(says(reversed, "normal", "normal", "second-to-first"));
+  const auto longer = explained(touching(), normal_of({3, 4, 0}));
+  ASSERT_EQ(longer.size(), 1U);
+  EXPECT_TRUE(says(longer, "normal", "normal_unit", "false"));
+}
+
+TEST(JudgeExplains, the_points) {
+  const auto published = explained(overlapping(), points_of({-2, 0, 0}, {7, 0, 0}));
+  EXPECT_TRUE(says(published, "point1", "points", "published"));
+  EXPECT_TRUE(says(published, "point2", "points", "published"));
+  EXPECT_EQ(published.size(), 2U);
+  const auto center = explained(overlapping(), points_of({0, 0, 0}, {4, 0, 0}));
+  EXPECT_TRUE(says(center, "point1", "points", "center"));
+  EXPECT_TRUE(says(center, "point2", "points", "center"));
+  const auto nearest = explained(overlapping(), points_of({2, 0, 0}, {1, 0, 0}), with_points(Points::published));
+  EXPECT_TRUE(says(nearest, "point1", "points", "nearest_surface"));
+  // Radii 2 and 3 about (7,0,0): the middle of the surface points lies half behind the centre.
+  Claim behind = midpoint_of({7.5, 0, 0});
+  behind.contact->normal = Vector3(1, 0, 0);
+  EXPECT_TRUE(
+      says(explained(coincident(), behind, with_points(Points::midpoint)), "point", "normal", "second-to-first"));
+}
+
+TEST(JudgeExplains, the_value) {
+  EXPECT_TRUE(says(explained(overlapping(0.25), value_of(1.25)), "value", "value", "depth less contact"));
+  EXPECT_TRUE(says(explained(overlapping(0.25), value_of(1)), "value", "value", "depth without contact"));
+  EXPECT_TRUE(says(explained(overlapping(0.25), value_of(-1)), "value", "value", "signed without contact"));
+}
+
+TEST(JudgeExplains, touching_the_margin_and_coincident_centres) {
+  EXPECT_TRUE(says(explained(touching(), overlap(false)), "overlap", "touching_overlap", "open"));
+  EXPECT_TRUE(says(explained(touching(), no_contact()), "contact", "touching_contact", "open"));
+  EXPECT_FALSE(says(explained(touching(), no_contact()), "contact", "touching_overlap", "open"));
+  EXPECT_TRUE(says(explained(apart(3), overlap(false)), "overlap", "margin", "exclusive"));
+  EXPECT_TRUE(says(explained(apart(3), overlap(false)), "overlap", "margin", "none"));
+  const auto ignored = explained(apart(9), no_contact());
+  EXPECT_TRUE(says(ignored, "contact", "margin", "none"));
+  EXPECT_FALSE(says(ignored, "contact", "margin", "exclusive"));
+  EXPECT_TRUE(says(explained(coincident(), no_contact()), "contact", "coincident", "no_contact"));
+  EXPECT_TRUE(says(explained(coincident(), normal_of({0, 0, 0})), "normal", "coincident", "zero_normal"));
+}
+
+}  // namespace
+}  // namespace contact::oracle

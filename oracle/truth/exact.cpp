@@ -1,0 +1,238 @@
+// Exact numbers of Q(sqrt D) on CGAL, their correct rounding, and comparison of claimed numbers with them.
+#include "oracle/truth/exact.hpp"
+
+#include <CGAL/Gmpz.h>
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "oracle/truth/default_environment.hpp"
+#include "oracle/truth/truth.hpp"
+
+namespace contact::oracle {
+namespace {
+
+using CGAL::Gmpz;
+
+double as_float_neighbour(double x, float toward) {
+  return static_cast<double>(std::nextafter(static_cast<float>(x), toward));
+}
+
+/// An enclosure of |x|, x other than 0, with both ends positive and no farther apart than a 2^-60th.
+Exact::Enclosure tight_magnitude(const Exact& x) {
+  const Exact positive = x.sign() == CGAL::NEGATIVE ? x.scaled(Rational(-1)) : x;
+  for (int bits = 96;; bits *= 2) {  // more where a and b sqrt(D) cancel
+    Exact::Enclosure e = positive.enclosure(bits);
+    if (CGAL::sign(e.low) == CGAL::POSITIVE && e.high <= e.low * (Rational(1) + power_of_two(-60))) return e;
+  }
+}
+
+double largest_finite(Scalar scalar) {
+  return scalar == Scalar::binary32 ? static_cast<double>(std::numeric_limits<float>::max())
+                                    : std::numeric_limits<double>::max();
+}
+
+/// The real number half way from a finite x to its upper neighbour, beyond the largest finite number as if the exponent
+/// range went on: the boundary between rounding to x and rounding above it.
+Rational boundary_above(double x, Scalar scalar) {
+  const double above = next_up(x, scalar);
+  if (std::isfinite(above)) return (Rational(x) + Rational(above)) / Rational(2);
+  return Rational(x) + (Rational(x) - Rational(next_down(x, scalar))) / Rational(2);
+}
+
+/// Whether the significand of a number of the scalar is even.
+bool is_even(double x, Scalar scalar) {
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  const Format format = format_of(scalar);
+  const int last = std::max(exponent - format.precision, format.min_exponent - format.precision + 1);
+  return std::fmod(std::ldexp(x, -last), 2.0) == 0;
+}
+
+bool representable(double x, Scalar scalar) {
+  return scalar == Scalar::binary64 ||
+         (std::abs(x) <= largest_finite(scalar) && static_cast<double>(static_cast<float>(x)) == x);
+}
+
+/// 0 where x rounds to the finite number d of the scalar, to nearest, ties to even; 1 where it rounds to a number above
+/// d, -1 below. Two exact comparisons.
+int side_of(double d, const Exact& x, Scalar scalar) {
+  const bool even = is_even(d, scalar);
+  const auto above = x.compare(boundary_above(d, scalar));
+  if (above == CGAL::LARGER || (above == CGAL::EQUAL && !even)) return 1;
+  const auto below = x.compare(-boundary_above(-d, scalar));
+  if (below == CGAL::SMALLER || (below == CGAL::EQUAL && !even)) return -1;
+  return 0;
+}
+
+/// A number of the scalar near x, x other than 0: a place to start from.
+double candidate(const Exact& x, Scalar scalar) {
+  const Rational magnitude = tight_magnitude(x).low;
+  const int exponent = floor_log2(magnitude);
+  const double leading = CGAL::to_double(magnitude * power_of_two(-exponent));
+  const double limit = largest_finite(scalar);
+  double d = std::min(std::ldexp(leading, exponent), limit);
+  if (scalar == Scalar::binary32) d = static_cast<double>(static_cast<float>(d));
+  return x.sign() == CGAL::NEGATIVE ? -d : d;
+}
+
+}  // namespace
+
+Exact::Exact(const Rational& a, const Rational& b, const Rational& D)
+    : number_(CGAL::is_zero(b) || CGAL::is_zero(D) ? Extension(a) : Extension(a, b, D)) {}
+
+CGAL::Sign Exact::compare(const Rational& other) const { return Extension(number_ - Extension(other)).sign(); }
+
+Exact Exact::scaled(const Rational& factor) const {
+  return number_.is_extended() ? Exact(number_.a0() * factor, number_.a1() * factor, number_.root())
+                               : Exact(number_.a0() * factor);
+}
+
+Exact Exact::plus(const Rational& other) const { return Exact(Extension(number_ + Extension(other))); }
+
+Exact::Enclosure Exact::enclosure(int bits) const {
+  if (!number_.is_extended()) return {number_.a0(), number_.a0()};
+  // b sqrt(D) = sign(b) sqrt(b^2 D), and floor(sqrt(n / d) 2^k) = floor(sqrt(floor(n 4^k / d))).
+  const Rational square = number_.a1() * number_.a1() * number_.root();
+  const int k = bits + std::max(0, -floor_log2(square) / 2 + 1);
+  Gmpz quotient;
+  const Gmpz scaled = square.numerator() << (2L * k);
+  mpz_fdiv_q(quotient.mpz(), scaled.mpz(), square.denominator().mpz());
+  Gmpz root;
+  mpz_sqrt(root.mpz(), quotient.mpz());
+  const Rational low = Rational(root) * power_of_two(-k);
+  const Rational high = Rational(root + 1) * power_of_two(-k);
+  if (CGAL::sign(number_.a1()) == CGAL::POSITIVE) return {number_.a0() + low, number_.a0() + high};
+  return {number_.a0() - high, number_.a0() - low};
+}
+
+double round_to_nearest(const Exact& x, Scalar scalar) {
+  const DefaultEnvironment environment;
+  if (x.sign() == CGAL::ZERO) return 0.0;
+  // The candidate only starts the walk, at the right number or beside it; exact comparisons end it.
+  for (double d = candidate(x, scalar);;) {
+    const int direction = side_of(d, x, scalar);
+    if (direction == 0) return d == 0 ? 0.0 : d;
+    d = direction > 0 ? next_up(d, scalar) : next_down(d, scalar);
+    if (!std::isfinite(d)) return d;
+  }
+}
+
+bool is_correctly_rounded(double claim, const Exact& x, Scalar scalar) {
+  const DefaultEnvironment environment;
+  if (std::isnan(claim)) return false;
+  if (std::isinf(claim)) {
+    const double last = std::copysign(largest_finite(scalar), claim);
+    return side_of(last, x, scalar) == (claim > 0 ? 1 : -1);
+  }
+  return representable(claim, scalar) && side_of(claim, x, scalar) == 0;
+}
+
+bool is_faithful(double claim, const Exact& x, Scalar scalar) {
+  const DefaultEnvironment environment;
+  if (!std::isfinite(claim)) return false;
+  if (!representable(claim, scalar)) return false;
+  const auto side = x.compare(Rational(claim));
+  if (side == CGAL::EQUAL) return true;
+  const double other = side == CGAL::LARGER ? next_up(claim, scalar) : next_down(claim, scalar);
+  // Past the largest finite number stands no neighbour that could tell near from far: an ulp must.
+  if (!std::isfinite(other)) return is_within(Rational(claim), x, ulp(x, scalar));
+  return x.compare(Rational(other)) == -side;
+}
+
+Rational ulp(const Exact& x, Scalar scalar) {
+  const Format format = format_of(scalar);
+  const int least = format.min_exponent - format.precision + 1;
+  if (x.sign() == CGAL::ZERO) return power_of_two(least);
+  return power_of_two(std::max(floor_log2(x) - format.precision + 1, least));
+}
+
+Boundary nearest_boundary(const Exact& x, Scalar scalar) {
+  const DefaultEnvironment environment;
+  const double rounded = round_to_nearest(x, scalar);
+  const double limit = largest_finite(scalar);
+  const double d = std::clamp(rounded, -limit, limit);
+  const Rational above = boundary_above(d, scalar);
+  const Rational below = -boundary_above(-d, scalar);
+  return {x.compare((above + below) / Rational(2)) == CGAL::SMALLER ? below : above, ulp(Rational(d), scalar)};
+}
+
+Rational distance_in_ulps(const Exact& x, const Boundary& boundary) {
+  const Exact off = x.plus(-boundary.at);
+  return off.sign() == CGAL::ZERO ? Rational(0) : tight_magnitude(off).high / boundary.ulp;
+}
+
+double error_in_units(const Rational& claim, const Exact& x, const Rational& unit) {
+  const DefaultEnvironment environment;
+  const Exact difference = x.plus(-claim);
+  if (difference.sign() == CGAL::ZERO) return 0.0;
+  return CGAL::to_interval(tight_magnitude(difference.scaled(Rational(1) / unit)).high).second;
+}
+
+bool is_within(const Rational& claim, const Exact& x, const Rational& bound) {
+  return x.compare(claim - bound) != CGAL::SMALLER && x.compare(claim + bound) != CGAL::LARGER;
+}
+
+double next_up(double x, Scalar scalar) {
+  const DefaultEnvironment environment;
+  return scalar == Scalar::binary32 ? as_float_neighbour(x, std::numeric_limits<float>::infinity())
+                                    : std::nextafter(x, std::numeric_limits<double>::infinity());
+}
+
+double next_down(double x, Scalar scalar) { return -next_up(-x, scalar); }
+
+int floor_log2(const Rational& x) {
+  const auto bits = [](const Gmpz& n) { return static_cast<int>(mpz_sizeinbase(n.mpz(), 2)); };
+  const int guess = bits(x.numerator()) - bits(x.denominator());
+  return power_of_two(guess) <= CGAL::abs(x) ? guess : guess - 1;
+}
+
+int floor_log2(const Exact& x) {
+  const Exact::Enclosure e = tight_magnitude(x);
+  const int low = floor_log2(e.low);
+  if (floor_log2(e.high) == low) return low;
+  // One power of two lies between the ends; the exact comparison decides.
+  const Rational power = power_of_two(low + 1);
+  const bool below = x.compare(power) == CGAL::SMALLER && x.compare(-power) == CGAL::LARGER;
+  return below ? low : low + 1;
+}
+
+Rational power_of_two(int exponent) {
+  const Gmpz power = Gmpz(1) << std::abs(exponent);
+  return exponent >= 0 ? Rational(power) : Rational(Gmpz(1), power);
+}
+
+std::string dyadic_string(const Rational& x) {
+  if (CGAL::is_zero(x)) return "0x0p0";
+  const Gmpz numerator = CGAL::abs(x).numerator();
+  const auto trailing = static_cast<int>(mpz_scan1(numerator.mpz(), 0));
+  const auto below = static_cast<int>(mpz_scan1(x.denominator().mpz(), 0));
+  const Gmpz odd = numerator >> trailing;
+  return (CGAL::sign(x) == CGAL::NEGATIVE ? "-0x" : "0x") + mpz_class(odd.mpz()).get_str(16) + "p" +
+         std::to_string(trailing - below);
+}
+
+bool is_dyadic_string(std::string_view text) {
+  if (text == "0x0p0") return true;
+  const auto drop = [&text](std::string_view start) {
+    const bool there = text.starts_with(start);
+    if (there) text.remove_prefix(start.size());
+    return there;
+  };
+  // Neither part begins with 0, but for an exponent of 0.
+  const auto only = [](std::string_view part, std::string_view digits) {
+    return !part.empty() && part.find_first_not_of(digits) == std::string_view::npos && part.front() != '0';
+  };
+  drop("-");
+  if (!drop("0x")) return false;
+  const std::string_view integer = text.substr(0, text.find('p'));
+  if (!only(integer, "0123456789abcdef") || std::string_view("13579bdf").find(integer.back()) == std::string_view::npos)
+    return false;
+  text.remove_prefix(integer.size());
+  if (!drop("p")) return false;
+  return text == "0" || (drop("-"), only(text, "0123456789"));
+}
+
+}  // namespace contact::oracle

@@ -1,0 +1,108 @@
+// The exact numbers of a truth, on CGAL.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "contact/contact.hpp"
+#include "oracle/truth/exact.hpp"
+#include "oracle/truth/truth.hpp"
+
+namespace contact::oracle {
+
+/// Two convex shapes as two cores, each blown up by a radius, and the nearest points p and q of the cores.
+struct Cores {
+  std::array<std::array<Rational, 3>, 2> nearest;
+  std::array<Rational, 2> radius;
+};
+
+/// What is exactly true of two shapes with a distance.
+///   delta = q - p      D = delta.delta      reach = alarm + r1 + r2      n = delta / sqrt(D)
+class DistanceTruth {
+ public:
+  DistanceTruth(Cores cores, Distances distances);
+
+  /// D = 0.
+  [[nodiscard]] bool degenerate() const { return CGAL::is_zero(distance2_); }
+  [[nodiscard]] const Rational& distance2() const { return distance2_; }
+  [[nodiscard]] const Rational& reach() const { return reach_; }
+  [[nodiscard]] const Rational& radii() const { return radii_; }
+  /// The side of sqrt(D) against reach, and against r1 + r2.
+  [[nodiscard]] Side at_alarm() const;
+  [[nodiscard]] Side at_zero() const;
+
+  /// One component of n; (1,0,0) where D = 0.
+  [[nodiscard]] Exact normal(int axis) const;
+  /// One coordinate of shape 0's or 1's contact point for the normal n.
+  [[nodiscard]] Exact point(int shape, int axis, PointOn on) const;
+  /// The same for a claimed normal instead of n: what a point must be where D = 0.
+  [[nodiscard]] Rational point_for(int shape, int axis, PointOn on, const Vector3& normal) const;
+  /// One coordinate of the middle of the two nearest surface points.
+  [[nodiscard]] Exact midpoint(int axis) const;
+  /// sqrt(D) - (r1 + r2), less the contact distance or not.
+  [[nodiscard]] Exact value(bool less_contact) const;
+  /// (sqrt(D) - reach) / ulp(reach).
+  [[nodiscard]] Exact margin(Scalar scalar) const;
+  /// The scale by which `bounded` measures: value max(sqrt D, r1 + r2, contact), point max(|p_i| coordinates, r_i).
+  [[nodiscard]] Exact value_scale() const;
+  [[nodiscard]] Rational point_scale(int shape) const;
+
+ private:
+  Cores cores_;
+  Rational contact_;
+  std::array<Rational, 3> delta_;
+  Rational distance2_;
+  Rational radii_;
+  Rational reach_;
+};
+
+/// What is exactly true of two shapes that are apart by the widest of three gaps, negative where they overlap on the
+/// axis.
+class GapTruth {
+ public:
+  GapTruth(std::array<Rational, 3> gap, Rational alarm) : gap_(std::move(gap)), alarm_(std::move(alarm)) {}
+
+  [[nodiscard]] const std::array<Rational, 3>& gap() const { return gap_; }
+  [[nodiscard]] const Rational& alarm() const { return alarm_; }
+  [[nodiscard]] const Rational& widest_gap() const;
+  /// The side of the widest gap against the alarm distance, and against 0.
+  [[nodiscard]] Side at_alarm() const;
+  [[nodiscard]] Side at_zero() const;
+
+ private:
+  std::array<Rational, 3> gap_;
+  Rational alarm_;
+};
+
+/// One of the two, by whether the pair has numbers.
+struct ExactTruth {
+  std::variant<DistanceTruth, GapTruth> numbers;
+};
+
+// What each pair says of itself, in files of its own: sphere_sphere.cpp, cube_cube.cpp.
+#define CONTACT_DECLARE(A, B)                                                                         \
+  [[nodiscard]] ExactTruth exact_truth(const Two<A, B>& shapes, Distances distances);                 \
+  /* Whether the cores meet; false for a pair without numbers. Needs no exact number that is slow. */ \
+  [[nodiscard]] bool cores_meet(const Two<A, B>& shapes);
+CONTACT_KINDS(CONTACT_DECLARE)
+#undef CONTACT_DECLARE
+
+/// Every number of a contact, before it is rounded, with its field. Domain: a hit.
+struct FieldNumber {
+  std::string_view field;
+  Exact number;
+};
+[[nodiscard]] std::vector<FieldNumber> numbers(const DistanceTruth& truth);
+
+/// How far a field's numbers lie from the nearest rounding boundary: the least of those that are not on one.
+struct FieldDistance {
+  std::string_view field;
+  Rational ulps;  ///< distance_in_ulps
+  int log2;       ///< rounded down, exactly
+};
+/// Of every field that has such a number; empty without a contact.
+[[nodiscard]] std::vector<FieldDistance> rounding_distances(const Truth& truth, Scalar scalar);
+
+}  // namespace contact::oracle

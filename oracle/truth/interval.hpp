@@ -1,0 +1,104 @@
+// Intervals of MPFI with outward rounding, and the answer of each pair in them.
+#pragma once
+
+#include <mpfi.h>
+#include <mpfi_io.h>
+
+#include <array>
+#include <optional>
+
+#include "oracle/truth/query.hpp"
+#include "oracle/truth/rounded_answer.hpp"
+
+namespace contact::oracle {
+
+/// An interval that contains the real number it stands for. The operations round outward.
+class Interval {
+ public:
+  explicit Interval(mpfr_prec_t precision) { mpfi_init2(value_, precision); }
+  Interval(mpfr_prec_t precision, double exact) : Interval(precision) { mpfi_set_d(value_, exact); }
+  Interval(const Interval& other) : Interval(mpfi_get_prec(other.value_)) { mpfi_set(value_, other.value_); }
+  Interval& operator=(const Interval& other) = delete;
+  ~Interval() { mpfi_clear(value_); }
+
+  friend Interval operator+(const Interval& x, const Interval& y) { return apply(mpfi_add, x, y); }
+  friend Interval operator-(const Interval& x, const Interval& y) { return apply(mpfi_sub, x, y); }
+  friend Interval operator*(const Interval& x, const Interval& y) { return apply(mpfi_mul, x, y); }
+  friend Interval operator/(const Interval& x, const Interval& y) { return apply(mpfi_div, x, y); }
+  /// Both ends are squared again and moved out where they lie inside: mpn_sqrtrem of GMP 6.2.1, asked for no remainder,
+  /// takes some numbers of 14 limbs and more for perfect squares, and mpfr_sqrt then calls a root exact that is too
+  /// low.
+  [[nodiscard]] Interval root() const {
+    const mpfr_prec_t precision = mpfi_get_prec(value_);
+    Interval result(precision);
+    mpfi_sqrt(result.value_, value_);
+    const auto squared_end = [&](mpfr_srcptr end) {
+      Interval square(2 * precision);  // holds every digit of it
+      mpfr_sqr(&square.value_->left, end, MPFR_RNDN);
+      return square;
+    };
+    mpfr_ptr left = &result.value_->left;
+    mpfr_ptr right = &result.value_->right;
+    while (mpfr_greater_p(&squared_end(left).value_->left, &value_->left) != 0) mpfr_nextbelow(left);
+    while (mpfr_less_p(&squared_end(right).value_->left, &value_->right) != 0) mpfr_nextabove(right);
+    return result;
+  }
+  [[nodiscard]] Interval squared() const {
+    Interval result(mpfi_get_prec(value_));
+    mpfi_sqr(result.value_, value_);
+    return result;
+  }
+
+  /// The sign, where the whole interval has it.
+  [[nodiscard]] std::optional<int> sign() const {
+    if (mpfi_is_zero(value_) != 0) return 0;
+    if (mpfi_is_strictly_pos(value_) != 0) return 1;
+    if (mpfi_is_strictly_neg(value_) != 0) return -1;
+    return std::nullopt;
+  }
+
+  /// The rounding of the real number to the scalar, where both ends round to it.
+  [[nodiscard]] std::optional<double> rounded(Scalar scalar) const {
+    const double low = to_nearest(&value_->left, scalar);
+    const double high = to_nearest(&value_->right, scalar);
+    if (low != high) return std::nullopt;
+    return low == 0 ? 0.0 : low;
+  }
+
+ private:
+  using Operation = int (*)(mpfi_ptr, mpfi_srcptr, mpfi_srcptr);
+  static Interval apply(Operation operation, const Interval& x, const Interval& y) {
+    Interval result(mpfi_get_prec(x.value_));
+    operation(result.value_, x.value_, y.value_);
+    return result;
+  }
+  static double to_nearest(mpfr_srcptr x, Scalar scalar) {
+    return scalar == Scalar::binary32 ? static_cast<double>(mpfr_get_flt(x, MPFR_RNDN)) : mpfr_get_d(x, MPFR_RNDN);
+  }
+
+  mpfi_t value_;
+};
+
+/// Thrown by `settled` to ask for more precision; never leaves this file.
+struct Undecided {};
+
+template <class T>
+T settled(const std::optional<T>& answer) {
+  if (!answer) throw Undecided{};
+  return *answer;
+}
+
+using Triple = std::array<Interval, 3>;
+
+inline Triple triple(mpfr_prec_t precision, const Vector3& v) {
+  return {Interval(precision, v[0]), Interval(precision, v[1]), Interval(precision, v[2])};
+}
+
+// The answer of each pair at a precision, in files of its own. Throws Undecided where that is too low.
+#define CONTACT_DECLARE(A, B)                                                                              \
+  [[nodiscard]] RoundedAnswer interval_answer(const Two<A, B>& shapes, Distances distances, Scalar scalar, \
+                                              mpfr_prec_t precision);
+CONTACT_KINDS(CONTACT_DECLARE)
+#undef CONTACT_DECLARE
+
+}  // namespace contact::oracle

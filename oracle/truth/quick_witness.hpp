@@ -1,0 +1,13 @@
+// The exact numbers that a golden file records, as integers on one grid: what `witness` says, without rationals.
+#pragma once
+
+#include "oracle/truth/truth.hpp"
+
+namespace contact::oracle {
+
+/// The texts of the witness of a question, its margin left at 0. Every finite binary number is an integer times a
+/// common power of two; D, reach and the gaps are sums and products of such integers (GMP), so nothing is rounded.
+/// Domain: every number of the question finite and inside the domain.
+[[nodiscard]] Witness quick_witness(const Query& query);
+
+}  // namespace contact::oracle

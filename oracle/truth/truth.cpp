@@ -1,0 +1,98 @@
+// The exact answer to a question, and its correct rounding.
+#include "oracle/truth/truth.hpp"
+
+#include "oracle/truth/default_environment.hpp"
+#include "oracle/truth/exact_truth.hpp"
+
+namespace contact::oracle {
+namespace {
+
+const ExactTruth& made(const Query& query, std::shared_ptr<ExactTruth>& exact) {
+  if (!exact) {
+    const DefaultEnvironment environment;
+    exact = std::visit(
+        [&](const auto& shapes) { return std::make_shared<ExactTruth>(exact_truth(shapes, query.distances)); },
+        query.shapes);
+  }
+  return *exact;
+}
+
+}  // namespace
+
+Truth::Truth(const Query& query) : at_alarm(Side::at), at_zero(Side::at), query_(query) {
+  std::visit(
+      [&](const auto& numbers) {
+        at_alarm = numbers.at_alarm();
+        at_zero = numbers.at_zero();
+      },
+      made(query_, exact_).numbers);
+}
+
+bool Truth::degenerate() const {
+  const DefaultEnvironment environment;
+  return std::visit([](const auto& shapes) { return cores_meet(shapes); }, query_.shapes);
+}
+
+const DistanceTruth* Truth::distance() const {
+  return has_numbers() ? std::get_if<DistanceTruth>(&made(query_, exact_).numbers) : nullptr;
+}
+const GapTruth* Truth::gaps() const {
+  return has_numbers() ? nullptr : std::get_if<GapTruth>(&made(query_, exact_).numbers);
+}
+
+Expectation expectation(const Truth& truth, Scalar scalar) {
+  Expectation expected{truth.hit(), std::nullopt};
+  if (!truth.hit() || !truth.has_numbers()) return expected;
+  const DistanceTruth& exact = *truth.distance();
+  Contact contact{};
+  contact.degenerate = exact.degenerate();
+  for (int axis = 0; axis < 3; ++axis) {
+    contact.normal[axis] = round_to_nearest(exact.normal(axis), scalar);
+    contact.point1[axis] = round_to_nearest(exact.point(0, axis, PointOn::nearest_surface), scalar);
+    contact.point2[axis] = round_to_nearest(exact.point(1, axis, PointOn::nearest_surface), scalar);
+  }
+  contact.value = round_to_nearest(exact.value(true), scalar);
+  expected.contact = contact;
+  return expected;
+}
+
+double margin_ulps(const Truth& truth, Scalar scalar) {
+  return round_to_nearest(truth.distance()->margin(scalar), Scalar::binary64);
+}
+
+std::vector<FieldNumber> numbers(const DistanceTruth& truth) {
+  std::vector<FieldNumber> all{{"value", truth.value(true)}};
+  for (int axis = 0; axis < 3; ++axis) all.push_back({"normal", truth.normal(axis)});
+  for (int axis = 0; axis < 3; ++axis) all.push_back({"point1", truth.point(0, axis, PointOn::nearest_surface)});
+  for (int axis = 0; axis < 3; ++axis) all.push_back({"point2", truth.point(1, axis, PointOn::nearest_surface)});
+  return all;
+}
+
+std::vector<FieldDistance> rounding_distances(const Truth& truth, Scalar scalar) {
+  std::vector<FieldDistance> least;
+  if (!truth.hit() || !truth.has_numbers()) return least;
+  for (const auto& [field, number] : numbers(*truth.distance())) {
+    const Boundary boundary = nearest_boundary(number, scalar);
+    const Rational ulps = distance_in_ulps(number, boundary);
+    if (CGAL::is_zero(ulps)) continue;  // a tie
+    const bool first = least.empty() || least.back().field != field;
+    if (!first && least.back().ulps <= ulps) continue;
+    if (!first) least.pop_back();
+    least.push_back({field, ulps, floor_log2(number.plus(-boundary.at)) - floor_log2(boundary.ulp)});
+  }
+  return least;
+}
+
+Witness witness(const Truth& truth, Scalar scalar) {
+  Witness w;
+  if (const DistanceTruth* distance = truth.distance()) {
+    w.distance2 = dyadic_string(distance->distance2());
+    w.reach = dyadic_string(distance->reach());
+    w.margin_ulps = margin_ulps(truth, scalar);
+  } else {
+    for (std::size_t axis = 0; axis < 3; ++axis) w.gap[axis] = dyadic_string(truth.gaps()->gap()[axis]);
+  }
+  return w;
+}
+
+}  // namespace contact::oracle

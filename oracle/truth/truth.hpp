@@ -1,0 +1,75 @@
+// The exact answer to a question: its decisions, its correct rounding, and what a golden file records beside it.
+//
+// The exact numbers themselves are in exact_truth.hpp, which few files need: it brings CGAL.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "oracle/truth/expectation.hpp"
+#include "oracle/truth/query.hpp"
+
+namespace contact::oracle {
+
+class DistanceTruth;
+class GapTruth;
+struct ExactTruth;
+
+/// Where a pair lies against a limit of its distance.
+enum class Side { within = -1, at = 0, beyond = 1 };
+
+/// What is exactly true of a question. Its exact numbers are made when one of them is first asked for, so an object is
+/// one thread's at a time.
+class Truth {
+ public:
+  /// Domain: every number of the question finite and inside the domain.
+  explicit Truth(const Query& query);
+  /// The same where both sides have been decided already: no exact number is made.
+  Truth(const Query& query, Side alarm, Side zero) : at_alarm(alarm), at_zero(zero), query_(query) {}
+
+  Side at_alarm;  ///< of the alarm distance
+  Side at_zero;   ///< of an alarm distance of 0
+
+  [[nodiscard]] bool hit() const { return at_alarm != Side::beyond; }
+  /// Whether a contact of this pair has numbers.
+  [[nodiscard]] bool has_numbers() const { return query_.has_numbers(); }
+  /// The cores of the two shapes meet, two spheres have one centre: the normal is by agreement. False without numbers.
+  [[nodiscard]] bool degenerate() const;
+
+  /// The exact numbers of a pair that has numbers, and of one that has none; nullptr for the other.
+  [[nodiscard]] const DistanceTruth* distance() const;
+  [[nodiscard]] const GapTruth* gaps() const;
+
+ private:
+  Query query_;
+  mutable std::shared_ptr<ExactTruth> exact_;
+};
+
+[[nodiscard]] inline Truth truth_of(const Query& query) { return Truth(query); }
+[[nodiscard]] inline Truth truth_with(const Query& query, Side at_alarm, Side at_zero) {
+  return {query, at_alarm, at_zero};
+}
+
+/// The correctly rounded answer.
+[[nodiscard]] Expectation expectation(const Truth& truth, Scalar scalar);
+
+/// (sqrt(D) - reach) / ulp(reach) rounded to binary64. Domain: a pair with numbers.
+[[nodiscard]] double margin_ulps(const Truth& truth, Scalar scalar);
+
+/// The exact numbers that a golden file records beside an expectation.
+struct Witness {
+  std::string distance2;  ///< of a pair with numbers
+  std::string reach;
+  double margin_ulps = 0;
+  std::array<std::string, 3> gap;  ///< of a pair without numbers
+
+  friend bool operator==(const Witness&, const Witness&) = default;
+};
+[[nodiscard]] Witness witness(const Truth& truth, Scalar scalar);
+/// Whether a text is the one spelling of some exact number there: dyadic_string's.
+[[nodiscard]] bool is_dyadic_string(std::string_view text);
+
+}  // namespace contact::oracle

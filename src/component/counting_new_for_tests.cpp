@@ -1,0 +1,20 @@
+// An operator new that counts, for the whole program.
+#include "component/counting_new_for_tests.hpp"
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+std::atomic<std::size_t> allocated = 0;
+}  // namespace
+
+std::size_t contact::component::bytes_allocated() { return allocated; }
+
+void* operator new(std::size_t size) {
+  allocated += size;
+  if (void* const memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }

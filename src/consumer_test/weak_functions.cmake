@@ -1,0 +1,15 @@
+# Fails where one of LIBRARIES has a function of Eigen's as a weak symbol. A program has one copy of such a function, and
+# may take the one of a file that was compiled with other options.
+cmake_minimum_required(VERSION 3.25)
+string(REPLACE "," ";" LIBRARIES "${LIBRARIES}")
+foreach(library ${LIBRARIES})
+  execute_process(COMMAND ${NM} ${library} OUTPUT_VARIABLE symbols ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT symbols MATCHES "contact")
+    message(FATAL_ERROR "${library} has no function of ours")
+  endif()
+  string(REGEX MATCHALL "[^\n]* [WVu] _ZNK?5Eigen[^\n]*" weak "${symbols}")
+  if(weak)
+    list(JOIN weak "\n" weak)
+    message(FATAL_ERROR "${library}:\n${weak}")
+  endif()
+endforeach()

@@ -1,0 +1,357 @@
+// certify: engines held against golden files, or against questions generated on the spot.
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <tbb/global_control.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <random>
+
+#include "tool/commands/commands.hpp"
+#include "tool/commands/engine_options.hpp"
+#include "tool/reports/certificate_files.hpp"
+#include "tool/reports/report_files.hpp"
+#include "tool/run/cluster.hpp"
+#include "tool/run/date.hpp"
+#include "tool/run/parts.hpp"
+#include "tool/run/process.hpp"
+
+namespace contact::tool {
+namespace {
+
+struct CertifyOptions {
+  std::vector<std::string> paths;
+  EngineOptions engine;
+  std::string level = std::string(name(Level::bounded));
+  std::vector<std::string> families;
+  bool allow_unsupported = false;
+  std::uint64_t generate = 0;
+  std::vector<std::string> pairs;
+  std::optional<std::uint64_t> seed;
+  ReportOptions reports;
+  std::string baseline;
+  bool fail_fast = false;
+  double max_time = 0;  ///< seconds; 0: no limit
+  std::string parts;    ///< folder
+  std::uint64_t shards = 64;
+  std::string shard;
+  bool stats = false;
+  std::string check = std::string(kCheckNames.front());
+  CertificateOptions certificate;
+  std::string accept_reason;
+  std::string accept_until;
+};
+
+[[noreturn]] void refuse(const std::string& problem) { throw formats::InputError({"certify", 0}, "", problem); }
+
+bool wanted(const CertifyOptions& options, const std::string& family) {
+  if (options.families.empty()) return family != golden::kInvalidFamily;
+  return std::find(options.families.begin(), options.families.end(), family) != options.families.end();
+}
+
+std::vector<Source> datasets(const CertifyOptions& options) {
+  std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
+  if (paths.empty()) paths.emplace_back(golden_folder());
+  std::vector<Source> sources;
+  std::vector<std::string> seen;
+  for (const auto& path : golden::dataset_files(paths)) {
+    const golden::DatasetReader reader(path);
+    const golden::DatasetHeader& h = reader.header();
+    if (h.count == 0 && !h.shard)
+      throw formats::InputError({path.string(), 1}, "count", "the dataset holds no case, got 0");
+    seen.push_back(h.family);
+    if (wanted(options, h.family)) sources.push_back({h.pair, h.scalar, h.family, h.count, path});
+  }
+  for (const std::string& family : options.families)
+    if (std::find(seen.begin(), seen.end(), family) == seen.end())
+      refuse(fmt::format("no dataset given holds the family '{}'", family));
+  if (sources.empty())
+    refuse(fmt::format("nothing to judge in {}: the family 'invalid' is judged only when named, --family invalid",
+                       paths.front().string()));
+  return sources;
+}
+
+std::vector<Source> generated(const CertifyOptions& options, std::uint64_t seed) {
+  if (!options.paths.empty()) refuse("--generate makes its own questions: give no dataset");
+  std::vector<Pair> pairs;
+  for (const std::string& pair : options.pairs) pairs.push_back(named(kPairs, pair));
+  if (pairs.empty()) pairs.assign(kPairs.begin(), kPairs.end());
+  for (const std::string& family : options.families)
+    if (std::none_of(pairs.begin(), pairs.end(),
+                     [&](Pair pair) { return golden::find_family(pair, family) != nullptr; }))
+      refuse(fmt::format("unknown family '{}'; `contact-oracle families` lists them", family));
+  std::vector<Source> sources;
+  for (const Pair pair : pairs)
+    for (const golden::Family& family : golden::families_of(pair))
+      for (const Scalar scalar : kScalars)
+        if (wanted(options, std::string(family.name)))
+          sources.push_back({pair, scalar, std::string(family.name), options.generate, std::nullopt, &family, seed});
+  return sources;
+}
+
+/// The failures to accept; what has expired of them is said on standard error.
+std::shared_ptr<const Baseline> read_baseline(const CertifyOptions& options) {
+  if (options.baseline.empty()) return nullptr;
+  if (!options.accept_until.empty() && !is_date(options.accept_until))
+    refuse(fmt::format("--accept-until: expected a day, YYYY-MM-DD, got '{}'", options.accept_until));
+  SavedReport saved = read_report(options.baseline);
+  for (Failure& f : saved.failures) {
+    if (f.reason.empty()) f.reason = options.accept_reason;
+    if (f.expires.empty()) f.expires = options.accept_until;
+  }
+  auto baseline = std::make_shared<const Baseline>(saved, issue_date());
+  constexpr std::size_t kShown = 5;
+  const auto& expired = baseline->expired();
+  if (Cluster::is_first())
+    for (std::size_t i = 0; i < expired.size() && i <= kShown; ++i)
+      fmt::print(stderr, "{}: {}\n", options.baseline,
+                 i < kShown ? expired[i] : fmt::format("and {} more have expired", expired.size() - kShown));
+  if (const auto id = baseline->unexplained(); id && !options.certificate.certificate.empty())
+    throw formats::InputError(
+        {options.baseline, 0}, "failures",
+        fmt::format("a certificate says why a failure is accepted and until when, and {} has no "
+                    "\"reason\" or no \"expires\": add them, or --accept-reason and --accept-until",
+                    *id));
+  return baseline;
+}
+
+/// CertifyOptions that would do nothing, or lose what they are given, are refused before the work.
+void require_used(const CLI::App& command, const CertifyOptions& options, bool scoreboard) {
+  require_used(options.engine, true);
+  if (scoreboard)
+    for (const char* one : {"--json", "--junit", "--markdown", "--fail-fast"})
+      if (command.count(one) != 0)
+        refuse(fmt::format("{} is one engine's, and this is the scoreboard: give the engine", one));
+  if (!options.shard.empty())
+    for (const char* whole : {"--shards", "--report", "--json", "--junit", "--markdown"})
+      if (command.count(whole) != 0)
+        refuse(fmt::format("{} is of the whole run, and --shard judges a part of it, for `merge`", whole));
+  if (command.count("--shards") != 0 && options.parts.empty() && Cluster::size() == 1)
+    refuse("--shards cuts a run that --parts keeps, or that several processes share, and this is neither");
+  std::vector<std::string> read = options.paths;
+  for (const std::string& file : {options.baseline, options.engine.results, options.engine.library})
+    read.push_back(file);
+  const ReportOptions& reports = options.reports;
+  require_apart({reports.html, reports.json, reports.junit, reports.markdown, options.certificate.certificate,
+                 options.certificate.record},
+                read);
+}
+
+/// A certificate tells of one whole run in one process, from which all answers came.
+void require_whole(const CertifyOptions& options, bool scoreboard) {
+  if (options.certificate.none()) return;
+  if (scoreboard) refuse("--certificate and --record are one engine's: give the engine");
+  if (!options.parts.empty() || Cluster::size() > 1)
+    refuse(
+        "--certificate and --record are of one whole run: a run in parts keeps no answers. What recorded them can be "
+        "judged at once, by --results");
+  if (!options.certificate.certificate.empty() && (options.fail_fast || options.max_time > 0))
+    refuse("--certificate is of a whole run, which --fail-fast and --max-time may end early");
+}
+
+std::vector<Subject> subjects(const CertifyOptions& options, bool scoreboard, const Stop& stop,
+                              CertificateFiles& certificate) {
+  if (scoreboard && !options.baseline.empty()) refuse("--baseline is one engine's: give the engine");
+  const std::shared_ptr<const Baseline> baseline = read_baseline(options);
+  std::vector<Subject> found;
+  if (scoreboard) {
+    for (const engines::BuiltIn& e : engines::built_in_engines())
+      if (e.on_scoreboard) found.push_back({engines::make_built_in(e.name, computed_points(options.engine)), {}});
+  } else {
+    found.push_back({certificate.watched(make_engine(options.engine, [&stop] { stop.check(); })), {}});
+  }
+  for (Subject& subject : found) {
+    subject.report.engine = subject.engine->info();
+    subject.report.required = static_cast<Level>(index_of(oracle::kLevelNames, options.level, "level"));
+    subject.report.allow_unsupported = options.allow_unsupported;
+    subject.baseline = baseline;
+    if (baseline != nullptr) subject.report.accepted = baseline->accepted();
+    if (baseline != nullptr && baseline->engine() != subject.report.engine.name)
+      throw formats::InputError({options.baseline, 0}, "engine.name",
+                                fmt::format("accepts failures of '{}', and the engine is '{}'", baseline->engine(),
+                                            subject.report.engine.name));
+  }
+  return found;
+}
+
+/// Parts that are kept in a folder, so that work which was interrupted goes on from those that are finished.
+class Kept {
+ public:
+  Kept(const std::string& folder, const std::vector<Source>& sources, const Report& report)
+      : folder_(folder), run_(folder.empty() ? "" : run_text(sources, report)) {
+    if (folder.empty()) return;
+    make_folder(folder_, "--parts");
+  }
+
+  /// The bytes of a part that is there. Throws InputError where it is damaged, or of another run.
+  [[nodiscard]] std::optional<std::string> find(golden::Shard part) const {
+    if (folder_.empty() || !std::filesystem::exists(folder_ / part_name(part))) return std::nullopt;
+    const PartFile file = read_part(folder_ / part_name(part));
+    require_run(file, run_, "what is asked for now");
+    return pack(file.content);
+  }
+  void keep(golden::Shard part, const std::string& bytes) const {
+    if (!folder_.empty()) write_part(folder_ / part_name(part), part, run_, bytes);
+  }
+
+ private:
+  std::filesystem::path folder_;
+  std::string run_;
+};
+
+/// Standard error: how long it took, and how much memory. (Not in the report, which is the same every time.)
+void print_stats(const std::vector<Report>& reports, std::chrono::steady_clock::duration taken,
+                 const Oracles& oracles) {
+  const double seconds = std::chrono::duration<double>(taken).count();
+  const auto cases = static_cast<double>(reports.front().total().cases);
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  const auto cpu = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  fmt::print(stderr, "{:.0f} questions in {:.1f} s, {:.0f} a second of processor time; {:.0f} MB at most\n", cases,
+             seconds, cases / (cpu(used.ru_utime) + cpu(used.ru_stime)), static_cast<double>(used.ru_maxrss) / 1024);
+  std::vector<std::string> stages;
+  for (std::size_t i = 0; i < oracle::kStageNames.size(); ++i)
+    stages.push_back(fmt::format("{} {}", oracle::kStageNames[i], oracles.decided.answers[i]));
+  fmt::print(stderr, "decided by stage: {}; {} of them put to all oracles\n", fmt::join(stages, ", "), oracles.checked);
+}
+
+int certify(const CLI::App& command, const CertifyOptions& options) {
+  const bool scoreboard = options.engine.none() && options.paths.empty() && options.generate == 0;
+  require_used(command, options, scoreboard);
+  const tbb::global_control threads(
+      tbb::global_control::max_allowed_parallelism,
+      options.engine.jobs > 0 ? options.engine.jobs
+                              : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  Stop stop;
+  stop.at_first_failure = options.fail_fast;
+  require_whole(options, scoreboard);
+  CertificateFiles certificate(options.certificate, options.engine);
+  std::vector<Subject> judged = subjects(options, scoreboard, stop, certificate);
+  std::vector<Source> sources;
+  if (options.generate != 0) {
+    if (!options.seed && (!options.parts.empty() || Cluster::size() > 1))
+      refuse("--generate in parts needs --seed: every part has the same");
+    std::random_device entropy;
+    const std::uint64_t seed = options.seed.value_or((static_cast<std::uint64_t>(entropy()) << 20) ^ entropy());
+    if (Cluster::is_first()) fmt::print("seed {}\n", seed);
+    sources = generated(options, seed);
+  } else {
+    sources = datasets(options);
+  }
+  if (stop.at_first_failure && (!options.parts.empty() || Cluster::size() > 1))
+    refuse("--fail-fast ends one run; parts are judged each for itself");
+  if (!options.parts.empty() && scoreboard) refuse("--parts keeps what one engine did: give the engine");
+  const Kept kept(options.parts, sources, judged.front().report);
+  if (options.max_time > 0)
+    stop.deadline = Stop::Clock::now() + std::chrono::milliseconds(static_cast<std::int64_t>(options.max_time * 1000));
+  Oracles oracles;
+  oracles.check = static_cast<Check>(index_of(kCheckNames, options.check, "check"));
+  if (options.engine.none() && !scoreboard && Cluster::is_first())
+    fmt::print("no engine is named: production is judged\n");
+  if (options.paths.empty() && options.generate == 0) static_cast<void>(chosen_folder(""));
+  const auto judge = [&](golden::Shard part) {
+    if (auto bytes = kept.find(part)) return *std::move(bytes);
+    std::string bytes = pack(judge_part(cut(sources, part), judged, stop, oracles));
+    if (stop.why.empty()) kept.keep(part, bytes);
+    return bytes;
+  };
+  std::vector<Report> reports;
+  for (const Subject& subject : judged) reports.push_back(subject.report);
+  const auto begin = std::chrono::steady_clock::now();
+
+  if (!options.shard.empty()) {
+    const golden::Shard part = golden::read_shard(options.shard, {"certify", 0}, "--shard");
+    merge(reports, unpack(judge(part)), true);
+    if (options.stats) print_stats(reports, std::chrono::steady_clock::now() - begin, oracles);
+    const Report& found = reports.front();
+    const bool wrong = found.judged() != 0 && !found.certified();
+    fmt::print("part {} of {}: {} questions judged, {}; the verdict is that of `merge`\n", part.index, part.of,
+               found.judged(), wrong ? "and not all is right" : "and nothing is wrong");
+    return wrong ? kRefuted : kCertified;
+  }
+  std::optional<ReportFiles> files;
+  if (Cluster::is_first()) files.emplace(options.reports);
+  // One process that keeps nothing has no use for parts.
+  const std::uint64_t parts = options.parts.empty() && Cluster::size() == 1 ? 1 : options.shards;
+  Cluster::in_order(
+      parts,
+      [&](std::uint64_t i) {
+        return judge({i, parts});
+      },
+      [&](std::uint64_t i, const std::string& bytes) { merge(reports, unpack(bytes), i == 0); });
+  if (!files) return kCertified;
+  for (Report& report : reports)
+    if (report.unreached != 0) report.unknown_answers.clear();
+  if (options.stats) print_stats(reports, std::chrono::steady_clock::now() - begin, oracles);
+  const int exit = files->write(reports, scoreboard);
+  if (exit == kCertified || exit == kRefuted)
+    certificate.write(reports.front(), sources, oracles, judged.front().baseline.get());
+  return exit;
+}
+
+}  // namespace
+
+void add_certify(CLI::App& app, int& exit) {
+  auto* command = app.add_subcommand("certify",
+                                     "Hold an engine against golden files; production where none is named, and with no "
+                                     "dataset either the scoreboard of "
+                                     "the built-in engines");
+  auto options = std::make_shared<CertifyOptions>();
+  command->add_option("datasets", options->paths,
+                      fmt::format("Golden files or folders (default: {})", golden_folder()));
+  add_engine_options(*command, options->engine, true);
+  command->add_option("--level", options->level, "Required level")
+      ->capture_default_str()
+      ->check(CLI::IsMember(kRequiredLevels));
+  command->add_option("--family", options->families, "Only these families")->delimiter(',');
+  command->add_flag("--allow-unsupported", options->allow_unsupported,
+                    "Leave out questions that the engine answers with \"unsupported\"");
+  auto* generate = command
+                       ->add_option("--generate", options->generate,
+                                    "Instead of golden files: this many generated questions a family and scalar")
+                       ->check(kFromOne);
+  command->add_option("--pair", options->pairs, "With --generate: only these pairs")
+      ->delimiter(',')
+      ->needs(generate)
+      ->check(CLI::IsMember(names_of(kPairs)));
+  command->add_option("--seed", options->seed, "With --generate: the seed (default: random, printed)")
+      ->check(kFromZero)
+      ->needs(generate);
+  auto* baseline =
+      command->add_option("--baseline", options->baseline,
+                          "A JSON report of this engine: its failures are accepted, only new ones and worse ones fail");
+  command->add_option("--accept-reason", options->accept_reason, "Why, where the baseline does not say")
+      ->needs(baseline);
+  command
+      ->add_option("--accept-until", options->accept_until,
+                   "The last day on which, YYYY-MM-DD, where the baseline does not say")
+      ->needs(baseline);
+  command->add_flag("--fail-fast", options->fail_fast, "Stop at the first failure; the questions left are missing");
+  command
+      ->add_option("--max-time", options->max_time,
+                   "Stop after so many seconds; the questions left are missing, which is never a pass")
+      ->check(kSeconds);
+  auto* parts = command->add_option("--parts", options->parts,
+                                    "A folder that keeps what each part of the run found: a run that was interrupted "
+                                    "goes on from there");
+  command->add_option("--shards", options->shards, "Into how many parts the run is cut")
+      ->capture_default_str()
+      ->check(kFromOne);
+  command->add_option("--shard", options->shard, "I/N: judge only part I (from 0) of N, for `merge`")->needs(parts);
+  command->add_flag("--stats", options->stats,
+                    "Say on standard error how long it took, how much memory, and which oracle decided how often");
+  command
+      ->add_option("--check", options->check,
+                   "Which questions all oracles are asked: of a source of more than 4096 a sample, or all")
+      ->capture_default_str()
+      ->check(CLI::IsMember(kCheckNames));
+  add_report_options(*command, options->reports);
+  add_certificate_options(*command, options->certificate);
+  command->callback([options, command, &exit] { exit = certify(*command, *options); });
+}
+
+}  // namespace contact::tool

@@ -1,0 +1,130 @@
+// The parser of the command line: every command, and what its options may hold.
+#include "tool/commands/commands.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include "formats/input_error.hpp"
+#include "tool/run/cluster.hpp"
+#include "tool/run/process.hpp"
+
+namespace contact::tool {
+
+std::string golden_folder() { return CONTACT_GOLDEN_DIR; }
+
+std::string chosen_folder(const std::string& given) {
+  if (!given.empty()) return given;
+  if (Cluster::is_first()) fmt::print("golden files: {}\n", golden_folder());
+  return golden_folder();
+}
+
+void require_folder(const std::string& command, const std::string& option, const std::string& folder) {
+  if (folder.empty()) throw formats::InputError({command, 0}, option, "writes into a folder: name it");
+}
+
+void make_folder(const std::filesystem::path& folder, const std::string& option) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder, error))
+    throw formats::InputError({folder.string(), 0}, option, "no folder, and none can be made here");
+}
+
+void require_apart(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
+  std::error_code absent;  // what is not there is not the same
+  for (const std::string& output : outputs)
+    for (const std::string& input : inputs)
+      if (std::filesystem::equivalent(output, input, absent) && std::filesystem::is_regular_file(input, absent))
+        throw formats::InputError({output, 0}, "", "is read by this run, and would be written over");
+}
+
+void require_alone(const CLI::App& command, const std::string& option) {
+  // By what they are: an option that help does not show has no name.
+  const CLI::Option* alone = command.get_option(option);
+  for (const CLI::Option* other : command.get_options())
+    if (other->count() != 0 && other != alone)
+      throw formats::InputError({command.get_name(), 0}, option,
+                                fmt::format("does nothing else: {} would be ignored", other->get_name()));
+}
+
+namespace {
+
+CLI::Validator whole_number(std::string name, bool zero_allowed) {
+  return CLI::Validator(
+      [zero_allowed](const std::string& text) {
+        const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+        const bool zero = text.find_first_not_of('0') == std::string::npos;
+        if (digits && (zero_allowed || !zero)) return std::string();
+        return fmt::format("expected a whole number from {}, got '{}'", zero_allowed ? 0 : 1, text);
+      },
+      std::move(name));
+}
+
+}  // namespace
+
+const CLI::Validator kFromZero = whole_number("0..", true);
+const CLI::Validator kFromOne = whole_number("1..", false);
+const CLI::Validator kSeconds(
+    [](const std::string& text) {
+      char* end = nullptr;
+      const double seconds = std::strtod(text.c_str(), &end);
+      const bool good = end == text.c_str() + text.size() && seconds > 0 && seconds <= 1e9;
+      return good ? std::string() : fmt::format("expected seconds, more than 0 and at most 1e9, got '{}'", text);
+    },
+    "SECONDS");
+
+int run_command(int argc, const char* const* argv) {
+  CLI::App app{
+      "Verified reference and test oracle for discrete collision between cubes and spheres (SOFA's "
+      "DiscreteIntersection).\n"
+      "Exit: 0 certified or holds, 1 refuted, 2 bad usage or input, 3 harness invalid, 4 oracle fault."};
+  app.name("contact-oracle");
+  app.set_version_flag("--version", std::string("contact-oracle ") + CONTACT_VERSION);
+  app.require_subcommand(1);
+  int exit = kCertified;
+  add_certify(app, exit);
+  add_compare(app, exit);
+  add_explain(app, exit);
+  add_generate(app, exit);
+  add_regenerate(app, exit);
+  add_annotate(app, exit);
+  add_convert(app, exit);
+  add_serve(app, exit);
+  add_properties(app, exit);
+  add_lint(app, exit);
+  add_merge(app, exit);
+  add_verify(app, exit);
+  add_digests(app, exit);
+  add_adequacy(app, exit);
+  add_detect(app, exit);
+  add_lists(app, exit);
+  // An empty value is a variable of a script that was not set: what it was to name must not be taken for not given.
+  const CLI::Validator something(
+      [](const std::string& value) {
+        return value.empty() ? std::string("expected something, got ''") : std::string();
+      },
+      "");
+  for (CLI::App* command : app.get_subcommands({}))
+    for (CLI::Option* option : command->get_options())
+      if (option->get_items_expected_max() != 0) option->transform(something);  // before other checks
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::RequiredError& error) {
+    if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) {
+      fmt::print(stderr, "contact-oracle: unknown command '{}'; --help lists them\n", argv[1]);
+      return kBadInput;
+    }
+    app.exit(error);
+    return kBadInput;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kCertified : kBadInput;
+  }
+  return exit;
+}
+
+}  // namespace contact::tool

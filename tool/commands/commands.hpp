@@ -1,0 +1,70 @@
+// The commands of contact-oracle, one file each. Each adds itself to the parser and sets `exit` when it runs.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <CLI/Validators.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace contact::tool {
+
+void add_adequacy(CLI::App& app, int& exit);
+void add_compare(CLI::App& app, int& exit);
+void add_detect(CLI::App& app, int& exit);
+void add_digests(CLI::App& app, int& exit);
+void add_explain(CLI::App& app, int& exit);
+void add_generate(CLI::App& app, int& exit);
+void add_regenerate(CLI::App& app, int& exit);
+void add_annotate(CLI::App& app, int& exit);
+void add_convert(CLI::App& app, int& exit);
+void add_certify(CLI::App& app, int& exit);
+void add_serve(CLI::App& app, int& exit);
+void add_properties(CLI::App& app, int& exit);
+void add_lint(CLI::App& app, int& exit);
+void add_merge(CLI::App& app, int& exit);
+void add_verify(CLI::App& app, int& exit);
+void add_lists(CLI::App& app, int& exit);  ///< engines, families
+
+/// Parses a command line, does what it says and returns the exit code; what is wrong with its options is told on
+/// standard error. Throws what a command throws: formats::InputError, OracleFault, engines::HarnessInvalid,
+/// Interrupted.
+int run_command(int argc, const char* const* argv);
+
+/// Validators for whole numbers from 0 and from 1; CLI11 would let -1 wrap around.
+extern const CLI::Validator kFromZero;
+extern const CLI::Validator kFromOne;
+/// For seconds: above 0. CLI11's own message spells out the largest double.
+extern const CLI::Validator kSeconds;
+
+/// The names of what there is, for CLI::IsMember.
+template <class All>
+[[nodiscard]] std::vector<std::string> names_of(const All& all) {
+  std::vector<std::string> names;
+  for (const auto& one : all) names.emplace_back(name(one));
+  return names;
+}
+/// That of them which has the name, as one has that CLI::IsMember let pass.
+template <class All>
+[[nodiscard]] auto named(const All& all, std::string_view text) {
+  return *std::find_if(all.begin(), all.end(), [&](auto one) { return name(one) == text; });
+}
+
+/// Refuses an option that stands alone where others were given beside it, which would do nothing.
+void require_alone(const CLI::App& command, const std::string& option);
+
+/// Refuses an output that is one of the files that are read: it would be lost.
+void require_apart(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
+
+/// The committed golden files, where the program was built from.
+[[nodiscard]] std::string golden_folder();
+/// The folder that a command was given, or else the committed golden files, and then a line that says so.
+[[nodiscard]] std::string chosen_folder(const std::string& given);
+/// Throws InputError where a command that writes into a folder was given none.
+void require_folder(const std::string& command, const std::string& option, const std::string& folder);
+/// Makes a folder where there is none. Throws InputError where none can be made.
+void make_folder(const std::filesystem::path& folder, const std::string& option = "");
+
+}  // namespace contact::tool

@@ -1,0 +1,198 @@
+// detect: the contacts between whole models of a scene.
+#include "contact/detect.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <charconv>
+#include <memory>
+
+#include "contact/discrete_intersection.hpp"
+#include "contact/plugin.hpp"
+#include "engines/engine.hpp"
+#include "formats/json.hpp"
+#include "formats/output_file.hpp"
+#include "tool/commands/commands.hpp"
+#include "tool/run/process.hpp"
+#include "tool/run/scene.hpp"
+
+namespace contact::tool {
+namespace {
+
+using formats::json_string;
+using formats::number;
+
+struct DetectOptions {
+  std::vector<std::string> scenes;
+  std::vector<std::string> plugins;
+  std::optional<double> alarm;
+  std::optional<double> contact;
+  std::string points = std::string(engines::kComputedPointsNames.front());
+  bool self = false;
+  std::string output;
+  bool json = false;
+};
+
+/// Every intersector asks for the alarm distance of each candidate: a long detection ends where a signal arrives.
+class Interruptible final : public ProximityIntersection {
+ public:
+  using ProximityIntersection::ProximityIntersection;
+  [[nodiscard]] double getAlarmDistance() const override {
+    throw_if_interrupted();
+    return ProximityIntersection::getAlarmDistance();
+  }
+};
+
+/// Two models, and their contacts or nothing where they have no intersector.
+struct Meeting {
+  const CollisionModel& first;
+  const CollisionModel& second;
+  std::optional<OutputVector> contacts;
+};
+
+std::vector<Meeting> meetings(const Scene& scene, const Intersection& intersection, bool self) {
+  std::vector<Meeting> all;
+  for (std::size_t i = 0; i < scene.models.size(); ++i)
+    for (std::size_t j = self ? i : i + 1; j < scene.models.size(); ++j) {
+      throw_if_interrupted();
+      const CollisionModel& first = *scene.models[i];
+      const CollisionModel& second = *scene.models[j];
+      all.push_back({first, second, detect(intersection, first, second)});
+    }
+  return all;
+}
+
+std::string header_line(const std::vector<Meeting>& all, const ProximityIntersection& intersection,
+                        const std::string& points) {
+  std::string without;
+  for (const Meeting& m : all)
+    if (!m.contacts)
+      without += fmt::format("{}[{},{}]", without.empty() ? "" : ",", json_string(m.first.getName()),
+                             json_string(m.second.getName()));
+  return fmt::format(R"({{"format":"contact-oracle/contacts","version":1,"alarm":{},"contact":{},"points":"{}"{}}})"
+                     "\n",
+                     number(intersection.getAlarmDistance()), number(intersection.getContactDistance()), points,
+                     without.empty() ? "" : fmt::format(R"(,"no_intersector":[{}])", without));
+}
+
+std::string element(const CollisionElement& e) {
+  return fmt::format(R"({{"model":{},"index":{}}})", json_string(e.getCollisionModel().getName()), e.getIndex());
+}
+
+std::string contact_line(const DetectionOutput& c) {
+  return fmt::format(R"({{"first":{},"second":{},"id":{},"normal":{},"point1":{},"point2":{},"value":{}}})"
+                     "\n",
+                     element(c.elem.first), element(c.elem.second), c.id, number(c.normal), number(c.point[0]),
+                     number(c.point[1]), number(c.value));
+}
+
+template <class Write>
+void write_contacts(const std::vector<Meeting>& all, const std::string& header, Write write) {
+  write(header);
+  for (const Meeting& m : all)
+    if (m.contacts)
+      for (const DetectionOutput& c : *m.contacts) {
+        throw_if_interrupted();
+        write(contact_line(c));
+      }
+}
+
+std::string table(const std::vector<Meeting>& all, const ProximityIntersection& intersection,
+                  const std::string& points) {
+  std::string text = fmt::format("alarm {}, contact {}, points {}\n", number(intersection.getAlarmDistance()),
+                                 number(intersection.getContactDistance()), points);
+  if (all.empty()) return text + "\none model, and no pair: --self detects inside a model\n";
+  std::size_t first = std::string_view("first").size();
+  std::size_t second = std::string_view("second").size();
+  for (const Meeting& m : all) {
+    first = std::max(first, m.first.getName().size());
+    second = std::max(second, m.second.getName().size());
+  }
+  text += fmt::format("\n{:<{}}  {:<{}}  contacts  overlapping  deepest\n", "first", first, "second", second);
+  for (const Meeting& m : all) {
+    text += fmt::format("{:<{}}  {:<{}}  ", m.first.getName(), first, m.second.getName(), second);
+    if (!m.contacts) {
+      text += "no intersector\n";
+      continue;
+    }
+    const auto overlapping = std::count_if(m.contacts->begin(), m.contacts->end(), [&](const DetectionOutput& c) {
+      return c.value + intersection.getContactDistance() < 0;
+    });
+    text += fmt::format("{:>8}  {:>11}", m.contacts->size(), overlapping);
+    const auto deepest =
+        std::min_element(m.contacts->begin(), m.contacts->end(),
+                         [](const DetectionOutput& x, const DetectionOutput& y) { return x.value < y.value; });
+    if (deepest != m.contacts->end())
+      text += fmt::format("  {}[{}] {}[{}] value {}", m.first.getName(), deepest->elem.first.getIndex(),
+                          m.second.getName(), deepest->elem.second.getIndex(), number(deepest->value));
+    text += "\n";
+  }
+  return text;
+}
+
+void run_detect(const DetectOptions& options) {
+  require_apart({options.output}, options.scenes);
+  const auto output = options.output.empty() ? nullptr : std::make_unique<formats::OutputFile>(options.output);
+  for (const std::string& plugin : options.plugins) load_plugin(plugin);
+  const Scene scene = read_scene(options.scenes, ModelFactory::getInstance());
+  const Distances distances{options.alarm.value_or(scene.alarm.value_or(0)),
+                            options.contact.value_or(scene.contact.value_or(0))};
+  const auto& names = engines::kComputedPointsNames;
+  const auto points =
+      static_cast<PointConvention>(std::find(names.begin(), names.end(), options.points) - names.begin());
+  const Interruptible intersection(distances, points);
+
+  const std::vector<Meeting> all = meetings(scene, intersection, options.self);
+  const std::string header = header_line(all, intersection, options.points);
+  if (output) {
+    write_contacts(all, header, [&](const std::string& line) { output->write(line); });
+    output->commit();
+  }
+  if (options.json)
+    write_contacts(all, header, [](const std::string& line) { fmt::print("{}", line); });
+  else
+    fmt::print("{}", table(all, intersection, options.points));
+}
+
+/// A distance on the command line.
+std::string not_a_distance(const std::string& text) {
+  double x = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+  if (error != std::errc() || end != text.data() + text.size()) return "expected a number, got '" + text + "'";
+  const auto outside = outside_domain("", x);
+  return outside ? outside->rule + ", got " + text : "";
+}
+
+}  // namespace
+
+void add_detect(CLI::App& app, int& exit) {
+  auto* command = app.add_subcommand("detect", "The contacts between whole models of a scene");
+  auto options = std::make_shared<DetectOptions>();
+  command->add_option("scenes", options->scenes, "Scene files (below), or - for standard input")->required();
+  command
+      ->add_option("--plugin", options->plugins,
+                   "A shared library with more model types and intersectors; may be given again")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  command->add_option("--alarm", options->alarm, "Pairs up to this far apart are contacts (default: the scene's, or 0)")
+      ->check(not_a_distance);
+  command->add_option("--contact", options->contact, "What a value is less (default: the scene's, or 0)")
+      ->check(not_a_distance);
+  command->add_option("--points", options->points, "Contact points")
+      ->capture_default_str()
+      ->check(CLI::IsMember(engines::kComputedPointsNames));
+  command->add_flag("--self", options->self, "Each model with itself, too");
+  command->add_option("-o,--output", options->output, "Write the contacts as JSON lines");
+  command->add_flag("--json", options->json, "Print the contacts as JSON lines instead of the table");
+  command->footer(
+      "A scene is JSON lines: a header (alarm and contact may be left out), then one model a line with one\n"
+      "entry an element in each column; x is a number. Plug-ins bring more models. See docs/formats.md#scenes.\n\n" +
+      scene_form(ModelFactory::getInstance()));
+  command->callback([options, &exit] {
+    run_detect(*options);
+    exit = kCertified;
+  });
+}
+
+}  // namespace contact::tool

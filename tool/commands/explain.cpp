@@ -1,0 +1,197 @@
+// explain: questions from a file, from a person, or by their id, and the exact answer to each.
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+
+#include "golden/columns.hpp"
+#include "golden/dataset.hpp"
+#include "golden/dataset_writer.hpp"
+#include "golden/query_id.hpp"
+#include "tool/commands/commands.hpp"
+#include "tool/reports/explanation.hpp"
+#include "tool/run/pipeline.hpp"
+#include "tool/run/process.hpp"
+
+namespace contact::tool {
+namespace {
+
+constexpr std::size_t kFewestDigits = 4;  // of an id that is cut short: fewer are likelier a slip
+constexpr std::size_t kShownIds = 5;
+
+struct ExplainOptions {
+  std::string input = "-";
+  std::string in;
+  bool json = false;
+};
+
+/// Prints what the oracles say of one question after another.
+class Explained {
+ public:
+  explicit Explained(bool json) : json_(json) {}
+
+  void add(const Query& query, Scalar scalar) {
+    if (const auto error = outside_domain(query)) {
+      print(query, scalar,
+            fmt::format("{} {}\n  outside the domain: {}: {}, got {}; an engine has to refuse it\n", name(query.pair),
+                        golden::query_id(query), error->field, error->rule, formats::number(error->value)));
+      return;
+    }
+    const oracle::Truth truth = oracle::truth_of(query);
+    require_agreement(query, truth, oracle::interval_answer(query, scalar), scalar);
+    print(query, scalar, json_ ? "" : explanation(query, truth, scalar));
+  }
+  [[nodiscard]] bool any() const { return any_; }
+
+ private:
+  void print(const Query& query, Scalar scalar, const std::string& words) {
+    if (json_)
+      fmt::print("{}\n", golden::answer_line(golden::make_case(query, scalar)));
+    else
+      fmt::print("{}{}", any_ ? "\n" : "", words);
+    any_ = true;
+  }
+
+  bool json_;
+  bool any_ = false;
+};
+
+void explain_lines(const ExplainOptions& o) {
+  InputLines lines(o.input);
+  std::optional<golden::DatasetHeader> header;
+  Explained explained(o.json);
+  while (lines.next()) {
+    const auto parsed = formats::parse_object(lines.text(), lines.where());
+    const formats::Node node(parsed, lines.where());
+    if (node.find("format")) {  // a whole dataset: its header tells pair and scalar
+      header = golden::read_header(node);
+      continue;
+    }
+    const auto [query, scalar] = golden::read_query(node, header ? &*header : nullptr);
+    explained.add(query, scalar);
+  }
+  if (!explained.any()) throw formats::InputError(lines.where(), "", "no question given: expected JSON lines");
+}
+
+bool begins_an_id(const std::string& text) {
+  return text.size() >= kFewestDigits && text.size() <= golden::kIdLength &&
+         text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+/// The questions whose id begins with some digits, each once in a scalar.
+class Lookup {
+ public:
+  /// `no_file`: what is said first where nothing is found.
+  Lookup(std::string digits, std::string no_file) : digits_(std::move(digits)), no_file_(std::move(no_file)) {}
+
+  void add(const std::string& id, const Query& query, Scalar scalar, const std::string& where) {
+    if (!id.starts_with(digits_)) return;
+    ids_.insert(id);
+    if (std::any_of(found_.begin(), found_.end(), [&](const Found& f) { return f.id == id && f.scalar == scalar; }))
+      return;
+    if (ids_.size() == 1) found_.push_back({id, query, scalar, where});
+  }
+
+  /// Looks into a report or a golden file, or every golden file below a folder.
+  void look_into(const std::filesystem::path& path) {
+    if (!std::filesystem::is_directory(path) && !golden::names_dataset(path)) {
+      const SavedReport report = read_report(path);
+      for (const Failure& f : report.failures)
+        if (f.question)
+          add(f.id, *f.question, f.scalar,
+              fmt::format("{}, failures of {}", path.string(), family_title(f.pair, f.family, f.scalar)));
+        else if (f.id.starts_with(digits_))
+          throw formats::InputError(
+              {path.string(), 0}, "failures",
+              fmt::format("lists {} without its question, as older versions did; without --in it is "
+                          "looked for in the golden files",
+                          f.id));
+      if (report.failure_count != report.failures.size())
+        beside_ = fmt::format("; it lists {} of {} failures", report.failures.size(), report.failure_count);
+      return;
+    }
+    for (const auto& file : golden::dataset_files({path})) {
+      golden::DatasetReader reader(file);
+      while (const auto c = reader.next()) {
+        throw_if_interrupted();
+        add(c->id, c->query, reader.header().scalar, reader.where().text());
+      }
+    }
+  }
+
+  /// Explains the one question that was found.
+  void explain(const std::string& where, bool json) const {
+    if (ids_.empty())
+      throw formats::InputError({where, 0}, "",
+                                fmt::format("{}no question whose id begins with {}{}", no_file_, digits_, beside_));
+    if (ids_.size() > 1)
+      throw formats::InputError(
+          {where, 0}, "",
+          fmt::format(
+              "{} questions have ids that begin with {}: {}{}", ids_.size(), digits_,
+              fmt::join(ids_.begin(),
+                        std::next(ids_.begin(), static_cast<std::ptrdiff_t>(std::min(kShownIds, ids_.size()))), ", "),
+              ids_.size() > kShownIds ? ", ..." : ""));
+    Explained explained(json);
+    for (const Found& f : found_) {
+      fmt::print(stderr, "found in {}\n", f.where);
+      explained.add(f.query, f.scalar);
+    }
+  }
+
+ private:
+  struct Found {
+    std::string id;
+    Query query;
+    Scalar scalar;
+    std::string where;
+  };
+  std::string digits_;
+  std::string no_file_;
+  std::string beside_;
+  std::set<std::string> ids_;
+  std::vector<Found> found_;  ///< of the first id
+};
+
+void explain(const ExplainOptions& o) {
+  const bool is_id = begins_an_id(o.input);
+  if (!o.in.empty() && !is_id)
+    throw formats::InputError(
+        {"explain", 0}, "--in",
+        fmt::format("is where an id is looked for: expected {} to {} hexadecimal digits, got '{}'", kFewestDigits,
+                    golden::kIdLength, o.input));
+  if (o.in.empty() && (!is_id || std::filesystem::exists(o.input))) return explain_lines(o);
+  const std::string where = o.in.empty() ? golden_folder() : o.in;
+  Lookup lookup(o.input, o.in.empty() ? fmt::format("no file '{}', and ", o.input) : "");
+  lookup.look_into(where);
+  lookup.explain(where, o.json);
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app, int& exit) {
+  auto* command = app.add_subcommand("explain",
+                                     "The exact answer to questions (JSON lines), or to one that a report or a golden "
+                                     "file holds, in words and numbers");
+  auto o = std::make_shared<ExplainOptions>();
+  command
+      ->add_option("questions", o->input,
+                   "A file of questions, - for standard input, or the id of one, of which the first digits are enough")
+      ->capture_default_str();
+  command->add_option("--in", o->in,
+                      fmt::format("Where an id is looked for: a report of certify --json, a golden file or a folder of "
+                                  "them (default: {})",
+                                  golden_folder()));
+  command->add_flag("--json", o->json, "One {\"id\",\"expect\",\"exact\"} line a question");
+  command->callback([o, &exit] {
+    explain(*o);
+    exit = kCertified;
+  });
+}
+
+}  // namespace contact::tool

@@ -1,0 +1,345 @@
+// generate, annotate, convert: golden files from a seeded family, a user's own questions, or other golden files.
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <functional>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+#include <unordered_set>
+
+#include "formats/sha256.hpp"
+#include "golden/dataset_writer.hpp"
+#include "golden/digest.hpp"
+#include "golden/families.hpp"
+#include "golden/lint.hpp"
+#include "golden/query_id.hpp"
+#include "tool/commands/commands.hpp"
+#include "tool/run/cluster.hpp"
+#include "tool/run/digests.hpp"
+#include "tool/run/process.hpp"
+
+namespace contact::tool {
+namespace {
+
+using formats::InputError;
+using golden::check_canonical;
+
+struct GenerateOptions {
+  std::string pair;
+  std::string family;
+  std::string scalar = std::string(name(Scalar::binary64));
+  std::uint64_t count = 0;
+  std::uint64_t seed = 0;
+  std::optional<std::string> shard;
+  bool resume = false;
+  std::string output;
+  bool digest = false;
+};
+
+/// Writes the cases of `count` questions, worked out on every thread of every process and written in order by the
+/// first. Gives it the digest of their answers.
+std::string write_dataset(const golden::DatasetHeader& header, const std::string& path,
+                          const std::function<Query(std::uint64_t)>& question) {
+  const auto writer = Cluster::is_first() ? golden::create_dataset(path, header) : nullptr;
+  formats::Sha256 digest;
+  Progress progress(fmt::format("{}/{}", name(header.pair), header.family), Cluster::is_first() ? header.count : 0);
+  const auto work = [&](std::uint64_t run) {
+    const std::uint64_t begin = run * kRun;
+    std::vector<std::string> lines(std::min<std::uint64_t>(kRun, header.count - begin));
+    in_parallel(lines.size(), [&](std::size_t i) {
+      lines[i] = to_line(golden::make_case(question(begin + i), header.scalar)) + "\n";
+    });
+    return fmt::format("{}", fmt::join(lines, ""));
+  };
+  Cluster::in_order((header.count + kRun - 1) / kRun, work, [&](std::uint64_t /*run*/, const std::string& text) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line); progress.add(1)) {
+      const formats::Location where{path, 0};
+      const auto json = formats::parse_object(line, where);
+      const golden::Case c = golden::read_case(formats::Node(json, where), header);
+      writer->write(c, line);
+      digest.add(golden::digest_bytes(c));
+    }
+  });
+  if (writer != nullptr) writer->commit();
+  return digest.hex();
+}
+
+/// What is printed at the end of a command whose work processes share: once.
+template <class... Args>
+void say(fmt::format_string<Args...> format, Args&&... args) {
+  if (Cluster::is_first()) fmt::print(format, std::forward<Args>(args)...);
+}
+
+void check_output(const std::string& command, const std::string& path) {
+  if (!golden::names_dataset(path))
+    throw InputError({command, 0}, "-o", fmt::format("the name of a dataset ends in .jsonl or .h5, got '{}'", path));
+}
+
+/// Refuses a file that is not the whole of what would be written: what stands there is never written over unasked.
+/// Gives the digest of its answers.
+std::string check_finished(const golden::DatasetHeader& header, const std::string& path,
+                           const std::function<Query(std::uint64_t)>& question) {
+  golden::DatasetReader reader(path);
+  if (const auto found = to_line(reader.header()), expected = to_line(header); found != expected)
+    throw InputError({path, 0}, "",
+                     fmt::format("--resume met another dataset: its header is {}, to be made is {}", found, expected));
+  Progress progress(path, header.count);
+  formats::Sha256 digest;
+  for (std::uint64_t i = 0; const auto c = reader.next(); ++i) {
+    throw_if_interrupted();
+    if (c->id != golden::query_id(question(i)))
+      throw InputError(reader.where(), "id", fmt::format("--resume met a question that belongs elsewhere: {}", c->id));
+    check_canonical(reader, to_line(*c));
+    digest.add(golden::digest_bytes(*c));
+    progress.add(1);
+  }
+  return digest.hex();
+}
+
+void generate(const GenerateOptions& o) {
+  const formats::Location where{"generate", 0};
+  const Pair pair = named(kPairs, o.pair);
+  const golden::Family* family = golden::find_family(pair, o.family);
+  if (family == nullptr) {
+    std::vector<std::string_view> names;
+    for (const golden::Family& f : golden::families_of(pair)) names.push_back(f.name);
+    throw InputError(where, "--family",
+                     fmt::format("unknown family '{}' of {}; known: {}", o.family, o.pair, fmt::join(names, ", ")));
+  }
+  if (o.output.empty() && !o.digest)
+    throw InputError(where, "--output", "missing, and only --digest does without a file");
+  if (o.output.empty() && o.resume) throw InputError(where, "--resume", "keeps a file: name it, --output");
+  if (!o.output.empty()) check_output("generate", o.output);
+  golden::DatasetHeader header;
+  header.pair = pair;
+  header.scalar = named(kScalars, o.scalar);
+  header.family = o.family;
+  header.seed = o.seed;
+  header.count = o.count;
+  std::uint64_t first = 0;
+  if (o.shard) {
+    const golden::Shard shard = golden::read_shard(*o.shard, where, "--shard");
+    header.shard = shard;
+    first = golden::cut(o.count, shard.index, shard.of);
+    header.count = golden::cut(o.count, shard.index + 1, shard.of) - first;
+  }
+  if (o.output.empty()) {
+    const golden::CommittedFile stream{header.pair, header.scalar, family};
+    fmt::print("{}\n", digests_of(stream, header.seed, first, {header.count}, oracle_bytes).front());
+    return;
+  }
+  const auto question = [&](std::uint64_t i) {
+    return golden::generate_query(header.pair, *family, header.scalar, header.seed, first + i);
+  };
+  if (o.resume && std::filesystem::exists(o.output)) {
+    const std::string kept = check_finished(header, o.output, question);
+    say("{}: {} cases, kept as they stand there\n", o.output, header.count);
+    if (o.digest) say("{}\n", kept);
+    return;
+  }
+  const std::string digest = write_dataset(header, o.output, question);
+  say("{}: {} cases\n", o.output, header.count);
+  if (o.digest) say("{}\n", digest);
+}
+
+/// Refuses a file that something else made, as far as its header tells: it would be lost.
+void require_own(const std::filesystem::path& path, golden::DatasetHeader own) {
+  if (!std::filesystem::exists(path)) return;
+  const golden::DatasetHeader found = golden::DatasetReader(path).header();
+  own.generator = found.generator;  // another version of this program
+  if (to_line(found) != to_line(own))
+    throw InputError({path.string(), 1}, "",
+                     fmt::format("not what `regenerate` writes, which begins with {}: move it away", to_line(own)));
+}
+
+void regenerate(const std::string& folder) {
+  const auto header_of = [](const golden::CommittedFile& file) {
+    golden::DatasetHeader header;
+    header.pair = file.pair;
+    header.scalar = file.scalar;
+    header.family = file.family->name;
+    header.seed = golden::kCommittedSeed;
+    header.count = golden::kCommittedCount;
+    return header;
+  };
+  const auto path_of = [&](const golden::CommittedFile& file) { return std::filesystem::path(folder) / file.path(); };
+  for (const golden::CommittedFile& file : golden::committed_files()) require_own(path_of(file), header_of(file));
+  for (const golden::CommittedFile& file : golden::committed_files()) {
+    const std::filesystem::path path = path_of(file);
+    make_folder(path.parent_path());
+    const golden::DatasetHeader header = header_of(file);
+    write_dataset(header, path.string(), [&](std::uint64_t i) {
+      return golden::generate_query(file.pair, *file.family, file.scalar, header.seed, i);
+    });
+  }
+  say("{}: {} files of {} cases\n", folder, golden::committed_files().size(), golden::kCommittedCount);
+}
+
+struct AnnotateOptions {
+  std::string input;
+  std::string output;
+  std::string family = "annotated";
+};
+
+void annotate(const AnnotateOptions& o) {
+  check_output("annotate", o.output);
+  if (o.family.empty()) throw InputError({"annotate", 0}, "--family", "a family has a name");
+  if (std::any_of(kPairs.begin(), kPairs.end(),
+                  [&](Pair pair) { return golden::find_family(pair, o.family) != nullptr; }))
+    throw InputError({"annotate", 0}, "--family",
+                     fmt::format("'{}' is a family of the generator's: choose another name", o.family));
+  InputLines lines(o.input);
+  golden::DatasetHeader header;
+  header.family = o.family;
+  std::vector<Query> queries;
+  std::unordered_set<std::string> ids;
+  while (lines.next()) {
+    const formats::Location& where = lines.where();
+    const auto json = formats::parse_object(lines.text(), where);
+    const formats::Node node(json, where);
+    const golden::ReadQuery read = golden::read_query(node);
+    if (queries.empty()) {
+      header.pair = read.query.pair;
+      header.scalar = read.scalar;
+    }
+    if (read.query.pair != header.pair || read.scalar != header.scalar)
+      throw InputError(where, read.query.pair != header.pair ? "pair" : "scalar",
+                       fmt::format("one pair and one scalar a file: {} {} before, {} {} here", name(header.pair),
+                                   name(header.scalar), name(read.query.pair), name(read.scalar)));
+    if (!ids.insert(golden::query_line(read.query, read.scalar)).second)
+      throw InputError(where, "id", "the same question stands in this file twice");
+    queries.push_back(read.query);
+  }
+  if (queries.empty()) throw InputError(lines.where(), "", "no question in this file");
+  header.count = queries.size();
+  write_dataset(header, o.output, [&](std::uint64_t i) { return queries[i]; });
+  say("{}: {} cases\n", o.output, header.count);
+}
+
+struct ConvertOptions {
+  std::vector<std::string> inputs;
+  std::string output;
+};
+
+/// The header of the whole whose shards these are, and the shards in order. Throws InputError naming the file that does
+/// not belong.
+golden::DatasetHeader merged_header(std::vector<std::string>& shards) {
+  std::map<std::uint64_t, std::pair<std::string, golden::DatasetHeader>> found;
+  std::optional<golden::DatasetHeader> whole;
+  std::uint64_t of = 0;
+  for (const std::string& path : shards) {
+    const golden::DatasetHeader header = golden::DatasetReader(path).header();
+    const auto refuse = [&](const std::string& problem) { throw InputError({path, 0}, "shard", problem); };
+    if (!header.shard) refuse("several files are joined only where they are the shards of one dataset");
+    golden::DatasetHeader alike = header;
+    alike.shard.reset();
+    alike.count = 0;
+    if (!whole) {
+      whole = alike;
+      of = header.shard->of;
+    }
+    if (to_line(alike) != to_line(*whole) || header.shard->of != of)
+      refuse(fmt::format("not of the same dataset as {}", shards.front()));
+    const auto [there, is_new] = found.emplace(header.shard->index, std::pair(path, header));
+    if (!is_new) refuse(fmt::format("shard {}/{} is in {} already", header.shard->index, of, there->second.first));
+  }
+  shards.clear();
+  for (std::uint64_t index = 0; index < of; ++index) {
+    const auto shard = found.find(index);
+    if (shard == found.end())
+      throw InputError({"convert", 0}, "",
+                       fmt::format("shard {}/{} of {}/{} is missing", index, of, name(whole->pair), whole->family));
+    shards.push_back(shard->second.first);
+    whole->count += shard->second.second.count;
+  }
+  for (const auto& [index, shard] : found)
+    if (const auto& [path, header] = shard;
+        header.count != golden::cut(whole->count, index + 1, of) - golden::cut(whole->count, index, of))
+      throw InputError({path, 0}, "count",
+                       fmt::format("{} cases are not shard {}/{} of {}", header.count, index, of, whole->count));
+  return *whole;
+}
+
+void convert(ConvertOptions o) {
+  check_output("convert", o.output);
+  const golden::DatasetHeader header =
+      o.inputs.size() == 1 ? golden::DatasetReader(o.inputs.front()).header() : merged_header(o.inputs);
+  const auto writer = golden::create_dataset(o.output, header);
+  Progress progress(o.output, header.count);
+  for (const std::string& path : o.inputs) {
+    golden::DatasetReader reader(path);
+    check_canonical(reader, to_line(reader.header()));
+    while (const auto c = reader.next()) {
+      throw_if_interrupted();
+      check_canonical(reader, to_line(*c));
+      writer->write(*c, reader.text());
+      progress.add(1);
+    }
+  }
+  writer->commit();
+  say("{}: {} cases\n", o.output, header.count);
+}
+
+}  // namespace
+
+void add_convert(CLI::App& app, int& exit) {
+  auto* command = app.add_subcommand(
+      "convert", "A golden file in its other form, JSON lines or HDF5; of all shards of a dataset, the whole");
+  auto o = std::make_shared<ConvertOptions>();
+  command->add_option("datasets", o->inputs, "A golden file, or all shards of one in any order")->required();
+  command->add_option("-o,--output", o->output, "The file, *.jsonl or *.h5")->required();
+  command->callback([o, &exit] {
+    convert(*o);
+    exit = kCertified;
+  });
+}
+
+void add_generate(CLI::App& app, int& exit) {
+  auto* command = app.add_subcommand(
+      "generate", "Write a golden file of a family: a pure function of pair, family, scalar, seed and index");
+  auto o = std::make_shared<GenerateOptions>();
+  command->add_option("--pair", o->pair, "The pair of shapes")->required()->check(CLI::IsMember(names_of(kPairs)));
+  command->add_option("--family", o->family, "A family; `contact-oracle families` lists them")->required();
+  command->add_option("--count", o->count, "How many questions")->required()->check(kFromOne);
+  command->add_option("--seed", o->seed, "The seed")->required()->check(kFromZero);
+  command->add_option("--scalar", o->scalar, "The number format that answers are rounded to")
+      ->capture_default_str()
+      ->check(CLI::IsMember(names_of(kScalars)));
+  command->add_option("--shard", o->shard, "I/N: only part I (from 0) of N, itself a dataset");
+  command->add_flag("--resume", o->resume, "Keep the file where it is there already and whole; refuse it if damaged");
+  command->add_option("-o,--output", o->output, "The file, *.jsonl or *.h5; may be left out with --digest");
+  command->add_flag("--digest", o->digest, "Print the SHA-256 of the answers, docs/formats.md#digests");
+  command->callback([o, &exit] {
+    generate(*o);
+    exit = kCertified;
+  });
+}
+
+void add_regenerate(CLI::App& app, int& exit) {
+  auto* command = app.add_subcommand(
+      "regenerate", "Write anew every committed golden file that a family makes (then: lint --write-manifest)");
+  auto folder = std::make_shared<std::string>();
+  command->add_option("folder", *folder, "The folder of golden files that is written")->required();
+  command->callback([folder, &exit] {
+    regenerate(*folder);
+    exit = kCertified;
+  });
+}
+
+void add_annotate(CLI::App& app, int& exit) {
+  auto* command = app.add_subcommand("annotate", "Make a golden file of your own questions (JSON lines)");
+  auto o = std::make_shared<AnnotateOptions>();
+  command->add_option("queries", o->input, "The questions, or - for standard input")->required();
+  command->add_option("-o,--output", o->output, "The file, *.jsonl or *.h5")->required();
+  command->add_option("--family", o->family, "The name of the family that they make")->capture_default_str();
+  command->callback([o, &exit] {
+    annotate(*o);
+    exit = kCertified;
+  });
+}
+
+}  // namespace contact::tool

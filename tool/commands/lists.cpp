@@ -1,0 +1,171 @@
+// engines and families: what there is.
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "engines/adapters.hpp"
+#include "engines/engine.hpp"
+#include "engines/zoo/mutants.hpp"
+#include "golden/families.hpp"
+#include "golden/flags.hpp"
+#include "oracle/diagnosis/diagnosis.hpp"
+#include "tool/commands/commands.hpp"
+#include "tool/run/process.hpp"
+
+namespace contact::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void print_line(const Json& json) { fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace)); }
+
+/// With --json the mutants are among them; else they are counted, or with `every_mutant` listed.
+void list_engines(bool json, bool every_mutant) {
+  for (const engines::BuiltIn& e : engines::built_in_engines())
+    if (json)
+      print_line({{"name", e.name}, {"scalar", name(e.scalar)}, {"about", e.about}});
+    else
+      fmt::print("{:<18}{}  {}\n", e.name, name(e.scalar), e.about);
+  for (const engines::Adapter& a : engines::adapters()) {
+    const auto command = engines::command_of(a);
+    if (json)
+      print_line({{"name", a.name},
+                  {"scalar", name(a.scalar)},
+                  {"about", a.about},
+                  {"command", command ? Json(*command) : Json()}});
+    else
+      fmt::print("{:<18}{}  {}{}\n", a.name, name(a.scalar), a.about,
+                 command ? "" : ": not here, ./run engines installs it");
+  }
+  for (const engines::Mutant& m : engines::mutants()) {
+    const std::string full_name = fmt::format("{}{}", engines::kMutantPrefix, m.id);
+    if (json)
+      print_line({{"name", full_name},
+                  {"scalar", name(Scalar::binary64)},
+                  {"about", m.about},
+                  {"origin", engines::kOriginNames[static_cast<std::size_t>(m.origin)]},
+                  {"diagnosis", oracle::sentence_of(m.cause)},
+                  {"source", m.source}});
+    else if (every_mutant)
+      fmt::print("{:<40}{}\n", full_name, m.about);
+  }
+  if (!json && !every_mutant)
+    fmt::print("{:<18}{} engines with one mistake each, docs/bug-zoo.md; --mutants lists them\n", "mutant:ID",
+               engines::mutants().size());
+}
+
+/// With --json one object a line, families then flags.
+void list_families(bool json) {
+  for (const Pair pair : pairs_of_kinds()) {
+    if (!json) fmt::print("{}{}\n", pair == kPairs.front() ? "" : "\n", shapes_of(pair));
+    for (const golden::Family& f : golden::families_of(pair))
+      if (json) {
+        Json line{{"family", f.name}, {"shapes", shapes_of(pair)}, {"reason", f.reason}};
+        if (!f.hits_alone.empty()) line["hits_alone"] = f.hits_alone;
+        print_line(line);
+      } else {
+        fmt::print("  {:<17}{}{}\n", f.name, f.reason,
+                   f.hits_alone.empty() ? "" : fmt::format(" (hits alone: {})", f.hits_alone));
+      }
+  }
+  if (!json) fmt::print("\nflags\n");
+  for (const golden::Flag& f : golden::flags())
+    if (json)
+      print_line({{"flag", f.name}, {"meaning", f.meaning}, {"breaks", f.breaks}});
+    else
+      fmt::print("  {:<17}{}\n", f.name, f.meaning);
+}
+
+/// The pairs, and what their shapes are made of.
+void list_pairs(bool json) {
+  for (const Pair pair : kPairs) {
+    const auto described = [&]<class Shape>(const Shape& shape) {
+      Json fields = Json::object();
+      for_each_field(shape, [&](const auto& field, const auto& /*value*/) {
+        fields[std::string(field.name)] = field.kind == FieldKind::point ? "point" : "length";
+      });
+      return Json{{"shape", ShapeDescription<Shape>::kName}, {"fields", fields}};
+    };
+    const auto [a, b] =
+        std::visit([&](const auto& shapes) { return std::pair(described(shapes.a), described(shapes.b)); },
+                   description(pair).zeros());
+    const bool numbers = has_numbers(pair);
+    if (json)
+      print_line({{"pair", name(pair)}, {"a", a}, {"b", b}, {"numbers", numbers}});
+    else
+      fmt::print("{:<27}{}{}\n", name(pair), shapes_of(pair), numbers ? "" : ", whose contacts have no numbers");
+  }
+}
+
+/// The tables of docs/formats.md, which a test compares with this.
+void print_tables() {
+  fmt::print("<!-- families:begin -->\n| shapes | family | why it exists |\n|---|---|---|\n");
+  for (const Pair pair : pairs_of_kinds())
+    for (const golden::Family& f : golden::families_of(pair))
+      fmt::print("| {} | `{}` | {} |\n", shapes_of(pair), f.name, f.reason);
+  fmt::print(
+      "<!-- families:end -->\n<!-- hits-alone:begin -->\n| shapes | family | why all are hits |\n|---|---|---|\n");
+  for (const golden::HitsAlone& f : golden::families_of_hits_alone())
+    fmt::print("| {} | `{}` | {} |\n", shapes_of(f.pair), f.family, f.why);
+  fmt::print("<!-- hits-alone:end -->\n<!-- flags:begin -->\n| flag | what is true | what breaks |\n|---|---|---|\n");
+  for (const golden::Flag& f : golden::flags()) fmt::print("| `{}` | {} | {} |\n", f.name, f.meaning, f.breaks);
+  fmt::print("<!-- flags:end -->\n");
+}
+
+/// Text for a cell of a Markdown table.
+std::string table_cell(std::string_view text) {
+  std::string cell;
+  for (const char c : text) cell += c == '|' || c == '*' ? std::string{'\\', c} : std::string(1, c);
+  return cell;
+}
+
+/// The table of docs/bug-zoo.md, which a test compares with this.
+void print_mutants() {
+  fmt::print("| id | from | what is wrong | first line of the diagnosis |\n|---|---|---|---|\n");
+  for (const engines::Mutant& m : engines::mutants())
+    fmt::print("| `{}` | {} | {} | {} |\n", m.id,
+               m.source.empty() ? std::string(engines::kOriginNames[static_cast<std::size_t>(m.origin)])
+                                : fmt::format("[real]({})", m.source),
+               table_cell(m.about), oracle::sentence_of(m.cause));
+}
+
+}  // namespace
+
+void add_lists(CLI::App& app, int& exit) {
+  const auto add = [&](const std::string& name, const std::string& about, void (*list)(bool)) {
+    auto* command = app.add_subcommand(name, about);
+    auto json = std::make_shared<bool>(false);
+    command->add_flag("--json", *json, "One JSON object a line");
+    command->callback([json, list, &exit] {
+      list(*json);
+      exit = kCertified;
+    });
+  };
+  auto* engines = app.add_subcommand("engines", "The engines that can be certified by name");
+  auto engines_json = std::make_shared<bool>(false);
+  auto every_mutant = std::make_shared<bool>(false);
+  engines->add_flag("--json", *engines_json, "One JSON object a line, mutants included");
+  engines->add_flag("--mutants", *every_mutant, "Also the engines with one mistake each");
+  auto table = std::make_shared<bool>(false);
+  engines->add_flag("--table", *table, "The table of docs/bug-zoo.md")->group("");
+  engines->callback([=, &exit] {
+    if (*table) require_alone(*engines, "--table");
+    if (*table)
+      print_mutants();
+    else
+      list_engines(*engines_json, *every_mutant);
+    exit = kCertified;
+  });
+  add("pairs", "The pairs of shapes that can be asked about", list_pairs);
+  add("families", "The families of generated questions, and the flags of cases", list_families);
+  auto* tables = app.add_subcommand("tables", "The tables of families and flags in docs/formats.md");
+  tables->group("");
+  tables->callback([&exit] {
+    print_tables();
+    exit = kCertified;
+  });
+}
+
+}  // namespace contact::tool

@@ -1,0 +1,199 @@
+// properties: the laws asked of any engine, with counterexamples that a person can read.
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <random>
+#include <set>
+
+#include "engines/hosts/subprocess.hpp"
+#include "formats/output_file.hpp"
+#include "golden/dataset_writer.hpp"
+#include "golden/query_id.hpp"
+#include "tool/commands/commands.hpp"
+#include "tool/commands/engine_options.hpp"
+#include "tool/reports/law_report.hpp"
+#include "tool/run/pipeline.hpp"
+#include "tool/run/process.hpp"
+
+namespace contact::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PropertiesOptions {
+  EngineOptions engine;
+  std::string level = std::string(name(Level::bounded));
+  std::vector<std::string> laws;
+  std::optional<std::uint64_t> seed;
+  std::uint64_t cases = 1000;
+  std::string save;
+  std::string junit;
+  std::string json;
+  bool list = false;
+  bool table = false;
+};
+
+constexpr std::string_view kRegression = "regression";
+
+/// The command that repeats a run: every option that was given, but for those that it states itself, the law, which
+/// each violation adds, and the files that this run writes.
+std::string command_again(const CLI::App& command, const PropertiesOptions& o, std::uint64_t seed) {
+  constexpr std::array<std::string_view, 6> kOwn{"--cases", "--seed", "--law", "--save", "--junit", "--json"};
+  std::string text = "contact-oracle properties";
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (std::find(kOwn.begin(), kOwn.end(), name) != kOwn.end()) continue;
+    for (const std::string& value : option->results()) text += fmt::format(" {}={}", name, engines::quoted_word(value));
+  }
+  return text + fmt::format(" --cases={} --seed={}", o.cases, seed);
+}
+
+/// The cases of a regression file so far; none where there is no such file yet.
+struct Regression {
+  golden::DatasetHeader header;
+  std::vector<golden::Case> cases;
+};
+std::optional<Regression> read_regression(const fs::path& path) {
+  if (!fs::exists(path)) return std::nullopt;
+  golden::DatasetReader reader(path);
+  Regression found{reader.header(), {}};
+  if (found.header.family != kRegression)
+    throw formats::InputError({path.string(), 1}, "family",
+                              fmt::format("expected \"{}\", the family of saved counterexamples, got \"{}\"",
+                                          kRegression, found.header.family));
+  while (auto c = reader.next()) found.cases.push_back(std::move(*c));
+  return found;
+}
+
+/// The questions of every violation, each once, into `path`; those of another pair or scalar than stands there go to a
+/// file beside it that is named by pair and scalar. What lies outside the domain has no place in such a file.
+void save(const std::string& path, const proptests::RunResult& result) {
+  const Scalar scalar = result.engine.declared.scalar;
+  std::map<Pair, std::vector<Query>> questions;
+  std::vector<Pair> order;
+  for (const proptests::LawResult& r : result.laws) {
+    if (!r.violation) continue;
+    for (const Query& query : r.violation->queries) {
+      if (outside_domain(query)) continue;
+      if (!questions.contains(query.pair)) order.push_back(query.pair);
+      questions[query.pair].push_back(query);
+    }
+  }
+  std::optional<Regression> there = read_regression(path);
+  for (const Pair pair : order) {
+    const bool first = there ? there->header.pair == pair && there->header.scalar == scalar : pair == order.front();
+    fs::path file = path;
+    std::optional<Regression> regression = there;
+    if (!first) {
+      file.replace_extension(fmt::format(".{}{}.jsonl", name(pair), scalar == Scalar::binary32 ? ".f32" : ""));
+      regression = read_regression(file);
+    }
+    if (!regression) {
+      regression = Regression{};
+      regression->header.pair = pair;
+      regression->header.scalar = scalar;
+      regression->header.family = kRegression;
+    }
+    std::set<std::string> ids;
+    for (const golden::Case& c : regression->cases) ids.insert(c.id);
+    std::size_t added = 0;
+    for (const Query& query : questions[pair])
+      if (ids.insert(golden::query_id(query)).second) {
+        regression->cases.push_back(golden::make_case(query, scalar));
+        ++added;
+      }
+    regression->header.count = regression->cases.size();
+    const auto output = golden::create_dataset(file, regression->header);
+    for (const golden::Case& c : regression->cases) output->write(c, golden::to_line(c));
+    output->commit();
+    fmt::print("Saved {} new cases in {}, which holds {}\n", added, file.string(), regression->cases.size());
+  }
+}
+
+void write(const std::unique_ptr<formats::OutputFile>& file, const std::string& text) {
+  if (file == nullptr) return;
+  file->write(text);
+  file->commit();
+}
+
+int properties(const CLI::App& command, const PropertiesOptions& o) {
+  for (const char* option : {"--list", "--table"})
+    if (command.count(option) != 0) require_alone(command, option);
+  if (o.table) {
+    fmt::print("<!-- laws:begin -->\n{}<!-- laws:end -->\n", proptests::law_table());
+    return kCertified;
+  }
+  if (o.list) {
+    for (const proptests::Law& law : proptests::laws()) fmt::print("{:<26}{}\n", law.name, law.sentence);
+    return kCertified;
+  }
+  require_used(o.engine, false);
+  std::vector<std::string_view> names;
+  for (const proptests::Law& law : proptests::laws()) names.push_back(law.name);
+  for (const std::string& law : o.laws) static_cast<void>(index_of(names, law, "law"));
+  proptests::RunOptions run;
+  run.correctly_rounded = o.level == name(Level::correctly_rounded);
+  std::random_device entropy;
+  run.seed = o.seed.value_or((static_cast<std::uint64_t>(entropy()) << 20) ^ entropy());
+  run.cases = o.cases;
+  run.names = o.laws;
+  if (!o.save.empty() && !golden::names_dataset(o.save))
+    throw formats::InputError({"properties", 0}, "--save",
+                              fmt::format("the name of a dataset ends in .jsonl or .h5, got '{}'", o.save));
+  if (!o.save.empty()) static_cast<void>(read_regression(o.save));  // refused before the work
+  const auto json = o.json.empty() ? nullptr : std::make_unique<formats::OutputFile>(o.json);
+  const auto junit = o.junit.empty() ? nullptr : std::make_unique<formats::OutputFile>(o.junit);
+  if (!o.save.empty()) static_cast<void>(formats::PendingFile(o.save));  // as is a place where nothing can be written
+
+  auto engine = make_engine(o.engine);
+  const Scalar scalar = engine->info().declared.scalar;
+  run.truth = [scalar](const Query& query) {
+    oracle::Truth truth = oracle::truth_of(query);
+    require_agreement(query, truth, oracle::interval_answer(query, scalar), scalar);
+    return truth;
+  };
+  Progress progress(engine->info().name, o.cases * (o.laws.empty() ? names.size() : o.laws.size()));
+  run.after_case = [&] {
+    throw_if_interrupted();
+    progress.add(1);
+  };
+  run.restart = [&] { return make_engine(o.engine); };
+  LawRun done{proptests::run_laws(engine, run), run.seed, o.cases, command_again(command, o, run.seed)};
+  write(json, json_text(done));
+  write(junit, junit_text(done));
+  fmt::print("{}", terminal_text(done));
+  if (!o.save.empty()) save(o.save, done.result);
+  if (done.result.holds()) return kCertified;
+  return done.result.ever_answered ? kRefuted : kHarnessInvalid;
+}
+
+}  // namespace
+
+void add_properties(CLI::App& app, int& exit) {
+  auto* command = app.add_subcommand(
+      "properties",
+      "Ask an engine every law of docs/properties.md, and shrink what it violates to what a person can read");
+  auto options = std::make_shared<PropertiesOptions>();
+  add_engine_options(*command, options->engine, false);
+  command->add_option("--level", options->level, "Held to its declared bounds, or to correct rounding, bit for bit")
+      ->capture_default_str()
+      ->check(CLI::IsMember(names_of(std::array{Level::bounded, Level::correctly_rounded})));
+  command->add_option("--law", options->laws, "Only these laws; --list shows them")->delimiter(',');
+  command->add_option("--seed", options->seed, "The seed (default: random, printed)")->check(kFromZero);
+  command->add_option("--cases", options->cases, "Cases a law")->capture_default_str()->check(kFromOne);
+  command->add_option(
+      "--save", options->save,
+      "Add the shrunk counterexamples to this golden file, made where it is not there; one of another pair "
+      "goes to a file beside it");
+  command->add_option("--junit", options->junit, "Write the report as JUnit XML, a test case a law");
+  command->add_option("--json", options->json, "Write the report as JSON");
+  command->add_flag("--list", options->list, "List the laws");
+  command->add_flag("--table", options->table, "The table of docs/properties.md")->group("");
+  command->callback([options, command, &exit] { exit = properties(*command, *options); });
+}
+
+}  // namespace contact::tool

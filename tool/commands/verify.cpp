@@ -1,0 +1,318 @@
+// verify: does a certificate say what its dataset and its answers say?
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "tool/commands/commands.hpp"
+#include "tool/reports/certificate.hpp"
+#include "tool/run/date.hpp"
+#include "tool/run/parts.hpp"
+#include "tool/run/process.hpp"
+
+namespace contact::tool {
+namespace {
+
+using formats::Node;
+using nlohmann::json;
+
+constexpr std::size_t kShown = 8;  // differences that are printed of each part of a certificate
+
+struct VerifyOptions {
+  std::string certificate;
+  std::string dataset;
+  std::string results;
+  std::string level;
+};
+
+/// One thing that a certificate states and that is otherwise.
+struct Difference {
+  std::string pointer;  ///< of JSON
+  std::string stated;
+  std::string derived;
+};
+
+/// A value as it is printed: its beginning, where it is long.
+std::string shown(const json& value) {
+  constexpr std::size_t kMost = 120;
+  std::string text = value.dump();
+  if (text.size() > kMost) text = text.substr(0, kMost) + "...";
+  return text;
+}
+
+std::string text_at(const json& whole, const std::string& pointer) {
+  const json::json_pointer at(pointer);
+  return whole.contains(at) ? shown(whole.at(at)) : "nothing";
+}
+
+std::vector<Difference> differences(const json& stated, const json& derived) {
+  std::vector<Difference> found;
+  for (const json& step : json::diff(stated, derived)) {
+    const auto pointer = step.at("path").get<std::string>();
+    found.push_back({pointer, text_at(stated, pointer), step.contains("value") ? shown(step.at("value")) : "nothing"});
+  }
+  return found;
+}
+
+/// Prints them part by part, in each the broad ones before the details that follow from them.
+void print(std::vector<Difference> found) {
+  const auto part = [](const Difference& d) { return d.pointer.substr(0, d.pointer.find('/', 1)); };
+  const auto depth = [](const Difference& d) { return std::count(d.pointer.begin(), d.pointer.end(), '/'); };
+  std::stable_sort(found.begin(), found.end(), [&](const Difference& x, const Difference& y) {
+    return std::pair(part(x), depth(x)) < std::pair(part(y), depth(y));
+  });
+  for (std::size_t i = 0; i < found.size();) {
+    const std::string name = part(found[i]);
+    for (std::size_t shown = 0; i < found.size() && part(found[i]) == name && shown < kShown; ++i, ++shown)
+      fmt::print("{}\n  stated   {}\n  derived  {}\n", name.empty() ? "(the whole)" : found[i].pointer, found[i].stated,
+                 found[i].derived);
+    std::size_t more = 0;
+    for (; i < found.size() && part(found[i]) == name; ++i) ++more;
+    if (more != 0) fmt::print("and {} more in {}\n", more, name);
+  }
+}
+
+/// A certificate as it was read, and the files that it names as they are found here.
+class Certificate {
+ public:
+  explicit Certificate(const VerifyOptions& options)
+      : options_(options), where_{options.certificate, 0}, text_(formats::read_text(options.certificate)) {
+    json_ = formats::parse_object(text_, where_);
+    const Node root = node();
+    if (const Node format = root.at("format"); format.text() != "contact-oracle/certificate")
+      format.refuse("expected \"contact-oracle/certificate\", what certify --certificate writes");
+    if (const Node version = root.at("version"); version.count() != 1) version.refuse("this program reads version 1");
+    static_cast<void>(root.at("sha256").text());
+  }
+
+  [[nodiscard]] const json& stated() const { return json_; }
+  [[nodiscard]] Node node() const { return {json_, where_}; }
+
+  /// What is wrong with the text alone.
+  [[nodiscard]] std::vector<Difference> in_itself() const {
+    std::vector<Difference> found;
+    const std::string digest = certificate_digest(text_, where_);
+    if (const std::string said = node().at("sha256").text(); said != digest)
+      found.push_back({"/sha256", said, digest + ": the certificate was changed"});
+    json content = json_;
+    content.erase("sha256");
+    if (found.empty() && certificate_text(std::move(content)) != text_)
+      found.push_back({"", "these bytes", "others: the form is not the canonical one"});
+    return found;
+  }
+
+  /// The questions, with the files where they are here.
+  [[nodiscard]] std::vector<Source> sources() const {
+    std::vector<Source> found;
+    const auto stated = node().at("questions").at("sources").items();
+    for (const Node& source : stated) {
+      if (const auto file = source.find("file")) {
+        const std::filesystem::path path = dataset(file->text(), stated.size());
+        const golden::DatasetHeader h = golden::DatasetReader(path).header();
+        found.push_back({h.pair, h.scalar, h.family, h.count, path});
+      } else {
+        const Pair pair = golden::read_pair(source.at("pair"));
+        const std::string family = source.at("family").text();
+        const golden::Family* generator = golden::find_family(pair, family);
+        if (generator == nullptr) source.at("family").refuse("this program has no such generator");
+        found.push_back({pair, golden::read_scalar(source.at("scalar")), family, source.at("count").count(),
+                         std::nullopt, generator, source.at("seed").count()});
+      }
+    }
+    if (!options_.dataset.empty() &&
+        std::none_of(found.begin(), found.end(), [](const Source& source) { return source.dataset.has_value(); }))
+      throw formats::InputError({options_.certificate, 0}, "--dataset",
+                                "its questions were generated, and come from no file");
+    return found;
+  }
+
+  [[nodiscard]] std::filesystem::path answers() const {
+    return options_.results.empty() ? (folder() / node().at("answers").at("file").text()).lexically_normal()
+                                    : std::filesystem::path(options_.results);
+  }
+
+  /// What is there of the files that others are judged by: those whose bytes are not the ones that were bound.
+  [[nodiscard]] std::vector<Difference> in_files() const {
+    std::vector<Difference> found;
+    const auto compare = [&](const std::string& pointer, const Node& stated, const std::filesystem::path& path) {
+      if (const std::string digest = digest_of_file(path); digest != stated.text())
+        found.push_back({pointer, stated.text(), fmt::format("{}, of {}", digest, path.string())});
+    };
+    const auto sources = node().at("questions").at("sources").items();
+    for (std::size_t i = 0; i < sources.size(); ++i)
+      if (const auto file = sources[i].find("file"))
+        compare(fmt::format("/questions/sources/{}/sha256", i), sources[i].at("sha256"),
+                dataset(file->text(), sources.size()));
+    compare("/answers/sha256", node().at("answers").at("sha256"), answers());
+    return found;
+  }
+
+  /// What cannot be derived again: copied, but for the digests of an engine's files that are there.
+  [[nodiscard]] Stated not_derived() {
+    Stated stated;
+    stated.issued = node().at("issued").text();
+    static_cast<void>(node().at("environment"));
+    stated.environment = json_.at("environment");
+    const Node engine = node().at("engine");
+    stated.engine = {{"kind", engine.at("kind").text()}, {"files", json::array()}};
+    if (const auto command = engine.find("command")) stated.engine["command"] = command->text();
+    for (const Node& file : engine.at("files").items()) stated.engine["files"].push_back(engine_file(file));
+    const Node questions = node().at("questions");
+    if (const auto folder = questions.find("folder")) stated.folder = folder->text();
+    for (const Node& source : questions.at("sources").items()) {
+      const auto file = source.find("file");
+      stated.names.push_back(file ? file->text() : "");
+    }
+    stated.answers = node().at("answers").at("file").text();
+    return stated;
+  }
+
+  /// The failures that it accepts, as a report that lists them.
+  [[nodiscard]] SavedReport accepted() const {
+    SavedReport report{};
+    report.path = where_.file;
+    for (const Node& f : node().at("accepted").items())
+      report.failures.push_back({f.at("id").text(), golden::read_pair(f.at("pair")),
+                                 golden::read_scalar(f.at("scalar")), f.at("family").text(),
+                                 static_cast<Level>(f.at("level").one_of(oracle::kLevelNames)), "", false,
+                                 f.at("reason").text(), f.at("expires").text()});
+    report.failure_count = report.failures.size();
+    return report;
+  }
+
+  /// What stays unchecked, a line each, and how many of the engine's files were here to be checked: of the last
+  /// not_derived().
+  [[nodiscard]] const std::vector<std::string>& not_checked() const { return not_checked_; }
+  [[nodiscard]] std::size_t engine_files() const { return engine_files_; }
+
+ private:
+  [[nodiscard]] std::filesystem::path folder() const { return folder_of(options_.certificate); }
+
+  [[nodiscard]] std::filesystem::path dataset(const std::string& name, std::size_t sources) const {
+    if (options_.dataset.empty())
+      return (folder() / node().at("questions").at("folder").text() / name).lexically_normal();
+    if (sources == 1 && !std::filesystem::is_directory(options_.dataset)) return options_.dataset;
+    return std::filesystem::path(options_.dataset) / name;
+  }
+
+  json engine_file(const Node& stated) {
+    const std::string digest = stated.at("sha256").text();
+    if (const auto program = stated.find("program")) {
+      not_checked_.push_back(fmt::format("the engine's program {}: known by its name alone", program->text()));
+      return {{"program", program->text()}, {"sha256", digest}};
+    }
+    const std::string name = stated.at("file").text();
+    const bool there = std::filesystem::is_regular_file(folder() / name);
+    if (!there) not_checked_.push_back(fmt::format("the engine's file {}: not here", name));
+    engine_files_ += there ? 1 : 0;
+    return {{"file", name}, {"sha256", there ? digest_of_file(folder() / name) : digest}};
+  }
+
+  VerifyOptions options_;
+  formats::Location where_;
+  std::string text_;
+  json json_;
+  std::size_t engine_files_ = 0;
+  std::vector<std::string> not_checked_{"the environment and the day of issue"};
+};
+
+/// Judges the recorded answers as the run did that the certificate tells of.
+Report judge_again(const Certificate& certificate, const std::vector<Source>& sources, Oracles& oracles,
+                   const std::shared_ptr<const Baseline>& baseline, engines::Results answers) {
+  const Node found = certificate.node().at("found");
+  const Node check = certificate.node().at("oracle").at("check");
+  oracles.check = static_cast<Check>(check.one_of(kCheckNames));
+  std::vector<Subject> subjects;
+  subjects.push_back({engines::make_recorded(std::move(answers)), {}, baseline});
+  Report& report = subjects.front().report;
+  report.engine = subjects.front().engine->info();
+  report.required = static_cast<Level>(found.at("required").one_of(oracle::kLevelNames));
+  report.allow_unsupported = found.at("allow_unsupported").boolean();
+  if (baseline != nullptr) report.accepted = baseline->accepted();
+  Stop stop;
+  std::vector<Report> reports{report};
+  merge(reports, judge_part(sources, subjects, stop, oracles), true);
+  return std::move(reports.front());
+}
+
+/// What of the answers, judged again, is not what the certificate states; the report of that judgement.
+std::vector<Difference> in_judgement(Certificate& certificate, std::optional<Report>& report) {
+  const std::vector<Source> sources = certificate.sources();
+  const SavedReport accepted = certificate.accepted();
+  // Each is put to use first, so that what is derived does not depend on the day; whether it has expired comes after.
+  const auto baseline = accepted.failures.empty() ? nullptr : std::make_shared<const Baseline>(accepted, std::string());
+  engines::Results answers = engines::read_results(certificate.answers());
+  const std::uint64_t count = answers.claims.size();
+  Oracles oracles;
+  report = judge_again(certificate, sources, oracles, baseline, std::move(answers));
+  json derived = statement({*report, sources, oracles, baseline.get(), digest_of_file(certificate.answers()), count},
+                           certificate.not_derived());
+  json stated = certificate.stated();
+  stated.erase("sha256");
+  std::vector<Difference> found = differences(stated, derived);
+  for (std::size_t i = 0; i < accepted.failures.size(); ++i)
+    if (const std::string& day = accepted.failures[i].expires; !is_date(day) || day < today())
+      found.push_back({fmt::format("/accepted/{}/expires", i), day, "expired: today is " + today()});
+  return found;
+}
+
+int verify(const VerifyOptions& options) {
+  std::optional<Level> demanded;
+  if (!options.level.empty()) demanded = static_cast<Level>(index_of(oracle::kLevelNames, options.level, "level"));
+  Certificate certificate(options);
+  std::vector<Difference> found = certificate.in_itself();
+  const bool changed = !found.empty();
+  std::optional<Report> report;
+  std::string unfinished;
+  try {
+    std::vector<Difference> more = certificate.in_files();
+    if (!more.empty())
+      unfinished = "The answers are not judged again: the files are not those that the certificate is of.";
+    else
+      more = in_judgement(certificate, report);
+    found.insert(found.end(), more.begin(), more.end());
+  } catch (const formats::InputError& error) {
+    // In a certificate that was changed nothing need fit together, and that it was changed says it all.
+    if (!changed) throw;
+    unfinished = error.what();
+  }
+  print(found);
+  if (!unfinished.empty()) fmt::print("{}\n", unfinished);
+  if (!found.empty()) {
+    fmt::print("\nREFUTED: {} does not hold: {} {}.\n", options.certificate, found.size(),
+               found.size() == 1 ? "statement differs" : "statements differ");
+    return kRefuted;
+  }
+  for (const std::string& line : certificate.not_checked()) fmt::print("stated, not checked: {}\n", line);
+  const Level level = report->level_but_accepted();
+  const std::size_t sources = certificate.node().at("questions").at("sources").items().size();
+  fmt::print("checked: the certificate itself; the questions of {} {} and {} recorded answers, judged again", sources,
+             sources == 1 ? "source" : "sources", certificate.node().at("answers").at("count").count());
+  if (certificate.engine_files() != 0) fmt::print("; {} of the engine's files", certificate.engine_files());
+  fmt::print("\n\nHOLDS: {} states what is so:\n  {}\n", options.certificate, report->sentence());
+  if (!demanded || level <= *demanded) return kCertified;
+  fmt::print("REFUTED: {} was asked for, and {} is what it certifies.\n", options.level, name(level));
+  return kRefuted;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, int& exit) {
+  auto* command = app.add_subcommand(
+      "verify", "Check a certificate offline: derive all that it says again from the dataset and the answers");
+  auto options = std::make_shared<VerifyOptions>();
+  command->add_option("certificate", options->certificate, "What certify --certificate wrote")->required();
+  command->add_option("--dataset", options->dataset,
+                      "The folder that the names of the datasets begin in, or the one dataset (default: where the "
+                      "certificate says, seen from its own folder)");
+  command->add_option("--results", options->results, "The recorded answers (default: where the certificate says)");
+  command->add_option("--level", options->level, "Demand that it certifies this level, accepted failures left out")
+      ->check(CLI::IsMember(kRequiredLevels));
+  command->callback([options, &exit] { exit = verify(*options); });
+}
+
+}  // namespace contact::tool

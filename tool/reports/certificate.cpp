@@ -1,0 +1,298 @@
+// A certificate: what an engine answered to which questions, and what came of it.
+#include "tool/reports/certificate.hpp"
+#include "formats/sha256.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string_view>
+
+#include "engines/adapters.hpp"
+#include "engines/hosts/subprocess.hpp"
+#include "engines/protocol/results.hpp"
+#include "golden/dataset.hpp"
+#include "golden/query_id.hpp"
+#include "tool/run/parts.hpp"
+
+namespace contact::tool {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::string_view kDigestKey = "\n\"sha256\":\"";  // a line of its own: that of the certificate, and no other
+constexpr std::size_t kDigits = 64;
+
+/// SHA-256 of the questions of a source, a line each as `explain` reads it.
+std::string questions_digest(const Source& source) {
+  formats::Sha256 digest;
+  const auto add = [&](const Query& query) { digest.add(golden::query_line(query, source.scalar)).add("\n"); };
+  if (source.dataset) {
+    golden::DatasetReader reader(*source.dataset);
+    while (const auto c = reader.next()) {
+      throw_if_interrupted();
+      add(c->query);
+    }
+  } else {
+    for (std::uint64_t i = 0; i < source.count; ++i) {
+      throw_if_interrupted();
+      add(golden::generate_query(source.pair, *source.generator, source.scalar, source.seed, i));
+    }
+  }
+  return digest.hex();
+}
+
+json source_json(const Source& source, const std::string& file) {
+  json stated{{"pair", name(source.pair)},
+              {"scalar", name(source.scalar)},
+              {"family", source.family},
+              {"count", source.count},
+              {"questions", questions_digest(source)}};
+  if (source.dataset) {
+    stated["file"] = file;
+    stated["sha256"] = digest_of_file(*source.dataset);
+  } else {
+    stated["generator"] = golden::kGenerator;
+    stated["seed"] = source.seed;
+  }
+  return stated;
+}
+
+/// What an engine declares, and where it came from.
+json engine_json(const engines::EngineInfo& info, const json& provenance) {
+  json declared = json::parse("{" + engines::engine_text(info) + "}");
+  json engine = declared.at("engine");
+  declared.erase("engine");
+  engine.update(declared);
+  engine.update(provenance);
+  return engine;
+}
+
+json fields_json(const FamilyReport& family) {
+  json fields = json::object();
+  for (const Field field : oracle::kFields) {
+    const FieldCount& count = family.fields[static_cast<std::size_t>(field)];
+    if (count.judged() == 0) continue;
+    std::size_t worst = count.grades.size() - 1;
+    while (count.grades[worst] == 0) --worst;
+    fields[std::string(name(field))] = {{"judged", count.judged()},
+                                        {"grade", name(static_cast<Grade>(worst))},
+                                        {"worst_ulps", std::isfinite(count.worst) ? json(count.worst) : "Infinity"}};
+  }
+  return fields;
+}
+
+json missing_json(const FamilyReport& family) {
+  json missing = json::object();
+  for (std::size_t i = 0; i < family.missing.size(); ++i)
+    if (family.missing[i] != 0) missing[std::string(kAspectNames[i])] = family.missing[i];
+  return missing;
+}
+
+json counts_json(const FamilyReport& f, bool allow_unsupported) {
+  using Status = Claim::Status;
+  return {{"cases", f.cases},
+          {"judged", f.judged(allow_unsupported)},
+          {"accepted", f.accepted},
+          {"hits", f.hits},
+          {"missed_hits", f.missed_hits},
+          {"false_hits", f.false_hits},
+          {"outside_domain", f.outside_domain},
+          {"refused", f.refused},
+          {"decided", {{"hits", f.decided.hits}, {"misses", f.decided.misses}}},
+          {"missing_fields", missing_json(f)},
+          {"not_finite", f.not_finite},
+          {"level", name(f.level(allow_unsupported))},
+          // A crash and a timeout leave nothing to record: to whoever reads the answers, they are missing.
+          {"answers",
+           {{"answered", f.with(Status::answered)},
+            {"unsupported", f.with(Status::unsupported)},
+            {"rejected", f.with(Status::rejected)},
+            {"error", f.with(Status::error)},
+            {"missing", f.with(Status::missing) + f.with(Status::timeout) + f.with(Status::crash)}}},
+          {"fields", fields_json(f)}};
+}
+
+json found_json(const Report& report) {
+  const FamilyReport all = report.total();
+  const std::uint64_t given = all.cases + report.skipped_cases();
+  json families = json::array();
+  for (const FamilyReport& f : report.families) {
+    json counts = counts_json(f, report.allow_unsupported);
+    counts.update({{"source", f.source}, {"pair", name(f.pair)}, {"scalar", name(f.scalar)}, {"family", f.family}});
+    families.push_back(std::move(counts));
+  }
+  json skipped = json::array();
+  for (const Skipped& s : report.skipped) skipped.push_back({{"source", s.source}, {"why", s.why}, {"cases", s.cases}});
+  return {{"required", name(report.required)},
+          {"allow_unsupported", report.allow_unsupported},
+          {"certified", report.certified()},
+          {"claims", report.engine.declared.claimed().names()},
+          {"not_claimed", report.not_claimed().names()},
+          {"one_answer", all.one_answer() ? json(*all.one_answer()) : json(nullptr)},
+          {"level_but_accepted", name(report.level_but_accepted())},
+          {"given", given},
+          {"share_judged", fmt::format("{:.6g} %", 100.0 * static_cast<double>(report.judged()) /
+                                                       static_cast<double>(std::max<std::uint64_t>(given, 1)))},
+          {"total", counts_json(all, report.allow_unsupported)},
+          {"families", std::move(families)},
+          {"skipped", std::move(skipped)}};
+}
+
+json accepted_json(const Report& report, const Baseline* baseline) {
+  json accepted = json::array();
+  for (const Failure& f : report.failures) {
+    if (!f.accepted || baseline == nullptr) continue;
+    const Acceptance& why = baseline->acceptance(f.id);
+    accepted.push_back({{"id", f.id},
+                        {"pair", name(f.pair)},
+                        {"scalar", name(f.scalar)},
+                        {"family", f.family},
+                        {"level", name(f.level)},
+                        {"reason", why.reason},
+                        {"expires", why.expires}});
+  }
+  return accepted;
+}
+
+json oracle_json(const Oracles& oracles) {
+  json decided = json::object();
+  for (std::size_t i = 0; i < oracle::kStageNames.size(); ++i)
+    decided[std::string(oracle::kStageNames[i])] = oracles.decided.answers[i];
+  return {{"version", CONTACT_VERSION},
+          {"check", kCheckNames[static_cast<std::size_t>(oracles.check)]},
+          {"decided", std::move(decided)},
+          {"put_to_all_oracles", oracles.checked}};
+}
+
+std::string layout(const json& value, bool whole = false) {
+  std::string text;
+  if (value.is_object()) {
+    for (const auto& [key, inner] : value.items())
+      text += fmt::format("{}{}{}:{}", text.empty() ? "" : ",", whole ? "\n" : "", formats::json_string(key),
+                          layout(inner));
+    return "{" + text + (whole ? "\n}\n" : "}");
+  }
+  if (!value.is_array() || value.empty() || !value.front().is_object()) return value.dump();
+  for (const json& inner : value) text += (text.empty() ? "\n" : ",\n") + layout(inner);
+  return "[" + text + "]";
+}
+
+/// Where the digits of the digest begin.
+std::size_t digest_place(const std::string& text, const formats::Location& where) {
+  const std::size_t key = text.find(kDigestKey);
+  const std::size_t begin = key + kDigestKey.size();
+  if (key == std::string::npos || begin + kDigits >= text.size() || text[begin + kDigits] != '"')
+    throw formats::InputError(where, "sha256", "expected a line of its own with 64 hexadecimal digits");
+  return begin;
+}
+
+/// Absolute first: the standard library leaves the name of a file that is not there yet as relative as it is.
+std::filesystem::path resolved(const std::filesystem::path& path) {
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+}
+
+/// The file that a shell would start for a name without a slash.
+std::filesystem::path on_path(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "/usr/bin:/bin" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    std::filesystem::path file = std::filesystem::path(folder.empty() ? "." : folder) / program;
+    if (std::filesystem::is_regular_file(file) && ::access(file.c_str(), X_OK) == 0) return file;
+  }
+  return {};
+}
+
+}  // namespace
+
+json statement(const Judged& judged, const Stated& stated) {
+  const Report& report = judged.report;
+  json sources = json::array();
+  for (std::size_t i = 0; i < judged.sources.size(); ++i)
+    sources.push_back(source_json(judged.sources[i], stated.names[i]));
+  json questions{{"sources", std::move(sources)}};
+  if (!stated.folder.empty()) questions["folder"] = stated.folder;
+  return {{"format", "contact-oracle/certificate"},
+          {"version", 1},
+          {"issued", stated.issued},
+          {"environment", stated.environment},
+          {"oracle", oracle_json(judged.oracles)},
+          {"engine", engine_json(report.engine, stated.engine)},
+          {"questions", std::move(questions)},
+          {"answers",
+           {{"file", stated.answers},
+            {"sha256", judged.answers_sha256},
+            {"count", judged.answers},
+            {"to_no_question", report.unknown_answers.size()}}},
+          {"found", found_json(report)},
+          {"accepted", accepted_json(report, judged.baseline)}};
+}
+
+std::string certificate_text(json statement) {
+  statement["sha256"] = std::string(kDigits, '0');
+  std::string text = layout(statement, true);
+  const formats::Location where{"certificate", 0};
+  return text.replace(digest_place(text, where), kDigits, certificate_digest(text, where));
+}
+
+std::string certificate_digest(const std::string& text, const formats::Location& where) {
+  std::string blank = text;
+  blank.replace(digest_place(text, where), kDigits, kDigits, '0');
+  return formats::Sha256().add(blank).hex();
+}
+
+json provenance(const EngineOptions& options, const std::filesystem::path& folder) {
+  json files = json::array();
+  const auto add = [&](const char* key, const std::string& name, const std::filesystem::path& file) {
+    files.push_back({{key, name}, {"sha256", digest_of_file(file)}});
+  };
+  if (!options.results.empty()) return {{"kind", "recorded"}, {"files", std::move(files)}};
+  if (!options.library.empty()) {
+    add("file", seen_from(folder, options.library), options.library);
+    return {{"kind", "library"}, {"files", std::move(files)}};
+  }
+  if (const engines::Adapter* adapter = engines::find_adapter(options.engine)) {
+    for (const std::filesystem::path& file : engines::files_of(*adapter)) add("file", seen_from(folder, file), file);
+    return {{"kind", "adapter"}, {"files", std::move(files)}};
+  }
+  if (options.command.empty()) {
+    add("program", "contact-oracle", "/proc/self/exe");
+    return {{"kind", "built-in"}, {"files", std::move(files)}};
+  }
+  const std::vector<std::string> words = engines::split_words(options.command);
+  for (const std::string& word : words) {
+    const bool by_name = &word == &words.front() && word.find('/') == std::string::npos;
+    if (by_name) {
+      if (const auto found = on_path(word); !found.empty()) add("program", word, found);
+    } else if (std::filesystem::is_regular_file(word)) {
+      add("file", seen_from(folder, word), word);
+    }
+  }
+  return {{"kind", "command"}, {"command", options.command}, {"files", std::move(files)}};
+}
+
+std::filesystem::path common_folder(const std::vector<Source>& sources) {
+  std::filesystem::path common;
+  for (const Source& source : sources) {
+    if (!source.dataset) continue;
+    const std::filesystem::path folder = folder_of(*source.dataset);
+    if (common.empty()) common = folder;
+    std::filesystem::path shared;
+    const auto end = std::mismatch(common.begin(), common.end(), folder.begin(), folder.end()).first;
+    for (auto step = common.begin(); step != end; ++step) shared /= *step;
+    common = shared;
+  }
+  return common;
+}
+
+std::string seen_from(const std::filesystem::path& folder, const std::filesystem::path& path) {
+  return resolved(path).lexically_relative(folder).generic_string();
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& file) { return resolved(file).parent_path(); }
+
+}  // namespace contact::tool

@@ -1,0 +1,44 @@
+// What `certify --certificate` and `--record` write: the certificate, and the answers that it is of.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <memory>
+#include <string>
+
+#include "engines/hosts/recording.hpp"
+#include "formats/output_file.hpp"
+#include "tool/reports/certificate.hpp"
+
+namespace contact::tool {
+
+struct CertificateOptions {
+  std::string certificate;
+  std::string record;  ///< the answers; empty: beside the certificate
+
+  [[nodiscard]] bool none() const { return certificate.empty() && record.empty(); }
+};
+
+void add_certificate_options(CLI::App& command, CertificateOptions& options);
+
+/// The files are opened before the work, so that a name that cannot be written is refused at once.
+class CertificateFiles {
+ public:
+  CertificateFiles(CertificateOptions options, EngineOptions engine);
+
+  /// The engine to ask in the place of `engine`: one that keeps the answers, where they are to be written.
+  [[nodiscard]] std::unique_ptr<engines::Engine> watched(std::unique_ptr<engines::Engine> engine);
+  /// Writes what is asked for, and says so. Throws formats::InputError where there are more failures than a report
+  /// lists and some are accepted.
+  void write(const Report& report, const std::vector<Source>& sources, const Oracles& oracles,
+             const Baseline* baseline);
+
+ private:
+  CertificateOptions options_;
+  EngineOptions engine_;
+  std::string issued_;
+  std::unique_ptr<formats::OutputFile> answers_;
+  std::unique_ptr<formats::OutputFile> certificate_;
+  const engines::Recording* recording_ = nullptr;
+};
+
+}  // namespace contact::tool

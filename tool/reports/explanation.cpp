@@ -1,0 +1,145 @@
+// The exact answer to a question, in words and numbers, beside what plain double arithmetic would have said.
+#include "tool/reports/explanation.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+
+#include "golden/dataset.hpp"
+#include "golden/plain.hpp"
+#include "golden/query_id.hpp"
+#include "oracle/truth/exact_truth.hpp"
+
+namespace contact::tool {
+namespace {
+
+using formats::number;
+using oracle::Exact;
+using oracle::Rational;
+
+constexpr std::size_t kLongestExact = 40;  // digits of an exact number that a person still reads
+
+std::string vector(const Vector3& v) { return fmt::format("({}, {}, {})", number(v[0]), number(v[1]), number(v[2])); }
+
+/// An exact number for a person: its decimal value, and the dyadic string where that is short.
+std::string exactly(const Rational& x) {
+  const std::string dyadic = oracle::dyadic_string(x);
+  const double rounded = oracle::round_to_nearest(x, Scalar::binary64);
+  const bool is_double = std::isfinite(rounded) && Rational(rounded) == x;
+  const std::string decimal = std::isfinite(rounded) ? number(rounded) : "beyond the range of binary64";
+  return fmt::format("{} {}{}", is_double ? "=" : "~", decimal,
+                     dyadic.size() <= kLongestExact ? fmt::format("  (exactly {})", dyadic) : "");
+}
+
+/// Where the exact real lies beside its rounding.
+std::string neighbourhood(const Exact& x, double rounded, Scalar scalar) {
+  if (!std::isfinite(rounded)) return "beyond the largest finite number";
+  const auto side = x.compare(Rational(rounded));
+  if (side == CGAL::EQUAL) return "exactly";
+  const double offset = oracle::error_in_units(Rational(rounded), x, oracle::ulp(x, scalar));
+  return fmt::format("{} {:.6g} ulp {}", offset == 0.5 ? "about" : "exact real", offset,
+                     side == CGAL::LARGER ? "above" : "below");
+}
+
+std::string relation(oracle::Side side, double alarm) {
+  if (side == oracle::Side::within) return alarm > 0 ? "within the alarm distance" : "overlapping";
+  if (side == oracle::Side::beyond) return alarm > 0 ? "beyond the alarm distance" : "apart";
+  return alarm > 0 ? "exactly at the alarm distance, which counts" : "exactly touching, which counts";
+}
+
+std::string plain_double_says(const Query& query, bool hit) {
+  const bool plain = golden::plain_overlap(query, Scalar::binary64);
+  return fmt::format("  plain double arithmetic says {}{}\n", plain ? "hit" : "miss", plain == hit ? "" : ": WRONG");
+}
+
+/// "  a         center (0, 0, 0), radius 1", and so for b.
+std::string shapes_text(const Query& query) {
+  std::string text;
+  const auto add = [&](char label, const auto& shape) {
+    std::string fields;
+    for_each_field(shape, [&](const auto& field, const auto& value) {
+      fields += fmt::format("{}{} ", fields.empty() ? "" : ", ", field.name);
+      if constexpr (std::same_as<std::remove_cvref_t<decltype(value)>, double>)
+        fields += number(value);
+      else
+        fields += vector(value);
+    });
+    text += fmt::format("  {}         {}\n", label, fields);
+  };
+  std::visit([&](const auto& shapes) { add('a', shapes.a), add('b', shapes.b); }, query.shapes);
+  return text;
+}
+
+std::string distance_text(const Query& query, const oracle::Truth& truth, Scalar scalar) {
+  const oracle::DistanceTruth& t = *truth.distance();
+  std::string text = shapes_text(query);
+  text += fmt::format("  distances alarm {}, contact {}\n\n", number(query.distances.alarm),
+                      number(query.distances.contact));
+  text += fmt::format("  D         |b - a|^2        {}\n", exactly(t.distance2()));
+  text += fmt::format("  reach     alarm + r1 + r2  {}\n", exactly(t.reach()));
+  text += fmt::format("  reach^2                    {}\n", exactly(t.reach() * t.reach()));
+  text += fmt::format("  margin    sqrt(D) - reach  {} ulps of reach ({})\n\n",
+                      number(oracle::round_to_nearest(t.margin(scalar), Scalar::binary64)), name(scalar));
+  text += fmt::format("  D {} reach^2: {}.  {}\n",
+                      truth.at_alarm == oracle::Side::at       ? "="
+                      : truth.at_alarm == oracle::Side::within ? "<"
+                                                               : ">",
+                      relation(truth.at_alarm, query.distances.alarm), truth.hit() ? "HIT" : "MISS");
+  text += plain_double_says(query, truth.hit());
+  if (!truth.hit()) return text;
+
+  const Contact c = *oracle::expectation(truth, scalar).contact;
+  const auto plain = golden::plain_contact(query, Scalar::binary64);
+  if (c.degenerate)
+    text +=
+        "  The centres coincide: the normal is (1,0,0) by agreement, and any unit normal is right for another "
+        "engine.\n";
+  text += fmt::format("\n  {:<10}{:<26}{:<36}{}\n", "", fmt::format("rounded to {}", name(scalar)),
+                      "the exact real lies", "plain double says");
+  const auto row = [&](const std::string& field, const Exact& x, double rounded, std::optional<double> said) {
+    std::string beside = "no contact";
+    if (said)
+      beside = number(*said) + (*said == rounded ? ""
+                                : std::isfinite(*said)
+                                    ? fmt::format("  (off by {:.3g} ulp)",
+                                                  oracle::error_in_units(Rational(*said), x, oracle::ulp(x, scalar)))
+                                    : "  (not finite)");
+    text += fmt::format("  {:<10}{:<26}{:<36}{}\n", field, number(rounded), neighbourhood(x, rounded, scalar), beside);
+  };
+  const auto said = [&](auto member, int axis) { return plain ? std::optional((*plain.*member)[axis]) : std::nullopt; };
+  for (int axis = 0; axis < 3; ++axis)
+    row(fmt::format("normal[{}]", axis), t.normal(axis), c.normal[axis], said(&Contact::normal, axis));
+  for (int axis = 0; axis < 3; ++axis)
+    row(fmt::format("point1[{}]", axis), t.point(0, axis, PointOn::nearest_surface), c.point1[axis],
+        said(&Contact::point1, axis));
+  for (int axis = 0; axis < 3; ++axis)
+    row(fmt::format("point2[{}]", axis), t.point(1, axis, PointOn::nearest_surface), c.point2[axis],
+        said(&Contact::point2, axis));
+  row("value", t.value(true), c.value, plain ? std::optional(plain->value) : std::nullopt);
+  return text;
+}
+
+std::string gaps_text(const Query& query, const oracle::Truth& truth) {
+  std::string text = shapes_text(query);
+  text += fmt::format("  alarm     {}\n\n", number(query.distances.alarm));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Rational& gap = truth.gaps()->gap()[axis];
+    const auto side = CGAL::sign(gap - truth.gaps()->alarm());
+    text += fmt::format("  {}  gap {}: {} the alarm distance\n", "xyz"[axis], exactly(gap),
+                        side == CGAL::NEGATIVE ? "below"
+                        : side == CGAL::ZERO   ? "exactly"
+                                               : "ABOVE");
+  }
+  text += fmt::format("\n  {}.  {}\n", relation(truth.at_alarm, query.distances.alarm), truth.hit() ? "HIT" : "MISS");
+  return text + plain_double_says(query, truth.hit());
+}
+
+}  // namespace
+
+std::string explanation(const Query& query, const oracle::Truth& truth, Scalar scalar) {
+  return fmt::format("{} {}\n{}", name(query.pair), golden::query_id(query),
+                     truth.has_numbers() ? distance_text(query, truth, scalar) : gaps_text(query, truth));
+}
+
+}  // namespace contact::tool

@@ -1,0 +1,343 @@
+// The report as one self-contained HTML page: what is said stands in the page itself; tool/page/report.js adds the
+// charts and the views in space, from the same data that --json writes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "golden/dataset.hpp"
+#include "oracle/truth/truth.hpp"
+#include "tool/reports/page.hpp"
+#include "tool/reports/report.hpp"
+#include "tool/run/environment.hpp"
+
+namespace contact::tool {
+namespace {
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '&')
+      out += "&amp;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
+  }
+  return out;
+}
+
+/// JSON inside a script element: nothing in it may end the element.
+std::string inside_script(const std::string& text) {
+  std::string out;
+  for (const char c : text)
+    if (c == '<')
+      out += "\\u003c";
+    else
+      out += c;
+  return out;
+}
+
+std::string cell(std::uint64_t n) { return n == 0 ? "<td>.</td>" : fmt::format("<td>{}</td>", n); }
+std::string bad_cell(std::uint64_t n) { return n == 0 ? "<td>.</td>" : fmt::format("<td class=bad>{}</td>", n); }
+
+std::string verdict_mark(const Report& report) {
+  return report.certified() ? "<span class=ok>✓ certified</span>" : "<span class=bad>✕ refuted</span>";
+}
+
+std::string row(const FamilyReport& f, bool allow_unsupported) {
+  const FieldCount all = f.all_fields();
+  return fmt::format("<tr><th scope=row>{}</th>", escaped(f.title())) + cell(f.cases) + cell(f.hits) +
+         bad_cell(f.missed_hits) + bad_cell(f.false_hits) + cell(f.unanswered()) + bad_cell(f.incomplete) +
+         bad_cell(f.not_finite) + cell(all.at(Grade::correctly_rounded)) + cell(all.at(Grade::faithful)) +
+         cell(all.at(Grade::bounded)) + bad_cell(all.at(Grade::beyond_bound)) +
+         fmt::format("<td>{}</td><td>{}</td></tr>\n", all.worst_id.empty() ? "" : fmt::format("{:.3g}", all.worst),
+                     name(f.level(allow_unsupported)));
+}
+
+std::string summary(const std::vector<Report>& reports) {
+  std::string html =
+      "<div class=wide tabindex=0><table class=board><thead><tr><th>engine<th>verdict<th>level reached<th>hits"
+      "<th>misses<th>missed hits<th>false hits<th>missing fields<th>not finite<th>numbers<th>correctly "
+      "rounded<th>beyond "
+      "bound</tr></thead><tbody>\n";
+  for (const Report& report : reports) {
+    const FamilyReport all = report.total();
+    const FieldCount fields = all.all_fields();
+    html += fmt::format("<tr><th scope=row><a href=\"#{0}\">{0}</a></th><td>{1}</td><td>{2}</td>",
+                        escaped(report.engine.name), verdict_mark(report), name(report.level())) +
+            cell(all.decided.hits) + cell(all.decided.misses) + bad_cell(all.missed_hits) + bad_cell(all.false_hits) +
+            bad_cell(all.incomplete) + bad_cell(all.not_finite) + cell(fields.judged()) +
+            cell(fields.at(Grade::correctly_rounded)) + bad_cell(fields.at(Grade::beyond_bound)) + "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string listed(std::string_view title, const std::vector<std::string>& lines) {
+  if (lines.empty()) return {};
+  std::string html = fmt::format("<h3>{}</h3>\n<ul>\n", title);
+  for (const std::string& line : lines) html += "<li>" + escaped(line) + "</li>\n";
+  return html + "</ul>\n";
+}
+
+/// One square of the matrix. What is wrong is a number, what is right a sign: colour says nothing that they do not.
+std::string square(std::size_t grade, std::uint64_t wrong, const std::string& says) {
+  constexpr std::array<std::string_view, 3> kSigns{"●", "◐", "○"};
+  return fmt::format("<td class=g{} title=\"{}\">{}</td>", grade, says,
+                     grade < kSigns.size() ? std::string(kSigns[grade]) : std::to_string(wrong));
+}
+
+std::string decision_square(const FamilyReport& f, bool allow_unsupported) {
+  const std::uint64_t left_out = f.cases - f.judged(allow_unsupported);
+  const std::uint64_t unanswered = f.unanswered() - left_out + f.outside_domain;
+  // Cases, each once: where two conventions differ, one may miss a hit by `overlap` and claim a false one by `contact`.
+  const auto at = [&](Level level) { return f.levels[static_cast<std::size_t>(level)]; };
+  const std::uint64_t wrong = at(Level::conservative) + at(Level::none) - left_out;
+  return square(
+      wrong == 0 ? 0 : 3, wrong,
+      wrong == 0
+          ? fmt::format("all {} decisions right", f.judged(allow_unsupported))
+          : fmt::format("of {} cases {} missed hits, {} false hits, {} with missing fields, {} without a right answer",
+                        f.cases, f.missed_hits, f.false_hits, f.incomplete, unanswered));
+}
+
+std::string field_square(const FieldCount& c, Field field) {
+  if (c.judged() == 0) return "<td></td>";
+  std::size_t worst = 0;
+  std::string says;
+  for (std::size_t i = 0; i < c.grades.size(); ++i) {
+    if (c.grades[i] == 0) continue;
+    worst = i;
+    says += fmt::format("{}{} {}", says.empty() ? "" : ", ", c.grades[i], name(static_cast<Grade>(i)));
+  }
+  return square(worst, c.at(Grade::beyond_bound) + c.at(Grade::not_finite),
+                fmt::format("{}: {}; worst {:.3g} ulps", name(field), says, c.worst));
+}
+
+/// Families by fields, a table a pair: what the worst answer of each reaches, for questions in either scalar.
+std::string matrix(const Report& report) {
+  using Row = std::map<Scalar, FamilyReport>;
+  std::map<Pair, std::vector<std::pair<std::string, Row>>> pairs;
+  for (const FamilyReport& f : report.families) {
+    auto& rows = pairs[f.pair];
+    auto at = std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r.first == f.family; });
+    if (at == rows.end()) at = rows.insert(at, {f.family, {}});
+    at->second[f.scalar].merge(f);
+  }
+  std::string html = "<div class=matrix>\n";
+  for (const auto& [pair, rows] : pairs) {
+    std::map<Scalar, FamilyReport> totals;
+    for (const auto& [family, by_scalar] : rows)
+      for (const auto& [scalar, f] : by_scalar) totals[scalar].merge(f);
+    std::string scalars;
+    std::string heads;
+    std::map<Scalar, std::vector<Field>> columns;
+    for (const Scalar scalar : kScalars) {
+      if (!totals.contains(scalar)) continue;
+      for (const Field field : oracle::kFields)
+        if (totals[scalar].fields[static_cast<std::size_t>(field)].judged() != 0) columns[scalar].push_back(field);
+      scalars += fmt::format("<th colspan={}>{}", columns[scalar].size() + 1, name(scalar));
+      heads += "<th title=\"hit or miss\">hit";
+      for (const Field field : columns[scalar])
+        heads += fmt::format("<th title={0}>{1}", name(field),
+                             field == Field::point1   ? "p1"
+                             : field == Field::point2 ? "p2"
+                                                      : name(field));
+    }
+    html += fmt::format(
+        "<div class=wide tabindex=0><table><caption>{}</caption><thead><tr><th>{}</tr><tr><th>family{}</tr></thead>"
+        "<tbody>\n",
+        name(pair), scalars, heads);
+    for (const auto& [family, by_scalar] : rows) {
+      html += fmt::format("<tr><th scope=row>{}</th>", escaped(family));
+      for (const Scalar scalar : kScalars) {
+        if (!totals.contains(scalar)) continue;
+        const auto f = by_scalar.find(scalar);
+        html += f == by_scalar.end() ? "<td></td>" : decision_square(f->second, report.allow_unsupported);
+        for (const Field field : columns[scalar])
+          html += f == by_scalar.end() ? "<td></td>"
+                                       : field_square(f->second.fields[static_cast<std::size_t>(field)], field);
+      }
+      html += "</tr>\n";
+    }
+    html += "</tbody></table></div>\n";
+  }
+  return html +
+         "</div>\n<p class=key><span class=g0>●</span> correctly rounded, or decided right <span class=g1>◐</span> "
+         "faithful <span class=g2>○</span> within the bound <span class=g3>12</span> so many wrong: beyond the bound, "
+         "decided wrong, or a field missing <span class=g4>12</span> so many wrong, some not even finite</p>\n";
+}
+
+std::string counts(const Report& report) {
+  std::string html =
+      "<details><summary>All counts</summary><div class=wide tabindex=0><table class=counts><thead><tr><th>family"
+      "<th>cases<th>hits<th>missed<th>false<th>no answer<th>missing fields<th>not finite<th>correctly "
+      "rounded<th>faithful<th>bounded"
+      "<th>beyond bound<th>worst (ulps)<th>level</tr></thead><tbody>\n";
+  for (const FamilyReport& f : report.families) html += row(f, report.allow_unsupported);
+  return html + row(report.total(), report.allow_unsupported) +
+         "</tbody></table></div><p>The columns from <em>correctly rounded</em> to <em>beyond bound</em> count fields: "
+         "normal, point1, point2 and value of every contact.</p></details>\n";
+}
+
+/// A number as in JSON, without the quotes around what JSON has no number for.
+std::string shown(double x) {
+  std::string text = formats::number(x);
+  std::erase(text, '"');
+  return text;
+}
+
+/// A number of the right answer beside the claimed one, a line each; where they differ the claimed one is marked.
+std::string number_rows(std::string_view title, const std::vector<std::string>& right,
+                        const std::vector<std::string>& claimed, const std::string& error) {
+  const auto lines = [](const std::vector<std::string>& texts, const std::vector<std::string>& other) {
+    std::string html;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      const bool differs = i >= other.size() || other[i] != texts[i];
+      html += fmt::format("{}{}{}{}", i == 0 ? "" : "<br>", differs ? "<mark>" : "", escaped(texts[i]),
+                          differs ? "</mark>" : "");
+    }
+    return html.empty() ? "–" : html;
+  };
+  return fmt::format("<tr><th scope=row>{}</th><td>{}</td><td>{}</td><td>{}</td></tr>\n", title, lines(right, right),
+                     claimed.empty() ? "–" : lines(claimed, right), error);
+}
+
+std::string numbers_table(const WorstCase& w, const oracle::Declaration& declared) {
+  const Claim right = w.right(declared);
+  const auto said = [](const std::optional<bool>& overlap) {
+    return overlap ? std::vector<std::string>{*overlap ? "hit" : "miss"} : std::vector<std::string>{};
+  };
+  const auto contact_said = [&](const Claim& claim) {
+    return said(claim.speaks_of_contact ? std::optional(claim.contact.has_value()) : std::nullopt);
+  };
+  const auto vector = [](const Claim& claim, auto member) {
+    std::vector<std::string> texts;
+    if (claim.contact && (*claim.contact).*member)
+      for (const double x : *((*claim.contact).*member)) texts.push_back(shown(x));
+    return texts;
+  };
+  const auto value = [](const Claim& claim) {
+    return claim.contact && claim.contact->value ? std::vector<std::string>{shown(*claim.contact->value)}
+                                                 : std::vector<std::string>{};
+  };
+  const auto error = [&](Field field) -> std::string {
+    if (w.verdict.missing.has(aspect(field))) return "missing field";
+    const auto& verdict = w.verdict.at(field);
+    if (!verdict) return "";
+    if (verdict->grade == Grade::correctly_rounded || verdict->grade == Grade::not_finite)
+      return std::string(name(verdict->grade));
+    return fmt::format("{:.4g} ulps", verdict->error);
+  };
+  const auto decision = [&](Aspect asked, oracle::Decision d) {
+    constexpr std::array<std::string_view, 4> kNames{"", "right", "missed hit", "false hit"};
+    return std::string(w.verdict.missing.has(asked) ? "missing field" : kNames[static_cast<std::size_t>(d)]);
+  };
+  std::string rows =
+      number_rows("overlap", said(right.overlap), said(w.claim.overlap), decision(Aspect::overlap, w.verdict.overlap)) +
+      number_rows("contact", contact_said(right), contact_said(w.claim), decision(Aspect::contact, w.verdict.contact));
+  const std::array vectors{
+      std::pair{Field::normal, &ContactClaim::normal}, std::pair{Field::point1, &ContactClaim::point1},
+      std::pair{Field::point2, &ContactClaim::point2}, std::pair{Field::point, &ContactClaim::point}};
+  for (const auto& entry : vectors) {
+    const auto texts = vector(right, entry.second);
+    const auto claimed = vector(w.claim, entry.second);
+    if (!texts.empty() || !claimed.empty()) rows += number_rows(name(entry.first), texts, claimed, error(entry.first));
+  }
+  if (!value(right).empty() || !value(w.claim).empty())
+    rows += number_rows("value", value(right), value(w.claim), error(Field::value));
+  return "<div class=wide tabindex=0><table class=numbers><thead><tr><th><th>right<th>claimed<th>error</tr></thead>"
+         "<tbody>\n" +
+         rows + "</tbody></table></div>\n";
+}
+
+std::string worst_case(const WorstCase& w, std::size_t index, const oracle::Declaration& declared) {
+  std::string html = fmt::format("<article data-case={}><h4>{}</h4>\n<p>{}, numbers in {}", index, escaped(w.what()),
+                                 name(w.query.pair), name(w.scalar));
+  if (w.query.has_numbers() && inside_domain(w.query)) {
+    html += fmt::format(": √D − reach is {} ulps of reach ({})",
+                        formats::number(oracle::margin_ulps(oracle::truth_of(w.query), declared.scalar)),
+                        name(declared.scalar));
+  }
+  const std::string line = fmt::format("echo '{}' | ./run explain", golden::query_line(w.query, w.scalar));
+  return html + fmt::format(
+                    ".</p>\n<div class=sides><figure class=view></figure>\n{}</div>\n<div class=copy><code>{}"
+                    "</code><button type=button>Copy</button></div></article>\n",
+                    numbers_table(w, declared), escaped(line));
+}
+
+/// {"normal":"first-to-second",...} as a list of terms.
+std::string declaration(const Report& report) {
+  const formats::Location where{"conventions", 0};
+  const auto conventions = formats::parse_object(engines::conventions_text(report.engine.declared.conventions), where);
+  const DeclaredBounds& bounds = report.engine.declared.bounds;
+  std::string html = "<h3>What the engine declares</h3>\n<dl>";
+  const auto term = [&](std::string_view key, const std::string& value) {
+    html += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", key, escaped(value));
+  };
+  term("scalar", std::string(name(report.engine.declared.scalar)));
+  term("claims", fmt::format("{}", fmt::join(report.engine.declared.claimed().names(), ", ")));
+  for (const auto& [key, value] : conventions.items())
+    term(key, value.is_string() ? value.get<std::string>() : value.dump());
+  term("bounds", fmt::format("normal {}, points {}, value {} ulps", bounds.normal, bounds.point, bounds.value));
+  return html + "</dl>\n";
+}
+
+std::string section(const Report& report) {
+  std::string html =
+      fmt::format("<section id=\"{0}\"><h2>{0} {1} {2}</h2>\n<p class=verdict>{3}</p>\n", escaped(report.engine.name),
+                  escaped(report.engine.version), verdict_mark(report), escaped(report.sentence()));
+  html += listed("Diagnosis", report.why.lines());
+  html += "<h3>Families and fields</h3>\n" + matrix(report) + counts(report);
+  html += "<div class=charts></div>\n";
+  if (!report.certified() && !report.worst.empty()) {
+    html += "<h3>The worst cases</h3>\n";
+    for (std::size_t i = 0; i < report.worst.size(); ++i)
+      html += worst_case(report.worst[i], i, report.engine.declared);
+  }
+  html += listed("Not judged", report.left_out()) + listed("Baseline", report.baseline_lines()) + declaration(report);
+  return html + "<script type=\"application/json\" class=data>" + inside_script(json_text(report, false)) +
+         "</script></section>\n";
+}
+
+/// Where and under which floating-point modes the report was made.
+std::string made_on() {
+  const auto here = environment();
+  const auto text = [&](const char* key) { return escaped(here.at(key).get<std::string>()); };
+  return fmt::format("{}, {}; {}, rounding {}, subnormal results {}, subnormal inputs {}", text("processor"),
+                     text("system"), text("compiler"), text("rounding"), text("subnormal_results"),
+                     text("subnormal_inputs"));
+}
+
+}  // namespace
+
+std::string html_text(const std::vector<Report>& reports) {
+  const Report& first = reports.front();
+  // Nothing is fetched from anywhere, and the browser is told so.
+  std::string html = fmt::format(
+      "<!doctype html>\n<html lang=en><meta charset=utf-8><meta name=viewport content=\"width=device-width,"
+      "initial-scale=1\">\n<meta http-equiv=Content-Security-Policy content=\"default-src 'none'; "
+      "style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">\n"
+      "<title>{0} {1}: contact-oracle</title>\n<style>{2}</style>\n<main><h1>contact-oracle</h1>\n",
+      first.certified() ? "✓" : "✕", escaped(first.engine.name), page::kStyle);
+  html += "<p>Each engine held against the exact answer.</p>\n";
+  if (reports.size() > 1) html += summary(reports);
+  for (const Report& report : reports) html += section(report);
+  html += fmt::format("<footer>Judged by contact-oracle {} on {}.", CONTACT_VERSION, made_on());
+  if (!page::kLicences.empty())
+    html += fmt::format("<details><summary>Libraries in this page</summary><pre>{}</pre></details>",
+                        escaped(page::kLicences));
+  html += "</footer></main>\n";
+  // What draws in space is large: it is text until the first view is looked at.
+  html += fmt::format("<script type=\"text/plain\" id=space>{}</script>\n<script>{}</script>\n<script>{}</script>\n",
+                      page::kSpace, page::kCharts, page::kScript);
+  return html + "</html>\n";
+}
+
+}  // namespace contact::tool

@@ -1,0 +1,62 @@
+// The report as Markdown, for the summary of a CI job.
+#include <fmt/format.h>
+
+#include <string>
+
+#include "golden/dataset.hpp"
+#include "tool/reports/report.hpp"
+
+namespace contact::tool {
+namespace {
+
+/// Text for a line of Markdown: what an engine or a file is called must not become markup.
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (std::string_view("\\`*_{}[]<>#|~").find(c) != std::string_view::npos) out += '\\';
+    out += c;
+  }
+  return out;
+}
+
+std::string or_nothing(std::uint64_t n) { return n == 0 ? "" : std::to_string(n); }
+
+}  // namespace
+
+std::string markdown_text(const Report& report) {
+  std::string text =
+      fmt::format("## {} {}\n\n{}\n", report.certified() ? ":white_check_mark:" : ":x:", escaped(report.who()),
+                  escaped(report.sentence()));
+  const auto listed = [&](std::string_view title, const std::vector<std::string>& lines) {
+    if (lines.empty()) return;
+    text += fmt::format("\n**{}**\n\n", title);
+    for (const std::string& line : lines) text += fmt::format("- {}\n", escaped(line));
+  };
+  listed("Diagnosis", report.why.lines());
+  text +=
+      "\n| family | cases | hits | missed | false | no answer | missing fields | not finite | correctly rounded | "
+      "faithful | bounded | beyond | worst (ulps) | level "
+      "|\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|\n";
+  const auto row = [&](const FamilyReport& f) {
+    const FieldCount all = f.all_fields();
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", escaped(f.title()),
+                        f.cases, or_nothing(f.hits), or_nothing(f.missed_hits), or_nothing(f.false_hits), or_nothing(f.unanswered()),
+                        or_nothing(f.incomplete), or_nothing(f.not_finite), or_nothing(all.at(Grade::correctly_rounded)),
+                        or_nothing(all.at(Grade::faithful)), or_nothing(all.at(Grade::bounded)), or_nothing(all.at(Grade::beyond_bound)),
+                        all.worst_id.empty() ? "" : fmt::format("{:.3g}", all.worst),
+                        name(f.level(report.allow_unsupported)));
+  };
+  for (const FamilyReport& f : report.families) row(f);
+  row(report.total());
+  listed("Not judged", report.left_out());
+  listed("Baseline", report.baseline_lines());
+  if (!report.certified() && !report.worst.empty()) {
+    text += "\nThe worst cases, as lines for `contact-oracle explain`:\n\n```\n";
+    for (const WorstCase& w : report.worst)
+      text += fmt::format("# {}\n{}\n", w.what(), golden::query_line(w.query, w.scalar));
+    text += "```\n";
+  }
+  return text;
+}
+
+}  // namespace contact::tool

@@ -1,0 +1,366 @@
+// The pipeline: questions -> engines -> judge -> reports.
+#include "tool/run/pipeline.hpp"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_pipeline.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+
+#include "golden/query_id.hpp"
+#include "oracle/truth/quick_witness.hpp"
+#include "tool/run/process.hpp"
+
+namespace contact::tool {
+namespace {
+
+constexpr std::size_t kSlice = 32;  // questions that one thread takes at a time
+
+struct Item {
+  engines::Question question;
+  std::optional<golden::Case> expected;
+  formats::Location where;
+  std::uint64_t index;  ///< in the whole source
+};
+
+/// Some questions on their way: read one after another, asked and judged on any thread, merged one after another.
+struct Slice {
+  std::uint64_t first;        ///< index of its first question in the whole source
+  std::uint64_t count;        ///< questions that it stands for
+  std::vector<Item> items{};  ///< those of a dataset; generated ones are made where they are asked
+  std::vector<Findings> found{};
+  oracle::StageCounts decided{};
+  std::uint64_t checked = 0;
+  bool asked_all = false;
+  bool failed = false;         ///< the first subject, where that ends the run
+  std::exception_ptr error{};  ///< thrown when its turn comes, so that the first in order is what a run ends with
+};
+
+/// Reads or counts the questions of a source, some at a time.
+class Questions {
+ public:
+  explicit Questions(const Source& source) : source_(source) {
+    if (!source.dataset || source.count == 0) return;
+    reader_.emplace(*source.dataset);
+    reader_->skip(source.first);
+  }
+
+  /// The next slice; nothing behind the last question.
+  [[nodiscard]] std::optional<Slice> next() {
+    Slice slice{source_.first + asked_, 0};
+    try {
+      throw_if_interrupted();
+      if (reader_)
+        read(slice);
+      else
+        slice.count = std::min<std::uint64_t>(kSlice, source_.count - asked_);
+    } catch (...) {
+      slice.error = std::current_exception();
+      slice.count = std::max<std::uint64_t>(slice.count, 1);
+    }
+    asked_ += slice.count;
+    if (slice.count == 0) return std::nullopt;
+    return slice;
+  }
+
+ private:
+  void read(Slice& slice) {
+    for (; slice.count < kSlice && asked_ + slice.count < source_.count; ++slice.count) {
+      auto c = reader_->next();
+      if (!c) break;
+      engines::Question question{c->id, c->query};
+      slice.items.push_back({std::move(question), std::move(c), reader_->where(), slice.first + slice.count});
+    }
+    // Behind the last case the reader compares what it read with what the header says.
+    if (slice.count == 0 && source_.first + asked_ == reader_->header().count) (void)reader_->next();
+  }
+
+  const Source& source_;
+  std::optional<golden::DatasetReader> reader_;
+  std::uint64_t asked_ = 0;
+};
+
+/// The questions of a slice of a generated family.
+std::vector<Item> generated(const Source& source, const Slice& slice) {
+  std::vector<Item> items;
+  items.reserve(slice.count);
+  for (std::uint64_t index = slice.first; index < slice.first + slice.count; ++index) {
+    const Query query = golden::generate_query(source.pair, *source.generator, source.scalar, source.seed, index);
+    items.push_back({{golden::query_id(query), query}, std::nullopt, {}, index});
+  }
+  return items;
+}
+
+/// What the oracles say of a question, in one scalar.
+struct Rounded {
+  Scalar scalar;
+  Expectation expected;
+  std::optional<MarginBin> margin;  ///< of spheres
+};
+
+/// The same exactly, and in each scalar that matters.
+struct Agreed {
+  oracle::Truth truth;
+  std::vector<Rounded> rounded;
+
+  [[nodiscard]] const Rounded& in(Scalar scalar) const {
+    return *std::find_if(rounded.begin(), rounded.end(), [&](const Rounded& r) { return r.scalar == scalar; });
+  }
+};
+
+std::optional<MarginBin> margin_of(const oracle::StagedAnswer& staged, Scalar scalar) {
+  if (!staged.truth.has_numbers()) return std::nullopt;
+  const int side = static_cast<int>(staged.truth.at_alarm);
+  if (side == 0) return MarginBin{};
+  const double ulps = staged.margin_ulps ? *staged.margin_ulps : oracle::margin_ulps(staged.truth, scalar);
+  return MarginBin{side, power_of(ulps)};
+}
+
+/// A dataset's case against the stages; what they do not confirm is for the exact oracle to word.
+void check_expectation(const Item& item, const oracle::StagedAnswer& staged, Scalar scalar) {
+  if (staged.margin_ulps || !item.question.query.has_numbers()) {
+    oracle::Witness witness = oracle::quick_witness(item.question.query);
+    witness.margin_ulps = staged.margin_ulps.value_or(0);
+    if (golden::says(*item.expected, staged.expected, witness)) return;
+  }
+  golden::check_case(*item.expected, scalar, oracle::truth_of(item.question.query), item.where);
+  // The exact oracle bears the file out: then so must the stage.
+  check_stage(item.question.query, staged, scalar);
+}
+
+Agreed agreed_truth(const Item& item, const Source& source, const std::vector<Scalar>& scalars, Check check,
+                    Slice& slice) {
+  const Query& query = item.question.query;
+  std::optional<Agreed> agreed;
+  for (const Scalar scalar : scalars) {
+    oracle::StagedAnswer staged = oracle::staged_answer(query, scalar);
+    slice.decided.add(staged.stage);
+    if (item.expected && scalar == source.scalar) check_expectation(item, staged, scalar);
+    if (is_checked(check, source.size(), item.question.id, staged.stage)) {
+      check_stage(query, staged, scalar);
+      ++slice.checked;
+    }
+    const std::optional<MarginBin> margin = margin_of(staged, scalar);
+    if (!agreed) agreed.emplace(Agreed{std::move(staged.truth), {}});
+    agreed->rounded.push_back({scalar, std::move(staged.expected), margin});
+  }
+  return *std::move(agreed);
+}
+
+/// Whether every number other than 0 lies within the scale that an engine declares; NaN and infinities do not count.
+bool within_scale(const Query& query, const Conventions& conventions) {
+  if (conventions.scale_min == 0 && std::isinf(conventions.scale_max)) return true;
+  bool within = true;
+  for_each_number(query, [&](const std::string&, double x) {
+    if (x != 0 && std::isfinite(x))
+      within = within && std::abs(x) >= conventions.scale_min && std::abs(x) <= conventions.scale_max;
+  });
+  return within;
+}
+
+/// How much an answer counts in the diagnosis. What is wrong always counts. Of a large source every n-th right answer
+/// speaks for n: what a hypothesis says of it costs more than all the rest.
+std::uint64_t weight_of(std::uint64_t index, std::uint64_t size, Level level) {
+  const std::uint64_t n = std::max<std::uint64_t>(1, size / kWhole);
+  if (level > Level::bounded) return 1;
+  return index % n == 0 ? n : 0;
+}
+
+void judge_one(const Item& item, const std::optional<Agreed>& agreed, const Source& source, const Claim& claim,
+               const Subject& subject, Findings& found) {
+  const auto& [id, query] = item.question;
+  const Report& report = subject.report;
+  const Baseline* baseline = subject.baseline.get();
+  const oracle::Declaration& declared = report.engine.declared;
+  const oracle::Truth* truth = agreed ? &agreed->truth : nullptr;
+  const Rounded* in_scalar = agreed ? &agreed->in(declared.scalar) : nullptr;
+  const Expectation* rounded = agreed ? &in_scalar->expected : nullptr;
+  const Verdict verdict =
+      agreed ? oracle::judge(query, *truth, claim, declared, rounded) : oracle::judge_outside_domain(claim);
+  const Level level = verdict.level();
+  // An engine that knows no alarm distance decides at another margin.
+  const bool decides_there = declared.conventions.margin != Margin::none || query.distances.alarm == 0;
+  found.families.front().add(verdict, id, truth != nullptr && truth->hit(),
+                             agreed && decides_there ? in_scalar->margin : std::nullopt);
+  const bool accepted = level > report.required && baseline != nullptr && baseline->accepts(id, level);
+  // What is right speaks against a hypothesis as what is wrong speaks for one.
+  if (truth != nullptr && !accepted)
+    found.why.add(golden::id_digits(id, 0, 16), query, *truth, claim, declared, verdict, rounded,
+                  weight_of(item.index, source.size(), level));
+  if (verdict.answered_outside_domain && !accepted) found.why.add_outside_domain(query);
+  if (level <= report.required) {
+    if (baseline != nullptr && baseline->lists(id)) found.gone.insert(id);
+    return;
+  }
+  if (report.allow_unsupported && verdict.status == Claim::Status::unsupported) return;
+  const WorstCase worst{query, source.scalar, claim, verdict};
+  found.add(Failure{id, query.pair, source.scalar, source.family, level, worst.what(), accepted, "", "", query});
+  if (accepted)
+    found.families.front().accept(level);
+  else
+    found.add(worst);
+}
+
+/// Why an engine's declaration excludes a whole source, or nothing.
+std::optional<std::string> excluded(const Source& source, const engines::EngineInfo& engine) {
+  if (!engine.serves(source.pair)) return fmt::format("the engine does not serve {}", name(source.pair));
+  if (engine.declared.scalar == Scalar::binary32 && source.scalar == Scalar::binary64)
+    return std::string("binary64 numbers, and the engine computes in binary32");
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool is_checked(Check check, std::uint64_t size, const std::string& id, oracle::Stage stage) {
+  if (check == Check::all || size <= kWhole) return true;
+  return golden::id_digits(id, 0, 4) % (stage == oracle::Stage::double_double ? kOneIn : kHardOneIn) == 0;
+}
+
+void require_agreement(const Query& query, const oracle::Truth& truth, const oracle::RoundedAnswer& second,
+                       Scalar scalar, std::string_view second_name) {
+  if (const auto differs = first_difference(oracle::rounded_answer(truth, scalar), second))
+    throw OracleFault(fmt::format("the exact oracle and the {} oracle differ in {} ({})\n{}", second_name, *differs,
+                                  name(scalar), golden::query_line(query, scalar)));
+}
+
+void check_stage(const Query& query, const oracle::StagedAnswer& staged, Scalar scalar) {
+  const oracle::Truth truth = oracle::truth_of(query);
+  require_agreement(query, truth, oracle::interval_answer(query, scalar), scalar);
+  if (staged.stage == oracle::Stage::exact) return;
+  const std::string_view stage = oracle::kStageNames[static_cast<std::size_t>(staged.stage)];
+  require_agreement(query, truth, oracle::rounded_answer(staged), scalar, stage);
+  const oracle::Witness exact = oracle::witness(truth, scalar);
+  oracle::Witness quick = oracle::quick_witness(query);
+  quick.margin_ulps = staged.margin_ulps.value_or(exact.margin_ulps);
+  if (quick != exact)
+    throw OracleFault(fmt::format("the exact oracle and the {} oracle differ in the witness ({})\n{}", stage,
+                                  name(scalar), golden::query_line(query, scalar)));
+}
+
+void Stop::check() const {
+  throw_if_interrupted();
+  if (late()) throw TimeUp{};
+}
+
+void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& stop, Oracles& oracles) {
+  std::vector<Subject*> judged;
+  std::vector<Scalar> scalars{source.scalar};
+  FamilyReport none;
+  none.pair = source.pair;
+  none.scalar = source.scalar;
+  none.family = source.family;
+  for (Subject& subject : subjects) {
+    const engines::EngineInfo& engine = subject.engine->info();
+    none.source = subject.report.sources++;
+    if (const auto why = excluded(source, engine)) {
+      const std::string what =
+          source.dataset ? source.dataset->string() : fmt::format("{}/{}", name(source.pair), source.family);
+      subject.report.skipped.push_back({what, *why, source.count, none.source});
+      continue;
+    }
+    judged.push_back(&subject);
+    subject.report.families.push_back(none);
+    if (std::find(scalars.begin(), scalars.end(), engine.declared.scalar) == scalars.end())
+      scalars.push_back(engine.declared.scalar);
+  }
+
+  const auto ask = [&](Slice& slice) {
+    if (!source.dataset) slice.items = generated(source, slice);
+    Findings nothing;
+    nothing.families.push_back(none);
+    slice.found.assign(judged.size(), nothing);
+    std::vector<std::optional<Agreed>> truths;
+    truths.reserve(slice.items.size());
+    for (const Item& item : slice.items) {
+      const bool outside = !inside_domain(item.question.query);
+      if (outside && item.expected) golden::check_rejection(*item.expected, item.where);
+      truths.push_back(outside ? std::nullopt
+                               : std::optional(agreed_truth(item, source, scalars, oracles.check, slice)));
+    }
+    for (std::size_t s = 0; s < judged.size(); ++s) {
+      std::vector<engines::Question> asked;
+      std::vector<std::size_t> which;
+      for (std::size_t i = 0; i < slice.items.size(); ++i) {
+        if (!within_scale(slice.items[i].question.query, judged[s]->report.engine.declared.conventions)) continue;
+        asked.push_back(slice.items[i].question);
+        which.push_back(i);
+      }
+      if (asked.size() < slice.items.size())
+        slice.found[s].skipped.push_back({fmt::format("{}/{}", name(source.pair), source.family),
+                                          "numbers outside the scale that the engine declares",
+                                          slice.items.size() - asked.size(), none.source});
+      const std::vector<Claim> claims = judged[s]->engine->answer(asked);
+      for (std::size_t k = 0; k < asked.size(); ++k)
+        judge_one(slice.items[which[k]], truths[which[k]], source, claims[k], *judged[s], slice.found[s]);
+    }
+    const auto is_new = [](const Failure& f) { return !f.accepted; };
+    slice.failed = stop.at_first_failure && !judged.empty() && judged.front() == &subjects.front() &&
+                   std::any_of(slice.found[0].failures.begin(), slice.found[0].failures.end(), is_new);
+    slice.asked_all = true;
+  };
+
+  Questions questions(source);
+  Progress progress(fmt::format("{}/{}", name(source.pair), source.family), source.count);
+  std::uint64_t reached = 0;
+  bool all_read = !stop.why.empty();
+  std::atomic<bool> over = false;  // nothing more is merged
+  std::exception_ptr error;  // thrown behind the pipeline, which loses what is on its way when one is thrown in it
+  // Slices come to be merged in the order in which they were read, and the first that fails ends the run: those before
+  // it are all asked, and what is found in those behind it is left out, so that nothing depends on the threads.
+  const auto read = [&](tbb::flow_control& flow) -> std::shared_ptr<Slice> {
+    auto slice = all_read || over ? std::nullopt : questions.next();
+    if (!slice) {
+      flow.stop();
+      return nullptr;
+    }
+    all_read = slice->error != nullptr;
+    return std::make_shared<Slice>(*std::move(slice));
+  };
+  const auto judge = [&](std::shared_ptr<Slice> slice) {
+    if (slice->error || over || stop.late()) return slice;
+    try {
+      throw_if_interrupted();
+      ask(*slice);
+    } catch (const TimeUp&) {
+    } catch (...) {
+      slice->error = std::current_exception();
+    }
+    return slice;
+  };
+  const auto merge = [&](const std::shared_ptr<Slice>& slice) {
+    if (error || !stop.why.empty()) return;
+    if (slice->error) {
+      error = slice->error;
+      over = true;
+      return;
+    }
+    progress.add(slice->count);
+    if (!slice->asked_all) return;
+    reached += slice->count;
+    for (std::size_t s = 0; s < judged.size(); ++s) judged[s]->report.merge(slice->found[s]);
+    oracles.decided.merge(slice->decided);
+    oracles.checked += slice->checked;
+    if (slice->failed) stop.why = "the first failure ended the run";
+    if (stop.late()) stop.why = "the time was up";
+    if (!stop.why.empty()) over = true;
+  };
+  // A few slices a thread, so that reading goes on while others are asked.
+  const std::size_t on_their_way = 4 * tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  tbb::parallel_pipeline(
+      on_their_way,
+      tbb::make_filter<void, std::shared_ptr<Slice>>(tbb::filter_mode::serial_in_order, read) &
+          tbb::make_filter<std::shared_ptr<Slice>, std::shared_ptr<Slice>>(tbb::filter_mode::parallel, judge) &
+          tbb::make_filter<std::shared_ptr<Slice>, void>(tbb::filter_mode::serial_in_order, merge));
+  if (error) std::rethrow_exception(error);
+  if (stop.late() && stop.why.empty()) stop.why = "the time was up";
+  for (Subject* subject : judged) {
+    subject->report.unreached += source.count - reached;
+    subject->report.families.back().add_unreached(source.count - reached);
+    subject->report.stopped = stop.why;
+  }
+}
+
+}  // namespace contact::tool

@@ -1,0 +1,461 @@
+// Production broken on purpose is refuted with the right field named, and oracles that differ stop a run.
+#include "tool/run/pipeline.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <map>
+#include <thread>
+
+#include "contact/cube_cube.hpp"
+#include "contact/sphere_sphere.hpp"
+#include "golden/query_id.hpp"
+#include "tool/run/process.hpp"
+
+namespace contact::tool {
+namespace {
+
+/// Production with one thing changed in its claims.
+class Broken final : public engines::Engine {
+ public:
+  using Change = std::function<void(const Query&, Claim&)>;
+  explicit Broken(Change change, const oracle::Declaration& declared = {})
+      : Engine({"broken", "1", {kPairs.begin(), kPairs.end()}, declared}),
+        production_(engines::make_built_in("production")),
+        change_(std::move(change)) {}
+
+  std::vector<Claim> answer(std::span<const engines::Question> questions) override {
+    std::vector<Claim> claims = production_->answer(questions);
+    for (std::size_t i = 0; i < questions.size(); ++i) change_(questions[i].query, claims[i]);
+    return claims;
+  }
+
+ private:
+  std::unique_ptr<engines::Engine> production_;
+  Change change_;
+};
+
+/// The report on every committed file of a pair, the invalid ones aside.
+Report judged(Pair pair, Broken::Change change, const oracle::Declaration& declared = {}) {
+  std::vector<Subject> subjects;
+  subjects.push_back({std::make_unique<Broken>(std::move(change), declared), {}});
+  subjects.front().report.engine = subjects.front().engine->info();
+  Stop never;
+  Oracles oracles;
+  for (const auto& path :
+       golden::dataset_files({std::filesystem::path(CONTACT_SOURCE_DIR) / "golden" / std::string(name(pair))})) {
+    const golden::DatasetHeader header = golden::DatasetReader(path).header();
+    if (header.family != "invalid")
+      judge_source({header.pair, header.scalar, header.family, header.count, path}, subjects, never, oracles);
+  }
+  return std::move(subjects.front().report);
+}
+
+/// Which of "overlap", "contact", "normal", ... are wrong, as one text.
+std::string wrong_fields(const Report& report) {
+  std::string text;
+  for (const auto& [field, n] : report.why.wrong()) text += (text.empty() ? "" : " ") + field;
+  return text;
+}
+
+void in_contact(Claim& claim, const std::function<void(ContactClaim&)>& change) {
+  if (claim.contact) change(*claim.contact);
+}
+
+TEST(Certify, UnbrokenProductionIsCorrectlyRoundedOnEverySphereFile) {
+  const Report report = judged(Pair::sphere_sphere, [](const Query&, Claim&) {});
+  EXPECT_TRUE(report.certified());
+  EXPECT_EQ(report.level(), Level::correctly_rounded);
+  EXPECT_GE(report.judged(), 12U * 2 * 200);
+}
+
+TEST(Certify, ANormalOfTheWrongSignIsRefutedAndItsConventionNamed) {
+  const Report report = judged(Pair::sphere_sphere, [](const Query&, Claim& claim) {
+    in_contact(claim, [](ContactClaim& c) { c.normal = -*c.normal; });
+  });
+  EXPECT_FALSE(report.certified());
+  // Where the centres coincide any unit normal is right, and the points must then go with it: those few are wrong too.
+  EXPECT_EQ(wrong_fields(report), "normal point1 point2");
+  EXPECT_GT(report.why.wrong().at("normal"), 5 * report.why.wrong().at("point1"));
+  const std::vector<std::string> lines = report.why.lines();
+  ASSERT_FALSE(lines.empty());
+  EXPECT_TRUE(lines[0].starts_with("normal points from second to first")) << lines[0];
+  const auto names_convention = [](const std::string& line) {
+    return line.find("normal = second-to-first") != std::string::npos;
+  };
+  EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), names_convention));
+}
+
+// What a verdict rests on.
+
+TEST(Verdict, CountsTheHitsTheMissesAndTheNumbersOfEachField) {
+  const Report report = judged(Pair::sphere_sphere, [](const Query&, Claim&) {});
+  const FamilyReport all = report.total();
+  EXPECT_EQ(all.decided.hits, all.hits);
+  EXPECT_EQ(all.decided.hits + all.decided.misses, all.cases);
+  EXPECT_EQ(all.with_numbers, all.hits);
+  for (const Field field : {Field::normal, Field::point1, Field::point2, Field::value})
+    EXPECT_EQ(all.fields[static_cast<std::size_t>(field)].judged(), all.hits) << name(field);
+  EXPECT_NE(report.sentence().find(fmt::format(
+                "It rests on {0} hits and {1} misses, and on numbers: {0} normal, {0} point1, {0} point2, {0} value.",
+                all.hits, all.decided.misses)),
+            std::string::npos)
+      << report.sentence();
+  EXPECT_FALSE(all.one_answer());
+}
+
+TEST(Verdict, SilenceIsRefuted) {
+  const Report report = judged(Pair::sphere_sphere,
+                               [](const Query&, Claim& claim) { in_contact(claim, [](ContactClaim& c) { c = {}; }); });
+  const FamilyReport all = report.total();
+  EXPECT_FALSE(report.certified());
+  EXPECT_FALSE(report.harness_invalid());
+  EXPECT_EQ(report.level(), Level::none);
+  EXPECT_EQ(all.incomplete, all.hits);
+  EXPECT_EQ(all.missed_hits + all.false_hits + all.not_finite, 0U);
+  for (const Aspect aspect : {Aspect::normal, Aspect::point1, Aspect::point2, Aspect::value})
+    EXPECT_EQ(all.missing[static_cast<std::size_t>(aspect)], all.hits);
+  EXPECT_EQ(report.failure_count, all.hits);
+  EXPECT_NE(report.sentence().find(fmt::format("{} missing fields (", 4 * all.hits)), std::string::npos)
+      << report.sentence();
+  EXPECT_EQ(report.worst.front().what(), "missing field: normal, point1, point2, value");
+}
+
+TEST(Verdict, AFieldThatIsDroppedNowAndThenIsRefuted) {
+  const Report report = judged(Pair::sphere_sphere, [](const Query& query, Claim& claim) {
+    if (query.balls()->a.center == query.balls()->b.center)
+      in_contact(claim, [](ContactClaim& c) { c.normal.reset(); });
+  });
+  EXPECT_FALSE(report.certified());
+  EXPECT_GT(report.total().incomplete, 0U);
+  EXPECT_LT(report.total().incomplete, report.total().hits);
+}
+
+TEST(Verdict, WhereNoNumberIsClaimedTheLevelIsDecisionsAndTheVerdictNamesWhatIsNot) {
+  oracle::Declaration declared;
+  declared.claims = Aspects{Aspect::overlap};
+  Report report = judged(
+      Pair::sphere_sphere, [](const Query&, Claim&) {}, declared);
+  EXPECT_EQ(report.level(), Level::decisions);
+  EXPECT_FALSE(report.certified());
+  EXPECT_NE(report.sentence().find("no number was judged"), std::string::npos) << report.sentence();
+  EXPECT_NE(report.sentence().find("Not claimed, so not judged: contact, normal, point1, point2, value."),
+            std::string::npos)
+      << report.sentence();
+  report.required = Level::decisions;
+  EXPECT_TRUE(report.certified());
+}
+
+TEST(Verdict, BoxesHaveNoNumberSoDecisionsAreAllThatIsAsked) {
+  Report report = judged(Pair::cube_cube, [](const Query&, Claim&) {});
+  report.required = Level::correctly_rounded;
+  EXPECT_EQ(report.level(), Level::decisions);
+  EXPECT_TRUE(report.certified());
+  EXPECT_NE(report.sentence().find("reaches decisions"), std::string::npos) << report.sentence();
+  EXPECT_NE(report.sentence().find("these questions have no numbers"), std::string::npos) << report.sentence();
+  Report wrong = judged(Pair::cube_cube, [](const Query&, Claim& claim) { claim.overlap = true; });
+  EXPECT_EQ(wrong.level(), Level::conservative);
+  EXPECT_FALSE(wrong.certified());
+}
+
+TEST(Verdict, SaysWhereOneAnswerWouldHaveBeenRightThroughout) {
+  FamilyReport family;
+  Verdict hit;
+  hit.overlap = oracle::Decision::right;
+  hit.overlap_expected = true;
+  Verdict miss = hit;
+  miss.overlap_expected = false;
+  EXPECT_FALSE(family.one_answer());
+  family.add(hit, "a", true, std::nullopt);
+  EXPECT_EQ(family.one_answer(), "hit");
+  FamilyReport other;
+  other.add(miss, "b", false, std::nullopt);
+  EXPECT_EQ(other.one_answer(), "miss");
+  other.merge(family);
+  EXPECT_FALSE(other.one_answer());
+  // One answer of two claims: always an overlap and never a contact.
+  FamilyReport mixed;
+  hit.contact = oracle::Decision::right;
+  hit.contact_expected = false;
+  mixed.add(hit, "c", true, std::nullopt);
+  EXPECT_EQ(mixed.one_answer(), "the same");
+
+  Report report;
+  family.cases = 1;
+  report.families.push_back(family);
+  EXPECT_NE(report.sentence().find("An engine that always says hit decides all of it right."), std::string::npos)
+      << report.sentence();
+}
+
+/// What plain double does wrong in generated questions of two families, from the given one on.
+oracle::Diagnosis diagnosis_of_plain_double(std::uint64_t first, std::uint64_t count) {
+  std::vector<Subject> subjects;
+  subjects.push_back({engines::make_built_in("plain-double"), {}});
+  subjects.front().report.engine = subjects.front().engine->info();
+  Stop never;
+  Oracles oracles;
+  for (const std::string_view family : {"near_touching", "coincident"})
+    judge_source({Pair::sphere_sphere, Scalar::binary64, std::string(family), count, std::nullopt,
+                  golden::find_family(Pair::sphere_sphere, family), 5, first},
+                 subjects, never, oracles);
+  return std::move(subjects.front().report.why);
+}
+
+TEST(Certify, OfALargeRunASampleOfTheWrongClaimsNamesTheSameMistakes) {
+  constexpr std::uint64_t kCount = 4000;
+  oracle::Diagnosis few = diagnosis_of_plain_double(0, kCount);
+  const oracle::Diagnosis second = diagnosis_of_plain_double(kCount, kCount);
+  const oracle::Diagnosis third = diagnosis_of_plain_double(2 * kCount, kCount);
+  oracle::Diagnosis forwards = few;
+  forwards.merge(second);
+  forwards.merge(third);
+  oracle::Diagnosis backwards = third;
+  backwards.merge(second);
+  backwards.merge(few);
+  EXPECT_EQ(forwards.lines(), backwards.lines());
+  const auto of_few = few.findings();
+  const auto of_all = forwards.findings();
+  ASSERT_EQ(of_few.size(), of_all.size());
+  for (std::size_t i = 0; i < of_all.size(); ++i) {
+    EXPECT_EQ(of_all[i].cause, of_few[i].cause);
+    EXPECT_NEAR(static_cast<double>(of_all[i].explained) / static_cast<double>(3 * of_few[i].explained), 1, 0.05);
+    EXPECT_EQ(of_few[i].sentence.find("about"), std::string::npos) << of_few[i].sentence;
+    EXPECT_NE(of_all[i].sentence.find("explains about"), std::string::npos) << of_all[i].sentence;
+  }
+}
+
+TEST(Certify, TouchingTakenForApartIsRefutedAsMissedHits) {
+  const Report report = judged(Pair::sphere_sphere, [](const Query& query, Claim& claim) {
+    if (oracle::truth_of(query).at_alarm == oracle::Side::at) {
+      claim.overlap = false;
+      claim.contact.reset();
+    }
+  });
+  EXPECT_FALSE(report.certified());
+  EXPECT_EQ(wrong_fields(report), "contact overlap");
+  EXPECT_EQ(report.total().false_hits, 0U);
+  EXPECT_GE(report.total().missed_hits, 400U);
+  EXPECT_GT(report.total().margins.size(), 20U);
+  for (const auto& [margin, decisions] : report.total().margins)
+    EXPECT_EQ(decisions.wrong, margin.side == 0 ? decisions.claimed : 0);
+}
+
+TEST(Certify, ErrorsAreCountedByTheirPowerOfTwo) {
+  EXPECT_EQ(power_of(1), 0);
+  EXPECT_EQ(power_of(-1.99), 0);
+  EXPECT_EQ(power_of(2), 1);
+  EXPECT_EQ(power_of(0.49), -2);
+  EXPECT_EQ(power_of(1e300), kFarthestPower);
+  EXPECT_EQ(power_of(std::numeric_limits<double>::infinity()), kFarthestPower);
+  EXPECT_EQ(power_of(std::numeric_limits<double>::denorm_min()), -kFarthestPower);
+  // A binary64 normal is measured in ulps of 1, which are 2^-52.
+  const Report report = judged(Pair::sphere_sphere, [](const Query& query, Claim& claim) {
+    in_contact(claim, [&](ContactClaim& c) {
+      if (query.balls()->a.center != query.balls()->b.center) (*c.normal)[0] += 3 * std::ldexp(1, -42);
+    });
+  });
+  const FieldCount normal = report.total().fields[0];
+  ASSERT_EQ(normal.errors.size(), 1U);
+  EXPECT_EQ(normal.errors.begin()->first, 11);
+  EXPECT_EQ(normal.errors.begin()->second, normal.at(Grade::beyond_bound));
+  EXPECT_GT(normal.at(Grade::beyond_bound), 1000U);
+}
+
+TEST(Certify, TheRadiusOfTheWrongSphereIsRefutedInPoint2) {
+  const Report report = judged(Pair::sphere_sphere, [](const Query& query, Claim& claim) {
+    in_contact(claim,
+               [&](ContactClaim& c) { c.point2 = query.balls()->b.center - query.balls()->a.radius * *c.normal; });
+  });
+  EXPECT_FALSE(report.certified());
+  EXPECT_EQ(wrong_fields(report), "point2");
+}
+
+TEST(Certify, AContactDistanceTakenTwiceIsRefutedInValue) {
+  const Report report = judged(Pair::sphere_sphere, [](const Query& query, Claim& claim) {
+    in_contact(claim, [&](ContactClaim& c) { c.value = *c.value - query.distances.contact; });
+  });
+  EXPECT_FALSE(report.certified());
+  EXPECT_EQ(wrong_fields(report), "value");
+}
+
+TEST(Certify, AValueRoundedTwiceIsCertifiedAtBoundedAndRefutedAtCorrectlyRounded) {
+  const Report report = judged(Pair::sphere_sphere, [](const Query&, Claim& claim) {
+    // Through a format two bits shorter and back: the double rounding of a narrower intermediate.
+    in_contact(claim, [](ContactClaim& c) {
+      int exponent = 0;
+      const double m = std::frexp(*c.value, &exponent);
+      const double rounded = std::ldexp(std::nearbyint(std::ldexp(m, 51)), exponent - 51);
+      if (std::isfinite(rounded)) c.value = rounded;
+    });
+  });
+  EXPECT_EQ(report.level(), Level::bounded);
+  const FieldCount value = report.total().fields[static_cast<std::size_t>(Field::value)];
+  EXPECT_GT(value.at(Grade::bounded), 1000U);
+  EXPECT_EQ(report.total().fields[static_cast<std::size_t>(Field::normal)].judged(),
+            report.total().fields[static_cast<std::size_t>(Field::normal)].at(Grade::correctly_rounded));
+}
+
+TEST(Certify, OpenBoxesAreRefutedAsMissedHits) {
+  const Report report = judged(Pair::cube_cube, [](const Query& query, Claim& claim) {
+    if (oracle::truth_of(query).at_alarm == oracle::Side::at) claim.overlap = false;
+  });
+  EXPECT_FALSE(report.certified());
+  EXPECT_EQ(wrong_fields(report), "overlap");
+}
+
+TEST(Certify, AnUnsupportedAnswerNeverPassesUnlessAllowed) {
+  Report report = judged(Pair::cube_cube, [](const Query& query, Claim& claim) {
+    if (query.distances.alarm > 0) {
+      claim = {};
+      claim.status = Claim::Status::unsupported;
+    }
+  });
+  EXPECT_FALSE(report.certified());
+  report.allow_unsupported = true;
+  EXPECT_TRUE(report.certified());
+  EXPECT_LT(report.judged(), report.total().cases);
+  // Whole families are left out (every alarm_edge has an alarm distance): that is no failure in JUnit either.
+  EXPECT_EQ(junit_text(report).find("<failure"), std::string::npos);
+}
+
+TEST(Certify, NothingJudgedNeverCertifies) { EXPECT_FALSE(Report{}.certified()); }
+
+TEST(Certify, OraclesThatDifferAreAnOracleFault) {
+  const Query query{Pair::sphere_sphere, Balls{{{0, 0, 0}, 1.5}, {{1, 2, 2}, 1.5}}, {0, 0.25}};
+  const oracle::Truth truth = oracle::truth_of(query);
+  oracle::RoundedAnswer second = oracle::interval_answer(query, Scalar::binary64);
+  EXPECT_NO_THROW(require_agreement(query, truth, second, Scalar::binary64));
+  second.expected.contact->value = std::nextafter(second.expected.contact->value, 0.0);
+  EXPECT_THROW(require_agreement(query, truth, second, Scalar::binary64), OracleFault);
+  second = oracle::interval_answer(query, Scalar::binary64);
+  second.at_zero = -1;
+  EXPECT_THROW(require_agreement(query, truth, second, Scalar::binary64), OracleFault);
+}
+
+TEST(Sample, has_every_question_of_a_small_source_and_all_where_all_are_wanted) {
+  const std::string outside = "0001";  // a multiple of no n but 1
+  for (const oracle::Stage stage : {oracle::Stage::double_double, oracle::Stage::interval, oracle::Stage::exact}) {
+    EXPECT_TRUE(is_checked(Check::sample, kWhole, outside, stage));
+    EXPECT_FALSE(is_checked(Check::sample, kWhole + 1, outside, stage));
+    EXPECT_TRUE(is_checked(Check::all, kWhole + 1, outside, stage));
+    EXPECT_TRUE(is_checked(Check::sample, kWhole + 1, "0000", stage));
+  }
+  EXPECT_TRUE(is_checked(Check::sample, kWhole + 1, "0010", oracle::Stage::interval));
+  EXPECT_FALSE(is_checked(Check::sample, kWhole + 1, "0010", oracle::Stage::double_double));
+}
+
+TEST(Sample, of_a_large_source_is_one_in_1024_and_of_the_hard_questions_one_in_16) {
+  const golden::Family& generic = *golden::find_family(Pair::cube_cube, "generic");
+  constexpr std::uint64_t kCount = 50'000;
+  std::uint64_t quick = 0;
+  std::uint64_t hard = 0;
+  for (std::uint64_t i = 0; i < kCount; ++i) {
+    const std::string id = golden::query_id(golden::generate_query(Pair::cube_cube, generic, Scalar::binary64, 3, i));
+    quick += is_checked(Check::sample, kCount, id, oracle::Stage::double_double) ? 1 : 0;
+    hard += is_checked(Check::sample, kCount, id, oracle::Stage::exact) ? 1 : 0;
+  }
+  EXPECT_NEAR(static_cast<double>(quick), kCount / 1024.0, 25);  // 3.6 standard deviations
+  EXPECT_NEAR(static_cast<double>(hard), kCount / 16.0, 200);
+}
+
+/// What is said of an engine that is wrong about every third point, by so many threads.
+std::string report_by(std::size_t threads, bool fail_fast) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  std::vector<Subject> subjects;
+  std::atomic<bool> waited = threads == 1;
+  subjects.push_back({std::make_unique<Broken>([&](const Query& query, Claim& claim) {
+                        // Long enough for other threads to be done with what comes later.
+                        if (!waited.exchange(true)) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+                        if (query.distances.contact > 0.5)
+                          in_contact(claim, [](ContactClaim& c) { c.point1 = 2 * *c.point1; });
+                      }),
+                      {}});
+  subjects.front().report.engine = subjects.front().engine->info();
+  Stop stop;
+  stop.at_first_failure = fail_fast;
+  Oracles oracles;
+  constexpr std::uint64_t kCount = 6000;  // more than a sample has in full
+  for (const std::string_view family : {"generic", "touching"})
+    judge_source({Pair::sphere_sphere, Scalar::binary64, std::string(family), kCount, std::nullopt,
+                  golden::find_family(Pair::sphere_sphere, family), 11},
+                 subjects, stop, oracles);
+  if (!fail_fast) {
+    EXPECT_EQ(oracles.decided.answers[0] + oracles.decided.answers[1] + oracles.decided.answers[2], 2 * kCount);
+    EXPECT_GT(oracles.checked, 0U);
+    EXPECT_LT(oracles.checked, kCount);
+  }
+  EXPECT_FALSE(subjects.front().report.certified());
+  return json_text(subjects.front().report);
+}
+
+TEST(Pipeline, a_report_does_not_depend_on_the_threads) {
+  const std::string one = report_by(1, false);
+  EXPECT_EQ(one, report_by(2, false));
+  EXPECT_EQ(one, report_by(5, false));
+  const std::string first = report_by(1, true);
+  EXPECT_NE(one, first);
+  EXPECT_EQ(first, report_by(5, true));
+}
+
+/// What a dataset is refused with, by so many threads; each line of it is one question of the family, some with
+/// changes.
+std::string refusal_by(std::size_t threads,
+                       const std::map<std::uint64_t, std::pair<std::string, std::string>>& changes) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  const auto path = std::filesystem::temp_directory_path() / fmt::format("contact-pipeline-test-{}.jsonl", threads);
+  constexpr std::uint64_t kCount = 300;
+  golden::DatasetHeader header;
+  header.family = "generic";
+  header.seed = 5;
+  header.count = kCount;
+  {
+    std::ofstream file(path);
+    file << to_line(header) << '\n';
+    for (std::uint64_t i = 0; i < kCount; ++i) {
+      std::string line = to_line(golden::make_case(
+          golden::generate_query(header.pair, *golden::find_family(header.pair, header.family), header.scalar, 5, i),
+          header.scalar));
+      if (const auto change = changes.find(i); change != changes.end()) {
+        const auto& [from, to] = change->second;
+        line.replace(line.find(from), from.size(), to);
+      }
+      file << line << '\n';
+    }
+  }
+  std::vector<Subject> subjects;
+  subjects.push_back({engines::make_built_in("production"), {}});
+  subjects.front().report.engine = subjects.front().engine->info();
+  Stop never;
+  Oracles oracles;
+  std::string refusal;
+  try {
+    judge_source({header.pair, header.scalar, header.family, kCount, path}, subjects, never, oracles);
+  } catch (const formats::InputError& error) {
+    refusal = error.what();
+  }
+  std::filesystem::remove(path);
+  return refusal.substr(std::min(refusal.size(), refusal.find(".jsonl")));
+}
+
+TEST(Pipeline, a_dataset_is_refused_for_its_first_fault_whatever_the_threads) {
+  const std::pair<std::string, std::string> wrong_hit{R"("expect":{"hit":)", R"("expect":{"hit":1)"};
+  const std::pair<std::string, std::string> wrong_distance{R"("distance2":"0x)", R"("distance2":"0x1)"};
+  for (const std::size_t threads : {std::size_t{1}, std::size_t{5}}) {
+    EXPECT_EQ(refusal_by(threads, {}), "");
+    // The reader meets line 102 long before line 72 is judged, and that one is named.
+    const std::string refusal = refusal_by(threads, {{70, wrong_distance}, {100, wrong_hit}});
+    EXPECT_TRUE(refusal.starts_with(".jsonl:72: exact.distance2: the file says 0x1")) << refusal;
+  }
+}
+
+}  // namespace
+}  // namespace contact::tool
