@@ -54,7 +54,7 @@ target_link_options(contact_strict_floating_point INTERFACE "SHELL:-fno-fast-mat
 # contact_together(target): its sources are compiled several at a time, so that the large headers are read once for them all.
 function(contact_together target)
   if(CONTACT_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 9)
   endif()
 endfunction()
 

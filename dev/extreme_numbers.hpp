@@ -8,7 +8,7 @@ namespace contact {
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-inline constexpr double kLargest = std::numeric_limits<double>::max();      ///< the largest finite number
+inline constexpr double kLargest = std::numeric_limits<double>::max();       ///< the largest finite number
 inline constexpr double kLeast = std::numeric_limits<double>::denorm_min();  ///< the least number above 0
 
 /// The next number up, and the next down.

@@ -21,9 +21,9 @@ namespace {
 using namespace component;
 
 /// Boxes that meet have a contact, so that detect has something to do.
-class BoxContacts : public BaseIntersector {
+class TouchingBoxes : public BaseIntersector {
  public:
-  static constexpr std::string_view kName = "BoxContacts";
+  static constexpr std::string_view kName = "TouchingBoxes";
   bool testIntersection(const Cube& a, const Cube& b, const Intersection& current) const {
     return test_cube_cube(a.box(), b.box(), current.getAlarmDistance());
   }
@@ -59,7 +59,7 @@ std::string everything(const std::vector<Ball>& balls, const std::vector<Box>& b
   ProximityIntersection component({0, 0});
   component.setAlarmDistance(distances.alarm);
   component.setContactDistance(distances.contact);
-  const BoxContacts box_contacts;
+  const TouchingBoxes box_contacts;
   component.intersectors.add<CubeCollisionModel, CubeCollisionModel>(box_contacts);
   auto s = spheres("s", balls);
   auto r = rigid_spheres("r", balls);

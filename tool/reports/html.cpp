@@ -16,7 +16,7 @@
 namespace contact::tool {
 namespace {
 
-std::string escaped(std::string_view text) {
+std::string for_html(std::string_view text) {
   std::string out;
   for (const char c : text) {
     if (c == '<')
@@ -53,7 +53,7 @@ std::string verdict_mark(const Report& report) {
 
 std::string row(const FamilyReport& f, bool allow_unsupported) {
   const FieldCount all = f.all_fields();
-  return fmt::format("<tr><th scope=row>{}</th>", escaped(f.title())) + cell(f.cases) + cell(f.hits) +
+  return fmt::format("<tr><th scope=row>{}</th>", for_html(f.title())) + cell(f.cases) + cell(f.hits) +
          bad_cell(f.missed_hits) + bad_cell(f.false_hits) + cell(f.unanswered()) + bad_cell(f.incomplete) +
          bad_cell(f.not_finite) + cell(all.at(Grade::correctly_rounded)) + cell(all.at(Grade::faithful)) +
          cell(all.at(Grade::bounded)) + bad_cell(all.at(Grade::beyond_bound)) +
@@ -71,7 +71,7 @@ std::string summary(const std::vector<Report>& reports) {
     const FamilyReport all = report.total();
     const FieldCount fields = all.all_fields();
     html += fmt::format("<tr><th scope=row><a href=\"#{0}\">{0}</a></th><td>{1}</td><td>{2}</td>",
-                        escaped(report.engine.name), verdict_mark(report), name(report.level())) +
+                        for_html(report.engine.name), verdict_mark(report), name(report.level())) +
             cell(all.decided.hits) + cell(all.decided.misses) + bad_cell(all.missed_hits) + bad_cell(all.false_hits) +
             bad_cell(all.incomplete) + bad_cell(all.not_finite) + cell(fields.judged()) +
             cell(fields.at(Grade::correctly_rounded)) + bad_cell(fields.at(Grade::beyond_bound)) + "</tr>\n";
@@ -82,7 +82,7 @@ std::string summary(const std::vector<Report>& reports) {
 std::string listed(std::string_view title, const std::vector<std::string>& lines) {
   if (lines.empty()) return {};
   std::string html = fmt::format("<h3>{}</h3>\n<ul>\n", title);
-  for (const std::string& line : lines) html += "<li>" + escaped(line) + "</li>\n";
+  for (const std::string& line : lines) html += "<li>" + for_html(line) + "</li>\n";
   return html + "</ul>\n";
 }
 
@@ -155,7 +155,7 @@ std::string matrix(const Report& report) {
         "<tbody>\n",
         name(pair), scalars, heads);
     for (const auto& [family, by_scalar] : rows) {
-      html += fmt::format("<tr><th scope=row>{}</th>", escaped(family));
+      html += fmt::format("<tr><th scope=row>{}</th>", for_html(family));
       for (const Scalar scalar : kScalars) {
         if (!totals.contains(scalar)) continue;
         const auto f = by_scalar.find(scalar);
@@ -200,7 +200,7 @@ std::string number_rows(std::string_view title, const std::vector<std::string>& 
     std::string html;
     for (std::size_t i = 0; i < texts.size(); ++i) {
       const bool differs = i >= other.size() || other[i] != texts[i];
-      html += fmt::format("{}{}{}{}", i == 0 ? "" : "<br>", differs ? "<mark>" : "", escaped(texts[i]),
+      html += fmt::format("{}{}{}{}", i == 0 ? "" : "<br>", differs ? "<mark>" : "", for_html(texts[i]),
                           differs ? "</mark>" : "");
     }
     return html.empty() ? "–" : html;
@@ -258,7 +258,7 @@ std::string numbers_table(const WorstCase& w, const oracle::Declaration& declare
 }
 
 std::string worst_case(const WorstCase& w, std::size_t index, const oracle::Declaration& declared) {
-  std::string html = fmt::format("<article data-case={}><h4>{}</h4>\n<p>{}, numbers in {}", index, escaped(w.what()),
+  std::string html = fmt::format("<article data-case={}><h4>{}</h4>\n<p>{}, numbers in {}", index, for_html(w.what()),
                                  name(w.query.pair), name(w.scalar));
   if (w.query.has_numbers() && inside_domain(w.query)) {
     html += fmt::format(": √D − reach is {} ulps of reach ({})",
@@ -269,7 +269,7 @@ std::string worst_case(const WorstCase& w, std::size_t index, const oracle::Decl
   return html + fmt::format(
                     ".</p>\n<div class=sides><figure class=view></figure>\n{}</div>\n<div class=copy><code>{}"
                     "</code><button type=button>Copy</button></div></article>\n",
-                    numbers_table(w, declared), escaped(line));
+                    numbers_table(w, declared), for_html(line));
 }
 
 /// {"normal":"first-to-second",...} as a list of terms.
@@ -279,7 +279,7 @@ std::string declaration(const Report& report) {
   const DeclaredBounds& bounds = report.engine.declared.bounds;
   std::string html = "<h3>What the engine declares</h3>\n<dl>";
   const auto term = [&](std::string_view key, const std::string& value) {
-    html += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", key, escaped(value));
+    html += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", key, for_html(value));
   };
   term("scalar", std::string(name(report.engine.declared.scalar)));
   term("claims", fmt::format("{}", fmt::join(report.engine.declared.claimed().names(), ", ")));
@@ -291,8 +291,8 @@ std::string declaration(const Report& report) {
 
 std::string section(const Report& report) {
   std::string html =
-      fmt::format("<section id=\"{0}\"><h2>{0} {1} {2}</h2>\n<p class=verdict>{3}</p>\n", escaped(report.engine.name),
-                  escaped(report.engine.version), verdict_mark(report), escaped(report.sentence()));
+      fmt::format("<section id=\"{0}\"><h2>{0} {1} {2}</h2>\n<p class=verdict>{3}</p>\n", for_html(report.engine.name),
+                  for_html(report.engine.version), verdict_mark(report), for_html(report.sentence()));
   html += listed("Diagnosis", report.why.lines());
   html += "<h3>Families and fields</h3>\n" + matrix(report) + counts(report);
   html += "<div class=charts></div>\n";
@@ -309,7 +309,7 @@ std::string section(const Report& report) {
 /// Where and under which floating-point modes the report was made.
 std::string made_on() {
   const auto here = environment();
-  const auto text = [&](const char* key) { return escaped(here.at(key).get<std::string>()); };
+  const auto text = [&](const char* key) { return for_html(here.at(key).get<std::string>()); };
   return fmt::format("{}, {}; {}, rounding {}, subnormal results {}, subnormal inputs {}", text("processor"),
                      text("system"), text("compiler"), text("rounding"), text("subnormal_results"),
                      text("subnormal_inputs"));
@@ -325,14 +325,14 @@ std::string html_text(const std::vector<Report>& reports) {
       "initial-scale=1\">\n<meta http-equiv=Content-Security-Policy content=\"default-src 'none'; "
       "style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">\n"
       "<title>{0} {1}: contact-oracle</title>\n<style>{2}</style>\n<main><h1>contact-oracle</h1>\n",
-      first.certified() ? "✓" : "✕", escaped(first.engine.name), page::kStyle);
+      first.certified() ? "✓" : "✕", for_html(first.engine.name), page::kStyle);
   html += "<p>Each engine held against the exact answer.</p>\n";
   if (reports.size() > 1) html += summary(reports);
   for (const Report& report : reports) html += section(report);
   html += fmt::format("<footer>Judged by contact-oracle {} on {}.", CONTACT_VERSION, made_on());
   if (!page::kLicences.empty())
     html += fmt::format("<details><summary>Libraries in this page</summary><pre>{}</pre></details>",
-                        escaped(page::kLicences));
+                        for_html(page::kLicences));
   html += "</footer></main>\n";
   // What draws in space is large: it is text until the first view is looked at.
   html += fmt::format("<script type=\"text/plain\" id=space>{}</script>\n<script>{}</script>\n<script>{}</script>\n",

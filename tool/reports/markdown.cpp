@@ -10,7 +10,7 @@ namespace contact::tool {
 namespace {
 
 /// Text for a line of Markdown: what an engine or a file is called must not become markup.
-std::string escaped(std::string_view text) {
+std::string for_markdown(std::string_view text) {
   std::string out;
   for (const char c : text) {
     if (std::string_view("\\`*_{}[]<>#|~").find(c) != std::string_view::npos) out += '\\';
@@ -25,12 +25,12 @@ std::string or_nothing(std::uint64_t n) { return n == 0 ? "" : std::to_string(n)
 
 std::string markdown_text(const Report& report) {
   std::string text =
-      fmt::format("## {} {}\n\n{}\n", report.certified() ? ":white_check_mark:" : ":x:", escaped(report.who()),
-                  escaped(report.sentence()));
+      fmt::format("## {} {}\n\n{}\n", report.certified() ? ":white_check_mark:" : ":x:", for_markdown(report.who()),
+                  for_markdown(report.sentence()));
   const auto listed = [&](std::string_view title, const std::vector<std::string>& lines) {
     if (lines.empty()) return;
     text += fmt::format("\n**{}**\n\n", title);
-    for (const std::string& line : lines) text += fmt::format("- {}\n", escaped(line));
+    for (const std::string& line : lines) text += fmt::format("- {}\n", for_markdown(line));
   };
   listed("Diagnosis", report.why.lines());
   text +=
@@ -39,12 +39,13 @@ std::string markdown_text(const Report& report) {
       "|\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|\n";
   const auto row = [&](const FamilyReport& f) {
     const FieldCount all = f.all_fields();
-    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", escaped(f.title()),
-                        f.cases, or_nothing(f.hits), or_nothing(f.missed_hits), or_nothing(f.false_hits), or_nothing(f.unanswered()),
-                        or_nothing(f.incomplete), or_nothing(f.not_finite), or_nothing(all.at(Grade::correctly_rounded)),
-                        or_nothing(all.at(Grade::faithful)), or_nothing(all.at(Grade::bounded)), or_nothing(all.at(Grade::beyond_bound)),
-                        all.worst_id.empty() ? "" : fmt::format("{:.3g}", all.worst),
-                        name(f.level(report.allow_unsupported)));
+    text += fmt::format(
+        "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", for_markdown(f.title()), f.cases,
+        or_nothing(f.hits), or_nothing(f.missed_hits), or_nothing(f.false_hits), or_nothing(f.unanswered()),
+        or_nothing(f.incomplete), or_nothing(f.not_finite), or_nothing(all.at(Grade::correctly_rounded)),
+        or_nothing(all.at(Grade::faithful)), or_nothing(all.at(Grade::bounded)),
+        or_nothing(all.at(Grade::beyond_bound)), all.worst_id.empty() ? "" : fmt::format("{:.3g}", all.worst),
+        name(f.level(report.allow_unsupported)));
   };
   for (const FamilyReport& f : report.families) row(f);
   row(report.total());
