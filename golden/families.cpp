@@ -6,6 +6,36 @@
 #include <limits>
 
 namespace contact::golden {
+namespace {
+
+/// Committed families that no generator makes.
+struct RecordedFamily {
+  Pair pair;
+  Family family;
+};
+constexpr std::string_view kUpstream = "compiled SOFA was asked these questions, and its answers are recorded";
+constexpr RecordedFamily kRecorded[] = {
+    {Pair::sphere_sphere,
+     {"hardest", "", "the closest numbers known: for who computes with more digits and takes them for enough", nullptr,
+      false, false, "it is a list of the closest numbers known, and a miss has no number"}},
+    {Pair::sphere_sphere, {"upstream", "", kUpstream, nullptr, false}},
+    {Pair::cube_cube, {"upstream", "", kUpstream, nullptr, false}},
+};
+
+std::vector<FamilyNote> notes(std::string_view Family::*why) {
+  std::vector<FamilyNote> found;
+  const auto add = [&](Pair pair, const Family& f) {
+    if (!(f.*why).empty()) found.push_back({pair, f.name, f.*why});
+  };
+  for (const Pair pair : pairs_of_kinds()) {
+    for (const Family& f : families_of(pair)) add(pair, f);
+    for (const RecordedFamily& recorded : kRecorded)
+      if (recorded.pair == pair) add(pair, recorded.family);
+  }
+  return found;
+}
+
+}  // namespace
 
 std::span<const Family> families_of(Pair pair) {
   return std::visit([](const auto& shapes) { return families_of(static_cast<decltype(&shapes)>(nullptr)); },
@@ -18,15 +48,8 @@ const Family* find_family(Pair pair, std::string_view name) {
   return it == families.end() ? nullptr : &*it;
 }
 
-std::vector<HitsAlone> families_of_hits_alone() {
-  std::vector<HitsAlone> found;
-  for (const Pair pair : pairs_of_kinds())
-    for (const Family& f : families_of(pair))
-      if (!f.hits_alone.empty()) found.push_back({pair, f.name, f.hits_alone});
-  found.push_back(
-      {Pair::sphere_sphere, "hardest", "it is a list of the closest numbers known, and a miss has no number"});
-  return found;
-}
+std::vector<FamilyNote> families_of_hits_alone() { return notes(&Family::hits_alone); }
+std::vector<FamilyNote> families_kept() { return notes(&Family::kept_for); }
 
 Query generate_query(Pair pair, const Family& family, Scalar scalar, Random::Key key, std::uint64_t index) {
   Random random(key, index);

@@ -16,6 +16,9 @@ namespace contact::golden {
 struct Family {
   std::string_view name;
   std::string_view reason;
+  /// Why it is there although other families kill every mutant that it kills: mutants are mistakes that somebody
+  /// thought of, and a family is there for the engine that nobody has seen. Empty where it alone kills one.
+  std::string_view kept_for;
   Query (*make)(Pair pair, Scalar scalar, Random& random);
   bool every_pair;              ///< committed for every pair of its two shapes, else for the first of them
   bool outside_domain = false;  ///< makes questions that must be refused
@@ -32,14 +35,16 @@ CONTACT_KINDS(CONTACT_DECLARE)
 #undef CONTACT_DECLARE
 /// The families that make questions for a pair.
 [[nodiscard]] std::span<const Family> families_of(Pair pair);
-/// Families of hits alone: who always says hit is right about each of their decisions.
-struct HitsAlone {
-  Pair pair;  ///< the first of their two shapes
+/// What is said of a family, made by the tables or recorded from elsewhere.
+struct FamilyNote {
+  Pair pair;  ///< the first of its two shapes
   std::string_view family;
   std::string_view why;
 };
-/// Those of the tables, and committed ones that no generator makes. No family is of misses alone.
-[[nodiscard]] std::vector<HitsAlone> families_of_hits_alone();
+/// Families of hits alone: who always says hit is right about each of their decisions. No family is of misses alone.
+[[nodiscard]] std::vector<FamilyNote> families_of_hits_alone();
+/// Families that alone kill no mutant, and why they are there.
+[[nodiscard]] std::vector<FamilyNote> families_kept();
 /// The family of that name for a pair, or nullptr.
 [[nodiscard]] const Family* find_family(Pair pair, std::string_view name);
 

@@ -116,7 +116,7 @@ TEST(Families, GiveBothAnswersOrSayWhyAllAreHits) {
         std::uint64_t hits = 0;
         for (std::uint64_t i = 0; i < kQuestions; ++i)
           hits += oracle::truth_of(generate_query(pair, family, scalar, 5, i)).hit() ? 1 : 0;
-        if (std::any_of(hits_alone.begin(), hits_alone.end(), [&](const HitsAlone& listed) {
+        if (std::any_of(hits_alone.begin(), hits_alone.end(), [&](const FamilyNote& listed) {
               return kind_of(listed.pair) == kind_of(pair) && listed.family == family.name;
             })) {
           EXPECT_EQ(hits, kQuestions) << "it has misses: take its reason out of the table";

@@ -1,4 +1,9 @@
 // Asks an engine every law: draws trials, judges them, and shrinks what violates a law.
+//
+// RapidCheck draws the trials and says what is smaller. Its own runner (checkTestable) would serve for the rest, but
+// for three things: it shrinks without a limit on tries or time, where a try at an engine that hangs takes seconds; it
+// knows no engine that has to be started anew between tries; and it does not tell which class of failure a try must
+// repeat.
 #include "proptests/run.hpp"
 
 #include <algorithm>

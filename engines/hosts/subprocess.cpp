@@ -91,7 +91,7 @@ class Conversation {
         }
         process_->send(std::move(text));
       }
-      const std::string line = next_line(deadline, "no answer", options_.answer);
+      std::string line = next_line(deadline, "no answer", options_.answer);
       auto [index, claim] = heard(line, done);
       claims[index] = std::move(claim);
       done[index] = true;
@@ -121,7 +121,7 @@ class Conversation {
 
   /// The answer that a line is, and the index of its question. A claim of the wrong form is that question's error; a
   /// line that belongs to no question breaks the conversation.
-  [[nodiscard]] std::pair<std::size_t, Claim> heard(const std::string& line, const std::vector<bool>& done) const {
+  [[nodiscard]] std::pair<std::size_t, Claim> heard(std::string& line, const std::vector<bool>& done) const {
     static const formats::Location where{"answer", 0};
     try {
       if (auto answer = engines::quick_answer(line))

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <optional>
-#include <string_view>
+#include <string>
 
 #include "oracle/judge/claim.hpp"
 
@@ -16,7 +16,7 @@ struct Answer {
 
 /// The answer in a line of the form {"op":"answer","seq":1,"overlap":true,"contact":{...}}, keys in any order, every
 /// number written as one. Nothing for any other line: read_answer then reads it, or refuses it with a message. What
-/// this reads, read_answer reads the same.
-[[nodiscard]] std::optional<Answer> quick_answer(std::string_view line);
+/// this reads, read_answer reads the same. The line stays as it is, in more room.
+[[nodiscard]] std::optional<Answer> quick_answer(std::string& line);
 
 }  // namespace contact::engines

@@ -24,7 +24,7 @@ std::optional<std::string> carefully(const std::string& line) {
   }
 }
 
-std::optional<std::string> quickly(const std::string& line) {
+std::optional<std::string> quickly(std::string line) {
   const auto answer = quick_answer(line);
   return answer ? std::optional(answer_message(answer->seq, answer->claim)) : std::nullopt;
 }
@@ -33,6 +33,7 @@ const std::vector<std::string> kCommon{
     R"({"op":"answer","seq":1,"overlap":true})",
     R"({"op":"answer","seq":18446744073709551615,"overlap":false,"contact":null})",
     R"({"op":"answer","seq":7})",
+    R"({"op":"answer","seq":1,"contact":{"value":1e-400}})",
     R"( { "seq" : 3 , "contact" : { } , "op" : "answer" } )",
     R"({"op":"answer","seq":2,"overlap":true,"contact":{"normal":[1,0,-0],"point1":[0.5,1e22,-2.5E-3],)"
     R"("point2":[1e-320,12345678901234567890,0.1],"value":-0.0}})",
@@ -89,7 +90,7 @@ TEST(QuickAnswer, leaves_what_is_malformed_to_the_reader_that_says_why) {
 
 TEST(QuickAnswer, leaves_rare_forms_to_the_careful_reader) {
   for (const char* rest : {R"("error":"boom")", R"("unsupported":"why")", R"("rejected":"alarm")",
-                           R"("contact":{"value":"NaN"})", R"("contact":{"value":1e-400})", R"("overl\u0061p":true)"}) {
+                           R"("contact":{"value":"NaN"})", R"("overl\u0061p":true)"}) {
     const std::string line = fmt::format(R"({{"op":"answer","seq":1,{}}})", rest);
     EXPECT_EQ(quickly(line), std::nullopt) << line;
     EXPECT_TRUE(carefully(line)) << line;

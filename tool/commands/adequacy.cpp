@@ -27,45 +27,6 @@ namespace {
 
 constexpr std::string_view kFormat = "contact-oracle/adequacy";
 
-struct Reason {
-  std::string_view shapes;
-  std::string_view family;
-  std::string_view why;
-};
-/// Why a family is there that kills no mutant which no other family kills. The mutants are mistakes that somebody
-/// thought of, most of them so plain that any question near them does; a family is there for the engine that nobody has
-/// seen.
-constexpr std::array kReasons{
-    Reason{"spheres", "generic", "ordinary numbers: what fails here fails its users, and other families do not say so"},
-    Reason{"spheres", "touching", "a strict comparison, or any tolerance, shows in every case and not by chance"},
-    Reason{"spheres", "near_touching", "plain arithmetic decides most of it wrongly: how often is an engine's measure"},
-    Reason{"spheres", "alarm_edge", "alarm, contact and both radii differ: no two of them can be confused unseen"},
-    Reason{"spheres", "contact_edge", "the sign of the value is at stake in every case, and in few others"},
-    Reason{"spheres", "coincident",
-           "no direction: what an engine does instead, under whichever convention it declares"},
-    Reason{"spheres", "near_coincident", "an absolute epsilon of any size; the mutants have a few sizes"},
-    Reason{"spheres", "containment", "depths greater than a radius, for engines that stop at a surface"},
-    Reason{"spheres", "zero_radius",
-           "points are spheres: special cases for a radius of zero, which no mutant has in full"},
-    Reason{"spheres", "far_from_origin", "coordinates that a smaller format, or a tolerance that grows, cannot hold"},
-    Reason{"spheres", "extreme_scale", "overflow and underflow depend on an engine's own order of operations"},
-    Reason{"spheres", "hard_to_round",
-           "one rounding too many shows here and hardly anywhere else; mutants are wrong by more"},
-    Reason{"spheres", "hardest",
-           "the closest numbers known: for who computes with more digits and takes them for enough"},
-    Reason{"spheres", "one_axis",
-           "the answer is known at sight, on every axis and side: the first questions for a new engine"},
-    Reason{"spheres", "upstream", "compiled SOFA was asked these questions, and its answers are recorded"},
-    Reason{"cubes", "generic", "ordinary boxes: what fails here fails its users, and other families do not say so"},
-    Reason{"cubes", "separated", "far from every edge: a wrong answer is a wrong axis or side, and no rounding"},
-    Reason{"cubes", "touching", "a strict comparison on any one axis and side shows in many cases and not by chance"},
-    Reason{"cubes", "alarm_edge", "searched for what plain sums decide wrongly: how often is an engine's measure"},
-    Reason{"cubes", "flat", "overlap by volume on any axis; besides upstream's it alone refutes box-euclidean"},
-    Reason{"cubes", "nested", "for engines that compare corners, edges or faces, and not extents"},
-    Reason{"cubes", "identical", "no difference at all: for engines that take a box for itself and skip it"},
-    Reason{"cubes", "far_from_origin", "the alarm distance is lost in a sum, on every axis and side"},
-    Reason{"cubes", "upstream", "compiled SOFA was asked these questions, and its answers are recorded"}};
-
 /// What a family kills, of all pairs and scalars.
 struct FamilyKills {
   std::set<std::size_t> mutants;
@@ -204,7 +165,7 @@ std::vector<std::string> complaints(const KillMatrix& matrix) {
   for (const FileKills& file : matrix.files) {
     const golden::DatasetHeader& h = file.header;
     if (h.family == golden::kInvalidFamily) continue;  // it asks for a refusal, and no decision
-    const bool listed = std::any_of(hits_alone.begin(), hits_alone.end(), [&](const golden::HitsAlone& f) {
+    const bool listed = std::any_of(hits_alone.begin(), hits_alone.end(), [&](const golden::FamilyNote& f) {
       return kind_of(f.pair) == kind_of(h.pair) && f.family == h.family;
     });
     if (!file.mutants.contains(place_of(engines::kAlwaysMiss)))
@@ -217,19 +178,19 @@ std::vector<std::string> complaints(const KillMatrix& matrix) {
     if (listed && file.mutants.contains(place_of(engines::kAlwaysHit)))
       found.push_back(fmt::format("{} has misses, and golden/families.cpp gives a reason why it has none", file.path));
   }
+  const auto kept = golden::families_kept();
   for (const auto& [key, family] : families_of(matrix)) {
     const auto& name = key;  // what a lambda may capture
-    const bool reason = std::any_of(kReasons.begin(), kReasons.end(),
-                                    [&](const Reason& r) { return r.shapes == name.first && r.family == name.second; });
+    const bool reason = std::any_of(kept.begin(), kept.end(), [&](const golden::FamilyNote& note) {
+      return shapes_of(note.pair) == name.first && note.family == name.second;
+    });
     if (family.unique.empty() && !reason)
       found.push_back(
-          fmt::format("{} {} kills nothing that no other family kills, and tool/commands/adequacy.cpp gives no reason "
-                      "for it",
+          fmt::format("{} {} kills nothing that no other family kills, and golden/families.cpp gives no reason for it",
                       name.first, name.second));
     if (!family.unique.empty() && reason)
-      found.push_back(
-          fmt::format("{} {} kills what no other family kills, {}: take its reason out of tool/commands/adequacy.cpp",
-                      name.first, name.second, ids(family.unique)));
+      found.push_back(fmt::format("{} {} kills what no other family kills, {}: take its reason out of its table",
+                                  name.first, name.second, ids(family.unique)));
   }
   return found;
 }
@@ -332,7 +293,8 @@ bool adequacy(const std::filesystem::path& folder, bool to_write) {
 /// The table of docs/golden.md, which a test compares with this.
 void print_reasons() {
   fmt::print("<!-- reasons:begin -->\n| shapes | family | why it is there |\n|---|---|---|\n");
-  for (const Reason& r : kReasons) fmt::print("| {} | `{}` | {} |\n", r.shapes, r.family, r.why);
+  for (const golden::FamilyNote& f : golden::families_kept())
+    fmt::print("| {} | `{}` | {} |\n", shapes_of(f.pair), f.family, f.why);
   fmt::print("<!-- reasons:end -->\n");
 }
 

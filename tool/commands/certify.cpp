@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
-#include <random>
 
 #include "tool/commands/commands.hpp"
 #include "tool/commands/engine_options.hpp"
@@ -235,8 +234,7 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
   if (options.generate != 0) {
     if (!options.seed && (!options.parts.empty() || Cluster::size() > 1))
       refuse("--generate in parts needs --seed: every part has the same");
-    std::random_device entropy;
-    const std::uint64_t seed = options.seed.value_or((static_cast<std::uint64_t>(entropy()) << 20) ^ entropy());
+    const std::uint64_t seed = seed_or_fresh(options.seed);
     if (Cluster::is_first()) fmt::print("seed {}\n", seed);
     sources = generated(options, seed);
   } else {

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <random>
 
 #include "formats/input_error.hpp"
 #include "tool/run/cluster.hpp"
@@ -41,6 +42,11 @@ void require_apart(const std::vector<std::string>& outputs, const std::vector<st
     for (const std::string& input : inputs)
       if (std::filesystem::equivalent(output, input, absent) && std::filesystem::is_regular_file(input, absent))
         throw formats::InputError({output, 0}, "", "is read by this run, and would be written over");
+}
+
+std::uint64_t seed_or_fresh(std::optional<std::uint64_t> given) {
+  std::random_device entropy;
+  return given.value_or((static_cast<std::uint64_t>(entropy()) << 20) ^ entropy());
 }
 
 void require_alone(const CLI::App& command, const std::string& option) {

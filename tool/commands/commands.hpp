@@ -4,7 +4,9 @@
 #include <CLI/App.hpp>
 #include <CLI/Validators.hpp>
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +40,9 @@ extern const CLI::Validator kFromZero;
 extern const CLI::Validator kFromOne;
 /// For seconds: above 0. CLI11's own message spells out the largest double.
 extern const CLI::Validator kSeconds;
+
+/// The seed that was given, or one that nobody chose; a command prints it, so that a run can be repeated.
+[[nodiscard]] std::uint64_t seed_or_fresh(std::optional<std::uint64_t> given);
 
 /// The names of what there is, for CLI::IsMember.
 template <class All>

@@ -107,7 +107,7 @@ void print_tables() {
       fmt::print("| {} | `{}` | {} |\n", shapes_of(pair), f.name, f.reason);
   fmt::print(
       "<!-- families:end -->\n<!-- hits-alone:begin -->\n| shapes | family | why all are hits |\n|---|---|---|\n");
-  for (const golden::HitsAlone& f : golden::families_of_hits_alone())
+  for (const golden::FamilyNote& f : golden::families_of_hits_alone())
     fmt::print("| {} | `{}` | {} |\n", shapes_of(f.pair), f.family, f.why);
   fmt::print("<!-- hits-alone:end -->\n<!-- flags:begin -->\n| flag | what is true | what breaks |\n|---|---|---|\n");
   for (const golden::Flag& f : golden::flags()) fmt::print("| `{}` | {} | {} |\n", f.name, f.meaning, f.breaks);

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <random>
 #include <set>
 
 #include "engines/hosts/subprocess.hpp"
@@ -137,8 +136,7 @@ int properties(const CLI::App& command, const PropertiesOptions& o) {
   for (const std::string& law : o.laws) static_cast<void>(index_of(names, law, "law"));
   proptests::RunOptions run;
   run.correctly_rounded = o.level == name(Level::correctly_rounded);
-  std::random_device entropy;
-  run.seed = o.seed.value_or((static_cast<std::uint64_t>(entropy()) << 20) ^ entropy());
+  run.seed = seed_or_fresh(o.seed);
   run.cases = o.cases;
   run.names = o.laws;
   if (!o.save.empty() && !golden::names_dataset(o.save))

@@ -71,7 +71,7 @@ TEST(Adequacy, every_file_refutes_who_always_answers_alike_but_those_of_hits_alo
       continue;
     }
     const bool spheres = entry["pair"] != "cube_cube";
-    const bool of_hits = std::any_of(hits_alone.begin(), hits_alone.end(), [&](const golden::HitsAlone& f) {
+    const bool of_hits = std::any_of(hits_alone.begin(), hits_alone.end(), [&](const golden::FamilyNote& f) {
       return (f.pair != Pair::cube_cube) == spheres && f.family == family;
     });
     if (of_hits) met.emplace(spheres, family);

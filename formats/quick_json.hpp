@@ -1,0 +1,90 @@
+// JSON in its common form, read in one pass (simdjson). Whoever finds another form asks json.hpp, which says what is
+// wrong.
+#pragma once
+
+#include <simdjson.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/geometry.hpp"
+
+namespace contact::formats::quick {
+
+using simdjson::ondemand::value;
+template <class T>
+using Result = simdjson::simdjson_result<T>;
+
+// Each function takes a value and says whether it was there in the common form.
+
+inline bool read(Result<value> node, double& x) {
+  if (node.get_double().get(x) != simdjson::SUCCESS) return false;
+  if (x == 0) x = 0;  // -0 is read as +0
+  return true;
+}
+
+inline bool read(Result<value> node, bool& x) { return node.get_bool().get(x) == simdjson::SUCCESS; }
+inline bool read(Result<value> node, std::uint64_t& n) { return node.get_uint64().get(n) == simdjson::SUCCESS; }
+
+inline bool read(Result<value> node, std::string& text) {
+  std::string_view view;
+  if (node.get_string().get(view) != simdjson::SUCCESS) return false;
+  text = view;
+  return true;
+}
+
+/// An array, its elements taken by `element`.
+template <class Element>
+bool read_array(Result<value> node, Element element) {
+  simdjson::ondemand::array array;
+  if (node.get_array().get(array) != simdjson::SUCCESS) return false;
+  for (Result<value> each : array)
+    if (each.error() != simdjson::SUCCESS || !element(each)) return false;
+  return true;
+}
+
+inline bool read(Result<value> node, Vector3& v) {
+  Eigen::Index axis = 0;
+  return read_array(node, [&](Result<value> each) { return axis < 3 && read(each, v[axis++]); }) && axis == 3;
+}
+
+inline bool read(Result<value> node, std::array<std::string, 3>& texts) {
+  std::size_t axis = 0;
+  return read_array(node, [&](Result<value> each) { return axis < 3 && read(each, texts[axis++]); }) && axis == 3;
+}
+
+inline bool read(Result<value> node, std::vector<std::string>& texts) {
+  return read_array(node, [&](Result<value> each) { return read(each, texts.emplace_back()); });
+}
+
+/// The members of an object in the order in which they come, each taken by member(key, value).
+template <class Object, class Member>
+bool read_members(Object& object, Member member) {
+  for (Result<simdjson::ondemand::field> field : object) {
+    simdjson::ondemand::raw_json_string key;
+    if (field.key().get(key) != simdjson::SUCCESS || !member(key, field.value())) return false;
+  }
+  return true;
+}
+
+template <class Member>
+bool read_object(Result<value> node, Member member) {
+  simdjson::ondemand::object object;
+  return node.get_object().get(object) == simdjson::SUCCESS && read_members(object, member);
+}
+
+/// A line that is one object, its members taken as they come. The line grows by room that simdjson reads beyond it.
+template <class Member>
+bool read_line(std::string& line, Member member) {
+  static thread_local simdjson::ondemand::parser parser;
+  if (line.capacity() < line.size() + simdjson::SIMDJSON_PADDING) line.reserve(line.size() * 2 + 512);
+  simdjson::ondemand::document document;
+  simdjson::ondemand::object object;
+  return parser.iterate(simdjson::padded_string_view(line.data(), line.size(), line.capacity())).get(document) ==
+             simdjson::SUCCESS &&
+         document.get_object().get(object) == simdjson::SUCCESS && read_members(object, member) &&
+         document.current_location().error() == simdjson::OUT_OF_BOUNDS;  // nothing follows
+}
+
+}  // namespace contact::formats::quick
