@@ -57,6 +57,8 @@ struct BuiltIn {
   bool on_scoreboard;  ///< whether `certify` with neither engine nor dataset judges it
   /// Answers under a contact-point convention: what computeIntersection and testIntersection say.
   std::vector<Claim> (*answer)(std::span<const Question> questions, PointConvention points);
+  /// Whether it serves pairs of different shapes, of which upstream's component and formulas have none.
+  bool mixed_pairs;
 };
 
 [[nodiscard]] std::span<const BuiltIn> built_in_engines();

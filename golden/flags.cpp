@@ -78,6 +78,11 @@ bool is_hard_to_round(const Exact& x, const oracle::Boundary& boundary) {
   return !is_tie(x, boundary) && oracle::is_within(boundary.at, x, power_of_two(kHardExponent) * boundary.ulp);
 }
 
+bool is_flat(const Ball& /*ball*/) { return false; }
+bool is_flat(const Box& box) { return (box.min.array() == box.max.array()).any(); }
+bool is_point(const Ball& ball) { return ball.radius == 0; }
+bool is_point(const Box& /*box*/) { return false; }
+
 bool any_delta(const Query& query, auto&& predicate) {
   const Balls* balls = query.balls();
   if (balls == nullptr) return false;
@@ -105,8 +110,9 @@ const std::array kFlags{
            return t.has_numbers() && t.hit() && (q.distances.contact > 0 || t.at_alarm != oracle::Side::at) &&
                   is_near_zero(t.distance()->value(true), t.distance()->value_scale(), s);
          }},
-    Flag{"Coincident", "one centre for both spheres", "0/0 for the normal, points that are not finite",
-         [](const Query&, const Truth& t, Scalar) { return t.degenerate(); }},
+    Flag{"Coincident", "one centre for both spheres, or a centre on a box",
+         "0/0 for the normal, points that are not finite",
+         [](const Query&, const Truth& t, Scalar) { return t.coincident(); }},
     Flag{"NearlyCoincident", "centres apart by less than a 2^20th of the radii, or by subnormal numbers",
          "an absolute epsilon below which the normal becomes a fixed axis; squares that underflow",
          [](const Query&, const Truth& t, Scalar s) {
@@ -117,18 +123,16 @@ const std::array kFlags{
     Flag{"Containment", "one shape lies inside the other", "depth from the wrong side; boundaries taken for solids",
          [](const Query& q, const Truth& t, Scalar) {
            if (const Boxes* b = q.boxes()) return contained(b->a, b->b) || contained(b->b, b->a);
-           if (q.balls() == nullptr) return false;
+           if (q.balls() == nullptr) return t.degenerate() && !t.coincident();
            return t.distance()->distance2() <= square(Rational(q.balls()->a.radius) - Rational(q.balls()->b.radius));
          }},
     Flag{"ZeroRadius", "a sphere without extent", "divisions by a radius; strict overlap tests",
          [](const Query& q, const Truth&, Scalar) {
-           return q.balls() != nullptr && (q.balls()->a.radius == 0 || q.balls()->b.radius == 0);
+           return std::visit([](const auto& shapes) { return is_point(shapes.a) || is_point(shapes.b); }, q.shapes);
          }},
     Flag{"Flat", "a box without thickness on an axis", "overlap by volume; strict bounds",
          [](const Query& q, const Truth&, Scalar) {
-           const Boxes* b = q.boxes();
-           return b != nullptr &&
-                  ((b->a.min.array() == b->a.max.array()).any() || (b->b.min.array() == b->b.max.array()).any());
+           return std::visit([](const auto& shapes) { return is_flat(shapes.a) || is_flat(shapes.b); }, q.shapes);
          }},
     Flag{"OneAxis", "the centres differ in one coordinate only", "zeros that are not zero; normals that are not exact",
          [](const Query& q, const Truth&, Scalar) {

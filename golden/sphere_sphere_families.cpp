@@ -71,19 +71,10 @@ void just_miss(Spheres<Real>& s, Random& random) {
   }
 }
 
-/// One question in five of a family about contacts misses, so that nobody is right who always says hit: that one of
-/// five. Classes take turns by other primes, so each of them has its misses.
-constexpr int kMissing = 3;
-
 template <class Real>
 Spheres<Real> or_just_missed(Spheres<Real> s, Random& random) {
   if (random.turn(5) == kMissing) just_miss(s, random);
   return s;
-}
-
-template <class Real>
-std::array<Real, 3> triple(Random& random, Real low, Real high) {
-  return {random.uniform(low, high), random.uniform(low, high), random.uniform(low, high)};
 }
 
 template <class Real>
@@ -102,29 +93,6 @@ Spheres<Real> ordinary(Random& random) {
   s.r2 = random.uniform(Real{0.5}, Real{11});
   random_distances(s, random);
   return s;
-}
-
-/// Integers with x^2 + y^2 + z^2 = d^2 (Lebesgue's parametrisation), axes and signs shuffled.
-struct Quadruple {
-  std::array<std::int64_t, 3> delta;
-  std::int64_t d;
-};
-
-Quadruple quadruple(Random& random, std::int64_t largest) {
-  for (;;) {
-    const auto m = random.between<std::int64_t>(0, largest);
-    const auto n = random.between<std::int64_t>(0, largest);
-    const auto p = random.between<std::int64_t>(0, largest);
-    const auto q = random.between<std::int64_t>(0, largest);
-    Quadruple result{{m * m + n * n - p * p - q * q, 2 * (m * q + n * p), 2 * (n * q - m * p)},
-                     m * m + n * n + p * p + q * q};
-    if (result.d == 0) continue;
-    std::swap(result.delta[0], result.delta[random.index(3)]);
-    std::swap(result.delta[1], result.delta[1 + random.index(2)]);
-    for (std::int64_t& x : result.delta)
-      if (random.chance(2)) x = -x;
-    return result;
-  }
 }
 
 /// Two spheres whose centres are exactly an integer apart, in sixteenths of a unit; the caller shares out the distance.
@@ -152,11 +120,6 @@ ExactDistance<Real> exact_distance(Random& random) {
 }
 
 template <class Real>
-Real sixteenths(std::int64_t n) {
-  return static_cast<Real>(n) / Real{16};
-}
-
-template <class Real>
 Spheres<Real> exactly_touching(Random& random) {
   auto [s, total] = exact_distance<Real>(random);
   const std::int64_t first = random.between<std::int64_t>(0, total);
@@ -176,12 +139,6 @@ Spheres<Real> touching(Random& random) {
     s.c2[axis] = ulps_away(s.c2[axis], s.c2[axis] < s.c1[axis] ? -1 : 1);
   }
   return or_just_missed(s, random);
-}
-
-/// A radius or a distance: not below 0, whatever the steps beside it did.
-template <class Real>
-Real length(Real x) {
-  return std::max(x, Real{0});
 }
 
 /// Radii that leave the surfaces a few ulps apart, beside an alarm distance or none.

@@ -13,7 +13,8 @@ from pathlib import Path
 SCALARS = {"binary64": (53, -1074, 0x7FF << 52, ">d", ">Q"), "binary32": (24, -149, 0xFF << 23, ">f", ">I")}
 BALLS = [f"{s}.{x}" for s in "ab" for x in ("center[0]", "center[1]", "center[2]", "radius")] + ["alarm", "contact"]
 BOXES = [f"{s}.{x}[{i}]" for s in "ab" for x in ("min", "max") for i in range(3)] + ["alarm", "contact"]
-INPUTS = {"sphere_sphere": BALLS, "rigid_sphere_rigid_sphere": BALLS, "sphere_rigid_sphere": BALLS, "cube_cube": BOXES}
+INPUTS = {"sphere_sphere": BALLS, "rigid_sphere_rigid_sphere": BALLS, "sphere_rigid_sphere": BALLS, "cube_cube": BOXES,
+          "sphere_cube": BALLS[:4] + BOXES[6:]}
 Written = type("Written", (str,), {})  # a number as it is spelt in the file
 
 
@@ -77,6 +78,24 @@ def spheres(c1, r1, c2, r2, alarm, contact, scalar):
     return {"expect.hit": True, "expect.degenerate": D == 0, **numbers, **exact}
 
 
+def sphere_cube(c, r, low, high, alarm, contact, scalar):
+    """Outside: the sphere and the nearest point of the box, on each axis the middle one of three numbers."""
+    q = [sorted(three)[1] for three in zip(c, low, high)]
+    right = spheres(c, r, q, 0, alarm, contact, scalar)
+    if q != c:
+        return right
+    # Inside: out through the first of the nearest faces; the normal points from it into the box.
+    depth, i, sign, face = min(((sign * (c[i] - side[i]), i, sign, side[i]) for i in range(3) for sign, side in ((1, low), (-1, high))),
+                               key=lambda way: way[0])
+    for axis in range(3):
+        here, plain = axis == i, rounded(c[axis], 0, 0, scalar)
+        right[f"expect.normal[{axis}]"] = float(sign * here)
+        right[f"expect.point1[{axis}]"] = rounded(c[axis] + sign * r, 0, 0, scalar) if here else plain
+        right[f"expect.point2[{axis}]"] = rounded(face, 0, 0, scalar) if here else plain
+    right["expect.value"] = rounded(-r - depth - contact, 0, 0, scalar)
+    return right
+
+
 def right_case(found, pair, scalar):
     """What should stand in a line: the leaves of its question, and of all that follows from the question."""
     inputs = {x: float(found[x]) or 0.0 for x in INPUTS[pair]}
@@ -89,6 +108,8 @@ def right_case(found, pair, scalar):
         return {**case, "flags[0]": "Invalid", "expect.rejected": min(outside, key=lambda x: (x[1] != ".", x[0]))}
     x = [Fraction(number) for number in inputs.values()]
     case |= {f"flags[{i}]": str(found[x]) for i, x in enumerate(x for x in found if x.startswith("flags["))} or {"flags": []}
+    if pair == "sphere_cube":
+        return case | sphere_cube(x[0:3], x[3], x[4:7], x[7:10], x[10], x[11], scalar)
     if pair != "cube_cube":
         return case | spheres(x[0:3], x[3], x[4:7], x[7], x[8], x[9], scalar)
     gap = [max(x[i] - x[9 + i], x[6 + i] - x[3 + i]) for i in range(3)]  # max(min1 - max2, min2 - max1)

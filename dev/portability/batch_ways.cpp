@@ -8,6 +8,7 @@
 #include "contact/batch.hpp"
 #include "dev/portability/ways.hpp"
 #include "golden/answer_bytes.hpp"
+#include "golden/production.hpp"
 #include "kernel/batch.hpp"
 
 namespace contact::golden {
@@ -100,8 +101,12 @@ void answer(std::span<const Query> run, std::string& bytes) {
       window.push_back(*inside[(next + inside.size() * kWindow + i - place) % inside.size()]);
     ++next;
     const std::span<const Query, kWindow> whole(window);
-    bytes += digest_bytes(query.boxes() != nullptr ? Expectation{cubes_hit(whole, place), std::nullopt}
-                                                   : spheres(whole, place));
+    if (query.boxes() != nullptr)
+      bytes += digest_bytes(Expectation{cubes_hit(whole, place), std::nullopt});
+    else if (query.balls() != nullptr)
+      bytes += digest_bytes(spheres(whole, place));
+    else  // a pair without functions for many: one at a time
+      bytes += production_bytes(query);
   }
 }
 

@@ -102,7 +102,7 @@ class Accepted(Case):
         for family in map(json.loads, run("families", "--json").stdout.splitlines()):
             for scalar in ("binary64", "binary32") if "family" in family else ():
                 path = self.folder / f"{family['shapes']}.{family['family']}.{scalar}.jsonl"
-                pair = "cube_cube" if family["shapes"] == "cubes" else "sphere_rigid_sphere"
+                pair = {"cubes": "cube_cube", "spheres": "sphere_rigid_sphere", "sphere and cube": "sphere_cube"}[family["shapes"]]
                 made = run("generate", "--pair", pair, "--family", family["family"], "--count", 7, "--seed", 2**64 - 1,
                            "--scalar", scalar, "--shard", "1/2", "-o", path)
                 self.assertEqual(made.returncode, 0, made.stderr)
@@ -178,7 +178,7 @@ class Accepted(Case):
 class Names(Case):
     def test_families_and_flags_are_the_programs(self):
         listed = [json.loads(line) for line in run("families", "--json").stdout.splitlines()]
-        for name, shapes in (("sphere_family", "spheres"), ("cube_family", "cubes")):
+        for name, shapes in (("sphere_family", "spheres"), ("cube_family", "cubes"), ("sphere_cube_family", "sphere and cube")):
             self.assertEqual(COMMON[name]["enum"], [one["family"] for one in listed if one.get("shapes") == shapes])
         self.assertEqual(COMMON["flag"]["enum"], [one["flag"] for one in listed if "flag" in one])
 
@@ -260,7 +260,7 @@ class Refused(Case):
                 "leading zero": (["exact", "reach"], "0x01p0"), "negative zero": (["exact", "reach"], "-0x0p0"),
                 "positive sign": (["exact", "reach"], "0x1p+1"), "zero with an exponent": (["exact", "reach"], "0x0p1"),
                 "number for text": (["exact", "reach"], 3), "exact missing": (["exact"], None), "gap": (["exact", "gap"], []),
-                "unknown key": (["colour"], 7), "unknown inner key": (["a", "mass"], 7), "box beside a ball": (["b"], {
+                "unknown key": (["colour"], 7), "unknown inner key": (["a", "mass"], 7), "box before a ball": (["a"], {
                     "min": [0, 0, 0], "max": [1, 1, 1]}),
             })
         self.check("dataset.json", miss, {"a contact": (["expect", "value"], 1), "hit": (["expect", "hit"], True)})

@@ -38,17 +38,17 @@ std::vector<Claim> each(std::span<const Question> questions, PointConvention poi
 
 constexpr std::array kBuiltIn{
     BuiltIn{"production", "this project's implementation: exact decisions, correctly rounded numbers", Scalar::binary64,
-            true, each<production_answer>},
+            true, each<production_answer>, true},
     BuiltIn{"batch", "production through its functions for many pairs; batch:AVX2 and so on choose the vectors",
-            Scalar::binary64, false, batch_answers},
+            Scalar::binary64, false, batch_answers, false},
     BuiltIn{"component", "production through DiscreteIntersection and whole models", Scalar::binary64, false,
-            each<component_answer>},
+            each<component_answer>, false},
     BuiltIn{"plain-double", "the seed's formulas in plain double arithmetic, as SOFA computes them", Scalar::binary64,
-            true, each<plain<Scalar::binary64>>},
+            true, each<plain<Scalar::binary64>>, true},
     BuiltIn{"plain-float", "the seed's formulas in plain float arithmetic", Scalar::binary32, true,
-            each<plain<Scalar::binary32>>},
+            each<plain<Scalar::binary32>>, true},
     BuiltIn{"published", "production with the contact points of the seed's printed formula", Scalar::binary64, true,
-            each<published>},
+            each<published>, false},
 };
 
 class MutantEngine final : public Engine {
@@ -103,6 +103,7 @@ std::unique_ptr<Engine> make_built_in(std::string_view name, PointConvention poi
   engines::EngineInfo info;
   info.name = name;
   info.version = CONTACT_VERSION;
+  if (!it->mixed_pairs) std::erase(info.pairs, Pair::sphere_cube);
   info.declared.scalar = it->scalar;
   info.declared.conventions.points = static_cast<Points>(points);
   return std::make_unique<BuiltInEngine>(*it, std::move(info), points);

@@ -35,7 +35,7 @@ TEST(Component, SwappedModelsGiveTheMirroredContactsOfEveryGoldenSpherePairBitFo
   std::size_t degenerate = 0;
   for (const auto& path : golden::dataset_files({std::filesystem::path(CONTACT_SOURCE_DIR) / "golden"})) {
     golden::DatasetReader reader(path);
-    if (reader.header().pair == Pair::cube_cube || reader.header().family == "invalid") continue;
+    if (kind_of(reader.header().pair) != kind_of(Pair::sphere_sphere) || reader.header().family == "invalid") continue;
     while (const auto c = reader.next()) {
       const Balls& balls = *c->query.balls();
       const auto a = model(balls.a, c->query.first_is_rigid());

@@ -18,14 +18,15 @@ enum contact_pair {
   CONTACT_SPHERE_SPHERE = 0,
   CONTACT_RIGID_SPHERE_RIGID_SPHERE = 1,
   CONTACT_SPHERE_RIGID_SPHERE = 2,
-  CONTACT_CUBE_CUBE = 3
+  CONTACT_CUBE_CUBE = 3,
+  CONTACT_SPHERE_CUBE = 4
 };
 
 /* Questions of one pair kind, as arrays with one row a question. */
 typedef struct contact_questions {
   size_t count;
   int32_t pair;          /* enum contact_pair */
-  int32_t width;         /* numbers of a shape: 4 for spheres, 6 for cubes */
+  int32_t width;         /* numbers of a shape of a: 4 for spheres, 6 for cubes; b is as wide as its own shape */
   const double* a;       /* count rows: centre x y z and radius; or min x y z and max x y z */
   const double* b;
   const double* alarm;   /* count */

@@ -43,7 +43,7 @@ Claim answer_of(const Mutant& mutant, const Query& query) {
 
 void decide(const Query& query, Claim& claim, bool hit) {
   claim.overlap = hit;
-  if (query.balls() == nullptr) return;
+  if (!query.has_numbers()) return;
   if (!hit) claim.contact.reset();
   if (!hit || claim.contact) return;
   Query surely = query;

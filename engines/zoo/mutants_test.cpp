@@ -46,7 +46,8 @@ struct Question {
 const std::vector<Question>& questions() {
   static const std::vector<Question> all = [] {
     std::vector<Question> made;
-    for (const Pair pair : kPairs)
+    for (const Pair pair : kPairs) {
+      if (pair == Pair::sphere_cube) continue;  // the formulas of causes are of two spheres and two boxes
       for (const golden::Family& family : golden::families_of(pair))
         for (std::uint64_t i = 0; i < 36 && !family.outside_domain && family.name != "extreme_scale"; ++i) {
           const Query query = golden::generate_query(pair, family, Scalar::binary64, golden::kCommittedSeed, i);
@@ -54,6 +55,7 @@ const std::vector<Question>& questions() {
           const Expectation right = oracle::expectation(truth, Scalar::binary64);
           made.push_back({query, std::move(truth), right});
         }
+    }
     return made;
   }();
   return all;
@@ -72,7 +74,7 @@ TEST(Mutants, that_always_answer_alike_are_right_in_everything_else) {
         const Query query = golden::generate_query(pair, family, Scalar::binary64, golden::kCommittedSeed, i);
         for (const auto& [mutant, sign] : {std::pair(hit, oracle::Side::within), {miss, oracle::Side::beyond}}) {
           const Claim claim = answer_of(mutant, query);
-          ASSERT_TRUE(claim.overlap && claim.speaks_of_contact == (query.balls() != nullptr)) << family.name << i;
+          ASSERT_TRUE(claim.overlap && claim.speaks_of_contact == query.has_numbers()) << family.name << i;
           // Were it true that the shapes are near, or far apart, nothing of the answer would be wrong.
           const auto verdict = oracle::judge(query, oracle::truth_with(query, sign, sign), claim, declared);
           ASSERT_EQ(verdict.level(), oracle::Level::correctly_rounded) << mutant.id << " " << family.name << i;

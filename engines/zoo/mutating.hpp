@@ -16,16 +16,26 @@ namespace contact::engines {
 /// Wide enough that a mutant is wrong by its one mistake, and not by rounding.
 using Wide = long double;
 
-/// Two spheres in wide arithmetic.
+/// Two spheres; of a sphere and a box the sphere, and the nearest point of the box. Domain: a pair with numbers.
+inline Balls balls(const Query& q) {
+  if (q.balls() != nullptr) return *q.balls();
+  const auto& [ball, box] = std::get<BallAndBox>(q.shapes);
+  return {ball, {ball.center.cwiseMax(box.min).cwiseMin(box.max), 0}};
+}
+/// Whether their centres are one point, which has no direction.
+inline bool coincident(const Query& q) { return q.has_numbers() && balls(q).a.center == balls(q).b.center; }
+
+/// These spheres in wide arithmetic.
 struct WideSpheres {
   explicit WideSpheres(const Query& query)
-      : r1(query.balls()->a.radius),
-        r2(query.balls()->b.radius),
+      : r1(balls(query).a.radius),
+        r2(balls(query).b.radius),
         alarm(query.distances.alarm),
         contact(query.distances.contact) {
+    const auto [a, b] = balls(query);
     for (std::size_t i = 0; i < 3; ++i) {
-      c1[i] = query.balls()->a.center[static_cast<Eigen::Index>(i)];
-      c2[i] = query.balls()->b.center[static_cast<Eigen::Index>(i)];
+      c1[i] = a.center[static_cast<Eigen::Index>(i)];
+      c2[i] = b.center[static_cast<Eigen::Index>(i)];
       d[i] = c2[i] - c1[i];
     }
     D = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
@@ -39,8 +49,6 @@ struct WideSpheres {
   Wide D, distance, reach;
 };
 
-inline const Balls& balls(const Query& q) { return *q.balls(); }
-inline bool coincident(const Query& q) { return q.balls() != nullptr && balls(q).a.center == balls(q).b.center; }
 /// Exactly: the surfaces overlap, or just touch.
 inline bool overlapping(const Query& q) { return oracle::truth_of(q).at_zero != oracle::Side::beyond; }
 inline bool at_edge(const Query& q) { return oracle::truth_of(q).at_alarm == oracle::Side::at; }
@@ -98,10 +106,10 @@ void decide_boxes(const Query& q, Claim& claim, Compare compare) {
     decide(q, claim, compare(wide(q.boxes()->a), wide(q.boxes()->b), static_cast<Wide>(q.distances.alarm)));
 }
 
-/// Another value.
+/// Another value; not of a sphere whose centre is in a box, which has a formula of its own.
 template <class Value>
 void revalue(const Query& q, Claim& claim, Value value) {
-  if (claim.contact) claim.contact->value = rounded(value(WideSpheres(q)));
+  if (claim.contact && (q.balls() != nullptr || !coincident(q))) claim.contact->value = rounded(value(WideSpheres(q)));
 }
 
 /// For changes of the question, which are made in it.

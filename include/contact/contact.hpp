@@ -10,8 +10,9 @@ struct Contact {
   Vector3 normal;
   Vector3 point1;
   Vector3 point2;
-  double value;     ///< signed distance of the surfaces, less the contact distance
-  bool degenerate;  ///< the centres coincide: the normal is (1,0,0) by agreement, not by geometry
+  double value;  ///< signed distance of the surfaces, less the contact distance
+  /// Two centres coincide, or one lies in a box: there is no distance. The specification says what the normal is then.
+  bool degenerate;
 };
 
 /// Where a contact point of one sphere lies, n being the unit normal from the first sphere to the second.

@@ -22,7 +22,8 @@ struct Two {
 /// The kinds of two shapes: X(first, second). Each floor declares what it has for each kind from this list.
 #define CONTACT_KINDS(X) \
   X(Ball, Ball)          \
-  X(Box, Box)
+  X(Box, Box)            \
+  X(Ball, Box)
 
 /// The pairs: X(name, first shape, second shape, its contacts have numbers, the first is rigid, the second is rigid).
 /// Under upstream's convention a rigid sphere reports its nearest surface point, a deformable one its centre.
@@ -30,7 +31,8 @@ struct Two {
   X(sphere_sphere, Ball, Ball, true, false, false)           \
   X(rigid_sphere_rigid_sphere, Ball, Ball, true, true, true) \
   X(sphere_rigid_sphere, Ball, Ball, true, false, true)      \
-  X(cube_cube, Box, Box, false, false, false)
+  X(cube_cube, Box, Box, false, false, false)                \
+  X(sphere_cube, Ball, Box, true, false, false)
 
 #define CONTACT_NAME(name, ...) name,
 enum class Pair { CONTACT_PAIRS(CONTACT_NAME) };
@@ -49,6 +51,7 @@ using Shapes = AnyOfKinds<void CONTACT_KINDS(CONTACT_KIND)>::Type;
 
 using Balls = Two<Ball, Ball>;
 using Boxes = Two<Box, Box>;
+using BallAndBox = Two<Ball, Box>;
 
 struct PairDescription {
   Pair pair;

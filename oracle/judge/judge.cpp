@@ -66,20 +66,10 @@ class ContactJudge {
     if (!claim_.normal || !claims(Field::normal)) return std::nullopt;
     const Vector3& n = claimed_n_;
     if (!is_finite(n)) return FieldVerdict{Grade::not_finite, 0};
-    if (truth_.degenerate()) return coincident_normal(n);
+    if (truth_.degenerate()) return truth_.coincident() ? coincident_normal(n) : normal_out(n);
     if (rounded_ != nullptr && conventions_.normal_unit && n == rounded_->normal) return FieldVerdict{};
     FieldVerdict verdict;
-    const Rational length2 = squared_length(n);
-    const Rational unit = ulp(Rational(1), declared_.scalar);
-    for (int axis = 0; axis < 3; ++axis) {
-      const Exact x = truth_.normal(axis);
-      if (conventions_.normal_unit)
-        verdict = worse(verdict, grade(n[axis], x, declared_.scalar, Rational(1), declared_.bounds.normal));
-      else if (CGAL::is_zero(length2))
-        verdict = worse(verdict, {Grade::beyond_bound, error_in_units(Rational(0), x, unit)});
-      else
-        verdict = worse(verdict, grade_direction(n[axis], length2, x, unit, declared_.bounds.normal));
-    }
+    for (int axis = 0; axis < 3; ++axis) verdict = worse(verdict, component(n, axis, truth_.normal(axis)));
     return verdict;
   }
 
@@ -89,7 +79,7 @@ class ContactJudge {
     const std::optional<PointOn> on = point_of(conventions_, query_, sphere);
     if (!p || !on || !claims(sphere == 0 ? Field::point1 : Field::point2)) return std::nullopt;
     if (truth_.degenerate() && *on != PointOn::center && !knows_coincident_normal()) return std::nullopt;
-    if (rounded_ != nullptr && !truth_.degenerate() && *on == PointOn::nearest_surface &&
+    if (rounded_ != nullptr && (!truth_.degenerate() || is_reference()) && *on == PointOn::nearest_surface &&
         *p == (sphere == 0 ? rounded_->point1 : rounded_->point2))
       return FieldVerdict{};
     FieldVerdict verdict;
@@ -126,14 +116,58 @@ class ContactJudge {
  private:
   [[nodiscard]] bool claims(Field field) const { return declared_.claimed().has(aspect(field)); }
 
-  /// D = 0: any finite unit normal is right, to 8 roundings of its squared length, or exactly zero where so declared.
+  /// A component of a claimed normal beside the exact one.
+  [[nodiscard]] FieldVerdict component(const Vector3& n, int axis, const Exact& x) const {
+    if (conventions_.normal_unit) return grade(n[axis], x, declared_.scalar, Rational(1), declared_.bounds.normal);
+    const Rational length2 = squared_length(n);
+    const Rational unit = ulp(Rational(1), declared_.scalar);
+    if (CGAL::is_zero(length2)) return {Grade::beyond_bound, error_in_units(Rational(0), x, unit)};
+    return grade_direction(n[axis], length2, x, unit, declared_.bounds.normal);
+  }
+
+  /// Inside: the best of the shortest ways out, right within 8 roundings of a unit normal.
+  [[nodiscard]] FieldVerdict normal_out(const Vector3& n) const {
+    std::optional<FieldVerdict> best;
+    for (const WayOut& way : truth_.meeting().ways) {
+      FieldVerdict verdict;
+      Rational off(0);
+      for (int axis = 0; axis < 3; ++axis) {
+        const Rational& along = way.direction[static_cast<std::size_t>(axis)];
+        verdict = worse(verdict, component(n, axis, along));
+        off += (Rational(n[axis]) - along) * (Rational(n[axis]) - along);
+      }
+      if (conventions_.normal_unit && off <= roundings() * roundings()) return {};
+      if (!best || worse(verdict, *best) == *best) best = verdict;
+    }
+    return *best;
+  }
+  [[nodiscard]] Rational roundings() const {
+    return Rational(8) * power_of_two(-format_of(declared_.scalar).precision);
+  }
+  /// Whether the claimed normal is the reference's.
+  [[nodiscard]] bool is_reference() const { return conventions_.normal_unit && claimed_n_ == rounded_->normal; }
+
+  /// Whether a normal points against no vertex of the cores: n.w >= -8u |w| for all of their differences w.
+  [[nodiscard]] bool separates(const Vector3& n) const {
+    return std::all_of(truth_.meeting().apart.begin(), truth_.meeting().apart.end(), [&](const Point& w) {
+      Rational along(0);
+      Rational length2(0);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        along += w[axis] * Rational(n[static_cast<Eigen::Index>(axis)]);
+        length2 += w[axis] * w[axis];
+      }
+      return along >= Rational(0) || along * along <= roundings() * roundings() * length2;
+    });
+  }
+
+  /// D = 0: any finite unit normal that separates is right, to 8 roundings of its squared length, or exactly zero where
+  /// so declared.
   [[nodiscard]] FieldVerdict coincident_normal(const Vector3& n) const {
     const Rational length2 = squared_length(n);
     if (conventions_.coincident == Coincident::zero_normal)
       return CGAL::is_zero(length2) ? FieldVerdict{} : FieldVerdict{Grade::beyond_bound, error_from_unit(length2)};
-    const bool right = conventions_.normal_unit ? CGAL::abs(length2 - Rational(1)) <=
-                                                      Rational(8) * power_of_two(-format_of(declared_.scalar).precision)
-                                                : !CGAL::is_zero(length2);
+    const bool right = separates(n) && (conventions_.normal_unit ? CGAL::abs(length2 - Rational(1)) <= roundings()
+                                                                 : !CGAL::is_zero(length2));
     const Grade best = conventions_.normal_unit ? Grade::correctly_rounded : Grade::bounded;
     return right ? FieldVerdict{best, 0} : FieldVerdict{Grade::beyond_bound, error_from_unit(length2)};
   }
@@ -144,13 +178,15 @@ class ContactJudge {
   [[nodiscard]] bool knows_coincident_normal() const { return claim_.normal && is_finite(claimed_n_); }
   /// D = 0: the point that goes with the claimed normal.
   [[nodiscard]] Exact coincident_point(int sphere, int axis, PointOn on) const {
-    if (on == PointOn::center) return truth_.point(sphere, axis, on);
-    const Rational center = truth_.point_for(sphere, axis, on, Vector3::Zero());
+    if (!knows_coincident_normal()) return truth_.point(sphere, axis, on);  // a centre
+    const Rational center = truth_.point_for(sphere, axis, PointOn::center, claimed_n_);
     return beside_center(center, truth_.point_for(sphere, axis, on, claimed_n_) - center);
   }
   /// D = 0: the middle of the two nearest surface points that go with the claimed normal.
   [[nodiscard]] Exact coincident_midpoint(int axis) const {
-    const Rational center = truth_.point_for(0, axis, PointOn::nearest_surface, Vector3::Zero());
+    const Rational center = (truth_.point_for(0, axis, PointOn::center, claimed_n_) +
+                             truth_.point_for(1, axis, PointOn::center, claimed_n_)) /
+                            Rational(2);
     const Rational sum = truth_.point_for(0, axis, PointOn::nearest_surface, claimed_n_) +
                          truth_.point_for(1, axis, PointOn::nearest_surface, claimed_n_);
     return beside_center(center, sum / Rational(2) - center);
@@ -256,7 +292,7 @@ Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const 
   verdict.status = claim.status;
   verdict.text = claim.text;
   bool contact_expected = expected_hit(query, truth, conventions.touching_contact, conventions.margin);
-  if (truth.degenerate() && conventions.coincident == Coincident::no_contact) contact_expected = false;
+  if (truth.coincident() && conventions.coincident == Coincident::no_contact) contact_expected = false;
   verdict.has_numbers = truth.has_numbers() && contact_expected;
   if (claim.status != Claim::Status::answered) return verdict;
 

@@ -48,6 +48,8 @@ struct FieldVerdict {
   Grade grade = Grade::correctly_rounded;
   /// Upper bound of the error in ulps of the field's scale; 0 where correctly rounded (not measured there).
   double error = 0;
+
+  friend bool operator==(const FieldVerdict&, const FieldVerdict&) = default;
 };
 
 struct Verdict {

@@ -978,5 +978,71 @@ TEST(JudgeExplains, touching_the_margin_and_coincident_centres) {
   EXPECT_TRUE(says(explained(coincident(), normal_of({0, 0, 0})), "normal", "coincident", "zero_normal"));
 }
 
+// A sphere and a box.
+
+Query in_unit_box(const Vector3& center, double radius = 2) {
+  return {Pair::sphere_cube, BallAndBox{{center, radius}, {{0, 0, 0}, {1, 1, 1}}}, {0, 0}};
+}
+Claim out_of_box(const Vector3& n, const Vector3& p1, const Vector3& p2) {
+  return contact_of({.normal = n, .point1 = p1, .point2 = p2, .point = {}, .value = {}});
+}
+
+TEST(JudgeBox, every_nearest_face_is_right_and_points_are_those_of_the_face) {
+  const Query middle = in_unit_box({0.5, 0.5, 0.5});
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double sign : {1.0, -1.0}) {
+      const Vector3 n = Vector3::Unit(axis) * sign;
+      const Vector3 c(0.5, 0.5, 0.5);
+      EXPECT_EQ(level_of(middle, out_of_box(n, c + 2 * n, c - 0.5 * n)), Level::correctly_rounded);
+      EXPECT_EQ(level_of(middle, out_of_box(n, c + 2 * n, c + 0.5 * n)), Level::decisions);
+      EXPECT_EQ(level_of(middle, out_of_box(n, c - 2 * n, c - 0.5 * n)), Level::decisions);
+    }
+  EXPECT_EQ(level_of(middle, normal_of({0.6, 0.8, 0})), Level::decisions);
+  EXPECT_EQ(level_of(middle, normal_of({1, 0x1p-50, 0})), Level::correctly_rounded);  // 8u = 2^-50
+  EXPECT_EQ(level_of(middle, normal_of({1, 0x1.1p-46, 0})), Level::decisions);
+}
+
+TEST(JudgeBox, a_face_that_is_one_ulp_farther_is_wrong) {
+  const Query left = in_unit_box({below(0.5), 0.5, 0.5});
+  EXPECT_EQ(level_of(left, normal_of({1, 0, 0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(left, normal_of({-1, 0, 0})), Level::decisions);
+  EXPECT_EQ(level_of(left, normal_of({0, 1, 0})), Level::decisions);
+}
+
+TEST(JudgeBox, the_value_inside_counts_the_depth) {
+  EXPECT_EQ(level_of(in_unit_box({0.25, 0.5, 0.5}), value_of(-2.25)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(in_unit_box({0.25, 0.5, 0.5}), value_of(-2)), Level::decisions);
+  EXPECT_EQ(level_of(in_unit_box({1, 0.5, 0.5}), value_of(-2)), Level::correctly_rounded);
+}
+
+TEST(JudgeBox, on_a_corner_every_normal_that_separates_is_right) {
+  const Query corner = in_unit_box({1, 1, 1});
+  for (const Vector3& n : {Vector3(-1, 0, 0), Vector3(0, 0, -1), Vector3(-0.6, -0.8, 0), Vector3(-0.6, 0, -0.8)})
+    EXPECT_EQ(level_of(corner, normal_of(n)), Level::correctly_rounded) << n.transpose();
+  for (const Vector3& n : {Vector3(1, 0, 0), Vector3(-0.8, 0.6, 0), Vector3(0, -0.6, 0.8)})
+    EXPECT_EQ(level_of(corner, normal_of(n)), Level::decisions) << n.transpose();
+  EXPECT_EQ(level_of(corner, out_of_box({0, 0, -1}, {1, 1, -1}, {1, 1, 1})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(corner, out_of_box({0, 0, -1}, {1, 1, 3}, {1, 1, 1})), Level::decisions);
+  // On a face there is one way out alone.
+  EXPECT_EQ(level_of(in_unit_box({1, 0.5, 0.5}), normal_of({-1, 0, 0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(in_unit_box({1, 0.5, 0.5}), normal_of({-0.6, -0.8, 0})), Level::decisions);
+}
+
+TEST(JudgeBox, conventions_of_coincidence_speak_of_the_boundary_and_not_of_the_inside) {
+  const Declaration silent = with([](Conventions& c) { c.coincident = Coincident::no_contact; });
+  EXPECT_EQ(level_of(in_unit_box({1, 1, 1}), no_contact(), silent), Level::correctly_rounded);
+  EXPECT_EQ(level_of(in_unit_box({0.5, 0.5, 0.5}), no_contact(), silent), Level::none);
+  const Declaration zero = with([](Conventions& c) { c.coincident = Coincident::zero_normal; });
+  EXPECT_EQ(level_of(in_unit_box({1, 1, 1}), normal_of({0, 0, 0}), zero), Level::correctly_rounded);
+  EXPECT_EQ(level_of(in_unit_box({0.5, 0.5, 0.5}), normal_of({0, 0, 0}), zero), Level::decisions);
+}
+
+TEST(JudgeBox, a_point_inside_is_no_matter_of_open_or_closed) {
+  const Declaration open = with([](Conventions& c) { c.touching_overlap = Touching::open; });
+  EXPECT_EQ(level_of(in_unit_box({0.5, 0.5, 0.5}, 0), overlap(true), open), Level::correctly_rounded);
+  EXPECT_EQ(level_of(in_unit_box({1, 0.5, 0.5}, 0), overlap(true), open), Level::conservative);
+  EXPECT_EQ(level_of(in_unit_box({1, 0.5, 0.5}, 0), overlap(false), open), Level::correctly_rounded);
+}
+
 }  // namespace
 }  // namespace contact::oracle

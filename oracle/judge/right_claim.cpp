@@ -19,33 +19,32 @@ Claim right_claim(const Query& query, const Truth& truth, const Declaration& dec
   Claim claim;
   claim.overlap = expected_hit(query, truth, conventions.touching_overlap, conventions.margin);
   if (!truth.has_numbers()) return claim;
-  const DistanceTruth& spheres = *truth.distance();
+  const DistanceTruth& pair = *truth.distance();
   claim.speaks_of_contact = true;
   if (!expected_hit(query, truth, conventions.touching_contact, conventions.margin)) return claim;
-  if (spheres.degenerate() && conventions.coincident == Coincident::no_contact) return claim;
+  if (pair.coincident() && conventions.coincident == Coincident::no_contact) return claim;
   ContactClaim& contact = claim.contact.emplace();
   const auto vector = [&](auto exact) {
     Vector3 v;
     for (int axis = 0; axis < 3; ++axis) v[axis] = round_to_nearest(exact(axis), declared.scalar);
     return v;
   };
-  Vector3 normal = vector([&](int axis) { return spheres.normal(axis); });
-  const bool zero = spheres.degenerate() && conventions.coincident == Coincident::zero_normal;
+  Vector3 normal = vector([&](int axis) { return pair.normal(axis); });
+  const bool zero = pair.coincident() && conventions.coincident == Coincident::zero_normal;
   if (zero) normal = Vector3::Zero();
   const auto point = [&](int sphere) -> std::optional<Vector3> {
     const std::optional<PointOn> on = point_of(conventions, query, sphere);
     if (!on) return std::nullopt;
-    return vector([&](int axis) { return spheres.point(sphere, axis, zero ? PointOn::center : *on); });
+    return vector([&](int axis) { return pair.point(sphere, axis, zero ? PointOn::center : *on); });
   };
   contact.point1 = point(0);
   contact.point2 = point(1);
   if (conventions.points == Points::midpoint)
-    contact.point =
-        vector([&](int axis) { return zero ? spheres.point(0, axis, PointOn::center) : spheres.midpoint(axis); });
+    contact.point = vector([&](int axis) { return zero ? pair.point(0, axis, PointOn::center) : pair.midpoint(axis); });
   contact.normal = normal;
   if (conventions.normal == NormalDirection::second_to_first)
     contact.normal = Vector3::Zero() - normal;  // +0 where a zero is negated
-  const Exact value = spheres.value(conventions.value_less_contact);
+  const Exact value = pair.value(conventions.value_less_contact);
   if (conventions.value != ValueKind::none)
     contact.value =
         round_to_nearest(conventions.value == ValueKind::depth ? value.scaled(Rational(-1)) : value, declared.scalar);

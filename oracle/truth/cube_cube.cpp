@@ -14,6 +14,6 @@ ExactTruth exact_truth(const Boxes& boxes, Distances distances) {
   return {GapTruth(std::move(gap), Rational(distances.alarm))};
 }
 
-bool cores_meet(const Boxes& /*boxes*/) { return false; }
+Meet cores_meet(const Boxes& /*boxes*/) { return Meet::no; }
 
 }  // namespace contact::oracle

@@ -29,38 +29,58 @@ DistanceTruth::DistanceTruth(Cores cores, Distances distances)
   }
   radii_ = cores_.radius[0] + cores_.radius[1];
   reach_ = Rational(distances.alarm) + radii_;
+  if (degenerate() && !cores_.meeting)
+    cores_.meeting = Meeting{Rational(0), {{{Rational(1), Rational(0), Rational(0)}, cores_.nearest[1]}}, {}};
+  along_ = degenerate() ? meeting().ways.front().direction : delta_;
+  along2_ = square(along_[0]) + square(along_[1]) + square(along_[2]);
 }
 
-// Both sides of sqrt(D) <= reach are >= 0, so their squares stand in the same order.
-Side DistanceTruth::at_alarm() const { return side_of(distance2_ - square(reach_)); }
-Side DistanceTruth::at_zero() const { return side_of(distance2_ - square(radii_)); }
-
-Exact DistanceTruth::normal(int axis) const {
-  if (degenerate()) return Rational(axis == 0 ? 1 : 0);
-  return {Rational(0), delta_[index(axis)] / distance2_, distance2_};
+const Point& DistanceTruth::nearest(int shape) const {
+  return degenerate() && shape == 1 ? meeting().ways.front().nearest : cores_.nearest[index(shape)];
 }
+
+// Both sides of sqrt(D) <= reach are >= 0, so their squares stand in the same order. What is inside is within any
+// reach.
+Side DistanceTruth::within(const Rational& reach) const {
+  return degenerate() && !coincident() ? Side::within : side_of(distance2_ - square(reach));
+}
+Side DistanceTruth::at_alarm() const { return within(reach_); }
+Side DistanceTruth::at_zero() const { return within(radii_); }
+
+Exact DistanceTruth::normal(int axis) const { return {Rational(0), along_[index(axis)] / along2_, along2_}; }
 
 Exact DistanceTruth::point(int shape, int axis, PointOn on) const {
-  if (degenerate()) return point_for(shape, axis, on, Vector3::UnitX());
-  const Rational along = direction(shape, on) * cores_.radius[index(shape)] * delta_[index(axis)] / distance2_;
-  return {cores_.nearest[index(shape)][index(axis)], along, distance2_};
+  const Rational radius = direction(shape, on) * cores_.radius[index(shape)];
+  return {nearest(shape)[index(axis)], radius * along_[index(axis)] / along2_, along2_};
 }
 
 Rational DistanceTruth::point_for(int shape, int axis, PointOn on, const Vector3& normal) const {
   const DefaultEnvironment environment;
-  return cores_.nearest[index(shape)][index(axis)] +
-         direction(shape, on) * cores_.radius[index(shape)] * Rational(normal[axis]);
+  return foot(shape, normal)[index(axis)] + direction(shape, on) * cores_.radius[index(shape)] * Rational(normal[axis]);
+}
+
+const Point& DistanceTruth::foot(int shape, const Vector3& normal) const {
+  if (shape == 0) return cores_.nearest[0];
+  const auto along = [&](const WayOut& way) {
+    Rational sum(0);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      sum += way.direction[axis] * Rational(normal[static_cast<Eigen::Index>(axis)]);
+    return sum;
+  };
+  return std::max_element(meeting().ways.begin(), meeting().ways.end(),
+                          [&](const WayOut& x, const WayOut& y) { return along(x) < along(y); })
+      ->nearest;
 }
 
 Exact DistanceTruth::midpoint(int axis) const {
-  const Rational sum = cores_.nearest[0][index(axis)] + cores_.nearest[1][index(axis)];
+  const Rational sum = nearest(0)[index(axis)] + nearest(1)[index(axis)];
   const Rational radii = cores_.radius[0] - cores_.radius[1];
-  if (degenerate()) return (sum + radii * Rational(axis == 0 ? 1 : 0)) / Rational(2);
-  return {sum / Rational(2), radii * delta_[index(axis)] / distance2_ / Rational(2), distance2_};
+  return {sum / Rational(2), radii * along_[index(axis)] / along2_ / Rational(2), along2_};
 }
 
 Exact DistanceTruth::value(bool less_contact) const {
-  return {less_contact ? -radii_ - contact_ : -radii_, Rational(1), distance2_};
+  const Rational inward = degenerate() ? radii_ + meeting().depth : radii_;
+  return {less_contact ? -inward - contact_ : -inward, Rational(1), distance2_};
 }
 
 Exact DistanceTruth::margin(Scalar scalar) const {
@@ -68,15 +88,13 @@ Exact DistanceTruth::margin(Scalar scalar) const {
 }
 
 Exact DistanceTruth::value_scale() const {
-  const Rational larger = std::max(radii_, contact_);
+  const Rational larger = std::max({radii_, contact_, degenerate() ? meeting().depth : Rational(0)});
   const Exact distance(Rational(0), Rational(1), distance2_);
   return distance.compare(larger) == CGAL::LARGER ? distance : Exact(larger);
 }
 
 Rational DistanceTruth::point_scale(int shape) const {
-  Rational scale = cores_.radius[index(shape)];
-  for (const Rational& c : cores_.nearest[index(shape)]) scale = std::max(scale, Rational(CGAL::abs(c)));
-  return scale;
+  return std::max(cores_.radius[index(shape)], cores_.farthest[index(shape)]);
 }
 
 const Rational& GapTruth::widest_gap() const { return *std::max_element(gap_.begin(), gap_.end()); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -12,10 +13,30 @@
 
 namespace contact::oracle {
 
+using Point = std::array<Rational, 3>;
+
+/// A way to part two cores that meet: the second one moves along `direction`, or the first against it. `nearest` is
+/// where the second core's contact point lies then.
+struct WayOut {
+  Point direction;
+  Point nearest;
+};
+
+/// What is true of cores that meet (D = 0): how deep they are in each other, and the shortest ways out.
+struct Meeting {
+  Rational depth;
+  /// Where the depth is above 0: every one of that length, the reference's first. Else the reference's alone.
+  std::vector<WayOut> ways;
+  /// Where the depth is 0: b - a for all vertices a and b of the cores. A right normal points against none of them.
+  std::vector<Point> apart;
+};
+
 /// Two convex shapes as two cores, each blown up by a radius, and the nearest points p and q of the cores.
 struct Cores {
-  std::array<std::array<Rational, 3>, 2> nearest;
+  std::array<Point, 2> nearest;
   std::array<Rational, 2> radius;
+  std::array<Rational, 2> farthest;     ///< the largest coordinate that each contact point is computed from
+  std::optional<Meeting> meeting = {};  ///< where they meet; of two points that are one it need not be said
 };
 
 /// What is exactly true of two shapes with a distance.
@@ -26,6 +47,10 @@ class DistanceTruth {
 
   /// D = 0.
   [[nodiscard]] bool degenerate() const { return CGAL::is_zero(distance2_); }
+  /// D = 0, and nothing is inside anything: the direction is by agreement.
+  [[nodiscard]] bool coincident() const { return degenerate() && CGAL::is_zero(cores_.meeting->depth); }
+  /// Domain: D = 0.
+  [[nodiscard]] const Meeting& meeting() const { return *cores_.meeting; }
   [[nodiscard]] const Rational& distance2() const { return distance2_; }
   [[nodiscard]] const Rational& reach() const { return reach_; }
   [[nodiscard]] const Rational& radii() const { return radii_; }
@@ -33,27 +58,34 @@ class DistanceTruth {
   [[nodiscard]] Side at_alarm() const;
   [[nodiscard]] Side at_zero() const;
 
-  /// One component of n; (1,0,0) where D = 0.
+  /// One component of n; where D = 0, of the reference's way out.
   [[nodiscard]] Exact normal(int axis) const;
   /// One coordinate of shape 0's or 1's contact point for the normal n.
   [[nodiscard]] Exact point(int shape, int axis, PointOn on) const;
-  /// The same for a claimed normal instead of n: what a point must be where D = 0.
+  /// The same for a claimed normal instead of n, and the way out that is nearest to it. Domain: D = 0.
   [[nodiscard]] Rational point_for(int shape, int axis, PointOn on, const Vector3& normal) const;
   /// One coordinate of the middle of the two nearest surface points.
   [[nodiscard]] Exact midpoint(int axis) const;
-  /// sqrt(D) - (r1 + r2), less the contact distance or not.
+  /// sqrt(D) - (r1 + r2), less the depth, less the contact distance or not.
   [[nodiscard]] Exact value(bool less_contact) const;
   /// (sqrt(D) - reach) / ulp(reach).
   [[nodiscard]] Exact margin(Scalar scalar) const;
-  /// The scale by which `bounded` measures: value max(sqrt D, r1 + r2, contact), point max(|p_i| coordinates, r_i).
+  /// The scale by which `bounded` measures: value max(sqrt D, r1 + r2, contact, depth), point max(farthest, r_i).
   [[nodiscard]] Exact value_scale() const;
   [[nodiscard]] Rational point_scale(int shape) const;
 
  private:
+  [[nodiscard]] Side within(const Rational& reach) const;
+  /// Where a shape's contact point is measured from; and for a claimed normal, where D = 0.
+  [[nodiscard]] const Point& nearest(int shape) const;
+  [[nodiscard]] const Point& foot(int shape, const Vector3& normal) const;
+
   Cores cores_;
   Rational contact_;
-  std::array<Rational, 3> delta_;
+  Point delta_;
   Rational distance2_;
+  Point along_;  ///< n is along_ / |along_|: delta, or the reference's way out
+  Rational along2_;
   Rational radii_;
   Rational reach_;
 };
@@ -81,11 +113,14 @@ struct ExactTruth {
   std::variant<DistanceTruth, GapTruth> numbers;
 };
 
+/// How two cores meet: not at all, in their boundaries, or with one inside the other.
+enum class Meet { no, touching, inside };
+
 // What each pair says of itself, in files of its own: sphere_sphere.cpp, cube_cube.cpp.
 #define CONTACT_DECLARE(A, B)                                                                         \
   [[nodiscard]] ExactTruth exact_truth(const Two<A, B>& shapes, Distances distances);                 \
-  /* Whether the cores meet; false for a pair without numbers. Needs no exact number that is slow. */ \
-  [[nodiscard]] bool cores_meet(const Two<A, B>& shapes);
+  /* Whether the cores meet; never for a pair without numbers. Needs no exact number that is slow. */ \
+  [[nodiscard]] Meet cores_meet(const Two<A, B>& shapes);
 CONTACT_KINDS(CONTACT_DECLARE)
 #undef CONTACT_DECLARE
 

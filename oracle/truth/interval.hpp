@@ -94,6 +94,11 @@ inline Triple triple(mpfr_prec_t precision, const Vector3& v) {
   return {Interval(precision, v[0]), Interval(precision, v[1]), Interval(precision, v[2])};
 }
 
+/// The answer for two cores with the nearest points p and q, blown up by r1 and r2. Where p = q the direction is the
+/// first axis.
+[[nodiscard]] RoundedAnswer answer_of_nearest(const Triple& p, const Triple& q, const Interval& r1, const Interval& r2,
+                                              Distances distances, Scalar scalar, mpfr_prec_t precision);
+
 // The answer of each pair at a precision, in files of its own. Throws Undecided where that is too low.
 #define CONTACT_DECLARE(A, B)                                                                              \
   [[nodiscard]] RoundedAnswer interval_answer(const Two<A, B>& shapes, Distances distances, Scalar scalar, \

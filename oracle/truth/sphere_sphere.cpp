@@ -6,7 +6,9 @@
 namespace contact::oracle {
 
 ExactTruth exact_truth(const Balls& balls, Distances distances) {
-  Cores cores{{}, {Rational(balls.a.radius), Rational(balls.b.radius)}};
+  Cores cores{{},
+              {Rational(balls.a.radius), Rational(balls.b.radius)},
+              {Rational(balls.a.center.cwiseAbs().maxCoeff()), Rational(balls.b.center.cwiseAbs().maxCoeff())}};
   for (int axis = 0; axis < 3; ++axis) {
     cores.nearest[0][static_cast<std::size_t>(axis)] = Rational(balls.a.center[axis]);
     cores.nearest[1][static_cast<std::size_t>(axis)] = Rational(balls.b.center[axis]);
@@ -14,6 +16,6 @@ ExactTruth exact_truth(const Balls& balls, Distances distances) {
   return {DistanceTruth(std::move(cores), distances)};
 }
 
-bool cores_meet(const Balls& balls) { return balls.a.center == balls.b.center; }
+Meet cores_meet(const Balls& balls) { return balls.a.center == balls.b.center ? Meet::touching : Meet::no; }
 
 }  // namespace contact::oracle

@@ -17,6 +17,11 @@ const ExactTruth& made(const Query& query, std::shared_ptr<ExactTruth>& exact) {
   return *exact;
 }
 
+Meet meet(const Query& query) {
+  const DefaultEnvironment environment;
+  return std::visit([](const auto& shapes) { return cores_meet(shapes); }, query.shapes);
+}
+
 }  // namespace
 
 Truth::Truth(const Query& query) : at_alarm(Side::at), at_zero(Side::at), query_(query) {
@@ -28,10 +33,8 @@ Truth::Truth(const Query& query) : at_alarm(Side::at), at_zero(Side::at), query_
       made(query_, exact_).numbers);
 }
 
-bool Truth::degenerate() const {
-  const DefaultEnvironment environment;
-  return std::visit([](const auto& shapes) { return cores_meet(shapes); }, query_.shapes);
-}
+bool Truth::degenerate() const { return meet(query_) != Meet::no; }
+bool Truth::coincident() const { return meet(query_) == Meet::touching; }
 
 const DistanceTruth* Truth::distance() const {
   return has_numbers() ? std::get_if<DistanceTruth>(&made(query_, exact_).numbers) : nullptr;

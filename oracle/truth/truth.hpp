@@ -36,8 +36,11 @@ class Truth {
   [[nodiscard]] bool hit() const { return at_alarm != Side::beyond; }
   /// Whether a contact of this pair has numbers.
   [[nodiscard]] bool has_numbers() const { return query_.has_numbers(); }
-  /// The cores of the two shapes meet, two spheres have one centre: the normal is by agreement. False without numbers.
+  /// The cores of the two shapes meet: two spheres have one centre, or a sphere's centre is in a box. False without
+  /// numbers.
   [[nodiscard]] bool degenerate() const;
+  /// They meet, and neither is inside the other: the normal is by agreement.
+  [[nodiscard]] bool coincident() const;
 
   /// The exact numbers of a pair that has numbers, and of one that has none; nullptr for the other.
   [[nodiscard]] const DistanceTruth* distance() const;

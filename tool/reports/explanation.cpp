@@ -53,6 +53,22 @@ std::string plain_double_says(const Query& query, bool hit) {
   return fmt::format("  plain double arithmetic says {}{}\n", plain ? "hit" : "miss", plain == hit ? "" : ": WRONG");
 }
 
+/// What is said of a normal where there is no distance.
+std::string meeting_text(const Query& query, const oracle::DistanceTruth& truth) {
+  const oracle::Meeting& meeting = truth.meeting();
+  if (query.balls() != nullptr)
+    return "  The centres coincide: the normal is (1,0,0) by agreement, and any unit normal is right for another "
+           "engine.\n";
+  if (truth.coincident())
+    return "  The centre lies on the box: the normal is by agreement, and any that points against no part of the box "
+           "is "
+           "right for another engine.\n";
+  return fmt::format(
+      "  The centre is inside, {} deep. The normal leads out through {}.\n", exactly(meeting.depth).substr(2),
+      meeting.ways.size() == 1 ? "the nearest face"
+                               : fmt::format("the first of {} nearest faces; each is right", meeting.ways.size()));
+}
+
 /// "  a         center (0, 0, 0), radius 1", and so for b.
 std::string shapes_text(const Query& query) {
   std::string text;
@@ -82,19 +98,14 @@ std::string distance_text(const Query& query, const oracle::Truth& truth, Scalar
   text += fmt::format("  margin    sqrt(D) - reach  {} ulps of reach ({})\n\n",
                       number(oracle::round_to_nearest(t.margin(scalar), Scalar::binary64)), name(scalar));
   text += fmt::format("  D {} reach^2: {}.  {}\n",
-                      truth.at_alarm == oracle::Side::at       ? "="
-                      : truth.at_alarm == oracle::Side::within ? "<"
-                                                               : ">",
+                      "<=>"[static_cast<std::size_t>(CGAL::compare(t.distance2(), t.reach() * t.reach()) + 1)],
                       relation(truth.at_alarm, query.distances.alarm), truth.hit() ? "HIT" : "MISS");
   text += plain_double_says(query, truth.hit());
   if (!truth.hit()) return text;
 
   const Contact c = *oracle::expectation(truth, scalar).contact;
   const auto plain = golden::plain_contact(query, Scalar::binary64);
-  if (c.degenerate)
-    text +=
-        "  The centres coincide: the normal is (1,0,0) by agreement, and any unit normal is right for another "
-        "engine.\n";
+  if (c.degenerate) text += meeting_text(query, t);
   text += fmt::format("\n  {:<10}{:<26}{:<36}{}\n", "", fmt::format("rounded to {}", name(scalar)),
                       "the exact real lies", "plain double says");
   const auto row = [&](const std::string& field, const Exact& x, double rounded, std::optional<double> said) {

@@ -77,9 +77,10 @@ std::string terminal_text(const Report& report, bool colour) {
              "correctly rounded", "faithful", "bounded", "beyond", "worst (ulps)", "level"});
   for (const auto& [title, f] : rows_of(report)) {
     const FieldCount all = f.all_fields();
-    table.row({title, or_dot(f.cases), or_dot(f.hits), or_dot(f.missed_hits), or_dot(f.false_hits), or_dot(f.unanswered()),
-               or_dot(f.incomplete), or_dot(f.not_finite), or_dot(all.at(Grade::correctly_rounded)),
-               or_dot(all.at(Grade::faithful)), or_dot(all.at(Grade::bounded)), or_dot(all.at(Grade::beyond_bound)),
+    table.row({title, or_dot(f.cases), or_dot(f.hits), or_dot(f.missed_hits), or_dot(f.false_hits),
+               or_dot(f.unanswered()), or_dot(f.incomplete), or_dot(f.not_finite),
+               or_dot(all.at(Grade::correctly_rounded)), or_dot(all.at(Grade::faithful)),
+               or_dot(all.at(Grade::bounded)), or_dot(all.at(Grade::beyond_bound)),
                all.worst_id.empty() ? "" : fmt::format("{:.3g}", all.worst),
                std::string(name(f.level(report.allow_unsupported)))});
   }
@@ -131,8 +132,8 @@ std::string scoreboard_text(const std::vector<Report>& reports, bool colour) {
                                                     static_cast<double>(fields.judged());
     summary.row({report.engine.name, report.certified() ? "certified" : "REFUTED", std::string(name(report.level())),
                  or_dot(all.decided.hits), or_dot(all.decided.misses), or_dot(all.missed_hits), or_dot(all.false_hits),
-                 or_dot(all.incomplete), or_dot(all.not_finite), or_dot(fields.judged()), fmt::format("{:.1f} %", share),
-                 or_dot(fields.at(Grade::beyond_bound))});
+                 or_dot(all.incomplete), or_dot(all.not_finite), or_dot(fields.judged()),
+                 fmt::format("{:.1f} %", share), or_dot(fields.at(Grade::beyond_bound))});
   }
   // Family by family: those where most is wrong, of all engines together, come first.
   struct Row {
