@@ -1,18 +1,12 @@
 // A sphere and a box in plain arithmetic: outside, two spheres, the second the clamped centre without extent.
-#include <algorithm>
 #include <array>
+#include <limits>
 
 #include "golden/plain.hpp"
+#include "oracle/truth/clamped.hpp"
 
 namespace contact::golden {
 namespace {
-
-Balls at_clamped(const BallAndBox& shapes) {
-  Ball nearest{shapes.a.center, 0};
-  for (Eigen::Index axis = 0; axis < 3; ++axis)
-    nearest.center[axis] = std::clamp(nearest.center[axis], shapes.b.min[axis], shapes.b.max[axis]);
-  return {shapes.a, nearest};
-}
 
 /// The contact of a centre inside: out through the nearest face.
 template <class Real>

@@ -9,6 +9,7 @@
 
 #include "contact/sphere_sphere.hpp"
 #include "engines/zoo/mutants.hpp"
+#include "oracle/truth/clamped.hpp"
 #include "oracle/truth/truth.hpp"
 
 namespace contact::engines {
@@ -18,9 +19,7 @@ using Wide = long double;
 
 /// Two spheres; of a sphere and a box the sphere, and the nearest point of the box. Domain: a pair with numbers.
 inline Balls balls(const Query& q) {
-  if (q.balls() != nullptr) return *q.balls();
-  const auto& [ball, box] = std::get<BallAndBox>(q.shapes);
-  return {ball, {ball.center.cwiseMax(box.min).cwiseMin(box.max), 0}};
+  return q.balls() != nullptr ? *q.balls() : at_clamped(std::get<BallAndBox>(q.shapes));
 }
 /// Whether their centres are one point, which has no direction.
 inline bool coincident(const Query& q) { return q.has_numbers() && balls(q).a.center == balls(q).b.center; }

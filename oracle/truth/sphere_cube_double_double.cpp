@@ -1,6 +1,7 @@
 // A sphere and a solid box in pairs of doubles: outside, the sphere pair at the nearest point of the box; inside, sums.
 #include <algorithm>
 
+#include "oracle/truth/clamped.hpp"
 #include "oracle/truth/double_double.hpp"
 #include "oracle/truth/double_double_oracle.hpp"
 
@@ -60,11 +61,9 @@ std::optional<DoubleDoubleCase> inside(const Ball& ball, const Box& box, Distanc
 
 std::optional<DoubleDoubleCase> double_double_case(const BallAndBox& shapes, Distances distances, Scalar scalar,
                                                    bool with_margin) {
-  Ball nearest{shapes.a.center, 0};
-  for (Eigen::Index axis = 0; axis < 3; ++axis)
-    nearest.center[axis] = std::clamp(nearest.center[axis], shapes.b.min[axis], shapes.b.max[axis]);
-  if (nearest.center == shapes.a.center) return inside(shapes.a, shapes.b, distances, scalar);
-  return double_double_case(Balls{shapes.a, nearest}, distances, scalar, with_margin);
+  const Balls balls = at_clamped(shapes);
+  if (balls.a.center == balls.b.center) return inside(shapes.a, shapes.b, distances, scalar);
+  return double_double_case(balls, distances, scalar, with_margin);
 }
 
 }  // namespace contact::oracle
