@@ -23,7 +23,9 @@ struct Two {
 #define CONTACT_KINDS(X) \
   X(Ball, Ball)          \
   X(Box, Box)            \
-  X(Ball, Box)
+  X(Ball, Box)           \
+  X(Ball, Capsule)       \
+  X(Capsule, Capsule)
 
 /// The pairs: X(name, first shape, second shape, its contacts have numbers, the first is rigid, the second is rigid).
 /// Under upstream's convention a rigid sphere reports its nearest surface point, a deformable one its centre.
@@ -32,7 +34,9 @@ struct Two {
   X(rigid_sphere_rigid_sphere, Ball, Ball, true, true, true) \
   X(sphere_rigid_sphere, Ball, Ball, true, false, true)      \
   X(cube_cube, Box, Box, false, false, false)                \
-  X(sphere_cube, Ball, Box, true, false, false)
+  X(sphere_cube, Ball, Box, true, false, false)              \
+  X(sphere_capsule, Ball, Capsule, true, false, false)       \
+  X(capsule_capsule, Capsule, Capsule, true, false, false)
 
 #define CONTACT_NAME(name, ...) name,
 enum class Pair { CONTACT_PAIRS(CONTACT_NAME) };
@@ -52,6 +56,8 @@ using Shapes = AnyOfKinds<void CONTACT_KINDS(CONTACT_KIND)>::Type;
 using Balls = Two<Ball, Ball>;
 using Boxes = Two<Box, Box>;
 using BallAndBox = Two<Ball, Box>;
+using BallAndCapsule = Two<Ball, Capsule>;
+using Capsules = Two<Capsule, Capsule>;
 
 struct PairDescription {
   Pair pair;
