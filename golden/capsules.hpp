@@ -363,6 +363,53 @@ TwoSegments<Real> on_axis(Random& random) {
   return s;
 }
 
+/// Numbers half way between two neighbours, and beside that by the least there is: the value of an exact distance, or
+/// the middle of an axis as nearest point, of a radius 0 or nearly so.
+template <class Real, Pair kPair>
+TwoSegments<Real> ties(Random& random) {
+  constexpr int kDigits = std::numeric_limits<Real>::digits;
+  const Real least = random.chance(2) ? std::numeric_limits<Real>::denorm_min() : Real{0};
+  const bool missing = random.turn(5) == kMissing;
+  if (random.turn(2) == 0) {
+    auto [s, frame, distance] = on_frame<Real, kPair>(random, turn_of_features<kPair>(random), Lie::leaning);
+    s.alarm = static_cast<Real>(distance);
+    const Real half = std::ldexp(Real{1}, std::ilogb(s.alarm) - kDigits);
+    s.b.radius = random.chance(3) ? ulps_away(half, -1) : half * static_cast<Real>(random.between(0, 3));
+    s.contact = least;
+    if (missing) s.alarm = ulps_away(s.alarm - s.b.radius, -1);
+    return s;
+  }
+  // An axis along (1, 2, 0) or (1, 0, 0), the first coordinate so large that its middle does not fit.
+  const bool beside_each_other = kPair == Pair::capsule_capsule && random.turn(2, 2) == 0;
+  const Real large = std::ldexp(Real{1}, kDigits - 1) + static_cast<Real>(random.between(100, 10000));
+  const auto odd = static_cast<Real>(2 * random.between(0, 40) + 1);
+  const auto off = static_cast<Real>(2 * random.between(-20, 20) + 1);
+  const auto height = static_cast<Real>(random.between(-20, 20));
+  TwoSegments<Real> s;
+  s.b.start = {large, 0, 0};
+  s.b.end = {large + odd, beside_each_other ? 0 : 2 * odd, 0};
+  if (beside_each_other) {
+    s.a.start = {large + odd + static_cast<Real>(random.between(0, 9)), off, height};
+    s.a.end = {large - static_cast<Real>(random.between(0, 9)), off, height};
+  } else {
+    s.a.start = {large + (odd + off) / 2, odd - off / 4, height};
+    s.a.end = kPair == Pair::sphere_capsule ? s.a.start : moved(s.a.start, Real{4}, {off / 2, -off / 4, height});
+  }
+  s.a.radius =
+      s.distance() * (missing ? random.uniform(Real{0.5}, Real{0.9375}) : random.uniform(Real{1.0625}, Real{2}));
+  s.b.radius = least;
+  if (kPair == Pair::capsule_capsule && random.chance(2)) std::swap(s.a, s.b);
+  const std::array<std::size_t, 2> swapped{random.index(3), 1 + random.index(2)};
+  const bool negative = random.chance(2);
+  for (Triple<Real>* v : s.ends()) {
+    if (negative) (*v)[0] = -(*v)[0];
+    std::swap((*v)[0], (*v)[swapped[0]]);
+    std::swap((*v)[1], (*v)[swapped[1]]);
+  }
+  s.contact = random.chance(2) ? random.uniform(Real{0}, Real{1}) : Real{0};
+  return s;
+}
+
 /// Near touching or far from it, and then moved away from the origin, so that the distance is another one.
 template <class Real, Pair kPair>
 TwoSegments<Real> far_from_origin(Random& random) {

@@ -36,9 +36,10 @@ template <class Real>
 Triple<Real> moved(const Triple<Real>& x, Real factor, const Triple<Real>& y) {
   return {x[0] + factor * y[0], x[1] + factor * y[1], x[2] + factor * y[2]};
 }
+/// Zero, or so short that its square is.
 template <class Real>
 bool is_zero(const Triple<Real>& x) {
-  return x == Triple<Real>{};
+  return dot(x, x) == 0;
 }
 
 /// A capsule in a scalar. A sphere is one without length.
