@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <iosfwd>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -102,6 +103,9 @@ CONTACT_KINDS(CONTACT_DECLARE)
 [[nodiscard]] rc::Gen<Query> queries(Pair pair, const Range& range);
 /// The same spoiled: one number is NaN, infinite, negative where that is wrong, or a minimum above its maximum.
 [[nodiscard]] rc::Gen<Query> bad_queries(Pair pair, const Range& range);
+
+/// The point half way between two, where it is a point of doubles.
+[[nodiscard]] std::optional<Vector3> exact_middle(const Vector3& start, const Vector3& end);
 
 /// The first `count` questions of a generator for one fixed seed.
 [[nodiscard]] std::vector<Query> sample(const rc::Gen<Query>& gen, int count);
