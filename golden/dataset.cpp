@@ -336,7 +336,7 @@ void CaseSource::check(const Case& c) const {
   if (c.rejected) return;
   check_domain(c.query, where_);
   const auto exact = [&](const std::string& field, const std::string& text) {
-    if (!oracle::is_dyadic_string(text))
+    if (!oracle::is_exact_string(text))
       throw formats::InputError(
           where_, "exact." + field,
           fmt::format("expected an exact number such as \"-0x1abdp-12\", got {}", formats::json_string(text)));

@@ -204,17 +204,18 @@ Rational power_of_two(int exponent) {
   return exponent >= 0 ? Rational(power) : Rational(Gmpz(1), power);
 }
 
-std::string dyadic_string(const Rational& x) {
+std::string exact_string(const Rational& x) {
   if (CGAL::is_zero(x)) return "0x0p0";
   const Gmpz numerator = CGAL::abs(x).numerator();
   const auto trailing = static_cast<int>(mpz_scan1(numerator.mpz(), 0));
   const auto below = static_cast<int>(mpz_scan1(x.denominator().mpz(), 0));
-  const Gmpz odd = numerator >> trailing;
-  return (CGAL::sign(x) == CGAL::NEGATIVE ? "-0x" : "0x") + mpz_class(odd.mpz()).get_str(16) + "p" +
-         std::to_string(trailing - below);
+  const auto hexadecimal = [](const Gmpz& n) { return "0x" + mpz_class(n.mpz()).get_str(16); };
+  const Gmpz over = x.denominator() >> below;
+  return (CGAL::sign(x) == CGAL::NEGATIVE ? "-" : "") + hexadecimal(numerator >> trailing) + "p" +
+         std::to_string(trailing - below) + (over == 1 ? "" : "/" + hexadecimal(over));
 }
 
-bool is_dyadic_string(std::string_view text) {
+bool is_exact_string(std::string_view text) {
   if (text == "0x0p0") return true;
   const auto drop = [&text](std::string_view start) {
     const bool there = text.starts_with(start);
@@ -225,13 +226,27 @@ bool is_dyadic_string(std::string_view text) {
   const auto only = [](std::string_view part, std::string_view digits) {
     return !part.empty() && part.find_first_not_of(digits) == std::string_view::npos && part.front() != '0';
   };
+  const auto take_odd = [&](std::string_view until) {
+    if (!drop("0x")) return std::string_view();
+    const std::string_view integer = text.substr(0, text.find_first_of(until));
+    text.remove_prefix(integer.size());
+    const bool odd = only(integer, "0123456789abcdef") &&
+                     std::string_view("13579bdf").find(integer.back()) != std::string_view::npos;
+    return odd ? integer : std::string_view();
+  };
   drop("-");
-  if (!drop("0x")) return false;
-  const std::string_view integer = text.substr(0, text.find('p'));
-  if (!only(integer, "0123456789abcdef") || std::string_view("13579bdf").find(integer.back()) == std::string_view::npos)
-    return false;
-  text.remove_prefix(integer.size());
-  if (!drop("p")) return false;
+  const std::string_view numerator = take_odd("p");
+  if (numerator.empty() || !drop("p")) return false;
+  if (const std::size_t slash = text.find('/'); slash != std::string_view::npos) {
+    std::string_view exponent = text.substr(0, slash);
+    text.remove_prefix(slash + 1);
+    const std::string_view denominator = take_odd("");
+    if (denominator.empty() || denominator == "1" || !text.empty()) return false;
+    const mpz_class n(std::string(numerator), 16);
+    const mpz_class d(std::string(denominator), 16);
+    if (gcd(n, d) != 1) return false;
+    text = exponent;
+  }
   return text == "0" || (drop("-"), only(text, "0123456789"));
 }
 

@@ -25,6 +25,8 @@ class Exact {
   [[nodiscard]] CGAL::Sign compare(const Rational& other) const;
   [[nodiscard]] Exact scaled(const Rational& factor) const;
   [[nodiscard]] Exact plus(const Rational& other) const;
+  /// Domain: both of one D, or one of them rational.
+  [[nodiscard]] Exact plus(const Exact& other) const { return Exact(Extension(number_ + other.number_)); }
 
   /// An upper bound and a lower bound, closer than 2^-bits of the larger of |a| and |b sqrt(D)|.
   struct Enclosure {
@@ -80,7 +82,8 @@ struct Boundary {
 /// 2^exponent.
 [[nodiscard]] Rational power_of_two(int exponent);
 
-/// A dyadic rational as -0x1abdp-12: sign, odd hexadecimal integer, power of two; 0x0p0 for zero.
-[[nodiscard]] std::string dyadic_string(const Rational& x);
+/// A rational as -0x1abdp-12: sign, odd hexadecimal integer, power of two; 0x0p0 for zero. One that is no dyadic has
+/// its odd denominator after it, in lowest terms: 0x1p0/0x3.
+[[nodiscard]] std::string exact_string(const Rational& x);
 
 }  // namespace contact::oracle

@@ -37,6 +37,8 @@ struct Cores {
   std::array<Rational, 2> radius;
   std::array<Rational, 2> farthest;     ///< the largest coordinate that each contact point is computed from
   std::optional<Meeting> meeting = {};  ///< where they meet; of two points that are one it need not be said
+  /// Where many points are nearest: p + k spread and q + k spread for all |k| <= 1.
+  std::optional<Point> spread = {};
 };
 
 /// What is exactly true of two shapes with a distance.
@@ -51,6 +53,8 @@ class DistanceTruth {
   [[nodiscard]] bool coincident() const { return degenerate() && CGAL::is_zero(cores_.meeting->depth); }
   /// Domain: D = 0.
   [[nodiscard]] const Meeting& meeting() const { return *cores_.meeting; }
+  /// Where the nearest points are not unique: the contact points move along this, from -1 to 1 times.
+  [[nodiscard]] const std::optional<Point>& spread() const { return cores_.spread; }
   [[nodiscard]] const Rational& distance2() const { return distance2_; }
   [[nodiscard]] const Rational& reach() const { return reach_; }
   [[nodiscard]] const Rational& radii() const { return radii_; }

@@ -24,7 +24,7 @@ std::string vector(const Vector3& v) { return fmt::format("({}, {}, {})", number
 
 /// An exact number for a person: its decimal value, and the dyadic string where that is short.
 std::string exactly(const Rational& x) {
-  const std::string dyadic = oracle::dyadic_string(x);
+  const std::string dyadic = oracle::exact_string(x);
   const double rounded = oracle::round_to_nearest(x, Scalar::binary64);
   const bool is_double = std::isfinite(rounded) && Rational(rounded) == x;
   const std::string decimal = std::isfinite(rounded) ? number(rounded) : "beyond the range of binary64";
