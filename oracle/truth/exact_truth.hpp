@@ -14,6 +14,7 @@
 namespace contact::oracle {
 
 using Point = std::array<Rational, 3>;
+[[nodiscard]] inline Point point_of(const Vector3& v) { return {Rational(v[0]), Rational(v[1]), Rational(v[2])}; }
 
 /// A way to part two cores that meet: the second one moves along `direction`, or the first against it. `nearest` is
 /// where the second core's contact point lies then.

@@ -11,7 +11,6 @@
 namespace contact::oracle {
 namespace {
 
-Point point_of(const Vector3& v) { return {Rational(v[0]), Rational(v[1]), Rational(v[2])}; }
 Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Point operator+(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Point operator*(const Rational& k, const Point& a) { return {k * a[0], k * a[1], k * a[2]}; }
