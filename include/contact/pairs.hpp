@@ -79,5 +79,11 @@ inline constexpr PairDescription kPairTable[] = {CONTACT_PAIRS(CONTACT_PAIR)};
 }
 [[nodiscard]] constexpr std::string_view name(Pair pair) { return description(pair).name; }
 [[nodiscard]] constexpr bool has_numbers(Pair pair) { return description(pair).has_numbers; }
+/// Whether more than one pair of points of the cores may be nearest.
+[[nodiscard]] constexpr bool may_have_many_nearest(Pair pair) { return pair == Pair::capsule_capsule; }
+/// Whether the nearest points may be quotients of what is given, so that D is no dyadic.
+[[nodiscard]] constexpr bool has_quotients(Pair pair) {
+  return pair == Pair::sphere_capsule || pair == Pair::capsule_capsule;
+}
 
 }  // namespace contact
