@@ -1,4 +1,5 @@
 // Questions about two capsules, and about a sphere and a capsule.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
