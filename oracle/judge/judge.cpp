@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/judge/point_set.hpp"
 #include "oracle/judge/right_claim.hpp"
 #include "oracle/truth/default_environment.hpp"
 #include "oracle/truth/exact_truth.hpp"
@@ -82,25 +83,17 @@ class ContactJudge {
     if (rounded_ != nullptr && (!truth_.degenerate() || is_reference()) && *on == PointOn::nearest_surface &&
         *p == (sphere == 0 ? rounded_->point1 : rounded_->point2))
       return FieldVerdict{};
-    FieldVerdict verdict;
-    for (int axis = 0; axis < 3; ++axis) {
-      const Exact x = truth_.degenerate() ? coincident_point(sphere, axis, *on) : truth_.point(sphere, axis, *on);
-      verdict =
-          worse(verdict, grade((*p)[axis], x, declared_.scalar, truth_.point_scale(sphere), declared_.bounds.point));
-    }
-    return verdict;
+    return grade_point(*p, truth_.point_scale(sphere), [&](int axis) {
+      return truth_.degenerate() ? coincident_point(sphere, axis, *on) : truth_.point(sphere, axis, *on);
+    });
   }
 
   [[nodiscard]] std::optional<FieldVerdict> midpoint() const {
     if (!claim_.point || conventions_.points != Points::midpoint || !claims(Field::point)) return std::nullopt;
     if (truth_.degenerate() && !knows_coincident_normal()) return std::nullopt;
-    FieldVerdict verdict;
-    const Rational scale = std::max(truth_.point_scale(0), truth_.point_scale(1));
-    for (int axis = 0; axis < 3; ++axis) {
-      const Exact x = truth_.degenerate() ? coincident_midpoint(axis) : truth_.midpoint(axis);
-      verdict = worse(verdict, grade((*claim_.point)[axis], x, declared_.scalar, scale, declared_.bounds.point));
-    }
-    return verdict;
+    return grade_point(*claim_.point, std::max(truth_.point_scale(0), truth_.point_scale(1)), [&](int axis) {
+      return truth_.degenerate() ? coincident_midpoint(axis) : truth_.midpoint(axis);
+    });
   }
 
   [[nodiscard]] std::optional<FieldVerdict> value() const {
@@ -115,6 +108,17 @@ class ContactJudge {
 
  private:
   [[nodiscard]] bool claims(Field field) const { return declared_.claimed().has(aspect(field)); }
+
+  /// A claimed point beside the right one, or where the nearest points are not unique, beside all of them.
+  [[nodiscard]] FieldVerdict grade_point(const Vector3& claimed, const Rational& scale, const auto& right) const {
+    if (truth_.spread())
+      return grade(claimed, PointSet{{right(0), right(1), right(2)}, *truth_.spread()}, declared_.scalar, scale,
+                   declared_.bounds.point);
+    FieldVerdict verdict;
+    for (int axis = 0; axis < 3; ++axis)
+      verdict = worse(verdict, grade(claimed[axis], right(axis), declared_.scalar, scale, declared_.bounds.point));
+    return verdict;
+  }
 
   /// A component of a claimed normal beside the exact one.
   [[nodiscard]] FieldVerdict component(const Vector3& n, int axis, const Exact& x) const {

@@ -51,19 +51,14 @@ bool is_even(double x, Scalar scalar) {
   return std::fmod(std::ldexp(x, -last), 2.0) == 0;
 }
 
-bool representable(double x, Scalar scalar) {
-  return scalar == Scalar::binary64 ||
-         (std::abs(x) <= largest_finite(scalar) && static_cast<double>(static_cast<float>(x)) == x);
-}
-
 /// 0 where x rounds to the finite number d of the scalar, to nearest, ties to even; 1 where it rounds to a number above
 /// d, -1 below. Two exact comparisons.
 int side_of(double d, const Exact& x, Scalar scalar) {
-  const bool even = is_even(d, scalar);
-  const auto above = x.compare(boundary_above(d, scalar));
-  if (above == CGAL::LARGER || (above == CGAL::EQUAL && !even)) return 1;
-  const auto below = x.compare(-boundary_above(-d, scalar));
-  if (below == CGAL::SMALLER || (below == CGAL::EQUAL && !even)) return -1;
+  const Rounding r = rounding_range(d, scalar);
+  const auto above = x.compare(r.high);
+  if (above == CGAL::LARGER || (above == CGAL::EQUAL && !r.is_closed)) return 1;
+  const auto below = x.compare(r.low);
+  if (below == CGAL::SMALLER || (below == CGAL::EQUAL && !r.is_closed)) return -1;
   return 0;
 }
 
@@ -108,6 +103,15 @@ Exact::Enclosure Exact::enclosure(int bits) const {
   return {number_.a0() - high, number_.a0() - low};
 }
 
+bool is_representable(double x, Scalar scalar) {
+  return scalar == Scalar::binary64 ||
+         (std::abs(x) <= largest_finite(scalar) && static_cast<double>(static_cast<float>(x)) == x);
+}
+
+Rounding rounding_range(double x, Scalar scalar) {
+  return {-boundary_above(-x, scalar), boundary_above(x, scalar), is_even(x, scalar)};
+}
+
 double round_to_nearest(const Exact& x, Scalar scalar) {
   const DefaultEnvironment environment;
   if (x.sign() == CGAL::ZERO) return 0.0;
@@ -127,13 +131,13 @@ bool is_correctly_rounded(double claim, const Exact& x, Scalar scalar) {
     const double last = std::copysign(largest_finite(scalar), claim);
     return side_of(last, x, scalar) == (claim > 0 ? 1 : -1);
   }
-  return representable(claim, scalar) && side_of(claim, x, scalar) == 0;
+  return is_representable(claim, scalar) && side_of(claim, x, scalar) == 0;
 }
 
 bool is_faithful(double claim, const Exact& x, Scalar scalar) {
   const DefaultEnvironment environment;
   if (!std::isfinite(claim)) return false;
-  if (!representable(claim, scalar)) return false;
+  if (!is_representable(claim, scalar)) return false;
   const auto side = x.compare(Rational(claim));
   if (side == CGAL::EQUAL) return true;
   const double other = side == CGAL::LARGER ? next_up(claim, scalar) : next_down(claim, scalar);

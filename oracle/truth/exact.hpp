@@ -52,6 +52,17 @@ class Exact {
 /// largest finite number that one is next to x only within an ulp.
 [[nodiscard]] bool is_faithful(double claim, const Exact& x, Scalar scalar);
 
+/// What rounds to a number of the scalar, to nearest, ties to even: the reals between two, which do so themselves or not.
+struct Rounding {
+  Rational low;
+  Rational high;
+  bool is_closed;
+};
+/// Domain: x is finite and a number of the scalar.
+[[nodiscard]] Rounding rounding_range(double x, Scalar scalar);
+/// Whether a finite double is a number of the scalar.
+[[nodiscard]] bool is_representable(double x, Scalar scalar);
+
 /// ulp of a real number: 2^max(floor(log2 |x|) - p + 1, emin - p + 1), the exponent unbounded above.
 [[nodiscard]] Rational ulp(const Exact& x, Scalar scalar);
 
