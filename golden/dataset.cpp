@@ -145,7 +145,7 @@ Expectation read_expectation(const formats::Node& node, Pair pair) {
   node.allow_only({"hit", "degenerate", "unique", "normal", "point1", "point2", "value"});
   const auto unique = node.find("unique");
   if (unique && unique->boolean()) unique->refuse("only false stands here: without it the nearest points are unique");
-  expect.contact = Contact{node.at("normal").vector(), node.at("point1").vector(), node.at("point2").vector(),
+  expect.contact = Contact{node.at("normal").vector(), node.at("point1").vector(),      node.at("point2").vector(),
                            node.at("value").number(),  node.at("degenerate").boolean(), !unique};
   return expect;
 }
@@ -501,8 +501,8 @@ void check_rejection(const Case& c, const formats::Location& where) {
 
 bool says(const Case& c, const Expectation& right, const oracle::Witness& exact) {
   const auto same = [](const Contact& x, const Contact& y) {
-    return x.degenerate == y.degenerate && x.unique == y.unique && x.normal == y.normal && x.point1 == y.point1 && x.point2 == y.point2 &&
-           x.value == y.value;
+    return x.degenerate == y.degenerate && x.unique == y.unique && x.normal == y.normal && x.point1 == y.point1 &&
+           x.point2 == y.point2 && x.value == y.value;
   };
   return c.expect.hit == right.hit && c.expect.contact.has_value() == right.contact.has_value() &&
          (!right.contact || same(*c.expect.contact, *right.contact)) && c.exact == exact;

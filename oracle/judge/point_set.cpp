@@ -23,10 +23,14 @@ struct Range {
 
   [[nodiscard]] Range common(const Range& other) const {
     Range both = *this;
-    if (is_smaller(low, other.low)) both.low = other.low, both.low_belongs = other.low_belongs;
-    else if (!is_smaller(other.low, low)) both.low_belongs = low_belongs && other.low_belongs;
-    if (is_smaller(other.high, high)) both.high = other.high, both.high_belongs = other.high_belongs;
-    else if (!is_smaller(high, other.high)) both.high_belongs = high_belongs && other.high_belongs;
+    if (is_smaller(low, other.low))
+      both.low = other.low, both.low_belongs = other.low_belongs;
+    else if (!is_smaller(other.low, low))
+      both.low_belongs = low_belongs && other.low_belongs;
+    if (is_smaller(other.high, high))
+      both.high = other.high, both.high_belongs = other.high_belongs;
+    else if (!is_smaller(high, other.high))
+      both.high_belongs = high_belongs && other.high_belongs;
     return both;
   }
   [[nodiscard]] bool is_empty() const {
@@ -36,21 +40,26 @@ struct Range {
 
 /// The k at which middle + k spread lies in a range. Domain: spread is not 0.
 Range parameters(const Range& of, const Exact& middle, const Rational& spread) {
-  const auto at = [&](const Exact& x) {
-    return x.plus(middle.scaled(Rational(-1))).scaled(Rational(1) / spread);
-  };
+  const auto at = [&](const Exact& x) { return x.plus(middle.scaled(Rational(-1))).scaled(Rational(1) / spread); };
   if (CGAL::sign(spread) == CGAL::POSITIVE) return {at(of.low), at(of.high), of.low_belongs, of.high_belongs};
   return {at(of.high), at(of.low), of.high_belongs, of.low_belongs};
+}
+
+/// A range with room on both sides.
+Range wider(const Range& range, const Rational& room) {
+  if (CGAL::is_zero(room)) return range;
+  return {range.low.plus(-room), range.high.plus(room), true, true};
 }
 
 /// Whether one point of the set lies in all three ranges.
 bool meets(const PointSet& set, const std::array<Range, 3>& ranges) {
   Range k{Exact(Rational(-1)), Exact(Rational(1)), true, true};
   for (std::size_t i = 0; i < 3; ++i) {
+    const Range range = wider(ranges[i], set.room);
     if (CGAL::is_zero(set.spread[i])) {
-      if (ranges[i].common({set.middle[i], set.middle[i], true, true}).is_empty()) return false;
+      if (range.common({set.middle[i], set.middle[i], true, true}).is_empty()) return false;
     } else {
-      k = k.common(parameters(ranges[i], set.middle[i], set.spread[i]));
+      k = k.common(parameters(range, set.middle[i], set.spread[i]));
     }
   }
   return !k.is_empty();
@@ -126,7 +135,8 @@ FieldVerdict grade(const Vector3& claim, const PointSet& set, Scalar scalar, con
   const Rational unit = ulp(scale, scalar);
   const double error = error_in_units(Rational(0), least, unit);
   if (in_format && meets(set, ranges(beside))) return {Grade::faithful, error};
-  return {is_within(Rational(0), least, Rational(bound) * unit) ? Grade::bounded : Grade::beyond_bound, error};
+  return {is_within(Rational(0), least, Rational(bound) * unit + set.room) ? Grade::bounded : Grade::beyond_bound,
+          error};
 }
 
 }  // namespace contact::oracle

@@ -8,11 +8,12 @@
 
 namespace contact::oracle {
 
-/// Where the nearest points are not unique: all middle + k spread with |k| <= 1. Domain: the coordinates of the middle
-/// are of one D.
+/// All middle + k spread with |k| <= 1: one point, or where the nearest points are not unique, a segment of them. Each
+/// coordinate may be `room` beside that. Domain: the coordinates of the middle are of one D.
 struct PointSet {
   std::array<Exact, 3> middle;
   Point spread;
+  Rational room;
 };
 
 /// The grade of a claimed point: right where one point of the set rounds to it in all three coordinates, faithful where

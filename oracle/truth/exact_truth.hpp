@@ -59,6 +59,7 @@ class DistanceTruth {
   [[nodiscard]] const Rational& distance2() const { return distance2_; }
   [[nodiscard]] const Rational& reach() const { return reach_; }
   [[nodiscard]] const Rational& radii() const { return radii_; }
+  [[nodiscard]] const Rational& radius(int shape) const { return cores_.radius[static_cast<std::size_t>(shape)]; }
   /// The side of sqrt(D) against reach, and against r1 + r2.
   [[nodiscard]] Side at_alarm() const;
   [[nodiscard]] Side at_zero() const;
