@@ -150,7 +150,8 @@ OnFrame<Real> on_frame(Random& random, std::array<Feature, 2> features, Lie lie,
   const bool large = random.chance(2);
   const std::int64_t offset = wide ? 1 << 24 : 1 << 10;
   const std::int64_t steps = large ? (wide ? 64 : 6) : 3;
-  OnFrame<Real> made{{}, frame(random, large ? (wide ? 1 << 9 : 9) : 3), 0};
+  // Of the smallest frames many lie along the axes, so that directions have zeros.
+  OnFrame<Real> made{{}, frame(random, large ? (wide ? 1 << 9 : 9) : random.between(1, 3)), 0};
   const std::int64_t height = meeting ? 0 : random.between<std::int64_t>(1, wide && large ? 1 << 8 : 24);
   made.distance = height * made.frame.length;
   std::array<Triple<std::int64_t>, 2> ways{};

@@ -31,9 +31,12 @@ Vector3 along(const Range& range, const Capsule& capsule, double part, const Vec
 /// How the second capsule lies to the first, or the first one to a sphere that is its first end.
 enum class Lying { across, level_with_an_end, parallel, collinear, meeting, without_length, tiny };
 
-/// What is exact for small integers is nearly so for other numbers.
-Query laid(const Range& range, Query query, Lying lying, double part, double length, int ulps) {
+/// What is exact for small integers is nearly so for other numbers. `zeros` are the axes that the second one is level
+/// with.
+Query laid(const Range& range, Query query, Lying lying, int zeros, double part, double length, int ulps) {
   auto& [a, b] = std::get<Capsules>(query.shapes);
+  for (int axis = 0; axis < 3; ++axis)
+    if ((zeros >> axis & 1) != 0) b.end[axis] = b.start[axis];
   const Vector3 u = b.end - b.start;
   const Vector3 off = u.cross(a.end);  // at right angles
   const Capsule whole = b;
@@ -74,12 +77,13 @@ Query laid(const Range& range, Query query, Lying lying, double part, double len
 }
 
 rc::Gen<Query> laid_out(const Range& range, rc::Gen<double> number) {
-  return rc::gen::map(
-      rc::gen::tuple(capsules_from(std::move(number)), integer(0, 6), integer(-2, 6), integer(1, 12), integer(-1, 1)),
-      [range](const std::tuple<Query, int, int, int, int>& parts) {
-        const auto& [query, how, quarters, length, ulps] = parts;
-        return laid(range, query, static_cast<Lying>(how), quarters / 4.0, (length - 6.5) / 2 + 0.25, ulps);
-      });
+  return rc::gen::map(rc::gen::tuple(capsules_from(std::move(number)), integer(0, 6), integer(0, 15), integer(-2, 6),
+                                     integer(1, 12), integer(-1, 1)),
+                      [range](const std::tuple<Query, int, int, int, int, int>& parts) {
+                        const auto& [query, how, zeros, quarters, length, ulps] = parts;
+                        return laid(range, query, static_cast<Lying>(how), zeros < 8 ? zeros : 0, quarters / 4.0,
+                                    (length - 6.5) / 2 + 0.25, ulps);
+                      });
 }
 
 Query as_asked(Query query, bool first_is_a_sphere) {
