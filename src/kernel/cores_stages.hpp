@@ -1,5 +1,5 @@
 // A question about two cores, asked of the fast stage and, where that leaves something open, of the exact one. A kind
-// of core has nearest_of and in_short_range for the first, exact_nearest and grid_of for the second.
+// of core has find_nearest and in_short_range for the first, exact_nearest and grid_of for the second.
 #pragma once
 
 #include "kernel/cores_double_double.hpp"
@@ -21,30 +21,36 @@ template <class First, class Second>
 }
 
 template <class First, class Second>
-[[gnu::always_inline]] inline std::optional<ApproximateContact> approximate(const First& first, const Second& second,
-                                                                            const Lengths& lengths) {
-  if (!in_short_range(first) || !in_short_range(second) || !in_short_range(lengths)) return std::nullopt;
-  const auto nearest = nearest_of(first, second);
-  return nearest ? ApproximateContact::of(*nearest, lengths) : std::nullopt;
-}
-
-template <class First, class Second>
 [[gnu::always_inline]] inline bool contact_inline(const First& first, const Second& second, const Lengths& lengths,
                                                   ContactPoints points, Contact& contact) {
-  const auto fast = approximate(first, second, lengths);
-  const Filtered filtered = fast ? fast->filtered(lengths.alarm) : Filtered::undecided;
-  if (filtered == Filtered::miss) return false;
-  if (filtered == Filtered::undecided && !decide_exactly(first, second, lengths)) return false;
-  const unsigned open = fast ? round_certain(*fast, lengths, points, contact) : kAllNumbers;
-  if (open != 0) round_open(first, second, lengths, points, open, contact);
+  ApproximateNearest nearest;
+  if (in_short_range(first) && in_short_range(second) && in_short_range(lengths) &&
+      find_nearest(first, second, nearest)) {
+    const ApproximateContact fast(nearest, lengths);
+    const Filtered filtered = fast.holds() ? fast.filtered(lengths.alarm) : Filtered::undecided;
+    if (filtered == Filtered::miss) return false;
+    if (filtered == Filtered::hit || (fast.holds() && decide_exactly(first, second, lengths))) {
+      const unsigned open = round_certain(fast, lengths, points, contact);
+      if (open != 0) round_open(first, second, lengths, points, open, contact);
+      return true;
+    }
+    if (fast.holds()) return false;
+  }
+  if (!decide_exactly(first, second, lengths)) return false;
+  round_open(first, second, lengths, points, kAllNumbers, contact);
   return true;
 }
 
 template <class First, class Second>
 [[gnu::always_inline]] inline bool decide_inline(const First& first, const Second& second, const Lengths& lengths) {
-  const auto fast = approximate(first, second, lengths);
-  const Filtered filtered = fast ? fast->filtered(lengths.alarm) : Filtered::undecided;
-  return filtered == Filtered::undecided ? decide_exactly(first, second, lengths) : filtered == Filtered::hit;
+  ApproximateNearest nearest;
+  if (in_short_range(first) && in_short_range(second) && in_short_range(lengths) &&
+      find_nearest(first, second, nearest)) {
+    const ApproximateContact fast(nearest, lengths);
+    const Filtered filtered = fast.holds() ? fast.filtered(lengths.alarm) : Filtered::undecided;
+    if (filtered != Filtered::undecided) return filtered == Filtered::hit;
+  }
+  return decide_exactly(first, second, lengths);
 }
 
 // Behind calls that are not inlined: what RoundToNearest sets must be set before anything is computed.
