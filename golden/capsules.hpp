@@ -135,7 +135,8 @@ inline Frame frame(Random& random, std::int64_t largest) {
 /// ends leaning away or not; at right angles and parallel; or both in line with it.
 enum class Lie { leaning, level, parallel, in_line };
 
-/// Segments with ends on the grid of a frame, and so exactly an integer apart; `meeting` makes it 0.
+/// Segments with ends on a grid, and exactly an integer apart; `meeting` makes it 0. Nearest points are on the grid
+/// too, but half of those on a side are fractions that no scalar holds.
 template <class Real>
 struct OnFrame {
   TwoSegments<Real> shapes;
@@ -150,24 +151,48 @@ OnFrame<Real> on_frame(Random& random, std::array<Feature, 2> features, Lie lie,
   const std::int64_t offset = wide ? 1 << 24 : 1 << 10;
   const std::int64_t steps = large ? (wide ? 64 : 6) : 3;
   OnFrame<Real> made{{}, frame(random, large ? (wide ? 1 << 9 : 9) : 3), 0};
-  const Triple<std::int64_t> origin = {random.between(-offset, offset), random.between(-offset, offset),
-                                       random.between(-offset, offset)};
   const std::int64_t height = meeting ? 0 : random.between<std::int64_t>(1, wide && large ? 1 << 8 : 24);
   made.distance = height * made.frame.length;
-  Triple<std::int64_t> way{};
+  std::array<Triple<std::int64_t>, 2> ways{};
   for (std::size_t i = 0; i < 2; ++i) {
     const std::int64_t away = i == 0 ? -1 : 1;
-    const Triple<std::int64_t> before = way;
+    Triple<std::int64_t>& way = ways[i];
     way = {random.between(-steps, steps), random.between(-steps, steps), 0};
     if (way[0] == 0 && way[1] == 0) way[0] = 1;
     if (lie == Lie::leaning && features[i] != Feature::side) way[2] = away * random.between<std::int64_t>(0, steps);
-    if (lie == Lie::parallel && i == 1) way = random.chance(2) ? before : moved({}, std::int64_t{-1}, before);
+    if (lie == Lie::parallel && i == 1) way = random.chance(2) ? ways[0] : moved({}, std::int64_t{-1}, ways[0]);
     if (lie == Lie::in_line) way = {0, 0, away * random.between<std::int64_t>(1, steps)};
+  }
+  std::array<Triple<std::int64_t>, 2> points{Triple<std::int64_t>{}, made.frame.at({0, 0, height})};
+  const auto sides = std::count(features.begin(), features.end(), Feature::side);
+  if (sides == 2 && (lie == Lie::leaning || lie == Lie::level)) {
+    // The second line moved in its plane: both cross less than a step from where they did.
+    const Triple<std::int64_t> by = {random.between(-steps, steps), random.between(-steps, steps), 0};
+    const std::int64_t across = std::abs(cross(ways[0], ways[1])[2]);
+    if (std::abs(cross(by, ways[0])[2]) < across && std::abs(cross(by, ways[1])[2]) < across)
+      points[1] = moved(points[1], std::int64_t{1}, made.frame.at(by));
+  } else if (sides == 1 && lie == Lie::leaning && random.chance(2)) {
+    // The other one's end is at the origin. The side goes along the first row, through (n first + height third) /
+    // length where that is on the grid, so that its foot is height third / length.
+    const std::size_t side = features[0] == Feature::side ? 0 : 1;
+    const std::int64_t up = side == 0 ? -height : height;
+    const std::int64_t length = made.frame.length;
+    for (std::int64_t n = 1; n < std::min<std::int64_t>(length, 1000); ++n) {
+      const Triple<std::int64_t> through = made.frame.at({n, 0, up});
+      if (through[0] % length != 0 || through[1] % length != 0 || through[2] % length != 0) continue;
+      points[side] = {through[0] / length, through[1] / length, through[2] / length};
+      points[1 - side] = {};
+      ways[side] = {random.between<std::int64_t>(1, steps), 0, 0};
+      made.distance = height;
+      break;
+    }
+  }
+  const Triple<std::int64_t> origin = {random.between(-offset, offset), random.between(-offset, offset),
+                                       random.between(-offset, offset)};
+  for (std::size_t i = 0; i < 2; ++i) {
     const auto at = [&](std::int64_t n) {
-      const Triple<std::int64_t> there = made.frame.at(moved({0, 0, i == 0 ? 0 : height}, n, way));
-      Triple<Real> point{};
-      for (std::size_t axis = 0; axis < 3; ++axis) point[axis] = static_cast<Real>(origin[axis] + there[axis]);
-      return point;
+      const Triple<std::int64_t> point = moved(moved(origin, std::int64_t{1}, points[i]), n, made.frame.at(ways[i]));
+      return Triple<Real>{static_cast<Real>(point[0]), static_cast<Real>(point[1]), static_cast<Real>(point[2])};
     };
     const std::int64_t back = random.between<std::int64_t>(1, wide ? 8 : 4);
     const std::int64_t ahead = random.between<std::int64_t>(1, wide ? 8 : 4);

@@ -107,6 +107,33 @@ rc::Gen<Query> nearly_touching(const Range& range, rc::Gen<double> number, bool 
                       });
 }
 
+/// Capsules that reach each other exactly, at alarm 0 or by an alarm distance: axes at right angles to a quadruple,
+/// from one end of it to the other, on integers times a power of two.
+rc::Gen<Query> exactly_touching(const Range& range, bool first_is_a_sphere) {
+  return rc::gen::map(
+      rc::gen::tuple(rc::gen::elementOf(kQuadruples), rc::gen::container<std::vector<int>>(9, integer(0, 9)),
+                     integer(range.bottom, std::max(range.bottom, range.top - 12))),
+      [first_is_a_sphere](const std::tuple<Quadruple, std::vector<int>, int>& parts) {
+        const auto& [quadruple, k, exponent] = parts;
+        const Vector3 delta(quadruple[0], quadruple[1], k[0] < 5 ? quadruple[2] : -quadruple[2]);
+        const auto across = [&](int axis) {
+          const Vector3 way = delta.cross(Vector3::Unit(axis % 3));
+          return way.isZero() ? delta.cross(Vector3::Unit((axis + 1) % 3)) : way;
+        };
+        const Vector3 q(k[0], k[1], k[2]);
+        const Vector3 p = q - delta;
+        const int back = first_is_a_sphere ? 0 : k[5];
+        const double first = std::min(k[3], quadruple[3]);
+        const double alarm = k[4] < 5 ? 0 : (quadruple[3] - first) / 2;
+        const double unit = std::ldexp(1.0, exponent);
+        return Query{Pair::capsule_capsule,
+                     Capsules{{unit * (p - back * across(k[1])), unit * (p + k[6] * across(k[1])), unit * first},
+                              {unit * (q - k[7] * across(k[2])), unit * (q + k[8] * across(k[2])),
+                               unit * (quadruple[3] - first - alarm)}},
+                     {unit * alarm, unit * k[4]}};
+      });
+}
+
 }  // namespace
 
 rc::Gen<Query> capsule_queries(const Range& range, bool first_is_a_sphere) {
@@ -125,6 +152,7 @@ rc::Gen<Query> capsule_queries(const Range& range, bool first_is_a_sphere) {
                                                   {4, laid_out(range, small_dyadic(range))},
                                                   {1, near(any_bits(range))},
                                                   {1, near(subnormal(range))},
+                                                  {2, exactly_touching(range, first_is_a_sphere)},
                                                   {3, near(small_dyadic(range))},
                                                   {3, near(ordinary(range))}});
   return rc::gen::map(all, [first_is_a_sphere](const Query& query) { return as_asked(query, first_is_a_sphere); });

@@ -3,6 +3,7 @@
 
 #include <rapidcheck.h>
 
+#include <array>
 #include <cstddef>
 #include <iosfwd>
 #include <limits>
@@ -76,6 +77,10 @@ rc::Gen<T> full_size(rc::Gen<T> gen) {
 CONTACT_KINDS(CONTACT_DECLARE)
 #undef CONTACT_DECLARE
 
+/// Integers x^2 + y^2 + z^2 = d^2.
+using Quadruple = std::array<int, 4>;
+inline const std::vector<Quadruple> kQuadruples{{1, 2, 2, 3}, {2, 3, 6, 7},  {3, 4, 0, 5},  {1, 4, 8, 9},
+                                                {0, 0, 1, 1}, {2, 6, 9, 11}, {8, 9, 12, 17}};
 /// Spheres at every scale, near touching, on Pythagorean quadruples, coincident.
 [[nodiscard]] rc::Gen<Query> sphere_queries(const Range& range);
 /// The alarm distance, or the second radius where the alarm is 0, puts the pair at touching as double computes it, and
