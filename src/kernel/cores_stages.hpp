@@ -20,37 +20,38 @@ template <class First, class Second>
   round_exactly(exact_nearest(first, second, grid), grid, lengths, points, open, contact);
 }
 
+/// The decision of the filter, else of the contact's numbers, else the exact one.
+template <class First, class Second>
+[[gnu::always_inline]] inline bool settled(Filtered filtered, const std::optional<ApproximateContact>& fast,
+                                           const First& first, const Second& second, const Lengths& lengths) {
+  if (filtered == Filtered::undecided && fast && fast->holds()) filtered = fast->filtered(lengths.alarm);
+  return filtered == Filtered::undecided ? decide_exactly(first, second, lengths) : filtered == Filtered::hit;
+}
+
 template <class First, class Second>
 [[gnu::always_inline]] inline bool contact_inline(const First& first, const Second& second, const Lengths& lengths,
                                                   ContactPoints points, Contact& contact) {
+  const bool in_range = in_short_range(first) && in_short_range(second) && in_short_range(lengths);
+  const Filtered filtered = in_range ? plain_filtered(first, second, lengths) : Filtered::undecided;
+  if (filtered == Filtered::miss) return false;
   ApproximateNearest nearest;
-  if (in_short_range(first) && in_short_range(second) && in_short_range(lengths) &&
-      find_nearest(first, second, nearest)) {
-    const ApproximateContact fast(nearest, lengths);
-    const Filtered filtered = fast.holds() ? fast.filtered(lengths.alarm) : Filtered::undecided;
-    if (filtered == Filtered::miss) return false;
-    if (filtered == Filtered::hit || (fast.holds() && decide_exactly(first, second, lengths))) {
-      const unsigned open = round_certain(fast, lengths, points, contact);
-      if (open != 0) round_open(first, second, lengths, points, open, contact);
-      return true;
-    }
-    if (fast.holds()) return false;
-  }
-  if (!decide_exactly(first, second, lengths)) return false;
-  round_open(first, second, lengths, points, kAllNumbers, contact);
+  std::optional<ApproximateContact> fast;
+  if (in_range && find_nearest(first, second, nearest)) fast.emplace(nearest, lengths);
+  if (!settled(filtered, fast, first, second, lengths)) return false;
+  const unsigned open = fast && fast->holds() ? round_certain(*fast, lengths, points, contact) : kAllNumbers;
+  if (open != 0) round_open(first, second, lengths, points, open, contact);
   return true;
 }
 
 template <class First, class Second>
 [[gnu::always_inline]] inline bool decide_inline(const First& first, const Second& second, const Lengths& lengths) {
+  const bool in_range = in_short_range(first) && in_short_range(second) && in_short_range(lengths);
+  const Filtered filtered = in_range ? plain_filtered(first, second, lengths) : Filtered::undecided;
+  if (filtered != Filtered::undecided) return filtered == Filtered::hit;
   ApproximateNearest nearest;
-  if (in_short_range(first) && in_short_range(second) && in_short_range(lengths) &&
-      find_nearest(first, second, nearest)) {
-    const ApproximateContact fast(nearest, lengths);
-    const Filtered filtered = fast.holds() ? fast.filtered(lengths.alarm) : Filtered::undecided;
-    if (filtered != Filtered::undecided) return filtered == Filtered::hit;
-  }
-  return decide_exactly(first, second, lengths);
+  std::optional<ApproximateContact> fast;
+  if (in_range && find_nearest(first, second, nearest)) fast.emplace(nearest, lengths);
+  return settled(filtered, fast, first, second, lengths);
 }
 
 // Behind calls that are not inlined: what RoundToNearest sets must be set before anything is computed.
