@@ -37,24 +37,19 @@ std::vector<Claim> each(std::span<const Question> questions, PointConvention poi
 }
 
 bool all(Pair) { return true; }
-/// Upstream's component and formulas have no pairs of different shapes.
-bool of_one_shape(Pair pair) {
-  return std::visit([]<class A, class B>(const Two<A, B>&) { return std::same_as<A, B>; }, description(pair).zeros());
-}
-
 constexpr std::array kBuiltIn{
     BuiltIn{"production", "this project's implementation: exact decisions, correctly rounded numbers", Scalar::binary64,
             true, each<production_answer>, all},
     BuiltIn{"batch", "production through its functions for many pairs; batch:AVX2 and so on choose the vectors",
             Scalar::binary64, false, batch_answers, batch_serves},
     BuiltIn{"component", "production through DiscreteIntersection and whole models", Scalar::binary64, false,
-            each<component_answer>, of_one_shape},
+            each<component_answer>, is_discrete_intersections},
     BuiltIn{"plain-double", "the seed's formulas in plain double arithmetic, as SOFA computes them", Scalar::binary64,
             true, each<plain<Scalar::binary64>>, all},
     BuiltIn{"plain-float", "the seed's formulas in plain float arithmetic", Scalar::binary32, true,
             each<plain<Scalar::binary32>>, all},
     BuiltIn{"published", "production with the contact points of the seed's printed formula", Scalar::binary64, true,
-            each<published>, of_one_shape},
+            each<published>, is_discrete_intersections},
 };
 
 class MutantEngine final : public Engine {
