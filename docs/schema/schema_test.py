@@ -22,6 +22,8 @@ TOOL = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
 SCHEMAS = Path(__file__).resolve().parent
 ROOT = SCHEMAS.parent.parent
 GOLDEN = ROOT / "golden"
+SHAPES = {"spheres": "sphere_rigid_sphere", "cubes": "cube_cube", "sphere and cube": "sphere_cube",
+          "sphere and capsule": "sphere_capsule", "capsules": "capsule_capsule"}
 COMMON = json.loads((SCHEMAS / "common.json").read_text())["$defs"]
 
 

@@ -79,6 +79,8 @@ inline constexpr PairDescription kPairTable[] = {CONTACT_PAIRS(CONTACT_PAIR)};
 }
 [[nodiscard]] constexpr std::string_view name(Pair pair) { return description(pair).name; }
 [[nodiscard]] constexpr bool has_numbers(Pair pair) { return description(pair).has_numbers; }
+/// Whether SOFA's DiscreteIntersection has the pair; the others join at run time there.
+[[nodiscard]] constexpr bool is_discrete_intersections(Pair pair) { return pair <= Pair::cube_cube; }
 /// Whether more than one pair of points of the cores may be nearest.
 [[nodiscard]] constexpr bool may_have_many_nearest(Pair pair) { return pair == Pair::capsule_capsule; }
 /// Whether the nearest points may be quotients of what is given, so that D is no dyadic.

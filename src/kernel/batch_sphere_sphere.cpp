@@ -136,7 +136,7 @@ HWY_INLINE void contacts_of_whole_vectors(Job& job, std::size_t end) {
   }
 }
 
-batch::Count compute_spheres(const SpherePairs& pairs, const SphereQuestion& question, const ContactRows& out) {
+batch::Count compute_spheres(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
   Job job{pairs, question, out, pairs.size, sign_of(question.points.first, 1), sign_of(question.points.second, -1)};
   const std::size_t whole = pairs.size - pairs.size % hn::Lanes(D());
   contacts_of_whole_vectors(job, whole);
@@ -160,7 +160,7 @@ batch::Count compute_spheres(const SpherePairs& pairs, const SphereQuestion& que
 }
 
 /// Contacts of the pairs that are not plainly misses, strip by strip: their numbers are brought together first.
-batch::Count compute_sphere_hits(const SpherePairs& pairs, const SphereQuestion& question, std::uint32_t* index,
+batch::Count compute_sphere_hits(const SpherePairs& pairs, const ContactQuestion& question, std::uint32_t* index,
                                  const ContactRows& out) {
   const std::size_t lanes = hn::Lanes(D());
   HWY_ALIGN double kept[8][kStrip];
@@ -248,7 +248,7 @@ batch::Count test_spheres(const SpherePairs& pairs, double alarm, std::uint8_t* 
 #else  // no vectors of doubles
 
 batch::Count test_spheres(const SpherePairs& pairs, double alarm, std::uint8_t* hit) {
-  return test_sphere_sphere_scalar(pairs, alarm, hit);
+  return test_scalar(pairs, alarm, hit);
 }
 
 #endif  // HWY_HAVE_FLOAT64
@@ -257,13 +257,13 @@ batch::Count test_spheres(const SpherePairs& pairs, double alarm, std::uint8_t* 
 
 // Without a fused multiply-add the numbers come from the functions of one pair.
 
-batch::Count compute_spheres(const SpherePairs& pairs, const SphereQuestion& question, const ContactRows& out) {
-  return compute_sphere_sphere_scalar(pairs, question, out);
+batch::Count compute_spheres(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
+  return compute_scalar(pairs, question, out);
 }
 
-batch::Count compute_sphere_hits(const SpherePairs& pairs, const SphereQuestion& question, std::uint32_t* index,
+batch::Count compute_sphere_hits(const SpherePairs& pairs, const ContactQuestion& question, std::uint32_t* index,
                                  const ContactRows& out) {
-  return compute_sphere_sphere_hits_scalar(pairs, question, index, out);
+  return compute_hits_scalar(pairs, question, index, out);
 }
 
 #endif
@@ -282,17 +282,16 @@ HWY_EXPORT(compute_spheres);
 HWY_EXPORT(compute_sphere_hits);
 HWY_EXPORT(computes_contacts);
 
-batch::Count test_sphere_sphere_vectors(const SpherePairs& pairs, double alarm, std::uint8_t* hit) {
+batch::Count test_vectors(const SpherePairs& pairs, double alarm, std::uint8_t* hit) {
   return HWY_DYNAMIC_DISPATCH(test_spheres)(pairs, alarm, hit);
 }
 
-batch::Count compute_sphere_sphere_vectors(const SpherePairs& pairs, const SphereQuestion& question,
-                                           const ContactRows& out) {
+batch::Count compute_vectors(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
   return HWY_DYNAMIC_DISPATCH(compute_spheres)(pairs, question, out);
 }
 
-batch::Count compute_sphere_sphere_hits_vectors(const SpherePairs& pairs, const SphereQuestion& question,
-                                                std::uint32_t* index, const ContactRows& out) {
+batch::Count compute_hits_vectors(const SpherePairs& pairs, const ContactQuestion& question, std::uint32_t* index,
+                                  const ContactRows& out) {
   return HWY_DYNAMIC_DISPATCH(compute_sphere_hits)(pairs, question, index, out);
 }
 

@@ -47,23 +47,27 @@ struct ApproximateNearest {
 ///          + |p|), rounded() (the same again), and n and its product are as there (30)       36 |w| + 2 |h| + 3 |p|
 class ApproximateContact {
  public:
-  /// Nothing where the bounds do not hold: the cores meet, or are far nearer to each other than the errors allow.
   /// Domain: in_short_range of all numbers of the question, to nearest.
-  [[gnu::always_inline]] static std::optional<ApproximateContact> of(const ApproximateNearest& nearest,
-                                                                     const Lengths& lengths) {
-    const DoubleDouble<double> radii = two_sum(lengths.radius1, lengths.radius2);
-    const DoubleDouble<double> less = two_sum(radii.high, lengths.contact);
-    const auto pair = DoubleDoublePair::of(nearest.delta, {less.high, radii.low + less.low});
-    if (!pair || !(nearest.delta_error * 0x1p40 <= pair->root().high)) return std::nullopt;
-    return ApproximateContact(nearest, *pair, radii);
+  [[gnu::always_inline]] ApproximateContact(const ApproximateNearest& nearest, const Lengths& lengths)
+      : nearest_(nearest), radii_(two_sum(lengths.radius1, lengths.radius2)) {
+    const DoubleDouble<double> less = two_sum(radii_.high, lengths.contact);
+    pair_ = DoubleDoublePair::of(nearest.delta, {less.high, radii_.low + less.low});
+    if (!pair_) return;
+    length_error_ = 2 * nearest.delta_error;
+    turn_ = 2.25 * nearest.delta_error / pair_->root().high;
+    if (!(nearest.delta_error * 0x1p40 <= pair_->root().high)) pair_.reset();
   }
+  /// Whether the bounds hold. They do not where the cores meet, or are far nearer to each other than the errors allow.
+  [[gnu::always_inline]] [[nodiscard]] bool holds() const { return pair_.has_value(); }
+
+  // Domain of what follows: holds().
 
   /// sqrt(D) against alarm + r1 + r2.
   [[gnu::always_inline]] [[nodiscard]] Filtered filtered(double alarm) const {
     const DoubleDouble<double> reach = two_sum(radii_.high, alarm);
-    const DoubleDouble<double> h = two_sum(pair_.root().high, -reach.high);
-    const double low = h.low + (pair_.root().low - (radii_.low + reach.low));
-    const double error = (kRootError * pair_.root().high + kLessError * reach.high) +
+    const DoubleDouble<double> h = two_sum(pair_->root().high, -reach.high);
+    const double low = h.low + (pair_->root().low - (radii_.low + reach.low));
+    const double error = (kRootError * pair_->root().high + kLessError * reach.high) +
                          (DoubleDoublePair::kLastSumError * std::abs(h.high) + length_error_);
     if (h.high + (low - error) > 0) return Filtered::miss;
     if (h.high + (low + error) < 0) return Filtered::hit;
@@ -71,7 +75,7 @@ class ApproximateContact {
   }
 
   [[gnu::always_inline]] [[nodiscard]] Approximation normal(std::size_t axis) const {
-    Approximation n = pair_.normal(axis);
+    Approximation n = pair_->normal(axis);
     n.error += turn_;
     return n;
   }
@@ -82,7 +86,7 @@ class ApproximateContact {
     return point(nearest_.q[axis], nearest_.q_error, axis, signed_radius);
   }
   [[gnu::always_inline]] [[nodiscard]] Approximation value() const {
-    Approximation v = pair_.value();
+    Approximation v = pair_->value();
     v.error += length_error_;
     return v;
   }
@@ -94,17 +98,9 @@ class ApproximateContact {
   static constexpr double kRootError = DoubleDoublePair::kValueRootError + 1 * kUnitSquared;  // of s
   static constexpr double kLessError = DoubleDoublePair::kValueLessError + 1 * kUnitSquared;  // of the reach
 
-  [[gnu::always_inline]] ApproximateContact(const ApproximateNearest& nearest, const DoubleDoublePair& pair,
-                                            const DoubleDouble<double>& radii)
-      : nearest_(nearest),
-        pair_(pair),
-        radii_(radii),
-        length_error_(2 * nearest.delta_error),
-        turn_(2.25 * nearest.delta_error / pair.root().high) {}
-
   [[gnu::always_inline]] [[nodiscard]] Approximation point(const DoubleDouble<double>& core, double error,
                                                            std::size_t axis, double signed_radius) const {
-    const DoubleDouble<double>& n = pair_.normal_parts(axis);
+    const DoubleDouble<double>& n = pair_->normal_parts(axis);
     const double w = signed_radius * n.high;
     const double w_low = std::fma(signed_radius, n.low, std::fma(signed_radius, n.high, -w));
     const DoubleDouble<double> h = two_sum(core.high, w);
@@ -113,11 +109,11 @@ class ApproximateContact {
                 (DoubleDoublePair::kLastSumError * std::abs(h.high) + (error + std::abs(signed_radius) * turn_))};
   }
 
-  ApproximateNearest nearest_;
-  DoubleDoublePair pair_;
+  const ApproximateNearest& nearest_;
   DoubleDouble<double> radii_;
-  double length_error_;  ///< of sqrt(D)
-  double turn_;          ///< of a component of n
+  std::optional<DoubleDoublePair> pair_;
+  double length_error_ = 0;  ///< of sqrt(D)
+  double turn_ = 0;          ///< of a component of n
 };
 
 /// The numbers of a contact that are certain; returns the bits of those that are not.
@@ -132,6 +128,7 @@ class ApproximateContact {
   };
   const double r1 = sign_of(points.first, 1) * lengths.radius1;
   const double r2 = sign_of(points.second, -1) * lengths.radius2;
+#pragma GCC unroll 3
   for (unsigned axis = 0; axis < 3; ++axis) {
     take(approximate.normal(axis), contact.normal[axis], axis);
     take(approximate.point1(axis, r1), contact.point1[axis], kPointNumber + axis);

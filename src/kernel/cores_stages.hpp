@@ -1,5 +1,5 @@
 // A question about two cores, asked of the fast stage and, where that leaves something open, of the exact one. A kind
-// of core has nearest_of and in_short_range for the first, exact_nearest and grid_of for the second.
+// of core has find_nearest and in_short_range for the first, exact_nearest and grid_of for the second.
 #pragma once
 
 #include "kernel/cores_double_double.hpp"
@@ -20,31 +20,38 @@ template <class First, class Second>
   round_exactly(exact_nearest(first, second, grid), grid, lengths, points, open, contact);
 }
 
+/// The decision of the filter, else of the contact's numbers, else the exact one.
 template <class First, class Second>
-[[gnu::always_inline]] inline std::optional<ApproximateContact> approximate(const First& first, const Second& second,
-                                                                            const Lengths& lengths) {
-  if (!in_short_range(first) || !in_short_range(second) || !in_short_range(lengths)) return std::nullopt;
-  const auto nearest = nearest_of(first, second);
-  return nearest ? ApproximateContact::of(*nearest, lengths) : std::nullopt;
+[[gnu::always_inline]] inline bool settled(Filtered filtered, const std::optional<ApproximateContact>& fast,
+                                           const First& first, const Second& second, const Lengths& lengths) {
+  if (filtered == Filtered::undecided && fast && fast->holds()) filtered = fast->filtered(lengths.alarm);
+  return filtered == Filtered::undecided ? decide_exactly(first, second, lengths) : filtered == Filtered::hit;
 }
 
 template <class First, class Second>
 [[gnu::always_inline]] inline bool contact_inline(const First& first, const Second& second, const Lengths& lengths,
                                                   ContactPoints points, Contact& contact) {
-  const auto fast = approximate(first, second, lengths);
-  const Filtered filtered = fast ? fast->filtered(lengths.alarm) : Filtered::undecided;
+  const bool in_range = in_short_range(first) && in_short_range(second) && in_short_range(lengths);
+  const Filtered filtered = in_range ? plain_filtered(first, second, lengths) : Filtered::undecided;
   if (filtered == Filtered::miss) return false;
-  if (filtered == Filtered::undecided && !decide_exactly(first, second, lengths)) return false;
-  const unsigned open = fast ? round_certain(*fast, lengths, points, contact) : kAllNumbers;
+  ApproximateNearest nearest;
+  std::optional<ApproximateContact> fast;
+  if (in_range && find_nearest(first, second, nearest)) fast.emplace(nearest, lengths);
+  if (!settled(filtered, fast, first, second, lengths)) return false;
+  const unsigned open = fast && fast->holds() ? round_certain(*fast, lengths, points, contact) : kAllNumbers;
   if (open != 0) round_open(first, second, lengths, points, open, contact);
   return true;
 }
 
 template <class First, class Second>
 [[gnu::always_inline]] inline bool decide_inline(const First& first, const Second& second, const Lengths& lengths) {
-  const auto fast = approximate(first, second, lengths);
-  const Filtered filtered = fast ? fast->filtered(lengths.alarm) : Filtered::undecided;
-  return filtered == Filtered::undecided ? decide_exactly(first, second, lengths) : filtered == Filtered::hit;
+  const bool in_range = in_short_range(first) && in_short_range(second) && in_short_range(lengths);
+  const Filtered filtered = in_range ? plain_filtered(first, second, lengths) : Filtered::undecided;
+  if (filtered != Filtered::undecided) return filtered == Filtered::hit;
+  ApproximateNearest nearest;
+  std::optional<ApproximateContact> fast;
+  if (in_range && find_nearest(first, second, nearest)) fast.emplace(nearest, lengths);
+  return settled(filtered, fast, first, second, lengths);
 }
 
 // Behind calls that are not inlined: what RoundToNearest sets must be set before anything is computed.

@@ -37,6 +37,52 @@ struct Segment {
   return in_short_range(segment.start) && in_short_range(segment.end);
 }
 
+/// The decision of two segments in plain arithmetic, where its bounds allow. Any points of them that are within reach
+/// prove a hit, and any direction along which they are farther apart a miss, so how near to the nearest points the feet
+/// below are does not matter. With L = |w| + |u| + |v| (the sums of their components), in units of u:
+///   delta  w, u and v are rounded (1 each), products (1 + 1) and sums (2 + 2)           12 L a component, 21 L its
+///   length gap    as much for w, u and v along delta, with three products and sums (4), a sum (2)   8 |delta| L
+/// Domain: to nearest, numbers in_short_range.
+[[gnu::always_inline]] inline Filtered plain_filtered(const Vector3& from, const Vector3& u, const Segment& second,
+                                                      const Lengths& lengths) {
+  constexpr double kUnit = DoubleDoublePair::kUnit;
+  const auto size = [](const Vector3& x) { return std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]); };
+  const auto dot3 = [](const Vector3& x, const Vector3& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; };
+  const auto clamped = [](double t) { return t > 0 ? (t < 1 ? t : 1.0) : 0.0; };  // NaN, of a length of 0, is 0
+  const Vector3 v = second.end - second.start;
+  const Vector3 w = second.start - from;
+  const double A = dot3(u, u);
+  const double E = dot3(v, v);
+  double s = 0;
+  double t = 0;
+  if (A > 0) {
+    const double B = dot3(u, v);
+    const double C = dot3(u, w);
+    const double F = dot3(v, w);
+    s = clamped((C * E - B * F) / (A * E - B * B));
+    t = clamped((B * s - F) / E);
+    s = clamped((B * t + C) / A);
+  } else {
+    t = clamped(-dot3(v, w) / E);
+  }
+  const Vector3 delta = w + t * v - s * u;
+  const double L = (size(w) + size(u)) + size(v);
+  const double distance = std::sqrt(dot3(delta, delta));
+  const double reach = (lengths.radius1 + lengths.radius2) + lengths.alarm;
+  if (distance * (1 + 8 * kUnit) + 24 * kUnit * L < reach * (1 - 8 * kUnit)) return Filtered::hit;
+  const double gap = (dot3(delta, w) + std::min(0.0, dot3(delta, v))) - std::max(0.0, dot3(delta, u));
+  if (gap - 16 * kUnit * L * distance > reach * distance * (1 + 16 * kUnit) && distance > 0) return Filtered::miss;
+  return Filtered::undecided;
+}
+[[gnu::always_inline]] inline Filtered plain_filtered(const Vector3& c, const Segment& segment,
+                                                      const Lengths& lengths) {
+  return plain_filtered(c, Vector3::Zero(), segment, lengths);
+}
+[[gnu::always_inline]] inline Filtered plain_filtered(const Segment& first, const Segment& second,
+                                                      const Lengths& lengths) {
+  return plain_filtered(first.start, first.end - first.start, second, lengths);
+}
+
 // What follows computes to nearest, in numbers that are in_short_range. Errors are in units of u^2, as those of
 // DoubleDoublePair; each total is rounded up for the factors (1 + u)^k left out, and for the rounding of the bound
 // itself.
@@ -67,6 +113,7 @@ inline constexpr double kDotError = 20 * kUnitSquared;
 [[gnu::always_inline]] inline DoubleDouble<double> dot(const DoubleDoubles& x, const DoubleDoubles& y) {
   std::array<double, 3> product;
   double residual = 0;
+#pragma GCC unroll 3
   for (std::size_t i = 0; i < 3; ++i) {
     product[i] = x[i].high * y[i].high;
     residual +=
@@ -138,6 +185,7 @@ struct Foot {
     foot.place = Place::open;
   if (t.high < 0) t = {0, 0};
   if (beyond > 0) t = {1, 0};
+#pragma GCC unroll 3
   for (std::size_t i = 0; i < 3; ++i) {
     const DoubleDouble<double> along = product(t, u[i]);
     foot.point[i] = sum({segment.start[static_cast<Eigen::Index>(i)], 0}, along);
@@ -151,17 +199,19 @@ struct Foot {
   return {exactly(c), foot.point, foot.delta, 0, foot.error, foot.error};
 }
 /// The nearest points of a point and a segment.
-[[gnu::always_inline]] inline std::optional<ApproximateNearest> nearest_of(const Vector3& c, const Segment& segment) {
+[[gnu::always_inline]] inline bool find_nearest(const Vector3& c, const Segment& segment, ApproximateNearest& nearest) {
   if (segment.start == segment.end)
-    return ApproximateNearest{exactly(c), exactly(segment.start), difference(segment.start, c), 0, 0, 0};
-  return nearest_of(c, foot_on(segment, c));
+    nearest = {exactly(c), exactly(segment.start), difference(segment.start, c), 0, 0, 0};
+  else
+    nearest = nearest_of(c, foot_on(segment, c));
+  return true;
 }
 [[gnu::always_inline]] inline ApproximateNearest turned_round(const ApproximateNearest& x) {
   return {x.q,       x.p,       {negative(x.delta[0]), negative(x.delta[1]), negative(x.delta[2])},
           x.q_error, x.p_error, x.delta_error};
 }
 
-/// The nearest points of two segments; nothing where the stage cannot tell which features face each other, or they are
+/// The nearest points of two segments; false where the stage cannot tell which features face each other, or they are
 /// nearly parallel. With k = A E / det, |s|, |t| <= 1 and |B| <= |u| |v|:
 ///   A E, B B     20 + 20 + 7 of the dot products and their product; their difference 4 of both     102 A E
 ///   C E, B F     the same of |u| |w| E each                                                        102 |u| |w| E
@@ -169,11 +219,14 @@ struct Foot {
 ///   s u          104 k (|w| + |u|) + 12 |u|, and 7 |u| of the product                              123 k (|w| + |u|)
 ///   t v          the same                                                                          123 k (|w| + |v|)
 ///   delta        both, and sums (4) of |w|, |u| and |v|, twice        123 k (2 |w| + |u| + |v|) + 8 (|w| + |u| + |v|)
-[[gnu::always_inline]] inline std::optional<ApproximateNearest> nearest_of(const Segment& first,
-                                                                           const Segment& second) {
+[[gnu::always_inline]] inline bool find_nearest(const Segment& first, const Segment& second,
+                                                ApproximateNearest& nearest) {
   constexpr double kDeterminant = 104 * kUnitSquared;
-  if (first.start == first.end) return nearest_of(first.start, second);
-  if (second.start == second.end) return turned_round(*nearest_of(second.start, first));
+  if (first.start == first.end) return find_nearest(first.start, second, nearest);
+  if (second.start == second.end) {
+    nearest = turned_round(nearest_of(second.start, foot_on(first, second.start)));
+    return true;
+  }
   const DoubleDoubles u = difference(first.end, first.start);
   const DoubleDoubles v = difference(second.end, second.start);
   const DoubleDoubles w = difference(second.start, first.start);
@@ -184,7 +237,7 @@ struct Foot {
   const DoubleDouble<double> F = dot(v, w);
   const double AE = A.high * E.high;
   const DoubleDouble<double> det = sum(product(A, E), negative(product(B, B)));
-  if (!(det.high > AE * 0x1p-30)) return std::nullopt;
+  if (!(det.high > AE * 0x1p-30)) return false;
   const double lu = length_bound(u);
   const double lv = length_bound(v);
   const double lw = length_bound(w);
@@ -200,27 +253,32 @@ struct Foot {
   const auto ended = [](const Segment& segment, Place at) { return at == Place::start ? segment.start : segment.end; };
   const auto at_end_of_second = [&](Place t) {
     const Vector3 c = ended(second, t);
-    return turned_round(nearest_of(c, foot_on(first, c)));
+    nearest = turned_round(nearest_of(c, foot_on(first, c)));
+    return true;
   };
   const Bounded s{sum(product(C, E), negative(product(B, F))), kDeterminant * (lu * lw) * E.high};
   const Place at_s = place(s);
-  if (at_s == Place::open) return std::nullopt;
+  if (at_s == Place::open) return false;
   if (at_s != Place::within) {
     const Vector3 c = ended(first, at_s);
     const Foot foot = foot_on(second, c);
-    if (foot.place == Place::open) return std::nullopt;
-    return foot.place == Place::within ? nearest_of(c, foot) : at_end_of_second(foot.place);
+    if (foot.place == Place::open) return false;
+    if (foot.place != Place::within) return at_end_of_second(foot.place);
+    nearest = nearest_of(c, foot);
+    return true;
   }
   const Bounded t{sum(product(B, C), negative(product(A, F))), kDeterminant * (lv * lw) * A.high};
   const Place at_t = place(t);
-  if (at_t == Place::open) return std::nullopt;
+  if (at_t == Place::open) return false;
   if (at_t != Place::within) return at_end_of_second(at_t);
 
   const double k = AE / det.high * (1 + 0x1p-40);
-  ApproximateNearest nearest{{}, {}, {}, 125 * kUnitSquared * k * (lw + lu), 125 * kUnitSquared * k * (lw + lv), 0};
+  nearest.p_error = 125 * kUnitSquared * k * (lw + lu);
+  nearest.q_error = 125 * kUnitSquared * k * (lw + lv);
   nearest.delta_error = nearest.p_error + nearest.q_error + 9 * kUnitSquared * (lw + lu + lv);
   const DoubleDouble<double> s_ = quotient(s.x, det);
   const DoubleDouble<double> t_ = quotient(t.x, det);
+#pragma GCC unroll 3
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
     const DoubleDouble<double> along1 = product(s_, u[i]);
@@ -232,7 +290,7 @@ struct Foot {
   // What the sums of p and q lose is 4 of |s u| and |a|, together at most 2 |u| + |p|.
   nearest.p_error += 9 * kUnitSquared * lu;
   nearest.q_error += 9 * kUnitSquared * lv;
-  return nearest;
+  return true;
 }
 
 }  // namespace contact::kernel

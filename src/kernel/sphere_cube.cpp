@@ -19,6 +19,8 @@ struct Face {
   double sign;  ///< of the normal, which points into the box
   double at;
   double depth[2];
+
+  [[nodiscard]] double rounded_depth() const { return depth[0] + depth[1]; }
 };
 
 Face face_of(const Vector3& center, const Box& box, int axis, bool is_min) {
@@ -30,7 +32,12 @@ Face nearest_face(const Vector3& center, const Box& box) {
   Face nearest = face_of(center, box, 0, true);
   for (int i = 1; i < 6; ++i) {
     const Face face = face_of(center, box, i / 2, i % 2 == 0);
-    if (sign_of_sum({face.depth[0], face.depth[1], -nearest.depth[0], -nearest.depth[1]}) < 0) nearest = face;
+    // Rounding is monotone: depths that differ after it differ so before.
+    const double depth = face.rounded_depth();
+    const double least = nearest.rounded_depth();
+    if (depth < least ||
+        (depth == least && sign_of_sum({face.depth[0], face.depth[1], -nearest.depth[0], -nearest.depth[1]}) < 0))
+      nearest = face;
   }
   return nearest;
 }

@@ -164,6 +164,7 @@ template <class Real>
   using std::sqrt;
   std::array<Real, 3> square;
   Real residual = 0;
+#pragma GCC unroll 3
   for (std::size_t i = 0; i < 3; ++i) {
     const auto [high, low] = delta[i];
     square[i] = high * high;
@@ -178,6 +179,7 @@ template <class Real>
   const Real root = sqrt(D.high);
   pair.root_ = {root, (fma(-root, root, D.high) + D.low) / (2 * root)};
   pair.less_ = less;
+#pragma GCC unroll 3
   for (std::size_t i = 0; i < 3; ++i) {
     const auto [high, low] = delta[i];
     const Real q = high / root;
