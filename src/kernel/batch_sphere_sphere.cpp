@@ -62,7 +62,10 @@ HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
   write(0, rounded(n.q.x, n.low.x, bounds::kNormalEta, wanted, axes_agree));
   write(1, rounded(n.q.y, n.low.y, bounds::kNormalEta, wanted, axes_agree));
   write(2, rounded(n.q.z, n.low.z, bounds::kNormalEta, wanted, axes_agree));
-  const V component = lesser_magnitude(least_magnitude(n.q.x, n.q.y), n.q.z);
+  // A component that is 0 is exactly so, and what follows from it.
+  const auto if_any = [](V q, V delta) HWY_ATTR { return hn::IfThenElse(hn::Eq(delta, all(0)), all(1), q); };
+  const V component =
+      lesser_magnitude(least_magnitude(if_any(n.q.x, d.x.high), if_any(n.q.y, d.y.high)), if_any(n.q.z, d.z.high));
 
   const Double2 value = value_of(root, less);
   write(9, rounded(value.high, value.low, bounds::kSumEta, wanted, value_agrees));

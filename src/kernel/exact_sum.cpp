@@ -6,6 +6,7 @@
 
 #include "kernel/exact.hpp"
 #include "kernel/floating_point_environment.hpp"
+#include "kernel/sum_of_two.hpp"
 
 namespace contact {
 namespace {
@@ -18,27 +19,12 @@ struct Sum {
   kernel::Integer total = 0;
 };
 
-/// a + b exactly (Knuth); what is lost is no number where the sum overflows.
-struct TwoSum {
-  TwoSum(double a, double b) : sum(a + b), lost((a - (sum - (sum - a))) + (b - (sum - a))) {}
-  double sum;
-  double lost;
-};
-
-/// The sum rounded once, where two doubles hold all of it: the terms' sum as it comes, and the sum of what each step of
-/// it loses. So it is with numbers of like size. Behind a call: what RoundToNearest sets must be set before anything is
-/// computed.
+/// The sum rounded once, where two doubles hold all of it. Behind a call: what RoundToNearest sets must be set before
+/// anything is computed.
 [[gnu::noinline]] std::optional<double> sum_of_two_doubles(std::initializer_list<double> terms) {
-  double high = 0;
-  double low = 0;
-  for (const double term : terms) {
-    const TwoSum leading(high, term);
-    const TwoSum rest(low, leading.lost);
-    if (!(rest.lost == 0)) return std::nullopt;
-    high = leading.sum;
-    low = rest.sum;
-  }
-  return high + low;
+  kernel::one_number::SumOfTwo<double> sum(0, 0);
+  for (const double term : terms) sum.add(term);
+  return sum.lost == 0 ? std::optional(sum.rounded()) : std::nullopt;
 }
 
 std::optional<double> quick_sum(std::initializer_list<double> terms) {
