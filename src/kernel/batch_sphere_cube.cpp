@@ -23,9 +23,10 @@
 #define CONTACT_KERNEL_BATCH_SPHERE_CUBE
 namespace contact::kernel {
 
-/// Pairs of a strip as balls: what is not among the columns of the question.
+/// Pairs of a strip as balls: what is not among the columns of the question. Some room between columns keeps them from
+/// the same place in a page, where loads look like recent stores to the processor.
 struct NearestPoints {
-  double point[3][kStrip];
+  double point[3][kStrip + 24];
   double no_extent[kStrip] = {};
   double radius[kStrip];  ///< of the spheres, but for those along an axis
 
@@ -39,7 +40,7 @@ enum class AlongAxis : std::uint8_t {
   miss = 0,
   contact = 1,
   degenerate = 2,
-  left = 3,  ///< two numbers do not hold some sum
+  left = 3,  ///< two numbers do not hold the value, or two faces are as near
   none = 4,  ///< not along an axis: the kernel of two balls has answered
 };
 
@@ -111,49 +112,54 @@ HWY_INLINE void two_balls_of_vector(const SphereCubePairs& pairs, double aside, 
   hn::StoreU(hn::IfThenZeroElse(along, hn::LoadU(d, pairs.a[3] + i)), d, out.radius + to);
 }
 
-/// The face of each pair along an axis: where it lies, the normal's component there, and how far the centre lies before
-/// it, which is 0 or less inside, as the exact sum of two numbers.
+/// The face of each pair along an axis: its normal is +-1 on one of them.
 struct Face {
   M on_x, on_y, on_z;
-  V at, sign;
-  Double2 before;
+  V at, center, sign;
+  M tied;  ///< inside: another face is as near by rounded depths, and may be nearer
 
   /// That before which the centre is.
   HWY_INLINE explicit Face(const Nearest& n)
-      : on_x(hn::Not(n.at_x)), on_y(hn::Not(n.at_y)), on_z(hn::AndNot(hn::Or(on_x, on_y), hn::Eq(n.cz, n.cz))) {
+      : on_x(hn::Not(n.at_x)), on_y(hn::Not(n.at_y)), on_z(hn::Not(n.at_z)), tied(hn::Lt(n.cx, n.cx)) {
     at = hn::IfThenElse(on_x, n.qx, hn::IfThenElse(on_y, n.qy, n.qz));
-    const V center = hn::IfThenElse(on_x, n.cx, hn::IfThenElse(on_y, n.cy, n.cz));
+    center = hn::IfThenElse(on_x, n.cx, hn::IfThenElse(on_y, n.cy, n.cz));
     sign = hn::IfThenElse(hn::Lt(center, at), all(1), all(-1));
-    before = signed_difference(at, center, sign);
   }
 
-  /// Where `inside`: the nearest one, x before y before z and min before max.
+  /// Where `inside`: the nearest one. Rounding is monotone: depths that differ after it differ so before.
   HWY_INLINE void take_nearest(const SphereCubePairs& pairs, const Nearest& n, std::size_t i, M inside) {
     const D d;
-    before = {hn::IfThenElse(inside, all(-std::numeric_limits<double>::infinity()), before.high),
-              hn::IfThenZeroElse(inside, before.low)};
-    const V centers[] = {n.cx, n.cy, n.cz};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      for (std::size_t side = 0; side < 2; ++side) {
-        const V bound = hn::LoadU(d, pairs.b[3 * side + axis] + i);
-        const V towards = all(side == 0 ? 1 : -1);
-        const Double2 other = signed_difference(bound, centers[axis], towards);
-        // Sums of two numbers that no rounding changes are compared part by part.
-        const M nearer =
-            hn::And(inside, hn::Or(hn::Gt(other.high, before.high),
-                                   hn::And(hn::Eq(other.high, before.high), hn::Gt(other.low, before.low))));
-        before = {hn::IfThenElse(nearer, other.high, before.high), hn::IfThenElse(nearer, other.low, before.low)};
-        at = hn::IfThenElse(nearer, bound, at);
-        sign = hn::IfThenElse(nearer, towards, sign);
-        on_x = axis == 0 ? hn::Or(nearer, on_x) : hn::AndNot(nearer, on_x);
-        on_y = axis == 1 ? hn::Or(nearer, on_y) : hn::AndNot(nearer, on_y);
-        on_z = axis == 2 ? hn::Or(nearer, on_z) : hn::AndNot(nearer, on_z);
-      }
-  }
-
- private:
-  HWY_INLINE static Double2 signed_difference(V from, V less, V sign) {
-    return two_difference(hn::Mul(sign, from), hn::Mul(sign, less));
+    V least = hn::Sub(n.cx, hn::LoadU(d, pairs.b[0] + i));
+    V number = all(1);  // of the axis, with the sign of the normal
+    V bound = hn::LoadU(d, pairs.b[0] + i);
+    const auto try_face = [&](V depth, V of_face, double with_sign) HWY_ATTR {
+      const M nearer = hn::Lt(depth, least);
+      tied = hn::Or(hn::AndNot(nearer, tied), hn::Eq(depth, least));
+      least = hn::Min(depth, least);
+      number = hn::IfThenElse(nearer, all(with_sign), number);
+      bound = hn::IfThenElse(nearer, of_face, bound);
+    };
+    const auto try_max = [&](V at_center, std::size_t axis) HWY_ATTR {
+      const V max = hn::LoadU(d, pairs.b[3 + axis] + i);
+      try_face(hn::Sub(max, at_center), max, -1.0 - static_cast<double>(axis));
+    };
+    const auto try_min = [&](V at_center, std::size_t axis) HWY_ATTR {
+      const V min = hn::LoadU(d, pairs.b[axis] + i);
+      try_face(hn::Sub(at_center, min), min, 1.0 + static_cast<double>(axis));
+    };
+    try_max(n.cx, 0);
+    try_min(n.cy, 1);
+    try_max(n.cy, 1);
+    try_min(n.cz, 2);
+    try_max(n.cz, 2);
+    tied = hn::And(hn::And(tied, inside), hn::Gt(least, all(0)));  // 0 is the depth itself
+    at = hn::IfThenElse(inside, bound, at);
+    sign = hn::IfThenElse(inside, hn::CopySign(all(1), number), sign);
+    const V axis = hn::Abs(number);
+    on_x = hn::Or(on_x, hn::And(inside, hn::Eq(axis, all(1))));
+    on_y = hn::Or(on_y, hn::And(inside, hn::Eq(axis, all(2))));
+    on_z = hn::Or(on_z, hn::And(inside, hn::Eq(axis, all(3))));
+    center = hn::IfThenElse(on_x, n.cx, hn::IfThenElse(on_y, n.cy, n.cz));
   }
 };
 
@@ -166,30 +172,32 @@ HWY_INLINE void along_axis_of_vector(const SphereCubePairs& pairs, const Contact
   const M inside = n.inside();
   Face face(n);
   if (!hn::AllFalse(d, inside)) face.take_nearest(pairs, n, i, inside);
+  // How far the centre lies before the face, 0 or less inside; sums of two numbers are compared part by part.
+  const Double2 before = two_difference(hn::Mul(face.sign, face.at), hn::Mul(face.sign, face.center));
   const V radius = hn::LoadU(d, pairs.a[3] + i);
-  SumOfTwo<V> less(face.before);
-  less.add(hn::Neg(radius));
-  SumOfTwo<V> value = less;
+  const Double2 reach = two_sum(radius, all(question.distances.alarm));
+  const M nearer = hn::Lt(before.high, reach.high);
+  const M hit = hn::Or(nearer, hn::And(hn::Eq(before.high, reach.high), hn::Le(before.low, reach.low)));
+  SumOfTwo<V> value(before);
+  value.add(hn::Neg(radius));
   value.add(all(-question.distances.contact));
-  SumOfTwo<V> beyond = less;
-  beyond.add(all(-question.distances.alarm));
-  const M hit = hn::Or(inside, hn::Le(beyond.rounded(), all(0)));
-  const M sure = hn::Eq(hn::Add(value.lost, hn::IfThenZeroElse(inside, beyond.lost)), all(0));
+  // Where a sum overflows, what it lost is no number.
+  const M sure = hn::AndNot(face.tied, hn::Eq(hn::Add(value.lost, hn::Sub(reach.low, reach.low)), all(0)));
 
-  const auto write = [&](std::size_t k, V number) HWY_ATTR {
-    // Every zero is +0.
-    hn::BlendedStore(hn::IfThenElseZero(hit, hn::Add(number, all(0))), along, d, out.number[k] + to);
-  };
+  const auto write = [&](std::size_t k, V number)
+                         HWY_ATTR { hn::BlendedStore(hn::IfThenElseZero(hit, number), along, d, out.number[k] + to); };
   write(0, hn::IfThenElseZero(face.on_x, face.sign));
   write(1, hn::IfThenElseZero(face.on_y, face.sign));
   write(2, hn::IfThenElseZero(face.on_z, face.sign));
-  const V step = hn::Mul(face.sign, hn::Mul(radius, all(sign_of(question.points.first, 1))));
+  // Every zero is +0, as a sum with +0 is.
+  const V zero = all(0);
+  const V step = hn::MulAdd(face.sign, hn::Mul(radius, all(sign_of(question.points.first, 1))), zero);
   write(3, hn::Add(n.cx, hn::IfThenElseZero(face.on_x, step)));
   write(4, hn::Add(n.cy, hn::IfThenElseZero(face.on_y, step)));
   write(5, hn::Add(n.cz, hn::IfThenElseZero(face.on_z, step)));
-  write(6, hn::IfThenElse(face.on_x, face.at, n.cx));
-  write(7, hn::IfThenElse(face.on_y, face.at, n.cy));
-  write(8, hn::IfThenElse(face.on_z, face.at, n.cz));
+  write(6, hn::Add(hn::IfThenElse(face.on_x, face.at, n.cx), zero));
+  write(7, hn::Add(hn::IfThenElse(face.on_y, face.at, n.cy), zero));
+  write(8, hn::Add(hn::IfThenElse(face.on_z, face.at, n.cz), zero));
   write(9, value.rounded());
 
   const hn::RebindToUnsigned<D> words;
@@ -283,16 +291,17 @@ batch::Count compute_vectors(const SphereCubePairs& pairs, const ContactQuestion
   for_each_strip(pairs, [&](const SphereCubePairs& strip, std::size_t begin) {
     const ContactRows rows = out.from(begin);
     HWY_DYNAMIC_DISPATCH(two_balls)(strip, aside, nearest);
-    count.exact += compute_vectors(nearest.balls(strip, nearest.radius), question, rows).exact;
+    count.exact += compute_vectors_to_points(nearest.balls(strip, nearest.radius), question, rows).exact;
     AlongAxis states[kStrip];
     HWY_DYNAMIC_DISPATCH(along_axis)(strip, question, rows, states);
     for (std::size_t i = 0; i < strip.size; ++i)
       rows.state[i] = states[i] < AlongAxis::left ? static_cast<batch::PairState>(states[i]) : rows.state[i];
-    std::uint16_t left[kStrip];
-    const std::size_t size = those_of(strip.size, left, [&](std::size_t i) { return states[i] == AlongAxis::left; });
-    for (std::size_t k = 0; k < size; ++k) contact_of_one_pair(strip, question, left[k], rows, left[k]);
-    count.exact += size;
-    for (std::size_t i = 0; i < strip.size; ++i) count.hits += rows.state[i] != batch::PairState::miss ? 1U : 0U;
+    const auto left = std::count(states, states + strip.size, AlongAxis::left);
+    for (std::size_t i = 0; left != 0 && i < strip.size; ++i)
+      if (states[i] == AlongAxis::left) contact_of_one_pair(strip, question, i, rows, i);
+    count.exact += static_cast<std::size_t>(left);
+    count.hits +=
+        strip.size - static_cast<std::size_t>(std::count(rows.state, rows.state + strip.size, batch::PairState::miss));
   });
   return count;
 }
