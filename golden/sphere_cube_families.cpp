@@ -48,18 +48,11 @@ void random_distances(SphereAndBox<Real>& s, Random& random) {
   s.contact = random.chance(2) ? random.uniform(Real{0}, Real{1}) : Real{0};
 }
 
-/// A box of ordinary size, anywhere. Every other one has so few digits that its centre and its size are numbers too:
-/// most engines take those, and could be asked about few of the others without rounding.
+/// A box of ordinary size, anywhere.
 template <class Real>
 void random_box(SphereAndBox<Real>& s, Random& random) {
-  constexpr Real kCoarse = 96;  // a sum with it, between 64 and 128, loses the last digits
   s.min = triple<Real>(random, -10, 5);
-  const bool centered = random.chance(2);
-  for (std::size_t i = 0; i < 3; ++i) {
-    s.max[i] = s.min[i] + random.uniform(Real{0.5}, Real{8});
-    if (centered)
-      for (Real* x : {&s.min[i], &s.max[i]}) *x = (*x + kCoarse) - kCoarse;
-  }
+  for (std::size_t i = 0; i < 3; ++i) s.max[i] = s.min[i] + random.uniform(Real{0.5}, Real{8});
 }
 
 /// The features that a centre may face, by the number of axes on which it is beyond the box.
