@@ -181,8 +181,8 @@ HWY_INLINE void along_axis_of_vector(const SphereCubePairs& pairs, const Contact
   SumOfTwo<V> value(before);
   value.add(hn::Neg(radius));
   value.add(all(-question.distances.contact));
-  // Where a sum overflows, what it lost is no number.
-  const M sure = hn::AndNot(face.tied, hn::Eq(hn::Add(value.lost, hn::Sub(reach.low, reach.low)), all(0)));
+  // Where a distance overflows, what is lost is no number; a reach that does is beyond every other distance.
+  const M sure = hn::AndNot(face.tied, hn::Eq(value.lost, all(0)));
 
   const auto write = [&](std::size_t k, V number)
                          HWY_ATTR { hn::BlendedStore(hn::IfThenElseZero(hit, number), along, d, out.number[k] + to); };
