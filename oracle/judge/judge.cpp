@@ -254,6 +254,11 @@ bool has_center_and_size(const Box& box, Scalar scalar) {
   }
   return true;
 }
+/// A capsule has a direction besides, which is exact along a coordinate axis alone.
+bool has_center_and_size(const Capsule& capsule, Scalar scalar) {
+  const Box around{capsule.start.cwiseMin(capsule.end), capsule.start.cwiseMax(capsule.end)};
+  return (capsule.start.array() != capsule.end.array()).count() <= 1 && has_center_and_size(around, scalar);
+}
 
 }  // namespace
 
