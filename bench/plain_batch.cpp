@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include <cmath>
+#include <limits>
 #include <optional>
 
 HWY_BEFORE_NAMESPACE();
@@ -32,26 +33,48 @@ struct Pair {
   M hit;
 
   HWY_INLINE Pair(const kernel::SpherePairs& pairs, std::size_t i, double alarm) {
+    load_first(pairs.a, i);
     const D d;
-    ax = hn::LoadU(d, pairs.a[0] + i);
-    ay = hn::LoadU(d, pairs.a[1] + i);
-    az = hn::LoadU(d, pairs.a[2] + i);
-    ar = hn::LoadU(d, pairs.a[3] + i);
     bx = hn::LoadU(d, pairs.b[0] + i);
     by = hn::LoadU(d, pairs.b[1] + i);
     bz = hn::LoadU(d, pairs.b[2] + i);
     br = hn::LoadU(d, pairs.b[3] + i);
+    decide(alarm);
+  }
+  HWY_INLINE Pair(const kernel::SphereCubePairs& pairs, std::size_t i, double alarm) {
+    load_first(pairs.a, i);
+    const D d;
+    const auto clamped = [&](V center, std::size_t axis) HWY_ATTR {
+      return hn::Min(hn::Max(center, hn::LoadU(d, pairs.b[axis] + i)), hn::LoadU(d, pairs.b[3 + axis] + i));
+    };
+    bx = clamped(ax, 0);
+    by = clamped(ay, 1);
+    bz = clamped(az, 2);
+    br = hn::Zero(d);
+    decide(alarm);
+  }
+
+ private:
+  HWY_INLINE void load_first(const std::array<const double*, 4>& a, std::size_t i) {
+    const D d;
+    ax = hn::LoadU(d, a[0] + i);
+    ay = hn::LoadU(d, a[1] + i);
+    az = hn::LoadU(d, a[2] + i);
+    ar = hn::LoadU(d, a[3] + i);
+  }
+  HWY_INLINE void decide(double alarm) {
     dx = hn::Sub(bx, ax);
     dy = hn::Sub(by, ay);
     dz = hn::Sub(bz, az);
     d2 = hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
     radii = hn::Add(ar, br);
-    const V reach = hn::Add(radii, hn::Set(d, alarm));
+    const V reach = hn::Add(radii, hn::Set(D(), alarm));
     hit = hn::Le(d2, hn::Mul(reach, reach));
   }
 };
 
-void test_spheres(const kernel::SpherePairs& pairs, double alarm, std::uint8_t* hit) {
+template <class Pairs>
+HWY_INLINE void test_pairs(const Pairs& pairs, double alarm, std::uint8_t* hit) {
   for (std::size_t i = 0; i < pairs.size; i += hn::Lanes(D())) store_flags(Pair(pairs, i, alarm).hit, hit + i);
 }
 
@@ -73,23 +96,60 @@ struct Numbers {
   }
 };
 
-void compute_spheres(const kernel::SpherePairs& pairs, Distances distances, const kernel::ContactRows& out) {
+HWY_INLINE void leave_boxes(const kernel::SpherePairs&, std::size_t, const Pair&, double, Numbers&) {}
+
+/// Centres inside: out through the nearest face.
+HWY_INLINE void leave_boxes(const kernel::SphereCubePairs& pairs, std::size_t i, const Pair& p, double contact,
+                            Numbers& n) {
+  const D d;
+  const V zero = hn::Zero(d);
+  const M inside = hn::Eq(p.d2, zero);
+  if (hn::AllFalse(d, inside)) return;
+  const V center[] = {p.ax, p.ay, p.az};
+  V depth = hn::Set(d, std::numeric_limits<double>::infinity());
+  V face[6];
+  for (std::size_t k = 0; k < 3; ++k)
+    for (const double side : {1.0, -1.0}) {
+      const V at = hn::LoadU(d, pairs.b[side > 0 ? k : 3 + k] + i);
+      const V sign = hn::Set(d, side);
+      const V other = hn::Mul(sign, hn::Sub(center[k], at));
+      const M nearer = hn::Lt(other, depth);
+      depth = hn::IfThenElse(nearer, other, depth);
+      for (std::size_t j = 0; j <= k; ++j) {
+        face[j] = hn::IfThenElse(nearer, j == k ? sign : zero, j == k && side > 0 ? zero : face[j]);
+        face[3 + j] = hn::IfThenElse(nearer, j == k ? at : center[j], j == k && side > 0 ? center[k] : face[3 + j]);
+      }
+    }
+  for (std::size_t k = 0; k < 3; ++k) {
+    n.number[k] = hn::IfThenElse(inside, face[k], n.number[k]);
+    n.number[3 + k] = hn::IfThenElse(inside, hn::Add(center[k], hn::Mul(face[k], p.ar)), n.number[3 + k]);
+    n.number[6 + k] = hn::IfThenElse(inside, face[3 + k], n.number[6 + k]);
+  }
+  const V value = hn::Sub(hn::Neg(hn::Add(depth, p.ar)), hn::Set(d, contact));
+  n.number[9] = hn::IfThenElse(inside, value, n.number[9]);
+}
+
+template <class Pairs>
+HWY_INLINE void compute_pairs(const Pairs& pairs, Distances distances, const kernel::ContactRows& out) {
   for (std::size_t i = 0; i < pairs.size; i += hn::Lanes(D())) {
     const Pair p(pairs, i, distances.alarm);
-    const Numbers n(p, distances.contact);
+    Numbers n(p, distances.contact);
+    leave_boxes(pairs, i, p, distances.contact, n);
     for (std::size_t k = 0; k < 10; ++k) hn::StoreU(hn::IfThenElseZero(p.hit, n.number[k]), D(), out.number[k] + i);
     store_flags(p.hit, reinterpret_cast<std::uint8_t*>(out.state + i));
   }
 }
 
-std::size_t compute_hits(const kernel::SpherePairs& pairs, Distances distances, std::uint32_t* index,
-                         const kernel::ContactRows& out) {
+template <class Pairs>
+HWY_INLINE std::size_t compute_hits_of_pairs(const Pairs& pairs, Distances distances, std::uint32_t* index,
+                                             const kernel::ContactRows& out) {
   std::size_t hits = 0;
   HWY_ALIGN std::uint64_t indices[HWY_MAX_BYTES / sizeof(double)];
   const hn::RebindToUnsigned<D> words;
   for (std::size_t i = 0; i < pairs.size; i += hn::Lanes(D())) {
     const Pair p(pairs, i, distances.alarm);
-    const Numbers n(p, distances.contact);
+    Numbers n(p, distances.contact);
+    leave_boxes(pairs, i, p, distances.contact, n);
     for (std::size_t k = 0; k < 10; ++k) hn::CompressBlendedStore(n.number[k], p.hit, D(), out.number[k] + hits);
     const std::size_t more = hn::CompressStore(hn::Iota(words, i), hn::RebindMask(words, p.hit), words, indices);
     for (std::size_t k = 0; k < more; ++k) {
@@ -101,7 +161,7 @@ std::size_t compute_hits(const kernel::SpherePairs& pairs, Distances distances, 
   return hits;
 }
 
-void test_cubes(const kernel::BoxPairs& pairs, double alarm_distance, std::uint8_t* hit) {
+void test_cube_cube(const kernel::BoxPairs& pairs, double alarm_distance, std::uint8_t* hit) {
   const D d;
   const V alarm = hn::Set(d, alarm_distance);
   for (std::size_t i = 0; i < pairs.size; i += hn::Lanes(d)) {
@@ -118,40 +178,41 @@ void test_cubes(const kernel::BoxPairs& pairs, double alarm_distance, std::uint8
   }
 }
 
+#define CONTACT_PLAIN(name, A, B)                                                                                    \
+  void test_##name(const kernel::PairColumns<A, B>& pairs, double alarm, std::uint8_t* hit) {                        \
+    test_pairs(pairs, alarm, hit);                                                                                   \
+  }                                                                                                                  \
+  void compute_##name(const kernel::PairColumns<A, B>& pairs, Distances distances, const kernel::ContactRows& out) { \
+    compute_pairs(pairs, distances, out);                                                                            \
+  }                                                                                                                  \
+  std::size_t hits_##name(const kernel::PairColumns<A, B>& pairs, Distances distances, std::uint32_t* index,         \
+                          const kernel::ContactRows& out) {                                                          \
+    return compute_hits_of_pairs(pairs, distances, index, out);                                                      \
+  }
+CONTACT_BATCH_CONTACTS(CONTACT_PLAIN)
+#undef CONTACT_PLAIN
+
 }  // namespace HWY_NAMESPACE
 }  // namespace contact::bench
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace contact::bench {
+namespace {
 
-HWY_EXPORT(test_spheres);
-HWY_EXPORT(compute_spheres);
-HWY_EXPORT(compute_hits);
-HWY_EXPORT(test_cubes);
-
-void plain_test_sphere_sphere(const kernel::SpherePairs& pairs, double alarm, std::uint8_t* hit) {
-  HWY_DYNAMIC_DISPATCH(test_spheres)(pairs, alarm, hit);
+const Ball& as_ball(const Ball& /*a*/, const Ball& ball) { return ball; }
+Ball as_ball(const Ball& a, const Box& box) { return {a.center.cwiseMax(box.min).cwiseMin(box.max), 0}; }
+bool contact_inside(const Ball&, const Ball&, double, Contact&) { return false; }
+bool contact_inside(const Ball& a, const Box& box, double contact_distance, Contact& out) {
+  plain_contact_inside(a, box, contact_distance, out);
+  return true;
 }
 
-void plain_compute_sphere_sphere(const kernel::SpherePairs& pairs, Distances distances,
-                                 const kernel::ContactRows& out) {
-  HWY_DYNAMIC_DISPATCH(compute_spheres)(pairs, distances, out);
-}
-
-std::size_t plain_compute_sphere_sphere_hits(const kernel::SpherePairs& pairs, Distances distances,
-                                             std::uint32_t* index, const kernel::ContactRows& out) {
-  return HWY_DYNAMIC_DISPATCH(compute_hits)(pairs, distances, index, out);
-}
-
-void plain_test_cube_cube(const kernel::BoxPairs& pairs, double alarm, std::uint8_t* hit) {
-  HWY_DYNAMIC_DISPATCH(test_cubes)(pairs, alarm, hit);
-}
-
-void plain_compute_scalar(const PlainPair* pairs, std::size_t size, Distances distances, PlainContact* out) {
+template <class B>
+void compute_one_by_one(const Two<Ball, B>* pairs, std::size_t size, Distances distances, PlainContact* out) {
   for (std::size_t i = 0; i < size; ++i) {
     const Ball& a = pairs[i].a;
-    const Ball& b = pairs[i].b;
+    const Ball& b = as_ball(a, pairs[i].b);
     const double dx = b.center[0] - a.center[0];
     const double dy = b.center[1] - a.center[1];
     const double dz = b.center[2] - a.center[2];
@@ -160,18 +221,42 @@ void plain_compute_scalar(const PlainPair* pairs, std::size_t size, Distances di
     const double reach = radii + distances.alarm;
     out[i].hit = d2 <= reach * reach;
     if (!out[i].hit) continue;
+    if (d2 == 0 && contact_inside(a, pairs[i].b, distances.contact, out[i].contact)) continue;
     const double s = std::sqrt(d2);
     const Vector3 n(dx / s, dy / s, dz / s);
     out[i].contact = {n, a.center + a.radius * n, b.center - b.radius * n, s - radii - distances.contact, false};
   }
 }
 
-std::optional<Contact> plain_contact_of_pair(const Ball& a, const Ball& b, Distances distances) {
-  PlainContact contact{};
-  const PlainPair pair{a, b};
-  plain_compute_scalar(&pair, 1, distances, &contact);
-  return contact.hit ? std::optional(contact.contact) : std::nullopt;
-}
+}  // namespace
+
+#define CONTACT_EXPORT(name, A, B)                                                           \
+  HWY_EXPORT(test_##name);                                                                   \
+  void plain_test(const kernel::PairColumns<A, B>& pairs, double alarm, std::uint8_t* hit) { \
+    HWY_DYNAMIC_DISPATCH(test_##name)(pairs, alarm, hit);                                    \
+  }
+CONTACT_BATCH_PAIRS(CONTACT_EXPORT)
+#undef CONTACT_EXPORT
+#define CONTACT_EXPORT(name, A, B)                                                                                  \
+  HWY_EXPORT(compute_##name);                                                                                       \
+  HWY_EXPORT(hits_##name);                                                                                          \
+  void plain_compute(const kernel::PairColumns<A, B>& pairs, Distances distances, const kernel::ContactRows& out) { \
+    HWY_DYNAMIC_DISPATCH(compute_##name)(pairs, distances, out);                                                    \
+  }                                                                                                                 \
+  std::size_t plain_compute_hits(const kernel::PairColumns<A, B>& pairs, Distances distances, std::uint32_t* index, \
+                                 const kernel::ContactRows& out) {                                                  \
+    return HWY_DYNAMIC_DISPATCH(hits_##name)(pairs, distances, index, out);                                         \
+  }                                                                                                                 \
+  void plain_compute_scalar(const Two<A, B>* pairs, std::size_t size, Distances distances, PlainContact* out) {     \
+    compute_one_by_one(pairs, size, distances, out);                                                                \
+  }                                                                                                                 \
+  std::optional<Contact> plain_contact_of_pair(const Two<A, B>& pair, Distances distances) {                        \
+    PlainContact contact{};                                                                                         \
+    compute_one_by_one(&pair, 1, distances, &contact);                                                              \
+    return contact.hit ? std::optional(contact.contact) : std::nullopt;                                             \
+  }
+CONTACT_BATCH_CONTACTS(CONTACT_EXPORT)
+#undef CONTACT_EXPORT
 
 }  // namespace contact::bench
 #endif  // HWY_ONCE

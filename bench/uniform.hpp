@@ -1,7 +1,8 @@
 // The questions of every benchmark that is about no family: uniform, half of them hits, in an order that cannot be
-// learned.
+// learned; of a ball and a box two in five, and one in sixteen a centre inside.
 #pragma once
 
+#include <concepts>
 #include <random>
 
 #include "contact/geometry.hpp"
@@ -12,6 +13,14 @@ class Uniform {
  public:
   explicit Uniform(std::uint64_t seed) : random_(seed) {}
 
+  /// A ball, or a box.
+  template <class Shape>
+  Shape shape() {
+    if constexpr (std::same_as<Shape, Ball>)
+      return ball();
+    else
+      return box();
+  }
   Ball ball() {
     const Vector3 center = vector(coordinate_);
     return {center, radius_(random_)};
@@ -30,7 +39,7 @@ class Uniform {
 
   std::mt19937_64 random_;
   std::uniform_real_distribution<double> coordinate_{-10, 10};
-  // With these every other pair is a hit.
+  // With these every other pair of one shape is a hit.
   std::uniform_real_distribution<double> radius_{0.5, 12.75};
   std::uniform_real_distribution<double> extent_{5.4, 18};
 };

@@ -57,8 +57,7 @@ struct BuiltIn {
   bool on_scoreboard;  ///< whether `certify` with neither engine nor dataset judges it
   /// Answers under a contact-point convention: what computeIntersection and testIntersection say.
   std::vector<Claim> (*answer)(std::span<const Question> questions, PointConvention points);
-  /// Whether it serves pairs of different shapes, of which upstream's component and formulas have none.
-  bool mixed_pairs;
+  bool (*serves)(Pair pair);
 };
 
 [[nodiscard]] std::span<const BuiltIn> built_in_engines();
@@ -79,6 +78,8 @@ inline constexpr std::string_view kBatchPrefix = "batch:";
 [[nodiscard]] Claim production_answer(const Query& query, PointConvention points);
 /// The engine `component`: production through DiscreteIntersection, each question as two models of one element.
 [[nodiscard]] Claim component_answer(const Query& query, PointConvention points);
+/// Whether a pair has batch functions.
+[[nodiscard]] bool batch_serves(Pair pair);
 /// The engine `batch`: each question among those that stand beside it, in its own distances.
 [[nodiscard]] std::vector<Claim> batch_answers(std::span<const Question> questions, PointConvention points);
 

@@ -20,7 +20,7 @@ std::string digest_bytes(const Expectation& expect) {
   std::string bytes(1, expect.hit ? '\1' : '\0');
   if (!expect.contact) return bytes;
   const Contact& k = *expect.contact;
-  bytes.push_back(k.degenerate ? '\1' : '\0');
+  bytes.push_back(static_cast<char>((k.degenerate ? 1 : 0) + (k.unique ? 0 : 2)));
   for (const Vector3& v : {k.normal, k.point1, k.point2})
     for (const double x : v) add_big_endian(bytes, x);
   add_big_endian(bytes, k.value);

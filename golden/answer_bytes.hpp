@@ -16,8 +16,8 @@ namespace contact::golden {
 void add_big_endian(std::string& bytes, double x);
 
 /// The bytes of one answer, docs/formats.md#digests:
-///   one byte hit, 0 or 1; of two spheres that hit one byte degenerate, then normal, point1, point2 and value as
-///   big-endian binary64, +0 for -0
+///   one byte hit, 0 or 1; of a contact with numbers one byte, 1 for degenerate and 2 for not unique, then normal,
+///   point1, point2 and value as big-endian binary64, +0 for -0
 [[nodiscard]] std::string digest_bytes(const Expectation& expect);
 /// Outside the domain: the first field there in ASCII and one zero byte.
 [[nodiscard]] std::string digest_bytes(const DomainError& error);

@@ -43,7 +43,7 @@ const std::size_t kRejectedLength = [] {
   return longest;
 }();
 constexpr std::size_t kMostFlags = 32;
-constexpr hsize_t kLargestChunk = hsize_t{1} << 24;     // bytes; the largest here has 4096 gaps, of 3 x 535
+constexpr hsize_t kLargestChunk = hsize_t{1} << 25;     // bytes; the largest here has 4096 D, of longest_distance2
 constexpr hsize_t kMostDeflated = 1032;                 // times smaller than before is the most that deflate can make
 constexpr hsize_t kLargestInflated = hsize_t{1} << 28;  // bytes that HDF5 may try to inflate a chunk to
 constexpr std::size_t kChecksum = 4;                    // bytes that may be deflated beside the rows
@@ -81,11 +81,12 @@ void for_each_column(const DatasetHeader& h, Row& row, Visit&& visit) {
   visit("expect/hit", c.expect.hit, 0);
   if (!has_numbers(h.pair)) return visit("exact/gap", c.exact.gap, longest_exact(1, h.scalar));
   visit("expect/degenerate", c.expect.contact->degenerate, 0);
+  if (may_have_many_nearest(h.pair)) visit("expect/unique", c.expect.contact->unique, 0);
   visit("expect/normal", c.expect.contact->normal, 0);
   visit("expect/point1", c.expect.contact->point1, 0);
   visit("expect/point2", c.expect.contact->point2, 0);
   visit("expect/value", c.expect.contact->value, 0);
-  visit("exact/distance2", c.exact.distance2, longest_exact(2, h.scalar));
+  visit("exact/distance2", c.exact.distance2, longest_distance2(h.pair, h.scalar));
   visit("exact/reach", c.exact.reach, longest_exact(1, h.scalar));
   visit("exact/margin_ulps", c.exact.margin_ulps, 0);
 }
@@ -617,6 +618,7 @@ class ColumnsSource : public CaseSource {
       if (!is_none) throw formats::InputError(where_, field, "a miss has no contact");
     };
     none("/expect/degenerate", !k.degenerate);
+    none("/expect/unique", k.unique);
     none("/expect/normal", k.normal.array().isNaN().all());
     none("/expect/point1", k.point1.array().isNaN().all());
     none("/expect/point2", k.point2.array().isNaN().all());

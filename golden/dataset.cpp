@@ -67,7 +67,9 @@ void append_expect(std::string& text, const Case& c) {
   text += c.expect.hit ? R"({"hit":true)" : R"({"hit":false)";
   if (c.expect.hit && c.expect.contact) {
     const Contact& k = *c.expect.contact;
-    text += k.degenerate ? R"(,"degenerate":true,"normal":)" : R"(,"degenerate":false,"normal":)";
+    text += k.degenerate ? R"(,"degenerate":true)" : R"(,"degenerate":false)";
+    if (!k.unique) text += R"(,"unique":false)";
+    text += R"(,"normal":)";
     formats::append_number(text, k.normal);
     text += R"(,"point1":)";
     formats::append_number(text, k.point1);
@@ -140,9 +142,11 @@ Expectation read_expectation(const formats::Node& node, Pair pair) {
     node.allow_only({"hit"});
     return expect;
   }
-  node.allow_only({"hit", "degenerate", "normal", "point1", "point2", "value"});
-  expect.contact = Contact{node.at("normal").vector(), node.at("point1").vector(), node.at("point2").vector(),
-                           node.at("value").number(), node.at("degenerate").boolean()};
+  node.allow_only({"hit", "degenerate", "unique", "normal", "point1", "point2", "value"});
+  const auto unique = node.find("unique");
+  if (unique && unique->boolean()) unique->refuse("only false stands here: without it the nearest points are unique");
+  expect.contact = Contact{node.at("normal").vector(), node.at("point1").vector(),      node.at("point2").vector(),
+                           node.at("value").number(),  node.at("degenerate").boolean(), !unique};
   return expect;
 }
 
@@ -167,6 +171,7 @@ std::string field_text(const Expectation& e, const std::string& field) {
   if (field == "hit" || field == "contact") return text_of(e.hit);
   const Contact& c = *e.contact;
   if (field == "degenerate") return text_of(c.degenerate);
+  if (field == "unique") return text_of(c.unique);
   if (field == "value") return formats::number(c.value);
   const Vector3& v = field.starts_with("normal") ? c.normal : field.starts_with("point1") ? c.point1 : c.point2;
   return formats::number(v[field[field.size() - 2] - '0']);
@@ -336,7 +341,7 @@ void CaseSource::check(const Case& c) const {
   if (c.rejected) return;
   check_domain(c.query, where_);
   const auto exact = [&](const std::string& field, const std::string& text) {
-    if (!oracle::is_dyadic_string(text))
+    if (!oracle::is_exact_string(text))
       throw formats::InputError(
           where_, "exact." + field,
           fmt::format("expected an exact number such as \"-0x1abdp-12\", got {}", formats::json_string(text)));
@@ -496,8 +501,8 @@ void check_rejection(const Case& c, const formats::Location& where) {
 
 bool says(const Case& c, const Expectation& right, const oracle::Witness& exact) {
   const auto same = [](const Contact& x, const Contact& y) {
-    return x.degenerate == y.degenerate && x.normal == y.normal && x.point1 == y.point1 && x.point2 == y.point2 &&
-           x.value == y.value;
+    return x.degenerate == y.degenerate && x.unique == y.unique && x.normal == y.normal && x.point1 == y.point1 &&
+           x.point2 == y.point2 && x.value == y.value;
   };
   return c.expect.hit == right.hit && c.expect.contact.has_value() == right.contact.has_value() &&
          (!right.contact || same(*c.expect.contact, *right.contact)) && c.exact == exact;

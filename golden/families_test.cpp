@@ -11,6 +11,7 @@
 #include "golden/flags.hpp"
 #include "golden/plain.hpp"
 #include "golden/query_id.hpp"
+#include "golden/segments.hpp"
 #include "oracle/truth/exact_truth.hpp"
 #include "oracle/truth/interval_oracle.hpp"
 
@@ -39,6 +40,11 @@ void for_each_file(std::string_view family, Visit visit) {
       visit(file);
     }
   EXPECT_TRUE(any) << family;
+}
+
+bool has_flag(std::string_view flag, const Query& query, Scalar scalar) {
+  const auto names = flags_of(query, oracle::truth_of(query), scalar);
+  return std::find(names.begin(), names.end(), flag) != names.end();
 }
 
 TEST(Random, IsPhilox4x64WithTenRounds) {
@@ -81,7 +87,13 @@ TEST(Families, MakeQuestionsOfTheDomainInTheirScalarOrSpoiledOnes) {
 }
 
 TEST(Families, InvalidSpoilsEveryFieldInEveryWay) {
-  for (const Pair pair : {Pair::sphere_sphere, Pair::cube_cube}) {
+  // Each number by NaN and two infinities, each length negative, each axis of a box inverted.
+  const std::map<Pair, std::size_t> ways{{Pair::sphere_sphere, 10 * 3 + 4},
+                                         {Pair::cube_cube, 14 * 3 + 6 + 2},
+                                         {Pair::sphere_cube, 12 * 3 + 3 + 3},
+                                         {Pair::sphere_capsule, 13 * 3 + 4},
+                                         {Pair::capsule_capsule, 16 * 3 + 4}};
+  for (const Pair pair : pairs_of_kinds()) {
     std::set<std::string> spoiled;
     for (std::uint64_t i = 0; i < kCommittedCount; ++i) {
       const Query query = generate_query(pair, *find_family(pair, "invalid"), Scalar::binary64, kCommittedSeed, i);
@@ -90,9 +102,7 @@ TEST(Families, InvalidSpoilsEveryFieldInEveryWay) {
                                     : std::isinf(error.value) ? (error.value > 0 ? " inf" : " -inf")
                                                               : " " + error.rule));
     }
-    // Spheres: 10 numbers by NaN and two infinities, 4 lengths negative. Cubes: 14 numbers by three, 6 axes inverted,
-    // 2 distances negative.
-    EXPECT_EQ(spoiled.size(), pair == Pair::cube_cube ? 14 * 3 + 6 + 2 : 10 * 3 + 4);
+    EXPECT_EQ(spoiled.size(), ways.at(pair)) << name(pair);
   }
 }
 
@@ -262,6 +272,51 @@ TEST(Families, ContainmentFlatNestedAndIdenticalAreWhatTheySay) {
   share_of("identical", "Containment", 100);
   share_of("flat", "Flat", 100);
   share_of("far_from_origin", "FarFromOrigin", 75);
+  share_of("zero_length", "Flat", 60);
+  share_of("parallel", "ManyNearest", 35);
+}
+
+TEST(Families, OnAxisAxesMeetOrAreAnUlpApartWithoutRadii) {
+  for_each_file("on_axis", [](const CommittedFile& file) {
+    const auto meeting = count_if(file, [](const Query&, const oracle::Truth& t) { return t.degenerate(); });
+    EXPECT_EQ(meeting, kCommittedCount * 4 / 5) << title(file);
+    EXPECT_EQ(count_if(file, [](const Query&, const oracle::Truth& t) { return t.hit(); }), meeting) << title(file);
+  });
+}
+
+TEST(Families, TiesAreTiesOrRightBesideOne) {
+  for_each_file("ties", [](const CommittedFile& file) {
+    for (const char* flag : {"Tie", "HardToRound"})
+      EXPECT_GE(count_if(file, [&](const Query& q, const oracle::Truth&) { return has_flag(flag, q, file.scalar); }),
+                kCommittedCount / 5)
+          << title(file) << " " << flag;
+  });
+}
+
+/// Where a nearest point lies on a segment in plain arithmetic: 0 the start, 1 the end, 2 between.
+int part_of(const Segment<double>& segment, const Triple<double>& point) {
+  return point == segment.start ? 0 : point == segment.end ? 1 : 2;
+}
+
+TEST(Families, CapsulesTouchAtEveryFeatureOfBoth) {
+  for_each_file("touching", [](const CommittedFile& file) {
+    std::map<std::pair<int, int>, std::uint64_t> seen;
+    const auto count = [&](const auto& first, const Capsule& second) {
+      const auto a = segment_of<double>(first);
+      const auto b = segment_of<double>(second);
+      const auto nearest = nearest_points(a, b);
+      ++seen[{part_of(a, nearest.p), part_of(b, nearest.q)}];
+    };
+    for (std::uint64_t i = 0; i < kCommittedCount; ++i) {
+      const Query q = generate_query(file.pair, *file.family, file.scalar, kCommittedSeed, i);
+      if (const auto* capsules = std::get_if<Capsules>(&q.shapes)) count(capsules->a, capsules->b);
+      if (const auto* one = std::get_if<BallAndCapsule>(&q.shapes)) count(one->a, one->b);
+    }
+    if (seen.empty()) return;
+    EXPECT_EQ(seen.size(), file.pair == Pair::sphere_capsule ? 3U : 9U) << title(file);
+    for (const auto& [parts, times] : seen)
+      EXPECT_GE(times * seen.size() * 10, kCommittedCount * 7) << title(file) << " " << parts.first << parts.second;
+  });
 }
 
 TEST(Families, TouchingBoxesMeetInFacesEdgesAndCornersOnEverySide) {
@@ -303,11 +358,6 @@ std::optional<int> closeness(std::string_view field, const oracle::Truth& truth,
   for (const auto& distance : oracle::rounding_distances(truth, scalar))
     if (distance.field == field) return distance.log2;
   return std::nullopt;
-}
-
-bool has_flag(std::string_view flag, const Query& query, Scalar scalar) {
-  const auto names = flags_of(query, oracle::truth_of(query), scalar);
-  return std::find(names.begin(), names.end(), flag) != names.end();
 }
 
 TEST(Families, HardToRoundHoldsEveryClassAsCloseAsItsConstructionSays) {

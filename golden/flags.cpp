@@ -82,6 +82,8 @@ bool is_flat(const Ball& /*ball*/) { return false; }
 bool is_flat(const Box& box) { return (box.min.array() == box.max.array()).any(); }
 bool is_point(const Ball& ball) { return ball.radius == 0; }
 bool is_point(const Box& /*box*/) { return false; }
+bool is_flat(const Capsule& capsule) { return capsule.start == capsule.end; }
+bool is_point(const Capsule& capsule) { return capsule.radius == 0; }
 
 bool any_delta(const Query& query, auto&& predicate) {
   const Balls* balls = query.balls();
@@ -110,7 +112,7 @@ const std::array kFlags{
            return t.has_numbers() && t.hit() && (q.distances.contact > 0 || t.at_alarm != oracle::Side::at) &&
                   is_near_zero(t.distance()->value(true), t.distance()->value_scale(), s);
          }},
-    Flag{"Coincident", "one centre for both spheres, or a centre on a box",
+    Flag{"Coincident", "one centre for both spheres, a centre on a box or on a capsule's axis, or axes that meet",
          "0/0 for the normal, points that are not finite",
          [](const Query&, const Truth& t, Scalar) { return t.coincident(); }},
     Flag{"NearlyCoincident", "centres apart by less than a 2^20th of the radii, or by subnormal numbers",
@@ -126,14 +128,18 @@ const std::array kFlags{
            if (q.balls() == nullptr) return t.degenerate() && !t.coincident();
            return t.distance()->distance2() <= square(Rational(q.balls()->a.radius) - Rational(q.balls()->b.radius));
          }},
-    Flag{"ZeroRadius", "a sphere without extent", "divisions by a radius; strict overlap tests",
+    Flag{"ZeroRadius", "a sphere or a capsule of radius 0", "divisions by a radius; strict overlap tests",
          [](const Query& q, const Truth&, Scalar) {
            return std::visit([](const auto& shapes) { return is_point(shapes.a) || is_point(shapes.b); }, q.shapes);
          }},
-    Flag{"Flat", "a box without thickness on an axis", "overlap by volume; strict bounds",
+    Flag{"Flat", "a box without thickness on an axis, or a capsule without length",
+         "overlap by volume; strict bounds; divisions by a squared length",
          [](const Query& q, const Truth&, Scalar) {
            return std::visit([](const auto& shapes) { return is_flat(shapes.a) || is_flat(shapes.b); }, q.shapes);
          }},
+    Flag{"ManyNearest", "more than one pair of points is nearest, as of parallel capsules side by side",
+         "determinants of 0 or nearly; a contact point that jumps from one end to the other",
+         [](const Query&, const Truth& t, Scalar) { return t.has_numbers() && t.hit() && t.distance()->spread(); }},
     Flag{"OneAxis", "the centres differ in one coordinate only", "zeros that are not zero; normals that are not exact",
          [](const Query& q, const Truth&, Scalar) {
            int apart = 0;

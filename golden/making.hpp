@@ -22,11 +22,13 @@ Real ulps_away(Real x, int ulps) {
   return x;
 }
 
-/// Whether plain arithmetic decides a question wrongly; the exact decision is production's.
-inline bool fools_plain(const Query& query, Scalar scalar) {
-  const bool hit = std::visit([&](const auto& shapes) { return is_hit(shapes, query.distances); }, query.shapes);
-  return plain_overlap(query, scalar) != hit;
+/// The exact decision, which is production's.
+inline bool is_hit(const Query& query) {
+  return std::visit([&](const auto& shapes) { return is_hit(shapes, query.distances); }, query.shapes);
 }
+
+/// Whether plain arithmetic decides a question wrongly.
+inline bool fools_plain(const Query& query, Scalar scalar) { return plain_overlap(query, scalar) != is_hit(query); }
 
 /// Three of four times searched for a question that plain arithmetic decides wrongly, else the first one made.
 /// Shapes<Real> is what `make` makes.

@@ -13,8 +13,9 @@ from pathlib import Path
 SCALARS = {"binary64": (53, -1074, 0x7FF << 52, ">d", ">Q"), "binary32": (24, -149, 0xFF << 23, ">f", ">I")}
 BALLS = [f"{s}.{x}" for s in "ab" for x in ("center[0]", "center[1]", "center[2]", "radius")] + ["alarm", "contact"]
 BOXES = [f"{s}.{x}[{i}]" for s in "ab" for x in ("min", "max") for i in range(3)] + ["alarm", "contact"]
+CAPSULES = [f"{s}.{x}" for s in "ab" for x in (*(f"{end}[{i}]" for end in ("start", "end") for i in range(3)), "radius")] + BALLS[-2:]
 INPUTS = {"sphere_sphere": BALLS, "rigid_sphere_rigid_sphere": BALLS, "sphere_rigid_sphere": BALLS, "cube_cube": BOXES,
-          "sphere_cube": BALLS[:4] + BOXES[6:]}
+          "sphere_cube": BALLS[:4] + BOXES[6:], "sphere_capsule": BALLS[:4] + CAPSULES[7:], "capsule_capsule": CAPSULES}
 Written = type("Written", (str,), {})  # a number as it is spelt in the file
 
 
@@ -56,26 +57,53 @@ def rounded(a, b, D, scalar):
     return struct.unpack(as_float, struct.pack(as_bits, min(kept + ((drop - 1) << (bits - 1)), infinity)))[0]
 
 
-def dyadic(x):  # mantissa * 2^exponent, the mantissa odd
-    twos = (x.numerator & -x.numerator).bit_length() - 1 if x else 0
-    return f"{'-' * (x < 0)}{abs(x.numerator) >> twos:#x}p{twos - x.denominator.bit_length() + 1}"
+def exactly(x):  # mantissa * 2^exponent / denominator, mantissa and denominator odd; a denominator of 1 is not written
+    (n, up), (d, down) = ((k >> (twos := max((k & -k).bit_length() - 1, 0)), twos) for k in (abs(x.numerator), x.denominator))
+    return f"{'-' * (x < 0)}{n:#x}p{up - down}" + f"/{d:#x}" * (d > 1)
 
 
-def spheres(c1, r1, c2, r2, alarm, contact, scalar):
+def spheres(c1, r1, c2, r2, alarm, contact, scalar, parting=(1, 0, 0), unique=True):
+    """Spheres around the nearest points of two shapes; `parting` is a direction to take where these are one point."""
     delta = [q - p for p, q in zip(c1, c2)]
     D, reach, (bits, least, *_) = sum(d * d for d in delta), alarm + r1 + r2, SCALARS[scalar]
     ulp = Fraction(2) ** (least + max(int(reach * 2**-least).bit_length() - bits, 0))  # reach is a multiple of 2^least
     margin = rounded(-reach / ulp, 1 / ulp, D, "binary64")
-    exact = {"exact.distance2": dyadic(D), "exact.reach": dyadic(reach), "exact.margin_ulps": margin}
+    exact = {"exact.distance2": exactly(D), "exact.reach": exactly(reach), "exact.margin_ulps": margin}
     if D > reach * reach:
         return {"expect.hit": False, **exact}
-    # Every number is a + b sqrt(D). The normal is delta / sqrt(D) = (delta / D) sqrt(D); where D = 0, by agreement, (1, 0, 0).
-    normal = [(0, d / D) for d in delta] if D else [(1, 0), (0, 0), (0, 0)]
+    # Every number is a + b sqrt(S). The normal is delta / sqrt(D), or what parts: along / sqrt(S) = (along / S) sqrt(S).
+    along = delta if D else parting
+    S = sum(n * n for n in along)
     fields = (("normal", [0, 0, 0], 1), ("point1", c1, r1), ("point2", c2, -r2))  # each is c + r normal
-    numbers = {f"expect.{name}[{i}]": rounded(c[i] + r * normal[i][0], r * normal[i][1], D, scalar)
-               for name, c, r in fields for i in range(3)}
+    numbers = {f"expect.{name}[{i}]": rounded(c[i], r * Fraction(along[i]) / S, S, scalar) for name, c, r in fields for i in range(3)}
     numbers["expect.value"] = rounded(-(r1 + r2) - contact, 1, D, scalar)
-    return {"expect.hit": True, "expect.degenerate": D == 0, **numbers, **exact}
+    return {"expect.hit": True, "expect.degenerate": D == 0, **({} if unique else {"expect.unique": False}), **numbers, **exact}
+
+
+def capsules(a1, a2, r1, b1, b2, r2, alarm, contact, scalar):
+    """The square of the distance from the first segment to the point at t of the second is convex, and between the points
+    level with the first one's ends it is a parabola, which three values tell: it is least at such a point or at a vertex."""
+    dot, cross = lambda x, y: sum(map(Fraction.__mul__, x, y)), lambda x, y: [x[i - 2] * y[i - 1] - x[i - 1] * y[i - 2] for i in range(3)]
+    at = lambda start, way, t: [x + t * d for x, d in zip(start, way)]
+    u, v = ([y - x for x, y in zip(*ends)] for ends in ((a1, a2), (b1, b2)))
+    level = lambda q: dot(u, at(q, a1, -1)) / (dot(u, u) or 1)  # where q lies along the first segment, as a part of it
+    nearest = lambda t: at(a1, u, sorted((Fraction(0), level(at(b1, v, t)), Fraction(1)))[1])
+    square = lambda t: dot(*[at(at(b1, v, t), nearest(t), -1)] * 2)
+    slope = level(b2) - level(b1)
+    ends = sorted({Fraction(0), Fraction(1), *(t for end in (0, 1) if slope and 0 < (t := (end - level(b1)) / slope) < 1)})
+    tries = set(ends)
+    for low, high in zip(ends, ends[1:]):
+        f, g, h = (square(low + (high - low) * part) for part in (0, Fraction(1, 2), 1))
+        if bend := f - 2 * g + h:
+            tries.add(min(max(low + (high - low) * (3 * f - 4 * g + h) / (4 * bend), low), high))
+    least = min(map(square, tries))
+    first, last = (pick(t for t in tries if square(t) == least) for pick in (min, max))
+    q = at(b1, v, (first + last) / 2)
+    unique = at(b1, v, first) == at(b1, v, last)
+    x, y, z = u if any(u) else v
+    parting = next(n for n in (cross(u, v), [y * y + z * z, -x * y, -x * z], [0, x * x, 0], [1, 0, 0]) if any(n))
+    sign = 1 if next(n for n in parting if n) > 0 else -1
+    return spheres(nearest((first + last) / 2), r1, q, r2, alarm, contact, scalar, [sign * n for n in parting], unique)
 
 
 def sphere_cube(c, r, low, high, alarm, contact, scalar):
@@ -108,12 +136,16 @@ def right_case(found, pair, scalar):
         return {**case, "flags[0]": "Invalid", "expect.rejected": min(outside, key=lambda x: (x[1] != ".", x[0]))}
     x = [Fraction(number) for number in inputs.values()]
     case |= {f"flags[{i}]": str(found[x]) for i, x in enumerate(x for x in found if x.startswith("flags["))} or {"flags": []}
+    if pair == "sphere_capsule":
+        return case | capsules(x[0:3], x[0:3], x[3], x[4:7], x[7:10], x[10], x[11], x[12], scalar)
+    if pair == "capsule_capsule":
+        return case | capsules(x[0:3], x[3:6], x[6], x[7:10], x[10:13], x[13], x[14], x[15], scalar)
     if pair == "sphere_cube":
         return case | sphere_cube(x[0:3], x[3], x[4:7], x[7:10], x[10], x[11], scalar)
     if pair != "cube_cube":
         return case | spheres(x[0:3], x[3], x[4:7], x[7], x[8], x[9], scalar)
     gap = [max(x[i] - x[9 + i], x[6 + i] - x[3 + i]) for i in range(3)]  # max(min1 - max2, min2 - max1)
-    return case | {"expect.hit": max(gap) <= x[12]} | {f"exact.gap[{i}]": dyadic(gap[i]) for i in range(3)}
+    return case | {"expect.hit": max(gap) <= x[12]} | {f"exact.gap[{i}]": exactly(gap[i]) for i in range(3)}
 
 
 def differences(where, right, found):

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Does verify.py accept what is right, and find each single thing that is wrong?  python3 golden/verify_test.py PATH_TO_TOOL"""
 import hashlib
+import itertools
 import json
 import math
 import os
@@ -20,6 +21,11 @@ sys.path.insert(0, str(GOLDEN))
 from verify import rounded
 VERIFY = GOLDEN / "verify.py"
 BALLS = {"a": {"center": [0, 0, 0], "radius": 1}, "b": {"center": [1, 2, 2], "radius": 2}, "alarm": 0, "contact": 0}
+BALL = {"center": [0, 0, 0], "radius": 1}
+BOX = {"min": [0, 0, 0], "max": [1, 1, 2]}
+CAPSULE = {"start": [0, 0, 0], "end": [1, 1, 2], "radius": 1}
+KINDS = {"sphere_sphere": (BALL, BALL), "cube_cube": (BOX, BOX), "sphere_cube": (BALL, BOX), "sphere_capsule": (BALL, CAPSULE),
+         "capsule_capsule": (CAPSULE, CAPSULE)}
 FORM = 'form: expected "canonical", got "other keys, order or spaces"'
 LARGEST = sys.float_info.max
 LARGEST32 = float.fromhex("0x1.fffffep127")
@@ -35,6 +41,11 @@ def verify(*paths, program=VERIFY):
 
 def question(c1, r1, c2, r2, alarm=0, contact=0, **more):
     return {**more, "a": {"center": c1, "radius": r1}, "b": {"center": c2, "radius": r2}, "alarm": alarm, "contact": contact}
+
+
+def capsules(start, end, r, start2, end2, r2, alarm=0, contact=0, **more):
+    return {**more, "pair": "capsule_capsule", "a": {"start": start, "end": end, "radius": r},
+            "b": {"start": start2, "end": end2, "radius": r2}, "alarm": alarm, "contact": contact}
 
 
 def single(x):
@@ -112,31 +123,26 @@ class Case(unittest.TestCase):
 
     def several_faults(self, pair):
         """Questions with two numbers outside the domain each, expecting that the first of them is named."""
-        first, second = ("min", "max") if pair == "cube_cube" else ("center", "radius")
-        faults = {f"{s}.{first}[{i}]": (s, first, i, "NaN") for s in "ab" for i in range(3)}
-        faults |= {f"{s}.max[{i}]": (s, "max", i, "-Infinity") for s in "ab" for i in range(3)} if first == "min" else {
-            f"{s}.radius": (s, "radius", None, -1) for s in "ab"}
-        faults = {path: fault for s in "ab" for path, fault in faults.items() if path[0] == s}
-        faults |= {"alarm": (None, None, None, -0.5), "contact": (None, None, None, "Infinity")}
+        shapes = [(s, *field) for s, shape in zip("ab", KINDS[pair]) for field in shape.items()]
+        faults = {f"{s}.{key}": (s, key, None, -1) for s, key, value in shapes if value == 1}
+        vectors = [(s, key, -math.inf if i % 2 else math.nan) for i, (s, key, value) in enumerate(shapes) if value != 1]
+        faults |= {f"{s}.{key}[{axis}]": (s, key, axis, wrong) for s, key, wrong in vectors for axis in range(3)}
+        order = [f"{s}.{key}" + (f"[{axis}]" if value != 1 else "") for s, key, value in shapes for axis in range(3 if value != 1 else 1)]
+        faults = {path: faults[path] for path in order} | {"alarm": (None, "alarm", None, -0.5), "contact": (None, "contact", None, math.inf)}
         lines = []
         for i, (one, _) in enumerate(faults.items()):
             for other in list(faults)[i + 1:]:
-                case = {"a": {first: [0, 0, 0], second: [1, 1, 1] if first == "min" else 1}}
-                case |= {"b": json.loads(json.dumps(case["a"])), "alarm": 0, "contact": 0}
+                case = json.loads(json.dumps({**dict(zip("ab", KINDS[pair])), "alarm": 0, "contact": 0}))
                 for shape, key, axis, value in (faults[one], faults[other]):
-                    if axis is not None:
-                        case[shape][key][axis] = value
-                    elif shape:
-                        case[shape][key] = value
-                    else:
-                        case["alarm" if value == -0.5 else "contact"] = value
-                words = [*case["a"].values(), *case["b"].values(), case["alarm"], case["contact"]]
-                numbers = [float(x) for word in words for x in (word if isinstance(word, list) else [word])]
+                    fields = case[shape] if shape else case
+                    fields[key] = value if axis is None else [value if i == axis else x for i, x in enumerate(fields[key])]
+                numbers = [float(x) for word in (*case["a"].values(), *case["b"].values(), case["alarm"], case["contact"])
+                           for x in (word if isinstance(word, list) else [word])]
                 packed = b"".join(b"\x7f\xf8" + bytes(6) if math.isnan(x) else struct.pack(">d", x) for x in numbers)
                 case = {"id": hashlib.sha256(pair.encode() + b"\0" + packed).hexdigest()[:24], **case,
                         "flags": ["Invalid"], "expect": {"rejected": one}}
-                lines.append(json.dumps(case, separators=(",", ":")))
-        header = (GOLDEN / pair / "invalid.jsonl").read_text().splitlines()[0]
+                lines.append(re.sub("NaN|-?Infinity", r'"\g<0>"', json.dumps(case, separators=(",", ":"))))
+        header = (GOLDEN / "sphere_sphere" / "invalid.jsonl").read_text().splitlines()[0].replace('"sphere_sphere"', f'"{pair}"')
         return [re.sub(r'"count":\d+', f'"count":{len(lines)}', header), *lines]
 
     def accepted(self, *paths, **options):
@@ -169,7 +175,7 @@ class Right(Case):
         self.accepted(GOLDEN)
 
     def test_the_program_is_short_enough_to_be_read_and_the_page_about_it_shows_what_it_prints(self):
-        self.assertLess(len(VERIFY.read_text().splitlines()), 175)
+        self.assertLess(len(VERIFY.read_text().splitlines()), 205)
         page = (GOLDEN.parent / "docs" / "golden.md").read_text()
         shown = re.search(r"```text\n(golden/(.*?):2: .*: expected (.*), got (.*))\n```", page)
         text = (GOLDEN / shown[2]).read_text()
@@ -208,7 +214,7 @@ class Right(Case):
         self.accepted(path)
 
     def test_of_several_numbers_outside_the_domain_the_first_is_named(self):
-        for pair in ("sphere_sphere", "cube_cube"):
+        for pair in KINDS:
             path = self.file(f"{pair}.jsonl", self.several_faults(pair))
             self.accepted(path)
             linted = run(TOOL, "lint", path)
@@ -218,6 +224,7 @@ class Right(Case):
     def foreign(self, scalar, seed):
         draw = random.Random(seed)
         to = single if scalar == "binary32" else float
+        largest = LARGEST32 if scalar == "binary32" else LARGEST
         bits, code, top = (23, (">I", ">f"), 255) if scalar == "binary32" else (52, (">Q", ">d"), 2047)
         pattern = lambda low, high: struct.unpack(code[1], struct.pack(
             code[0], draw.randrange(low, high) << bits | draw.getrandbits(bits)))[0]
@@ -252,7 +259,7 @@ class Right(Case):
             r1, r2 = abs(number()), abs(draw.choice(kinds)())
             far = max(abs(x - y) for x, y in zip(c1, c2))
             if draw.random() < 0.7:  # more hits than chance gives
-                r1 = max(r1, to(min(far, LARGEST32 if scalar == "binary32" else LARGEST)))
+                r1 = max(r1, to(min(far, largest)))
             return question(c1, r1, c2, r2, draw.choice((0, abs(number()))), draw.choice((0, abs(number()))))
 
         def box():
@@ -267,23 +274,48 @@ class Right(Case):
                 b["max"][axis] = max(b["max"][axis], b["min"][axis])
             return {"a": a, "b": b, "alarm": draw.choice((0, abs(draw.choice(kinds)()))), "contact": 0}
 
+        def capsule_pair():
+            number = draw.choice((ordinary, ordinary, *kinds, lambda: float(draw.randrange(-4, 5))))
+            vector = lambda: [number() for _ in range(3)]
+            start, end, start2, end2 = (vector() for _ in range(4))
+            kind, factor = draw.randrange(6), draw.choice((-2.0, -1.0, 0.5, 1.0))
+            along = lambda x, part: [to(max(-largest, min(c + part * (e - s), largest))) for c, s, e in zip(x, start, end)]
+            if kind == 0:  # parallel, where no sum is rounded
+                end2 = along(start2, factor)
+            elif kind == 1:  # in a line
+                start2, end2 = along(start, draw.choice((0.0, 0.5, 1.0, 2.0))), along(start, factor)
+            elif kind == 2:  # crossing, or beginning in the other one
+                start2 = along(start, draw.choice((0.0, 0.5, 1.0)))
+            elif kind == 3:
+                end, end2 = draw.choice(((start, end2), (end, start2), (start, start2)))
+            ends = [[x if math.isfinite(x) else 0.0 for x in v] for v in (start, end, start2, end2)]
+            r, r2 = abs(number()), abs(number())
+            if draw.random() < 0.3:
+                r = max(r, max(map(abs, sum(ends, []))))
+            return capsules(*ends[:2], r, *ends[2:], r2, draw.choice((0, abs(number()))), draw.choice((0, abs(number()))))
+
+        def ball_and_capsule():
+            query = capsule_pair()
+            return {**query, "a": {"center": query["a"]["start"], "radius": query["a"]["radius"]}, "pair": "sphere_capsule"}
+
         for pair, count, make in (("sphere_sphere", 500, ball_pair), ("sphere_rigid_sphere", 150, ball_pair),
-                                  ("rigid_sphere_rigid_sphere", 150, ball_pair), ("cube_cube", 200, box_pair)):
+                                  ("rigid_sphere_rigid_sphere", 150, ball_pair), ("cube_cube", 200, box_pair),
+                                  ("sphere_capsule", 200, ball_and_capsule), ("capsule_capsule", 400, capsule_pair)):
             yield [{"pair": pair, "scalar": scalar, **make()} for _ in range(count)]
 
     def is_tie(self, case, bits):
         """Whether the value lies exactly half way between two numbers: its one odd numerator has a bit too many."""
-        if "radius" not in case["a"]:
+        if not all("center" in case[shape] for shape in "ab"):
             return False
         (c1, r1), (c2, r2) = ((list(map(Fraction, s["center"])), Fraction(s["radius"])) for s in (case["a"], case["b"]))
         D = sum((x - y) ** 2 for x, y in zip(c1, c2))
         root = Fraction(math.isqrt(D.numerator), math.isqrt(D.denominator))
         return root * root == D and (root - r1 - r2 - Fraction(case["contact"])).numerator.bit_length() == bits + 1
 
-    def test_what_annotate_makes_of_a_thousand_foreign_questions_is_accepted_by_verify_and_lint(self):
+    def test_what_annotate_makes_of_sixteen_hundred_foreign_questions_is_accepted_by_verify_and_lint(self):
         for scalar in ("binary64", "binary32"):
             with self.subTest(scalar):
-                asked = hits = ties = infinite = 0
+                asked = hits = ties = infinite = many = quotients = 0
                 for i, queries in enumerate(self.foreign(scalar, seed=20240229)):
                     once = {json.dumps(query): query for query in queries}  # a dataset asks no question twice
                     lines = self.annotated(*once.values())
@@ -295,12 +327,16 @@ class Right(Case):
                     asked += len(lines) - 1
                     hits += text.count('"hit":true')
                     infinite += text.count("Infinity")
+                    many += text.count('"unique":false')
+                    quotients += text.count("/0x")
                     ties += sum(self.is_tie(case, 24 if scalar == "binary32" else 53) for case in map(json.loads, lines[1:])
                                 if case["expect"]["hit"])
-                self.assertGreaterEqual(asked, 990)
+                self.assertGreaterEqual(asked, 1580)
                 self.assertTrue(0.3 < hits / asked < 0.9, hits)
                 self.assertGreater(ties, 10)
                 self.assertGreater(infinite, 5)
+                self.assertGreater(many, 20)
+                self.assertGreater(quotients, 50)
 
 
 # A corruption: a name, the text of a line that becomes another text, and the complaints to expect.
@@ -377,6 +413,52 @@ class Wrong(Case):
             "not degenerate": (r'"degenerate":(true)', "false", "expect.degenerate: "),
             "no normal": (r'"normal":\[(1)', '"NaN"', 'expect.normal[0]: expected 1, got "NaN"'),
         })
+
+    # Of sides, at right angles: full significands, and a distance whose square is a quotient.
+    def sides(self, **more):
+        return self.annotated(capsules([0.1, 0.2, 0.3], [1.3, -0.9, 0.7], 0.6, [0.2, -1.1, 0.9], [1.1, 1.2, 1.3], 0.7, 0.5, 0.05, **more))
+
+    def test_every_field_of_an_answer_of_capsules_is_checked(self):
+        number = r"([-0-9.e]+)"
+        lines = self.sides()
+        by_ulps = {f"{field}[{axis}] by {by}": (rf'"{field}":\[' + r"[^,]*," * axis + number, lambda x, by=by: step(x, by),
+                                                f"expect.{field}[{axis}]: ")
+                   for field in ("normal", "point1", "point2") for axis in range(3) for by in (-1, 1)}
+        self.corrupt(lines, by_ulps | {
+            "value": ('"value":' + number, step, "expect.value: "),
+            "margin": ('"margin_ulps":' + number, step, "exact.margin_ulps: "),
+            "numerator": (r'"distance2":"0x[0-9a-f]*([0-9a-f])p', lambda x: format(int(x, 16) ^ 2, "x"), "exact.distance2: "),
+            "exponent": (r'"distance2":"[^p]*p(-?\d+)/', lambda x: str(int(x) + 1), "exact.distance2: "),
+            "denominator": (r'"distance2":"[^"]*([0-9a-f])"', lambda x: format(int(x, 16) ^ 2, "x"), "exact.distance2: "),
+            "no denominator": (r'"distance2":"[^"/]*(/0x[0-9a-f]*)"', "", "exact.distance2: "),
+            "not in lowest terms": (r'"distance2":"(.*?)"', lambda x: "{:#x}p{}/{:#x}".format(*self.three_times(x)), "exact.distance2: "),
+            "a denominator of 1": (r'"reach":"(.*?)"', lambda x: x + "/0x1", "exact.reach: "),
+            "unique said": (r'"degenerate":false(,)', ',"unique":true,', "expect.unique: expected nothing, got true", FORM),
+            "not unique": (r'"degenerate":false(,)', ',"unique":false,', "expect.unique: expected nothing, got false", FORM),
+            "question by an ulp": (r'"contact":([\d.]+)', step, "id: ")})
+
+    def three_times(self, text):
+        dyadic, odd = text.split("/")
+        digits, exponent = dyadic.split("p")
+        return int(digits, 16) * 3, exponent, int(odd, 16) * 3
+
+    def test_what_many_nearest_points_and_crossing_axes_agree_on_is_checked(self):
+        # Side by side along half of their lengths; the middle of it is at 0.75.
+        beside = self.annotated(capsules([0, 0, 0], [1, 0, 0], 0.25, [0.5, 0.5, 0], [2, 0.5, 0], 0.25))
+        self.assertIn('"unique":false,"normal":[0,1,0],"point1":[0.75,0.25,0],"point2":[0.75,0.25,0]', beside[1])
+        self.corrupt(beside, {
+            "unique": (r'("unique":false,)', "", "expect.unique: expected false, got nothing", FORM),
+            "unique true": (r'"unique":(false)', "true", "expect.unique: expected false, got true"),
+            "another of the points": (r'"point1":\[(0.75)', "0.5", "expect.point1[0]: expected 0.75, got 0.5"),
+        })
+        crossing = self.annotated(capsules([0, 0, 0], [2, 2, 0], 1, [0, 2, 0], [2, 0, 0], 1))
+        self.assertIn('"degenerate":true,"normal":[0,0,1],"point1":[1,1,1],"point2":[1,1,-1]', crossing[1])
+        self.corrupt(crossing, {"the other way": (r'"normal":\[0,0,(1)', "-1", "expect.normal[2]: expected 1, got -1")})
+        for along, normal in (([2, 0, 0], "[0,1,0]"), ([0, 0, 3], "[1,0,0]"), ([0, 0, 0], "[1,0,0]"), ([1, 0, 1], "[0.7071067811865476,0,-0.7071067811865476]")):
+            for first, second in (([0, 0, 0], along), (along, [0, 0, 0])):
+                lines = self.annotated(capsules([0, 0, 0], first, 1, [0, 0, 0], second, 0))
+                self.assertIn(f'"degenerate":true,"normal":{normal}', lines[1])
+                self.corrupt(lines, {"degenerate": (r'"degenerate":(true)', "false", "expect.degenerate: expected true, got false")})
 
     def test_cubes_are_checked(self):
         lines = self.annotated({"a": {"min": [0, 0, 0], "max": [1, 1, 1]}, "b": {"min": [1.5, 0, 0.25], "max": [2, 1, 1]},
@@ -588,6 +670,11 @@ class Broken(Case):
         for name in ("touching.jsonl", "flat.jsonl", "invalid.jsonl"):
             self.file(f"cubes.{name}", (GOLDEN / "cube_cube" / name).read_text().splitlines())
         self.file("spheres.invalid.jsonl", (GOLDEN / "sphere_sphere" / "invalid.jsonl").read_text().splitlines())
+        # Axes level with an end, turned round, one beside a point or another; crossing, parallel, without length.
+        points = ([0, 0, 0], [4, 0, 0], [1, 3, 1], [1, -2, 1], [6, 1, 2], [2, 0, 0], [-1, 2, 0], [3, 2, 0], [0, 0, 3])
+        self.file("capsules.jsonl", self.annotated(*(
+            capsules(a, b, 2, c, d, i % 7 / 4, i % 3, 0.5) for i, (a, b, c, d) in enumerate(itertools.product(points, repeat=4))
+            if i % 11 == 0)))
         self.accepted(self.folder)
         program = VERIFY.read_text()
         for right, wrong in (
@@ -596,9 +683,15 @@ class Broken(Case):
                 ("-math.isqrt(q - 1) - 1 if q", "-math.isqrt(q) if q"),
                 ("min(kept + ((drop - 1) << (bits - 1)), infinity)", "kept + ((drop - 1) << (bits - 1))"),
                 ("- bits, 1)", "- bits, 2)"), ("- bits, 0)", "- bits, 1)"), ('D, "binary64")', "D, scalar)"),
-                ("- contact, 1", "+ contact, 1"), ("c2, -r2", "c2, r2"), ("[(1, 0), (0, 0)", "[(0, 0), (1, 0)"),
+                ("- contact, 1", "+ contact, 1"), ("c2, -r2", "c2, r2"), ("parting=(1, 0, 0)", "parting=(0, 1, 0)"),
                 (r"\x7f\xf8", r"\x7f\xf9"), ('(x[1] != ".", x[0])', "x[0]"), (' and "[" not in x)', ")"),
-                ("> inputs[x.replace", ">= inputs[x.replace"), ("2**53", "2**90"), ("min(fixed", "max(fixed")):
+                ("> inputs[x.replace", ">= inputs[x.replace"), ("2**53", "2**90"), ("min(fixed", "max(fixed"),
+                ("max((k & -k).bit_length() - 1, 0)", "0"), ("{up - down}", "{up + down}"), ('f"/{d:#x}" * (d > 1)', '""'),
+                ("(end - level(b1)) / slope", "(end + level(b1)) / slope"), ("3 * f - 4 * g + h", "3 * f - 4 * g - h"),
+                ("at(b1, v, (first + last) / 2)", "at(b1, v, first)"), ("else {\"expect.unique\": False}", "else {}"),
+                ("at(b1, v, first) == at(b1, v, last)", "first == last"), ("u if any(u) else v", "u"), ("(4 * bend), low), high)", "(4 * bend), low), low)"),
+                ("[y * y + z * z, -x * y, -x * z]", "[y * y + z * z, x * y, x * z]"), ("[0, x * x, 0]", "[0, 0, x * x]"),
+                ("(cross(u, v), ", "("), ("if next(n for n in parting if n) > 0", "if parting[0] > 0")):
             with self.subTest(right, becomes=wrong):
                 self.assertEqual(program.count(right), 1)
                 broken = self.folder / "broken.py"

@@ -187,6 +187,15 @@ rc::Gen<Query> bad_queries(Pair pair, const Range& range) {
                       });
 }
 
+std::optional<Vector3> exact_middle(const Vector3& start, const Vector3& end) {
+  const Vector3 middle = start / 2 + end / 2;
+  for (int axis = 0; axis < 3; ++axis)
+    if (oracle::Rational(2) * oracle::Rational(middle[axis]) !=
+        oracle::Rational(start[axis]) + oracle::Rational(end[axis]))
+      return std::nullopt;
+  return middle;
+}
+
 std::vector<Query> sample(const rc::Gen<Query>& gen, int count) {
   rc::Random random(20);
   std::vector<Query> queries;

@@ -3,9 +3,11 @@
 
 #include <rapidcheck.h>
 
+#include <array>
 #include <cstddef>
 #include <iosfwd>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -75,6 +77,10 @@ rc::Gen<T> full_size(rc::Gen<T> gen) {
 CONTACT_KINDS(CONTACT_DECLARE)
 #undef CONTACT_DECLARE
 
+/// Integers x^2 + y^2 + z^2 = d^2.
+using Quadruple = std::array<int, 4>;
+inline const std::vector<Quadruple> kQuadruples{{1, 2, 2, 3}, {2, 3, 6, 7},  {3, 4, 0, 5},  {1, 4, 8, 9},
+                                                {0, 0, 1, 1}, {2, 6, 9, 11}, {8, 9, 12, 17}};
 /// Spheres at every scale, near touching, on Pythagorean quadruples, coincident.
 [[nodiscard]] rc::Gen<Query> sphere_queries(const Range& range);
 /// The alarm distance, or the second radius where the alarm is 0, puts the pair at touching as double computes it, and
@@ -95,10 +101,16 @@ CONTACT_KINDS(CONTACT_DECLARE)
 [[nodiscard]] rc::Gen<Query> box_queries(const Range& range);
 /// Boxes apart by exactly the alarm distance (0 unless `by_alarm`) on one axis, on one grid of integers.
 [[nodiscard]] rc::Gen<Query> boxes_touching(const Range& range, bool by_alarm);
-/// A question of a pair, sphere_queries or box_queries.
+/// Two capsules at every scale: one beside a feature of the other, near touching, parallel, crossing, without length.
+/// `first_is_a_sphere` takes the first start for a centre: the pair sphere_capsule.
+[[nodiscard]] rc::Gen<Query> capsule_queries(const Range& range, bool first_is_a_sphere);
+/// A question of a pair.
 [[nodiscard]] rc::Gen<Query> queries(Pair pair, const Range& range);
 /// The same spoiled: one number is NaN, infinite, negative where that is wrong, or a minimum above its maximum.
 [[nodiscard]] rc::Gen<Query> bad_queries(Pair pair, const Range& range);
+
+/// The point half way between two, where it is a point of doubles.
+[[nodiscard]] std::optional<Vector3> exact_middle(const Vector3& start, const Vector3& end);
 
 /// The first `count` questions of a generator for one fixed seed.
 [[nodiscard]] std::vector<Query> sample(const rc::Gen<Query>& gen, int count);

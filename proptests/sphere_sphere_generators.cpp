@@ -18,10 +18,6 @@ Query spheres_of(const std::vector<double>& x) {
 /// Ten numbers of one kind.
 rc::Gen<Query> spheres_from(rc::Gen<double> number) { return rc::gen::map(numbers(10, std::move(number)), spheres_of); }
 
-using Quadruple = std::array<int, 4>;
-const std::vector<Quadruple> kQuadruples{{1, 2, 2, 3}, {2, 3, 6, 7},  {3, 4, 0, 5},  {1, 4, 8, 9},
-                                         {0, 0, 1, 1}, {2, 6, 9, 11}, {8, 9, 12, 17}};
-
 /// Two centres a quadruple apart, on integers below 32 times a power of two.
 struct Apart {
   Ball a;

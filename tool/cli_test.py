@@ -27,7 +27,9 @@ ROOT = Path(__file__).resolve().parent.parent
 GOLDEN = ROOT / "golden"
 RECORDED = GOLDEN / "recorded" / "sofa-2a278d8"
 LEVELS = ["correctly-rounded", "faithful", "bounded", "decisions", "conservative", "none"]
-PAIRS = ("sphere_sphere", "rigid_sphere_rigid_sphere", "sphere_rigid_sphere", "cube_cube", "sphere_cube")
+PAIRS = ("sphere_sphere", "rigid_sphere_rigid_sphere", "sphere_rigid_sphere", "cube_cube", "sphere_cube", "sphere_capsule",
+         "capsule_capsule")
+BATCH_PAIRS = PAIRS[:5]
 SOFA_PAIRS = PAIRS[:4]  # of DiscreteIntersection
 SPHERES = {"a": {"center": [0, 0, 0], "radius": 1.5}, "b": {"center": [1, 2, 2], "radius": 1.5}, "alarm": 0, "contact": 0.25}
 CUBES = {"a": {"min": [0, 0, 0], "max": [1, 1, 1]}, "b": {"min": [1, 0, 0], "max": [2, 1, 1]}, "alarm": 0.5, "contact": 0}
@@ -1299,7 +1301,8 @@ class Generate(Case):
     def test_every_family_of_every_pair_passes_lint(self):
         listed = [json.loads(one) for one in self.holds("families", "--json").splitlines()]
         for pair in PAIRS:
-            shapes = {"cube_cube": "cubes", "sphere_cube": "sphere and cube"}.get(pair, "spheres")
+            shapes = {"cube_cube": "cubes", "sphere_cube": "sphere and cube", "sphere_capsule": "sphere and capsule",
+                      "capsule_capsule": "capsules"}.get(pair, "spheres")
             for family in (one["family"] for one in listed if one.get("shapes") == shapes):
                 self.make(f"{pair}.{family}.jsonl", pair=pair, family=family, count=5, seed=2**64 - 1)
         self.holds("lint", "--generated", self.folder)

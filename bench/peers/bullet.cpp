@@ -1,9 +1,12 @@
-// Bullet in double precision: the algorithm that its dispatcher picks for two spheres, called directly, and
-// btCollisionWorld::contactPairTest; TestAabbAgainstAabb2.
+// Bullet in double precision: the algorithm of two spheres, and of a sphere and a box, called directly, and
+// btCollisionWorld::contactPairTest, which has one for any two convex shapes where a box is one; TestAabbAgainstAabb2.
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/CollisionDispatch/btSphereBoxCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btSphereSphereCollisionAlgorithm.h>
 #include <LinearMath/btAabbUtil2.h>
 #include <btBulletCollisionCommon.h>
+
+#include <concepts>
 
 #include "peers/peers.hpp"
 
@@ -17,81 +20,115 @@ namespace {
 btVector3 to_bullet(const Vector3& v) { return {v[0], v[1], v[2]}; }
 Vector3 from_bullet(const btVector3& v) { return {v[0], v[1], v[2]}; }
 
-/// Two spheres that are moved and resized from question to question.
-struct TwoSpheres {
+void set(btSphereShape& shape, btCollisionObject& object, const Ball& ball) {
+  shape.setUnscaledRadius(ball.radius);
+  object.getWorldTransform().setOrigin(to_bullet(ball.center));
+}
+void set(btBoxShape& shape, btCollisionObject& object, const Box& box) {
+  shape.setImplicitShapeDimensions(to_bullet(0.5 * (box.max - box.min)));
+  object.getWorldTransform().setOrigin(to_bullet(0.5 * (box.min + box.max)));
+}
+/// A sphere, and another or a box, that are moved and resized from question to question.
+template <class Shape>
+struct Objects {
   btSphereShape shape_a{1};
-  btSphereShape shape_b{1};
+  Shape shape_b;
   btCollisionObject a;
   btCollisionObject b;
 
-  TwoSpheres() {
+  template <class... Sizes>
+  explicit Objects(Sizes... sizes) : shape_b(sizes...) {
     a.setCollisionShape(&shape_a);
     b.setCollisionShape(&shape_b);
+    // A box's margin makes it smaller and rounder.
+    if constexpr (std::same_as<Shape, btBoxShape>) shape_b.setMargin(0);
   }
-  void set(const Balls& p) {
-    shape_a.setUnscaledRadius(p.a.radius);
-    shape_b.setUnscaledRadius(p.b.radius);
-    a.getWorldTransform().setOrigin(to_bullet(p.a.center));
-    b.getWorldTransform().setOrigin(to_bullet(p.b.center));
+  template <class Second>
+  void move(const Two<Ball, Second>& p) {
+    set(shape_a, a, p.a);
+    set(shape_b, b, p.b);
+  }
+};
+
+/// Keeps the contact itself: no manifold, no friction.
+struct Result : btManifoldResult {
+  using btManifoldResult::btManifoldResult;
+  void addContactPoint(const btVector3& on_b, const btVector3& at, btScalar depth) override {
+    hit = true;
+    normal = on_b;
+    point = at;
+    distance = depth;
+  }
+  bool hit = false;
+  btVector3 normal;
+  btVector3 point;
+  btScalar distance = 0;
+};
+
+/// One algorithm and what it works on.
+template <class Collide, class Shape>
+struct Called {
+  Objects<Shape> objects;
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  btCollisionObjectWrapper a{nullptr, &objects.shape_a, &objects.a, objects.a.getWorldTransform(), -1, -1};
+  btCollisionObjectWrapper b{nullptr, &objects.shape_b, &objects.b, objects.b.getWorldTransform(), -1, -1};
+  btPersistentManifold* manifold = dispatcher.getNewManifold(&objects.a, &objects.b);
+  Collide algorithm;
+  btDispatcherInfo info;
+  Result result{&a, &b};
+
+  template <class Make, class... Sizes>
+  explicit Called(const Make& make, Sizes... sizes)
+      : objects(sizes...), algorithm(make(manifold, btCollisionAlgorithmConstructionInfo(&dispatcher, 1), &a, &b)) {}
+
+  template <class Second>
+  bool test(const Two<Ball, Second>& p) {
+    result.hit = false;
+    objects.move(p);
+    algorithm.processCollision(&a, &b, info, &result);
+    return result.hit;
   }
 };
 
 class Algorithm {
  public:
-  bool test(const Balls& p) {
-    result_.hit = false;
-    spheres_.set(p);
-    algorithm_.processCollision(&a_, &b_, info_, &result_);
-    return result_.hit;
-  }
-  bool compute(const Balls& p, Contact& out) {
-    if (!test(p)) return false;
-    out.normal = from_bullet(result_.normal);
-    out.point1 = from_bullet(result_.point + result_.normal * result_.distance);
-    out.point2 = from_bullet(result_.point);
-    out.value = result_.distance;
-    return true;
-  }
-  static bool test_boxes(const Boxes& p) {
+  bool test(const Balls& p) { return spheres_.test(p); }
+  bool test(const BallAndBox& p) { return box_.test(p); }
+  bool compute(const Balls& p, Contact& out) { return spheres_.test(p) && write(spheres_.result, out); }
+  bool compute(const BallAndBox& p, Contact& out) { return box_.test(p) && write(box_.result, out); }
+  static bool test(const Boxes& p) {
     return TestAabbAgainstAabb2(to_bullet(p.a.min), to_bullet(p.a.max), to_bullet(p.b.min), to_bullet(p.b.max));
   }
 
  private:
-  /// Keeps the contact itself: no manifold, no friction.
-  struct Result : btManifoldResult {
-    using btManifoldResult::btManifoldResult;
-    void addContactPoint(const btVector3& on_b, const btVector3& at, btScalar depth) override {
-      hit = true;
-      normal = on_b;
-      point = at;
-      distance = depth;
-    }
-    bool hit = false;
-    btVector3 normal;
-    btVector3 point;
-    btScalar distance = 0;
-  };
+  static bool write(const Result& result, Contact& out) {
+    out.normal = from_bullet(result.normal);
+    out.point1 = from_bullet(result.point + result.normal * result.distance);
+    out.point2 = from_bullet(result.point);
+    out.value = result.distance;
+    return true;
+  }
 
-  TwoSpheres spheres_;
-  btDefaultCollisionConfiguration configuration_;
-  btCollisionDispatcher dispatcher_{&configuration_};
-  btCollisionObjectWrapper a_{nullptr, &spheres_.shape_a, &spheres_.a, spheres_.a.getWorldTransform(), -1, -1};
-  btCollisionObjectWrapper b_{nullptr, &spheres_.shape_b, &spheres_.b, spheres_.b.getWorldTransform(), -1, -1};
-  btPersistentManifold* manifold_ = dispatcher_.getNewManifold(&spheres_.a, &spheres_.b);
-  btSphereSphereCollisionAlgorithm algorithm_{manifold_, {&dispatcher_, 1}, &a_, &b_};
-  btDispatcherInfo info_;
-  Result result_{&a_, &b_};
+  using Wrapper = const btCollisionObjectWrapper*;
+  Called<btSphereSphereCollisionAlgorithm, btSphereShape> spheres_{
+      [](auto* manifold, const auto& info, Wrapper a, Wrapper b) {
+        return btSphereSphereCollisionAlgorithm(manifold, info, a, b);
+      },
+      1.0};
+  Called<btSphereBoxCollisionAlgorithm, btBoxShape> box_{[](auto* manifold, const auto& info, Wrapper a, Wrapper b) {
+                                                           return btSphereBoxCollisionAlgorithm(manifold, info, a, b,
+                                                                                                false);
+                                                         },
+                                                         btVector3(1, 1, 1)};
 };
 
 class World {
  public:
-  bool test(const Balls& p) {
-    callback_.hit = false;
-    spheres_.set(p);
-    world_.contactPairTest(&spheres_.a, &spheres_.b, callback_);
-    return callback_.hit;
-  }
-  bool compute(const Balls& p, Contact& out) {
+  bool test(const Balls& p) { return test(p, spheres_); }
+  bool test(const BallAndBox& p) { return test(p, box_); }
+  template <class Second>
+  bool compute(const Two<Ball, Second>& p, Contact& out) {
     if (!test(p)) return false;
     out.normal = from_bullet(callback_.point.m_normalWorldOnB);
     out.point1 = from_bullet(callback_.point.getPositionWorldOnA());
@@ -111,8 +148,16 @@ class World {
     bool hit = false;
     btManifoldPoint point;
   };
+  template <class Second, class Shape>
+  bool test(const Two<Ball, Second>& p, Objects<Shape>& objects) {
+    callback_.hit = false;
+    objects.move(p);
+    world_.contactPairTest(&objects.a, &objects.b, callback_);
+    return callback_.hit;
+  }
 
-  TwoSpheres spheres_;
+  Objects<btSphereShape> spheres_{1.0};
+  Objects<btBoxShape> box_{btVector3(1, 1, 1)};
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_{&configuration_};
   btDbvtBroadphase broadphase_;

@@ -1,4 +1,4 @@
-// libccd: Minkowski portal refinement and GJK on the support function of a sphere.
+// libccd: Minkowski portal refinement and GJK on the support functions of a sphere and a box.
 #include <ccd/ccd.h>
 
 #include <cmath>
@@ -12,32 +12,57 @@
 namespace contact::bench {
 namespace {
 
-void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
-  const auto& ball = *static_cast<const Ball*>(object);
-  const ccd_real_t* d = direction->v;
-  const double scale = ball.radius / std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-  for (int k = 0; k < 3; ++k) point->v[k] = ball.center[k] + scale * d[k];
-}
-void center(const void* object, ccd_vec3_t* point) {
-  for (int k = 0; k < 3; ++k) point->v[k] = static_cast<const Ball*>(object)->center[k];
-}
+/// Its functions of a shape.
+template <class Shape>
+struct Support;
+template <>
+struct Support<Ball> {
+  static void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
+    const auto& ball = *static_cast<const Ball*>(object);
+    const ccd_real_t* d = direction->v;
+    const double scale = ball.radius / std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    for (int k = 0; k < 3; ++k) point->v[k] = ball.center[k] + scale * d[k];
+  }
+  static void center(const void* object, ccd_vec3_t* point) {
+    for (int k = 0; k < 3; ++k) point->v[k] = static_cast<const Ball*>(object)->center[k];
+  }
+};
+template <>
+struct Support<Box> {
+  static void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
+    const auto& box = *static_cast<const Box*>(object);
+    for (int k = 0; k < 3; ++k) point->v[k] = direction->v[k] < 0 ? box.min[k] : box.max[k];
+  }
+  static void center(const void* object, ccd_vec3_t* point) {
+    const auto& box = *static_cast<const Box*>(object);
+    for (int k = 0; k < 3; ++k) point->v[k] = 0.5 * (box.min[k] + box.max[k]);
+  }
+};
 
+template <class Shape>
 ccd_t settings() {
   ccd_t ccd;
   CCD_INIT(&ccd);
-  ccd.support1 = ccd.support2 = support;
-  ccd.center1 = ccd.center2 = center;
+  ccd.support1 = Support<Ball>::support;
+  ccd.support2 = Support<Shape>::support;
+  ccd.center1 = Support<Ball>::center;
+  ccd.center2 = Support<Shape>::center;
   ccd.max_iterations = 100;  // by default no limit, and then some questions are never answered
   return ccd;
 }
+template <class Shape>
+const ccd_t kSettings = settings<Shape>();
 
 struct Mpr {
-  ccd_t ccd = settings();
-  bool test(const Balls& p) const { return ccdMPRIntersect(&p.a, &p.b, &ccd) != 0; }
-  bool compute(const Balls& p, Contact& out) const {
+  template <class Shape>
+  static bool test(const Two<Ball, Shape>& p) {
+    return ccdMPRIntersect(&p.a, &p.b, &kSettings<Shape>) != 0;
+  }
+  template <class Shape>
+  static bool compute(const Two<Ball, Shape>& p, Contact& out) {
     ccd_vec3_t direction;
     ccd_vec3_t position;
-    if (ccdMPRPenetration(&p.a, &p.b, &ccd, &out.value, &direction, &position) != 0) return false;
+    if (ccdMPRPenetration(&p.a, &p.b, &kSettings<Shape>, &out.value, &direction, &position) != 0) return false;
     out.normal = {direction.v[0], direction.v[1], direction.v[2]};
     out.point1 = {position.v[0], position.v[1], position.v[2]};
     return true;
@@ -45,8 +70,10 @@ struct Mpr {
 };
 
 struct Gjk {
-  ccd_t ccd = settings();
-  bool test(const Balls& p) const { return ccdGJKIntersect(&p.a, &p.b, &ccd) != 0; }
+  template <class Shape>
+  static bool test(const Two<Ball, Shape>& p) {
+    return ccdGJKIntersect(&p.a, &p.b, &kSettings<Shape>) != 0;
+  }
 };
 
 }  // namespace

@@ -34,7 +34,7 @@ struct Cgal {
     out.value = s - CGAL::to_double(Number(p.a.radius) + Number(p.b.radius));
     return true;
   }
-  static bool test_boxes(const Boxes& p) {
+  static bool test(const Boxes& p) {
     const typename Kernel::Iso_cuboid_3 a(point(p.a.min), point(p.a.max), 0);
     const typename Kernel::Iso_cuboid_3 b(point(p.b.min), point(p.b.max), 0);
     return CGAL::do_intersect(a, b);

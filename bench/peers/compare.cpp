@@ -5,119 +5,69 @@
 
 #include <filesystem>
 #include <map>
+#include <tuple>
 
-#include "columns.hpp"
-#include "contact/batch.hpp"
 #include "golden/dataset.hpp"
 #include "oracle/judge/judge.hpp"
 #include "peers/peers.hpp"
 #include "places.hpp"
 #include "plain_batch.hpp"
-#include "uniform.hpp"
+#include "questions.hpp"
 
 namespace contact::bench {
 namespace {
 
-struct Data {
-  std::vector<Balls> balls;
-  std::vector<Boxes> boxes;
-  std::vector<PeerAnswer> answers;
-  std::vector<std::uint8_t> hit;
-  Columns columns{18, 0};
-  Columns box_columns{12, 0};
-  std::vector<batch::PairState> state;
+constexpr Distances kNone{.alarm = 0, .contact = 0};
 
-  explicit Data(std::size_t size) : answers(size), hit(size), columns(18, size), box_columns(12, size), state(size) {
-    Uniform uniform(3);
-    for (std::size_t i = 0; i < size; ++i) {
-      const Ball a = uniform.ball();
-      balls.push_back({a, uniform.ball()});
-      const Box c = uniform.box();
-      boxes.push_back({c, uniform.box()});
-    }
-    for (std::size_t i = 0; i < size; ++i)
-      for (std::size_t side = 0; side < 2; ++side) {
-        const Ball& one = side == 0 ? balls[i].a : balls[i].b;
-        const Box& bounds = side == 0 ? boxes[i].a : boxes[i].b;
-        for (std::size_t k = 0; k < 3; ++k) {
-          const auto axis = static_cast<Eigen::Index>(k);
-          columns[4 * side + k][i] = one.center[axis];
-          box_columns[6 * side + k][i] = bounds.min[axis];
-          box_columns[6 * side + 3 + k][i] = bounds.max[axis];
-        }
-        columns[4 * side + 3][i] = one.radius;
-      }
-  }
-  [[nodiscard]] batch::BallColumns side(std::size_t k) const {
-    return {columns[k], columns[k + 1], columns[k + 2], columns[k + 3]};
-  }
-  [[nodiscard]] batch::BoxColumns box_side(std::size_t k) const {
-    return {{box_columns[k], box_columns[k + 1], box_columns[k + 2]},
-            {box_columns[k + 3], box_columns[k + 4], box_columns[k + 5]}};
-  }
-  [[nodiscard]] kernel::SpherePairs pairs() const {
-    kernel::SpherePairs pairs{{}, {}, hit.size()};
-    for (std::size_t k = 0; k < 4; ++k) {
-      pairs.a[k] = columns[k].data();
-      pairs.b[k] = columns[4 + k].data();
-    }
-    return pairs;
-  }
-  [[nodiscard]] kernel::BoxPairs box_pairs() const {
-    kernel::BoxPairs pairs{{}, {}, hit.size()};
-    for (std::size_t k = 0; k < 6; ++k) {
-      pairs.a[k] = box_columns[k].data();
-      pairs.b[k] = box_columns[6 + k].data();
-    }
-    return pairs;
-  }
-  [[nodiscard]] kernel::ContactRows rows() {
-    kernel::ContactRows rows{{}, state.data()};
-    for (std::size_t k = 0; k < kernel::ContactRows::kNumbers; ++k) rows.number[k] = columns[8 + k].data();
-    return rows;
-  }
-  [[nodiscard]] batch::ContactColumns contacts() {
-    return {{columns[8], columns[9], columns[10]},
-            {columns[11], columns[12], columns[13]},
-            {columns[14], columns[15], columns[16]},
-            columns[17],
-            state};
-  }
-};
-
-Data& data(std::size_t size) {
-  static std::map<std::size_t, Data> made;
+std::vector<PeerAnswer>& answers(std::size_t size) {
+  static std::map<std::size_t, std::vector<PeerAnswer>> made;
   return made.try_emplace(size, size).first->second;
 }
 
-void register_times(const Peer& peer) {
+/// What a table of the page is about: a kind of pairs, and the names of its decisions and contacts there.
+template <class A, class B>
+struct Subject {
+  const char* test;
+  const char* compute;
+};
+constexpr std::tuple kSubjects{Subject<Ball, Ball>{"test", "compute"}, Subject<Box, Box>{"boxes", nullptr},
+                               Subject<Ball, Box>{"sphere_cube_test", "sphere_cube_compute"}};
+
+template <class A, class B>
+void register_times(const Subject<A, B>& subject, const Peer& peer) {
+  const Loops<Two<A, B>>& loops = peer.of<Two<A, B>>();
+  const std::string name = "Peer/" + peer.name + "/";
   for (const Place& place : std::span(kPlaces).first(peer.slow ? 1 : kPlaces.size())) {
-    const std::string name = "Peer/" + peer.name;
-    if (peer.test)
-      at_place(name + "/test", place, [=](std::size_t n) { peer.test(data(n).balls, data(n).hit.data()); });
-    if (peer.compute)
-      at_place(name + "/compute", place, [=](std::size_t n) { peer.compute(data(n).balls, data(n).answers.data()); });
-    if (peer.test_boxes)
-      at_place(name + "/boxes", place, [=](std::size_t n) { peer.test_boxes(data(n).boxes, data(n).hit.data()); });
+    if (loops.test)
+      at_place(name + subject.test, place,
+               [test = loops.test](std::size_t n) { test(one_by_one<A, B>(n), generic<A, B>(n).hit.data()); });
+    if (loops.compute)
+      at_place(name + subject.compute, place,
+               [compute = loops.compute](std::size_t n) { compute(one_by_one<A, B>(n), answers(n).data()); });
   }
 }
 
-void register_batch_times() {
-  for (const Place& place : kPlaces) {
-    at_place("Peer/plain double, vectors/test", place,
-             [](std::size_t n) { plain_test_sphere_sphere(data(n).pairs(), 0, data(n).hit.data()); });
-    at_place("Peer/plain double, vectors/compute", place, [](std::size_t n) {
-      plain_compute_sphere_sphere(data(n).pairs(), {.alarm = 0, .contact = 0}, data(n).rows());
+template <class A, class B>
+void register_batch_times(const Subject<A, B>& subject) {
+  const std::string plain = "Peer/plain double, vectors/";
+  const std::string ours = "Peer/ours, batch/";
+  at_every_place(plain + subject.test, [](std::size_t n) {
+    auto& q = generic<A, B>(n);
+    plain_test(q.pairs(), 0, q.hit.data());
+  });
+  at_every_place(ours + subject.test, [](std::size_t n) {
+    auto& q = generic<A, B>(n);
+    batch::test(q.a(), q.b(), 0, q.hit);
+  });
+  if constexpr (batch::Computes<A, B>) {
+    at_every_place(plain + subject.compute, [](std::size_t n) {
+      auto& q = generic<A, B>(n);
+      plain_compute(q.pairs(), kNone, q.rows());
     });
-    at_place("Peer/plain double, vectors/boxes", place,
-             [](std::size_t n) { plain_test_cube_cube(data(n).box_pairs(), 0, data(n).hit.data()); });
-    at_place("Peer/ours, batch/test", place,
-             [](std::size_t n) { batch::test_sphere_sphere(data(n).side(0), data(n).side(4), 0, data(n).hit); });
-    at_place("Peer/ours, batch/compute", place, [](std::size_t n) {
-      batch::compute_sphere_sphere(data(n).side(0), data(n).side(4), {.alarm = 0, .contact = 0}, data(n).contacts());
+    at_every_place(ours + subject.compute, [](std::size_t n) {
+      auto& q = generic<A, B>(n);
+      batch::compute(q.a(), q.b(), kNone, q.contacts());
     });
-    at_place("Peer/ours, batch/boxes", place,
-             [](std::size_t n) { batch::test_cube_cube(data(n).box_side(0), data(n).box_side(6), 0, data(n).hit); });
   }
 }
 
@@ -149,11 +99,12 @@ Claim claim_of(const Peer& peer, const Balls& balls) {
   Claim claim;
   try {
     std::uint8_t hit = 0;
-    peer.test({&balls, 1}, &hit);
+    const Loops<Balls>& loops = peer.of<Balls>();
+    loops.test({&balls, 1}, &hit);
     claim.overlap = hit != 0;
-    if (!peer.compute) return claim;
+    if (!loops.compute) return claim;
     PeerAnswer answer{};
-    peer.compute({&balls, 1}, &answer);
+    loops.compute({&balls, 1}, &answer);
     claim.speaks_of_contact = true;
     if (!answer.hit) return claim;
     claim.contact = ContactClaim{answer.contact.normal, {}, {}, {}, answer.contact.value};
@@ -199,11 +150,11 @@ void count_wrong_answers(benchmark::State& state, const Peer& peer, const std::s
 }
 
 [[maybe_unused]] const bool registered = [] {
-  register_batch_times();
+  std::apply([](const auto&... subject) { (register_batch_times(subject), ...); }, kSubjects);
   std::vector<Peer> all;
   for (auto* peers : {own_peers, fcl_peers, bullet_peers, ode_peers, ccd_peers, cgal_peers, gmp_peers})
     for (Peer& peer : peers()) {
-      register_times(peer);
+      std::apply([&](const auto&... subject) { (register_times(subject, peer), ...); }, kSubjects);
       all.push_back(std::move(peer));
     }
   all.push_back(make_peer("ours, batch", {}, false, std::make_shared<OneInBatch>()));

@@ -1,4 +1,5 @@
 // FCL: fcl::collide on two geometries and their transforms, without the broad phase's objects; AABB::overlap.
+#include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/math/bv/AABB.h>
 #include <fcl/narrowphase/collision.h>
@@ -10,8 +11,12 @@ namespace {
 
 class Fcl {
  public:
-  bool test(const Balls& p) { return collide(p, {1, false}); }
-  bool compute(const Balls& p, Contact& out) {
+  template <class Shape>
+  bool test(const Two<Ball, Shape>& p) {
+    return collide(p, {1, false});
+  }
+  template <class Shape>
+  bool compute(const Two<Ball, Shape>& p, Contact& out) {
     if (!collide(p, {1, true})) return false;
     const fcl::Contactd& contact = result_.getContact(0);
     out.normal = contact.normal;
@@ -19,7 +24,7 @@ class Fcl {
     out.value = contact.penetration_depth;
     return true;
   }
-  static bool test_boxes(const Boxes& p) {
+  static bool test(const Boxes& p) {
     fcl::AABBd a;
     a.min_ = p.a.min;
     a.max_ = p.a.max;
@@ -30,17 +35,28 @@ class Fcl {
   }
 
  private:
-  bool collide(const Balls& p, const fcl::CollisionRequestd& request) {
+  fcl::Sphered& second(const Ball& ball) {
+    b_.radius = ball.radius;
+    at_b_.translation() = ball.center;
+    return b_;
+  }
+  fcl::Boxd& second(const Box& box) {
+    box_.side = box.max - box.min;
+    at_b_.translation() = 0.5 * (box.min + box.max);
+    return box_;
+  }
+  template <class Shape>
+  bool collide(const Two<Ball, Shape>& p, const fcl::CollisionRequestd& request) {
     a_.radius = p.a.radius;
-    b_.radius = p.b.radius;
     at_a_.translation() = p.a.center;
-    at_b_.translation() = p.b.center;
+    auto& b = second(p.b);
     result_.clear();
-    return fcl::collide(&a_, at_a_, &b_, at_b_, request, result_) > 0;
+    return fcl::collide(&a_, at_a_, &b, at_b_, request, result_) > 0;
   }
 
   fcl::Sphered a_{1};
   fcl::Sphered b_{1};
+  fcl::Boxd box_{1, 1, 1};
   fcl::Transform3d at_a_ = fcl::Transform3d::Identity();
   fcl::Transform3d at_b_ = fcl::Transform3d::Identity();
   fcl::CollisionResultd result_;

@@ -43,7 +43,7 @@ struct Gmp {
     out.value = mpf_class(s - mpf_class(reach, kBits), kBits).get_d();
     return true;
   }
-  static bool test_boxes(const Boxes& p) {
+  static bool test(const Boxes& p) {
     for (int k = 0; k < 3; ++k)
       if (mpq_class(p.a.min[k]) > mpq_class(p.b.max[k]) || mpq_class(p.b.min[k]) > mpq_class(p.a.max[k])) return false;
     return true;

@@ -17,14 +17,20 @@ class Ode {
     set(b_, p.b);
     return dCollide(a_, b_, 1, &found_, sizeof found_) > 0;
   }
-  bool compute(const Balls& p, Contact& out) {
+  bool test(const BallAndBox& p) {
+    set(a_, p.a);
+    set(box_a_, p.b);
+    return dCollide(a_, box_a_, 1, &found_, sizeof found_) > 0;
+  }
+  template <class Shape>
+  bool compute(const Two<Ball, Shape>& p, Contact& out) {
     if (!test(p)) return false;
     out.normal = {found_.normal[0], found_.normal[1], found_.normal[2]};
     out.point1 = {found_.pos[0], found_.pos[1], found_.pos[2]};
     out.value = found_.depth;
     return true;
   }
-  bool test_boxes(const Boxes& p) {
+  bool test(const Boxes& p) {
     set(box_a_, p.a);
     set(box_b_, p.b);
     return dCollide(box_a_, box_b_, 1, &found_, sizeof found_) > 0;

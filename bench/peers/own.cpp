@@ -1,9 +1,9 @@
 // What the peers are held against: plain double as upstream has it, and production, one pair after the other.
 #include <cmath>
 
-#include "contact/cube_cube.hpp"
-#include "contact/sphere_sphere.hpp"
+#include "contact/pair_functions.hpp"
 #include "peers/peers.hpp"
+#include "plain_batch.hpp"
 
 namespace contact::bench {
 namespace {
@@ -28,20 +28,31 @@ struct Plain {
     out = {n, p.a.center + p.a.radius * n, p.b.center - p.b.radius * n, s - reach, false};
     return true;
   }
-  static bool test_boxes(const Boxes& p) {
+  static bool test(const Boxes& p) {
     return p.a.min[0] <= p.b.max[0] && p.b.min[0] <= p.a.max[0] && p.a.min[1] <= p.b.max[1] &&
            p.b.min[1] <= p.a.max[1] && p.a.min[2] <= p.b.max[2] && p.b.min[2] <= p.a.max[2];
+  }
+  static Balls at_nearest(const BallAndBox& p) { return {p.a, {p.a.center.cwiseMax(p.b.min).cwiseMin(p.b.max), 0}}; }
+  static bool test(const BallAndBox& p) { return test(at_nearest(p)); }
+  static bool compute(const BallAndBox& p, Contact& out) {
+    const Balls balls = at_nearest(p);
+    if (balls.a.center != balls.b.center) return compute(balls, out);
+    plain_contact_inside(p.a, p.b, 0, out);
+    return true;
   }
 };
 
 struct Production {
-  static bool test(const Balls& p) { return test_sphere_sphere(p.a, p.b, 0); }
-  static bool compute(const Balls& p, Contact& out) {
-    const std::optional<Contact> contact = compute_sphere_sphere(p.a, p.b, {.alarm = 0, .contact = 0});
+  template <class A, class B>
+  static bool test(const Two<A, B>& p) {
+    return is_hit(p, {.alarm = 0, .contact = 0});
+  }
+  template <class Shape>
+  static bool compute(const Two<Ball, Shape>& p, Contact& out) {
+    const std::optional<Contact> contact = contact_of(p, {.alarm = 0, .contact = 0});
     if (contact) out = *contact;
     return contact.has_value();
   }
-  static bool test_boxes(const Boxes& p) { return test_cube_cube(p.a, p.b, 0); }
 };
 
 }  // namespace

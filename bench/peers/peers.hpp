@@ -1,4 +1,4 @@
-// The peers: other libraries' answers about two spheres or two boxes, called as their users call them.
+// The peers: other libraries' answers about pairs of every kind, called as their users call them.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -25,37 +26,47 @@ struct PeerAnswer {
   bool hit;
 };
 
-/// A library, with loops over many pairs in which its call is inlined. What it does not do is empty.
-struct Peer {
-  std::string name;
-  Conventions conventions;
-  bool slow = false;  ///< measured in the second level cache alone
-  std::function<void(std::span<const Balls>, std::uint8_t*)> test;
-  std::function<void(std::span<const Balls>, PeerAnswer*)> compute;
-  std::function<void(std::span<const Boxes>, std::uint8_t*)> test_boxes;
+/// Loops over many pairs of a kind in which a library's call is inlined; empty where it has none.
+template <class Kind>
+struct Loops {
+  std::function<void(std::span<const Kind>, std::uint8_t*)> test;
+  std::function<void(std::span<const Kind>, PeerAnswer*)> compute;
 };
 
-/// `one` has the members test(balls) -> bool, compute(balls, Contact&) -> bool, test_boxes(boxes) -> bool, or some of
-/// them; it is made once, and keeps what a user would keep between calls.
-template <class One>
-Peer make_peer(std::string name, const Conventions& conventions, bool slow, std::shared_ptr<One> one) {
-  Peer peer{std::move(name), conventions, slow, {}, {}, {}};
-  if constexpr (requires(const Balls& balls) { one->test(balls); })
-    peer.test = [one](std::span<const Balls> pairs, std::uint8_t* hit) {
-      for (const Balls& pair : pairs) *hit++ = one->test(pair) ? 1 : 0;
+struct Peer {
+  std::string name;
+  Conventions conventions;  ///< of its answers about two spheres
+  bool slow = false;        ///< measured in the second level cache alone
+  std::tuple<Loops<Balls>, Loops<Boxes>, Loops<BallAndBox>> loops;
+
+  template <class Kind>
+  [[nodiscard]] const Loops<Kind>& of() const {
+    return std::get<Loops<Kind>>(loops);
+  }
+};
+
+template <class Kind, class One>
+Loops<Kind> loops_of(std::shared_ptr<One> one) {
+  Loops<Kind> loops;
+  if constexpr (requires(const Kind& pair) { one->test(pair); })
+    loops.test = [one](std::span<const Kind> pairs, std::uint8_t* hit) {
+      for (const Kind& pair : pairs) *hit++ = one->test(pair) ? 1 : 0;
     };
-  if constexpr (requires(const Balls& balls, Contact& contact) { one->compute(balls, contact); })
-    peer.compute = [one](std::span<const Balls> pairs, PeerAnswer* out) {
-      for (const Balls& pair : pairs) {
+  if constexpr (requires(const Kind& pair, Contact& contact) { one->compute(pair, contact); })
+    loops.compute = [one](std::span<const Kind> pairs, PeerAnswer* out) {
+      for (const Kind& pair : pairs) {
         out->hit = one->compute(pair, out->contact);
         ++out;
       }
     };
-  if constexpr (requires(const Boxes& boxes) { one->test_boxes(boxes); })
-    peer.test_boxes = [one](std::span<const Boxes> pairs, std::uint8_t* hit) {
-      for (const Boxes& pair : pairs) *hit++ = one->test_boxes(pair) ? 1 : 0;
-    };
-  return peer;
+  return loops;
+}
+
+/// `one` has the members test(pair) -> bool and compute(pair, Contact&) -> bool for pairs of some kinds; it is made
+/// once, and keeps what a user would keep between calls.
+template <class One>
+Peer make_peer(std::string name, const Conventions& conventions, bool slow, std::shared_ptr<One> one) {
+  return {std::move(name), conventions, slow, {loops_of<Balls>(one), loops_of<Boxes>(one), loops_of<BallAndBox>(one)}};
 }
 
 [[nodiscard]] std::vector<Peer> own_peers();  ///< plain double and production, one pair after the other

@@ -9,19 +9,18 @@
 #include <string_view>
 #include <vector>
 
-#include "contact/batch.hpp"
-#include "contact/cube_cube.hpp"
-#include "contact/sphere_sphere.hpp"
+#include "contact/pair_functions.hpp"
 #include "environment/floating_point_environments.hpp"
 #include "fuzz/fuzz.hpp"
 #include "golden/dataset.hpp"
 #include "kernel/batch.hpp"
+#include "kernel/batch_pairs.hpp"
 #include "tool/run/pipeline.hpp"
 
 namespace contact::fuzz {
 namespace {
 
-/// A question of two spheres or two boxes inside the domain, whatever the bytes: eight bytes a number, missing ones 0.
+/// Numbers of a question, whatever the bytes: eight bytes a number, missing ones 0.
 class Numbers {
  public:
   explicit Numbers(Bytes bytes) : rest_(bytes) {}
@@ -39,15 +38,29 @@ class Numbers {
     return std::isfinite(x) ? x : std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & ~(std::uint64_t{1} << 62));
   }
   [[nodiscard]] double length() { return std::abs(any()); }
-  [[nodiscard]] Vector3 vector() {
-    const double x = any();
-    const double y = any();
-    return {x, y, any()};
+  template <class Shape>
+  void fill(Shape& shape) {
+    for_each_field(shape, [this](const auto& field, auto& value) {
+      const auto number = [&] { return field.kind == FieldKind::length ? length() : any(); };
+      if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, double>)
+        value = number();
+      else
+        for (int axis = 0; axis < 3; ++axis) value[axis] = number();
+    });
   }
 
  private:
   Bytes rest_;
 };
+
+/// Of most shapes any numbers will do.
+template <class Shape>
+void in_order(Shape& /*shape*/) {}
+void in_order(Box& box) {
+  const Vector3 min = box.min.cwiseMin(box.max);
+  box.max = box.min.cwiseMax(box.max);
+  box.min = min;
+}
 
 using Row = std::array<std::uint64_t, 11>;
 
@@ -72,55 +85,20 @@ Row without_signs_of_zeros(Row bits) {
 /// Pairs of a batch: every lane of a vector and some behind the last whole one.
 constexpr std::size_t kPairs = 11;
 
-/// What stands beside the pair that is asked about: cheap to answer, whatever the distances.
-const Balls kNeighbour{{{0, 0, 0}, 1}, {{3, 0, 4}, 1}};
+/// What stands beside the pair that is asked about: the numbers 0, 1, 2 and so on.
+template <class A, class B>
+Two<A, B> neighbour() {
+  Two<A, B> shapes;
+  double next = 0;
+  const auto count = [&](double& number) { number = next++; };
+  for_each_number(shapes.a, count);
+  for_each_number(shapes.b, count);
+  return shapes;
+}
 
 /// Where the pair that is asked about stands in a batch: in two lanes, since what is left to exact arithmetic is slow.
 bool is_asked(std::size_t lane, std::uint64_t kind) {
   return lane == kind / 32 % kPairs || lane == kind / 32 / kPairs % kPairs;
-}
-
-std::vector<Row> batch_rows(const Balls& asked, Distances distances, std::uint64_t kind) {
-  std::array<std::array<double, kPairs>, 8> in{};
-  for (std::size_t i = 0; i < kPairs; ++i) {
-    const Balls& balls = is_asked(i, kind) ? asked : kNeighbour;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      in[axis][i] = balls.a.center[static_cast<Eigen::Index>(axis)];
-      in[4 + axis][i] = balls.b.center[static_cast<Eigen::Index>(axis)];
-    }
-    in[3][i] = balls.a.radius;
-    in[7][i] = balls.b.radius;
-  }
-  std::array<std::array<double, kPairs>, 10> n{};
-  std::array<batch::PairState, kPairs> state{};
-  batch::compute_sphere_sphere({in[0], in[1], in[2], in[3]}, {in[4], in[5], in[6], in[7]}, distances,
-                               {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}, n[9], state});
-  std::vector<Row> rows(kPairs);
-  for (std::size_t i = 0; i < kPairs; ++i) {
-    for (std::size_t k = 0; k < n.size(); ++k) rows[i][k] = std::bit_cast<std::uint64_t>(n[k][i]);
-    rows[i][10] = static_cast<std::uint64_t>(state[i]);
-  }
-  return rows;
-}
-
-std::array<std::uint8_t, kPairs> batch_hits(const Boxes& boxes, double alarm) {
-  std::array<std::array<double, kPairs>, 12> in{};
-  batch::BoxColumns a;
-  batch::BoxColumns b;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto k = static_cast<Eigen::Index>(axis);
-    in[axis].fill(boxes.a.min[k]);
-    in[3 + axis].fill(boxes.a.max[k]);
-    in[6 + axis].fill(boxes.b.min[k]);
-    in[9 + axis].fill(boxes.b.max[k]);
-    a.min[axis] = in[axis];
-    a.max[axis] = in[3 + axis];
-    b.min[axis] = in[6 + axis];
-    b.max[axis] = in[9 + axis];
-  }
-  std::array<std::uint8_t, kPairs> hit{};
-  batch::test_cube_cube(a, b, alarm, hit);
-  return hit;
 }
 
 /// While fuzzing, one instruction set an input, so that more of them are tried; else all.
@@ -133,38 +111,39 @@ std::vector<std::string> chosen_sets([[maybe_unused]] std::uint64_t chooser) {
 }
 
 /// Production with one instruction set after the other, in an environment, held against `right`.
-void try_production(const Query& query, const Expectation& right, std::uint64_t kind, std::uint64_t chooser) {
+template <class A, class B>
+void try_production(const Two<A, B>& shapes, const Query& query, const Expectation& right, std::uint64_t kind,
+                    std::uint64_t chooser) {
   static const auto environments = floating_point_environments();
   const FloatingPointEnvironment& environment = environments[kind / 4 % environments.size()];
+  const Two<A, B> beside = neighbour<A, B>();
   for (const std::string& set : chosen_sets(chooser)) {
     kernel::use_instruction_set(set);
     std::string differs;
-    if (const Balls* balls = query.balls()) {
-      std::optional<Contact> one;
-      std::optional<Contact> neighbour;
-      std::vector<Row> many;
-      bool hit = false;
+    bool hit = false;
+    bool beside_hit = false;
+    std::optional<Contact> one;
+    std::optional<Contact> beside_one;
+    in_environment(environment, [&] {
+      hit = is_hit(shapes, query.distances);
+      one = contact_of(shapes, query.distances);
+      beside_hit = is_hit(beside, query.distances);
+      beside_one = contact_of(beside, query.distances);
+    });
+    if (hit != right.hit) differs = "is_hit";
+    if (without_signs_of_zeros(row_of(one)) != without_signs_of_zeros(row_of(right.contact))) differs = "contact_of";
+    if constexpr (batch::Decides<A, B>) {
+      batch::Pairs<A, B> pairs(kPairs);
+      for (std::size_t i = 0; i < kPairs; ++i) pairs.set(i, is_asked(i, kind) ? shapes : beside);
       in_environment(environment, [&] {
-        one = compute_sphere_sphere(balls->a, balls->b, query.distances);
-        hit = test_sphere_sphere(balls->a, balls->b, query.distances.alarm);
-        neighbour = compute_sphere_sphere(kNeighbour.a, kNeighbour.b, query.distances);
-        many = batch_rows(*balls, query.distances, kind);
+        pairs.test(query.distances.alarm);
+        if constexpr (batch::Computes<A, B>) pairs.compute(query.distances);
       });
-      if (hit != right.hit) differs = "test_sphere_sphere";
-      if (without_signs_of_zeros(row_of(one)) != without_signs_of_zeros(row_of(right.contact)))
-        differs = "compute_sphere_sphere";
-      for (std::size_t i = 0; i < many.size(); ++i)
-        if (many[i] != row_of(is_asked(i, kind) ? one : neighbour)) differs = "batch::compute_sphere_sphere";
-    } else {
-      bool one = false;
-      std::array<std::uint8_t, kPairs> many{};
-      in_environment(environment, [&] {
-        one = test_cube_cube(query.boxes()->a, query.boxes()->b, query.distances.alarm);
-        many = batch_hits(*query.boxes(), query.distances.alarm);
-      });
-      if (one != right.hit) differs = "test_cube_cube";
-      for (const std::uint8_t hit : many)
-        if ((hit != 0) != right.hit) differs = "batch::test_cube_cube";
+      for (std::size_t i = 0; i < kPairs; ++i) {
+        if ((pairs.hit()[i] != 0) != (is_asked(i, kind) ? hit : beside_hit)) differs = "batch::test";
+        if constexpr (batch::Computes<A, B>)
+          if (row_of(pairs.contact(i)) != row_of(is_asked(i, kind) ? one : beside_one)) differs = "batch::compute";
+      }
     }
     require(differs.empty(), differs + " with " + set + ", rounding " + environment.name +
                                  ", is not what the oracles say of\n" + golden::query_line(query, Scalar::binary64));
@@ -177,28 +156,20 @@ void try_production(const Query& query, const Expectation& right, std::uint64_t 
 void try_input(Bytes bytes) {
   Numbers numbers(bytes);
   const std::uint64_t kind = numbers.bits();
-  Query query{};
-  if (kind % 4 != 3) {
-    query.pair = Pair::sphere_sphere;
-    Balls balls;
-    balls.a.center = numbers.vector();
-    balls.a.radius = numbers.length();
-    balls.b.center = numbers.vector();
-    balls.b.radius = numbers.length();
-    query.shapes = balls;
-  } else {
-    query.pair = Pair::cube_cube;
-    Boxes boxes;
-    for (Box* box : {&boxes.a, &boxes.b}) {
-      const Vector3 x = numbers.vector();
-      const Vector3 y = numbers.vector();
-      box->min = x.cwiseMin(y);
-      box->max = x.cwiseMax(y);
-    }
-    query.shapes = boxes;
-  }
+  // The pair by the last byte, so that inputs keep theirs when others join.
+  static const std::vector<Pair> pairs = pairs_of_kinds();
+  Query query = zero_query(pairs[(kind >> 56) % pairs.size()]);
+  std::visit(
+      [&](auto& shapes) {
+        numbers.fill(shapes.a);
+        numbers.fill(shapes.b);
+        in_order(shapes.a);
+        in_order(shapes.b);
+      },
+      query.shapes);
   query.distances.alarm = numbers.length();
   query.distances.contact = numbers.length();
+  if (outside_domain(query)) return;
   const oracle::Truth truth = oracle::truth_of(query);
   for (const Scalar scalar : kScalars) {
     tool::require_agreement(query, truth, oracle::interval_answer(query, scalar), scalar);
@@ -206,7 +177,8 @@ void try_input(Bytes bytes) {
   }
   const std::size_t chooser =
       std::hash<std::string_view>{}({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  try_production(query, oracle::expectation(truth, Scalar::binary64), kind, chooser);
+  const Expectation right = oracle::expectation(truth, Scalar::binary64);
+  std::visit([&](const auto& shapes) { try_production(shapes, query, right, kind, chooser); }, query.shapes);
 }
 
 }  // namespace contact::fuzz

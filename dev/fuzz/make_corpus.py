@@ -11,6 +11,10 @@ CORPUS = Path(__file__).resolve().parent / "corpus"
 QUICK = ROOT / "golden/quick"
 
 
+# The kinds of pairs in the order of CONTACT_KINDS, include/contact/pairs.hpp; others in the list are of two spheres.
+KINDS = ("sphere_sphere", "cube_cube", "sphere_cube")
+
+
 def put(target, name, content):
     path = CORPUS / target / name
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -29,7 +33,7 @@ def main():
             questions += [(json.loads(header), json.loads(line)) for line in lines]
     for i, (header, case) in enumerate(questions):
         if header["scalar"] == "binary64":
-            kind = 3 if header["pair"] == "cube_cube" else 0
+            kind = KINDS.index(header["pair"]) << 56 if header["pair"] in KINDS else 0
             values = [*numbers(case["a"]), *numbers(case["b"]), case["alarm"], case["contact"]]
             put("bits", case["id"], struct.pack(f"<Q{len(values)}d", kind, *values))
         question = {key: case[key] for key in ("a", "b", "alarm", "contact")} | {"pair": header["pair"]}

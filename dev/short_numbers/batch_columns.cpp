@@ -26,14 +26,15 @@ constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-void kernel::round_numbers(const SpherePairs& /*pairs*/, const SphereQuestion& /*question*/, std::size_t i,
+void kernel::round_numbers(const SpherePairs& /*pairs*/, const ContactQuestion& /*question*/, std::size_t i,
                            unsigned numbers, const ContactRows& out) {
   left[i] |= numbers;
   for (std::size_t k = 0; k < ContactRows::kNumbers; ++k)
     if ((numbers >> k & 1) != 0) out.number[k][i] = kNoNumber;
 }
 
-void kernel::contact_of_one_pair(const SpherePairs& /*pairs*/, const SphereQuestion& /*question*/, std::size_t i,
+template <>
+void kernel::contact_of_one_pair(const SpherePairs& /*pairs*/, const ContactQuestion& /*question*/, std::size_t i,
                                  const ContactRows& out, std::size_t row) {
   left[i] = kUndecided;
   out.state[row] = batch::PairState::contact;
@@ -60,7 +61,7 @@ void answer_columns(const std::vector<Question>& questions, std::vector<Answer>&
     return sign == 0 ? PointOn::center : sign == towards ? PointOn::nearest_surface : PointOn::far_surface;
   };
   const Question& first = questions.front();
-  const SphereQuestion question{{first.alarm, first.contact}, {on(first.signs[0], 1), on(first.signs[1], -1)}};
+  const ContactQuestion question{{first.alarm, first.contact}, {on(first.signs[0], 1), on(first.signs[1], -1)}};
 
   std::array<std::vector<double>, kNumbers> numbers;
   std::vector<batch::PairState> states(size);

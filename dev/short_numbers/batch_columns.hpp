@@ -9,8 +9,8 @@
 
 namespace contact::kernel::tiny {
 
-using ComputeSpheres = batch::Count (*)(const SpherePairs&, const SphereQuestion&, const ContactRows&);
-using ComputeSphereHits = batch::Count (*)(const SpherePairs&, const SphereQuestion&, std::uint32_t*,
+using ComputeSpheres = batch::Count (*)(const SpherePairs&, const ContactQuestion&, const ContactRows&);
+using ComputeSphereHits = batch::Count (*)(const SpherePairs&, const ContactQuestion&, std::uint32_t*,
                                            const ContactRows&);
 using TestSpheres = batch::Count (*)(const SpherePairs&, double, std::uint8_t*);
 

@@ -22,6 +22,8 @@ TOOL = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
 SCHEMAS = Path(__file__).resolve().parent
 ROOT = SCHEMAS.parent.parent
 GOLDEN = ROOT / "golden"
+SHAPES = {"spheres": "sphere_rigid_sphere", "cubes": "cube_cube", "sphere and cube": "sphere_cube",
+          "sphere and capsule": "sphere_capsule", "capsules": "capsule_capsule"}
 COMMON = json.loads((SCHEMAS / "common.json").read_text())["$defs"]
 
 
@@ -102,7 +104,7 @@ class Accepted(Case):
         for family in map(json.loads, run("families", "--json").stdout.splitlines()):
             for scalar in ("binary64", "binary32") if "family" in family else ():
                 path = self.folder / f"{family['shapes']}.{family['family']}.{scalar}.jsonl"
-                pair = {"cubes": "cube_cube", "spheres": "sphere_rigid_sphere", "sphere and cube": "sphere_cube"}[family["shapes"]]
+                pair = SHAPES[family["shapes"]]
                 made = run("generate", "--pair", pair, "--family", family["family"], "--count", 7, "--seed", 2**64 - 1,
                            "--scalar", scalar, "--shard", "1/2", "-o", path)
                 self.assertEqual(made.returncode, 0, made.stderr)
@@ -178,7 +180,8 @@ class Accepted(Case):
 class Names(Case):
     def test_families_and_flags_are_the_programs(self):
         listed = [json.loads(line) for line in run("families", "--json").stdout.splitlines()]
-        for name, shapes in (("sphere_family", "spheres"), ("cube_family", "cubes"), ("sphere_cube_family", "sphere and cube")):
+        for shapes, pair in SHAPES.items():
+            name = {"spheres": "sphere", "cubes": "cube"}.get(shapes, pair) + "_family"
             self.assertEqual(COMMON[name]["enum"], [one["family"] for one in listed if one.get("shapes") == shapes])
         self.assertEqual(COMMON["flag"]["enum"], [one["flag"] for one in listed if "flag" in one])
 

@@ -36,19 +36,20 @@ std::vector<Claim> each(std::span<const Question> questions, PointConvention poi
   return claims;
 }
 
+bool all(Pair) { return true; }
 constexpr std::array kBuiltIn{
     BuiltIn{"production", "this project's implementation: exact decisions, correctly rounded numbers", Scalar::binary64,
-            true, each<production_answer>, true},
+            true, each<production_answer>, all},
     BuiltIn{"batch", "production through its functions for many pairs; batch:AVX2 and so on choose the vectors",
-            Scalar::binary64, false, batch_answers, false},
+            Scalar::binary64, false, batch_answers, batch_serves},
     BuiltIn{"component", "production through DiscreteIntersection and whole models", Scalar::binary64, false,
-            each<component_answer>, false},
+            each<component_answer>, is_discrete_intersections},
     BuiltIn{"plain-double", "the seed's formulas in plain double arithmetic, as SOFA computes them", Scalar::binary64,
-            true, each<plain<Scalar::binary64>>, true},
+            true, each<plain<Scalar::binary64>>, all},
     BuiltIn{"plain-float", "the seed's formulas in plain float arithmetic", Scalar::binary32, true,
-            each<plain<Scalar::binary32>>, true},
+            each<plain<Scalar::binary32>>, all},
     BuiltIn{"published", "production with the contact points of the seed's printed formula", Scalar::binary64, true,
-            each<published>, false},
+            each<published>, is_discrete_intersections},
 };
 
 class MutantEngine final : public Engine {
@@ -103,7 +104,7 @@ std::unique_ptr<Engine> make_built_in(std::string_view name, PointConvention poi
   engines::EngineInfo info;
   info.name = name;
   info.version = CONTACT_VERSION;
-  if (!it->mixed_pairs) std::erase(info.pairs, Pair::sphere_cube);
+  std::erase_if(info.pairs, [it](Pair pair) { return !it->serves(pair); });
   info.declared.scalar = it->scalar;
   info.declared.conventions.points = static_cast<Points>(points);
   return std::make_unique<BuiltInEngine>(*it, std::move(info), points);

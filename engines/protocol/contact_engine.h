@@ -19,15 +19,17 @@ enum contact_pair {
   CONTACT_RIGID_SPHERE_RIGID_SPHERE = 1,
   CONTACT_SPHERE_RIGID_SPHERE = 2,
   CONTACT_CUBE_CUBE = 3,
-  CONTACT_SPHERE_CUBE = 4
+  CONTACT_SPHERE_CUBE = 4,
+  CONTACT_SPHERE_CAPSULE = 5,
+  CONTACT_CAPSULE_CAPSULE = 6
 };
 
 /* Questions of one pair kind, as arrays with one row a question. */
 typedef struct contact_questions {
   size_t count;
   int32_t pair;          /* enum contact_pair */
-  int32_t width;         /* numbers of a shape of a: 4 for spheres, 6 for cubes; b is as wide as its own shape */
-  const double* a;       /* count rows: centre x y z and radius; or min x y z and max x y z */
+  int32_t width;         /* numbers of a shape of a: 4 for spheres, 6 for cubes, 7 for capsules; b is as wide as its own */
+  const double* a;       /* count rows: centre and radius; min and max; or start, end and radius */
   const double* b;
   const double* alarm;   /* count */
   const double* contact; /* count */

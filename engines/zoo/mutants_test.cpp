@@ -47,7 +47,6 @@ const std::vector<Question>& questions() {
   static const std::vector<Question> all = [] {
     std::vector<Question> made;
     for (const Pair pair : kPairs) {
-      if (pair == Pair::sphere_cube) continue;  // the formulas of causes are of two spheres and two boxes
       for (const golden::Family& family : golden::families_of(pair))
         for (std::uint64_t i = 0; i < 36 && !family.outside_domain && family.name != "extreme_scale"; ++i) {
           const Query query = golden::generate_query(pair, family, Scalar::binary64, golden::kCommittedSeed, i);

@@ -1,5 +1,5 @@
 // Many pairs at once, as structures of arrays: the decisions and contacts of test_sphere_sphere, compute_sphere_sphere
-// and test_cube_cube, bit for bit, by vector instructions chosen at run time.
+// and their like for other pairs, bit for bit, by vector instructions chosen at run time.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ struct BoxColumns {
 enum class PairState : std::uint8_t {
   miss = 0,        ///< farther apart than the alarm distance: no contact
   contact = 1,     ///< within it
-  degenerate = 2,  ///< a contact of balls whose centres coincide: the normal is (1,0,0) by agreement
+  degenerate = 2,  ///< a contact without a direction of its own, as of balls whose centres coincide
 };
 
 /// Room for contacts, one column per number and axis (x, y, z). Each column has one place per pair.
@@ -46,6 +46,12 @@ struct ContactColumns {
 struct Count {
   std::size_t hits = 0;   ///< pairs within the alarm distance
   std::size_t exact = 0;  ///< pairs that the vectors left to the scalar function, and so perhaps to exact arithmetic
+
+  Count& operator+=(const Count& more) {
+    hits += more.hits;
+    exact += more.exact;
+    return *this;
+  }
 };
 
 // The following holds for all functions below. Pair i is the i-th shape of `a` with the i-th shape of `b`.
@@ -63,20 +69,33 @@ struct Count {
 // Source      docs/error-bounds.md.
 // Evidence    src/kernel/batch_test.cpp compares every available instruction set with the functions of one pair.
 
-/// hit[i] = 1 where the balls are within the alarm distance, else 0, as contact::test_sphere_sphere decides.
-Count test_sphere_sphere(const BallColumns& a, const BallColumns& b, double alarm, std::span<std::uint8_t> hit);
+/// The pairs that have these functions, X(name, first shape, second shape): those whose contacts have numbers, and all.
+#define CONTACT_BATCH_CONTACTS(X) \
+  X(sphere_sphere, Ball, Ball)    \
+  X(sphere_cube, Ball, Box)
+#define CONTACT_BATCH_PAIRS(X) \
+  CONTACT_BATCH_CONTACTS(X)    \
+  X(cube_cube, Box, Box)
 
-/// hit[i] = 1 where the boxes are within the alarm distance on every axis, else 0, as contact::test_cube_cube decides.
-Count test_cube_cube(const BoxColumns& a, const BoxColumns& b, double alarm, std::span<std::uint8_t> hit);
+// test_sphere_sphere, test_sphere_cube, test_cube_cube: hit[i] = 1 where the shapes are within the alarm distance, else
+// 0, as the function of that name for one pair decides.
+#define CONTACT_TEST(name, A, B) \
+  Count test_##name(const A##Columns& a, const B##Columns& b, double alarm, std::span<std::uint8_t> hit);
+CONTACT_BATCH_PAIRS(CONTACT_TEST)
+#undef CONTACT_TEST
 
-/// Row i is the contact of pair i, as contact::compute_sphere_sphere gives it; every number of a miss is +0.
-Count compute_sphere_sphere(const BallColumns& a, const BallColumns& b, Distances distances, const ContactColumns& out,
-                            ContactPoints points = {});
-
-/// Writes the hits alone, in the order of the pairs. Row k of `out` is the contact of pair index[k], for every k below
-/// Count::hits. The contents of the rows after these are not specified.
-/// Domain      fewer than 2^32 pairs; `index` is as long as the columns.
-Count compute_sphere_sphere_hits(const BallColumns& a, const BallColumns& b, Distances distances,
-                                 std::span<std::uint32_t> index, const ContactColumns& out, ContactPoints points = {});
+// compute_sphere_sphere, compute_sphere_cube: row i is the contact of pair i, as the function of that name for one pair
+// gives it; every number of a miss is +0.
+//
+// compute_sphere_sphere_hits, compute_sphere_cube_hits: the hits alone, in the order of the pairs. Row k of `out` is
+// the contact of pair index[k], for every k below Count::hits. The contents of the rows after these are not specified.
+// Domain      fewer than 2^32 pairs; `index` is as long as the columns.
+#define CONTACT_COMPUTE(name, A, B)                                                                              \
+  Count compute_##name(const A##Columns& a, const B##Columns& b, Distances distances, const ContactColumns& out, \
+                       ContactPoints points = {});                                                               \
+  Count compute_##name##_hits(const A##Columns& a, const B##Columns& b, Distances distances,                     \
+                              std::span<std::uint32_t> index, const ContactColumns& out, ContactPoints points = {});
+CONTACT_BATCH_CONTACTS(CONTACT_COMPUTE)
+#undef CONTACT_COMPUTE
 
 }  // namespace contact::batch

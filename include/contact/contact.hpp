@@ -11,8 +11,12 @@ struct Contact {
   Vector3 point1;
   Vector3 point2;
   double value;  ///< signed distance of the surfaces, less the contact distance
-  /// Two centres coincide, or one lies in a box: there is no distance. The specification says what the normal is then.
+  /// The cores meet: two centres coincide, one lies in a box or on an axis, two axes cross. There is no distance. The
+  /// specification says what the normal is then.
   bool degenerate;
+  /// Whether only one point of each core is nearest to the other. Else the points are one choice of many, as of
+  /// parallel capsules side by side.
+  bool unique = true;
 };
 
 /// Where a contact point of one sphere lies, n being the unit normal from the first sphere to the second.

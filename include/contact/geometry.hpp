@@ -1,4 +1,5 @@
-// The shapes of a question: balls, axis-aligned boxes and the two distances that SOFA's Intersection carries.
+// The shapes of a question: balls, axis-aligned boxes, capsules, and the two distances that SOFA's Intersection
+// carries.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,6 +24,13 @@ struct Ball {
 struct Box {
   Vector3 min;
   Vector3 max;
+};
+
+/// The points within `radius` >= 0 of a segment. `start` = `end` makes it a sphere.
+struct Capsule {
+  Vector3 start;
+  Vector3 end;
+  double radius;
 };
 
 /// The distances of SOFA's Intersection. Pairs up to `alarm` apart are reported. `contact` is subtracted from the value

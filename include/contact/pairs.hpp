@@ -23,7 +23,9 @@ struct Two {
 #define CONTACT_KINDS(X) \
   X(Ball, Ball)          \
   X(Box, Box)            \
-  X(Ball, Box)
+  X(Ball, Box)           \
+  X(Ball, Capsule)       \
+  X(Capsule, Capsule)
 
 /// The pairs: X(name, first shape, second shape, its contacts have numbers, the first is rigid, the second is rigid).
 /// Under upstream's convention a rigid sphere reports its nearest surface point, a deformable one its centre.
@@ -32,7 +34,9 @@ struct Two {
   X(rigid_sphere_rigid_sphere, Ball, Ball, true, true, true) \
   X(sphere_rigid_sphere, Ball, Ball, true, false, true)      \
   X(cube_cube, Box, Box, false, false, false)                \
-  X(sphere_cube, Ball, Box, true, false, false)
+  X(sphere_cube, Ball, Box, true, false, false)              \
+  X(sphere_capsule, Ball, Capsule, true, false, false)       \
+  X(capsule_capsule, Capsule, Capsule, true, false, false)
 
 #define CONTACT_NAME(name, ...) name,
 enum class Pair { CONTACT_PAIRS(CONTACT_NAME) };
@@ -52,6 +56,8 @@ using Shapes = AnyOfKinds<void CONTACT_KINDS(CONTACT_KIND)>::Type;
 using Balls = Two<Ball, Ball>;
 using Boxes = Two<Box, Box>;
 using BallAndBox = Two<Ball, Box>;
+using BallAndCapsule = Two<Ball, Capsule>;
+using Capsules = Two<Capsule, Capsule>;
 
 struct PairDescription {
   Pair pair;
@@ -73,5 +79,13 @@ inline constexpr PairDescription kPairTable[] = {CONTACT_PAIRS(CONTACT_PAIR)};
 }
 [[nodiscard]] constexpr std::string_view name(Pair pair) { return description(pair).name; }
 [[nodiscard]] constexpr bool has_numbers(Pair pair) { return description(pair).has_numbers; }
+/// Whether SOFA's DiscreteIntersection has the pair; the others join at run time there.
+[[nodiscard]] constexpr bool is_discrete_intersections(Pair pair) { return pair <= Pair::cube_cube; }
+/// Whether more than one pair of points of the cores may be nearest.
+[[nodiscard]] constexpr bool may_have_many_nearest(Pair pair) { return pair == Pair::capsule_capsule; }
+/// Whether the nearest points may be quotients of what is given, so that D is no dyadic.
+[[nodiscard]] constexpr bool has_quotients(Pair pair) {
+  return pair == Pair::sphere_capsule || pair == Pair::capsule_capsule;
+}
 
 }  // namespace contact

@@ -68,6 +68,19 @@ struct ShapeDescription<Box> {
   }
 };
 
+template <>
+struct ShapeDescription<Capsule> {
+  static constexpr std::string_view kName = "capsule";
+  static constexpr std::tuple kFields{ShapeField<Capsule, Vector3>{"start", &Capsule::start, FieldKind::point},
+                                      ShapeField<Capsule, Vector3>{"end", &Capsule::end, FieldKind::point},
+                                      ShapeField<Capsule, double>{"radius", &Capsule::radius, FieldKind::length}};
+  template <class Less>
+  static std::optional<BrokenRule> broken_rule(const Capsule& /*capsule*/, Less /*less*/) {
+    return std::nullopt;
+  }
+  static void break_a_rule(Capsule& capsule, int /*number*/, double amount) { capsule.radius = -amount; }
+};
+
 template <class Shape>
 concept DescribedShape = requires {
   ShapeDescription<std::remove_const_t<Shape>>::kFields;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/judge/point_set.hpp"
 #include "oracle/judge/right_claim.hpp"
 #include "oracle/truth/default_environment.hpp"
 #include "oracle/truth/exact_truth.hpp"
@@ -82,25 +83,18 @@ class ContactJudge {
     if (rounded_ != nullptr && (!truth_.degenerate() || is_reference()) && *on == PointOn::nearest_surface &&
         *p == (sphere == 0 ? rounded_->point1 : rounded_->point2))
       return FieldVerdict{};
-    FieldVerdict verdict;
-    for (int axis = 0; axis < 3; ++axis) {
-      const Exact x = truth_.degenerate() ? coincident_point(sphere, axis, *on) : truth_.point(sphere, axis, *on);
-      verdict =
-          worse(verdict, grade((*p)[axis], x, declared_.scalar, truth_.point_scale(sphere), declared_.bounds.point));
-    }
-    return verdict;
+    return grade_point(*p, truth_.point_scale(sphere), truth_.radius(sphere), [&](int axis) {
+      return truth_.degenerate() ? coincident_point(sphere, axis, *on) : truth_.point(sphere, axis, *on);
+    });
   }
 
   [[nodiscard]] std::optional<FieldVerdict> midpoint() const {
     if (!claim_.point || conventions_.points != Points::midpoint || !claims(Field::point)) return std::nullopt;
     if (truth_.degenerate() && !knows_coincident_normal()) return std::nullopt;
-    FieldVerdict verdict;
     const Rational scale = std::max(truth_.point_scale(0), truth_.point_scale(1));
-    for (int axis = 0; axis < 3; ++axis) {
-      const Exact x = truth_.degenerate() ? coincident_midpoint(axis) : truth_.midpoint(axis);
-      verdict = worse(verdict, grade((*claim_.point)[axis], x, declared_.scalar, scale, declared_.bounds.point));
-    }
-    return verdict;
+    return grade_point(*claim_.point, scale, truth_.radii() / Rational(2), [&](int axis) {
+      return truth_.degenerate() ? coincident_midpoint(axis) : truth_.midpoint(axis);
+    });
   }
 
   [[nodiscard]] std::optional<FieldVerdict> value() const {
@@ -115,6 +109,25 @@ class ContactJudge {
 
  private:
   [[nodiscard]] bool claims(Field field) const { return declared_.claimed().has(aspect(field)); }
+
+  /// A claimed point beside the right one, or where the nearest points are not unique, beside all of them. Where it
+  /// goes with a claimed normal that is not the reference's, the point may be that of the normal before it was rounded.
+  [[nodiscard]] FieldVerdict grade_point(const Vector3& claimed, const Rational& scale, const Rational& radius,
+                                         const auto& right) const {
+    const bool is_claimed_normals =
+        conventions_.normal_unit && truth_.degenerate() && knows_coincident_normal() && !is_reference();
+    const Rational room = is_claimed_normals ? roundings() * radius : Rational(0);
+    const PointSet set{
+        {right(0), right(1), right(2)}, truth_.spread() ? *truth_.spread() : point_of(Vector3::Zero()), room};
+    if (truth_.spread() || is_claimed_normals)
+      return grade(claimed, set, declared_.scalar, scale, declared_.bounds.point);
+    FieldVerdict verdict;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Exact& x = set.middle[static_cast<std::size_t>(axis)];
+      verdict = worse(verdict, grade(claimed[axis], x, declared_.scalar, scale, declared_.bounds.point));
+    }
+    return verdict;
+  }
 
   /// A component of a claimed normal beside the exact one.
   [[nodiscard]] FieldVerdict component(const Vector3& n, int axis, const Exact& x) const {
@@ -145,7 +158,9 @@ class ContactJudge {
     return Rational(8) * power_of_two(-format_of(declared_.scalar).precision);
   }
   /// Whether the claimed normal is the reference's.
-  [[nodiscard]] bool is_reference() const { return conventions_.normal_unit && claimed_n_ == rounded_->normal; }
+  [[nodiscard]] bool is_reference() const {
+    return conventions_.normal_unit && rounded_ != nullptr && claimed_n_ == rounded_->normal;
+  }
 
   /// Whether a normal points against no vertex of the cores: n.w >= -8u |w| for all of their differences w.
   [[nodiscard]] bool separates(const Vector3& n) const {

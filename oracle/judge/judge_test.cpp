@@ -1081,5 +1081,79 @@ TEST(JudgeBox, a_point_inside_is_no_matter_of_open_or_closed) {
   EXPECT_EQ(level_of(in_unit_box({1, 0.5, 0.5}, 0), overlap(false), open), Level::correctly_rounded);
 }
 
+// Capsules.
+
+const Capsule kAlongX{{0, 0, 0}, {3, 0, 0}, 1};
+// Two apart along z, side by side from x = 1 to 3.
+Query side_by_side() { return {Pair::capsule_capsule, Capsules{kAlongX, {{1, 0, 2}, {5, 0, 2}, 1}}, {0, 0}}; }
+Claim with_points(const Vector3& p1, const Vector3& p2) {
+  return contact_of({.normal = Vector3(0, 0, 1), .point1 = p1, .point2 = p2, .point = {}, .value = {}});
+}
+
+TEST(JudgeCapsules, side_by_side_every_nearest_point_is_right_and_no_other) {
+  for (const double x : {1.0, 1.7, 2.0, 2.9999999999, 3.0})
+    EXPECT_EQ(level_of(side_by_side(), with_points({x, 0, 1}, {2.5, 0, 1})), Level::correctly_rounded) << x;
+  EXPECT_EQ(level_of(side_by_side(), with_points({2, 0, 1}, {1, 0, 1})), Level::correctly_rounded);
+  // Past the end by one ulp, by two, and farther; off the segment.
+  EXPECT_EQ(level_of(side_by_side(), with_points({below(1), 0, 1}, {2, 0, 1})), Level::bounded);
+  EXPECT_EQ(level_of(side_by_side(), with_points({3 + 0x1p-50, 0, 1}, {2, 0, 1})), Level::bounded);
+  EXPECT_EQ(level_of(side_by_side(), with_points({3.25, 0, 1}, {2, 0, 1})), Level::decisions);
+  EXPECT_EQ(level_of(side_by_side(), with_points({2, 0, 1}, {2, 0.5, 1})), Level::decisions);
+  EXPECT_EQ(level_of(side_by_side(), with_points({2, 0, 1}, {2, 0, above(1)})), Level::bounded);
+}
+
+TEST(JudgeCapsules, one_point_must_be_right_in_all_three_coordinates) {
+  // Along (1, 1, 0), from 0 to 2, and as long beside it.
+  const Query diagonal{Pair::capsule_capsule, Capsules{{{0, 0, 0}, {2, 2, 0}, 1}, {{0, 0, 2}, {2, 2, 2}, 1}}, {0, 0}};
+  EXPECT_EQ(level_of(diagonal, with_points({0.3, 0.3, 1}, {1.9, 1.9, 1})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(diagonal, with_points({0.3, 0.7, 1}, {1, 1, 1})), Level::decisions);
+  // Between two doubles lies no other point of the set that rounds to both.
+  EXPECT_EQ(level_of(diagonal, with_points({0.3, above(0.3), 1}, {1, 1, 1})), Level::faithful);
+  // What is off counts from the best point of all: (0.5, 0.5, 1) for (0.25, 0.75, 1), a quarter.
+  const Verdict off = judge(diagonal, truth_of(diagonal), with_points({0.25, 0.75, 1}, {1, 1, 1}), {});
+  EXPECT_EQ(off.at(Field::point1)->error, 0.25 * 0x1p51);  // the scale is 2, whose ulp is 2^-51
+}
+
+TEST(JudgeCapsules, on_an_axis_what_separates_is_right) {
+  const Query on_axis{Pair::sphere_capsule, BallAndCapsule{{{1, 0, 0}, 2}, kAlongX}, {0, 0}};
+  for (const Vector3& n : {Vector3(0, 1, 0), Vector3(0, 0, -1), Vector3(0, 0.6, -0.8)})
+    EXPECT_EQ(level_of(on_axis, normal_of(n)), Level::correctly_rounded) << n.transpose();
+  for (const Vector3& n : {Vector3(1, 0, 0), Vector3(0.6, 0.8, 0), Vector3(-0.6, 0, 0.8)})
+    EXPECT_EQ(level_of(on_axis, normal_of(n)), Level::decisions) << n.transpose();
+  // At the start of the axis a normal may lean along it, from the sphere to the capsule, and not back.
+  const Query at_end{Pair::sphere_capsule, BallAndCapsule{{{0, 0, 0}, 2}, kAlongX}, {0, 0}};
+  EXPECT_EQ(level_of(at_end, normal_of({0.6, 0.8, 0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(at_end, normal_of({1, 0, 0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(at_end, normal_of({-0.6, 0.8, 0})), Level::decisions);
+}
+
+TEST(JudgeCapsules, axes_that_cross_have_two_normals_and_their_points) {
+  const Query crossing{Pair::capsule_capsule, Capsules{kAlongX, {{1, -1, 0}, {1, 1, 0}, 2}}, {0, 0}};
+  EXPECT_EQ(level_of(crossing, with_points({1, 0, 1}, {1, 0, -2})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(crossing, normal_of({0, 0, -1})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(crossing, normal_of({0, 1, 0})), Level::decisions);
+  EXPECT_EQ(level_of(crossing, with_points({1, 0, -1}, {1, 0, -2})), Level::decisions);
+  // On one line, from 1 to 3: any point there, and any normal at right angles.
+  const Query collinear{Pair::capsule_capsule, Capsules{kAlongX, {{1, 0, 0}, {5, 0, 0}, 2}}, {0, 0}};
+  EXPECT_EQ(level_of(collinear, with_points({1.5, 0, 1}, {3, 0, -2})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(collinear, with_points({0.5, 0, 1}, {3, 0, -2})), Level::decisions);
+}
+
+TEST(JudgeCapsules, points_may_be_those_of_a_normal_before_it_was_rounded) {
+  // (0, 1, 2) / sqrt(5) and twice it: 2 / sqrt(5) rounded is not twice 1 / sqrt(5) rounded plus the radius's share.
+  const double x = 0.447213595499957939281834733746;
+  const double y = 0.894427190999915878563669467493;
+  const Query on_axis{Pair::sphere_capsule, BallAndCapsule{{{1, 0, 0}, 1000}, kAlongX}, {0, 0}};
+  const auto claimed = [&](double p) {
+    return contact_of({.normal = Vector3(0, x, y),
+                       .point1 = Vector3(1, p, 894.427190999915878563669467493),
+                       .point2 = {},
+                       .point = {},
+                       .value = {}});
+  };
+  EXPECT_EQ(level_of(on_axis, claimed(447.213595499957939281834733746)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(on_axis, claimed(447.2135954999)), Level::decisions);
+}
+
 }  // namespace
 }  // namespace contact::oracle

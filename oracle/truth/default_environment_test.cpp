@@ -75,7 +75,7 @@ Said everything(const Query& query, const Claim& near) {
     said(rounded_answer(truth, scalar));
     said(witness(truth, scalar));
     for (const auto& [field, ulps, log2] : rounding_distances(truth, scalar))
-      said(std::string(field) + " " + dyadic_string(Rational(ulps.numerator())) + " " + std::to_string(log2));
+      said(std::string(field) + " " + exact_string(Rational(ulps.numerator())) + " " + std::to_string(log2));
     const StagedAnswer staged = staged_answer(query, scalar);
     said(std::string(kStageNames[static_cast<std::size_t>(staged.stage)]));
     said(rounded_answer(staged));

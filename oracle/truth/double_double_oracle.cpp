@@ -1,9 +1,13 @@
 // The first stage: pairs of doubles with a radius of error. It proves an answer, or has none.
 #include "oracle/truth/double_double_oracle.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "oracle/truth/default_environment.hpp"
+#include "oracle/truth/double_double_nearest.hpp"
 
 namespace contact::oracle {
 namespace {
@@ -15,7 +19,71 @@ std::optional<DoubleDoubleCase> answer(const Query& query, Scalar scalar, bool w
       query.shapes);
 }
 
+/// Takes answers, and remembers whether one of them was nothing.
+class Settled {
+ public:
+  double operator()(const std::optional<double>& number) {
+    all_ = all_ && number.has_value();
+    return number.value_or(0);
+  }
+  [[nodiscard]] bool all() const { return all_; }
+
+ private:
+  bool all_ = true;
+};
+
+/// (sqrt(D) - reach) / ulp(reach), rounded to binary64.
+std::optional<double> margin_of(const DoubleDouble& distance, const DoubleDouble& reach, Scalar scalar) {
+  const Format format = format_of(scalar);
+  int exponent = format.min_exponent;
+  if (reach.high > 0) {
+    // No other double lies between high and the real number, so both have one exponent, but for a power of two that is
+    // approached from below.
+    exponent = std::ilogb(reach.high);
+    if (std::ldexp(1.0, exponent) == reach.high && (reach.low < 0 || reach.radius != 0)) return std::nullopt;
+    exponent = std::max(exponent, format.min_exponent);
+  }
+  // The unit is a power of two and, as the answer, far from the ends of the range: scaling commutes with rounding.
+  const auto off = round_to_nearest(distance - reach, Scalar::binary64);
+  if (!off) return std::nullopt;
+  if (*off != 0 && std::abs(std::ilogb(*off)) > 500) return std::nullopt;
+  return std::ldexp(*off, format.precision - 1 - exponent);
+}
+
 }  // namespace
+
+std::optional<DoubleDoubleCase> case_of_nearest(const DoubleDoubleNearest& nearest, double radius1, double radius2,
+                                                Distances distances, Scalar scalar, bool with_margin) {
+  const auto& [p, q, delta] = nearest;
+  const DoubleDouble D = dot(delta, delta);
+  if (D.radius > D.high * 0x1p-20) return std::nullopt;
+  const DoubleDouble radii = two_sum(radius1, radius2);
+  const DoubleDouble reach = radii + DoubleDouble{distances.alarm};
+  const auto at_alarm = (D - reach * reach).sign();
+  const auto at_zero = (D - radii * radii).sign();
+  if (!at_alarm || !at_zero) return std::nullopt;
+
+  DoubleDoubleCase found{{*at_alarm, *at_zero, {*at_alarm <= 0, std::nullopt}}, std::nullopt};
+  const bool degenerate = D.high == 0;
+  const DoubleDouble distance = degenerate ? DoubleDouble{} : root(D);
+  if (with_margin) found.margin_ulps = margin_of(distance, reach, scalar);
+  if (!found.answer.expected.hit) return found;
+
+  Settled settled;
+  Contact& contact = found.answer.expected.contact.emplace();
+  contact.degenerate = degenerate;
+  const DoubleDouble inverse = degenerate ? DoubleDouble{} : reciprocal(distance);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    const DoubleDouble n = degenerate ? DoubleDouble{i == 0 ? 1.0 : 0.0} : delta[i] * inverse;
+    contact.normal[axis] = settled(round_to_nearest(n, scalar));
+    contact.point1[axis] = settled(round_to_nearest(p[i] + DoubleDouble{radius1} * n, scalar));
+    contact.point2[axis] = settled(round_to_nearest(q[i] - DoubleDouble{radius2} * n, scalar));
+  }
+  contact.value = settled(round_to_nearest(distance - (radii + DoubleDouble{distances.contact}), scalar));
+  if (!settled.all()) return std::nullopt;
+  return found;
+}
 
 std::optional<RoundedAnswer> double_double_answer(const Query& query, Scalar scalar) {
   auto found = answer(query, scalar, false);

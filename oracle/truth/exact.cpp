@@ -51,19 +51,14 @@ bool is_even(double x, Scalar scalar) {
   return std::fmod(std::ldexp(x, -last), 2.0) == 0;
 }
 
-bool representable(double x, Scalar scalar) {
-  return scalar == Scalar::binary64 ||
-         (std::abs(x) <= largest_finite(scalar) && static_cast<double>(static_cast<float>(x)) == x);
-}
-
 /// 0 where x rounds to the finite number d of the scalar, to nearest, ties to even; 1 where it rounds to a number above
 /// d, -1 below. Two exact comparisons.
 int side_of(double d, const Exact& x, Scalar scalar) {
-  const bool even = is_even(d, scalar);
-  const auto above = x.compare(boundary_above(d, scalar));
-  if (above == CGAL::LARGER || (above == CGAL::EQUAL && !even)) return 1;
-  const auto below = x.compare(-boundary_above(-d, scalar));
-  if (below == CGAL::SMALLER || (below == CGAL::EQUAL && !even)) return -1;
+  const Rounding r = rounding_range(d, scalar);
+  const auto above = x.compare(r.high);
+  if (above == CGAL::LARGER || (above == CGAL::EQUAL && !r.is_closed)) return 1;
+  const auto below = x.compare(r.low);
+  if (below == CGAL::SMALLER || (below == CGAL::EQUAL && !r.is_closed)) return -1;
   return 0;
 }
 
@@ -108,6 +103,15 @@ Exact::Enclosure Exact::enclosure(int bits) const {
   return {number_.a0() - high, number_.a0() - low};
 }
 
+bool is_representable(double x, Scalar scalar) {
+  return scalar == Scalar::binary64 ||
+         (std::abs(x) <= largest_finite(scalar) && static_cast<double>(static_cast<float>(x)) == x);
+}
+
+Rounding rounding_range(double x, Scalar scalar) {
+  return {-boundary_above(-x, scalar), boundary_above(x, scalar), is_even(x, scalar)};
+}
+
 double round_to_nearest(const Exact& x, Scalar scalar) {
   const DefaultEnvironment environment;
   if (x.sign() == CGAL::ZERO) return 0.0;
@@ -127,13 +131,13 @@ bool is_correctly_rounded(double claim, const Exact& x, Scalar scalar) {
     const double last = std::copysign(largest_finite(scalar), claim);
     return side_of(last, x, scalar) == (claim > 0 ? 1 : -1);
   }
-  return representable(claim, scalar) && side_of(claim, x, scalar) == 0;
+  return is_representable(claim, scalar) && side_of(claim, x, scalar) == 0;
 }
 
 bool is_faithful(double claim, const Exact& x, Scalar scalar) {
   const DefaultEnvironment environment;
   if (!std::isfinite(claim)) return false;
-  if (!representable(claim, scalar)) return false;
+  if (!is_representable(claim, scalar)) return false;
   const auto side = x.compare(Rational(claim));
   if (side == CGAL::EQUAL) return true;
   const double other = side == CGAL::LARGER ? next_up(claim, scalar) : next_down(claim, scalar);
@@ -204,17 +208,18 @@ Rational power_of_two(int exponent) {
   return exponent >= 0 ? Rational(power) : Rational(Gmpz(1), power);
 }
 
-std::string dyadic_string(const Rational& x) {
+std::string exact_string(const Rational& x) {
   if (CGAL::is_zero(x)) return "0x0p0";
   const Gmpz numerator = CGAL::abs(x).numerator();
   const auto trailing = static_cast<int>(mpz_scan1(numerator.mpz(), 0));
   const auto below = static_cast<int>(mpz_scan1(x.denominator().mpz(), 0));
-  const Gmpz odd = numerator >> trailing;
-  return (CGAL::sign(x) == CGAL::NEGATIVE ? "-0x" : "0x") + mpz_class(odd.mpz()).get_str(16) + "p" +
-         std::to_string(trailing - below);
+  const auto hexadecimal = [](const Gmpz& n) { return "0x" + mpz_class(n.mpz()).get_str(16); };
+  const Gmpz over = x.denominator() >> below;
+  return (CGAL::sign(x) == CGAL::NEGATIVE ? "-" : "") + hexadecimal(numerator >> trailing) + "p" +
+         std::to_string(trailing - below) + (over == 1 ? "" : "/" + hexadecimal(over));
 }
 
-bool is_dyadic_string(std::string_view text) {
+bool is_exact_string(std::string_view text) {
   if (text == "0x0p0") return true;
   const auto drop = [&text](std::string_view start) {
     const bool there = text.starts_with(start);
@@ -225,13 +230,27 @@ bool is_dyadic_string(std::string_view text) {
   const auto only = [](std::string_view part, std::string_view digits) {
     return !part.empty() && part.find_first_not_of(digits) == std::string_view::npos && part.front() != '0';
   };
+  const auto take_odd = [&](std::string_view until) {
+    if (!drop("0x")) return std::string_view();
+    const std::string_view integer = text.substr(0, text.find_first_of(until));
+    text.remove_prefix(integer.size());
+    const bool odd = only(integer, "0123456789abcdef") &&
+                     std::string_view("13579bdf").find(integer.back()) != std::string_view::npos;
+    return odd ? integer : std::string_view();
+  };
   drop("-");
-  if (!drop("0x")) return false;
-  const std::string_view integer = text.substr(0, text.find('p'));
-  if (!only(integer, "0123456789abcdef") || std::string_view("13579bdf").find(integer.back()) == std::string_view::npos)
-    return false;
-  text.remove_prefix(integer.size());
-  if (!drop("p")) return false;
+  const std::string_view numerator = take_odd("p");
+  if (numerator.empty() || !drop("p")) return false;
+  if (const std::size_t slash = text.find('/'); slash != std::string_view::npos) {
+    std::string_view exponent = text.substr(0, slash);
+    text.remove_prefix(slash + 1);
+    const std::string_view denominator = take_odd("");
+    if (denominator.empty() || denominator == "1" || !text.empty()) return false;
+    const mpz_class n(std::string(numerator), 16);
+    const mpz_class d(std::string(denominator), 16);
+    if (gcd(n, d) != 1) return false;
+    text = exponent;
+  }
   return text == "0" || (drop("-"), only(text, "0123456789"));
 }
 

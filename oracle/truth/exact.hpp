@@ -25,6 +25,8 @@ class Exact {
   [[nodiscard]] CGAL::Sign compare(const Rational& other) const;
   [[nodiscard]] Exact scaled(const Rational& factor) const;
   [[nodiscard]] Exact plus(const Rational& other) const;
+  /// Domain: both of one D, or one of them rational.
+  [[nodiscard]] Exact plus(const Exact& other) const { return Exact(Extension(number_ + other.number_)); }
 
   /// An upper bound and a lower bound, closer than 2^-bits of the larger of |a| and |b sqrt(D)|.
   struct Enclosure {
@@ -49,6 +51,17 @@ class Exact {
 /// Whether `claim` is one of the two numbers of the scalar next to x (x itself where it is one of them); beyond the
 /// largest finite number that one is next to x only within an ulp.
 [[nodiscard]] bool is_faithful(double claim, const Exact& x, Scalar scalar);
+
+/// What rounds to a number of the scalar, to nearest, ties to even: the reals between two, which do so themselves or not.
+struct Rounding {
+  Rational low;
+  Rational high;
+  bool is_closed;
+};
+/// Domain: x is finite and a number of the scalar.
+[[nodiscard]] Rounding rounding_range(double x, Scalar scalar);
+/// Whether a finite double is a number of the scalar.
+[[nodiscard]] bool is_representable(double x, Scalar scalar);
 
 /// ulp of a real number: 2^max(floor(log2 |x|) - p + 1, emin - p + 1), the exponent unbounded above.
 [[nodiscard]] Rational ulp(const Exact& x, Scalar scalar);
@@ -80,7 +93,8 @@ struct Boundary {
 /// 2^exponent.
 [[nodiscard]] Rational power_of_two(int exponent);
 
-/// A dyadic rational as -0x1abdp-12: sign, odd hexadecimal integer, power of two; 0x0p0 for zero.
-[[nodiscard]] std::string dyadic_string(const Rational& x);
+/// A rational as -0x1abdp-12: sign, odd hexadecimal integer, power of two; 0x0p0 for zero. One that is no dyadic has
+/// its odd denominator after it, in lowest terms: 0x1p0/0x3.
+[[nodiscard]] std::string exact_string(const Rational& x);
 
 }  // namespace contact::oracle

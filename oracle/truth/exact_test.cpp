@@ -78,26 +78,26 @@ TEST(Exact, lies_in_its_enclosure_which_is_as_narrow_as_asked) {
 }
 
 TEST(DyadicString, writes_an_odd_hexadecimal_integer_and_a_power_of_two) {
-  EXPECT_EQ(dyadic_string(Rational(9)), "0x9p0");
-  EXPECT_EQ(dyadic_string(Rational(3)), "0x3p0");
-  EXPECT_EQ(dyadic_string(Rational(0)), "0x0p0");
-  EXPECT_EQ(dyadic_string(Rational(-0x1abd) / Rational(4096)), "-0x1abdp-12");
-  EXPECT_EQ(dyadic_string(power_of_two(600)), "0x1p600");
-  EXPECT_EQ(dyadic_string(power_of_two(-2148)), "0x1p-2148");
-  EXPECT_EQ(dyadic_string(Rational(12)), "0x3p2");
-  EXPECT_EQ(dyadic_string(Rational(-1) / Rational(2)), "-0x1p-1");
-  EXPECT_EQ(dyadic_string(Rational(0x1.fffffffffffffp1023)), "0x1fffffffffffffp971");
+  EXPECT_EQ(exact_string(Rational(9)), "0x9p0");
+  EXPECT_EQ(exact_string(Rational(3)), "0x3p0");
+  EXPECT_EQ(exact_string(Rational(0)), "0x0p0");
+  EXPECT_EQ(exact_string(Rational(-0x1abd) / Rational(4096)), "-0x1abdp-12");
+  EXPECT_EQ(exact_string(power_of_two(600)), "0x1p600");
+  EXPECT_EQ(exact_string(power_of_two(-2148)), "0x1p-2148");
+  EXPECT_EQ(exact_string(Rational(12)), "0x3p2");
+  EXPECT_EQ(exact_string(Rational(-1) / Rational(2)), "-0x1p-1");
+  EXPECT_EQ(exact_string(Rational(0x1.fffffffffffffp1023)), "0x1fffffffffffffp971");
 }
 
 TEST(DyadicString, is_told_from_any_other_text) {
   for (const int numerator : {0, 1, -1, 12, 0xabc, -0x1abd})
     for (const int exponent : {-2148, -10, -1, 0, 1, 10, 971})
-      EXPECT_TRUE(is_dyadic_string(dyadic_string(Rational(numerator) * power_of_two(exponent))));
+      EXPECT_TRUE(is_exact_string(exact_string(Rational(numerator) * power_of_two(exponent))));
   for (const char* text : {"",       "-",       "0x",     "0xp0",    "0x1",     "0x1p",    "0x1p-",  "1p0",
                            "0X1p0",  "0x1P0",   "+0x1p0", "--0x1p0", "0x-1p0",  "0x01p0",  "-0x0p0", "0x0p1",
                            "0x2p0",  "0x1ap3",  "0x1Bp0", "0x1gp0",  "0x1p+1",  "0x1p01",  "0x1p-0", "0x1p00",
                            "0x1p1a", "0x1.8p0", "0x1p0 ", " 0x1p0",  "0x1\bp0", "0x1\"p0", "0x1p0p0"})
-    EXPECT_FALSE(is_dyadic_string(text)) << text;
+    EXPECT_FALSE(is_exact_string(text)) << text;
 }
 
 TEST(RoundToNearest, keeps_every_number_of_the_scalar) {

@@ -14,6 +14,7 @@
 namespace contact::oracle {
 
 using Point = std::array<Rational, 3>;
+[[nodiscard]] inline Point point_of(const Vector3& v) { return {Rational(v[0]), Rational(v[1]), Rational(v[2])}; }
 
 /// A way to part two cores that meet: the second one moves along `direction`, or the first against it. `nearest` is
 /// where the second core's contact point lies then.
@@ -37,6 +38,8 @@ struct Cores {
   std::array<Rational, 2> radius;
   std::array<Rational, 2> farthest;     ///< the largest coordinate that each contact point is computed from
   std::optional<Meeting> meeting = {};  ///< where they meet; of two points that are one it need not be said
+  /// Where many points are nearest: p + k spread and q + k spread for all |k| <= 1.
+  std::optional<Point> spread = {};
 };
 
 /// What is exactly true of two shapes with a distance.
@@ -51,9 +54,12 @@ class DistanceTruth {
   [[nodiscard]] bool coincident() const { return degenerate() && CGAL::is_zero(cores_.meeting->depth); }
   /// Domain: D = 0.
   [[nodiscard]] const Meeting& meeting() const { return *cores_.meeting; }
+  /// Where the nearest points are not unique: the contact points move along this, from -1 to 1 times.
+  [[nodiscard]] const std::optional<Point>& spread() const { return cores_.spread; }
   [[nodiscard]] const Rational& distance2() const { return distance2_; }
   [[nodiscard]] const Rational& reach() const { return reach_; }
   [[nodiscard]] const Rational& radii() const { return radii_; }
+  [[nodiscard]] const Rational& radius(int shape) const { return cores_.radius[static_cast<std::size_t>(shape)]; }
   /// The side of sqrt(D) against reach, and against r1 + r2.
   [[nodiscard]] Side at_alarm() const;
   [[nodiscard]] Side at_zero() const;

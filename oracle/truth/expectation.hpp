@@ -19,6 +19,7 @@ struct Expectation {
   if (x.contact.has_value() != y.contact.has_value()) return "contact";
   if (!x.contact) return std::nullopt;
   if (x.contact->degenerate != y.contact->degenerate) return "degenerate";
+  if (x.contact->unique != y.contact->unique) return "unique";
   for (int axis = 0; axis < 3; ++axis) {
     const std::string index = "[" + std::to_string(axis) + "]";
     if (x.contact->normal[axis] != y.contact->normal[axis]) return "normal" + index;

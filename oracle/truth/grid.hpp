@@ -59,7 +59,7 @@ struct Grid {
   }
 };
 
-/// n 2^exponent as dyadic_string writes it.
+/// n 2^exponent as exact_string writes it.
 inline std::string text_of(mpz_ptr n, int exponent) {
   if (mpz_sgn(n) == 0) return "0x0p0";
   Scratch& s = scratch();

@@ -94,9 +94,19 @@ inline Triple triple(mpfr_prec_t precision, const Vector3& v) {
   return {Interval(precision, v[0]), Interval(precision, v[1]), Interval(precision, v[2])};
 }
 
-/// The answer for two cores with the nearest points p and q, blown up by r1 and r2. Where p = q the direction is the
-/// first axis.
-[[nodiscard]] RoundedAnswer answer_of_nearest(const Triple& p, const Triple& q, const Interval& r1, const Interval& r2,
+/// The nearest points of two cores: p / over and q / over.
+struct IntervalNearest {
+  Triple p;
+  Triple q;
+  Interval over;
+  Triple agreed;  ///< the normal where they are one point, of any length above 0
+  bool unique;
+};
+/// Two points, each its own core: where they are one, the direction is the first axis.
+[[nodiscard]] IntervalNearest nearest_of_points(const Triple& p, const Triple& q, mpfr_prec_t precision);
+
+/// The answer for two cores blown up by r1 and r2.
+[[nodiscard]] RoundedAnswer answer_of_nearest(const IntervalNearest& nearest, const Interval& r1, const Interval& r2,
                                               Distances distances, Scalar scalar, mpfr_prec_t precision);
 
 // The answer of each pair at a precision, in files of its own. Throws Undecided where that is too low.

@@ -13,30 +13,37 @@ constexpr mpfr_prec_t kFirstPrecision = 192;
 
 }  // namespace
 
-RoundedAnswer answer_of_nearest(const Triple& p, const Triple& q, const Interval& r1, const Interval& r2,
-                                Distances distances, Scalar scalar, mpfr_prec_t precision) {
-  const Triple delta{q[0] - p[0], q[1] - p[1], q[2] - p[2]};
-  const Interval D = delta[0].squared() + delta[1].squared() + delta[2].squared();
-  const Interval reach = Interval(precision, distances.alarm) + r1 + r2;
+IntervalNearest nearest_of_points(const Triple& p, const Triple& q, mpfr_prec_t precision) {
+  return {p, q, Interval(precision, 1), triple(precision, Vector3::UnitX()), true};
+}
 
-  RoundedAnswer answer{settled((D - reach.squared()).sign()), settled((D - (r1 + r2).squared()).sign()), {}};
+RoundedAnswer answer_of_nearest(const IntervalNearest& nearest, const Interval& r1, const Interval& r2,
+                                Distances distances, Scalar scalar, mpfr_prec_t precision) {
+  const auto& [p, q, over, agreed, unique] = nearest;
+  const auto squared_length = [](const Triple& x) { return x[0].squared() + x[1].squared() + x[2].squared(); };
+  const Triple delta{q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+  const Interval D = squared_length(delta);  // over^2 times that of the cores
+  const Interval reach = (Interval(precision, distances.alarm) + r1 + r2) * over;
+
+  RoundedAnswer answer{settled((D - reach.squared()).sign()), settled((D - ((r1 + r2) * over).squared()).sign()), {}};
   answer.expected.hit = answer.at_alarm <= 0;
   if (!answer.expected.hit) return answer;
 
   Contact contact{};
   contact.degenerate = settled(D.sign()) == 0;
-  const Interval root = D.root();
+  contact.unique = unique;
+  const Triple& along = contact.degenerate ? agreed : delta;
+  const Interval length = squared_length(along).root();
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Interval n = contact.degenerate ? Interval(precision, axis == 0 ? 1.0 : 0.0) : delta[axis] / root;
-    // (r delta) / root and not r (delta / root): the product is exact at some precision, so a tie can be seen.
-    const Interval along1 = contact.degenerate ? r1 * n : (r1 * delta[axis]) / root;
-    const Interval along2 = contact.degenerate ? r2 * n : (r2 * delta[axis]) / root;
+    // (r along) / length and not r (along / length): the product is exact at some precision, so a tie can be seen. Over
+    // the denominator a tie has an exact sum before it, and with it an exact quotient by the length.
     const auto i = static_cast<Eigen::Index>(axis);
-    contact.normal[i] = settled(n.rounded(scalar));
-    contact.point1[i] = settled((p[axis] + along1).rounded(scalar));
-    contact.point2[i] = settled((q[axis] - along2).rounded(scalar));
+    contact.normal[i] = settled((along[axis] / length).rounded(scalar));
+    contact.point1[i] = settled(((p[axis] + (r1 * over * along[axis]) / length) / over).rounded(scalar));
+    contact.point2[i] = settled(((q[axis] - (r2 * over * along[axis]) / length) / over).rounded(scalar));
   }
-  contact.value = settled((root - (r1 + r2) - Interval(precision, distances.contact)).rounded(scalar));
+  const Interval less = (r1 + r2 + Interval(precision, distances.contact)) * over;
+  contact.value = settled(((D.root() - less) / over).rounded(scalar));
   answer.expected.contact = contact;
   return answer;
 }

@@ -9,8 +9,6 @@
 namespace contact::oracle {
 namespace {
 
-Point point_of(const Vector3& v) { return {Rational(v[0]), Rational(v[1]), Rational(v[2])}; }
-
 /// What a coordinate of the nearest point may be.
 std::vector<Rational> candidates(const Rational& c, const Rational& min, const Rational& max) {
   std::vector<Rational> all{min, max};

@@ -40,8 +40,9 @@ RoundedAnswer interval_answer(const BallAndBox& shapes, Distances distances, Sca
     if (settled((Interval(precision, box.min[axis]) - c).sign()) > 0) q[axis] = box.min[axis];
     if (settled((c - Interval(precision, box.max[axis])).sign()) > 0) q[axis] = box.max[axis];
   }
-  RoundedAnswer answer = answer_of_nearest(triple(precision, ball.center), triple(precision, q), radius,
-                                           Interval(precision, 0), distances, scalar, precision);
+  RoundedAnswer answer =
+      answer_of_nearest(nearest_of_points(triple(precision, ball.center), triple(precision, q), precision), radius,
+                        Interval(precision, 0), distances, scalar, precision);
   if (!answer.expected.contact || !answer.expected.contact->degenerate) return answer;
 
   const Face face = nearest_face(ball, box, precision);

@@ -4,7 +4,8 @@
 namespace contact::oracle {
 
 RoundedAnswer interval_answer(const Balls& balls, Distances distances, Scalar scalar, mpfr_prec_t precision) {
-  return answer_of_nearest(triple(precision, balls.a.center), triple(precision, balls.b.center),
+  const Triple p = triple(precision, balls.a.center);
+  return answer_of_nearest(nearest_of_points(p, triple(precision, balls.b.center), precision),
                            Interval(precision, balls.a.radius), Interval(precision, balls.b.radius), distances, scalar,
                            precision);
 }

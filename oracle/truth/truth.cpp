@@ -49,6 +49,7 @@ Expectation expectation(const Truth& truth, Scalar scalar) {
   const DistanceTruth& exact = *truth.distance();
   Contact contact{};
   contact.degenerate = exact.degenerate();
+  contact.unique = !exact.spread();
   for (int axis = 0; axis < 3; ++axis) {
     contact.normal[axis] = round_to_nearest(exact.normal(axis), scalar);
     contact.point1[axis] = round_to_nearest(exact.point(0, axis, PointOn::nearest_surface), scalar);
@@ -89,11 +90,11 @@ std::vector<FieldDistance> rounding_distances(const Truth& truth, Scalar scalar)
 Witness witness(const Truth& truth, Scalar scalar) {
   Witness w;
   if (const DistanceTruth* distance = truth.distance()) {
-    w.distance2 = dyadic_string(distance->distance2());
-    w.reach = dyadic_string(distance->reach());
+    w.distance2 = exact_string(distance->distance2());
+    w.reach = exact_string(distance->reach());
     w.margin_ulps = margin_ulps(truth, scalar);
   } else {
-    for (std::size_t axis = 0; axis < 3; ++axis) w.gap[axis] = dyadic_string(truth.gaps()->gap()[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis) w.gap[axis] = exact_string(truth.gaps()->gap()[axis]);
   }
   return w;
 }

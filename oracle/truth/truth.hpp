@@ -72,7 +72,7 @@ struct Witness {
   friend bool operator==(const Witness&, const Witness&) = default;
 };
 [[nodiscard]] Witness witness(const Truth& truth, Scalar scalar);
-/// Whether a text is the one spelling of some exact number there: dyadic_string's.
-[[nodiscard]] bool is_dyadic_string(std::string_view text);
+/// Whether a text is the one spelling of some exact number there: exact_string's.
+[[nodiscard]] bool is_exact_string(std::string_view text);
 
 }  // namespace contact::oracle

@@ -20,17 +20,15 @@ void expect_length(const std::string& column, std::span<T> actual, std::size_t e
                                 " numbers where a's first holds " + std::to_string(expected));
 }
 
+std::size_t size_of(const BallColumns& balls) { return balls.x.size(); }
+std::size_t size_of(const BoxColumns& boxes) { return boxes.min[0].size(); }
+
 std::array<const double*, 4> columns(const std::string& side, const BallColumns& balls, std::size_t size) {
   expect_length(side + ".x", balls.x, size);
   expect_length(side + ".y", balls.y, size);
   expect_length(side + ".z", balls.z, size);
   expect_length(side + ".radius", balls.radius, size);
   return {balls.x.data(), balls.y.data(), balls.z.data(), balls.radius.data()};
-}
-
-kernel::SpherePairs pairs_of(const BallColumns& a, const BallColumns& b) {
-  const std::size_t size = a.x.size();
-  return {columns("a", a, size), columns("b", b, size), size};
 }
 
 std::array<const double*, 6> columns(const std::string& side, const BoxColumns& boxes, std::size_t size) {
@@ -42,6 +40,12 @@ std::array<const double*, 6> columns(const std::string& side, const BoxColumns& 
     all[3 + axis] = boxes.max[axis].data();
   }
   return all;
+}
+
+template <class A, class B, class First, class Second>
+kernel::PairColumns<A, B> pairs_of(const First& a, const Second& b) {
+  const std::size_t size = size_of(a);
+  return {columns("a", a, size), columns("b", b, size), size};
 }
 
 kernel::ContactRows rows_of(const ContactColumns& out, std::size_t size) {
@@ -61,40 +65,41 @@ kernel::ContactRows rows_of(const ContactColumns& out, std::size_t size) {
   return rows;
 }
 
+void expect_index(std::span<std::uint32_t> index, std::size_t size) {
+  expect_length("index", index, size);
+  if (size > std::numeric_limits<std::uint32_t>::max())
+    throw std::invalid_argument("more pairs than an index can number: " + std::to_string(size));
+}
+
 }  // namespace
 
-Count test_sphere_sphere(const BallColumns& a, const BallColumns& b, double alarm, std::span<std::uint8_t> hit) {
-  const kernel::SpherePairs pairs = pairs_of(a, b);
-  expect_length("hit", hit, pairs.size);
-  const kernel::RoundToNearest environment;
-  return kernel::test_sphere_sphere_vectors(pairs, alarm, hit.data());
-}
+#define CONTACT_TEST(name, A, B)                                                                           \
+  Count test_##name(const A##Columns& a, const B##Columns& b, double alarm, std::span<std::uint8_t> hit) { \
+    const auto pairs = pairs_of<A, B>(a, b);                                                               \
+    expect_length("hit", hit, pairs.size);                                                                 \
+    const kernel::RoundToNearest environment;                                                              \
+    return kernel::test_vectors(pairs, alarm, hit.data());                                                 \
+  }
+CONTACT_BATCH_PAIRS(CONTACT_TEST)
 
-Count test_cube_cube(const BoxColumns& a, const BoxColumns& b, double alarm, std::span<std::uint8_t> hit) {
-  const std::size_t size = a.min[0].size();
-  const kernel::BoxPairs pairs{columns("a", a, size), columns("b", b, size), size};
-  expect_length("hit", hit, size);
-  const kernel::RoundToNearest environment;
-  return kernel::test_cube_cube_vectors(pairs, alarm, hit.data());
-}
-
-Count compute_sphere_sphere(const BallColumns& a, const BallColumns& b, Distances distances, const ContactColumns& out,
-                            ContactPoints points) {
-  const kernel::SpherePairs pairs = pairs_of(a, b);
-  const kernel::ContactRows rows = rows_of(out, pairs.size);
-  const kernel::RoundToNearest environment;
-  return kernel::compute_sphere_sphere_vectors(pairs, {distances, points}, rows);
-}
-
-Count compute_sphere_sphere_hits(const BallColumns& a, const BallColumns& b, Distances distances,
-                                 std::span<std::uint32_t> index, const ContactColumns& out, ContactPoints points) {
-  const kernel::SpherePairs pairs = pairs_of(a, b);
-  expect_length("index", index, pairs.size);
-  if (pairs.size > std::numeric_limits<std::uint32_t>::max())
-    throw std::invalid_argument("more pairs than an index can number: " + std::to_string(pairs.size));
-  const kernel::ContactRows rows = rows_of(out, pairs.size);
-  const kernel::RoundToNearest environment;
-  return kernel::compute_sphere_sphere_hits_vectors(pairs, {distances, points}, index.data(), rows);
-}
+#define CONTACT_COMPUTE(name, A, B)                                                                              \
+  Count compute_##name(const A##Columns& a, const B##Columns& b, Distances distances, const ContactColumns& out, \
+                       ContactPoints points) {                                                                   \
+    const auto pairs = pairs_of<A, B>(a, b);                                                                     \
+    const kernel::ContactRows rows = rows_of(out, pairs.size);                                                   \
+    const kernel::RoundToNearest environment;                                                                    \
+    return kernel::compute_vectors(pairs, {distances, points}, rows);                                            \
+  }                                                                                                              \
+  Count compute_##name##_hits(const A##Columns& a, const B##Columns& b, Distances distances,                     \
+                              std::span<std::uint32_t> index, const ContactColumns& out, ContactPoints points) { \
+    const auto pairs = pairs_of<A, B>(a, b);                                                                     \
+    expect_index(index, pairs.size);                                                                             \
+    const kernel::ContactRows rows = rows_of(out, pairs.size);                                                   \
+    const kernel::RoundToNearest environment;                                                                    \
+    return kernel::compute_hits_vectors(pairs, {distances, points}, index.data(), rows);                         \
+  }
+CONTACT_BATCH_CONTACTS(CONTACT_COMPUTE)
+#undef CONTACT_TEST
+#undef CONTACT_COMPUTE
 
 }  // namespace contact::batch

@@ -11,28 +11,39 @@
 #include "contact/batch.hpp"
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
+#include "contact/shapes.hpp"
 
 namespace contact::kernel {
 
-/// Columns of pairs of balls: x, y, z, radius of each side.
-struct SpherePairs {
-  std::array<const double*, 4> a;
-  std::array<const double*, 4> b;
+/// Columns of pairs of shapes: on each side one for every number of its shape, in order.
+template <class A, class B>
+struct PairColumns {
+  std::array<const double*, kNumbersOf<A>> a;
+  std::array<const double*, kNumbersOf<B>> b;
   std::size_t size;
 
-  [[nodiscard]] Ball first(std::size_t i) const { return {{a[0][i], a[1][i], a[2][i]}, a[3][i]}; }
-  [[nodiscard]] Ball second(std::size_t i) const { return {{b[0][i], b[1][i], b[2][i]}, b[3][i]}; }
-};
+  [[nodiscard]] A first(std::size_t i) const { return shape<A>(a, i); }
+  [[nodiscard]] B second(std::size_t i) const { return shape<B>(b, i); }
+  /// `count` pairs, beginning with one.
+  [[nodiscard]] PairColumns from(std::size_t begin, std::size_t count) const {
+    PairColumns some{a, b, count};
+    for (const double*& column : some.a) column += begin;
+    for (const double*& column : some.b) column += begin;
+    return some;
+  }
 
-/// Columns of pairs of boxes: min x, y, z, then max x, y, z of each side.
-struct BoxPairs {
-  std::array<const double*, 6> a;
-  std::array<const double*, 6> b;
-  std::size_t size;
-
-  [[nodiscard]] Box first(std::size_t i) const { return {{a[0][i], a[1][i], a[2][i]}, {a[3][i], a[4][i], a[5][i]}}; }
-  [[nodiscard]] Box second(std::size_t i) const { return {{b[0][i], b[1][i], b[2][i]}, {b[3][i], b[4][i], b[5][i]}}; }
+ private:
+  template <class Shape>
+  static Shape shape(const std::array<const double*, kNumbersOf<Shape>>& columns, std::size_t i) {
+    Shape made;
+    const double* const* column = columns.data();
+    for_each_number(made, [&](double& number) { number = (*column++)[i]; });
+    return made;
+  }
 };
+using SpherePairs = PairColumns<Ball, Ball>;
+using BoxPairs = PairColumns<Box, Box>;
+using SphereCubePairs = PairColumns<Ball, Box>;
 
 /// Columns of contacts: normal, point1, point2 (x, y, z each), value; and the state.
 struct ContactRows {
@@ -49,36 +60,48 @@ struct ContactRows {
 };
 
 /// What all pairs of a call share.
-struct SphereQuestion {
+struct ContactQuestion {
   Distances distances;
   ContactPoints points;
 };
 
-// The specification: one pair after the other.
-
-/// Writes the contact of pair i to a row; zeros for a miss.
-void contact_of_one_pair(const SpherePairs& pairs, const SphereQuestion& question, std::size_t i,
-                         const ContactRows& out, std::size_t row);
 /// Settles some numbers of pair i, which is a hit, in its row: those whose bits are set, as the functions of one pair
 /// do.
-void round_numbers(const SpherePairs& pairs, const SphereQuestion& question, std::size_t i, unsigned numbers,
+void round_numbers(const SpherePairs& pairs, const ContactQuestion& question, std::size_t i, unsigned numbers,
                    const ContactRows& out);
-batch::Count test_sphere_sphere_scalar(const SpherePairs& pairs, double alarm, std::uint8_t* hit);
-batch::Count compute_sphere_sphere_scalar(const SpherePairs& pairs, const SphereQuestion& question,
-                                          const ContactRows& out);
+
+// The specification: one pair after the other, by the functions of one pair.
+
+/// Writes the contact of pair i to a row; zeros for a miss.
+template <class A, class B>
+void contact_of_one_pair(const PairColumns<A, B>& pairs, const ContactQuestion& question, std::size_t i,
+                         const ContactRows& out, std::size_t row);
+template <class A, class B>
+batch::Count test_scalar(const PairColumns<A, B>& pairs, double alarm, std::uint8_t* hit);
+template <class A, class B>
+batch::Count compute_scalar(const PairColumns<A, B>& pairs, const ContactQuestion& question, const ContactRows& out);
 /// Writes the numbers of the hits, and of no other pair, one after the other.
-batch::Count compute_sphere_sphere_hits_scalar(const SpherePairs& pairs, const SphereQuestion& question,
-                                               std::uint32_t* index, const ContactRows& out);
-batch::Count test_cube_cube_scalar(const BoxPairs& pairs, double alarm, std::uint8_t* hit);
+template <class A, class B>
+batch::Count compute_hits_scalar(const PairColumns<A, B>& pairs, const ContactQuestion& question, std::uint32_t* index,
+                                 const ContactRows& out);
 
 // The vectors, by the best instruction set that the processor has. Domain: round to nearest, subnormals kept.
 
-batch::Count test_sphere_sphere_vectors(const SpherePairs& pairs, double alarm, std::uint8_t* hit);
-batch::Count compute_sphere_sphere_vectors(const SpherePairs& pairs, const SphereQuestion& question,
-                                           const ContactRows& out);
-batch::Count compute_sphere_sphere_hits_vectors(const SpherePairs& pairs, const SphereQuestion& question,
-                                                std::uint32_t* index, const ContactRows& out);
-batch::Count test_cube_cube_vectors(const BoxPairs& pairs, double alarm, std::uint8_t* hit);
+#define CONTACT_TEST(name, A, B) \
+  batch::Count test_vectors(const PairColumns<A, B>& pairs, double alarm, std::uint8_t* hit);
+#define CONTACT_COMPUTE(name, A, B)                                                                  \
+  batch::Count compute_vectors(const PairColumns<A, B>& pairs, const ContactQuestion& question,      \
+                               const ContactRows& out);                                              \
+  batch::Count compute_hits_vectors(const PairColumns<A, B>& pairs, const ContactQuestion& question, \
+                                    std::uint32_t* index, const ContactRows& out);
+CONTACT_BATCH_PAIRS(CONTACT_TEST)
+CONTACT_BATCH_CONTACTS(CONTACT_COMPUTE)
+#undef CONTACT_TEST
+#undef CONTACT_COMPUTE
+
+/// compute_vectors where every second ball is a point, its radius 0: quicker, for pairs that come to this.
+batch::Count compute_vectors_to_points(const SpherePairs& pairs, const ContactQuestion& question,
+                                       const ContactRows& out);
 
 // For tests and benchmarks.
 

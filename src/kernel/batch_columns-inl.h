@@ -73,18 +73,22 @@ struct Loaded {
 };
 
 /// The last pairs of columns, filled up to a vector with copies of the last one.
+template <class A, class B>
 struct Padded {
+  static constexpr std::size_t kFirst = kNumbersOf<A>;
+  static constexpr std::size_t kSecond = kNumbersOf<B>;
   std::size_t count;
-  double numbers[8][kMostLanes];
-  SpherePairs pairs;
+  double numbers[kFirst + kSecond][kMostLanes];
+  PairColumns<A, B> pairs;
 
-  Padded(const SpherePairs& whole, std::size_t begin) : count(whole.size - begin) {
-    for (std::size_t column = 0; column < 8; ++column) {
-      const double* from = column < 4 ? whole.a[column] : whole.b[column - 4];
+  Padded(const PairColumns<A, B>& whole, std::size_t begin) : count(whole.size - begin), pairs{{}, {}, count} {
+    for (std::size_t column = 0; column < kFirst + kSecond; ++column) {
+      const double*& to = column < kFirst ? pairs.a[column] : pairs.b[column - kFirst];
+      const double* from = column < kFirst ? whole.a[column] : whole.b[column - kFirst];
       for (std::size_t lane = 0; lane < kMostLanes; ++lane)
         numbers[column][lane] = from[std::min(begin + lane, whole.size - 1)];
+      to = numbers[column];
     }
-    pairs = {{numbers[0], numbers[1], numbers[2], numbers[3]}, {numbers[4], numbers[5], numbers[6], numbers[7]}, count};
   }
   Padded(const Padded&) = delete;
   Padded& operator=(const Padded&) = delete;

@@ -14,18 +14,13 @@
 
 #include <algorithm>
 
-#include "kernel/batch.hpp"
+#include "kernel/batch_columns-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace contact::kernel {
 namespace HWY_NAMESPACE {
 
 #if HWY_HAVE_FLOAT64
-
-namespace hn = hwy::HWY_NAMESPACE;
-using D = hn::ScalableTag<double>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
 
 /// The least room that an axis leaves: negative where a bound lies beyond another and the alarm distance.
 HWY_INLINE V room(const BoxPairs& pairs, std::size_t axis, std::size_t i, V alarm) {
@@ -43,13 +38,6 @@ HWY_INLINE M within(V low, V high, V alarm) {
   const V alarm_part = hn::Sub(sum, high);
   const V error = hn::Add(hn::Sub(high, hn::Sub(sum, alarm_part)), hn::Sub(alarm, alarm_part));  // Knuth's two_sum
   return hn::Or(hn::Lt(low, sum), hn::And(hn::Eq(low, sum), hn::Ge(error, hn::Zero(D()))));
-}
-
-HWY_INLINE void store_flags(M flags, std::uint8_t* to) {
-  const hn::Rebind<std::uint8_t, D> bytes;
-  const hn::RebindToUnsigned<D> words;
-  const auto ones = hn::IfThenElseZero(hn::RebindMask(words, flags), hn::Set(words, 1));
-  hn::StoreU(hn::TruncateTo(bytes, ones), bytes, to);
 }
 
 /// A vector of pairs of which some leave no room: a bound equals a rounded sum.
@@ -76,23 +64,15 @@ HWY_INLINE void decide(const BoxPairs& pairs, double alarm_distance, std::size_t
 }
 
 batch::Count test_cubes(const BoxPairs& pairs, double alarm, std::uint8_t* hit) {
-  constexpr std::size_t kMostLanes = HWY_MAX_BYTES / sizeof(double);
   batch::Count count;
   const std::size_t lanes = hn::Lanes(D());
   std::size_t i = 0;
   for (; i + lanes <= pairs.size; i += lanes) decide(pairs, alarm, i, hit + i);
-  if (i < pairs.size) {  // the last pairs, filled up with copies of the last one
-    double numbers[12][kMostLanes];
-    BoxPairs last{{}, {}, pairs.size - i};
-    for (std::size_t column = 0; column < 12; ++column) {
-      const double* from = column < 6 ? pairs.a[column] : pairs.b[column - 6];
-      for (std::size_t lane = 0; lane < kMostLanes; ++lane)
-        numbers[column][lane] = from[std::min(i + lane, pairs.size - 1)];
-      (column < 6 ? last.a[column] : last.b[column - 6]) = numbers[column];
-    }
+  if (i < pairs.size) {
+    const Padded last(pairs, i);
     std::uint8_t hits[kMostLanes];
-    decide(last, alarm, 0, hits);
-    std::copy_n(hits, last.size, hit + i);
+    decide(last.pairs, alarm, 0, hits);
+    std::copy_n(hits, last.count, hit + i);
   }
   for (i = 0; i < pairs.size; ++i) count.hits += hit[i];
   return count;
@@ -101,7 +81,7 @@ batch::Count test_cubes(const BoxPairs& pairs, double alarm, std::uint8_t* hit) 
 #else  // no vectors of doubles
 
 batch::Count test_cubes(const BoxPairs& pairs, double alarm, std::uint8_t* hit) {
-  return test_cube_cube_scalar(pairs, alarm, hit);
+  return test_scalar(pairs, alarm, hit);
 }
 
 #endif
@@ -115,7 +95,7 @@ namespace contact::kernel {
 
 HWY_EXPORT(test_cubes);
 
-batch::Count test_cube_cube_vectors(const BoxPairs& pairs, double alarm, std::uint8_t* hit) {
+batch::Count test_vectors(const BoxPairs& pairs, double alarm, std::uint8_t* hit) {
   return HWY_DYNAMIC_DISPATCH(test_cubes)(pairs, alarm, hit);
 }
 

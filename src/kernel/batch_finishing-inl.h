@@ -24,7 +24,7 @@ namespace HWY_NAMESPACE {
 /// What a call on contacts works on.
 struct Job {
   SpherePairs pairs;
-  SphereQuestion question;
+  ContactQuestion question;
   ContactRows out;
   std::size_t size;  ///< pairs[size..] are padding
   double sign1;      ///< point1 = c1 + sign1 r1 n

@@ -5,23 +5,23 @@
 
 namespace contact::kernel {
 
-batch::Count test_sphere_sphere_vectors(const SpherePairs& pairs, double alarm, std::uint8_t* hit) {
-  return test_sphere_sphere_scalar(pairs, alarm, hit);
-}
-
-batch::Count compute_sphere_sphere_vectors(const SpherePairs& pairs, const SphereQuestion& question,
-                                           const ContactRows& out) {
-  return compute_sphere_sphere_scalar(pairs, question, out);
-}
-
-batch::Count compute_sphere_sphere_hits_vectors(const SpherePairs& pairs, const SphereQuestion& question,
-                                                std::uint32_t* index, const ContactRows& out) {
-  return compute_sphere_sphere_hits_scalar(pairs, question, index, out);
-}
-
-batch::Count test_cube_cube_vectors(const BoxPairs& pairs, double alarm, std::uint8_t* hit) {
-  return test_cube_cube_scalar(pairs, alarm, hit);
-}
+#define CONTACT_TEST(name, A, B)                                                               \
+  batch::Count test_vectors(const PairColumns<A, B>& pairs, double alarm, std::uint8_t* hit) { \
+    return test_scalar(pairs, alarm, hit);                                                     \
+  }
+#define CONTACT_COMPUTE(name, A, B)                                                                  \
+  batch::Count compute_vectors(const PairColumns<A, B>& pairs, const ContactQuestion& question,      \
+                               const ContactRows& out) {                                             \
+    return compute_scalar(pairs, question, out);                                                     \
+  }                                                                                                  \
+  batch::Count compute_hits_vectors(const PairColumns<A, B>& pairs, const ContactQuestion& question, \
+                                    std::uint32_t* index, const ContactRows& out) {                  \
+    return compute_hits_scalar(pairs, question, index, out);                                         \
+  }
+CONTACT_BATCH_PAIRS(CONTACT_TEST)
+CONTACT_BATCH_CONTACTS(CONTACT_COMPUTE)
+#undef CONTACT_TEST
+#undef CONTACT_COMPUTE
 
 std::vector<std::string> instruction_sets() { return {}; }
 

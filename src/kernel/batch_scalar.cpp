@@ -1,14 +1,13 @@
 // Many pairs, one after the other: the specification of the vector kernels.
 #include <optional>
 
-#include "contact/cube_cube.hpp"
-#include "contact/sphere_sphere.hpp"
+#include "contact/pair_functions.hpp"
 #include "kernel/batch.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 
 namespace contact::kernel {
 
-void round_numbers(const SpherePairs& pairs, const SphereQuestion& question, std::size_t i, unsigned numbers,
+void round_numbers(const SpherePairs& pairs, const ContactQuestion& question, std::size_t i, unsigned numbers,
                    const ContactRows& out) {
   Contact contact{};
   round_numbers(pairs.first(i), pairs.second(i), question.distances.contact, question.points, numbers, contact);
@@ -22,9 +21,10 @@ void round_numbers(const SpherePairs& pairs, const SphereQuestion& question, std
   }
 }
 
-void contact_of_one_pair(const SpherePairs& pairs, const SphereQuestion& question, std::size_t i,
+template <class A, class B>
+void contact_of_one_pair(const PairColumns<A, B>& pairs, const ContactQuestion& question, std::size_t i,
                          const ContactRows& out, std::size_t row) {
-  const auto contact = compute_sphere_sphere(pairs.first(i), pairs.second(i), question.distances, question.points);
+  const auto contact = contact_of(Two<A, B>{pairs.first(i), pairs.second(i)}, question.distances, question.points);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto k = static_cast<Eigen::Index>(axis);
     out.number[axis][row] = contact ? contact->normal[k] : 0.0;
@@ -37,17 +37,18 @@ void contact_of_one_pair(const SpherePairs& pairs, const SphereQuestion& questio
                                          : batch::PairState::contact;
 }
 
-batch::Count test_sphere_sphere_scalar(const SpherePairs& pairs, double alarm, std::uint8_t* hit) {
+template <class A, class B>
+batch::Count test_scalar(const PairColumns<A, B>& pairs, double alarm, std::uint8_t* hit) {
   batch::Count count{0, pairs.size};
   for (std::size_t i = 0; i < pairs.size; ++i) {
-    hit[i] = test_sphere_sphere(pairs.first(i), pairs.second(i), alarm) ? 1 : 0;
+    hit[i] = is_hit(Two<A, B>{pairs.first(i), pairs.second(i)}, {alarm, 0}) ? 1 : 0;
     count.hits += hit[i];
   }
   return count;
 }
 
-batch::Count compute_sphere_sphere_scalar(const SpherePairs& pairs, const SphereQuestion& question,
-                                          const ContactRows& out) {
+template <class A, class B>
+batch::Count compute_scalar(const PairColumns<A, B>& pairs, const ContactQuestion& question, const ContactRows& out) {
   batch::Count count{0, pairs.size};
   for (std::size_t i = 0; i < pairs.size; ++i) {
     contact_of_one_pair(pairs, question, i, out, i);
@@ -56,8 +57,9 @@ batch::Count compute_sphere_sphere_scalar(const SpherePairs& pairs, const Sphere
   return count;
 }
 
-batch::Count compute_sphere_sphere_hits_scalar(const SpherePairs& pairs, const SphereQuestion& question,
-                                               std::uint32_t* index, const ContactRows& out) {
+template <class A, class B>
+batch::Count compute_hits_scalar(const PairColumns<A, B>& pairs, const ContactQuestion& question, std::uint32_t* index,
+                                 const ContactRows& out) {
   batch::Count count{0, pairs.size};
   for (std::size_t i = 0; i < pairs.size; ++i) {
     contact_of_one_pair(pairs, question, i, out, count.hits);
@@ -66,13 +68,16 @@ batch::Count compute_sphere_sphere_hits_scalar(const SpherePairs& pairs, const S
   return count;
 }
 
-batch::Count test_cube_cube_scalar(const BoxPairs& pairs, double alarm, std::uint8_t* hit) {
-  batch::Count count{0, pairs.size};
-  for (std::size_t i = 0; i < pairs.size; ++i) {
-    hit[i] = test_cube_cube(pairs.first(i), pairs.second(i), alarm) ? 1 : 0;
-    count.hits += hit[i];
-  }
-  return count;
-}
+#define CONTACT_TEST(name, A, B) template batch::Count test_scalar(const PairColumns<A, B>&, double, std::uint8_t*);
+#define CONTACT_COMPUTE(name, A, B)                                                                                    \
+  template void contact_of_one_pair(const PairColumns<A, B>&, const ContactQuestion&, std::size_t, const ContactRows&, \
+                                    std::size_t);                                                                      \
+  template batch::Count compute_scalar(const PairColumns<A, B>&, const ContactQuestion&, const ContactRows&);          \
+  template batch::Count compute_hits_scalar(const PairColumns<A, B>&, const ContactQuestion&, std::uint32_t*,          \
+                                            const ContactRows&);
+CONTACT_BATCH_PAIRS(CONTACT_TEST)
+CONTACT_BATCH_CONTACTS(CONTACT_COMPUTE)
+#undef CONTACT_TEST
+#undef CONTACT_COMPUTE
 
 }  // namespace contact::kernel

@@ -2,8 +2,6 @@
 // on questions of every family and on those that only vectors can get wrong.
 //
 // CONTACT_BATCH_QUESTIONS sets how many questions a family makes, CONTACT_BATCH_SEED which ones.
-#include "contact/batch.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,11 +15,12 @@
 #include <string>
 #include <vector>
 
-#include "contact/cube_cube.hpp"
+#include "contact/pair_functions.hpp"
 #include "contact/sphere_sphere.hpp"
 #include "environment/floating_point_environments.hpp"
 #include "golden/families.hpp"
 #include "kernel/batch.hpp"
+#include "kernel/batch_pairs.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 #include "oracle/truth/staged_oracle.hpp"
 
@@ -47,164 +46,177 @@ void for_each_instruction_set(const std::function<void()>& work) {
   kernel::use_instruction_set("");
 }
 
-struct Spheres {
-  std::array<std::vector<double>, 4> a;
-  std::array<std::vector<double>, 4> b;
+/// The kinds of pairs that have batch functions.
+#define CONTACT_TYPE(name, A, B) , Two<A, B>
+template <class... Kinds>
+struct TypesOf;
+template <class... Kinds>
+struct TypesOf<void, Kinds...> {
+  using Contacts = testing::Types<Kinds...>;
+};
+using KindsWithContacts = TypesOf<void CONTACT_BATCH_CONTACTS(CONTACT_TYPE)>::Contacts;
+using Kinds = TypesOf<void CONTACT_BATCH_PAIRS(CONTACT_TYPE)>::Contacts;
+#undef CONTACT_TYPE
 
-  void push_back(const Balls& balls) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      a[k].push_back(balls.a.center[static_cast<Eigen::Index>(k)]);
-      b[k].push_back(balls.b.center[static_cast<Eigen::Index>(k)]);
-    }
-    a[3].push_back(balls.a.radius);
-    b[3].push_back(balls.b.radius);
-  }
-  [[nodiscard]] std::size_t size() const { return a[0].size(); }
-  [[nodiscard]] batch::BallColumns first() const { return {a[0], a[1], a[2], a[3]}; }
-  [[nodiscard]] batch::BallColumns second() const { return {b[0], b[1], b[2], b[3]}; }
-  [[nodiscard]] Balls operator[](std::size_t i) const {
-    return {{{a[0][i], a[1][i], a[2][i]}, a[3][i]}, {{b[0][i], b[1][i], b[2][i]}, b[3][i]}};
+/// The first pair of a kind.
+template <class Kind>
+Pair pair_of() {
+  return pairs_of_kinds()[Shapes(Kind{}).index()];
+}
+
+struct PairNames {
+  template <class Kind>
+  static std::string GetName(int /*index*/) {
+    return std::string(name(pair_of<Kind>()));
   }
 };
+
+template <class Kind>
+using Many = std::vector<Kind>;
+
+template <class A, class B>
+batch::Pairs<A, B> in_columns(const Many<Two<A, B>>& shapes) {
+  batch::Pairs<A, B> pairs(shapes.size());
+  for (std::size_t i = 0; i < shapes.size(); ++i) pairs.set(i, shapes[i]);
+  return pairs;
+}
 
 /// A row of an answer as bits: ten numbers and the state.
 using Row = std::array<std::uint64_t, 11>;
 
-struct Contacts {
-  explicit Contacts(std::size_t size) : state(size, batch::PairState{77}) {
-    for (auto& column : number) column.assign(size, std::numeric_limits<double>::quiet_NaN());
-  }
-  [[nodiscard]] batch::ContactColumns columns() {
-    auto& n = number;
-    return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}, n[9], state};
-  }
-  [[nodiscard]] Row row(std::size_t i) const {
-    Row bits{};
-    for (std::size_t k = 0; k < number.size(); ++k) bits[k] = std::bit_cast<std::uint64_t>(number[k][i]);
-    bits[10] = static_cast<std::uint64_t>(state[i]);
-    return bits;
-  }
-
-  std::array<std::vector<double>, 10> number;
-  std::vector<batch::PairState> state;
-};
-
-Row row_of(const Contact& contact) {
+Row row_of(Contact contact, batch::PairState state) {
   Row bits{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto axis = static_cast<Eigen::Index>(k);
-    bits[k] = std::bit_cast<std::uint64_t>(contact.normal[axis]);
-    bits[3 + k] = std::bit_cast<std::uint64_t>(contact.point1[axis]);
-    bits[6 + k] = std::bit_cast<std::uint64_t>(contact.point2[axis]);
-  }
-  bits[9] = std::bit_cast<std::uint64_t>(contact.value);
-  bits[10] = contact.degenerate ? 2 : 1;
+  for (std::size_t k = 0; k < 10; ++k) bits[k] = std::bit_cast<std::uint64_t>(batch::number_of(contact, k));
+  bits[10] = static_cast<std::uint64_t>(state);
   return bits;
 }
+Row row_of(const std::optional<Contact>& contact) {
+  if (!contact) return {};
+  return row_of(*contact, contact->degenerate ? batch::PairState::degenerate : batch::PairState::contact);
+}
+template <class A, class B>
+Row row_of(const batch::Pairs<A, B>& pairs, std::size_t row) {
+  return row_of(pairs.numbers(row), pairs.state()[row]);
+}
 
-std::string words(const Balls& balls, Distances distances) {
+template <class A, class B>
+std::string words(const Two<A, B>& shapes, Distances distances) {
   std::string text;
   const auto add = [&](double x) {
     char buffer[40];
     std::snprintf(buffer, sizeof buffer, "%a ", x);
     text += buffer;
   };
-  for (const Ball& ball : {balls.a, balls.b}) {
-    for (int k = 0; k < 3; ++k) add(ball.center[k]);
-    add(ball.radius);
-  }
+  for_each_number(shapes.a, add);
+  for_each_number(shapes.b, add);
   add(distances.alarm);
   add(distances.contact);
   return text;
 }
 
-/// What the function of one pair says; its numbers are those of the stages that share no formula with the vectors.
-Row expected_row(const Balls& balls, Distances distances, ContactPoints points) {
-  const auto contact = compute_sphere_sphere(balls.a, balls.b, distances, points);
-  if (!contact) return {};
-  Contact otherwise = *contact;
+/// The numbers of two balls by the stages that share no formula with the vectors.
+void expect_stages_agree(const Balls& balls, Distances distances, ContactPoints points, const Contact& contact) {
+  Contact otherwise = contact;
   kernel::round_numbers(balls.a, balls.b, distances.contact, points, kernel::kAllNumbers, otherwise);
-  EXPECT_EQ(row_of(*contact), row_of(otherwise)) << words(balls, distances);
-  return row_of(*contact);
+  EXPECT_EQ(row_of(contact), row_of(otherwise)) << words(balls, distances);
+}
+template <class A, class B>
+void expect_stages_agree(const Two<A, B>& /*shapes*/, Distances, ContactPoints, const Contact& /*contact*/) {}
+
+/// What the function of one pair says.
+template <class Kind>
+Row expected_row(const Kind& shapes, Distances distances, ContactPoints points) {
+  const auto contact = contact_of(shapes, distances, points);
+  if (contact) expect_stages_agree(shapes, distances, points, *contact);
+  return row_of(contact);
 }
 
 /// What the oracle says, where it knows the convention.
-void expect_oracle_agrees(const Row& row, const Balls& balls, Distances distances, ContactPoints points) {
+template <class Kind>
+void expect_oracle_agrees(const Row& row, const Kind& shapes, Distances distances, ContactPoints points) {
   if (points.first != PointOn::nearest_surface || points.second != PointOn::nearest_surface) return;
-  const Expectation expected =
-      oracle::staged_answer({Pair::sphere_sphere, balls, distances}, Scalar::binary64).expected;
-  EXPECT_EQ(row, expected.hit ? row_of(*expected.contact) : Row{}) << words(balls, distances);
+  const Expectation expected = oracle::staged_answer({pair_of<Kind>(), shapes, distances}, Scalar::binary64).expected;
+  EXPECT_EQ(row, row_of(expected.contact)) << words(shapes, distances);
 }
 
 /// Every instruction set answers all pairs as the functions of one pair do; returns the pairs that the best one left to
 /// them.
-std::size_t expect_same_bits(const Spheres& spheres, Distances distances, ContactPoints points = {}) {
-  const std::size_t size = spheres.size();
+template <class A, class B>
+std::size_t expect_same_bits(const Many<Two<A, B>>& shapes, Distances distances, ContactPoints points = {}) {
+  const std::size_t size = shapes.size();
+  std::vector<std::uint8_t> decisions;
+  for (const Two<A, B>& two : shapes) decisions.push_back(is_hit(two, distances) ? 1 : 0);
+  const auto hit_count = static_cast<std::size_t>(std::count(decisions.begin(), decisions.end(), 1));
   std::vector<Row> expected;
   std::vector<std::uint32_t> hits;
-  for (std::size_t i = 0; i < size; ++i) {
-    expected.push_back(expected_row(spheres[i], distances, points));
-    expect_oracle_agrees(expected.back(), spheres[i], distances, points);
-    if (expected[i][10] != 0) hits.push_back(static_cast<std::uint32_t>(i));
-    EXPECT_EQ(test_sphere_sphere(spheres[i].a, spheres[i].b, distances.alarm), expected[i][10] != 0);
-  }
+  if constexpr (batch::Computes<A, B>)
+    for (std::size_t i = 0; i < size; ++i) {
+      expected.push_back(expected_row(shapes[i], distances, points));
+      expect_oracle_agrees(expected.back(), shapes[i], distances, points);
+      if (expected[i][10] != 0) hits.push_back(static_cast<std::uint32_t>(i));
+      EXPECT_EQ(decisions[i] != 0, expected[i][10] != 0);
+    }
   std::size_t exact = 0;
   bool best = true;
   for_each_instruction_set([&] {
-    std::vector<std::uint8_t> decisions(size, 77);
-    EXPECT_EQ(batch::test_sphere_sphere(spheres.first(), spheres.second(), distances.alarm, decisions).hits,
-              hits.size());
-    Contacts dense(size);
-    const batch::Count count =
-        batch::compute_sphere_sphere(spheres.first(), spheres.second(), distances, dense.columns(), points);
-    EXPECT_EQ(count.hits, hits.size());
-    if (best) exact = count.exact;
-    best = false;
-    for (std::size_t i = 0; i < size; ++i) {
-      EXPECT_EQ(decisions[i], expected[i][10] != 0 ? 1 : 0) << words(spheres[i], distances);
-      EXPECT_EQ(dense.row(i), expected[i]) << i << ": " << words(spheres[i], distances);
-    }
-    Contacts compact(size);
-    std::vector<std::uint32_t> index(size, 77);
-    ASSERT_EQ(batch::compute_sphere_sphere_hits(spheres.first(), spheres.second(), distances, index, compact.columns(),
-                                                points)
-                  .hits,
-              hits.size());
-    for (std::size_t k = 0; k < hits.size(); ++k) {
-      EXPECT_EQ(index[k], hits[k]);
-      EXPECT_EQ(compact.row(k), expected[hits[k]]) << words(spheres[hits[k]], distances);
+    auto pairs = in_columns(shapes);
+    EXPECT_EQ(pairs.test(distances.alarm).hits, hit_count);
+    for (std::size_t i = 0; i < size; ++i) EXPECT_EQ(pairs.hit()[i], decisions[i]) << words(shapes[i], distances);
+    if constexpr (batch::Computes<A, B>) {
+      const batch::Count count = pairs.compute(distances, points);
+      EXPECT_EQ(count.hits, hits.size());
+      if (best) exact = count.exact;
+      best = false;
+      for (std::size_t i = 0; i < size; ++i)
+        EXPECT_EQ(row_of(pairs, i), expected[i]) << i << ": " << words(shapes[i], distances);
+      auto compact = in_columns(shapes);
+      ASSERT_EQ(compact.compute_hits(distances, points).hits, hits.size());
+      for (std::size_t k = 0; k < hits.size(); ++k) {
+        EXPECT_EQ(compact.index()[k], hits[k]);
+        EXPECT_EQ(row_of(compact, k), expected[hits[k]]) << words(shapes[hits[k]], distances);
+      }
     }
   });
   return exact;
 }
 
+template <class Kind>
+const Kind& shapes_of(const Query& query) {
+  return std::get<Kind>(query.shapes);
+}
+
 /// Questions one after the other, each with its own distances for itself and those that follow it: a number of pairs
 /// that fills no vector.
-template <class Ask>
-void each_with_its_followers(const std::vector<Query>& queries, const Ask& ask) {
+template <class Kind>
+void expect_same_bits_with_followers(const std::vector<Query>& queries, ContactPoints points = {}) {
   constexpr std::size_t kFollowers = 10;
   for (std::size_t k = 0; k < queries.size() && !testing::Test::HasFailure(); ++k) {
-    Spheres spheres;
-    for (std::size_t j = 0; j <= kFollowers; ++j) spheres.push_back(*queries[(k + j) % queries.size()].balls());
-    ask(spheres, queries[k].distances);
+    Many<Kind> shapes;
+    for (std::size_t j = 0; j <= kFollowers; ++j) shapes.push_back(shapes_of<Kind>(queries[(k + j) % queries.size()]));
+    expect_same_bits(shapes, queries[k].distances, points);
   }
 }
 
-std::vector<Query> questions_of(Pair pair, const golden::Family& family, Scalar scalar) {
+std::vector<Query> questions_of(Pair pair, const golden::Family& family, Scalar scalar,
+                                std::uint64_t count = kQuestions) {
   std::vector<Query> queries;
-  for (std::uint64_t i = 0; i < kQuestions; ++i)
-    queries.push_back(golden::generate_query(pair, family, scalar, kSeed, i));
+  for (std::uint64_t i = 0; i < count; ++i) queries.push_back(golden::generate_query(pair, family, scalar, kSeed, i));
   return queries;
 }
 
-TEST(BatchSphereSphere, gives_the_bits_of_one_pair_on_every_family) {
-  for (const golden::Family& family : golden::families_of(Pair::sphere_sphere)) {
+template <class Kind>
+class Batch : public testing::Test {};
+TYPED_TEST_SUITE(Batch, Kinds, PairNames);
+
+TYPED_TEST(Batch, gives_the_bits_of_one_pair_on_every_family) {
+  for (const golden::Family& family : golden::families_of(pair_of<TypeParam>())) {
     if (family.outside_domain) continue;
     for (const Scalar scalar : kScalars) {
       SCOPED_TRACE(std::string(family.name) + " " + std::string(name(scalar)));
-      each_with_its_followers(
-          questions_of(Pair::sphere_sphere, family, scalar),
-          [](const Spheres& spheres, Distances distances) { expect_same_bits(spheres, distances); });
+      const std::vector<Query> queries = questions_of(pair_of<TypeParam>(), family, scalar);
+      expect_same_bits_with_followers<TypeParam>(queries);
+      EXPECT_TRUE(std::any_of(queries.begin(), queries.end(),
+                              [](const Query& query) { return is_hit(shapes_of<TypeParam>(query), query.distances); }));
     }
   }
 }
@@ -465,16 +477,52 @@ const std::pair<const char*, Make> kFamiliesForVectors[] = {
     {"small_component", small_component},
     {"any_contact_distance", any_contact_distance}};
 
+// Questions of a kind out of one of two balls.
+
+Balls of_kind(const Balls& balls, golden::Random& /*random*/, const Balls* /*kind*/) { return balls; }
+
+/// The first ball, and a box whose nearest point is the second one's centre, or which has the first one's in it.
+BallAndBox of_kind(const Balls& balls, golden::Random& random, const BallAndBox* /*kind*/) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  BallAndBox made{balls.a, {balls.b.center, balls.b.center}};
+  const bool inside = random.chance(4);
+  for (int k = 0; k < 3; ++k) {
+    const double center = balls.a.center[k];
+    const double bound = balls.b.center[k];
+    const double size = random.chance(3) ? 0 : random.chance(2) ? balls.b.radius : std::abs(bound - center);
+    const double beyond = std::clamp(center < bound ? bound + size : bound - size, -kLargest, kLargest);
+    const double other = inside ? std::clamp(center + (center - bound), -kLargest, kLargest)
+                         : center == bound && random.chance(2) ? std::min(center + size, kLargest)
+                                                               : beyond;
+    made.b.min[k] = std::min(bound, other);
+    made.b.max[k] = std::max(bound, other);
+  }
+  return made;
+}
+
+template <class Kind>
+std::vector<Query> of_kind(std::vector<Query> queries) {
+  golden::Random random(golden::Random::key("sphere_sphere", "of_kind", "binary64", kSeed), 0);
+  for (Query& query : queries) {
+    query.shapes = of_kind(*query.balls(), random, static_cast<const Kind*>(nullptr));
+    query.pair = pair_of<Kind>();
+  }
+  return queries;
+}
+
 /// Of all families, so that one vector holds pairs that take different ways.
 Query of_any_family(golden::Random& random) {
   return kFamiliesForVectors[random.below(std::size(kFamiliesForVectors))].second(random);
 }
 
-TEST(BatchSphereSphere, gives_the_bits_of_one_pair_where_vectors_are_on_their_own) {
+template <class Kind>
+class BatchOfContacts : public testing::Test {};
+TYPED_TEST_SUITE(BatchOfContacts, KindsWithContacts, PairNames);
+
+TYPED_TEST(BatchOfContacts, gives_the_bits_of_one_pair_where_vectors_are_on_their_own) {
   for (const auto& [name, make] : kFamiliesForVectors) {
     SCOPED_TRACE(name);
-    each_with_its_followers(questions_of(name, make),
-                            [](const Spheres& spheres, Distances distances) { expect_same_bits(spheres, distances); });
+    expect_same_bits_with_followers<TypeParam>(of_kind<TypeParam>(questions_of(name, make)));
   }
 }
 
@@ -482,7 +530,7 @@ TEST(BatchSphereSphere, sees_what_breaks_a_tie_however_far_below_it) {
   // The distance is 1 + 2^-52 and 2^-53, half way between two doubles; the radius takes next to nothing from it.
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {1.0, -1.0}) {
-      Spheres spheres;
+      Many<Balls> spheres;
       for (int k = 50; k < 330; ++k) {
         Balls balls{};
         balls.a.center.setZero();
@@ -497,45 +545,39 @@ TEST(BatchSphereSphere, sees_what_breaks_a_tie_however_far_below_it) {
     }
 }
 
-TEST(BatchSphereSphere, gives_the_bits_of_one_pair_where_those_of_a_vector_differ) {
-  each_with_its_followers(questions_of("of_any_family", of_any_family),
-                          [](const Spheres& spheres, Distances distances) { expect_same_bits(spheres, distances); });
+TYPED_TEST(BatchOfContacts, gives_the_bits_of_one_pair_where_those_of_a_vector_differ) {
+  expect_same_bits_with_followers<TypeParam>(of_kind<TypeParam>(questions_of("of_any_family", of_any_family)));
 }
 
-TEST(BatchSphereSphere, puts_points_where_the_convention_says) {
+TYPED_TEST(BatchOfContacts, puts_points_where_the_convention_says) {
   for (const PointOn first : {PointOn::nearest_surface, PointOn::center, PointOn::far_surface})
     for (const PointOn second : {PointOn::nearest_surface, PointOn::center, PointOn::far_surface})
-      for (const char* family :
-           {"generic", "coincident", "one_axis", "zero_radius", "near_coincident", "hard_to_round", "extreme_scale"}) {
-        std::vector<Query> queries =
-            questions_of(Pair::sphere_sphere, *golden::find_family(Pair::sphere_sphere, family), Scalar::binary64);
-        queries.resize(std::min<std::size_t>(queries.size(), 30));
-        each_with_its_followers(queries, [&](const Spheres& spheres, Distances distances) {
-          expect_same_bits(spheres, distances, {first, second});
-        });
-      }
+      for (const golden::Family& family : golden::families_of(pair_of<TypeParam>()))
+        if (!family.outside_domain)
+          expect_same_bits_with_followers<TypeParam>(
+              questions_of(pair_of<TypeParam>(), family, Scalar::binary64, std::min<std::uint64_t>(kQuestions, 20)),
+              {first, second});
 }
 
-TEST(BatchSphereSphere, is_right_for_every_number_of_pairs) {
-  const golden::Family& generic = *golden::find_family(Pair::sphere_sphere, "generic");
-  Spheres spheres;
+TYPED_TEST(BatchOfContacts, is_right_for_every_number_of_pairs) {
+  const golden::Family& generic = *golden::find_family(pair_of<TypeParam>(), "generic");
+  Many<TypeParam> shapes;
   Distances distances{};
-  for (std::uint64_t i = 0; i < 40; ++i) {
-    expect_same_bits(spheres, distances);
-    const Query query = golden::generate_query(Pair::sphere_sphere, generic, Scalar::binary64, kSeed, i);
-    spheres.push_back(*query.balls());
+  for (const Query& query : questions_of(pair_of<TypeParam>(), generic, Scalar::binary64, 40)) {
+    expect_same_bits(shapes, distances);
+    shapes.push_back(shapes_of<TypeParam>(query));
     distances = query.distances;
   }
-  for (std::uint64_t i = 0; i < 1500; ++i)
-    spheres.push_back(*golden::generate_query(Pair::sphere_sphere, generic, Scalar::binary64, kSeed, i).balls());
-  expect_same_bits(spheres, distances);
+  for (const Query& query : questions_of(pair_of<TypeParam>(), generic, Scalar::binary64, 1500))
+    shapes.push_back(shapes_of<TypeParam>(query));
+  expect_same_bits(shapes, distances);
 }
 
 TEST(BatchSphereSphere, leaves_few_pairs_to_exact_arithmetic) {
   kernel::use_instruction_set("");
   if (!kernel::vectors_compute_contacts()) GTEST_SKIP() << "no fused multiply-add in vectors here";
   const auto share = [](const char* family, Distances distances, bool hits_alone = false) {
-    Spheres spheres;
+    Many<Balls> spheres;
     for (std::uint64_t i = 0; i < 2000; ++i) {
       const Query query = golden::generate_query(Pair::sphere_sphere, *golden::find_family(Pair::sphere_sphere, family),
                                                  Scalar::binary64, kSeed, i);
@@ -558,116 +600,79 @@ TEST(BatchSphereSphere, leaves_few_pairs_to_exact_arithmetic) {
   }
 }
 
-TEST(BatchSphereSphere, does_not_depend_on_the_callers_floating_point_environment) {
-  std::vector<Query> queries;
-  for (const golden::Family& family : golden::families_of(Pair::sphere_sphere))
+TEST(BatchSphereCube, leaves_few_pairs_to_exact_arithmetic) {
+  kernel::use_instruction_set("");
+  if (!kernel::vectors_compute_contacts()) GTEST_SKIP() << "no fused multiply-add in vectors here";
+  const auto share = [](const char* family, Distances distances) {
+    Many<BallAndBox> shapes;
+    for (const Query& query :
+         questions_of(Pair::sphere_cube, *golden::find_family(Pair::sphere_cube, family), Scalar::binary64, 2000))
+      shapes.push_back(shapes_of<BallAndBox>(query));
+    return static_cast<double>(expect_same_bits(shapes, distances)) / static_cast<double>(shapes.size());
+  };
+  // With the last, sums of two numbers are none.
+  for (const Distances distances : {Distances{0, 0}, Distances{0.5, 0.0625}, Distances{1e200, 0.0625}}) {
+    SCOPED_TRACE(std::to_string(distances.alarm) + " " + std::to_string(distances.contact));
+    EXPECT_LE(share("generic", distances), 0.0);
+    EXPECT_LE(share("near_touching", distances), 0.02);
+    EXPECT_LE(share("flat", distances), 0.02);
+    EXPECT_LE(share("on_boundary", distances), 0.01);
+    EXPECT_LE(share("inside", distances), 0.75);
+  }
+}
+
+TYPED_TEST(Batch, does_not_depend_on_the_callers_floating_point_environment) {
+  Many<TypeParam> shapes;
+  for (const golden::Family& family : golden::families_of(pair_of<TypeParam>()))
     if (!family.outside_domain)
-      for (std::uint64_t i = 0; i < 20; ++i)
-        queries.push_back(golden::generate_query(Pair::sphere_sphere, family, Scalar::binary64, kSeed, i));
-  Spheres spheres;
-  for (const Query& query : queries) spheres.push_back(*query.balls());
+      for (const Query& query : questions_of(pair_of<TypeParam>(), family, Scalar::binary64, 20))
+        shapes.push_back(shapes_of<TypeParam>(query));
   const Distances distances{0.25, 0.125};
-  const std::size_t size = spheres.size();
-  Contacts expected(size);
-  batch::compute_sphere_sphere(spheres.first(), spheres.second(), distances, expected.columns());
-  std::vector<std::uint8_t> expected_hits(size);
-  batch::test_sphere_sphere(spheres.first(), spheres.second(), distances.alarm, expected_hits);
+  const auto ask = [&](auto& pairs) {
+    pairs.test(distances.alarm);
+    if constexpr (requires { pairs.compute(distances); }) pairs.compute(distances);
+  };
+  auto expected = in_columns(shapes);
+  ask(expected);
   for (const auto& environment : floating_point_environments()) {
     SCOPED_TRACE(environment.name);
-    Contacts actual(size);
-    std::vector<std::uint8_t> hits(size);
+    auto actual = in_columns(shapes);
     int rounding = 0;
     in_environment(environment, [&] {
-      batch::compute_sphere_sphere(spheres.first(), spheres.second(), distances, actual.columns());
-      batch::test_sphere_sphere(spheres.first(), spheres.second(), distances.alarm, hits);
+      ask(actual);
       rounding = std::fegetround();
     });
     EXPECT_EQ(rounding, environment.rounding);
-    EXPECT_EQ(hits, expected_hits);
-    for (std::size_t i = 0; i < size; ++i) EXPECT_EQ(actual.row(i), expected.row(i)) << words(spheres[i], distances);
-  }
-}
-
-struct CubePairs {
-  std::array<std::vector<double>, 6> a;
-  std::array<std::vector<double>, 6> b;
-
-  void push_back(const Boxes& boxes) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto axis = static_cast<Eigen::Index>(k);
-      a[k].push_back(boxes.a.min[axis]);
-      a[3 + k].push_back(boxes.a.max[axis]);
-      b[k].push_back(boxes.b.min[axis]);
-      b[3 + k].push_back(boxes.b.max[axis]);
-    }
-  }
-  [[nodiscard]] batch::BoxColumns first() const { return {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}}; }
-  [[nodiscard]] batch::BoxColumns second() const { return {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}}; }
-};
-
-TEST(BatchCubeCube, decides_as_one_pair_on_every_family) {
-  constexpr std::size_t kFollowers = 10;
-  for (const golden::Family& family : golden::families_of(Pair::cube_cube)) {
-    if (family.outside_domain) continue;
-    for (const Scalar scalar : kScalars) {
-      SCOPED_TRACE(std::string(family.name) + " " + std::string(name(scalar)));
-      const std::vector<Query> queries = questions_of(Pair::cube_cube, family, scalar);
-      std::size_t hits = 0;
-      for (std::size_t k = 0; k < queries.size() && !HasFailure(); ++k) {
-        const double alarm = queries[k].distances.alarm;
-        CubePairs cubes;
-        std::vector<std::uint8_t> expected;
-        for (std::size_t j = 0; j <= kFollowers; ++j) {
-          const Boxes& boxes = *queries[(k + j) % queries.size()].boxes();
-          cubes.push_back(boxes);
-          expected.push_back(test_cube_cube(boxes.a, boxes.b, alarm) ? 1 : 0);
-          hits += expected.back();
-        }
-        for_each_instruction_set([&] {
-          std::vector<std::uint8_t> actual(expected.size(), 77);
-          const batch::Count count = batch::test_cube_cube(cubes.first(), cubes.second(), alarm, actual);
-          EXPECT_EQ(actual, expected) << "question " << k;
-          EXPECT_EQ(count.hits, static_cast<std::size_t>(std::count(expected.begin(), expected.end(), 1)));
-        });
-      }
-      EXPECT_GT(hits, 0U);
+    EXPECT_EQ(actual.hit(), expected.hit());
+    if constexpr (requires { actual.compute(distances); }) {
+      for (std::size_t i = 0; i < shapes.size(); ++i)
+        EXPECT_EQ(row_of(actual, i), row_of(expected, i)) << words(shapes[i], distances);
     }
   }
 }
 
-TEST(BatchSphereSphere, counts_every_pair_that_it_left_to_the_function_of_one_pair) {
-  using Call = std::size_t (*)(const Spheres&, Distances);
-  const Call decided = [](const Spheres& spheres, Distances distances) {
-    std::vector<std::uint8_t> hits(spheres.size());
-    return batch::test_sphere_sphere(spheres.first(), spheres.second(), distances.alarm, hits).exact;
-  };
-  const Call computed = [](const Spheres& spheres, Distances distances) {
-    Contacts contacts(spheres.size());
-    return batch::compute_sphere_sphere(spheres.first(), spheres.second(), distances, contacts.columns()).exact;
-  };
-  const Call of_hits = [](const Spheres& spheres, Distances distances) {
-    Contacts contacts(spheres.size());
-    std::vector<std::uint32_t> index(spheres.size());
-    return batch::compute_sphere_sphere_hits(spheres.first(), spheres.second(), distances, index, contacts.columns())
-        .exact;
-  };
+TYPED_TEST(BatchOfContacts, counts_every_pair_that_it_left_to_the_function_of_one_pair) {
+  using Pairs = decltype(in_columns(Many<TypeParam>()));
+  using Call = std::size_t (*)(Pairs, Distances);
+  const Call decided = [](Pairs pairs, Distances distances) { return pairs.test(distances.alarm).exact; };
+  const Call computed = [](Pairs pairs, Distances distances) { return pairs.compute(distances).exact; };
+  const Call of_hits = [](Pairs pairs, Distances distances) { return pairs.compute_hits(distances).exact; };
+  std::vector<Query> queries;
+  for (const auto& [name, make] :
+       {std::pair<const char*, Make>{"anything", anything}, {"at_the_top", at_the_top}, {"underflowing", underflowing}})
+    for (const Query& query : of_kind<TypeParam>(questions_of(name, make))) queries.push_back(query);
   for_each_instruction_set([&] {
     for (const Call call : {decided, computed, of_hits}) {
       std::size_t left = 0;
-      std::vector<Query> queries = questions_of("anything", anything);
-      for (const auto& [name, make] :
-           {std::pair<const char*, Make>{"at_the_top", at_the_top}, {"underflowing", underflowing}})
-        for (const Query& query : questions_of(name, make)) queries.push_back(query);
       for (const Query& query : queries) {
-        Spheres spheres;
-        spheres.push_back(*query.balls());
-        const std::size_t of_one = call(spheres, query.distances);
-        ASSERT_LE(of_one, 1U);
+        Many<TypeParam> shapes{shapes_of<TypeParam>(query)};
+        const std::size_t of_one = call(in_columns(shapes), query.distances);
+        ASSERT_LE(of_one, 1U) << words(shapes[0], query.distances);
         left += of_one;
         for (std::size_t n = 2; n <= 19; ++n) {
-          spheres.push_back(*query.balls());
-          EXPECT_EQ(call(spheres, query.distances), n * of_one)
-              << n << " of " << words(*query.balls(), query.distances);
+          shapes.push_back(shapes[0]);
+          EXPECT_EQ(call(in_columns(shapes), query.distances), n * of_one)
+              << n << " of " << words(shapes[0], query.distances);
         }
       }
       EXPECT_GT(left, 0U);
@@ -675,64 +680,80 @@ TEST(BatchSphereSphere, counts_every_pair_that_it_left_to_the_function_of_one_pa
   });
 }
 
-TEST(Batch, names_the_column_that_is_too_short) {
-  const std::vector<double> two(2);
-  const std::vector<double> one(1);
-  const auto refuses = [](const std::string& column, const std::function<void()>& call) {
-    try {
-      call();
-      ADD_FAILURE() << "accepted: " << column;
-    } catch (const std::invalid_argument& error) {
-      EXPECT_NE(std::string(error.what()).find("column " + column + " holds 1 "), std::string::npos) << error.what();
-    }
-  };
-  std::vector<std::uint8_t> hit(2);
-  const std::array kBallColumns{"x", "y", "z", "radius"};
-  const std::array kBoxColumns{"min x", "min y", "min z", "max x", "max y", "max z"};
-  for (std::size_t side = 0; side < 2; ++side) {
-    const std::string name = side == 0 ? "a." : "b.";
-    for (std::size_t column = side == 0 ? 1 : 0; column < kBallColumns.size(); ++column) {  // a.x tells the length
-      std::array<std::array<std::span<const double>, 4>, 2> c{{{two, two, two, two}, {two, two, two, two}}};
-      c[side][column] = one;
-      refuses(name + kBallColumns[column], [&] {
-        batch::test_sphere_sphere({c[0][0], c[0][1], c[0][2], c[0][3]}, {c[1][0], c[1][1], c[1][2], c[1][3]}, 0, hit);
-      });
-    }
-    for (std::size_t column = side == 0 ? 1 : 0; column < kBoxColumns.size(); ++column) {
-      std::array<batch::BoxColumns, 2> c;
-      c.fill({{two, two, two}, {two, two, two}});
-      (column < 3 ? c[side].min[column] : c[side].max[column - 3]) = one;
-      refuses(name + kBoxColumns[column], [&] { batch::test_cube_cube(c[0], c[1], 0, hit); });
-    }
+using Span = std::span<const double>;
+constexpr std::array kBallColumns{"x", "y", "z", "radius"};
+constexpr std::array kBoxColumns{"min x", "min y", "min z", "max x", "max y", "max z"};
+constexpr const auto& names_of(const batch::BallColumns*) { return kBallColumns; }
+constexpr const auto& names_of(const batch::BoxColumns*) { return kBoxColumns; }
+
+/// Columns of two places each, but for one of one place.
+template <class Columns>
+Columns short_at(std::size_t short_column) {
+  static const std::vector<double> two(2);
+  std::array<Span, sizeof(Columns) / sizeof(Span)> all;
+  for (std::size_t k = 0; k < all.size(); ++k) all[k] = Span(two).first(k == short_column ? 1 : 2);
+  return std::bit_cast<Columns>(all);
+}
+constexpr std::size_t kNone = 77;
+
+void expect_refused(const std::string& column, const std::function<void()>& call) {
+  try {
+    call();
+    ADD_FAILURE() << "accepted: " << column;
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("column " + column + " holds 1 "), std::string::npos) << error.what();
   }
-  const batch::BallColumns balls{two, two, two, two};
-  refuses("hit", [&] { batch::test_sphere_sphere(balls, balls, 0, std::span(hit).first(1)); });
-  refuses("hit", [&] {
-    batch::test_cube_cube({{two, two, two}, {two, two, two}}, {{two, two, two}, {two, two, two}}, 0,
-                          std::span(hit).first(1));
-  });
-  Contacts contacts(2);
+}
+
+template <class A, class B>
+void expect_names_of_short_columns(const Two<A, B>& /*kind*/) {
+  using First = batch::ColumnsOf<A>;
+  using Second = batch::ColumnsOf<B>;
+  std::vector<std::uint8_t> hit(2);
+  const auto& first = names_of(static_cast<const First*>(nullptr));
+  const auto& second = names_of(static_cast<const Second*>(nullptr));
+  for (std::size_t k = 1; k < first.size(); ++k)  // a's first tells the length
+    expect_refused(std::string("a.") + first[k],
+                   [&] { batch::test(short_at<First>(k), short_at<Second>(kNone), 0, hit); });
+  for (std::size_t k = 0; k < second.size(); ++k)
+    expect_refused(std::string("b.") + second[k],
+                   [&] { batch::test(short_at<First>(kNone), short_at<Second>(k), 0, hit); });
+  expect_refused("hit",
+                 [&] { batch::test(short_at<First>(kNone), short_at<Second>(kNone), 0, std::span(hit).first(1)); });
+}
+
+TYPED_TEST(Batch, names_the_column_that_is_too_short) { expect_names_of_short_columns(TypeParam{}); }
+
+template <class A, class B>
+void expect_names_of_short_outputs(const Two<A, B>& /*kind*/) {
+  const auto a = short_at<batch::ColumnsOf<A>>(kNone);
+  const auto b = short_at<batch::ColumnsOf<B>>(kNone);
+  std::vector<double> numbers(2);
+  std::vector<batch::PairState> states(2);
   std::vector<std::uint32_t> index(2);
-  const auto compute = [&](const batch::ContactColumns& out) {
-    batch::compute_sphere_sphere(balls, balls, {0, 0}, out);
+  const std::span<double> two(numbers);
+  const batch::ContactColumns whole{{two, two, two}, {two, two, two}, {two, two, two}, two, states};
+  const auto refuses = [&](const std::string& column, const batch::ContactColumns& out) {
+    expect_refused(column, [&] { batch::compute(a, b, {0, 0}, out); });
+    expect_refused(column, [&] { batch::compute_hits(a, b, {0, 0}, index, out); });
   };
   const std::array kOutputs{"normal", "point1", "point2"};
   for (std::size_t column = 0; column < 9; ++column) {
-    batch::ContactColumns out = contacts.columns();
+    batch::ContactColumns out = whole;
     auto& vector = column < 3 ? out.normal : column < 6 ? out.point1 : out.point2;
-    vector[column % 3] = vector[column % 3].first(1);
-    refuses(std::string(kOutputs[column / 3]) + " " + std::string(1, "xyz"[column % 3]), [&] { compute(out); });
+    vector[column % 3] = two.first(1);
+    refuses(std::string(kOutputs[column / 3]) + " " + std::string(1, "xyz"[column % 3]), out);
   }
-  batch::ContactColumns out = contacts.columns();
-  out.value = out.value.first(1);
-  refuses("value", [&] { compute(out); });
-  out = contacts.columns();
+  batch::ContactColumns out = whole;
+  out.value = two.first(1);
+  refuses("value", out);
+  out = whole;
   out.state = out.state.first(1);
-  refuses("state", [&] { compute(out); });
-  refuses("index", [&] {
-    batch::compute_sphere_sphere_hits(balls, balls, {0, 0}, std::span(index).first(1), contacts.columns());
-  });
+  refuses("state", out);
+  expect_refused("index", [&] { batch::compute_hits(a, b, {0, 0}, std::span(index).first(1), whole); });
 }
+
+TYPED_TEST(BatchOfContacts, names_the_output_that_is_too_short) { expect_names_of_short_outputs(TypeParam{}); }
 
 }  // namespace
 }  // namespace contact

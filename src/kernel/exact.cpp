@@ -90,8 +90,16 @@ Floor floor_ratio(const Integer& e, const Integer& D, unsigned p) {
 /// The scale at which a number known to be at least 2^lower_bound shows its leading bits, as many as rounding needs.
 unsigned scale_for(int lower_bound) { return static_cast<unsigned>(std::max(0, kBitsForRounding - 1 - lower_bound)); }
 
-/// (floor + f) 2^exponent rounded, where 0 <= f < 1 and `exact` says f = 0; floor may be negative.
-double round_floor(const Integer& floor, bool exact, int exponent) {
+/// (floor + f) / over 2^exponent rounded, where 0 <= f < 1 and `exact` says f = 0; floor may be negative.
+/// With y = floor + f, the floors of y / over and of floor / over are the same integer.
+double round_floor(Integer floor, bool exact, int exponent, const Integer& over) {
+  if (over != 1) {
+    Integer quotient, remainder;
+    divide_qr(floor, over, quotient, remainder);
+    if (remainder.sign() < 0) --quotient;
+    exact = exact && remainder.is_zero();
+    floor = std::move(quotient);
+  }
   if (floor.sign() >= 0) return round_magnitude(floor, !exact, exponent, false);
   return round_magnitude(exact ? -floor : -floor - 1, !exact, exponent, true);
 }
@@ -177,12 +185,12 @@ Integer floor_sqrt(const Integer& n) {
 
 double round_integer(const Integer& n, int exponent) { return round_magnitude(abs(n), false, exponent, n.sign() < 0); }
 
-double round_sum(const Integer& c, const Integer& e, const Integer& D, int exponent) {
-  if (e.is_zero()) return round_integer(c, exponent);
+double round_sum(const Integer& c, const Integer& e, const Integer& D, int exponent, const Integer& over) {
+  if (e.is_zero() && (c.is_zero() || over == 1)) return round_integer(c, exponent);
   const int root_bits = (bit_length(D) + 1) / 2;  // sqrt(D) < 2^root_bits
   int lower_bound;
   if (c.sign() * e.sign() >= 0) {
-    lower_bound = bit_length(e) - 1 - root_bits;
+    lower_bound = e.is_zero() ? bit_length(c) - 1 : bit_length(e) - 1 - root_bits;
     if (!c.is_zero()) lower_bound = std::max(lower_bound, bit_length(c) - 1);
   } else {
     // |c + e / s| = |c^2 D - e^2| / (s (|c| s + |e|))  with s = sqrt(D)
@@ -190,14 +198,14 @@ double round_sum(const Integer& c, const Integer& e, const Integer& D, int expon
     if (difference.is_zero()) return 0.0;
     lower_bound = bit_length(difference) - 1 - root_bits - (std::max(bit_length(c) + root_bits, bit_length(e)) + 1);
   }
-  const unsigned p = scale_for(lower_bound);
+  const unsigned p = scale_for(lower_bound - bit_length(over));
   const Floor ratio = floor_ratio(abs(e), D, p);
   Integer floor = c << p;
   if (e.sign() > 0)
     floor += ratio.value;
   else
     floor -= ratio.exact ? ratio.value : ratio.value + 1;
-  return round_floor(floor, ratio.exact, exponent - static_cast<int>(p));
+  return round_floor(std::move(floor), ratio.exact, exponent - static_cast<int>(p), over);
 }
 
 // The leading bits are estimated and then verified: the number lies between the rounding boundaries beside the result,
@@ -254,15 +262,16 @@ double round_sum_near(double estimate, int sign, const FixedInteger& c, const Fi
   return std::bit_cast<double>(bits | (sign < 0 ? std::uint64_t{1} << 63 : 0));
 }
 
-double round_root_less(const Integer& D, const Integer& t, int exponent) {
+double round_root_less(const Integer& D, const Integer& t, int exponent, const Integer& over) {
   // |s - t| = |D - t^2| / (s + t)  with s = sqrt(D)
   const Integer difference = abs(Integer(D - t * t));
   if (difference.is_zero()) return 0.0;
   const int root_bits = (bit_length(D) + 1) / 2;
-  const unsigned p = scale_for(bit_length(difference) - 1 - (std::max(root_bits, bit_length(t)) + 1));
+  const unsigned p =
+      scale_for(bit_length(difference) - 1 - (std::max(root_bits, bit_length(t)) + 1) - bit_length(over));
   const Integer scaled = D << (2 * p);
   const Integer root = floor_sqrt(scaled);
-  return round_floor(root - (t << p), root * root == scaled, exponent - static_cast<int>(p));
+  return round_floor(root - (t << p), root * root == scaled, exponent - static_cast<int>(p), over);
 }
 
 }  // namespace contact::kernel

@@ -51,9 +51,10 @@ class Grid {
 /// n 2^exponent rounded once to binary64, to nearest, ties to even; +0 for 0, infinite beyond the range.
 [[nodiscard]] double round_integer(const Integer& n, int exponent);
 
-/// (c + e / sqrt(D)) 2^exponent rounded once to binary64, to nearest, ties to even. Domain: D > 0.
-[[nodiscard]] double round_sum(const Integer& c, const Integer& e, const Integer& D, int exponent);
-/// The same by products alone. Domain: an exponent near the range of double, and for L = Grid::kFixedLength
+/// (c + e / sqrt(D)) / over 2^exponent rounded once to binary64, to nearest, ties to even. Domain: D > 0, over > 0.
+[[nodiscard]] double round_sum(const Integer& c, const Integer& e, const Integer& D, int exponent,
+                               const Integer& over = 1);
+/// The same over 1 by products alone. Domain: an exponent near the range of double, and for L = Grid::kFixedLength
 ///             |c| < 2^(L+2), |e| < 2^(2L+4), D < 2^(2L+4).
 [[nodiscard]] double round_sum(const FixedInteger& c, const FixedInteger& e, const FixedInteger& D, int exponent);
 
@@ -62,8 +63,8 @@ class Grid {
 [[nodiscard]] double round_sum_near(double estimate, int sign, const FixedInteger& c, const FixedInteger& e,
                                     const FixedInteger& D, int exponent);
 
-/// (sqrt(D) - t) 2^exponent rounded once to binary64, to nearest, ties to even. Domain: D > 0, t >= 0.
-[[nodiscard]] double round_root_less(const Integer& D, const Integer& t, int exponent);
+/// (sqrt(D) - t) / over 2^exponent rounded once to binary64, to nearest, ties to even. Domain: D > 0, t >= 0, over > 0.
+[[nodiscard]] double round_root_less(const Integer& D, const Integer& t, int exponent, const Integer& over = 1);
 [[nodiscard]] inline double round_integer(const FixedInteger& n, int exponent) {
   return round_sum(n, {}, FixedInteger(1, 0, false), exponent);
 }

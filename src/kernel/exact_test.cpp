@@ -264,6 +264,43 @@ TEST(RoundSum, of_the_least_numbers_that_a_length_allows_sees_the_rounding_bit) 
   }
 }
 
+TEST(RoundSum, over_a_denominator_is_the_quotient_rounded_once) {
+  expect_same(round_sum(1, 0, 1, 0, 3), 1.0 / 3);
+  expect_same(round_sum(-2, 0, 1, 5, 3), -64.0 / 3);
+  expect_same(round_sum(1, 1, 4, 0, 5), 0.3);                       // (1 + 1 / 2) / 5
+  expect_same(round_sum(-1, 2, 4, 0, 7), 0.0);                      // -1 + 2 / 2
+  expect_same(round_sum(1, 3, 9, 0, 2), 1.0);                       // (1 + 3 / 3) / 2
+  expect_same(round_sum(3 * (power(53) + 1), 0, 1, 0, 3), 0x1p53);  // a tie to even, seen through the quotient
+  expect_same(round_sum(3 * (power(53) + 1) + 1, 0, 1, 0, 3), 0x1p53 + 2);
+  expect_same(round_sum(3 * (power(53) + 3) - 1, 0, 1, 0, 3), 0x1p53 + 2);
+  expect_same(round_sum(-3 * (power(53) + 3) + 1, 0, 1, 0, 3), -(0x1p53 + 2));
+  expect_same(round_root_less(2, 1, 0, 3), 0.138071187457698349600562906350288);  // (sqrt(2) - 1) / 3
+  expect_same(round_root_less(2, 2, 0, 3), -0.195262145875634983733114609950);    // (sqrt(2) - 2) / 3
+  expect_same(round_root_less(49, 7, 0, 3), 0.0);
+}
+
+TEST(RoundSum, over_a_random_denominator_is_nearest) {
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 4000; ++i) {
+    const auto any = [&](unsigned bits) { return random_integer(random, 1 + static_cast<unsigned>(random() % bits)); };
+    const Integer D = any(300) + 1;
+    const Integer over = any(200) + 1;
+    Integer c = any(250);
+    Integer e = any(350);
+    if (i % 2 == 0) c = -c;
+    if (i % 3 == 0) e = -e;
+    if (i % 5 == 0) c = -(e * floor_sqrt(D)) / D;  // cancels nearly
+    const Rational q = rational(over, 0);
+    EXPECT_TRUE(is_nearest(round_sum(c, e, D, -100, over), Rational(rational(c, -100) / q),
+                           Rational(rational(e, -100) / (rational(D, 0) * q)), rational(D, 0)))
+        << c << " " << e << " " << D << " " << over;
+    const Integer t = i % 5 == 1 ? floor_sqrt(D) : Integer(abs(c));
+    EXPECT_TRUE(is_nearest(round_root_less(D, t, -100, over), Rational(-rational(t, -100) / q),
+                           Rational(rational(1, -100) / q), rational(D, 0)))
+        << D << " " << t << " " << over;
+  }
+}
+
 TEST(RoundSum, that_cancels_exactly_is_plus_zero) {
   expect_same(rounded_sum(-2, 10, 25, 0), 0.0);
   expect_same(rounded_sum(2, -10, 25, 0), 0.0);

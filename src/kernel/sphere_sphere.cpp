@@ -233,15 +233,6 @@ bool contact_of_pair(const Ball& a, const Ball& b, Distances distances, ContactP
   return contact_portably(a, b, distances, points, contact);
 }
 
-/// A contact whose numbers are to be written: zeros first would cost as much as a miss.
-struct Unset {
-  operator Contact() const {  // NOLINT(google-explicit-constructor)
-    Contact contact;
-    contact.degenerate = false;  // a bool may not be copied before it is set
-    return contact;
-  }
-};
-
 }  // namespace
 
 void kernel::round_numbers(const Ball& a, const Ball& b, double contact_distance, ContactPoints points,
@@ -256,7 +247,7 @@ bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm) {
 
 std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances, ContactPoints points) {
   const kernel::RoundToNearest environment;
-  std::optional<Contact> contact(std::in_place, Unset());
+  std::optional<Contact> contact(std::in_place, kernel::Unset());
   if (!contact_of_pair(a, b, distances, points, *contact)) contact.reset();
   return contact;
 }

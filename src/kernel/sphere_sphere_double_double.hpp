@@ -32,11 +32,11 @@ bool rounds_to_nearest() {
   return x + t == x && x - t == x;
 }
 
-/// Whether x is 0 or 2^-220 <= |x| <= 2^220. Asked of the bits: a comparison may take a subnormal number for 0.
-template <class Real>
+/// Whether x is 0 or 2^-kMost <= |x| <= 2^kMost. Asked of the bits: a comparison may take a subnormal number for 0.
+template <class Real, int kMost = 220>
 bool in_range(Real x) {
-  constexpr std::uint64_t kLow = std::uint64_t{1023 - 220} << 52;
-  constexpr std::uint64_t kHigh = std::uint64_t{1023 + 220} << 52;
+  constexpr std::uint64_t kLow = std::uint64_t{1023 - kMost} << 52;
+  constexpr std::uint64_t kHigh = std::uint64_t{1023 + kMost} << 52;
   const std::uint64_t magnitude = std::bit_cast<std::uint64_t>(static_cast<double>(x)) & ~(std::uint64_t{1} << 63);
   return magnitude == 0 || magnitude - kLow <= kHigh - kLow;
 }
@@ -101,6 +101,12 @@ class DoubleDoublePairOf {
   template <class AnyBall = Ball, class AnyDistances = Distances>
   [[nodiscard]] static std::optional<DoubleDoublePairOf> of(const AnyBall& a, const AnyBall& b,
                                                             const AnyDistances& distances);
+  /// The same of a delta and a t that are given. Nothing where D is 0. Domain: as above, |low| <= u |high|.
+  [[nodiscard]] static std::optional<DoubleDoublePairOf> of(const std::array<DoubleDouble<Real>, 3>& delta,
+                                                            const DoubleDouble<Real>& less);
+
+  [[nodiscard]] const DoubleDouble<Real>& root() const { return root_; }
+  [[nodiscard]] const DoubleDouble<Real>& normal_parts(std::size_t axis) const { return normal_[axis]; }
 
   [[nodiscard]] ApproximationOf<Real> normal(std::size_t axis) const {
     using std::abs;
@@ -139,17 +145,27 @@ template <class Real>
 template <class AnyBall, class AnyDistances>
 [[gnu::always_inline]] inline std::optional<DoubleDoublePairOf<Real>> DoubleDoublePairOf<Real>::of(
     const AnyBall& a, const AnyBall& b, const AnyDistances& distances) {
-  using std::fma;
-  using std::sqrt;
   if (!ball_in_range(a) || !ball_in_range(b) || !in_range(distances.contact) || !rounds_to_nearest<Real>())
     return std::nullopt;
-
   std::array<DoubleDouble<Real>, 3> delta;
-  std::array<Real, 3> square;
-  Real residual = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<std::ptrdiff_t>(i);
     delta[i] = two_sum<Real>(b.center[axis], -a.center[axis]);
+  }
+  const DoubleDouble<Real> radii = two_sum(a.radius, b.radius);
+  const DoubleDouble<Real> less = two_sum(radii.high, distances.contact);
+  return of(delta, {less.high, radii.low + less.low});
+}
+
+template <class Real>
+[[gnu::always_inline]] inline std::optional<DoubleDoublePairOf<Real>> DoubleDoublePairOf<Real>::of(
+    const std::array<DoubleDouble<Real>, 3>& delta, const DoubleDouble<Real>& less) {
+  using std::fma;
+  using std::sqrt;
+  std::array<Real, 3> square;
+  Real residual = 0;
+#pragma GCC unroll 3
+  for (std::size_t i = 0; i < 3; ++i) {
     const auto [high, low] = delta[i];
     square[i] = high * high;
     residual += fma(2 * high, low, fma(high, high, -square[i]));
@@ -162,9 +178,8 @@ template <class AnyBall, class AnyDistances>
   DoubleDoublePairOf pair;
   const Real root = sqrt(D.high);
   pair.root_ = {root, (fma(-root, root, D.high) + D.low) / (2 * root)};
-  const DoubleDouble<Real> radii = two_sum(a.radius, b.radius);
-  const DoubleDouble<Real> less = two_sum(radii.high, distances.contact);
-  pair.less_ = {less.high, radii.low + less.low};
+  pair.less_ = less;
+#pragma GCC unroll 3
   for (std::size_t i = 0; i < 3; ++i) {
     const auto [high, low] = delta[i];
     const Real q = high / root;

@@ -18,6 +18,15 @@ constexpr double sign_of(PointOn on, double towards) {
   return on == PointOn::nearest_surface ? towards : on == PointOn::far_surface ? -towards : 0;
 }
 
+/// A contact whose numbers are to be written: zeros first would cost as much as a miss.
+struct Unset {
+  operator Contact() const {  // NOLINT(google-explicit-constructor)
+    Contact contact;
+    contact.degenerate = false;  // a bool may not be copied before it is set; `unique` is
+    return contact;
+  }
+};
+
 /// Settles the numbers of a hit whose bits are set; what becomes of the others is not specified.
 /// Domain      to nearest, subnormals kept.
 void round_numbers(const Ball& a, const Ball& b, double contact_distance, ContactPoints points, unsigned numbers,

@@ -176,26 +176,36 @@
       const shape = query[key], paint = color(property);
       const glass = new THREE.MeshPhongMaterial({color: paint, transparent: true, opacity: 0.28, depthWrite: false});
       const lines = new THREE.LineBasicMaterial({color: paint, transparent: true, opacity: 0.55});
-      let geometry, wires, at;
+      const draw = (geometry, wires, at, turn = new THREE.Quaternion()) => {
+        add(geometry, glass, at).quaternion.copy(turn);
+        const wired = new THREE.LineSegments(wires, lines);
+        wired.position.copy(at);
+        wired.quaternion.copy(turn);
+        all.add(wired);
+      };
+      const ball = (at, radius) => draw(new THREE.SphereBufferGeometry(radius, 48, 32),
+          new THREE.WireframeGeometry(new THREE.SphereBufferGeometry(radius, 16, 8)), at);
+      let at;
       if (shape.center) {
         at = point(numbers(shape.center));
-        const radius = length(Number(shape.radius));
-        geometry = new THREE.SphereBufferGeometry(radius, 48, 32);
-        wires = new THREE.WireframeGeometry(new THREE.SphereBufferGeometry(radius, 16, 8));
+        ball(at, length(Number(shape.radius)));
       } else if (shape.min) {
         const low = point(numbers(shape.min)), high = point(numbers(shape.max));
         at = low.clone().add(high).multiplyScalar(0.5);
-        geometry = new THREE.BoxBufferGeometry(...high.sub(low).toArray());
-        wires = new THREE.EdgesGeometry(geometry);
+        const box = new THREE.BoxBufferGeometry(...high.sub(low).toArray());
+        draw(box, new THREE.EdgesGeometry(box), at);
+      } else if (shape.start) {  // two balls and the cylinder between them, which stands along y until it is turned
+        const start = point(numbers(shape.start)), end = point(numbers(shape.end)), radius = length(Number(shape.radius));
+        at = start.clone().add(end).multiplyScalar(0.5);
+        for (const tip of [start, end]) ball(tip, radius);
+        const along = end.clone().sub(start);
+        const side = (sectors) => new THREE.CylinderBufferGeometry(radius, radius, along.length(), sectors, 1, true);
+        const turn = new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 1, 0), along.clone().normalize());
+        if (along.length() > 0) draw(side(48), new THREE.EdgesGeometry(side(16), 1), at, turn);
       } else {  // a shape without a drawing of its own: a dot at its first point
         at = point(points(shape)[0]);
-        geometry = new THREE.SphereBufferGeometry(0.02, 12, 8);
-        wires = new THREE.EdgesGeometry(geometry);
+        ball(at, 0.02);
       }
-      add(geometry, glass, at);
-      const wired = new THREE.LineSegments(wires, lines);
-      wired.position.copy(at);
-      all.add(wired);
       add(new THREE.SphereBufferGeometry(0.02, 12, 8), new THREE.MeshBasicMaterial({color: paint}), at);
       return at;
     });

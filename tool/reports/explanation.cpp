@@ -24,7 +24,7 @@ std::string vector(const Vector3& v) { return fmt::format("({}, {}, {})", number
 
 /// An exact number for a person: its decimal value, and the dyadic string where that is short.
 std::string exactly(const Rational& x) {
-  const std::string dyadic = oracle::dyadic_string(x);
+  const std::string dyadic = oracle::exact_string(x);
   const double rounded = oracle::round_to_nearest(x, Scalar::binary64);
   const bool is_double = std::isfinite(rounded) && Rational(rounded) == x;
   const std::string decimal = std::isfinite(rounded) ? number(rounded) : "beyond the range of binary64";
@@ -59,6 +59,11 @@ std::string meeting_text(const Query& query, const oracle::DistanceTruth& truth)
   if (query.balls() != nullptr)
     return "  The centres coincide: the normal is (1,0,0) by agreement, and any unit normal is right for another "
            "engine.\n";
+  if (query.pair == Pair::sphere_capsule || query.pair == Pair::capsule_capsule)
+    return fmt::format(
+        "  {}: the normal is by agreement, and any that points against no part of the axes is right for another "
+        "engine.\n",
+        query.pair == Pair::sphere_capsule ? "The centre lies on the axis" : "The axes meet");
   if (truth.coincident())
     return "  The centre lies on the box: the normal is by agreement, and any that points against no part of the box "
            "is "
@@ -92,7 +97,15 @@ std::string distance_text(const Query& query, const oracle::Truth& truth, Scalar
   std::string text = shapes_text(query);
   text += fmt::format("  distances alarm {}, contact {}\n\n", number(query.distances.alarm),
                       number(query.distances.contact));
-  text += fmt::format("  D         |b - a|^2        {}\n", exactly(t.distance2()));
+  const bool of_centers = query.balls() != nullptr;
+  if (!of_centers)
+    for (const int shape : {0, 1}) {
+      Vector3 nearest;
+      for (int axis = 0; axis < 3; ++axis)
+        nearest[axis] = oracle::round_to_nearest(t.point(shape, axis, PointOn::center), scalar);
+      text += fmt::format("  {}         nearest in {}     {}\n", "pq"[shape], "ab"[shape], vector(nearest));
+    }
+  text += fmt::format("  D         {:<15}  {}\n", of_centers ? "|b - a|^2" : "|q - p|^2", exactly(t.distance2()));
   text += fmt::format("  reach     alarm + r1 + r2  {}\n", exactly(t.reach()));
   text += fmt::format("  reach^2                    {}\n", exactly(t.reach() * t.reach()));
   text += fmt::format("  margin    sqrt(D) - reach  {} ulps of reach ({})\n\n",
@@ -106,6 +119,8 @@ std::string distance_text(const Query& query, const oracle::Truth& truth, Scalar
   const Contact c = *oracle::expectation(truth, scalar).contact;
   const auto plain = golden::plain_contact(query, Scalar::binary64);
   if (c.degenerate) text += meeting_text(query, t);
+  if (!c.unique)
+    text += "  The axes are parallel, and more than one pair of points is nearest: the reference takes the middle.\n";
   text += fmt::format("\n  {:<10}{:<26}{:<36}{}\n", "", fmt::format("rounded to {}", name(scalar)),
                       "the exact real lies", "plain double says");
   const auto row = [&](const std::string& field, const Exact& x, double rounded, std::optional<double> said) {

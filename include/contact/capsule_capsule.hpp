@@ -1,0 +1,42 @@
+// Capsule against capsule: the exact decision and the correctly rounded contact.
+#pragma once
+
+#include <optional>
+
+#include "contact/contact.hpp"
+#include "contact/geometry.hpp"
+
+namespace contact {
+
+/// Whether two capsules are within the alarm distance of each other.
+///   p, q = nearest points of their axes     D = |q - p|^2     reach = alarm + a.radius + b.radius
+/// Units       one length unit throughout.
+/// Domain      finite; radii and alarm >= 0. Capsules of length 0, subnormals and the largest finite numbers are
+///             included.
+/// Decision    D <= reach^2, exactly: touching counts.
+/// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
+/// Source      docs/specification.md#capsule-pairs.
+/// Evidence    src/kernel/capsule_test.cpp; proptests/capsule_capsule_properties.cpp.
+[[nodiscard]] bool test_capsule_capsule(const Capsule& a, const Capsule& b, double alarm);
+
+/// The contact of two capsules, or std::nullopt if they are farther apart than `distances.alarm`.
+///   normal = (q - p) / sqrt(D)        value = sqrt(D) - (a.radius + b.radius) - distances.contact
+///   point1 = p + a.radius normal      point2 = q - b.radius normal                          (nearest_surface)
+/// Units       one length unit throughout; the normal is a unit vector from a to b.
+/// Domain      as test_capsule_capsule; contact distance >= 0.
+/// Decision    as test_capsule_capsule.
+/// Error       every number is the exact real rounded once to nearest, ties to even (0.5 ulp); beyond the largest
+///             finite number it is infinite, as IEEE 754 rounds. Every zero is +0.
+/// Unique      false where many points are nearest: parallel axes side by side along more than a point. Then p is the
+///             middle of all such points of a's axis, and q the point across.
+/// Degenerate  D = 0, the axes meet: with u = a.end - a.start and v = b.end - b.start the normal is u x v of length 1,
+///             its first component other than 0 positive; where u x v = 0 the x axis made perpendicular to the first
+///             of u and v that is not 0, as compute_sphere_capsule says.
+/// Points      `center` puts them at p and q, `far_surface` on the far side.
+/// Environment as test_capsule_capsule.
+/// Source      docs/specification.md#capsule-pairs.
+/// Evidence    src/kernel/capsule_test.cpp; proptests/capsule_capsule_properties.cpp; golden/capsule_capsule.
+[[nodiscard]] std::optional<Contact> compute_capsule_capsule(const Capsule& a, const Capsule& b, Distances distances,
+                                                             ContactPoints points = {});
+
+}  // namespace contact

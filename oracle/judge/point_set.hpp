@@ -1,0 +1,24 @@
+// A claimed contact point held against a set of right ones: docs/specification.md#capsule-pairs.
+#pragma once
+
+#include <array>
+
+#include "oracle/judge/judge.hpp"
+#include "oracle/truth/exact_truth.hpp"
+
+namespace contact::oracle {
+
+/// All middle + k spread with |k| <= 1: one point, or where the nearest points are not unique, a segment of them. Each
+/// coordinate may be `room` beside that. Domain: the coordinates of the middle are of one D.
+struct PointSet {
+  std::array<Exact, 3> middle;
+  Point spread;
+  Rational room;
+};
+
+/// The grade of a claimed point: right where one point of the set rounds to it in all three coordinates, faithful where
+/// one is beside it in all three. Else its error is the least, over the set, of the largest error of a coordinate.
+[[nodiscard]] FieldVerdict grade(const Vector3& claim, const PointSet& set, Scalar scalar, const Exact& scale,
+                                 double bound);
+
+}  // namespace contact::oracle

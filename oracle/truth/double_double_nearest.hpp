@@ -1,0 +1,44 @@
+// The first stage of every pair with a distance: the answer for two cores with known nearest points, in pairs of
+// doubles.
+#pragma once
+
+#include <array>
+
+#include "oracle/truth/double_double.hpp"
+#include "oracle/truth/double_double_oracle.hpp"
+
+namespace contact::oracle {
+
+using DoubleDoubles = std::array<DoubleDouble, 3>;
+
+/// Nearest points p and q of two cores, which are unique, and delta = q - p. Where they are one point, and only there,
+/// delta is 0 without a radius.
+struct DoubleDoubleNearest {
+  DoubleDoubles p;
+  DoubleDoubles q;
+  DoubleDoubles delta;
+};
+
+/// Whether no operation overflows, and no product underflows whose error matters: 0, or 2^-most <= |x| <= 2^most.
+[[nodiscard]] inline bool in_range(double x, int most) {
+  const double magnitude = std::abs(x);
+  return magnitude == 0 || (magnitude <= std::ldexp(1.0, most) && magnitude >= std::ldexp(1.0, -most));
+}
+[[nodiscard]] inline bool in_range(const Vector3& v, int most) {
+  return in_range(v[0], most) && in_range(v[1], most) && in_range(v[2], most);
+}
+
+[[nodiscard]] inline DoubleDoubles exactly(const Vector3& v) { return {{{v[0]}, {v[1]}, {v[2]}}}; }
+[[nodiscard]] inline DoubleDoubles difference(const Vector3& b, const Vector3& a) {
+  return {two_sum(b[0], -a[0]), two_sum(b[1], -a[1]), two_sum(b[2], -a[2])};
+}
+[[nodiscard]] inline DoubleDouble dot(const DoubleDoubles& x, const DoubleDoubles& y) {
+  return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+}
+
+/// Domain: every number in_range of 200. Where the cores meet, the normal is (1, 0, 0).
+[[nodiscard]] std::optional<DoubleDoubleCase> case_of_nearest(const DoubleDoubleNearest& nearest, double radius1,
+                                                              double radius2, Distances distances, Scalar scalar,
+                                                              bool with_margin);
+
+}  // namespace contact::oracle

@@ -1,0 +1,39 @@
+// Two segments, each of which may be a point, in pairs of doubles.
+#pragma once
+
+#include "oracle/truth/double_double_nearest.hpp"
+
+namespace contact::oracle {
+
+/// From the first of these points to the second.
+using Ends = std::array<Vector3, 2>;
+
+/// Within this, numbers of degree 4 in the coordinates stay in the range of the arithmetic.
+[[nodiscard]] inline bool in_short_range(const Ends& ends) {
+  constexpr int kMost = 80;
+  return in_range(ends[0], kMost) && in_range(ends[1], kMost);
+}
+
+[[nodiscard]] inline DoubleDoubles cross(const DoubleDoubles& x, const DoubleDoubles& y) {
+  return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+}
+
+/// Where this is true, the segments have no point in common; else they may have one. By the volume that they span, and
+/// where one of them is a point, by the area.
+[[nodiscard]] inline bool surely_apart(const Ends& first, const Ends& second) {
+  if (!in_short_range(first) || !in_short_range(second)) return false;
+  const DoubleDoubles u = difference(first[1], first[0]);
+  const DoubleDoubles v = difference(second[1], second[0]);
+  const DoubleDoubles w = difference(second[0], first[0]);
+  const auto is_not_zero = [](const DoubleDouble& x) { return x.sign().value_or(0) != 0; };
+  if (first[0] != first[1] && second[0] != second[1]) return is_not_zero(dot(w, cross(u, v)));
+  const DoubleDoubles area = cross(w, first[0] != first[1] ? u : v);
+  return is_not_zero(area[0]) || is_not_zero(area[1]) || is_not_zero(area[2]);
+}
+
+/// The answer for two segments blown up by radii, as double_double_case has it.
+[[nodiscard]] std::optional<DoubleDoubleCase> case_of_segments(const Ends& first, const Ends& second, double radius1,
+                                                               double radius2, Distances distances, Scalar scalar,
+                                                               bool with_margin);
+
+}  // namespace contact::oracle

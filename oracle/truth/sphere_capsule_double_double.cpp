@@ -1,0 +1,12 @@
+// A sphere and a capsule in pairs of doubles.
+#include "oracle/truth/double_double_segments.hpp"
+
+namespace contact::oracle {
+
+std::optional<DoubleDoubleCase> double_double_case(const BallAndCapsule& shapes, Distances distances, Scalar scalar,
+                                                   bool with_margin) {
+  const auto& [a, b] = shapes;
+  return case_of_segments({a.center, a.center}, {b.start, b.end}, a.radius, b.radius, distances, scalar, with_margin);
+}
+
+}  // namespace contact::oracle

@@ -1,0 +1,11 @@
+// A sphere and a capsule in intervals.
+#include "oracle/truth/interval_segments.hpp"
+
+namespace contact::oracle {
+
+RoundedAnswer interval_answer(const BallAndCapsule& shapes, Distances distances, Scalar scalar, mpfr_prec_t precision) {
+  const auto& [a, b] = shapes;
+  return answer_of_segments({a.center, a.center}, {b.start, b.end}, a.radius, b.radius, distances, scalar, precision);
+}
+
+}  // namespace contact::oracle

@@ -1,0 +1,167 @@
+// Questions about two capsules, and about a sphere and a capsule.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "golden/segments.hpp"
+#include "proptests/generators.hpp"
+
+namespace contact::proptests {
+namespace {
+
+Query capsules_of(const std::vector<double>& x) {
+  return {Pair::capsule_capsule,
+          Capsules{{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, std::abs(x[6])},
+                   {{x[7], x[8], x[9]}, {x[10], x[11], x[12]}, std::abs(x[13])}},
+          {std::abs(x[14]), std::abs(x[15])}};
+}
+
+/// Sixteen numbers of one kind.
+rc::Gen<Query> capsules_from(rc::Gen<double> number) {
+  return rc::gen::map(numbers(16, std::move(number)), capsules_of);
+}
+
+/// The point of the range next to start + part (end - start) + off.
+Vector3 along(const Range& range, const Capsule& capsule, double part, const Vector3& off) {
+  const Vector3 point = capsule.start + part * (capsule.end - capsule.start) + off;
+  return point.unaryExpr([&](double x) { return std::isfinite(x) ? range.rounded(x) : 0.0; });
+}
+
+/// How the second capsule lies to the first, or the first one to a sphere that is its first end.
+enum class Lying { across, level_with_an_end, parallel, collinear, meeting, without_length, tiny };
+
+/// What is exact for small integers is nearly so for other numbers. `zeros` are the axes that the second one is level
+/// with.
+Query laid(const Range& range, Query query, Lying lying, int zeros, double part, double length, int ulps) {
+  auto& [a, b] = std::get<Capsules>(query.shapes);
+  for (int axis = 0; axis < 3; ++axis)
+    if ((zeros >> axis & 1) != 0) b.end[axis] = b.start[axis];
+  const Vector3 u = b.end - b.start;
+  const Vector3 off = u.cross(a.end);  // at right angles
+  const Capsule whole = b;
+  switch (lying) {
+    case Lying::across:
+      a.start = along(range, b, part, off);
+      break;
+    case Lying::level_with_an_end:
+      a.start = along(range, b, part < 0.5 ? 0 : 1, off);
+      a.start[0] = range.moved(a.start[0], ulps);
+      a.end = along(range, {a.start, a.start + off, 0}, std::abs(length), Vector3::Zero());
+      break;
+    case Lying::parallel:
+      a.start = along(range, b, part, a.end);
+      a.end = along(range, {a.start, a.start + u, 0}, length, Vector3::Zero());
+      a.end[1] = range.moved(a.end[1], ulps);
+      break;
+    case Lying::collinear:
+      a.start = along(range, b, part, Vector3::Zero());
+      a.end = along(range, b, part + length, Vector3::Zero());
+      break;
+    case Lying::meeting:
+      b.start = along(range, whole, 0, a.start - along(range, whole, part, Vector3::Zero()));
+      b.end = along(range, whole, 1, b.start - whole.start);
+      a = {along(range, a, -length, Vector3::Zero()), a.end, a.radius};
+      break;
+    case Lying::without_length:
+      (length < 0 ? a.end : b.end) = length < 0 ? a.start : b.start;
+      if (part == 0) a.end = a.start = b.start;
+      break;
+    case Lying::tiny:
+      b.end = b.start;
+      b.end[1] = range.moved(b.end[1], ulps);
+      b.end[2] = range.moved(b.end[2], -ulps);
+      break;
+  }
+  return query;
+}
+
+rc::Gen<Query> laid_out(const Range& range, rc::Gen<double> number) {
+  return rc::gen::map(rc::gen::tuple(capsules_from(std::move(number)), integer(0, 6), integer(0, 15), integer(-2, 6),
+                                     integer(1, 12), integer(-1, 1)),
+                      [range](const std::tuple<Query, int, int, int, int, int>& parts) {
+                        const auto& [query, how, zeros, quarters, length, ulps] = parts;
+                        return laid(range, query, static_cast<Lying>(how), zeros < 8 ? zeros : 0, quarters / 4.0,
+                                    (length - 6.5) / 2 + 0.25, ulps);
+                      });
+}
+
+Query as_asked(Query query, bool first_is_a_sphere) {
+  if (!first_is_a_sphere) return query;
+  const auto [a, b] = std::get<Capsules>(query.shapes);
+  return {Pair::sphere_capsule, BallAndCapsule{{a.start, a.radius}, b}, query.distances};
+}
+
+/// The first radius is what is left of the distance as double computes it, up to 2 ulps off.
+rc::Gen<Query> nearly_touching(const Range& range, rc::Gen<double> number, bool first_is_a_sphere) {
+  return rc::gen::map(rc::gen::tuple(laid_out(range, std::move(number)), integer(-2, 2), integer(0, 2)),
+                      [range, first_is_a_sphere](const std::tuple<Query, int, int>& parts) {
+                        auto [query, ulps, second] = parts;
+                        auto& [a, b] = std::get<Capsules>(query.shapes);
+                        if (first_is_a_sphere) a.end = a.start;
+                        const auto nearest =
+                            golden::nearest_points(golden::segment_of<double>(a), golden::segment_of<double>(b));
+                        const Vector3 delta = golden::widened(nearest.q) - golden::widened(nearest.p);
+                        if (!delta.allFinite() || !std::isfinite(delta.stableNorm())) return query;
+                        const double distance = range.rounded(delta.stableNorm());
+                        b.radius = range.rounded(second * distance / 4);
+                        a.radius = std::max(0.0, range.moved(range.rounded(distance - b.radius), ulps));
+                        query.distances.alarm = 0;
+                        return query;
+                      });
+}
+
+/// Capsules that reach each other exactly, at alarm 0 or by an alarm distance: axes at right angles to a quadruple,
+/// from one end of it to the other, on integers times a power of two.
+rc::Gen<Query> exactly_touching(const Range& range, bool first_is_a_sphere) {
+  return rc::gen::map(
+      rc::gen::tuple(rc::gen::elementOf(kQuadruples), rc::gen::container<std::vector<int>>(9, integer(0, 9)),
+                     integer(range.bottom, std::max(range.bottom, range.top - 12))),
+      [first_is_a_sphere](const std::tuple<Quadruple, std::vector<int>, int>& parts) {
+        const auto& [quadruple, k, exponent] = parts;
+        const Vector3 delta(quadruple[0], quadruple[1], k[0] < 5 ? quadruple[2] : -quadruple[2]);
+        const auto across = [&](int axis) {
+          const Vector3 way = delta.cross(Vector3::Unit(axis % 3));
+          return way.isZero() ? delta.cross(Vector3::Unit((axis + 1) % 3)) : way;
+        };
+        const Vector3 q(k[0], k[1], k[2]);
+        const Vector3 p = q - delta;
+        const int back = first_is_a_sphere ? 0 : k[5];
+        const double first = std::min(k[3], quadruple[3]);
+        const double alarm = k[4] < 5 ? 0 : (quadruple[3] - first) / 2;
+        const double unit = std::ldexp(1.0, exponent);
+        return Query{Pair::capsule_capsule,
+                     Capsules{{unit * (p - back * across(k[1])), unit * (p + k[6] * across(k[1])), unit * first},
+                              {unit * (q - k[7] * across(k[2])), unit * (q + k[8] * across(k[2])),
+                               unit * (quadruple[3] - first - alarm)}},
+                     {unit * alarm, unit * k[4]}};
+      });
+}
+
+}  // namespace
+
+rc::Gen<Query> capsule_queries(const Range& range, bool first_is_a_sphere) {
+  const auto near = [&](rc::Gen<double> number) {
+    return nearly_touching(range, std::move(number), first_is_a_sphere);
+  };
+  const auto all = rc::gen::weightedOneOf<Query>({{1, capsules_from(any_number(range))},
+                                                  {1, capsules_from(any_bits(range))},
+                                                  {1, capsules_from(subnormal(range))},
+                                                  {1, capsules_from(extreme(range))},
+                                                  {1, capsules_from(huge(range))},
+                                                  {1, capsules_from(ordinary(range))},
+                                                  {2, capsules_from(small_dyadic(range))},
+                                                  {2, laid_out(range, any_number(range))},
+                                                  {2, laid_out(range, ordinary(range))},
+                                                  {4, laid_out(range, small_dyadic(range))},
+                                                  {1, near(any_bits(range))},
+                                                  {1, near(subnormal(range))},
+                                                  {2, exactly_touching(range, first_is_a_sphere)},
+                                                  {3, near(small_dyadic(range))},
+                                                  {3, near(ordinary(range))}});
+  return rc::gen::map(all, [first_is_a_sphere](const Query& query) { return as_asked(query, first_is_a_sphere); });
+}
+
+rc::Gen<Query> queries(const Capsules* /*kind*/, const Range& range) { return capsule_queries(range, false); }
+
+}  // namespace contact::proptests

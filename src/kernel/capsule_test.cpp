@@ -1,0 +1,276 @@
+// Sphere against capsule and capsule against capsule: worked examples of every feature, the choices by agreement, the
+// ends of the range, every floating-point environment, and both stages against each other.
+#include "contact/capsule_capsule.hpp"
+#include "contact/sphere_capsule.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "contact/sphere_sphere.hpp"
+#include "environment/floating_point_environments.hpp"
+#include "extreme_numbers.hpp"
+#include "kernel/segments.hpp"
+#include "kernel/sphere_sphere_numbers.hpp"
+
+namespace contact {
+namespace {
+
+using Numbers = std::array<double, 10>;
+
+Numbers numbers_of(const Contact& c) {
+  return {c.normal[0], c.normal[1], c.normal[2], c.point1[0], c.point1[1],
+          c.point1[2], c.point2[0], c.point2[1], c.point2[2], c.value};
+}
+
+void expect_same(const Numbers& actual, const Numbers& expected) {
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(actual[i]), std::bit_cast<std::uint64_t>(expected[i]))
+        << "number " << i << " is " << actual[i] << ", not " << expected[i];
+}
+
+enum class Kind { ordinary, many, degenerate, degenerate_and_many };
+
+void expect_contact(const std::optional<Contact>& contact, const Numbers& expected, Kind kind) {
+  ASSERT_TRUE(contact);
+  expect_same(numbers_of(*contact), expected);
+  EXPECT_EQ(contact->degenerate, kind == Kind::degenerate || kind == Kind::degenerate_and_many);
+  EXPECT_EQ(contact->unique, kind == Kind::ordinary || kind == Kind::degenerate);
+}
+
+const Capsule kAxis{{0, 0, 0}, {4, 0, 0}, 1};
+
+TEST(SphereCapsule, beside_the_side_and_beyond_either_end) {
+  expect_contact(compute_sphere_capsule({{1, 0, 3}, 1}, kAxis, {2, 0.5}), {0, 0, -1, 1, 0, 2, 1, 0, 1, 0.5},
+                 Kind::ordinary);
+  expect_contact(compute_sphere_capsule({{-3, 4, 0}, 5}, kAxis, {0, 0}), {0.6, -0.8, 0, 0, 0, 0, -0.6, 0.8, 0, -1},
+                 Kind::ordinary);
+  expect_contact(compute_sphere_capsule({{7, 0, -4}, 5}, kAxis, {0, 0}), {-0.6, 0, 0.8, 4, 0, 0, 4.6, 0, -0.8, -1},
+                 Kind::ordinary);
+}
+
+TEST(SphereCapsule, a_foot_that_is_no_dyadic_is_rounded_once) {
+  // Axis (1, 1, 1), centre (1, 0, 0): the foot is (1, 1, 1) / 3, the distance sqrt(6) / 3.
+  const auto contact = compute_sphere_capsule({{1, 0, 0}, 1}, {{0, 0, 0}, {1, 1, 1}, 0}, {0, 0});
+  ASSERT_TRUE(contact);
+  EXPECT_EQ(contact->point2, Vector3(1.0 / 3, 1.0 / 3, 1.0 / 3));
+  // -2 / sqrt(6), 1 / sqrt(6) and sqrt(6) / 3 - 1 to 30 digits.
+  EXPECT_EQ(contact->normal, Vector3(-0.816496580927726032732428024902, 0.408248290463863016366214012451,
+                                     0.408248290463863016366214012451));
+  EXPECT_EQ(contact->value, -0.183503419072273967267571975098);
+}
+
+TEST(SphereCapsule, touching_counts_and_one_ulp_less_does_not) {
+  EXPECT_TRUE(test_sphere_capsule({{1, 0, 3}, 2}, kAxis, 0));
+  EXPECT_FALSE(test_sphere_capsule({{1, 0, 3}, below(2)}, kAxis, 0));
+  EXPECT_TRUE(compute_sphere_capsule({{1, 0, 3}, 1.5}, kAxis, {0.5, 0}));
+  EXPECT_FALSE(compute_sphere_capsule({{1, 0, 3}, 1.5}, kAxis, {below(0.5), 0}));
+  // The distance from (1, 0, 0) to the diagonal is sqrt(2/3) = 0.816496580927726032732..., between two doubles.
+  const Capsule diagonal{{0, 0, 0}, {1, 1, 1}, 0};
+  const double nearest = 0.816496580927726032732428024902;
+  const boost::multiprecision::cpp_rational r(nearest);
+  const bool nearest_is_above = 3 * r * r > 2;
+  EXPECT_EQ(test_sphere_capsule({{1, 0, 0}, nearest}, diagonal, 0), nearest_is_above);
+  EXPECT_TRUE(test_sphere_capsule({{1, 0, 0}, above(nearest)}, diagonal, 0));
+  EXPECT_FALSE(test_sphere_capsule({{1, 0, 0}, below(nearest)}, diagonal, 0));
+}
+
+TEST(SphereCapsule, a_centre_on_the_axis_leaves_at_right_angles) {
+  expect_contact(compute_sphere_capsule({{1, 0, 0}, 1}, kAxis, {0, 0}), {0, 1, 0, 1, 1, 0, 1, -1, 0, -2},
+                 Kind::degenerate);
+  // Along (0, 3, 4) the x axis is at right angles already; along (1, 1, 0) it is (1, -1, 0) / sqrt(2).
+  expect_contact(compute_sphere_capsule({{0, 3, 4}, 2}, {{0, 0, 0}, {0, 3, 4}, 1}, {0, 0.5}),
+                 {1, 0, 0, 2, 3, 4, -1, 3, 4, -3.5}, Kind::degenerate);
+  const double half = 0.707106781186547524400844362105;
+  expect_contact(compute_sphere_capsule({{1, 1, 0}, 0}, {{0, 0, 0}, {2, 2, 0}, 0}, {0, 0}),
+                 {half, -half, 0, 1, 1, 0, 1, 1, 0, 0}, Kind::degenerate);
+}
+
+TEST(SphereCapsule, a_capsule_without_length_is_a_sphere) {
+  const Ball a{{1, 2, 3}, 1};
+  const Capsule point{{2, 4, 5}, {2, 4, 5}, 3};
+  const auto contact = compute_sphere_capsule(a, point, {0, 0.25});
+  const auto spheres = compute_sphere_sphere(a, {{2, 4, 5}, 3}, {0, 0.25});
+  ASSERT_TRUE(contact && spheres);
+  expect_same(numbers_of(*contact), numbers_of(*spheres));
+  expect_contact(compute_sphere_capsule({{2, 4, 5}, 1}, point, {0, 0}), {1, 0, 0, 3, 4, 5, -1, 4, 5, -4},
+                 Kind::degenerate);
+}
+
+TEST(CapsuleCapsule, sides_ends_and_an_end_beside_a_side_face_each_other) {
+  // Crossing at a distance of 3, within both.
+  expect_contact(compute_capsule_capsule(kAxis, {{1, -2, 3}, {1, 2, 3}, 1}, {1, 0}), {0, 0, 1, 1, 0, 1, 1, 0, 2, 1},
+                 Kind::ordinary);
+  // The end (7, 4, 0) of the second and the end (4, 0, 0) of the first.
+  expect_contact(compute_capsule_capsule(kAxis, {{7, 4, 0}, {9, 9, 0}, 4}, {0, 0}),
+                 {0.6, 0.8, 0, 4.6, 0.8, 0, 4.6, 0.8, 0, 0}, Kind::ordinary);
+  expect_contact(compute_capsule_capsule(kAxis, {{2, 2, 0}, {2, 9, 0}, 1}, {0, 0}), {0, 1, 0, 2, 1, 0, 2, 1, 0, 0},
+                 Kind::ordinary);
+}
+
+TEST(CapsuleCapsule, both_parameters_are_clamped_together) {
+  // Each clamped alone gives D = 5: the end (0, 2, 0) and the end (0, 0, 0) or (1, 0, 0). D is 2.5: the foot of (1, 0,
+  // 0).
+  const Capsule a{{0, 0, 0}, {1, 0, 0}, 1};
+  const auto contact = compute_capsule_capsule(a, {{3, 1, 0}, {0, 2, 0}, 1}, {0, 0});
+  ASSERT_TRUE(contact);
+  EXPECT_EQ(contact->normal, Vector3(0.316227766016837933199889354443, 0.948683298050513799599668063330, 0));
+  EXPECT_EQ(contact->value, -0.418861169915810334000553227784);  // sqrt(2.5) - 2
+}
+
+TEST(CapsuleCapsule, side_by_side_the_middle_is_taken) {
+  expect_contact(compute_capsule_capsule(kAxis, {{1, 0, 2}, {9, 0, 2}, 1}, {0, 0}), {0, 0, 1, 2.5, 0, 1, 2.5, 0, 1, 0},
+                 Kind::many);
+  expect_contact(compute_capsule_capsule(kAxis, {{9, 0, 2}, {1, 0, 2}, 1}, {0, 0}), {0, 0, 1, 2.5, 0, 1, 2.5, 0, 1, 0},
+                 Kind::many);
+  // In one point only, and not at all.
+  expect_contact(compute_capsule_capsule(kAxis, {{4, 0, 2}, {9, 0, 2}, 1}, {0, 0}), {0, 0, 1, 4, 0, 1, 4, 0, 1, 0},
+                 Kind::ordinary);
+  expect_contact(compute_capsule_capsule(kAxis, {{9, 4, 0}, {7, 4, 0}, 4}, {0, 0}),
+                 {0.6, 0.8, 0, 4.6, 0.8, 0, 4.6, 0.8, 0, 0}, Kind::ordinary);
+}
+
+TEST(CapsuleCapsule, axes_that_meet_leave_across_both) {
+  expect_contact(compute_capsule_capsule(kAxis, {{1, -2, 0}, {1, 2, 0}, 2}, {0, 0}), {0, 0, 1, 1, 0, 1, 1, 0, -2, -3},
+                 Kind::degenerate);
+  expect_contact(compute_capsule_capsule(kAxis, {{1, 2, 0}, {1, -2, 0}, 2}, {0, 0}), {0, 0, 1, 1, 0, 1, 1, 0, -2, -3},
+                 Kind::degenerate);
+  // On one line: the middle of what they share.
+  expect_contact(compute_capsule_capsule(kAxis, {{2, 0, 0}, {6, 0, 0}, 2}, {0, 0.5}),
+                 {0, 1, 0, 3, 1, 0, 3, -2, 0, -3.5}, Kind::degenerate_and_many);
+  expect_contact(compute_capsule_capsule(kAxis, {{4, 0, 0}, {6, 0, 0}, 2}, {0, 0.5}),
+                 {0, 1, 0, 4, 1, 0, 4, -2, 0, -3.5}, Kind::degenerate);
+}
+
+TEST(Capsules, point_conventions_move_the_points_along_the_normal) {
+  const Capsule other{{1, -2, 3}, {1, 2, 3}, 1};
+  const auto at = [&](PointOn first, PointOn second) {
+    return *compute_capsule_capsule(kAxis, other, {1, 0}, {first, second});
+  };
+  EXPECT_EQ(at(PointOn::center, PointOn::center).point1, Vector3(1, 0, 0));
+  EXPECT_EQ(at(PointOn::center, PointOn::center).point2, Vector3(1, 0, 3));
+  EXPECT_EQ(at(PointOn::far_surface, PointOn::far_surface).point1, Vector3(1, 0, -1));
+  EXPECT_EQ(at(PointOn::far_surface, PointOn::far_surface).point2, Vector3(1, 0, 4));
+}
+
+TEST(Capsules, are_right_at_both_ends_of_the_range) {
+  const Capsule longest{{-kLargest, -kLargest, -kLargest}, {kLargest, kLargest, kLargest}, 0};
+  // The foot of (0, 0, h) on the diagonal is (h, h, h) / 3; h / 3 is a number here.
+  const double h = 3 * 0x1p1000;
+  const auto contact = compute_sphere_capsule({{0, 0, h}, kLargest}, longest, {0, 0});
+  ASSERT_TRUE(contact);
+  EXPECT_EQ(contact->point2, Vector3(0x1p1000, 0x1p1000, 0x1p1000));
+  const Capsule least{{0, 0, 0}, {kLeast, 0, 0}, kLeast};
+  EXPECT_TRUE(test_capsule_capsule(least, {{kLeast, 2 * kLeast, 0}, {kLeast, 9 * kLeast, 0}, kLeast}, 0));
+  EXPECT_FALSE(test_capsule_capsule(least, {{kLeast, 3 * kLeast, 0}, {kLeast, 9 * kLeast, 0}, kLeast}, 0));
+}
+
+/// Pairs of capsules: in general position, beside each other's features, parallel and nearly so, crossing, without
+/// length, and at scales where the fast stage gives up.
+struct Question {
+  Capsule a;
+  Capsule b;
+  Distances distances;
+};
+std::vector<Question> questions(int count) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> coordinate(-4, 4);
+  std::uniform_int_distribution<int> whole(-2, 2);
+  std::vector<Question> all;
+  for (int i = 0; i < count; ++i) {
+    const auto point = [&]() -> Vector3 {
+      if (i % 3 == 0) return {double(whole(random)), double(whole(random)), double(whole(random))};
+      return {coordinate(random), coordinate(random), coordinate(random)};
+    };
+    Question q{{point(), point(), std::abs(coordinate(random))},
+               {point(), point(), std::abs(coordinate(random)) / 2},
+               {0.3, 0.1}};
+    const Vector3 along = q.a.end - q.a.start;
+    if (i % 7 == 1) q.b.end = q.b.start + along;
+    if (i % 7 == 2) q.b.end = q.b.start - along * 0.5 + Vector3(0, 0, 1e-9);
+    if (i % 11 == 3) q.b.end = q.b.start;
+    if (i % 11 == 4) q.a.end = q.a.start;
+    if (i % 13 == 5) q.b.start = (q.a.start + q.a.end) / 2;
+    const double scale = i % 17 == 6 ? 0x1p-1060 : i % 17 == 7 ? 0x1p900 : 1;
+    for (Vector3* v : {&q.a.start, &q.a.end, &q.b.start, &q.b.end}) *v *= scale;
+    for (double* x : {&q.a.radius, &q.b.radius, &q.distances.alarm, &q.distances.contact}) *x *= scale;
+    all.push_back(q);
+  }
+  return all;
+}
+
+/// What both pairs say of a question: the second asks the start of the first capsule as a sphere.
+struct Answers {
+  std::optional<Contact> capsules;
+  std::optional<Contact> sphere;
+  bool capsules_hit;
+  bool sphere_hits;
+};
+Answers answers(const Question& q) {
+  const Ball ball{q.a.start, q.a.radius};
+  return {compute_capsule_capsule(q.a, q.b, q.distances), compute_sphere_capsule(ball, q.b, q.distances),
+          test_capsule_capsule(q.a, q.b, q.distances.alarm), test_sphere_capsule(ball, q.b, q.distances.alarm)};
+}
+
+void expect_same(const std::optional<Contact>& actual, const std::optional<Contact>& expected) {
+  ASSERT_EQ(actual.has_value(), expected.has_value());
+  if (!actual) return;
+  expect_same(numbers_of(*actual), numbers_of(*expected));
+  EXPECT_EQ(actual->degenerate, expected->degenerate);
+  EXPECT_EQ(actual->unique, expected->unique);
+}
+
+/// The exact stage alone.
+template <class First>
+std::optional<Contact> exactly(const First& first, const kernel::Segment& second, const kernel::Lengths& lengths) {
+  const kernel::Grid grid = kernel::grid_of(first, second, lengths);
+  const kernel::ExactNearest nearest = kernel::exact_nearest(first, second, grid);
+  if (!kernel::is_hit(nearest, grid, lengths)) return std::nullopt;
+  Contact contact{};
+  kernel::round_exactly(nearest, grid, lengths, {}, kernel::kAllNumbers, contact);
+  return contact;
+}
+
+TEST(Capsules, the_fast_stage_says_what_the_exact_one_does) {
+  int hits = 0;
+  for (const Question& q : questions(20000)) {
+    const kernel::Segment second{q.b.start, q.b.end};
+    const kernel::Lengths lengths{q.a.radius, q.b.radius, q.distances.alarm, q.distances.contact};
+    const Answers said = answers(q);
+    expect_same(said.capsules, exactly(kernel::Segment{q.a.start, q.a.end}, second, lengths));
+    expect_same(said.sphere, exactly(q.a.start, second, lengths));
+    EXPECT_EQ(said.capsules_hit, said.capsules.has_value());
+    EXPECT_EQ(said.sphere_hits, said.sphere.has_value());
+    hits += said.capsules_hit ? 1 : 0;
+    ASSERT_FALSE(HasFailure());
+  }
+  EXPECT_GT(hits, 5000);
+}
+
+TEST(Capsules, are_the_same_in_every_floating_point_environment) {
+  const std::vector<Question> asked = questions(600);
+  std::vector<Answers> expected;
+  for (const Question& q : asked) expected.push_back(answers(q));
+  for (const FloatingPointEnvironment& environment : floating_point_environments()) {
+    std::vector<Answers> actual;
+    in_environment(environment, [&] {
+      for (const Question& q : asked) actual.push_back(answers(q));
+    });
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      expect_same(actual[i].capsules, expected[i].capsules);
+      expect_same(actual[i].sphere, expected[i].sphere);
+      EXPECT_EQ(actual[i].capsules_hit, expected[i].capsules_hit);
+      EXPECT_EQ(actual[i].sphere_hits, expected[i].sphere_hits);
+      ASSERT_FALSE(HasFailure()) << environment.name << " " << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace contact
