@@ -242,6 +242,10 @@ TEST(ShapeIntersectors, find_the_nearest_points_that_sofas_capsules_miss) {
   // A capsule of length 0 is a ball: 3-4-5 between its centre and the end (1,0,0).
   const auto drop = capsules("drop", {{{4, 4, 0}, {4, 4, 0}, 4.25}});
   expect_numbers(only_contact(bar, drop, {0, 0}, PointConvention::center), {0.6, 0.8, 0}, {1, 0, 0}, {4, 4, 0}, 0);
+  // As the first, too: its only point is 1 from the foot on a bar from (0,0,0) to (4,0,0); SOFA takes the bar's end.
+  const auto dot = capsules("dot", {{{1, 1, 0}, {1, 1, 0}, 0.5}});
+  const auto long_bar = capsules("long bar", {{{0, 0, 0}, {4, 0, 0}, 0.5}});
+  expect_numbers(only_contact(dot, long_bar, {0, 0}), {0, -1, 0}, {1, 0.5, 0}, {1, 0.5, 0}, 0);
   // Axes at a right angle, 2^-14 long, 2^-10 apart along z: parallel by a determinant of 2^-56.
   constexpr double kLength = 0x1p-14;
   const auto thin = capsules("thin", {{{0, 0, 0}, {kLength, 0, 0}, 0}});
@@ -252,6 +256,13 @@ TEST(ShapeIntersectors, find_the_nearest_points_that_sofas_capsules_miss) {
   const auto end = capsules("end", {{{0, 0, 0}, {0x1p21, 0, 0}, 1}});
   const auto ball = spheres("ball", {{{1, 3, 0}, 2}});
   expect_numbers(only_contact(ball, end, {0, 0}), {0, -1, 0}, {1, 1, 0}, {1, 1, 0}, 0);
+}
+
+TEST(ShapeIntersectors, of_one_model_meet_at_a_joint) {
+  const auto chain = capsules("chain", {{{0, 0, 0}, {2, 0, 0}, 0.25}, {{2, 0, 0}, {2, 2, 0}, 0.25}});
+  const auto contacts = detect(DiscreteIntersection(), chain);
+  ASSERT_EQ(contacts->size(), 1U);  // u x v = (0,0,4)
+  expect_numbers(contacts->front(), {0, 0, 1}, {2, 0, 0.25}, {2, 0, -0.25}, -0.5);
 }
 
 TEST(ShapeIntersectors,
