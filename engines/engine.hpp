@@ -78,6 +78,8 @@ inline constexpr std::string_view kBatchPrefix = "batch:";
 [[nodiscard]] Claim production_answer(const Query& query, PointConvention points);
 /// The engine `component`: production through DiscreteIntersection, each question as two models of one element.
 [[nodiscard]] Claim component_answer(const Query& query, PointConvention points);
+/// Whether both shapes of a pair have models, and these an intersector.
+[[nodiscard]] bool component_serves(Pair pair);
 /// Whether a pair has batch functions.
 [[nodiscard]] bool batch_serves(Pair pair);
 /// The engine `batch`: each question among those that stand beside it, in its own distances.

@@ -266,7 +266,7 @@ class Documentation(Case):
     def test_the_scene_in_the_help_is_the_one_on_the_page(self):
         page = (ROOT / "docs" / "formats.md").read_text()
         form = self.holds("detect", "--help").split("docs/formats.md#scenes.\n\n")[1].rstrip()
-        self.assertEqual(len(form.splitlines()), 4)
+        self.assertEqual(len(form.splitlines()), 5)
         self.assertIn(form, page)
 
 
@@ -937,6 +937,13 @@ class BadDatasets(Case):
             "infinite alarm": (identified(put(good, ["alarm"], "Infinity")), f"{path}:2: alarm: ", "Infinity"),
             "negative radius": (identified(put(good, ["b", "radius"], -2.5)), f"{path}:2: b.radius: ", "-2.5"),
             "negative alarm": (identified(put(good, ["alarm"], -0.5)), f"{path}:2: alarm: ", "-0.5"),
+            "a capsule without a radius": ([self.HEADER, {"model": "CapsuleCollisionModel", "name": "c", "starts": [[0, 0, 0]],
+                                                          "ends": [[1, 0, 0]]}], f"{path}:2: radii: ", "missing"),
+            "a capsule's end": ([self.HEADER, {"model": "CapsuleCollisionModel", "name": "c", "starts": [[0, 0, 0]],
+                                               "ends": [[0, 0, "Infinity"]], "radii": [1]}], f"{path}:2: ends[0][2]: ", "finite"),
+            "a capsule's radius": ([self.HEADER, {"model": "CapsuleCollisionModel", "name": "c", "starts": [[0, 0, 0]],
+                                                  "ends": [[0, 0, 1]], "radii": [-0.5]}], f"{path}:2: ",
+                                   'CapsuleCollisionModel "c"', "radii[0] = -0.5", "must not be negative"),
             "min above max": (identified(put(self.cubes, ["a", "min", 2], 1e9)), f"{path}:2: a.min[2]: ", "1e"),
             "text for a number": (put(good, ["alarm"], "wide"), f"{path}:2: alarm: ", '"wide"'),
             "no exact number": (put(good, ["exact", "reach"], "0x3\bp0"), f"{path}:2: exact.reach: ", r'got "0x3\bp0"'),
@@ -1822,6 +1829,36 @@ class Detect(Case):
                                   "points": "nearest_surface", "no_intersector": [["drops", "walls"], ["balls", "walls"]]})
         self.assertEqual(lines, self.CONTACTS)
 
+    # bars.jsonl: alarm 0.5, contact 0.25. Bars along x at y = 0 (radius 1) and y = 4 (0.5), a rod along z at (2,2.25), radius 1.
+    #   bars[0] rods[0]   2.25 apart, radii 2: value 2.25 - 2 - 0.25
+    #   bars[1] rods[0]   1.75 apart, radii 1.5: the same, on the other side
+    #   bars[0] drops[0]  (1,-3,0) r 1.75: 3 apart, radii 2.75
+    #   bars[1] drops[1]  (7,4,0) r 2.25 beyond the end (4,4,0): 3 apart, radii 2.75
+    #   drops[0] floor    the face y = -4 is 1 below, radius 1.75: with --solid-cubes 0.75 deep
+    BARS = ROOT / "docs/examples/scenes/bars.jsonl"
+    BAR_CONTACTS = [
+        {"first": {"model": "bars", "index": 0}, "second": {"model": "rods", "index": 0}, "id": 0,
+         "normal": [0, 1, 0], "point1": [2, 1, 0], "point2": [2, 1.25, 0], "value": 0},
+        {"first": {"model": "bars", "index": 1}, "second": {"model": "rods", "index": 0}, "id": 1,
+         "normal": [0, -1, 0], "point1": [2, 3.5, 0], "point2": [2, 3.25, 0], "value": 0},
+        {"first": {"model": "bars", "index": 0}, "second": {"model": "drops", "index": 0}, "id": 0,
+         "normal": [0, -1, 0], "point1": [1, -1, 0], "point2": [1, -1.25, 0], "value": 0},
+        {"first": {"model": "bars", "index": 1}, "second": {"model": "drops", "index": 1}, "id": 1,
+         "normal": [1, 0, 0], "point1": [4.5, 4, 0], "point2": [4.75, 4, 0], "value": 0},
+    ]
+
+    def test_capsules_meet_capsules_and_spheres_and_solid_cubes_are_asked_for(self):
+        header, lines = self.contacts(self.BARS)
+        self.assertEqual(lines, self.BAR_CONTACTS)
+        self.assertEqual(header["no_intersector"], [["bars", "floor"], ["rods", "floor"], ["drops", "floor"]])
+        header, lines = self.contacts(self.BARS, "--solid-cubes")
+        deep = {"first": {"model": "drops", "index": 0}, "second": {"model": "floor", "index": 0}, "id": 0,
+                "normal": [0, -1, 0], "point1": [1, -4.75, 0], "point2": [1, -4, 0], "value": -1}
+        self.assertEqual((lines, header["no_intersector"]), ([*self.BAR_CONTACTS, deep], [["bars", "floor"], ["rods", "floor"]]))
+        # Under `center` a capsule's point is the one of its axis.
+        self.assertEqual([(c["point1"], c["point2"]) for c in self.contacts(self.BARS, "--points", "center")[1]][0],
+                         ([2, 0, 0], [2, 2.25, 0]))
+
     def test_lines_are_canonical(self):
         out = run("detect", self.DROPS, "--json").stdout.splitlines()
         self.assertEqual(out[2], '{"first":{"model":"drops","index":0},"second":{"model":"balls","index":2},"id":2,'
@@ -1975,7 +2012,7 @@ class Detect(Case):
             "no models": ([self.HEADER], f"{path}: ", "no model"),
             "no type": ([self.HEADER, without(good, "model")], f"{path}:2: model: ", "missing"),
             "unknown type": ([self.HEADER, {**good, "model": "TriangleModel"}], f"{path}:2: model: ", "TriangleModel",
-                             "SphereCollisionModel, RigidSphereModel, CubeCollisionModel"),
+                             "SphereCollisionModel, RigidSphereModel, CubeCollisionModel, CapsuleCollisionModel"),
             "type no text": ([self.HEADER, {**good, "model": 7}], f"{path}:2: model: ", "7"),
             "no name": ([self.HEADER, without(good, "name")], f"{path}:2: name: ", "missing"),
             "empty name": ([self.HEADER, self.ball_model("")], f"{path}:2: name: ", '""'),

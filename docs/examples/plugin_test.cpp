@@ -188,7 +188,7 @@ TEST(Plugins, may_be_loaded_again_and_nothing_is_registered_twice) {
   load_plugin(std::filesystem::relative(CAPSULE));
   EXPECT_EQ(IntersectorFactory::getInstance().names(), names);
   EXPECT_EQ(ModelFactory::getInstance().makers().size(), makers);
-  EXPECT_EQ(std::count(names.begin(), names.end(), "CapsuleSphereIntersector"), 1);
+  EXPECT_EQ(std::count(names.begin(), names.end(), "SphereCapsuleIntersector"), 1);
   EXPECT_EQ(std::count(names.begin(), names.end(), "CubeContactIntersector"), 1);
 }
 
@@ -269,7 +269,7 @@ TEST(Plugins, give_the_same_contacts_in_every_floating_point_environment) {
   const ProximityIntersection intersection({.alarm = 0.25, .contact = 0.125});
   const auto expected = bits_of(*detect(intersection, *scene.capsules, *scene.spheres));
   for (const FloatingPointEnvironment& environment : floating_point_environments()) {
-    std::optional<OutputVector> contacts;  // the capsules' arithmetic is plain: what it raises must not trap
+    std::optional<OutputVector> contacts;  // what a plug-in's arithmetic raises must not trap
     in_environment(environment, [&] { contacts = detect(intersection, *scene.capsules, *scene.spheres); });
     EXPECT_EQ(bits_of(*contacts), expected) << environment.name;
   }

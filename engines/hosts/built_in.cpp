@@ -43,7 +43,7 @@ constexpr std::array kBuiltIn{
     BuiltIn{"batch", "production through its functions for many pairs; batch:AVX2 and so on choose the vectors",
             Scalar::binary64, false, batch_answers, batch_serves},
     BuiltIn{"component", "production through DiscreteIntersection and whole models", Scalar::binary64, false,
-            each<component_answer>, is_discrete_intersections},
+            each<component_answer>, component_serves},
     BuiltIn{"plain-double", "the seed's formulas in plain double arithmetic, as SOFA computes them", Scalar::binary64,
             true, each<plain<Scalar::binary64>>, all},
     BuiltIn{"plain-float", "the seed's formulas in plain float arithmetic", Scalar::binary32, true,

@@ -1,69 +1,93 @@
 // The engine `component`: production through DiscreteIntersection, each question as two models of one element.
+#include <memory>
 #include <stdexcept>
 
 #include "contact/detect.hpp"
-#include "contact/discrete_intersection.hpp"
+#include "contact/shape_intersectors.hpp"
 #include "engines/engine.hpp"
 
 namespace contact::engines {
 namespace {
 
-SphereCollisionModel spheres(const Ball& ball) {
-  return {"spheres", ball.center.transpose(), Eigen::VectorXd::Constant(1, ball.radius)};
-}
-RigidSphereModel rigid_spheres(const Ball& ball) {
-  return {"rigid spheres", ball.center.transpose(), Eigen::RowVector4d(0, 0, 0, 1),
-          Eigen::VectorXd::Constant(1, ball.radius)};
-}
-CubeCollisionModel cubes(const Box& box) { return {"cubes", box.min.transpose(), box.max.transpose()}; }
+using Model = std::unique_ptr<const CollisionModel>;
 
-/// Both claims about two models of one element, `overlap` from canIntersect and `contact` from detect.
-Claim claim_about(const Intersection& intersection, const CollisionModel& model1, const CollisionModel& model2) {
+Model model_of(const Ball& ball, bool rigid) {
+  const Eigen::VectorXd radius = Eigen::VectorXd::Constant(1, ball.radius);
+  if (rigid)
+    return std::make_unique<RigidSphereModel>("rigid spheres", ball.center.transpose(), Eigen::RowVector4d(0, 0, 0, 1),
+                                              radius);
+  return std::make_unique<SphereCollisionModel>("spheres", ball.center.transpose(), radius);
+}
+Model model_of(const Box& box, bool) {
+  return std::make_unique<CubeCollisionModel>("cubes", box.min.transpose(), box.max.transpose());
+}
+Model model_of(const Capsule& capsule, bool) {
+  return std::make_unique<CapsuleCollisionModel>("capsules", capsule.start.transpose(), capsule.end.transpose(),
+                                                 Eigen::VectorXd::Constant(1, capsule.radius));
+}
+template <class Shape>
+Model model_of(const Shape&, bool) {
+  return nullptr;  // a shape that has no model
+}
+
+/// The two shapes of a pair as models of one element each.
+std::pair<Model, Model> models_of(Pair pair, const Shapes& shapes) {
+  return std::visit(
+      [&](const auto& two) {
+        return std::pair(model_of(two.a, description(pair).first_is_rigid),
+                         model_of(two.b, description(pair).second_is_rigid));
+      },
+      shapes);
+}
+
+/// What this library has to be registered, and nothing that plug-ins add: that is not judged here.
+const IntersectorFactory& ours() {
+  static IntersectorFactory factory;
+  static const bool once = factory.registerCreator("Capsule", creator_of<CapsuleDiscreteIntersection>()) &&
+                           factory.registerCreator("SolidCube", creator_of<SolidCubeDiscreteIntersection>());
+  (void)once;
+  return factory;
+}
+
+/// Nothing where a shape has no model, or two models no intersector.
+const ElementIntersector* intersector_of(DiscreteIntersection& intersection, const Model& model1, const Model& model2) {
+  if (!model1 || !model2) return nullptr;
+  intersection.intersectors.setSink({});
   bool swap = false;
-  const ElementIntersector* intersector = intersection.findIntersector(model1, model2, swap);
-  const auto contacts = detect(intersection, model1, model2);
-  if (intersector == nullptr || swap || !contacts || contacts->size() > 1)
-    throw std::logic_error("component: every pair has an intersector of its own, and two elements one contact at most");
+  const ElementIntersector* intersector = intersection.findIntersector(*model1, *model2, swap);
+  if (swap) throw std::logic_error("component: every pair has an intersector of its own");
+  return intersector;
+}
+
+}  // namespace
+
+bool component_serves(Pair pair) {
+  const auto [model1, model2] = models_of(pair, description(pair).zeros());
+  DiscreteIntersection intersection(PointConvention::nearest_surface, ours());
+  return intersector_of(intersection, model1, model2) != nullptr;
+}
+
+Claim component_answer(const Query& query, PointConvention points) {
+  if (const auto error = outside_domain(query)) return rejection(*error);
+  const auto [model1, model2] = models_of(query.pair, query.shapes);
+  ProximityIntersection intersection(query.distances, points, ours());
   Claim claim;
-  claim.overlap = intersector->canIntersect({model1, 0}, {model2, 0}, intersection);
-  claim.speaks_of_contact = true;
+  const ElementIntersector* intersector = intersector_of(intersection, model1, model2);
+  if (intersector == nullptr) {
+    claim.status = Claim::Status::unsupported;
+    claim.text = "no intersector serves this pair";
+    return claim;
+  }
+  claim.overlap = intersector->canIntersect({*model1, 0}, {*model2, 0}, intersection);
+  claim.speaks_of_contact = query.has_numbers();  // SOFA's computeIntersection of two cubes writes nothing
+  const auto contacts = detect(intersection, *model1, *model2);
+  if (!contacts || contacts->size() > (query.has_numbers() ? 1 : 0))
+    throw std::logic_error("component: two elements have one contact at most, and two cubes none");
   if (!contacts->empty()) {
     const DetectionOutput& c = contacts->front();
     claim.contact = {c.normal, c.point[0], c.point[1], std::nullopt, c.value};
   }
   return claim;
-}
-
-/// SOFA's computeIntersection of two cubes writes nothing, so cubes claim their overlap alone.
-Claim cubes_claim(const Intersection& intersection, const Boxes& boxes) {
-  Claim claim = claim_about(intersection, cubes(boxes.a), cubes(boxes.b));
-  if (claim.contact) throw std::logic_error("component: two cubes wrote a contact");
-  claim.speaks_of_contact = false;
-  return claim;
-}
-
-}  // namespace
-
-Claim component_answer(const Query& query, PointConvention points) {
-  if (const auto error = outside_domain(query)) return rejection(*error);
-  static const IntersectorFactory none;  // what plug-ins add is not what is judged here
-  const ProximityIntersection intersection(query.distances, points, none);
-  if (const Boxes* boxes = query.boxes()) return cubes_claim(intersection, *boxes);
-  if (query.balls() == nullptr) {
-    Claim claim;
-    claim.status = Claim::Status::unsupported;
-    claim.text = "DiscreteIntersection has no such pair";
-    return claim;
-  }
-  const auto& [a, b] = *query.balls();
-  switch (query.pair) {
-    case Pair::sphere_sphere:
-      return claim_about(intersection, spheres(a), spheres(b));
-    case Pair::rigid_sphere_rigid_sphere:
-      return claim_about(intersection, rigid_spheres(a), rigid_spheres(b));
-    default:
-      return claim_about(intersection, spheres(a), rigid_spheres(b));
-  }
 }
 
 }  // namespace contact::engines

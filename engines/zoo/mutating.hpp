@@ -147,7 +147,14 @@ void decide_boxes(const Query& q, Claim& claim, Compare compare) {
 /// Another value; not of a sphere whose centre is in a box, which has a formula of its own.
 template <class Value>
 void revalue(const Query& q, Claim& claim, Value value) {
-  if (claim.contact && (q.balls() != nullptr || !coincident(q))) claim.contact->value = rounded(value(WideSpheres(q)));
+  if (!claim.contact || (q.balls() == nullptr && coincident(q))) return;
+  const WideSpheres s(q);
+  const Wide other = value(s);
+  // Nearest points of axes are rounded, in wide arithmetic too: what differs by that alone is no mistake.
+  const Wide size =
+      std::max({s.distance, s.r1 + s.r2, s.contact, std::abs(s.c1[0]), std::abs(s.c1[1]), std::abs(s.c1[2])});
+  const bool is_rounding = std::abs(other - static_cast<Wide>(*claim.contact->value)) <= 1e-15L * size;
+  if (q.balls() != nullptr || !is_rounding) claim.contact->value = rounded(other);
 }
 
 /// For changes of the question, which are made in it.

@@ -242,26 +242,22 @@ bool is_number(const Rational& x, Scalar scalar) {
   return std::isfinite(rounded) && Rational(rounded) == x;
 }
 
-/// Whether the middle of two coordinates and their distance, whole and half, are numbers of the scalar: engines ask for
-/// either.
-bool has_center_and_size(double from, double to, Scalar scalar) {
-  if (!std::isfinite(from) || !std::isfinite(to)) return true;
-  const Rational x(from);
-  const Rational size = CGAL::abs(Rational(to) - x);
-  return is_number((x + Rational(to)) / 2, scalar) && is_number(size, scalar) && is_number(size / 2, scalar);
-}
-/// The same of a shape. A direction that is none of the axes is no number.
+/// Whether a shape's centre and size, whole and half, are numbers of the scalar: engines ask for either size.
 bool has_center_and_size(const Ball& /*ball*/, Scalar /*scalar*/) { return true; }
 bool has_center_and_size(const Box& box, Scalar scalar) {
-  bool all = true;
-  for (int axis = 0; axis < 3; ++axis) all = all && has_center_and_size(box.min[axis], box.max[axis], scalar);
-  return all;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!std::isfinite(box.min[axis]) || !std::isfinite(box.max[axis])) continue;
+    const Rational low(box.min[axis]);
+    const Rational high(box.max[axis]);
+    for (const Rational& x : {(low + high) / 2, high - low, (high - low) / 2})
+      if (!is_number(x, scalar)) return false;
+  }
+  return true;
 }
+/// A capsule has a direction besides, which is exact along a coordinate axis alone.
 bool has_center_and_size(const Capsule& capsule, Scalar scalar) {
-  if ((capsule.start.array() != capsule.end.array()).count() > 1) return false;
-  bool all = true;
-  for (int axis = 0; axis < 3; ++axis) all = all && has_center_and_size(capsule.start[axis], capsule.end[axis], scalar);
-  return all;
+  const Box around{capsule.start.cwiseMin(capsule.end), capsule.start.cwiseMax(capsule.end)};
+  return (capsule.start.array() != capsule.end.array()).count() <= 1 && has_center_and_size(around, scalar);
 }
 
 }  // namespace

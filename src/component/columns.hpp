@@ -23,6 +23,13 @@ template <int Width>
   return std::nullopt;
 }
 
+/// The first number that is no length, or nothing.
+[[nodiscard]] inline std::optional<DomainError> not_a_length(const std::string& field, const Rows<1>& column) {
+  for (Index i = 0; i < column.rows(); ++i)
+    if (auto error = outside_domain(row(field, i), column(i))) return error;
+  return std::nullopt;
+}
+
 /// An error where one column is not as long as another.
 [[nodiscard]] inline std::optional<DomainError> wrong_length(const std::string& field, Index length,
                                                              const std::string& other, Index expected) {

@@ -161,13 +161,14 @@ std::vector<Scene> scenes(std::uint64_t seed) {
 /// All pairs put to the oracle, in the order that detect documents.
 template <class Model1, class Model2>
 std::vector<std::string> all_pairs(const Model1& model1, const Model2& model2, Distances distances,
-                                   bool turned = false) {
+                                   bool swapped = false) {
   OutputVector contacts;
   for (Index i = 0; i < model1.getSize(); ++i)
-    for (Index j = 0; j < model2.getSize(); ++j)
-      if (const auto contact =
-              expected_contact({model1, i}, model1.balls()[i], {model2, j}, model2.balls()[j], distances, turned))
+    for (Index j = 0; j < model2.getSize(); ++j) {
+      const auto ask = swapped ? component::expected_swapped<Ball, Ball> : expected_contact<Ball, Ball>;
+      if (const auto contact = ask({model1, i}, model1.balls()[i], {model2, j}, model2.balls()[j], distances))
         contacts.push_back(*contact);
+    }
   return text(contacts);
 }
 

@@ -12,6 +12,7 @@
 #include "contact/discrete_intersection.hpp"
 #include "contact/exact_sum.hpp"
 #include "contact/model_factory.hpp"
+#include "contact/shape_intersectors.hpp"
 #include "environment/floating_point_environments.hpp"
 #include "extreme_numbers.hpp"
 
@@ -57,6 +58,7 @@ std::string box_text(const Box& box) { return text(box.min) + text(box.max) + "\
 std::string everything(const std::vector<Ball>& balls, const std::vector<Box>& boxes, Distances distances) {
   std::string said;
   ProximityIntersection component({0, 0});
+  const SolidCubeDiscreteIntersection solid_cubes(component);
   component.setAlarmDistance(distances.alarm);
   component.setContactDistance(distances.contact);
   const TouchingBoxes box_contacts;
@@ -64,11 +66,18 @@ std::string everything(const std::vector<Ball>& balls, const std::vector<Box>& b
   auto s = spheres("s", balls);
   auto r = rigid_spheres("r", balls);
   auto c = cubes("c", boxes);
+  std::vector<Capsule> between;  // neighbours
+  for (std::size_t i = 0; i < balls.size(); ++i)
+    between.push_back({balls[i].center, balls[(i + 1) % balls.size()].center, balls[i].radius});
+  auto k = capsules("k", between);
+  k.setEnds(centers_of(balls), centers_of({balls.rbegin(), balls.rend()}));
   s.setCenters(centers_of(balls));
   r.setFrames(centers_of(balls), upright(static_cast<Index>(balls.size())));
   c.setParentOf(0, boxes[0].min, boxes[0].max, {0.1, kLeast, 0}, kLeast);
   said += lines(detect(component, s, r)) + lines(detect(component, r, s)) + lines(detect(component, s)) +
-          lines(detect(component, c)) + lines(detect(component, c, c));
+          lines(detect(component, c)) + lines(detect(component, c, c)) + lines(detect(component, k)) +
+          lines(detect(component, s, k)) + lines(detect(component, k, r)) + lines(detect(component, c, s));
+  for (Index i = 0; i < k.getSize(); ++i) said += box_text(k.bounding_box(i));
   OutputVector contacts;
   for (Index i = 0; i < s.getSize(); ++i) {
     const Sphere a(s, i);
@@ -88,6 +97,7 @@ std::string everything(const std::vector<Ball>& balls, const std::vector<Box>& b
   said += refusal([&] { r.setFrames(centers_of(balls), Eigen::MatrixX4d::Constant(s.getSize(), 4, kLargest)); });
   said += refusal([&] { r.setFrames(centers_of(balls), Eigen::MatrixX4d::Constant(s.getSize(), 4, 0.1)); });
   said += refusal([&] { c.setParentOf(0, {0, kLeast, 0}, {0, 0, 0}); });
+  said += refusal([&] { k.setEnds(centers_of(balls), Eigen::MatrixX3d::Constant(k.getSize(), 3, -kInfinity)); });
   said += refusal([&] {
     (void)ModelFactory::getInstance().make("SphereCollisionModel", "m", {{"centers", centers_of(balls)}});
   });

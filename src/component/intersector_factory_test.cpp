@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -98,8 +99,14 @@ TEST(IntersectorFactory, a_component_has_the_creators_registered_before_it_was_m
   EXPECT_EQ(who_serves(after), 7);
 }
 
+/// Those that two source files registered while the program started, in no order; the library's own is one.
+std::set<std::string> names_of_the_instance() {
+  const std::vector<std::string> names = IntersectorFactory::getInstance().names();
+  return {names.begin(), names.end()};
+}
+
 TEST(IntersectorFactory, its_instance_has_what_another_source_file_registered_while_the_program_started) {
-  EXPECT_EQ(IntersectorFactory::getInstance().names(), std::vector<std::string>{"StarIntersector"});
+  EXPECT_EQ(names_of_the_instance(), (std::set<std::string>{"Capsule", "StarIntersector"}));
   EXPECT_EQ(&IntersectorFactory::getInstance(), &IntersectorFactory::getInstance());
   const DiscreteIntersection component;
   const Stars stars("stars");
@@ -111,7 +118,7 @@ TEST(IntersectorFactory, its_instance_has_what_another_source_file_registered_wh
 
 TEST(IntersectorFactory, a_name_registered_with_the_instance_is_taken) {
   const IntersectorCreator<StarIntersector> again("StarIntersector");
-  EXPECT_EQ(IntersectorFactory::getInstance().names(), std::vector<std::string>{"StarIntersector"});
+  EXPECT_EQ(names_of_the_instance(), (std::set<std::string>{"Capsule", "StarIntersector"}));
 }
 
 TEST(IntersectorFactory, every_component_owns_intersectors_of_its_own) {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/capsule_model.hpp"
 #include "contact/cube_model.hpp"
 #include "contact/detection_output.hpp"
 #include "contact/sphere_model.hpp"
@@ -52,6 +53,20 @@ inline CubeCollisionModel cubes(std::string name, const std::vector<Box>& boxes)
     max.row(static_cast<Index>(i)) = boxes[i].max.transpose();
   }
   return {std::move(name), min, max};
+}
+
+inline CapsuleCollisionModel capsules(std::string name, const std::vector<Capsule>& all) {
+  const auto count = static_cast<Index>(all.size());
+  Rows<3> starts(count, 3);
+  Rows<3> ends(count, 3);
+  Rows<1> radii(count, 1);
+  for (Index i = 0; i < count; ++i) {
+    const Capsule& capsule = all[static_cast<std::size_t>(i)];
+    starts.set(i, capsule.start);
+    ends.set(i, capsule.end);
+    radii(i) = capsule.radius;
+  }
+  return {std::move(name), std::move(starts), std::move(ends), std::move(radii)};
 }
 
 /// A double as the hexadecimal number that it is: equal texts mean equal bits, -0 and +0 told apart.

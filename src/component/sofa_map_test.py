@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""docs/sofa-map.md names a test for every statement of the source, and every test that it names exists."""
+"""docs/sofa-map.md names a test for every statement of the source and of capsules, and every test that it names exists."""
 import re
 import unittest
 from pathlib import Path
@@ -18,10 +18,10 @@ def tests_in_the_source_tree():
     }
 
 
-def rows():
-    """The cells of the table's rows, without its head."""
+def rows(section="Every statement of the source"):
+    """The cells of the table's rows in a section, without its head."""
     text = (ROOT / "docs/sofa-map.md").read_text(encoding="utf-8")
-    section = text.split("\n## Every statement of the source\n")[1].split("\n## ")[0]
+    section = text.split(f"\n## {section}\n")[1].split("\n## ")[0]
     lines = [line for line in section.splitlines() if line.startswith("|")]
     return [[cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]] for line in lines[2:]]
 
@@ -29,16 +29,17 @@ def rows():
 class SofaMap(unittest.TestCase):
     def test_has_a_statement_what_holds_and_a_test_in_every_row(self):
         self.assertGreater(len(rows()), 40)
-        for row in rows():
-            self.assertEqual(len(row), 3, row)
+        self.assertGreater(len(rows("Capsules")), 8)
+        for row, width in [*((row, 3) for row in rows()), *((row, 4) for row in rows("Capsules"))]:
+            self.assertEqual(len(row), width, row)
             self.assertTrue(all(row), row)
-            self.assertRegex(row[2], r"^`\w+\.\w+`(, `\w+\.\w+`)*$", row[0])
+            self.assertRegex(row[-1], r"^`\w+\.\w+`(, `\w+\.\w+`)*$", row[0])
 
     def test_names_tests_that_exist(self):
         known = tests_in_the_source_tree()
         self.assertGreater(len(known), 100)
-        for row in rows():
-            for test in re.findall(r"`(\w+\.\w+)`", row[2]):
+        for row in [*rows(), *rows("Capsules")]:
+            for test in re.findall(r"`(\w+\.\w+)`", row[-1]):
                 self.assertTrue(test in known, f"{test} is no test; it is named for: {row[0]}")
 
 

@@ -13,9 +13,7 @@ namespace {
 std::optional<DomainError> outside_domain(const Rows<3>& centers, const Rows<1>& radii, const char* name) {
   if (auto error = component::not_finite(name, centers)) return error;
   if (auto error = component::wrong_length("radii", radii.rows(), name, centers.rows())) return error;
-  for (Index i = 0; i < radii.rows(); ++i)
-    if (auto error = contact::outside_domain(component::row("radii", i), radii(i))) return error;
-  return std::nullopt;
+  return component::not_a_length("radii", radii);
 }
 
 // Not inlined, this and what computes below: what RoundToNearest sets must be set before anything is computed.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "contact/capsule_model.hpp"
 #include "contact/cube_model.hpp"
 #include "contact/sphere_model.hpp"
 
@@ -26,6 +27,11 @@ std::unique_ptr<CollisionModel> make_cubes(std::string name, const ModelColumns&
   return std::make_unique<CubeCollisionModel>(std::move(name), columns.at("min"), columns.at("max"));
 }
 
+std::unique_ptr<CollisionModel> make_capsules(std::string name, const ModelColumns& columns) {
+  return std::make_unique<CapsuleCollisionModel>(std::move(name), columns.at("starts"), columns.at("ends"),
+                                                 columns.at("radii"));
+}
+
 }  // namespace
 
 ModelFactory::ModelFactory()
@@ -33,7 +39,8 @@ ModelFactory::ModelFactory()
               {std::string(RigidSphereModel::kName),
                {{"positions", 3}, {"orientations", 4}, {"radii", 1}},
                make_rigid_spheres},
-              {std::string(CubeCollisionModel::kName), {{"min", 3}, {"max", 3}}, make_cubes}} {}
+              {std::string(CubeCollisionModel::kName), {{"min", 3}, {"max", 3}}, make_cubes},
+              {std::string(CapsuleCollisionModel::kName), {{"starts", 3}, {"ends", 3}, {"radii", 1}}, make_capsules}} {}
 
 bool ModelFactory::registerModel(ModelMaker maker) {
   const std::lock_guard lock(mutex_);

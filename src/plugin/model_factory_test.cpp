@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "component/models_for_tests.hpp"
+#include "contact/capsule_model.hpp"
 #include "contact/cube_model.hpp"
 #include "contact/sphere_model.hpp"
 
@@ -34,15 +35,15 @@ ModelMaker maker_of_everything(std::vector<ModelColumn> columns = {}) {
           [](std::string name, const ModelColumns&) { return std::make_unique<Everything>(std::move(name)); }};
 }
 
-TEST(ModelFactory, knows_the_three_built_in_types_and_their_columns) {
+TEST(ModelFactory, knows_the_four_built_in_types_and_their_columns) {
   std::vector<std::string> known;
   for (const ModelMaker& maker : ModelFactory().makers()) {
     known.push_back(maker.type);
     for (const ModelColumn& column : maker.columns) known.back() += " " + column.name + std::to_string(column.width);
   }
-  EXPECT_EQ(known, (std::vector<std::string>{"SphereCollisionModel centers3 radii1",
-                                             "RigidSphereModel positions3 orientations4 radii1",
-                                             "CubeCollisionModel min3 max3"}));
+  EXPECT_EQ(known, (std::vector<std::string>{
+                       "SphereCollisionModel centers3 radii1", "RigidSphereModel positions3 orientations4 radii1",
+                       "CubeCollisionModel min3 max3", "CapsuleCollisionModel starts3 ends3 radii1"}));
 }
 
 TEST(ModelFactory, makes_spheres) {
@@ -76,6 +77,15 @@ TEST(ModelFactory, makes_cubes) {
   EXPECT_EQ(Cube(cubes, 2).maxVect(), Vector3(2, 2, 2));
 }
 
+TEST(ModelFactory, makes_capsules) {
+  const auto model = ModelFactory().make(
+      "CapsuleCollisionModel", "c", {{"starts", rows(2, 3, -1)}, {"ends", rows(2, 3, 2)}, {"radii", rows(2, 1, 5)}});
+  const auto& capsules = dynamic_cast<const CapsuleCollisionModel&>(*model);
+  EXPECT_EQ(CapsuleElement(capsules, 1).point1(), Vector3(-1, -1, -1));
+  EXPECT_EQ(CapsuleElement(capsules, 1).point2(), Vector3(2, 2, 2));
+  EXPECT_EQ(CapsuleElement(capsules, 1).radius(), 5);
+}
+
 TEST(ModelFactory, makes_models_without_elements) {
   const auto model = ModelFactory().make("SphereCollisionModel", "s", {{"centers", rows(0, 3)}, {"radii", rows(0, 1)}});
   EXPECT_EQ(model->getSize(), 0);
@@ -83,7 +93,8 @@ TEST(ModelFactory, makes_models_without_elements) {
 
 TEST(ModelFactory, refuses_a_type_that_it_does_not_know_and_says_which_there_are) {
   EXPECT_EQ(refusal([] { (void)ModelFactory().make("Sphere", "s", {}); }),
-            "Sphere \"s\": unknown type of model; there are SphereCollisionModel RigidSphereModel CubeCollisionModel");
+            "Sphere \"s\": unknown type of model; there are SphereCollisionModel RigidSphereModel CubeCollisionModel "
+            "CapsuleCollisionModel");
 }
 
 TEST(ModelFactory, refuses_a_column_that_is_missing_unknown_too_wide_or_too_long) {
@@ -138,7 +149,7 @@ TEST(ModelFactory, registers_a_type_once) {
   EXPECT_TRUE(factory.registerModel(maker_of_everything()));
   EXPECT_FALSE(factory.registerModel(maker_of_everything({{"mass", 1}})));
   EXPECT_FALSE(factory.registerModel({"SphereCollisionModel", {}, {}}));
-  EXPECT_EQ(factory.makers().size(), 4U);
+  EXPECT_EQ(factory.makers().size(), 5U);
   EXPECT_TRUE(factory.makers().back().columns.empty());
 }
 
@@ -146,7 +157,7 @@ TEST(ModelFactory, has_one_instance_and_others_are_apart_from_it) {
   EXPECT_EQ(&ModelFactory::getInstance(), &ModelFactory::getInstance());
   ModelFactory factory;
   EXPECT_TRUE(factory.registerModel(maker_of_everything()));
-  EXPECT_EQ(ModelFactory::getInstance().makers().size(), 3U);
+  EXPECT_EQ(ModelFactory::getInstance().makers().size(), 4U);
 }
 
 TEST(ModelFactory, refuses_a_maker_that_is_nothing_or_makes_nothing) {

@@ -10,6 +10,7 @@
 
 #include "contact/discrete_intersection.hpp"
 #include "contact/plugin.hpp"
+#include "contact/shape_intersectors.hpp"
 #include "engines/engine.hpp"
 #include "formats/json.hpp"
 #include "formats/output_file.hpp"
@@ -30,6 +31,7 @@ struct DetectOptions {
   std::optional<double> contact;
   std::string points = std::string(engines::kComputedPointsNames.front());
   bool self = false;
+  bool solid_cubes = false;
   std::string output;
   bool json = false;
 };
@@ -134,6 +136,8 @@ std::string table(const std::vector<Meeting>& all, const ProximityIntersection& 
 void run_detect(const DetectOptions& options) {
   require_apart({options.output}, options.scenes);
   const auto output = options.output.empty() ? nullptr : std::make_unique<formats::OutputFile>(options.output);
+  if (options.solid_cubes)  // before the plug-ins, whose intersectors replace others
+    IntersectorFactory::getInstance().registerCreator("SolidCube", creator_of<SolidCubeDiscreteIntersection>());
   for (const std::string& plugin : options.plugins) load_plugin(plugin);
   const Scene scene = read_scene(options.scenes, ModelFactory::getInstance());
   const Distances distances{options.alarm.value_or(scene.alarm.value_or(0)),
@@ -183,6 +187,8 @@ void add_detect(CLI::App& app, int& exit) {
       ->capture_default_str()
       ->check(CLI::IsMember(engines::kComputedPointsNames));
   command->add_flag("--self", options->self, "Each model with itself, too");
+  command->add_flag("--solid-cubes", options->solid_cubes,
+                    "Spheres against cubes, too: cubes are solid (default: they bound something else, as in SOFA)");
   command->add_option("-o,--output", options->output, "Write the contacts as JSON lines");
   command->add_flag("--json", options->json, "Print the contacts as JSON lines instead of the table");
   command->footer(

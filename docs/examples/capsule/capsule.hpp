@@ -32,9 +32,10 @@ class Capsule : public contact::ElementOf<CapsuleModel> {
  public:
   using ElementOf::ElementOf;
 
-  [[nodiscard]] contact::Vector3 p() const { return getCollisionModel().p(getIndex()); }
-  [[nodiscard]] contact::Vector3 q() const { return getCollisionModel().q(getIndex()); }
-  [[nodiscard]] double r() const { return getCollisionModel().radius(getIndex()); }
+  [[nodiscard]] contact::Capsule shape() const {
+    const CapsuleModel& model = getCollisionModel();
+    return {model.p(getIndex()), model.q(getIndex()), model.radius(getIndex())};
+  }
 };
 
 }  // namespace example
