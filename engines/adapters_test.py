@@ -19,6 +19,7 @@ TOLERANT = {"bullet-gjk", "bullet-gjk-float", "libccd", "libccd-gjk", "havok", "
 DECIDING = {"cgal-epick", "eigen", "fcl-distance", "three"}
 # Wrong even here, as docs/scoreboard.md tells of each: held to their decisions, and known to be no better.
 WRONG = {"sphere_beside_box": {"cannon"},
+         "sphere_capsule": {"ammo"}, "capsule_capsule": {"fcl", "rapier"},
          "sphere_in_box": {"ammo", "bullet", "bullet-float", "dart", "mujoco", "ode", "oimo"}}
 # What people write into their build files.
 NAMES = {"fcl", "bullet", "ode", "libccd", "mujoco"}
@@ -50,6 +51,25 @@ class Adapters(unittest.TestCase):
         mixed = {name: [{"pair": "sphere_cube", "a": {"center": center, "radius": i}, "alarm": alarm, "contact": 0.5, "b": box}
                         for center in centers for i in (1, 3.5, 7) for alarm in (0, 1)]
                  for name, centers in (("sphere_beside_box", ([-3, 1, 2], [-3, 8, 3], [3, 6, -2])), ("sphere_in_box", ([0.25, 1, 3],)))}
+        # Capsules along each axis, from either end, 5 beside the middle and 3 beyond an end; two of them also crosswise.
+        def capsule(axis, middle, way, radius):
+            ends = [[x + (sign * way if i == axis else 0) for i, x in enumerate(middle)] for sign in (-1, 1)]
+            return {"start": ends[0], "end": ends[1], "radius": radius}
+
+        def turned(x, axis):
+            return x[-axis:] + x[:-axis] if axis else x
+
+        places = [(axis, *(turned(x, axis) for x in x_first)) for axis in range(3)
+                  for x_first in (([1, 1, 2], [0, 4, 6]), ([1, 1, 2], [6, 2, 4]), ([1, 1, 2], [-4, 0, 4]))]
+        mixed["sphere_capsule"] = [
+            {"pair": "sphere_capsule", "a": {"center": center, "radius": i}, "alarm": alarm, "contact": 0.5,
+             "b": capsule(axis, middle, way, j)}
+            for axis, middle, center in places for way in (3, -3) for i, j in ((1, 1.25), (2, 3.5), (1, 3.5)) for alarm in (0, 1)]
+        mixed["capsule_capsule"] = [
+            {"pair": "capsule_capsule", "a": capsule(axis, [0, 0, 0], way, i), "alarm": alarm, "contact": 0.5,
+             "b": capsule((axis + turn) % 3, turned(middle, axis), 2, j)}
+            for axis in range(3) for turn, middle in ((1, [1, 1, 3]), (2, [4, 1, 4])) for way in (2, -2)
+            for i, j in ((1, 1.25), (2, 3.5)) for alarm in (0, 1)]
         cls.files = {}
         for name, questions in {"spheres": spheres, "boxes": boxes, **mixed}.items():
             for scalar in ("binary64", "binary32"):
@@ -81,7 +101,9 @@ class Adapters(unittest.TestCase):
                     self.assertEqual(certified(self.files[family], "bounded").returncode, 1, f"{name} is right now: {family}")
 
     def test_every_engine_that_has_a_function_for_a_pair_is_asked_it(self):
-        without = {"sphere_sphere": {"cannon-aabb", "eigen"}, "sphere_cube": {"cannon-aabb", "simbody"}}
+        no_capsules = {"cannon", "cannon-aabb", "dart", "eigen", "oimo", "simbody", "three"}
+        without = {"sphere_sphere": {"cannon-aabb", "eigen"}, "sphere_cube": {"cannon-aabb", "simbody"},
+                   "sphere_capsule": no_capsules, "capsule_capsule": no_capsules}
         for engine in listed():
             if not engine["command"]:
                 continue

@@ -22,7 +22,8 @@ ROOT = Path(__file__).resolve().parent.parent
 PAGE, HTML = ROOT / "docs/scoreboard.md", ROOT / "build/scoreboard.html"
 BEGIN, END = "<!-- engines:begin -->\n", "<!-- engines:end -->\n"
 GRADES = ("not_finite", "beyond_bound", "bounded", "faithful", "correctly_rounded")  # the worst first
-PAIRS = {"sphere_sphere": "spheres", "cube_cube": "boxes", "sphere_cube": "a sphere and a box"}
+PAIRS = {"sphere_sphere": "spheres", "cube_cube": "boxes", "sphere_cube": "a sphere and a box",
+         "sphere_capsule": "a sphere and a capsule", "capsule_capsule": "capsules"}
 FIELDS = ("normal", "point1", "point2", "point", "value")
 # What the others are seen beside: this project's own, and the formulas as everybody computes them.
 REFERENCES = ("production", "plain-double", "plain-float")

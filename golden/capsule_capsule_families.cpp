@@ -74,6 +74,12 @@ constexpr std::array kFamilies{
            "the value, or a nearest point in the middle of an axis, half way between two numbers or just beside",
            "rounding twice, or away from even; and a result that no number of digits decides",
            made<ties<double, kPair>, ties<float, kPair>>, false},
+    Family{
+        "along_axes",
+        "capsules along the coordinate axes, their middles and half lengths numbers too; two of three near touching, "
+        "most of these searched",
+        "engines that take a capsule by middle, direction and length can be asked no other without rounding",
+        made<along_axes<double, kPair>, along_axes<float, kPair>>, false},
     Family{"units", "ordinary questions in units from 2^-24 to 2^24: metres, inches, micrometres",
            "an absolute epsilon, of a length, a squared length or a determinant, is small in one unit alone",
            made<other_units<double, kPair>, other_units<float, kPair>>, false},

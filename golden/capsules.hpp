@@ -278,6 +278,34 @@ TwoSegments<Real> near_touching(Random& random) {
   return random.turn(4) == 0 ? make() : searched<TwoSegments, Real>(random, kPair, make);
 }
 
+/// Axes along the coordinate axes, on a grid that holds their middles and half lengths too; up to 4 ulps from touching,
+/// or an ordinary reach.
+template <class Real, Pair kPair>
+TwoSegments<Real> along_axes(Random& random) {
+  const bool ordinary = random.turn(3) == 0;
+  const auto make = [&] {
+    constexpr Real kCoarse = 96;  // a sum with it, between 64 and 128, loses the last digits
+    TwoSegments<Real> s;
+    for (Segment<Real>* segment : {&s.a, &s.b}) {
+      segment->start = triple<Real>(random, -10, 5);
+      for (Real& x : segment->start) x = (x + kCoarse) - kCoarse;
+      segment->end = segment->start;
+      const std::size_t axis = random.index(3);
+      segment->end[axis] += (random.uniform(Real{0.5}, Real{8}) + kCoarse) - kCoarse;
+      if (random.chance(2)) std::swap(segment->start, segment->end);
+    }
+    if (kPair == Pair::sphere_capsule) s.a.end = s.a.start;
+    if (ordinary) {
+      share_radii(s, random, random.uniform(Real{0.5}, Real{1.5}) * s.distance());
+      random_distances(s, random);
+    } else {
+      reach_nearly(s, random, kPair, random.chance(2));
+    }
+    return s;
+  };
+  return ordinary ? make() : searched<TwoSegments, Real>(random, kPair, make);
+}
+
 template <class Real, Pair kPair>
 TwoSegments<Real> alarm_edge(Random& random) {
   if (random.turn(3, 5) == 0) {

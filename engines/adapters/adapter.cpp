@@ -6,8 +6,12 @@
 namespace {
 using namespace contact::adapters;
 
-/// How many numbers the shapes of each contact_pair have: first, second.
-constexpr std::size_t kWidths[][2] = {{4, 4}, {4, 4}, {4, 4}, {6, 6}, {4, 6}};
+/// The two shapes of each contact_pair.
+constexpr Kind kKinds[][2] = {
+    {Kind::sphere, Kind::sphere}, {Kind::sphere, Kind::sphere},  {Kind::sphere, Kind::sphere},  {Kind::box, Kind::box},
+    {Kind::sphere, Kind::box},    {Kind::sphere, Kind::capsule}, {Kind::capsule, Kind::capsule}};
+
+std::size_t width_of(Kind kind) { return kind == Kind::sphere ? 4 : kind == Kind::box ? 6 : 7; }
 }  // namespace
 
 int32_t contact_engine_interface() { return CONTACT_ENGINE_INTERFACE; }
@@ -19,11 +23,12 @@ const char* contact_engine_declaration() {
 
 int32_t contact_engine_answer(const contact_questions* questions, contact_answers* answers) {
   const auto pair = static_cast<contact_pair>(questions->pair);
-  const auto& width = kWidths[pair];
+  const auto [a, b] = kKinds[pair];
   for (std::size_t i = 0; i < questions->count; ++i) {
     Answer said(*answers, i);
     try {
-      answer({pair, questions->a + i * width[0], questions->b + i * width[1], questions->alarm[i]}, said);
+      answer({pair, {a, questions->a + i * width_of(a)}, {b, questions->b + i * width_of(b)}, questions->alarm[i]},
+             said);
     } catch (const std::exception&) {
       answers->said[i] = CONTACT_ERROR;
     }

@@ -9,27 +9,40 @@
 
 namespace contact::adapters {
 
-/// One question: two spheres (centre and radius), two boxes (min and max), or a sphere and a box.
-struct Question {
-  contact_pair pair;
-  const double* a;
-  const double* b;
-  double alarm;
-};
+enum class Kind { sphere, box, capsule };
 
-/// A box as most engines take it. Nothing is rounded: a declaration with the shapes `centered` keeps away the boxes
-/// whose centre or size is no number.
-struct CenteredBox {
-  explicit CenteredBox(const double* x) {
+/// A shape as contact_engine.h gives it, and as most engines take it: by centre, size and direction. Nothing is
+/// rounded: a declaration with the shapes `centered` keeps away those whose centre, size or direction is no number.
+struct Shape {
+  Shape(Kind of, const double* x) : kind(of), numbers(x) {
+    if (kind != Kind::box) radius = x[kind == Kind::sphere ? 3 : 6];
     for (int i = 0; i < 3; ++i) {
-      size[i] = x[3 + i] - x[i];
+      const double way = kind == Kind::sphere ? 0 : x[3 + i] - x[i];
+      center[i] = x[i] + way / 2;
+      size[i] = way < 0 ? -way : way;
       half[i] = size[i] / 2;
-      center[i] = x[i] + half[i];
+      if (kind == Kind::capsule && way != 0) axis = i;
     }
   }
+  /// The rotation that takes z to the axis, of which every number is 0 or 1; none where there is no axis.
+  [[nodiscard]] double rotation(int row, int column) const { return row == (column + axis + 1) % 3 ? 1 : 0; }
+  [[nodiscard]] double length() const { return size[axis]; }
+
+  Kind kind;
+  const double* numbers;
   double center[3];
+  double radius = 0;
   double size[3];
   double half[3];
+  int axis = 2;  ///< of a capsule
+};
+
+/// One question: two shapes of the kinds that the pair names, and the alarm distance.
+struct Question {
+  contact_pair pair;
+  Shape a;
+  Shape b;
+  double alarm;
 };
 
 /// What is said of one question; of a hit, all that the declaration claims.

@@ -14,18 +14,24 @@ inline btVector3 bullet_vector(const double* x) {
   return {static_cast<btScalar>(x[0]), static_cast<btScalar>(x[1]), static_cast<btScalar>(x[2])};
 }
 
-/// The second shape of a question where it belongs.
-struct BulletSecond {
-  explicit BulletSecond(const Question& q) {
+/// A shape where it belongs.
+struct BulletShape {
+  explicit BulletShape(const Shape& x) {
+    const auto radius = static_cast<btScalar>(x.radius);
+    const auto length = static_cast<btScalar>(x.length());
     place.setIdentity();
-    if (q.pair == CONTACT_SPHERE_CUBE) {
-      const CenteredBox box(q.b);
-      shape = std::make_unique<btBoxShape>(bullet_vector(box.half));
+    place.setOrigin(bullet_vector(x.center));
+    if (x.kind == Kind::sphere) {
+      shape = std::make_unique<btSphereShape>(radius);
+    } else if (x.kind == Kind::box) {
+      shape = std::make_unique<btBoxShape>(bullet_vector(x.half));
       shape->setMargin(0);  // with one its edges are round
-      place.setOrigin(bullet_vector(box.center));
+    } else if (x.axis == 0) {
+      shape = std::make_unique<btCapsuleShapeX>(radius, length);
+    } else if (x.axis == 1) {
+      shape = std::make_unique<btCapsuleShape>(radius, length);
     } else {
-      shape = std::make_unique<btSphereShape>(static_cast<btScalar>(q.b[3]));
-      place.setOrigin(bullet_vector(q.b));
+      shape = std::make_unique<btCapsuleShapeZ>(radius, length);
     }
   }
   std::unique_ptr<btConvexInternalShape> shape;

@@ -1,5 +1,5 @@
-// Bullet: btGjkPairDetector, with its EPA for penetrations, on a btSphereShape and another or a
-// btBoxShape.
+// Bullet: btGjkPairDetector, with its EPA for penetrations, on btSphereShape, btBoxShape and
+// btCapsuleShape.
 #include "engines/adapters/bullet.hpp"
 
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
@@ -12,19 +12,18 @@ namespace contact::adapters {
 // The detector gives the point on the second shape; the other is for its user to derive.
 std::string declaration() {
   return bullet_declaration(
-      "-gjk", R"(["sphere_sphere","sphere_cube"])",
+      "-gjk", R"(["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule"])",
       R"({"normal":"second-to-first","points":"second_only","value_less_contact":false,"shapes":"centered"})");
 }
 
 void answer(const Question& q, Answer& said) {
-  const btSphereShape a(static_cast<btScalar>(q.a[3]));
-  const BulletSecond b(q);
+  const BulletShape a(q.a);
+  const BulletShape b(q.b);
   btVoronoiSimplexSolver simplex;
   btGjkEpaPenetrationDepthSolver penetration;
-  btGjkPairDetector detector(&a, b.shape.get(), &simplex, &penetration);
+  btGjkPairDetector detector(a.shape.get(), b.shape.get(), &simplex, &penetration);
   btGjkPairDetector::ClosestPointInput input;
-  input.m_transformA.setIdentity();
-  input.m_transformA.setOrigin(bullet_vector(q.a));
+  input.m_transformA = a.place;
   input.m_transformB = b.place;
   btPointCollector found;
   detector.getClosestPoints(input, found, nullptr);

@@ -1,5 +1,5 @@
-// Bullet: btCollisionWorld::contactPairTest, which finds btSphereSphereCollisionAlgorithm, and for a sphere and a
-// box btConvexConvexAlgorithm; TestAabbAgainstAabb2 for boxes.
+// Bullet: btCollisionWorld::contactPairTest, which finds btSphereSphereCollisionAlgorithm, and for boxes and
+// capsules btConvexConvexAlgorithm; TestAabbAgainstAabb2 for boxes.
 #include "engines/adapters/bullet.hpp"
 
 namespace contact::adapters {
@@ -9,8 +9,8 @@ namespace {
 struct Keep final : btCollisionWorld::ContactResultCallback {
   btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
                            const btCollisionObjectWrapper*, int, int) override {
-    // Of a sphere and a box it tells of gaps up to the contact breaking threshold too: the distance is for the user to
-    // compare, as PyBullet does.
+    // Of other shapes than two spheres it tells of gaps up to the contact breaking threshold too: the distance is for
+    // the user to compare, as PyBullet does.
     if (every_contact || point.getDistance() <= m_closestDistanceThreshold) {
       found = true;
       contact = point;
@@ -32,29 +32,30 @@ struct World {
 }  // namespace
 
 std::string declaration() {
-  return bullet_declaration("", R"(["sphere_sphere","cube_cube","sphere_cube"])",
+  return bullet_declaration("", R"(["sphere_sphere","cube_cube","sphere_cube","sphere_capsule","capsule_capsule"])",
                             R"({"normal":"second-to-first","value_less_contact":false},)"
-                            R"("pair_conventions":{"sphere_cube":{"shapes":"centered"}})");
+                            R"("pair_conventions":{"sphere_cube":{"shapes":"centered"},)"
+                            R"("sphere_capsule":{"shapes":"centered"},"capsule_capsule":{"shapes":"centered"}})");
 }
 
 void answer(const Question& q, Answer& said) {
   const auto alarm = static_cast<btScalar>(q.alarm);
   if (q.pair == CONTACT_CUBE_CUBE) {
-    btVector3 min = bullet_vector(q.a);
-    btVector3 max = bullet_vector(q.a + 3);
+    btVector3 min = bullet_vector(q.a.numbers);
+    btVector3 max = bullet_vector(q.a.numbers + 3);
     const btVector3 margin(alarm, alarm, alarm);
     AabbExpand(min, max, -margin, margin);
-    said.overlap(TestAabbAgainstAabb2(min, max, bullet_vector(q.b), bullet_vector(q.b + 3)));
+    said.overlap(TestAabbAgainstAabb2(min, max, bullet_vector(q.b.numbers), bullet_vector(q.b.numbers + 3)));
     return;
   }
   static World world;
-  btSphereShape shape_a(static_cast<btScalar>(q.a[3]));
-  const BulletSecond second(q);
+  const BulletShape first(q.a);
+  const BulletShape second(q.b);
   btCollisionObject a;
   btCollisionObject b;
-  a.setCollisionShape(&shape_a);
+  a.setCollisionShape(first.shape.get());
   b.setCollisionShape(second.shape.get());
-  a.getWorldTransform().setOrigin(bullet_vector(q.a));
+  a.setWorldTransform(first.place);
   b.setWorldTransform(second.place);
   Keep keep;
   keep.m_closestDistanceThreshold = alarm;

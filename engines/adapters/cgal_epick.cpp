@@ -1,5 +1,5 @@
 // CGAL's Exact_predicates_inexact_constructions_kernel: an exact comparison with a reach^2 that its user rounded;
-// do_intersect of a sphere of this squared radius and an Iso_cuboid_3.
+// do_intersect of a sphere of this squared radius and an Iso_cuboid_3; squared_distance of points and segments.
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/version.h>
@@ -12,21 +12,27 @@ namespace contact::adapters {
 // underflows.
 std::string declaration() {
   return R"({"engine":{"name":"cgal-epick","version":")" CGAL_VERSION_STR
-         R"("},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube"],)"
+         R"("},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule"],)"
          R"("conventions":{"scale":{"min":1e-150,"max":1e150}},"claims":["overlap"]})";
 }
 
 void answer(const Question& q, Answer& said) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   const auto point = [](const double* x) { return Kernel::Point_3(x[0], x[1], x[2]); };
+  const auto segment = [&](const Shape& capsule) {
+    return Kernel::Segment_3(point(capsule.numbers), point(capsule.numbers + 3));
+  };
+  const double reach = q.alarm + q.a.radius + q.b.radius;
+  const double reach2 = reach * reach;
   if (q.pair == CONTACT_SPHERE_CUBE) {
-    const double reach = q.alarm + q.a[3];
-    const Kernel::Iso_cuboid_3 box(point(q.b), point(q.b + 3));
-    said.overlap(CGAL::do_intersect(Kernel::Sphere_3(point(q.a), reach * reach), box));
-    return;
+    const Kernel::Iso_cuboid_3 box(point(q.b.numbers), point(q.b.numbers + 3));
+    return said.overlap(CGAL::do_intersect(Kernel::Sphere_3(point(q.a.center), reach2), box));
   }
-  const double reach = q.alarm + q.a[3] + q.b[3];
-  said.overlap(CGAL::compare_squared_distance(point(q.a), point(q.b), reach * reach) != CGAL::LARGER);
+  if (q.pair == CONTACT_SPHERE_CAPSULE)
+    return said.overlap(CGAL::squared_distance(point(q.a.center), segment(q.b)) <= reach2);
+  if (q.pair == CONTACT_CAPSULE_CAPSULE)
+    return said.overlap(CGAL::squared_distance(segment(q.a), segment(q.b)) <= reach2);
+  said.overlap(CGAL::compare_squared_distance(point(q.a.center), point(q.b.center), reach2) != CGAL::LARGER);
 }
 
 }  // namespace contact::adapters

@@ -11,8 +11,6 @@
 namespace contact::adapters {
 namespace {
 
-Eigen::Vector3d vector(const double* x) { return {x[0], x[1], x[2]}; }
-
 /// A shape in its place, alone in a group of the detector.
 template <class Shape>
 struct Placed {
@@ -44,21 +42,19 @@ void answer(const Question& q, Answer& said) {
   static const Placed a(*detector, std::make_shared<SphereShape>(1));
   static const Placed sphere(*detector, std::make_shared<SphereShape>(1));
   static const Placed box(*detector, std::make_shared<BoxShape>(Eigen::Vector3d(1, 1, 1)));
-  const auto set = [](const Placed<SphereShape>& to, const double* x) {
-    to.shape->setRadius(x[3]);
-    to.frame->setTranslation(vector(x));
+  const auto set = [](const Placed<SphereShape>& to, const Shape& x) {
+    to.shape->setRadius(x.radius);
+    to.frame->setTranslation(Eigen::Vector3d(x.center));
   };
   const bool boxed = q.pair == CONTACT_SPHERE_CUBE;
   // Its spheres assert that their radius is not zero and its boxes that no size is, which ends the process.
-  if (q.a[3] == 0) return said.unsupported();
+  const Eigen::Vector3d size(q.b.size);
+  if (q.a.radius == 0 || (boxed ? size.minCoeff() : q.b.radius) == 0) return said.unsupported();
   set(a, q.a);
   if (boxed) {
-    const CenteredBox x(q.b);
-    if (vector(x.size).minCoeff() == 0) return said.unsupported();
-    box.shape->setSize(vector(x.size));
-    box.frame->setTranslation(vector(x.center));
+    box.shape->setSize(size);
+    box.frame->setTranslation(Eigen::Vector3d(q.b.center));
   } else {
-    if (q.b[3] == 0) return said.unsupported();
     set(sphere, q.b);
   }
   dart::collision::CollisionResult result;

@@ -14,12 +14,13 @@ std::string declaration() {
 }
 
 void answer(const Question& q, Answer& said) {
-  const auto box = [](const double* x) {
+  const auto box = [](const Shape& shape) {
+    const double* x = shape.numbers;
     return Eigen::AlignedBox3d(Eigen::Vector3d(x[0], x[1], x[2]), Eigen::Vector3d(x[3], x[4], x[5]));
   };
   if (q.pair == CONTACT_SPHERE_CUBE) {
-    const double reach = q.alarm + q.a[3];
-    said.overlap(box(q.b).squaredExteriorDistance(Eigen::Vector3d(q.a[0], q.a[1], q.a[2])) <= reach * reach);
+    const double reach = q.alarm + q.a.radius;
+    said.overlap(box(q.b).squaredExteriorDistance(Eigen::Vector3d(q.a.center)) <= reach * reach);
     return;
   }
   said.overlap(box(q.a).intersects(box(q.b)));

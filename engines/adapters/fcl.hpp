@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fcl/geometry/shape/box.h>
+#include <fcl/geometry/shape/capsule.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/collision_object.h>
 
@@ -9,15 +10,15 @@
 
 namespace contact::adapters {
 
-inline fcl::CollisionObjectd fcl_at(std::shared_ptr<fcl::CollisionGeometryd> shape, const double* center) {
-  return {std::move(shape), fcl::Matrix3d::Identity(), fcl::Vector3d(center[0], center[1], center[2])};
-}
-
-inline fcl::CollisionObjectd fcl_ball(const double* x) { return fcl_at(std::make_shared<fcl::Sphered>(x[3]), x); }
-
-inline fcl::CollisionObjectd fcl_box(const double* x) {
-  const CenteredBox box(x);
-  return fcl_at(std::make_shared<fcl::Boxd>(box.size[0], box.size[1], box.size[2]), box.center);
+inline fcl::CollisionObjectd fcl_object(const Shape& x) {
+  std::shared_ptr<fcl::CollisionGeometryd> shape;
+  if (x.kind == Kind::sphere) shape = std::make_shared<fcl::Sphered>(x.radius);
+  if (x.kind == Kind::box) shape = std::make_shared<fcl::Boxd>(x.size[0], x.size[1], x.size[2]);
+  if (x.kind == Kind::capsule) shape = std::make_shared<fcl::Capsuled>(x.radius, x.length());
+  fcl::Matrix3d upright;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) upright(row, column) = x.rotation(row, column);
+  return {shape, upright, fcl::Vector3d(x.center)};
 }
 
 }  // namespace contact::adapters

@@ -8,13 +8,13 @@ namespace contact::adapters {
 
 std::string declaration() {
   return R"({"engine":{"name":"fcl-distance","version":")" FCL_VERSION
-         R"("},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube"],"conventions":{"value_less_contact":false,"shapes":"centered"},)"
+         R"("},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule"],"conventions":{"value_less_contact":false,"shapes":"centered"},)"
          R"("claims":["overlap","contact"]})";
 }
 
 void answer(const Question& q, Answer& said) {
-  const auto a = fcl_ball(q.a);
-  const auto b = q.pair == CONTACT_SPHERE_CUBE ? fcl_box(q.b) : fcl_ball(q.b);
+  const auto a = fcl_object(q.a);
+  const auto b = fcl_object(q.b);
   fcl::DistanceResultd result;
   fcl::distance(&a, &b, fcl::DistanceRequestd(true), result);
   said.hit(result.min_distance <= q.alarm);

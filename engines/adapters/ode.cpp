@@ -1,5 +1,7 @@
-// Open Dynamics Engine: dCollide on a sphere geom and another or a box geom.
+// Open Dynamics Engine: dCollide on sphere, box and capsule geoms.
 #include <ode/ode.h>
+
+#include <array>
 
 #include "engines/adapters/adapter.hpp"
 
@@ -9,40 +11,40 @@ namespace contact::adapters {
 std::string declaration() {
   return R"({"engine":{"name":"ode","version":")" dODE_VERSION R"("},"scalar":")" +
          std::string(sizeof(dReal) == sizeof(double) ? "binary64" : "binary32") +
-         R"(","pairs":["sphere_sphere","sphere_cube"],"conventions":{"normal":"second-to-first","points":"midpoint",)"
-         R"("value":"depth","value_less_contact":false,"margin":"none"},)"
-         R"("pair_conventions":{"sphere_cube":{"points":"second_only","shapes":"centered"}}})";
+         R"(","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule"],"conventions":{"normal":"second-to-first","points":"midpoint",)"
+         R"("value":"depth","value_less_contact":false,"margin":"none","shapes":"centered"},)"
+         R"("pair_conventions":{"sphere_cube":{"points":"second_only"}}})";
 }
 
 void answer(const Question& q, Answer& said) {
   [[maybe_unused]] static const int initialized = dInitODE2(0);
-  static const dGeomID a = dCreateSphere(nullptr, 1);
-  static const dGeomID sphere = dCreateSphere(nullptr, 1);
-  static const dGeomID box = dCreateBox(nullptr, 1, 1, 1);
-  const auto place = [](dGeomID geom, const double* x) {
-    dGeomSetPosition(geom, static_cast<dReal>(x[0]), static_cast<dReal>(x[1]), static_cast<dReal>(x[2]));
+  // One of each kind as the first shape and one as the second.
+  static const auto made = [] {
+    return std::array{dCreateSphere(nullptr, 1), dCreateBox(nullptr, 1, 1, 1), dCreateCapsule(nullptr, 1, 1)};
   };
-  const auto set = [&](dGeomID geom, const double* x) {
-    dGeomSphereSetRadius(geom, static_cast<dReal>(x[3]));
-    place(geom, x);
+  static const auto first = made();
+  static const auto second = made();
+  const auto set = [](const auto& geoms, const Shape& x) {
+    const auto real = [](double number) { return static_cast<dReal>(number); };
+    const dGeomID geom = geoms[static_cast<std::size_t>(x.kind)];
+    if (x.kind == Kind::sphere) dGeomSphereSetRadius(geom, real(x.radius));
+    if (x.kind == Kind::box) dGeomBoxSetLengths(geom, real(x.size[0]), real(x.size[1]), real(x.size[2]));
+    if (x.kind == Kind::capsule) dGeomCapsuleSetParams(geom, real(x.radius), real(x.length()));
+    dMatrix3 upright{};
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column) upright[4 * row + column] = real(x.rotation(row, column));
+    dGeomSetRotation(geom, upright);
+    dGeomSetPosition(geom, real(x.center[0]), real(x.center[1]), real(x.center[2]));
+    return geom;
   };
-  set(a, q.a);
-  const bool boxed = q.pair == CONTACT_SPHERE_CUBE;
-  const dGeomID b = boxed ? box : sphere;
-  if (boxed) {
-    const CenteredBox x(q.b);
-    dGeomBoxSetLengths(box, static_cast<dReal>(x.size[0]), static_cast<dReal>(x.size[1]),
-                       static_cast<dReal>(x.size[2]));
-    place(box, x.center);
-  } else {
-    set(sphere, q.b);
-  }
+  const dGeomID a = set(first, q.a);
+  const dGeomID b = set(second, q.b);
   dContactGeom contact;
   const bool hit = dCollide(a, b, 1, &contact, sizeof contact) > 0;
   said.hit(hit);
   if (!hit) return;
   said.normal(contact.normal);
-  if (boxed)
+  if (q.pair == CONTACT_SPHERE_CUBE)
     said.point2(contact.pos);
   else
     said.midpoint(contact.pos);

@@ -18,12 +18,12 @@ std::string declaration() {
 
 void answer(const Question& q, Answer& said) {
   using SimTK::ContactGeometry;
-  const auto at = [](const double* x) { return SimTK::Transform(SimTK::Vec3(x[0], x[1], x[2])); };
+  const auto at = [](const Shape& x) { return SimTK::Transform(SimTK::Vec3(x.center[0], x.center[1], x.center[2])); };
   static const SimTK::ContactTracker::SphereSphere tracker;
   const SimTK::UntrackedContact before(SimTK::ContactSurfaceIndex(0), SimTK::ContactSurfaceIndex(1));
   SimTK::Contact now;
-  const bool done = tracker.trackContact(before, at(q.a), ContactGeometry::Sphere(q.a[3]), at(q.b),
-                                         ContactGeometry::Sphere(q.b[3]), q.alarm, now);
+  const bool done = tracker.trackContact(before, at(q.a), ContactGeometry::Sphere(q.a.radius), at(q.b),
+                                         ContactGeometry::Sphere(q.b.radius), q.alarm, now);
   if (!done) return said.unsupported();  // it gives up on coincident centres, and says so
   const bool hit = !now.isEmpty() && SimTK::CircularPointContact::isInstance(now);
   said.hit(hit);

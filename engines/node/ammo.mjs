@@ -1,4 +1,4 @@
-// ammo.js (Bullet): contactPairTest of a sphere body and another or a box body.
+// ammo.js (Bullet): contactPairTest of bodies that are spheres, boxes or capsules.
 import {centered, serve, versionOf} from './loop.mjs';
 import ammo from 'ammo.js';
 
@@ -19,7 +19,8 @@ callback.addSingleResult = (pointer) => {
 
 // It computes in double precision and keeps every number in single.
 serve({
-  engine: {name: 'ammo', version: versionOf('ammo.js')}, scalar: 'binary32', pairs: ['sphere_sphere', 'sphere_cube'],
+  engine: {name: 'ammo', version: versionOf('ammo.js')}, scalar: 'binary32', 
+  pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule'],
   conventions: {normal: 'second-to-first', value_less_contact: false, margin: 'none', shapes: 'centered'},
 }, ({pair, a, b}) => {
   const made = [];
@@ -30,16 +31,24 @@ serve({
     object.getWorldTransform().setOrigin(make(new ammo.btVector3(...center)));
     return object;
   };
-  const ball = ({center, radius}) => body(center, new ammo.btSphereShape(radius));
-  const box = ({center, half}) => {
-    const shape = new ammo.btBoxShape(make(new ammo.btVector3(...half)));
-    shape.setMargin(0); // with one its edges are round
-    return body(center, shape);
+  const shapes = {
+    sphere: ({radius}) => new ammo.btSphereShape(radius),
+    box: ({half}) => {
+      const shape = new ammo.btBoxShape(make(new ammo.btVector3(...half)));
+      shape.setMargin(0); // with one its edges are round
+      return shape;
+    },
+    capsule: ({axis, halfLength, radius}) =>
+      new [ammo.btCapsuleShapeX, ammo.btCapsuleShape, ammo.btCapsuleShapeZ][axis](radius, 2 * halfLength),
+  };
+  const placed = (like) => {
+    const shape = centered(like);
+    return body(shape.center, shapes[shape.kind](shape));
   };
   contact = null;
-  world.contactPairTest(ball(a), pair === 'sphere_cube' ? box(centered(b)) : ball(b), callback);
+  world.contactPairTest(placed(a), placed(b), callback);
   made.forEach((thing) => ammo.destroy(thing));
-  // Of a sphere and a box it tells of gaps up to the contact breaking threshold too: the distance is for the user to compare.
-  if (pair === 'sphere_cube' && contact?.value > 0) contact = null;
+  // Of other shapes than two spheres it tells of gaps up to the contact breaking threshold too: the distance is for the user to compare.
+  if (pair !== 'sphere_sphere' && contact?.value > 0) contact = null;
   return {overlap: contact !== null, contact};
 });

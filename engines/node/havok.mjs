@@ -1,4 +1,5 @@
-// Havok: HP_World_ShapeProximityWithCollector of a sphere against the one body of a world, a sphere or a box.
+// Havok: HP_World_ShapeProximityWithCollector of a shape against the one body of a world: spheres, boxes and
+// capsules.
 import {centered, serve, versionOf} from './loop.mjs';
 import {readFileSync} from 'node:fs';
 import load from '@babylonjs/havok';
@@ -10,27 +11,33 @@ const upright = [0, 0, 0, 1];
 const noBody = [0n];
 /** What a call returns beside its status. */
 const result = ([, value]) => value;
+// A capsule is given by its ends, so its body is at the origin.
+const placeOf = (shape) => (shape.start ? [0, 0, 0] : centered(shape).center);
+const shaped = (shape) => {
+  if (shape.start) return result(havok.HP_Shape_CreateCapsule(shape.start, shape.end, shape.radius));
+  if (shape.min) return result(havok.HP_Shape_CreateBox([0, 0, 0], upright, centered(shape).size));
+  return result(havok.HP_Shape_CreateSphere([0, 0, 0], shape.radius));
+};
 const world = result(havok.HP_World_Create());
 const collector = result(havok.HP_QueryCollector_Create(1));
 
 // Each surface has its outward normal, so the second's points to the first. The first's point is in its own coordinates.
 serve({
-  engine: {name: 'havok', version: versionOf('@babylonjs/havok')}, scalar: 'binary32', pairs: ['sphere_sphere', 'sphere_cube'],
+  engine: {name: 'havok', version: versionOf('@babylonjs/havok')}, scalar: 'binary32', 
+  pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule'],
   conventions: {
     normal: 'second-to-first', points: 'second_only', value_less_contact: false, touching_overlap: 'open',
-    touching_contact: 'open', margin: 'exclusive', shapes: 'centered',
+    touching_contact: 'open', margin: 'exclusive',
   },
-}, ({pair, a, b, alarm}) => {
-  const sphere = ({radius}) => result(havok.HP_Shape_CreateSphere([0, 0, 0], radius));
-  const box = pair === 'sphere_cube' ? centered(b) : null;
-  const second = box ? result(havok.HP_Shape_CreateBox([0, 0, 0], upright, box.size)) : sphere(b);
-  const first = sphere(a);
+  pair_conventions: {sphere_cube: {shapes: 'centered'}},
+}, ({a, b, alarm}) => {
+  const [first, second] = [a, b].map(shaped);
   const body = result(havok.HP_Body_Create());
   havok.HP_Body_SetShape(body, second);
-  havok.HP_Body_SetQTransform(body, [(box ?? b).center, upright]);
+  havok.HP_Body_SetQTransform(body, [placeOf(b), upright]);
   havok.HP_World_AddBody(world, body, false);
   try {
-    havok.HP_World_ShapeProximityWithCollector(world, collector, [first, a.center, upright, alarm, false, noBody]);
+    havok.HP_World_ShapeProximityWithCollector(world, collector, [first, placeOf(a), upright, alarm, false, noBody]);
     if (result(havok.HP_QueryCollector_GetNumHits(collector)) === 0) return {overlap: false, contact: null};
     const [distance, , hit] = result(havok.HP_QueryCollector_GetShapeProximityResult(collector, 0));
     return {overlap: true, contact: {normal: hit[4], point2: hit[3], value: distance}};

@@ -1,5 +1,5 @@
 // Jolt Physics: TransformedShape.CollideShape with the alarm distance as its largest separation.
-import {centered, serve, versionOf} from './loop.mjs';
+import {centered, serve, turned, versionOf} from './loop.mjs';
 import load from 'jolt-physics';
 
 const jolt = await load();
@@ -16,35 +16,41 @@ world.mBroadPhaseLayerInterface = broad;
 world.mObjectVsBroadPhaseLayerFilter = new jolt.ObjectVsBroadPhaseLayerFilterTable(broad, 1, pairs, 1);
 new jolt.JoltInterface(world);
 
-const [unit, origin, upright] = [new jolt.Vec3(1, 1, 1), new jolt.RVec3(0, 0, 0), new jolt.Quat(0, 0, 0, 1)];
+const [unit, origin] = [new jolt.Vec3(1, 1, 1), new jolt.RVec3(0, 0, 0)];
 const [settings, everything] = [new jolt.CollideShapeSettings(), new jolt.ShapeFilter()];
 const numbers = (v) => [v.GetX(), v.GetY(), v.GetZ()];
 
 // Points are relative to the base offset, which is the origin here.
 serve({
-  engine: {name: 'jolt', version: versionOf('jolt-physics')}, scalar: 'binary32', pairs: ['sphere_sphere', 'sphere_cube'],
+  engine: {name: 'jolt', version: versionOf('jolt-physics')}, scalar: 'binary32', 
+  pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule'],
   conventions: {normal_unit: false, value: 'depth', value_less_contact: false, shapes: 'centered'},
-}, ({pair, a, b, alarm}) => {
+}, ({a, b, alarm}) => {
   const [made, shapes] = [[], []];
   const make = (thing) => (made.push(thing), thing);
-  const kept = (shape) => {
+  const kinds = {
+    sphere: ({radius}) => new jolt.SphereShape(radius),
+    // Without a convex radius: its edges are as sharp as the question's.
+    box: ({half}) => new jolt.BoxShape(make(new jolt.Vec3(...half)), 0),
+    capsule: ({halfLength, radius}) => new jolt.CapsuleShape(halfLength, radius),
+  };
+  const shaped = (like) => {
+    const shape = kinds[like.kind](like);
     shape.AddRef();
     shapes.push(shape);
     return shape;
   };
-  const sphere = ({radius}) => kept(new jolt.SphereShape(radius));
-  // Without a convex radius: its edges are as sharp as the question's.
-  const box = ({half}) => kept(new jolt.BoxShape(make(new jolt.Vec3(...half)), 0));
   const at = ({center}) => make(new jolt.RVec3(...center));
+  const upright = ({kind, axis}) => make(new jolt.Quat(...(kind === 'capsule' ? turned(1, axis) : [0, 0, 0, 1])));
+  const [from, to] = [centered(a), centered(b)];
   const second = make(new jolt.TransformedShape());
-  const centeredB = pair === 'sphere_cube' ? centered(b) : b;
-  second.mShape = pair === 'sphere_cube' ? box(centeredB) : sphere(b);
-  second.SetWorldTransform(at(centeredB), upright, unit);
+  second.mShape = shaped(to);
+  second.SetWorldTransform(at(to), upright(to), unit);
   settings.mMaxSeparationDistance = alarm;
   const collector = make(new jolt.CollideShapeClosestHitCollisionCollector());
   // The shape that is handed over is shape 1 of the result.
-  const place = jolt.RMat44.prototype.sTranslation(at(a));
-  second.CollideShape(sphere(a), unit, place, settings, origin, collector, everything);
+  const place = jolt.RMat44.prototype.sRotationTranslation(upright(from), at(from));
+  second.CollideShape(shaped(from), unit, place, settings, origin, collector, everything);
   const found = collector.HadHit() ? collector.mHit : null;
   const contact = found && {
     normal: numbers(found.mPenetrationAxis), point1: numbers(found.mContactPointOn1),

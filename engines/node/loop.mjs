@@ -14,12 +14,24 @@ export const numbers = ({x, y, z}) => [x, y, z];
 /** An engine's vector of three numbers. */
 export const vector = ([x, y, z]) => ({x, y, z});
 
-/** A box by its centre and size. Nothing is rounded: the shapes `centered` keep away boxes whose centre or size is no number. */
-export const centered = ({min, max}) => {
-  const size = max.map((x, i) => x - min[i]);
-  const half = size.map((x) => x / 2);
-  return {center: min.map((x, i) => x + half[i]), size, half};
+/**
+ * A shape by its centre, size and direction, and its kind. Nothing is rounded: a declaration with the shapes `centered` keeps
+ * away those whose centre, size or direction is no number.
+ */
+export const centered = ({center, radius, min, max, start, end}) => {
+  if (center) return {kind: 'sphere', center, radius, axis: 2};
+  const [from, to] = min ? [min, max] : [start, end];
+  const way = to.map((x, i) => x - from[i]);
+  const size = way.map(Math.abs);
+  const axis = min ? 2 : Math.max(...way.map((x, i) => (x === 0 ? -1 : i)));
+  return {
+    kind: min ? 'box' : 'capsule', center: from.map((x, i) => x + way[i] / 2), radius, size, half: size.map((x) => x / 2),
+    axis: axis < 0 ? 2 : axis, halfLength: Math.max(...size) / 2,
+  };
 };
+
+/** The rotation that takes one axis to another, as a quaternion of exact numbers. */
+export const turned = (from, to) => [[0, 0, 0, 1], [0.5, 0.5, 0.5, 0.5], [-0.5, -0.5, -0.5, 0.5]][(to - from + 3) % 3];
 
 /** The version of an installed package. */
 export const versionOf = (name) =>

@@ -37,7 +37,7 @@ struct Conventions {
   Touching touching_contact = Touching::closed;  ///< equality at alarm 0, for the contact claim
   Margin margin = Margin::inclusive;             ///< equality at alarm > 0; none: alarm is not looked at
   Coincident coincident = Coincident::any_unit_normal;
-  ShapesAs shapes = ShapesAs::given;  ///< centered: a box by its centre and size; not_served
+  ShapesAs shapes = ShapesAs::given;  ///< centered: by centre, direction and size; not_served
   double scale_min = 0;  ///< every non-zero |input| that the engine claims to serve lies in [scale_min, scale_max]
   double scale_max = std::numeric_limits<double>::infinity();
 

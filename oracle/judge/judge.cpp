@@ -275,7 +275,7 @@ std::optional<std::string_view> not_served(const Query& query, const Declaration
     return has_center_and_size(shapes.a, declared.scalar) && has_center_and_size(shapes.b, declared.scalar);
   };
   if (c.shapes == ShapesAs::centered && !std::visit(centered, query.shapes))
-    return "shapes whose centre or size is no number of the engine's scalar";
+    return "shapes whose centre, size or direction is no number of the engine's scalar";
   return std::nullopt;
 }
 

@@ -326,6 +326,20 @@ TEST(Served, a_box_by_center_and_size_is_one_whose_center_size_and_half_size_are
   EXPECT_TRUE(served(-std::numeric_limits<double>::infinity(), 0.3, binary64)) << "outside the domain it is asked";
 }
 
+TEST(Served, a_capsule_by_center_and_size_lies_along_an_axis) {
+  Declaration declared = with([](Conventions& c) { c.shapes = ShapesAs::centered; });
+  const auto served = [&](const Vector3& start, const Vector3& end) {
+    return !not_served({Pair::sphere_capsule, BallAndCapsule{{{0, 0, 0}, 1}, {start, end, 1}}, {0, 0}}, declared);
+  };
+  EXPECT_TRUE(served({1, 2, 3}, {1, 2, 8}));
+  EXPECT_TRUE(served({1, 2, 8}, {1, 2, 3})) << "whichever end comes first";
+  EXPECT_TRUE(served({0.1, 0.2, 0.3}, {0.1, 0.2, 0.3})) << "a point";
+  EXPECT_FALSE(served({1, 2, 3}, {1, 3, 4}));
+  EXPECT_FALSE(served({1, -0.1, 3}, {1, 0.3, 3}));
+  declared.conventions.shapes = ShapesAs::given;
+  EXPECT_TRUE(served({1, 2, 3}, {1, 3, 4}));
+}
+
 TEST(Served, a_number_beyond_the_scale_is_not_and_the_reasons_differ) {
   const Declaration scaled = with([](Conventions& c) { c.scale_min = 0.5, c.scale_max = 2; });
   const auto why = [&](double radius) {
