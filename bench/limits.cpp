@@ -15,7 +15,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::ScalableTag<double>;
-constexpr std::size_t kMostColumns = 18;
+constexpr std::size_t kMostColumns = 20;
 
 /// Reads `read` columns and writes their sums to the `write` columns behind them: a row a pair, or with an `index` 5
 /// rows for 12 pairs, one after the other. A flag a row, and its index.
@@ -72,11 +72,11 @@ namespace {
 
 struct Memory {
   Columns columns;
-  std::array<double*, 18> column{};
+  std::array<double*, 20> column{};
   std::vector<std::uint8_t> flag;
   std::vector<std::uint32_t> index;
 
-  explicit Memory(std::size_t size) : columns(18, size), flag(size), index(size) {
+  explicit Memory(std::size_t size) : columns(20, size), flag(size), index(size) {
     for (std::size_t k = 0; k < column.size(); ++k) column[k] = columns[k].data();
   }
 };
@@ -93,8 +93,13 @@ struct Traffic {
   bool index;
 };
 /// What a call of the batch API reads and writes a pair.
-constexpr std::array<Traffic, 4> kTraffic{
-    {{"test", 8, 0, false}, {"compute", 8, 10, false}, {"hits", 8, 10, true}, {"cubes", 12, 0, false}}};
+constexpr std::array<Traffic, 7> kTraffic{{{"test", 8, 0, false},
+                                           {"compute", 8, 10, false},
+                                           {"hits", 8, 10, true},
+                                           {"cubes", 12, 0, false},
+                                           {"sphere_cube_test", 10, 0, false},
+                                           {"sphere_cube_compute", 10, 10, false},
+                                           {"sphere_cube_hits", 10, 10, true}}};
 
 void compute_in_threads(benchmark::State& state) {
   constexpr std::size_t kPairs = 1 << 12;

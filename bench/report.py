@@ -17,9 +17,12 @@ SUBJECTS = {
     "libccd, MPR": "peer", "libccd, GJK": "peer", "CGAL Epick": "peer", "CGAL Epeck": "peer", "GMP rationals": "peer",
 }
 FAMILIES = ("generic", "near_touching", "touching", "far_from_origin", "extreme_scale", "coincident")
-# Bytes that a pair's question and answer take; half of the pairs are hits.
-BYTES = {"test": 65, "compute": 145, "hits": 64 + 85 / 2, "cubes": 97}
-OPERATIONS = {"test": "decide", "compute": "contacts", "hits": "hits alone", "cubes": "boxes"}
+# Bytes that a pair's question and answer take; half of the pairs are hits, of a sphere and a box two in five.
+BYTES = {"test": 65, "compute": 145, "hits": 64 + 85 / 2, "cubes": 97, "sphere_cube_test": 81, "sphere_cube_compute": 161,
+         "sphere_cube_hits": 80 + 85 * 5 / 12}
+OPERATIONS = {"test": "decide", "compute": "contacts", "hits": "hits alone", "cubes": "boxes",
+              "sphere_cube_test": "sphere and box: decide", "sphere_cube_compute": "contacts of these",
+              "sphere_cube_hits": "their hits alone"}
 SETS = {"AVX3": "AVX-512", "AVX2": "AVX2", "SSE4": "SSE4", "NEON": "NEON"}
 
 
@@ -108,6 +111,20 @@ def boxes_table(m):
             rows.append([subject, *(number(m.ns(name + place)) for place in PLACES),
                          *(number(m.ratio(name + place, f"Peer/ours, batch/boxes/{place}")) for place in PLACES)])
     return table(["", "L2", "L3", "memory", "to ours, batch: L2", "L3", "memory"], rows)
+
+
+def sphere_cube_table(m):
+    rows = []
+    for subject in SUBJECTS:
+        test, compute = (f"Peer/{subject}/sphere_cube_{op}/" for op in ("test", "compute"))
+        if not m.ns(test + "L2"):
+            continue
+        plain = "plain double, vectors" if subject in ("plain double, vectors", "ours, batch") else "plain double"
+        rows.append([subject, number(m.ns(test + "L2")), *(number(m.ns(compute + place)) for place in PLACES),
+                     *(number(m.ratio(compute + place, f"Peer/{to}/sphere_cube_compute/{place}"))
+                       for to in (plain, "ours, batch") for place in ("L2", "memory"))])
+    return table(["", "decide, L2", "contact, L2", "L3", "memory", "contact to plain double: L2", "memory", "to ours, batch: L2",
+                  "memory"], rows)
 
 
 def wrong_table(m):
@@ -266,6 +283,9 @@ def main():
         "### Wrong decisions by family",
         f"Out of {wrong(m, 'FCL')['asked'] // len(FAMILIES)} questions in each family.", wrong_table(m),
         "### Boxes, beside the peers", boxes_table(m),
+        "### A sphere and a box, beside the peers",
+        'Nanoseconds per pair; then the time of a contact as a multiple of plain double (of "plain double, vectors" for the '
+        "subjects with vectors) and of ours.", sphere_cube_table(m),
         "### Batch, beside plain double with the same vectors", batch_table(m),
         "### Contacts by family, batch, in L2", families_table(m), "### Limits", facts(m)])
     page = DOCS / "performance.md"

@@ -22,6 +22,7 @@ ROOT = Path(__file__).resolve().parent.parent
 PAGE, HTML = ROOT / "docs/scoreboard.md", ROOT / "build/scoreboard.html"
 BEGIN, END = "<!-- engines:begin -->\n", "<!-- engines:end -->\n"
 GRADES = ("not_finite", "beyond_bound", "bounded", "faithful", "correctly_rounded")  # the worst first
+PAIRS = {"sphere_sphere": "spheres", "cube_cube": "boxes", "sphere_cube": "a sphere and a box"}
 FIELDS = ("normal", "point1", "point2", "point", "value")
 # What the others are seen beside: this project's own, and the formulas as everybody computes them.
 REFERENCES = ("production", "plain-double", "plain-float")
@@ -122,7 +123,7 @@ class Engine:
         self.scalar, self.conventions, self.total = report["scalar"], report["conventions"], added(report["families"])
         pairs = {f["pair"] for f in report["families"]}
         try:
-            self.time = f"{microseconds(command, pairs == {'cube_cube'}):.1f}"
+            self.time = f"{microseconds(command, 'sphere_sphere' not in pairs):.1f}"
         except (subprocess.SubprocessError, OSError, ValueError):
             self.time = "-"
 
@@ -171,14 +172,14 @@ def edge_table(engines):
 
 def family_tables(engines):
     text = ""
-    for pair, title in (("sphere_sphere", "spheres"), ("cube_cube", "boxes")):
+    for pair, title in PAIRS.items():
         for scalar in ("binary64", "binary32"):
             of = {e.name: e.families(pair) for e in engines if e.scalar == scalar}
             of = {name: families for name, families in of.items() if families}
             names = list(dict.fromkeys(family for families in of.values() for family in families))
             if not of:
                 continue
-            text += f"{title.capitalize()}, engines in {scalar}:\n\n"
+            text += f"{title[0].upper() + title[1:]}, engines in {scalar}:\n\n"
             text += table(["engine", *names], [[f"`{name}`"] + [decisions(families.get(family, {})) for family in names]
                                                for name, families in of.items()])
     return text
@@ -186,15 +187,24 @@ def family_tables(engines):
 
 def detail(e):
     text = f"<details markdown=\"1\">\n<summary><code>{e.name}</code>: {e.about}</summary>\n\n"
-    declared = [f"{key} {json.dumps(value) if isinstance(value, (dict, bool)) else value}" for key, value in e.conventions.items()]
-    text += f"Declares {', '.join(declared)}; claims {', '.join(e.report['claims'])}.\n\n{e.report['verdict']}\n\n"
+    def declared(conventions):
+        return ", ".join(f"{key} {json.dumps(value) if isinstance(value, (dict, bool)) else value}" for key, value in conventions)
+
+    text += f"Declares {declared(e.conventions.items())}"
+    for pair, own in e.report.get("pair_conventions", {}).items():
+        text += f"; of {PAIRS[pair]} {declared(own.items() - e.conventions.items())}"
+    text += f"; claims {', '.join(e.report['claims'])}.\n\n{e.report['verdict']}\n\n"
+    left_out = Counter()
+    for skipped in e.report["skipped"]:
+        left_out[skipped["why"]] += skipped["cases"]
+    text += "".join(f"Not asked, {n} questions: {why}.\n\n" for why, n in left_out.items())
     if e.report["diagnosis"]:
         text += "What the report says of the wrong answers:\n\n" + "".join(f"- {line}\n" for line in e.report["diagnosis"]) + "\n"
     fields = [f for f in FIELDS if f in e.total["fields"]]
     rows = []
-    for pair in ("sphere_sphere", "cube_cube"):
+    for pair, title in PAIRS.items():
         for name, f in e.families(pair).items():
-            rows.append([("" if pair == "sphere_sphere" else "boxes: ") + name, str(f["judged"]), str(f["hits"]),
+            rows.append([("" if pair == "sphere_sphere" else f"{title}: ") + name, str(f["judged"]), str(f["hits"]),
                          number(f["missed_hits"]), number(f["false_hits"]), number(f["incomplete"]), number(f["not_finite"]),
                          number(f["unanswered"]),
                          *(level_of(f["fields"].get(field)) for field in fields)])
@@ -218,7 +228,7 @@ def shown(answer):
 
 
 def questions():
-    """Every committed question of two spheres or boxes, by its id: its file and itself."""
+    """Every committed question by its id: its file and itself."""
     of = {}
     for path in sorted((ROOT / "golden").glob("*_*/*.jsonl")):
         with path.open() as lines:
@@ -229,22 +239,31 @@ def questions():
     return of
 
 
+def asked_in(finding, committed):
+    """Where a finding's question comes from, in words, and itself: one made small by hand, or a committed one."""
+    if "query" in finding:
+        query = {"alarm": 0, "contact": 0, **finding["query"]}
+        return f"on {PAIRS[query['pair']]}", query
+    path, header, case = committed[finding["id"], finding["scalar"]]
+    return (f"on `{case['id']}` in [{path.relative_to('golden')}](../{path})",
+            {"pair": header["pair"], **{key: case[key] for key in ("a", "b", "alarm", "contact")}})
+
+
 def finding_texts(tool, engines, findings):
-    text, asked = "", questions()
+    text, committed = "", questions()
     for finding in findings:
         e = next((e for e in engines if e.name == finding["engine"]), None)
         if e is None:
             continue
-        path, header, case = asked[finding["id"], finding["scalar"]]
-        query = {"pair": header["pair"], **{key: case[key] for key in ("a", "b", "alarm", "contact")}}
+        where, query = asked_in(finding, committed)
         try:
             answer, = conversation(e.command, [query])
         except (subprocess.SubprocessError, OSError, ValueError) as problem:
             answer = {"error": str(problem)}
-        made = subprocess.run([tool, "explain"], input=json.dumps({"id": case["id"], "scalar": header["scalar"], **query}) + "\n",
+        made = subprocess.run([tool, "explain"], input=json.dumps({"scalar": finding["scalar"], **query}) + "\n",
                               capture_output=True, text=True, check=True)
         lines = [line.strip() for line in made.stdout.splitlines() if line.strip()]
-        text += f"**`{e.name}`** on `{case['id']}` in [{path.relative_to('golden')}](../{path}).\n{finding['about']}\n\n"
+        text += f"**`{e.name}`** {where}.\n{finding['about']}\n\n"
         text += "```text\n" + "\n".join(lines[1:]) + f"\n{e.name} says: {shown(answer)}\n```\n\n"
     return text
 
@@ -310,7 +329,7 @@ def main(tool, *wanted):
              "in ulps of the field's scale.\n\n")
     text += "".join(map(detail, engines))
     findings = json.loads((ROOT / "engines/findings.json").read_text())
-    text += ("## Findings looked at by hand\n\nOne an engine: what `./run explain` says of the question, what the engine says, and "
+    text += ("## Findings looked at by hand\n\nSome of each engine: what `./run explain` says of the question, what the engine says, and "
              "why, by its source or documentation.\n\n") + finding_texts(tool, engines, findings)
     text += "## Not measured\n\n" + "".join(line + "\n" for line in absent)
     if wanted:

@@ -457,6 +457,13 @@ TwoSegments<Real> far_from_origin(Random& random) {
 }
 
 template <class Real, Pair kPair>
+TwoSegments<Real> other_units(Random& random) {
+  TwoSegments<Real> s = generic<Real, kPair>(random);
+  s.scale(random.between(-24, 24));
+  return s;
+}
+
+template <class Real, Pair kPair>
 TwoSegments<Real> extreme_scale(Random& random) {
   TwoSegments<Real> s = generic<Real, kPair>(random);
   switch (random.turn(3, 9)) {

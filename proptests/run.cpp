@@ -25,9 +25,13 @@ constexpr int kMostRestarts = 100;  // of a dead engine
 
 class Runner {
  public:
-  Runner(std::unique_ptr<engines::Engine>& engine, const RunOptions& options)
-      : engine_(engine), options_(options), subject_(engine->info(), options.correctly_rounded) {
+  Runner(std::unique_ptr<engines::Engine>& engine, const RunOptions& options) : engine_(engine), options_(options) {
     result_.engine = engine->info();
+    for (const Pair pair : kPairs) {
+      engines::EngineInfo of_pair = engine->info();
+      of_pair.declared = of_pair.declared_for(pair);
+      subjects_.emplace_back(std::move(of_pair), options.correctly_rounded);
+    }
   }
 
   RunResult run() {
@@ -48,12 +52,21 @@ class Runner {
   void ask(const Law& law, LawResult& result) {
     std::vector<Pair> pairs;
     for (const Pair pair : kPairs)
-      if (law.applies(pair) && subject_.info.serves(pair)) pairs.push_back(pair);
+      if (law.applies(pair) && result_.engine.serves(pair)) pairs.push_back(pair);
     if (pairs.empty()) {
       result.skipped = law.of_spheres ? "the engine serves no pair of spheres" : "the engine serves no pair of cubes";
       return;
     }
-    if ((result.skipped = law.skip(subject_))) return;
+    std::optional<std::string> skipped;
+    std::erase_if(pairs, [&](Pair pair) {
+      const auto why = law.skip(subject(pair));
+      if (why) skipped = why;
+      return why.has_value();
+    });
+    if (pairs.empty()) {
+      result.skipped = skipped;
+      return;
+    }
 
     std::vector<rc::Gen<Trial>> gens;
     gens.reserve(pairs.size());
@@ -77,6 +90,9 @@ class Runner {
     }
   }
 
+  /// The engine as it declares itself for a pair.
+  [[nodiscard]] const Subject& subject(Pair pair) const { return subjects_[static_cast<std::size_t>(pair)]; }
+
   /// Each law draws for itself, so that a law alone repeats what it did among all.
   [[nodiscard]] std::uint64_t law_seed(const Law& law) const {
     std::uint64_t hash = 0xcbf29ce484222325U ^ options_.seed;
@@ -85,14 +101,21 @@ class Runner {
   }
 
   [[nodiscard]] rc::Gen<Trial> trials(const Law& law, Pair pair) const {
+    const Range& range = subject(pair).range;
     const bool others = law.questions == itself_among_others || law.questions == with_others;
-    const auto other = others ? rc::gen::container<std::vector<Query>>(3, queries(pair, subject_.range))
-                              : rc::gen::just(std::vector<Query>{});
-    return rc::gen::map(rc::gen::tuple(law.draw(pair, subject_.range), changes(subject_.range), other),
+    const auto other =
+        others ? rc::gen::container<std::vector<Query>>(3, queries(pair, range)) : rc::gen::just(std::vector<Query>{});
+    return rc::gen::map(rc::gen::tuple(law.draw(pair, range), changes(range), other),
                         [](const std::tuple<Query, Change, std::vector<Query>>& parts) {
                           const auto& [query, change, with] = parts;
                           return Trial{query, change, with};
                         });
+  }
+
+  /// Whether the engine claims to serve a question.
+  [[nodiscard]] bool suits(const Query& query) const {
+    const Subject& of_pair = subject(query.pair);
+    return of_pair.range.contains(query) && !oracle::not_served(query, of_pair.info.declared);
   }
 
   std::optional<Trial> draw(const Law& law, const rc::Gen<Trial>& gen, rc::Random& random) const {
@@ -100,8 +123,8 @@ class Runner {
       const rc::Random here = random.split();
       Trial trial = gen(here, rc::kNominalSize).value();
       if (law.questions == itself_if_bad) return trial;
-      std::erase_if(trial.others, [&](const Query& q) { return !subject_.range.contains(q); });
-      if (subject_.range.contains(trial.query)) return trial;
+      std::erase_if(trial.others, [&](const Query& q) { return !suits(q); });
+      if (suits(trial.query)) return trial;
     }
     return std::nullopt;
   }
@@ -112,8 +135,8 @@ class Runner {
     for (const Query& query : queries) questions.push_back({golden::query_id(query), query});
     std::vector<Claim> claims = engine_->answer(questions);
     const auto keep_declared = [&] {
-      if (subject_.info.declared.claims)
-        for (Claim& claim : claims) claim.keep(*subject_.info.declared.claims);
+      if (result_.engine.declared.claims)
+        for (Claim& claim : claims) claim.keep(*result_.engine.declared.claims);
     };
     keep_declared();
     const bool dead =
@@ -130,10 +153,10 @@ class Runner {
   }
 
   Outcome test(const Law& law, const Trial& trial, Violation& violation, bool counts) {
-    std::vector<Query> asked = law.questions(trial, subject_);
+    const Subject& of_pair = subject(trial.query.pair);
+    std::vector<Query> asked = law.questions(trial, of_pair);
     const bool bad = law.questions == itself_if_bad;
-    if (asked.empty() ||
-        (!bad && !std::all_of(asked.begin(), asked.end(), [&](const Query& q) { return subject_.range.contains(q); })))
+    if (asked.empty() || (!bad && !std::all_of(asked.begin(), asked.end(), [&](const Query& q) { return suits(q); })))
       return Outcome::vacuous();
     std::vector<Claim> said = answers(asked);
     if (law.asking == Asking::together_and_one_by_one) {
@@ -144,7 +167,7 @@ class Runner {
     if (law.asking != Asking::whatever_comes &&
         std::any_of(said.begin(), said.end(), [](const Claim& c) { return c.status != Claim::Status::answered; }))
       return Outcome::vacuous();
-    const Case c(subject_, trial, std::move(asked), std::move(said), options_.truth);
+    const Case c(of_pair, trial, std::move(asked), std::move(said), options_.truth);
     Outcome outcome = law.check(c);
     if (counts && !bad && outcome.kind != Outcome::Kind::vacuous) count(c);
     if (outcome.kind == Outcome::Kind::violated)
@@ -158,7 +181,7 @@ class Runner {
     // so that the same seed shrinks to the same question on every machine.
     const auto end = status == Claim::Status::answered ? std::chrono::steady_clock::time_point::max()
                                                        : std::chrono::steady_clock::now() + kShrinkTime;
-    auto here = shrinkable(violation.trial, subject_.range);
+    auto here = shrinkable(violation.trial, subject(violation.trial.query.pair).range);
     for (bool easier = true; easier;) {
       easier = false;
       auto next = here.shrinks();
@@ -181,7 +204,7 @@ class Runner {
 
   void count(const Case& c) {
     const oracle::Truth& truth = c.truth(0);
-    const Scalar scalar = subject_.info.declared.scalar;
+    const Scalar scalar = result_.engine.declared.scalar;
     const double normal = std::ldexp(1.0, format_of(scalar).min_exponent);
     const double top = std::ldexp(1.0, format_of(scalar).max_exponent - 23);
     bool is_subnormal = false;
@@ -208,7 +231,7 @@ class Runner {
 
   std::unique_ptr<engines::Engine>& engine_;
   const RunOptions& options_;
-  Subject subject_;
+  std::vector<Subject> subjects_;  ///< one a pair
   RunResult result_;
   int restarts_ = 0;
 };

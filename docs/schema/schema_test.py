@@ -281,8 +281,10 @@ class Refused(Case):
 
     def test_typical_mistakes_in_results(self):
         header, *answers = lines_of(GOLDEN / "recorded" / "sofa-2a278d8" / "sphere_sphere.jsonl")
-        self.valid("results.json", {**header, "conventions": {"scale": {"min": 0, "max": "Infinity"}}, "bounds": {"value": 1.5}})
-        self.check("results.json", {**header, "bounds": {"value": 8}}, {
+        self.valid("results.json", {**header, "conventions": {"scale": {"min": 0, "max": "Infinity"}}, "bounds": {"value": 1.5},
+                                     "pair_conventions": {"sphere_cube": {"points": "midpoint"}}})
+        self.check("results.json", {**header, "bounds": {"value": 8}, "pair_conventions": {}}, {
+            "pair": (["pair_conventions", "cone_cone"], {}), "a pair's convention": (["pair_conventions", "cube_cube"], {"points": "centre"}),
             "engine": (["engine"], "SOFA"), "version": (["engine", "version"], None), "pairs": (["pairs"], ["cone_cone"]),
             "convention": (["conventions", "points"], "centre"), "unknown convention": (["conventions", "colour"], "red"),
             "unit as text": (["conventions", "normal_unit"], "true"), "bound too small": (["bounds", "value"], 0.5),

@@ -5,7 +5,10 @@
 
 namespace {
 using namespace contact::adapters;
-}
+
+/// How many numbers the shapes of each contact_pair have: first, second.
+constexpr std::size_t kWidths[][2] = {{4, 4}, {4, 4}, {4, 4}, {6, 6}, {4, 6}};
+}  // namespace
 
 int32_t contact_engine_interface() { return CONTACT_ENGINE_INTERFACE; }
 
@@ -15,12 +18,12 @@ const char* contact_engine_declaration() {
 }
 
 int32_t contact_engine_answer(const contact_questions* questions, contact_answers* answers) {
-  const bool boxes = questions->pair == CONTACT_CUBE_CUBE;
+  const auto pair = static_cast<contact_pair>(questions->pair);
+  const auto& width = kWidths[pair];
   for (std::size_t i = 0; i < questions->count; ++i) {
-    const std::size_t row = i * static_cast<std::size_t>(questions->width);
     Answer said(*answers, i);
     try {
-      answer({boxes, questions->a + row, questions->b + row, questions->alarm[i]}, said);
+      answer({pair, questions->a + i * width[0], questions->b + i * width[1], questions->alarm[i]}, said);
     } catch (const std::exception&) {
       answers->said[i] = CONTACT_ERROR;
     }

@@ -9,12 +9,27 @@
 
 namespace contact::adapters {
 
-/// One question: two spheres (centre and radius), or two boxes (min and max).
+/// One question: two spheres (centre and radius), two boxes (min and max), or a sphere and a box.
 struct Question {
-  bool boxes;
+  contact_pair pair;
   const double* a;
   const double* b;
   double alarm;
+};
+
+/// A box as most engines take it. Nothing is rounded: a declaration with the shapes `centered` keeps away the boxes
+/// whose centre or size is no number.
+struct CenteredBox {
+  explicit CenteredBox(const double* x) {
+    for (int i = 0; i < 3; ++i) {
+      size[i] = x[3 + i] - x[i];
+      half[i] = size[i] / 2;
+      center[i] = x[i] + half[i];
+    }
+  }
+  double center[3];
+  double size[3];
+  double half[3];
 };
 
 /// What is said of one question; of a hit, all that the declaration claims.

@@ -1,4 +1,5 @@
-// Bullet: btGjkPairDetector, with its EPA for penetrations, on two btSphereShapes.
+// Bullet: btGjkPairDetector, with its EPA for penetrations, on a btSphereShape and another or a
+// btBoxShape.
 #include "engines/adapters/bullet.hpp"
 
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
@@ -10,21 +11,21 @@ namespace contact::adapters {
 
 // The detector gives the point on the second shape; the other is for its user to derive.
 std::string declaration() {
-  return bullet_declaration("-gjk", R"(["sphere_sphere"])",
-                            R"({"normal":"second-to-first","points":"second_only","value_less_contact":false})");
+  return bullet_declaration(
+      "-gjk", R"(["sphere_sphere","sphere_cube"])",
+      R"({"normal":"second-to-first","points":"second_only","value_less_contact":false,"shapes":"centered"})");
 }
 
 void answer(const Question& q, Answer& said) {
   const btSphereShape a(static_cast<btScalar>(q.a[3]));
-  const btSphereShape b(static_cast<btScalar>(q.b[3]));
+  const BulletSecond b(q);
   btVoronoiSimplexSolver simplex;
   btGjkEpaPenetrationDepthSolver penetration;
-  btGjkPairDetector detector(&a, &b, &simplex, &penetration);
+  btGjkPairDetector detector(&a, b.shape.get(), &simplex, &penetration);
   btGjkPairDetector::ClosestPointInput input;
   input.m_transformA.setIdentity();
-  input.m_transformB.setIdentity();
   input.m_transformA.setOrigin(bullet_vector(q.a));
-  input.m_transformB.setOrigin(bullet_vector(q.b));
+  input.m_transformB = b.place;
   btPointCollector found;
   detector.getClosestPoints(input, found, nullptr);
   const bool hit = found.m_hasResult && found.m_distance <= static_cast<btScalar>(q.alarm);

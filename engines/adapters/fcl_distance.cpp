@@ -1,29 +1,24 @@
 // FCL: fcl::distance, compared with the alarm distance.
 #include <fcl/config.h>
-#include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/distance.h>
 
-#include "engines/adapters/adapter.hpp"
+#include "engines/adapters/fcl.hpp"
 
 namespace contact::adapters {
 
 std::string declaration() {
   return R"({"engine":{"name":"fcl-distance","version":")" FCL_VERSION
-         R"("},"scalar":"binary64","pairs":["sphere_sphere"],"conventions":{"value_less_contact":false},)"
+         R"("},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube"],"conventions":{"value_less_contact":false,"shapes":"centered"},)"
          R"("claims":["overlap","contact"]})";
 }
 
 void answer(const Question& q, Answer& said) {
-  const auto ball = [](const double* x) {
-    return fcl::CollisionObjectd(std::make_shared<fcl::Sphered>(x[3]), fcl::Matrix3d::Identity(),
-                                 fcl::Vector3d(x[0], x[1], x[2]));
-  };
-  const auto a = ball(q.a);
-  const auto b = ball(q.b);
+  const auto a = fcl_ball(q.a);
+  const auto b = q.pair == CONTACT_SPHERE_CUBE ? fcl_box(q.b) : fcl_ball(q.b);
   fcl::DistanceResultd result;
   fcl::distance(&a, &b, fcl::DistanceRequestd(true), result);
   said.hit(result.min_distance <= q.alarm);
-  // Of spheres that touch or penetrate the plain request says only that they do, by the distance -1: so numbers are not
+  // Of shapes that touch or penetrate the plain request says only that they do, by the distance -1: so numbers are not
   // among what it claims.
   if (!(result.min_distance <= q.alarm) || result.min_distance < 0) return;
   said.point1(result.nearest_points[0]);

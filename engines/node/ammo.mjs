@@ -1,5 +1,5 @@
-// ammo.js (Bullet): contactPairTest of two sphere bodies.
-import {serve, versionOf} from './loop.mjs';
+// ammo.js (Bullet): contactPairTest of a sphere body and another or a box body.
+import {centered, serve, versionOf} from './loop.mjs';
 import ammo from 'ammo.js';
 
 const configuration = new ammo.btDefaultCollisionConfiguration();
@@ -19,19 +19,27 @@ callback.addSingleResult = (pointer) => {
 
 // It computes in double precision and keeps every number in single.
 serve({
-  engine: {name: 'ammo', version: versionOf('ammo.js')}, scalar: 'binary32', pairs: ['sphere_sphere'],
-  conventions: {normal: 'second-to-first', value_less_contact: false, margin: 'none'},
-}, ({a, b}) => {
+  engine: {name: 'ammo', version: versionOf('ammo.js')}, scalar: 'binary32', pairs: ['sphere_sphere', 'sphere_cube'],
+  conventions: {normal: 'second-to-first', value_less_contact: false, margin: 'none', shapes: 'centered'},
+}, ({pair, a, b}) => {
   const made = [];
   const make = (thing) => (made.push(thing), thing);
-  const body = ({center, radius}) => {
+  const body = (center, shape) => {
     const object = make(new ammo.btPairCachingGhostObject());
-    object.setCollisionShape(make(new ammo.btSphereShape(radius)));
+    object.setCollisionShape(make(shape));
     object.getWorldTransform().setOrigin(make(new ammo.btVector3(...center)));
     return object;
   };
+  const ball = ({center, radius}) => body(center, new ammo.btSphereShape(radius));
+  const box = ({center, half}) => {
+    const shape = new ammo.btBoxShape(make(new ammo.btVector3(...half)));
+    shape.setMargin(0); // with one its edges are round
+    return body(center, shape);
+  };
   contact = null;
-  world.contactPairTest(body(a), body(b), callback);
+  world.contactPairTest(ball(a), pair === 'sphere_cube' ? box(centered(b)) : ball(b), callback);
   made.forEach((thing) => ammo.destroy(thing));
+  // Of a sphere and a box it tells of gaps up to the contact breaking threshold too: the distance is for the user to compare.
+  if (pair === 'sphere_cube' && contact?.value > 0) contact = null;
   return {overlap: contact !== null, contact};
 });

@@ -1,5 +1,5 @@
-// Havok: HP_World_ShapeProximityWithCollector of a sphere against the one body of a world.
-import {serve, versionOf} from './loop.mjs';
+// Havok: HP_World_ShapeProximityWithCollector of a sphere against the one body of a world, a sphere or a box.
+import {centered, serve, versionOf} from './loop.mjs';
 import {readFileSync} from 'node:fs';
 import load from '@babylonjs/havok';
 
@@ -15,17 +15,19 @@ const collector = result(havok.HP_QueryCollector_Create(1));
 
 // Each surface has its outward normal, so the second's points to the first. The first's point is in its own coordinates.
 serve({
-  engine: {name: 'havok', version: versionOf('@babylonjs/havok')}, scalar: 'binary32', pairs: ['sphere_sphere'],
+  engine: {name: 'havok', version: versionOf('@babylonjs/havok')}, scalar: 'binary32', pairs: ['sphere_sphere', 'sphere_cube'],
   conventions: {
     normal: 'second-to-first', points: 'second_only', value_less_contact: false, touching_overlap: 'open',
-    touching_contact: 'open', margin: 'exclusive',
+    touching_contact: 'open', margin: 'exclusive', shapes: 'centered',
   },
-}, ({a, b, alarm}) => {
+}, ({pair, a, b, alarm}) => {
   const sphere = ({radius}) => result(havok.HP_Shape_CreateSphere([0, 0, 0], radius));
-  const [first, second] = [sphere(a), sphere(b)];
+  const box = pair === 'sphere_cube' ? centered(b) : null;
+  const second = box ? result(havok.HP_Shape_CreateBox([0, 0, 0], upright, box.size)) : sphere(b);
+  const first = sphere(a);
   const body = result(havok.HP_Body_Create());
   havok.HP_Body_SetShape(body, second);
-  havok.HP_Body_SetQTransform(body, [b.center, upright]);
+  havok.HP_Body_SetQTransform(body, [(box ?? b).center, upright]);
   havok.HP_World_AddBody(world, body, false);
   try {
     havok.HP_World_ShapeProximityWithCollector(world, collector, [first, a.center, upright, alarm, false, noBody]);

@@ -1,5 +1,5 @@
 // Jolt Physics: TransformedShape.CollideShape with the alarm distance as its largest separation.
-import {serve, versionOf} from './loop.mjs';
+import {centered, serve, versionOf} from './loop.mjs';
 import load from 'jolt-physics';
 
 const jolt = await load();
@@ -22,21 +22,24 @@ const numbers = (v) => [v.GetX(), v.GetY(), v.GetZ()];
 
 // Points are relative to the base offset, which is the origin here.
 serve({
-  engine: {name: 'jolt', version: versionOf('jolt-physics')}, scalar: 'binary32', pairs: ['sphere_sphere'],
-  conventions: {normal_unit: false, value: 'depth', value_less_contact: false},
-}, ({a, b, alarm}) => {
+  engine: {name: 'jolt', version: versionOf('jolt-physics')}, scalar: 'binary32', pairs: ['sphere_sphere', 'sphere_cube'],
+  conventions: {normal_unit: false, value: 'depth', value_less_contact: false, shapes: 'centered'},
+}, ({pair, a, b, alarm}) => {
   const [made, shapes] = [[], []];
   const make = (thing) => (made.push(thing), thing);
-  const sphere = ({radius}) => {
-    const shape = new jolt.SphereShape(radius);
+  const kept = (shape) => {
     shape.AddRef();
     shapes.push(shape);
     return shape;
   };
+  const sphere = ({radius}) => kept(new jolt.SphereShape(radius));
+  // Without a convex radius: its edges are as sharp as the question's.
+  const box = ({half}) => kept(new jolt.BoxShape(make(new jolt.Vec3(...half)), 0));
   const at = ({center}) => make(new jolt.RVec3(...center));
   const second = make(new jolt.TransformedShape());
-  second.mShape = sphere(b);
-  second.SetWorldTransform(at(b), upright, unit);
+  const centeredB = pair === 'sphere_cube' ? centered(b) : b;
+  second.mShape = pair === 'sphere_cube' ? box(centeredB) : sphere(b);
+  second.SetWorldTransform(at(centeredB), upright, unit);
   settings.mMaxSeparationDistance = alarm;
   const collector = make(new jolt.CollideShapeClosestHitCollisionCollector());
   // The shape that is handed over is shape 1 of the result.

@@ -14,6 +14,13 @@ export const numbers = ({x, y, z}) => [x, y, z];
 /** An engine's vector of three numbers. */
 export const vector = ([x, y, z]) => ({x, y, z});
 
+/** A box by its centre and size. Nothing is rounded: the shapes `centered` keep away boxes whose centre or size is no number. */
+export const centered = ({min, max}) => {
+  const size = max.map((x, i) => x - min[i]);
+  const half = size.map((x) => x / 2);
+  return {center: min.map((x, i) => x + half[i]), size, half};
+};
+
 /** The version of an installed package. */
 export const versionOf = (name) =>
   JSON.parse(readFileSync(new URL(`node_modules/${name}/package.json`, import.meta.url))).version;

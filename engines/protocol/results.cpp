@@ -23,10 +23,10 @@ void read_choice(const formats::Node& node, std::string_view key, const std::arr
   if (const auto found = node.find(key)) choice = static_cast<Enum>(found->one_of(names));
 }
 
-Conventions read_conventions(const formats::Node& node) {
+/// A key that is absent stays as it is in `c`.
+Conventions read_conventions(const formats::Node& node, Conventions c = {}) {
   node.allow_only({"normal", "normal_unit", "points", "value", "value_less_contact", "touching_overlap",
-                   "touching_contact", "margin", "coincident", "scale"});
-  Conventions c;
+                   "touching_contact", "margin", "coincident", "shapes", "scale"});
   read_choice(node, "normal", kNormalDirectionNames, c.normal);
   if (const auto unit = node.find("normal_unit")) c.normal_unit = unit->boolean();
   read_choice(node, "points", kPointsNames, c.points);
@@ -36,6 +36,7 @@ Conventions read_conventions(const formats::Node& node) {
   read_choice(node, "touching_contact", kTouchingNames, c.touching_contact);
   read_choice(node, "margin", kMarginNames, c.margin);
   read_choice(node, "coincident", kCoincidentNames, c.coincident);
+  read_choice(node, "shapes", kShapesAsNames, c.shapes);
   if (const auto scale = node.find("scale")) {
     scale->allow_only({"min", "max"});
     c.scale_min = scale->at("min").number();
@@ -58,11 +59,14 @@ DeclaredBounds read_bounds(const formats::Node& node) {
 }
 
 /// What an engine declares to claim. A number is one of a contact, so it speaks of the contact too.
-Aspects read_claims(const formats::Node& node, const Conventions& conventions) {
+Aspects read_claims(const formats::Node& node, const EngineInfo& info) {
   Aspects claims;
   for (const formats::Node& item : node.items()) {
     const auto aspect = static_cast<Aspect>(item.one_of(kAspectNames));
-    if (!spoken_of(conventions).has(aspect)) item.refuse("the engine's conventions say that it gives none");
+    const bool spoken = spoken_of(info.declared.conventions).has(aspect) ||
+                        std::any_of(info.pair_conventions.begin(), info.pair_conventions.end(),
+                                    [&](const auto& of_pair) { return spoken_of(of_pair.second).has(aspect); });
+    if (!spoken) item.refuse("the engine's conventions say that it gives none");
     claims.add(aspect);
     if (aspect > Aspect::contact) claims.add(Aspect::contact);
   }
@@ -74,8 +78,15 @@ Aspects read_claims(const formats::Node& node, const Conventions& conventions) {
 
 bool EngineInfo::serves(Pair pair) const { return std::find(pairs.begin(), pairs.end(), pair) != pairs.end(); }
 
+oracle::Declaration EngineInfo::declared_for(Pair pair) const {
+  oracle::Declaration of_pair = declared;
+  if (const auto own = pair_conventions.find(pair); own != pair_conventions.end()) of_pair.conventions = own->second;
+  return of_pair;
+}
+
 EngineInfo read_engine_info(const formats::Node& node, std::initializer_list<std::string_view> beside) {
-  std::vector<std::string_view> known{"engine", "scalar", "pairs", "conventions", "bounds", "claims"};
+  std::vector<std::string_view> known{"engine",           "scalar", "pairs", "conventions",
+                                      "pair_conventions", "bounds", "claims"};
   known.insert(known.end(), beside);
   node.allow_only(known);
   EngineInfo info;
@@ -87,22 +98,38 @@ EngineInfo read_engine_info(const formats::Node& node, std::initializer_list<std
   info.pairs.clear();
   for (const formats::Node& pair : node.at("pairs").items()) info.pairs.push_back(golden::read_pair(pair));
   if (const auto conventions = node.find("conventions")) info.declared.conventions = read_conventions(*conventions);
+  if (const auto of_pairs = node.find("pair_conventions")) {
+    std::vector<std::string_view> served;
+    for (const Pair pair : info.pairs) served.push_back(name(pair));
+    of_pairs->allow_only(served);
+    for (const Pair pair : info.pairs)
+      if (const auto own = of_pairs->find(name(pair)))
+        info.pair_conventions[pair] = read_conventions(*own, info.declared.conventions);
+  }
   if (const auto bounds = node.find("bounds")) info.declared.bounds = read_bounds(*bounds);
-  if (const auto claims = node.find("claims")) info.declared.claims = read_claims(*claims, info.declared.conventions);
+  if (const auto claims = node.find("claims")) info.declared.claims = read_claims(*claims, info);
   return info;
 }
 
 std::string conventions_text(const Conventions& c) {
   const auto pick = [](const auto& names, auto choice) { return names[static_cast<std::size_t>(choice)]; };
   std::string text = fmt::format(
-      R"({{"normal":"{}","normal_unit":{},"points":"{}","value":"{}","value_less_contact":{},"touching_overlap":"{}","touching_contact":"{}","margin":"{}","coincident":"{}")",
+      R"({{"normal":"{}","normal_unit":{},"points":"{}","value":"{}","value_less_contact":{},"touching_overlap":"{}","touching_contact":"{}","margin":"{}","coincident":"{}","shapes":"{}")",
       pick(kNormalDirectionNames, c.normal), c.normal_unit, pick(kPointsNames, c.points),
       pick(kValueKindNames, c.value), c.value_less_contact, pick(kTouchingNames, c.touching_overlap),
-      pick(kTouchingNames, c.touching_contact), pick(kMarginNames, c.margin), pick(kCoincidentNames, c.coincident));
+      pick(kTouchingNames, c.touching_contact), pick(kMarginNames, c.margin), pick(kCoincidentNames, c.coincident),
+      pick(kShapesAsNames, c.shapes));
   if (c.scale_min != 0 || std::isfinite(c.scale_max))
     text +=
         fmt::format(R"(,"scale":{{"min":{},"max":{}}})", formats::number(c.scale_min), formats::number(c.scale_max));
   return text + "}";
+}
+
+std::string pair_conventions_text(const EngineInfo& engine) {
+  std::string text;
+  for (const auto& [pair, conventions] : engine.pair_conventions)
+    text += fmt::format(R"({}"{}":{})", text.empty() ? "" : ",", name(pair), conventions_text(conventions));
+  return text.empty() ? text : fmt::format(R"("pair_conventions":{{{}}},)", text);
 }
 
 std::string engine_text(const EngineInfo& engine) {
@@ -113,10 +140,10 @@ std::string engine_text(const EngineInfo& engine) {
   if (engine.declared.claims)
     claims = fmt::format(R"(,"claims":["{}"])", fmt::join(engine.declared.claims->names(), R"(",")"));
   return fmt::format(
-      R"("engine":{{"name":{},"version":{}}},"scalar":"{}","pairs":[{}],"conventions":{},"bounds":{{"value":{},"normal":{},"point":{}}}{})",
+      R"("engine":{{"name":{},"version":{}}},"scalar":"{}","pairs":[{}],"conventions":{},{}"bounds":{{"value":{},"normal":{},"point":{}}}{})",
       formats::json_string(engine.name), formats::json_string(engine.version), name(engine.declared.scalar), pairs,
-      conventions_text(engine.declared.conventions), formats::number(b.value), formats::number(b.normal),
-      formats::number(b.point), claims);
+      conventions_text(engine.declared.conventions), pair_conventions_text(engine), formats::number(b.value),
+      formats::number(b.normal), formats::number(b.point), claims);
 }
 
 std::string to_line(const EngineInfo& engine) {

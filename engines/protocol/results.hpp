@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -18,14 +19,20 @@ struct EngineInfo {
   std::string version;
   std::vector<Pair> pairs{kPairs.begin(), kPairs.end()};
   oracle::Declaration declared;
+  /// The pairs whose answers mean something else, in the order of the pairs, and what.
+  std::map<Pair, Conventions> pair_conventions{};
 
   [[nodiscard]] bool serves(Pair pair) const;
+  /// What answers about a pair are judged by.
+  [[nodiscard]] oracle::Declaration declared_for(Pair pair) const;
 };
 
-/// "engine", "scalar", "pairs", "conventions", "bounds" and "claims" of a results header or a hello message, which has
-/// no other keys than these and those `beside` them.
+/// "engine", "scalar", "pairs", "conventions", "pair_conventions", "bounds" and "claims" of a results header or a hello
+/// message, which has no other keys than these and those `beside` them.
 [[nodiscard]] EngineInfo read_engine_info(const formats::Node& node, std::initializer_list<std::string_view> beside);
 [[nodiscard]] std::string conventions_text(const Conventions& conventions);
+/// "pair_conventions":{...}, or nothing where every pair has the same.
+[[nodiscard]] std::string pair_conventions_text(const EngineInfo& engine);
 /// The same written, without braces, and the header of a results file.
 [[nodiscard]] std::string engine_text(const EngineInfo& engine);
 [[nodiscard]] std::string to_line(const EngineInfo& engine);

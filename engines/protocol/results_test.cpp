@@ -48,6 +48,7 @@ TEST(EngineInfo, EveryConventionSurvivesWritingAndReading) {
     c.margin = static_cast<Margin>(i % kMarginNames.size());
     c.coincident = static_cast<Coincident>(i % kCoincidentNames.size());
     c.touching_contact = static_cast<Touching>(i % kTouchingNames.size());
+    c.shapes = static_cast<ShapesAs>(i % kShapesAsNames.size());
     EXPECT_TRUE(same()) << kPointsNames[i];
   }
 }
@@ -66,6 +67,25 @@ EngineInfo declaring(const std::string& text) {
   const auto json = formats::parse_object(
       R"({"engine":{"name":"x","version":"1"},"scalar":"binary64","pairs":["sphere_sphere"],)" + text + "}", where);
   return read_engine_info(formats::Node(json, where), {});
+}
+
+TEST(EngineInfo, APairHasTheConventionsOfAllButForWhatItNames) {
+  const EngineInfo info = declaring(
+      R"("conventions":{"points":"none","value":"depth"},"pair_conventions":{"sphere_sphere":{"points":"midpoint"}},)"
+      R"("claims":["overlap","point"])");
+  Conventions own = info.declared.conventions;
+  own.points = Points::midpoint;
+  EXPECT_EQ(info.declared_for(Pair::sphere_sphere).conventions, own);
+  EXPECT_EQ(info.declared_for(Pair::cube_cube), info.declared);
+  EXPECT_EQ(read_back(info).pair_conventions, info.pair_conventions);
+  EXPECT_TRUE(info.declared_for(Pair::sphere_sphere).claimed().has(Aspect::point));
+  EXPECT_FALSE(info.declared.claimed().has(Aspect::point));
+}
+
+TEST(EngineInfo, ConventionsOfAPairThatIsNotServedOrNotKnownAreRefused) {
+  for (const char* of_pairs :
+       {R"({"cube_cube":{}})", R"({"cone_cone":{}})", R"({"sphere_sphere":{"points":"centre"}})", "[]"})
+    EXPECT_THROW(declaring(R"("pair_conventions":)" + std::string(of_pairs)), formats::InputError) << of_pairs;
 }
 
 TEST(EngineInfo, ANumberThatIsClaimedIsOneOfAContact) {

@@ -13,11 +13,12 @@ std::span<const Mutant> mutants() {
     std::vector<Mutant> list;
     const auto append = [&](std::span<const Mutant> some, Origin origin) {
       for (Mutant m : some) {
-        m.origin = origin;
+        m.origin = m.source.empty() ? origin : Origin::real;
         list.push_back(m);
       }
     };
     append(real_mutants(), Origin::real);
+    append(feature_mutants(), Origin::own);
     append(own_mutants(), Origin::own);
     append(precision_mutants(), Origin::precision);
     return list;

@@ -308,7 +308,6 @@ void Diagnosis::add(std::uint64_t key, const Query& query, const Truth& truth, c
   ++answered_[query.pair];
   for (const std::string_view aspect : verdict.missing.names()) ++missing_[std::string(aspect)];
   if (weight == 0) return;
-  if (query.balls() == nullptr && query.boxes() == nullptr) return;  // the formulas are of spheres and boxes
   const DefaultEnvironment environment;
   const Facts facts(query, truth, declared.scalar, said_normal(claim, declared.conventions));
   const std::vector<Claimed> claimed = claimed_of(facts, claim, declared, verdict);

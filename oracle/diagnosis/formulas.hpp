@@ -37,7 +37,7 @@ inline Real side(std::size_t sphere) { return sphere == 0 ? 1 : -1; }
 inline Numbers surface(F f, std::size_t sphere) {
   return along(f.center[sphere], side(sphere) * f.radius[sphere], f.n);
 }
-inline Real signed_distance(F f) { return f.distance - f.radii(); }
+inline Real signed_distance(F f) { return f.distance - f.depth - f.radii(); }
 inline Real right_value(F f) { return signed_distance(f) - f.contact; }
 
 /// Whether the shapes are within `alarm` of each other: boxes are if the gap of each axis is.
@@ -61,6 +61,7 @@ inline Cause normal(std::string_view id, std::string_view sentence, std::functio
 [[nodiscard]] std::vector<Cause> wrong_inputs();
 [[nodiscard]] std::vector<Cause> wrong_decisions();
 [[nodiscard]] std::vector<Cause> wrong_box_decisions();
+[[nodiscard]] std::vector<Cause> wrong_features();
 [[nodiscard]] std::vector<Cause> wrong_normals();
 [[nodiscard]] std::vector<Cause> wrong_points();
 [[nodiscard]] std::vector<Cause> wrong_values();

@@ -11,25 +11,65 @@
 #include "oracle/diagnosis/formulas.hpp"
 
 namespace contact::oracle {
+namespace {
 
-Facts::Facts(const Query& query, const Truth& true_of_it, Scalar engine_scalar, std::optional<Numbers> normal_said)
-    : truth(&true_of_it),
+using NearestPoints = std::array<Numbers, 2>;
+
+NearestPoints nearest_points(const Balls& balls) {
+  return {formulas::numbers_of(balls.a.center), formulas::numbers_of(balls.b.center)};
+}
+NearestPoints nearest_points(const BallAndBox& shapes) {
+  const auto& [ball, box] = shapes;
+  return {formulas::numbers_of(ball.center), formulas::numbers_of(ball.center.cwiseMax(box.min).cwiseMin(box.max))};
+}
+template <class A>
+NearestPoints nearest_points(const Two<A, Capsule>& shapes) {
+  const AxisInReals first(shapes.a);
+  const AxisInReals second(shapes.b);
+  const auto [s, t] = nearest_parameters(first, second);
+  return {first.at(s), second.at(t)};
+}
+
+Real radius_of(const Box& /*box*/) { return 0; }
+Real radius_of(const auto& shape) { return shape.radius; }
+
+/// How deep a centre is in a box.
+Real depth_of(const BallAndBox& shapes) {
+  const auto& [ball, box] = shapes;
+  Real least = std::numeric_limits<Real>::infinity();
+  for (Eigen::Index i = 0; i < 3; ++i)
+    least = std::min({least, Real{ball.center[i]} - box.min[i], Real{box.max[i]} - ball.center[i]});
+  return std::max(least, Real{0});
+}
+
+}  // namespace
+
+Facts::Facts(const Query& of, const Truth& true_of_it, Scalar engine_scalar, std::optional<Numbers> normal_said)
+    : query(&of),
+      truth(&true_of_it),
       scalar(engine_scalar),
-      spheres(query.balls() != nullptr),
+      spheres(of.has_numbers()),
       region(Region::beyond),
-      alarm(query.distances.alarm),
-      contact(query.distances.contact),
+      alarm(of.distances.alarm),
+      contact(of.distances.contact),
       said_normal(normal_said) {
   bool inside = false;
   bool coincident = false;
-  if (const Balls* balls = query.balls()) {
-    center = {formulas::numbers_of(balls->a.center), formulas::numbers_of(balls->b.center)};
-    radius = {balls->a.radius, balls->b.radius};
+  if (spheres) {
+    std::visit(
+        [&]<class Shapes>(const Shapes& shapes) {
+          if constexpr (!std::same_as<Shapes, Boxes>) {
+            center = nearest_points(shapes);
+            radius = {radius_of(shapes.a), radius_of(shapes.b)};
+          }
+          if constexpr (std::same_as<Shapes, BallAndBox>) depth = depth_of(shapes);
+        },
+        of.shapes);
     settle();
-    inside = distance <= std::abs(radius[0] - radius[1]);
-    coincident = truth->degenerate();
+    inside = of.balls() != nullptr ? distance <= std::abs(radius[0] - radius[1]) : depth > 0;
+    coincident = truth->coincident();
   } else {
-    const auto& [a, b] = *query.boxes();
+    const auto& [a, b] = *of.boxes();
     min = {formulas::numbers_of(a.min), formulas::numbers_of(b.min)};
     max = {formulas::numbers_of(a.max), formulas::numbers_of(b.max)};
     const auto in = [](const Box& x, const Box& y) {
@@ -75,8 +115,8 @@ std::span<const Cause> causes() {
   static const std::vector<Cause> all = [] {
     std::vector<Cause> made;
     for (const auto table :
-         {formulas::wrong_inputs, formulas::wrong_decisions, formulas::wrong_box_decisions, formulas::wrong_normals,
-          formulas::wrong_points, formulas::wrong_values, formulas::wrong_arithmetic})
+         {formulas::wrong_inputs, formulas::wrong_decisions, formulas::wrong_box_decisions, formulas::wrong_features,
+          formulas::wrong_normals, formulas::wrong_points, formulas::wrong_values, formulas::wrong_arithmetic})
       for (Cause& cause : table()) made.push_back(std::move(cause));
     if (made.size() > kMostCauses) throw std::length_error("more causes than kMostCauses");
     return made;
@@ -100,8 +140,9 @@ Predictions predict(const Cause& cause, const Facts& facts) {
     if (!f.spheres) return said;
     said.value = formulas::right_value(f);
     if (f.D == 0) f.n = facts.n;  // it has no direction: any normal is right
-    if (facts.D > 0) said.normal = f.n;
-    if (facts.D > 0 || f.D == 0) said.point = {formulas::surface(f, 0), formulas::surface(f, 1)};
+    const bool has_direction = facts.D > 0 || facts.depth > 0;
+    if (has_direction) said.normal = f.n;
+    if (has_direction || f.D == 0) said.point = {formulas::surface(f, 0), formulas::surface(f, 1)};
     return said;
   }
   if (cause.hit) said.hit = cause.hit(facts);

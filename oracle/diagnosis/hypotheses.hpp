@@ -7,15 +7,14 @@
 #include <span>
 #include <string_view>
 
+#include "oracle/diagnosis/nearest_in_reals.hpp"
 #include "oracle/judge/claim.hpp"
 #include "oracle/truth/truth.hpp"
 
 namespace contact::oracle {
 
-/// Squares of doubles neither overflow nor vanish in it, where the platform has a type wider than double. Nothing is
-/// judged with it: a formula only has to come near what an engine said.
-using Real = long double;
-using Numbers = std::array<Real, 3>;
+// In Real squares of doubles neither overflow nor vanish, where the platform has a type wider than double. Nothing is
+// judged with it: a formula only has to come near what an engine said.
 
 /// Where the two shapes of a question lie: each region exercises another part of the right formula.
 enum class Region { coincident, inside, overlapping, touching, near, at_alarm, beyond };
@@ -33,19 +32,21 @@ struct Facts {
   /// Computes what follows from `delta`.
   void settle_from_delta();
 
+  const Query* query;
   const Truth* truth;
   Scalar scalar;
-  bool spheres;
+  bool spheres;  ///< or other shapes with a distance: spheres around the nearest points of their cores
   Region region;
   Real alarm;
   Real contact;
-  // Spheres.
-  std::array<Numbers, 2> center{};
+  // Of pairs with a distance.
+  std::array<Numbers, 2> center{};  ///< the nearest points of the cores
   std::array<Real, 2> radius{};
   Numbers delta{};
   Real D = 0;         ///< delta.delta
   Real distance = 0;  ///< sqrt(D)
   Numbers n{};        ///< delta / sqrt(D), or the engine's normal where the centres coincide
+  Real depth = 0;     ///< of a centre in a box
   // Boxes.
   std::array<Numbers, 2> min{};
   std::array<Numbers, 2> max{};

@@ -15,6 +15,7 @@ enum class ValueKind { signed_distance, depth, none };
 enum class Touching { closed, open };
 enum class Margin { inclusive, exclusive, none };
 enum class Coincident { any_unit_normal, zero_normal, no_contact };
+enum class ShapesAs { given, centered };
 
 // The names of the values, in the order of the enumerations: the one list for files, help and documentation.
 inline constexpr std::array<std::string_view, 2> kNormalDirectionNames{"first-to-second", "second-to-first"};
@@ -24,6 +25,7 @@ inline constexpr std::array<std::string_view, 3> kValueKindNames{"signed", "dept
 inline constexpr std::array<std::string_view, 2> kTouchingNames{"closed", "open"};
 inline constexpr std::array<std::string_view, 3> kMarginNames{"inclusive", "exclusive", "none"};
 inline constexpr std::array<std::string_view, 3> kCoincidentNames{"any_unit_normal", "zero_normal", "no_contact"};
+inline constexpr std::array<std::string_view, 2> kShapesAsNames{"given", "centered"};
 
 struct Conventions {
   NormalDirection normal = NormalDirection::first_to_second;
@@ -35,6 +37,7 @@ struct Conventions {
   Touching touching_contact = Touching::closed;  ///< equality at alarm 0, for the contact claim
   Margin margin = Margin::inclusive;             ///< equality at alarm > 0; none: alarm is not looked at
   Coincident coincident = Coincident::any_unit_normal;
+  ShapesAs shapes = ShapesAs::given;  ///< centered: a box by its centre and size; not_served
   double scale_min = 0;  ///< every non-zero |input| that the engine claims to serve lies in [scale_min, scale_max]
   double scale_max = std::numeric_limits<double>::infinity();
 

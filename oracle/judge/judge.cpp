@@ -237,7 +237,47 @@ Aspects missing_aspects(const Claim& claim, const Declaration& declared, bool ha
   return declared.claimed().common(asked).without(claim.says());
 }
 
+bool is_number(const Rational& x, Scalar scalar) {
+  const double rounded = round_to_nearest(Exact(x), scalar);
+  return std::isfinite(rounded) && Rational(rounded) == x;
+}
+
+/// Whether a shape's centre and size, whole and half, are numbers of the scalar: engines ask for either size.
+bool has_center_and_size(const Ball& /*ball*/, Scalar /*scalar*/) { return true; }
+bool has_center_and_size(const Box& box, Scalar scalar) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!std::isfinite(box.min[axis]) || !std::isfinite(box.max[axis])) continue;
+    const Rational low(box.min[axis]);
+    const Rational high(box.max[axis]);
+    for (const Rational& x : {(low + high) / 2, high - low, (high - low) / 2})
+      if (!is_number(x, scalar)) return false;
+  }
+  return true;
+}
+/// A capsule has a direction besides, which is exact along a coordinate axis alone.
+bool has_center_and_size(const Capsule& capsule, Scalar scalar) {
+  const Box around{capsule.start.cwiseMin(capsule.end), capsule.start.cwiseMax(capsule.end)};
+  return (capsule.start.array() != capsule.end.array()).count() <= 1 && has_center_and_size(around, scalar);
+}
+
 }  // namespace
+
+std::optional<std::string_view> not_served(const Query& query, const Declaration& declared) {
+  const Conventions& c = declared.conventions;
+  if (c.scale_min != 0 || std::isfinite(c.scale_max)) {
+    bool within = true;
+    for_each_number(query, [&](const std::string&, double x) {
+      if (x != 0 && std::isfinite(x)) within = within && std::abs(x) >= c.scale_min && std::abs(x) <= c.scale_max;
+    });
+    if (!within) return "numbers outside the scale that the engine declares";
+  }
+  const auto centered = [&](const auto& shapes) {
+    return has_center_and_size(shapes.a, declared.scalar) && has_center_and_size(shapes.b, declared.scalar);
+  };
+  if (c.shapes == ShapesAs::centered && !std::visit(centered, query.shapes))
+    return "shapes whose centre or size is no number of the engine's scalar";
+  return std::nullopt;
+}
 
 std::optional<PointOn> point_of(const Conventions& conventions, const Query& query, int sphere) {
   switch (conventions.points) {

@@ -84,9 +84,16 @@ struct Declaration {
   std::optional<Aspects> claims{};  ///< nothing: all that the conventions speak of
 
   /// What is judged of an answer, and what an answer to a hit of two spheres must have.
-  [[nodiscard]] Aspects claimed() const { return claims.value_or(spoken_of(conventions)); }
+  [[nodiscard]] Aspects claimed() const {
+    return claims ? claims->common(spoken_of(conventions)) : spoken_of(conventions);
+  }
   friend bool operator==(const Declaration&, const Declaration&) = default;
 };
+
+/// Why an engine that declares this cannot be asked a question, or nothing: a number beyond its scale, or a box whose
+/// centre or size is no number of its scalar, so that whoever asks would have to round. NaN and infinities do not
+/// count.
+[[nodiscard]] std::optional<std::string_view> not_served(const Query& query, const Declaration& declared);
 
 /// Where the contact point of a sphere (0 or 1) should lie; nothing where the conventions claim none.
 [[nodiscard]] std::optional<PointOn> point_of(const Conventions& conventions, const Query& query, int sphere);

@@ -301,6 +301,43 @@ TEST(JudgeDecisions, cubes_are_judged_by_the_same_rules) {
 
 // Levels.
 
+TEST(Served, a_box_by_center_and_size_is_one_whose_center_size_and_half_size_are_numbers) {
+  const auto served = [](double low, double high, Scalar scalar, ShapesAs shapes = ShapesAs::centered) {
+    Declaration declared = with([&](Conventions& c) { c.shapes = shapes; });
+    declared.scalar = scalar;
+    const Query query{Pair::sphere_cube, BallAndBox{{{0, 0, 0}, 1}, {{0, low, 0}, {2, high, 2}}}, {0, 0}};
+    return !not_served(query, declared);
+  };
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  const double huge = std::numeric_limits<double>::max();
+  using enum Scalar;
+  EXPECT_TRUE(served(-0.1, 0.1, binary64));
+  EXPECT_FALSE(served(-0.1, 0.3, binary64));
+  EXPECT_TRUE(served(-0.1, 0.3, binary64, ShapesAs::given));
+  EXPECT_TRUE(served(1, 0x1.000001p0, binary64));
+  EXPECT_FALSE(served(1, 0x1.000002p0, binary32)) << "the middle of two neighbours";
+  EXPECT_TRUE(served(1, 0x1.000004p0, binary32));
+  EXPECT_FALSE(served(0, tiny, binary64)) << "half the smallest number";
+  EXPECT_TRUE(served(0, 2 * tiny, binary64));
+  EXPECT_TRUE(served(tiny, tiny, binary64)) << "a size of 0";
+  EXPECT_FALSE(served(-huge, huge, binary64)) << "a size beyond the largest number, though its half is one";
+  EXPECT_TRUE(served(-huge / 2, huge / 2, binary64));
+  EXPECT_TRUE(served(huge, huge, binary64));
+  EXPECT_TRUE(served(-std::numeric_limits<double>::infinity(), 0.3, binary64)) << "outside the domain it is asked";
+}
+
+TEST(Served, a_number_beyond_the_scale_is_not_and_the_reasons_differ) {
+  const Declaration scaled = with([](Conventions& c) { c.scale_min = 0.5, c.scale_max = 2; });
+  const auto why = [&](double radius) {
+    return not_served({Pair::sphere_sphere, Balls{{{0, 0, 0}, radius}, {{1, 2, 2}, 1}}, {0, 0}}, scaled);
+  };
+  EXPECT_FALSE(why(0.5) || why(2) || why(0)) << "0 has no scale";
+  EXPECT_TRUE(why(0.25) && why(4));
+  const Declaration centered = with([](Conventions& c) { c.shapes = ShapesAs::centered; });
+  const Query box{Pair::sphere_cube, BallAndBox{{{0, 0, 0}, 1}, {{-0.1, 0, 0}, {0.3, 2, 2}}}, {0, 0}};
+  EXPECT_NE(not_served(box, centered), why(4));
+}
+
 TEST(JudgeLevels, a_missed_hit_reaches_none_and_a_false_hit_is_conservative) {
   EXPECT_EQ(level_of(overlapping(), overlap(false)), Level::none);
   EXPECT_EQ(level_of(overlapping(), no_contact()), Level::none);

@@ -2,6 +2,7 @@
 // Where that is not certain, where the segments meet and where they are parallel, there is no answer.
 #include "oracle/truth/double_double_segments.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace contact::oracle {
@@ -37,6 +38,12 @@ std::optional<DoubleDoubleNearest> foot(const Vector3& c, const Ends& segment) {
   DoubleDoubleNearest nearest{exactly(c), at(segment[0], t, u), {}};
   for (std::size_t i = 0; i < 3; ++i) nearest.delta[i] = t * u[i] - w[i];
   return nearest;
+}
+
+bool same(const DoubleDoubles& x, const DoubleDoubles& y) {
+  return std::equal(x.begin(), x.end(), y.begin(), [](const DoubleDouble& a, const DoubleDouble& b) {
+    return a.high == b.high && a.low == b.low && a.radius == b.radius;
+  });
 }
 
 DoubleDoubleNearest turned_round(const DoubleDoubleNearest& x) {
@@ -75,10 +82,12 @@ std::optional<DoubleDoubleNearest> nearest_of(const Ends& first, const Ends& sec
     auto found = i < 2 ? foot(first[i], second) : foot(second[i - 2], first);
     if (!found) return std::nullopt;
     if (i >= 2) found = turned_round(*found);
+    // Of two ends that face each other each is the other's foot.
+    if (best && same(found->p, best->p) && same(found->q, best->q)) continue;
     if (best) {
       const auto nearer = (dot(found->delta, found->delta) - dot(best->delta, best->delta)).sign();
       if (!nearer) return std::nullopt;
-      if (*nearer >= 0) continue;  // of pairs as near both are the same, or two ends that are each other's feet
+      if (*nearer >= 0) continue;
     }
     best = found;
   }

@@ -29,7 +29,8 @@ namespace HWY_NAMESPACE {
 #if HWY_NATIVE_FMA
 
 /// The contacts of a vector of pairs. False, and nothing that counts written, where one needs to be scaled first.
-template <bool kScaled>
+/// Without kExtent the second balls are points.
+template <bool kScaled, bool kExtent>
 HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
   const Loaded in(job.pairs, i);
   const Delta d = delta_of(in);
@@ -40,7 +41,8 @@ HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
     unit = scaled(d, scale.down);
   }
   const V d2 = squared_length(unit.x.high, unit.y.high, unit.z.high);
-  const Double2 radii = two_sum(in.ar, in.br);
+  Double2 radii{in.ar, all(0)};
+  if constexpr (kExtent) radii = two_sum(in.ar, in.br);
   const double alarm = job.question.distances.alarm;
   V reach = hn::Add(radii.high, all(alarm));
   if constexpr (kScaled) reach = scaled_reach(in.ar, in.br, alarm, scale.down);
@@ -62,7 +64,10 @@ HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
   write(0, rounded(n.q.x, n.low.x, bounds::kNormalEta, wanted, axes_agree));
   write(1, rounded(n.q.y, n.low.y, bounds::kNormalEta, wanted, axes_agree));
   write(2, rounded(n.q.z, n.low.z, bounds::kNormalEta, wanted, axes_agree));
-  const V component = lesser_magnitude(least_magnitude(n.q.x, n.q.y), n.q.z);
+  // A component that is 0 is exactly so, and what follows from it.
+  const auto if_any = [](V q, V delta) HWY_ATTR { return hn::IfThenElse(hn::Eq(delta, all(0)), all(1), q); };
+  const V component =
+      lesser_magnitude(least_magnitude(if_any(n.q.x, d.x.high), if_any(n.q.y, d.y.high)), if_any(n.q.z, d.z.high));
 
   const Double2 value = value_of(root, less);
   write(9, rounded(value.high, value.low, bounds::kSumEta, wanted, value_agrees));
@@ -73,13 +78,20 @@ HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
     return rounded(at.high, at.low, bounds::kSumEta, wanted, axes_agree);
   };
   const V radius1 = hn::Mul(in.ar, all(job.sign1));
-  const V radius2 = hn::Mul(in.br, all(job.sign2));
+  [[maybe_unused]] const V radius2 = hn::Mul(in.br, all(job.sign2));
   write(3, rounded_point(in.ax, radius1, n.q.x, n.low.x));
   write(4, rounded_point(in.ay, radius1, n.q.y, n.low.y));
   write(5, rounded_point(in.az, radius1, n.q.z, n.low.z));
-  write(6, rounded_point(in.bx, radius2, n.q.x, n.low.x));
-  write(7, rounded_point(in.by, radius2, n.q.y, n.low.y));
-  write(8, rounded_point(in.bz, radius2, n.q.z, n.low.z));
+  if constexpr (kExtent) {
+    write(6, rounded_point(in.bx, radius2, n.q.x, n.low.x));
+    write(7, rounded_point(in.by, radius2, n.q.y, n.low.y));
+    write(8, rounded_point(in.bz, radius2, n.q.z, n.low.z));
+  } else {
+    const auto center = [&](V x) HWY_ATTR { return hn::IfThenElseZero(wanted, hn::Add(x, all(0))); };  // 0 is +0
+    write(6, center(in.bx));
+    write(7, center(in.by));
+    write(8, center(in.bz));
+  }
 
   M good = hn::And(hn::And(hit, axes_agree), value_agrees);
   good = and_at_least(good, left, uncancelled);
@@ -125,21 +137,24 @@ HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
 /// How many pairs go unscaled again before a pair that had to be scaled is forgotten.
 constexpr std::size_t kStrip = 256;
 
+template <bool kExtent>
 HWY_INLINE void contacts_of_whole_vectors(Job& job, std::size_t end) {
   const std::size_t lanes = hn::Lanes(D());
   bool scale = false;
   for (std::size_t i = 0; i < end; i += lanes) {
     if (i % kStrip == 0) scale = false;
-    if (!scale && contacts_of_vector<false>(job, i)) continue;
+    if (!scale && contacts_of_vector<false, kExtent>(job, i)) continue;
     scale = true;
-    contacts_of_vector<true>(job, i);
+    contacts_of_vector<true, kExtent>(job, i);
   }
 }
 
-batch::Count compute_spheres(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
+template <bool kExtent>
+HWY_INLINE batch::Count contacts_of_columns(const SpherePairs& pairs, const ContactQuestion& question,
+                                            const ContactRows& out) {
   Job job{pairs, question, out, pairs.size, sign_of(question.points.first, 1), sign_of(question.points.second, -1)};
   const std::size_t whole = pairs.size - pairs.size % hn::Lanes(D());
-  contacts_of_whole_vectors(job, whole);
+  contacts_of_whole_vectors<kExtent>(job, whole);
   if (whole == pairs.size) return job.count;
 
   const Padded last(pairs, whole);
@@ -149,7 +164,7 @@ batch::Count compute_spheres(const SpherePairs& pairs, const ContactQuestion& qu
   for (std::size_t k = 0; k < ContactRows::kNumbers; ++k) rows.number[k] = numbers[k];
   rows.state = states;
   Job rest{last.pairs, question, rows, last.count, job.sign1, job.sign2};
-  contacts_of_whole_vectors(rest, 1);
+  contacts_of_whole_vectors<kExtent>(rest, 1);
   job.count.exact += rest.count.exact;
   for (std::size_t lane = 0; lane < last.count; ++lane) {
     for (std::size_t k = 0; k < ContactRows::kNumbers; ++k) out.number[k][whole + lane] = numbers[k][lane];
@@ -157,6 +172,14 @@ batch::Count compute_spheres(const SpherePairs& pairs, const ContactQuestion& qu
     job.count.hits += states[lane] != batch::PairState::miss ? 1U : 0U;
   }
   return job.count;
+}
+
+batch::Count compute_spheres(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
+  return contacts_of_columns<true>(pairs, question, out);
+}
+
+batch::Count compute_points(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
+  return contacts_of_columns<false>(pairs, question, out);
 }
 
 /// Contacts of the pairs that are not plainly misses, strip by strip: their numbers are brought together first.
@@ -261,6 +284,10 @@ batch::Count compute_spheres(const SpherePairs& pairs, const ContactQuestion& qu
   return compute_scalar(pairs, question, out);
 }
 
+batch::Count compute_points(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
+  return compute_scalar(pairs, question, out);
+}
+
 batch::Count compute_sphere_hits(const SpherePairs& pairs, const ContactQuestion& question, std::uint32_t* index,
                                  const ContactRows& out) {
   return compute_hits_scalar(pairs, question, index, out);
@@ -279,6 +306,7 @@ namespace contact::kernel {
 
 HWY_EXPORT(test_spheres);
 HWY_EXPORT(compute_spheres);
+HWY_EXPORT(compute_points);
 HWY_EXPORT(compute_sphere_hits);
 HWY_EXPORT(computes_contacts);
 
@@ -288,6 +316,11 @@ batch::Count test_vectors(const SpherePairs& pairs, double alarm, std::uint8_t* 
 
 batch::Count compute_vectors(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
   return HWY_DYNAMIC_DISPATCH(compute_spheres)(pairs, question, out);
+}
+
+batch::Count compute_vectors_to_points(const SpherePairs& pairs, const ContactQuestion& question,
+                                       const ContactRows& out) {
+  return HWY_DYNAMIC_DISPATCH(compute_points)(pairs, question, out);
 }
 
 batch::Count compute_hits_vectors(const SpherePairs& pairs, const ContactQuestion& question, std::uint32_t* index,

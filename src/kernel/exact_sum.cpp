@@ -6,6 +6,7 @@
 
 #include "kernel/exact.hpp"
 #include "kernel/floating_point_environment.hpp"
+#include "kernel/sum_of_two.hpp"
 
 namespace contact {
 namespace {
@@ -18,30 +19,22 @@ struct Sum {
   kernel::Integer total = 0;
 };
 
-/// a + b exactly (Knuth); what is lost is no number where the sum overflows.
-struct TwoSum {
-  TwoSum(double a, double b) : sum(a + b), lost((a - (sum - (sum - a))) + (b - (sum - a))) {}
-  double sum;
-  double lost;
+/// The sum rounded once, where two doubles hold all of it, and its sign.
+struct QuickSum {
+  double rounded = 0;
+  int sign = 0;
 };
 
-/// The sum rounded once, where two doubles hold all of it: the terms' sum as it comes, and the sum of what each step of
-/// it loses. So it is with numbers of like size. Behind a call: what RoundToNearest sets must be set before anything is
-/// computed.
-[[gnu::noinline]] std::optional<double> sum_of_two_doubles(std::initializer_list<double> terms) {
-  double high = 0;
-  double low = 0;
-  for (const double term : terms) {
-    const TwoSum leading(high, term);
-    const TwoSum rest(low, leading.lost);
-    if (!(rest.lost == 0)) return std::nullopt;
-    high = leading.sum;
-    low = rest.sum;
-  }
-  return high + low;
+// Behind a call: what RoundToNearest sets must be set before anything is computed.
+[[gnu::noinline]] std::optional<QuickSum> sum_of_two_doubles(std::initializer_list<double> terms) {
+  kernel::one_number::SumOfTwo<double> sum(0, 0);
+  for (const double term : terms) sum.add(term);
+  if (!(sum.lost == 0)) return std::nullopt;
+  const double rounded = sum.rounded();
+  return QuickSum{rounded, (rounded > 0 ? 1 : 0) - (rounded < 0 ? 1 : 0)};
 }
 
-std::optional<double> quick_sum(std::initializer_list<double> terms) {
+std::optional<QuickSum> quick_sum(std::initializer_list<double> terms) {
   const kernel::RoundToNearest environment;
   return sum_of_two_doubles(terms);
 }
@@ -49,13 +42,13 @@ std::optional<double> quick_sum(std::initializer_list<double> terms) {
 }  // namespace
 
 int sign_of_sum(std::initializer_list<double> terms) {
-  if (const auto sum = quick_sum(terms)) return (*sum > 0 ? 1 : 0) - (*sum < 0 ? 1 : 0);
+  if (const auto sum = quick_sum(terms)) return sum->sign;
   return Sum(terms).total.sign();
 }
 
 double rounded_sum(std::initializer_list<double> terms, int exponent) {
   if (exponent == 0)
-    if (const auto sum = quick_sum(terms)) return *sum;
+    if (const auto sum = quick_sum(terms)) return sum->rounded;
   // Beyond this every sum is 0 or infinite, whatever its terms; nearer, no shift is long and no exponent overflows.
   constexpr int kBeyond = 1 << 13;
   const Sum sum(terms);

@@ -15,6 +15,10 @@ CONTACT_LANES T Mul(T a, T b) {
   return a * b;
 }
 template <class T>
+CONTACT_LANES T Abs(T a) {
+  return a < 0 ? -a : a;
+}
+template <class T>
 CONTACT_LANES T Max(T a, T b) {
   return a > b ? a : b;
 }

@@ -1,11 +1,13 @@
-// Sphere against cube: outside the box it is the sphere pair at the nearest point of the box, whose coordinates are
-// numbers of the question. Inside, every number is a sum of such numbers.
+// Sphere against cube: beside an edge or a corner it is the sphere pair at the nearest point of the box, whose
+// coordinates are numbers of the question. Before a face and inside, every number is a sum of such numbers.
 #include "contact/sphere_cube.hpp"
 
 #include "contact/exact_sum.hpp"
 #include "contact/pair_functions.hpp"
 #include "contact/sphere_sphere.hpp"
 #include "kernel/floating_point_environment.hpp"
+#include "kernel/sphere_sphere_numbers.hpp"
+#include "kernel/sum_of_two.hpp"
 
 namespace contact {
 namespace {
@@ -13,61 +15,84 @@ namespace {
 /// The nearest point of the box, as a sphere without extent.
 Ball nearest_point(const Vector3& center, const Box& box) { return {center.cwiseMax(box.min).cwiseMin(box.max), 0}; }
 
-/// A face of the box, and the depth of a centre inside as two numbers whose sum it is.
+/// A face of the box that a centre lies before or, inside, behind.
 struct Face {
   int axis;
   double sign;  ///< of the normal, which points into the box
   double at;
-  double depth[2];
+  double center;
 
-  [[nodiscard]] double rounded_depth() const { return depth[0] + depth[1]; }
+  // How far the centre lies before the face, as a sum.
+  [[nodiscard]] double ahead() const { return sign * at; }
+  [[nodiscard]] double back() const { return -sign * center; }
 };
 
 Face face_of(const Vector3& center, const Box& box, int axis, bool is_min) {
-  if (is_min) return {axis, 1, box.min[axis], {center[axis], -box.min[axis]}};
-  return {axis, -1, box.max[axis], {box.max[axis], -center[axis]}};
+  return {axis, is_min ? 1.0 : -1.0, is_min ? box.min[axis] : box.max[axis], center[axis]};
+}
+
+/// The sign of (x + y) - (z + w). Rounding is monotone: sums that differ after it differ so before.
+int compare_sums(double x, double y, double z, double w) {
+  const double first = x + y;
+  const double second = z + w;
+  return first < second ? -1 : first > second ? 1 : sign_of_sum({x, y, -z, -w});
 }
 
 Face nearest_face(const Vector3& center, const Box& box) {
   Face nearest = face_of(center, box, 0, true);
   for (int i = 1; i < 6; ++i) {
     const Face face = face_of(center, box, i / 2, i % 2 == 0);
-    // Rounding is monotone: depths that differ after it differ so before.
-    const double depth = face.rounded_depth();
-    const double least = nearest.rounded_depth();
-    if (depth < least ||
-        (depth == least && sign_of_sum({face.depth[0], face.depth[1], -nearest.depth[0], -nearest.depth[1]}) < 0))
-      nearest = face;
+    if (compare_sums(face.ahead(), face.back(), nearest.ahead(), nearest.back()) > 0) nearest = face;
   }
   return nearest;
 }
 
+/// The face that a centre beside one, and before it, has its nearest point on; nothing beside an edge or a corner.
+std::optional<Face> face_before(const Vector3& center, const Vector3& nearest) {
+  std::optional<Face> face;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (center[axis] == nearest[axis]) continue;
+    if (face) return std::nullopt;
+    face = Face{axis, center[axis] < nearest[axis] ? 1.0 : -1.0, nearest[axis], center[axis]};
+  }
+  return face;
+}
+
 double without_sign(double zero) { return zero == 0 ? 0.0 : zero; }
 
-Contact contact_inside(const Ball& a, const Box& b, double contact_distance, PointOn on) {
-  const Face face = nearest_face(a.center, b);
-  Contact contact{Vector3::Zero(), a.center.unaryExpr(&without_sign), a.center.unaryExpr(&without_sign), 0, true};
+double rounded(double a, double b, double c, double d) {
+  kernel::one_number::SumOfTwo<double> sum(a, b);
+  sum.add(c);
+  sum.add(d);
+  return sum.lost == 0 ? sum.rounded() : rounded_sum({a, b, c, d});
+}
+
+/// Along an axis every number is a sum of numbers of the question.
+Contact contact_along_axis(const Ball& a, const Face& face, double contact_distance, PointOn on, bool inside) {
+  Contact contact{Vector3::Zero(), a.center.unaryExpr(&without_sign), a.center.unaryExpr(&without_sign), 0, inside};
   contact.normal[face.axis] = face.sign;
-  if (on != PointOn::center) {
-    const double along = on == PointOn::nearest_surface ? face.sign : -face.sign;
-    contact.point1[face.axis] = rounded_sum({a.center[face.axis], along * a.radius});
-  }
+  contact.point1[face.axis] = without_sign(face.center + kernel::sign_of(on, face.sign) * a.radius);
   contact.point2[face.axis] = without_sign(face.at);
-  contact.value = rounded_sum({-a.radius, -face.depth[0], -face.depth[1], -contact_distance});
+  contact.value = rounded(face.ahead(), face.back(), -a.radius, -contact_distance);
   return contact;
 }
 
 // Not inlined: what RoundToNearest sets must be set before anything is computed.
 
 [[gnu::noinline]] bool decide(const Ball& a, const Box& b, double alarm) {
-  return test_sphere_sphere(a, nearest_point(a.center, b), alarm);
+  const Ball q = nearest_point(a.center, b);
+  return q.center == a.center || test_sphere_sphere(a, q, alarm);
 }
 
 [[gnu::noinline]] std::optional<Contact> contact_of_pair(const Ball& a, const Box& b, Distances distances,
                                                          ContactPoints points) {
   const Ball q = nearest_point(a.center, b);
-  if (q.center == a.center) return contact_inside(a, b, distances.contact, points.first);
-  return compute_sphere_sphere(a, q, distances, points);
+  if (q.center == a.center)
+    return contact_along_axis(a, nearest_face(a.center, b), distances.contact, points.first, true);
+  const auto face = face_before(a.center, q.center);
+  if (!face) return compute_sphere_sphere(a, q, distances, points);
+  if (compare_sums(face->ahead(), face->back(), a.radius, distances.alarm) > 0) return std::nullopt;
+  return contact_along_axis(a, *face, distances.contact, points.first, false);
 }
 
 }  // namespace

@@ -274,8 +274,10 @@ std::string worst_case(const WorstCase& w, std::size_t index, const oracle::Decl
 
 /// {"normal":"first-to-second",...} as a list of terms.
 std::string declaration(const Report& report) {
-  const formats::Location where{"conventions", 0};
-  const auto conventions = formats::parse_object(engines::conventions_text(report.engine.declared.conventions), where);
+  const auto parsed = [](const Conventions& conventions) {
+    return formats::parse_object(engines::conventions_text(conventions), {"conventions", 0});
+  };
+  const auto conventions = parsed(report.engine.declared.conventions);
   const DeclaredBounds& bounds = report.engine.declared.bounds;
   std::string html = "<h3>What the engine declares</h3>\n<dl>";
   const auto term = [&](std::string_view key, const std::string& value) {
@@ -283,8 +285,14 @@ std::string declaration(const Report& report) {
   };
   term("scalar", std::string(name(report.engine.declared.scalar)));
   term("claims", fmt::format("{}", fmt::join(report.engine.declared.claimed().names(), ", ")));
-  for (const auto& [key, value] : conventions.items())
-    term(key, value.is_string() ? value.get<std::string>() : value.dump());
+  const auto text = [](const auto& value) {
+    return value.is_string() ? value.template get<std::string>() : value.dump();
+  };
+  for (const auto& [key, value] : conventions.items()) term(key, text(value));
+  for (const auto& [pair, own] : report.engine.pair_conventions)
+    for (const auto of_pair = parsed(own); const auto& [key, value] : of_pair.items())
+      if (!conventions.contains(key) || conventions[key] != value)
+        term(fmt::format("{} of {}", key, name(pair)), text(value));
   term("bounds", fmt::format("normal {}, points {}, value {} ulps", bounds.normal, bounds.point, bounds.value));
   return html + "</dl>\n";
 }
@@ -299,7 +307,7 @@ std::string section(const Report& report) {
   if (!report.certified() && !report.worst.empty()) {
     html += "<h3>The worst cases</h3>\n";
     for (std::size_t i = 0; i < report.worst.size(); ++i)
-      html += worst_case(report.worst[i], i, report.engine.declared);
+      html += worst_case(report.worst[i], i, report.engine.declared_for(report.worst[i].query.pair));
   }
   html += listed("Not judged", report.left_out()) + listed("Baseline", report.baseline_lines()) + declaration(report);
   return html + "<script type=\"application/json\" class=data>" + inside_script(json_text(report, false)) +

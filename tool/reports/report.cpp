@@ -234,18 +234,22 @@ void Findings::add(Failure failure) {
 void Findings::merge(const Findings& later) {
   sources = std::max(sources, later.sources);
   // What is there of a source is added to; what is not has its place in the order of the sources.
-  const auto into = [](auto& all, const auto& from, auto add) {
+  const auto into = [](auto& all, const auto& from, auto key, auto add) {
     for (const auto& x : from) {
-      const auto at = std::lower_bound(all.begin(), all.end(), x.source,
-                                       [](const auto& y, std::size_t source) { return y.source < source; });
-      if (at != all.end() && at->source == x.source)
+      const auto at = std::lower_bound(all.begin(), all.end(), key(x),
+                                       [&](const auto& y, const auto& sought) { return key(y) < sought; });
+      if (at != all.end() && key(*at) == key(x))
         add(*at, x);
       else
         all.insert(at, x);
     }
   };
-  into(families, later.families, [](FamilyReport& f, const FamilyReport& more) { f.merge(more); });
-  into(skipped, later.skipped, [](Skipped& s, const Skipped& more) { s.cases += more.cases; });
+  into(
+      families, later.families, [](const FamilyReport& f) { return f.source; },
+      [](FamilyReport& f, const FamilyReport& more) { f.merge(more); });
+  into(
+      skipped, later.skipped, [](const Skipped& s) { return std::pair(s.source, s.why); },
+      [](Skipped& s, const Skipped& more) { s.cases += more.cases; });
   for (const WorstCase& w : later.worst) add(w);
   failure_count += later.failure_count;
   const std::size_t room = std::min(kMostFailures - failures.size(), later.failures.size());
@@ -440,7 +444,7 @@ std::string json_text(const Report& report, bool with_failures) {
   for (const WorstCase& w : report.worst)
     worst += fmt::format(R"({}{{"what":{},"query":{},"claimed":{},"right":{}}})", worst.empty() ? "" : ",\n",
                          json_string(w.what()), golden::query_line(w.query, w.scalar), engines::claim_object(w.claim),
-                         engines::claim_object(w.right(report.engine.declared)));
+                         engines::claim_object(w.right(report.engine.declared_for(w.query.pair))));
   std::string failures;
   for (const Failure& f : std::span(report.failures).first(with_failures ? report.failures.size() : 0))
     failures +=
@@ -471,16 +475,17 @@ std::string json_text(const Report& report, bool with_failures) {
   return fmt::format(
       "{{\"format\":\"contact-oracle/"
       "report\",\"version\":1,\"engine\":{{\"name\":{},\"version\":{}}},\"scalar\":\"{}\",\"conventions\":{},"
-      "\"bounds\":{{\"value\":{},\"normal\":{},\"point\":{}}},\"claims\":[{}],\"not_claimed\":[{}],"
+      "{}\"bounds\":{{\"value\":{},\"normal\":{},\"point\":{}}},\"claims\":[{}],\"not_claimed\":[{}],"
       "\"required\":\"{}\",\"certified\":{},\"verdict\":{},"
       "\"diagnosis\":[{}],\"causes\":[{}],\n\"total\":{{{}}},"
       "\n\"families\":[\n{}],\n\"skipped\":[{}],\n\"unknown_answers\":[{}],\n\"not_reached\":{},\n{}\"worst\":[{}],"
       "\n\"failure_count\":{},\"failures\":[\n{}]}}\n",
       json_string(report.engine.name), json_string(report.engine.version), name(report.engine.declared.scalar),
-      engines::conventions_text(report.engine.declared.conventions), number(bounds.value), number(bounds.normal),
-      number(bounds.point), names(report.engine.declared.claimed()), names(report.not_claimed()), name(report.required),
-      report.certified(), json_string(report.sentence()), diagnosis, causes, family_text(report.total()), families,
-      skipped, unknown, report.unreached, baseline, worst, report.failure_count, failures);
+      engines::conventions_text(report.engine.declared.conventions), engines::pair_conventions_text(report.engine),
+      number(bounds.value), number(bounds.normal), number(bounds.point), names(report.engine.declared.claimed()),
+      names(report.not_claimed()), name(report.required), report.certified(), json_string(report.sentence()), diagnosis,
+      causes, family_text(report.total()), families, skipped, unknown, report.unreached, baseline, worst,
+      report.failure_count, failures);
 }
 
 }  // namespace contact::tool

@@ -148,7 +148,7 @@ struct Skipped {
 struct Findings {
   std::size_t sources = 0;             ///< datasets and generated families looked at
   std::vector<FamilyReport> families;  ///< one for each source that is not skipped, in their order
-  std::vector<Skipped> skipped;        ///< likewise, at most one a source
+  std::vector<Skipped> skipped;        ///< likewise, at most one a source and reason
   std::vector<WorstCase> worst;        ///< at most kWorstOfAKind of each kind, the worst first; none that is accepted
   std::vector<Failure> failures;       ///< the first kMostFailures
   std::uint64_t failure_count = 0;     ///< of all, accepted or not

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <map>
 
 #include "golden/query_id.hpp"
 #include "oracle/truth/quick_witness.hpp"
@@ -150,17 +151,6 @@ Agreed agreed_truth(const Item& item, const Source& source, const std::vector<Sc
   return *std::move(agreed);
 }
 
-/// Whether every number other than 0 lies within the scale that an engine declares; NaN and infinities do not count.
-bool within_scale(const Query& query, const Conventions& conventions) {
-  if (conventions.scale_min == 0 && std::isinf(conventions.scale_max)) return true;
-  bool within = true;
-  for_each_number(query, [&](const std::string&, double x) {
-    if (x != 0 && std::isfinite(x))
-      within = within && std::abs(x) >= conventions.scale_min && std::abs(x) <= conventions.scale_max;
-  });
-  return within;
-}
-
 /// How much an answer counts in the diagnosis. What is wrong always counts. Of a large source every n-th right answer
 /// speaks for n: what a hypothesis says of it costs more than all the rest.
 std::uint64_t weight_of(std::uint64_t index, std::uint64_t size, Level level) {
@@ -170,11 +160,10 @@ std::uint64_t weight_of(std::uint64_t index, std::uint64_t size, Level level) {
 }
 
 void judge_one(const Item& item, const std::optional<Agreed>& agreed, const Source& source, const Claim& claim,
-               const Subject& subject, Findings& found) {
+               const Subject& subject, const oracle::Declaration& declared, Findings& found) {
   const auto& [id, query] = item.question;
   const Report& report = subject.report;
   const Baseline* baseline = subject.baseline.get();
-  const oracle::Declaration& declared = report.engine.declared;
   const oracle::Truth* truth = agreed ? &agreed->truth : nullptr;
   const Rounded* in_scalar = agreed ? &agreed->in(declared.scalar) : nullptr;
   const Expectation* rounded = agreed ? &in_scalar->expected : nullptr;
@@ -281,20 +270,24 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
                                : std::optional(agreed_truth(item, source, scalars, oracles.check, slice)));
     }
     for (std::size_t s = 0; s < judged.size(); ++s) {
+      const oracle::Declaration declared = judged[s]->report.engine.declared_for(source.pair);
       std::vector<engines::Question> asked;
       std::vector<std::size_t> which;
+      std::map<std::string_view, std::uint64_t> left_out;
       for (std::size_t i = 0; i < slice.items.size(); ++i) {
-        if (!within_scale(slice.items[i].question.query, judged[s]->report.engine.declared.conventions)) continue;
+        if (const auto why = oracle::not_served(slice.items[i].question.query, declared)) {
+          ++left_out[*why];
+          continue;
+        }
         asked.push_back(slice.items[i].question);
         which.push_back(i);
       }
-      if (asked.size() < slice.items.size())
-        slice.found[s].skipped.push_back({fmt::format("{}/{}", name(source.pair), source.family),
-                                          "numbers outside the scale that the engine declares",
-                                          slice.items.size() - asked.size(), none.source});
+      for (const auto& [why, count] : left_out)
+        slice.found[s].skipped.push_back(
+            {fmt::format("{}/{}", name(source.pair), source.family), std::string(why), count, none.source});
       const std::vector<Claim> claims = judged[s]->engine->answer(asked);
       for (std::size_t k = 0; k < asked.size(); ++k)
-        judge_one(slice.items[which[k]], truths[which[k]], source, claims[k], *judged[s], slice.found[s]);
+        judge_one(slice.items[which[k]], truths[which[k]], source, claims[k], *judged[s], declared, slice.found[s]);
     }
     const auto is_new = [](const Failure& f) { return !f.accepted; };
     slice.failed = stop.at_first_failure && !judged.empty() && judged.front() == &subjects.front() &&

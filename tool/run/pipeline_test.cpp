@@ -28,8 +28,9 @@ namespace {
 class Broken final : public engines::Engine {
  public:
   using Change = std::function<void(const Query&, Claim&)>;
-  explicit Broken(Change change, const oracle::Declaration& declared = {})
-      : Engine({"broken", "1", {kPairs.begin(), kPairs.end()}, declared}),
+  explicit Broken(Change change, const oracle::Declaration& declared = {},
+                  std::map<Pair, Conventions> pair_conventions = {})
+      : Engine({"broken", "1", {kPairs.begin(), kPairs.end()}, declared, std::move(pair_conventions)}),
         production_(engines::make_built_in("production")),
         change_(std::move(change)) {}
 
@@ -45,9 +46,10 @@ class Broken final : public engines::Engine {
 };
 
 /// The report on every committed file of a pair, the invalid ones aside.
-Report judged(Pair pair, Broken::Change change, const oracle::Declaration& declared = {}) {
+Report judged(Pair pair, Broken::Change change, const oracle::Declaration& declared = {},
+              const std::map<Pair, Conventions>& pair_conventions = {}) {
   std::vector<Subject> subjects;
-  subjects.push_back({std::make_unique<Broken>(std::move(change), declared), {}});
+  subjects.push_back({std::make_unique<Broken>(std::move(change), declared, pair_conventions), {}});
   subjects.front().report.engine = subjects.front().engine->info();
   Stop never;
   Oracles oracles;
@@ -165,6 +167,42 @@ TEST(Verdict, BoxesHaveNoNumberSoDecisionsAreAllThatIsAsked) {
   Report wrong = judged(Pair::cube_cube, [](const Query&, Claim& claim) { claim.overlap = true; });
   EXPECT_EQ(wrong.level(), Level::conservative);
   EXPECT_FALSE(wrong.certified());
+}
+
+TEST(Certify, APairIsJudgedByItsOwnConventions) {
+  const auto reversed = [](const Query&, Claim& claim) {
+    in_contact(claim, [](ContactClaim& c) { *c.normal = -*c.normal; });
+  };
+  Conventions own;
+  own.normal = NormalDirection::second_to_first;
+  EXPECT_TRUE(judged(Pair::sphere_cube, reversed, {}, {{Pair::sphere_cube, own}}).certified());
+  EXPECT_FALSE(judged(Pair::sphere_cube, reversed, {}, {{Pair::sphere_sphere, own}}).certified());
+}
+
+TEST(Certify, BoxesThatAnEngineCannotTakeAreNotAskedAndCountedAndNoFamilyIsMadeOfThem) {
+  oracle::Declaration declared;
+  declared.scalar = Scalar::binary32;
+  declared.conventions.shapes = ShapesAs::centered;
+  declared.conventions.scale_max = 1e30;
+  std::atomic<std::uint64_t> asked = 0;
+  const Report report = judged(
+      Pair::sphere_cube,
+      [&](const Query& query, Claim&) {
+        ++asked;
+        EXPECT_FALSE(oracle::not_served(query, declared));
+      },
+      declared);
+  oracle::Declaration any;
+  any.scalar = Scalar::binary32;
+  const Report all = judged(
+      Pair::sphere_cube, [](const Query&, Claim&) {}, any);
+  EXPECT_EQ(asked, report.total().cases);
+  EXPECT_EQ(asked + report.skipped_cases(), all.total().cases + all.skipped_cases());
+  EXPECT_GT(2 * asked, all.total().cases);
+  std::map<std::size_t, int> reasons;  // of each file
+  for (const Skipped& skipped : report.skipped) ++reasons[skipped.source];
+  EXPECT_TRUE(std::any_of(reasons.begin(), reasons.end(), [](const auto& of) { return of.second == 2; }));
+  for (const FamilyReport& family : report.families) EXPECT_GE(family.cases, 20U) << family.family;
 }
 
 TEST(Verdict, SaysWhereOneAnswerWouldHaveBeenRightThroughout) {
