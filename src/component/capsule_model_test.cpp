@@ -96,7 +96,9 @@ TEST(CapsuleModel, its_bounding_boxes_contain_the_capsules_and_not_much_more_in_
   const auto number = [&](int exponent) {
     return std::ldexp(static_cast<double>(static_cast<std::int64_t>(random())), exponent - 63);
   };
-  std::vector<Capsule> all{{{kLargest, 0, 0}, {-kLargest, 0, kLeast}, 1}, {{0, 0, 0}, {kLeast, -kLeast, 0}, 0}};
+  std::vector<Capsule> all{{{kLargest, 0, 0}, {-kLargest, 0, kLeast}, 1},
+                           {{0, 0, 0}, {kLeast, -kLeast, 0}, 0},
+                           {{0x1p-1000, 0, 0}, {0, 0x1p-1000, 0}, 0}};  // with a subnormal bound
   for (const int exponent : {-1060, -20, 0, 1000}) {
     for (int i = 0; i < 20; ++i)
       all.push_back({{number(exponent), number(exponent), number(exponent)},

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "contact/batch.hpp"
+#include "contact/capsule_model.hpp"
 #include "contact/detect.hpp"
 #include "contact/discrete_intersection.hpp"
 #include "contact/exact_sum.hpp"
@@ -84,6 +85,9 @@ void models_are_made_copied_moved_and_destroyed() {
     models.push_back(std::make_unique<CubeCollisionModel>("cubes", centers(), centers()));
     models.push_back(ModelFactory::getInstance().make("SphereCollisionModel", "made",
                                                       {{"centers", centers()}, {"radii", radii(0.5)}}));
+    const CapsuleCollisionModel capsules("capsules", centers(), centers().rowwise() + Eigen::RowVector3d(0, 1, 0),
+                                         radii(0.25));
+    expect(capsules.capsule(7).end == Vector3(7, 1, 0) && capsules.bounding_box(7).max[1] >= 1.25, "a capsule");
     SphereCollisionModel copy(static_cast<const SphereCollisionModel&>(*models[0]));
     const SphereCollisionModel moved(std::move(copy));
     expect(moved.balls()[7].center == Vector3(7, 0, 0) && moved.getR()[100] == 0.5, "a moved model's numbers");
@@ -104,6 +108,9 @@ void models_are_made_copied_moved_and_destroyed() {
     expect(contacts && contacts->size() == kCount + 2 * (kCount - 1), "as many contacts as there are");
     if (contacts) expect(contacts->at(1).value == 0.125 && contacts->at(1).normal[0] == 1, "a contact");
     expect(detect(*intersection, *models[3])->size() == kCount - 1, "of a model with itself");
+    const auto beside = detect(*intersection, *models[3], capsules);  // what the library itself registered
+    expect(beside && beside->size() == kCount + 2 * (kCount - 1) && beside->at(1).value == 0.125,
+           "contacts of capsules");
   }
 }
 
@@ -120,6 +127,7 @@ void bad_numbers_are_refused() {
     expect(refuses<InvalidModel>([&] { SphereCollisionModel("m", some, radii(1)); }), "a bad centre");
     expect(refuses<InvalidModel>([&] { RigidSphereModel("m", some, upright(), radii(1)); }), "a bad position");
     expect(refuses<InvalidModel>([&] { CubeCollisionModel("m", centers(), some); }), "a bad bound");
+    expect(refuses<InvalidModel>([&] { CapsuleCollisionModel("m", centers(), some, radii(1)); }), "a bad end");
   }
   expect(outside_domain("box", Box{{kLeast, 0, 0}, {0, 0, 0}}).has_value(), "a box the wrong way round");
   expect(refuses<InvalidModel>([&] { RigidSphereModel("m", centers(), Eigen::MatrixX4d::Ones(kCount, 4), radii(1)); }),
