@@ -242,14 +242,15 @@ bool is_number(const Rational& x, Scalar scalar) {
   return std::isfinite(rounded) && Rational(rounded) == x;
 }
 
-/// Whether a shape's centre and size, whole and half, are numbers of the scalar: engines ask for either size.
+/// Whether a shape's centre and size are numbers of the scalar. Then half the size is one too: of a size that is an odd
+/// multiple of the smallest number, the centre is none.
 bool has_center_and_size(const Ball& /*ball*/, Scalar /*scalar*/) { return true; }
 bool has_center_and_size(const Box& box, Scalar scalar) {
   for (int axis = 0; axis < 3; ++axis) {
     if (!std::isfinite(box.min[axis]) || !std::isfinite(box.max[axis])) continue;
     const Rational low(box.min[axis]);
     const Rational high(box.max[axis]);
-    for (const Rational& x : {(low + high) / 2, high - low, (high - low) / 2})
+    for (const Rational& x : {(low + high) / 2, high - low})
       if (!is_number(x, scalar)) return false;
   }
   return true;
