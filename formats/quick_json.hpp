@@ -4,8 +4,10 @@
 
 #include <simdjson.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "contact/geometry.hpp"
@@ -18,8 +20,20 @@ using Result = simdjson::simdjson_result<T>;
 
 // Each function takes a value and says whether it was there in the common form.
 
+/// Whether a number has more than 19 digits from the first that is not 0. simdjson 3.0.1 counts the point of 0.1234 as
+/// one of the zeros before them, and reads 0. and 20 digits as another number.
+inline bool has_too_many_digits(std::string_view number) {
+  constexpr std::size_t kShortest = 22;  // 0. and 20 digits
+  if (number.size() < kShortest) return false;
+  number = number.substr(0, number.find_first_of("eE"));
+  number.remove_prefix(std::min(number.find_first_of("123456789"), number.size()));
+  return std::count_if(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; }) > 19;
+}
+
 inline bool read(Result<value> node, double& x) {
-  if (node.get_double().get(x) != simdjson::SUCCESS) return false;
+  value number;
+  if (node.get(number) != simdjson::SUCCESS || has_too_many_digits(number.raw_json_token())) return false;
+  if (number.get_double().get(x) != simdjson::SUCCESS) return false;
   if (x == 0) x = 0;  // -0 is read as +0
   return true;
 }

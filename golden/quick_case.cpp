@@ -29,6 +29,7 @@ std::optional<std::size_t> read_object(Result<value> node, std::span<const std::
 }
 
 constexpr std::array<std::string_view, 6> kExpectKeys{"hit", "degenerate", "normal", "point1", "point2", "value"};
+constexpr std::string_view kUnique = "unique";
 constexpr std::array<std::string_view, 3> kSphereWitnessKeys{"distance2", "reach", "margin_ulps"};
 constexpr std::array<std::string_view, 1> kCubeWitnessKeys{"gap"};
 constexpr std::array<std::string_view, 8> kCaseKeys{"id", "a", "b", "alarm", "contact", "flags", "expect", "exact"};
@@ -46,7 +47,8 @@ bool read(Result<value> node, Shape& shape) {
 
 bool read(Result<value> node, Expectation& expect, Pair pair) {
   Contact contact{};
-  const auto keys = read_object(node, kExpectKeys, [&](std::size_t key, Result<value> x) {
+  std::size_t keys = 0;
+  const auto in_its_place = in_order(kExpectKeys, keys, [&](std::size_t key, Result<value> x) {
     switch (key) {
       case 0:
         return read(x, expect.hit);
@@ -62,6 +64,12 @@ bool read(Result<value> node, Expectation& expect, Pair pair) {
         return read(x, contact.value);
     }
   });
+  // `unique` stands between two others, and only where it is false.
+  const auto member = [&](simdjson::ondemand::raw_json_string key, Result<value> x) {
+    if (keys != 2 || !contact.unique || key != kUnique) return in_its_place(key, x);
+    return read(x, contact.unique) && !contact.unique;
+  };
+  if (!formats::quick::read_object(node, member)) return false;
   if (!expect.hit || !has_numbers(pair)) return keys == 1;
   expect.contact = contact;
   return keys == kExpectKeys.size();

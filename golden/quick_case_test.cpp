@@ -141,6 +141,20 @@ TEST(QuickCase, leaves_rare_forms_to_the_careful_reader) {
   }
 }
 
+// simdjson 3.0.1 reads 0.20020459733272703688 as 0.0157...: digits that overflow, one more than it counts.
+TEST(QuickCase, reads_no_number_of_20_digits_as_another) {
+  for (const std::string digits : {"0.20020459733272703688", "0.18446744073709551616", "0.00020020459733272703688",
+                                   "0.99999999999999999999", "2.0020459733272703688", "0.20020459733272703688e-5"}) {
+    const std::string line = with(R"("contact":0.25)", R"("contact":)" + digits);
+    if (const auto quick = quickly(line, {})) {
+      EXPECT_EQ(quick, carefully(line, {})) << line;
+    }
+  }
+  const std::string ordinary = with(R"("contact":0.25)", R"("contact":0.00012345678901234567)");
+  EXPECT_EQ(quickly(ordinary, {}), carefully(ordinary, {}));
+  EXPECT_TRUE(quickly(ordinary, {}));
+}
+
 TEST(QuickCase, never_differs_from_the_careful_reader_on_a_damaged_line) {
   std::mt19937_64 random(42);
   constexpr std::string_view kPieces = "\"{}[],:.-+eE0123456789 \t\rtrufalsn\\x\x01\x80";

@@ -111,11 +111,12 @@ class ContactJudge {
   [[nodiscard]] bool claims(Field field) const { return declared_.claimed().has(aspect(field)); }
 
   /// A claimed point beside the right one, or where the nearest points are not unique, beside all of them. Where it
-  /// goes with a claimed normal that is not the reference's, the point may be that of the normal before it was rounded.
+  /// goes with a claimed normal that was rounded, the point may be that of the normal before.
   [[nodiscard]] FieldVerdict grade_point(const Vector3& claimed, const Rational& scale, const Rational& radius,
                                          const auto& right) const {
+    const bool is_exact = is_reference() && squared_length(claimed_n_) == Rational(1);
     const bool is_claimed_normals =
-        conventions_.normal_unit && truth_.degenerate() && knows_coincident_normal() && !is_reference();
+        conventions_.normal_unit && truth_.degenerate() && knows_coincident_normal() && !is_exact;
     const Rational room = is_claimed_normals ? roundings() * radius : Rational(0);
     const PointSet set{
         {right(0), right(1), right(2)}, truth_.spread() ? *truth_.spread() : point_of(Vector3::Zero()), room};

@@ -1153,6 +1153,19 @@ TEST(JudgeCapsules, axes_that_cross_have_two_normals_and_their_points) {
   EXPECT_EQ(level_of(collinear, with_points({0.5, 0, 1}, {3, 0, -2})), Level::decisions);
 }
 
+TEST(JudgeCapsules, far_points_of_the_reference_are_right_where_it_had_to_be_rounded) {
+  // Along (1, 1, 0), the normal (1, -1, 0) / sqrt(2); the far points of a radius of 7 are 7 / sqrt(2) off.
+  const double half = 0.707106781186547524400844362105;
+  const double far = 4.94974746830583267080591053473;
+  const Query on_axis{Pair::sphere_capsule, BallAndCapsule{{{0, 0, 0}, 7}, {{-1, -1, 0}, {1, 1, 0}, 7}}, {0, 0}};
+  const Claim claim = contact_of({.normal = Vector3(half, -half, 0),
+                                  .point1 = Vector3(-far, far, 0),
+                                  .point2 = Vector3(far, -far, 0),
+                                  .point = {},
+                                  .value = {}});
+  EXPECT_EQ(level_of(on_axis, claim, with_points(Points::published)), Level::correctly_rounded);
+}
+
 TEST(JudgeCapsules, points_may_be_those_of_a_normal_before_it_was_rounded) {
   // (0, 1, 2) / sqrt(5) and twice it: 2 / sqrt(5) rounded is not twice 1 / sqrt(5) rounded plus the radius's share.
   const double x = 0.447213595499957939281834733746;
