@@ -193,7 +193,7 @@ def detail(e):
 
     text += f"Declares {declared(e.conventions.items())}"
     for pair, own in e.report.get("pair_conventions", {}).items():
-        text += f"; of {PAIRS[pair]} {declared(own.items() - e.conventions.items())}"
+        text += f"; of {PAIRS[pair]} {declared((key, value) for key, value in own.items() if e.conventions.get(key) != value)}"
     text += f"; claims {', '.join(e.report['claims'])}.\n\n{e.report['verdict']}\n\n"
     left_out = Counter()
     for skipped in e.report["skipped"]:

@@ -401,7 +401,7 @@ TwoSegments<Real> on_axis(Random& random) {
     // Along the axis nearest to the frame's third row, at right angles to level segments; in line, to its first.
     const Triple<std::int64_t>& normal = frame.rows[lie == Lie::in_line ? 0 : 2];
     std::size_t axis = 0;
-    for (const std::size_t i : {1, 2})
+    for (const std::size_t i : {1U, 2U})
       if (std::abs(normal[i]) > std::abs(normal[axis])) axis = i;
     Real largest = 1;
     for (const Triple<Real>* v : s.ends())

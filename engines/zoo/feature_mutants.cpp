@@ -9,7 +9,9 @@ namespace {
 /// The answer for two spheres at other points, in wide arithmetic; the right answer where these are the right points.
 void answer_at(const Query& q, Claim& claim, const WideVector& p, const WideVector& r,
                std::optional<Wide> radius2 = {}) {
-  const auto [a, b] = wide_balls(q);
+  const std::array<WideBall, 2> right = wide_balls(q);
+  const WideBall& a = right[0];
+  const WideBall& b = right[1];
   const Wide moved = (p - a.center).norm() + (r - b.center).norm();
   if (!radius2 && moved <= 1e-17L * (a.center.norm() + b.center.norm())) return;
   const Wide r2 = radius2.value_or(b.radius);

@@ -142,7 +142,7 @@ inline constexpr double kProductError = 7 * kUnitSquared;
   return two_sum(p, std::fma(x.high, y.low, std::fma(x.low, y.high, std::fma(x.high, y.high, -p))));
 }
 
-/// x + y within kSumError (|x| + |y|): two low parts are added (1), and to the highs' (3).
+/// x + y within kSumError (|x| + |y|): two low parts are added (1), and to the highs' (2).
 inline constexpr double kSumError = 4 * kUnitSquared;
 [[gnu::always_inline]] inline DoubleDouble<double> sum(const DoubleDouble<double>& x, const DoubleDouble<double>& y) {
   const DoubleDouble<double> h = two_sum(x.high, y.high);
