@@ -688,7 +688,7 @@ class Columns(Case):
             "a chunk that inflates without end": (inflating("id", 300 * most), "/id", "more than its"),
             "numbers that inflate without end": (inflating("a/min", 300 * most), "/a/min", "more than its"),
             "a chunk that inflates to much": (inflating("id", 100), "id: "),
-            "a chunk larger than memory": (anew("alarm", maxshape=(None,), chunks=(most << 22,), compression="gzip"), "/alarm", "more than 16777216 bytes"),
+            "a chunk larger than memory": (anew("alarm", maxshape=(None,), chunks=(most << 23,), compression="gzip"), "/alarm", "more than 33554432 bytes"),
             "10^12 rows that are nowhere": (declared(1 << 40), "not stored"),
             "2^63 rows": (lambda file: file.attrs.__setitem__("count", numpy.uint64(1 << 63)), ""),
             "a filter that is none of ours": (anew("alarm", chunks=True, compression="lzf"), "/alarm", "filters"),
