@@ -55,6 +55,16 @@ void append_number(std::string& text, const Vector3& v) {
   text += ']';
 }
 
+void append_number(std::string& text, const std::array<Vector3, 3>& all) {
+  char before = '[';
+  for (const Vector3& v : all) {
+    text += before;
+    append_number(text, v);
+    before = ',';
+  }
+  text += ']';
+}
+
 std::string number(double x) {
   std::string text;
   append_number(text, x);
@@ -213,6 +223,12 @@ Vector3 Node::vector() const {
   if (!json_->is_array() || json_->size() != 3) refuse("expected three numbers");
   const auto parts = items();
   return {parts[0].number(), parts[1].number(), parts[2].number()};
+}
+
+std::array<Vector3, 3> Node::three_vectors() const {
+  if (!json_->is_array() || json_->size() != 3) refuse("expected three points of three numbers each");
+  const auto parts = items();
+  return {parts[0].vector(), parts[1].vector(), parts[2].vector()};
 }
 
 bool Node::boolean() const {

@@ -23,6 +23,7 @@ namespace contact::formats {
 [[nodiscard]] std::string number(const Vector3& v);
 void append_number(std::string& text, double x);
 void append_number(std::string& text, const Vector3& v);
+void append_number(std::string& text, const std::array<Vector3, 3>& all);
 /// A JSON string, quoted and escaped.
 [[nodiscard]] std::string json_string(std::string_view text);
 
@@ -44,6 +45,7 @@ class Node {
   [[nodiscard]] bool is_null() const;
   [[nodiscard]] double number() const;  ///< -0 is read as +0; "NaN", "Infinity" and "-Infinity" are numbers here
   [[nodiscard]] Vector3 vector() const;
+  [[nodiscard]] std::array<Vector3, 3> three_vectors() const;
   [[nodiscard]] bool boolean() const;
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::uint64_t count() const;

@@ -63,9 +63,11 @@ inline bool read(Result<value> node, Vector3& v) {
   return read_array(node, [&](Result<value> each) { return axis < 3 && read(each, v[axis++]); }) && axis == 3;
 }
 
-inline bool read(Result<value> node, std::array<std::string, 3>& texts) {
-  std::size_t axis = 0;
-  return read_array(node, [&](Result<value> each) { return axis < 3 && read(each, texts[axis++]); }) && axis == 3;
+/// Three of something: vectors, or texts.
+template <class Element>
+bool read(Result<value> node, std::array<Element, 3>& three) {
+  std::size_t i = 0;
+  return read_array(node, [&](Result<value> each) { return i < 3 && read(each, three[i++]); }) && i == 3;
 }
 
 inline bool read(Result<value> node, std::vector<std::string>& texts) {

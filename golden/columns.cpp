@@ -96,9 +96,14 @@ struct Type {
   Handle file;
   Handle memory;
   std::size_t size;
-  hsize_t across;  ///< values in a row
   std::string words;
-  std::size_t widest;  ///< that texts may become
+  std::size_t widest;             ///< that texts may become
+  std::vector<hsize_t> row = {};  ///< the shape of a row: none of one value, (3) of a vector, (3, 3) of three
+
+  /// Values in a row.
+  [[nodiscard]] hsize_t across() const {
+    return std::accumulate(row.begin(), row.end(), hsize_t{1}, std::multiplies<>());
+  }
 
   [[nodiscard]] bool is_text() const { return H5Tget_class(file) == H5T_STRING; }
   /// Whether a file has texts as wide as its longest.
@@ -112,32 +117,33 @@ struct Type {
 
 Handle copied(hid_t type) { return {H5Tcopy(type), H5Tclose}; }
 Type type_of(const double& /*value*/, std::size_t /*width*/) {
-  return {copied(H5T_IEEE_F64LE), copied(H5T_NATIVE_DOUBLE), 8, 1, "64-bit IEEE numbers", 8};
+  return {copied(H5T_IEEE_F64LE), copied(H5T_NATIVE_DOUBLE), 8, "64-bit IEEE numbers", 8};
 }
 Type type_of(const Vector3& v, std::size_t width) {
   Type type = type_of(v[0], width);
-  type.across = 3;
+  type.row = {3};
+  return type;
+}
+[[maybe_unused]] Type type_of(const std::array<Vector3, 3>& all, std::size_t width) {
+  Type type = type_of(all[0], width);
+  type.row = {3, 3};
   return type;
 }
 Type type_of(const bool& /*value*/, std::size_t /*width*/) {
-  return {copied(H5T_STD_U8LE), copied(H5T_NATIVE_UINT8), 1, 1, "8-bit unsigned integers", 1};
+  return {copied(H5T_STD_U8LE), copied(H5T_NATIVE_UINT8), 1, "8-bit unsigned integers", 1};
 }
 Type type_of(const std::uint32_t& /*value*/, std::size_t /*width*/) {
-  return {copied(H5T_STD_U32LE), copied(H5T_NATIVE_UINT32), 4, 1, "32-bit unsigned integers", 4};
+  return {copied(H5T_STD_U32LE), copied(H5T_NATIVE_UINT32), 4, "32-bit unsigned integers", 4};
 }
 Type type_of(const std::string& /*value*/, std::size_t width) {
   const std::size_t first = std::min(width, kFirstWidth);
   const std::string upto = first == width ? "" : "up to ";
-  return {formats::hdf5::text_type(first),
-          formats::hdf5::text_type(first),
-          first,
-          1,
-          fmt::format("texts of {}{} bytes", upto, width),
-          width};
+  return {formats::hdf5::text_type(first), formats::hdf5::text_type(first), first,
+          fmt::format("texts of {}{} bytes", upto, width), width};
 }
 Type type_of(const std::array<std::string, 3>& v, std::size_t width) {
   Type type = type_of(v[0], width);
-  type.across = 3;
+  type.row = {3};
   return type;
 }
 
@@ -153,7 +159,9 @@ struct Column {
   [[nodiscard]] bool is_created() const { return dataset >= 0 && created_width == type.size; }
 
   [[nodiscard]] std::vector<hsize_t> shape(hsize_t height) const {
-    return type.across == 1 ? std::vector{height} : std::vector{height, type.across};
+    std::vector<hsize_t> shape{height};
+    shape.insert(shape.end(), type.row.begin(), type.row.end());
+    return shape;
   }
 
   /// Reads or writes `count` rows from `first` on: transfer(dataset, type, memory space, file space, bytes).
@@ -169,7 +177,7 @@ struct Column {
   }
   /// Reads rows of this column, or of one with texts of another width.
   void read(hid_t set, hsize_t first, hsize_t count) {
-    rows.resize(count * type.across * type.size);
+    rows.resize(count * type.across() * type.size);
     transfer(set, first, count, [](hid_t from, hid_t as, hid_t memory, hid_t file, char* bytes) {
       return H5Dread(from, as, memory, file, H5P_DEFAULT, bytes);
     });
@@ -211,8 +219,9 @@ class Encoder {
       : next_(columns.begin()), where_{path.string(), row + 1, true} {}
 
   void operator()(std::string_view, const double& x, std::size_t) { put(x), ++next_; }
-  void operator()(std::string_view, const Vector3& v, std::size_t) {
-    for (const double x : v) put(x);
+  template <class Vectors>
+  void operator()(std::string_view, const Vectors& vectors, std::size_t) {
+    for_each_number_in(vectors, [&](double x) { put(x); });
     ++next_;
   }
   void operator()(std::string_view, const bool& x, std::size_t) { next_++->rows.push_back(x ? 1 : 0); }
@@ -253,8 +262,10 @@ class Decoder {
       : next_(columns.begin()), at_(at), where_(where) {}
 
   void operator()(std::string_view, double& x, std::size_t) { x = number_at(0), ++next_; }
-  void operator()(std::string_view, Vector3& v, std::size_t) {
-    for (int axis = 0; axis < 3; ++axis) v[axis] = number_at(static_cast<std::size_t>(axis));
+  template <class Vectors>
+  void operator()(std::string_view, Vectors& vectors, std::size_t) {
+    std::size_t k = 0;
+    for_each_number_in(vectors, [&](double& x) { x = number_at(k++); });
     ++next_;
   }
   void operator()(std::string_view, bool& x, std::size_t) {
@@ -272,7 +283,7 @@ class Decoder {
 
  private:
   [[nodiscard]] const char* bytes(std::size_t across) const {
-    return next_->rows.data() + (at_ * next_->type.across + across) * next_->type.size;
+    return next_->rows.data() + (at_ * next_->type.across() + across) * next_->type.size;
   }
   [[nodiscard]] double number_at(std::size_t across) const {
     double x = 0;
@@ -580,9 +591,14 @@ class ColumnsSource : public CaseSource {
     std::vector<hsize_t> at(column.chunk.size(), 0);
     hsize_t most = column.type.size;
     for (const hsize_t size : column.chunk) most *= size;
-    for (at[0] = first / column.chunk[0] * column.chunk[0]; at[0] < first + count; at[0] += column.chunk[0])
-      for (hsize_t across = 0; across < column.type.across; across += column.chunk.back()) {
-        if (at.size() > 1) at[1] = across;
+    const auto next_in_row = [&] {
+      for (std::size_t i = column.type.row.size(); i > 0; --i) {
+        if ((at[i] += column.chunk[i]) < column.type.row[i - 1]) return true;
+        at[i] = 0;
+      }
+      return false;
+    };
+    for (at[0] = first / column.chunk[0] * column.chunk[0]; at[0] < first + count; at[0] += column.chunk[0]) do {
         unsigned left_out = 0;
         haddr_t address = HADDR_UNDEF;
         hsize_t size = 0;
@@ -593,8 +609,7 @@ class ColumnsSource : public CaseSource {
             (size * kMostDeflated > kLargestInflated && !inflates_within(column, at, size, most)))
           throw formats::hdf5::Error(
               fmt::format("the chunk of the rows from {} on is of more than its {} bytes", at[0], most));
-        if (at.size() == 1) break;
-      }
+      } while (next_in_row());
   }
 
   void load(std::uint64_t first) {

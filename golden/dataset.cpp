@@ -109,8 +109,10 @@ void read(const formats::Node& node, Shape& shape) {
   for_each_field(shape, [&](const auto& field, auto& value) {
     if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, double>)
       value = node.at(field.name).number();
-    else
+    else if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, Vector3>)
       value = node.at(field.name).vector();
+    else
+      value = node.at(field.name).three_vectors();
   });
 }
 

@@ -42,10 +42,7 @@ class Numbers {
   void fill(Shape& shape) {
     for_each_field(shape, [this](const auto& field, auto& value) {
       const auto number = [&] { return field.kind == FieldKind::length ? length() : any(); };
-      if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, double>)
-        value = number();
-      else
-        for (int axis = 0; axis < 3; ++axis) value[axis] = number();
+      for_each_number_in(value, [&](double& x) { x = number(); });
     });
   }
 

@@ -188,15 +188,19 @@ class Conversation {
 
 /// A question that every engine of a pair can answer: one unit apart, both of size one.
 Question smoke_question(Pair pair) {
-  // The k-th point of a shape is (k,k,k), a length is 1; the second shape stands 1 beside the first.
+  // The k-th vector of a shape is (k,k,k), a triangle's are those of the axes, a number is 1; the second shape stands 1
+  // beside the first.
   Query query = zero_query(pair);
   const auto fill = [](auto& shape, double aside) {
     double k = 0;
     for_each_field(shape, [&](const auto& /*field*/, auto& value) {
       if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, double>)
         value = 1;
-      else
+      else if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, Vector3>)
         value = Vector3(k + aside, k, k), ++k;
+      else
+        for (std::size_t i = 0; i < 3; ++i)
+          value[i] = Vector3::Unit(static_cast<Eigen::Index>(i)) + Vector3(aside, 0, 0);
     });
   };
   std::visit([&](auto& shapes) { fill(shapes.a, 0), fill(shapes.b, 1); }, query.shapes);

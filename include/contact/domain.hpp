@@ -47,8 +47,27 @@ struct DomainError {
 [[nodiscard]] inline std::optional<DomainError> outside_domain(const std::string& field, const Vector3& point) {
   for (int axis = 0; axis < 3; ++axis)
     if (!is_finite_by_bits(point[axis]))
-      return DomainError{field + "[" + std::to_string(axis) + "]", point[axis], "must be finite"};
+      return DomainError{field + place_in(point, axis), point[axis], "must be finite"};
   return std::nullopt;
+}
+
+/// Zero of either sign, in every floating-point environment.
+[[nodiscard]] constexpr bool is_zero_by_bits(double x) { return std::bit_cast<std::uint64_t>(x) << 1 == 0; }
+
+/// The first rule that a field of a shape breaks, or nothing.
+template <class Value>
+[[nodiscard]] std::optional<DomainError> outside_domain(const std::string& path, const Value& value, FieldKind kind) {
+  std::optional<DomainError> error;
+  bool is_zero = true;
+  int k = 0;
+  for_each_number_in(value, [&](const double& number) {
+    if (!error && !is_finite_by_bits(number)) error = DomainError{path + place_in(value, k), number, "must be finite"};
+    if (!error && kind == FieldKind::length) error = outside_domain(path, number);
+    is_zero = is_zero && is_zero_by_bits(number);
+    ++k;
+  });
+  if (!error && kind == FieldKind::direction && is_zero) error = DomainError{path, 0, "must not be the zero vector"};
+  return error;
 }
 
 /// The first number of a shape that breaks a rule: those of its fields, then those of the whole.
@@ -56,7 +75,7 @@ template <DescribedShape Shape>
 [[nodiscard]] std::optional<DomainError> outside_domain(const std::string& path, const Shape& shape) {
   std::optional<DomainError> error;
   for_each_field(shape, [&](const auto& field, const auto& value) {
-    if (!error) error = outside_domain(path + "." + std::string(field.name), value);
+    if (!error) error = outside_domain(path + "." + std::string(field.name), value, field.kind);
   });
   if (error) return error;
   if (const auto broken = ShapeDescription<Shape>::broken_rule(shape, is_less_by_bits))
@@ -74,10 +93,12 @@ template <DescribedShape Shape>
 [[nodiscard]] bool inside_domain(const Shape& shape) {
   bool inside = true;
   for_each_field(shape, [&](const auto& field, const auto& value) {
-    if constexpr (std::same_as<std::remove_cvref_t<decltype(value)>, double>)
-      inside = inside && is_finite_by_bits(value) && !(field.kind == FieldKind::length && is_less_by_bits(value, 0));
-    else
-      inside = inside && is_finite_by_bits(value[0]) && is_finite_by_bits(value[1]) && is_finite_by_bits(value[2]);
+    bool is_zero = true;
+    for_each_number_in(value, [&](const double& x) {
+      inside = inside && is_finite_by_bits(x) && !(field.kind == FieldKind::length && is_less_by_bits(x, 0));
+      is_zero = is_zero && is_zero_by_bits(x);
+    });
+    inside = inside && !(field.kind == FieldKind::direction && is_zero);
   });
   return inside && !ShapeDescription<Shape>::broken_rule(shape, is_less_by_bits);
 }

@@ -1,8 +1,8 @@
-// The shapes of a question: balls, axis-aligned boxes, capsules, and the two distances that SOFA's Intersection
-// carries.
+// The shapes of a question, and the two distances that SOFA's Intersection carries.
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 
 namespace contact {
@@ -31,6 +31,31 @@ struct Capsule {
   Vector3 start;
   Vector3 end;
   double radius;
+};
+
+/// The half-space normal . x <= offset, whose boundary is the plane. `normal` is not zero, and of any length.
+struct Plane {
+  Vector3 normal;
+  double offset;
+};
+
+/// A triangle. Any three points will do: they may lie on a line, or be one point.
+struct Triangle {
+  std::array<Vector3, 3> vertices;
+};
+
+/// The segment from `origin` to `origin` + `length` `direction`, exactly. `direction` is not zero, and of any length;
+/// `length` >= 0 counts directions.
+struct Ray {
+  Vector3 origin;
+  Vector3 direction;
+  double length;
+};
+
+/// The segment between two points, which may be one.
+struct Line {
+  Vector3 start;
+  Vector3 end;
 };
 
 /// The distances of SOFA's Intersection. Pairs up to `alarm` apart are reported. `contact` is subtracted from the value

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <concepts>
+#include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
@@ -14,8 +16,10 @@
 
 namespace contact {
 
-/// What a field of a shape is: a place in space, or a length, which is >= 0.
-enum class FieldKind { point, length };
+/// What a field of a shape is: a place in space, or three of them; a length, which is >= 0; a direction, which is not
+/// zero and whose own length says nothing; or how far along a direction something lies, of either sign.
+enum class FieldKind { point, length, direction, offset };
+inline constexpr std::array<std::string_view, 4> kFieldKindNames{"point", "length", "direction", "offset"};
 
 /// A field of a shape: its name in files, where it stands in the struct, and what it is.
 template <class Shape, class Value>
@@ -81,6 +85,96 @@ struct ShapeDescription<Capsule> {
   static void break_a_rule(Capsule& capsule, int /*number*/, double amount) { capsule.radius = -amount; }
 };
 
+/// A shape that no rule can be broken of but that every number is finite.
+template <class Shape>
+struct AnyNumbers {
+  template <class Less>
+  static std::optional<BrokenRule> broken_rule(const Shape& /*shape*/, Less /*less*/) {
+    return std::nullopt;
+  }
+};
+
+template <>
+struct ShapeDescription<Plane> : AnyNumbers<Plane> {
+  static constexpr std::string_view kName = "plane";
+  static constexpr std::tuple kFields{ShapeField<Plane, Vector3>{"normal", &Plane::normal, FieldKind::direction},
+                                      ShapeField<Plane, double>{"offset", &Plane::offset, FieldKind::offset}};
+  static void break_a_rule(Plane& plane, int /*number*/, double /*amount*/) { plane.normal.setZero(); }
+};
+
+template <>
+struct ShapeDescription<Triangle> : AnyNumbers<Triangle> {
+  static constexpr std::string_view kName = "triangle";
+  static constexpr std::tuple kFields{
+      ShapeField<Triangle, std::array<Vector3, 3>>{"vertices", &Triangle::vertices, FieldKind::point}};
+  static void break_a_rule(Triangle& triangle, int number, double /*amount*/) {
+    triangle.vertices[static_cast<std::size_t>(number / 3)][number % 3] = std::numeric_limits<double>::infinity();
+  }
+};
+
+template <>
+struct ShapeDescription<Ray> : AnyNumbers<Ray> {
+  static constexpr std::string_view kName = "ray";
+  static constexpr std::tuple kFields{ShapeField<Ray, Vector3>{"origin", &Ray::origin, FieldKind::point},
+                                      ShapeField<Ray, Vector3>{"direction", &Ray::direction, FieldKind::direction},
+                                      ShapeField<Ray, double>{"length", &Ray::length, FieldKind::length}};
+  static void break_a_rule(Ray& ray, int number, double amount) {
+    if (number < 6)
+      ray.direction.setZero();
+    else
+      ray.length = -amount;
+  }
+};
+
+template <>
+struct ShapeDescription<Line> : AnyNumbers<Line> {
+  static constexpr std::string_view kName = "line";
+  static constexpr std::tuple kFields{ShapeField<Line, Vector3>{"start", &Line::start, FieldKind::point},
+                                      ShapeField<Line, Vector3>{"end", &Line::end, FieldKind::point}};
+  static void break_a_rule(Line& line, int number, double /*amount*/) {
+    (number < 3 ? line.start : line.end)[number % 3] = std::numeric_limits<double>::infinity();
+  }
+};
+
+/// Calls visit(vector&) for every vector of a field: none of a number, one, or three.
+template <class Visit>
+constexpr void for_each_vector(const double& /*number*/, Visit&& /*visit*/) {}
+template <class Visit>
+constexpr void for_each_vector(Vector3& v, Visit&& visit) {
+  visit(v);
+}
+template <class Visit>
+constexpr void for_each_vector(const Vector3& v, Visit&& visit) {
+  visit(v);
+}
+template <class Vectors, class Visit>
+requires std::same_as<std::remove_const_t<Vectors>, std::array<Vector3, 3>>
+constexpr void for_each_vector(Vectors& all, Visit&& visit) {
+  for (auto& v : all) visit(v);
+}
+
+/// Calls visit(number&) for every number of a field.
+template <class Value, class Visit>
+constexpr void for_each_number_in(Value& value, Visit&& visit) {
+  if constexpr (std::same_as<std::remove_const_t<Value>, double>)
+    visit(value);
+  else
+    for_each_vector(value, [&](auto& v) {
+      for (int axis = 0; axis < 3; ++axis) visit(v[axis]);
+    });
+}
+
+/// Where the k-th number of a field stands in it: nothing for a number, [1] in a vector, [2][1] in three of them.
+template <class Value>
+[[nodiscard]] std::string place_in(const Value& /*value*/, int k) {
+  if constexpr (std::same_as<Value, double>)
+    return "";
+  else if constexpr (std::same_as<Value, Vector3>)
+    return "[" + std::to_string(k) + "]";
+  else
+    return "[" + std::to_string(k / 3) + "][" + std::to_string(k % 3) + "]";
+}
+
 template <class Shape>
 concept DescribedShape = requires {
   ShapeDescription<std::remove_const_t<Shape>>::kFields;
@@ -101,32 +195,22 @@ inline constexpr auto kFieldNames =
 
 /// How many numbers a shape has.
 template <class Shape>
-inline constexpr int kNumbersOf =
-    std::apply([](const auto&... field) { return (0 + ... + (field.kind == FieldKind::length ? 1 : 3)); },
-               ShapeDescription<Shape>::kFields);
+inline constexpr int kNumbersOf = std::apply(
+    [](const auto&... field) { return (0 + ... + static_cast<int>(sizeof(Shape{}.*field.member) / sizeof(double))); },
+    ShapeDescription<Shape>::kFields);
+
+/// Calls visit(number&) for every number of a shape, in the canonical order.
+template <DescribedShape Shape, class Visit>
+void for_each_number(Shape& shape, Visit&& visit) {
+  for_each_field(shape, [&](const auto& /*field*/, auto& value) { for_each_number_in(value, visit); });
+}
 
 /// A shape all of whose numbers are 0.
 template <class Shape>
 [[nodiscard]] Shape zero_shape() {
   Shape shape;
-  for_each_field(shape, [](const auto& /*field*/, auto& value) {
-    if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, double>)
-      value = 0;
-    else
-      value.setZero();
-  });
+  for_each_number(shape, [](double& number) { number = 0; });
   return shape;
-}
-
-/// Calls visit(number&) for every number of a shape, in the canonical order.
-template <DescribedShape Shape, class Visit>
-void for_each_number(Shape& shape, Visit&& visit) {
-  for_each_field(shape, [&](const auto& /*field*/, auto& value) {
-    if constexpr (std::same_as<std::remove_cvref_t<decltype(value)>, double>)
-      visit(value);
-    else
-      for (int axis = 0; axis < 3; ++axis) visit(value[axis]);
-  });
 }
 
 }  // namespace contact

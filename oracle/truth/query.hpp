@@ -103,10 +103,8 @@ template <class AnyQuery, class Visit>
 requires std::same_as<std::remove_const_t<AnyQuery>, Query>
 void for_each_number(AnyQuery& query, Visit&& visit) {
   for_each_field(query, [&](const std::string& field, auto& value, FieldKind /*kind*/) {
-    if constexpr (std::same_as<std::remove_cvref_t<decltype(value)>, double>)
-      visit(field, value);
-    else
-      for (int axis = 0; axis < 3; ++axis) visit(field + "[" + std::to_string(axis) + "]", value[axis]);
+    int k = 0;
+    for_each_number_in(value, [&](auto& number) { visit(field + place_in(value, k++), number); });
   });
 }
 

@@ -84,7 +84,7 @@ void list_pairs(bool json) {
     const auto described = [&]<class Shape>(const Shape& shape) {
       Json fields = Json::object();
       for_each_field(shape, [&](const auto& field, const auto& /*value*/) {
-        fields[std::string(field.name)] = field.kind == FieldKind::point ? "point" : "length";
+        fields[std::string(field.name)] = kFieldKindNames[static_cast<std::size_t>(field.kind)];
       });
       return Json{{"shape", ShapeDescription<Shape>::kName}, {"fields", fields}};
     };

@@ -83,8 +83,11 @@ std::string shapes_text(const Query& query) {
       fields += fmt::format("{}{} ", fields.empty() ? "" : ", ", field.name);
       if constexpr (std::same_as<std::remove_cvref_t<decltype(value)>, double>)
         fields += number(value);
-      else
-        fields += vector(value);
+      else {
+        std::string_view between;
+        for_each_vector(
+            value, [&](const Vector3& v) { fields += fmt::format("{}{}", std::exchange(between, " "), vector(v)); });
+      }
     });
     text += fmt::format("  {}         {}\n", label, fields);
   };
