@@ -1,5 +1,8 @@
-// The families of questions about capsules, and about a sphere and a capsule: a sphere is a capsule without length.
+// The families of questions about capsules, about a sphere and a capsule, and about a ray and a sphere: a sphere is a
+// capsule without length, a ray one without radius.
 #pragma once
+
+#include <type_traits>
 
 #include "golden/making.hpp"
 #include "golden/segments.hpp"
@@ -7,13 +10,16 @@
 namespace contact::golden {
 
 /// A question in the file's scalar; widening it to double is exact. Only + - * / sqrt, scaling by powers of two and
-/// exact decisions make its numbers, so every platform makes the same. Of a pair with a sphere `a` is that sphere.
+/// exact decisions make its numbers, so every platform makes the same. Of a pair with a sphere `a` is that sphere, also
+/// where the question has it second.
 template <class Real>
 struct TwoSegments {
   Segment<Real> a;
   Segment<Real> b;
   Real alarm{};
   Real contact{};
+  /// How often a ray goes along its direction; 0 where that is as near to a unit vector as it may be.
+  Real times{1};
 
   [[nodiscard]] Query query(Pair pair) const {
     const auto capsule = [](const Segment<Real>& s) {
@@ -22,7 +28,19 @@ struct TwoSegments {
     Query made{pair, Capsules{capsule(a), capsule(b)}, {static_cast<double>(alarm), static_cast<double>(contact)}};
     if (pair == Pair::sphere_capsule)
       made.shapes = BallAndCapsule{{widened(a.start), static_cast<double>(a.radius)}, capsule(b)};
+    if (pair == Pair::ray_sphere)
+      made.shapes = RayAndBall{ray(), {widened(a.start), static_cast<double>(a.radius + b.radius)}};
     return made;
+  }
+  [[nodiscard]] Ray ray() const {
+    Triple<Real> u = b.direction();
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!std::isfinite(u[i])) u[i] = b.end[i];
+    if (u == Triple<Real>{}) return {widened(b.start), {1, 2, -2}, 0};
+    Real length = times == 0 ? std::sqrt(dot(u, u)) : times;
+    const auto divided = [&] { return Triple<Real>{u[0] / length, u[1] / length, u[2] / length}; };
+    if (!(length > 0 && std::isfinite(length)) || divided() == Triple<Real>{}) length = 1;
+    return {widened(b.start), widened(divided()), static_cast<double>(length)};
   }
   [[nodiscard]] std::array<Triple<Real>*, 4> ends() { return {&a.start, &a.end, &b.start, &b.end}; }
   /// Between the segments, in plain arithmetic.
@@ -38,14 +56,26 @@ struct TwoSegments {
   }
 };
 
+/// Whether a sphere is one of the two shapes.
+template <Pair kPair>
+inline constexpr bool kHasSphere = kPair != Pair::capsule_capsule;
+
+/// Of a pair with one radius it takes both.
+template <Pair kPair, class Shapes>
+void settle_radii(Shapes& s) {
+  if (kPair != Pair::ray_sphere && kPair != Pair::sphere_triangle) return;
+  s.a.radius += s.b.radius;
+  s.b.radius = 0;
+}
+
 /// Which part of a segment is nearest to the other one.
 enum class Feature { start, end, side };
 
 /// The features of both take turns; a sphere has but one.
 template <Pair kPair>
 std::array<Feature, 2> turn_of_features(Random& random) {
-  const bool sphere = kPair == Pair::sphere_capsule;
-  return {sphere ? Feature::start : static_cast<Feature>(random.turn(3, 3)), static_cast<Feature>(random.turn(3))};
+  return {kHasSphere<kPair> ? Feature::start : static_cast<Feature>(random.turn(3, 3)),
+          static_cast<Feature>(random.turn(3))};
 }
 
 /// The segment from `back` to `ahead` of a point that is to be nearest: whole, or from the point on; turned round where
@@ -57,10 +87,22 @@ Segment<Real> segment_through(Feature feature, const Triple<Real>& back, const T
   return feature == Feature::start ? Segment<Real>{point, ahead, 0} : Segment<Real>{ahead, point, 0};
 }
 
-template <class Real>
-void random_distances(TwoSegments<Real>& s, Random& random) {
+template <class Shapes>
+void random_distances(Shapes& s, Random& random) {
+  using Real = decltype(s.alarm);
   s.alarm = random.chance(2) ? random.uniform(Real{0}, Real{2}) : Real{0};
   s.contact = random.chance(2) ? random.uniform(Real{0}, Real{1}) : Real{0};
+}
+
+/// Of a ray: its whole way once, in steps that divide it exactly, or in unit vectors as engines have them.
+template <class Real, Pair kPair>
+void choose_steps(TwoSegments<Real>& s, Random& random, bool exactly) {
+  if (kPair != Pair::ray_sphere) return;
+  s.times = std::array<Real, 6>{1, 2, Real{0.125}, 3, 5, 7}[random.index(6)];
+  const Triple<Real> u = s.b.direction();
+  for (const Real x : u)
+    if (std::fma(x / s.times, s.times, -x) != 0) s.times = 1;
+  if (!exactly && random.chance(2)) s.times = 0;
 }
 
 /// Segments of ordinary size, anywhere, each with a feature beside the other one.
@@ -80,13 +122,14 @@ TwoSegments<Real> beside(Random& random) {
   TwoSegments<Real> s;
   s.a = segment(features[0], p, Real{-1});
   s.b = segment(features[1], moved(p, Real{1}, delta), Real{1});
-  if (kPair == Pair::sphere_capsule) s.a.end = s.a.start = p;
+  if (kHasSphere<kPair>) s.a.end = s.a.start = p;
+  choose_steps<Real, kPair>(s, random, false);
   return s;
 }
 
 /// Radii that add up to a part of a length, the first one of them above 0.
-template <class Real>
-void share_radii(TwoSegments<Real>& s, Random& random, Real total) {
+template <class Real, template <class> class Shapes>
+void share_radii(Shapes<Real>& s, Random& random, std::type_identity_t<Real> total) {
   s.a.radius = total * random.uniform(Real{0.0625}, Real{0.9375});
   s.b.radius = length(total - s.a.radius);
 }
@@ -199,13 +242,14 @@ OnFrame<Real> on_frame(Random& random, std::array<Feature, 2> features, Lie lie,
     const std::int64_t ahead = random.between<std::int64_t>(1, wide ? 8 : 4);
     (i == 0 ? made.shapes.a : made.shapes.b) = segment_through(features[i], at(-back), at(0), at(ahead));
   }
-  if (kPair == Pair::sphere_capsule) made.shapes.a.end = made.shapes.a.start;
+  if (kHasSphere<kPair>) made.shapes.a.end = made.shapes.a.start;
+  choose_steps<Real, kPair>(made.shapes, random, true);
   return made;
 }
 
 /// Radii whose sum is exactly an integer; with `alarmed` an alarm distance takes its part.
-template <class Real>
-void reach_exactly(TwoSegments<Real>& s, Random& random, std::int64_t distance, bool alarmed = false) {
+template <class Real, template <class> class Shapes>
+void reach_exactly(Shapes<Real>& s, Random& random, std::int64_t distance, bool alarmed = false) {
   std::int64_t left = 16 * distance;
   if (alarmed) {
     const std::int64_t alarm = random.between<std::int64_t>(1, left - 2);
@@ -226,6 +270,7 @@ TwoSegments<Real> touching(Random& random) {
   const auto make = [&] {
     auto [s, frame, distance] = on_frame<Real, kPair>(random, turn_of_features<kPair>(random), Lie::leaning);
     reach_exactly(s, random, distance);
+    settle_radii<kPair>(s);
     return s;
   };
   TwoSegments<Real> s = random.turn(2) == 0 ? make() : searched<TwoSegments, Real>(random, kPair, make);
@@ -235,8 +280,8 @@ TwoSegments<Real> touching(Random& random) {
 }
 
 /// The first radius that is the least to hit, found by bisection.
-template <class Real>
-Real least_radius(TwoSegments<Real> s, Pair pair) {
+template <class Real, template <class> class Shapes>
+Real least_radius(Shapes<Real> s, Pair pair) {
   const auto hits = [&](Real radius) {
     s.a.radius = radius;
     return is_hit(s.query(pair));
@@ -258,10 +303,11 @@ Real least_radius(TwoSegments<Real> s, Pair pair) {
 }
 
 /// A few ulps from the reach, with an alarm distance or none.
-template <class Real>
-void reach_nearly(TwoSegments<Real>& s, Random& random, Pair pair, bool alarmed) {
+template <class Real, template <class> class Shapes>
+void reach_nearly(Shapes<Real>& s, Random& random, Pair pair, bool alarmed) {
   const Real d = s.distance();
   s.b.radius = d * random.uniform(Real{0.0625}, Real{0.5});
+  if (pair == Pair::ray_sphere || pair == Pair::sphere_triangle) s.b.radius = 0;
   s.alarm = alarmed ? d * random.uniform(Real{0.125}, Real{0.375}) : Real{0};
   s.contact = random.chance(2) ? random.uniform(Real{0}, Real{1}) : Real{0};
   s.a.radius = length(ulps_away(least_radius(s, pair), random.between(-4, 3)));
@@ -294,7 +340,7 @@ TwoSegments<Real> along_axes(Random& random) {
       segment->end[axis] += (random.uniform(Real{0.5}, Real{8}) + kCoarse) - kCoarse;
       if (random.chance(2)) std::swap(segment->start, segment->end);
     }
-    if (kPair == Pair::sphere_capsule) s.a.end = s.a.start;
+    if (kHasSphere<kPair>) s.a.end = s.a.start;
     if (ordinary) {
       share_radii(s, random, random.uniform(Real{0.5}, Real{1.5}) * s.distance());
       random_distances(s, random);
@@ -311,6 +357,7 @@ TwoSegments<Real> alarm_edge(Random& random) {
   if (random.turn(3, 5) == 0) {
     auto [s, frame, distance] = on_frame<Real, kPair>(random, turn_of_features<kPair>(random), Lie::leaning);
     reach_exactly(s, random, distance, true);
+    settle_radii<kPair>(s);
     s.scale(random.between(-40, 40));
     return s;
   }
@@ -322,8 +369,8 @@ TwoSegments<Real> alarm_edge(Random& random) {
 }
 
 /// Radii and distances that hit in two of three.
-template <class Real>
-void reach_or_not(TwoSegments<Real>& s, Random& random) {
+template <class Real, template <class> class Shapes>
+void reach_or_not(Shapes<Real>& s, Random& random) {
   const bool hit = !random.chance(3);
   share_radii(s, random,
               s.distance() * (hit ? random.uniform(Real{1}, Real{2}) : random.uniform(Real{0.5}, Real{0.9375})));
@@ -338,8 +385,7 @@ TwoSegments<Real> region_edge(Random& random) {
   TwoSegments<Real> s;
   if (random.turn(2) == 0) {
     std::array<Feature, 2> features = turn_of_features<kPair>(random);
-    if (features[0] == Feature::side || kPair == Pair::sphere_capsule)
-      features[1] = static_cast<Feature>(random.index(2));
+    if (features[0] == Feature::side || kHasSphere<kPair>) features[1] = static_cast<Feature>(random.index(2));
     s = on_frame<Real, kPair>(random, features, Lie::level).shapes;
     Triple<Real>& end = *s.ends()[random.index(4)];
     Real& x = end[random.index(3)];
@@ -352,9 +398,10 @@ TwoSegments<Real> region_edge(Random& random) {
       s.b.end[i] = s.b.start[i];
       s.a.end[i] = s.a.start[i] + (s.a.start[i] - s.b.start[i]) * random.uniform(Real{0}, Real{1});
     }
+    if (kPair == Pair::ray_sphere) s.times = 1;
     s.a.start[along] = ulps_away(random.chance(2) ? s.b.start[along] : s.b.end[along], random.between(-1, 1));
   }
-  if (kPair == Pair::sphere_capsule) s.a.end = s.a.start;
+  if (kHasSphere<kPair>) s.a.end = s.a.start;
   reach_or_not(s, random);
   return s;
 }
@@ -362,7 +409,7 @@ TwoSegments<Real> region_edge(Random& random) {
 /// Capsules that are spheres, and some whose ends are ulps apart, or subnormal numbers; a fifth of them on one point.
 template <class Real, Pair kPair>
 TwoSegments<Real> zero_length(Random& random) {
-  const int which = kPair == Pair::sphere_capsule ? 1 : random.turn(3, 9);
+  const int which = kHasSphere<kPair> ? 1 : random.turn(3, 9);
   std::array<Feature, 2> features = turn_of_features<kPair>(random);
   if (which != 0) features[1] = Feature::start;
   if (which != 1) features[0] = Feature::start;
@@ -378,11 +425,12 @@ TwoSegments<Real> zero_length(Random& random) {
   }
   if (random.turn(5) == 0) {
     s.a = s.b;
-    if (kPair == Pair::sphere_capsule) s.a.end = s.a.start;
+    if (kHasSphere<kPair>) s.a.end = s.a.start;
     share_radii(s, random, random.uniform(Real{0.5}, Real{6}));
     random_distances(s, random);
   } else if (exact) {
     reach_exactly(s, random, distance);
+    settle_radii<kPair>(s);
     if (random.chance(3)) s.a.radius = ulps_away(s.a.radius, -1);
   } else {
     reach_or_not(s, random);
@@ -447,7 +495,7 @@ TwoSegments<Real> ties(Random& random) {
     s.a.end = {large - static_cast<Real>(random.between(0, 9)), off, height};
   } else {
     s.a.start = {large + (odd + off) / 2, odd - off / 4, height};
-    s.a.end = kPair == Pair::sphere_capsule ? s.a.start : moved(s.a.start, Real{4}, {off / 2, -off / 4, height});
+    s.a.end = kHasSphere<kPair> ? s.a.start : moved(s.a.start, Real{4}, {off / 2, -off / 4, height});
   }
   s.a.radius =
       s.distance() * (missing ? random.uniform(Real{0.5}, Real{0.9375}) : random.uniform(Real{1.0625}, Real{2}));
@@ -509,7 +557,7 @@ TwoSegments<Real> extreme_scale(Random& random) {
       };
       for (Triple<Real>* v : s.ends())
         for (Real& x : *v) x = any();
-      if (kPair == Pair::sphere_capsule) s.a.end = s.a.start;
+      if (kHasSphere<kPair>) s.a.end = s.a.start;
       s.a.radius = std::abs(any());
       s.b.radius = std::abs(any());
       s.alarm = random.chance(2) ? std::abs(any()) : Real{0};

@@ -68,6 +68,13 @@ Segment<Real> segment_of(const Ball& ball) {
   return {in_scalar<Real>(ball.center), in_scalar<Real>(ball.center), static_cast<Real>(ball.radius)};
 }
 
+/// Its end is rounded.
+template <class Real>
+Segment<Real> segment_of(const Ray& ray) {
+  const Triple<Real> start = in_scalar<Real>(ray.origin);
+  return {start, moved(start, static_cast<Real>(ray.length), in_scalar<Real>(ray.direction)), 0};
+}
+
 template <class Real>
 struct NearestPoints {
   Triple<Real> p;
@@ -100,12 +107,18 @@ NearestPoints<Real> nearest_points(const Segment<Real>& a, const Segment<Real>& 
   return {a.at(s), b.at(t), unique};
 }
 
+template <class Real>
+Triple<Real> parting_normal(Triple<Real> n, const Triple<Real>& u);
+
 /// A unit vector that parts segments that meet: along u x v; where that is 0 the x axis made perpendicular to the first
 /// direction that is not 0, or the y axis. The first component that is not 0 is positive.
 template <class Real>
 Triple<Real> parting_normal(const Segment<Real>& a, const Segment<Real>& b) {
-  const Triple<Real> u = is_zero(a.direction()) ? b.direction() : a.direction();
-  Triple<Real> n = cross(a.direction(), b.direction());
+  return parting_normal(cross(a.direction(), b.direction()), is_zero(a.direction()) ? b.direction() : a.direction());
+}
+/// Along n, or across u.
+template <class Real>
+Triple<Real> parting_normal(Triple<Real> n, const Triple<Real>& u) {
   if (is_zero(u)) return {1, 0, 0};
   if (is_zero(n)) n = {u[1] * u[1] + u[2] * u[2], -(u[0] * u[1]), -(u[0] * u[2])};
   if (is_zero(n)) return {0, 1, 0};
@@ -116,17 +129,22 @@ Triple<Real> parting_normal(const Segment<Real>& a, const Segment<Real>& b) {
 
 /// The nearest points as two spheres.
 template <class Real>
-Balls at_nearest(const Segment<Real>& a, const Segment<Real>& b, const NearestPoints<Real>& nearest) {
-  return {{widened(nearest.p), static_cast<double>(a.radius)}, {widened(nearest.q), static_cast<double>(b.radius)}};
+Balls at_nearest(const NearestPoints<Real>& nearest, Real radius1, Real radius2) {
+  return {{widened(nearest.p), static_cast<double>(radius1)}, {widened(nearest.q), static_cast<double>(radius2)}};
 }
 
-// For two capsules, or a sphere and a capsule, what plain.hpp declares.
+template <class Real>
+std::optional<Contact> plain_contact_at(const NearestPoints<Real>& nearest, Real radius1, Real radius2,
+                                        const Triple<Real>& n, Distances distances, Scalar scalar,
+                                        ContactPoints points);
+
+// For capsules, spheres and rays, what plain.hpp declares.
 
 template <class Real, class Shapes>
 bool plain_overlap_of_segments(const Shapes& shapes, Distances distances, Scalar scalar) {
   const Segment<Real> a = segment_of<Real>(shapes.a);
   const Segment<Real> b = segment_of<Real>(shapes.b);
-  return plain_overlap(at_nearest(a, b, nearest_points(a, b)), distances, scalar);
+  return plain_overlap(at_nearest(nearest_points(a, b), a.radius, b.radius), distances, scalar);
 }
 
 template <class Real, class Shapes>
@@ -134,19 +152,25 @@ std::optional<Contact> plain_contact_of_segments(const Shapes& shapes, Distances
                                                  ContactPoints points) {
   const Segment<Real> a = segment_of<Real>(shapes.a);
   const Segment<Real> b = segment_of<Real>(shapes.b);
-  const NearestPoints<Real> nearest = nearest_points(a, b);
-  std::optional<Contact> contact = plain_contact(at_nearest(a, b, nearest), distances, scalar, points);
+  return plain_contact_at(nearest_points(a, b), a.radius, b.radius, parting_normal(a, b), distances, scalar, points);
+}
+
+/// The same at nearest points, with the normal to take where they are one.
+template <class Real>
+std::optional<Contact> plain_contact_at(const NearestPoints<Real>& nearest, Real radius1, Real radius2,
+                                        const Triple<Real>& n, Distances distances, Scalar scalar,
+                                        ContactPoints points) {
+  std::optional<Contact> contact = plain_contact(at_nearest(nearest, radius1, radius2), distances, scalar, points);
   if (!contact) return contact;
   contact->unique = nearest.unique;
   if (!contact->degenerate) return contact;
-  const Triple<Real> n = parting_normal(a, b);
   const auto surface_point = [&](const Triple<Real>& core, PointOn on, Real radius) {
     const Real along = on == PointOn::center ? Real{0} : on == PointOn::far_surface ? -radius : radius;
     return widened(moved(core, along, n));
   };
   contact->normal = widened(n);
-  contact->point1 = surface_point(nearest.p, points.first, a.radius);
-  contact->point2 = surface_point(nearest.q, points.second, -b.radius);
+  contact->point1 = surface_point(nearest.p, points.first, radius1);
+  contact->point2 = surface_point(nearest.q, points.second, -radius2);
   return contact;
 }
 

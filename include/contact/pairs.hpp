@@ -25,7 +25,9 @@ struct Two {
   X(Box, Box)            \
   X(Ball, Box)           \
   X(Ball, Capsule)       \
-  X(Capsule, Capsule)
+  X(Capsule, Capsule)    \
+  X(Ball, Triangle)      \
+  X(Ray, Ball)
 
 /// The pairs: X(name, first shape, second shape, its contacts have numbers, the first is rigid, the second is rigid).
 /// Under upstream's convention a rigid sphere reports its nearest surface point, a deformable one its centre.
@@ -36,7 +38,9 @@ struct Two {
   X(cube_cube, Box, Box, false, false, false)                \
   X(sphere_cube, Ball, Box, true, false, false)              \
   X(sphere_capsule, Ball, Capsule, true, false, false)       \
-  X(capsule_capsule, Capsule, Capsule, true, false, false)
+  X(capsule_capsule, Capsule, Capsule, true, false, false)   \
+  X(sphere_triangle, Ball, Triangle, true, false, false)     \
+  X(ray_sphere, Ray, Ball, true, false, false)
 
 #define CONTACT_NAME(name, ...) name,
 enum class Pair { CONTACT_PAIRS(CONTACT_NAME) };
@@ -58,6 +62,8 @@ using Boxes = Two<Box, Box>;
 using BallAndBox = Two<Ball, Box>;
 using BallAndCapsule = Two<Ball, Capsule>;
 using Capsules = Two<Capsule, Capsule>;
+using BallAndTriangle = Two<Ball, Triangle>;
+using RayAndBall = Two<Ray, Ball>;
 
 struct PairDescription {
   Pair pair;
@@ -84,8 +90,6 @@ inline constexpr PairDescription kPairTable[] = {CONTACT_PAIRS(CONTACT_PAIR)};
 /// Whether more than one pair of points of the cores may be nearest.
 [[nodiscard]] constexpr bool may_have_many_nearest(Pair pair) { return pair == Pair::capsule_capsule; }
 /// Whether the nearest points may be quotients of what is given, so that D is no dyadic.
-[[nodiscard]] constexpr bool has_quotients(Pair pair) {
-  return pair == Pair::sphere_capsule || pair == Pair::capsule_capsule;
-}
+[[nodiscard]] constexpr bool has_quotients(Pair pair) { return pair >= Pair::sphere_capsule; }
 
 }  // namespace contact

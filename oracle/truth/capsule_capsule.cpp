@@ -1,4 +1,5 @@
 // Two capsules: two segments, exactly.
+#include "oracle/truth/double_double_segments.hpp"
 #include "oracle/truth/segments.hpp"
 
 namespace contact::oracle {
@@ -7,6 +8,11 @@ ExactTruth exact_truth(const Capsules& shapes, Distances distances) {
   return truth_of_segments(segment_of(shapes.a), segment_of(shapes.b), distances);
 }
 
-Meet cores_meet(const Capsules& shapes) { return segments_meet(segment_of(shapes.a), segment_of(shapes.b)); }
+Meet cores_meet(const Capsules& shapes) {
+  const auto& [a, b] = shapes;
+  if (!boxes_meet({a.start, a.end}, {b.start, b.end}) || surely_apart({a.start, a.end}, {b.start, b.end}))
+    return Meet::no;
+  return segments_meet(segment_of(a), segment_of(b));
+}
 
 }  // namespace contact::oracle

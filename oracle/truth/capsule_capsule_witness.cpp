@@ -5,7 +5,7 @@
 namespace contact::oracle {
 
 Witness quick_witness(const Capsules& shapes, Distances distances) {
-  return witness_of_segments(segment_of(shapes.a), segment_of(shapes.b), distances);
+  return witness_of(exact_truth(shapes, distances));
 }
 
 }  // namespace contact::oracle

@@ -23,23 +23,6 @@ std::optional<int> place(const DoubleDouble& n, const DoubleDouble& d) {
   return *low <= 0 ? -1 : *high >= 0 ? 1 : 0;
 }
 
-/// A point and its nearest one on a segment.
-std::optional<DoubleDoubleNearest> foot(const Vector3& c, const Ends& segment) {
-  const DoubleDoubles u = difference(segment[1], segment[0]);
-  const DoubleDoubles w = difference(c, segment[0]);
-  const auto end = [&](const Vector3& q) { return DoubleDoubleNearest{exactly(c), exactly(q), difference(q, c)}; };
-  if (segment[0] == segment[1]) return end(segment[0]);
-  const DoubleDouble n = dot(w, u);
-  const DoubleDouble d = dot(u, u);
-  const auto where = place(n, d);
-  if (!where) return std::nullopt;
-  if (*where != 0) return end(segment[*where < 0 ? 0 : 1]);
-  const DoubleDouble t = n * reciprocal(d);
-  DoubleDoubleNearest nearest{exactly(c), at(segment[0], t, u), {}};
-  for (std::size_t i = 0; i < 3; ++i) nearest.delta[i] = t * u[i] - w[i];
-  return nearest;
-}
-
 bool same(const DoubleDoubles& x, const DoubleDoubles& y) {
   return std::equal(x.begin(), x.end(), y.begin(), [](const DoubleDouble& a, const DoubleDouble& b) {
     return a.high == b.high && a.low == b.low && a.radius == b.radius;
@@ -71,39 +54,71 @@ std::optional<DoubleDoubleNearest> feet(const Ends& first, const Ends& second, b
 }
 
 std::optional<DoubleDoubleNearest> nearest_of(const Ends& first, const Ends& second) {
-  if (first[0] == first[1]) return foot(first[0], second);
+  const DoubleDoubleSegment a = segment_between(first[0], first[1]);
+  const DoubleDoubleSegment b = segment_between(second[0], second[1]);
+  if (a.is_point) return foot(first[0], b);
   bool within = false;
-  if (second[0] != second[1]) {
+  if (!b.is_point) {
     auto between = feet(first, second, within);
     if (!between || within) return between;
   }
   std::optional<DoubleDoubleNearest> best;
   for (std::size_t i = 0; i < 4; ++i) {
-    auto found = i < 2 ? foot(first[i], second) : foot(second[i - 2], first);
+    auto found = i < 2 ? foot(first[i], b) : foot(second[i - 2], a);
     if (!found) return std::nullopt;
     if (i >= 2) found = turned_round(*found);
-    // Of two ends that face each other each is the other's foot.
-    if (best && same(found->p, best->p) && same(found->q, best->q)) continue;
-    if (best) {
-      const auto nearer = (dot(found->delta, found->delta) - dot(best->delta, best->delta)).sign();
-      if (!nearer) return std::nullopt;
-      if (*nearer >= 0) continue;
-    }
-    best = found;
+    if (!keep_nearer(best, *found)) return std::nullopt;
   }
   return best;
 }
 
 }  // namespace
 
+std::optional<DoubleDoubleNearest> foot(const Vector3& c, const DoubleDoubleSegment& segment) {
+  const DoubleDoubles& u = segment.along;
+  const DoubleDoubles w = difference(c, segment.from);
+  const auto start = [&] { return DoubleDoubleNearest{exactly(c), exactly(segment.from), {-w[0], -w[1], -w[2]}}; };
+  if (segment.is_point) return start();
+  const DoubleDouble n = dot(w, u);
+  const DoubleDouble d = dot(u, u);
+  const auto where = place(n, d);
+  if (!where) return std::nullopt;
+  if (*where < 0) return start();
+  DoubleDoubleNearest nearest{exactly(c), segment.end, {}};
+  if (*where > 0) {
+    for (std::size_t i = 0; i < 3; ++i) nearest.delta[i] = u[i] - w[i];
+    return nearest;
+  }
+  const DoubleDouble t = n * reciprocal(d);
+  nearest.q = at(segment.from, t, u);
+  for (std::size_t i = 0; i < 3; ++i) nearest.delta[i] = t * u[i] - w[i];
+  return nearest;
+}
+
+bool keep_nearer(std::optional<DoubleDoubleNearest>& best, const DoubleDoubleNearest& other) {
+  // Of two ends that face each other each is the other's foot.
+  if (best && same(other.p, best->p) && same(other.q, best->q)) return true;
+  if (best) {
+    const auto nearer = (dot(other.delta, other.delta) - dot(best->delta, best->delta)).sign();
+    if (!nearer) return false;
+    if (*nearer >= 0) return true;
+  }
+  best = other;
+  return true;
+}
+
+std::optional<DoubleDoubleCase> case_of_apart(const std::optional<DoubleDoubleNearest>& nearest, double radius1,
+                                              double radius2, Distances distances, Scalar scalar, bool with_margin) {
+  for (const double length : {radius1, radius2, distances.alarm, distances.contact})
+    if (!in_range(length, 80)) return std::nullopt;
+  if (!nearest || dot(nearest->delta, nearest->delta).sign() != 1) return std::nullopt;
+  return case_of_nearest(*nearest, radius1, radius2, distances, scalar, with_margin);
+}
+
 std::optional<DoubleDoubleCase> case_of_segments(const Ends& first, const Ends& second, double radius1, double radius2,
                                                  Distances distances, Scalar scalar, bool with_margin) {
   if (!in_short_range(first) || !in_short_range(second)) return std::nullopt;
-  for (const double length : {radius1, radius2, distances.alarm, distances.contact})
-    if (!in_range(length, 80)) return std::nullopt;
-  const auto nearest = nearest_of(first, second);
-  if (!nearest || dot(nearest->delta, nearest->delta).sign() != 1) return std::nullopt;
-  return case_of_nearest(*nearest, radius1, radius2, distances, scalar, with_margin);
+  return case_of_apart(nearest_of(first, second), radius1, radius2, distances, scalar, with_margin);
 }
 
 }  // namespace contact::oracle

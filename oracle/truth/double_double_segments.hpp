@@ -18,6 +18,21 @@ using Ends = std::array<Vector3, 2>;
   return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
 }
 
+/// A segment: a point, and the way from there to the other end.
+struct DoubleDoubleSegment {
+  Vector3 from;
+  DoubleDoubles along;
+  DoubleDoubles end;
+  bool is_point;
+};
+[[nodiscard]] inline DoubleDoubleSegment segment_between(const Vector3& start, const Vector3& end) {
+  return {start, difference(end, start), exactly(end), start == end};
+}
+/// A point and its nearest one on a segment; nothing where an end may be it or not.
+[[nodiscard]] std::optional<DoubleDoubleNearest> foot(const Vector3& c, const DoubleDoubleSegment& segment);
+/// Puts the nearer one of two into `best`; false where it is not certain which that is.
+[[nodiscard]] bool keep_nearer(std::optional<DoubleDoubleNearest>& best, const DoubleDoubleNearest& other);
+
 /// Where this is true, the segments have no point in common; else they may have one. By the volume that they span, and
 /// where one of them is a point, by the area.
 [[nodiscard]] inline bool surely_apart(const Ends& first, const Ends& second) {
@@ -31,6 +46,10 @@ using Ends = std::array<Vector3, 2>;
   return is_not_zero(area[0]) || is_not_zero(area[1]) || is_not_zero(area[2]);
 }
 
+/// The answer at nearest points that are apart, as double_double_case has it; nothing where there are none.
+[[nodiscard]] std::optional<DoubleDoubleCase> case_of_apart(const std::optional<DoubleDoubleNearest>& nearest,
+                                                            double radius1, double radius2, Distances distances,
+                                                            Scalar scalar, bool with_margin);
 /// The answer for two segments blown up by radii, as double_double_case has it.
 [[nodiscard]] std::optional<DoubleDoubleCase> case_of_segments(const Ends& first, const Ends& second, double radius1,
                                                                double radius2, Distances distances, Scalar scalar,

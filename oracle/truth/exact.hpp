@@ -52,7 +52,8 @@ class Exact {
 /// largest finite number that one is next to x only within an ulp.
 [[nodiscard]] bool is_faithful(double claim, const Exact& x, Scalar scalar);
 
-/// What rounds to a number of the scalar, to nearest, ties to even: the reals between two, which do so themselves or not.
+/// What rounds to a number of the scalar, to nearest, ties to even: the reals between two, which do so themselves or
+/// not.
 struct Rounding {
   Rational low;
   Rational high;

@@ -16,6 +16,15 @@ namespace contact::oracle {
 using Point = std::array<Rational, 3>;
 [[nodiscard]] inline Point point_of(const Vector3& v) { return {Rational(v[0]), Rational(v[1]), Rational(v[2])}; }
 
+[[nodiscard]] inline Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+[[nodiscard]] inline Point operator+(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+[[nodiscard]] inline Point operator*(const Rational& k, const Point& a) { return {k * a[0], k * a[1], k * a[2]}; }
+[[nodiscard]] inline Rational dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+[[nodiscard]] inline Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+[[nodiscard]] inline bool is_zero(const Point& a) { return CGAL::is_zero(dot(a, a)); }
+
 /// A way to part two cores that meet: the second one moves along `direction`, or the first against it. `nearest` is
 /// where the second core's contact point lies then.
 struct WayOut {

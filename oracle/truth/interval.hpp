@@ -94,6 +94,12 @@ inline Triple triple(mpfr_prec_t precision, const Vector3& v) {
   return {Interval(precision, v[0]), Interval(precision, v[1]), Interval(precision, v[2])};
 }
 
+inline Triple difference(const Triple& x, const Triple& y) { return {x[0] - y[0], x[1] - y[1], x[2] - y[2]}; }
+inline Interval dot(const Triple& x, const Triple& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
+inline Triple cross(const Triple& x, const Triple& y) {
+  return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+}
+
 /// The nearest points of two cores: p / over and q / over.
 struct IntervalNearest {
   Triple p;

@@ -19,12 +19,12 @@ struct Parameters {
 
 class Segments {
  public:
-  Segments(const std::array<Vector3, 2>& first, const std::array<Vector3, 2>& second, mpfr_prec_t precision)
+  Segments(const IntervalSegment& first, const IntervalSegment& second, mpfr_prec_t precision)
       : precision_(precision),
-        a_(triple(precision, first[0])),
-        b_(triple(precision, second[0])),
-        u_(difference(triple(precision, first[1]), a_)),
-        v_(difference(triple(precision, second[1]), b_)),
+        a_(first.from),
+        b_(second.from),
+        u_(first.along),
+        v_(second.along),
         w_(difference(b_, a_)),
         A_(dot(u_, u_)),
         B_(dot(u_, v_)),
@@ -45,8 +45,6 @@ class Segments {
   }
 
  private:
-  static Triple difference(const Triple& x, const Triple& y) { return {x[0] - y[0], x[1] - y[1], x[2] - y[2]}; }
-  static Interval dot(const Triple& x, const Triple& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
   static Triple along(const Triple& from, const Interval& t, const Triple& u, const Interval& over) {
     return {from[0] * over + t * u[0], from[1] * over + t * u[1], from[2] * over + t * u[2]};
   }
@@ -102,17 +100,7 @@ class Segments {
     return {found[low], found[high]};
   }
 
-  /// The normal by agreement where they meet.
-  [[nodiscard]] Triple agreed() const {
-    const Triple n{u_[1] * v_[2] - u_[2] * v_[1], u_[2] * v_[0] - u_[0] * v_[2], u_[0] * v_[1] - u_[1] * v_[0]};
-    for (const Interval& x : n)
-      if (const int s = sign(x); s != 0) return {n[0] * number(s), n[1] * number(s), n[2] * number(s)};
-    const Triple& along = sign(A_) == 0 ? v_ : u_;
-    const Interval length2 = dot(along, along);
-    if (sign(length2) == 0) return {number(1), number(0), number(0)};
-    if (sign(along[1]) == 0 && sign(along[2]) == 0) return {number(0), number(1), number(0)};
-    return {length2 - along[0].squared(), number(0) - along[0] * along[1], number(0) - along[0] * along[2]};
-  }
+  [[nodiscard]] Triple agreed() const { return agreed_normal(cross(u_, v_), sign(A_) == 0 ? v_ : u_, precision_); }
 
   mpfr_prec_t precision_;
   Triple a_, b_, u_, v_, w_;
@@ -121,9 +109,28 @@ class Segments {
 
 }  // namespace
 
-RoundedAnswer answer_of_segments(const std::array<Vector3, 2>& first, const std::array<Vector3, 2>& second,
-                                 double radius1, double radius2, Distances distances, Scalar scalar,
-                                 mpfr_prec_t precision) {
+IntervalSegment point_segment(const Vector3& c, mpfr_prec_t precision) {
+  return {triple(precision, c), triple(precision, Vector3::Zero())};
+}
+
+IntervalSegment segment_between(const Vector3& start, const Vector3& end, mpfr_prec_t precision) {
+  const Triple from = triple(precision, start);
+  return {from, difference(triple(precision, end), from)};
+}
+
+Triple agreed_normal(const Triple& across, const Triple& along, mpfr_prec_t precision) {
+  const auto number = [&](double x) { return Interval(precision, x); };
+  const auto sign = [](const Interval& x) { return settled(x.sign()); };
+  for (const Interval& x : across)
+    if (const int s = sign(x); s != 0) return {across[0] * number(s), across[1] * number(s), across[2] * number(s)};
+  const Interval length2 = dot(along, along);
+  if (sign(length2) == 0) return {number(1), number(0), number(0)};
+  if (sign(along[1]) == 0 && sign(along[2]) == 0) return {number(0), number(1), number(0)};
+  return {length2 - along[0].squared(), number(0) - along[0] * along[1], number(0) - along[0] * along[2]};
+}
+
+RoundedAnswer answer_of_segments(const IntervalSegment& first, const IntervalSegment& second, double radius1,
+                                 double radius2, Distances distances, Scalar scalar, mpfr_prec_t precision) {
   const Segments segments(first, second, precision);
   return answer_of_nearest(segments.nearest(), Interval(precision, radius1), Interval(precision, radius2), distances,
                            scalar, precision);

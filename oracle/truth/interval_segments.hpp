@@ -5,9 +5,19 @@
 
 namespace contact::oracle {
 
-/// The answer for two segments, from the first of two points to the second, blown up by radii.
-[[nodiscard]] RoundedAnswer answer_of_segments(const std::array<Vector3, 2>& first,
-                                               const std::array<Vector3, 2>& second, double radius1, double radius2,
-                                               Distances distances, Scalar scalar, mpfr_prec_t precision);
+/// A segment: a point, and the way from there to the other end.
+struct IntervalSegment {
+  Triple from;
+  Triple along;
+};
+[[nodiscard]] IntervalSegment point_segment(const Vector3& c, mpfr_prec_t precision);
+[[nodiscard]] IntervalSegment segment_between(const Vector3& start, const Vector3& end, mpfr_prec_t precision);
+
+/// The answer for two segments blown up by radii.
+[[nodiscard]] RoundedAnswer answer_of_segments(const IntervalSegment& first, const IntervalSegment& second,
+                                               double radius1, double radius2, Distances distances, Scalar scalar,
+                                               mpfr_prec_t precision);
+/// The normal by agreement of cores that meet: along `across`, else across a direction.
+[[nodiscard]] Triple agreed_normal(const Triple& across, const Triple& along, mpfr_prec_t precision);
 
 }  // namespace contact::oracle

@@ -4,28 +4,11 @@
 #include "oracle/truth/segments.hpp"
 
 #include <algorithm>
-#include <cstddef>
-
-#include "oracle/truth/double_double_segments.hpp"
 
 namespace contact::oracle {
 namespace {
 
-Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Point operator+(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-Point operator*(const Rational& k, const Point& a) { return {k * a[0], k * a[1], k * a[2]}; }
-Rational dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-bool is_zero(const Point& a) { return CGAL::is_zero(dot(a, a)); }
 bool is_parameter(const Rational& t) { return t >= Rational(0) && t <= Rational(1); }
-
-struct Line {
-  Point from;
-  Point along;
-  [[nodiscard]] std::array<Point, 2> ends() const { return {from, from + along}; }
-};
 
 struct NearestPair {
   Point p;
@@ -33,14 +16,7 @@ struct NearestPair {
   [[nodiscard]] Rational distance2() const { return dot(q - p, q - p); }
 };
 
-/// The foot of a point on a line, where it lies on the segment.
-std::optional<Point> foot(const Point& c, const Line& line) {
-  if (is_zero(line.along)) return std::nullopt;
-  const Rational t = dot(c - line.from, line.along) / dot(line.along, line.along);
-  return is_parameter(t) ? std::optional(line.from + t * line.along) : std::nullopt;
-}
-
-std::vector<NearestPair> candidates(const Line& first, const Line& second) {
+std::vector<NearestPair> candidates(const Segment& first, const Segment& second) {
   std::vector<NearestPair> all;
   for (const Point& p : first.ends()) {
     for (const Point& q : second.ends()) all.push_back({p, q});
@@ -60,28 +36,37 @@ std::vector<NearestPair> candidates(const Line& first, const Line& second) {
   return all;
 }
 
-/// The normal by agreement of segments that meet.
-Point agreed_normal(const Point& u, const Point& v) {
+}  // namespace
+
+Segment segment_of(const Ball& ball) { return {point_of(ball.center), {}, ball.radius}; }
+Segment segment_of(const Capsule& capsule) {
+  const Point start = point_of(capsule.start);
+  return {start, point_of(capsule.end) - start, capsule.radius};
+}
+Segment segment_of(const Ray& ray) { return {point_of(ray.origin), Rational(ray.length) * point_of(ray.direction), 0}; }
+
+std::optional<Point> foot(const Point& c, const Segment& segment) {
+  if (is_zero(segment.along)) return std::nullopt;
+  const Rational t = dot(c - segment.from, segment.along) / dot(segment.along, segment.along);
+  return is_parameter(t) ? std::optional(segment.from + t * segment.along) : std::nullopt;
+}
+
+Point agreed_normal(const Point& across, const Point& along) {
   const Rational none(0);
-  if (const Point n = cross(u, v); !is_zero(n)) {
-    const Rational& first = CGAL::is_zero(n[0]) ? CGAL::is_zero(n[1]) ? n[2] : n[1] : n[0];
-    return Rational(first < none ? -1 : 1) * n;
+  if (!is_zero(across)) {
+    const Rational& first = CGAL::is_zero(across[0]) ? CGAL::is_zero(across[1]) ? across[2] : across[1] : across[0];
+    return Rational(first < none ? -1 : 1) * across;
   }
-  const Point& along = is_zero(u) ? v : u;
   const Point x{Rational(1), none, none};
   const Point y{none, Rational(1), none};
   if (is_zero(along)) return x;
   // What is left of an axis without its part along the direction.
-  const Point across = dot(along, along) * x - dot(along, x) * along;
-  return is_zero(across) ? y : across;
+  const Point left = dot(along, along) * x - dot(along, x) * along;
+  return is_zero(left) ? y : left;
 }
 
-}  // namespace
-
 ExactTruth truth_of_segments(const Segment& first, const Segment& second, Distances distances) {
-  const Line a{point_of(first.start), point_of(first.end) - point_of(first.start)};
-  const Line b{point_of(second.start), point_of(second.end) - point_of(second.start)};
-  const std::vector<NearestPair> all = candidates(a, b);
+  const std::vector<NearestPair> all = candidates(first, second);
   Rational least = all.front().distance2();
   for (const NearestPair& pair : all) least = std::min(least, pair.distance2());
   // The nearest points of the first core are a point or a segment, whose ends are among the candidates.
@@ -96,21 +81,23 @@ ExactTruth truth_of_segments(const Segment& first, const Segment& second, Distan
   const Rational half(1, 2);
   const Point p = half * (*low + *high);
 
-  const auto farthest = [](const Vector3& v) { return v.cwiseAbs().maxCoeff(); };
-  const Rational scale(
-      std::max({farthest(first.start), farthest(first.end), farthest(second.start), farthest(second.end)}));
+  Rational scale(0);
+  for (const Segment* segment : {&first, &second})
+    for (const Point& end : segment->ends())
+      for (const Rational& x : end) scale = std::max(scale, Rational(CGAL::abs(x)));
   Cores cores{{p, p + delta}, {Rational(first.radius), Rational(second.radius)}, {scale, scale}};
   if (*low != *high) cores.spread = half * (*high - *low);
   if (CGAL::is_zero(least)) {
-    cores.meeting = Meeting{Rational(0), {{agreed_normal(a.along, b.along), p}}, {}};
-    for (const Point& x : a.ends())
-      for (const Point& y : b.ends()) cores.meeting->apart.push_back(y - x);
+    const Point& u = first.along;
+    const Point& v = second.along;
+    cores.meeting = Meeting{Rational(0), {{agreed_normal(cross(u, v), is_zero(u) ? v : u), p}}, {}};
+    for (const Point& x : first.ends())
+      for (const Point& y : second.ends()) cores.meeting->apart.push_back(y - x);
   }
   return {DistanceTruth(std::move(cores), distances)};
 }
 
-Witness witness_of_segments(const Segment& first, const Segment& second, Distances distances) {
-  const ExactTruth truth = truth_of_segments(first, second, distances);
+Witness witness_of(const ExactTruth& truth) {
   const auto& numbers = std::get<DistanceTruth>(truth.numbers);
   Witness w;
   w.distance2 = exact_string(numbers.distance2());
@@ -118,14 +105,18 @@ Witness witness_of_segments(const Segment& first, const Segment& second, Distanc
   return w;
 }
 
+bool boxes_meet(std::initializer_list<Vector3> first, std::initializer_list<Vector3> second) {
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const auto less = [axis](const Vector3& x, const Vector3& y) { return x[axis] < y[axis]; };
+    const auto [low1, high1] = std::minmax(first, less);
+    const auto [low2, high2] = std::minmax(second, less);
+    if (less(high1, low2) || less(high2, low1)) return false;
+  }
+  return true;
+}
+
 Meet segments_meet(const Segment& first, const Segment& second) {
-  const auto low = [](const Segment& s) { return s.start.cwiseMin(s.end).eval(); };
-  const auto high = [](const Segment& s) { return s.start.cwiseMax(s.end).eval(); };
-  const bool boxes_meet =
-      (low(first).array() <= high(second).array()).all() && (low(second).array() <= high(first).array()).all();
-  if (!boxes_meet || surely_apart({first.start, first.end}, {second.start, second.end})) return Meet::no;
-  const Distances none{0, 0};
-  const ExactTruth truth = truth_of_segments(first, second, none);
+  const ExactTruth truth = truth_of_segments(first, second, {0, 0});
   return std::get<DistanceTruth>(truth.numbers).degenerate() ? Meet::touching : Meet::no;
 }
 

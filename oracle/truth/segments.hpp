@@ -1,22 +1,34 @@
 // Two segments, each of which may be a point: what the pairs of capsules share of the exact truth.
 #pragma once
 
+#include <initializer_list>
+
 #include "oracle/truth/exact_truth.hpp"
 
 namespace contact::oracle {
 
-/// A segment, from start to end, blown up by a radius.
+/// A segment with a vector from one end to the other, blown up by a radius.
 struct Segment {
-  Vector3 start;
-  Vector3 end;
+  Point from;
+  Point along;
   double radius;
+  [[nodiscard]] std::array<Point, 2> ends() const { return {from, from + along}; }
 };
-[[nodiscard]] inline Segment segment_of(const Ball& ball) { return {ball.center, ball.center, ball.radius}; }
-[[nodiscard]] inline Segment segment_of(const Capsule& capsule) { return {capsule.start, capsule.end, capsule.radius}; }
+[[nodiscard]] Segment segment_of(const Ball& ball);
+[[nodiscard]] Segment segment_of(const Capsule& capsule);
+[[nodiscard]] Segment segment_of(const Ray& ray);
 
 [[nodiscard]] ExactTruth truth_of_segments(const Segment& first, const Segment& second, Distances distances);
 /// Without the margin.
-[[nodiscard]] Witness witness_of_segments(const Segment& first, const Segment& second, Distances distances);
+[[nodiscard]] Witness witness_of(const ExactTruth& truth);
+/// Slow: asked where nothing quicker tells that they are apart.
 [[nodiscard]] Meet segments_meet(const Segment& first, const Segment& second);
+/// Whether the box around some points and that around others have a point in common.
+[[nodiscard]] bool boxes_meet(std::initializer_list<Vector3> first, std::initializer_list<Vector3> second);
+
+/// The foot of a point on a line, where it lies on the segment.
+[[nodiscard]] std::optional<Point> foot(const Point& c, const Segment& segment);
+/// The normal by agreement of cores that meet: along `across`, else across a direction.
+[[nodiscard]] Point agreed_normal(const Point& across, const Point& along);
 
 }  // namespace contact::oracle

@@ -1,4 +1,5 @@
 // A sphere and a capsule: a point and a segment, exactly.
+#include "oracle/truth/double_double_segments.hpp"
 #include "oracle/truth/segments.hpp"
 
 namespace contact::oracle {
@@ -7,6 +8,11 @@ ExactTruth exact_truth(const BallAndCapsule& shapes, Distances distances) {
   return truth_of_segments(segment_of(shapes.a), segment_of(shapes.b), distances);
 }
 
-Meet cores_meet(const BallAndCapsule& shapes) { return segments_meet(segment_of(shapes.a), segment_of(shapes.b)); }
+Meet cores_meet(const BallAndCapsule& shapes) {
+  const auto& [a, b] = shapes;
+  if (!boxes_meet({a.center}, {b.start, b.end}) || surely_apart({a.center, a.center}, {b.start, b.end}))
+    return Meet::no;
+  return segments_meet(segment_of(a), segment_of(b));
+}
 
 }  // namespace contact::oracle

@@ -5,7 +5,8 @@ namespace contact::oracle {
 
 RoundedAnswer interval_answer(const BallAndCapsule& shapes, Distances distances, Scalar scalar, mpfr_prec_t precision) {
   const auto& [a, b] = shapes;
-  return answer_of_segments({a.center, a.center}, {b.start, b.end}, a.radius, b.radius, distances, scalar, precision);
+  return answer_of_segments(point_segment(a.center, precision), segment_between(b.start, b.end, precision), a.radius,
+                            b.radius, distances, scalar, precision);
 }
 
 }  // namespace contact::oracle

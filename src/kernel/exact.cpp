@@ -162,6 +162,12 @@ Integer Grid::operator()(double x) const {
   return d.negative ? -n : n;
 }
 
+Integer Grid::product(double x, double y) const {
+  const Grid of_x{x};
+  const Grid of_y{y};
+  return (of_x(x) * of_y(y)) << static_cast<unsigned>(of_x.exponent_ + of_y.exponent_ - exponent_);
+}
+
 FixedInteger Grid::fixed(double x) const {
   const Decoded d = decode(x);
   if (d.significand == 0) return {};

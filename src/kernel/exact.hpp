@@ -15,6 +15,7 @@
 #error "contact-oracle promises the same bits everywhere: build it without excess precision (-msse2 -mfpmath=sse)"
 #endif
 
+#include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <initializer_list>
 
@@ -29,10 +30,16 @@ using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_bac
 class Grid {
  public:
   explicit Grid(std::initializer_list<double> numbers);
+  /// The same where a product of numbers is on it too, of one grid each.
+  Grid(std::initializer_list<double> numbers, const Grid& factor, const Grid& other) : Grid(numbers) {
+    exponent_ = std::min(exponent_, factor.exponent_ + other.exponent_);
+  }
 
   [[nodiscard]] int exponent() const { return exponent_; }
   /// x / 2^exponent. Domain: x is one of the numbers given, or a sum of their integer multiples.
   [[nodiscard]] Integer operator()(double x) const;
+  /// x y / 2^exponent. Domain: x y is on the grid.
+  [[nodiscard]] Integer product(double x, double y) const;
 
   /// Numbers on a grid whose largest is below 2^kFixedLength in its units are answered by FixedInteger.
   static constexpr int kFixedLength = 1280;

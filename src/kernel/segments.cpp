@@ -50,23 +50,22 @@ Parameters parameters(const IntegerVector& u, const IntegerVector& v, const Inte
   return {s == free ? s : Integer(s * E), t, over};
 }
 
-/// The normal where two segments meet: across both; else the first axis that is not along them, made perpendicular.
-IntegerVector agreed_normal(const IntegerVector& u, const IntegerVector& v) {
-  const IntegerVector zero{0, 0, 0};
-  IntegerVector n = cross(u, v);
-  if (n != zero) {
+const IntegerVector kZero{0, 0, 0};
+
+}  // namespace
+
+IntegerVector agreed_normal(const IntegerVector& n, const IntegerVector& along) {
+  if (n != kZero) {
     const auto first = std::find_if(n.begin(), n.end(), [](const Integer& x) { return !x.is_zero(); });
-    return *first < 0 ? zero - n : n;
+    return *first < 0 ? kZero - n : n;
   }
-  const IntegerVector& along = u == zero ? v : u;
-  if (along == zero) return {1, 0, 0};
+  if (along == kZero) return {1, 0, 0};
+  // The first axis that is not along it, made perpendicular.
   const std::size_t axis = along[1].is_zero() && along[2].is_zero() ? 1 : 0;
-  IntegerVector unit = zero;
+  IntegerVector unit = kZero;
   unit[axis] = 1;
   return combined(dot(along, along), unit, -along[axis], along);
 }
-
-}  // namespace
 
 Grid grid_of(const Segment& first, const Segment& second, const Lengths& lengths) {
   const auto& [a, b] = first;
@@ -89,15 +88,34 @@ Grid grid_of(const Segment& first, const Segment& second, const Lengths& lengths
               lengths.contact};
 }
 
+Grid grid_of(const DirectedSegment& segment, const Vector3& c, const Lengths& lengths) {
+  const auto& [start, direction, length] = segment;
+  return {{start[0], start[1], start[2], c[0], c[1], c[2], lengths.radius1, lengths.radius2, lengths.alarm,
+           lengths.contact},
+          Grid{direction[0], direction[1], direction[2]},
+          Grid{length}};
+}
+
+ExactNearest exact_nearest(const ExactSegment& first, const ExactSegment& second) {
+  const auto& [a, u] = first;
+  const auto& [b, v] = second;
+  const Parameters at = parameters(u, v, b - a);
+  ExactNearest nearest{combined(at.over, a, at.s, u), combined(at.over, b, at.t, v), at.over, at.unique, {}};
+  if (nearest.p == nearest.q) nearest.agreed = agreed_normal(cross(u, v), u == kZero ? v : u);
+  return nearest;
+}
+
 ExactNearest exact_nearest(const Segment& first, const Segment& second, const Grid& grid) {
   const IntegerVector a = on_grid(grid, first.start);
   const IntegerVector b = on_grid(grid, second.start);
-  const IntegerVector u = on_grid(grid, first.end) - a;
-  const IntegerVector v = on_grid(grid, second.end) - b;
-  const Parameters at = parameters(u, v, b - a);
-  ExactNearest nearest{combined(at.over, a, at.s, u), combined(at.over, b, at.t, v), at.over, at.unique, {}};
-  if (nearest.p == nearest.q) nearest.agreed = agreed_normal(u, v);
-  return nearest;
+  return exact_nearest(ExactSegment{a, on_grid(grid, first.end) - a}, ExactSegment{b, on_grid(grid, second.end) - b});
+}
+
+ExactNearest exact_nearest(const DirectedSegment& segment, const Vector3& c, const Grid& grid) {
+  const auto& [start, direction, length] = segment;
+  const auto along = [&](Eigen::Index axis) { return grid.product(length, segment.direction[axis]); };
+  return exact_nearest(ExactSegment{on_grid(grid, start), {along(0), along(1), along(2)}},
+                       ExactSegment{on_grid(grid, c), kZero});
 }
 
 }  // namespace contact::kernel

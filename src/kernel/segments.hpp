@@ -21,20 +21,40 @@ struct Segment {
   Vector3 end;
 };
 
+/// The segment from `start` to `start` + `length` `direction`, which is not rounded. Domain: the direction is not zero.
+struct DirectedSegment {
+  Vector3 start;
+  Vector3 direction;
+  double length;
+};
+
+/// A segment on a grid: its start, and from there to its end.
+struct ExactSegment {
+  IntegerVector start;
+  IntegerVector along;
+};
 /// Exactly. Of parallel segments side by side p is the middle of all nearest points of the first.
+[[nodiscard]] ExactNearest exact_nearest(const ExactSegment& first, const ExactSegment& second);
 [[nodiscard]] ExactNearest exact_nearest(const Segment& first, const Segment& second, const Grid& grid);
 [[nodiscard]] inline ExactNearest exact_nearest(const Vector3& c, const Segment& segment, const Grid& grid) {
   return exact_nearest(Segment{c, c}, segment, grid);
 }
+[[nodiscard]] ExactNearest exact_nearest(const DirectedSegment& segment, const Vector3& c, const Grid& grid);
 /// The grid of a question.
 [[nodiscard]] Grid grid_of(const Segment& first, const Segment& second, const Lengths& lengths);
 [[nodiscard]] inline Grid grid_of(const Vector3& c, const Segment& segment, const Lengths& lengths) {
   return grid_of(Segment{c, c}, segment, lengths);
 }
+[[nodiscard]] Grid grid_of(const DirectedSegment& segment, const Vector3& c, const Lengths& lengths);
+/// Across both of two directions, or across the one that is not 0, n being u x v: see compute_capsule_capsule.
+[[nodiscard]] IntegerVector agreed_normal(const IntegerVector& n, const IntegerVector& along);
 
 /// Whether a contact's cores are in the range of what follows, beside its lengths.
 [[gnu::always_inline]] inline bool in_short_range(const Segment& segment) {
   return in_short_range(segment.start) && in_short_range(segment.end);
+}
+[[gnu::always_inline]] inline bool in_short_range(const DirectedSegment& segment) {
+  return in_short_range(segment.start) && in_short_range(segment.direction) && in_short_range(segment.length);
 }
 
 /// The decision of two segments in plain arithmetic, where its bounds allow. Any points of them that are within reach
@@ -43,14 +63,13 @@ struct Segment {
 ///   delta  w, u and v are rounded (1 each), products (1 + 1) and sums (2 + 2)           12 L a component, 21 L its
 ///   length gap    as much for w, u and v along delta, with three products and sums (4), a sum (2)   8 |delta| L
 /// Domain: to nearest, numbers in_short_range.
-[[gnu::always_inline]] inline Filtered plain_filtered(const Vector3& from, const Vector3& u, const Segment& second,
-                                                      const Lengths& lengths) {
+[[gnu::always_inline]] inline Filtered plain_filtered(const Vector3& from, const Vector3& u, const Vector3& second,
+                                                      const Vector3& v, const Lengths& lengths) {
   constexpr double kUnit = DoubleDoublePair::kUnit;
   const auto size = [](const Vector3& x) { return std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]); };
   const auto dot3 = [](const Vector3& x, const Vector3& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; };
   const auto clamped = [](double t) { return t > 0 ? (t < 1 ? t : 1.0) : 0.0; };  // NaN, of a length of 0, is 0
-  const Vector3 v = second.end - second.start;
-  const Vector3 w = second.start - from;
+  const Vector3 w = second - from;
   const double A = dot3(u, u);
   const double E = dot3(v, v);
   double s = 0;
@@ -76,11 +95,15 @@ struct Segment {
 }
 [[gnu::always_inline]] inline Filtered plain_filtered(const Vector3& c, const Segment& segment,
                                                       const Lengths& lengths) {
-  return plain_filtered(c, Vector3::Zero(), segment, lengths);
+  return plain_filtered(c, Vector3::Zero(), segment.start, segment.end - segment.start, lengths);
+}
+[[gnu::always_inline]] inline Filtered plain_filtered(const DirectedSegment& segment, const Vector3& c,
+                                                      const Lengths& lengths) {
+  return plain_filtered(c, Vector3::Zero(), segment.start, segment.length * segment.direction, lengths);
 }
 [[gnu::always_inline]] inline Filtered plain_filtered(const Segment& first, const Segment& second,
                                                       const Lengths& lengths) {
-  return plain_filtered(first.start, first.end - first.start, second, lengths);
+  return plain_filtered(first.start, first.end - first.start, second.start, second.end - second.start, lengths);
 }
 
 // What follows computes to nearest, in numbers that are in_short_range. Errors are in units of u^2, as those of
@@ -100,6 +123,20 @@ struct Bounded {
 [[gnu::always_inline]] inline DoubleDoubles difference(const Vector3& b, const Vector3& a) {
   return {two_sum(b[0], -a[0]), two_sum(b[1], -a[1]), two_sum(b[2], -a[2])};
 }
+
+/// From the start of a segment to its end, exactly.
+[[gnu::always_inline]] inline DoubleDoubles along(const Segment& segment) {
+  return difference(segment.end, segment.start);
+}
+[[gnu::always_inline]] inline DoubleDoubles along(const DirectedSegment& segment) {
+  const auto times = [&](double x) {
+    const double product = segment.length * x;
+    return DoubleDouble<double>{product, std::fma(segment.length, x, -product)};
+  };
+  return {times(segment.direction[0]), times(segment.direction[1]), times(segment.direction[2])};
+}
+[[gnu::always_inline]] inline bool is_point(const Segment& segment) { return segment.start == segment.end; }
+[[gnu::always_inline]] inline bool is_point(const DirectedSegment& segment) { return segment.length == 0; }
 
 /// |x| at least, and less than twice that.
 [[gnu::always_inline]] inline double length_bound(const DoubleDoubles& x) {
@@ -166,9 +203,10 @@ struct Foot {
   static constexpr double kError = 70 * kUnitSquared;
 };
 
-/// Domain: start is not end.
-[[gnu::always_inline]] inline Foot foot_on(const Segment& segment, const Vector3& c) {
-  const DoubleDoubles u = difference(segment.end, segment.start);
+/// Domain: not a point.
+template <class AnySegment>
+[[gnu::always_inline]] inline Foot foot_on(const AnySegment& segment, const Vector3& c) {
+  const DoubleDoubles u = along(segment);
   const DoubleDoubles w = difference(c, segment.start);
   DoubleDouble<double> t = quotient(dot(w, u), dot(u, u));
   const double most = length_bound(w);
@@ -187,9 +225,9 @@ struct Foot {
   if (beyond > 0) t = {1, 0};
 #pragma GCC unroll 3
   for (std::size_t i = 0; i < 3; ++i) {
-    const DoubleDouble<double> along = product(t, u[i]);
-    foot.point[i] = sum({segment.start[static_cast<Eigen::Index>(i)], 0}, along);
-    foot.delta[i] = sum(along, negative(w[i]));
+    const DoubleDouble<double> way = product(t, u[i]);
+    foot.point[i] = sum({segment.start[static_cast<Eigen::Index>(i)], 0}, way);
+    foot.delta[i] = sum(way, negative(w[i]));
   }
   return foot;
 }
@@ -199,8 +237,10 @@ struct Foot {
   return {exactly(c), foot.point, foot.delta, 0, foot.error, foot.error};
 }
 /// The nearest points of a point and a segment.
-[[gnu::always_inline]] inline bool find_nearest(const Vector3& c, const Segment& segment, ApproximateNearest& nearest) {
-  if (segment.start == segment.end)
+template <class AnySegment>
+[[gnu::always_inline]] inline bool find_nearest(const Vector3& c, const AnySegment& segment,
+                                                ApproximateNearest& nearest) {
+  if (is_point(segment))
     nearest = {exactly(c), exactly(segment.start), difference(segment.start, c), 0, 0, 0};
   else
     nearest = nearest_of(c, foot_on(segment, c));
@@ -209,6 +249,12 @@ struct Foot {
 [[gnu::always_inline]] inline ApproximateNearest turned_round(const ApproximateNearest& x) {
   return {x.q,       x.p,       {negative(x.delta[0]), negative(x.delta[1]), negative(x.delta[2])},
           x.q_error, x.p_error, x.delta_error};
+}
+[[gnu::always_inline]] inline bool find_nearest(const DirectedSegment& segment, const Vector3& c,
+                                                ApproximateNearest& nearest) {
+  find_nearest(c, segment, nearest);
+  nearest = turned_round(nearest);
+  return true;
 }
 
 /// The nearest points of two segments; false where the stage cannot tell which features face each other, or they are
@@ -222,13 +268,13 @@ struct Foot {
 [[gnu::always_inline]] inline bool find_nearest(const Segment& first, const Segment& second,
                                                 ApproximateNearest& nearest) {
   constexpr double kDeterminant = 104 * kUnitSquared;
-  if (first.start == first.end) return find_nearest(first.start, second, nearest);
-  if (second.start == second.end) {
+  if (is_point(first)) return find_nearest(first.start, second, nearest);
+  if (is_point(second)) {
     nearest = turned_round(nearest_of(second.start, foot_on(first, second.start)));
     return true;
   }
-  const DoubleDoubles u = difference(first.end, first.start);
-  const DoubleDoubles v = difference(second.end, second.start);
+  const DoubleDoubles u = along(first);
+  const DoubleDoubles v = along(second);
   const DoubleDoubles w = difference(second.start, first.start);
   const DoubleDouble<double> A = dot(u, u);
   const DoubleDouble<double> B = dot(u, v);

@@ -1,0 +1,42 @@
+// Ray against sphere: the exact decision and the correctly rounded contact.
+#pragma once
+
+#include <optional>
+
+#include "contact/contact.hpp"
+#include "contact/geometry.hpp"
+
+namespace contact {
+
+/// Whether a ray and a sphere are within the alarm distance of each other.
+///   p = the point nearest to b.center of the segment from a.origin to a.origin + a.length a.direction
+///   D = |b.center - p|^2     reach = alarm + b.radius
+/// Units       one length unit for a.origin, the sphere and the distances; a.length counts directions, which need not
+/// be
+///             of length 1.
+/// Domain      finite; the direction not zero; length, radius and alarm >= 0. Subnormals and the largest finite numbers
+///             are included: the ray's end need not be a number.
+/// Decision    D <= reach^2, exactly: touching counts. The end of the ray is not rounded.
+/// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
+/// Source      docs/specification.md#rays.
+/// Evidence    src/kernel/ray_test.cpp; proptests/ray_sphere_properties.cpp.
+[[nodiscard]] bool test_ray_sphere(const Ray& a, const Ball& b, double alarm);
+
+/// The contact of a ray with a sphere, or std::nullopt if they are farther apart than `distances.alarm`: that of a
+/// capsule of radius 0 with it.
+///   normal = (b.center - p) / sqrt(D)     value = sqrt(D) - b.radius - distances.contact
+///   point1 = p                            point2 = b.center - b.radius normal              (nearest_surface)
+/// Units       as test_ray_sphere; the normal is a unit vector from the ray to the sphere's centre.
+/// Domain      as test_ray_sphere; contact distance >= 0.
+/// Decision    as test_ray_sphere.
+/// Error       every number is the exact real rounded once to nearest, ties to even (0.5 ulp); beyond the largest
+///             finite number it is infinite, as IEEE 754 rounds. Every zero is +0.
+/// Degenerate  D = 0, the centre on the ray: as compute_sphere_capsule has it with u = a.length a.direction.
+/// Points      `center` puts them at p and b.center, `far_surface` on the far side of the sphere.
+/// Environment as test_ray_sphere.
+/// Source      docs/specification.md#rays.
+/// Evidence    src/kernel/ray_test.cpp; proptests/ray_sphere_properties.cpp; golden/ray_sphere.
+[[nodiscard]] std::optional<Contact> compute_ray_sphere(const Ray& a, const Ball& b, Distances distances,
+                                                        ContactPoints points = {});
+
+}  // namespace contact

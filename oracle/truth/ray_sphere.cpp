@@ -1,0 +1,22 @@
+// A ray and a sphere: a segment, whose end is a product, and a point, exactly.
+#include "oracle/truth/double_double_segments.hpp"
+#include "oracle/truth/segments.hpp"
+
+namespace contact::oracle {
+
+ExactTruth exact_truth(const RayAndBall& shapes, Distances distances) {
+  return truth_of_segments(segment_of(shapes.a), segment_of(shapes.b), distances);
+}
+
+Meet cores_meet(const RayAndBall& shapes) {
+  const auto& [a, b] = shapes;
+  // Beside the line of the direction, wherever the ray ends.
+  if (a.length != 0 && in_short_range({a.origin, b.center}) && in_range(a.direction, 80)) {
+    const DoubleDoubles area = cross(difference(b.center, a.origin), exactly(a.direction));
+    for (const DoubleDouble& x : area)
+      if (x.sign().value_or(0) != 0) return Meet::no;
+  }
+  return segments_meet(segment_of(a), segment_of(b));
+}
+
+}  // namespace contact::oracle
