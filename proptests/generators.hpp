@@ -95,7 +95,12 @@ CONTACT_KINDS(CONTACT_DECLARE)
 [[nodiscard]] rc::Gen<Query> box_queries(const Range& range);
 /// Boxes apart by exactly the alarm distance (0 unless `by_alarm`) on one axis, on one grid of integers.
 [[nodiscard]] rc::Gen<Query> boxes_touching(const Range& range, bool by_alarm);
-/// A question of a pair, sphere_queries or box_queries.
+/// A sphere whose centre is on the surface of a box, or inside.
+[[nodiscard]] rc::Gen<Query> sphere_on_box(const Range& range, rc::Gen<double> number);
+[[nodiscard]] rc::Gen<Query> sphere_in_box(const Range& range, rc::Gen<double> number);
+/// A sphere that reaches a face, an edge or a corner of a box exactly, as two spheres do.
+[[nodiscard]] rc::Gen<Query> sphere_touching_box(const Range& range, bool by_alarm);
+/// A question of a pair.
 [[nodiscard]] rc::Gen<Query> queries(Pair pair, const Range& range);
 /// The same spoiled: one number is NaN, infinite, negative where that is wrong, or a minimum above its maximum.
 [[nodiscard]] rc::Gen<Query> bad_queries(Pair pair, const Range& range);

@@ -16,6 +16,12 @@ void for_each_vector(Query& query, Edit edit) {
   });
 }
 
+Vector3 first_vector(Query query) {
+  std::optional<Vector3> first;
+  for_each_vector(query, [&](const Vector3& v) { first = first.value_or(v); });
+  return *first;
+}
+
 Vector3 turned(const Change& change, const Vector3& v) {
   Vector3 result;
   for (std::size_t i = 0; i < 3; ++i)
@@ -90,8 +96,10 @@ Outcome check_swapped(const Case& c) {
 Questions turned(const Trial& trial, const Subject&) {
   Query other = trial.query;
   for_each_vector(other, [&](Vector3& v) { v = turned(trial.change, v); });
-  if (auto* boxes = std::get_if<Boxes>(&other.shapes))
-    for (Box* box : {&boxes->a, &boxes->b}) *box = {box->min.cwiseMin(box->max), box->min.cwiseMax(box->max)};
+  const auto in_order = []<class Shape>(Shape& shape) {
+    if constexpr (std::same_as<Shape, Box>) shape = {shape.min.cwiseMin(shape.max), shape.min.cwiseMax(shape.max)};
+  };
+  std::visit([&](auto& shapes) { in_order(shapes.a), in_order(shapes.b); }, other.shapes);
   return {trial.query, other};
 }
 
@@ -131,8 +139,8 @@ Outcome check_translated(const Case& c) {
   if (outcome.kind != Outcome::Kind::holds || c.contact(0) == nullptr || c.contact(1) == nullptr) return outcome;
   if (coincident(c, 0)) return outcome;
   // Points move along, as exact reals.
-  const Vector3 from = c.queries[0].balls()->a.center;
-  const Vector3 to = c.queries[1].balls()->a.center;
+  const Vector3 from = first_vector(c.queries[0]);
+  const Vector3 to = first_vector(c.queries[1]);
   const auto check = [&](const std::optional<Vector3>& before, const std::optional<Vector3>& after, Field field) {
     if (!c.subject.claims(field) || !before || !after || !before->allFinite() || !after->allFinite()) return Outcome{};
     const Rational error = Rational(c.subject.bound(field)) * (unit_of(c, 0, field) + unit_of(c, 1, field));
@@ -140,7 +148,7 @@ Outcome check_translated(const Case& c) {
       const Rational shift = Rational(to[axis]) - Rational(from[axis]);
       if (CGAL::abs(Rational((*after)[axis]) - Rational((*before)[axis]) - shift) > error)
         return Outcome::violated(std::string(name(field)) + " " + text(*before) + " moved to " + text(*after) +
-                                 ", and not with its spheres");
+                                 ", and not with its shapes");
     }
     return Outcome{};
   };
@@ -188,6 +196,28 @@ Outcome check_scaled(const Case& c) {
   if (wanted.value) by_exponent(*wanted.value);
   if (coincident(c, 0)) return compared(c, &wanted, {Field::value}, exponent);
   return compared(c, &wanted, {Field::normal, Field::value, Field::point1, Field::point2, Field::point}, exponent);
+}
+
+Questions point_box(const Trial& trial, const Subject&) {
+  Query point = trial.query;
+  auto& [ball, box] = std::get<BallAndBox>(point.shapes);
+  box.max = box.min;
+  return {point, {Pair::sphere_sphere, Balls{ball, {box.min, 0}}, point.distances}};
+}
+
+Questions half_of_box(const Trial& trial, const Subject&) {
+  Query half = trial.query;
+  auto& [ball, box] = std::get<BallAndBox>(half.shapes);
+  const int axis = trial.change.choice % 3;
+  const double length = trial.change.length;
+  const double cut = std::clamp(trial.change.choice / 3 % 2 == 0 ? length : -length, box.min[axis], box.max[axis]);
+  (ball.center[axis] <= cut ? box.max : box.min)[axis] = cut;
+  return {trial.query, half};
+}
+
+Outcome check_same_contact(const Case& c) {
+  if (c.contact(0) == nullptr || coincident(c, 0)) return compared(c, nullptr, {});
+  return compared(c, c.contact(0), {Field::normal, Field::value, Field::point1, Field::point2, Field::point});
 }
 
 Questions other_sphere_kinds(const Trial& trial, const Subject& subject) {

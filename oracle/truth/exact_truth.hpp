@@ -49,6 +49,7 @@ class DistanceTruth {
   [[nodiscard]] bool degenerate() const { return CGAL::is_zero(distance2_); }
   /// D = 0, and nothing is inside anything: the direction is by agreement.
   [[nodiscard]] bool coincident() const { return degenerate() && CGAL::is_zero(cores_.meeting->depth); }
+  [[nodiscard]] const Cores& cores() const { return cores_; }
   /// Domain: D = 0.
   [[nodiscard]] const Meeting& meeting() const { return *cores_.meeting; }
   [[nodiscard]] const Rational& distance2() const { return distance2_; }
