@@ -37,6 +37,16 @@ rc::Gen<Query> beside_a_feature(const Range& range, rc::Gen<double> number) {
                       });
 }
 
+/// The centre is the middle of the box, from where no way out is shorter than its opposite.
+rc::Gen<Query> in_the_middle(rc::Gen<double> number) {
+  return rc::gen::map(from(std::move(number)), [](Query query) {
+    auto& [a, b] = std::get<BallAndBox>(query.shapes);
+    const Vector3 half = b.max / 2 - b.min / 2;
+    b = {a.center - half, a.center + half};
+    return query;
+  });
+}
+
 /// The radius is the distance as double computes it, up to 2 ulps off.
 rc::Gen<Query> near_touching(const Range& range, rc::Gen<double> number) {
   return rc::gen::map(rc::gen::tuple(beside_a_feature(range, std::move(number)), integer(-2, 2)),
@@ -105,6 +115,7 @@ rc::Gen<Query> queries(const BallAndBox* /*kind*/, const Range& range) {
                                         {2, beside_a_feature(range, any_number(range))},
                                         {3, beside_a_feature(range, ordinary(range))},
                                         {3, beside_a_feature(range, small_dyadic(range))},
+                                        {2, in_the_middle(small_dyadic(range))},
                                         {1, near_touching(range, any_bits(range))},
                                         {1, near_touching(range, subnormal(range))},
                                         {2, near_touching(range, small_dyadic(range))},

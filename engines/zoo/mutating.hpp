@@ -23,8 +23,8 @@ using Wide3 = Eigen::Matrix<Wide, 3, 1>;
 // cores at their nearest points, as spheres, and how deep one core is inside the other, if it can be.
 inline const Balls& at_nearest(const Balls& spheres) { return spheres; }
 inline Balls at_nearest(const BallAndBox& shapes) { return at_clamped(shapes); }
-template <class Shapes>
-Wide depth_of_cores(const Shapes& /*shapes*/) {
+template <class Kind>
+Wide depth_of_cores(const Kind& /*shapes*/) {
   return 0;
 }
 inline Wide depth_of_cores(const BallAndBox& shapes) {
@@ -33,11 +33,17 @@ inline Wide depth_of_cores(const BallAndBox& shapes) {
   return std::max(Wide{0}, depth);
 }
 
+#define CONTACT_SAME_SHAPES(name, A, B, numbers, ...) || (numbers && std::same_as<Kind, Two<A, B>>)
+/// Whether contacts of two such shapes have numbers.
+template <class Kind>
+inline constexpr bool kHasNumbers = false CONTACT_PAIRS(CONTACT_SAME_SHAPES);
+#undef CONTACT_SAME_SHAPES
+
 /// The cores at their nearest points, as spheres. Domain: a pair with a distance.
 inline Balls balls(const Query& q) {
   return std::visit(
-      [](const auto& shapes) -> Balls {
-        if constexpr (requires { at_nearest(shapes); }) return at_nearest(shapes);
+      []<class Kind>(const Kind& shapes) -> Balls {
+        if constexpr (kHasNumbers<Kind>) return at_nearest(shapes);
         throw std::logic_error("shapes without nearest points");
       },
       q.shapes);

@@ -117,7 +117,7 @@ struct Cause {
 };
 
 /// A set of causes has so many bits, in memory and in files.
-inline constexpr std::size_t kMostCauses = 256;
+inline constexpr std::size_t kMostCauses = 512;
 
 /// All causes. Order is priority: of several that say the same the simplest stands first. Throws std::length_error
 /// where there are more than kMostCauses.
