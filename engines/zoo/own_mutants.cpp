@@ -725,14 +725,6 @@ const std::array kBallAndBox{
            }},
     Mutant{"box-middle", "the extents of the box left out", "sphere-box-middle",
            [](Query& q) { rebox(q, [](const Vector3&, Box& box) { box = resized(box, 0); }); }},
-    Mutant{"box-nearest-corner", "the nearest corner in the place of the nearest point", "sphere-box-corner",
-           [](Query& q) {
-             rebox(q, [](const Vector3& c, Box& box) {
-               const Vector3 middle = middle_of(box);
-               const Vector3 corner = (c.array() / 2 <= middle.array() / 2).select(box.min, box.max);
-               box = {corner, corner};
-             });
-           }},
     Mutant{"box-extents-doubled", "full extents of the box taken for half extents", "sphere-box-extents-full",
            [](Query& q) { rebox(q, [](const Vector3&, Box& box) { box = resized(box, 2); }); }},
     Mutant{"box-extents-halved", "half extents of the box halved again", "sphere-box-extents-halved",

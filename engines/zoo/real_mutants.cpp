@@ -553,7 +553,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
              });
            },
            "https://github.com/google-deepmind/mujoco/issues/2206"},
-    Mutant{"coal-in-box-no-face", "a centre in the box: its normal is 0/0, and no face enters the value",
+    Mutant{"coal-box-sphere-inside", "a centre in the box: its normal is 0/0, and no face enters the value",
            "normal-not-finite", nullptr,
            [](const Query& q, Claim& claim) {
              in_box(q, claim, [&](const BallAndBox& s, ContactClaim& c) {
@@ -563,7 +563,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
              });
            },
            "https://github.com/coal-library/coal/commit/fdbffe99a85762aad2f22d1369ebba09a833d374"},
-    Mutant{"tornago-middle-nan", "the normal is NaN where the centre is the middle of the box", "sphere-box-middle-not-finite",
+    Mutant{"tornago-inside-box-nan", "the normal is NaN where the centre is the middle of the box", "sphere-box-middle-not-finite",
            nullptr,
            [](const Query& q, Claim& claim) {
              in_box(q, claim, [](const BallAndBox& s, ContactClaim& c) {
@@ -571,7 +571,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
              });
            },
            "https://github.com/luxengine/tornago/issues/4"},
-    Mutant{"cute-face-by-offset", "a centre in the box leaves it on the axis on which it is farthest from the middle",
+    Mutant{"cute-circle-aabb-face", "a centre in the box leaves it on the axis on which it is farthest from the middle",
            "sphere-box-face-by-offset", nullptr,
            [](const Query& q, Claim& claim) {
              leave_by(q, claim, [](const auto& below_min, const auto& below_max) {
@@ -607,7 +607,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
              });
            },
            "https://github.com/recp/cglm/issues/179"},
-    Mutant{"cglm-max-for-min", "a centre below min is clamped to max", "sphere-box-max-for-both", nullptr,
+    Mutant{"cglm-below-min-face", "a centre below min is clamped to max", "sphere-box-max-for-both", nullptr,
            [](const Query& q, Claim& claim) {
              decide_ball_and_box(q, claim, [](const WideBallAndBox& s) {
                const auto outside = (s.c.array() < s.box.min.array()) || (s.c.array() > s.box.max.array());
@@ -616,7 +616,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
              });
            },
            "https://github.com/recp/cglm/pull/496"},
-    Mutant{"fna-near-faces", "faces that the sphere reaches from inside count as a distance", "sphere-box-near-faces",
+    Mutant{"fna-box-sphere", "faces that the sphere reaches from inside count as a distance", "sphere-box-near-faces",
            nullptr,
            [](const Query& q, Claim& claim) {
              decide_ball_and_box(q, claim, [](const WideBallAndBox& s) {
@@ -639,6 +639,15 @@ claim.contact->point1 = claim.contact->point2 = middle;
              });
            },
            "https://github.com/gamelab/kiwi.js/issues/163"},
+    Mutant{"polytoria-closest-corner", "the nearest corner in the place of the nearest point", "sphere-box-corner",
+           [](Query& q) {
+             rebox(q, [](const Vector3& c, Box& box) {
+               const Vector3 middle = middle_of(box);
+               const Vector3 corner = (c.array() / 2 < middle.array() / 2).select(box.min, box.max);
+               box = {corner, corner};
+             });
+           },
+           nullptr, "https://github.com/Polytoria/polytoria-game/issues/871"},
     Mutant{"macroquad-min-is-middle", "min of the box is taken for its middle", "sphere-box-min-for-middle",
            [](Query& q) {
              rebox(q, [](const Vector3&, Box& box) {

@@ -181,7 +181,7 @@ std::vector<Cause> wrong_about(const BallAndBox* /*kind*/) {
               for (int axis = 0; axis < 3; ++axis) {
                 double& min = box.min[axis];
                 double& max = box.max[axis];
-                if (ball.center[axis] / 2 <= min / 4 + max / 4)
+                if (ball.center[axis] / 2 < min / 4 + max / 4)
                   max = min;
                 else
                   min = max;
