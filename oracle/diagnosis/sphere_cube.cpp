@@ -34,21 +34,6 @@ Cause decided_by(std::string_view id, std::string_view sentence, std::function<N
     return Said::at_most(length(along(point(f), -1, center(f))), reach(f));
   });
 }
-/// The right answer about another box.
-Cause about(std::string_view id, std::string_view sentence, std::function<void(const Ball&, Box&)> change) {
-  return edit(id, sentence, [change = std::move(change)](Facts& f) {
-    Query other = f.query;
-    auto& [ball, box] = std::get<BallAndBox>(other.shapes);
-    change(ball, box);
-    f.ask(std::move(other));
-  });
-}
-void resize(Box& box, double factor) {
-  const Vector3 middle = box.min / 2 + box.max / 2;
-  const Vector3 half = factor * (box.max / 2 - box.min / 2);
-  box = {middle - half, middle + half};
-}
-
 /// A face of the box, and how deep the centre lies below it.
 struct Face {
   std::size_t axis;
@@ -83,6 +68,34 @@ Numbers into_box(const Face& by) {
   Numbers n{};
   n[by.axis] = by.is_min ? 1 : -1;
   return n;
+}
+/// Whether of two faces the first is nearer, or as near and the one that was said.
+bool is_better(F f, const Face& x, const Face& y) {
+  return x.depth < y.depth || (x.depth == y.depth && f.said_normal == into_box(x));
+}
+/// The right answer about another box, which changes on each axis by change(c, min, max).
+Cause about(std::string_view id, std::string_view sentence, std::function<void(Real, Real&, Real&)> change) {
+  return edit(id, sentence, [change = std::move(change)](Facts& f) {
+    for (const std::size_t axis : kAxes) change(center(f)[axis], f.min[kBox][axis], f.max[kBox][axis]);
+    f.nearest[kBox] = each_axis(f, [](Real c, Real min, Real max) { return std::min(std::max(c, min), max); });
+    f.depth = 0;
+    f.settle();
+    if (f.D > 0) return;
+    const Face by = first_face(f, [&](const Face& x, const Face& y) { return is_better(f, x, y); });
+    f.depth = by.depth;
+    f.distance = -by.depth;
+    f.n = by.depth > 0 ? into_box(by) : f.n;
+    f.nearest[kBox][by.axis] = by.at;
+  });
+}
+/// Changes a box around its middle.
+std::function<void(Real, Real&, Real&)> resized(Real factor) {
+  return [factor](Real /*c*/, Real& min, Real& max) {
+    const Real middle = (min + max) / 2;
+    const Real half = factor * (max - min) / 2;
+    min = middle - half;
+    max = middle + half;
+  };
 }
 /// The opposite; of several faces that are nearest, of the one that was said.
 Numbers outward(F f) {
@@ -174,32 +187,24 @@ std::vector<Cause> wrong_about(const BallAndBox* /*kind*/) {
              f.depth = 0;
              f.settle();
            }),
-      about("sphere-box-middle", "box taken for its middle: extents left out",
-            [](const Ball&, Box& box) { resize(box, 0); }),
+      about("sphere-box-middle", "box taken for its middle: extents left out", resized(0)),
       about("sphere-box-corner", "distance taken to the nearest corner: faces and edges left out",
-            [](const Ball& ball, Box& box) {
-              for (int axis = 0; axis < 3; ++axis) {
-                double& min = box.min[axis];
-                double& max = box.max[axis];
-                if (ball.center[axis] / 2 < min / 4 + max / 4)
-                  max = min;
-                else
-                  min = max;
-              }
+            [](Real c, Real& min, Real& max) {
+              const bool low = c < (min + max) / 2;
+              (low ? max : min) = low ? min : max;
             }),
-      about("sphere-box-extents-full", "full extents of the box used as half extents",
-            [](const Ball&, Box& box) { resize(box, 2); }),
-      about("sphere-box-extents-halved", "half extents of the box halved again",
-            [](const Ball&, Box& box) { resize(box, 0.5); }),
+      about("sphere-box-extents-full", "full extents of the box used as half extents", resized(2)),
+      about("sphere-box-extents-halved", "half extents of the box halved again", resized(0.5L)),
       about("sphere-box-min-for-middle", "min of the box taken for its middle",
-            [](const Ball&, Box& box) {
-              const Vector3 half = box.max / 2 - box.min / 2;
-              box = {box.min - half, box.max - half};
+            [](Real /*c*/, Real& min, Real& max) {
+              const Real half = (max - min) / 2;
+              min -= half;
+              max -= half;
             }),
       about("sphere-box-max-alone", "centre clamped to max alone: the box has no min",
-            [](const Ball&, Box& box) { box.min.setConstant(-std::numeric_limits<double>::max()); }),
+            [](Real /*c*/, Real& min, Real& /*max*/) { min = -kInfinity; }),
       about("sphere-box-min-alone", "centre clamped to min alone: the box has no max",
-            [](const Ball&, Box& box) { box.max.setConstant(std::numeric_limits<double>::max()); }),
+            [](Real /*c*/, Real& /*min*/, Real& max) { max = kInfinity; }),
       decided_by("sphere-box-corner-by-side", "distance taken to a corner: min, or max where the centre is beyond it",
                  [](F f) { return each_axis(f, [](Real c, Real min, Real max) { return c > max ? max : min; }); }),
       decided_by(
