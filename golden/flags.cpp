@@ -84,6 +84,15 @@ bool is_point(const Ball& ball) { return ball.radius == 0; }
 bool is_point(const Box& /*box*/) { return false; }
 bool is_flat(const Capsule& capsule) { return capsule.start == capsule.end; }
 bool is_point(const Capsule& capsule) { return capsule.radius == 0; }
+bool is_flat(const Triangle& triangle) {
+  using oracle::operator-;
+  using oracle::point_of;
+  const auto& [x, y, z] = triangle.vertices;
+  return oracle::is_zero(oracle::cross(point_of(y) - point_of(x), point_of(z) - point_of(x)));
+}
+bool is_point(const Triangle& /*triangle*/) { return false; }
+bool is_flat(const Ray& ray) { return ray.length == 0; }
+bool is_point(const Ray& /*ray*/) { return false; }
 
 bool any_delta(const Query& query, auto&& predicate) {
   const Balls* balls = query.balls();
@@ -112,7 +121,8 @@ const std::array kFlags{
            return t.has_numbers() && t.hit() && (q.distances.contact > 0 || t.at_alarm != oracle::Side::at) &&
                   is_near_zero(t.distance()->value(true), t.distance()->value_scale(), s);
          }},
-    Flag{"Coincident", "one centre for both spheres, a centre on a box or on a capsule's axis, or axes that meet",
+    Flag{"Coincident",
+         "one centre for both spheres, a centre on a box, a triangle, a ray or a capsule's axis, or axes that meet",
          "0/0 for the normal, points that are not finite",
          [](const Query&, const Truth& t, Scalar) { return t.coincident(); }},
     Flag{"NearlyCoincident", "centres apart by less than a 2^20th of the radii, or by subnormal numbers",
@@ -132,7 +142,8 @@ const std::array kFlags{
          [](const Query& q, const Truth&, Scalar) {
            return std::visit([](const auto& shapes) { return is_point(shapes.a) || is_point(shapes.b); }, q.shapes);
          }},
-    Flag{"Flat", "a box without thickness on an axis, or a capsule without length",
+    Flag{"Flat",
+         "a box without thickness on an axis, a capsule or a ray without length, or a triangle without an inside",
          "overlap by volume; strict bounds; divisions by a squared length",
          [](const Query& q, const Truth&, Scalar) {
            return std::visit([](const auto& shapes) { return is_flat(shapes.a) || is_flat(shapes.b); }, q.shapes);

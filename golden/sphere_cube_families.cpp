@@ -340,7 +340,7 @@ constexpr std::array kFamilies{
            "a comparison of the centre with a bound, strict or not, decides which formula is taken",
            made<region_edge<double>, region_edge<float>>, false},
     Family{"inside", "the centre inside: anywhere, as far from two or three faces, or nearly so",
-           "no mutant leaves through a wrong face yet; engines do, and some see no contact at all",
+           "",
            made<inside<double>, inside<float>>, false, false, "a centre in a solid box is within every reach"},
     Family{"on_boundary", "the centre on a face, an edge or a corner: no distance, and a choice of directions",
            "no direction: what an engine does instead, under whichever convention it declares",

@@ -15,7 +15,9 @@ BALLS = [f"{s}.{x}" for s in "ab" for x in ("center[0]", "center[1]", "center[2]
 BOXES = [f"{s}.{x}[{i}]" for s in "ab" for x in ("min", "max") for i in range(3)] + ["alarm", "contact"]
 CAPSULES = [f"{s}.{x}" for s in "ab" for x in (*(f"{end}[{i}]" for end in ("start", "end") for i in range(3)), "radius")] + BALLS[-2:]
 INPUTS = {"sphere_sphere": BALLS, "rigid_sphere_rigid_sphere": BALLS, "sphere_rigid_sphere": BALLS, "cube_cube": BOXES,
-          "sphere_cube": BALLS[:4] + BOXES[6:], "sphere_capsule": BALLS[:4] + CAPSULES[7:], "capsule_capsule": CAPSULES}
+          "sphere_cube": BALLS[:4] + BOXES[6:], "sphere_capsule": BALLS[:4] + CAPSULES[7:], "capsule_capsule": CAPSULES,
+          "sphere_triangle": BALLS[:4] + [f"b.vertices[{k}][{i}]" for k in range(3) for i in range(3)] + BALLS[-2:],
+          "ray_sphere": [f"a.{x}[{i}]" for x in ("origin", "direction") for i in range(3)] + ["a.length"] + BALLS[4:]}
 Written = type("Written", (str,), {})  # a number as it is spelt in the file
 
 
@@ -62,8 +64,8 @@ def exactly(x):  # mantissa * 2^exponent / denominator, mantissa and denominator
     return f"{'-' * (x < 0)}{n:#x}p{up - down}" + f"/{d:#x}" * (d > 1)
 
 
-def spheres(c1, r1, c2, r2, alarm, contact, scalar, parting=(1, 0, 0), unique=True):
-    """Spheres around the nearest points of two shapes; `parting` is a direction to take where these are one point."""
+def spheres(c1, r1, c2, r2, alarm, contact, scalar, apart=(1, 0, 0), unique=True):
+    """Spheres around the nearest points of two shapes; `apart` is a direction to take where these are one point."""
     delta = [q - p for p, q in zip(c1, c2)]
     D, reach, (bits, least, *_) = sum(d * d for d in delta), alarm + r1 + r2, SCALARS[scalar]
     ulp = Fraction(2) ** (least + max(int(reach * 2**-least).bit_length() - bits, 0))  # reach is a multiple of 2^least
@@ -72,7 +74,7 @@ def spheres(c1, r1, c2, r2, alarm, contact, scalar, parting=(1, 0, 0), unique=Tr
     if D > reach * reach:
         return {"expect.hit": False, **exact}
     # Every number is a + b sqrt(S). The normal is delta / sqrt(D), or what parts: along / sqrt(S) = (along / S) sqrt(S).
-    along = delta if D else parting
+    along = delta if D else apart
     S = sum(n * n for n in along)
     fields = (("normal", [0, 0, 0], 1), ("point1", c1, r1), ("point2", c2, -r2))  # each is c + r normal
     numbers = {f"expect.{name}[{i}]": rounded(c[i], r * Fraction(along[i]) / S, S, scalar) for name, c, r in fields for i in range(3)}
@@ -80,30 +82,63 @@ def spheres(c1, r1, c2, r2, alarm, contact, scalar, parting=(1, 0, 0), unique=Tr
     return {"expect.hit": True, "expect.degenerate": D == 0, **({} if unique else {"expect.unique": False}), **numbers, **exact}
 
 
-def capsules(a1, a2, r1, b1, b2, r2, alarm, contact, scalar):
-    """The square of the distance from the first segment to the point at t of the second is convex, and between the points
-    level with the first one's ends it is a parabola, which three values tell: it is least at such a point or at a vertex."""
-    dot, cross = lambda x, y: sum(map(Fraction.__mul__, x, y)), lambda x, y: [x[i - 2] * y[i - 1] - x[i - 1] * y[i - 2] for i in range(3)]
-    at = lambda start, way, t: [x + t * d for x, d in zip(start, way)]
-    u, v = ([y - x for x, y in zip(*ends)] for ends in ((a1, a2), (b1, b2)))
-    level = lambda q: dot(u, at(q, a1, -1)) / (dot(u, u) or 1)  # where q lies along the first segment, as a part of it
-    nearest = lambda t: at(a1, u, sorted((Fraction(0), level(at(b1, v, t)), Fraction(1)))[1])
-    square = lambda t: dot(*[at(at(b1, v, t), nearest(t), -1)] * 2)
-    slope = level(b2) - level(b1)
-    ends = sorted({Fraction(0), Fraction(1), *(t for end in (0, 1) if slope and 0 < (t := (end - level(b1)) / slope) < 1)})
+def dot(x, y):
+    return sum(map(Fraction.__mul__, x, y))
+
+
+def cross(x, y):
+    return [x[i - 2] * y[i - 1] - x[i - 1] * y[i - 2] for i in range(3)]
+
+
+def at(start, way, t):
+    return [x + t * d for x, d in zip(start, way)]
+
+
+def least_of(square, turns):
+    """Where a convex function on 0 to 1 is least, first and last, if between some places it is a parabola, which three values
+    tell: at such a place or at a vertex."""
+    ends = sorted({Fraction(0), Fraction(1), *(t for t in turns if 0 < t < 1)})
     tries = set(ends)
     for low, high in zip(ends, ends[1:]):
         f, g, h = (square(low + (high - low) * part) for part in (0, Fraction(1, 2), 1))
         if bend := f - 2 * g + h:
             tries.add(min(max(low + (high - low) * (3 * f - 4 * g + h) / (4 * bend), low), high))
     least = min(map(square, tries))
-    first, last = (pick(t for t in tries if square(t) == least) for pick in (min, max))
+    return (pick(t for t in tries if square(t) == least) for pick in (min, max))
+
+
+def parting(across, u):
+    """The direction by agreement of cores that meet: along a product, or across a direction."""
+    x, y, z = u
+    n = next(n for n in (across, [y * y + z * z, -x * y, -x * z], [0, x * x, 0], [1, 0, 0]) if any(n))
+    return [-i for i in n] if next(i for i in n if i) < 0 else n
+
+
+def triangle(c, r, v0, v1, v2, alarm, contact, scalar):
+    """At s along one edge the square of the distance to what lies across it is least at a clamped t; that of s is convex, and
+    between the places where t leaves its ends a parabola."""
+    u, v = ([y - x for x, y in zip(v0, end)] for end in ((v1, v2) if any(at(v2, v0, -1)) else (v2, v1)))
+    level = lambda s: dot(v, at(c, at(v0, u, s), -1)) / (dot(v, v) or 1)  # t, not clamped: linear in s
+    nearest = lambda s: at(at(v0, u, s), v, sorted((Fraction(0), level(s), 1 - s))[1])
+    slopes = ((level(0), level(1) - level(0)), (level(0) - 1, level(1) - level(0) + 1))  # of t, and of t less 1 - s
+    s, _ = least_of(lambda s: dot(*[at(c, nearest(s), -1)] * 2), [-start / slope for start, slope in slopes if slope])
+    way = at(v1, v0, -1)
+    return spheres(c, r, nearest(s), 0, alarm, contact, scalar, parting(cross(way, at(v2, v0, -1)), way if any(way) else at(v2, v0, -1)))
+
+
+def capsules(a1, a2, r1, b1, b2, r2, alarm, contact, scalar):
+    """The square of the distance from the first segment to the point at t of the second is convex, and between the points
+    level with the first one's ends a parabola."""
+    u, v = ([y - x for x, y in zip(*ends)] for ends in ((a1, a2), (b1, b2)))
+    level = lambda q: dot(u, at(q, a1, -1)) / (dot(u, u) or 1)  # where q lies along the first segment, as a part of it
+    nearest = lambda t: at(a1, u, sorted((Fraction(0), level(at(b1, v, t)), Fraction(1)))[1])
+    square = lambda t: dot(*[at(at(b1, v, t), nearest(t), -1)] * 2)
+    slope = level(b2) - level(b1)
+    first, last = least_of(square, [(end - level(b1)) / slope for end in (0, 1) if slope])
     q = at(b1, v, (first + last) / 2)
     unique = at(b1, v, first) == at(b1, v, last)
-    x, y, z = u if any(u) else v
-    parting = next(n for n in (cross(u, v), [y * y + z * z, -x * y, -x * z], [0, x * x, 0], [1, 0, 0]) if any(n))
-    sign = 1 if next(n for n in parting if n) > 0 else -1
-    return spheres(nearest((first + last) / 2), r1, q, r2, alarm, contact, scalar, [sign * n for n in parting], unique)
+    n = parting(cross(u, v), u if any(u) else v)
+    return spheres(nearest((first + last) / 2), r1, q, r2, alarm, contact, scalar, n, unique)
 
 
 def sphere_cube(c, r, low, high, alarm, contact, scalar):
@@ -131,6 +166,7 @@ def right_case(found, pair, scalar):
     case = {"id": hashlib.sha256(pair.encode() + b"\0" + packed).hexdigest()[:24]}
     case |= {x: rounded(Fraction(n), 0, 0, scalar) if math.isfinite(n) else n for x, n in inputs.items()}  # binary32 in its files
     outside = [x for x in inputs if not math.isfinite(inputs[x]) or (inputs[x] < 0 and "[" not in x)]
+    outside += [x[:-3] for x in inputs if x.endswith("direction[0]") and not any(inputs[f"{x[:-3]}[{i}]"] for i in range(3))]
     outside += [x for x in inputs if ".min" in x and inputs[x] > inputs[x.replace("min", "max")]]
     if outside:  # The first is named: of a, of b, of the distances; of a box all numbers come before their order.
         return {**case, "flags[0]": "Invalid", "expect.rejected": min(outside, key=lambda x: (x[1] != ".", x[0]))}
@@ -140,6 +176,10 @@ def right_case(found, pair, scalar):
         return case | capsules(x[0:3], x[0:3], x[3], x[4:7], x[7:10], x[10], x[11], x[12], scalar)
     if pair == "capsule_capsule":
         return case | capsules(x[0:3], x[3:6], x[6], x[7:10], x[10:13], x[13], x[14], x[15], scalar)
+    if pair == "sphere_triangle":
+        return case | triangle(x[0:3], x[3], x[4:7], x[7:10], x[10:13], x[13], x[14], scalar)
+    if pair == "ray_sphere":
+        return case | capsules(x[0:3], at(x[0:3], x[3:6], x[6]), Fraction(0), x[7:10], x[7:10], x[10], x[11], x[12], scalar)
     if pair == "sphere_cube":
         return case | sphere_cube(x[0:3], x[3], x[4:7], x[7:10], x[10], x[11], scalar)
     if pair != "cube_cube":

@@ -35,6 +35,11 @@ Outcome same(const Case& c, std::size_t i, std::size_t j, std::string_view how) 
   return Outcome::violated(fmt::format("the same question got two answers, {}: {} and {}", how, x, y));
 }
 
+/// How the cores of a question meet, which takes no decision to say.
+oracle::Truth meeting(const Query& query) {
+  return oracle::truth_with(query, oracle::Side::within, oracle::Side::within);
+}
+
 }  // namespace
 
 Questions itself(const Trial& trial, const Subject&) { return {trial.query}; }
@@ -44,8 +49,12 @@ Questions itself_if_bad(const Trial& trial, const Subject&) {
 }
 
 Questions itself_if_coincident(const Trial& trial, const Subject&) {
-  const Balls& balls = *trial.query.balls();
-  return balls.a.center == balls.b.center ? Questions{trial.query} : Questions{};
+  return meeting(trial.query).coincident() ? Questions{trial.query} : Questions{};
+}
+
+Questions itself_if_inside(const Trial& trial, const Subject&) {
+  const oracle::Truth cores = meeting(trial.query);
+  return cores.degenerate() && !cores.coincident() ? Questions{trial.query} : Questions{};
 }
 
 Questions itself_among_others(const Trial& trial, const Subject&) {

@@ -1,9 +1,9 @@
 // Production's functions for two capsules against both oracles, and what ties them to the other pairs.
 #include "contact/capsule_capsule.hpp"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <Eigen/Geometry>
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -29,7 +29,7 @@ using oracle::Rational;
                                                            const ContactClaim& wanted,
                                                            std::initializer_list<Field> fields, int exponent = 0);
 
-/// Whether question i's truth is degenerate: the centres coincide.
+/// Whether question i's truth is degenerate: the centres coincide, or one lies in the other shape.
 [[nodiscard]] bool coincident(const Case& c, std::size_t i);
 
 /// The size of one ulp of a field's scale, the larger of both spheres' for points.

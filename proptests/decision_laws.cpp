@@ -26,12 +26,12 @@ double grid_step(const Query& query, const Range& range) {
 Questions touching_and_beyond(const Trial& trial, const Subject& subject) {
   Query beyond = trial.query;
   const double step = grid_step(trial.query, subject.range);
-  if (auto* balls = std::get_if<Balls>(&beyond.shapes)) {
-    double& last = beyond.distances.alarm > 0 ? beyond.distances.alarm
-                   : balls->b.radius > 0      ? balls->b.radius
-                                              : balls->a.radius;
-    if (last <= 0) return {};
-    last -= step;
+  if (beyond.has_numbers()) {
+    std::vector<double*> lengths = radii_of(beyond);
+    lengths.push_back(&beyond.distances.alarm);
+    const auto last = std::find_if(lengths.rbegin(), lengths.rend(), [](const double* x) { return *x > 0; });
+    if (last == lengths.rend()) return {};
+    **last -= step;
     return {trial.query, beyond};
   }
   const auto moved = [&](double x, int direction) {
@@ -97,18 +97,20 @@ Questions size_grown(const Trial& trial, const Subject& subject) {
   Query grown = trial.query;
   const double length = trial.change.length;
   const int choice = trial.change.choice;
-  if (auto* balls = std::get_if<Balls>(&grown.shapes)) {
-    double& radius = choice % 2 == 0 ? balls->a.radius : balls->b.radius;
-    radius = std::max(subject.range.moved(radius, 1), length);
-    return {trial.query, grown};
-  }
-  auto& [a, b] = std::get<Boxes>(grown.shapes);
-  Box& box = choice % 2 == 0 ? a : b;
-  const int axis = choice / 2 % 3;
-  if (choice / 6 % 2 == 0)
-    box.min[axis] = std::min(subject.range.moved(box.min[axis], -1), -length);
-  else
-    box.max[axis] = std::max(subject.range.moved(box.max[axis], 1), length);
+  const auto grow = [&]<class Shape>(Shape& shape) {
+    if constexpr (std::same_as<Shape, Box>) {
+      const int axis = choice / 2 % 3;
+      if (choice / 6 % 2 == 0)
+        shape.min[axis] = std::min(subject.range.moved(shape.min[axis], -1), -length);
+      else
+        shape.max[axis] = std::max(subject.range.moved(shape.max[axis], 1), length);
+    } else if constexpr (std::same_as<Shape, Ray>) {
+      shape.length = std::max(subject.range.moved(shape.length, 1), length);
+    } else if constexpr (requires { shape.radius; }) {
+      shape.radius = std::max(subject.range.moved(shape.radius, 1), length);
+    }
+  };
+  std::visit([&](auto& shapes) { choice % 2 == 0 ? grow(shapes.a) : grow(shapes.b); }, grown.shapes);
   return {trial.query, grown};
 }
 

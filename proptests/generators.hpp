@@ -104,6 +104,11 @@ inline const std::vector<Quadruple> kQuadruples{{1, 2, 2, 3}, {2, 3, 6, 7},  {3,
 /// Two capsules at every scale: one beside a feature of the other, near touching, parallel, crossing, without length.
 /// `first_is_a_sphere` takes the first start for a centre: the pair sphere_capsule.
 [[nodiscard]] rc::Gen<Query> capsule_queries(const Range& range, bool first_is_a_sphere);
+/// A sphere whose centre is on the surface of a box, or inside.
+[[nodiscard]] rc::Gen<Query> sphere_on_box(const Range& range, rc::Gen<double> number);
+[[nodiscard]] rc::Gen<Query> sphere_in_box(const Range& range, rc::Gen<double> number);
+/// A sphere that reaches a face, an edge or a corner of a box exactly, as two spheres do.
+[[nodiscard]] rc::Gen<Query> sphere_touching_box(const Range& range, bool by_alarm);
 /// A question of a pair.
 [[nodiscard]] rc::Gen<Query> queries(Pair pair, const Range& range);
 /// The same spoiled: one number is NaN, infinite, negative where that is wrong, or a minimum above its maximum.

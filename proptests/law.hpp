@@ -23,7 +23,6 @@ struct Subject {
   explicit Subject(engines::EngineInfo engine, bool held_to_correct_rounding);
   /// The bound of a field that an answer is held to, in ulps of the field's scale; 1 where held to correct rounding.
   [[nodiscard]] double bound(oracle::Field field) const;
-  [[nodiscard]] bool serves_spheres() const;
   /// Whether the engine declares a field.
   [[nodiscard]] bool claims(oracle::Field field) const { return info.declared.claimed().has(aspect(field)); }
 };
@@ -80,14 +79,19 @@ enum class Asking {
   whatever_comes            ///< in one batch; the law judges crashes, errors and refusals itself
 };
 
+/// The pairs that a law is asked of.
+struct About {
+  std::string_view pairs;  ///< in words: "a pair of ..."
+  bool (*includes)(Pair pair);
+};
+
 struct Law {
   std::string_view name;
   std::string_view sentence;
   std::string_view formula;
   std::string_view reason;
   Exactness exactness;
-  bool of_spheres;
-  bool of_cubes;
+  About about;
   bool only_when_named;
   Asking asking;
   /// Why the law is not asked of an engine, or nothing.
@@ -96,11 +100,6 @@ struct Law {
   /// The questions to ask; none where the trial does not suit the law.
   std::vector<Query> (*questions)(const Trial& trial, const Subject& subject);
   Outcome (*check)(const Case& c);
-
-  [[nodiscard]] bool applies(Pair pair) const {
-    return (of_cubes && kind_of(pair) == kind_of(Pair::cube_cube)) ||
-           (of_spheres && kind_of(pair) == kind_of(Pair::sphere_sphere));
-  }
 };
 
 /// Every law. Where several are violated, the earlier one names the mistake better.

@@ -7,9 +7,20 @@ namespace contact::proptests {
 
 using Questions = std::vector<Query>;
 
+/// The radii of the shapes that have one.
+[[nodiscard]] inline std::vector<double*> radii_of(Query& query) {
+  std::vector<double*> radii;
+  const auto add = [&](auto& shape) {
+    if constexpr (requires { shape.radius; }) radii.push_back(&shape.radius);
+  };
+  std::visit([&](auto& shapes) { add(shapes.a), add(shapes.b); }, query.shapes);
+  return radii;
+}
+
 // asking_laws.cpp: whether and how an engine answers.
 Questions itself(const Trial& trial, const Subject& subject);
 Questions itself_if_coincident(const Trial& trial, const Subject& subject);
+Questions itself_if_inside(const Trial& trial, const Subject& subject);
 Questions itself_if_bad(const Trial& trial, const Subject& subject);
 Questions itself_among_others(const Trial& trial, const Subject& subject);
 Questions with_others(const Trial& trial, const Subject& subject);
@@ -32,7 +43,8 @@ Outcome check_test_agrees(const Case& c);
 Outcome check_each_axis(const Case& c);
 Outcome check_grown(const Case& c);
 
-// number_laws.cpp: the numbers of a contact of spheres.
+// number_laws.cpp: the numbers of a contact.
+Questions radius_grown(const Trial& trial, const Subject& subject);
 Questions farther(const Trial& trial, const Subject& subject);
 Questions other_alarm(const Trial& trial, const Subject& subject);
 Questions other_contact(const Trial& trial, const Subject& subject);
@@ -44,6 +56,9 @@ Outcome check_own_surface(const Case& c);
 Outcome check_near_side(const Case& c);
 Outcome check_span(const Case& c);
 Outcome check_farther(const Case& c);
+Outcome check_lower_value(const Case& c);
+Outcome check_way_out(const Case& c);
+Outcome check_larger_radius(const Case& c);
 Outcome check_other_alarm(const Case& c);
 Outcome check_other_contact(const Case& c);
 Outcome check_correctly_rounded(const Case& c);
@@ -54,11 +69,14 @@ Questions swapped(const Trial& trial, const Subject& subject);
 Questions turned(const Trial& trial, const Subject& subject);
 Questions translated(const Trial& trial, const Subject& subject);
 Questions scaled(const Trial& trial, const Subject& subject);
+Questions point_box(const Trial& trial, const Subject& subject);
+Questions half_of_box(const Trial& trial, const Subject& subject);
 Questions other_sphere_kinds(const Trial& trial, const Subject& subject);
 Outcome check_swapped(const Case& c);
 Outcome check_turned(const Case& c);
 Outcome check_translated(const Case& c);
 Outcome check_scaled(const Case& c);
+Outcome check_same_contact(const Case& c);
 Outcome check_sphere_kinds(const Case& c);
 
 }  // namespace contact::proptests

@@ -47,6 +47,10 @@ Reason without_several_sphere_kinds(const Subject& s) {
     return "the engine serves one kind of sphere pair";
   return std::nullopt;
 }
+Reason without_spheres(const Subject& s) {
+  if (!s.info.serves(Pair::sphere_sphere)) return "the engine serves no sphere_sphere";
+  return std::nullopt;
+}
 Reason without_correct_rounding(const Subject& s) {
   if (!s.correctly_rounded) return "not asked for: --level correctly-rounded";
   return std::nullopt;
@@ -56,23 +60,39 @@ Reason with_correct_rounding(const Subject& s) {
   return std::nullopt;
 }
 
+template <Pair... of>
+bool is_one_of(Pair pair) {
+  return ((kind_of(pair) == kind_of(of)) || ...);
+}
+
 // Where a law's questions come from.
-rc::Gen<Query> coincident_spheres(Pair pair, const Range& range) {
-  return rc::gen::map(rc::gen::oneOf(spheres_coincident(range, any_number(range), true),
-                                     spheres_coincident(range, small_dyadic(range), true)),
-                      [pair](Query query) {
-                        query.pair = pair;
-                        return query;
-                      });
+rc::Gen<Query> asked_of(Pair pair, rc::Gen<Query> drawn) {
+  return rc::gen::map(std::move(drawn), [pair](Query query) {
+    query.pair = pair;
+    return query;
+  });
+}
+rc::Gen<Query> coincident_shapes(Pair pair, const Range& range) {
+  const auto drawn = [&](rc::Gen<double> number) {
+    return is_one_of<Pair::sphere_cube>(pair) ? sphere_on_box(range, std::move(number))
+                                              : spheres_coincident(range, std::move(number), true);
+  };
+  return asked_of(pair, rc::gen::oneOf(drawn(any_number(range)), drawn(small_dyadic(range))));
 }
 template <bool by_alarm>
 rc::Gen<Query> touching_shapes(Pair pair, const Range& range) {
-  return rc::gen::map(
-      kind_of(pair) == kind_of(Pair::cube_cube) ? boxes_touching(range, by_alarm) : spheres_touching(range, by_alarm),
-      [pair](Query query) {
-        query.pair = pair;
-        return query;
-      });
+  return asked_of(pair, is_one_of<Pair::cube_cube>(pair)     ? boxes_touching(range, by_alarm)
+                        : is_one_of<Pair::sphere_cube>(pair) ? sphere_touching_box(range, by_alarm)
+                                                             : spheres_touching(range, by_alarm));
+}
+rc::Gen<Query> spheres_in_boxes(Pair /*pair*/, const Range& range) {
+  return rc::gen::oneOf(sphere_in_box(range, any_number(range)), sphere_in_box(range, small_dyadic(range)),
+                        sphere_in_box(range, ordinary(range)));
+}
+/// Where a law is about depths, of a sphere and a box half the questions have one.
+rc::Gen<Query> with_depths(Pair pair, const Range& range) {
+  if (!is_one_of<Pair::sphere_cube>(pair)) return queries(pair, range);
+  return rc::gen::oneOf(queries(pair, range), spheres_in_boxes(pair, range));
 }
 rc::Gen<Query> nested_boxes(Pair pair, const Range& range) {
   return rc::gen::map(queries(pair, range), [](Query query) {
@@ -91,8 +111,19 @@ rc::Gen<Query> nested_boxes(Pair pair, const Range& range) {
   });
 }
 
-constexpr bool kSpheres = true;
-constexpr bool kCubes = true;
+bool are_alike(Pair pair) {
+  return std::visit([]<class A, class B>(const Two<A, B>&) { return std::same_as<A, B>; }, description(pair).zeros());
+}
+// A new pair has the laws of `kAll`, and those of `kDistance` and `kAlike` if they concern it.
+constexpr About kAll{"any shapes", [](Pair) { return true; }};
+constexpr About kDistance{"shapes with a distance", [](Pair pair) { return has_numbers(pair); }};
+constexpr About kAlike{"two alike", are_alike};
+constexpr About kSpheres{"spheres", is_one_of<Pair::sphere_sphere>};
+constexpr About kCubes{"cubes", is_one_of<Pair::cube_cube>};
+constexpr About kSphereCube{"a sphere and a cube", is_one_of<Pair::sphere_cube>};
+constexpr About kBeforeSphere{"spheres, or of a sphere and a cube", is_one_of<Pair::sphere_sphere, Pair::sphere_cube>};
+constexpr About kSpheresAndCubes{"spheres and cubes",
+                                 is_one_of<Pair::sphere_sphere, Pair::cube_cube, Pair::sphere_cube>};
 constexpr bool kNo = false;
 constexpr auto kBits = Exactness::bits;
 constexpr auto kReals = Exactness::reals;
@@ -102,124 +133,147 @@ constexpr auto kTogether = Asking::together;
 constexpr std::array kLaws{
     Law{"answers", "Every question inside the domain gets an answer; one to a hit has every declared field.",
         "not unsupported, rejected, error, crash, timeout or missing; no missing field",
-        "what is not answered cannot be right; every other law leaves such questions out", kBits, kSpheres, kCubes, kNo,
+        "what is not answered cannot be right; every other law leaves such questions out", kBits, kAll, kNo,
         Asking::whatever_comes, never, queries, itself, check_answers},
     Law{"survives_bad_input", "A question outside the domain neither crashes nor hangs the engine.",
         "NaN, infinities, negative lengths, inverted boxes: not crash, timeout or missing",
         "a simulation that has gone wrong sends such numbers, and what follows must be an error that can be seen",
-        kBits, kSpheres, kCubes, kNo, Asking::whatever_comes, never, bad_queries, itself_if_bad,
-        check_survives_bad_input},
+        kBits, kAll, kNo, Asking::whatever_comes, never, bad_queries, itself_if_bad, check_survives_bad_input},
     Law{"refuses_bad_input", "A question outside the domain is refused.", "rejected or error",
-        "an answer to NaN is believed; asked only when named, as `certify` asks the family `invalid`", kBits, kSpheres,
-        kCubes, true, Asking::whatever_comes, never, bad_queries, itself_if_bad, check_refuses_bad_input},
+        "an answer to NaN is believed; asked only when named, as `certify` asks the family `invalid`", kBits, kAll,
+        true, Asking::whatever_comes, never, bad_queries, itself_if_bad, check_refuses_bad_input},
     Law{"repeatable", "The same question gets the same answer again, whatever was asked in between.",
         "answer(q) = answer(q) in q, others, q", "state left behind by one question makes a run impossible to repeat",
-        kBits, kSpheres, kCubes, kNo, kTogether, never, queries, itself_among_others, check_repeatable},
+        kBits, kAll, kNo, kTogether, never, queries, itself_among_others, check_repeatable},
     Law{"batch", "A batch of questions gets the answers that each gets alone, in any order.",
         "answer([q1, q2, ...]) = [answer(q1), answer(q2), ...]",
         "vector code and its remainder loop, threads and caches answer alike or nobody can tell which is right", kBits,
-        kSpheres, kCubes, kNo, Asking::together_and_one_by_one, never, queries, with_others, check_batch},
-    Law{"coincident", "Coincident centres give an answer without NaN, its normal as declared.",
-        "D = 0: abs(n.n - 1) <= 8u, or n = 0, or no contact; no number is NaN",
-        "0/0 is the best known mistake of all: SOFA answers NaN", kReals, kSpheres, kNo, kNo, kTogether, never,
-        coincident_spheres, itself_if_coincident, check_coincident},
-    Law{"finite", "Where the truth is finite, so is the answer.", "D > 0: no NaN, and no infinity but a rounded one",
-        "squares overflow from 2^512 and vanish below 2^-537", kReals, kSpheres, kNo, kNo, kTogether, never, queries,
+        kAll, kNo, Asking::together_and_one_by_one, never, queries, with_others, check_batch},
+    Law{"coincident",
+        "Coincident centres, or a centre on the surface of a box, give an answer without NaN, its normal as declared.",
+        "D = 0: abs(n.n - 1) <= 8u and n points against no part of the box, or n = 0, or no contact; no number is NaN",
+        "0/0 is the best known mistake of all: SOFA answers NaN", kReals, kBeforeSphere, kNo, kTogether, never,
+        coincident_shapes, itself_if_coincident, check_coincident},
+    Law{"finite", "Where the truth is finite, so is the answer.",
+        "D > 0, or a centre inside: no NaN, and no infinity but a rounded one",
+        "squares overflow from 2^512 and vanish below 2^-537", kReals, kDistance, kNo, kTogether, never, queries,
         itself, check_finite},
     Law{"nested", "A box strictly inside another overlaps it, flat or not.", "a.min < b.min <= b.max < a.max: hit",
-        "tests by corners or faces miss a box that is wholly inside", kReals, kNo, kCubes, kNo, kTogether, never,
+        "tests by corners or faces miss a box that is wholly inside", kReals, kCubes, kNo, kTogether, never,
         nested_boxes, one_inside_the_other, check_decisions},
     Law{"each_axis", "Two boxes overlap where they overlap on each axis alone.",
         "hit(a, b) = hit_x and hit_y and hit_z; left out within the bound unless held to correct rounding",
-        "an axis forgotten or compared with another is seen at once", kBits, kNo, kCubes, kNo, kTogether, never,
-        queries, each_axis_alone, check_each_axis},
+        "an axis forgotten or compared with another is seen at once", kBits, kCubes, kNo, kTogether, never, queries,
+        each_axis_alone, check_each_axis},
     Law{"sphere_kinds", "A Sphere and a RigidSphere with the same centre and radius have the same contacts.",
         "the three sphere pairs: same hit, value, normal and, but for `center`, points; allowances as for `swap`",
-        "three intersectors with one formula are three chances to mistype it", kBits, kSpheres, kNo, kNo, kTogether,
+        "three intersectors with one formula are three chances to mistype it", kBits, kSpheres, kNo, kTogether,
         without_several_sphere_kinds, queries, other_sphere_kinds, check_sphere_kinds},
     Law{"swap", "Swapped shapes have the same hit and value, the normal turned round and the points exchanged.",
         "hit, value same; n' = -n; point1' = point2, point2' = point1; coincident normals and points left out; numbers "
         "within twice the bound, hits left out within the bound, unless held to correct rounding",
-        "which model comes first is an accident of bookkeeping", kBits, kSpheres, kCubes, kNo, kTogether, never,
-        queries, swapped, check_swapped},
+        "which model comes first is an accident of bookkeeping", kBits, kAlike, kNo, kTogether, never, queries, swapped,
+        check_swapped},
+    Law{"point_box", "A box that is one point is a sphere without radius.",
+        "min = max = p: same contact as with the sphere (p, 0); allowances as for `swap`",
+        "two functions that meet in one question must agree there", kBits, kSphereCube, kNo, kTogether, without_spheres,
+        queries, point_box, check_same_contact},
+    Law{"halves", "Of a box cut in two, the half on the sphere's side has the contact of the whole.",
+        "the nearest point of the box is in that half: same hit and contact, inside the same hit; allowances as for "
+        "`swap`",
+        "what lies farther away has no influence: catches middles, corners and bounding spheres", kBits, kSphereCube,
+        kNo, kTogether, never, queries, half_of_box, check_same_contact},
     Law{"turn", "Axes permuted and reflected permute and reflect the answer.",
         "answer(P q) = P answer(q), P a signed permutation; allowances as for `swap`",
-        "no direction in space is special; catches a component mistyped", kBits, kSpheres, kCubes, kNo, kTogether,
-        never, queries, turned, check_turned},
+        "no direction in space is special; catches a component mistyped", kBits, kAll, kNo, kTogether, never, queries,
+        turned, check_turned},
     Law{"unit_normal", "The normal has unit length.",
         "abs(n.n - 1) <= 4 bound ulp(1), the bound 1 where held to correct rounding",
-        "a normal of another length scales every force", kReals, kSpheres, kNo, kNo, kTogether, without_unit_normal,
+        "a normal of another length scales every force", kReals, kDistance, kNo, kTogether, without_unit_normal,
         queries, itself, check_unit_normal},
     Law{"scale", "A power of two scales points and value and changes nothing else.",
         "answer(2^k q) = 2^k answer(q), the normal same; subnormal numbers left out; allowances as for `swap`",
         "a metre is no better than a millimetre: catches absolute tolerances and lengths compared with squares", kBits,
-        kSpheres, kCubes, kNo, kTogether, never, queries, scaled, check_scaled},
+        kAll, kNo, kTogether, never, queries, scaled, check_scaled},
     Law{"translate", "An exact translation leaves hit, value and normal, and moves the points along.",
         "q + t exact in the scalar; points within the bounds as reals; allowances as for `swap`",
-        "the origin is an accident: catches expanded squares such as c1.c1 - 2 c1.c2 + c2.c2", kBits, kSpheres, kCubes,
-        kNo, kTogether, never, queries, translated, check_translated},
+        "the origin is an accident: catches expanded squares such as c1.c1 - 2 c1.c2 + c2.c2", kBits, kAll, kNo,
+        kTogether, never, queries, translated, check_translated},
     Law{"touching", "Shapes that touch exactly are a hit, or as declared; just beyond they are none.",
         "integers times 2^k, where plain arithmetic is exact: sqrt(D) = r1 + r2 as declared, one step less is a miss; "
         "boxes "
         "one ulp apart are a miss",
-        "< for <= cannot be excused by rounding", kReals, kSpheres, kCubes, kNo, kTogether, never,
+        "< for <= cannot be excused by rounding", kReals, kSpheresAndCubes, kNo, kTogether, never,
         touching_shapes<false>, touching, check_touching},
     Law{"alarm_edge", "Shapes exactly at the alarm distance are a hit, or as declared; just beyond they are none.",
         "as `touching`, with sqrt(D) = alarm + r1 + r2 and alarm > 0",
-        "the alarm distance counts once, and its edge belongs to it", kReals, kSpheres, kCubes, kNo, kTogether,
+        "the alarm distance counts once, and its edge belongs to it", kReals, kSpheresAndCubes, kNo, kTogether,
         without_margin, touching_shapes<true>, at_the_alarm_distance, check_touching},
     Law{"test_agrees", "There is a contact exactly where there is an overlap.",
         "overlap = contact exists, as declared; left out within the bound unless held to correct rounding",
         "testIntersection and computeIntersection are two functions, and callers trust that they agree", kBits,
-        kSpheres, kNo, kNo, kTogether, never, queries, itself, check_test_agrees},
+        kDistance, kNo, kTogether, never, queries, itself, check_test_agrees},
     Law{"alarm_growth", "A hit stays a hit when the alarm distance grows.",
         "alarm <= alarm': hit(q) implies hit(q'); left out within the bound unless held to correct rounding",
-        "a larger alarm distance asks for more, never for less", kReals, kSpheres, kCubes, kNo, kTogether,
-        without_margin, queries, alarm_grown, check_grown},
+        "a larger alarm distance asks for more, never for less", kReals, kAll, kNo, kTogether, without_margin, queries,
+        alarm_grown, check_grown},
     Law{"size_growth", "A hit stays a hit when a radius or a box grows.",
         "a' contains a: hit(a, b) implies hit(a', b); allowance as for `alarm_growth`", "more matter touches no less",
-        kReals, kSpheres, kCubes, kNo, kTogether, never, queries, size_grown, check_grown},
+        kReals, kAll, kNo, kTogether, never, queries, size_grown, check_grown},
     Law{"alarm_changes_no_number",
         "The alarm distance decides whether there is a contact, and changes no number of it.",
         "alarm to alarm', both hits: same contact; within twice the bound unless held to correct rounding",
-        "the alarm distance is a threshold, not part of the geometry", kBits, kSpheres, kNo, kNo, kTogether,
-        without_margin, queries, other_alarm, check_other_alarm},
-    Law{"value_grows_with_distance", "The value never falls when the centres move apart.",
+        "the alarm distance is a threshold, not part of the geometry", kBits, kDistance, kNo, kTogether, without_margin,
+        queries, other_alarm, check_other_alarm},
+    Law{"value_grows_with_distance", "The value never falls when the shapes move apart.",
         "D <= D': value <= value', to the bounds of both unless held to correct rounding",
-        "penetration is negative: catches a value without its sign", kReals, kSpheres, kNo, kNo, kTogether,
+        "penetration is negative: catches a value without its sign", kReals, kBeforeSphere, kNo, kTogether,
         without_value, queries, farther, check_farther},
+    Law{"size_lowers_value", "The value never rises when a radius or a box grows.",
+        "a' contains a: value' <= value, to the bounds of both unless held to correct rounding",
+        "more matter is no farther away, and deeper where it is inside: catches a depth with the wrong sign", kReals,
+        kDistance, kNo, kTogether, without_value, with_depths, size_grown, check_lower_value},
     Law{"contact_distance", "The contact distance changes the value alone, by as much as it changes.",
         "value' - value = contact - contact' (0 where declared so) to the bounds of both; hit, normal and points same",
-        "counted twice or not at all it moves every rest position", kReals, kSpheres, kNo, kNo, kTogether, never,
-        queries, other_contact, check_other_contact},
-    Law{"direction", "The normal points from the first centre to the second, or as declared.", "n . delta > 0",
-        "a normal that points back pulls together what it should push apart", kReals, kSpheres, kNo, kNo, kTogether,
-        never, queries, itself, check_direction},
-    Law{"own_surface", "Each contact point lies on its own sphere, or at its centre as declared.",
-        "abs(abs(point_i - c_i) - r_i) <= 2 bound ulp(scale)", "exchanged points give torques about the wrong body",
-        kReals, kSpheres, kNo, kNo, kTogether, without_surface_points, queries, itself, check_own_surface},
-    Law{"near_side", "Each contact point lies on the side of its sphere that faces the other, or as declared.",
-        "(point1 - c1) . delta > 0, (point2 - c2) . delta < 0",
-        "the published formula has a sign lost: its points lie on the far sides", kReals, kSpheres, kNo, kNo, kTogether,
+        "counted twice or not at all it moves every rest position", kReals, kDistance, kNo, kTogether, never, queries,
+        other_contact, check_other_contact},
+    Law{"direction", "The normal points from the first shape to the second, or as declared.",
+        "n . delta > 0, delta from core to core", "a normal that points back pulls together what it should push apart",
+        kReals, kDistance, kNo, kTogether, never, queries, itself, check_direction},
+    Law{"own_surface", "Each contact point lies a radius from its own core, or on it as declared.",
+        "abs(abs(point_i - p_i) - r_i) <= 2 bound ulp(scale), p_i nearest in the core",
+        "exchanged points give torques about the wrong body", kReals, kDistance, kNo, kTogether, without_surface_points,
+        queries, itself, check_own_surface},
+    Law{"near_side", "Each contact point lies on the side of its shape that faces the other, or as declared.",
+        "(point1 - p1) . delta > 0, (point2 - p2) . delta < 0; a radius of 0 left out",
+        "the published formula has a sign lost: its points lie on the far sides", kReals, kDistance, kNo, kTogether,
         without_surface_points, queries, itself, check_near_side},
+    Law{"radius", "A larger radius lowers the value by as much, and leaves the normal and the other shape's point.",
+        "value' - value = r - r' to the bounds of both; allowances as for `swap`",
+        "a radius counts once, and is a length", kReals, kDistance, kNo, kTogether, never, queries, radius_grown,
+        check_larger_radius},
+    Law{"way_out", "A centre inside a box leaves it by the nearest face.",
+        "value = -(r + the least of c - min and max - c) - contact, to the bound",
+        "by any other face a sphere is thrown through the box", kReals, kSphereCube, kNo, kTogether, without_value,
+        spheres_in_boxes, itself_if_inside, check_way_out},
     Law{"span",
         "The way from the first point to the second is the value, without the contact distance, along the normal.",
         "point2 - point1 = (value + contact) n to the bounds of all four; radii added where points are not the nearest",
-        "normal, points and value are one geometry told four times", kReals, kSpheres, kNo, kNo, kTogether,
-        without_span, queries, itself, check_span},
+        "normal, points and value are one geometry told four times", kReals, kDistance, kNo, kTogether, without_span,
+        queries, itself, check_span},
     Law{"decision", "Every hit and every miss is the exact decision.",
         "overlap and contact exist iff sqrt(D) <= alarm + r1 + r2, or as declared, decided exactly; every level asks "
         "it",
-        "near touching a rounded comparison is a coin toss that two engines toss differently", kReals, kSpheres, kCubes,
-        kNo, kTogether, never, queries, itself, check_decisions},
+        "near touching a rounded comparison is a coin toss that two engines toss differently", kReals, kAll, kNo,
+        kTogether, never, queries, itself, check_decisions},
     Law{"correctly_rounded", "Every number is the exact real rounded once.",
         "equal to the exact real rounded to nearest, ties to even; only with --level correctly-rounded",
-        "then there is one right answer, and golden files compare bit for bit", kBits, kSpheres, kNo, kNo, kTogether,
+        "then there is one right answer, and golden files compare bit for bit", kBits, kDistance, kNo, kTogether,
         without_correct_rounding, queries, itself, check_correctly_rounded},
     Law{"bounds", "Every number is within the engine's declared bounds.",
         "abs(claim - exact) <= bound ulp(scale); docs/specification.md#scales-and-ulps",
-        "what an engine declares is what its users count on", kReals, kSpheres, kNo, kNo, kTogether,
-        with_correct_rounding, queries, itself, check_bounds},
+        "what an engine declares is what its users count on", kReals, kDistance, kNo, kTogether, with_correct_rounding,
+        queries, itself, check_bounds},
 };
 
 }  // namespace
@@ -235,11 +289,6 @@ double Subject::bound(oracle::Field field) const {
   return field == Field::normal ? bounds.normal : field == Field::value ? bounds.value : bounds.point;
 }
 
-bool Subject::serves_spheres() const {
-  return std::any_of(kPairs.begin(), kPairs.end(),
-                     [&](Pair p) { return kind_of(p) == kind_of(Pair::sphere_sphere) && info.serves(p); });
-}
-
 std::span<const Law> laws() { return kLaws; }
 
 const Law* find_law(std::string_view name) {
@@ -250,12 +299,8 @@ const Law* find_law(std::string_view name) {
 std::string law_table() {
   std::string text = "| law | pairs | what holds | formula | why it matters | |\n|---|---|---|---|---|---|\n";
   for (const Law& law : kLaws)
-    text +=
-        fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", law.name,
-                    !law.of_cubes     ? "spheres"
-                    : !law.of_spheres ? "cubes"
-                                      : "all",
-                    law.sentence, law.formula, law.reason, kExactnessNames[static_cast<std::size_t>(law.exactness)]);
+    text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", law.name, law.about.pairs, law.sentence, law.formula,
+                        law.reason, kExactnessNames[static_cast<std::size_t>(law.exactness)]);
   return text;
 }
 

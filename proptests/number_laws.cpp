@@ -1,4 +1,4 @@
-// The numbers of a contact of two spheres: finite, unit, in the right place, and changed by nothing but what changes
+// The numbers of a contact: finite, unit, in the right place, and changed by nothing but what changes
 // them.
 #include <fmt/format.h>
 
@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "oracle/truth/clamped.hpp"
 #include "oracle/truth/exact_truth.hpp"
 #include "proptests/law_functions.hpp"
 
@@ -18,7 +19,10 @@ using Vector = std::array<Rational, 3>;
 Vector exact(const Vector3& v) { return {Rational(v[0]), Rational(v[1]), Rational(v[2])}; }
 Rational dot(const Vector& x, const Vector& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
 Vector minus(const Vector& x, const Vector& y) { return {x[0] - y[0], x[1] - y[1], x[2] - y[2]}; }
-Vector delta(const Query& query) { return minus(exact(query.balls()->b.center), exact(query.balls()->a.center)); }
+/// The nearest points of the cores of question i, and its radii.
+const oracle::Cores& cores(const Case& c, std::size_t i) { return c.truth(i).distance()->cores(); }
+Vector delta(const Case& c) { return minus(cores(c, 0).nearest[1], cores(c, 0).nearest[0]); }
+Vector3 rounded(const Vector& v) { return {CGAL::to_double(v[0]), CGAL::to_double(v[1]), CGAL::to_double(v[2])}; }
 
 oracle::Verdict judged(const Case& c, std::size_t i) {
   return oracle::judge(c.queries[i], c.truth(i), c.claims[i], c.subject.info.declared);
@@ -26,13 +30,32 @@ oracle::Verdict judged(const Case& c, std::size_t i) {
 
 /// Whether question i has a contact with a direction, and the engine gave one.
 bool has_contact(const Case& c, std::size_t i) {
-  return c.contact(i) != nullptr && c.truth(i).has_numbers() && !coincident(c, i);
+  return c.contact(i) != nullptr && c.truth(i).has_numbers() && !c.truth(i).coincident();
+}
+/// And no core is inside the other.
+bool has_distance(const Case& c, std::size_t i) { return has_contact(c, i) && !coincident(c, i); }
+
+/// A claimed value as a signed distance, without the contact distance.
+Rational signed_distance(const Case& c, std::size_t i, double value) {
+  const Conventions& declared = c.subject.info.declared.conventions;
+  Rational distance(value);
+  if (declared.value == ValueKind::depth) distance = -distance;
+  if (declared.value_less_contact) distance += Rational(c.queries[i].distances.contact);
+  return distance;
+}
+/// The value of question i as the engine gave it, if it is a number.
+std::optional<double> finite_value(const Case& c, std::size_t i) {
+  if (!c.subject.claims(Field::value) || c.contact(i) == nullptr) return std::nullopt;
+  const auto& value = c.contact(i)->value;
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+Rational value_error(const Case& c, std::size_t i) {
+  return Rational(c.subject.bound(Field::value)) * unit_of(c, i, Field::value);
 }
 
-const std::optional<Vector3>& point(const ContactClaim& claim, int sphere) {
-  return sphere == 0 ? claim.point1 : claim.point2;
+const std::optional<Vector3>& point(const ContactClaim& claim, int shape) {
+  return shape == 0 ? claim.point1 : claim.point2;
 }
-const Ball& ball(const Query& query, int sphere) { return sphere == 0 ? query.balls()->a : query.balls()->b; }
 /// How far a point may be off, in each coordinate.
 Rational point_error(const Case& c, int sphere) {
   return Rational(c.subject.bound(Field::point1)) *
@@ -45,19 +68,32 @@ bool finite(const std::optional<Vector3>& v) { return v && v->allFinite(); }
 
 Questions farther(const Trial& trial, const Subject& subject) {
   Query near = trial.query;
+  const auto* ball_and_box = std::get_if<BallAndBox>(&near.shapes);
+  const Balls spheres = ball_and_box != nullptr ? at_clamped(*ball_and_box) : *near.balls();
   // An alarm distance that both are within, so that both have a contact.
-  const Vector3 apart = near.balls()->b.center - near.balls()->a.center;
+  const Vector3 apart = spheres.b.center - spheres.a.center;
   const double enough = subject.range.rounded(4 * apart.cwiseAbs().maxCoeff());
-  if (!apart.allFinite()) return {};
+  // Out of a box there is more than one way.
+  if (!apart.allFinite() || (ball_and_box != nullptr && apart.isZero(0))) return {};
   if (subject.range.contains(enough)) near.distances.alarm = std::max(near.distances.alarm, enough);
   Query far = near;
-  auto& [a, b] = std::get<Balls>(far.shapes);
   const int axis = trial.change.choice % 3;
   const double step = std::max(std::abs(apart[axis]), 1.0) * (1 + trial.change.choice / 3 % 4) / 4;
-  double& x = b.center[axis];
-  x = subject.range.rounded(apart[axis] >= 0 ? x + step : x - step);
-  if (x == near.balls()->b.center[axis]) return {};
+  double& x =
+      (ball_and_box != nullptr ? std::get<BallAndBox>(far.shapes).a : std::get<Balls>(far.shapes).a).center[axis];
+  const double before = x;
+  x = subject.range.rounded(apart[axis] >= 0 ? x - step : x + step);
+  if (x == before) return {};
   return {near, far};
+}
+
+Questions radius_grown(const Trial& trial, const Subject& subject) {
+  Query grown = trial.query;
+  const std::vector<double*> radii = radii_of(grown);
+  if (radii.empty()) return {};
+  double& radius = *radii[static_cast<std::size_t>(trial.change.choice) % radii.size()];
+  radius = std::max(subject.range.moved(radius, 1), trial.change.length);
+  return {trial.query, grown};
 }
 
 Questions other_alarm(const Trial& trial, const Subject&) {
@@ -109,54 +145,56 @@ Outcome check_unit_normal(const Case& c) {
 }
 
 Outcome check_direction(const Case& c) {
-  if (!has_contact(c, 0) || !finite(c.contact(0)->normal)) return Outcome::vacuous();
+  if (!has_distance(c, 0) || !finite(c.contact(0)->normal)) return Outcome::vacuous();
   const Vector3 n = first_to_second(c.subject.info.declared.conventions, *c.contact(0)->normal);
-  if (CGAL::is_positive(dot(exact(n), delta(c.queries[0])))) return {};
+  if (CGAL::is_positive(dot(exact(n), delta(c)))) return {};
   return Outcome::violated(
       fmt::format("the normal {} does not point from the {}", text(*c.contact(0)->normal),
-                  n == *c.contact(0)->normal ? "first centre to the second" : "second centre to the first"));
+                  n == *c.contact(0)->normal ? "first shape to the second" : "second shape to the first"));
 }
 
 Outcome check_own_surface(const Case& c) {
-  if (!has_contact(c, 0)) return Outcome::vacuous();
+  // Where many points are nearest, nobody knows which of them an engine's point belongs to.
+  if (!has_distance(c, 0) || cores(c, 0).spread) return Outcome::vacuous();
   bool any = false;
   for (const int sphere : {0, 1}) {
     const auto on = point_of(c.subject.info.declared.conventions, c.queries[0], sphere);
     const auto& p = point(*c.contact(0), sphere);
     if (!on || !finite(p)) continue;
     any = true;
-    const Ball& own = ball(c.queries[0], sphere);
-    const Rational radius = *on == PointOn::center ? Rational(0) : Rational(own.radius);
+    const auto shape = static_cast<std::size_t>(sphere);
+    const Vector& own = cores(c, 0).nearest[shape];
+    const Rational radius = *on == PointOn::center ? Rational(0) : cores(c, 0).radius[shape];
     const Rational error = Rational(2) * point_error(c, sphere);
-    const Vector arm = minus(exact(*p), exact(own.center));
+    const Vector arm = minus(exact(*p), own);
     const Rational least = std::max(Rational(0), Rational(radius - error));
     const Rational most = radius + error;
     const Rational length2 = dot(arm, arm);
     if (length2 < least * least || length2 > most * most)
-      return Outcome::violated(
-          fmt::format("point{} {} is {} from its sphere's centre, whose {}", sphere + 1, text(*p),
-                      text((*p - own.center).stableNorm()),
-                      *on == PointOn::center ? std::string("centre it should be") : "radius is " + text(own.radius)));
+      return Outcome::violated(fmt::format("point{} {} is {} from the nearest point {} of its core, and should be {}",
+                                           sphere + 1, text(*p), text((*p - rounded(own)).stableNorm()),
+                                           text(rounded(own)), text(CGAL::to_double(radius))));
   }
   return any ? Outcome{} : Outcome::vacuous();
 }
 
 Outcome check_near_side(const Case& c) {
-  if (!has_contact(c, 0)) return Outcome::vacuous();
+  if (!has_distance(c, 0)) return Outcome::vacuous();
   bool any = false;
   for (const int sphere : {0, 1}) {
     const auto on = point_of(c.subject.info.declared.conventions, c.queries[0], sphere);
     const auto& p = point(*c.contact(0), sphere);
-    const Ball& own = ball(c.queries[0], sphere);
-    if (!on || *on == PointOn::center || !finite(p) || Rational(own.radius) <= Rational(4) * point_error(c, sphere))
+    const auto shape = static_cast<std::size_t>(sphere);
+    if (!on || *on == PointOn::center || !finite(p) ||
+        cores(c, 0).radius[shape] <= Rational(4) * point_error(c, sphere))
       continue;
     any = true;
-    Rational along = dot(minus(exact(*p), exact(own.center)), delta(c.queries[0]));
+    Rational along = dot(minus(exact(*p), cores(c, 0).nearest[shape]), delta(c));
     if ((sphere == 1) != (*on == PointOn::far_surface)) along = -along;
     if (!CGAL::is_positive(along))
-      return Outcome::violated(fmt::format("point{} {} lies on the side of its sphere that faces {}", sphere + 1,
+      return Outcome::violated(fmt::format("point{} {} lies on the side of its shape that faces {}", sphere + 1,
                                            text(*p),
-                                           *on == PointOn::far_surface ? "the other sphere" : "away from the other"));
+                                           *on == PointOn::far_surface ? "the other shape" : "away from the other"));
   }
   return any ? Outcome{} : Outcome::vacuous();
 }
@@ -171,19 +209,16 @@ Outcome check_span(const Case& c) {
       !std::isfinite(*claim.value) || declared.value == ValueKind::none)
     return Outcome::vacuous();
   // sqrt(D) - (r1 + r2) as the value has it; a point that is not on the near side is one or two radii farther back.
-  Rational length(*claim.value);
-  if (declared.value == ValueKind::depth) length = -length;
-  if (declared.value_less_contact) length += Rational(c.queries[0].distances.contact);
-  const auto back = [](PointOn on, double radius) {
-    return Rational(on == PointOn::nearest_surface ? 0 : on == PointOn::center ? 1 : 2) * Rational(radius);
+  Rational length = signed_distance(c, 0, *claim.value);
+  const auto back = [](PointOn on, const Rational& radius) {
+    return Rational(on == PointOn::nearest_surface ? 0 : on == PointOn::center ? 1 : 2) * radius;
   };
-  length += back(*on1, c.queries[0].balls()->a.radius) + back(*on2, c.queries[0].balls()->b.radius);
+  length += back(*on1, cores(c, 0).radius[0]) + back(*on2, cores(c, 0).radius[1]);
   const Vector n = exact(first_to_second(declared, *claim.normal));
   const Vector span = minus(exact(*claim.point2), exact(*claim.point1));
   const Rational error =
-      Rational(2) *
-      (point_error(c, 0) + point_error(c, 1) + Rational(c.subject.bound(Field::value)) * unit_of(c, 0, Field::value) +
-       Rational(c.subject.bound(Field::normal)) * unit_of(c, 0, Field::normal) * CGAL::abs(length));
+      Rational(2) * (point_error(c, 0) + point_error(c, 1) + value_error(c, 0) +
+                     Rational(c.subject.bound(Field::normal)) * unit_of(c, 0, Field::normal) * CGAL::abs(length));
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (CGAL::abs(span[axis] - length * n[axis]) > error)
       return Outcome::violated(fmt::format("point2 - point1 is {}, and the value along the normal says {}",
@@ -193,22 +228,60 @@ Outcome check_span(const Case& c) {
   return {};
 }
 
-Outcome check_farther(const Case& c) {
-  if (c.contact(0) == nullptr || c.contact(1) == nullptr) return Outcome::vacuous();
-  const auto& near = c.contact(0)->value;
-  const auto& far = c.contact(1)->value;
-  if (!near || !far || std::isnan(*near) || std::isnan(*far)) return Outcome::vacuous();
+namespace {
+
+/// Whether the value of `low` is at most that of `high`, to the bounds of both unless held to correct rounding.
+Outcome in_order(const Case& c, std::size_t low, std::size_t high, std::string_view by) {
+  if (c.contact(low) == nullptr || c.contact(high) == nullptr) return Outcome::vacuous();
+  const auto& first = c.contact(low)->value;
+  const auto& second = c.contact(high)->value;
+  if (!first || !second || std::isnan(*first) || std::isnan(*second)) return Outcome::vacuous();
   const bool depth = c.subject.info.declared.conventions.value == ValueKind::depth;
-  const double low = depth ? -*near : *near;
-  const double high = depth ? -*far : *far;
-  if (low <= high) return {};
+  const double less = depth ? -*first : *first;
+  const double more = depth ? -*second : *second;
+  if (less <= more) return {};
   if (!c.subject.correctly_rounded) {
-    if (std::isinf(low) || std::isinf(high)) return Outcome::vacuous();
-    const Rational error =
-        Rational(c.subject.bound(Field::value)) * (unit_of(c, 0, Field::value) + unit_of(c, 1, Field::value));
-    if (Rational(low) - Rational(high) <= error) return {};
+    if (std::isinf(less) || std::isinf(more)) return Outcome::vacuous();
+    if (Rational(less) - Rational(more) <= value_error(c, low) + value_error(c, high)) return {};
   }
-  return Outcome::violated(fmt::format("the value {} becomes {} by moving the centres apart", text(*near), text(*far)));
+  return Outcome::violated(fmt::format("the value {} becomes {} by {}", text(*(low == 0 ? first : second)),
+                                       text(*(low == 0 ? second : first)), by));
+}
+
+}  // namespace
+
+Outcome check_farther(const Case& c) { return in_order(c, 0, 1, "moving the shapes apart"); }
+
+Outcome check_lower_value(const Case& c) { return in_order(c, 1, 0, "growing a shape"); }
+
+Outcome check_way_out(const Case& c) {
+  const auto value = finite_value(c, 0);
+  if (!value) return Outcome::vacuous();
+  const auto& [ball, box] = std::get<BallAndBox>(c.queries[0].shapes);
+  Rational depth = Rational(ball.center[0]) - Rational(box.min[0]);
+  for (int axis = 0; axis < 3; ++axis)
+    depth = std::min({depth, Rational(Rational(ball.center[axis]) - Rational(box.min[axis])),
+                      Rational(Rational(box.max[axis]) - Rational(ball.center[axis]))});
+  const Rational claimed = -signed_distance(c, 0, *value) - Rational(ball.radius);
+  if (CGAL::abs(claimed - depth) <= value_error(c, 0)) return {};
+  return Outcome::violated(fmt::format("the value {} says a depth of {}, and the nearest face is {} away", text(*value),
+                                       text(CGAL::to_double(claimed)), text(CGAL::to_double(depth))));
+}
+
+Outcome check_larger_radius(const Case& c) {
+  if (c.contact(0) == nullptr || c.contact(1) == nullptr) return Outcome::vacuous();
+  const bool first = cores(c, 0).radius[0] != cores(c, 1).radius[0];
+  if (!coincident(c, 0))
+    if (auto why = different_numbers(c, 0, 1, *c.contact(0), {Field::normal, first ? Field::point2 : Field::point1}))
+      return Outcome::violated(*why);
+  const auto before = finite_value(c, 0);
+  const auto after = finite_value(c, 1);
+  if (!before || !after) return {};
+  const Rational lower = signed_distance(c, 0, *before) - signed_distance(c, 1, *after);
+  const Rational larger = cores(c, 1).radius[0] + cores(c, 1).radius[1] - cores(c, 0).radius[0] - cores(c, 0).radius[1];
+  if (CGAL::abs(lower - larger) <= value_error(c, 0) + value_error(c, 1)) return {};
+  return Outcome::violated(fmt::format("the value goes from {} to {} where a radius grows by {}", text(*before),
+                                       text(*after), text(CGAL::to_double(larger))));
 }
 
 Outcome check_other_alarm(const Case& c) {
@@ -232,9 +305,7 @@ Outcome check_other_contact(const Case& c) {
   Rational change = Rational(c.queries[1].distances.contact) - Rational(c.queries[0].distances.contact);
   if (!declared.value_less_contact) change = Rational(0);
   if (declared.value == ValueKind::signed_distance) change = -change;
-  const Rational error =
-      Rational(c.subject.bound(Field::value)) * (unit_of(c, 0, Field::value) + unit_of(c, 1, Field::value));
-  if (CGAL::abs(Rational(*after) - Rational(*before) - change) > error)
+  if (CGAL::abs(Rational(*after) - Rational(*before) - change) > value_error(c, 0) + value_error(c, 1))
     return Outcome::violated(fmt::format("the value goes from {} to {}, and should by {}", text(*before), text(*after),
                                          text(CGAL::to_double(change))));
   return {};

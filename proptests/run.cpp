@@ -52,9 +52,9 @@ class Runner {
   void ask(const Law& law, LawResult& result) {
     std::vector<Pair> pairs;
     for (const Pair pair : kPairs)
-      if (law.applies(pair) && result_.engine.serves(pair)) pairs.push_back(pair);
+      if (law.about.includes(pair) && result_.engine.serves(pair)) pairs.push_back(pair);
     if (pairs.empty()) {
-      result.skipped = law.of_spheres ? "the engine serves no pair of spheres" : "the engine serves no pair of cubes";
+      result.skipped = "the engine serves no pair of " + std::string(law.about.pairs);
       return;
     }
     std::optional<std::string> skipped;
@@ -224,9 +224,12 @@ class Runner {
     add(Class::coincident, truth.degenerate());
     add(Class::subnormal, is_subnormal);
     add(Class::huge, is_huge);
-    const Boxes* boxes = c.queries[0].boxes();
-    add(Class::flat, boxes != nullptr && ((boxes->a.min.array() == boxes->a.max.array()).any() ||
-                                          (boxes->b.min.array() == boxes->b.max.array()).any()));
+    const auto is_flat = []<class Shape>(const Shape& shape) {
+      if constexpr (std::same_as<Shape, Box>) return (shape.min.array() == shape.max.array()).any();
+      return false;
+    };
+    add(Class::flat,
+        std::visit([&](const auto& shapes) { return is_flat(shapes.a) || is_flat(shapes.b); }, c.queries[0].shapes));
   }
 
   std::unique_ptr<engines::Engine>& engine_;

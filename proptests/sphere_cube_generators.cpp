@@ -37,6 +37,16 @@ rc::Gen<Query> beside_a_feature(const Range& range, rc::Gen<double> number) {
                       });
 }
 
+/// The centre is the middle of the box, from where no way out is shorter than its opposite.
+rc::Gen<Query> in_the_middle(rc::Gen<double> number) {
+  return rc::gen::map(from(std::move(number)), [](Query query) {
+    auto& [a, b] = std::get<BallAndBox>(query.shapes);
+    const Vector3 half = b.max / 2 - b.min / 2;
+    b = {a.center - half, a.center + half};
+    return query;
+  });
+}
+
 /// The radius is the distance as double computes it, up to 2 ulps off.
 rc::Gen<Query> near_touching(const Range& range, rc::Gen<double> number) {
   return rc::gen::map(rc::gen::tuple(beside_a_feature(range, std::move(number)), integer(-2, 2)),
@@ -54,6 +64,47 @@ rc::Gen<Query> near_touching(const Range& range, rc::Gen<double> number) {
 
 }  // namespace
 
+rc::Gen<Query> sphere_on_box(const Range& /*range*/, rc::Gen<double> number) {
+  return rc::gen::map(rc::gen::pair(from(std::move(number)), integer(1, 63)), [](std::pair<Query, int> parts) {
+    auto& [a, b] = std::get<BallAndBox>(parts.first.shapes);
+    a.center = a.center.cwiseMax(b.min).cwiseMin(b.max);
+    for (int axis = 0; axis < 3; ++axis) {
+      const int how = parts.second >> (2 * axis) & 3;
+      if (how != 0) a.center[axis] = how == 1 ? b.min[axis] : how == 2 ? b.max[axis] : a.center[axis];
+    }
+    return parts.first;
+  });
+}
+
+rc::Gen<Query> sphere_in_box(const Range& range, rc::Gen<double> number) {
+  return rc::gen::map(from(std::move(number)), [range](Query query) {
+    auto& [a, b] = std::get<BallAndBox>(query.shapes);
+    for (int axis = 0; axis < 3; ++axis) {
+      b.min[axis] = std::min(b.min[axis], range.moved(a.center[axis], -1));
+      b.max[axis] = std::max(b.max[axis], range.moved(a.center[axis], 1));
+    }
+    return query;
+  });
+}
+
+rc::Gen<Query> sphere_touching_box(const Range& range, bool by_alarm) {
+  return rc::gen::map(rc::gen::pair(spheres_touching(range, by_alarm), integer(0, 7)),
+                      [](const std::pair<Query, int>& parts) {
+                        const auto& [touching, thick] = parts;
+                        const auto& [a, b] = *touching.balls();
+                        const Ball ball{a.center, a.radius + b.radius};
+                        Box box{b.center, b.center};
+                        for (int axis = 0; axis < 3; ++axis) {
+                          // Away from the sphere, or on both sides of it.
+                          const double apart = b.center[axis] - a.center[axis];
+                          const double size = (thick >> axis & 1) == 0 ? 0 : std::max(ball.radius, std::abs(apart));
+                          if (apart >= 0) box.max[axis] += size;
+                          if (apart <= 0) box.min[axis] -= size;
+                        }
+                        return Query{Pair::sphere_cube, BallAndBox{ball, box}, touching.distances};
+                      });
+}
+
 rc::Gen<Query> queries(const BallAndBox* /*kind*/, const Range& range) {
   return rc::gen::weightedOneOf<Query>({{2, from(any_number(range))},
                                         {2, from(any_bits(range))},
@@ -64,6 +115,7 @@ rc::Gen<Query> queries(const BallAndBox* /*kind*/, const Range& range) {
                                         {2, beside_a_feature(range, any_number(range))},
                                         {3, beside_a_feature(range, ordinary(range))},
                                         {3, beside_a_feature(range, small_dyadic(range))},
+                                        {2, in_the_middle(small_dyadic(range))},
                                         {1, near_touching(range, any_bits(range))},
                                         {1, near_touching(range, subnormal(range))},
                                         {2, near_touching(range, small_dyadic(range))},

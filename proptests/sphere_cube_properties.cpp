@@ -125,5 +125,28 @@ TEST(SphereCubeQuestions, hold_enough_of_every_kind) {
   EXPECT_GT(share("corners", features[3]), 10);
 }
 
+// What laws about touching, surfaces and depths are asked: nearly every question is of its kind.
+TEST(SphereCubeQuestions, of_a_kind_are_of_that_kind) {
+  const auto share = [](const rc::Gen<Query>& gen, auto holds) {
+    int asked = 0;
+    int of_kind = 0;
+    for (const Query& query : sample(gen, 1000)) {
+      if (!Range().contains(query)) continue;
+      ++asked;
+      of_kind += holds(oracle::truth_of(query)) ? 1 : 0;
+    }
+    EXPECT_GT(asked, 500);
+    return 100.0 * of_kind / asked;
+  };
+  const auto reaches = [](const oracle::Truth& truth) { return truth.at_alarm == oracle::Side::at; };
+  EXPECT_GT(share(sphere_touching_box(Range(), false), reaches), 95);
+  EXPECT_GT(share(sphere_touching_box(Range(), true), reaches), 95);
+  EXPECT_GT(share(sphere_on_box(Range(), any_number(Range())), [](const oracle::Truth& t) { return t.coincident(); }),
+            95);
+  EXPECT_GT(share(sphere_in_box(Range(), any_number(Range())),
+                  [](const oracle::Truth& t) { return t.degenerate() && !t.coincident(); }),
+            95);
+}
+
 }  // namespace
 }  // namespace contact

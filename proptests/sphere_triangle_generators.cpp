@@ -21,15 +21,24 @@ rc::Gen<Query> triangles_from(rc::Gen<double> number) {
   return rc::gen::map(numbers(15, std::move(number)), triangle_of);
 }
 
-Vector3 in_range(const Range& range, const Vector3& v) {
+Vector3 in_the_range(const Range& range, const Vector3& v) {
   return v.unaryExpr([&](double x) { return std::isfinite(x) ? range.rounded(x) : 0.0; });
 }
 
 /// How the centre lies to the triangle, or the triangle's vertices to each other.
-enum class Lying { over_the_face, over_an_edge, over_a_vertex, on_it, on_a_line, two_points, one_point, needle };
+enum class TriangleLying {
+  over_the_face,
+  over_an_edge,
+  over_a_vertex,
+  on_it,
+  on_a_line,
+  two_points,
+  one_point,
+  needle
+};
 
 /// What is exact for small integers is nearly so for other numbers.
-Query laid(const Range& range, Query query, Lying lying, double s, double t, int ulps) {
+Query laid_triangle(const Range& range, Query query, TriangleLying lying, double s, double t, int ulps) {
   auto& [ball, triangle] = std::get<BallAndTriangle>(query.shapes);
   auto& v = triangle.vertices;
   const Vector3 u = v[1] - v[0];
@@ -37,32 +46,32 @@ Query laid(const Range& range, Query query, Lying lying, double s, double t, int
   const Vector3 n = u.cross(w);
   const double away = std::fmod(ball.center[0], 4);
   switch (lying) {
-    case Lying::over_the_face:
-      ball.center = in_range(range, v[0] + s * u + t * w + away * n);
+    case TriangleLying::over_the_face:
+      ball.center = in_the_range(range, v[0] + s * u + t * w + away * n);
       break;
-    case Lying::over_an_edge:
-      ball.center = in_range(range, v[0] + s * u + away * n);
+    case TriangleLying::over_an_edge:
+      ball.center = in_the_range(range, v[0] + s * u + away * n);
       ball.center[0] = range.moved(ball.center[0], ulps);
       break;
-    case Lying::over_a_vertex:
-      ball.center = in_range(range, v[s < 0.5 ? 0 : 1] + away * n);
+    case TriangleLying::over_a_vertex:
+      ball.center = in_the_range(range, v[s < 0.5 ? 0 : 1] + away * n);
       ball.center[1] = range.moved(ball.center[1], ulps);
       break;
-    case Lying::on_it:
-      ball.center = in_range(range, v[0] + s * u + (s + t > 1 ? 0 : t) * w);
+    case TriangleLying::on_it:
+      ball.center = in_the_range(range, v[0] + s * u + (s + t > 1 ? 0 : t) * w);
       break;
-    case Lying::on_a_line:
-      v[2] = in_range(range, v[0] + 4 * (s - t) * u);
+    case TriangleLying::on_a_line:
+      v[2] = in_the_range(range, v[0] + 4 * (s - t) * u);
       v[2][2] = range.moved(v[2][2], ulps);
       break;
-    case Lying::two_points:
+    case TriangleLying::two_points:
       v[2] = v[s < 0.5 ? 0 : 1];
       break;
-    case Lying::one_point:
+    case TriangleLying::one_point:
       v[2] = v[1] = v[0];
       if (t == 0) ball.center = v[0];
       break;
-    case Lying::needle:
+    case TriangleLying::needle:
       v[2] = v[0];
       v[2][0] = range.moved(v[2][0], ulps);
       v[2][1] = range.moved(v[2][1], -ulps);
@@ -71,19 +80,19 @@ Query laid(const Range& range, Query query, Lying lying, double s, double t, int
   return query;
 }
 
-rc::Gen<Query> laid_out(const Range& range, rc::Gen<double> number) {
+rc::Gen<Query> triangles_laid_out(const Range& range, rc::Gen<double> number) {
   return rc::gen::map(
       rc::gen::tuple(triangles_from(std::move(number)), integer(0, 9), integer(-1, 5), integer(0, 4), integer(-1, 1)),
       [range](const std::tuple<Query, int, int, int, int>& parts) {
         const auto& [query, how, s, t, ulps] = parts;
         // Those over the triangle are as many as all others.
-        return laid(range, query, static_cast<Lying>(how < 8 ? how : how - 8), s / 4.0, t / 4.0, ulps);
+        return laid_triangle(range, query, static_cast<TriangleLying>(how < 8 ? how : how - 8), s / 4.0, t / 4.0, ulps);
       });
 }
 
 /// The radius is the distance as double computes it, up to 2 ulps off.
-rc::Gen<Query> nearly_touching(const Range& range, rc::Gen<double> number) {
-  return rc::gen::map(rc::gen::tuple(laid_out(range, std::move(number)), integer(-2, 2), integer(0, 2)),
+rc::Gen<Query> nearly_touching_triangles(const Range& range, rc::Gen<double> number) {
+  return rc::gen::map(rc::gen::tuple(triangles_laid_out(range, std::move(number)), integer(-2, 2), integer(0, 2)),
                       [range](const std::tuple<Query, int, int>& parts) {
                         auto [query, ulps, alarm] = parts;
                         auto& [ball, triangle] = std::get<BallAndTriangle>(query.shapes);
@@ -100,7 +109,7 @@ rc::Gen<Query> nearly_touching(const Range& range, rc::Gen<double> number) {
 
 /// A triangle that a sphere reaches exactly, at alarm 0 or by an alarm distance: in the plane at right angles to a
 /// quadruple, around its end or with a vertex or an edge there, on integers times a power of two.
-rc::Gen<Query> exactly_touching(const Range& range) {
+rc::Gen<Query> touching_triangles(const Range& range) {
   return rc::gen::map(
       rc::gen::tuple(rc::gen::elementOf(kQuadruples), rc::gen::container<std::vector<int>>(9, integer(0, 9)),
                      integer(range.bottom, std::max(range.bottom, range.top - 14))),
@@ -133,14 +142,14 @@ rc::Gen<Query> queries(const BallAndTriangle* /*kind*/, const Range& range) {
                                         {1, triangles_from(huge(range))},
                                         {1, triangles_from(ordinary(range))},
                                         {2, triangles_from(small_dyadic(range))},
-                                        {2, laid_out(range, any_number(range))},
-                                        {2, laid_out(range, ordinary(range))},
-                                        {4, laid_out(range, small_dyadic(range))},
-                                        {1, nearly_touching(range, any_bits(range))},
-                                        {1, nearly_touching(range, subnormal(range))},
-                                        {2, exactly_touching(range)},
-                                        {3, nearly_touching(range, small_dyadic(range))},
-                                        {3, nearly_touching(range, ordinary(range))}});
+                                        {2, triangles_laid_out(range, any_number(range))},
+                                        {2, triangles_laid_out(range, ordinary(range))},
+                                        {4, triangles_laid_out(range, small_dyadic(range))},
+                                        {1, nearly_touching_triangles(range, any_bits(range))},
+                                        {1, nearly_touching_triangles(range, subnormal(range))},
+                                        {2, touching_triangles(range)},
+                                        {3, nearly_touching_triangles(range, small_dyadic(range))},
+                                        {3, nearly_touching_triangles(range, ordinary(range))}});
 }
 
 }  // namespace contact::proptests

@@ -8,12 +8,18 @@
 namespace contact::proptests {
 namespace {
 
-/// Calls edit(v) for every point of a question: centres, or corners.
+/// Calls edit(v) for every point of a question: centres, corners, vertices; or for its directions too.
 template <class Edit>
-void for_each_vector(Query& query, Edit edit) {
-  for_each_field(query, [&](const std::string&, auto& value, FieldKind /*kind*/) {
-    if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, Vector3>) edit(value);
+void for_each_point(Query& query, Edit edit, bool directions = false) {
+  for_each_field(query, [&](const std::string&, auto& value, FieldKind kind) {
+    if (kind == FieldKind::point || directions) for_each_vector(value, edit);
   });
+}
+
+Vector3 first_vector(Query query) {
+  std::optional<Vector3> first;
+  for_each_point(query, [&](const Vector3& v) { first = first.value_or(v); });
+  return *first;
 }
 
 Vector3 turned(const Change& change, const Vector3& v) {
@@ -89,9 +95,12 @@ Outcome check_swapped(const Case& c) {
 
 Questions turned(const Trial& trial, const Subject&) {
   Query other = trial.query;
-  for_each_vector(other, [&](Vector3& v) { v = turned(trial.change, v); });
-  if (auto* boxes = std::get_if<Boxes>(&other.shapes))
-    for (Box* box : {&boxes->a, &boxes->b}) *box = {box->min.cwiseMin(box->max), box->min.cwiseMax(box->max)};
+  for_each_point(
+      other, [&](Vector3& v) { v = turned(trial.change, v); }, true);
+  const auto in_order = []<class Shape>(Shape& shape) {
+    if constexpr (std::same_as<Shape, Box>) shape = {shape.min.cwiseMin(shape.max), shape.min.cwiseMax(shape.max)};
+  };
+  std::visit([&](auto& shapes) { in_order(shapes.a), in_order(shapes.b); }, other.shapes);
   return {trial.query, other};
 }
 
@@ -110,12 +119,12 @@ Questions translated(const Trial& trial, const Subject& subject) {
     const int steps = trial.change.steps[static_cast<std::size_t>(axis)];
     if (steps == 0) continue;
     int grid = subject.range.top + 1;
-    for_each_vector(other, [&](const Vector3& v) { grid = v[axis] == 0 ? grid : std::min(grid, last_digit(v[axis])); });
+    for_each_point(other, [&](const Vector3& v) { grid = v[axis] == 0 ? grid : std::min(grid, last_digit(v[axis])); });
     if (grid > subject.range.top) grid = std::clamp(0, subject.range.bottom, subject.range.top);
     const double shift = std::ldexp(static_cast<double>(steps), grid + trial.change.choice % 20);
     bool exact = true;
     Query candidate = other;
-    for_each_vector(candidate, [&](Vector3& v) {
+    for_each_point(candidate, [&](Vector3& v) {
       const auto sum = exact_sum(subject.range, v[axis], shift);
       exact = exact && sum.has_value();
       if (sum) v[axis] = *sum;
@@ -131,8 +140,8 @@ Outcome check_translated(const Case& c) {
   if (outcome.kind != Outcome::Kind::holds || c.contact(0) == nullptr || c.contact(1) == nullptr) return outcome;
   if (coincident(c, 0)) return outcome;
   // Points move along, as exact reals.
-  const Vector3 from = c.queries[0].balls()->a.center;
-  const Vector3 to = c.queries[1].balls()->a.center;
+  const Vector3 from = first_vector(c.queries[0]);
+  const Vector3 to = first_vector(c.queries[1]);
   const auto check = [&](const std::optional<Vector3>& before, const std::optional<Vector3>& after, Field field) {
     if (!c.subject.claims(field) || !before || !after || !before->allFinite() || !after->allFinite()) return Outcome{};
     const Rational error = Rational(c.subject.bound(field)) * (unit_of(c, 0, field) + unit_of(c, 1, field));
@@ -140,7 +149,7 @@ Outcome check_translated(const Case& c) {
       const Rational shift = Rational(to[axis]) - Rational(from[axis]);
       if (CGAL::abs(Rational((*after)[axis]) - Rational((*before)[axis]) - shift) > error)
         return Outcome::violated(std::string(name(field)) + " " + text(*before) + " moved to " + text(*after) +
-                                 ", and not with its spheres");
+                                 ", and not with its shapes");
     }
     return Outcome{};
   };
@@ -166,7 +175,9 @@ Questions scaled(const Trial& trial, const Subject& subject) {
   const int exponent = std::clamp(trial.change.exponent, least, most);
   if (exponent == 0) return {};
   Query other = trial.query;
-  for_each_number(other, [&](const std::string&, double& x) { x = std::ldexp(x, exponent); });
+  for_each_field(other, [&](const std::string&, auto& value, FieldKind kind) {
+    if (kind != FieldKind::direction) for_each_number_in(value, [&](double& x) { x = std::ldexp(x, exponent); });
+  });
   return {trial.query, other};
 }
 
@@ -188,6 +199,28 @@ Outcome check_scaled(const Case& c) {
   if (wanted.value) by_exponent(*wanted.value);
   if (coincident(c, 0)) return compared(c, &wanted, {Field::value}, exponent);
   return compared(c, &wanted, {Field::normal, Field::value, Field::point1, Field::point2, Field::point}, exponent);
+}
+
+Questions point_box(const Trial& trial, const Subject&) {
+  Query point = trial.query;
+  auto& [ball, box] = std::get<BallAndBox>(point.shapes);
+  box.max = box.min;
+  return {point, {Pair::sphere_sphere, Balls{ball, {box.min, 0}}, point.distances}};
+}
+
+Questions half_of_box(const Trial& trial, const Subject&) {
+  Query half = trial.query;
+  auto& [ball, box] = std::get<BallAndBox>(half.shapes);
+  const int axis = trial.change.choice % 3;
+  const double length = trial.change.length;
+  const double cut = std::clamp(trial.change.choice / 3 % 2 == 0 ? length : -length, box.min[axis], box.max[axis]);
+  (ball.center[axis] <= cut ? box.max : box.min)[axis] = cut;
+  return {trial.query, half};
+}
+
+Outcome check_same_contact(const Case& c) {
+  if (c.contact(0) == nullptr || coincident(c, 0)) return compared(c, nullptr, {});
+  return compared(c, c.contact(0), {Field::normal, Field::value, Field::point1, Field::point2, Field::point});
 }
 
 Questions other_sphere_kinds(const Trial& trial, const Subject& subject) {

@@ -217,7 +217,7 @@ class Easier {
     std::visit(
         [&](auto& shapes) {
           const auto points = [&](const auto& /*field*/, auto& value) {
-            if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, Vector3>) move(value[axis]);
+            for_each_vector(value, [&](Vector3& v) { move(v[axis]); });
           };
           for_each_field(shapes.a, points);
           for_each_field(shapes.b, points);

@@ -1,4 +1,4 @@
-// Mistakes about boxes and capsules: another point taken for the nearest one, another way out of a box.
+// Mistakes about capsules, rays and triangles: another point taken for the nearest one.
 #include <Eigen/Geometry>
 
 #include "engines/zoo/mutating.hpp"
@@ -7,20 +7,19 @@ namespace contact::engines {
 namespace {
 
 /// The answer for two spheres at other points, in wide arithmetic; the right answer where these are the right points.
-void answer_at(const Query& q, Claim& claim, const WideVector& p, const WideVector& r,
-               std::optional<Wide> radius2 = {}) {
+void answer_at(const Query& q, Claim& claim, const Wide3& p, const Wide3& r) {
   const std::array<WideBall, 2> right = wide_balls(q);
   const WideBall& a = right[0];
   const WideBall& b = right[1];
   const Wide moved = (p - a.center).norm() + (r - b.center).norm();
-  if (!radius2 && moved <= 1e-17L * (a.center.norm() + b.center.norm())) return;
-  const Wide r2 = radius2.value_or(b.radius);
-  const WideVector d = r - p;
+  if (moved <= 1e-17L * (a.center.norm() + b.center.norm())) return;
+  const Wide r2 = b.radius;
+  const Wide3 d = r - p;
   const Wide distance = d.norm();
   decide(q, claim, distance <= a.radius + r2 + static_cast<Wide>(q.distances.alarm));
   in_contact(claim, [&](ContactClaim& c) {
     if (distance > 0) c.normal = Vector3((d / distance).cast<double>());
-    const WideVector n = c.normal->cast<Wide>();
+    const Wide3 n = c.normal->cast<Wide>();
     c.point1 = Vector3((p + a.radius * n).cast<double>());
     c.point2 = Vector3((r - r2 * n).cast<double>());
     c.value = rounded(distance - a.radius - r2 - static_cast<Wide>(q.distances.contact));
@@ -29,17 +28,18 @@ void answer_at(const Query& q, Claim& claim, const WideVector& p, const WideVect
 
 /// An axis, from + t along.
 struct Axis {
-  WideVector from;
-  WideVector along;
+  Wide3 from;
+  Wide3 along;
 
-  explicit Axis(const Ball& ball) : from(ball.center.cast<Wide>()), along(WideVector::Zero()) {}
+  explicit Axis(const Ball& ball) : from(ball.center.cast<Wide>()), along(Wide3::Zero()) {}
+  explicit Axis(const Ray& ray) : from(ray.origin.cast<Wide>()), along(Wide{ray.length} * ray.direction.cast<Wide>()) {}
   explicit Axis(const Capsule& capsule)
       : from(capsule.start.cast<Wide>()), along(capsule.end.cast<Wide>() - capsule.start.cast<Wide>()) {}
-  [[nodiscard]] WideVector at(Wide t) const { return from + t * along; }
+  [[nodiscard]] Wide3 at(Wide t) const { return from + t * along; }
   [[nodiscard]] Wide length2() const { return along.squaredNorm(); }
   /// The parameter of a point's foot on the line.
-  [[nodiscard]] Wide foot(const WideVector& c) const { return length2() > 0 ? (c - from).dot(along) / length2() : 0; }
-  [[nodiscard]] Wide clamped_foot(const WideVector& c) const { return std::clamp(foot(c), Wide{0}, Wide{1}); }
+  [[nodiscard]] Wide foot(const Wide3& c) const { return length2() > 0 ? (c - from).dot(along) / length2() : 0; }
+  [[nodiscard]] Wide clamped_foot(const Wide3& c) const { return std::clamp(foot(c), Wide{0}, Wide{1}); }
 };
 
 /// Calls change(first axis, second axis) of a question about capsules.
@@ -51,10 +51,19 @@ void of_axes(const Query& q, Change change) {
       },
       q.shapes);
 }
-/// The same of a sphere and a capsule, with the centre.
+/// The same of a sphere and a capsule, or a ray and a sphere, with the centre.
 template <class Change>
 void of_center_and_axis(const Query& q, Change change) {
   if (q.pair == Pair::sphere_capsule) of_axes(q, [&](const Axis& a, const Axis& b) { change(a.from, b); });
+  if (const auto* shapes = std::get_if<RayAndBall>(&q.shapes))
+    change(shapes->b.center.cast<Wide>().eval(), Axis(shapes->a));
+}
+/// The answer at a point of an axis.
+void answer_at_foot(const Query& q, Claim& claim, const Wide3& center, const Wide3& point) {
+  if (std::holds_alternative<RayAndBall>(q.shapes))
+    answer_at(q, claim, point, center);
+  else
+    answer_at(q, claim, center, point);
 }
 /// The same of two capsules, neither of them a sphere.
 template <class Change>
@@ -66,8 +75,8 @@ void of_two_axes(const Query& q, Change change) {
 }
 /// s and t of the lines, where they are not parallel.
 std::optional<std::array<Wide, 2>> on_lines(const Axis& a, const Axis& b) {
-  const WideVector w = b.from - a.from;
-  const WideVector n = a.along.cross(b.along);
+  const Wide3 w = b.from - a.from;
+  const Wide3 n = a.along.cross(b.along);
   const Wide n2 = n.squaredNorm();
   if (!(n2 > 0)) return std::nullopt;
   return std::array{w.cross(b.along).dot(n) / n2, w.cross(a.along).dot(n) / n2};
@@ -102,67 +111,61 @@ void stretch(Capsule& capsule, double factor) {
   capsule.end = middle + half;
 }
 
-const BallAndBox* in_box(const Query& q) { return std::get_if<BallAndBox>(&q.shapes); }
-BallAndBox* in_box(Query& q) { return std::get_if<BallAndBox>(&q.shapes); }
-/// Whether a centre is in a box, with a depth above 0.
-bool is_inside(const Query& q) {
-  return in_box(q) != nullptr && coincident(q) &&
-         !oracle::truth_with(q, oracle::Side::at, oracle::Side::at).coincident();
+/// A triangle from a centre: its vertices, its normal, and how far inside of each edge the foot on its plane lies.
+struct Seen {
+  Wide3 c;
+  std::array<Wide3, 3> w;
+  Wide3 n;
+  std::array<Wide, 3> over_edge;
+
+  explicit Seen(const BallAndTriangle& shapes) : c(shapes.a.center.cast<Wide>()) {
+    for (std::size_t k = 0; k < 3; ++k) w[k] = shapes.b.vertices[k].cast<Wide>() - c;
+    n = (w[1] - w[0]).cross(w[2] - w[0]);
+    for (std::size_t k = 0; k < 3; ++k) over_edge[k] = n.dot(w[k].cross(w[(k + 1) % 3]));
+  }
+  [[nodiscard]] bool is_flat() const { return !(n.squaredNorm() > 0); }
+  [[nodiscard]] bool is_over_face() const {
+    return !is_flat() && *std::min_element(over_edge.begin(), over_edge.end()) >= 0;
+  }
+  [[nodiscard]] Wide3 foot_on_plane() const { return n * (n.dot(w[0]) / n.squaredNorm()); }
+  [[nodiscard]] Wide3 foot_on_edge(std::size_t k, bool clamped) const {
+    const Wide3 u = w[(k + 1) % 3] - w[k];
+    const Wide t = u.squaredNorm() > 0 ? -w[k].dot(u) / u.squaredNorm() : 0;
+    return w[k] + (clamped ? unit_clamp(t) : t) * u;
+  }
+  [[nodiscard]] static Wide3 nearest(std::initializer_list<Wide3> points) {
+    return *std::min_element(points.begin(), points.end(),
+                             [](const Wide3& x, const Wide3& y) { return x.squaredNorm() < y.squaredNorm(); });
+  }
+};
+/// Calls change(seen) of a question about a triangle.
+template <class Change>
+void of_triangle(const Query& q, Change change) {
+  if (const auto* shapes = std::get_if<BallAndTriangle>(&q.shapes)) change(Seen(*shapes));
 }
-/// The depth of a centre below a face.
-Wide depth_below(const BallAndBox& shapes, Eigen::Index axis, bool is_min) {
-  const Wide c = shapes.a.center[axis];
-  return is_min ? c - static_cast<Wide>(shapes.b.min[axis]) : static_cast<Wide>(shapes.b.max[axis]) - c;
-}
-/// Out of the box through another face.
-void leave_by(const Query& q, Claim& claim, Eigen::Index axis, bool is_min) {
-  const BallAndBox& shapes = *in_box(q);
-  in_contact(claim, [&](ContactClaim& c) {
-    c.normal = Vector3(Vector3::Unit(axis) * (is_min ? 1.0 : -1.0));
-    c.point1 = Vector3(shapes.a.center + shapes.a.radius * *c.normal);
-    c.point2 = shapes.a.center;
-    (*c.point2)[axis] = is_min ? shapes.b.min[axis] : shapes.b.max[axis];
-    c.value = rounded(-shapes.a.radius - depth_below(shapes, axis, is_min) - static_cast<Wide>(q.distances.contact));
+/// Another nearest point, from the centre; nothing leaves it as it is.
+template <class PointOf>
+void other_point(const Query& q, Claim& claim, PointOf point_of) {
+  of_triangle(q, [&](const Seen& seen) {
+    if (const std::optional<Wide3> point = point_of(seen)) answer_at(q, claim, seen.c, seen.c + *point);
   });
 }
-/// The face that `better` prefers by depth, of those that `allowed` names.
-template <class Allowed, class Better>
-void leave_by_best(const Query& q, Claim& claim, Allowed allowed, Better better) {
-  if (!is_inside(q)) return;
-  std::optional<std::pair<Eigen::Index, bool>> best;
-  for (Eigen::Index axis = 0; axis < 3; ++axis)
-    for (const bool is_min : {true, false})
-      if (allowed(axis, is_min) &&
-          (!best || better(depth_below(*in_box(q), axis, is_min), depth_below(*in_box(q), best->first, best->second))))
-        best = {axis, is_min};
-  leave_by(q, claim, best->first, best->second);
+/// A miss in some places.
+template <class There>
+void missed(const Query& q, Claim& claim, There there) {
+  of_triangle(q, [&](const Seen& seen) {
+    if (claim.overlap.value_or(false) && there(seen)) decide(q, claim, false);
+  });
 }
-/// Another point of the box.
-template <class PointOf>
-void other_point_of_box(const Query& q, Claim& claim, PointOf point_of, std::optional<Wide> radius2 = {}) {
-  const BallAndBox* shapes = in_box(q);
-  if (shapes == nullptr) return;
-  const WideVector c = shapes->a.center.cast<Wide>();
-  answer_at(q, claim, c, point_of(c, shapes->b.min.cast<Wide>().eval(), shapes->b.max.cast<Wide>().eval()), radius2);
-}
-/// A box `factor` times as large, around its middle.
-void resize(Query& q, double factor) {
-  if (BallAndBox* shapes = in_box(q)) {
-    Box& box = shapes->b;
-    const Vector3 middle = box.min / 2 + box.max / 2;
-    const Vector3 half = factor * (box.max / 2 - box.min / 2);
-    box = {middle - half, middle + half};
-  }
-}
+using Point = std::optional<Wide3>;
 
 const std::array kFeatures{
-    // Capsules.
     Mutant{"mjx-segment-1e-6", "the parameter of the foot is divided by |u|^2 + 1e-6, against a division by 0",
            "parameter-divided-by-length-plus-1e-6", nullptr,
            [](const Query& q, Claim& claim) {
-             of_center_and_axis(q, [&](const WideVector& c, const Axis& axis) {
+             of_center_and_axis(q, [&](const Wide3& c, const Axis& axis) {
                const Wide t = (c - axis.from).dot(axis.along) / (axis.length2() + 1e-6L);
-               answer_at(q, claim, c, axis.at(unit_clamp(t)));
+               answer_at_foot(q, claim, c, axis.at(unit_clamp(t)));
              });
            },
            "https://github.com/google-deepmind/mujoco/blob/main/mjx/mujoco/mjx/_src/math.py"},
@@ -182,9 +185,9 @@ const std::array kFeatures{
     Mutant{"sofa-ray-pythagoras", "the squared distance is |w|^2 - t^2 with t clamped to the length",
            "distance-by-clamped-pythagoras", nullptr,
            [](const Query& q, Claim& claim) {
-             of_center_and_axis(q, [&](const WideVector& c, const Axis& axis) {
+             of_center_and_axis(q, [&](const Wide3& c, const Axis& axis) {
                if (!(axis.length2() > 0) || axis.foot(c) <= 1) return;  // within the length both are the same
-               const WideVector w = c - axis.from;
+               const Wide3 w = c - axis.from;
                const Wide t = std::sqrt(axis.length2());
                const Wide distance = std::sqrt(std::max(Wide{0}, w.squaredNorm() - t * t));
                const WideSpheres right(q);
@@ -197,7 +200,7 @@ const std::array kFeatures{
     Mutant{"capsule-not-clamped", "the foot is taken on the line, however long the axis is", "capsule-as-line", nullptr,
            [](const Query& q, Claim& claim) {
              of_center_and_axis(
-                 q, [&](const WideVector& c, const Axis& axis) { answer_at(q, claim, c, axis.at(axis.foot(c))); });
+                 q, [&](const Wide3& c, const Axis& axis) { answer_at_foot(q, claim, c, axis.at(axis.foot(c))); });
              of_two_axes(q, [&](const Axis& a, const Axis& b) {
                if (const auto at = on_lines(a, b)) answer_at(q, claim, a.at((*at)[0]), b.at((*at)[1]));
              });
@@ -222,7 +225,7 @@ const std::array kFeatures{
              of_two_axes(q, [&](const Axis& a, const Axis& b) {
                const auto at = on_lines(a, b);
                if (!at) return;
-               const WideVector p = a.at(unit_clamp((*at)[0]));
+               const Wide3 p = a.at(unit_clamp((*at)[0]));
                answer_at(q, claim, p, b.at(b.clamped_foot(p)));
              });
            }},
@@ -231,8 +234,8 @@ const std::array kFeatures{
            "ends-against-axes-only", nullptr,
            [](const Query& q, Claim& claim) {
              of_two_axes(q, [&](const Axis& a, const Axis& b) {
-               std::optional<std::array<WideVector, 2>> best;
-               const auto attempt = [&](const WideVector& p, const WideVector& r) {
+               std::optional<std::array<Wide3, 2>> best;
+               const auto attempt = [&](const Wide3& p, const Wide3& r) {
                  if (!best || (r - p).squaredNorm() < ((*best)[1] - (*best)[0]).squaredNorm()) best = {p, r};
                };
                for (const Wide end : {Wide{0}, Wide{1}}) attempt(a.at(end), b.at(b.clamped_foot(a.at(end))));
@@ -244,8 +247,8 @@ const std::array kFeatures{
            "the projection on the axis is taken for the parameter, as if its length were 1", "direction-not-divided",
            nullptr,
            [](const Query& q, Claim& claim) {
-             of_center_and_axis(q, [&](const WideVector& c, const Axis& axis) {
-               answer_at(q, claim, c, axis.at(unit_clamp((c - axis.from).dot(axis.along))));
+             of_center_and_axis(q, [&](const Wide3& c, const Axis& axis) {
+               answer_at_foot(q, claim, c, axis.at(unit_clamp((c - axis.from).dot(axis.along))));
              });
            }},
     Mutant{"capsule-determinant-1e-6", "axes count as parallel where an unscaled determinant is below 1e-6",
@@ -254,92 +257,152 @@ const std::array kFeatures{
            [](Query& q) { each_capsule(q, [](Capsule& c) { stretch(c, 0.5); }); }},
     Mutant{"capsule-double-length", "the length is taken for its half", "length-for-half-length",
            [](Query& q) { each_capsule(q, [](Capsule& c) { stretch(c, 2); }); }},
+    Mutant{"ray-endless", "a ray has no end", "ray-without-end", nullptr,
+           [](const Query& q, Claim& claim) {
+             if (!std::holds_alternative<RayAndBall>(q.shapes)) return;
+             of_center_and_axis(q, [&](const Wide3& c, const Axis& axis) {
+               answer_at_foot(q, claim, c, axis.at(std::max(Wide{0}, axis.foot(c))));
+             });
+           }},
+    Mutant{"ray-length-in-units", "the length of a ray is counted in units, and not in directions",
+           "ray-direction-normalised",
+           [](Query& q) {
+             if (auto* shapes = std::get_if<RayAndBall>(&q.shapes))
+               shapes->a.length = rounded(shapes->a.length / shapes->a.direction.cast<Wide>().norm());
+           }},
+    Mutant{"sofa-ray-unit-direction", "the direction of a ray is taken for a unit vector", "ray-direction-unit",
+           nullptr,
+           [](const Query& q, Claim& claim) {
+             const auto* shapes = std::get_if<RayAndBall>(&q.shapes);
+             if (shapes == nullptr) return;
+             const Wide3 u = shapes->a.direction.cast<Wide>();
+             const Wide3 origin = shapes->a.origin.cast<Wide>();
+             const Wide3 c = shapes->b.center.cast<Wide>();
+             const Wide t = std::clamp((c - origin).dot(u), Wide{0}, Wide{shapes->a.length});
+             answer_at(q, claim, origin + t * u, c);
+           },
+           "https://github.com/sofa-framework/sofa/tree/master/Sofa/Component/Collision/Detection/Intersection"},
 
-    // A sphere and a box.
-    Mutant{"box-corner-only", "the nearest corner is taken for the nearest point", "box-nearest-corner", nullptr,
+    // A sphere and a triangle.
+    Mutant{
+        "sofa-triangle-face-only", "edges and vertices are ignored: a hit where the foot is on the face",
+        "triangle-face-only", nullptr,
+        [](const Query& q, Claim& claim) { missed(q, claim, [](const Seen& seen) { return !seen.is_over_face(); }); },
+        "https://github.com/sofa-framework/sofa/tree/master/Sofa/Component/Collision/Detection/Intersection"},
+    Mutant{"sofa-triangle-value", "the value is minus the distance", "triangle-value-negated", nullptr,
            [](const Query& q, Claim& claim) {
-             other_point_of_box(q, claim, [](const WideVector& c, const WideVector& min, const WideVector& max) {
-               WideVector corner = max;
-               for (Eigen::Index i = 0; i < 3; ++i)
-                 if (c[i] - min[i] < max[i] - c[i]) corner[i] = min[i];
-               return corner;
+             of_triangle(q, [&](const Seen&) {
+               in_contact(claim, [&](ContactClaim& c) { c.value = rounded(-WideSpheres(q).distance); });
+             });
+           },
+           "https://github.com/sofa-framework/sofa/tree/master/Sofa/Component/Collision/Detection/Intersection"},
+    Mutant{"sofa-triangle-1e-5", "a foot within 1e-5 of an edge, in barycentric coordinates, counts as beside",
+           "triangle-edge-within-1e-5", nullptr,
+           [](const Query& q, Claim& claim) {
+             missed(q, claim, [](const Seen& seen) {
+               const Wide least = *std::min_element(seen.over_edge.begin(), seen.over_edge.end());
+               return !seen.is_flat() && least < 1e-5L * seen.n.squaredNorm();
+             });
+           },
+           "https://github.com/sofa-framework/sofa/tree/master/Sofa/Component/Collision/Detection/Intersection"},
+    Mutant{"triangle-no-vertices", "faces and edges are hit, and vertices are not", "triangle-vertices-ignored",
+           nullptr,
+           [](const Query& q, Claim& claim) {
+             missed(q, claim, [&](const Seen& seen) {
+               const Wide3 nearest = wide_balls(q)[1].center - seen.c;
+               return nearest == seen.w[0] || nearest == seen.w[1] || nearest == seen.w[2];
              });
            }},
-    Mutant{"box-middle-only", "the middle of the box is taken for the nearest point", "box-middle", nullptr,
+    Mutant{"triangle-back-culled", "a triangle is hit from the side of its normal alone", "triangle-one-sided", nullptr,
            [](const Query& q, Claim& claim) {
-             other_point_of_box(q, claim, [](const WideVector&, const WideVector& min, const WideVector& max) {
-               return WideVector((min + max) / 2);
+             missed(q, claim, [](const Seen& seen) { return seen.n.dot(seen.w[0]) > 0; });
+           }},
+    Mutant{"triangle-flat-dropped", "a triangle without an inside is never hit", "triangle-flat-missed", nullptr,
+           [](const Query& q, Claim& claim) { missed(q, claim, [](const Seen& seen) { return seen.is_flat(); }); }},
+    Mutant{"triangle-area-1e-6", "a triangle whose doubled area is below 1e-6 is never hit", "triangle-area-1e-6",
+           nullptr,
+           [](const Query& q, Claim& claim) {
+             missed(q, claim, [](const Seen& seen) { return seen.n.squaredNorm() < 1e-12L; });
+           }},
+    Mutant{"triangle-plane", "the foot on the plane is taken, wherever the triangle is", "triangle-as-plane", nullptr,
+           [](const Query& q, Claim& claim) {
+             other_point(q, claim,
+                         [](const Seen& seen) { return seen.is_flat() ? Point() : Point(seen.foot_on_plane()); });
+           }},
+    Mutant{"triangle-edges-only", "the edges are tried, and the face is not", "triangle-as-edges", nullptr,
+           [](const Query& q, Claim& claim) {
+             other_point(q, claim, [](const Seen& seen) {
+               return Point(
+                   Seen::nearest({seen.foot_on_edge(0, true), seen.foot_on_edge(1, true), seen.foot_on_edge(2, true)}));
              });
            }},
-    Mutant{"box-max-only", "the centre is clamped to the upper bounds alone", "box-lower-bound-ignored", nullptr,
+    Mutant{"triangle-nearest-vertex", "the nearest vertex is taken for the nearest point", "triangle-as-vertices",
+           nullptr,
            [](const Query& q, Claim& claim) {
-             other_point_of_box(q, claim, [](const WideVector& c, const WideVector&, const WideVector& max) {
-               return WideVector(c.cwiseMin(max));
+             other_point(q, claim, [](const Seen& seen) {
+               return Point(Seen::nearest({seen.w[0], seen.w[1], seen.w[2]}));
              });
            }},
-    Mutant{"box-min-only", "the centre is clamped to the lower bounds alone", "box-upper-bound-ignored", nullptr,
+    Mutant{"triangle-centroid", "the middle is taken for the nearest point", "triangle-by-centroid", nullptr,
            [](const Query& q, Claim& claim) {
-             other_point_of_box(q, claim, [](const WideVector& c, const WideVector& min, const WideVector&) {
-               return WideVector(c.cwiseMax(min));
+             other_point(q, claim, [](const Seen& seen) { return Point((seen.w[0] + seen.w[1] + seen.w[2]) / 3); });
+           }},
+    Mutant{"triangle-first-vertex", "a triangle is its first vertex", "triangle-first-vertex",
+           [](Query& q) {
+             if (auto* shapes = std::get_if<BallAndTriangle>(&q.shapes)) shapes->b.vertices.fill(shapes->b.vertices[0]);
+           }},
+    Mutant{"triangle-edge-lines", "beside the face, the foot is taken on the line of an edge",
+           "triangle-edge-not-clamped", nullptr,
+           [](const Query& q, Claim& claim) {
+             other_point(q, claim, [](const Seen& seen) {
+               if (seen.is_over_face()) return Point();
+               return Point(Seen::nearest(
+                   {seen.foot_on_edge(0, false), seen.foot_on_edge(1, false), seen.foot_on_edge(2, false)}));
              });
            }},
-    Mutant{"box-half-size", "half of the size is taken for the size", "box-half-for-size",
-           [](Query& q) { resize(q, 0.5); }},
-    Mutant{"box-double-size", "the size is taken for its half", "box-size-for-half", [](Query& q) { resize(q, 2); }},
-    Mutant{"box-bounding-sphere", "the box is taken for the sphere around it", "box-as-sphere", nullptr,
+    Mutant{"triangle-barycentric-clamp", "barycentric coordinates are clamped one by one", "triangle-weights-clamped",
+           nullptr,
            [](const Query& q, Claim& claim) {
-             if (const BallAndBox* shapes = in_box(q))
-               other_point_of_box(
-                   q, claim,
-                   [](const WideVector&, const WideVector& min, const WideVector& max) {
-                     return WideVector((min + max) / 2);
-                   },
-                   (shapes->b.max.cast<Wide>() - shapes->b.min.cast<Wide>()).norm() / 2);
+             other_point(q, claim, [](const Seen& seen) {
+               if (seen.is_flat()) return Point();
+               Wide3 sum = Wide3::Zero();
+               Wide all = 0;
+               for (std::size_t k = 0; k < 3; ++k) {
+                 const Wide weight = std::max(seen.over_edge[(k + 1) % 3], Wide{0});
+                 sum += weight * seen.w[k];
+                 all += weight;
+               }
+               return Point(sum / all);
+             });
            }},
-    Mutant{"box-minkowski-box", "the box is blown up by the reach, and its corners stay sharp",
-           "box-corners-not-rounded", nullptr,
+    Mutant{"triangle-two-edges", "the edge from the last vertex to the first is never tried",
+           "triangle-last-edge-forgotten", nullptr,
            [](const Query& q, Claim& claim) {
-             if (in_box(q) == nullptr) return;
-             const WideSpheres s(q);
-             const Wide widest = std::max({std::abs(s.d[0]), std::abs(s.d[1]), std::abs(s.d[2])});
-             if (widest < s.reach) decide(q, claim, true);
+             other_point(q, claim, [](const Seen& seen) {
+               if (seen.is_over_face()) return Point();
+               return Point(Seen::nearest({seen.foot_on_edge(0, true), seen.foot_on_edge(1, true)}));
+             });
            }},
-    Mutant{"box-surface-only", "a centre inside the box is no hit", "box-inside-missed", nullptr,
+    Mutant{"triangle-normal-by-winding", "the normal is that of the vertices' order, whichever side the sphere is on",
+           "triangle-normal-of-winding", nullptr,
            [](const Query& q, Claim& claim) {
-             if (is_inside(q)) decide(q, claim, false);
+             of_triangle(q, [&](const Seen& seen) {
+               if (seen.is_flat()) return;
+               in_direction(q, claim,
+                            [&](ContactClaim& c) { c.normal = Vector3((-seen.n.normalized()).cast<double>()); });
+             });
            }},
-    Mutant{"box-no-depth", "the depth of a centre inside is left out of the value", "box-depth-ignored", nullptr,
+    Mutant{"triangle-plane-distance", "the value is the distance to the plane", "triangle-distance-to-plane", nullptr,
            [](const Query& q, Claim& claim) {
-             if (is_inside(q)) in_contact(claim, [&](ContactClaim& c) { c.value = rounded(WideSpheres(q).value()); });
-           }},
-    Mutant{"box-depth-sign", "the depth of a centre inside is added", "box-depth-added", nullptr,
-           [](const Query& q, Claim& claim) {
-             if (!is_inside(q)) return;
-             const Wide without = WideSpheres(q).value();
-             in_contact(claim, [&](ContactClaim& c) { c.value = rounded(2 * without - static_cast<Wide>(*c.value)); });
-           }},
-    Mutant{"box-point-stays", "the contact point of the box is a centre inside it", "box-point-inside", nullptr,
-           [](const Query& q, Claim& claim) {
-             if (is_inside(q)) in_contact(claim, [&](ContactClaim& c) { c.point2 = in_box(q)->a.center; });
-           }},
-    Mutant{"box-far-face", "a centre inside leaves through the farthest face", "box-farthest-face", nullptr,
-           [](const Query& q, Claim& claim) {
-             leave_by_best(
-                 q, claim, [](Eigen::Index, bool) { return true; }, std::greater<>());
-           }},
-    Mutant{"box-x-axis-first", "a centre inside leaves along x", "box-first-axis", nullptr,
-           [](const Query& q, Claim& claim) {
-             leave_by_best(
-                 q, claim, [](Eigen::Index axis, bool) { return axis == 0; }, std::less<>());
-           }},
-    Mutant{"box-max-faces", "a centre inside leaves through an upper face", "box-upper-faces-only", nullptr,
-           [](const Query& q, Claim& claim) {
-             leave_by_best(
-                 q, claim, [](Eigen::Index, bool is_min) { return !is_min; }, std::less<>());
-           }},
-    Mutant{"box-outward", "the normal of a centre inside points out of the box", "box-normal-outward", nullptr,
-           [](const Query& q, Claim& claim) {
-             if (is_inside(q)) in_contact(claim, [](ContactClaim& c) { c.normal = Vector3(-*c.normal); });
+             of_triangle(q, [&](const Seen& seen) {
+               if (seen.is_flat()) return;
+               const Wide distance = std::abs(seen.n.normalized().dot(seen.w[0]));
+               const WideSpheres s(q);
+               in_contact(claim, [&](ContactClaim& c) {
+                 if (std::abs(distance - s.distance) > 1e-15L * seen.w[0].norm())
+                   c.value = rounded(distance - s.r1 - s.contact);
+               });
+             });
            }},
 };
 

@@ -18,37 +18,53 @@ namespace contact::engines {
 
 /// Wide enough that a mutant is wrong by its one mistake, and not by rounding.
 using Wide = long double;
-
-using WideVector = Eigen::Matrix<Wide, 3, 1>;
+using Wide3 = Eigen::Matrix<Wide, 3, 1>;
 
 /// A sphere in wide arithmetic.
 struct WideBall {
-  WideVector center;
+  Wide3 center;
   Wide radius;
 };
-/// The cores of two shapes at their nearest points: two spheres; of a sphere and a box the sphere, and the nearest
-/// point of the box; of axes the points nearest to each other. Domain: a pair with numbers.
-inline std::array<WideBall, 2> wide_balls(const Query& q) {
-  const auto of = [](const Balls& balls) {
-    return std::array{WideBall{balls.a.center.cast<Wide>(), balls.a.radius},
-                      WideBall{balls.b.center.cast<Wide>(), balls.b.radius}};
+using WideBalls = std::array<WideBall, 2>;
+
+// Two shapes with a distance are two cores, each blown up by a radius. What a new kind of them says of itself: its
+// cores at their nearest points, as spheres, and how deep one core is inside the other, if it can be.
+inline WideBalls at_nearest(const Balls& spheres) {
+  return {WideBall{spheres.a.center.cast<Wide>(), spheres.a.radius},
+          WideBall{spheres.b.center.cast<Wide>(), spheres.b.radius}};
+}
+inline WideBalls at_nearest(const BallAndBox& shapes) { return at_nearest(at_clamped(shapes)); }
+template <class A, class B>
+WideBalls at_nearest(const Two<A, B>& shapes) {
+  const auto radius = [](const auto& shape) -> Wide {
+    if constexpr (requires { shape.radius; }) return shape.radius;
+    return 0;
   };
+  const auto [p, q] = oracle::nearest_in_reals(shapes);
+  return {WideBall{{p[0], p[1], p[2]}, radius(shapes.a)}, WideBall{{q[0], q[1], q[2]}, radius(shapes.b)}};
+}
+template <class Kind>
+Wide depth_of_cores(const Kind& /*shapes*/) {
+  return 0;
+}
+inline Wide depth_of_cores(const BallAndBox& shapes) {
+  const auto c = shapes.a.center.cast<Wide>();
+  const Wide depth = std::min((c - shapes.b.min.cast<Wide>()).minCoeff(), (shapes.b.max.cast<Wide>() - c).minCoeff());
+  return std::max(Wide{0}, depth);
+}
+
+#define CONTACT_SAME_SHAPES(name, A, B, numbers, ...) || (numbers && std::same_as<Kind, Two<A, B>>)
+/// Whether contacts of two such shapes have numbers.
+template <class Kind>
+inline constexpr bool kHasNumbers = false CONTACT_PAIRS(CONTACT_SAME_SHAPES);
+#undef CONTACT_SAME_SHAPES
+
+/// The cores at their nearest points, as spheres. Domain: a pair with a distance.
+inline WideBalls wide_balls(const Query& q) {
   return std::visit(
-      [&]<class A, class B>(const Two<A, B>& shapes) -> std::array<WideBall, 2> {
-        if constexpr (std::same_as<B, Capsule>) {
-          const oracle::AxisInReals first(shapes.a);
-          const oracle::AxisInReals second(shapes.b);
-          const auto [s, t] = oracle::nearest_parameters(first, second);
-          const oracle::Numbers p = first.at(s);
-          const oracle::Numbers r = second.at(t);
-          return {WideBall{{p[0], p[1], p[2]}, shapes.a.radius}, WideBall{{r[0], r[1], r[2]}, shapes.b.radius}};
-        } else if constexpr (std::same_as<A, Ball> && std::same_as<B, Box>) {
-          return of(at_clamped(shapes));
-        } else if constexpr (std::same_as<B, Ball>) {
-          return of(shapes);
-        } else {
-          throw std::logic_error("two boxes have no nearest points");
-        }
+      []<class Kind>(const Kind& shapes) -> WideBalls {
+        if constexpr (kHasNumbers<Kind>) return at_nearest(shapes);
+        throw std::logic_error("shapes without nearest points");
       },
       q.shapes);
 }
@@ -60,12 +76,12 @@ inline Balls balls(const Query& q) {
   const auto [a, b] = wide_balls(q);
   return {narrow(a), narrow(b)};
 }
-/// Whether the cores meet, which leaves no direction.
+/// Whether the cores meet, which gives no direction.
 inline bool coincident(const Query& q) {
   return q.has_numbers() && oracle::truth_with(q, oracle::Side::at, oracle::Side::at).degenerate();
 }
 
-/// These spheres, and what follows from them.
+/// These cores in wide arithmetic.
 struct WideSpheres {
   explicit WideSpheres(const Query& query) : alarm(query.distances.alarm), contact(query.distances.contact) {
     const auto [a, b] = wide_balls(query);
@@ -77,14 +93,15 @@ struct WideSpheres {
       d[i] = c2[i] - c1[i];
     }
     D = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-    distance = std::sqrt(D);
+    distance =
+        D > 0 ? std::sqrt(D) : -std::visit([](const auto& shapes) { return depth_of_cores(shapes); }, query.shapes);
     reach = alarm + r1 + r2;
   }
   [[nodiscard]] Wide value() const { return distance - r1 - r2 - contact; }
 
   Wide r1, r2, alarm, contact;
   std::array<Wide, 3> c1, c2, d;
-  Wide D, distance, reach;
+  Wide D, distance, reach;  ///< the distance of cores inside each other is less than 0
 };
 
 /// Exactly: the surfaces overlap, or just touch.
@@ -127,15 +144,15 @@ void turn(const Query& q, Claim& claim, Change change) {
 
 /// Another decision for both claims, with the contact that the right formulas give.
 void decide(const Query& query, Claim& claim, bool hit);
-/// The same from a comparison in wide arithmetic, about spheres.
+/// The same from a comparison in wide arithmetic, about shapes with a distance.
 template <class Compare>
 void decide_spheres(const Query& q, Claim& claim, Compare compare) {
-  if (q.balls() != nullptr) decide(q, claim, compare(WideSpheres(q)));
+  if (q.has_numbers()) decide(q, claim, compare(WideSpheres(q)));
 }
 /// And about boxes.
 struct WideBox {
-  Eigen::Matrix<Wide, 3, 1> min;
-  Eigen::Matrix<Wide, 3, 1> max;
+  Wide3 min;
+  Wide3 max;
 };
 template <class Compare>
 void decide_boxes(const Query& q, Claim& claim, Compare compare) {
@@ -144,22 +161,88 @@ void decide_boxes(const Query& q, Claim& claim, Compare compare) {
     decide(q, claim, compare(wide(q.boxes()->a), wide(q.boxes()->b), static_cast<Wide>(q.distances.alarm)));
 }
 
-/// Another value; not of a sphere whose centre is in a box, which has a formula of its own.
+/// Another value.
 template <class Value>
 void revalue(const Query& q, Claim& claim, Value value) {
-  if (!claim.contact || (q.balls() == nullptr && coincident(q))) return;
+  if (!claim.contact) return;
   const WideSpheres s(q);
   const Wide other = value(s);
   // Nearest points of axes are rounded, in wide arithmetic too: what differs by that alone is no mistake.
   const Wide size =
       std::max({s.distance, s.r1 + s.r2, s.contact, std::abs(s.c1[0]), std::abs(s.c1[1]), std::abs(s.c1[2])});
   const bool is_rounding = std::abs(other - static_cast<Wide>(*claim.contact->value)) <= 1e-15L * size;
-  if (q.balls() != nullptr || !is_rounding) claim.contact->value = rounded(other);
+  if (!has_quotients(q.pair) || !is_rounding) claim.contact->value = rounded(other);
 }
 
 /// For changes of the question, which are made in it.
 inline Balls* balls_of(Query& q) { return std::get_if<Balls>(&q.shapes); }
 inline Boxes* boxes_of(Query& q) { return std::get_if<Boxes>(&q.shapes); }
+inline BallAndBox* ball_and_box_of(Query& q) { return std::get_if<BallAndBox>(&q.shapes); }
+inline const BallAndBox* ball_and_box_of(const Query& q) { return std::get_if<BallAndBox>(&q.shapes); }
+/// Calls edit(radius, shape) for the radius of each shape that has one.
+template <class Edit>
+void for_each_radius(Query& q, Edit edit) {
+  const auto offer = [&](auto& shape, int which) {
+    if constexpr (requires { shape.radius; }) edit(shape.radius, which);
+  };
+  std::visit([&](auto& shapes) { offer(shapes.a, 0), offer(shapes.b, 1); }, q.shapes);
+}
+
+// A sphere against a box.
+struct WideBallAndBox {
+  Wide3 c;
+  WideBox box;
+  Wide r;
+  Wide reach;
+  [[nodiscard]] Wide3 middle() const { return (box.min + box.max) / 2; }
+};
+/// Another decision about a sphere and a box.
+template <class Compare>
+void decide_ball_and_box(const Query& q, Claim& claim, Compare compare) {
+  if (const BallAndBox* s = ball_and_box_of(q)) {
+    const Wide r = s->a.radius;
+    const WideBallAndBox wide{
+        s->a.center.cast<Wide>(), {s->b.min.cast<Wide>(), s->b.max.cast<Wide>()}, r, r + q.distances.alarm};
+    decide(q, claim, compare(wide));
+  }
+}
+/// Another box in the question.
+template <class Change>
+void rebox(Query& q, Change change) {
+  if (BallAndBox* s = ball_and_box_of(q)) change(s->a.center, s->b);
+}
+inline Vector3 middle_of(const Box& box) { return box.min / 2 + box.max / 2; }
+inline Box resized(const Box& box, double factor) {
+  const Vector3 half = factor * (box.max / 2 - box.min / 2);
+  return {middle_of(box) - half, middle_of(box) + half};
+}
+/// Another contact of a sphere whose centre is in the box.
+template <class Change>
+void in_box(const Query& q, Claim& claim, Change change) {
+  const BallAndBox* s = ball_and_box_of(q);
+  if (s != nullptr && claim.contact && coincident(q)) change(*s, *claim.contact);
+}
+struct Face {
+  Eigen::Index axis;
+  bool is_min;
+};
+/// A sphere whose centre is in the box leaves it by the face that `choose` takes of (depths below min, depths below
+/// max).
+template <class Choose>
+void leave_by(const Query& q, Claim& claim, Choose choose) {
+  in_box(q, claim, [&](const BallAndBox& s, ContactClaim& c) {
+    const Wide3 center = s.a.center.cast<Wide>();
+    const Wide3 below_min = center - s.b.min.cast<Wide>();
+    const Wide3 below_max = s.b.max.cast<Wide>() - center;
+    const auto [axis, is_min] = choose(below_min, below_max);
+    c.normal = Vector3(Vector3::Zero());
+    (*c.normal)[axis] = is_min ? 1 : -1;
+    c.point1 = Vector3(s.a.center + s.a.radius * *c.normal);
+    c.point2 = s.a.center;
+    (*c.point2)[axis] = (is_min ? s.b.min : s.b.max)[axis];
+    c.value = rounded(-static_cast<Wide>(s.a.radius) - (is_min ? below_min : below_max)[axis] - q.distances.contact);
+  });
+}
 
 [[nodiscard]] std::span<const Mutant> real_mutants();
 [[nodiscard]] std::span<const Mutant> feature_mutants();

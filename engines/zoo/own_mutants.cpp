@@ -1,6 +1,7 @@
 // Our formulas changed in one place: every operator, sign, operand, constant, radius and margin in turn.
 #include <vector>
 
+#include "engines/engine.hpp"
 #include "engines/zoo/mutating.hpp"
 
 namespace contact::engines {
@@ -146,37 +147,15 @@ const std::array kNumbers{
              }
            }},
     Mutant{"first-radius-zero", "r1 taken for 0 everywhere", "first-radius-missing",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) {
-               b->a.radius = 0;
-             }
-           }},
+           [](Query& q) { for_each_radius(q, [](double& r, int which) { r = which == 0 ? 0 : r; }); }},
     Mutant{"second-radius-zero", "r2 taken for 0 everywhere", "second-radius-missing",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) {
-               b->b.radius = 0;
-             }
-           }},
+           [](Query& q) { for_each_radius(q, [](double& r, int which) { r = which == 1 ? 0 : r; }); }},
     Mutant{"radii-zero", "spheres taken for points", "radii-missing",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) {
-               b->a.radius = b->b.radius = 0;
-             }
-           }},
+           [](Query& q) { for_each_radius(q, [](double& r, int) { r = 0; }); }},
     Mutant{"radii-doubled", "diameters given for radii", "radii-doubled",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) {
-               b->a.radius *= 2;
-               b->b.radius *= 2;
-             }
-           }},
+           [](Query& q) { for_each_radius(q, [](double& r, int) { r *= 2; }); }},
     Mutant{"radii-halved", "radii taken for diameters", "radii-halved",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) {
-               b->a.radius /= 2;
-               b->b.radius /= 2;
-             }
-           }},
+           [](Query& q) { for_each_radius(q, [](double& r, int) { r /= 2; }); }},
     Mutant{"radii-exchanged", "r1 and r2 exchanged", "radii-exchanged",
            [](Query& q) {
              if (auto* b = balls_of(q)) {
@@ -383,7 +362,7 @@ const std::array kNormals{
            [](const Query& q, Claim& claim) {
              in_direction(q, claim, [&](ContactClaim& c) {
                const WideSpheres s(q);
-               if (s.distance <= std::abs(s.r1 - s.r2)) c.normal = Vector3(-*c.normal);
+               if (q.balls() != nullptr && s.distance <= std::abs(s.r1 - s.r2)) c.normal = Vector3(-*c.normal);
              });
            }},
 };
@@ -674,6 +653,92 @@ const std::array kBoxDecisions{
            }},
 };
 
+// A sphere against a box: the nearest point of the box, and the way out of it.
+const std::array kBallAndBox{
+    Mutant{"in-box-depth-added", "+ in the place of - before the depth of a centre in the box",
+           "sphere-box-depth-added", nullptr,
+           [](const Query& q, Claim& claim) {
+             in_box(q, claim, [&](const BallAndBox& s, ContactClaim& c) {
+               c.value = rounded(depth_of_cores(s) - static_cast<Wide>(s.a.radius) - q.distances.contact);
+             });
+           }},
+    Mutant{"in-box-farthest-face", "the largest depth of a centre in the box in the place of the least",
+           "sphere-box-farthest-face", nullptr,
+           [](const Query& q, Claim& claim) {
+             leave_by(q, claim, [](const auto& below_min, const auto& below_max) {
+               Face farthest{0, true};
+               Wide most = below_min[0];
+               for (Eigen::Index axis = 0; axis < 3; ++axis)
+                 for (const bool is_min : {true, false})
+                   if (const Wide depth = (is_min ? below_min : below_max)[axis]; depth > most) {
+                     farthest = {axis, is_min};
+                     most = depth;
+                   }
+               return farthest;
+             });
+           }},
+    Mutant{"in-box-opposite-face", "the other face of the right axis", "sphere-box-opposite-face", nullptr,
+           [](const Query& q, Claim& claim) {
+             leave_by(q, claim, [](const auto& below_min, const auto& below_max) {
+               Face nearest{0, true};
+               below_min.cwiseMin(below_max).minCoeff(&nearest.axis);
+               nearest.is_min = below_min[nearest.axis] > below_max[nearest.axis];
+               return nearest;
+             });
+           }},
+    Mutant{"in-box-first-face", "a centre in the box always leaves it by min.x", "sphere-box-first-face", nullptr,
+           [](const Query& q, Claim& claim) {
+             leave_by(q, claim, [](const auto&, const auto&) { return Face{0, true}; });
+           }},
+    Mutant{"in-box-normal-reversed", "the normal of a centre inside the box points out of it, and point1 goes with it",
+           "sphere-box-normal-outward", nullptr,
+           [](const Query& q, Claim& claim) {
+             in_box(q, claim, [](const BallAndBox& s, ContactClaim& c) {
+               if (depth_of_cores(s) == 0) return;
+               c.normal = Vector3(-*c.normal);
+               c.point1 = Vector3(s.a.center + s.a.radius * *c.normal);
+             });
+           }},
+    Mutant{"in-box-point2-centre", "the second point is not moved to the face", "sphere-box-point-in-box", nullptr,
+           [](const Query& q, Claim& claim) {
+             in_box(q, claim, [](const BallAndBox& s, ContactClaim& c) { c.point2 = s.a.center; });
+           }},
+    Mutant{"box-normal-to-middle", "the normal points to the middle of the box, and the points go with it",
+           "sphere-box-normal-to-middle", nullptr,
+           [](const Query& q, Claim& claim) {
+             const BallAndBox* s = ball_and_box_of(q);
+             if (s == nullptr || !claim.contact) return;
+             const Vector3 apart = middle_of(s->b) - s->a.center;
+             if (!(apart.stableNorm() > 0) || !std::isfinite(apart.stableNorm())) return;
+             claim.contact->normal = Vector3(apart.stableNormalized());
+             claim.contact->point1 = Vector3(s->a.center + s->a.radius * *claim.contact->normal);
+           }},
+    Mutant{"box-bounding-sphere", "the box taken for the sphere through its corners", "sphere-box-bounding-sphere",
+           nullptr,
+           [](const Query& q, Claim& claim) {
+             const BallAndBox* s = ball_and_box_of(q);
+             if (s == nullptr) return;
+             const double radius =
+                 std::min((s->b.max / 2 - s->b.min / 2).stableNorm(), std::numeric_limits<double>::max());
+             claim = production_answer({Pair::sphere_sphere, Balls{s->a, {middle_of(s->b), radius}}, q.distances},
+                                       PointConvention::nearest_surface);
+           }},
+    Mutant{"box-middle", "the extents of the box left out", "sphere-box-middle",
+           [](Query& q) { rebox(q, [](const Vector3&, Box& box) { box = resized(box, 0); }); }},
+    Mutant{"box-extents-doubled", "full extents of the box taken for half extents", "sphere-box-extents-full",
+           [](Query& q) { rebox(q, [](const Vector3&, Box& box) { box = resized(box, 2); }); }},
+    Mutant{"box-extents-halved", "half extents of the box halved again", "sphere-box-extents-halved",
+           [](Query& q) { rebox(q, [](const Vector3&, Box& box) { box = resized(box, 0.5); }); }},
+    Mutant{"box-min-missing", "the centre clamped to max alone", "sphere-box-max-alone",
+           [](Query& q) {
+             rebox(q, [](const Vector3&, Box& box) { box.min.setConstant(-std::numeric_limits<double>::max()); });
+           }},
+    Mutant{"box-max-missing", "the centre clamped to min alone", "sphere-box-min-alone",
+           [](Query& q) {
+             rebox(q, [](const Vector3&, Box& box) { box.max.setConstant(std::numeric_limits<double>::max()); });
+           }},
+};
+
 }  // namespace
 
 std::span<const Mutant> own_mutants() {
@@ -682,7 +747,7 @@ std::span<const Mutant> own_mutants() {
     for (const std::span<const Mutant> some :
          {std::span<const Mutant>(kSphereDecisions), std::span<const Mutant>(kNumbers),
           std::span<const Mutant>(kValues), std::span<const Mutant>(kNormals), std::span<const Mutant>(kPoints),
-          std::span<const Mutant>(kBoxDecisions)})
+          std::span<const Mutant>(kBoxDecisions), std::span<const Mutant>(kBallAndBox)})
       list.insert(list.end(), some.begin(), some.end());
     return list;
   }();

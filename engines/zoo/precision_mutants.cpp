@@ -2,6 +2,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "engines/engine.hpp"
 #include "engines/zoo/mutating.hpp"
 
 namespace contact::engines {
@@ -12,7 +13,7 @@ using Three = std::array<double, 3>;
 /// Decides spheres in an arithmetic of its own, on numbers scaled by a power of two so that no square leaves the range.
 template <auto hits>
 void rounded_decisions(const Query& q, Claim& claim) {
-  if (q.balls() == nullptr) return;
+  if (!q.has_numbers()) return;
   const WideSpheres s(q);
   int exponent = 0;
   std::frexp(std::max({std::abs(s.d[0]), std::abs(s.d[1]), std::abs(s.d[2]), s.reach}), &exponent);
@@ -67,7 +68,7 @@ Wide by_bits(Wide D) {
 
 /// The contact of production where the squares of the plain formulas stay in double's range; else what they give.
 void plain_squares(const Query& q, Claim& claim) {
-  if (q.balls() == nullptr) return;
+  if (!q.has_numbers()) return;
   const Vector3 d = balls(q).b.center - balls(q).a.center;
   const double D = d.squaredNorm();
   const double reach = balls(q).a.radius + balls(q).b.radius + q.distances.alarm;
@@ -101,7 +102,7 @@ void decide_in_float(const Query& q, Claim& claim, Decide hits) {
 #define CONTACT_WIDENED(size) [](Query& q) { q.distances.alarm += size; }
 #define CONTACT_NARROWED(size)                                                            \
   [](const Query& q, Claim& claim) {                                                      \
-    if (q.balls() != nullptr)                                                             \
+    if (q.has_numbers())                                                                  \
       decide_spheres(q, claim, [&](const WideSpheres& s) {                                \
         return claim.overlap.value() && s.distance - s.reach <= -static_cast<Wide>(size); \
       });                                                                                 \
@@ -111,10 +112,9 @@ void decide_in_float(const Query& q, Claim& claim, Decide hits) {
         return claim.overlap.value() && gap - alarm <= -(size);                           \
       });                                                                                 \
   }
-#define CONTACT_GUARDED(size)                                    \
-  [](const Query& q, Claim& claim) {                             \
-    if (q.balls() != nullptr && WideSpheres(q).distance <= size) \
-      turn(q, claim, [](Vector3& n) { n = Vector3(0, 1, 0); });  \
+#define CONTACT_GUARDED(size)                                                                                         \
+  [](const Query& q, Claim& claim) {                                                                                  \
+    if (q.has_numbers() && WideSpheres(q).distance <= size) turn(q, claim, [](Vector3& n) { n = Vector3(0, 1, 0); }); \
   }
 
 const std::array kPrecision{
@@ -233,6 +233,18 @@ const std::array kPrecision{
              revalue(q, claim, [](const WideSpheres& s) {
                return s.D > 0 ? s.D * static_cast<Wide>(estimate(s.D, 12)) - s.r1 - s.r2 - s.contact : s.value();
              });
+           }},
+
+    Mutant{"normal-square-plus-1e-12", "1e-12 added to the square that the root is taken of",
+           "normal-square-plus-1e-12", nullptr, normals_by<[](Wide D) { return 1 / std::sqrt(D + 1e-12L); }>},
+    Mutant{"float-nearest-point", "the nearest point of the box is rounded to float", "single-precision", nullptr,
+           [](const Query& q, Claim& claim) {
+             const BallAndBox* s = ball_and_box_of(q);
+             if (s == nullptr || coincident(q)) return;
+             const Vector3 nearest = narrowed(balls(q).b.center);
+             if (nearest != s->a.center && std::isfinite(nearest.sum()))
+               claim = production_answer({Pair::sphere_sphere, Balls{s->a, {nearest, 0}}, q.distances},
+                                         PointConvention::nearest_surface);
            }},
 
     // The range of squares.

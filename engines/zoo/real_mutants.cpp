@@ -30,7 +30,7 @@ bool is_flat(const Box& box) { return (box.min.array() == box.max.array()).any()
 /// Centres closer than `size` get a fixed normal.
 template <class Size>
 void guard(const Query& q, Claim& claim, Size size) {
-  if (q.balls() != nullptr && WideSpheres(q).distance <= size) turn(q, claim, [](Vector3& n) { n = Vector3(1, 0, 0); });
+  if (q.has_numbers() && WideSpheres(q).distance <= size) turn(q, claim, [](Vector3& n) { n = Vector3(1, 0, 0); });
 }
 
 const std::array kReal{
@@ -111,6 +111,8 @@ const std::array kReal{
     Mutant{"monogame-box-vs-itself", "a box is tested against itself", "always-hit",
            [](Query& q) {
              if (auto* b = boxes_of(q)) b->a = b->b;
+             // The box hits itself whatever the sphere is.
+             if (ball_and_box_of(q) != nullptr) q.distances.alarm = std::numeric_limits<double>::max();
            },
            nullptr, "https://github.com/MonoGame/MonoGame/pull/3167"},
     Mutant{"echo-flip-lost", "the flag that the pair was swapped is not passed on: each point is given for the other",
@@ -170,7 +172,7 @@ const std::array kReal{
     Mutant{"godot-sphere-box-axis", "one pair has its axis reversed, and both points pushed the same way",
            "delta-reversed", nullptr,
            [](const Query& q, Claim& claim) {
-             if (q.pair != Pair::sphere_rigid_sphere) return;
+             if (q.pair != Pair::sphere_rigid_sphere && q.pair != Pair::sphere_cube) return;
              in_direction(q, claim, [&](ContactClaim& c) {
                c.point2 = Vector3(balls(q).b.center + balls(q).b.radius * *c.normal);
                c.normal = Vector3(-*c.normal);
@@ -225,6 +227,8 @@ claim.contact->point1 = claim.contact->point2 = middle;
            "points-far-side", nullptr,
            [](const Query& q, Claim& claim) {
              if (!claim.contact || overlapping(q)) return;
+             if (q.pair == Pair::sphere_cube)  // the box comes second
+               claim.contact->point1 = Vector3(balls(q).a.center - balls(q).a.radius * *claim.contact->normal);
              claim.contact->point2 = Vector3(balls(q).b.center + balls(q).b.radius * *claim.contact->normal);
            },
            "https://github.com/coal-library/coal/commit/12d7983edd44138372240c5dd6e617941ec34d89"},
@@ -303,9 +307,9 @@ claim.contact->point1 = claim.contact->point2 = middle;
     Mutant{"mujoco-box-sphere-depth", "a sphere inside the other has its depth from the wrong side",
            "value-containment", nullptr,
            [](const Query& q, Claim& claim) {
-             revalue(q, claim, [](const WideSpheres& s) {
+             revalue(q, claim, [&](const WideSpheres& s) {
                const Wide apart = std::abs(s.r1 - s.r2);
-               return s.distance <= apart ? s.distance - apart - s.contact : s.value();
+               return q.balls() != nullptr && s.distance <= apart ? s.distance - apart - s.contact : s.value();
              });
            },
            "https://github.com/google-deepmind/mujoco/issues/2206"},
@@ -378,7 +382,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
            "https://github.com/slimdx/slimdx/issues/480"},
     Mutant{"bevy-mixed-strictness", "spheres are tested with < and boxes with <=", "edge-open", nullptr,
            [](const Query& q, Claim& claim) {
-             if (q.balls() != nullptr && at_edge(q)) decide(q, claim, false);
+             if (q.has_numbers() && at_edge(q)) decide(q, claim, false);
            },
            "https://github.com/bevyengine/bevy/pull/11439"},
     Mutant{"joml-touch-flip", "boxes that touch do not count", "edge-open", nullptr,
@@ -405,6 +409,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
     Mutant{"cgal-shell-vs-ball", "a sphere is a surface: one inside the other does not hit", "inside-missed", nullptr,
            [](const Query& q, Claim& claim) {
              decide_spheres(q, claim, [&](const WideSpheres& s) {
+               if (q.balls() == nullptr) return claim.overlap.value();
                return claim.overlap.value() && (s.distance > std::abs(s.r1 - s.r2) || s.distance == 0 || at_edge(q));
              });
            },
@@ -539,6 +544,160 @@ claim.contact->point1 = claim.contact->point2 = middle;
            },
            "https://github.com/YoYoGames/GameMaker-Bugs/issues/10446", Origin::real, true},
 
+    // A sphere against a box.
+    Mutant{"mujoco-in-box-depth", "a centre in the box has the value of one on its surface: minus the radius",
+           "sphere-box-depth-missing", nullptr,
+           [](const Query& q, Claim& claim) {
+             in_box(q, claim, [&](const BallAndBox& s, ContactClaim& c) {
+               c.value = rounded(-static_cast<Wide>(s.a.radius) - q.distances.contact);
+             });
+           },
+           "https://github.com/google-deepmind/mujoco/issues/2206"},
+    Mutant{"coal-box-sphere-inside", "a centre in the box: its normal is 0/0, and no face enters the value",
+           "normal-not-finite", nullptr,
+           [](const Query& q, Claim& claim) {
+             in_box(q, claim, [&](const BallAndBox& s, ContactClaim& c) {
+               c.normal = c.point1 = kNoNumber;
+               c.point2 = s.a.center;
+               c.value = rounded(-static_cast<Wide>(s.a.radius) - q.distances.contact);
+             });
+           },
+           "https://github.com/coal-library/coal/commit/fdbffe99a85762aad2f22d1369ebba09a833d374"},
+    Mutant{"tornago-inside-box-nan", "the normal is NaN where the centre is the middle of the box", "sphere-box-middle-not-finite",
+           nullptr,
+           [](const Query& q, Claim& claim) {
+             in_box(q, claim, [](const BallAndBox& s, ContactClaim& c) {
+               if (s.a.center == middle_of(s.b)) c.normal = c.point1 = c.point2 = kNoNumber;
+             });
+           },
+           "https://github.com/luxengine/tornago/issues/4"},
+    Mutant{"cute-circle-aabb-face", "a centre in the box leaves it on the axis on which it is farthest from the middle",
+           "sphere-box-face-by-offset", nullptr,
+           [](const Query& q, Claim& claim) {
+             leave_by(q, claim, [](const auto& below_min, const auto& below_max) {
+               Face face{0, true};
+               (below_min - below_max).cwiseAbs().maxCoeff(&face.axis);
+               face.is_min = below_min[face.axis] < below_max[face.axis];
+               return face;
+             });
+           },
+           "https://github.com/RandyGaul/cute_headers/issues/85"},
+    Mutant{"panda-inside-missed", "a sphere wholly inside the box does not hit", "sphere-box-inside-missed", nullptr,
+           [](const Query& q, Claim& claim) {
+             decide_ball_and_box(q, claim, [&](const WideBallAndBox& s) {
+               const bool inside = ((s.c.array() - s.r >= s.box.min.array()) && (s.c.array() + s.r <= s.box.max.array())).all();
+               return claim.overlap.value() && !inside;
+             });
+           },
+           "https://github.com/panda3d/panda3d/issues/1335"},
+    Mutant{"nez-middle-in-circle", "a centre in the box hits only where the middle of the box is in reach",
+           "sphere-box-middle-in-sphere", nullptr,
+           [](const Query& q, Claim& claim) {
+             decide_ball_and_box(q, claim, [&](const WideBallAndBox& s) {
+               return coincident(q) ? (s.middle() - s.c).stableNorm() <= s.reach : claim.overlap.value();
+             });
+           },
+           "https://github.com/prime31/Nez/pull/395"},
+    Mutant{"cglm-inside-missed", "the distance is taken to a corner: to max only where the centre is beyond it",
+           "sphere-box-corner-by-side", nullptr,
+           [](const Query& q, Claim& claim) {
+             decide_ball_and_box(q, claim, [](const WideBallAndBox& s) {
+               const Wide3 corner = (s.c.array() > s.box.max.array()).select(s.box.max, s.box.min);
+               return (s.c - corner).stableNorm() <= s.reach;
+             });
+           },
+           "https://github.com/recp/cglm/issues/179"},
+    Mutant{"cglm-below-min-face", "a centre below min is clamped to max", "sphere-box-max-for-both", nullptr,
+           [](const Query& q, Claim& claim) {
+             decide_ball_and_box(q, claim, [](const WideBallAndBox& s) {
+               const auto outside = (s.c.array() < s.box.min.array()) || (s.c.array() > s.box.max.array());
+               const Wide3 point = outside.select(s.box.max, s.c);
+               return (s.c - point).stableNorm() <= s.reach;
+             });
+           },
+           "https://github.com/recp/cglm/pull/496"},
+    Mutant{"fna-box-sphere", "faces that the sphere reaches from inside count as a distance", "sphere-box-near-faces",
+           nullptr,
+           [](const Query& q, Claim& claim) {
+             decide_ball_and_box(q, claim, [](const WideBallAndBox& s) {
+               Wide D = 0;
+               for (int axis = 0; axis < 3; ++axis) {
+                 const Wide below = s.c[axis] - s.box.min[axis];
+                 const Wide above = s.box.max[axis] - s.c[axis];
+                 const Wide apart = below <= s.reach ? below : above <= s.reach ? above : 0;
+                 D += apart * apart;
+               }
+               return std::sqrt(D) <= s.reach;
+             });
+           },
+           "https://github.com/FNA-XNA/FNA/pull/366"},
+    Mutant{"kiwi-corner", "the sphere counts as its bounding box, so that corners are not rounded",
+           "largest-coordinate", nullptr,
+           [](const Query& q, Claim& claim) {
+             decide_ball_and_box(q, claim, [](const WideBallAndBox& s) {
+               return ((s.c.array() + s.reach >= s.box.min.array()) && (s.c.array() - s.reach <= s.box.max.array())).all();
+             });
+           },
+           "https://github.com/gamelab/kiwi.js/issues/163"},
+    Mutant{"polytoria-closest-corner", "the nearest corner in the place of the nearest point", "sphere-box-corner",
+           [](Query& q) {
+             rebox(q, [](const Vector3& c, Box& box) {
+               const Vector3 middle = middle_of(box);
+               const Vector3 corner = (c.array() / 2 < middle.array() / 2).select(box.min, box.max);
+               box = {corner, corner};
+             });
+           },
+           nullptr, "https://github.com/Polytoria/polytoria-game/issues/871"},
+    Mutant{"macroquad-min-is-middle", "min of the box is taken for its middle", "sphere-box-min-for-middle",
+           [](Query& q) {
+             rebox(q, [](const Vector3&, Box& box) {
+               const Vector3 half = box.max / 2 - box.min / 2;
+               box = {box.min - half, box.max - half};
+             });
+           },
+           nullptr, "https://github.com/not-fl3/macroquad/issues/483"},
+    Mutant{"raylib-integer-middle", "the middle of the box is cut off to integers", "sphere-box-integer-middle",
+           nullptr,
+           [](const Query& q, Claim& claim) {
+             decide_ball_and_box(q, claim, [](const WideBallAndBox& s) {
+               const Wide3 middle = s.middle().unaryExpr([](Wide x) { return std::trunc(x); });
+               const Wide3 apart = (s.c - middle).cwiseAbs() - (s.box.max - s.box.min) / 2;
+               return apart.cwiseMax(Wide{0}).stableNorm() <= s.reach;
+             });
+           },
+           "https://github.com/raysan5/raylib/issues/3575"},
+    Mutant{"p2-outermost-points", "tested are corners of the box in the sphere, and outermost points of the sphere in the box",
+           "sphere-box-outermost", nullptr,
+           [](const Query& q, Claim& claim) {
+             decide_ball_and_box(q, claim, [](const WideBallAndBox& s) {
+               const Wide3 to_corner = (s.box.min - s.c).cwiseAbs().cwiseMin((s.box.max - s.c).cwiseAbs());
+               bool hit = to_corner.stableNorm() <= s.reach;
+               for (int axis = 0; axis < 3; ++axis)
+                 for (const Wide by : {-s.reach, s.reach}) {
+                   Wide3 point = s.c;
+                   point[axis] += by;
+                   hit = hit || ((point.array() >= s.box.min.array()) && (point.array() <= s.box.max.array())).all();
+                 }
+               return hit;
+             });
+           },
+           "https://github.com/schteppe/p2.js/issues/372"},
+    Mutant{"fcl-box-point-local", "the point of the box is relative to its middle", "sphere-box-point-local", nullptr,
+           [](const Query& q, Claim& claim) {
+             const BallAndBox* s = ball_and_box_of(q);
+             if (s != nullptr && claim.contact) claim.contact->point2 = Vector3(*claim.contact->point2 - middle_of(s->b));
+           },
+           "https://github.com/flexible-collision-library/fcl/issues/171"},
+    Mutant{"brax-normal-plus-1e-6", "1e-6 is added to the distance that the normal is divided by", "normal-plus-1e-6",
+           nullptr,
+           [](const Query& q, Claim& claim) {
+             in_direction(q, claim, [&](ContactClaim& c) {
+               const Wide distance = WideSpheres(q).distance;
+               *c.normal *= rounded(distance / (distance + 1e-6L));
+             });
+           },
+           "https://github.com/google/brax/issues/57"},
+
     // Precision and scale.
     Mutant{"jolt-denormal-normalize", "a squared length up to the smallest normal float counts as zero",
            "centres-within-1e-19", nullptr, [](const Query& q, Claim& claim) { guard(q, claim, 1.084e-19L); },
@@ -567,7 +726,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
            "https://github.com/libigl/libigl/pull/1344"},
     Mutant{"cannon-large-scale", "spheres of a radius from 10000 on pass through each other", "large-missed", nullptr,
            [](const Query& q, Claim& claim) {
-             if (q.balls() != nullptr && std::max(balls(q).a.radius, balls(q).b.radius) >= 1e4) decide(q, claim, false);
+             if (q.has_numbers() && std::max(balls(q).a.radius, balls(q).b.radius) >= 1e4) decide(q, claim, false);
            },
            "https://github.com/schteppe/cannon.js/issues/127"},
     Mutant{"godot-jolt-axis-not-unit", "the difference of the centres is passed on where a unit vector is needed",

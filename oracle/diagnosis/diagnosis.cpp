@@ -103,10 +103,8 @@ std::vector<Claimed> claimed_of(const Facts& f, const Claim& claim, const Declar
     const auto& judged = verdict.at(which);
     if (judged) all.push_back({aspect, is_right(judged), numbers, scale, bound});
   };
-  const auto largest = [](const Numbers& c, Real r) {
-    return std::max({std::abs(c[0]), std::abs(c[1]), std::abs(c[2]), r, std::numeric_limits<Real>::min()});
-  };
-  const std::array scales{largest(f.center[0], f.radius[0]), largest(f.center[1], f.radius[1])};
+  constexpr Real kLeast = std::numeric_limits<Real>::min();  // a scale of 0 stands for a decision
+  const std::array scales{std::max(f.scale[0], kLeast), std::max(f.scale[1], kLeast)};
   if (f.said_normal) field(Aspect::normal, Field::normal, *f.said_normal, 1, declared.bounds.normal);
   if (said.point1) field(Aspect::point1, Field::point1, numbers_of(*said.point1), scales[0], declared.bounds.point);
   if (said.point2) field(Aspect::point2, Field::point2, numbers_of(*said.point2), scales[1], declared.bounds.point);
@@ -116,7 +114,7 @@ std::vector<Claimed> claimed_of(const Facts& f, const Claim& claim, const Declar
     Real value = *said.value;
     if (declared.conventions.value == ValueKind::depth) value = -value;
     if (!declared.conventions.value_less_contact) value -= f.contact;
-    const Real scale = std::max({f.distance, f.radii(), f.contact, std::numeric_limits<Real>::min()});
+    const Real scale = std::max({std::abs(f.distance), f.radii(), f.contact, kLeast});
     field(Aspect::value, Field::value, {value, 0, 0}, scale, declared.bounds.value);
   }
   return all;
@@ -143,8 +141,8 @@ const Said& said_of(const Predictions& said, Aspect aspect) {
 }
 
 /// The contact point to which the claimed normal leads.
-Said following(const Facts& f, std::size_t sphere) {
-  return along(f.center[sphere], side(sphere) * f.radius[sphere], *f.said_normal);
+Said following(const Facts& f, std::size_t shape) {
+  return along(f.nearest[shape], side(shape) * f.radius[shape], *f.said_normal);
 }
 
 /// The normal that an answer claims, first to second.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "extreme_numbers.hpp"
+#include "oracle/diagnosis/formulas.hpp"
 #include "oracle/judge/right_claim.hpp"
 
 namespace contact::oracle {
@@ -24,6 +25,12 @@ Query coincident() { return {Pair::sphere_sphere, Balls{{{1, 2, 4}, 2}, {{1, 2, 
 Query boxes(const Vector3& corner, double alarm) {
   return {Pair::cube_cube, Boxes{{{0, 0, 0}, {2, 3, 4}}, {corner, corner + Vector3(1, 2, 3)}}, {alarm, 0}};
 }
+
+/// A sphere, and a box from 0 to (1,2,4).
+Query beside_box(const Vector3& center, double radius, double alarm = 0, double contact = 0) {
+  return {Pair::sphere_cube, BallAndBox{{center, radius}, {{0, 0, 0}, {1, 2, 4}}}, {alarm, contact}};
+}
+const Vector3 kInside(0.25, 0.75, 1.5);
 
 struct Example {
   explicit Example(const Query& asked) : query(asked), truth(truth_of(query)) {}
@@ -85,6 +92,47 @@ TEST(Facts, DistancesAndGapsAreThoseOfTheQuestion) {
   EXPECT_EQ(Example(boxes({0.5, 0.5, 0.5}, 0)).facts().gap(0), -1.5);
   const Numbers said{0, 0, 1};
   EXPECT_EQ(Example(coincident()).facts(said).n, said) << "no direction but what was said";
+}
+
+TEST(Facts, OfASphereAndABoxAreThoseOfItsNearestPoint) {
+  EXPECT_EQ(region(beside_box({-2, -3, 5}, 1)), Region::beyond);
+  EXPECT_EQ(region(beside_box({-2, 1, 1}, 2)), Region::touching);
+  EXPECT_EQ(region(beside_box({-2, 1, 1}, 3)), Region::overlapping);
+  EXPECT_EQ(region(beside_box({-2, 1, 1}, 10)), Region::inside) << "the box in the sphere";
+  EXPECT_EQ(region(beside_box(kInside, 0.25)), Region::inside) << "touching a face from inside";
+  EXPECT_EQ(region(beside_box(kInside, 0.5)), Region::core_inside);
+  EXPECT_EQ(region(beside_box({0, 1, 1}, 0.5)), Region::coincident) << "on a face";
+
+  const Facts outside = Example(beside_box({-2, -3, 5}, 1.5)).facts();
+  EXPECT_EQ(outside.nearest[1], (Numbers{0, 0, 4}));
+  EXPECT_EQ(outside.D, 4 + 9 + 1);
+  EXPECT_EQ(outside.radii(), 1.5);
+  EXPECT_EQ(outside.scale, (std::array<Real, 2>{5, 5}));
+  EXPECT_EQ(outside.widest_gap(), 3);
+
+  const Facts inside = Example(beside_box(kInside, 0.5)).facts();
+  EXPECT_EQ(inside.depth, 0.25);
+  EXPECT_EQ(inside.distance, -0.25);
+  EXPECT_EQ(inside.n, (Numbers{1, 0, 0})) << "into the box";
+  EXPECT_EQ(inside.nearest[1], (Numbers{0, 0.75, 1.5}));
+  // Two faces are nearest, and an engine may take either.
+  const Example tie(beside_box({0.25, 0.25, 1}, 1));
+  EXPECT_EQ(tie.facts().n, (Numbers{1, 0, 0})) << "the first, where nothing was said";
+  EXPECT_EQ(tie.facts(Numbers{0.25, 0.75, 0}).n, (Numbers{0, 1, 0}));
+  EXPECT_EQ(tie.facts(Numbers{0.25, 0.75, 0}).nearest[1], (Numbers{0.25, 0, 1}));
+  EXPECT_EQ(tie.facts(Numbers{formulas::kNaN, 0, 0}).n, (Numbers{1, 0, 0}));
+}
+
+TEST(Facts, AnotherQuestionIsReadAnewAndTheRegionStays) {
+  const Example asked(beside_box({-2, 1, 1}, 2, 3, 4));
+  Facts facts = asked.facts();
+  facts.ask(beside_box(kInside, std::numeric_limits<double>::infinity(), 5, 6));
+  EXPECT_EQ(facts.depth, 0.25);
+  EXPECT_EQ(facts.radius[0], std::numeric_limits<double>::max());
+  EXPECT_EQ(facts.alarm, 5);
+  EXPECT_EQ(facts.contact, 6);
+  EXPECT_EQ(facts.region, Region::near);
+  EXPECT_EQ(facts.truth, &asked.truth);
 }
 
 TEST(Facts, AComparisonThatHangsOnTheLastBitsIsNoOpinion) {
@@ -186,6 +234,60 @@ TEST(Causes, AnArithmeticIsVagueByTheLargestNumberAndItsBits) {
   EXPECT_EQ(Example(coincident()).say("three-digits").normal.kind, Said::Kind::no_opinion);
   EXPECT_EQ(Example(coincident()).say("three-digits").point[0].kind, Said::Kind::no_opinion);
   expect_numbers(Example(coincident()).say("three-digits").value, {-5, 0, 0}, "value");
+}
+
+TEST(Causes, ThatConcernShapesOfOneKindSayNothingOfOthers) {
+  const std::vector<Example> examples{Example(seven_apart(4, 4, 0)), Example(boxes({1, 1, 1}, 0)),
+                                      Example(beside_box(kInside, 1))};
+  std::size_t of_one_kind = 0;
+  for (const Cause& cause : causes())
+    for (const Example& example : examples) {
+      if (cause.kind == kEveryKind || cause.kind == example.query.shapes.index()) continue;
+      ++of_one_kind;
+      const Predictions said = example.say(cause.id);
+      for (const Said* aspect : {&said.hit, &said.normal, &said.point[0], &said.point[1], &said.value})
+        EXPECT_EQ(aspect->kind, Said::Kind::no_opinion) << cause.id;
+    }
+  EXPECT_GT(of_one_kind, 80U);
+}
+
+TEST(Causes, ACentreInTheBoxLeavesItByAWrongFace) {
+  // The faces are 0.25 and 0.75, 0.75 and 1.25, 1.5 and 2.5 away; the middle is (0.5, 1, 2).
+  const Example in(beside_box(kInside, 0.125, 0, 0.5));
+  const auto leaves = [&](std::string_view cause, const Numbers& normal, const Numbers& foot, Real depth) {
+    const Predictions said = in.say(cause);
+    expect_numbers(said.normal, normal, cause);
+    expect_numbers(said.point[0], formulas::along({0.25, 0.75, 1.5}, 0.125L, normal), cause);
+    expect_numbers(said.point[1], foot, cause);
+    expect_numbers(said.value, {-0.125L - depth - 0.5L, 0, 0}, cause);
+  };
+  leaves("sphere-box-farthest-face", {0, 0, -1}, {0.25, 0.75, 4}, 2.5);
+  leaves("sphere-box-opposite-face", {-1, 0, 0}, {1, 0.75, 1.5}, 0.75);
+  leaves("sphere-box-face-by-offset", {0, 0, 1}, {0.25, 0.75, 0}, 1.5);
+  leaves("sphere-box-first-face", {1, 0, 0}, {0, 0.75, 1.5}, 0.25);
+  expect_numbers(in.say("sphere-box-depth-missing").value, {-0.625, 0, 0}, "depth missing");
+  expect_numbers(in.say("sphere-box-depth-added").value, {0.25L - 0.625L, 0, 0}, "depth added");
+  expect_numbers(in.say("sphere-box-point-in-box").point[1], {0.25, 0.75, 1.5}, "the centre");
+  EXPECT_EQ(in.say("sphere-box-point-in-box").point[0].kind, Said::Kind::no_opinion);
+  expect_numbers(in.say("sphere-box-point-local").point[1], {-0.5, -0.25, -0.5}, "the foot less the middle");
+  expect_numbers(in.say("sphere-box-normal-outward").normal, {-1, 0, 0}, "outward");
+  const Real apart = std::sqrt(0.0625L + 0.0625L + 0.25L);
+  expect_numbers(in.say("sphere-box-normal-to-middle").normal, {0.25L / apart, 0.25L / apart, 0.5L / apart}, "middle");
+  EXPECT_EQ(in.say("sphere-box-middle-not-finite").normal.kind, Said::Kind::no_opinion);
+  EXPECT_TRUE(std::isnan(Example(beside_box({0.5, 1, 2}, 1)).say("sphere-box-middle-not-finite").normal.numbers[0]));
+  // What every pair has is right of the way out as well.
+  expect_numbers(in.say("first-radius-missing").value, {-0.75, 0, 0}, "no radius");
+  expect_numbers(in.say("points-far-side").point[0], {0.125, 0.75, 1.5}, "against the normal");
+  expect_numbers(in.say("x-ignored").value, {-0.875, 0, 0}, "there is no delta to ignore it in");
+  for (const std::string_view cause :
+       {"sphere-box-farthest-face", "sphere-box-depth-missing", "sphere-box-normal-outward"})
+    EXPECT_EQ(Example(beside_box({-2, 1, 1}, 3)).say(cause).normal.kind, Said::Kind::no_opinion) << cause;
+  const std::vector<Numbers> outward{{-1, 0, 0}, {0, -1, 0}};
+  for (const Numbers& said : outward)
+    expect_numbers(
+        predict(causes()[cause_index("sphere-box-normal-outward")], Example(beside_box({0.25, 0.25, 1}, 1)).facts(said))
+            .normal,
+        said, "of two faces that are nearest");
 }
 
 /// The least alarm distance at which a mistake makes a question a hit.
@@ -330,6 +432,49 @@ TEST(Causes, DecisionsAboutBoxesTurnWhereTheFormulaSays) {
   });
 }
 
+TEST(Causes, DecisionsAboutASphereAndABoxTurnWhereTheFormulaSays) {
+  // 2 and 3 below, 1 above; the middle is (0.5, 1, 2).
+  const Query q = beside_box({-2, -3, 5}, 0.5, 0, 1);
+  const Query face = beside_box({0.25, -3, 1}, 0.5);
+  using std::sqrt;
+  expect_turns({
+      {"radii-missing", q, sqrt(14)},
+      {"largest-coordinate", q, 3 - 0.5},
+      {"coordinate-sum", q, 6 - 0.5},
+      {"x-ignored", q, sqrt(9 + 1) - 0.5},
+      {"contact-widens", q, sqrt(14) - 1.5},
+      {"tolerance-1e-2", q, sqrt(14) - 0.51},
+      {"sphere-box-bounding-sphere", q, sqrt(6.25 + 16 + 9) - sqrt(1 + 4 + 16) / 2 - 0.5},
+      {"sphere-box-middle", q, sqrt(6.25 + 16 + 9) - 0.5},
+      {"sphere-box-corner", face, sqrt(0.0625 + 9 + 1) - 0.5},
+      {"sphere-box-corner", beside_box({0.75, 5, 3}, 0.5), sqrt(0.0625 + 9 + 1) - 0.5},
+      {"sphere-box-extents-full", q, 2.5 - 0.5},
+      {"sphere-box-extents-halved", q, sqrt(5.0625 + 12.25 + 4) - 0.5},
+      {"sphere-box-min-for-middle", q, sqrt(2.25 + 4 + 9) - 0.5},
+      {"sphere-box-max-alone", q, 1 - 0.5},
+      {"sphere-box-min-alone", q, sqrt(4 + 9) - 0.5},
+      {"sphere-box-corner-by-side", face, sqrt(0.0625 + 9 + 1) - 0.5},
+      {"sphere-box-corner-by-side", beside_box({0.25, 5, 1}, 0.5), sqrt(0.0625 + 9 + 1) - 0.5},
+      {"sphere-box-max-for-both", q, sqrt(9 + 25 + 1) - 0.5},
+      {"sphere-box-integer-middle", q, sqrt(2.25 + 9 + 1) - 0.5},
+      {"sphere-box-middle-in-sphere", beside_box(kInside, 0.5), sqrt(0.375) - 0.5},
+  });
+  const auto hit = [](std::string_view cause, const Query& query) { return is_hit(Example(query).say(cause).hit); };
+  EXPECT_FALSE(hit("sphere-box-inside-missed", beside_box(kInside, 0.25)));
+  EXPECT_TRUE(hit("sphere-box-inside-missed", beside_box(kInside, 0.26)));
+  EXPECT_TRUE(hit("sphere-box-inside-missed", beside_box({-2, 1, 1}, 10))) << "the box in the sphere";
+  EXPECT_TRUE(hit("sphere-box-middle-in-sphere", beside_box({-2, 1, 1}, 2.25))) << "right outside";
+  // From the middle of a cube of 2 its faces are 1 away, and its corners 1.73.
+  const auto in_cube = [](double radius) {
+    return Query{Pair::sphere_cube, BallAndBox{{{0, 0, 0}, radius}, {{-1, -1, -1}, {1, 1, 1}}}, {0, 0}};
+  };
+  for (const std::string_view cause : {"sphere-box-near-faces", "sphere-box-outermost"}) {
+    EXPECT_TRUE(hit(cause, in_cube(0.9))) << cause;
+    EXPECT_FALSE(hit(cause, in_cube(1.5))) << cause;
+    EXPECT_TRUE(hit(cause, in_cube(1.8))) << cause;
+  }
+}
+
 TEST(Causes, OneSideOfABoxIsLeftOut) {
   const std::array<std::string_view, 6> causes_by_side{"box-x-low",  "box-y-low",  "box-z-low",
                                                        "box-x-high", "box-y-high", "box-z-high"};
@@ -409,6 +554,9 @@ TEST(Causes, NormalsAndValuesAtTheirEdges) {
   const Query half{Pair::sphere_sphere, Balls{{{0, 0, 0}, 4}, {{0, 0.5, 0}, 3}}, {0, 0}};
   expect_numbers(Example(half).say("radii-halved").normal, {0, 1, 0}, "an edit leaves the direction");
   expect_numbers(Example(half).say("radii-halved").value, {0.5L - 3.5L, 0, 0}, "value");
+  const Query tiny{Pair::sphere_sphere, Balls{{{0, 0, 0}, 4}, {{0, 3e-6, 0}, 3}}, {0, 0}};
+  expect_numbers(Example(tiny).say("normal-plus-1e-6").normal, {0, 0.75, 0}, "3 / 4");
+  expect_numbers(Example(tiny).say("normal-square-plus-1e-12").normal, {0, 3 / std::sqrt(10.0L), 0}, "3 / sqrt(9 + 1)");
   expect_numbers(Example(half).say("three-digits").normal, {0, 1, 0}, "within a distance of 1");
   expect_numbers(Example(seven_apart(2, 3, 4, 1)).say("first-shape-twice").value, {0 - 2 - 2 - 1, 0, 0}, "to itself");
   EXPECT_EQ(Example(coincident()).say("radii-halved").normal.kind, Said::Kind::no_opinion);

@@ -32,39 +32,63 @@ inline Real largest_of(const Numbers& v) { return std::max({std::abs(v[0]), std:
 inline Real narrow(Real x) { return static_cast<Real>(static_cast<float>(x)); }
 
 inline std::size_t other(std::size_t shape) { return 1 - shape; }
-/// The direction along the normal in which a contact point lies from the centre of its sphere.
-inline Real side(std::size_t sphere) { return sphere == 0 ? 1 : -1; }
-inline Numbers surface(F f, std::size_t sphere) {
-  return along(f.center[sphere], side(sphere) * f.radius[sphere], f.n);
-}
-inline Real signed_distance(F f) { return f.distance - f.depth - f.radii(); }
+/// The direction along the normal in which a contact point lies from the core of its shape.
+inline Real side(std::size_t shape) { return shape == 0 ? 1 : -1; }
+inline Numbers surface(F f, std::size_t shape) { return along(f.nearest[shape], side(shape) * f.radius[shape], f.n); }
+inline Real signed_distance(F f) { return f.distance - f.radii(); }
 inline Real right_value(F f) { return signed_distance(f) - f.contact; }
 
 /// Whether the shapes are within `alarm` of each other: boxes are if the gap of each axis is.
 inline Said within(F f, Real alarm) {
-  return f.spheres ? Said::at_most(f.distance, f.radii() + alarm) : Said::at_most(f.widest_gap(), alarm);
+  return f.has_distance() ? Said::at_most(f.distance, f.radii() + alarm) : Said::at_most(f.widest_gap(), alarm);
 }
+inline Said right_decision(F f) { return Said::hit(f.truth->hit()); }
+/// A miss in some places, and right elsewhere.
+inline Said missed_where(bool there, F f) { return there ? Said::hit(false) : right_decision(f); }
 /// `said` in some places, and no opinion elsewhere.
 inline Said where(bool there, const Said& said) { return there ? said : Said(std::nullopt); }
-/// A decision about boxes that has no opinion on spheres.
-inline std::function<Said(F)> boxes(std::function<Said(F)> hit) {
-  return [hit = std::move(hit)](F f) { return f.spheres ? Said(std::nullopt) : hit(f); };
+/// A decision about two shapes with a distance that has no opinion on others.
+inline std::function<Said(F)> of_distance(std::function<Said(F)> hit) {
+  return [hit = std::move(hit)](F f) { return f.has_distance() ? hit(f) : Said(std::nullopt); };
 }
-/// A cause that changes the normal only. Where the centres coincide every unit normal is right, so it has no opinion.
+/// A cause that decides whether two shapes are within the alarm distance.
+inline Cause decision(std::string_view id, std::string_view sentence, std::function<Said(F)> said) {
+  return {.id = id, .sentence = sentence, .hit = std::move(said)};
+}
+/// Causes that change one number of the contact.
+inline Cause points(std::string_view id, std::string_view sentence, std::function<Said(F, std::size_t)> said) {
+  return {.id = id, .sentence = sentence, .point = std::move(said)};
+}
+inline Cause value(std::string_view id, std::string_view sentence, std::function<Said(F)> said) {
+  return {.id = id, .sentence = sentence, .value = std::move(said)};
+}
+/// A cause that changes the question.
+inline Cause edit(std::string_view id, std::string_view sentence, std::function<void(Facts&)> change) {
+  return {.id = id, .sentence = sentence, .edit = std::move(change)};
+}
+/// A cause that changes the normal only, between cores that are apart: where they meet, there is no delta.
 inline Cause normal(std::string_view id, std::string_view sentence, std::function<Said(F)> said) {
-  return {.id = id, .sentence = sentence, .normal = [said = std::move(said)](F f) {
-            return where(f.region != Region::coincident, said(f));
-          }};
+  return {.id = id, .sentence = sentence, .normal = [said = std::move(said)](F f) { return where(f.D > 0, said(f)); }};
 }
+/// A normal or a point that is NaN or infinite.
+inline constexpr Numbers kNotFinite{kNaN, kNaN, kNaN};
 
 // The tables, in the order of `causes()`.
 [[nodiscard]] std::vector<Cause> wrong_inputs();
 [[nodiscard]] std::vector<Cause> wrong_decisions();
-[[nodiscard]] std::vector<Cause> wrong_box_decisions();
 [[nodiscard]] std::vector<Cause> wrong_features();
 [[nodiscard]] std::vector<Cause> wrong_normals();
 [[nodiscard]] std::vector<Cause> wrong_points();
 [[nodiscard]] std::vector<Cause> wrong_values();
 [[nodiscard]] std::vector<Cause> wrong_arithmetic();
+
+// What each kind of shapes says of itself, in files of its own: sphere_sphere.cpp, cube_cube.cpp.
+#define CONTACT_DECLARE(A, B)                                                           \
+  /* Whether one of the two shapes lies inside the other. */                            \
+  [[nodiscard]] bool one_inside_the_other(F f, const Two<A, B>& shapes);                \
+  /* The mistakes that can be made about these shapes alone; the argument is unused. */ \
+  [[nodiscard]] std::vector<Cause> wrong_about(const Two<A, B>* kind);
+CONTACT_KINDS(CONTACT_DECLARE)
+#undef CONTACT_DECLARE
 
 }  // namespace contact::oracle::formulas

@@ -9,93 +9,106 @@
 #include <vector>
 
 #include "oracle/diagnosis/formulas.hpp"
+#include "oracle/truth/exact_truth.hpp"
 
 namespace contact::oracle {
+
 namespace {
 
-using NearestPoints = std::array<Numbers, 2>;
-
-NearestPoints nearest_points(const Balls& balls) {
-  return {formulas::numbers_of(balls.a.center), formulas::numbers_of(balls.b.center)};
+/// The number as exactly as Real holds it.
+Real real(const Rational& x) {
+  const double most = CGAL::to_double(x);
+  return std::isfinite(most) ? static_cast<Real>(most) + static_cast<Real>(CGAL::to_double(x - Rational(most))) : most;
 }
-NearestPoints nearest_points(const BallAndBox& shapes) {
-  const auto& [ball, box] = shapes;
-  return {formulas::numbers_of(ball.center), formulas::numbers_of(ball.center.cwiseMax(box.min).cwiseMin(box.max))};
-}
-template <class A>
-NearestPoints nearest_points(const Two<A, Capsule>& shapes) {
-  const AxisInReals first(shapes.a);
-  const AxisInReals second(shapes.b);
-  const auto [s, t] = nearest_parameters(first, second);
-  return {first.at(s), second.at(t)};
-}
+Numbers real(const Point& p) { return {real(p[0]), real(p[1]), real(p[2])}; }
 
-Real radius_of(const Box& /*box*/) { return 0; }
-Real radius_of(const auto& shape) { return shape.radius; }
-
-/// How deep a centre is in a box.
-Real depth_of(const BallAndBox& shapes) {
-  const auto& [ball, box] = shapes;
-  Real least = std::numeric_limits<Real>::infinity();
-  for (Eigen::Index i = 0; i < 3; ++i)
-    least = std::min({least, Real{ball.center[i]} - box.min[i], Real{box.max[i]} - ball.center[i]});
-  return std::max(least, Real{0});
+/// The least box around the points of a shape, which is the box itself for a box.
+template <class Shape>
+Box bounds_of(const Shape& shape) {
+  Box bounds{Vector3::Constant(std::numeric_limits<double>::infinity()),
+             Vector3::Constant(-std::numeric_limits<double>::infinity())};
+  for_each_field(shape, [&](const auto& /*field*/, const auto& value) {
+    for_each_vector(value, [&](const Vector3& v) { bounds = {bounds.min.cwiseMin(v), bounds.max.cwiseMax(v)}; });
+  });
+  return bounds;
 }
 
 }  // namespace
 
-Facts::Facts(const Query& of, const Truth& true_of_it, Scalar engine_scalar, std::optional<Numbers> normal_said)
-    : query(&of),
+Facts::Facts(const Query& asked, const Truth& true_of_it, Scalar engine_scalar, std::optional<Numbers> normal_said)
+    : query(asked),
       truth(&true_of_it),
       scalar(engine_scalar),
-      spheres(of.has_numbers()),
       region(Region::beyond),
-      alarm(of.distances.alarm),
-      contact(of.distances.contact),
+      alarm(0),
+      contact(0),
       said_normal(normal_said) {
-  bool inside = false;
-  bool coincident = false;
-  if (spheres) {
-    std::visit(
-        [&]<class Shapes>(const Shapes& shapes) {
-          if constexpr (!std::same_as<Shapes, Boxes>) {
-            center = nearest_points(shapes);
-            radius = {radius_of(shapes.a), radius_of(shapes.b)};
-          }
-          if constexpr (std::same_as<Shapes, BallAndBox>) depth = depth_of(shapes);
-        },
-        of.shapes);
-    settle();
-    inside = of.balls() != nullptr ? distance <= std::abs(radius[0] - radius[1]) : depth > 0;
-    coincident = truth->coincident();
-  } else {
-    const auto& [a, b] = *of.boxes();
-    min = {formulas::numbers_of(a.min), formulas::numbers_of(b.min)};
-    max = {formulas::numbers_of(a.max), formulas::numbers_of(b.max)};
-    const auto in = [](const Box& x, const Box& y) {
-      return (x.min.array() >= y.min.array()).all() && (x.max.array() <= y.max.array()).all();
-    };
-    inside = in(a, b) || in(b, a);
-  }
+  read(true_of_it);
+  const bool inside =
+      std::visit([&](const auto& shapes) { return formulas::one_inside_the_other(*this, shapes); }, query.shapes);
   if (truth->at_alarm == Side::beyond) return;
-  if (coincident)
+  if (truth->coincident())
     region = Region::coincident;
   else if (truth->at_alarm == Side::at)
     region = alarm == 0 ? Region::touching : Region::at_alarm;
   else if (truth->at_zero != Side::within)
     region = Region::near;
   else
-    region = inside ? Region::inside : Region::overlapping;
+    region = inside ? Region::inside : depth > 0 ? Region::core_inside : Region::overlapping;
+}
+
+void Facts::ask(Query other) {
+  // What overflows stays the largest number: there is no truth about infinity.
+  const double largest = std::numeric_limits<double>::max();
+  for_each_number(other, [largest](const std::string&, double& x) { x = std::clamp(x, -largest, largest); });
+  query = std::move(other);
+  read(truth_of(query));
+}
+
+void Facts::read(const Truth& of_query) {
+  alarm = query.distances.alarm;
+  contact = query.distances.contact;
+  const auto bound = [&](std::size_t shape, const Box& box) {
+    min[shape] = formulas::numbers_of(box.min);
+    max[shape] = formulas::numbers_of(box.max);
+  };
+  std::visit([&](const auto& shapes) { bound(0, bounds_of(shapes.a)), bound(1, bounds_of(shapes.b)); }, query.shapes);
+  const DistanceTruth* exact = of_query.distance();
+  if (exact == nullptr) return;
+  const Cores& cores = exact->cores();
+  for (const int shape : {0, 1}) {
+    const auto i = static_cast<std::size_t>(shape);
+    nearest[i] = real(cores.nearest[i]);
+    radius[i] = real(cores.radius[i]);
+    scale[i] = real(exact->point_scale(shape));
+  }
+  depth = 0;
+  settle();
+  if (!exact->degenerate() || exact->coincident()) return;
+  // Of several ways out that are as short, an engine takes the one that its normal comes nearest to.
+  depth = real(exact->meeting().depth);
+  distance = -depth;
+  Real best = -formulas::kInfinity;
+  for (const WayOut& way : exact->meeting().ways) {
+    const Numbers direction = real(way.direction);
+    const Numbers unit = formulas::times(1 / std::sqrt(formulas::dot(direction, direction)), direction);
+    const Real along = said_normal ? formulas::dot(unit, *said_normal) : 0;
+    if (!(along > best) && best > -formulas::kInfinity) continue;
+    best = std::isnan(along) ? Real{0} : along;
+    n = unit;
+    nearest[1] = real(way.nearest);
+  }
 }
 
 void Facts::settle() {
-  if (!spheres) return;
-  delta = formulas::along(center[1], -1, center[0]);
+  delta = formulas::along(nearest[1], -1, nearest[0]);
   settle_from_delta();
 }
 
 void Facts::settle_from_delta() {
   D = formulas::dot(delta, delta);
+  if (D == 0 && depth > 0) return;
+  depth = 0;
   distance = std::sqrt(D);
   n = D > 0 ? formulas::times(1 / distance, delta) : said_normal.value_or(Numbers{});
 }
@@ -114,10 +127,22 @@ Said Said::at_most(Real x, Real y) {
 std::span<const Cause> causes() {
   static const std::vector<Cause> all = [] {
     std::vector<Cause> made;
-    for (const auto table :
-         {formulas::wrong_inputs, formulas::wrong_decisions, formulas::wrong_box_decisions, formulas::wrong_features,
-          formulas::wrong_normals, formulas::wrong_points, formulas::wrong_values, formulas::wrong_arithmetic})
-      for (Cause& cause : table()) made.push_back(std::move(cause));
+    const auto append = [&](std::vector<Cause> table, std::size_t kind) {
+      for (Cause& cause : table) {
+        cause.kind = kind;
+        made.push_back(std::move(cause));
+      }
+    };
+    for (const auto table : {formulas::wrong_inputs, formulas::wrong_decisions}) append(table(), kEveryKind);
+    for (const Pair pair : pairs_of_kinds())
+      std::visit(
+          [&](const auto& shapes) {
+            append(formulas::wrong_about(static_cast<decltype(&shapes)>(nullptr)), kind_of(pair));
+          },
+          description(pair).zeros());
+    for (const auto table : {formulas::wrong_features, formulas::wrong_normals, formulas::wrong_points,
+                             formulas::wrong_values, formulas::wrong_arithmetic})
+      append(table(), kEveryKind);
     if (made.size() > kMostCauses) throw std::length_error("more causes than kMostCauses");
     return made;
   }();
@@ -133,20 +158,20 @@ std::size_t cause_index(std::string_view id) {
 
 Predictions predict(const Cause& cause, const Facts& facts) {
   Predictions said;
+  if (cause.kind != kEveryKind && cause.kind != facts.query.shapes.index()) return said;
   if (cause.edit) {
     Facts f = facts;
     cause.edit(f);
     said.hit = formulas::within(f, f.alarm);
-    if (!f.spheres) return said;
+    if (!f.has_distance()) return said;
     said.value = formulas::right_value(f);
-    if (f.D == 0) f.n = facts.n;  // it has no direction: any normal is right
-    const bool has_direction = facts.D > 0 || facts.depth > 0;
-    if (has_direction) said.normal = f.n;
-    if (has_direction || f.D == 0) said.point = {formulas::surface(f, 0), formulas::surface(f, 1)};
+    if (!f.has_direction()) f.n = facts.n;  // any normal is right
+    if (facts.has_direction()) said.normal = f.n;
+    if (facts.has_direction() || !f.has_direction()) said.point = {formulas::surface(f, 0), formulas::surface(f, 1)};
     return said;
   }
   if (cause.hit) said.hit = cause.hit(facts);
-  if (!facts.spheres) return said;
+  if (!facts.has_distance()) return said;
   if (cause.normal) said.normal = cause.normal(facts);
   if (cause.point) said.point = {cause.point(facts, 0), cause.point(facts, 1)};
   if (cause.value) said.value = cause.value(facts);

@@ -6,9 +6,11 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <variant>
 
 #include "oracle/diagnosis/nearest_in_reals.hpp"
 #include "oracle/judge/claim.hpp"
+#include "oracle/truth/query.hpp"
 #include "oracle/truth/truth.hpp"
 
 namespace contact::oracle {
@@ -17,44 +19,60 @@ namespace contact::oracle {
 // judged with it: a formula only has to come near what an engine said.
 
 /// Where the two shapes of a question lie: each region exercises another part of the right formula.
-enum class Region { coincident, inside, overlapping, touching, near, at_alarm, beyond };
-inline constexpr std::array<std::string_view, 7> kRegionNames{
-    "where the centres coincide",  "where one shape lies inside the other", "where the shapes overlap",
-    "where the shapes just touch", "short of the alarm distance",           "exactly at the alarm distance",
-    "beyond the alarm distance"};
+enum class Region { coincident, inside, core_inside, overlapping, touching, near, at_alarm, beyond };
+inline constexpr std::array<std::string_view, 8> kRegionNames{"where the centres coincide",
+                                                              "where one shape lies inside the other",
+                                                              "where a centre lies inside the other shape",
+                                                              "where the shapes overlap",
+                                                              "where the shapes just touch",
+                                                              "short of the alarm distance",
+                                                              "exactly at the alarm distance",
+                                                              "beyond the alarm distance"};
 
 /// The numbers of one question that formulas use. A cause may change any of them and compute the rest anew.
+///
+/// Two shapes with a distance are two cores, each blown up by a radius, and their formulas speak of the nearest points
+/// of the cores: whichever shapes these are, the exact truth says where they lie. Two boxes without one have gaps.
 struct Facts {
   Facts(const Query& query, const Truth& truth, Scalar scalar, std::optional<Numbers> said_normal);
 
-  /// Computes what follows from the centres.
+  /// Reads another question in the place of this one. What was really asked keeps its truth and its region.
+  void ask(Query other);
+  /// Computes what follows from the nearest points.
   void settle();
   /// Computes what follows from `delta`.
   void settle_from_delta();
 
-  const Query* query;
+  Query query;
   const Truth* truth;
   Scalar scalar;
-  bool spheres;  ///< or other shapes with a distance: spheres around the nearest points of their cores
   Region region;
   Real alarm;
   Real contact;
-  // Of pairs with a distance.
-  std::array<Numbers, 2> center{};  ///< the nearest points of the cores
+  // Of two shapes with a distance.
+  std::array<Numbers, 2> nearest{};  ///< of the cores, such as centres; inside, the ends of the way out
   std::array<Real, 2> radius{};
+  std::array<Real, 2> scale{};  ///< of which the bound of each contact point counts ulps
+  Real depth = 0;               ///< how deep one core is inside the other
   Numbers delta{};
   Real D = 0;         ///< delta.delta
-  Real distance = 0;  ///< sqrt(D)
-  Numbers n{};        ///< delta / sqrt(D), or the engine's normal where the centres coincide
-  Real depth = 0;     ///< of a centre in a box
-  // Boxes.
+  Real distance = 0;  ///< sqrt(D), or -depth
+  Numbers n{};        ///< delta / sqrt(D), or the way out; the engine's normal where there is no direction
+  // The bounds of the cores, for boxes their corners.
   std::array<Numbers, 2> min{};
   std::array<Numbers, 2> max{};
   std::optional<Numbers> said_normal;  ///< first to second
 
+  [[nodiscard]] bool has_distance() const { return query.has_numbers(); }
+  /// Whether one direction is right, or several that are as good.
+  [[nodiscard]] bool has_direction() const { return D > 0 || depth > 0; }
+
   [[nodiscard]] Real radii() const { return radius[0] + radius[1]; }
   [[nodiscard]] Real gap(std::size_t axis) const;
   [[nodiscard]] Real widest_gap() const;
+
+ private:
+  void read(const Truth& of_query);
 };
 
 /// What an engine with a mistake would say about one aspect.
@@ -78,6 +96,9 @@ struct Said {
   Real tolerance = 0;  ///< of formulas that are vaguer than the engine's own bound
 };
 
+/// The `kind` of a cause that concerns shapes of every kind.
+inline constexpr std::size_t kEveryKind = std::variant_npos;
+
 /// A mistake, and formulas for the aspects that it changes; without `edit`, it has no opinion on the others.
 struct Cause {
   std::string_view id;
@@ -86,15 +107,16 @@ struct Cause {
   std::function<void(Facts&)> edit{};
   std::function<Said(const Facts&)> hit{};
   std::function<Said(const Facts&)> normal{};
-  std::function<Said(const Facts&, std::size_t sphere)> point{};
+  std::function<Said(const Facts&, std::size_t shape)> point{};
   std::function<Said(const Facts&)> value{};
   /// How much an explained claim counts. A vague formula says only that something is off, and counts for less than 1,
   /// so that a formula that says what is off goes before it.
   double weight = 1;
+  std::size_t kind = kEveryKind;  ///< of the two shapes that it can be made about; it has no opinion on others
 };
 
 /// A set of causes has so many bits, in memory and in files.
-inline constexpr std::size_t kMostCauses = 256;
+inline constexpr std::size_t kMostCauses = 512;
 
 /// All causes. Order is priority: of several that say the same the simplest stands first. Throws std::length_error
 /// where there are more than kMostCauses.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "contact/pairs.hpp"
 
@@ -12,7 +13,7 @@ namespace contact::oracle {
 using Real = long double;
 using Numbers = std::array<Real, 3>;
 
-/// The axis of a shape, from + t along for t from 0 to 1; of a sphere its centre.
+/// The axis of a capsule, or a ray: from + t along for t from 0 to 1; of a sphere its centre.
 struct AxisInReals {
   Numbers from{};
   Numbers along{};
@@ -21,6 +22,9 @@ struct AxisInReals {
   explicit AxisInReals(const Ball& ball) : from{ball.center[0], ball.center[1], ball.center[2]} {}
   explicit AxisInReals(const Capsule& capsule) : from{capsule.start[0], capsule.start[1], capsule.start[2]} {
     for (std::size_t i = 0; i < 3; ++i) along[i] = Real{capsule.end[static_cast<Eigen::Index>(i)]} - from[i];
+  }
+  explicit AxisInReals(const Ray& ray) : from{ray.origin[0], ray.origin[1], ray.origin[2]} {
+    for (std::size_t i = 0; i < 3; ++i) along[i] = Real{ray.length} * ray.direction[static_cast<Eigen::Index>(i)];
   }
 
   [[nodiscard]] Numbers at(Real t) const {
@@ -53,6 +57,57 @@ struct AxisInReals {
   const Real free = (B * s - F) / E;
   const Real t = clamped(free);
   return {t == free ? s : clamped((B * t + C) / A), t};
+}
+
+/// A triangle seen from a point: the weights of its vertices in the point nearest to the origin of w.
+[[nodiscard]] inline std::array<Real, 3> nearest_weights(const std::array<Numbers, 3>& w) {
+  const auto dot = [](const Numbers& v, const Numbers& x) { return v[0] * x[0] + v[1] * x[1] + v[2] * x[2]; };
+  const auto minus = [](const Numbers& v, const Numbers& x) { return Numbers{v[0] - x[0], v[1] - x[1], v[2] - x[2]}; };
+  const auto cross = [](const Numbers& v, const Numbers& x) {
+    return Numbers{v[1] * x[2] - v[2] * x[1], v[2] * x[0] - v[0] * x[2], v[0] * x[1] - v[1] * x[0]};
+  };
+  const Numbers n = cross(minus(w[1], w[0]), minus(w[2], w[0]));
+  std::array<Real, 3> over_edge{};
+  for (std::size_t k = 0; k < 3; ++k) over_edge[k] = dot(n, cross(w[k], w[(k + 1) % 3]));
+  if (std::min({over_edge[0], over_edge[1], over_edge[2]}) > 0) {
+    const Real all = over_edge[0] + over_edge[1] + over_edge[2];
+    return {over_edge[1] / all, over_edge[2] / all, over_edge[0] / all};
+  }
+  std::array<Real, 3> best{};
+  Real least = std::numeric_limits<Real>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    const Numbers u = minus(w[next], w[k]);
+    const Real length2 = dot(u, u);
+    const Real t = length2 > 0 ? std::clamp(-dot(w[k], u) / length2, Real{0}, Real{1}) : Real{0};
+    const Numbers there{w[k][0] + t * u[0], w[k][1] + t * u[1], w[k][2] + t * u[2]};
+    if (!(dot(there, there) < least)) continue;
+    least = dot(there, there);
+    best = {};
+    best[k] = 1 - t;
+    best[next] = t;
+  }
+  return best;
+}
+
+/// The points of the cores of two shapes that are nearest to each other.
+template <class A, class B>
+[[nodiscard]] std::array<Numbers, 2> nearest_in_reals(const Two<A, B>& shapes) {
+  const AxisInReals first(shapes.a);
+  const AxisInReals second(shapes.b);
+  const auto [s, t] = nearest_parameters(first, second);
+  return {first.at(s), second.at(t)};
+}
+[[nodiscard]] inline std::array<Numbers, 2> nearest_in_reals(const BallAndTriangle& shapes) {
+  const Numbers c = AxisInReals(shapes.a).from;
+  std::array<Numbers, 3> w;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < 3; ++i) w[k][i] = Real{shapes.b.vertices[k][static_cast<Eigen::Index>(i)]} - c[i];
+  const std::array<Real, 3> weights = nearest_weights(w);
+  Numbers q = c;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < 3; ++i) q[i] += weights[k] * w[k][i];
+  return {c, q};
 }
 
 }  // namespace contact::oracle

@@ -11,13 +11,13 @@ Real largest_number(F f) { return std::ldexp(Real{1}, format_of(f.scalar).max_ex
 
 /// Whether a square leaves the range of the engine's own format, so that everything computed from it is lost.
 bool squares_out_of_range(F f) {
-  if (!f.spheres) return false;
+  if (!f.has_distance()) return false;
   const Real smallest = std::ldexp(Real{1}, format_of(f.scalar).min_exponent);
   const auto lost = [&](Real x) { return x != 0 && (x * x < smallest || x * x >= largest_number(f)); };
-  return lost(f.distance) || lost(f.radii() + f.alarm) || std::any_of(f.delta.begin(), f.delta.end(), lost);
+  return lost(std::sqrt(f.D)) || lost(f.radii() + f.alarm) || std::any_of(f.delta.begin(), f.delta.end(), lost);
 }
 bool sums_out_of_range(F f) {
-  return std::any_of(kAxes.begin(), kAxes.end(), [&](std::size_t axis) {
+  return !f.has_distance() && std::any_of(kAxes.begin(), kAxes.end(), [&](std::size_t axis) {
     return std::max(f.max[0][axis], f.max[1][axis]) + f.alarm >= largest_number(f);
   });
 }
@@ -36,7 +36,7 @@ Cause narrowed(std::string_view id, std::string_view sentence, Real by) {
 /// A normal along an axis, where the centres are so near. Engines differ in the axis, so the one that was said counts.
 Cause coincident_within(std::string_view id, std::string_view sentence, Real size) {
   return normal(id, sentence, [size](F f) -> Said {
-    if (f.distance > size || !f.said_normal) return std::nullopt;
+    if (f.distance > size || !f.said_normal || f.depth > 0) return std::nullopt;
     const Numbers& said = *f.said_normal;
     return largest_of(said) == 1 && sum_of(said) == 1 ? said : Numbers{1, 0, 0};
   });
@@ -46,14 +46,16 @@ Cause coincident_within(std::string_view id, std::string_view sentence, Real siz
 /// intermediate results are rounded several times: eight roundings are the allowance.
 Real loss(F f, int bits) {
   constexpr Real kRoundings = 8;
-  Real most = f.radii() + f.alarm + f.contact + f.distance;
-  for (const auto* vectors : {&f.center, &f.min, &f.max})
+  Real most = f.radii() + f.alarm + f.contact + std::abs(f.distance);
+  for (const auto* vectors : {&f.nearest, &f.min, &f.max})
     for (const Numbers& v : *vectors) most = std::max(most, largest_of(v));
   return kRoundings * std::ldexp(most, -(bits == 0 ? format_of(f.scalar).precision - 1 : bits));
 }
+/// The same of a normal. A way out of a box lies along an axis, which rounding does not turn.
+Real turned(F f, int bits) { return f.D > 0 ? loss(f, bits) / f.distance : 0; }
 /// How far the pair is from the edge of the decision.
 Real from_edge(F f) {
-  return f.spheres ? std::abs(f.distance - (f.radii() + f.alarm)) : std::abs(f.widest_gap() - f.alarm);
+  return f.has_distance() ? std::abs(f.distance - (f.radii() + f.alarm)) : std::abs(f.widest_gap() - f.alarm);
 }
 
 /// An arithmetic whose numbers are rounded to `bits` bits.
@@ -62,12 +64,12 @@ Cause rounded(std::string_view id, std::string_view sentence, int bits, double w
           .sentence = sentence,
           .hit = [bits](F f) { return where(from_edge(f) <= loss(f, bits), Said::anything()); },
           .normal = [bits](F f) -> Said {
-            if (f.distance == 0) return std::nullopt;
-            return {f.n, loss(f, bits) / f.distance};
+            if (!f.has_direction()) return std::nullopt;
+            return {f.n, turned(f, bits)};
           },
-          .point = [bits](F f, std::size_t sphere) -> Said {
-            if (f.distance == 0) return std::nullopt;
-            return {surface(f, sphere), loss(f, bits) + f.radius[sphere] * loss(f, bits) / f.distance};
+          .point = [bits](F f, std::size_t shape) -> Said {
+            if (!f.has_direction()) return std::nullopt;
+            return {surface(f, shape), loss(f, bits) + f.radius[shape] * turned(f, bits)};
           },
           .value =
               [bits](F f) {
@@ -95,7 +97,7 @@ std::vector<Cause> wrong_arithmetic() {
        .weight = kRangeWeight},
       {.id = "sum-range",
        .sentence = "a sum overflows",
-       .hit = boxes([](F f) { return where(sums_out_of_range(f), Said::anything()); }),
+       .hit = [](F f) { return where(sums_out_of_range(f), Said::anything()); },
        .weight = kRangeWeight},
       CONTACT_TOLERANCE(1e-15),
       CONTACT_TOLERANCE(1e-14),

@@ -4,14 +4,6 @@
 namespace contact::oracle::formulas {
 namespace {
 
-Cause points(std::string_view id, std::string_view sentence, std::function<Said(F, std::size_t)> said) {
-  return {.id = id, .sentence = sentence, .point = std::move(said)};
-}
-Cause value(std::string_view id, std::string_view sentence, std::function<Said(F)> said) {
-  return {.id = id, .sentence = sentence, .value = std::move(said)};
-}
-
-constexpr Numbers kNotFinite{kNaN, kNaN, kNaN};
 Numbers with(Numbers v, std::size_t axis, Real x) {
   v[axis] = x;
   return v;
@@ -25,7 +17,7 @@ std::function<Said(F)> reordered(std::size_t x, std::size_t y, std::size_t z) {
 }
 /// The surface point, `by` outside its sphere.
 Numbers lifted(F f, std::size_t sphere, Real by) {
-  return along(f.center[sphere], side(sphere) * (f.radius[sphere] + by), f.n);
+  return along(f.nearest[sphere], side(sphere) * (f.radius[sphere] + by), f.n);
 }
 
 }  // namespace
@@ -46,6 +38,10 @@ std::vector<Cause> wrong_normals() {
              [](F f) { return times(1 / sum_of(f.delta), f.delta); }),
       normal("normal-over-largest", "normal divided by its largest component",
              [](F f) { return times(1 / largest_of(f.delta), f.delta); }),
+      normal("normal-plus-1e-6", "normal divided by the distance plus 1e-6",
+             [](F f) { return times(1 / (std::sqrt(f.D) + 1e-6L), f.delta); }),
+      normal("normal-square-plus-1e-12", "normal divided by the root of the squared distance plus 1e-12",
+             [](F f) { return times(1 / std::sqrt(f.D + 1e-12L), f.delta); }),
       normal("normal-x-negated", "x of the normal negated", [](F f) { return with(f.n, kX, -f.n[kX]); }),
       normal("normal-y-negated", "y of the normal negated", [](F f) { return with(f.n, kY, -f.n[kY]); }),
       normal("normal-z-negated", "z of the normal negated", [](F f) { return with(f.n, kZ, -f.n[kZ]); }),
@@ -89,23 +85,23 @@ std::vector<Cause> wrong_normals() {
 std::vector<Cause> wrong_points() {
   return {
       points("points-far-side", "contact point on the far side of its sphere",
-             [](F f, std::size_t s) { return along(f.center[s], -side(s) * f.radius[s], f.n); }),
+             [](F f, std::size_t s) { return along(f.nearest[s], -side(s) * f.radius[s], f.n); }),
       points("points-at-centre", "contact point at the centre of its sphere",
-             [](F f, std::size_t s) { return f.center[s]; }),
+             [](F f, std::size_t s) { return f.nearest[s]; }),
       points("points-exchanged", "contact point of one sphere given for the other",
              [](F f, std::size_t s) { return surface(f, other(s)); }),
       points("points-middle", "one contact point for both spheres, half way between the surfaces",
              [](F f, std::size_t) { return times(0.5L, along(surface(f, 0), 1, surface(f, 1))); }),
       points("points-centre-middle", "contact point half way between the centres, radii ignored",
-             [](F f, std::size_t) { return along(f.center[0], 0.5L, f.delta); }),
+             [](F f, std::size_t) { return along(f.nearest[0], 0.5L, f.delta); }),
       points("points-behind", "contact point half a centre distance behind the first sphere",
-             [](F f, std::size_t) { return along(f.center[0], -0.5L, f.delta); }),
+             [](F f, std::size_t) { return along(f.nearest[0], -0.5L, f.delta); }),
       points("points-weighted", "contact point between the centres in the ratio of the radii, on neither surface",
-             [](F f, std::size_t) { return along(f.center[0], f.radius[0] / f.radii(), f.delta); }),
+             [](F f, std::size_t) { return along(f.nearest[0], f.radius[0] / f.radii(), f.delta); }),
       points("points-not-unit", "contact point uses a normal that is not divided by its length",
-             [](F f, std::size_t s) { return along(f.center[s], side(s) * f.radius[s], f.delta); }),
+             [](F f, std::size_t s) { return along(f.nearest[s], side(s) * f.radius[s], f.delta); }),
       points("points-from-other-centre", "contact point starts from the centre of the other sphere",
-             [](F f, std::size_t s) { return along(f.center[other(s)], side(s) * f.radius[s], f.n); }),
+             [](F f, std::size_t s) { return along(f.nearest[other(s)], side(s) * f.radius[s], f.n); }),
       points("points-local", "contact point relative to its own centre, not in world coordinates",
              [](F f, std::size_t s) { return times(side(s) * f.radius[s], f.n); }),
       points("points-world-negated", "contact point negated",
@@ -119,17 +115,17 @@ std::vector<Cause> wrong_points() {
       points("points-past-half-value", "contact point moved by half the distance of the surfaces",
              [](F f, std::size_t s) { return lifted(f, s, signed_distance(f)); }),
       points("points-x-centre", "x of the contact point is that of the centre",
-             [](F f, std::size_t s) { return with(surface(f, s), kX, f.center[s][kX]); }),
+             [](F f, std::size_t s) { return with(surface(f, s), kX, f.nearest[s][kX]); }),
       points("points-y-centre", "y of the contact point is that of the centre",
-             [](F f, std::size_t s) { return with(surface(f, s), kY, f.center[s][kY]); }),
+             [](F f, std::size_t s) { return with(surface(f, s), kY, f.nearest[s][kY]); }),
       points("points-z-centre", "z of the contact point is that of the centre",
-             [](F f, std::size_t s) { return with(surface(f, s), kZ, f.center[s][kZ]); }),
+             [](F f, std::size_t s) { return with(surface(f, s), kZ, f.nearest[s][kZ]); }),
       points("points-x-mirrored", "x of the contact point on the far side",
-             [](F f, std::size_t s) { return with(surface(f, s), kX, 2 * f.center[s][kX] - surface(f, s)[kX]); }),
+             [](F f, std::size_t s) { return with(surface(f, s), kX, 2 * f.nearest[s][kX] - surface(f, s)[kX]); }),
       points("points-y-mirrored", "y of the contact point on the far side",
-             [](F f, std::size_t s) { return with(surface(f, s), kY, 2 * f.center[s][kY] - surface(f, s)[kY]); }),
+             [](F f, std::size_t s) { return with(surface(f, s), kY, 2 * f.nearest[s][kY] - surface(f, s)[kY]); }),
       points("points-z-mirrored", "z of the contact point on the far side",
-             [](F f, std::size_t s) { return with(surface(f, s), kZ, 2 * f.center[s][kZ] - surface(f, s)[kZ]); }),
+             [](F f, std::size_t s) { return with(surface(f, s), kZ, 2 * f.nearest[s][kZ] - surface(f, s)[kZ]); }),
       points("points-zero", "contact point is the origin", [](F, std::size_t) { return Numbers{}; }),
       {.id = "points-not-finite",
        .sentence = "contact point is NaN or infinite",

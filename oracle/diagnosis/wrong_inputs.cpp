@@ -4,10 +4,6 @@
 namespace contact::oracle::formulas {
 namespace {
 
-Cause edit(std::string_view id, std::string_view sentence, std::function<void(Facts&)> change) {
-  return {.id = id, .sentence = sentence, .edit = std::move(change)};
-}
-
 /// Takes an axis out of every decision.
 void ignore(Facts& f, std::size_t axis) {
   f.delta[axis] = 0;
@@ -19,7 +15,7 @@ void ignore(Facts& f, std::size_t axis) {
 }
 /// Adds the coordinates of the centres on one axis.
 void add_on(Facts& f, std::size_t axis) {
-  f.delta[axis] = f.center[1][axis] + f.center[0][axis];
+  f.delta[axis] = f.nearest[1][axis] + f.nearest[0][axis];
   f.settle_from_delta();
 }
 
@@ -60,16 +56,18 @@ std::vector<Cause> wrong_inputs() {
            [](Facts& f) { std::swap(f.alarm, f.contact); }),
       edit("first-shape-twice", "first shape compared with itself",
            [](Facts& f) {
-             f.center[1] = f.center[0];
+             f.nearest[1] = f.nearest[0];
              f.radius[1] = f.radius[0];
              f.min[1] = f.min[0];
              f.max[1] = f.max[0];
              f.settle();
            }),
-      normal("delta-reversed", "normal points from second to first", [](F f) { return times(-1, f.n); }),
+      {.id = "delta-reversed",
+       .sentence = "normal points from second to first",
+       .normal = [](F f) { return where(f.has_direction(), times(-1, f.n)); }},
       {.id = "pair-swapped",
        .sentence = "answer of the swapped pair given without being swapped back",
-       .normal = [](F f) { return where(f.region != Region::coincident, times(-1, f.n)); },
+       .normal = [](F f) { return where(f.has_direction(), times(-1, f.n)); },
        .point = [](F f, std::size_t s) { return surface(f, other(s)); }},
       edit("x-ignored", "x coordinates left out", [](Facts& f) { ignore(f, kX); }),
       edit("y-ignored", "y coordinates left out", [](Facts& f) { ignore(f, kY); }),
@@ -82,22 +80,22 @@ std::vector<Cause> wrong_inputs() {
            [](Facts& f) { add_on(f, kZ); }),
       edit("centres-added", "centres added, where they should be subtracted",
            [](Facts& f) {
-             f.delta = along(f.center[1], 1, f.center[0]);
+             f.delta = along(f.nearest[1], 1, f.nearest[0]);
              f.settle_from_delta();
            }),
       edit("first-centre-ignored", "centre of the first sphere taken for the origin",
            [](Facts& f) {
-             f.delta = f.center[1];
+             f.delta = f.nearest[1];
              f.settle_from_delta();
            }),
       edit("second-centre-ignored", "centre of the second sphere taken for the origin",
            [](Facts& f) {
-             f.delta = times(-1, f.center[0]);
+             f.delta = times(-1, f.nearest[0]);
              f.settle_from_delta();
            }),
       edit("axes-crossed", "coordinates of different axes compared with each other",
            [](Facts& f) {
-             for (const std::size_t axis : kAxes) f.delta[axis] = f.center[1][(axis + 1) % 3] - f.center[0][axis];
+             for (const std::size_t axis : kAxes) f.delta[axis] = f.nearest[1][(axis + 1) % 3] - f.nearest[0][axis];
              std::rotate(f.min[1].begin(), f.min[1].begin() + 1, f.min[1].end());
              std::rotate(f.max[1].begin(), f.max[1].begin() + 1, f.max[1].end());
              f.settle_from_delta();
@@ -113,10 +111,13 @@ std::vector<Cause> wrong_inputs() {
            }),
       edit("inputs-single", "inputs rounded to single precision",
            [](Facts& f) {
-             for (Numbers* v : {&f.center[0], &f.center[1], &f.min[0], &f.min[1], &f.max[0], &f.max[1]})
-               for (Real& x : *v) x = narrow(x);
-             for (Real* x : {&f.radius[0], &f.radius[1], &f.alarm, &f.contact}) *x = narrow(*x);
-             f.settle();
+             Query narrowed = f.query;
+             for_each_number(narrowed, [](const std::string&, double& x) {
+               // Through memory: GCC 12 leaves out both conversions where it makes vectors of them.
+               const volatile auto single = static_cast<float>(x);
+               x = static_cast<double>(single);
+             });
+             f.ask(std::move(narrowed));
            }),
   };
 }

@@ -261,6 +261,9 @@ bool has_center_and_size(const Capsule& capsule, Scalar scalar) {
   const Box around{capsule.start.cwiseMin(capsule.end), capsule.start.cwiseMax(capsule.end)};
   return (capsule.start.array() != capsule.end.array()).count() <= 1 && has_center_and_size(around, scalar);
 }
+/// Triangles and rays have neither.
+bool has_center_and_size(const Triangle& /*triangle*/, Scalar /*scalar*/) { return true; }
+bool has_center_and_size(const Ray& /*ray*/, Scalar /*scalar*/) { return true; }
 
 }  // namespace
 

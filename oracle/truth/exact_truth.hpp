@@ -61,6 +61,7 @@ class DistanceTruth {
   [[nodiscard]] bool degenerate() const { return CGAL::is_zero(distance2_); }
   /// D = 0, and nothing is inside anything: the direction is by agreement.
   [[nodiscard]] bool coincident() const { return degenerate() && CGAL::is_zero(cores_.meeting->depth); }
+  [[nodiscard]] const Cores& cores() const { return cores_; }
   /// Domain: D = 0.
   [[nodiscard]] const Meeting& meeting() const { return *cores_.meeting; }
   /// Where the nearest points are not unique: the contact points move along this, from -1 to 1 times.
