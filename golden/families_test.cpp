@@ -10,8 +10,8 @@
 #include "golden/dataset.hpp"
 #include "golden/flags.hpp"
 #include "golden/plain.hpp"
+#include "golden/plain_triangles.hpp"
 #include "golden/query_id.hpp"
-#include "golden/segments.hpp"
 #include "oracle/truth/exact_truth.hpp"
 #include "oracle/truth/interval_oracle.hpp"
 
@@ -87,12 +87,11 @@ TEST(Families, MakeQuestionsOfTheDomainInTheirScalarOrSpoiledOnes) {
 }
 
 TEST(Families, InvalidSpoilsEveryFieldInEveryWay) {
-  // Each number by NaN and two infinities, each length negative, each axis of a box inverted.
-  const std::map<Pair, std::size_t> ways{{Pair::sphere_sphere, 10 * 3 + 4},
-                                         {Pair::cube_cube, 14 * 3 + 6 + 2},
-                                         {Pair::sphere_cube, 12 * 3 + 3 + 3},
-                                         {Pair::sphere_capsule, 13 * 3 + 4},
-                                         {Pair::capsule_capsule, 16 * 3 + 4}};
+  // Each number by NaN and two infinities, each length negative, each axis of a box inverted, a direction 0.
+  const std::map<Pair, std::size_t> ways{{Pair::sphere_sphere, 10 * 3 + 4},   {Pair::cube_cube, 14 * 3 + 6 + 2},
+                                         {Pair::sphere_cube, 12 * 3 + 3 + 3}, {Pair::sphere_capsule, 13 * 3 + 4},
+                                         {Pair::capsule_capsule, 16 * 3 + 4}, {Pair::sphere_triangle, 15 * 3 + 3},
+                                         {Pair::ray_sphere, 13 * 3 + 5}};
   for (const Pair pair : pairs_of_kinds()) {
     std::set<std::string> spoiled;
     for (std::uint64_t i = 0; i < kCommittedCount; ++i) {
@@ -153,7 +152,9 @@ TEST(Families, TouchingShapesTouchExactlyButForSomeThatAreOneUlpApart) {
 /// Whether a question that misses would hit if one of its numbers were the next of the scalar, up or down.
 bool is_one_step_from_a_hit(const Query& query, Scalar scalar) {
   bool found = false;
-  for (int which = 0; which < 10; ++which)
+  int count = 0;
+  for_each_number(query, [&](const std::string&, double) { ++count; });
+  for (int which = 0; which < count; ++which)
     for (const double end : {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}) {
       Query moved = query;
       int place = 0;
@@ -274,6 +275,7 @@ TEST(Families, ContainmentFlatNestedAndIdenticalAreWhatTheySay) {
   share_of("far_from_origin", "FarFromOrigin", 75);
   share_of("zero_length", "Flat", 60);
   share_of("parallel", "ManyNearest", 35);
+  share_of("thin", "Flat", 50);
 }
 
 TEST(Families, OnAxisAxesMeetOrAreAnUlpApartWithoutRadii) {
@@ -317,6 +319,35 @@ TEST(Families, CapsulesTouchAtEveryFeatureOfBoth) {
     for (const auto& [parts, times] : seen)
       EXPECT_GE(times * seen.size() * 10, kCommittedCount * 7) << title(file) << " " << parts.first << parts.second;
   });
+}
+
+TEST(Families, TrianglesAreTouchedAtEveryVertexEveryEdgeAndTheFaceFromBothSides) {
+  for (const std::string_view family : {"touching", "generic", "near_touching"})
+    for_each_file(family, [](const CommittedFile& file) {
+      std::map<std::pair<int, bool>, std::uint64_t> seen;  // which vertices have a weight; on the side of the normal
+      for (std::uint64_t i = 0; i < kCommittedCount; ++i) {
+        const Query q = generate_query(file.pair, *file.family, file.scalar, kCommittedSeed, i);
+        const auto* shapes = std::get_if<BallAndTriangle>(&q.shapes);
+        if (shapes == nullptr) return;
+        const Triple<double> c = in_scalar<double>(shapes->a.center);
+        const Vertices<double> v = vertices_of<double>(shapes->b);
+        const Triple<double> nearest = nearest_point(c, v);
+        int part = 7;
+        for (int k = 0; k < 3; ++k) {
+          if (nearest == v[static_cast<std::size_t>(k)]) part = k;
+          const Segment<double> edge{v[static_cast<std::size_t>(k)], v[static_cast<std::size_t>((k + 1) % 3)], 0};
+          const Triple<double> foot = edge.at(edge.part_at(c));
+          const Triple<double> off = moved(foot, -1.0, nearest);
+          const double size = std::sqrt(dot(edge.direction(), edge.direction()));
+          if (part == 7 && std::sqrt(dot(off, off)) < 1e-6 * size) part = 3 + k;
+        }
+        const Triple<double> n = cross(moved(v[1], -1.0, v[0]), moved(v[2], -1.0, v[0]));
+        ++seen[{part, dot(n, moved(c, -1.0, v[0])) > 0}];
+      }
+      EXPECT_EQ(seen.size(), 14U) << title(file);
+      for (const auto& [part, times] : seen)
+        EXPECT_GE(times, kCommittedCount / 42) << title(file) << " " << part.first << part.second;
+    });
 }
 
 TEST(Families, TouchingBoxesMeetInFacesEdgesAndCornersOnEverySide) {

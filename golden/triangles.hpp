@@ -162,10 +162,12 @@ TriangleOnFrame<Real> triangle_on_frame(Random& random, const PartOfTriangle& wh
     }
     case Part::face: {
       if (!meeting && random.chance(2)) between_grid_points();
+      // Around all feet that there may be: those less than a step from there, on both rows.
       const auto more = [&] { return random.between<std::int64_t>(0, 3); };
-      at = {Triple<std::int64_t>{-3 - more(), -3 - more(), 0},
-            {4 + more(), -2 - more(), 0},
-            {-2 - more(), 4 + more(), 0}};
+      const std::int64_t x = more();
+      const std::int64_t y = more();
+      at = {
+          Triple<std::int64_t>{-3 - more(), -3 - more(), 0}, {4 + y + more(), -2 - y, 0}, {-2 - x, 4 + x + more(), 0}};
       break;
     }
   }
@@ -241,7 +243,7 @@ SphereTriangle<Real> region_edge_of_triangle(Random& random) {
 
 /// Slivers an ulp wide, three points on a line, and triangles that are one or two points.
 template <class Real>
-SphereTriangle<Real> flat_triangle(Random& random) {
+SphereTriangle<Real> thin_triangle(Random& random) {
   const int kind = random.turn(5, 7);
   auto [s, frame, distance] = triangle_on_frame<Real>(random, turn_of_parts(random), TriangleLie::leaning);
   auto& [x, y, z] = s.vertices;
@@ -307,7 +309,7 @@ SphereTriangle<Real> on_triangle(Random& random) {
 template <class Real>
 SphereTriangle<Real> ties_of_triangle(Random& random) {
   constexpr int kDigits = std::numeric_limits<Real>::digits;
-  const Real least = random.chance(2) ? std::numeric_limits<Real>::denorm_min() : Real{0};
+  const Real least = random.chance(4) ? Real{0} : std::numeric_limits<Real>::denorm_min();
   const bool missing = random.turn(5) == kMissing;
   if (random.turn(2) == 0) {
     auto [s, frame, distance] = triangle_on_frame<Real>(random, turn_of_parts(random), TriangleLie::leaning);

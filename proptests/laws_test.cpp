@@ -195,6 +195,8 @@ engines::EngineInfo declaring(std::string name, double scale) {
   info.version = "test";
   info.declared.conventions.scale_min = 1 / scale;
   info.declared.conventions.scale_max = scale;
+  // Nearest points that are quotients plain arithmetic rounds, beyond the bounds of a sphere's.
+  std::erase_if(info.pairs, has_quotients);
   return info;
 }
 

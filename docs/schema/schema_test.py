@@ -23,7 +23,8 @@ SCHEMAS = Path(__file__).resolve().parent
 ROOT = SCHEMAS.parent.parent
 GOLDEN = ROOT / "golden"
 SHAPES = {"spheres": "sphere_rigid_sphere", "cubes": "cube_cube", "sphere and cube": "sphere_cube",
-          "sphere and capsule": "sphere_capsule", "capsules": "capsule_capsule"}
+          "sphere and capsule": "sphere_capsule", "capsules": "capsule_capsule",
+          "sphere and triangle": "sphere_triangle", "ray and sphere": "ray_sphere"}
 COMMON = json.loads((SCHEMAS / "common.json").read_text())["$defs"]
 
 

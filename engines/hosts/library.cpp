@@ -19,7 +19,12 @@ namespace {
 static_assert(static_cast<int>(Pair::sphere_sphere) == CONTACT_SPHERE_SPHERE &&
               static_cast<int>(Pair::rigid_sphere_rigid_sphere) == CONTACT_RIGID_SPHERE_RIGID_SPHERE &&
               static_cast<int>(Pair::sphere_rigid_sphere) == CONTACT_SPHERE_RIGID_SPHERE &&
-              static_cast<int>(Pair::cube_cube) == CONTACT_CUBE_CUBE);
+              static_cast<int>(Pair::cube_cube) == CONTACT_CUBE_CUBE &&
+              static_cast<int>(Pair::sphere_cube) == CONTACT_SPHERE_CUBE &&
+              static_cast<int>(Pair::sphere_capsule) == CONTACT_SPHERE_CAPSULE &&
+              static_cast<int>(Pair::capsule_capsule) == CONTACT_CAPSULE_CAPSULE &&
+              static_cast<int>(Pair::sphere_triangle) == CONTACT_SPHERE_TRIANGLE &&
+              static_cast<int>(Pair::ray_sphere) == CONTACT_RAY_SPHERE);
 
 /// Questions of one pair as the arrays that the library reads, and its answers.
 struct Arrays {

@@ -18,9 +18,7 @@ std::span<const Mutant> mutants() {
       }
     };
     append(real_mutants(), Origin::real);
-    const std::size_t first_of_features = list.size();
     append(feature_mutants(), Origin::own);
-    for (std::size_t i = first_of_features; i < list.size(); ++i) list[i].of_features = true;
     append(own_mutants(), Origin::own);
     append(precision_mutants(), Origin::precision);
     return list;

@@ -24,7 +24,6 @@ struct Mutant {
   std::string_view source{};                       ///< where the mistake was made, for real ones
   Origin origin = Origin::real;
   bool outside_domain = false;  ///< shows in the family `invalid` alone
-  bool of_features = false;     ///< shows alone in pairs with a solid box or a capsule, which no law asks
 };
 
 /// Before the id in the name of an engine.

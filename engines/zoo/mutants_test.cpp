@@ -144,7 +144,6 @@ const std::map<std::string_view, std::string_view> kOtherwise{
     {"float-points", "the same"},
     {"rsqrt-23", "wrong by less than a millionth, but infinite where squares leave single precision"},
     {"box-difference", "wrong in the last bit"},
-    {"box-double-size", "a centre that gets inside leaves by a face, of which the formula says the depth alone"},
     {"box-sum-overflows", "shows where sums overflow"},
 };
 

@@ -16,33 +16,12 @@
 #include "contact/sphere_sphere.hpp"
 #include "environment/floating_point_environments.hpp"
 #include "extreme_numbers.hpp"
+#include "kernel/contacts_for_tests.hpp"
 #include "kernel/segments.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 
 namespace contact {
 namespace {
-
-using Numbers = std::array<double, 10>;
-
-Numbers numbers_of(const Contact& c) {
-  return {c.normal[0], c.normal[1], c.normal[2], c.point1[0], c.point1[1],
-          c.point1[2], c.point2[0], c.point2[1], c.point2[2], c.value};
-}
-
-void expect_same(const Numbers& actual, const Numbers& expected) {
-  for (std::size_t i = 0; i < expected.size(); ++i)
-    EXPECT_EQ(std::bit_cast<std::uint64_t>(actual[i]), std::bit_cast<std::uint64_t>(expected[i]))
-        << "number " << i << " is " << actual[i] << ", not " << expected[i];
-}
-
-enum class Kind { ordinary, many, degenerate, degenerate_and_many };
-
-void expect_contact(const std::optional<Contact>& contact, const Numbers& expected, Kind kind) {
-  ASSERT_TRUE(contact);
-  expect_same(numbers_of(*contact), expected);
-  EXPECT_EQ(contact->degenerate, kind == Kind::degenerate || kind == Kind::degenerate_and_many);
-  EXPECT_EQ(contact->unique, kind == Kind::ordinary || kind == Kind::degenerate);
-}
 
 const Capsule kAxis{{0, 0, 0}, {4, 0, 0}, 1};
 
@@ -218,33 +197,14 @@ Answers answers(const Question& q) {
           test_capsule_capsule(q.a, q.b, q.distances.alarm), test_sphere_capsule(ball, q.b, q.distances.alarm)};
 }
 
-void expect_same(const std::optional<Contact>& actual, const std::optional<Contact>& expected) {
-  ASSERT_EQ(actual.has_value(), expected.has_value());
-  if (!actual) return;
-  expect_same(numbers_of(*actual), numbers_of(*expected));
-  EXPECT_EQ(actual->degenerate, expected->degenerate);
-  EXPECT_EQ(actual->unique, expected->unique);
-}
-
-/// The exact stage alone.
-template <class First>
-std::optional<Contact> exactly(const First& first, const kernel::Segment& second, const kernel::Lengths& lengths) {
-  const kernel::Grid grid = kernel::grid_of(first, second, lengths);
-  const kernel::ExactNearest nearest = kernel::exact_nearest(first, second, grid);
-  if (!kernel::is_hit(nearest, grid, lengths)) return std::nullopt;
-  Contact contact{};
-  kernel::round_exactly(nearest, grid, lengths, {}, kernel::kAllNumbers, contact);
-  return contact;
-}
-
 TEST(Capsules, the_fast_stage_says_what_the_exact_one_does) {
   int hits = 0;
   for (const Question& q : questions(20000)) {
     const kernel::Segment second{q.b.start, q.b.end};
     const kernel::Lengths lengths{q.a.radius, q.b.radius, q.distances.alarm, q.distances.contact};
     const Answers said = answers(q);
-    expect_same(said.capsules, exactly(kernel::Segment{q.a.start, q.a.end}, second, lengths));
-    expect_same(said.sphere, exactly(q.a.start, second, lengths));
+    expect_same(said.capsules, computed_exactly(kernel::Segment{q.a.start, q.a.end}, second, lengths));
+    expect_same(said.sphere, computed_exactly(q.a.start, second, lengths));
     EXPECT_EQ(said.capsules_hit, said.capsules.has_value());
     EXPECT_EQ(said.sphere_hits, said.sphere.has_value());
     hits += said.capsules_hit ? 1 : 0;

@@ -1,0 +1,58 @@
+// What the tests of pairs with a distance share: contacts compared bit by bit, and the exact stage alone.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <optional>
+
+#include "contact/contact.hpp"
+#include "kernel/cores.hpp"
+#include "kernel/sphere_sphere_numbers.hpp"
+
+namespace contact {
+
+using Numbers = std::array<double, 10>;
+
+inline Numbers numbers_of(const Contact& c) {
+  return {c.normal[0], c.normal[1], c.normal[2], c.point1[0], c.point1[1],
+          c.point1[2], c.point2[0], c.point2[1], c.point2[2], c.value};
+}
+
+inline void expect_same(const Numbers& actual, const Numbers& expected) {
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(actual[i]), std::bit_cast<std::uint64_t>(expected[i]))
+        << "number " << i << " is " << actual[i] << ", not " << expected[i];
+}
+
+enum class Kind { ordinary, many, degenerate, degenerate_and_many };
+
+inline void expect_contact(const std::optional<Contact>& contact, const Numbers& expected, Kind kind) {
+  ASSERT_TRUE(contact);
+  expect_same(numbers_of(*contact), expected);
+  EXPECT_EQ(contact->degenerate, kind == Kind::degenerate || kind == Kind::degenerate_and_many);
+  EXPECT_EQ(contact->unique, kind == Kind::ordinary || kind == Kind::degenerate);
+}
+
+inline void expect_same(const std::optional<Contact>& actual, const std::optional<Contact>& expected) {
+  ASSERT_EQ(actual.has_value(), expected.has_value());
+  if (!actual) return;
+  expect_same(numbers_of(*actual), numbers_of(*expected));
+  EXPECT_EQ(actual->degenerate, expected->degenerate);
+  EXPECT_EQ(actual->unique, expected->unique);
+}
+
+/// The exact stage alone.
+template <class First, class Second>
+std::optional<Contact> computed_exactly(const First& first, const Second& second, const kernel::Lengths& lengths) {
+  const kernel::Grid grid = grid_of(first, second, lengths);
+  const kernel::ExactNearest nearest = exact_nearest(first, second, grid);
+  if (!kernel::is_hit(nearest, grid, lengths)) return std::nullopt;
+  Contact contact{};
+  kernel::round_exactly(nearest, grid, lengths, {}, kernel::kAllNumbers, contact);
+  return contact;
+}
+
+}  // namespace contact
