@@ -32,16 +32,13 @@ using formats::hdf5::Lock;
 constexpr std::uint64_t kBlock = 4096;   // rows in a chunk of the file and in memory
 constexpr unsigned kDeflate = 4;         // 9 takes four times as long for 1 % of the size
 constexpr std::size_t kFirstWidth = 32;  // of a column of exact numbers, doubled until its longest text has room
-/// Of the longest name of a number.
-const std::size_t kRejectedLength = [] {
-  std::size_t longest = 0;
-  for (const Pair pair : pairs_of_kinds()) {
-    const Query zeros = zero_query(pair);
-    for_each_number(std::as_const(zeros),
-                    [&](const std::string& field, double) { longest = std::max(longest, field.size()); });
-  }
+/// Of the longest name of a number of a pair, or of a sphere's.
+std::size_t rejected_length(Pair pair) {
+  std::size_t longest = std::string_view("a.center[0]").size();
+  const Query zeros = zero_query(pair);
+  for_each_number(zeros, [&](const std::string& field, double) { longest = std::max(longest, field.size()); });
   return longest;
-}();
+}
 constexpr std::size_t kMostFlags = 32;
 constexpr hsize_t kLargestChunk = hsize_t{1} << 25;     // bytes; the largest here has 4096 D, of longest_distance2
 constexpr hsize_t kMostDeflated = 1032;                 // times smaller than before is the most that deflate can make
@@ -77,7 +74,7 @@ void for_each_column(const DatasetHeader& h, Row& row, Visit&& visit) {
     visit(path, value, 0);
   });
   visit("flags", row.flags, 0);
-  if (c.rejected) return visit("expect/rejected", *c.rejected, kRejectedLength);
+  if (c.rejected) return visit("expect/rejected", *c.rejected, rejected_length(h.pair));
   visit("expect/hit", c.expect.hit, 0);
   if (!has_numbers(h.pair)) return visit("exact/gap", c.exact.gap, longest_exact(1, h.scalar));
   visit("expect/degenerate", c.expect.contact->degenerate, 0);
@@ -124,7 +121,7 @@ Type type_of(const Vector3& v, std::size_t width) {
   type.row = {3};
   return type;
 }
-[[maybe_unused]] Type type_of(const std::array<Vector3, 3>& all, std::size_t width) {
+Type type_of(const std::array<Vector3, 3>& all, std::size_t width) {
   Type type = type_of(all[0], width);
   type.row = {3, 3};
   return type;

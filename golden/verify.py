@@ -117,13 +117,12 @@ def parting(across, u):
 def triangle(c, r, v0, v1, v2, alarm, contact, scalar):
     """At s along one edge the square of the distance to what lies across it is least at a clamped t; that of s is convex, and
     between the places where t leaves its ends a parabola."""
-    u, v = ([y - x for x, y in zip(v0, end)] for end in ((v1, v2) if any(at(v2, v0, -1)) else (v2, v1)))
+    u, v = at(v1, v0, -1), at(v2, v0, -1)
     level = lambda s: dot(v, at(c, at(v0, u, s), -1)) / (dot(v, v) or 1)  # t, not clamped: linear in s
     nearest = lambda s: at(at(v0, u, s), v, sorted((Fraction(0), level(s), 1 - s))[1])
     slopes = ((level(0), level(1) - level(0)), (level(0) - 1, level(1) - level(0) + 1))  # of t, and of t less 1 - s
     s, _ = least_of(lambda s: dot(*[at(c, nearest(s), -1)] * 2), [-start / slope for start, slope in slopes if slope])
-    way = at(v1, v0, -1)
-    return spheres(c, r, nearest(s), 0, alarm, contact, scalar, parting(cross(way, at(v2, v0, -1)), way if any(way) else at(v2, v0, -1)))
+    return spheres(c, r, nearest(s), 0, alarm, contact, scalar, parting(cross(u, v), u if any(u) else v))
 
 
 def capsules(a1, a2, r1, b1, b2, r2, alarm, contact, scalar):

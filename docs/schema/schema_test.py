@@ -189,11 +189,12 @@ class Names(Case):
     def test_pairs_and_shapes_are_the_programs(self):
         pairs = [json.loads(line) for line in run("pairs", "--json").stdout.splitlines()]
         self.assertEqual(COMMON["pair"]["enum"], [one["pair"] for one in pairs])
-        kinds = {"point": "vector", "length": "length"}
+        kinds = {"point": "vector", "points": "three_vectors", "direction": "vector", "length": "length"}
+        any_kinds = {"point": "any_vector", "points": "any_three_vectors", "direction": "any_vector", "length": "any_number"}
         shapes = {shape["shape"]: shape["fields"] for one in pairs for shape in (one["a"], one["b"])}
         self.assertIn("sphere", shapes)
         for name, fields in shapes.items():
-            for prefix, kind in (("", kinds), ("any_", {"point": "any_vector", "length": "any_number"})):
+            for prefix, kind in (("", kinds), ("any_", any_kinds)):
                 schema = COMMON[prefix + name]
                 self.assertEqual(schema["required"], list(fields))
                 self.assertEqual({key: value["$ref"].rsplit("/")[-1] for key, value in schema["properties"].items()},

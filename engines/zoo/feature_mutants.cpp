@@ -182,21 +182,23 @@ const std::array kFeatures{
            "parallel-within-1e-15", nullptr, [](const Query& q, Claim& claim) { parallel_below(q, claim, 1e-15L); },
            "https://github.com/sofa-framework/sofa/blob/master/applications/plugins/CollisionOBBCapsule/src/"
            "CollisionOBBCapsule/detection/intersection/CapsuleIntTool.inl"},
-    Mutant{"sofa-ray-pythagoras", "the squared distance is |w|^2 - t^2 with t clamped to the length",
-           "distance-by-clamped-pythagoras", nullptr,
-           [](const Query& q, Claim& claim) {
-             of_center_and_axis(q, [&](const Wide3& c, const Axis& axis) {
-               if (!(axis.length2() > 0) || axis.foot(c) <= 1) return;  // within the length both are the same
-               const Wide3 w = c - axis.from;
-               const Wide t = std::sqrt(axis.length2());
-               const Wide distance = std::sqrt(std::max(Wide{0}, w.squaredNorm() - t * t));
-               const WideSpheres right(q);
-               decide(q, claim, distance <= right.reach);
-               in_contact(claim,
-                          [&](ContactClaim& k) { k.value = rounded(distance - right.r1 - right.r2 - right.contact); });
-             });
-           },
-           "https://github.com/sofa-framework/sofa/tree/master/Sofa/Component/Collision/Detection/Intersection"},
+    Mutant{
+        "sofa-ray-pythagoras", "the squared distance is |w|^2 - t^2 with t clamped to the length",
+        "distance-by-clamped-pythagoras", nullptr,
+        [](const Query& q, Claim& claim) {
+          of_center_and_axis(q, [&](const Wide3& c, const Axis& axis) {
+            if (!(axis.length2() > 0) || axis.foot(c) <= 1) return;  // within the length both are the same
+            const Wide3 w = c - axis.from;
+            const Wide t = std::sqrt(axis.length2());
+            const Wide distance = std::sqrt(std::max(Wide{0}, w.squaredNorm() - t * t));
+            const WideSpheres right(q);
+            decide(q, claim, distance <= right.reach);
+            in_contact(claim,
+                       [&](ContactClaim& k) { k.value = rounded(distance - right.r1 - right.r2 - right.contact); });
+          });
+        },
+        "https://github.com/sofa-framework/sofa/blob/master/Sofa/Component/Collision/Detection/Intersection/src/sofa/"
+        "component/collision/detection/intersection/RayDiscreteIntersection.inl"},
     Mutant{"capsule-not-clamped", "the foot is taken on the line, however long the axis is", "capsule-as-line", nullptr,
            [](const Query& q, Claim& claim) {
              of_center_and_axis(
@@ -270,41 +272,47 @@ const std::array kFeatures{
              if (auto* shapes = std::get_if<RayAndBall>(&q.shapes))
                shapes->a.length = rounded(shapes->a.length / shapes->a.direction.cast<Wide>().norm());
            }},
-    Mutant{"sofa-ray-unit-direction", "the direction of a ray is taken for a unit vector", "ray-direction-unit",
-           nullptr,
-           [](const Query& q, Claim& claim) {
-             const auto* shapes = std::get_if<RayAndBall>(&q.shapes);
-             if (shapes == nullptr) return;
-             const Wide3 u = shapes->a.direction.cast<Wide>();
-             const Wide3 origin = shapes->a.origin.cast<Wide>();
-             const Wide3 c = shapes->b.center.cast<Wide>();
-             const Wide t = std::clamp((c - origin).dot(u), Wide{0}, Wide{shapes->a.length});
-             answer_at(q, claim, origin + t * u, c);
-           },
-           "https://github.com/sofa-framework/sofa/tree/master/Sofa/Component/Collision/Detection/Intersection"},
+    Mutant{
+        "sofa-ray-unit-direction", "the direction of a ray is taken for a unit vector", "ray-direction-unit", nullptr,
+        [](const Query& q, Claim& claim) {
+          const auto* shapes = std::get_if<RayAndBall>(&q.shapes);
+          if (shapes == nullptr) return;
+          const Wide3 u = shapes->a.direction.cast<Wide>();
+          const Wide3 origin = shapes->a.origin.cast<Wide>();
+          const Wide3 c = shapes->b.center.cast<Wide>();
+          const Wide t = std::clamp((c - origin).dot(u), Wide{0}, Wide{shapes->a.length});
+          answer_at(q, claim, origin + t * u, c);
+        },
+        "https://github.com/sofa-framework/sofa/blob/master/Sofa/Component/Collision/Detection/Intersection/src/sofa/"
+        "component/collision/detection/intersection/RayDiscreteIntersection.inl"},
 
     // A sphere and a triangle.
     Mutant{
         "sofa-triangle-face-only", "edges and vertices are ignored: a hit where the foot is on the face",
         "triangle-face-only", nullptr,
         [](const Query& q, Claim& claim) { missed(q, claim, [](const Seen& seen) { return !seen.is_over_face(); }); },
-        "https://github.com/sofa-framework/sofa/tree/master/Sofa/Component/Collision/Detection/Intersection"},
-    Mutant{"sofa-triangle-value", "the value is minus the distance", "triangle-value-negated", nullptr,
-           [](const Query& q, Claim& claim) {
-             of_triangle(q, [&](const Seen&) {
-               in_contact(claim, [&](ContactClaim& c) { c.value = rounded(-WideSpheres(q).distance); });
-             });
-           },
-           "https://github.com/sofa-framework/sofa/tree/master/Sofa/Component/Collision/Detection/Intersection"},
-    Mutant{"sofa-triangle-1e-5", "a foot within 1e-5 of an edge, in barycentric coordinates, counts as beside",
-           "triangle-edge-within-1e-5", nullptr,
-           [](const Query& q, Claim& claim) {
-             missed(q, claim, [](const Seen& seen) {
-               const Wide least = *std::min_element(seen.over_edge.begin(), seen.over_edge.end());
-               return !seen.is_flat() && least < 1e-5L * seen.n.squaredNorm();
-             });
-           },
-           "https://github.com/sofa-framework/sofa/tree/master/Sofa/Component/Collision/Detection/Intersection"},
+        "https://github.com/sofa-framework/sofa/blob/master/Sofa/Component/Collision/Detection/Intersection/src/sofa/"
+        "component/collision/detection/intersection/MeshDiscreteIntersection.inl"},
+    Mutant{
+        "sofa-triangle-value", "the value is minus the distance", "triangle-value-negated", nullptr,
+        [](const Query& q, Claim& claim) {
+          of_triangle(q, [&](const Seen&) {
+            in_contact(claim, [&](ContactClaim& c) { c.value = rounded(-WideSpheres(q).distance); });
+          });
+        },
+        "https://github.com/sofa-framework/sofa/blob/master/Sofa/Component/Collision/Detection/Intersection/src/sofa/"
+        "component/collision/detection/intersection/MeshDiscreteIntersection.inl"},
+    Mutant{
+        "sofa-triangle-1e-5", "a foot within 1e-5 of an edge, in barycentric coordinates, counts as beside",
+        "triangle-edge-within-1e-5", nullptr,
+        [](const Query& q, Claim& claim) {
+          missed(q, claim, [](const Seen& seen) {
+            const Wide least = *std::min_element(seen.over_edge.begin(), seen.over_edge.end());
+            return !seen.is_flat() && least < 1e-5L * seen.n.squaredNorm();
+          });
+        },
+        "https://github.com/sofa-framework/sofa/blob/master/Sofa/Component/Collision/Detection/Intersection/src/sofa/"
+        "component/collision/detection/intersection/MeshDiscreteIntersection.inl"},
     Mutant{"triangle-no-vertices", "faces and edges are hit, and vertices are not", "triangle-vertices-ignored",
            nullptr,
            [](const Query& q, Claim& claim) {

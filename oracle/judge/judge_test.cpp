@@ -1182,5 +1182,49 @@ TEST(JudgeCapsules, points_may_be_those_of_a_normal_before_it_was_rounded) {
   EXPECT_EQ(level_of(on_axis, claimed(447.2135954999)), Level::decisions);
 }
 
+TEST(JudgeTriangles, on_a_triangle_what_separates_is_right) {
+  const Triangle flat{{Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(0, 4, 0)}};
+  const auto at = [&](const Vector3& c) { return Query{Pair::sphere_triangle, BallAndTriangle{{c, 2}, flat}, {0, 0}}; };
+  // On the face its two normals; on an edge half of a circle, from outside in; at a vertex a cone.
+  for (const double z : {1, -1})
+    EXPECT_EQ(level_of(at({1, 1, 0}), normal_of({0, 0, z})), Level::correctly_rounded) << z;
+  for (const Vector3& n : {Vector3(0, 0.6, 0.8), Vector3(1, 0, 0), Vector3(0, -0.6, 0.8)})
+    EXPECT_EQ(level_of(at({1, 1, 0}), normal_of(n)), Level::decisions) << n.transpose();
+  for (const Vector3& n : {Vector3(0, 0.6, 0.8), Vector3(0, 1, 0), Vector3(0, 0, -1)})
+    EXPECT_EQ(level_of(at({2, 0, 0}), normal_of(n)), Level::correctly_rounded) << n.transpose();
+  for (const Vector3& n : {Vector3(0, -0.6, 0.8), Vector3(0.6, 0.8, 0)})
+    EXPECT_EQ(level_of(at({2, 0, 0}), normal_of(n)), Level::decisions) << n.transpose();
+  for (const Vector3& n : {Vector3(0.6, 0.8, 0), Vector3(1, 0, 0), Vector3(0.6, 0, -0.8)})
+    EXPECT_EQ(level_of(at({0, 0, 0}), normal_of(n)), Level::correctly_rounded) << n.transpose();
+  EXPECT_EQ(level_of(at({0, 0, 0}), normal_of({0.8, -0.6, 0})), Level::decisions);
+  // Where all three vertices are the centre nothing can be on the wrong side.
+  const Vector3 here(1, 2, 3);
+  const Query point{Pair::sphere_triangle, BallAndTriangle{{here, 2}, {{here, here, here}}}, {0, 0}};
+  EXPECT_EQ(level_of(point, normal_of({0.6, 0, -0.8})), Level::correctly_rounded);
+}
+
+TEST(JudgeTriangles, beside_it_one_normal_is_right_whatever_the_winding) {
+  for (const Triangle& triangle : {Triangle{{Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(0, 4, 0)}},
+                                   Triangle{{Vector3(0, 0, 0), Vector3(0, 4, 0), Vector3(4, 0, 0)}}}) {
+    const Query above_it{Pair::sphere_triangle, BallAndTriangle{{{1, 1, 1}, 2}, triangle}, {0, 0}};
+    EXPECT_EQ(level_of(above_it, normal_of({0, 0, -1})), Level::correctly_rounded);
+    EXPECT_EQ(level_of(above_it, normal_of({0, 0, 1})), Level::decisions);
+  }
+}
+
+TEST(JudgeRays, on_a_ray_what_separates_is_right) {
+  const auto at = [](double x) {
+    return Query{Pair::ray_sphere, RayAndBall{{{0, 0, 0}, {2, 0, 0}, 2}, {{x, 0, 0}, 1}}, {0, 0}};
+  };
+  for (const Vector3& n : {Vector3(0, 1, 0), Vector3(0, 0.6, -0.8)})
+    EXPECT_EQ(level_of(at(1), normal_of(n)), Level::correctly_rounded) << n.transpose();
+  EXPECT_EQ(level_of(at(1), normal_of({0.6, 0.8, 0})), Level::decisions);
+  // The end is at 4: the sphere may go on there, and at the origin back.
+  EXPECT_EQ(level_of(at(4), normal_of({1, 0, 0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(at(4), normal_of({-1, 0, 0})), Level::decisions);
+  EXPECT_EQ(level_of(at(0), normal_of({-0.6, 0.8, 0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(at(0), normal_of({0.6, 0.8, 0})), Level::decisions);
+}
+
 }  // namespace
 }  // namespace contact::oracle

@@ -83,8 +83,9 @@ void list_pairs(bool json) {
   for (const Pair pair : kPairs) {
     const auto described = [&]<class Shape>(const Shape& shape) {
       Json fields = Json::object();
-      for_each_field(shape, [&](const auto& field, const auto& /*value*/) {
-        fields[std::string(field.name)] = kFieldKindNames[static_cast<std::size_t>(field.kind)];
+      for_each_field(shape, [&](const auto& field, const auto& value) {
+        const bool three = std::same_as<std::remove_cvref_t<decltype(value)>, std::array<Vector3, 3>>;
+        fields[std::string(field.name)] = three ? "points" : kFieldKindNames[static_cast<std::size_t>(field.kind)];
       });
       return Json{{"shape", ShapeDescription<Shape>::kName}, {"fields", fields}};
     };

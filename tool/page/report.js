@@ -143,7 +143,13 @@
   const color = (property) => new THREE.Color(getComputedStyle(document.documentElement).getPropertyValue(property).trim());
 
   /** The points of a shape: its fields that are three numbers. */
-  const points = (shape) => Object.values(shape).filter(Array.isArray).map(numbers);
+  const points = (shape) => {
+    if (shape.vertices) return shape.vertices.map(numbers);
+    if (shape.origin) return [numbers(shape.origin), far_end(shape)];
+    return Object.values(shape).filter(Array.isArray).map(numbers);
+  };
+  /** Where a ray ends, rounded. */
+  const far_end = (ray) => numbers(ray.origin).map((x, i) => x + Number(ray.length) * Number(ray.direction[i]));
 
   /** The two shapes, moved and scaled to fit into the unit ball: what is done to every point of theirs. */
   function frame(query) {
@@ -202,6 +208,20 @@
         const side = (sectors) => new THREE.CylinderBufferGeometry(radius, radius, along.length(), sectors, 1, true);
         const turn = new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 1, 0), along.clone().normalize());
         if (along.length() > 0) draw(side(48), new THREE.EdgesGeometry(side(16), 1), at, turn);
+      } else if (shape.vertices) {  // both of its sides
+        const corners = points(shape).map(point);
+        at = corners[0].clone().add(corners[1]).add(corners[2]).divideScalar(3);
+        const face = new THREE.BufferGeometry().setFromPoints([...corners, ...corners.slice().reverse()].map((v) => v.clone().sub(at)));
+        face.computeVertexNormals();
+        draw(face, new THREE.EdgesGeometry(face), at);
+      } else if (shape.origin) {  // an arrow, thick where the ray begins
+        const [start, end] = points(shape).map(point);
+        at = start.clone().add(end).multiplyScalar(0.5);
+        const along = end.clone().sub(start);
+        const turn = new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 1, 0), along.clone().normalize());
+        const shaft = new THREE.CylinderBufferGeometry(0.004, 0.014, along.length(), 12);
+        if (along.length() > 0) draw(shaft, new THREE.EdgesGeometry(shaft), at, turn);
+        add(new THREE.SphereBufferGeometry(0.025, 12, 8), new THREE.MeshBasicMaterial({color: paint}), start);
       } else {  // a shape without a drawing of its own: a dot at its first point
         at = point(points(shape)[0]);
         ball(at, 0.02);

@@ -59,15 +59,16 @@ std::string meeting_text(const Query& query, const oracle::DistanceTruth& truth)
   if (query.balls() != nullptr)
     return "  The centres coincide: the normal is (1,0,0) by agreement, and any unit normal is right for another "
            "engine.\n";
-  if (query.pair == Pair::sphere_capsule || query.pair == Pair::capsule_capsule)
+  if (truth.coincident()) {
+    const auto [meet, part] = query.pair == Pair::capsule_capsule   ? std::pair("The axes meet", "the axes")
+                              : query.pair == Pair::sphere_capsule  ? std::pair("The centre lies on the axis", "the axis")
+                              : query.pair == Pair::ray_sphere      ? std::pair("The centre lies on the ray", "the ray")
+                              : query.pair == Pair::sphere_triangle ? std::pair("The centre lies on the triangle", "it")
+                                                                    : std::pair("The centre lies on the box", "the box");
     return fmt::format(
-        "  {}: the normal is by agreement, and any that points against no part of the axes is right for another "
-        "engine.\n",
-        query.pair == Pair::sphere_capsule ? "The centre lies on the axis" : "The axes meet");
-  if (truth.coincident())
-    return "  The centre lies on the box: the normal is by agreement, and any that points against no part of the box "
-           "is "
-           "right for another engine.\n";
+        "  {}: the normal is by agreement, and any that points against no part of {} is right for another engine.\n",
+        meet, part);
+  }
   return fmt::format(
       "  The centre is inside, {} deep. The normal leads out through {}.\n", exactly(meeting.depth).substr(2),
       meeting.ways.size() == 1 ? "the nearest face"
