@@ -112,9 +112,8 @@ ExactNearest exact_nearest(const Segment& first, const Segment& second, const Gr
 }
 
 ExactNearest exact_nearest(const DirectedSegment& segment, const Vector3& c, const Grid& grid) {
-  const auto& [start, direction, length] = segment;
-  const auto along = [&](Eigen::Index axis) { return grid.product(length, segment.direction[axis]); };
-  return exact_nearest(ExactSegment{on_grid(grid, start), {along(0), along(1), along(2)}},
+  const auto along = [&](Eigen::Index axis) { return grid.product(segment.length, segment.direction[axis]); };
+  return exact_nearest(ExactSegment{on_grid(grid, segment.start), {along(0), along(1), along(2)}},
                        ExactSegment{on_grid(grid, c), kZero});
 }
 
