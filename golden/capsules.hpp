@@ -60,10 +60,13 @@ struct TwoSegments {
 template <Pair kPair>
 inline constexpr bool kHasSphere = kPair != Pair::capsule_capsule;
 
+/// Whether the second shape has no radius of its own.
+constexpr bool has_one_radius(Pair pair) { return pair >= Pair::sphere_triangle; }
+
 /// Of a pair with one radius it takes both.
 template <Pair kPair, class Shapes>
 void settle_radii(Shapes& s) {
-  if (kPair != Pair::ray_sphere && kPair != Pair::sphere_triangle) return;
+  if (!has_one_radius(kPair)) return;
   s.a.radius += s.b.radius;
   s.b.radius = 0;
 }
@@ -307,7 +310,7 @@ template <class Real, template <class> class Shapes>
 void reach_nearly(Shapes<Real>& s, Random& random, Pair pair, bool alarmed) {
   const Real d = s.distance();
   s.b.radius = d * random.uniform(Real{0.0625}, Real{0.5});
-  if (pair == Pair::ray_sphere || pair == Pair::sphere_triangle) s.b.radius = 0;
+  if (has_one_radius(pair)) s.b.radius = 0;
   s.alarm = alarmed ? d * random.uniform(Real{0.125}, Real{0.375}) : Real{0};
   s.contact = random.chance(2) ? random.uniform(Real{0}, Real{1}) : Real{0};
   s.a.radius = length(ulps_away(least_radius(s, pair), random.between(-4, 3)));

@@ -84,6 +84,7 @@ void for_each_column(const DatasetHeader& h, Row& row, Visit&& visit) {
   visit("expect/point2", c.expect.contact->point2, 0);
   visit("expect/value", c.expect.contact->value, 0);
   visit("exact/distance2", c.exact.distance2, longest_distance2(h.pair, h.scalar));
+  if (has_plane(h.pair)) visit("exact/below", c.exact.below, 0);
   visit("exact/reach", c.exact.reach, longest_exact(1, h.scalar));
   visit("exact/margin_ulps", c.exact.margin_ulps, 0);
 }

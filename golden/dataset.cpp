@@ -87,7 +87,8 @@ void append_exact(std::string& text, const Case& c) {
     text += R"({"gap":[")" + w.gap[0] + R"(",")" + w.gap[1] + R"(",")" + w.gap[2] + R"("]})";
     return;
   }
-  text += R"({"distance2":")" + w.distance2 + R"(","reach":")" + w.reach + R"(","margin_ulps":)";
+  text += R"({"distance2":")" + w.distance2 + (w.below ? R"(","below":true,"reach":")" : R"(","reach":")") + w.reach +
+          R"(","margin_ulps":)";
   formats::append_number(text, w.margin_ulps);
   text += '}';
 }
@@ -160,8 +161,13 @@ oracle::Witness read_witness(const formats::Node& node, Pair pair) {
     if (gaps.size() != 3) node.at("gap").refuse("expected three exact numbers");
     for (std::size_t axis = 0; axis < 3; ++axis) w.gap[axis] = gaps[axis].text();
   } else {
-    node.allow_only({"distance2", "reach", "margin_ulps"});
-    w = {node.at("distance2").text(), node.at("reach").text(), node.at("margin_ulps").number(), {}};
+    if (has_plane(pair))
+      node.allow_only({"distance2", "below", "reach", "margin_ulps"});
+    else
+      node.allow_only({"distance2", "reach", "margin_ulps"});
+    const auto below = node.find("below");
+    if (below && !below->boolean()) below->refuse("only true stands here: without it nothing is below the plane");
+    w = {node.at("distance2").text(), node.at("reach").text(), node.at("margin_ulps").number(), {}, below.has_value()};
   }
   return w;
 }
@@ -522,6 +528,7 @@ void check_case(const Case& c, Scalar scalar, const oracle::Truth& truth, const 
       throw formats::InputError(where, "exact." + field, fmt::format("the file says {}, exact is {}", found, expected));
   };
   compare("distance2", c.exact.distance2, witness.distance2);
+  compare("below", text_of(c.exact.below), text_of(witness.below));
   compare("reach", c.exact.reach, witness.reach);
   compare("margin_ulps", formats::number(c.exact.margin_ulps), formats::number(witness.margin_ulps));
   for (std::size_t axis = 0; axis < 3; ++axis)

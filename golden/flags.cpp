@@ -30,8 +30,9 @@ const Rational& largest_gap(const Truth& truth) { return truth.gaps()->widest_ga
 
 Rational largest_coordinate(const Query& query) {
   Rational largest(0);
-  for_each_number(query, [&](const std::string& field, double x) {
-    if (field.find('[') != std::string::npos) largest = std::max(largest, Rational(std::abs(x)));
+  for_each_field(query, [&](const std::string&, const auto& value, FieldKind kind) {
+    if (kind != FieldKind::point) return;
+    for_each_number_in(value, [&](double x) { largest = std::max(largest, Rational(std::abs(x))); });
   });
   return largest;
 }
@@ -91,6 +92,8 @@ bool is_flat(const Triangle& triangle) {
   return oracle::is_zero(oracle::cross(point_of(y) - point_of(x), point_of(z) - point_of(x)));
 }
 bool is_point(const Triangle& /*triangle*/) { return false; }
+bool is_flat(const Plane& /*plane*/) { return false; }
+bool is_point(const Plane& /*plane*/) { return false; }
 bool is_flat(const Ray& ray) { return ray.length == 0; }
 bool is_point(const Ray& /*ray*/) { return false; }
 
@@ -128,9 +131,14 @@ const std::array kFlags{
     Flag{"NearlyCoincident", "centres apart by less than a 2^20th of the radii, or by subnormal numbers",
          "an absolute epsilon below which the normal becomes a fixed axis; squares that underflow",
          [](const Query&, const Truth& t, Scalar s) {
-           if (!t.has_numbers() || t.degenerate()) return false;
+           if (!t.has_numbers() || t.degenerate() || t.distance()->cores().half_space) return false;
            return t.distance()->distance2() < square(t.distance()->radii() * power_of_two(-20)) ||
                   t.distance()->distance2() < square(smallest_normal(s));
+         }},
+    Flag{"BelowPlane", "the lowest point of a centre or an axis is on a plane, or below it",
+         "the size of a distance for the distance; a plane taken for a sheet with two sides",
+         [](const Query& q, const Truth& t, Scalar) {
+           return has_plane(q.pair) && (t.distance()->below() || CGAL::is_zero(t.distance()->distance2()));
          }},
     Flag{"Containment", "one shape lies inside the other", "depth from the wrong side; boundaries taken for solids",
          [](const Query& q, const Truth& t, Scalar) {

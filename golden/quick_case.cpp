@@ -30,6 +30,7 @@ std::optional<std::size_t> read_object(Result<value> node, std::span<const std::
 
 constexpr std::array<std::string_view, 6> kExpectKeys{"hit", "degenerate", "normal", "point1", "point2", "value"};
 constexpr std::string_view kUnique = "unique";
+constexpr std::string_view kBelow = "below";
 constexpr std::array<std::string_view, 3> kSphereWitnessKeys{"distance2", "reach", "margin_ulps"};
 constexpr std::array<std::string_view, 1> kCubeWitnessKeys{"gap"};
 constexpr std::array<std::string_view, 8> kCaseKeys{"id", "a", "b", "alarm", "contact", "flags", "expect", "exact"};
@@ -78,9 +79,16 @@ bool read(Result<value> node, Expectation& expect, Pair pair) {
 bool read(Result<value> node, oracle::Witness& exact, Pair pair) {
   if (!has_numbers(pair))
     return read_object(node, kCubeWitnessKeys, [&](std::size_t, Result<value> x) { return read(x, exact.gap); }) == 1;
-  return read_object(node, kSphereWitnessKeys, [&](std::size_t key, Result<value> x) {
-           return key == 2 ? read(x, exact.margin_ulps) : read(x, key == 0 ? exact.distance2 : exact.reach);
-         }) == kSphereWitnessKeys.size();
+  std::size_t keys = 0;
+  const auto in_its_place = in_order(kSphereWitnessKeys, keys, [&](std::size_t key, Result<value> x) {
+    return key == 2 ? read(x, exact.margin_ulps) : read(x, key == 0 ? exact.distance2 : exact.reach);
+  });
+  // `below` stands between two others, and only where it is true.
+  const auto member = [&](simdjson::ondemand::raw_json_string key, Result<value> x) {
+    if (keys != 1 || exact.below || !has_plane(pair) || key != kBelow) return in_its_place(key, x);
+    return read(x, exact.below) && exact.below;
+  };
+  return formats::quick::read_object(node, member) && keys == kSphereWitnessKeys.size();
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ Rational unit_of(const Case& c, std::size_t i, Field field) {
   const Scalar scalar = c.subject.info.declared.scalar;
   if (field == Field::normal) return oracle::ulp(Rational(1), scalar);
   if (field == Field::value) return oracle::ulp(truth.value_scale(), scalar);
-  return oracle::ulp(std::max(truth.point_scale(0), truth.point_scale(1)), scalar);
+  return oracle::ulp(oracle::larger_of(truth.point_scale(0), truth.point_scale(1)), scalar);
 }
 
 Vector3 first_to_second(const Conventions& conventions, const Vector3& normal) {

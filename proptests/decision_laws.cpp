@@ -106,6 +106,8 @@ Questions size_grown(const Trial& trial, const Subject& subject) {
         shape.max[axis] = std::max(subject.range.moved(shape.max[axis], 1), length);
     } else if constexpr (std::same_as<Shape, Ray>) {
       shape.length = std::max(subject.range.moved(shape.length, 1), length);
+    } else if constexpr (std::same_as<Shape, Plane>) {
+      shape.offset = std::max(subject.range.moved(shape.offset, 1), length);
     } else if constexpr (requires { shape.radius; }) {
       shape.radius = std::max(subject.range.moved(shape.radius, 1), length);
     }

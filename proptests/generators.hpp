@@ -104,6 +104,9 @@ inline const std::vector<Quadruple> kQuadruples{{1, 2, 2, 3}, {2, 3, 6, 7},  {3,
 /// Two capsules at every scale: one beside a feature of the other, near touching, parallel, crossing, without length.
 /// `first_is_a_sphere` takes the first start for a centre: the pair sphere_capsule.
 [[nodiscard]] rc::Gen<Query> capsule_queries(const Range& range, bool first_is_a_sphere);
+/// A capsule over a plane at every scale: near touching, along it, on it and below, without length. `is_a_sphere` takes
+/// the start for a centre: the pair sphere_plane.
+[[nodiscard]] rc::Gen<Query> plane_queries(const Range& range, bool is_a_sphere);
 /// A sphere whose centre is on the surface of a box, or inside.
 [[nodiscard]] rc::Gen<Query> sphere_on_box(const Range& range, rc::Gen<double> number);
 [[nodiscard]] rc::Gen<Query> sphere_in_box(const Range& range, rc::Gen<double> number);

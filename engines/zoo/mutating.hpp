@@ -52,6 +52,10 @@ inline Wide depth_of_cores(const BallAndBox& shapes) {
   const Wide depth = std::min((c - shapes.b.min.cast<Wide>()).minCoeff(), (shapes.b.max.cast<Wide>() - c).minCoeff());
   return std::max(Wide{0}, depth);
 }
+template <class A>
+Wide depth_of_cores(const Two<A, Plane>& shapes) {
+  return std::max(Wide{0}, -oracle::PlaneInReals(shapes.b).height(oracle::nearest_in_reals(shapes)[0]));
+}
 
 #define CONTACT_SAME_SHAPES(name, A, B, numbers, ...) || (numbers && std::same_as<Kind, Two<A, B>>)
 /// Whether contacts of two such shapes have numbers.
@@ -93,15 +97,15 @@ struct WideSpheres {
       d[i] = c2[i] - c1[i];
     }
     D = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-    distance =
-        D > 0 ? std::sqrt(D) : -std::visit([](const auto& shapes) { return depth_of_cores(shapes); }, query.shapes);
+    const Wide depth = std::visit([](const auto& shapes) { return depth_of_cores(shapes); }, query.shapes);
+    distance = depth > 0 ? -depth : std::sqrt(D);
     reach = alarm + r1 + r2;
   }
   [[nodiscard]] Wide value() const { return distance - r1 - r2 - contact; }
 
   Wide r1, r2, alarm, contact;
   std::array<Wide, 3> c1, c2, d;
-  Wide D, distance, reach;  ///< the distance of cores inside each other is less than 0
+  Wide D, distance, reach;  ///< the distance of cores inside each other, or below a plane, is less than 0
 };
 
 /// Exactly: the surfaces overlap, or just touch.

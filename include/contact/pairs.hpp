@@ -27,7 +27,9 @@ struct Two {
   X(Ball, Capsule)       \
   X(Capsule, Capsule)    \
   X(Ball, Triangle)      \
-  X(Ray, Ball)
+  X(Ray, Ball)           \
+  X(Ball, Plane)         \
+  X(Capsule, Plane)
 
 /// The pairs: X(name, first shape, second shape, its contacts have numbers, the first is rigid, the second is rigid).
 /// Under upstream's convention a rigid sphere reports its nearest surface point, a deformable one its centre.
@@ -40,7 +42,9 @@ struct Two {
   X(sphere_capsule, Ball, Capsule, true, false, false)       \
   X(capsule_capsule, Capsule, Capsule, true, false, false)   \
   X(sphere_triangle, Ball, Triangle, true, false, false)     \
-  X(ray_sphere, Ray, Ball, true, false, false)
+  X(ray_sphere, Ray, Ball, true, false, false)               \
+  X(sphere_plane, Ball, Plane, true, false, false)           \
+  X(capsule_plane, Capsule, Plane, true, false, false)
 
 #define CONTACT_NAME(name, ...) name,
 enum class Pair { CONTACT_PAIRS(CONTACT_NAME) };
@@ -64,6 +68,8 @@ using BallAndCapsule = Two<Ball, Capsule>;
 using Capsules = Two<Capsule, Capsule>;
 using BallAndTriangle = Two<Ball, Triangle>;
 using RayAndBall = Two<Ray, Ball>;
+using BallAndPlane = Two<Ball, Plane>;
+using CapsuleAndPlane = Two<Capsule, Plane>;
 
 struct PairDescription {
   Pair pair;
@@ -88,7 +94,11 @@ inline constexpr PairDescription kPairTable[] = {CONTACT_PAIRS(CONTACT_PAIR)};
 /// Whether SOFA's DiscreteIntersection has the pair; the others join at run time there.
 [[nodiscard]] constexpr bool is_discrete_intersections(Pair pair) { return pair <= Pair::cube_cube; }
 /// Whether more than one pair of points of the cores may be nearest.
-[[nodiscard]] constexpr bool may_have_many_nearest(Pair pair) { return pair == Pair::capsule_capsule; }
+[[nodiscard]] constexpr bool may_have_many_nearest(Pair pair) {
+  return pair == Pair::capsule_capsule || pair == Pair::capsule_plane;
+}
+/// Whether the second shape is a half-space, so that distances are signed and D = 0 is no exception.
+[[nodiscard]] constexpr bool has_plane(Pair pair) { return pair >= Pair::sphere_plane; }
 /// Whether the nearest points may be quotients of what is given, so that D is no dyadic.
 [[nodiscard]] constexpr bool has_quotients(Pair pair) { return pair >= Pair::sphere_capsule; }
 

@@ -54,7 +54,7 @@ Facts::Facts(const Query& asked, const Truth& true_of_it, Scalar engine_scalar, 
   else if (truth->at_zero != Side::within)
     region = Region::near;
   else
-    region = inside ? Region::inside : depth > 0 ? Region::core_inside : Region::overlapping;
+    region = inside ? Region::inside : depth > 0 || distance < 0 ? Region::core_inside : Region::overlapping;
 }
 
 void Facts::ask(Query other) {
@@ -80,9 +80,16 @@ void Facts::read(const Truth& of_query) {
     const auto i = static_cast<std::size_t>(shape);
     nearest[i] = real(cores.nearest[i]);
     radius[i] = real(cores.radius[i]);
-    scale[i] = real(exact->point_scale(shape));
+    scale[i] = static_cast<Real>(round_to_nearest(exact->point_scale(shape), Scalar::binary64));
   }
   depth = 0;
+  inward.reset();
+  if (cores.half_space) {
+    const Numbers direction = real(cores.half_space->inward);
+    const Real size = formulas::largest_of(direction);  // the square of a long normal may leave the range
+    const Numbers shorter = formulas::times(1 / size, direction);
+    inward = formulas::times(1 / std::sqrt(formulas::dot(shorter, shorter)), shorter);
+  }
   settle();
   if (!exact->degenerate() || exact->coincident()) return;
   // Of several ways out that are as short, an engine takes the one that its normal comes nearest to.
@@ -107,6 +114,11 @@ void Facts::settle() {
 
 void Facts::settle_from_delta() {
   D = formulas::dot(delta, delta);
+  if (inward) {
+    distance = formulas::dot(delta, *inward);
+    n = *inward;
+    return;
+  }
   if (D == 0 && depth > 0) return;
   depth = 0;
   distance = std::sqrt(D);

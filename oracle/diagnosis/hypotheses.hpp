@@ -55,9 +55,10 @@ struct Facts {
   std::array<Real, 2> scale{};  ///< of which the bound of each contact point counts ulps
   Real depth = 0;               ///< how deep one core is inside the other
   Numbers delta{};
-  Real D = 0;         ///< delta.delta
-  Real distance = 0;  ///< sqrt(D), or -depth
-  Numbers n{};        ///< delta / sqrt(D), or the way out; the engine's normal where there is no direction
+  std::optional<Numbers> inward;  ///< of length 1, where the second core is a half-space
+  Real D = 0;                     ///< delta.delta
+  Real distance = 0;              ///< sqrt(D), or -depth; delta.inward
+  Numbers n{};  ///< delta / sqrt(D), or the way out or inward; the engine's normal where there is no direction
   // The bounds of the cores, for boxes their corners.
   std::array<Numbers, 2> min{};
   std::array<Numbers, 2> max{};
@@ -65,7 +66,7 @@ struct Facts {
 
   [[nodiscard]] bool has_distance() const { return query.has_numbers(); }
   /// Whether one direction is right, or several that are as good.
-  [[nodiscard]] bool has_direction() const { return D > 0 || depth > 0; }
+  [[nodiscard]] bool has_direction() const { return D > 0 || depth > 0 || inward; }
 
   [[nodiscard]] Real radii() const { return radius[0] + radius[1]; }
   [[nodiscard]] Real gap(std::size_t axis) const;

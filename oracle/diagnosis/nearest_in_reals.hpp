@@ -110,4 +110,40 @@ template <class A, class B>
   return {c, q};
 }
 
+/// A plane's normal of length 1, and how far from the origin it lies along that.
+struct PlaneInReals {
+  Numbers n{};
+  Real offset = 0;
+
+  explicit PlaneInReals(const Plane& plane) {
+    const Numbers normal{plane.normal[0], plane.normal[1], plane.normal[2]};
+    const Real length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    for (std::size_t i = 0; i < 3; ++i) n[i] = normal[i] / length;
+    offset = Real{plane.offset} / length;
+  }
+  [[nodiscard]] Real height(const Numbers& x) const { return n[0] * x[0] + n[1] * x[1] + n[2] * x[2] - offset; }
+  [[nodiscard]] Numbers foot(const Numbers& x) const {
+    const Real s = height(x);
+    return {x[0] - s * n[0], x[1] - s * n[1], x[2] - s * n[2]};
+  }
+};
+/// Of an axis over a plane: the lower end, 0 or 1, or the middle where both are as good as level.
+[[nodiscard]] inline Real lowest_parameter(const AxisInReals& axis, const PlaneInReals& plane) {
+  Real rise = 0;
+  Real size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    rise += plane.n[i] * axis.along[i];
+    size += std::abs(plane.n[i] * axis.along[i]);
+  }
+  if (std::abs(rise) <= 8 * std::numeric_limits<Real>::epsilon() * size) return 0.5L;
+  return rise < 0 ? 1 : 0;
+}
+template <class A>
+[[nodiscard]] std::array<Numbers, 2> nearest_in_reals(const Two<A, Plane>& shapes) {
+  const AxisInReals axis(shapes.a);
+  const PlaneInReals plane(shapes.b);
+  const Numbers p = axis.at(lowest_parameter(axis, plane));
+  return {p, plane.foot(p)};
+}
+
 }  // namespace contact::oracle

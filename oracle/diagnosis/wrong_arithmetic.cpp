@@ -52,7 +52,7 @@ Real loss(F f, int bits) {
   return kRoundings * std::ldexp(most, -(bits == 0 ? format_of(f.scalar).precision - 1 : bits));
 }
 /// The same of a normal. A way out of a box lies along an axis, which rounding does not turn.
-Real turned(F f, int bits) { return f.D > 0 ? loss(f, bits) / f.distance : 0; }
+Real turned(F f, int bits) { return f.D > 0 ? loss(f, bits) / std::abs(f.distance) : 0; }
 /// How far the pair is from the edge of the decision.
 Real from_edge(F f) {
   return f.has_distance() ? std::abs(f.distance - (f.radii() + f.alarm)) : std::abs(f.widest_gap() - f.alarm);

@@ -91,7 +91,7 @@ class ContactJudge {
   [[nodiscard]] std::optional<FieldVerdict> midpoint() const {
     if (!claim_.point || conventions_.points != Points::midpoint || !claims(Field::point)) return std::nullopt;
     if (truth_.degenerate() && !knows_coincident_normal()) return std::nullopt;
-    const Rational scale = std::max(truth_.point_scale(0), truth_.point_scale(1));
+    const Exact scale = larger_of(truth_.point_scale(0), truth_.point_scale(1));
     return grade_point(*claim_.point, scale, truth_.radii() / Rational(2), [&](int axis) {
       return truth_.degenerate() ? coincident_midpoint(axis) : truth_.midpoint(axis);
     });
@@ -112,7 +112,7 @@ class ContactJudge {
 
   /// A claimed point beside the right one, or where the nearest points are not unique, beside all of them. Where it
   /// goes with a claimed normal that was rounded, the point may be that of the normal before.
-  [[nodiscard]] FieldVerdict grade_point(const Vector3& claimed, const Rational& scale, const Rational& radius,
+  [[nodiscard]] FieldVerdict grade_point(const Vector3& claimed, const Exact& scale, const Rational& radius,
                                          const auto& right) const {
     const bool is_exact = is_reference() && squared_length(claimed_n_) == Rational(1);
     const bool is_claimed_normals =
@@ -261,8 +261,9 @@ bool has_center_and_size(const Capsule& capsule, Scalar scalar) {
   const Box around{capsule.start.cwiseMin(capsule.end), capsule.start.cwiseMax(capsule.end)};
   return (capsule.start.array() != capsule.end.array()).count() <= 1 && has_center_and_size(around, scalar);
 }
-/// Triangles and rays have neither.
+/// Triangles, rays and planes have neither.
 bool has_center_and_size(const Triangle& /*triangle*/, Scalar /*scalar*/) { return true; }
+bool has_center_and_size(const Plane& /*plane*/, Scalar /*scalar*/) { return true; }
 bool has_center_and_size(const Ray& /*ray*/, Scalar /*scalar*/) { return true; }
 
 }  // namespace

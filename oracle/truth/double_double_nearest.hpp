@@ -36,6 +36,20 @@ struct DoubleDoubleNearest {
   return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
 }
 
+/// Nearest points, the unit normal, the signed distance along it, and the decisions.
+struct DoubleDoubleAlong {
+  DoubleDoubles p;
+  DoubleDoubles q;
+  DoubleDoubles normal;
+  DoubleDouble distance;
+  int at_alarm;
+  int at_zero;
+  bool degenerate;
+  bool unique;
+};
+[[nodiscard]] std::optional<DoubleDoubleCase> case_along(const DoubleDoubleAlong& along, double radius1, double radius2,
+                                                         Distances distances, Scalar scalar, bool with_margin);
+
 /// Domain: every number in_range of 200. Where the cores meet, the normal is (1, 0, 0).
 [[nodiscard]] std::optional<DoubleDoubleCase> case_of_nearest(const DoubleDoubleNearest& nearest, double radius1,
                                                               double radius2, Distances distances, Scalar scalar,

@@ -52,6 +52,29 @@ std::optional<double> margin_of(const DoubleDouble& distance, const DoubleDouble
 
 }  // namespace
 
+std::optional<DoubleDoubleCase> case_along(const DoubleDoubleAlong& along, double radius1, double radius2,
+                                           Distances distances, Scalar scalar, bool with_margin) {
+  const DoubleDouble radii = two_sum(radius1, radius2);
+  DoubleDoubleCase found{{along.at_alarm, along.at_zero, {along.at_alarm <= 0, std::nullopt}}, std::nullopt};
+  if (with_margin) found.margin_ulps = margin_of(along.distance, radii + DoubleDouble{distances.alarm}, scalar);
+  if (!found.answer.expected.hit) return found;
+
+  Settled settled;
+  Contact& contact = found.answer.expected.contact.emplace();
+  contact.degenerate = along.degenerate;
+  contact.unique = along.unique;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    const DoubleDouble& n = along.normal[i];
+    contact.normal[axis] = settled(round_to_nearest(n, scalar));
+    contact.point1[axis] = settled(round_to_nearest(along.p[i] + DoubleDouble{radius1} * n, scalar));
+    contact.point2[axis] = settled(round_to_nearest(along.q[i] - DoubleDouble{radius2} * n, scalar));
+  }
+  contact.value = settled(round_to_nearest(along.distance - (radii + DoubleDouble{distances.contact}), scalar));
+  if (!settled.all()) return std::nullopt;
+  return found;
+}
+
 std::optional<DoubleDoubleCase> case_of_nearest(const DoubleDoubleNearest& nearest, double radius1, double radius2,
                                                 Distances distances, Scalar scalar, bool with_margin) {
   const auto& [p, q, delta] = nearest;
@@ -62,27 +85,13 @@ std::optional<DoubleDoubleCase> case_of_nearest(const DoubleDoubleNearest& neare
   const auto at_alarm = (D - reach * reach).sign();
   const auto at_zero = (D - radii * radii).sign();
   if (!at_alarm || !at_zero) return std::nullopt;
-
-  DoubleDoubleCase found{{*at_alarm, *at_zero, {*at_alarm <= 0, std::nullopt}}, std::nullopt};
-  const bool degenerate = D.high == 0;
-  const DoubleDouble distance = degenerate ? DoubleDouble{} : root(D);
-  if (with_margin) found.margin_ulps = margin_of(distance, reach, scalar);
-  if (!found.answer.expected.hit) return found;
-
-  Settled settled;
-  Contact& contact = found.answer.expected.contact.emplace();
-  contact.degenerate = degenerate;
-  const DoubleDouble inverse = degenerate ? DoubleDouble{} : reciprocal(distance);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto axis = static_cast<Eigen::Index>(i);
-    const DoubleDouble n = degenerate ? DoubleDouble{i == 0 ? 1.0 : 0.0} : delta[i] * inverse;
-    contact.normal[axis] = settled(round_to_nearest(n, scalar));
-    contact.point1[axis] = settled(round_to_nearest(p[i] + DoubleDouble{radius1} * n, scalar));
-    contact.point2[axis] = settled(round_to_nearest(q[i] - DoubleDouble{radius2} * n, scalar));
+  DoubleDoubleAlong along{p, q, {{{1.0}, {0.0}, {0.0}}}, {}, *at_alarm, *at_zero, D.high == 0, true};
+  if (!along.degenerate) {
+    along.distance = root(D);
+    const DoubleDouble inverse = reciprocal(along.distance);
+    for (std::size_t i = 0; i < 3; ++i) along.normal[i] = delta[i] * inverse;
   }
-  contact.value = settled(round_to_nearest(distance - (radii + DoubleDouble{distances.contact}), scalar));
-  if (!settled.all()) return std::nullopt;
-  return found;
+  return case_along(along, radius1, radius2, distances, scalar, with_margin);
 }
 
 std::optional<RoundedAnswer> double_double_answer(const Query& query, Scalar scalar) {

@@ -103,6 +103,10 @@ Exact::Enclosure Exact::enclosure(int bits) const {
   return {number_.a0() - high, number_.a0() - low};
 }
 
+Exact larger_of(const Exact& x, const Exact& y) {
+  return x.plus(y.scaled(Rational(-1))).sign() == CGAL::NEGATIVE ? y : x;
+}
+
 bool is_representable(double x, Scalar scalar) {
   return scalar == Scalar::binary64 ||
          (std::abs(x) <= largest_finite(scalar) && static_cast<double>(static_cast<float>(x)) == x);

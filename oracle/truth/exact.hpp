@@ -42,6 +42,9 @@ class Exact {
   Extension number_;
 };
 
+/// Domain: both of one D, or one of them rational.
+[[nodiscard]] Exact larger_of(const Exact& x, const Exact& y);
+
 /// x rounded once to the scalar, to nearest, ties to even; +0 for zero, infinite beyond the range.
 [[nodiscard]] double round_to_nearest(const Exact& x, Scalar scalar);
 

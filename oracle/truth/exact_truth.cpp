@@ -19,6 +19,8 @@ Rational direction(int shape, PointOn on) {
   return (shape == 0) == (on == PointOn::nearest_surface) ? Rational(1) : Rational(-1);
 }
 
+Exact root(const Rational& x) { return {Rational(0), Rational(1), x}; }
+
 }  // namespace
 
 DistanceTruth::DistanceTruth(Cores cores, Distances distances)
@@ -31,18 +33,20 @@ DistanceTruth::DistanceTruth(Cores cores, Distances distances)
   reach_ = Rational(distances.alarm) + radii_;
   if (degenerate() && !cores_.meeting)
     cores_.meeting = Meeting{Rational(0), {{{Rational(1), Rational(0), Rational(0)}, cores_.nearest[1]}}, {}};
-  along_ = degenerate() ? meeting().ways.front().direction : delta_;
+  along_ = cores_.half_space ? cores_.half_space->inward : degenerate() ? meeting().ways.front().direction : delta_;
   along2_ = square(along_[0]) + square(along_[1]) + square(along_[2]);
 }
+
+bool DistanceTruth::below() const { return cores_.half_space && dot(delta_, along_) < Rational(0); }
 
 const Point& DistanceTruth::nearest(int shape) const {
   return degenerate() && shape == 1 ? meeting().ways.front().nearest : cores_.nearest[index(shape)];
 }
 
-// Both sides of sqrt(D) <= reach are >= 0, so their squares stand in the same order. What is inside is within any
-// reach.
+// Both sides of sqrt(D) <= reach are >= 0, so their squares stand in the same order. What is inside or below is within
+// any reach.
 Side DistanceTruth::within(const Rational& reach) const {
-  return degenerate() && !coincident() ? Side::within : side_of(distance2_ - square(reach));
+  return below() || (degenerate() && !coincident()) ? Side::within : side_of(distance2_ - square(reach));
 }
 Side DistanceTruth::at_alarm() const { return within(reach_); }
 Side DistanceTruth::at_zero() const { return within(radii_); }
@@ -80,21 +84,22 @@ Exact DistanceTruth::midpoint(int axis) const {
 
 Exact DistanceTruth::value(bool less_contact) const {
   const Rational inward = degenerate() ? radii_ + meeting().depth : radii_;
-  return {less_contact ? -inward - contact_ : -inward, Rational(1), distance2_};
+  return signed_distance().plus(less_contact ? -inward - contact_ : -inward);
 }
 
 Exact DistanceTruth::margin(Scalar scalar) const {
-  return Exact(-reach_, Rational(1), distance2_).scaled(Rational(1) / ulp(reach_, scalar));
+  return signed_distance().plus(-reach_).scaled(Rational(1) / ulp(reach_, scalar));
 }
 
 Exact DistanceTruth::value_scale() const {
-  const Rational larger = std::max({radii_, contact_, degenerate() ? meeting().depth : Rational(0)});
-  const Exact distance(Rational(0), Rational(1), distance2_);
-  return distance.compare(larger) == CGAL::LARGER ? distance : Exact(larger);
+  Rational larger = std::max({radii_, contact_, degenerate() ? meeting().depth : Rational(0)});
+  if (cores_.half_space) larger = std::max({larger, cores_.farthest[0], cores_.farthest[1]});
+  return larger_of(larger, root(cores_.half_space ? std::max(distance2_, cores_.half_space->offset2) : distance2_));
 }
 
-Rational DistanceTruth::point_scale(int shape) const {
-  return std::max(cores_.radius[index(shape)], cores_.farthest[index(shape)]);
+Exact DistanceTruth::point_scale(int shape) const {
+  const Rational larger = std::max(cores_.radius[index(shape)], cores_.farthest[index(shape)]);
+  return cores_.half_space ? larger_of(larger, root(cores_.half_space->offset2)) : Exact(larger);
 }
 
 const Rational& GapTruth::widest_gap() const { return *std::max_element(gap_.begin(), gap_.end()); }

@@ -41,7 +41,14 @@ struct Meeting {
   std::vector<Point> apart;
 };
 
-/// Two convex shapes as two cores, each blown up by a radius, and the nearest points p and q of the cores.
+/// A second core that is a half-space: its boundary tells above from below, also where nothing is between.
+struct HalfSpace {
+  Point inward;      ///< of any length: against the plane's normal
+  Rational offset2;  ///< the square of the plane's distance from the origin
+};
+
+/// Two convex shapes as two cores, each blown up by a radius, and the nearest points p and q of the cores; of a
+/// half-space q is the foot of the first one's lowest point p on the plane, also where p is below it.
 struct Cores {
   std::array<Point, 2> nearest;
   std::array<Rational, 2> radius;
@@ -49,16 +56,20 @@ struct Cores {
   std::optional<Meeting> meeting = {};  ///< where they meet; of two points that are one it need not be said
   /// Where many points are nearest: p + k spread and q + k spread for all |k| <= 1.
   std::optional<Point> spread = {};
+  std::optional<HalfSpace> half_space = {};
 };
 
 /// What is exactly true of two shapes with a distance.
 ///   delta = q - p      D = delta.delta      reach = alarm + r1 + r2      n = delta / sqrt(D)
+/// Below a plane -sqrt(D) takes the place of sqrt(D), the signed distance, and n is -delta / sqrt(D).
 class DistanceTruth {
  public:
   DistanceTruth(Cores cores, Distances distances);
 
-  /// D = 0.
-  [[nodiscard]] bool degenerate() const { return CGAL::is_zero(distance2_); }
+  /// D = 0, and no plane says in which direction.
+  [[nodiscard]] bool degenerate() const { return CGAL::is_zero(distance2_) && !cores_.half_space; }
+  /// p lies below the plane of a half-space.
+  [[nodiscard]] bool below() const;
   /// D = 0, and nothing is inside anything: the direction is by agreement.
   [[nodiscard]] bool coincident() const { return degenerate() && CGAL::is_zero(cores_.meeting->depth); }
   [[nodiscard]] const Cores& cores() const { return cores_; }
@@ -70,7 +81,7 @@ class DistanceTruth {
   [[nodiscard]] const Rational& reach() const { return reach_; }
   [[nodiscard]] const Rational& radii() const { return radii_; }
   [[nodiscard]] const Rational& radius(int shape) const { return cores_.radius[static_cast<std::size_t>(shape)]; }
-  /// The side of sqrt(D) against reach, and against r1 + r2.
+  /// The side of the signed distance against reach, and against r1 + r2.
   [[nodiscard]] Side at_alarm() const;
   [[nodiscard]] Side at_zero() const;
 
@@ -82,16 +93,18 @@ class DistanceTruth {
   [[nodiscard]] Rational point_for(int shape, int axis, PointOn on, const Vector3& normal) const;
   /// One coordinate of the middle of the two nearest surface points.
   [[nodiscard]] Exact midpoint(int axis) const;
-  /// sqrt(D) - (r1 + r2), less the depth, less the contact distance or not.
+  /// The signed distance less r1 + r2, less the depth, less the contact distance or not.
   [[nodiscard]] Exact value(bool less_contact) const;
-  /// (sqrt(D) - reach) / ulp(reach).
+  /// (signed distance - reach) / ulp(reach).
   [[nodiscard]] Exact margin(Scalar scalar) const;
-  /// The scale by which `bounded` measures: value max(sqrt D, r1 + r2, contact, depth), point max(farthest, r_i).
+  /// The scale by which `bounded` measures: value max(sqrt D, r1 + r2, contact, depth), point max(farthest, r_i); of a
+  /// plane both its distance from the origin too, and the value farthest.
   [[nodiscard]] Exact value_scale() const;
-  [[nodiscard]] Rational point_scale(int shape) const;
+  [[nodiscard]] Exact point_scale(int shape) const;
 
  private:
   [[nodiscard]] Side within(const Rational& reach) const;
+  [[nodiscard]] Exact signed_distance() const { return {Rational(0), Rational(below() ? -1 : 1), distance2_}; }
   /// Where a shape's contact point is measured from; and for a claimed normal, where D = 0.
   [[nodiscard]] const Point& nearest(int shape) const;
   [[nodiscard]] const Point& foot(int shape, const Vector3& normal) const;

@@ -102,6 +102,7 @@ Witness witness_of(const ExactTruth& truth) {
   Witness w;
   w.distance2 = exact_string(numbers.distance2());
   w.reach = exact_string(numbers.reach());
+  w.below = numbers.below();
   return w;
 }
 

@@ -93,6 +93,7 @@ Witness witness(const Truth& truth, Scalar scalar) {
     w.distance2 = exact_string(distance->distance2());
     w.reach = exact_string(distance->reach());
     w.margin_ulps = margin_ulps(truth, scalar);
+    w.below = distance->below();
   } else {
     for (std::size_t axis = 0; axis < 3; ++axis) w.gap[axis] = exact_string(truth.gaps()->gap()[axis]);
   }

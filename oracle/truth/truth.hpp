@@ -59,7 +59,7 @@ class Truth {
 /// The correctly rounded answer.
 [[nodiscard]] Expectation expectation(const Truth& truth, Scalar scalar);
 
-/// (sqrt(D) - reach) / ulp(reach) rounded to binary64. Domain: a pair with numbers.
+/// (signed distance - reach) / ulp(reach) rounded to binary64. Domain: a pair with numbers.
 [[nodiscard]] double margin_ulps(const Truth& truth, Scalar scalar);
 
 /// The exact numbers that a golden file records beside an expectation.
@@ -68,6 +68,7 @@ struct Witness {
   std::string reach;
   double margin_ulps = 0;
   std::array<std::string, 3> gap;  ///< of a pair without numbers
+  bool below = false;              ///< the distance is signed, and negative
 
   friend bool operator==(const Witness&, const Witness&) = default;
 };

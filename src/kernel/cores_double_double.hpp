@@ -40,11 +40,27 @@ struct ApproximateNearest {
   return in_short_range(x.radius1) && in_short_range(x.radius2) && in_short_range(x.alarm) && in_short_range(x.contact);
 }
 
+/// core + signed_radius n, n being a component of a DoubleDoublePair's normal. The core is within `error` and kOwnError
+/// of its magnitude, n within `turn` beside its own error.
+///   r n + p in place of r n + c: p.low, at most u |p|, is added in (2 |w| + |p|), the sum rounded (|h| + 2 |w| + |p|),
+///   rounded() (the same again), and n and its product are as there (30)              36 |w| + 2 |h| + 3 |p|
+[[gnu::always_inline]] inline Approximation point_beside(const DoubleDouble<double>& core, double error,
+                                                         const DoubleDouble<double>& n, double signed_radius,
+                                                         double turn) {
+  // Beside kPointError and kLastSumError of the pair, which are of an exact centre; 1 is room for the sums of errors.
+  constexpr double kPointError = 40 * kUnitSquared;                                // of |w|
+  constexpr double kCoreError = ApproximateNearest::kOwnError + 4 * kUnitSquared;  // of |p|
+  const double w = signed_radius * n.high;
+  const double w_low = std::fma(signed_radius, n.low, std::fma(signed_radius, n.high, -w));
+  const DoubleDouble<double> h = two_sum(core.high, w);
+  return {h.high, h.low + (w_low + core.low),
+          (kPointError * std::abs(w) + kCoreError * std::abs(core.high)) +
+              (DoubleDoublePair::kLastSumError * std::abs(h.high) + (error + std::abs(signed_radius) * turn))};
+}
+
 /// The contact of approximate cores. It is DoubleDoublePair of the approximate delta, d, whose errors are known, beside
 /// what the error e of its coordinates does. The length of d is off by 2 e at most (the root of 3 is below 2), and
 /// each component of n by 2 e / s, since the direction turns by no more where e is below 2^-40 s.
-///   point  r n + p in place of r n + c: p.low, at most u |p|, is added in (2 |w| + |p|), the sum rounded (|h| + 2 |w|
-///          + |p|), rounded() (the same again), and n and its product are as there (30)       36 |w| + 2 |h| + 3 |p|
 class ApproximateContact {
  public:
   /// Domain: in_short_range of all numbers of the question, to nearest.
@@ -90,23 +106,16 @@ class ApproximateContact {
     v.error += length_error_;
     return v;
   }
+  /// Cores with more than one pair of nearest points are left to the exact stage.
+  [[nodiscard]] static constexpr bool is_unique() { return true; }
 
  private:
-  // Beside kPointError and kLastSumError of the pair, which are of an exact centre; 1 is room for the sums of errors.
-  static constexpr double kPointError = 40 * kUnitSquared;                                    // of |w|
-  static constexpr double kCoreError = ApproximateNearest::kOwnError + 4 * kUnitSquared;      // of |p|
   static constexpr double kRootError = DoubleDoublePair::kValueRootError + 1 * kUnitSquared;  // of s
   static constexpr double kLessError = DoubleDoublePair::kValueLessError + 1 * kUnitSquared;  // of the reach
 
   [[gnu::always_inline]] [[nodiscard]] Approximation point(const DoubleDouble<double>& core, double error,
                                                            std::size_t axis, double signed_radius) const {
-    const DoubleDouble<double>& n = pair_->normal_parts(axis);
-    const double w = signed_radius * n.high;
-    const double w_low = std::fma(signed_radius, n.low, std::fma(signed_radius, n.high, -w));
-    const DoubleDouble<double> h = two_sum(core.high, w);
-    return {h.high, h.low + (w_low + core.low),
-            (kPointError * std::abs(w) + kCoreError * std::abs(core.high)) +
-                (DoubleDoublePair::kLastSumError * std::abs(h.high) + (error + std::abs(signed_radius) * turn_))};
+    return point_beside(core, error, pair_->normal_parts(axis), signed_radius, turn_);
   }
 
   const ApproximateNearest& nearest_;
@@ -117,7 +126,8 @@ class ApproximateContact {
 };
 
 /// The numbers of a contact that are certain; returns the bits of those that are not.
-[[gnu::always_inline]] inline unsigned round_certain(const ApproximateContact& approximate, const Lengths& lengths,
+template <class Approximate>
+[[gnu::always_inline]] inline unsigned round_certain(const Approximate& approximate, const Lengths& lengths,
                                                      ContactPoints points, Contact& contact) {
   unsigned open = kAllNumbers;
   const auto take = [&open](const Approximation& number, double& to, unsigned bit) {
@@ -136,7 +146,7 @@ class ApproximateContact {
   }
   take(approximate.value(), contact.value, kValueNumber);
   contact.degenerate = false;
-  contact.unique = true;
+  contact.unique = approximate.is_unique();
   return open;
 }
 

@@ -7,22 +7,31 @@
 
 namespace contact::kernel {
 
+/// What the fast stage computes of two kinds of core.
+template <class First, class Second>
+struct FastStage {
+  using Nearest = ApproximateNearest;
+  using OfContact = ApproximateContact;
+};
+template <class First, class Second>
+using FastContact = std::optional<typename FastStage<First, Second>::OfContact>;
+
 template <class First, class Second>
 [[gnu::noinline]] bool decide_exactly(const First& first, const Second& second, const Lengths& lengths) {
-  const Grid grid = grid_of(first, second, lengths);
+  const auto grid = grid_of(first, second, lengths);
   return is_hit(exact_nearest(first, second, grid), grid, lengths);
 }
 
 template <class First, class Second>
 [[gnu::noinline]] void round_open(const First& first, const Second& second, const Lengths& lengths,
                                   ContactPoints points, unsigned open, Contact& contact) {
-  const Grid grid = grid_of(first, second, lengths);
+  const auto grid = grid_of(first, second, lengths);
   round_exactly(exact_nearest(first, second, grid), grid, lengths, points, open, contact);
 }
 
 /// The decision of the filter, else of the contact's numbers, else the exact one.
 template <class First, class Second>
-[[gnu::always_inline]] inline bool settled(Filtered filtered, const std::optional<ApproximateContact>& fast,
+[[gnu::always_inline]] inline bool settled(Filtered filtered, const FastContact<First, Second>& fast,
                                            const First& first, const Second& second, const Lengths& lengths) {
   if (filtered == Filtered::undecided && fast && fast->holds()) filtered = fast->filtered(lengths.alarm);
   return filtered == Filtered::undecided ? decide_exactly(first, second, lengths) : filtered == Filtered::hit;
@@ -34,8 +43,8 @@ template <class First, class Second>
   const bool in_range = in_short_range(first) && in_short_range(second) && in_short_range(lengths);
   const Filtered filtered = in_range ? plain_filtered(first, second, lengths) : Filtered::undecided;
   if (filtered == Filtered::miss) return false;
-  ApproximateNearest nearest;
-  std::optional<ApproximateContact> fast;
+  typename FastStage<First, Second>::Nearest nearest;
+  FastContact<First, Second> fast;
   if (in_range && find_nearest(first, second, nearest)) fast.emplace(nearest, lengths);
   if (!settled(filtered, fast, first, second, lengths)) return false;
   const unsigned open = fast && fast->holds() ? round_certain(*fast, lengths, points, contact) : kAllNumbers;
@@ -48,8 +57,8 @@ template <class First, class Second>
   const bool in_range = in_short_range(first) && in_short_range(second) && in_short_range(lengths);
   const Filtered filtered = in_range ? plain_filtered(first, second, lengths) : Filtered::undecided;
   if (filtered != Filtered::undecided) return filtered == Filtered::hit;
-  ApproximateNearest nearest;
-  std::optional<ApproximateContact> fast;
+  typename FastStage<First, Second>::Nearest nearest;
+  FastContact<First, Second> fast;
   if (in_range && find_nearest(first, second, nearest)) fast.emplace(nearest, lengths);
   return settled(filtered, fast, first, second, lengths);
 }

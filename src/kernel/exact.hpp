@@ -34,6 +34,8 @@ class Grid {
   Grid(std::initializer_list<double> numbers, const Grid& factor, const Grid& other) : Grid(numbers) {
     exponent_ = std::min(exponent_, factor.exponent_ + other.exponent_);
   }
+  /// The same, and no coarser than 2^most.
+  Grid(std::initializer_list<double> numbers, int most) : Grid(numbers) { exponent_ = std::min(exponent_, most); }
 
   [[nodiscard]] int exponent() const { return exponent_; }
   /// x / 2^exponent. Domain: x is one of the numbers given, or a sum of their integer multiples.

@@ -1,0 +1,43 @@
+// Capsule against plane: the exact decision and the correctly rounded contact.
+#pragma once
+
+#include <optional>
+
+#include "contact/contact.hpp"
+#include "contact/geometry.hpp"
+
+namespace contact {
+
+/// Whether a capsule and the half-space below a plane are within the alarm distance of each other.
+///   p = the end of the capsule's axis with the lower b.normal . p
+///   s = (b.normal . p - b.offset) / |b.normal|, negative below the plane     reach = alarm + a.radius
+/// Units       as test_sphere_plane.
+/// Domain      finite; the normal not zero, and of any length; radius and alarm >= 0. Capsules of length 0, subnormals
+///             and the largest finite numbers are included.
+/// Decision    s <= reach, exactly, and exactly which end is lower: touching counts, and whatever is below the plane
+///             hits.
+/// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
+/// Source      docs/specification.md#planes.
+/// Evidence    src/kernel/plane_test.cpp; proptests/capsule_plane_properties.cpp.
+[[nodiscard]] bool test_capsule_plane(const Capsule& a, const Plane& b, double alarm);
+
+/// The contact of a capsule with a plane, or std::nullopt if they are farther apart than `distances.alarm`.
+///   normal = -b.normal / |b.normal|           value = s - a.radius - distances.contact
+///   point1 = p + a.radius normal              point2 = p + s normal, on the plane           (nearest_surface)
+/// Units       as test_capsule_plane; the normal is a unit vector from the capsule into the half-space.
+/// Domain      as test_capsule_plane; contact distance >= 0.
+/// Decision    as test_capsule_plane.
+/// Error       every number is the exact real rounded once to nearest, ties to even (0.5 ulp); beyond the largest
+///             finite number it is infinite, as IEEE 754 rounds. Every zero is +0.
+/// Unique      not where the capsule is parallel to the plane and its length above 0: every point of the axis is as
+/// low,
+///             and p is the middle, (a.start + a.end) / 2, which is not rounded.
+/// Degenerate  never: on the plane and below it the normal and the formulas are the same.
+/// Points      `center` puts the first at p, `far_surface` on the far side of the capsule; the second stays.
+/// Environment as test_capsule_plane.
+/// Source      docs/specification.md#planes.
+/// Evidence    src/kernel/plane_test.cpp; proptests/capsule_plane_properties.cpp; golden/capsule_plane.
+[[nodiscard]] std::optional<Contact> compute_capsule_plane(const Capsule& a, const Plane& b, Distances distances,
+                                                           ContactPoints points = {});
+
+}  // namespace contact

@@ -1,0 +1,12 @@
+// A sphere and a plane, exactly.
+#include "oracle/truth/planes.hpp"
+
+namespace contact::oracle {
+
+ExactTruth exact_truth(const BallAndPlane& shapes, Distances distances) {
+  return truth_over_plane(segment_of(shapes.a), shapes.b, distances);
+}
+
+Meet cores_meet(const BallAndPlane& /*shapes*/) { return Meet::no; }
+
+}  // namespace contact::oracle

@@ -1,0 +1,12 @@
+// A sphere and a plane in pairs of doubles.
+#include "oracle/truth/double_double_planes.hpp"
+
+namespace contact::oracle {
+
+std::optional<DoubleDoubleCase> double_double_case(const BallAndPlane& shapes, Distances distances, Scalar scalar,
+                                                   bool with_margin) {
+  const auto& [a, b] = shapes;
+  return case_over_plane({a.center, a.center}, a.radius, b, distances, scalar, with_margin);
+}
+
+}  // namespace contact::oracle

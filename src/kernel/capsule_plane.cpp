@@ -1,0 +1,27 @@
+// Capsule against plane: a segment and a half-space.
+#include "contact/capsule_plane.hpp"
+
+#include "contact/pair_functions.hpp"
+#include "kernel/planes.hpp"
+
+namespace contact {
+
+bool test_capsule_plane(const Capsule& a, const Plane& b, double alarm) {
+  return kernel::decide(kernel::Segment{a.start, a.end}, kernel::HalfSpace{b.normal, b.offset},
+                        {a.radius, 0, alarm, 0});
+}
+
+std::optional<Contact> compute_capsule_plane(const Capsule& a, const Plane& b, Distances distances,
+                                             ContactPoints points) {
+  return kernel::contact_between(kernel::Segment{a.start, a.end}, kernel::HalfSpace{b.normal, b.offset},
+                                 {a.radius, 0, distances.alarm, distances.contact}, points);
+}
+
+bool is_hit(const CapsuleAndPlane& shapes, Distances distances) {
+  return test_capsule_plane(shapes.a, shapes.b, distances.alarm);
+}
+std::optional<Contact> contact_of(const CapsuleAndPlane& shapes, Distances distances, ContactPoints points) {
+  return compute_capsule_plane(shapes.a, shapes.b, distances, points);
+}
+
+}  // namespace contact

@@ -1,0 +1,229 @@
+// The lowest point of a point or a segment over a plane: exactly, and in double-double arithmetic.
+//
+//   n the plane's normal, of any length     o its offset     h(x) = n.x - o     N = n.n
+//   p the end with the lower h, or the middle between two with the same         s = h(p) / sqrt(N)
+//   normal -n / sqrt(N)     point1 p - r n / sqrt(N)     point2 p - h(p) n / N  value s - r - contact
+// s is signed, and n is not 0, so that nothing is degenerate and nothing grows near s = 0.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "kernel/cores_stages.hpp"
+#include "kernel/segments.hpp"
+
+namespace contact::kernel {
+
+/// A Plane, as a core.
+struct HalfSpace {
+  Vector3 normal;
+  double offset;
+};
+
+/// The grids of a question: of points and lengths, and of the normal. The offset is on the grid of their products.
+struct PlaneGrids {
+  Grid points;
+  Grid normal;
+};
+[[nodiscard]] PlaneGrids grid_of(const Segment& segment, const HalfSpace& plane, const Lengths& lengths);
+[[nodiscard]] inline PlaneGrids grid_of(const Vector3& c, const HalfSpace& plane, const Lengths& lengths) {
+  return grid_of(Segment{c, c}, plane, lengths);
+}
+
+/// The lowest point p / over of a core, on the grid of points, and h(p) = height / over, on that of the products.
+struct ExactLowest {
+  IntegerVector p;
+  Integer over;  ///< 1, or 2 in the middle
+  bool unique;
+  IntegerVector n;
+  Integer height;
+};
+[[nodiscard]] ExactLowest exact_nearest(const Segment& segment, const HalfSpace& plane, const PlaneGrids& grids);
+[[nodiscard]] inline ExactLowest exact_nearest(const Vector3& c, const HalfSpace& plane, const PlaneGrids& grids) {
+  return exact_nearest(Segment{c, c}, plane, grids);
+}
+
+/// s <= alarm + radius1.
+[[nodiscard]] bool is_hit(const ExactLowest& lowest, const PlaneGrids& grids, const Lengths& lengths);
+/// The contact, every number rounded once to nearest, as round_exactly of cores.hpp has it.
+void round_exactly(const ExactLowest& lowest, const PlaneGrids& grids, const Lengths& lengths, ContactPoints points,
+                   unsigned numbers, Contact& contact);
+
+[[gnu::always_inline]] inline bool in_short_range(const HalfSpace& plane) {
+  return in_short_range(plane.normal) && in_short_range(plane.offset);
+}
+
+/// h of a point in plain arithmetic. The error is in units of u T, T = |n_x x| + |n_y y| + |n_z z| + |o|: products (1)
+/// and sums (3), the sum with the error (1), and 1 for the factors (1 + u)^k left out.
+struct PlainHeight {
+  double height;
+  double error;
+};
+[[gnu::always_inline]] inline PlainHeight plain_height(const Vector3& c, const HalfSpace& plane) {
+  const double x = plane.normal[0] * c[0];
+  const double y = plane.normal[1] * c[1];
+  const double z = plane.normal[2] * c[2];
+  const double T = (std::abs(x) + std::abs(y)) + (std::abs(z) + std::abs(plane.offset));
+  return {((x + y) + z) - plane.offset, 6 * DoubleDoublePair::kUnit * T};
+}
+
+/// The decision in plain arithmetic, where its bound allows: h against reach |n|, whose sums (2), squares and their
+/// sums under the root (1.5), root (1) and product (1) are within 5.5 u, and 1 more for the product with kGap. Domain:
+/// to nearest, numbers in_short_range.
+[[gnu::always_inline]] inline Filtered plain_filtered(const PlainHeight& h, const HalfSpace& plane,
+                                                      const Lengths& lengths) {
+  constexpr double kGap = 8 * DoubleDoublePair::kUnit;
+  const Vector3& n = plane.normal;
+  const double reach = (lengths.radius1 + lengths.alarm) * std::sqrt((n[0] * n[0] + n[1] * n[1]) + n[2] * n[2]);
+  if (h.height + h.error < reach * (1 - kGap)) return Filtered::hit;
+  if (h.height - h.error > reach * (1 + kGap)) return Filtered::miss;
+  return Filtered::undecided;
+}
+[[gnu::always_inline]] inline Filtered plain_filtered(const Vector3& c, const HalfSpace& plane,
+                                                      const Lengths& lengths) {
+  return plain_filtered(plain_height(c, plane), plane, lengths);
+}
+[[gnu::always_inline]] inline Filtered plain_filtered(const Segment& segment, const HalfSpace& plane,
+                                                      const Lengths& lengths) {
+  const PlainHeight start = plain_height(segment.start, plane);
+  const PlainHeight end = plain_height(segment.end, plane);
+  return plain_filtered(PlainHeight{std::min(start.height, end.height), std::max(start.error, end.error)}, plane,
+                        lengths);
+}
+
+// What follows computes to nearest, in numbers that are in_short_range. Errors are in units of u^2, as in segments.hpp.
+
+/// The lowest point, exactly, and h of it.
+struct ApproximateLowest {
+  DoubleDoubles p;
+  bool unique;
+  HalfSpace plane;
+  Bounded height;
+};
+
+/// h. The residuals of three products, together at most u T, are added (2), the low parts of three sums, at most u T
+/// each (2 + 3), and both (4): 11 T.
+[[gnu::always_inline]] inline Bounded height_of(const Vector3& c, const HalfSpace& plane) {
+  constexpr double kHeightError = 12 * kUnitSquared;
+  std::array<double, 3> product;
+  double residual = 0;
+  double T = std::abs(plane.offset);
+#pragma GCC unroll 3
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    product[i] = plane.normal[axis] * c[axis];
+    residual += std::fma(plane.normal[axis], c[axis], -product[i]);
+    T += std::abs(product[i]);
+  }
+  const DoubleDouble<double> xy = two_sum(product[0], product[1]);
+  const DoubleDouble<double> xyz = two_sum(xy.high, product[2]);
+  const DoubleDouble<double> h = two_sum(xyz.high, -plane.offset);
+  return {two_sum(h.high, ((xy.low + xyz.low) + h.low) + residual), kHeightError * T};
+}
+
+[[gnu::always_inline]] inline bool find_nearest(const Vector3& c, const HalfSpace& plane, ApproximateLowest& lowest) {
+  lowest = {exactly(c), true, plane, height_of(c, plane)};
+  return true;
+}
+/// False where it is not certain which end is lower, unless each product of the normal and the way between them is 0.
+[[gnu::always_inline]] inline bool find_nearest(const Segment& segment, const HalfSpace& plane,
+                                                ApproximateLowest& lowest) {
+  const auto& [start, end] = segment;
+  const DoubleDoubles u = along(segment);
+  double size = 0;
+#pragma GCC unroll 3
+  for (std::size_t i = 0; i < 3; ++i) size += std::abs(plane.normal[static_cast<Eigen::Index>(i)] * u[i].high);
+  if (size == 0) {
+    lowest = {exactly(start), is_point(segment), plane, height_of(start, plane)};
+    if (lowest.unique) return true;
+#pragma GCC unroll 3
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto axis = static_cast<Eigen::Index>(i);
+      lowest.p[i] = two_sum(0.5 * start[axis], 0.5 * end[axis]);
+    }
+    return true;
+  }
+  const Bounded rise{dot(u, exactly(plane.normal)), kDotError * size};
+  if (rise.surely_positive()) return find_nearest(start, plane, lowest);
+  return rise.surely_negative() && find_nearest(end, plane, lowest);
+}
+
+/// The contact with a plane. With m = n / sqrt(N), of which DoubleDoublePair says the errors, and the error e of h:
+///   s       e / sqrt(N), 13 |s| of sqrt(N) and 12 |s| of the quotient                e / sqrt(N) + 25 |s|
+///   value   that; two low parts, at most |s| and |t|, are added (1 + 1), to the sum of the highs (the same, and 1
+///   |h|),
+///           and rounded() rounds once more                                           28 |s| + 3 |t| + 2 |h|
+///   point1  as ApproximateContact has it, p being exact
+///   point2  w = s m: 28 |w| of m and 7 of the product; the sum (4) of |p| and |w|; rounded() (1)
+///                                                          39 |w| + 4 |p| + 1 |q| and the error of s times |m|
+class ApproximateOverPlane {
+ public:
+  /// Domain: in_short_range of all numbers of the question, to nearest.
+  [[gnu::always_inline]] ApproximateOverPlane(const ApproximateLowest& lowest, const Lengths& lengths)
+      : lowest_(lowest),
+        lengths_(lengths),
+        unit_(*DoubleDoublePair::of(exactly(lowest.plane.normal), DoubleDouble<double>{0, 0})),
+        s_(quotient(lowest.height.x, unit_.root())),
+        s_error_((lowest.height.error / unit_.root().high) * (1 + 0x1p-50) + 26 * kUnitSquared * std::abs(s_.high)) {}
+
+  [[nodiscard]] static constexpr bool holds() { return true; }
+  [[nodiscard]] bool is_unique() const { return lowest_.unique; }
+
+  [[gnu::always_inline]] [[nodiscard]] Filtered filtered(double alarm) const {
+    const Approximation gap = less(two_sum(lengths_.radius1, alarm));
+    if (gap.high + (gap.low - gap.error) > 0) return Filtered::miss;
+    if (gap.high + (gap.low + gap.error) < 0) return Filtered::hit;
+    return Filtered::undecided;
+  }
+  [[gnu::always_inline]] [[nodiscard]] Approximation normal(std::size_t axis) const {
+    const auto& m = unit_.normal_parts(axis);
+    return {-m.high, -m.low, DoubleDoublePair::kNormalError * std::abs(m.high)};
+  }
+  [[gnu::always_inline]] [[nodiscard]] Approximation point1(std::size_t axis, double signed_radius) const {
+    return point_beside(lowest_.p[axis], 0, unit_.normal_parts(axis), -signed_radius, 0);
+  }
+  [[gnu::always_inline]] [[nodiscard]] Approximation point2(std::size_t axis, double /*signed_radius*/) const {
+    const auto& m = unit_.normal_parts(axis);
+    const auto i = static_cast<Eigen::Index>(axis);
+    const auto& [n, offset] = lowest_.plane;
+    // Along an axis the foot has a coordinate of its own, which may be 0.
+    if (n[(i + 1) % 3] == 0 && n[(i + 2) % 3] == 0) {
+      const double x = offset / n[i];
+      return {x, std::fma(-x, n[i], offset) / n[i], 2 * kUnitSquared * std::abs(x)};
+    }
+    const DoubleDouble<double> w = product(s_, m);
+    const DoubleDouble<double> q = sum(lowest_.p[axis], negative(w));
+    return {q.high, q.low,
+            (41 * kUnitSquared * std::abs(w.high) + 5 * kUnitSquared * std::abs(lowest_.p[axis].high)) +
+                (2 * kUnitSquared * std::abs(q.high) + s_error_ * std::abs(m.high) * (1 + 0x1p-50))};
+  }
+  [[gnu::always_inline]] [[nodiscard]] Approximation value() const {
+    return less(two_sum(lengths_.radius1, lengths_.contact));
+  }
+
+ private:
+  /// s - t.
+  [[gnu::always_inline]] [[nodiscard]] Approximation less(const DoubleDouble<double>& t) const {
+    const DoubleDouble<double> h = two_sum(s_.high, -t.high);
+    return {h.high, h.low + (s_.low - t.low),
+            (s_error_ + 4 * kUnitSquared * std::abs(s_.high)) +
+                (4 * kUnitSquared * t.high + DoubleDoublePair::kLastSumError * std::abs(h.high))};
+  }
+
+  const ApproximateLowest& lowest_;
+  const Lengths& lengths_;
+  DoubleDoublePair unit_;
+  DoubleDouble<double> s_;
+  double s_error_;
+};
+
+template <class First>
+struct FastStage<First, HalfSpace> {
+  using Nearest = ApproximateLowest;
+  using OfContact = ApproximateOverPlane;
+};
+
+}  // namespace contact::kernel

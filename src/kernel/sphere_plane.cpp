@@ -1,0 +1,25 @@
+// Sphere against plane: a point and a half-space.
+#include "contact/sphere_plane.hpp"
+
+#include "contact/pair_functions.hpp"
+#include "kernel/planes.hpp"
+
+namespace contact {
+
+bool test_sphere_plane(const Ball& a, const Plane& b, double alarm) {
+  return kernel::decide(a.center, kernel::HalfSpace{b.normal, b.offset}, {a.radius, 0, alarm, 0});
+}
+
+std::optional<Contact> compute_sphere_plane(const Ball& a, const Plane& b, Distances distances, ContactPoints points) {
+  return kernel::contact_between(a.center, kernel::HalfSpace{b.normal, b.offset},
+                                 {a.radius, 0, distances.alarm, distances.contact}, points);
+}
+
+bool is_hit(const BallAndPlane& shapes, Distances distances) {
+  return test_sphere_plane(shapes.a, shapes.b, distances.alarm);
+}
+std::optional<Contact> contact_of(const BallAndPlane& shapes, Distances distances, ContactPoints points) {
+  return compute_sphere_plane(shapes.a, shapes.b, distances, points);
+}
+
+}  // namespace contact
