@@ -14,10 +14,12 @@ SCALARS = {"binary64": (53, -1074, 0x7FF << 52, ">d", ">Q"), "binary32": (24, -1
 BALLS = [f"{s}.{x}" for s in "ab" for x in ("center[0]", "center[1]", "center[2]", "radius")] + ["alarm", "contact"]
 BOXES = [f"{s}.{x}[{i}]" for s in "ab" for x in ("min", "max") for i in range(3)] + ["alarm", "contact"]
 CAPSULES = [f"{s}.{x}" for s in "ab" for x in (*(f"{end}[{i}]" for end in ("start", "end") for i in range(3)), "radius")] + BALLS[-2:]
+PLANE = [*(f"b.normal[{i}]" for i in range(3)), "b.offset"] + BALLS[-2:]
 INPUTS = {"sphere_sphere": BALLS, "rigid_sphere_rigid_sphere": BALLS, "sphere_rigid_sphere": BALLS, "cube_cube": BOXES,
           "sphere_cube": BALLS[:4] + BOXES[6:], "sphere_capsule": BALLS[:4] + CAPSULES[7:], "capsule_capsule": CAPSULES,
           "sphere_triangle": BALLS[:4] + [f"b.vertices[{k}][{i}]" for k in range(3) for i in range(3)] + BALLS[-2:],
-          "ray_sphere": [f"a.{x}[{i}]" for x in ("origin", "direction") for i in range(3)] + ["a.length"] + BALLS[4:]}
+          "ray_sphere": [f"a.{x}[{i}]" for x in ("origin", "direction") for i in range(3)] + ["a.length"] + BALLS[4:],
+          "sphere_plane": BALLS[:4] + PLANE, "capsule_plane": CAPSULES[:7] + PLANE}
 Written = type("Written", (str,), {})  # a number as it is spelt in the file
 
 
@@ -64,22 +66,26 @@ def exactly(x):  # mantissa * 2^exponent / denominator, mantissa and denominator
     return f"{'-' * (x < 0)}{n:#x}p{up - down}" + f"/{d:#x}" * (d > 1)
 
 
-def spheres(c1, r1, c2, r2, alarm, contact, scalar, apart=(1, 0, 0), unique=True):
-    """Spheres around the nearest points of two shapes; `apart` is a direction to take where these are one point."""
-    delta = [q - p for p, q in zip(c1, c2)]
-    D, reach, (bits, least, *_) = sum(d * d for d in delta), alarm + r1 + r2, SCALARS[scalar]
+def apart(c1, r1, c2, r2, along, times, degenerate, unique, alarm, contact, scalar):
+    """Spheres around two points whose distance, with its sign, is so many times the length of a direction."""
+    # Every number is a + b sqrt(S). The normal is along / sqrt(S) = (along / S) sqrt(S).
+    S, reach, (bits, least, *_) = sum(n * n for n in along), alarm + r1 + r2, SCALARS[scalar]
     ulp = Fraction(2) ** (least + max(int(reach * 2**-least).bit_length() - bits, 0))  # reach is a multiple of 2^least
-    margin = rounded(-reach / ulp, 1 / ulp, D, "binary64")
-    exact = {"exact.distance2": exactly(D), "exact.reach": exactly(reach), "exact.margin_ulps": margin}
-    if D > reach * reach:
+    exact = {"exact.distance2": exactly(D := times * times * S), **({"exact.below": True} if times < 0 else {}),
+             "exact.reach": exactly(reach), "exact.margin_ulps": rounded(-reach / ulp, times / ulp, S, "binary64")}
+    if times > 0 and D > reach * reach:
         return {"expect.hit": False, **exact}
-    # Every number is a + b sqrt(S). The normal is delta / sqrt(D), or what parts: along / sqrt(S) = (along / S) sqrt(S).
-    along = delta if D else apart
-    S = sum(n * n for n in along)
     fields = (("normal", [0, 0, 0], 1), ("point1", c1, r1), ("point2", c2, -r2))  # each is c + r normal
     numbers = {f"expect.{name}[{i}]": rounded(c[i], r * Fraction(along[i]) / S, S, scalar) for name, c, r in fields for i in range(3)}
-    numbers["expect.value"] = rounded(-(r1 + r2) - contact, 1, D, scalar)
-    return {"expect.hit": True, "expect.degenerate": D == 0, **({} if unique else {"expect.unique": False}), **numbers, **exact}
+    numbers["expect.value"] = rounded(-(r1 + r2) - contact, times, S, scalar)
+    return {"expect.hit": True, "expect.degenerate": degenerate, **({} if unique else {"expect.unique": False}), **numbers, **exact}
+
+
+def spheres(c1, r1, c2, r2, alarm, contact, scalar, agreed=(1, 0, 0), unique=True):
+    """Spheres around the nearest points of two shapes; `agreed` is a direction to take where these are one point."""
+    delta = [q - p for p, q in zip(c1, c2)]
+    along, times = (delta, Fraction(1)) if any(delta) else (agreed, Fraction(0))
+    return apart(c1, r1, c2, r2, along, times, not any(delta), unique, alarm, contact, scalar)
 
 
 def dot(x, y):
@@ -140,6 +146,16 @@ def capsules(a1, a2, r1, b1, b2, r2, alarm, contact, scalar):
     return spheres(nearest((first + last) / 2), r1, q, r2, alarm, contact, scalar, n, unique)
 
 
+def over_plane(a1, a2, r, *plane, alarm, contact, scalar):
+    """How many normals an end is from the plane is linear along the axis: least at one end, or at both and between them."""
+    *n, offset = plane
+    normals = {tuple(a): (dot(n, a) - offset) / dot(n, n) for a in (a1, a2)}
+    lowest = [a for a in normals if normals[a] == min(normals.values())]
+    p = [sum(x) / len(lowest) for x in zip(*lowest)]
+    return apart(p, r, at(p, n, -min(normals.values())), Fraction(0), [-x for x in n], min(normals.values()), False, len(lowest) == 1,
+                 alarm, contact, scalar)
+
+
 def sphere_cube(c, r, low, high, alarm, contact, scalar):
     """Outside: the sphere and the nearest point of the box, on each axis the middle one of three numbers."""
     q = [sorted(three)[1] for three in zip(c, low, high)]
@@ -164,8 +180,8 @@ def right_case(found, pair, scalar):
     packed = b"".join(b"\x7f\xf8" + bytes(6) if x != x else struct.pack(">d", x) for x in inputs.values())
     case = {"id": hashlib.sha256(pair.encode() + b"\0" + packed).hexdigest()[:24]}
     case |= {x: rounded(Fraction(n), 0, 0, scalar) if math.isfinite(n) else n for x, n in inputs.items()}  # binary32 in its files
-    outside = [x for x in inputs if not math.isfinite(inputs[x]) or (inputs[x] < 0 and "[" not in x)]
-    outside += [x[:-3] for x in inputs if x.endswith("direction[0]") and not any(inputs[f"{x[:-3]}[{i}]"] for i in range(3))]
+    outside = [x for x in inputs if not math.isfinite(inputs[x]) or (inputs[x] < 0 and "[" not in x and "offset" not in x)]
+    outside += [x[:-3] for x in inputs if x[2:] in ("direction[0]", "normal[0]") and not any(inputs[f"{x[:-3]}[{i}]"] for i in range(3))]
     outside += [x for x in inputs if ".min" in x and inputs[x] > inputs[x.replace("min", "max")]]
     if outside:  # The first is named: of a, of b, of the distances; of a box all numbers come before their order.
         return {**case, "flags[0]": "Invalid", "expect.rejected": min(outside, key=lambda x: (x[1] != ".", x[0]))}
@@ -179,6 +195,10 @@ def right_case(found, pair, scalar):
         return case | triangle(x[0:3], x[3], x[4:7], x[7:10], x[10:13], x[13], x[14], scalar)
     if pair == "ray_sphere":
         return case | capsules(x[0:3], at(x[0:3], x[3:6], x[6]), Fraction(0), x[7:10], x[7:10], x[10], x[11], x[12], scalar)
+    if pair == "sphere_plane":
+        return case | over_plane(x[0:3], x[0:3], *x[3:8], alarm=x[8], contact=x[9], scalar=scalar)
+    if pair == "capsule_plane":
+        return case | over_plane(x[0:3], x[3:6], *x[6:11], alarm=x[11], contact=x[12], scalar=scalar)
     if pair == "sphere_cube":
         return case | sphere_cube(x[0:3], x[3], x[4:7], x[7:10], x[10], x[11], scalar)
     if pair != "cube_cube":

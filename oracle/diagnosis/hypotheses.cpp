@@ -61,6 +61,14 @@ void Facts::ask(Query other) {
   // What overflows stays the largest number: there is no truth about infinity.
   const double largest = std::numeric_limits<double>::max();
   for_each_number(other, [largest](const std::string&, double& x) { x = std::clamp(x, -largest, largest); });
+  // Nor about a plane whose normal has become 0.
+  bool is_nothing = false;
+  std::visit(
+      [&]<class A, class B>(const Two<A, B>& shapes) {
+        if constexpr (std::same_as<B, Plane>) is_nothing = shapes.b.normal.isZero(0);
+      },
+      other.shapes);
+  if (is_nothing) return;
   query = std::move(other);
   read(truth_of(query));
 }
