@@ -88,10 +88,10 @@ TEST(Families, MakeQuestionsOfTheDomainInTheirScalarOrSpoiledOnes) {
 
 TEST(Families, InvalidSpoilsEveryFieldInEveryWay) {
   // Each number by NaN and two infinities, each length negative, each axis of a box inverted, a direction 0.
-  const std::map<Pair, std::size_t> ways{{Pair::sphere_sphere, 10 * 3 + 4},   {Pair::cube_cube, 14 * 3 + 6 + 2},
-                                         {Pair::sphere_cube, 12 * 3 + 3 + 3}, {Pair::sphere_capsule, 13 * 3 + 4},
-                                         {Pair::capsule_capsule, 16 * 3 + 4}, {Pair::sphere_triangle, 15 * 3 + 3},
-                                         {Pair::ray_sphere, 13 * 3 + 5}};
+  const std::map<Pair, std::size_t> ways{
+      {Pair::sphere_sphere, 10 * 3 + 4},  {Pair::cube_cube, 14 * 3 + 6 + 2},   {Pair::sphere_cube, 12 * 3 + 3 + 3},
+      {Pair::sphere_capsule, 13 * 3 + 4}, {Pair::capsule_capsule, 16 * 3 + 4}, {Pair::sphere_triangle, 15 * 3 + 3},
+      {Pair::ray_sphere, 13 * 3 + 5},     {Pair::sphere_plane, 10 * 3 + 4},    {Pair::capsule_plane, 13 * 3 + 4}};
   for (const Pair pair : pairs_of_kinds()) {
     std::set<std::string> spoiled;
     for (std::uint64_t i = 0; i < kCommittedCount; ++i) {
@@ -275,6 +275,7 @@ TEST(Families, ContainmentFlatNestedAndIdenticalAreWhatTheySay) {
   share_of("far_from_origin", "FarFromOrigin", 75);
   share_of("zero_length", "Flat", 60);
   share_of("parallel", "ManyNearest", 35);
+  share_of("below_plane", "BelowPlane", 80);
   share_of("thin", "Flat", 50);
 }
 
@@ -283,6 +284,35 @@ TEST(Families, OnAxisAxesMeetOrAreAnUlpApartWithoutRadii) {
     const auto meeting = count_if(file, [](const Query&, const oracle::Truth& t) { return t.degenerate(); });
     EXPECT_EQ(meeting, kCommittedCount * 4 / 5) << title(file);
     EXPECT_EQ(count_if(file, [](const Query&, const oracle::Truth& t) { return t.hit(); }), meeting) << title(file);
+  });
+}
+
+TEST(Families, BelowPlanesIsOnThemHalfOfTheTimesAndElseFartherDownOrOneStepAboveWithoutARadius) {
+  for_each_file("below_plane", [](const CommittedFile& file) {
+    const auto on =
+        count_if(file, [](const Query&, const oracle::Truth& t) { return CGAL::is_zero(t.distance()->distance2()); });
+    EXPECT_GE(on, kCommittedCount * 2 / 5) << title(file);
+    EXPECT_EQ(count_if(file, [](const Query&, const oracle::Truth& t) { return t.distance()->below(); }) + on,
+              kCommittedCount * 4 / 5)
+        << title(file);
+  });
+}
+
+TEST(Families, NormalsOfEveryLengthHoldThoseWhoseSquareIsBeyondTheRange) {
+  for_each_file("normal_length", [](const CommittedFile& file) {
+    const int most = format_of(file.scalar).max_exponent;
+    std::map<int, std::uint64_t> lengths;  // -1 the square underflows, 1 it overflows
+    for (std::uint64_t i = 0; i < kCommittedCount; ++i) {
+      const Query q = generate_query(file.pair, *file.family, file.scalar, kCommittedSeed, i);
+      const auto count = [&](const auto& shapes) {
+        if constexpr (std::same_as<std::remove_cvref_t<decltype(shapes.b)>, Plane>) {
+          const int exponent = std::ilogb(shapes.b.normal.cwiseAbs().maxCoeff());
+          ++lengths[2 * exponent > most ? 1 : 2 * exponent < -most ? -1 : 0];
+        }
+      };
+      std::visit(count, q.shapes);
+    }
+    for (const int kind : {-1, 0, 1}) EXPECT_GE(lengths[kind], kCommittedCount / 6) << title(file) << " " << kind;
   });
 }
 

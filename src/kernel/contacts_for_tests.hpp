@@ -47,11 +47,11 @@ inline void expect_same(const std::optional<Contact>& actual, const std::optiona
 /// The exact stage alone.
 template <class First, class Second>
 std::optional<Contact> computed_exactly(const First& first, const Second& second, const kernel::Lengths& lengths) {
-  const kernel::Grid grid = grid_of(first, second, lengths);
-  const kernel::ExactNearest nearest = exact_nearest(first, second, grid);
-  if (!kernel::is_hit(nearest, grid, lengths)) return std::nullopt;
+  const auto grid = grid_of(first, second, lengths);
+  const auto nearest = exact_nearest(first, second, grid);
+  if (!is_hit(nearest, grid, lengths)) return std::nullopt;
   Contact contact{};
-  kernel::round_exactly(nearest, grid, lengths, {}, kernel::kAllNumbers, contact);
+  round_exactly(nearest, grid, lengths, {}, kernel::kAllNumbers, contact);
   return contact;
 }
 

@@ -153,12 +153,13 @@ struct ApproximateLowest {
 
 /// The contact with a plane. With m = n / sqrt(N), of which DoubleDoublePair says the errors, and the error e of h:
 ///   s       e / sqrt(N), 13 |s| of sqrt(N) and 12 |s| of the quotient                e / sqrt(N) + 25 |s|
-///   value   that; two low parts, at most |s| and |t|, are added (1 + 1), to the sum of the highs (the same, and 1
-///   |h|),
-///           and rounded() rounds once more                                           28 |s| + 3 |t| + 2 |h|
+///   value   that; two low parts, at most |s| and |t|, are added (1 + 1), and to the sum of the highs (1 + 1, and 1 of
+///           that sum h), and rounded() rounds once more                              28 |s| + 3 |t| + 2 |h|
 ///   point1  as ApproximateContact has it, p being exact
 ///   point2  w = s m: 28 |w| of m and 7 of the product; the sum (4) of |p| and |w|; rounded() (1)
 ///                                                          39 |w| + 4 |p| + 1 |q| and the error of s times |m|
+/// Over a floor or beside a wall, a normal of length 1 along an axis, h, s, m and r m are exact, and ties are frequent:
+/// a number that two exact ones add up to has no error.
 class ApproximateOverPlane {
  public:
   /// Domain: in_short_range of all numbers of the question, to nearest.
@@ -166,8 +167,11 @@ class ApproximateOverPlane {
       : lowest_(lowest),
         lengths_(lengths),
         unit_(*DoubleDoublePair::of(exactly(lowest.plane.normal), DoubleDouble<double>{0, 0})),
-        s_(quotient(lowest.height.x, unit_.root())),
-        s_error_((lowest.height.error / unit_.root().high) * (1 + 0x1p-50) + 26 * kUnitSquared * std::abs(s_.high)) {}
+        is_along_axis_(is_unit_axis(lowest.plane.normal)),
+        s_(is_along_axis_ ? lowest.height.x : quotient(lowest.height.x, unit_.root())),
+        s_error_(is_along_axis_ ? 0
+                                : (lowest.height.error / unit_.root().high) * (1 + 0x1p-50) +
+                                      26 * kUnitSquared * std::abs(s_.high)) {}
 
   [[nodiscard]] static constexpr bool holds() { return true; }
   [[nodiscard]] bool is_unique() const { return lowest_.unique; }
@@ -183,9 +187,13 @@ class ApproximateOverPlane {
     return {-m.high, -m.low, DoubleDoublePair::kNormalError * std::abs(m.high)};
   }
   [[gnu::always_inline]] [[nodiscard]] Approximation point1(std::size_t axis, double signed_radius) const {
-    return point_beside(lowest_.p[axis], 0, unit_.normal_parts(axis), -signed_radius, 0);
+    if (is_level(axis)) return {lowest_.p[axis].high, lowest_.p[axis].low, 0};
+    Approximation x = point_beside(lowest_.p[axis], 0, unit_.normal_parts(axis), -signed_radius, 0);
+    if (is_along_axis_ && lowest_.p[axis].low == 0) x.error = 0;
+    return x;
   }
   [[gnu::always_inline]] [[nodiscard]] Approximation point2(std::size_t axis, double /*signed_radius*/) const {
+    if (is_level(axis)) return {lowest_.p[axis].high, lowest_.p[axis].low, 0};
     const auto& m = unit_.normal_parts(axis);
     const auto i = static_cast<Eigen::Index>(axis);
     const auto& [n, offset] = lowest_.plane;
@@ -205,9 +213,20 @@ class ApproximateOverPlane {
   }
 
  private:
+  /// Whether the plane goes along an axis: then both points have the coordinate of p there, half way between two
+  /// numbers or not.
+  [[gnu::always_inline]] [[nodiscard]] bool is_level(std::size_t axis) const {
+    return lowest_.plane.normal[static_cast<Eigen::Index>(axis)] == 0;
+  }
+  [[gnu::always_inline]] [[nodiscard]] static bool is_unit_axis(const Vector3& n) {
+    const Vector3 sizes(std::abs(n[0]), std::abs(n[1]), std::abs(n[2]));
+    const auto is_bit = [](double x) { return x == 0 || x == 1; };
+    return is_bit(sizes[0]) && is_bit(sizes[1]) && is_bit(sizes[2]) && sizes[0] + sizes[1] + sizes[2] == 1;
+  }
   /// s - t.
   [[gnu::always_inline]] [[nodiscard]] Approximation less(const DoubleDouble<double>& t) const {
     const DoubleDouble<double> h = two_sum(s_.high, -t.high);
+    if (is_along_axis_ && s_.low == 0 && t.low == 0) return {h.high, h.low, 0};
     return {h.high, h.low + (s_.low - t.low),
             (s_error_ + 4 * kUnitSquared * std::abs(s_.high)) +
                 (4 * kUnitSquared * t.high + DoubleDoublePair::kLastSumError * std::abs(h.high))};
@@ -216,6 +235,7 @@ class ApproximateOverPlane {
   const ApproximateLowest& lowest_;
   const Lengths& lengths_;
   DoubleDoublePair unit_;
+  bool is_along_axis_;
   DoubleDouble<double> s_;
   double s_error_;
 };

@@ -1,0 +1,252 @@
+// Sphere and capsule against plane: worked examples above, on and below, which end is lower, the ends of the range,
+// every floating-point environment, and both stages against each other.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "contact/capsule_plane.hpp"
+#include "contact/sphere_plane.hpp"
+#include "environment/floating_point_environments.hpp"
+#include "extreme_numbers.hpp"
+#include "kernel/contacts_for_tests.hpp"
+#include "kernel/planes.hpp"
+
+namespace contact {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+const Plane kFloor{{0, 0, 2}, 4};  // z = 2
+const Plane kGround{{0, 0, 1}, 0};
+
+TEST(SpherePlane, above_on_and_below_the_normal_is_the_same_and_the_value_signed) {
+  expect_contact(compute_sphere_plane({{1, 2, 5}, 1}, kFloor, {2, 0.5}), {0, 0, -1, 1, 2, 4, 1, 2, 2, 1.5},
+                 Kind::ordinary);
+  expect_contact(compute_sphere_plane({{1, 2, 2}, 0.5}, kFloor, {0, 0}), {0, 0, -1, 1, 2, 1.5, 1, 2, 2, -0.5},
+                 Kind::ordinary);
+  expect_contact(compute_sphere_plane({{1, 2, -3}, 1}, kFloor, {0, 0.25}), {0, 0, -1, 1, 2, -4, 1, 2, 2, -6.25},
+                 Kind::ordinary);
+  expect_contact(compute_sphere_plane({{1, 2, -3}, 0}, kFloor, {0, 0}), {0, 0, -1, 1, 2, -3, 1, 2, 2, -5},
+                 Kind::ordinary);
+}
+
+TEST(SpherePlane, the_normal_is_of_any_length_and_direction) {
+  // (18 - 3) / 3 = 5, and the foot is (2, 3, 5) less 5/3 (1, 2, 2).
+  for (const double length : {1.0, 0.25, 3.0})
+    expect_contact(compute_sphere_plane({{2, 3, 5}, 6}, {length * Vector3(1, 2, 2), length * 3}, {0, 0}),
+                   {-1.0 / 3, -2.0 / 3, -2.0 / 3, 0, -1, 1, 1.0 / 3, -1.0 / 3, 5.0 / 3, -1}, Kind::ordinary);
+  // Through the origin, and turned over.
+  expect_contact(compute_sphere_plane({{3, -4, 7}, 5}, {{3, -4, 0}, 0}, {0, 0}), {-0.6, 0.8, 0, 0, 0, 7, 0, 0, 7, 0},
+                 Kind::ordinary);
+  expect_contact(compute_sphere_plane({{3, -4, 7}, 5}, {{-3, 4, 0}, 0}, {0, 0}), {0.6, -0.8, 0, 6, -8, 7, 0, 0, 7, -10},
+                 Kind::ordinary);
+}
+
+TEST(SpherePlane, what_is_no_dyadic_is_rounded_once) {
+  // The plane x + y + z = 1 and the origin below it: the foot is (1, 1, 1) / 3, the distance -sqrt(1/3).
+  const auto contact = compute_sphere_plane({{0, 0, 0}, 1}, {{1, 1, 1}, 1}, {0, 0});
+  ASSERT_TRUE(contact);
+  EXPECT_EQ(contact->point2, Vector3(1.0 / 3, 1.0 / 3, 1.0 / 3));
+  const double root = 0.577350269189625764509148780502;
+  EXPECT_EQ(contact->normal, Vector3(-root, -root, -root));
+  EXPECT_EQ(contact->value, -1.577350269189625764509148780502);
+  // An offset of 1/3 as a double along an axis of length 3, which it is not an exact multiple of.
+  const double third = 1.0 / 3;
+  EXPECT_EQ(compute_sphere_plane({{0, 0, 0}, 1}, {{0, 3, 0}, third}, {0, 0})->point2, Vector3(0, third / 3, 0));
+}
+
+TEST(SpherePlane, touching_counts_and_one_ulp_less_does_not) {
+  EXPECT_TRUE(test_sphere_plane({{1, 2, 5}, 3}, kFloor, 0));
+  EXPECT_FALSE(test_sphere_plane({{1, 2, 5}, below(3)}, kFloor, 0));
+  EXPECT_TRUE(compute_sphere_plane({{2, 3, 5}, 4.5}, {{1, 2, 2}, 3}, {0.5, 0}));
+  EXPECT_FALSE(compute_sphere_plane({{2, 3, 5}, 4.5}, {{1, 2, 2}, 3}, {below(0.5), 0}));
+  // Without a radius: on it, and the least above it.
+  EXPECT_TRUE(test_sphere_plane({{1, 2, 0}, 0}, kGround, 0));
+  EXPECT_FALSE(test_sphere_plane({{1, 2, kLeast}, 0}, kGround, 0));
+  EXPECT_TRUE(test_sphere_plane({{1, 2, -kLeast}, 0}, kGround, 0));
+}
+
+TEST(SpherePlane, points_lie_where_the_convention_says) {
+  const auto at = [](PointOn on) { return compute_sphere_plane({{1, 2, 5}, 4}, kFloor, {0, 0}, {on, on}); };
+  EXPECT_EQ(at(PointOn::center)->point1, Vector3(1, 2, 5));
+  EXPECT_EQ(at(PointOn::far_surface)->point1, Vector3(1, 2, 9));
+  for (const PointOn on : {PointOn::nearest_surface, PointOn::center, PointOn::far_surface})
+    EXPECT_EQ(at(on)->point2, Vector3(1, 2, 2));
+}
+
+TEST(SpherePlane, normals_and_offsets_reach_the_ends_of_the_range) {
+  for (const double n : {kLeast, 0x1p-600, 0x1p600, kLargest})
+    expect_contact(compute_sphere_plane({{1, 0, 0}, 1}, {{n, 0, 0}, 0}, {0, 0}), {-1, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+                   Kind::ordinary);
+  const double root = 0.577350269189625764509148780502;
+  const auto steep = compute_sphere_plane({{0, 0, 0}, 1}, {{kLargest, kLargest, kLargest}, 0}, {0, 0});
+  ASSERT_TRUE(steep);
+  EXPECT_EQ(steep->normal, Vector3(-root, -root, -root));
+  // A plane farther away than any number.
+  expect_contact(compute_sphere_plane({{0, 0, 0}, 1}, {{kLeast, 0, 0}, kLargest}, {0, 0}),
+                 {-1, 0, 0, -1, 0, 0, kInfinity, 0, 0, -kInfinity}, Kind::ordinary);
+  EXPECT_FALSE(test_sphere_plane({{0, 0, 0}, kLargest}, {{kLeast, 0, 0}, -kLargest}, kLargest));
+  // A component that the others drown, so that no sum of doubles sees it, and a coordinate that it meets.
+  EXPECT_FALSE(test_sphere_plane({{0, 0x1p300, 1}, 1}, {{0, 0x1p-300, 1}, 0}, 1 - 0x1p-53));
+  EXPECT_TRUE(test_sphere_plane({{0, 0x1p300, 1}, 1}, {{0, 0x1p-300, 1}, 0}, 1));
+}
+
+// n = (1.1, 2^-60, 0): the square of the second component is lost beside the first's, its product with 2^60 is not.
+TEST(SpherePlane, a_normal_that_is_nearly_along_an_axis_is_not_taken_for_one_that_is) {
+  for (const double tiny : {0x1p-40, 0x1p-60, 0x1p-99}) {
+    const Plane plane{{1.1, tiny, 0}, 2.2};
+    const Ball ball{{5, 1 / tiny, 0}, 100};
+    const auto contact = compute_sphere_plane(ball, plane, {0, 0});
+    expect_same(contact, computed_exactly(ball.center, kernel::HalfSpace{plane.normal, plane.offset}, {100, 0, 0, 0}));
+    EXPECT_NEAR(contact->point2[0], 2 - 1 / 1.1, 1e-9);
+  }
+}
+
+TEST(CapsulePlane, the_lower_end_counts_and_both_where_they_are_level) {
+  const Plane wall{{-1, 0, 0}, -8};  // x >= 8 lies in it
+  expect_contact(compute_capsule_plane({{0, 0, 3}, {4, 0, 1}, 1}, kGround, {0, 0}), {0, 0, -1, 4, 0, 0, 4, 0, 0, 0},
+                 Kind::ordinary);
+  expect_contact(compute_capsule_plane({{4, 0, 1}, {0, 0, 3}, 1}, kGround, {0, 0}), {0, 0, -1, 4, 0, 0, 4, 0, 0, 0},
+                 Kind::ordinary);
+  expect_contact(compute_capsule_plane({{0, 0, 3}, {4, 0, 1}, 4}, wall, {0, 0}), {1, 0, 0, 8, 0, 1, 8, 0, 1, 0},
+                 Kind::ordinary);
+  expect_contact(compute_capsule_plane({{0, 0, 2}, {3, 0, 2}, 2}, kGround, {0, 0.5}),
+                 {0, 0, -1, 1.5, 0, 0, 1.5, 0, 0, -0.5}, Kind::many);
+  expect_contact(compute_capsule_plane({{0, 0, -2}, {3, 0, -2}, 2}, kGround, {0, 0}),
+                 {0, 0, -1, 1.5, 0, -4, 1.5, 0, 0, -4}, Kind::many);
+  expect_contact(compute_capsule_plane({{0, 0, 2}, {3, 0, below(2)}, 2}, kGround, {0, 0}, {PointOn::center, {}}),
+                 {0, 0, -1, 3, 0, below(2), 3, 0, 0, below(2) - 2}, Kind::ordinary);
+  expect_contact(compute_capsule_plane({{1, 2, 2}, {1, 2, 2}, 2}, kGround, {0, 0}), {0, 0, -1, 1, 2, 0, 1, 2, 0, 0},
+                 Kind::ordinary);
+  // Level to a plane that leans: n = (3, 0, 4), u = (4, 0, -3).
+  expect_contact(compute_capsule_plane({{0, 0, 5}, {8, 0, -1}, 4}, {{3, 0, 4}, 0}, {0, 0}),
+                 {-0.6, 0, -0.8, 1.6, 0, -1.2, 1.6, 0, -1.2, 0}, Kind::many);
+}
+
+// A third as a double is less than one by 2^-54 / 3, so that the end is lower; in double both are level.
+TEST(CapsulePlane, which_end_is_lower_is_not_rounded) {
+  const Plane plane{{1.0 / 3, 0, -1}, 10};
+  const Capsule capsule{{0, 0, 0}, {3, 0, 1}, 0};
+  EXPECT_EQ(plane.normal.dot(capsule.end), 0);  // as double computes it
+  const auto contact = compute_capsule_plane(capsule, plane, {0, 0});
+  ASSERT_TRUE(contact);
+  EXPECT_TRUE(contact->unique);
+  EXPECT_EQ(contact->point1, capsule.end);
+  const Capsule turned{{3, 0, 1}, {0, 0, 0}, 0};
+  EXPECT_EQ(compute_capsule_plane(turned, plane, {0, 0})->point1, turned.start);
+}
+
+TEST(CapsulePlane, the_middle_is_not_rounded_but_once) {
+  // 2^53 + 1 and 2^53 + 3 are half way between two numbers: to even.
+  const auto middle = [](double start, double end) {
+    return compute_capsule_plane({{start, 0, 1}, {end, 0, 1}, 1}, kGround, {0, 0})->point1[0];
+  };
+  EXPECT_EQ(middle(0x1p53, 0x1p53 + 2), 0x1p53);
+  EXPECT_EQ(middle(0x1p53 + 2, 0x1p53 + 4), 0x1p53 + 4);
+  EXPECT_EQ(middle(kLargest, kLargest), kLargest);
+  EXPECT_EQ(middle(kLeast, 2 * kLeast), 2 * kLeast);
+  EXPECT_EQ(middle(0, kLeast), 0);
+}
+
+struct Question {
+  Capsule a;
+  Plane b;
+  Distances distances;
+};
+
+std::vector<Question> questions(int count) {
+  std::mt19937_64 random(20261125);
+  std::uniform_real_distribution<double> uniform(-4, 4);
+  std::vector<Question> all;
+  for (int i = 0; i < count; ++i) {
+    const auto number = [&] { return i % 2 == 0 ? std::floor(uniform(random)) : uniform(random); };
+    const auto point = [&] { return Vector3(number(), number(), number()); };
+    Question q{{point(), point(), std::abs(number())}, {point(), number()}, {i % 3 == 0 ? 1.0 : 0.0, 0.5}};
+    if (q.b.normal.isZero(0)) q.b.normal[i % 3] = 1;
+    if (i % 7 == 1) q.a.end = q.a.start;
+    if (i % 7 == 2) q.b.normal.normalize();
+    if (i % 7 == 3) {  // a wall, and an axis along it
+      q.b.normal = Vector3::Unit(i % 3) * (number() < 0 ? -3 : 1);
+      q.a.end[i % 3] = q.a.start[i % 3];
+    }
+    if (i % 7 == 4) q.b.offset = q.b.normal.dot(q.a.start);
+    if (i % 11 == 5) q.b.offset = 0;
+    const double scale = i % 17 == 6 ? 0x1p-1060 : i % 17 == 7 ? 0x1p900 : 1;
+    for (Vector3* x : {&q.a.start, &q.a.end}) *x *= scale;
+    for (double* x : {&q.a.radius, &q.b.offset, &q.distances.alarm, &q.distances.contact}) *x *= scale;
+    all.push_back(q);
+  }
+  return all;
+}
+
+TEST(PlaneStages, the_fast_stage_says_what_the_exact_one_does) {
+  int hits = 0;
+  int many = 0;
+  for (const Question& q : questions(20000)) {
+    const kernel::HalfSpace plane{q.b.normal, q.b.offset};
+    const kernel::Lengths lengths{q.a.radius, 0, q.distances.alarm, q.distances.contact};
+    const auto capsule = compute_capsule_plane(q.a, q.b, q.distances);
+    expect_same(capsule, computed_exactly(kernel::Segment{q.a.start, q.a.end}, plane, lengths));
+    EXPECT_EQ(test_capsule_plane(q.a, q.b, q.distances.alarm), capsule.has_value());
+    const Ball ball{q.a.start, q.a.radius};
+    const auto sphere = compute_sphere_plane(ball, q.b, q.distances);
+    expect_same(sphere, computed_exactly(ball.center, plane, lengths));
+    EXPECT_EQ(test_sphere_plane(ball, q.b, q.distances.alarm), sphere.has_value());
+    hits += sphere ? 1 : 0;
+    many += capsule && !capsule->unique ? 1 : 0;
+    ASSERT_FALSE(HasFailure());
+  }
+  EXPECT_GT(hits, 5000);
+  EXPECT_GT(many, 1000);
+}
+
+// Nine of ten ordinary questions, and those about floors and walls, need no exact stage.
+TEST(PlaneStages, the_fast_stage_settles_ordinary_questions) {
+  std::mt19937_64 random(20261126);
+  std::uniform_real_distribution<double> uniform(-4, 4);
+  int settled = 0;
+  constexpr int kCount = 2000;
+  for (int i = 0; i < kCount; ++i) {
+    const auto point = [&] { return Vector3(uniform(random), uniform(random), uniform(random)); };
+    kernel::Segment segment{point(), point()};
+    kernel::HalfSpace plane{point(), uniform(random)};
+    if (i % 2 == 0) {
+      plane = {Vector3::Unit(i % 3), i % 4 == 0 ? 0 : plane.offset};
+      if (i % 5 == 0) segment.end[i % 3] = segment.start[i % 3];
+    }
+    kernel::ApproximateLowest lowest;
+    ASSERT_TRUE(find_nearest(segment, plane, lowest));
+    const kernel::Lengths lengths{std::abs(uniform(random)), 0, 0, 0};
+    Contact contact;
+    settled += round_certain(kernel::ApproximateOverPlane(lowest, lengths), lengths, {}, contact) == 0 ? 1 : 0;
+  }
+  EXPECT_GT(settled, kCount * 9 / 10);
+}
+
+TEST(PlaneStages, are_the_same_in_every_floating_point_environment) {
+  const std::vector<Question> asked = questions(600);
+  const auto answers = [&] {
+    std::vector<std::pair<std::optional<Contact>, bool>> all;
+    for (const Question& q : asked) {
+      all.emplace_back(compute_capsule_plane(q.a, q.b, q.distances), test_capsule_plane(q.a, q.b, q.distances.alarm));
+      const Ball ball{q.a.end, q.a.radius};
+      all.emplace_back(compute_sphere_plane(ball, q.b, q.distances), test_sphere_plane(ball, q.b, q.distances.alarm));
+    }
+    return all;
+  };
+  const auto expected = answers();
+  for (const FloatingPointEnvironment& environment : floating_point_environments()) {
+    std::vector<std::pair<std::optional<Contact>, bool>> actual;
+    in_environment(environment, [&] { actual = answers(); });
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      expect_same(actual[i].first, expected[i].first);
+      EXPECT_EQ(actual[i].second, expected[i].second);
+      ASSERT_FALSE(HasFailure()) << environment.name << " " << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace contact
