@@ -25,6 +25,14 @@ Model model_of(const Capsule& capsule, bool) {
   return std::make_unique<CapsuleCollisionModel>("capsules", capsule.start.transpose(), capsule.end.transpose(),
                                                  Eigen::VectorXd::Constant(1, capsule.radius));
 }
+Model model_of(const Triangle& triangle, bool) {
+  const auto& [v0, v1, v2] = triangle.vertices;
+  return std::make_unique<TriangleCollisionModel>("triangles", v0.transpose(), v1.transpose(), v2.transpose());
+}
+Model model_of(const Ray& ray, bool) {
+  return std::make_unique<RayCollisionModel>("rays", ray.origin.transpose(), ray.direction.transpose(),
+                                             Eigen::VectorXd::Constant(1, ray.length));
+}
 template <class Shape>
 Model model_of(const Shape&, bool) {
   return nullptr;  // a shape that has no model
@@ -44,6 +52,8 @@ std::pair<Model, Model> models_of(Pair pair, const Shapes& shapes) {
 const IntersectorFactory& ours() {
   static IntersectorFactory factory;
   static const bool once = factory.registerCreator("Capsule", creator_of<CapsuleDiscreteIntersection>()) &&
+                           factory.registerCreator("Mesh", creator_of<MeshDiscreteIntersection>()) &&
+                           factory.registerCreator("Ray", creator_of<RayDiscreteIntersection>()) &&
                            factory.registerCreator("SolidCube", creator_of<SolidCubeDiscreteIntersection>());
   (void)once;
   return factory;
