@@ -266,7 +266,7 @@ class Documentation(Case):
     def test_the_scene_in_the_help_is_the_one_on_the_page(self):
         page = (ROOT / "docs" / "formats.md").read_text()
         form = self.holds("detect", "--help").split("docs/formats.md#scenes.\n\n")[1].rstrip()
-        self.assertEqual(len(form.splitlines()), 5)
+        self.assertEqual(len(form.splitlines()), 7)
         self.assertIn(form, page)
 
 

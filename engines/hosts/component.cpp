@@ -72,7 +72,13 @@ const ElementIntersector* intersector_of(DiscreteIntersection& intersection, con
 }  // namespace
 
 bool component_serves(Pair pair) {
-  const auto [model1, model2] = models_of(pair, description(pair).zeros());
+  Shapes shapes = description(pair).zeros();
+  const auto with_direction = [](const auto& field, auto& value) {
+    if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, Vector3>)
+      if (field.kind == FieldKind::direction) value[0] = 1;  // no model takes 0 for one
+  };
+  std::visit([&](auto& two) { for_each_field(two.a, with_direction), for_each_field(two.b, with_direction); }, shapes);
+  const auto [model1, model2] = models_of(pair, shapes);
   DiscreteIntersection intersection(PointConvention::nearest_surface, ours());
   return intersector_of(intersection, model1, model2) != nullptr;
 }
