@@ -29,7 +29,6 @@ RECORDED = GOLDEN / "recorded" / "sofa-2a278d8"
 LEVELS = ["correctly-rounded", "faithful", "bounded", "decisions", "conservative", "none"]
 PAIRS = ("sphere_sphere", "rigid_sphere_rigid_sphere", "sphere_rigid_sphere", "cube_cube", "sphere_cube", "sphere_capsule",
          "capsule_capsule", "sphere_triangle", "ray_sphere")
-COMPONENT_PAIRS = PAIRS[:7]  # whose shapes have models
 BATCH_PAIRS = PAIRS[:5]
 SOFA_PAIRS = PAIRS[:4]  # of DiscreteIntersection
 SPHERES = {"a": {"center": [0, 0, 0], "radius": 1.5}, "b": {"center": [1, 2, 2], "radius": 1.5}, "alarm": 0, "contact": 0.25}
@@ -246,7 +245,7 @@ class Documentation(Case):
         mutants, others = page.split("## What cannot happen here")
         real = re.findall(r"(?m)^\| `([a-z0-9-]+)` \| \[real\]\(https://", mutants)
         reasons = re.findall(r"(?m)^\| `([a-z0-9-]+)` \| \[[^|]*\]\(https://[^|]*\) \| [^|]{10,} \|$", others)
-        self.assertEqual((len(set(real + reasons)), len(real) + len(reasons)), (124, 124))
+        self.assertEqual((len(set(real + reasons)), len(real) + len(reasons)), (125, 125))
 
     def test_mutants_are_counted_listed_and_refused_with_the_names_near_by(self):
         self.assertRegex(self.holds("engines"), r"(?m)^mutant:ID +[0-9]{3} engines")
@@ -267,7 +266,7 @@ class Documentation(Case):
     def test_the_scene_in_the_help_is_the_one_on_the_page(self):
         page = (ROOT / "docs" / "formats.md").read_text()
         form = self.holds("detect", "--help").split("docs/formats.md#scenes.\n\n")[1].rstrip()
-        self.assertEqual(len(form.splitlines()), 5)
+        self.assertEqual(len(form.splitlines()), 7)
         self.assertIn(form, page)
 
 
@@ -336,7 +335,7 @@ class Certify(Case):
         # `center` alone tells a rigid sphere from a deformable one.
         for points in ("nearest_surface", "center", "published"):
             with self.subTest(points):
-                out = self.holds("certify", *(GOLDEN / pair / "generic.jsonl" for pair in COMPONENT_PAIRS), "--engine", "component",
+                out = self.holds("certify", *(GOLDEN / pair / "generic.jsonl" for pair in PAIRS), "--engine", "component",
                                  "--points", points, "--level", "correctly-rounded")
                 self.assertIn("\nCERTIFIED: component", out)
         self.assertIn("\nCERTIFIED: component", self.holds("certify", "golden", "--engine", "component", "--family", "invalid"))
@@ -1854,6 +1853,19 @@ class Detect(Case):
         self.assertEqual([(c["point1"], c["point2"]) for c in self.contacts(self.BARS, "--points", "center")[1]][0],
                          ([2, 0, 0], [2, 2.25, 0]))
 
+    def test_rays_and_triangles_meet_spheres(self):
+        scene = self.file("s.jsonl", [self.HEADER, self.ball_model("balls", [[1.5, 0, 0], [2, -3, 4]], [0.75, 5]),
+                                      {"model": "RayCollisionModel", "name": "beam", "origins": [[0, 0, 0]], "directions": [[1, 0, 0]],
+                                       "lengths": [1]},
+                                      {"model": "TriangleCollisionModel", "name": "skin", "p1": [[0, 0, 0]], "p2": [[4, 0, 0]],
+                                       "p3": [[0, 4, 0]]}])
+        header, lines = self.contacts(scene)
+        self.assertEqual(header["no_intersector"], [["beam", "skin"]])
+        self.assertIn({"first": {"model": "balls", "index": 0}, "second": {"model": "beam", "index": 0}, "id": 0,
+                       "normal": [-1, 0, 0], "point1": [0.75, 0, 0], "point2": [1, 0, 0], "value": -0.25}, lines)
+        self.assertIn({"first": {"model": "balls", "index": 1}, "second": {"model": "skin", "index": 0}, "id": 1,
+                       "normal": [0, 0.6, -0.8], "point1": [2, 0, 0], "point2": [2, 0, 0], "value": 0}, lines)
+
     def test_lines_are_canonical(self):
         out = run("detect", self.DROPS, "--json").stdout.splitlines()
         self.assertEqual(out[2], '{"first":{"model":"drops","index":0},"second":{"model":"balls","index":2},"id":2,'
@@ -2007,7 +2019,8 @@ class Detect(Case):
             "no models": ([self.HEADER], f"{path}: ", "no model"),
             "no type": ([self.HEADER, without(good, "model")], f"{path}:2: model: ", "missing"),
             "unknown type": ([self.HEADER, {**good, "model": "TriangleModel"}], f"{path}:2: model: ", "TriangleModel",
-                             "SphereCollisionModel, RigidSphereModel, CubeCollisionModel, CapsuleCollisionModel"),
+                             "SphereCollisionModel, RigidSphereModel, CubeCollisionModel, CapsuleCollisionModel, "
+                             "TriangleCollisionModel, RayCollisionModel"),
             "type no text": ([self.HEADER, {**good, "model": 7}], f"{path}:2: model: ", "7"),
             "no name": ([self.HEADER, without(good, "name")], f"{path}:2: name: ", "missing"),
             "empty name": ([self.HEADER, self.ball_model("")], f"{path}:2: name: ", '""'),
@@ -2037,6 +2050,11 @@ class Detect(Case):
             "a capsule's radius": ([self.HEADER, {"model": "CapsuleCollisionModel", "name": "c", "starts": [[0, 0, 0]],
                                                   "ends": [[0, 0, 1]], "radii": [-0.5]}], f"{path}:2: ",
                                    'CapsuleCollisionModel "c"', "radii[0] = -0.5", "must not be negative"),
+            "a ray without a direction": ([self.HEADER, {"model": "RayCollisionModel", "name": "r", "origins": [[0, 0, 0]],
+                                                         "directions": [[0, 0, 0]], "lengths": [1]}], f"{path}:2: ",
+                                          'RayCollisionModel "r"', "directions[0] = 0", "must not be the zero vector"),
+            "a triangle of two vertices": ([self.HEADER, {"model": "TriangleCollisionModel", "name": "t", "p1": [[0, 0, 0]],
+                                                          "p2": [[1, 0, 0]]}], f"{path}:2: p3: ", "missing"),
             "negative radius": ([self.HEADER, self.ball_model("drops", [[0, 0, 0]] * 3, [1, 1, -2.5])], f"{path}:2: ",
                                 'SphereCollisionModel "drops"', "radii[2] = -2.5", "must not be negative"),
             "no unit quaternion": ([self.HEADER, {**rigid, "orientations": [[0, 0, 0, 2]]}], f"{path}:2: ",

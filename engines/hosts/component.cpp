@@ -25,6 +25,14 @@ Model model_of(const Capsule& capsule, bool) {
   return std::make_unique<CapsuleCollisionModel>("capsules", capsule.start.transpose(), capsule.end.transpose(),
                                                  Eigen::VectorXd::Constant(1, capsule.radius));
 }
+Model model_of(const Triangle& triangle, bool) {
+  const auto& [v0, v1, v2] = triangle.vertices;
+  return std::make_unique<TriangleCollisionModel>("triangles", v0.transpose(), v1.transpose(), v2.transpose());
+}
+Model model_of(const Ray& ray, bool) {
+  return std::make_unique<RayCollisionModel>("rays", ray.origin.transpose(), ray.direction.transpose(),
+                                             Eigen::VectorXd::Constant(1, ray.length));
+}
 template <class Shape>
 Model model_of(const Shape&, bool) {
   return nullptr;  // a shape that has no model
@@ -44,6 +52,8 @@ std::pair<Model, Model> models_of(Pair pair, const Shapes& shapes) {
 const IntersectorFactory& ours() {
   static IntersectorFactory factory;
   static const bool once = factory.registerCreator("Capsule", creator_of<CapsuleDiscreteIntersection>()) &&
+                           factory.registerCreator("Mesh", creator_of<MeshDiscreteIntersection>()) &&
+                           factory.registerCreator("Ray", creator_of<RayDiscreteIntersection>()) &&
                            factory.registerCreator("SolidCube", creator_of<SolidCubeDiscreteIntersection>());
   (void)once;
   return factory;
@@ -62,7 +72,13 @@ const ElementIntersector* intersector_of(DiscreteIntersection& intersection, con
 }  // namespace
 
 bool component_serves(Pair pair) {
-  const auto [model1, model2] = models_of(pair, description(pair).zeros());
+  Shapes shapes = description(pair).zeros();
+  const auto with_direction = [](const auto& field, auto& value) {
+    if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, Vector3>)
+      if (field.kind == FieldKind::direction) value[0] = 1;  // no model takes 0 for one
+  };
+  std::visit([&](auto& two) { for_each_field(two.a, with_direction), for_each_field(two.b, with_direction); }, shapes);
+  const auto [model1, model2] = models_of(pair, shapes);
   DiscreteIntersection intersection(PointConvention::nearest_surface, ours());
   return intersector_of(intersection, model1, model2) != nullptr;
 }

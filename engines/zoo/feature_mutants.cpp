@@ -294,25 +294,45 @@ const std::array kFeatures{
         "https://github.com/sofa-framework/sofa/blob/master/Sofa/Component/Collision/Detection/Intersection/src/sofa/"
         "component/collision/detection/intersection/MeshDiscreteIntersection.inl"},
     Mutant{
-        "sofa-triangle-value", "the value is minus the distance", "triangle-value-negated", nullptr,
+        "sofa-triangle-value", "the value is minus the distance of the surfaces", "triangle-value-negated", nullptr,
         [](const Query& q, Claim& claim) {
           of_triangle(q, [&](const Seen&) {
-            in_contact(claim, [&](ContactClaim& c) { c.value = rounded(-WideSpheres(q).distance); });
+            const WideSpheres right(q);
+            in_contact(claim, [&](ContactClaim& c) { c.value = rounded(right.r1 - right.distance); });
           });
         },
         "https://github.com/sofa-framework/sofa/blob/master/Sofa/Component/Collision/Detection/Intersection/src/sofa/"
         "component/collision/detection/intersection/MeshDiscreteIntersection.inl"},
     Mutant{
-        "sofa-triangle-1e-5", "a foot within 1e-5 of an edge, in barycentric coordinates, counts as beside",
-        "triangle-edge-within-1e-5", nullptr,
+        "sofa-triangle-1e-5", "a face up to 1e-5 away counts as touched, whatever the units", "triangle-within-1e-5",
+        nullptr,
         [](const Query& q, Claim& claim) {
-          missed(q, claim, [](const Seen& seen) {
-            const Wide least = *std::min_element(seen.over_edge.begin(), seen.over_edge.end());
-            return !seen.is_flat() && least < 1e-5L * seen.n.squaredNorm();
+          of_triangle(q, [&](const Seen& seen) {
+            const WideSpheres right(q);
+            if (seen.is_over_face() && right.distance <= right.reach + 1e-5L) decide(q, claim, true);
           });
         },
         "https://github.com/sofa-framework/sofa/blob/master/Sofa/Component/Collision/Detection/Intersection/src/sofa/"
         "component/collision/detection/intersection/MeshDiscreteIntersection.inl"},
+    Mutant{
+        "sofa-triangle-winding", "the normal is that of the vertices' order, whichever side the sphere is on",
+        "triangle-normal-of-winding", nullptr,
+        [](const Query& q, Claim& claim) {
+          of_triangle(q, [&](const Seen& seen) {
+            if (seen.is_flat()) return;
+            in_direction(q, claim, [&](ContactClaim& c) { c.normal = Vector3((-seen.n.normalized()).cast<double>()); });
+          });
+        },
+        "https://github.com/sofa-framework/sofa/blob/master/Sofa/Component/Collision/Detection/Intersection/src/sofa/"
+        "component/collision/detection/intersection/MeshDiscreteIntersection.inl"},
+    Mutant{"triangle-barycentric-1e-5", "a foot within 1e-5 of an edge, in barycentric coordinates, counts as beside",
+           "triangle-edge-within-1e-5", nullptr,
+           [](const Query& q, Claim& claim) {
+             missed(q, claim, [](const Seen& seen) {
+               const Wide least = *std::min_element(seen.over_edge.begin(), seen.over_edge.end());
+               return !seen.is_flat() && least < 1e-5L * seen.n.squaredNorm();
+             });
+           }},
     Mutant{"triangle-no-vertices", "faces and edges are hit, and vertices are not", "triangle-vertices-ignored",
            nullptr,
            [](const Query& q, Claim& claim) {
@@ -389,15 +409,6 @@ const std::array kFeatures{
              other_point(q, claim, [](const Seen& seen) {
                if (seen.is_over_face()) return Point();
                return Point(Seen::nearest({seen.foot_on_edge(0, true), seen.foot_on_edge(1, true)}));
-             });
-           }},
-    Mutant{"triangle-normal-by-winding", "the normal is that of the vertices' order, whichever side the sphere is on",
-           "triangle-normal-of-winding", nullptr,
-           [](const Query& q, Claim& claim) {
-             of_triangle(q, [&](const Seen& seen) {
-               if (seen.is_flat()) return;
-               in_direction(q, claim,
-                            [&](ContactClaim& c) { c.normal = Vector3((-seen.n.normalized()).cast<double>()); });
              });
            }},
     Mutant{"triangle-plane-distance", "the value is the distance to the plane", "triangle-distance-to-plane", nullptr,

@@ -1,5 +1,5 @@
-// Intersectors of the pairs that DiscreteIntersection does not have: capsules, and spheres against solid cubes. They
-// join at run time.
+// Intersectors of the pairs that DiscreteIntersection does not have: capsules, rays and triangles, and spheres against
+// solid cubes. They join at run time.
 #pragma once
 
 #include <type_traits>
@@ -7,6 +7,8 @@
 #include "contact/capsule_model.hpp"
 #include "contact/discrete_intersection.hpp"
 #include "contact/pair_functions.hpp"
+#include "contact/ray_model.hpp"
+#include "contact/triangle_model.hpp"
 
 namespace contact {
 
@@ -14,7 +16,7 @@ namespace contact {
 /// Decision, Error, Degenerate, Environment  as test_sphere_capsule, compute_sphere_capsule and so on, the models in
 ///                                           the order of that name.
 /// Points      the convention of the DiscreteIntersection. Under `center` only a rigid sphere reports its surface, and
-///             a cube's point is always on the cube.
+///             the point of a cube, a triangle or a ray is always on it.
 /// Evidence    src/component/shape_intersectors_test.cpp; the engine `component` on every file in golden/.
 class ShapeIntersector : public BaseIntersector {
  public:
@@ -50,6 +52,8 @@ class ShapeIntersector : public BaseIntersector {
   }
   static Box shape_of(const Cube& cube) { return cube.box(); }
   static Capsule shape_of(const CapsuleElement& element) { return element.capsule(); }
+  static Triangle shape_of(const TriangleElement& element) { return element.triangle(); }
+  static Ray shape_of(const RayElement& element) { return element.ray(); }
 
   template <class Element1, class Element2>
   static auto shapes_of(const Element1& elem1, const Element2& elem2) {
@@ -73,6 +77,21 @@ class CapsuleDiscreteIntersection : public ShapeIntersector {
  public:
   static constexpr std::string_view kName = "CapsuleDiscreteIntersection";
   explicit CapsuleDiscreteIntersection(DiscreteIntersection& object);
+};
+
+/// Both kinds of sphere against triangles, solid and seen from both sides. SOFA's class of this name has triangles
+/// against lines, and its function for a sphere and a triangle is registered by nobody.
+class MeshDiscreteIntersection : public ShapeIntersector {
+ public:
+  static constexpr std::string_view kName = "MeshDiscreteIntersection";
+  explicit MeshDiscreteIntersection(DiscreteIntersection& object);
+};
+
+/// Rays against both kinds of sphere, as SOFA's class of this name has them: registered by itself, as "Ray".
+class RayDiscreteIntersection : public ShapeIntersector {
+ public:
+  static constexpr std::string_view kName = "RayDiscreteIntersection";
+  explicit RayDiscreteIntersection(DiscreteIntersection& object);
 };
 
 /// Both kinds of sphere against cubes, the cubes taken for solid boxes. To SOFA they are volumes that bound something

@@ -96,6 +96,12 @@ std::vector<Cause> wrong_about(const BallAndTriangle* /*kind*/) {
       misses("triangle-edge-within-1e-5",
              "a foot within 1e-5 of an edge, in barycentric coordinates, counted as beside",
              [](F, const Seen& seen) { return seen.length2 > 0 && seen.least_over_edge() < 1e-5L * seen.length2; }),
+      decision("triangle-within-1e-5", "a face up to 1e-5 away counted as touched, whatever the units",
+               [](F f) {
+                 const Seen seen(f);
+                 const bool over = seen.length2 > 0 && seen.least_over_edge() >= 0;
+                 return Said::at_most(f.distance, f.radii() + f.alarm + (over ? 1e-5L : 0));
+               }),
       at_weights("triangle-as-plane", "a triangle taken for its whole plane",
                  [](const Seen& seen) { return seen.length2 > 0 ? Weights(seen.on_plane()) : std::nullopt; }),
       at_weights("triangle-as-edges", "the face of a triangle ignored, its edges tried alone",
@@ -151,8 +157,8 @@ std::vector<Cause> wrong_about(const BallAndTriangle* /*kind*/) {
              if (!(seen.length2 > 0)) return Said(std::nullopt);
              return Said(std::abs(dot(seen.n, seen.w[0])) / std::sqrt(seen.length2) - f.radii() - f.contact);
            }},
-      value("triangle-value-negated", "minus the distance for the value, and no radius",
-            [](F f) { return Said(-f.distance); }),
+      value("triangle-value-negated", "minus the distance of the surfaces for the value",
+            [](F f) { return Said(-signed_distance(f)); }),
   };
 }
 

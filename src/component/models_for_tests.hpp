@@ -13,7 +13,9 @@
 #include "contact/capsule_model.hpp"
 #include "contact/cube_model.hpp"
 #include "contact/detection_output.hpp"
+#include "contact/ray_model.hpp"
 #include "contact/sphere_model.hpp"
+#include "contact/triangle_model.hpp"
 #include "kernel/floating_point_environment.hpp"
 
 namespace contact::component {
@@ -67,6 +69,28 @@ inline CapsuleCollisionModel capsules(std::string name, const std::vector<Capsul
     radii(i) = capsule.radius;
   }
   return {std::move(name), std::move(starts), std::move(ends), std::move(radii)};
+}
+
+inline TriangleCollisionModel triangles(std::string name, const std::vector<Triangle>& all) {
+  const auto count = static_cast<Index>(all.size());
+  std::array<Rows<3>, 3> p{Rows<3>(count, 3), Rows<3>(count, 3), Rows<3>(count, 3)};
+  for (Index i = 0; i < count; ++i)
+    for (std::size_t k = 0; k < 3; ++k) p[k].set(i, all[static_cast<std::size_t>(i)].vertices[k]);
+  return {std::move(name), std::move(p[0]), std::move(p[1]), std::move(p[2])};
+}
+
+inline RayCollisionModel rays(std::string name, const std::vector<Ray>& all) {
+  const auto count = static_cast<Index>(all.size());
+  Rows<3> origins(count, 3);
+  Rows<3> directions(count, 3);
+  Rows<1> lengths(count, 1);
+  for (Index i = 0; i < count; ++i) {
+    const Ray& ray = all[static_cast<std::size_t>(i)];
+    origins.set(i, ray.origin);
+    directions.set(i, ray.direction);
+    lengths(i) = ray.length;
+  }
+  return {std::move(name), std::move(origins), std::move(directions), std::move(lengths)};
 }
 
 /// A double as the hexadecimal number that it is: equal texts mean equal bits, -0 and +0 told apart.

@@ -1,4 +1,4 @@
-// Intersectors of capsules, and of spheres against solid cubes.
+// Intersectors of capsules, rays and triangles, and of spheres against solid cubes.
 #include "contact/shape_intersectors.hpp"
 
 namespace contact {
@@ -7,6 +7,16 @@ CapsuleDiscreteIntersection::CapsuleDiscreteIntersection(DiscreteIntersection& o
   object.intersectors.add<CapsuleCollisionModel, CapsuleCollisionModel>(*this);
   object.intersectors.add<SphereCollisionModel, CapsuleCollisionModel>(*this);
   object.intersectors.add<RigidSphereModel, CapsuleCollisionModel>(*this);
+}
+
+MeshDiscreteIntersection::MeshDiscreteIntersection(DiscreteIntersection& object) : ShapeIntersector(object) {
+  object.intersectors.add<SphereCollisionModel, TriangleCollisionModel>(*this);
+  object.intersectors.add<RigidSphereModel, TriangleCollisionModel>(*this);
+}
+
+RayDiscreteIntersection::RayDiscreteIntersection(DiscreteIntersection& object) : ShapeIntersector(object) {
+  object.intersectors.add<RayCollisionModel, SphereCollisionModel>(*this);
+  object.intersectors.add<RayCollisionModel, RigidSphereModel>(*this);
 }
 
 SolidCubeDiscreteIntersection::SolidCubeDiscreteIntersection(DiscreteIntersection& object) : ShapeIntersector(object) {

@@ -1,5 +1,5 @@
-// Capsules, and spheres against solid cubes, as they join at run time: detection between whole models finds what the
-// exact oracle finds over all pairs.
+// Capsules, rays and triangles, and spheres against solid cubes, as they join at run time: detection between whole
+// models finds what the exact oracle finds over all pairs.
 #include "contact/shape_intersectors.hpp"
 
 #include <gtest/gtest.h>
@@ -26,14 +26,18 @@ using component::capsules;
 using component::cubes;
 using component::expected_contact;
 using component::expected_swapped;
+using component::rays;
 using component::rigid_spheres;
 using component::spheres;
 using component::text;
+using component::triangles;
 
 /// What this program registers by itself, and spheres against solid cubes.
 const IntersectorFactory& with_solid_cubes() {
   static IntersectorFactory factory;
   factory.registerCreator("Capsule", creator_of<CapsuleDiscreteIntersection>());
+  factory.registerCreator("Mesh", creator_of<MeshDiscreteIntersection>());
+  factory.registerCreator("Ray", creator_of<RayDiscreteIntersection>());
   factory.registerCreator("SolidCube", creator_of<SolidCubeDiscreteIntersection>());
   return factory;
 }
@@ -45,13 +49,15 @@ struct Place {
   std::vector<Capsule> bars;
   std::vector<Capsule> rods;
   std::vector<Box> boxes;
+  std::vector<Triangle> faces;
+  std::vector<Ray> beams;
   Distances distances;
 };
 
 /// `reach` is how long capsules are, and how large radii and boxes.
 Place place(std::string name, int count, Distances distances, const std::function<double()>& number,
             const std::function<double()>& reach) {
-  Place made{std::move(name), {}, {}, {}, {}, distances};
+  Place made{std::move(name), {}, {}, {}, {}, {}, {}, distances};
   const auto vector = [](const auto& next) {
     const double x = next();
     const double y = next();
@@ -69,6 +75,12 @@ Place place(std::string name, int count, Distances distances, const std::functio
     }
     const Vector3 min = vector(number);
     made.boxes.push_back({min, finite_sum(min, vector(reach).cwiseAbs())});
+    const Vector3 first = vector(number);
+    made.faces.push_back(
+        {{first, finite_sum(first, vector(reach)), i % 5 == 0 ? first : finite_sum(first, vector(reach))}});
+    Vector3 direction = vector(reach) / 2;
+    if (direction.isZero(0)) direction[i % 3] = 1;
+    made.beams.push_back({vector(number), direction, i % 6 == 0 ? 0.0 : i % 6 / 2.0});
   }
   return made;
 }
@@ -147,8 +159,14 @@ TEST(ShapeIntersectors, find_what_the_oracle_finds_over_all_pairs_of_every_kind_
       contacts += expect_all(intersection, rigid, at.balls, rods, at.rods, at.distances);
       contacts += expect_all(intersection, deformable, at.balls, boxes, at.boxes, at.distances);
       contacts += expect_all(intersection, rigid, at.balls, boxes, at.boxes, at.distances);
+      const auto faces = triangles("faces", at.faces);
+      const auto beams = rays("beams", at.beams);
+      contacts += expect_all(intersection, deformable, at.balls, faces, at.faces, at.distances);
+      contacts += expect_all(intersection, rigid, at.balls, faces, at.faces, at.distances);
+      contacts += expect_all(intersection, beams, at.beams, deformable, at.balls, at.distances);
+      contacts += expect_all(intersection, beams, at.beams, rigid, at.balls, at.distances);
       expect_all(intersection, bars, at.bars, bars, at.bars, at.distances);
-      pairs += 5 * at.balls.size() * at.balls.size();
+      pairs += 9 * at.balls.size() * at.balls.size();
     }
   EXPECT_GT(contacts, pairs / 10);
   EXPECT_LT(contacts, pairs / 2);
@@ -256,6 +274,24 @@ TEST(ShapeIntersectors, find_the_nearest_points_that_sofas_capsules_miss) {
   const auto end = capsules("end", {{{0, 0, 0}, {0x1p21, 0, 0}, 1}});
   const auto ball = spheres("ball", {{{1, 3, 0}, 2}});
   expect_numbers(only_contact(ball, end, {0, 0}), {0, -1, 0}, {1, 1, 0}, {1, 1, 0}, 0);
+}
+
+// What SOFA's rays and triangles answer otherwise: docs/sofa-map.md.
+TEST(ShapeIntersectors, find_what_sofas_rays_and_triangles_miss) {
+  // Past the end, but within the radius of it.
+  const auto beam = rays("beam", {{{0, 0, 0}, {1, 0, 0}, 1}});
+  const auto ahead = spheres("ahead", {{{1.5, 0, 0}, 0.75}});
+  expect_numbers(only_contact(beam, ahead, {0, 0}), {1, 0, 0}, {1, 0, 0}, {0.75, 0, 0}, -0.25);
+  // A direction that is no unit vector: the ray ends at 4, not at 2.
+  const auto twice = rays("twice", {{{0, 0, 0}, {2, 0, 0}, 2}});
+  const auto far = rigid_spheres("far", {{{7, 0, -4}, 5}});
+  expect_numbers(only_contact(twice, far, {0, 0}), {0.6, 0, -0.8}, {4, 0, 0}, {4, 0, 0}, 0);
+  // Beside an edge and beside a vertex, and within an alarm distance.
+  const auto face = triangles("face", {{{Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(0, 4, 0)}}});
+  const auto edge = spheres("edge", {{{2, -3, 4}, 5}});
+  expect_numbers(only_contact(edge, face, {0, 0}), {0, 0.6, -0.8}, {2, 0, 0}, {2, 0, 0}, 0);
+  const auto vertex = spheres("vertex", {{{7, 0, 4}, 4.5}});
+  expect_numbers(only_contact(vertex, face, {0.5, 0.25}), {-0.6, 0, -0.8}, {4.3, 0, 0.4}, {4, 0, 0}, 0.25);
 }
 
 TEST(ShapeIntersectors, of_one_model_meet_at_a_joint) {

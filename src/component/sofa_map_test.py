@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""docs/sofa-map.md names a test for every statement of the source and of capsules, and every test that it names exists."""
+"""docs/sofa-map.md names a test for every statement of the source, of capsules, rays and triangles, and every test that it names exists."""
 import re
 import unittest
 from pathlib import Path
@@ -29,8 +29,9 @@ def rows(section="Every statement of the source"):
 class SofaMap(unittest.TestCase):
     def test_has_a_statement_what_holds_and_a_test_in_every_row(self):
         self.assertGreater(len(rows()), 40)
-        self.assertGreater(len(rows("Capsules")), 8)
-        for row, width in [*((row, 3) for row in rows()), *((row, 4) for row in rows("Capsules"))]:
+        shapes = [*rows("Capsules"), *rows("Rays and triangles")]
+        self.assertGreater(len(shapes), 18)
+        for row, width in [*((row, 3) for row in rows()), *((row, 4) for row in shapes)]:
             self.assertEqual(len(row), width, row)
             self.assertTrue(all(row), row)
             self.assertRegex(row[-1], r"^`\w+\.\w+`(, `\w+\.\w+`)*$", row[0])
@@ -38,7 +39,7 @@ class SofaMap(unittest.TestCase):
     def test_names_tests_that_exist(self):
         known = tests_in_the_source_tree()
         self.assertGreater(len(known), 100)
-        for row in [*rows(), *rows("Capsules")]:
+        for row in [*rows(), *rows("Capsules"), *rows("Rays and triangles")]:
             for test in re.findall(r"`(\w+\.\w+)`", row[-1]):
                 self.assertTrue(test in known, f"{test} is no test; it is named for: {row[0]}")
 

@@ -17,7 +17,9 @@
 #include "contact/discrete_intersection.hpp"
 #include "contact/exact_sum.hpp"
 #include "contact/plugin.hpp"
+#include "contact/ray_model.hpp"
 #include "contact/sphere_sphere.hpp"
+#include "contact/triangle_model.hpp"
 
 namespace {
 
@@ -88,6 +90,10 @@ void models_are_made_copied_moved_and_destroyed() {
     const CapsuleCollisionModel capsules("capsules", centers(), centers().rowwise() + Eigen::RowVector3d(0, 1, 0),
                                          radii(0.25));
     expect(capsules.capsule(7).end == Vector3(7, 1, 0) && capsules.bounding_box(7).max[1] >= 1.25, "a capsule");
+    const TriangleCollisionModel triangles("triangles", centers(), centers(), centers());
+    expect(triangles.triangle(7).vertices[2] == Vector3(7, 0, 0), "a triangle");
+    const RayCollisionModel rays("rays", centers(), Eigen::MatrixX3d::Ones(kCount, 3), radii(0.25));
+    expect(rays.ray(7).length == 0.25 && rays.bounding_box(7).max[1] >= 0.25, "a ray");
     SphereCollisionModel copy(static_cast<const SphereCollisionModel&>(*models[0]));
     const SphereCollisionModel moved(std::move(copy));
     expect(moved.balls()[7].center == Vector3(7, 0, 0) && moved.getR()[100] == 0.5, "a moved model's numbers");

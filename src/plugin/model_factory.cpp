@@ -5,7 +5,9 @@
 
 #include "contact/capsule_model.hpp"
 #include "contact/cube_model.hpp"
+#include "contact/ray_model.hpp"
 #include "contact/sphere_model.hpp"
+#include "contact/triangle_model.hpp"
 
 namespace contact {
 namespace {
@@ -32,6 +34,16 @@ std::unique_ptr<CollisionModel> make_capsules(std::string name, const ModelColum
                                                  columns.at("radii"));
 }
 
+std::unique_ptr<CollisionModel> make_triangles(std::string name, const ModelColumns& columns) {
+  return std::make_unique<TriangleCollisionModel>(std::move(name), columns.at("p1"), columns.at("p2"),
+                                                  columns.at("p3"));
+}
+
+std::unique_ptr<CollisionModel> make_rays(std::string name, const ModelColumns& columns) {
+  return std::make_unique<RayCollisionModel>(std::move(name), columns.at("origins"), columns.at("directions"),
+                                             columns.at("lengths"));
+}
+
 }  // namespace
 
 ModelFactory::ModelFactory()
@@ -40,7 +52,10 @@ ModelFactory::ModelFactory()
                {{"positions", 3}, {"orientations", 4}, {"radii", 1}},
                make_rigid_spheres},
               {std::string(CubeCollisionModel::kName), {{"min", 3}, {"max", 3}}, make_cubes},
-              {std::string(CapsuleCollisionModel::kName), {{"starts", 3}, {"ends", 3}, {"radii", 1}}, make_capsules}} {}
+              {std::string(CapsuleCollisionModel::kName), {{"starts", 3}, {"ends", 3}, {"radii", 1}}, make_capsules},
+              {std::string(TriangleCollisionModel::kName), {{"p1", 3}, {"p2", 3}, {"p3", 3}}, make_triangles},
+              {std::string(RayCollisionModel::kName), {{"origins", 3}, {"directions", 3}, {"lengths", 1}}, make_rays}} {
+}
 
 bool ModelFactory::registerModel(ModelMaker maker) {
   const std::lock_guard lock(mutex_);

@@ -10,7 +10,9 @@
 #include "component/models_for_tests.hpp"
 #include "contact/capsule_model.hpp"
 #include "contact/cube_model.hpp"
+#include "contact/ray_model.hpp"
 #include "contact/sphere_model.hpp"
+#include "contact/triangle_model.hpp"
 
 namespace contact {
 namespace {
@@ -35,7 +37,7 @@ ModelMaker maker_of_everything(std::vector<ModelColumn> columns = {}) {
           [](std::string name, const ModelColumns&) { return std::make_unique<Everything>(std::move(name)); }};
 }
 
-TEST(ModelFactory, knows_the_four_built_in_types_and_their_columns) {
+TEST(ModelFactory, knows_the_six_built_in_types_and_their_columns) {
   std::vector<std::string> known;
   for (const ModelMaker& maker : ModelFactory().makers()) {
     known.push_back(maker.type);
@@ -43,7 +45,8 @@ TEST(ModelFactory, knows_the_four_built_in_types_and_their_columns) {
   }
   EXPECT_EQ(known, (std::vector<std::string>{
                        "SphereCollisionModel centers3 radii1", "RigidSphereModel positions3 orientations4 radii1",
-                       "CubeCollisionModel min3 max3", "CapsuleCollisionModel starts3 ends3 radii1"}));
+                       "CubeCollisionModel min3 max3", "CapsuleCollisionModel starts3 ends3 radii1",
+                       "TriangleCollisionModel p13 p23 p33", "RayCollisionModel origins3 directions3 lengths1"}));
 }
 
 TEST(ModelFactory, makes_spheres) {
@@ -86,6 +89,22 @@ TEST(ModelFactory, makes_capsules) {
   EXPECT_EQ(CapsuleElement(capsules, 1).radius(), 5);
 }
 
+TEST(ModelFactory, makes_triangles_and_rays) {
+  const auto triangles = ModelFactory().make("TriangleCollisionModel", "t",
+                                             {{"p1", rows(2, 3, -1)}, {"p2", rows(2, 3, 2)}, {"p3", rows(2, 3, 5)}});
+  const TriangleElement triangle(dynamic_cast<const TriangleCollisionModel&>(*triangles), 1);
+  EXPECT_EQ(triangle.p1(), Vector3(-1, -1, -1));
+  EXPECT_EQ(triangle.p2(), Vector3(2, 2, 2));
+  EXPECT_EQ(triangle.p3(), Vector3(5, 5, 5));
+  const auto rays =
+      ModelFactory().make("RayCollisionModel", "r",
+                          {{"origins", rows(2, 3, -1)}, {"directions", rows(2, 3, 2)}, {"lengths", rows(2, 1, 5)}});
+  const RayElement ray(dynamic_cast<const RayCollisionModel&>(*rays), 1);
+  EXPECT_EQ(ray.origin(), Vector3(-1, -1, -1));
+  EXPECT_EQ(ray.direction(), Vector3(2, 2, 2));
+  EXPECT_EQ(ray.l(), 5);
+}
+
 TEST(ModelFactory, makes_models_without_elements) {
   const auto model = ModelFactory().make("SphereCollisionModel", "s", {{"centers", rows(0, 3)}, {"radii", rows(0, 1)}});
   EXPECT_EQ(model->getSize(), 0);
@@ -94,7 +113,7 @@ TEST(ModelFactory, makes_models_without_elements) {
 TEST(ModelFactory, refuses_a_type_that_it_does_not_know_and_says_which_there_are) {
   EXPECT_EQ(refusal([] { (void)ModelFactory().make("Sphere", "s", {}); }),
             "Sphere \"s\": unknown type of model; there are SphereCollisionModel RigidSphereModel CubeCollisionModel "
-            "CapsuleCollisionModel");
+            "CapsuleCollisionModel TriangleCollisionModel RayCollisionModel");
 }
 
 TEST(ModelFactory, refuses_a_column_that_is_missing_unknown_too_wide_or_too_long) {
@@ -149,7 +168,7 @@ TEST(ModelFactory, registers_a_type_once) {
   EXPECT_TRUE(factory.registerModel(maker_of_everything()));
   EXPECT_FALSE(factory.registerModel(maker_of_everything({{"mass", 1}})));
   EXPECT_FALSE(factory.registerModel({"SphereCollisionModel", {}, {}}));
-  EXPECT_EQ(factory.makers().size(), 5U);
+  EXPECT_EQ(factory.makers().size(), 7U);
   EXPECT_TRUE(factory.makers().back().columns.empty());
 }
 
@@ -157,7 +176,7 @@ TEST(ModelFactory, has_one_instance_and_others_are_apart_from_it) {
   EXPECT_EQ(&ModelFactory::getInstance(), &ModelFactory::getInstance());
   ModelFactory factory;
   EXPECT_TRUE(factory.registerModel(maker_of_everything()));
-  EXPECT_EQ(ModelFactory::getInstance().makers().size(), 4U);
+  EXPECT_EQ(ModelFactory::getInstance().makers().size(), 6U);
 }
 
 TEST(ModelFactory, refuses_a_maker_that_is_nothing_or_makes_nothing) {

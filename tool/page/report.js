@@ -120,7 +120,7 @@
       shown.replaceChildren(
         element("h3", {}, "How far off the numbers are"), errors(counts, report.bounds, narrow ? width : width / 2 - 12),
         element("h3", {}, "Where decisions go wrong"),
-        element("p", {}, "Pale: all decisions on spheres. Dark: the wrong ones. Both scales are logarithmic."),
+        element("p", {}, "Pale: all decisions of pairs with a distance. Dark: the wrong ones. Both scales are logarithmic."),
         decisions(counts, report.scalar, width));
     };
     choice.addEventListener("change", draw);
@@ -356,7 +356,7 @@
   }
   /** Whether every number of a question is finite, so that it can be drawn. */
   function inside(query) {
-    return [query.a, query.b].every((s) => finite(numbers(Object.values(s).flat())));
+    return [query.a, query.b].every((s) => finite(numbers(Object.values(s).flat(2))));
   }
 
   for (const box of document.querySelectorAll(".copy")) {
