@@ -28,7 +28,7 @@ GOLDEN = ROOT / "golden"
 RECORDED = GOLDEN / "recorded" / "sofa-2a278d8"
 LEVELS = ["correctly-rounded", "faithful", "bounded", "decisions", "conservative", "none"]
 PAIRS = ("sphere_sphere", "rigid_sphere_rigid_sphere", "sphere_rigid_sphere", "cube_cube", "sphere_cube", "sphere_capsule",
-         "capsule_capsule", "sphere_triangle", "ray_sphere")
+         "capsule_capsule", "sphere_triangle", "ray_sphere", "sphere_plane", "capsule_plane")
 BATCH_PAIRS = PAIRS[:5]
 SOFA_PAIRS = PAIRS[:4]  # of DiscreteIntersection
 SPHERES = {"a": {"center": [0, 0, 0], "radius": 1.5}, "b": {"center": [1, 2, 2], "radius": 1.5}, "alarm": 0, "contact": 0.25}
@@ -1303,7 +1303,8 @@ class Generate(Case):
         for pair in PAIRS:
             shapes = {"cube_cube": "cubes", "sphere_cube": "sphere and cube", "sphere_capsule": "sphere and capsule",
                       "capsule_capsule": "capsules", "sphere_triangle": "sphere and triangle",
-                      "ray_sphere": "ray and sphere"}.get(pair, "spheres")
+                      "ray_sphere": "ray and sphere",
+                      "sphere_plane": "sphere and plane", "capsule_plane": "capsule and plane"}.get(pair, "spheres")
             for family in (one["family"] for one in listed if one.get("shapes") == shapes):
                 self.make(f"{pair}.{family}.jsonl", pair=pair, family=family, count=5, seed=2**64 - 1)
         self.holds("lint", "--generated", self.folder)

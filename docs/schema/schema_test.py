@@ -24,7 +24,8 @@ ROOT = SCHEMAS.parent.parent
 GOLDEN = ROOT / "golden"
 SHAPES = {"spheres": "sphere_rigid_sphere", "cubes": "cube_cube", "sphere and cube": "sphere_cube",
           "sphere and capsule": "sphere_capsule", "capsules": "capsule_capsule",
-          "sphere and triangle": "sphere_triangle", "ray and sphere": "ray_sphere"}
+          "sphere and triangle": "sphere_triangle", "ray and sphere": "ray_sphere",
+          "sphere and plane": "sphere_plane", "capsule and plane": "capsule_plane"}
 COMMON = json.loads((SCHEMAS / "common.json").read_text())["$defs"]
 
 

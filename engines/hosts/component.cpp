@@ -33,6 +33,10 @@ Model model_of(const Ray& ray, bool) {
   return std::make_unique<RayCollisionModel>("rays", ray.origin.transpose(), ray.direction.transpose(),
                                              Eigen::VectorXd::Constant(1, ray.length));
 }
+Model model_of(const Plane& plane, bool) {
+  return std::make_unique<PlaneCollisionModel>("planes", plane.normal.transpose(),
+                                               Eigen::VectorXd::Constant(1, plane.offset));
+}
 template <class Shape>
 Model model_of(const Shape&, bool) {
   return nullptr;  // a shape that has no model
@@ -54,6 +58,7 @@ const IntersectorFactory& ours() {
   static const bool once = factory.registerCreator("Capsule", creator_of<CapsuleDiscreteIntersection>()) &&
                            factory.registerCreator("Mesh", creator_of<MeshDiscreteIntersection>()) &&
                            factory.registerCreator("Ray", creator_of<RayDiscreteIntersection>()) &&
+                           factory.registerCreator("Plane", creator_of<PlaneDiscreteIntersection>()) &&
                            factory.registerCreator("SolidCube", creator_of<SolidCubeDiscreteIntersection>());
   (void)once;
   return factory;

@@ -43,6 +43,10 @@ std::unique_ptr<CollisionModel> model(const Ray& ray, bool) {
   return std::make_unique<RayCollisionModel>("ray", ray.origin.transpose(), ray.direction.transpose(),
                                              Eigen::VectorXd::Constant(1, ray.length));
 }
+std::unique_ptr<CollisionModel> model(const Plane& plane, bool) {
+  return std::make_unique<PlaneCollisionModel>("plane", plane.normal.transpose(),
+                                               Eigen::VectorXd::Constant(1, plane.offset));
+}
 
 // Left out: cores that meet in pairs of one type, whose normal is an agreement and does not turn round.
 TEST(Component, SwappedModelsGiveTheMirroredContactsOfEveryGoldenPairBitForBit) {
@@ -50,6 +54,7 @@ TEST(Component, SwappedModelsGiveTheMirroredContactsOfEveryGoldenPairBitForBit) 
   factory.registerCreator("Capsule", creator_of<CapsuleDiscreteIntersection>());
   factory.registerCreator("Mesh", creator_of<MeshDiscreteIntersection>());
   factory.registerCreator("Ray", creator_of<RayDiscreteIntersection>());
+  factory.registerCreator("Plane", creator_of<PlaneDiscreteIntersection>());
   factory.registerCreator("SolidCube", creator_of<SolidCubeDiscreteIntersection>());
   std::map<Pair, std::size_t> contacts;
   std::map<Pair, std::size_t> misses;

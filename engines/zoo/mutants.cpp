@@ -19,6 +19,7 @@ std::span<const Mutant> mutants() {
     };
     append(real_mutants(), Origin::real);
     append(feature_mutants(), Origin::own);
+    append(plane_mutants(), Origin::own);
     append(own_mutants(), Origin::own);
     append(precision_mutants(), Origin::precision);
     return list;

@@ -250,6 +250,7 @@ void leave_by(const Query& q, Claim& claim, Choose choose) {
 
 [[nodiscard]] std::span<const Mutant> real_mutants();
 [[nodiscard]] std::span<const Mutant> feature_mutants();
+[[nodiscard]] std::span<const Mutant> plane_mutants();
 [[nodiscard]] std::span<const Mutant> own_mutants();
 [[nodiscard]] std::span<const Mutant> precision_mutants();
 

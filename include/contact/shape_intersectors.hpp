@@ -1,5 +1,5 @@
-// Intersectors of the pairs that DiscreteIntersection does not have: capsules, rays and triangles, and spheres against
-// solid cubes. They join at run time.
+// Intersectors of the pairs that DiscreteIntersection does not have: capsules, rays, triangles and planes, and spheres
+// against solid cubes. They join at run time.
 #pragma once
 
 #include <type_traits>
@@ -7,6 +7,7 @@
 #include "contact/capsule_model.hpp"
 #include "contact/discrete_intersection.hpp"
 #include "contact/pair_functions.hpp"
+#include "contact/plane_model.hpp"
 #include "contact/ray_model.hpp"
 #include "contact/triangle_model.hpp"
 
@@ -54,6 +55,7 @@ class ShapeIntersector : public BaseIntersector {
   static Capsule shape_of(const CapsuleElement& element) { return element.capsule(); }
   static Triangle shape_of(const TriangleElement& element) { return element.triangle(); }
   static Ray shape_of(const RayElement& element) { return element.ray(); }
+  static Plane shape_of(const PlaneElement& element) { return element.plane(); }
 
   template <class Element1, class Element2>
   static auto shapes_of(const Element1& elem1, const Element2& elem2) {
@@ -92,6 +94,14 @@ class RayDiscreteIntersection : public ShapeIntersector {
  public:
   static constexpr std::string_view kName = "RayDiscreteIntersection";
   explicit RayDiscreteIntersection(DiscreteIntersection& object);
+};
+
+/// Both kinds of sphere, and capsules, against planes, each with the half-space below it. SOFA has no such model: its
+/// scenes put a plane there as a force field. It has registered itself, as "Plane".
+class PlaneDiscreteIntersection : public ShapeIntersector {
+ public:
+  static constexpr std::string_view kName = "PlaneDiscreteIntersection";
+  explicit PlaneDiscreteIntersection(DiscreteIntersection& object);
 };
 
 /// Both kinds of sphere against cubes, the cubes taken for solid boxes. To SOFA they are volumes that bound something

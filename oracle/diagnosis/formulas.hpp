@@ -77,6 +77,7 @@ inline constexpr Numbers kNotFinite{kNaN, kNaN, kNaN};
 [[nodiscard]] std::vector<Cause> wrong_inputs();
 [[nodiscard]] std::vector<Cause> wrong_decisions();
 [[nodiscard]] std::vector<Cause> wrong_features();
+[[nodiscard]] std::vector<Cause> wrong_planes();
 [[nodiscard]] std::vector<Cause> wrong_normals();
 [[nodiscard]] std::vector<Cause> wrong_points();
 [[nodiscard]] std::vector<Cause> wrong_values();

@@ -160,8 +160,8 @@ std::span<const Cause> causes() {
             append(formulas::wrong_about(static_cast<decltype(&shapes)>(nullptr)), kind_of(pair));
           },
           description(pair).zeros());
-    for (const auto table : {formulas::wrong_features, formulas::wrong_normals, formulas::wrong_points,
-                             formulas::wrong_values, formulas::wrong_arithmetic})
+    for (const auto table : {formulas::wrong_features, formulas::wrong_planes, formulas::wrong_normals,
+                             formulas::wrong_points, formulas::wrong_values, formulas::wrong_arithmetic})
       append(table(), kEveryKind);
     if (made.size() > kMostCauses) throw std::length_error("more causes than kMostCauses");
     return made;

@@ -1,4 +1,4 @@
-// Causes that take a wrong point of an axis for the nearest one: capsules and rays.
+// Causes that take a wrong point of an axis for the nearest one: capsules, beside planes too, and rays.
 #include "oracle/diagnosis/formulas.hpp"
 
 namespace contact::oracle::formulas {
@@ -59,9 +59,19 @@ std::optional<Axes> axes_of(F f) {
 
 using Parameters = std::optional<std::array<Real, 2>>;
 
-/// Other parameters on the axes; nothing leaves them as they are.
-Cause on_axes(std::string_view id, std::string_view sentence, Parameters (*parameters)(const Axes&)) {
-  return {.id = id, .sentence = sentence, .edit = [parameters](Facts& f) {
+/// Another point of a capsule over a plane: its axis, and the parameter of the lowest point.
+void take_over_plane(Facts& f, const CapsuleAndPlane& shapes, const AxisInReals& axis, Real t) {
+  f.nearest[0] = axis.at(t);
+  f.nearest[1] = PlaneInReals(shapes.b).foot(f.nearest[0]);
+  f.settle();
+}
+
+/// Other parameters on the axes; nothing leaves them as they are. `over_plane` is that of a capsule over a plane.
+Cause on_axes(std::string_view id, std::string_view sentence, Parameters (*parameters)(const Axes&),
+              std::optional<Real> over_plane = {}) {
+  return {.id = id, .sentence = sentence, .edit = [parameters, over_plane](Facts& f) {
+            const auto* shapes = std::get_if<CapsuleAndPlane>(&f.query.shapes);
+            if (shapes != nullptr && over_plane) take_over_plane(f, *shapes, AxisInReals(shapes->a), *over_plane);
             const auto axes = axes_of(f);
             if (!axes) return;
             if (const auto at = parameters(*axes)) axes->take(f, (*at)[0], (*at)[1]);
@@ -71,6 +81,11 @@ Cause on_axes(std::string_view id, std::string_view sentence, Parameters (*param
 /// Other axes: `change` makes them of the right ones.
 Cause with_axes(std::string_view id, std::string_view sentence, void (*change)(AxisInReals&)) {
   return {.id = id, .sentence = sentence, .edit = [change](Facts& f) {
+            if (const auto* shapes = std::get_if<CapsuleAndPlane>(&f.query.shapes)) {
+              AxisInReals axis(shapes->a);
+              change(axis);
+              take_over_plane(f, *shapes, axis, lowest_parameter(axis, PlaneInReals(shapes->b)));
+            }
             auto axes = axes_of(f);
             if (!axes) return;
             change(axes->first);
@@ -106,14 +121,18 @@ std::vector<Cause> wrong_features() {
                 if (!x.both) return x.E > 0 ? Parameters({{0, x.foot_of_first(0)}}) : std::nullopt;
                 return x.A > 0 && x.E > 0 && x.determinant > 0 ? Parameters(x.free()) : std::nullopt;
               }),
-      on_axes("capsule-by-start", "a capsule taken for a sphere at the start of its axis",
-              [](const Axes&) -> Parameters {
-                return {{0, 0}};
-              }),
-      on_axes("capsule-by-middle", "a capsule taken for a sphere in the middle of its axis",
-              [](const Axes& x) -> Parameters {
-                return {{x.both ? Real{0.5} : Real{0}, 0.5}};
-              }),
+      on_axes(
+          "capsule-by-start", "a capsule taken for a sphere at the start of its axis",
+          [](const Axes&) -> Parameters {
+            return {{0, 0}};
+          },
+          0),
+      on_axes(
+          "capsule-by-middle", "a capsule taken for a sphere in the middle of its axis",
+          [](const Axes& x) -> Parameters {
+            return {{x.both ? Real{0.5} : Real{0}, 0.5}};
+          },
+          0.5L),
       on_axes("capsule-by-ends", "only the ends of an axis tried, and no point between them",
               [](const Axes& x) -> Parameters {
                 std::array<Real, 2> best{};

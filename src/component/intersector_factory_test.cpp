@@ -106,7 +106,7 @@ std::set<std::string> names_of_the_instance() {
 }
 
 TEST(IntersectorFactory, its_instance_has_what_another_source_file_registered_while_the_program_started) {
-  EXPECT_EQ(names_of_the_instance(), (std::set<std::string>{"Capsule", "Mesh", "Ray", "StarIntersector"}));
+  EXPECT_EQ(names_of_the_instance(), (std::set<std::string>{"Capsule", "Mesh", "Plane", "Ray", "StarIntersector"}));
   EXPECT_EQ(&IntersectorFactory::getInstance(), &IntersectorFactory::getInstance());
   const DiscreteIntersection component;
   const Stars stars("stars");
@@ -118,7 +118,7 @@ TEST(IntersectorFactory, its_instance_has_what_another_source_file_registered_wh
 
 TEST(IntersectorFactory, a_name_registered_with_the_instance_is_taken) {
   const IntersectorCreator<StarIntersector> again("StarIntersector");
-  EXPECT_EQ(names_of_the_instance(), (std::set<std::string>{"Capsule", "Mesh", "Ray", "StarIntersector"}));
+  EXPECT_EQ(names_of_the_instance(), (std::set<std::string>{"Capsule", "Mesh", "Plane", "Ray", "StarIntersector"}));
 }
 
 TEST(IntersectorFactory, every_component_owns_intersectors_of_its_own) {

@@ -1,4 +1,4 @@
-// The models of triangles and of rays: data in and out, bounding boxes, and every refusal word for word.
+// The models of triangles, rays and planes: data in and out, bounding boxes, and every refusal word for word.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 namespace contact {
 namespace {
 
+using component::planes;
 using component::rays;
 using component::refusal;
 using component::triangles;
@@ -125,6 +126,70 @@ TEST(RayModel, its_bounding_boxes_contain_the_rays_and_not_much_more_in_every_ro
                                                 : low - Rational(box.min[axis]) <= margin);
         EXPECT_TRUE(box.max[axis] == kInfinity ? high >= Rational(kLargest) * (1 - oracle::power_of_two(-40))
                                                : Rational(box.max[axis]) - high <= margin);
+      }
+    }
+}
+
+TEST(PlaneModel, gives_back_what_it_was_given_and_moves_it) {
+  auto model = planes("p", {{{0, 0, 2}, 4}, {{-1, 3, 0}, -5}});
+  EXPECT_EQ(model.getSize(), 2);
+  EXPECT_EQ(PlaneElement(model, 1).normal(), Vector3(-1, 3, 0));
+  EXPECT_EQ(PlaneElement(model, 1).offset(), -5);
+  model.setPlanes(Eigen::MatrixX3d::Ones(2, 3), Eigen::VectorXd::Constant(2, 7));
+  EXPECT_EQ(model.plane(0).normal, Vector3(1, 1, 1));
+  EXPECT_EQ(model.plane(0).offset, 7);
+}
+
+TEST(PlaneModel, refuses_what_is_outside_the_domain_and_names_it) {
+  const auto refused = [](const Plane& second) {
+    return refusal([&] { (void)planes("floor", {{{0, 0, 1}, 0}, second}); });
+  };
+  EXPECT_EQ(refused({{0, kNaN, 0}, 1}), "PlaneCollisionModel \"floor\": normals[1][1] = nan: must be finite");
+  EXPECT_EQ(refused({{0, -0.0, 0}, 1}), "PlaneCollisionModel \"floor\": normals[1] = 0: must not be the zero vector");
+  EXPECT_EQ(refused({{0, 1, 0}, -kInfinity}), "PlaneCollisionModel \"floor\": offsets[1][0] = -inf: must be finite");
+  const Eigen::MatrixX3d two = Eigen::MatrixX3d::Ones(2, 3);
+  EXPECT_EQ(refusal([&] { (void)PlaneCollisionModel("floor", two, Eigen::VectorXd::Ones(1)); }),
+            "PlaneCollisionModel \"floor\": number of offsets = 1: must be that of normals, 2");
+  auto model = planes("floor", {{{0, 0, 1}, 0}});
+  EXPECT_EQ(refusal([&] { model.setPlanes(two, Eigen::VectorXd::Ones(2)); }),
+            "PlaneCollisionModel \"floor\": number of normals = 2: must be that of planes, 1");
+  EXPECT_EQ(model.plane(0).normal, Vector3(0, 0, 1));
+}
+
+TEST(PlaneModel, its_bounding_boxes_end_where_a_plane_along_the_axes_does_in_every_rounding_mode) {
+  std::vector<Plane> all{{{0, 0, 3}, 1},
+                         {{0, -3, 0}, 1},
+                         {{kLeast, 0, 0}, kLargest},
+                         {{kLeast, 0, 0}, -kLargest},
+                         {{-kLeast, 0, 0}, kLargest},
+                         {{-kLeast, 0, 0}, -kLargest},
+                         {{0, kLargest, 0}, kLeast},
+                         {{0, -kLargest, 0}, kLeast},
+                         {{0, 0, 7}, 0},
+                         {{1, 1, 0}, 5}};
+  const auto model = planes("p", all);
+  for (const auto& environment : floating_point_environments())
+    for (Index i = 0; i < model.getSize(); ++i) {
+      Box box;
+      in_environment(environment, [&] { box = model.bounding_box(i); });
+      const Plane& plane = all[static_cast<std::size_t>(i)];
+      const bool along_axis = (plane.normal.array() != 0).count() == 1;
+      for (int axis = 0; axis < 3; ++axis) {
+        using oracle::Rational;
+        const double n = plane.normal[axis];
+        const bool bounded = along_axis && n != 0;
+        EXPECT_TRUE((bounded && n < 0) || box.min[axis] == -kInfinity) << i << environment.name;
+        EXPECT_TRUE((bounded && n > 0) || box.max[axis] == kInfinity) << i << environment.name;
+        if (!bounded) continue;
+        const double end = n > 0 ? box.max[axis] : -box.min[axis];  // as if the normal went up
+        const Rational at = Rational(plane.offset) / CGAL::abs(Rational(n));
+        const Rational margin = CGAL::abs(at) * oracle::power_of_two(-48) + oracle::power_of_two(-999);
+        if (end == kInfinity) {
+          EXPECT_GT(at + margin, Rational(kLargest)) << i << environment.name;
+        } else {
+          EXPECT_GE(Rational(end), at) << i << environment.name;
+          EXPECT_TRUE(Rational(end) - at <= margin || end == -kLargest) << i << environment.name;
+        }
       }
     }
 }

@@ -13,6 +13,7 @@
 #include "contact/capsule_model.hpp"
 #include "contact/cube_model.hpp"
 #include "contact/detection_output.hpp"
+#include "contact/plane_model.hpp"
 #include "contact/ray_model.hpp"
 #include "contact/sphere_model.hpp"
 #include "contact/triangle_model.hpp"
@@ -91,6 +92,17 @@ inline RayCollisionModel rays(std::string name, const std::vector<Ray>& all) {
     lengths(i) = ray.length;
   }
   return {std::move(name), std::move(origins), std::move(directions), std::move(lengths)};
+}
+
+inline PlaneCollisionModel planes(std::string name, const std::vector<Plane>& all) {
+  const auto count = static_cast<Index>(all.size());
+  Rows<3> normals(count, 3);
+  Rows<1> offsets(count, 1);
+  for (Index i = 0; i < count; ++i) {
+    normals.set(i, all[static_cast<std::size_t>(i)].normal);
+    offsets(i) = all[static_cast<std::size_t>(i)].offset;
+  }
+  return {std::move(name), std::move(normals), std::move(offsets)};
 }
 
 /// A double as the hexadecimal number that it is: equal texts mean equal bits, -0 and +0 told apart.

@@ -1,4 +1,4 @@
-// Intersectors of capsules, rays and triangles, and of spheres against solid cubes.
+// Intersectors of capsules, rays, triangles and planes, and of spheres against solid cubes.
 #include "contact/shape_intersectors.hpp"
 
 namespace contact {
@@ -17,6 +17,12 @@ MeshDiscreteIntersection::MeshDiscreteIntersection(DiscreteIntersection& object)
 RayDiscreteIntersection::RayDiscreteIntersection(DiscreteIntersection& object) : ShapeIntersector(object) {
   object.intersectors.add<RayCollisionModel, SphereCollisionModel>(*this);
   object.intersectors.add<RayCollisionModel, RigidSphereModel>(*this);
+}
+
+PlaneDiscreteIntersection::PlaneDiscreteIntersection(DiscreteIntersection& object) : ShapeIntersector(object) {
+  object.intersectors.add<SphereCollisionModel, PlaneCollisionModel>(*this);
+  object.intersectors.add<RigidSphereModel, PlaneCollisionModel>(*this);
+  object.intersectors.add<CapsuleCollisionModel, PlaneCollisionModel>(*this);
 }
 
 SolidCubeDiscreteIntersection::SolidCubeDiscreteIntersection(DiscreteIntersection& object) : ShapeIntersector(object) {

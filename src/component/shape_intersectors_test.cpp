@@ -26,6 +26,7 @@ using component::capsules;
 using component::cubes;
 using component::expected_contact;
 using component::expected_swapped;
+using component::planes;
 using component::rays;
 using component::rigid_spheres;
 using component::spheres;
@@ -38,6 +39,7 @@ const IntersectorFactory& with_solid_cubes() {
   factory.registerCreator("Capsule", creator_of<CapsuleDiscreteIntersection>());
   factory.registerCreator("Mesh", creator_of<MeshDiscreteIntersection>());
   factory.registerCreator("Ray", creator_of<RayDiscreteIntersection>());
+  factory.registerCreator("Plane", creator_of<PlaneDiscreteIntersection>());
   factory.registerCreator("SolidCube", creator_of<SolidCubeDiscreteIntersection>());
   return factory;
 }
@@ -51,13 +53,14 @@ struct Place {
   std::vector<Box> boxes;
   std::vector<Triangle> faces;
   std::vector<Ray> beams;
+  std::vector<Plane> floors;
   Distances distances;
 };
 
 /// `reach` is how long capsules are, and how large radii and boxes.
 Place place(std::string name, int count, Distances distances, const std::function<double()>& number,
             const std::function<double()>& reach) {
-  Place made{std::move(name), {}, {}, {}, {}, {}, {}, distances};
+  Place made{std::move(name), {}, {}, {}, {}, {}, {}, {}, distances};
   const auto vector = [](const auto& next) {
     const double x = next();
     const double y = next();
@@ -81,6 +84,11 @@ Place place(std::string name, int count, Distances distances, const std::functio
     Vector3 direction = vector(reach) / 2;
     if (direction.isZero(0)) direction[i % 3] = 1;
     made.beams.push_back({vector(number), direction, i % 6 == 0 ? 0.0 : i % 6 / 2.0});
+    // A floor or a wall, or at a slant; most of what there is lies above it.
+    Vector3 normal = Vector3::Zero();
+    normal[i % 3] = i % 2 == 0 ? 1 : -2;
+    if (i % 4 == 3) normal += Vector3::Constant(0.5);
+    made.floors.push_back({normal, -std::abs(number())});
   }
   return made;
 }
@@ -165,8 +173,12 @@ TEST(ShapeIntersectors, find_what_the_oracle_finds_over_all_pairs_of_every_kind_
       contacts += expect_all(intersection, rigid, at.balls, faces, at.faces, at.distances);
       contacts += expect_all(intersection, beams, at.beams, deformable, at.balls, at.distances);
       contacts += expect_all(intersection, beams, at.beams, rigid, at.balls, at.distances);
+      const auto floors = planes("floors", at.floors);
+      contacts += expect_all(intersection, deformable, at.balls, floors, at.floors, at.distances);
+      contacts += expect_all(intersection, rigid, at.balls, floors, at.floors, at.distances);
+      contacts += expect_all(intersection, bars, at.bars, floors, at.floors, at.distances);
       expect_all(intersection, bars, at.bars, bars, at.bars, at.distances);
-      pairs += 9 * at.balls.size() * at.balls.size();
+      pairs += 12 * at.balls.size() * at.balls.size();
     }
   EXPECT_GT(contacts, pairs / 10);
   EXPECT_LT(contacts, pairs / 2);

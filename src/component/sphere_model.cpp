@@ -76,7 +76,7 @@ SphereCollisionModel::SphereCollisionModel(std::string name, Rows<3> centers, Ro
 }
 
 Box SphereCollisionModel::bounding_box(Index index) const {
-  return box_around({centers_.vector(index), radii_(index)});
+  return box_around(Ball{centers_.vector(index), radii_(index)});
 }
 
 void SphereCollisionModel::setCenters(Rows<3> centers) {
@@ -95,7 +95,9 @@ RigidSphereModel::RigidSphereModel(std::string name, Rows<3> positions, Rows<4> 
   refuse(not_unit(orientations_));
 }
 
-Box RigidSphereModel::bounding_box(Index index) const { return box_around({centers_.vector(index), radii_(index)}); }
+Box RigidSphereModel::bounding_box(Index index) const {
+  return box_around(Ball{centers_.vector(index), radii_(index)});
+}
 
 Frame RigidSphereModel::frame(Index index) const {
   return {centers_.vector(index),

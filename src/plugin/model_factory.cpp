@@ -5,6 +5,7 @@
 
 #include "contact/capsule_model.hpp"
 #include "contact/cube_model.hpp"
+#include "contact/plane_model.hpp"
 #include "contact/ray_model.hpp"
 #include "contact/sphere_model.hpp"
 #include "contact/triangle_model.hpp"
@@ -44,6 +45,10 @@ std::unique_ptr<CollisionModel> make_rays(std::string name, const ModelColumns& 
                                              columns.at("lengths"));
 }
 
+std::unique_ptr<CollisionModel> make_planes(std::string name, const ModelColumns& columns) {
+  return std::make_unique<PlaneCollisionModel>(std::move(name), columns.at("normals"), columns.at("offsets"));
+}
+
 }  // namespace
 
 ModelFactory::ModelFactory()
@@ -54,8 +59,8 @@ ModelFactory::ModelFactory()
               {std::string(CubeCollisionModel::kName), {{"min", 3}, {"max", 3}}, make_cubes},
               {std::string(CapsuleCollisionModel::kName), {{"starts", 3}, {"ends", 3}, {"radii", 1}}, make_capsules},
               {std::string(TriangleCollisionModel::kName), {{"p1", 3}, {"p2", 3}, {"p3", 3}}, make_triangles},
-              {std::string(RayCollisionModel::kName), {{"origins", 3}, {"directions", 3}, {"lengths", 1}}, make_rays}} {
-}
+              {std::string(RayCollisionModel::kName), {{"origins", 3}, {"directions", 3}, {"lengths", 1}}, make_rays},
+              {std::string(PlaneCollisionModel::kName), {{"normals", 3}, {"offsets", 1}}, make_planes}} {}
 
 bool ModelFactory::registerModel(ModelMaker maker) {
   const std::lock_guard lock(mutex_);

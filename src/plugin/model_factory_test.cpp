@@ -37,7 +37,7 @@ ModelMaker maker_of_everything(std::vector<ModelColumn> columns = {}) {
           [](std::string name, const ModelColumns&) { return std::make_unique<Everything>(std::move(name)); }};
 }
 
-TEST(ModelFactory, knows_the_six_built_in_types_and_their_columns) {
+TEST(ModelFactory, knows_the_seven_built_in_types_and_their_columns) {
   std::vector<std::string> known;
   for (const ModelMaker& maker : ModelFactory().makers()) {
     known.push_back(maker.type);
@@ -46,7 +46,8 @@ TEST(ModelFactory, knows_the_six_built_in_types_and_their_columns) {
   EXPECT_EQ(known, (std::vector<std::string>{
                        "SphereCollisionModel centers3 radii1", "RigidSphereModel positions3 orientations4 radii1",
                        "CubeCollisionModel min3 max3", "CapsuleCollisionModel starts3 ends3 radii1",
-                       "TriangleCollisionModel p13 p23 p33", "RayCollisionModel origins3 directions3 lengths1"}));
+                       "TriangleCollisionModel p13 p23 p33", "RayCollisionModel origins3 directions3 lengths1",
+                       "PlaneCollisionModel normals3 offsets1"}));
 }
 
 TEST(ModelFactory, makes_spheres) {
@@ -105,6 +106,14 @@ TEST(ModelFactory, makes_triangles_and_rays) {
   EXPECT_EQ(ray.l(), 5);
 }
 
+TEST(ModelFactory, makes_planes) {
+  const auto planes =
+      ModelFactory().make("PlaneCollisionModel", "p", {{"normals", rows(2, 3, -1)}, {"offsets", rows(2, 1, 5)}});
+  const PlaneElement plane(dynamic_cast<const PlaneCollisionModel&>(*planes), 1);
+  EXPECT_EQ(plane.normal(), Vector3(-1, -1, -1));
+  EXPECT_EQ(plane.offset(), 5);
+}
+
 TEST(ModelFactory, makes_models_without_elements) {
   const auto model = ModelFactory().make("SphereCollisionModel", "s", {{"centers", rows(0, 3)}, {"radii", rows(0, 1)}});
   EXPECT_EQ(model->getSize(), 0);
@@ -113,7 +122,7 @@ TEST(ModelFactory, makes_models_without_elements) {
 TEST(ModelFactory, refuses_a_type_that_it_does_not_know_and_says_which_there_are) {
   EXPECT_EQ(refusal([] { (void)ModelFactory().make("Sphere", "s", {}); }),
             "Sphere \"s\": unknown type of model; there are SphereCollisionModel RigidSphereModel CubeCollisionModel "
-            "CapsuleCollisionModel TriangleCollisionModel RayCollisionModel");
+            "CapsuleCollisionModel TriangleCollisionModel RayCollisionModel PlaneCollisionModel");
 }
 
 TEST(ModelFactory, refuses_a_column_that_is_missing_unknown_too_wide_or_too_long) {
@@ -168,7 +177,7 @@ TEST(ModelFactory, registers_a_type_once) {
   EXPECT_TRUE(factory.registerModel(maker_of_everything()));
   EXPECT_FALSE(factory.registerModel(maker_of_everything({{"mass", 1}})));
   EXPECT_FALSE(factory.registerModel({"SphereCollisionModel", {}, {}}));
-  EXPECT_EQ(factory.makers().size(), 7U);
+  EXPECT_EQ(factory.makers().size(), 8U);
   EXPECT_TRUE(factory.makers().back().columns.empty());
 }
 
@@ -176,7 +185,7 @@ TEST(ModelFactory, has_one_instance_and_others_are_apart_from_it) {
   EXPECT_EQ(&ModelFactory::getInstance(), &ModelFactory::getInstance());
   ModelFactory factory;
   EXPECT_TRUE(factory.registerModel(maker_of_everything()));
-  EXPECT_EQ(ModelFactory::getInstance().makers().size(), 6U);
+  EXPECT_EQ(ModelFactory::getInstance().makers().size(), 7U);
 }
 
 TEST(ModelFactory, refuses_a_maker_that_is_nothing_or_makes_nothing) {

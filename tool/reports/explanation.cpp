@@ -60,11 +60,12 @@ std::string meeting_text(const Query& query, const oracle::DistanceTruth& truth)
     return "  The centres coincide: the normal is (1,0,0) by agreement, and any unit normal is right for another "
            "engine.\n";
   if (truth.coincident()) {
-    const auto [meet, part] = query.pair == Pair::capsule_capsule   ? std::pair("The axes meet", "the axes")
-                              : query.pair == Pair::sphere_capsule  ? std::pair("The centre lies on the axis", "the axis")
-                              : query.pair == Pair::ray_sphere      ? std::pair("The centre lies on the ray", "the ray")
-                              : query.pair == Pair::sphere_triangle ? std::pair("The centre lies on the triangle", "it")
-                                                                    : std::pair("The centre lies on the box", "the box");
+    const auto [meet, part] =
+        query.pair == Pair::capsule_capsule   ? std::pair("The axes meet", "the axes")
+        : query.pair == Pair::sphere_capsule  ? std::pair("The centre lies on the axis", "the axis")
+        : query.pair == Pair::ray_sphere      ? std::pair("The centre lies on the ray", "the ray")
+        : query.pair == Pair::sphere_triangle ? std::pair("The centre lies on the triangle", "it")
+                                              : std::pair("The centre lies on the box", "the box");
     return fmt::format(
         "  {}: the normal is by agreement, and any that points against no part of {} is right for another engine.\n",
         meet, part);
@@ -110,13 +111,20 @@ std::string distance_text(const Query& query, const oracle::Truth& truth, Scalar
       text += fmt::format("  {}         nearest in {}     {}\n", "pq"[shape], "ab"[shape], vector(nearest));
     }
   text += fmt::format("  D         {:<15}  {}\n", of_centers ? "|b - a|^2" : "|q - p|^2", exactly(t.distance2()));
+  const bool over_plane = t.cores().half_space.has_value();
+  if (over_plane)
+    text += fmt::format("  s         signed distance  {}sqrt(D){}\n", t.below() ? "-" : "",
+                        t.below() ? ", since p is below the plane" : "");
   text += fmt::format("  reach     alarm + r1 + r2  {}\n", exactly(t.reach()));
   text += fmt::format("  reach^2                    {}\n", exactly(t.reach() * t.reach()));
-  text += fmt::format("  margin    sqrt(D) - reach  {} ulps of reach ({})\n\n",
+  text += fmt::format("  margin    {:<7} - reach  {} ulps of reach ({})\n\n", over_plane ? "s" : "sqrt(D)",
                       number(oracle::round_to_nearest(t.margin(scalar), Scalar::binary64)), name(scalar));
-  text += fmt::format("  D {} reach^2: {}.  {}\n",
-                      "<=>"[static_cast<std::size_t>(CGAL::compare(t.distance2(), t.reach() * t.reach()) + 1)],
-                      relation(truth.at_alarm, query.distances.alarm), truth.hit() ? "HIT" : "MISS");
+  text += fmt::format(
+      "  {}: {}.  {}\n",
+      t.below() ? "s < 0 <= reach"
+                : fmt::format("D {} reach^2",
+                              "<=>"[static_cast<std::size_t>(CGAL::compare(t.distance2(), t.reach() * t.reach()) + 1)]),
+      relation(truth.at_alarm, query.distances.alarm), truth.hit() ? "HIT" : "MISS");
   text += plain_double_says(query, truth.hit());
   if (!truth.hit()) return text;
 
@@ -124,7 +132,8 @@ std::string distance_text(const Query& query, const oracle::Truth& truth, Scalar
   const auto plain = golden::plain_contact(query, Scalar::binary64);
   if (c.degenerate) text += meeting_text(query, t);
   if (!c.unique)
-    text += "  The axes are parallel, and more than one pair of points is nearest: the reference takes the middle.\n";
+    text += fmt::format("  {}, and more than one pair of points is nearest: the reference takes the middle.\n",
+                        over_plane ? "The axis goes along the plane" : "The axes are parallel");
   text += fmt::format("\n  {:<10}{:<26}{:<36}{}\n", "", fmt::format("rounded to {}", name(scalar)),
                       "the exact real lies", "plain double says");
   const auto row = [&](const std::string& field, const Exact& x, double rounded, std::optional<double> said) {
