@@ -100,8 +100,8 @@ function(contact_test name)
 endfunction()
 
 # The kinds of pairs that have files of their own on every floor; include/contact/pairs.hpp lists what they are.
-set(CONTACT_PAIRS capsule_capsule capsule_plane cube_cube ray_sphere sphere_capsule sphere_cube sphere_plane sphere_sphere
-                  sphere_triangle)
+set(CONTACT_PAIRS capsule_capsule capsule_plane cube_cube ray_sphere ray_triangle sphere_capsule sphere_cube sphere_plane sphere_sphere
+                  sphere_triangle triangle_line)
 
 # contact_pair_files(result pattern..): each pattern once for each kind of pairs, its name for @.
 function(contact_pair_files result)

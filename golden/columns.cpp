@@ -55,6 +55,7 @@ struct Row {
 
   explicit Row(const DatasetHeader& h) : c{{}, zero_query(h.pair), {}, {}, {}, {}} {
     if (h.family == kInvalidFamily) c.rejected = "";
+    if (is_crossing(h.pair)) c.exact.crossing.emplace();
     clear_contact();
   }
   void clear_contact() {
@@ -83,6 +84,7 @@ void for_each_column(const DatasetHeader& h, Row& row, Visit&& visit) {
   visit("expect/point1", c.expect.contact->point1, 0);
   visit("expect/point2", c.expect.contact->point2, 0);
   visit("expect/value", c.expect.contact->value, 0);
+  if (is_crossing(h.pair)) return visit("exact/crossing", *c.exact.crossing, longest_distance2(h.pair, h.scalar));
   visit("exact/distance2", c.exact.distance2, longest_distance2(h.pair, h.scalar));
   if (has_plane(h.pair)) visit("exact/below", c.exact.below, 0);
   visit("exact/reach", c.exact.reach, longest_exact(1, h.scalar));
@@ -322,6 +324,7 @@ class ColumnsWriter : public DatasetWriter {
     Row row(header_);
     row.c = c;
     if (!c.expect.contact) row.clear_contact();
+    if (is_crossing(header_.pair) && !c.exact.crossing) row.c.exact.crossing.emplace();
     row.flags = bits(c);
     for_each_column(header_, row, Encoder(columns_, path_, rows_));
     hash_.add(line).add("\n");
@@ -637,6 +640,9 @@ class ColumnsSource : public CaseSource {
     none("/expect/point2", k.point2.array().isNaN().all());
     none("/expect/value", std::isnan(k.value));
     c.expect.contact.reset();
+    if (!c.exact.crossing) return;
+    none("/exact/crossing", *c.exact.crossing == std::array<std::string, 3>{});
+    c.exact.crossing.reset();
   }
 
   formats::Location whole_;

@@ -33,7 +33,8 @@ inline constexpr std::string_view kColumnsExtension = ".h5";
   return static_cast<std::size_t>((bits + 3) / 4 + 9);
 }
 /// That of D. As a quotient it is at most (w.n)^2 / n.n with n = u x v, each of w, u and v a difference: sums of degree
-/// 6 and 4, with three and two bits more than above; with a plane it is (n.p - o)^2 / n.n, of less.
+/// 6 and 4, with three and two bits more than above; with a plane it is (n.p - o)^2 / n.n, of less, and a coordinate
+/// of a crossing is (n.d a + n.w d) / n.d, of degrees 4 and 3.
 [[nodiscard]] constexpr std::size_t longest_distance2(Pair pair, Scalar scalar) {
   if (!has_quotients(pair)) return longest_exact(2, scalar);
   return longest_exact(6, scalar) + 1 + longest_exact(4, scalar) + 1;

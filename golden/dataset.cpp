@@ -87,6 +87,15 @@ void append_exact(std::string& text, const Case& c) {
     text += R"({"gap":[")" + w.gap[0] + R"(",")" + w.gap[1] + R"(",")" + w.gap[2] + R"("]})";
     return;
   }
+  if (is_crossing(c.query.pair)) {
+    if (w.crossing) {
+      const auto& [x, y, z] = *w.crossing;
+      text += R"({"crossing":[")" + x + R"(",")" + y + R"(",")" + z + R"("]})";
+    } else {
+      text += R"({"crossing":null})";
+    }
+    return;
+  }
   text += R"({"distance2":")" + w.distance2 + (w.below ? R"(","below":true,"reach":")" : R"(","reach":")") + w.reach +
           R"(","margin_ulps":)";
   formats::append_number(text, w.margin_ulps);
@@ -155,11 +164,17 @@ Expectation read_expectation(const formats::Node& node, Pair pair) {
 
 oracle::Witness read_witness(const formats::Node& node, Pair pair) {
   oracle::Witness w;
+  const auto read_three = [&](std::string_view key, std::array<std::string, 3>& to) {
+    const auto numbers = node.at(key).items();
+    if (numbers.size() != 3) node.at(key).refuse("expected three exact numbers");
+    for (std::size_t axis = 0; axis < 3; ++axis) to[axis] = numbers[axis].text();
+  };
   if (!has_numbers(pair)) {
     node.allow_only({"gap"});
-    const auto gaps = node.at("gap").items();
-    if (gaps.size() != 3) node.at("gap").refuse("expected three exact numbers");
-    for (std::size_t axis = 0; axis < 3; ++axis) w.gap[axis] = gaps[axis].text();
+    read_three("gap", w.gap);
+  } else if (is_crossing(pair)) {
+    node.allow_only({"crossing"});
+    if (!node.at("crossing").is_null()) read_three("crossing", w.crossing.emplace());
   } else {
     if (has_plane(pair))
       node.allow_only({"distance2", "below", "reach", "margin_ulps"});
@@ -354,7 +369,10 @@ void CaseSource::check(const Case& c) const {
           where_, "exact." + field,
           fmt::format("expected an exact number such as \"-0x1abdp-12\", got {}", formats::json_string(text)));
   };
-  if (c.query.has_numbers()) {
+  if (is_crossing(c.query.pair)) {
+    for (std::size_t axis = 0; c.exact.crossing && axis < 3; ++axis)
+      exact(fmt::format("crossing[{}]", axis), (*c.exact.crossing)[axis]);
+  } else if (c.query.has_numbers()) {
     exact("distance2", c.exact.distance2);
     exact("reach", c.exact.reach);
   } else {
@@ -533,6 +551,10 @@ void check_case(const Case& c, Scalar scalar, const oracle::Truth& truth, const 
   compare("margin_ulps", formats::number(c.exact.margin_ulps), formats::number(witness.margin_ulps));
   for (std::size_t axis = 0; axis < 3; ++axis)
     compare(fmt::format("gap[{}]", axis), c.exact.gap[axis], witness.gap[axis]);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto coordinate = [axis](const oracle::Witness& w) { return w.crossing ? (*w.crossing)[axis] : "null"; };
+    compare(fmt::format("crossing[{}]", axis), coordinate(c.exact), coordinate(witness));
+  }
 }
 
 }  // namespace contact::golden

@@ -13,6 +13,11 @@ namespace {
 
 using oracle::DistanceTruth;
 using oracle::Exact;
+using oracle::operator+;
+using oracle::operator-;
+using oracle::operator*;
+using oracle::Point;
+using oracle::point_of;
 using oracle::power_of_two;
 using oracle::Rational;
 using oracle::Truth;
@@ -40,9 +45,53 @@ Rational largest_coordinate(const Query& query) {
 Rational smallest_normal(Scalar scalar) { return power_of_two(format_of(scalar).min_exponent); }
 Rational first_beyond(Scalar scalar) { return power_of_two(format_of(scalar).max_exponent + 1); }
 
+/// The largest of the sizes of a crossing pair's shapes, from their first points.
+Rational crossing_size(const Query& query) {
+  Rational size(0);
+  const auto add = [&](const Vector3& from, const Vector3& to) {
+    for (int axis = 0; axis < 3; ++axis)
+      size = std::max(size, Rational(CGAL::abs(Rational(to[axis]) - Rational(from[axis]))));
+  };
+  const auto add_triangle = [&](const Triangle& t) {
+    add(t.vertices[0], t.vertices[1]), add(t.vertices[0], t.vertices[2]);
+  };
+  if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes)) {
+    add_triangle(ray->b);
+    for (int axis = 0; axis < 3; ++axis)
+      size = std::max(size, Rational(CGAL::abs(Rational(ray->a.length) * Rational(ray->a.direction[axis]))));
+  } else {
+    const auto& line = std::get<TriangleAndLine>(query.shapes);
+    add_triangle(line.a);
+    add(line.b.start, line.b.end);
+  }
+  return size;
+}
+
+/// Whether one of the coordinates of a crossing is 0 or 1, exactly.
+bool at_boundary(const Query& query) {
+  const auto is_at = [](const Point& start, const Point& along, const Triangle& triangle) {
+    const Point v0 = point_of(triangle.vertices[0]);
+    const Point u = point_of(triangle.vertices[1]) - v0;
+    const Point v = point_of(triangle.vertices[2]) - v0;
+    const Point n = oracle::cross(u, v);
+    const Point w = start - v0;
+    const Point turned = oracle::cross(w, along);
+    const Rational s = oracle::dot(v, turned);
+    const Rational t = oracle::dot(u, turned);
+    return CGAL::is_zero(oracle::dot(n, w)) || CGAL::is_zero(oracle::dot(n, w + along)) || CGAL::is_zero(s) ||
+           CGAL::is_zero(t) || CGAL::is_zero(oracle::dot(n, along) + s - t);
+  };
+  if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes))
+    return is_at(point_of(ray->a.origin), Rational(ray->a.length) * point_of(ray->a.direction), ray->b);
+  const auto& [triangle, line] = std::get<TriangleAndLine>(query.shapes);
+  return is_at(point_of(line.start), point_of(line.end) - point_of(line.start), triangle);
+}
+
 bool near_boundary(const Query& query, const Truth& truth, Scalar scalar) {
   if (truth.at_alarm == oracle::Side::at) return false;
-  if (truth.has_numbers()) return oracle::is_within(Rational(0), truth.distance()->margin(scalar), Rational(kNearUlps));
+  if (truth.crossing() != nullptr) return false;
+  if (truth.has_distance())
+    return oracle::is_within(Rational(0), truth.distance()->margin(scalar), Rational(kNearUlps));
   const Rational off = largest_gap(truth) - truth.gaps()->alarm();
   return CGAL::abs(off) <=
          Rational(kNearUlps) * oracle::ulp(std::max(largest_coordinate(query), truth.gaps()->alarm()), scalar);
@@ -68,7 +117,7 @@ bool result_overflows(const Truth& truth, Scalar scalar) {
 template <class Predicate>
 bool any_number(const Truth& truth, Scalar scalar, Predicate predicate) {
   if (!truth.has_numbers() || !truth.hit()) return false;
-  const auto all = oracle::numbers(*truth.distance());
+  const auto all = oracle::numbers(*truth.contact());
   return std::any_of(all.begin(), all.end(), [&](const auto& each) {
     return predicate(each.number, oracle::nearest_boundary(each.number, scalar));
   });
@@ -94,6 +143,8 @@ bool is_flat(const Triangle& triangle) {
 bool is_point(const Triangle& /*triangle*/) { return false; }
 bool is_flat(const Plane& /*plane*/) { return false; }
 bool is_point(const Plane& /*plane*/) { return false; }
+bool is_flat(const Line& line) { return line.start == line.end; }
+bool is_point(const Line& /*line*/) { return false; }
 bool is_flat(const Ray& ray) { return ray.length == 0; }
 bool is_point(const Ray& /*ray*/) { return false; }
 
@@ -121,7 +172,7 @@ const std::array kFlags{
     Flag{"ContactEdge", "value within 8 ulps of its scale of zero",
          "the sign of value; cancellation in distance - radii - contact",
          [](const Query& q, const Truth& t, Scalar s) {
-           return t.has_numbers() && t.hit() && (q.distances.contact > 0 || t.at_alarm != oracle::Side::at) &&
+           return t.has_distance() && t.hit() && (q.distances.contact > 0 || t.at_alarm != oracle::Side::at) &&
                   is_near_zero(t.distance()->value(true), t.distance()->value_scale(), s);
          }},
     Flag{"Coincident",
@@ -131,7 +182,7 @@ const std::array kFlags{
     Flag{"NearlyCoincident", "centres apart by less than a 2^20th of the radii, or by subnormal numbers",
          "an absolute epsilon below which the normal becomes a fixed axis; squares that underflow",
          [](const Query&, const Truth& t, Scalar s) {
-           if (!t.has_numbers() || t.degenerate() || t.distance()->cores().half_space) return false;
+           if (!t.has_distance() || t.degenerate() || t.distance()->cores().half_space) return false;
            return t.distance()->distance2() < square(t.distance()->radii() * power_of_two(-20)) ||
                   t.distance()->distance2() < square(smallest_normal(s));
          }},
@@ -140,9 +191,13 @@ const std::array kFlags{
          [](const Query& q, const Truth& t, Scalar) {
            return has_plane(q.pair) && (t.distance()->below() || CGAL::is_zero(t.distance()->distance2()));
          }},
+    Flag{"CrossingEdge", "a segment ends on a triangle, or crosses it in its boundary",
+         "strict bounds, and bounds with a tolerance; an edge that two triangles share and neither has",
+         [](const Query& q, const Truth& t, Scalar) { return t.crossing() != nullptr && t.hit() && at_boundary(q); }},
     Flag{"Containment", "one shape lies inside the other", "depth from the wrong side; boundaries taken for solids",
          [](const Query& q, const Truth& t, Scalar) {
            if (const Boxes* b = q.boxes()) return contained(b->a, b->b) || contained(b->b, b->a);
+           if (t.crossing() != nullptr) return false;
            if (q.balls() == nullptr) return t.degenerate() && !t.coincident();
            return t.distance()->distance2() <= square(Rational(q.balls()->a.radius) - Rational(q.balls()->b.radius));
          }},
@@ -158,7 +213,7 @@ const std::array kFlags{
          }},
     Flag{"ManyNearest", "more than one pair of points is nearest, as of parallel capsules side by side",
          "determinants of 0 or nearly; a contact point that jumps from one end to the other",
-         [](const Query&, const Truth& t, Scalar) { return t.has_numbers() && t.hit() && t.distance()->spread(); }},
+         [](const Query&, const Truth& t, Scalar) { return t.has_distance() && t.hit() && t.distance()->spread(); }},
     Flag{"OneAxis", "the centres differ in one coordinate only", "zeros that are not zero; normals that are not exact",
          [](const Query& q, const Truth&, Scalar) {
            int apart = 0;
@@ -168,7 +223,9 @@ const std::array kFlags{
     Flag{"FarFromOrigin", "coordinates 2^8 times the reach (of a box: its distances) and more",
          "coordinates stored in a smaller format; tolerances that grow with the coordinates",
          [](const Query& q, const Truth& t, Scalar) {
-           if (t.has_numbers())
+           if (t.crossing() != nullptr)
+             return largest_coordinate(q) >= power_of_two(8) * crossing_size(q) && !CGAL::is_zero(crossing_size(q));
+           if (t.has_distance())
              return largest_coordinate(q) >= power_of_two(8) * t.distance()->reach() &&
                     !CGAL::is_zero(t.distance()->reach());
            return largest_coordinate(q) >= power_of_two(8) * (CGAL::abs(largest_gap(t)) + t.gaps()->alarm()) &&
@@ -178,7 +235,7 @@ const std::array kFlags{
     Flag{"SquareOverflow", "a squared length exceeds the scalar's range",
          "infinite or NaN where the answer is finite; hits from inf <= inf",
          [](const Query&, const Truth& t, Scalar s) {
-           return t.has_numbers() &&
+           return t.has_distance() &&
                   std::max(t.distance()->distance2(), square(t.distance()->reach())) >= first_beyond(s);
          }},
     Flag{"SquareUnderflow", "the square of a difference that is not zero falls below the normal range",
@@ -189,7 +246,7 @@ const std::array kFlags{
     Flag{"ReachOverflow", "alarm + r1 + r2, or max + alarm, exceeds the largest finite number",
          "an infinite reach that hits everything",
          [](const Query& q, const Truth& t, Scalar s) {
-           if (t.has_numbers()) return t.distance()->reach() >= first_beyond(s);
+           if (t.has_distance()) return t.distance()->reach() >= first_beyond(s);
            if (q.boxes() == nullptr) return false;
            Rational largest(0);
            for (int axis = 0; axis < 3; ++axis)

@@ -33,6 +33,7 @@ constexpr std::string_view kUnique = "unique";
 constexpr std::string_view kBelow = "below";
 constexpr std::array<std::string_view, 3> kSphereWitnessKeys{"distance2", "reach", "margin_ulps"};
 constexpr std::array<std::string_view, 1> kCubeWitnessKeys{"gap"};
+constexpr std::array<std::string_view, 1> kCrossingKeys{"crossing"};
 constexpr std::array<std::string_view, 8> kCaseKeys{"id", "a", "b", "alarm", "contact", "flags", "expect", "exact"};
 
 template <DescribedShape Shape>
@@ -79,6 +80,12 @@ bool read(Result<value> node, Expectation& expect, Pair pair) {
 bool read(Result<value> node, oracle::Witness& exact, Pair pair) {
   if (!has_numbers(pair))
     return read_object(node, kCubeWitnessKeys, [&](std::size_t, Result<value> x) { return read(x, exact.gap); }) == 1;
+  if (is_crossing(pair))
+    return read_object(node, kCrossingKeys, [&](std::size_t, Result<value> x) {
+             bool is_null = false;
+             if (x.is_null().get(is_null) != simdjson::SUCCESS) return false;
+             return is_null || read(x, exact.crossing.emplace());
+           }) == 1;
   std::size_t keys = 0;
   const auto in_its_place = in_order(kSphereWitnessKeys, keys, [&](std::size_t key, Result<value> x) {
     return key == 2 ? read(x, exact.margin_ulps) : read(x, key == 0 ? exact.distance2 : exact.reach);

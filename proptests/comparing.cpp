@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "formats/json.hpp"
+#include "oracle/diagnosis/nearest_in_reals.hpp"
 #include "oracle/truth/exact_truth.hpp"
 
 namespace contact::proptests {
@@ -18,6 +19,23 @@ bool distance_undecided(const Case& c, const oracle::DistanceTruth& truth, bool 
   const Rational unit = oracle::ulp(oracle::Exact(reach), c.subject.info.declared.scalar);
   const oracle::Exact distance(Rational(0), Rational(1), truth.distance2());
   return oracle::is_within(reach, distance, Rational(4 * c.subject.bound(Field::value)) * unit);
+}
+
+/// An end, or the place where the line goes through the plane, lies so near to the boundary that the roundings of an
+/// engine may tell otherwise: eight times the value's bound, more where the segment or the triangle is slanted or thin.
+bool crossing_undecided(const Case& c, std::size_t i) {
+  double scale = 0;
+  for_each_number(c.queries[i], [&](const std::string&, double x) { scale = std::max(scale, std::abs(x)); });
+  const double ulp =
+      oracle::round_to_nearest(oracle::ulp(Rational(scale), c.subject.info.declared.scalar), Scalar::binary64);
+  const auto is_near = [&](const oracle::CrossingInReals& x) {
+    const oracle::Real slant =
+        std::abs(x.through()) / std::max(x.along.stableNorm(), std::numeric_limits<oracle::Real>::min());
+    return x.slack() * x.sine * slant <= 8 * c.subject.bound(Field::value) * oracle::Real{ulp};
+  };
+  if (const auto* ray = std::get_if<RayAndTriangle>(&c.queries[i].shapes))
+    return is_near(oracle::CrossingInReals(*ray));
+  return is_near(oracle::CrossingInReals(std::get<TriangleAndLine>(c.queries[i].shapes)));
 }
 
 /// On some axis | gap - alarm | within the value's bound, at the largest number that it is computed from.
@@ -73,8 +91,9 @@ bool undecided(const Case& c, std::size_t i) {
   if (c.subject.correctly_rounded) return false;
   const bool alarm_counts = c.subject.info.declared.conventions.margin != Margin::none;
   const oracle::Truth& truth = c.truth(i);
-  return truth.has_numbers() ? distance_undecided(c, *truth.distance(), alarm_counts)
-                             : cubes_undecided(c, *truth.gaps(), alarm_counts, c.queries[i]);
+  if (truth.crossing() != nullptr) return crossing_undecided(c, i);
+  return truth.has_distance() ? distance_undecided(c, *truth.distance(), alarm_counts)
+                              : cubes_undecided(c, *truth.gaps(), alarm_counts, c.queries[i]);
 }
 
 std::optional<std::string> different_decisions(const Case& c, std::size_t i, std::size_t j) {
@@ -99,7 +118,7 @@ std::optional<std::string> different_numbers(const Case& c, std::size_t i, std::
     if (!c.subject.claims(field)) continue;
     const bool is_point = field != Field::normal && field != Field::value;
     // Of many nearest points each question may be answered with another.
-    if (!exactly && is_point && c.truth(i).distance()->spread()) continue;
+    if (!exactly && is_point && c.truth(i).has_distance() && c.truth(i).distance()->spread()) continue;
     const int scaled = field == Field::normal ? 0 : exponent;
     for (const Component& x : components(field, *c.contact(j), wanted, *c.contact(i))) {
       if (x.got == x.wanted || std::isnan(x.got) || std::isnan(x.wanted)) continue;
@@ -126,7 +145,7 @@ std::optional<std::string> different_numbers(const Case& c, std::size_t i, std::
 bool coincident(const Case& c, std::size_t i) { return c.truth(i).degenerate(); }
 
 Rational unit_of(const Case& c, std::size_t i, Field field) {
-  const oracle::DistanceTruth& truth = *c.truth(i).distance();
+  const oracle::DistanceTruth& truth = c.truth(i).has_distance() ? *c.truth(i).distance() : *c.truth(i).contact();
   const Scalar scalar = c.subject.info.declared.scalar;
   if (field == Field::normal) return oracle::ulp(Rational(1), scalar);
   if (field == Field::value) return oracle::ulp(truth.value_scale(), scalar);

@@ -26,7 +26,7 @@ double grid_step(const Query& query, const Range& range) {
 Questions touching_and_beyond(const Trial& trial, const Subject& subject) {
   Query beyond = trial.query;
   const double step = grid_step(trial.query, subject.range);
-  if (beyond.has_numbers()) {
+  if (beyond.has_distance()) {
     std::vector<double*> lengths = radii_of(beyond);
     lengths.push_back(&beyond.distances.alarm);
     const auto last = std::find_if(lengths.rbegin(), lengths.rend(), [](const double* x) { return *x > 0; });

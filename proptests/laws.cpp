@@ -116,7 +116,7 @@ bool are_alike(Pair pair) {
 }
 // A new pair has the laws of `kAll`, and those of `kDistance` and `kAlike` if they concern it.
 constexpr About kAll{"any shapes", [](Pair) { return true; }};
-constexpr About kDistance{"shapes with a distance", [](Pair pair) { return has_numbers(pair); }};
+constexpr About kDistance{"shapes with a distance", has_distance};
 constexpr About kAlike{"two alike", are_alike};
 constexpr About kSpheres{"spheres", is_one_of<Pair::sphere_sphere>};
 constexpr About kCubes{"cubes", is_one_of<Pair::cube_cube>};

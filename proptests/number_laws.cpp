@@ -30,10 +30,12 @@ oracle::Verdict judged(const Case& c, std::size_t i) {
 
 /// Whether question i has a contact with a direction, and the engine gave one.
 bool has_contact(const Case& c, std::size_t i) {
-  return c.contact(i) != nullptr && c.truth(i).has_numbers() && !c.truth(i).coincident();
+  return c.contact(i) != nullptr && c.truth(i).contact() != nullptr && !c.truth(i).coincident();
 }
 /// And no core is inside the other.
-bool has_distance(const Case& c, std::size_t i) { return has_contact(c, i) && !coincident(c, i); }
+bool has_distance(const Case& c, std::size_t i) {
+  return has_contact(c, i) && c.truth(i).has_distance() && !coincident(c, i);
+}
 
 /// A claimed value as a signed distance, without the contact distance.
 Rational signed_distance(const Case& c, std::size_t i, double value) {

@@ -219,7 +219,7 @@ class Runner {
     ++result_.shares.questions;
     add(Class::hit, truth.hit());
     add(Class::exact_edge, truth.at_alarm == oracle::Side::at);
-    add(Class::near_edge, truth.has_numbers() && truth.at_alarm != oracle::Side::at &&
+    add(Class::near_edge, truth.has_distance() && truth.at_alarm != oracle::Side::at &&
                               std::abs(oracle::witness(truth, scalar).margin_ulps) <= 4);
     add(Class::coincident, truth.degenerate());
     add(Class::subnormal, is_subnormal);

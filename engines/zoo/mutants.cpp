@@ -20,6 +20,7 @@ std::span<const Mutant> mutants() {
     append(real_mutants(), Origin::real);
     append(feature_mutants(), Origin::own);
     append(plane_mutants(), Origin::own);
+    append(crossing_mutants(), Origin::own);
     append(own_mutants(), Origin::own);
     append(precision_mutants(), Origin::precision);
     return list;
@@ -43,11 +44,26 @@ Claim answer_of(const Mutant& mutant, const Query& query) {
   return claim;
 }
 
+namespace {
+
+/// The contact of a segment that does not reach its triangle, or passes by it: where the line goes through the plane.
+void cross_anyway(const Query& query, Claim& claim) {
+  const auto cross = [&](const oracle::CrossingInReals& crossing) {
+    const Vector3 at = crossing.at_vector().cast<double>();
+    claim.contact = ContactClaim{crossing.normal_vector().cast<double>().eval(), at, at, std::nullopt, 0.0};
+  };
+  if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes)) cross(oracle::CrossingInReals(*ray));
+  if (const auto* line = std::get_if<TriangleAndLine>(&query.shapes)) cross(oracle::CrossingInReals(*line));
+}
+
+}  // namespace
+
 void decide(const Query& query, Claim& claim, bool hit) {
   claim.overlap = hit;
   if (!query.has_numbers()) return;
   if (!hit) claim.contact.reset();
   if (!hit || claim.contact) return;
+  if (is_crossing(query.pair)) return cross_anyway(query, claim);
   Query surely = query;
   surely.distances.alarm = std::numeric_limits<double>::max();
   claim.contact = production_answer(surely, PointConvention::nearest_surface).contact;

@@ -33,6 +33,15 @@ inline WideBalls at_nearest(const Balls& spheres) {
   return {WideBall{spheres.a.center.cast<Wide>(), spheres.a.radius},
           WideBall{spheres.b.center.cast<Wide>(), spheres.b.radius}};
 }
+/// Of a crossing both are the point where the line goes through the plane.
+inline WideBalls at_nearest(const RayAndTriangle& shapes) {
+  const Wide3 x = oracle::CrossingInReals(shapes).at_vector();
+  return {WideBall{x, 0}, WideBall{x, 0}};
+}
+inline WideBalls at_nearest(const TriangleAndLine& shapes) {
+  const Wide3 x = oracle::CrossingInReals(shapes).at_vector();
+  return {WideBall{x, 0}, WideBall{x, 0}};
+}
 inline WideBalls at_nearest(const BallAndBox& shapes) { return at_nearest(at_clamped(shapes)); }
 template <class A, class B>
 WideBalls at_nearest(const Two<A, B>& shapes) {
@@ -57,7 +66,8 @@ Wide depth_of_cores(const Two<A, Plane>& shapes) {
   return std::max(Wide{0}, -oracle::PlaneInReals(shapes.b).height(oracle::nearest_in_reals(shapes)[0]));
 }
 
-#define CONTACT_SAME_SHAPES(name, A, B, numbers, ...) || (numbers && std::same_as<Kind, Two<A, B>>)
+#define CONTACT_SAME_SHAPES(name, A, B, numbers, ...) \
+  || (Numbers::numbers != Numbers::none && std::same_as<Kind, Two<A, B>>)
 /// Whether contacts of two such shapes have numbers.
 template <class Kind>
 inline constexpr bool kHasNumbers = false CONTACT_PAIRS(CONTACT_SAME_SHAPES);
@@ -151,7 +161,7 @@ void decide(const Query& query, Claim& claim, bool hit);
 /// The same from a comparison in wide arithmetic, about shapes with a distance.
 template <class Compare>
 void decide_spheres(const Query& q, Claim& claim, Compare compare) {
-  if (q.has_numbers()) decide(q, claim, compare(WideSpheres(q)));
+  if (q.has_distance()) decide(q, claim, compare(WideSpheres(q)));
 }
 /// And about boxes.
 struct WideBox {
@@ -168,7 +178,7 @@ void decide_boxes(const Query& q, Claim& claim, Compare compare) {
 /// Another value.
 template <class Value>
 void revalue(const Query& q, Claim& claim, Value value) {
-  if (!claim.contact) return;
+  if (!claim.contact || !q.has_distance()) return;
   const WideSpheres s(q);
   const Wide other = value(s);
   // Nearest points of axes are rounded, in wide arithmetic too: what differs by that alone is no mistake.
@@ -251,6 +261,7 @@ void leave_by(const Query& q, Claim& claim, Choose choose) {
 [[nodiscard]] std::span<const Mutant> real_mutants();
 [[nodiscard]] std::span<const Mutant> feature_mutants();
 [[nodiscard]] std::span<const Mutant> plane_mutants();
+[[nodiscard]] std::span<const Mutant> crossing_mutants();
 [[nodiscard]] std::span<const Mutant> own_mutants();
 [[nodiscard]] std::span<const Mutant> precision_mutants();
 

@@ -13,7 +13,7 @@ using Three = std::array<double, 3>;
 /// Decides spheres in an arithmetic of its own, on numbers scaled by a power of two so that no square leaves the range.
 template <auto hits>
 void rounded_decisions(const Query& q, Claim& claim) {
-  if (!q.has_numbers()) return;
+  if (!q.has_distance()) return;
   const WideSpheres s(q);
   int exponent = 0;
   std::frexp(std::max({std::abs(s.d[0]), std::abs(s.d[1]), std::abs(s.d[2]), s.reach}), &exponent);
@@ -68,7 +68,7 @@ Wide by_bits(Wide D) {
 
 /// The contact of production where the squares of the plain formulas stay in double's range; else what they give.
 void plain_squares(const Query& q, Claim& claim) {
-  if (!q.has_numbers()) return;
+  if (!q.has_distance()) return;
   const Vector3 d = balls(q).b.center - balls(q).a.center;
   const double D = d.squaredNorm();
   const double reach = balls(q).a.radius + balls(q).b.radius + q.distances.alarm;
@@ -102,7 +102,7 @@ void decide_in_float(const Query& q, Claim& claim, Decide hits) {
 #define CONTACT_WIDENED(size) [](Query& q) { q.distances.alarm += size; }
 #define CONTACT_NARROWED(size)                                                            \
   [](const Query& q, Claim& claim) {                                                      \
-    if (q.has_numbers())                                                                  \
+    if (q.has_distance())                                                                 \
       decide_spheres(q, claim, [&](const WideSpheres& s) {                                \
         return claim.overlap.value() && s.distance - s.reach <= -static_cast<Wide>(size); \
       });                                                                                 \
@@ -112,9 +112,9 @@ void decide_in_float(const Query& q, Claim& claim, Decide hits) {
         return claim.overlap.value() && gap - alarm <= -(size);                           \
       });                                                                                 \
   }
-#define CONTACT_GUARDED(size)                                                                                         \
-  [](const Query& q, Claim& claim) {                                                                                  \
-    if (q.has_numbers() && WideSpheres(q).distance <= size) turn(q, claim, [](Vector3& n) { n = Vector3(0, 1, 0); }); \
+#define CONTACT_GUARDED(size)                                                                                          \
+  [](const Query& q, Claim& claim) {                                                                                   \
+    if (q.has_distance() && WideSpheres(q).distance <= size) turn(q, claim, [](Vector3& n) { n = Vector3(0, 1, 0); }); \
   }
 
 const std::array kPrecision{

@@ -30,7 +30,7 @@ bool is_flat(const Box& box) { return (box.min.array() == box.max.array()).any()
 /// Centres closer than `size` get a fixed normal.
 template <class Size>
 void guard(const Query& q, Claim& claim, Size size) {
-  if (q.has_numbers() && WideSpheres(q).distance <= size) turn(q, claim, [](Vector3& n) { n = Vector3(1, 0, 0); });
+  if (q.has_distance() && WideSpheres(q).distance <= size) turn(q, claim, [](Vector3& n) { n = Vector3(1, 0, 0); });
 }
 
 const std::array kReal{
@@ -382,7 +382,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
            "https://github.com/slimdx/slimdx/issues/480"},
     Mutant{"bevy-mixed-strictness", "spheres are tested with < and boxes with <=", "edge-open", nullptr,
            [](const Query& q, Claim& claim) {
-             if (q.has_numbers() && at_edge(q)) decide(q, claim, false);
+             if (q.has_distance() && at_edge(q)) decide(q, claim, false);
            },
            "https://github.com/bevyengine/bevy/pull/11439"},
     Mutant{"joml-touch-flip", "boxes that touch do not count", "edge-open", nullptr,
@@ -726,7 +726,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
            "https://github.com/libigl/libigl/pull/1344"},
     Mutant{"cannon-large-scale", "spheres of a radius from 10000 on pass through each other", "large-missed", nullptr,
            [](const Query& q, Claim& claim) {
-             if (q.has_numbers() && std::max(balls(q).a.radius, balls(q).b.radius) >= 1e4) decide(q, claim, false);
+             if (q.has_distance() && std::max(balls(q).a.radius, balls(q).b.radius) >= 1e4) decide(q, claim, false);
            },
            "https://github.com/schteppe/cannon.js/issues/127"},
     Mutant{"godot-jolt-axis-not-unit", "the difference of the centres is passed on where a unit vector is needed",

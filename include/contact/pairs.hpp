@@ -29,22 +29,30 @@ struct Two {
   X(Ball, Triangle)      \
   X(Ray, Ball)           \
   X(Ball, Plane)         \
-  X(Capsule, Plane)
+  X(Capsule, Plane)      \
+  X(Ray, Triangle)       \
+  X(Triangle, Line)
 
-/// The pairs: X(name, first shape, second shape, its contacts have numbers, the first is rigid, the second is rigid).
+/// What the contacts of a pair have: no numbers, those of a point where one shape crosses the other, or those of a
+/// distance.
+enum class Numbers { none, crossing, distance };
+
+/// The pairs: X(name, first shape, second shape, what its contacts have, the first is rigid, the second is rigid).
 /// Under upstream's convention a rigid sphere reports its nearest surface point, a deformable one its centre.
-#define CONTACT_PAIRS(X)                                     \
-  X(sphere_sphere, Ball, Ball, true, false, false)           \
-  X(rigid_sphere_rigid_sphere, Ball, Ball, true, true, true) \
-  X(sphere_rigid_sphere, Ball, Ball, true, false, true)      \
-  X(cube_cube, Box, Box, false, false, false)                \
-  X(sphere_cube, Ball, Box, true, false, false)              \
-  X(sphere_capsule, Ball, Capsule, true, false, false)       \
-  X(capsule_capsule, Capsule, Capsule, true, false, false)   \
-  X(sphere_triangle, Ball, Triangle, true, false, false)     \
-  X(ray_sphere, Ray, Ball, true, false, false)               \
-  X(sphere_plane, Ball, Plane, true, false, false)           \
-  X(capsule_plane, Capsule, Plane, true, false, false)
+#define CONTACT_PAIRS(X)                                         \
+  X(sphere_sphere, Ball, Ball, distance, false, false)           \
+  X(rigid_sphere_rigid_sphere, Ball, Ball, distance, true, true) \
+  X(sphere_rigid_sphere, Ball, Ball, distance, false, true)      \
+  X(cube_cube, Box, Box, none, false, false)                     \
+  X(sphere_cube, Ball, Box, distance, false, false)              \
+  X(sphere_capsule, Ball, Capsule, distance, false, false)       \
+  X(capsule_capsule, Capsule, Capsule, distance, false, false)   \
+  X(sphere_triangle, Ball, Triangle, distance, false, false)     \
+  X(ray_sphere, Ray, Ball, distance, false, false)               \
+  X(sphere_plane, Ball, Plane, distance, false, false)           \
+  X(capsule_plane, Capsule, Plane, distance, false, false)       \
+  X(ray_triangle, Ray, Triangle, crossing, false, false)         \
+  X(triangle_line, Triangle, Line, crossing, false, false)
 
 #define CONTACT_NAME(name, ...) name,
 enum class Pair { CONTACT_PAIRS(CONTACT_NAME) };
@@ -70,19 +78,21 @@ using BallAndTriangle = Two<Ball, Triangle>;
 using RayAndBall = Two<Ray, Ball>;
 using BallAndPlane = Two<Ball, Plane>;
 using CapsuleAndPlane = Two<Capsule, Plane>;
+using RayAndTriangle = Two<Ray, Triangle>;
+using TriangleAndLine = Two<Triangle, Line>;
 
 struct PairDescription {
   Pair pair;
   std::string_view name;
   Shapes (*zeros)();  ///< its two shapes, every number 0
-  bool has_numbers;
+  Numbers numbers;
   bool first_is_rigid;
   bool second_is_rigid;
 };
 
 #define CONTACT_PAIR(name, A, B, numbers, first_is_rigid, second_is_rigid) \
-  PairDescription{Pair::name, #name,          [] { return Shapes(Two<A, B>{zero_shape<A>(), zero_shape<B>()}); },                      \
-                  numbers,    first_is_rigid, second_is_rigid},
+  PairDescription{Pair::name,       #name,          [] { return Shapes(Two<A, B>{zero_shape<A>(), zero_shape<B>()}); },                \
+                  Numbers::numbers, first_is_rigid, second_is_rigid},
 inline constexpr PairDescription kPairTable[] = {CONTACT_PAIRS(CONTACT_PAIR)};
 #undef CONTACT_PAIR
 
@@ -90,7 +100,11 @@ inline constexpr PairDescription kPairTable[] = {CONTACT_PAIRS(CONTACT_PAIR)};
   return kPairTable[static_cast<std::size_t>(pair)];
 }
 [[nodiscard]] constexpr std::string_view name(Pair pair) { return description(pair).name; }
-[[nodiscard]] constexpr bool has_numbers(Pair pair) { return description(pair).has_numbers; }
+[[nodiscard]] constexpr bool has_numbers(Pair pair) { return description(pair).numbers != Numbers::none; }
+/// Whether the pair has a distance, which the alarm distance is compared with.
+[[nodiscard]] constexpr bool has_distance(Pair pair) { return description(pair).numbers == Numbers::distance; }
+/// Whether one shape crosses the other or does not: no distance counts.
+[[nodiscard]] constexpr bool is_crossing(Pair pair) { return description(pair).numbers == Numbers::crossing; }
 /// Whether SOFA's DiscreteIntersection has the pair; the others join at run time there.
 [[nodiscard]] constexpr bool is_discrete_intersections(Pair pair) { return pair <= Pair::cube_cube; }
 /// Whether more than one pair of points of the cores may be nearest.
@@ -98,7 +112,7 @@ inline constexpr PairDescription kPairTable[] = {CONTACT_PAIRS(CONTACT_PAIR)};
   return pair == Pair::capsule_capsule || pair == Pair::capsule_plane;
 }
 /// Whether the second shape is a half-space, so that distances are signed and D = 0 is no exception.
-[[nodiscard]] constexpr bool has_plane(Pair pair) { return pair >= Pair::sphere_plane; }
+[[nodiscard]] constexpr bool has_plane(Pair pair) { return pair == Pair::sphere_plane || pair == Pair::capsule_plane; }
 /// Whether the nearest points may be quotients of what is given, so that D is no dyadic.
 [[nodiscard]] constexpr bool has_quotients(Pair pair) { return pair >= Pair::sphere_capsule; }
 

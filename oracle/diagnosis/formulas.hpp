@@ -40,6 +40,7 @@ inline Real right_value(F f) { return signed_distance(f) - f.contact; }
 
 /// Whether the shapes are within `alarm` of each other: boxes are if the gap of each axis is.
 inline Said within(F f, Real alarm) {
+  if (is_crossing(f.query.pair)) return Said::hit(f.crosses);
   return f.has_distance() ? Said::at_most(f.distance, f.radii() + alarm) : Said::at_most(f.widest_gap(), alarm);
 }
 inline Said right_decision(F f) { return Said::hit(f.truth->hit()); }
@@ -78,6 +79,7 @@ inline constexpr Numbers kNotFinite{kNaN, kNaN, kNaN};
 [[nodiscard]] std::vector<Cause> wrong_decisions();
 [[nodiscard]] std::vector<Cause> wrong_features();
 [[nodiscard]] std::vector<Cause> wrong_planes();
+[[nodiscard]] std::vector<Cause> wrong_crossings();
 [[nodiscard]] std::vector<Cause> wrong_normals();
 [[nodiscard]] std::vector<Cause> wrong_points();
 [[nodiscard]] std::vector<Cause> wrong_values();

@@ -81,7 +81,8 @@ void Facts::read(const Truth& of_query) {
     max[shape] = formulas::numbers_of(box.max);
   };
   std::visit([&](const auto& shapes) { bound(0, bounds_of(shapes.a)), bound(1, bounds_of(shapes.b)); }, query.shapes);
-  const DistanceTruth* exact = of_query.distance();
+  read_crossing(of_query.hit());
+  const DistanceTruth* exact = of_query.contact() != nullptr ? of_query.contact() : of_query.distance();
   if (exact == nullptr) return;
   const Cores& cores = exact->cores();
   for (const int shape : {0, 1}) {
@@ -113,6 +114,19 @@ void Facts::read(const Truth& of_query) {
     n = unit;
     nearest[1] = real(way.nearest);
   }
+}
+
+void Facts::read_crossing(bool hit) {
+  if (!is_crossing(query.pair)) return;
+  alarm = 0;
+  contact = 0;
+  crosses = hit;
+  const auto take = [&](const CrossingInReals& crossing) {
+    slack = crossing.slack();
+    sine = crossing.sine;
+  };
+  if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes)) take(CrossingInReals(*ray));
+  if (const auto* line = std::get_if<TriangleAndLine>(&query.shapes)) take(CrossingInReals(*line));
 }
 
 void Facts::settle() {
@@ -160,8 +174,9 @@ std::span<const Cause> causes() {
             append(formulas::wrong_about(static_cast<decltype(&shapes)>(nullptr)), kind_of(pair));
           },
           description(pair).zeros());
-    for (const auto table : {formulas::wrong_features, formulas::wrong_planes, formulas::wrong_normals,
-                             formulas::wrong_points, formulas::wrong_values, formulas::wrong_arithmetic})
+    for (const auto table :
+         {formulas::wrong_features, formulas::wrong_planes, formulas::wrong_crossings, formulas::wrong_normals,
+          formulas::wrong_points, formulas::wrong_values, formulas::wrong_arithmetic})
       append(table(), kEveryKind);
     if (made.size() > kMostCauses) throw std::length_error("more causes than kMostCauses");
     return made;
@@ -183,7 +198,7 @@ Predictions predict(const Cause& cause, const Facts& facts) {
     Facts f = facts;
     cause.edit(f);
     said.hit = formulas::within(f, f.alarm);
-    if (!f.has_distance()) return said;
+    if (!f.has_numbers()) return said;
     said.value = formulas::right_value(f);
     if (!f.has_direction()) f.n = facts.n;  // any normal is right
     if (facts.has_direction()) said.normal = f.n;
@@ -191,7 +206,7 @@ Predictions predict(const Cause& cause, const Facts& facts) {
     return said;
   }
   if (cause.hit) said.hit = cause.hit(facts);
-  if (!facts.has_distance()) return said;
+  if (!facts.has_numbers()) return said;
   if (cause.normal) said.normal = cause.normal(facts);
   if (cause.point) said.point = {cause.point(facts, 0), cause.point(facts, 1)};
   if (cause.value) said.value = cause.value(facts);

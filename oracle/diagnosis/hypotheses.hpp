@@ -63,8 +63,13 @@ struct Facts {
   std::array<Numbers, 2> min{};
   std::array<Numbers, 2> max{};
   std::optional<Numbers> said_normal;  ///< first to second
+  // Of a shape that crosses another.
+  bool crosses = false;
+  Real slack = 0;  ///< CrossingInReals::slack
+  Real sine = 1;   ///< CrossingInReals::sine
 
-  [[nodiscard]] bool has_distance() const { return query.has_numbers(); }
+  [[nodiscard]] bool has_distance() const { return query.has_distance(); }
+  [[nodiscard]] bool has_numbers() const { return query.has_numbers(); }
   /// Whether one direction is right, or several that are as good.
   [[nodiscard]] bool has_direction() const { return D > 0 || depth > 0 || inward; }
 
@@ -74,6 +79,7 @@ struct Facts {
 
  private:
   void read(const Truth& of_query);
+  void read_crossing(bool hit);
 };
 
 /// What an engine with a mistake would say about one aspect.

@@ -1,6 +1,8 @@
 // Nearest points in long double, for formulas that only have to come near what an engine said.
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -109,6 +111,65 @@ template <class A, class B>
     for (std::size_t i = 0; i < 3; ++i) q[i] += weights[k] * w[k][i];
   return {c, q};
 }
+
+/// Where the line of a segment goes through the plane of a triangle.
+struct CrossingInReals {
+  using Vector = Eigen::Matrix<Real, 3, 1>;
+
+  std::array<Vector, 3> v;
+  Vector start;
+  Vector along;
+  Vector direction;           ///< of a ray, which length times is `along`; of a line that itself
+  Vector n = Vector::Zero();  ///< of the triangle, of length 1; 0 where it has none
+  Real turn = 1;              ///< -1 where the normal of a contact is -n
+  Real sine = 0;              ///< of the angle at the first vertex
+  Vector at;                  ///< the start where the line goes along the plane
+
+  explicit CrossingInReals(const RayAndTriangle& shapes)
+      : CrossingInReals(shapes.b, shapes.a.origin.cast<Real>(),
+                        Real{shapes.a.length} * shapes.a.direction.cast<Real>()) {
+    turn = -1;
+    direction = shapes.a.direction.cast<Real>();
+  }
+  explicit CrossingInReals(const TriangleAndLine& shapes)
+      : CrossingInReals(shapes.a, shapes.b.start.cast<Real>(),
+                        shapes.b.end.cast<Real>() - shapes.b.start.cast<Real>()) {}
+
+  [[nodiscard]] Real through() const { return n.dot(along); }
+  /// Along the segment, from 0 to 1.
+  [[nodiscard]] Real part() const { return n.dot(v[0] - start) / through(); }
+  /// direction . (v1 - v0) x (v2 - v0), as engines compare it with 0.
+  [[nodiscard]] Real determinant() const { return direction.dot((v[1] - v[0]).cross(v[2] - v[0])); }
+  /// How far inside of edge k a point of the plane lies.
+  [[nodiscard]] Real inside(std::size_t k, const Vector& x) const {
+    const Vector edge = v[(k + 1) % 3] - v[k];
+    return n.dot(edge.cross(x - v[k])) / edge.norm();
+  }
+  /// How far an end of the segment, or the place where its line goes through the plane, is from making it a miss where
+  /// it crosses, or else at least from making it cross.
+  [[nodiscard]] Real slack() const {
+    if (!(sine > 0) || through() == 0) return 0;
+    const Real low = std::min(n.dot(start - v[0]), n.dot(start + along - v[0]));
+    const Real high = std::max(n.dot(start - v[0]), n.dot(start + along - v[0]));
+    const Real least = std::min({-low, high, inside(0, at), inside(1, at), inside(2, at)});
+    return std::abs(least);
+  }
+  [[nodiscard]] const Vector& at_vector() const { return at; }
+  [[nodiscard]] Vector normal_vector() const { return turn * n; }
+
+ private:
+  CrossingInReals(const Triangle& triangle, const Vector& from, const Vector& way)
+      : start(from), along(way), direction(way), at(from) {
+    for (std::size_t k = 0; k < 3; ++k) v[k] = triangle.vertices[k].cast<Real>();
+    const Vector u = v[1] - v[0];
+    const Vector w = v[2] - v[0];
+    const Vector across = u.stableNormalized().cross(w.stableNormalized());
+    sine = across.norm();
+    if (!(sine > 0)) return;
+    n = across / sine;
+    if (through() != 0) at = start + part() * along;
+  }
+};
 
 /// A plane's normal of length 1, and how far from the origin it lies along that.
 struct PlaneInReals {

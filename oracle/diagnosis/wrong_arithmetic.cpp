@@ -17,7 +17,7 @@ bool squares_out_of_range(F f) {
   return lost(std::sqrt(f.D)) || lost(f.radii() + f.alarm) || std::any_of(f.delta.begin(), f.delta.end(), lost);
 }
 bool sums_out_of_range(F f) {
-  return !f.has_distance() && std::any_of(kAxes.begin(), kAxes.end(), [&](std::size_t axis) {
+  return !f.has_numbers() && std::any_of(kAxes.begin(), kAxes.end(), [&](std::size_t axis) {
     return std::max(f.max[0][axis], f.max[1][axis]) + f.alarm >= largest_number(f);
   });
 }
@@ -44,17 +44,22 @@ Cause coincident_within(std::string_view id, std::string_view sentence, Real siz
 
 /// The error of an answer whose numbers are rounded to `bits` bits; 0 stands for the engine's own format. Inputs and
 /// intermediate results are rounded several times: eight roundings are the allowance.
+constexpr Real kRoundings = 8;
+int kept(F f, int bits) { return bits == 0 ? format_of(f.scalar).precision - 1 : bits; }
 Real loss(F f, int bits) {
-  constexpr Real kRoundings = 8;
   Real most = f.radii() + f.alarm + f.contact + std::abs(f.distance);
   for (const auto* vectors : {&f.nearest, &f.min, &f.max})
     for (const Numbers& v : *vectors) most = std::max(most, largest_of(v));
-  return kRoundings * std::ldexp(most, -(bits == 0 ? format_of(f.scalar).precision - 1 : bits));
+  return kRoundings * std::ldexp(most, -kept(f, bits));
 }
 /// The same of a normal. A way out of a box lies along an axis, which rounding does not turn.
-Real turned(F f, int bits) { return f.D > 0 ? loss(f, bits) / std::abs(f.distance) : 0; }
+Real turned(F f, int bits) {
+  if (is_crossing(f.query.pair)) return kRoundings * std::ldexp(1 / f.sine, -kept(f, bits));
+  return f.D > 0 ? loss(f, bits) / std::abs(f.distance) : 0;
+}
 /// How far the pair is from the edge of the decision.
 Real from_edge(F f) {
+  if (is_crossing(f.query.pair)) return f.slack;
   return f.has_distance() ? std::abs(f.distance - (f.radii() + f.alarm)) : std::abs(f.widest_gap() - f.alarm);
 }
 

@@ -261,7 +261,8 @@ bool has_center_and_size(const Capsule& capsule, Scalar scalar) {
   const Box around{capsule.start.cwiseMin(capsule.end), capsule.start.cwiseMax(capsule.end)};
   return (capsule.start.array() != capsule.end.array()).count() <= 1 && has_center_and_size(around, scalar);
 }
-/// Triangles, rays and planes have neither.
+/// Triangles, rays, lines and planes have neither.
+bool has_center_and_size(const Line& /*line*/, Scalar /*scalar*/) { return true; }
 bool has_center_and_size(const Triangle& /*triangle*/, Scalar /*scalar*/) { return true; }
 bool has_center_and_size(const Plane& /*plane*/, Scalar /*scalar*/) { return true; }
 bool has_center_and_size(const Ray& /*ray*/, Scalar /*scalar*/) { return true; }
@@ -379,7 +380,7 @@ Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const 
   verdict.contact_expected = contact_expected;
   if (!contact_expected || !claim.contact || !truth.has_numbers()) return verdict;
 
-  const ContactJudge fields(query, *truth.distance(), *claim.contact, declared,
+  const ContactJudge fields(query, *truth.contact(), *claim.contact, declared,
                             rounded != nullptr && rounded->contact ? &*rounded->contact : nullptr);
   verdict.fields = {fields.normal(), fields.point(0), fields.point(1), fields.midpoint(), fields.value()};
   return verdict;

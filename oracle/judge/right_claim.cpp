@@ -19,9 +19,9 @@ Claim right_claim(const Query& query, const Truth& truth, const Declaration& dec
   Claim claim;
   claim.overlap = expected_hit(query, truth, conventions.touching_overlap, conventions.margin);
   if (!truth.has_numbers()) return claim;
-  const DistanceTruth& pair = *truth.distance();
   claim.speaks_of_contact = true;
   if (!expected_hit(query, truth, conventions.touching_contact, conventions.margin)) return claim;
+  const DistanceTruth& pair = *truth.contact();
   if (pair.coincident() && conventions.coincident == Coincident::no_contact) return claim;
   ContactClaim& contact = claim.contact.emplace();
   const auto vector = [&](auto exact) {

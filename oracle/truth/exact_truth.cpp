@@ -102,6 +102,12 @@ Exact DistanceTruth::point_scale(int shape) const {
   return cores_.half_space ? larger_of(larger, root(cores_.half_space->offset2)) : Exact(larger);
 }
 
+CrossingTruth::CrossingTruth(const Point& at, const Point& normal, const Rational& farthest) : at_(at) {
+  Cores cores{{at, at}, {Rational(0), Rational(0)}, {farthest, farthest}};
+  cores.half_space = HalfSpace{normal, Rational(0)};
+  contact_.emplace(std::move(cores), Distances{0, 0});
+}
+
 const Rational& GapTruth::widest_gap() const { return *std::max_element(gap_.begin(), gap_.end()); }
 Side GapTruth::at_alarm() const { return side_of(widest_gap() - alarm_); }
 Side GapTruth::at_zero() const { return side_of(widest_gap()); }

@@ -41,7 +41,8 @@ struct Meeting {
   std::vector<Point> apart;
 };
 
-/// A second core that is a half-space: its boundary tells above from below, also where nothing is between.
+/// A second core that is a half-space, or one that is crossed: its boundary tells above from below, also where nothing
+/// is between.
 struct HalfSpace {
   Point inward;      ///< of any length: against the plane's normal
   Rational offset2;  ///< the square of the plane's distance from the origin
@@ -137,9 +138,29 @@ class GapTruth {
   Rational alarm_;
 };
 
-/// One of the two, by whether the pair has numbers.
+/// What is exactly true of a shape that crosses another, or does not.
+class CrossingTruth {
+ public:
+  CrossingTruth() = default;
+  /// They cross at a point. The contact there is one of two cores that have it in common and touch along `normal`.
+  CrossingTruth(const Point& at, const Point& normal, const Rational& farthest);
+
+  /// Where they cross.
+  [[nodiscard]] const std::optional<Point>& at() const { return at_; }
+  /// The numbers of that contact. Domain: they cross.
+  [[nodiscard]] const DistanceTruth& contact() const { return *contact_; }
+  /// No distance makes a crossing or prevents it.
+  [[nodiscard]] Side at_alarm() const { return at_ ? Side::within : Side::beyond; }
+  [[nodiscard]] Side at_zero() const { return at_alarm(); }
+
+ private:
+  std::optional<Point> at_;
+  std::optional<DistanceTruth> contact_;
+};
+
+/// One of them, by what the contacts of the pair have.
 struct ExactTruth {
-  std::variant<DistanceTruth, GapTruth> numbers;
+  std::variant<DistanceTruth, GapTruth, CrossingTruth> numbers;
 };
 
 /// How two cores meet: not at all, in their boundaries, or with one inside the other.

@@ -113,6 +113,11 @@ IntervalSegment point_segment(const Vector3& c, mpfr_prec_t precision) {
   return {triple(precision, c), triple(precision, Vector3::Zero())};
 }
 
+IntervalSegment segment_along(const Ray& ray, mpfr_prec_t precision) {
+  const Interval length(precision, ray.length);
+  const Triple direction = triple(precision, ray.direction);
+  return {triple(precision, ray.origin), {length * direction[0], length * direction[1], length * direction[2]}};
+}
 IntervalSegment segment_between(const Vector3& start, const Vector3& end, mpfr_prec_t precision) {
   const Triple from = triple(precision, start);
   return {from, difference(triple(precision, end), from)};

@@ -12,6 +12,7 @@ struct IntervalSegment {
 };
 [[nodiscard]] IntervalSegment point_segment(const Vector3& c, mpfr_prec_t precision);
 [[nodiscard]] IntervalSegment segment_between(const Vector3& start, const Vector3& end, mpfr_prec_t precision);
+[[nodiscard]] IntervalSegment segment_along(const Ray& ray, mpfr_prec_t precision);
 
 /// The answer for two segments blown up by radii.
 [[nodiscard]] RoundedAnswer answer_of_segments(const IntervalSegment& first, const IntervalSegment& second,

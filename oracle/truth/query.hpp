@@ -73,6 +73,7 @@ struct Query {
   [[nodiscard]] const Balls* balls() const { return std::get_if<Balls>(&shapes); }
   [[nodiscard]] const Boxes* boxes() const { return std::get_if<Boxes>(&shapes); }
   [[nodiscard]] bool has_numbers() const { return contact::has_numbers(pair); }
+  [[nodiscard]] bool has_distance() const { return contact::has_distance(pair); }
   [[nodiscard]] bool first_is_rigid() const { return description(pair).first_is_rigid; }
   [[nodiscard]] bool second_is_rigid() const { return description(pair).second_is_rigid; }
 };

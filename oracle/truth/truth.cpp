@@ -1,6 +1,7 @@
 // The exact answer to a question, and its correct rounding.
 #include "oracle/truth/truth.hpp"
 
+#include "oracle/truth/crossings.hpp"
 #include "oracle/truth/default_environment.hpp"
 #include "oracle/truth/exact_truth.hpp"
 
@@ -37,16 +38,25 @@ bool Truth::degenerate() const { return meet(query_) != Meet::no; }
 bool Truth::coincident() const { return meet(query_) == Meet::touching; }
 
 const DistanceTruth* Truth::distance() const {
-  return has_numbers() ? std::get_if<DistanceTruth>(&made(query_, exact_).numbers) : nullptr;
+  return has_distance() ? std::get_if<DistanceTruth>(&made(query_, exact_).numbers) : nullptr;
 }
 const GapTruth* Truth::gaps() const {
   return has_numbers() ? nullptr : std::get_if<GapTruth>(&made(query_, exact_).numbers);
 }
 
+const CrossingTruth* Truth::crossing() const {
+  return is_crossing(query_.pair) ? std::get_if<CrossingTruth>(&made(query_, exact_).numbers) : nullptr;
+}
+const DistanceTruth* Truth::contact() const {
+  if (!hit()) return nullptr;
+  const CrossingTruth* crossed = crossing();
+  return crossed == nullptr ? distance() : &crossed->contact();
+}
+
 Expectation expectation(const Truth& truth, Scalar scalar) {
   Expectation expected{truth.hit(), std::nullopt};
   if (!truth.hit() || !truth.has_numbers()) return expected;
-  const DistanceTruth& exact = *truth.distance();
+  const DistanceTruth& exact = *truth.contact();
   Contact contact{};
   contact.degenerate = exact.degenerate();
   contact.unique = !exact.spread();
@@ -75,7 +85,7 @@ std::vector<FieldNumber> numbers(const DistanceTruth& truth) {
 std::vector<FieldDistance> rounding_distances(const Truth& truth, Scalar scalar) {
   std::vector<FieldDistance> least;
   if (!truth.hit() || !truth.has_numbers()) return least;
-  for (const auto& [field, number] : numbers(*truth.distance())) {
+  for (const auto& [field, number] : numbers(*truth.contact())) {
     const Boundary boundary = nearest_boundary(number, scalar);
     const Rational ulps = distance_in_ulps(number, boundary);
     if (CGAL::is_zero(ulps)) continue;  // a tie
@@ -94,6 +104,8 @@ Witness witness(const Truth& truth, Scalar scalar) {
     w.reach = exact_string(distance->reach());
     w.margin_ulps = margin_ulps(truth, scalar);
     w.below = distance->below();
+  } else if (const CrossingTruth* crossing = truth.crossing()) {
+    return witness_of(*crossing);
   } else {
     for (std::size_t axis = 0; axis < 3; ++axis) w.gap[axis] = exact_string(truth.gaps()->gap()[axis]);
   }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@ namespace contact::oracle {
 
 class DistanceTruth;
 class GapTruth;
+class CrossingTruth;
 struct ExactTruth;
 
 /// Where a pair lies against a limit of its distance.
@@ -36,15 +38,20 @@ class Truth {
   [[nodiscard]] bool hit() const { return at_alarm != Side::beyond; }
   /// Whether a contact of this pair has numbers.
   [[nodiscard]] bool has_numbers() const { return query_.has_numbers(); }
+  /// Whether the pair has a distance.
+  [[nodiscard]] bool has_distance() const { return query_.has_distance(); }
   /// The cores of the two shapes meet: two spheres have one centre, or a sphere's centre is in a box. False without
   /// numbers.
   [[nodiscard]] bool degenerate() const;
   /// They meet, and neither is inside the other: the normal is by agreement.
   [[nodiscard]] bool coincident() const;
 
-  /// The exact numbers of a pair that has numbers, and of one that has none; nullptr for the other.
+  /// The exact numbers of a pair with a distance, of one without numbers, and of a crossing; nullptr for the others.
   [[nodiscard]] const DistanceTruth* distance() const;
   [[nodiscard]] const GapTruth* gaps() const;
+  [[nodiscard]] const CrossingTruth* crossing() const;
+  /// Those of the contact; nullptr where there is none, or it has no numbers.
+  [[nodiscard]] const DistanceTruth* contact() const;
 
  private:
   Query query_;
@@ -59,16 +66,17 @@ class Truth {
 /// The correctly rounded answer.
 [[nodiscard]] Expectation expectation(const Truth& truth, Scalar scalar);
 
-/// (signed distance - reach) / ulp(reach) rounded to binary64. Domain: a pair with numbers.
+/// (signed distance - reach) / ulp(reach) rounded to binary64. Domain: a pair with a distance.
 [[nodiscard]] double margin_ulps(const Truth& truth, Scalar scalar);
 
 /// The exact numbers that a golden file records beside an expectation.
 struct Witness {
-  std::string distance2;  ///< of a pair with numbers
+  std::string distance2;  ///< of a pair with a distance
   std::string reach;
   double margin_ulps = 0;
-  std::array<std::string, 3> gap;  ///< of a pair without numbers
-  bool below = false;              ///< the distance is signed, and negative
+  std::array<std::string, 3> gap;                           ///< of a pair without numbers
+  bool below = false;                                       ///< the distance is signed, and negative
+  std::optional<std::array<std::string, 3>> crossing = {};  ///< where one shape crosses the other
 
   friend bool operator==(const Witness&, const Witness&) = default;
 };

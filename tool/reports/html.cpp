@@ -260,7 +260,7 @@ std::string numbers_table(const WorstCase& w, const oracle::Declaration& declare
 std::string worst_case(const WorstCase& w, std::size_t index, const oracle::Declaration& declared) {
   std::string html = fmt::format("<article data-case={}><h4>{}</h4>\n<p>{}, numbers in {}", index, for_html(w.what()),
                                  name(w.query.pair), name(w.scalar));
-  if (w.query.has_numbers() && inside_domain(w.query)) {
+  if (w.query.has_distance() && inside_domain(w.query)) {
     html += fmt::format(": √D − reach is {} ulps of reach ({})",
                         formats::number(oracle::margin_ulps(oracle::truth_of(w.query), declared.scalar)),
                         name(declared.scalar));

@@ -113,7 +113,7 @@ struct Agreed {
 };
 
 std::optional<MarginBin> margin_of(const oracle::StagedAnswer& staged, Scalar scalar) {
-  if (!staged.truth.has_numbers()) return std::nullopt;
+  if (!staged.truth.has_distance()) return std::nullopt;
   const int side = static_cast<int>(staged.truth.at_alarm);
   if (side == 0) return MarginBin{};
   const double ulps = staged.margin_ulps ? *staged.margin_ulps : oracle::margin_ulps(staged.truth, scalar);
@@ -122,7 +122,7 @@ std::optional<MarginBin> margin_of(const oracle::StagedAnswer& staged, Scalar sc
 
 /// A dataset's case against the stages; what they do not confirm is for the exact oracle to word.
 void check_expectation(const Item& item, const oracle::StagedAnswer& staged, Scalar scalar) {
-  if (staged.margin_ulps || !item.question.query.has_numbers()) {
+  if (staged.margin_ulps || !item.question.query.has_distance()) {
     oracle::Witness witness = oracle::quick_witness(item.question.query);
     witness.margin_ulps = staged.margin_ulps.value_or(0);
     if (golden::says(*item.expected, staged.expected, witness)) return;

@@ -1,0 +1,36 @@
+// Ray against triangle: where the one crosses the other.
+#pragma once
+
+#include <optional>
+
+#include "contact/contact.hpp"
+#include "contact/geometry.hpp"
+
+namespace contact {
+
+/// Whether a ray crosses a triangle: X = a.origin + t a.direction with 0 <= t <= a.length lies in it.
+///   N = (v1 - v0) x (v2 - v0)     crossing where N . a.direction is not 0, the ends and the boundary included
+/// Units       any one length unit; a.length counts directions.
+/// Domain      finite; the direction not zero, and of any length; a.length >= 0. Triangles without an inside and rays
+/// of
+///             length 0 are included, subnormals and the largest finite numbers too.
+/// Decision    exact. A ray along the plane of the triangle does not cross it, nor does one of length 0; a triangle
+///             without an inside is not crossed. Alarm and contact distances have no say.
+/// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
+/// Source      docs/specification.md#crossings.
+/// Evidence    src/kernel/crossing_test.cpp; proptests/ray_triangle_properties.cpp.
+[[nodiscard]] bool test_ray_triangle(const Ray& a, const Triangle& b);
+
+/// The contact of a ray and a triangle that it crosses, or std::nullopt.
+///   normal = -N / |N|     point1 = point2 = X     value = 0
+/// Units       as test_ray_triangle; the normal is a unit vector.
+/// Domain      as test_ray_triangle.
+/// Decision    as test_ray_triangle.
+/// Error       every number is the exact real rounded once to nearest, ties to even (0.5 ulp). Every zero is +0.
+/// Normal      by the order of the vertices, from whichever side the ray comes.
+/// Environment as test_ray_triangle.
+/// Source      docs/specification.md#crossings.
+/// Evidence    src/kernel/crossing_test.cpp; proptests/ray_triangle_properties.cpp; golden/ray_triangle.
+[[nodiscard]] std::optional<Contact> compute_ray_triangle(const Ray& a, const Triangle& b);
+
+}  // namespace contact

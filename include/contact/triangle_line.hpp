@@ -1,0 +1,37 @@
+// Triangle against line: where a segment crosses a triangle.
+#pragma once
+
+#include <optional>
+
+#include "contact/contact.hpp"
+#include "contact/geometry.hpp"
+
+namespace contact {
+
+/// Whether a segment, which SOFA calls a line, crosses a triangle: X = b.start + t (b.end - b.start) with 0 <= t <= 1
+/// lies in it.
+///   N = (v1 - v0) x (v2 - v0)     crossing where N . (b.end - b.start) is not 0, the ends and the boundary included
+/// Units       any one length unit.
+/// Domain      finite. Triangles without an inside and lines of length 0 are included, subnormals and the largest
+/// finite
+///             numbers too.
+/// Decision    exact. A line along the plane of the triangle does not cross it, nor does one of length 0; a triangle
+///             without an inside is not crossed. Alarm and contact distances have no say.
+/// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
+/// Source      docs/specification.md#crossings.
+/// Evidence    src/kernel/crossing_test.cpp; proptests/triangle_line_properties.cpp.
+[[nodiscard]] bool test_triangle_line(const Triangle& a, const Line& b);
+
+/// The contact of a triangle and a segment that crosses it, or std::nullopt.
+///   normal = N / |N|     point1 = point2 = X     value = 0
+/// Units       as test_triangle_line; the normal is a unit vector.
+/// Domain      as test_triangle_line.
+/// Decision    as test_triangle_line.
+/// Error       every number is the exact real rounded once to nearest, ties to even (0.5 ulp). Every zero is +0.
+/// Normal      by the order of the vertices, from whichever side the line comes.
+/// Environment as test_triangle_line.
+/// Source      docs/specification.md#crossings.
+/// Evidence    src/kernel/crossing_test.cpp; proptests/triangle_line_properties.cpp; golden/triangle_line.
+[[nodiscard]] std::optional<Contact> compute_triangle_line(const Triangle& a, const Line& b);
+
+}  // namespace contact

@@ -1,0 +1,13 @@
+// A segment that crosses a triangle, or does not: what such pairs share of the exact truth.
+#pragma once
+
+#include "oracle/truth/segments.hpp"
+
+namespace contact::oracle {
+
+/// `inward` is 1 where the triangle is the first shape, -1 where it is the second.
+[[nodiscard]] ExactTruth truth_of_crossing(const Segment& segment, const Triangle& triangle, int inward);
+
+[[nodiscard]] Witness witness_of(const CrossingTruth& crossing);
+
+}  // namespace contact::oracle

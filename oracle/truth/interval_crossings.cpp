@@ -1,0 +1,54 @@
+// A segment that crosses a triangle, in intervals, by the Plücker coordinates of lines: d and m = a x d of the
+// segment's.
+//   side of an edge from v along e     d.(v x e) + m.e     the same sign for all three edges where the line crosses
+//   the plane N.x = o is met           at (N x m + o d) / N.d
+//   the ends                           on either side of the plane, or on it
+#include "oracle/truth/interval_crossings.hpp"
+
+#include <cstddef>
+
+namespace contact::oracle {
+namespace {
+
+int sign_of(const Interval& x) { return settled(x.sign()); }
+
+}  // namespace
+
+RoundedAnswer answer_of_crossing(const IntervalSegment& segment, const Triangle& triangle, int sign, Scalar scalar,
+                                 mpfr_prec_t precision) {
+  const RoundedAnswer miss{1, 1, {}};
+  const auto vertex = [&](std::size_t k) { return triple(precision, triangle.vertices[k % 3]); };
+  const Triple n = cross(difference(vertex(1), vertex(0)), difference(vertex(2), vertex(0)));
+  const Interval through = dot(n, segment.along);
+  if (sign_of(through) == 0) return miss;
+
+  const Triple moment = cross(segment.from, segment.along);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Triple edge = difference(vertex(k + 1), vertex(k));
+    const Interval side = dot(segment.along, cross(vertex(k), edge)) + dot(moment, edge);
+    if (sign_of(side) * sign_of(through) < 0) return miss;
+  }
+  const Interval offset = dot(n, vertex(0));
+  const Interval start = dot(n, segment.from) - offset;
+  const Interval end = start + through;
+  if (sign_of(start) * sign_of(end) > 0) return miss;
+
+  RoundedAnswer answer{-1, -1, {true, std::nullopt}};
+  Contact contact{};
+  contact.degenerate = false;
+  contact.unique = true;
+  const Triple turned = cross(n, moment);
+  const Interval length = dot(n, n).root();
+  const Interval direction(precision, sign);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    contact.normal[axis] = settled((direction * n[i] / length).rounded(scalar));
+    contact.point1[axis] = settled(((turned[i] + offset * segment.along[i]) / through).rounded(scalar));
+  }
+  contact.point2 = contact.point1;
+  contact.value = 0;
+  answer.expected.contact = contact;
+  return answer;
+}
+
+}  // namespace contact::oracle

@@ -1,0 +1,27 @@
+// Triangle against line: three points that a segment crosses.
+#include "contact/triangle_line.hpp"
+
+#include "contact/pair_functions.hpp"
+#include "kernel/crossings.hpp"
+
+namespace contact {
+namespace {
+
+kernel::Segment segment_of(const Line& line) { return {line.start, line.end}; }
+
+}  // namespace
+
+bool test_triangle_line(const Triangle& a, const Line& b) {
+  return kernel::decide(kernel::Corners{a.vertices}, segment_of(b), {0, 0, 0, 0});
+}
+
+std::optional<Contact> compute_triangle_line(const Triangle& a, const Line& b) {
+  return kernel::contact_between(kernel::Corners{a.vertices}, segment_of(b), {0, 0, 0, 0}, {});
+}
+
+bool is_hit(const TriangleAndLine& shapes, Distances /*distances*/) { return test_triangle_line(shapes.a, shapes.b); }
+std::optional<Contact> contact_of(const TriangleAndLine& shapes, Distances /*distances*/, ContactPoints /*points*/) {
+  return compute_triangle_line(shapes.a, shapes.b);
+}
+
+}  // namespace contact
