@@ -15,10 +15,13 @@ BALLS = [f"{s}.{x}" for s in "ab" for x in ("center[0]", "center[1]", "center[2]
 BOXES = [f"{s}.{x}[{i}]" for s in "ab" for x in ("min", "max") for i in range(3)] + ["alarm", "contact"]
 CAPSULES = [f"{s}.{x}" for s in "ab" for x in (*(f"{end}[{i}]" for end in ("start", "end") for i in range(3)), "radius")] + BALLS[-2:]
 PLANE = [*(f"b.normal[{i}]" for i in range(3)), "b.offset"] + BALLS[-2:]
+TRIANGLE = [f"b.vertices[{k}][{i}]" for k in range(3) for i in range(3)]
+RAY = [f"a.{x}[{i}]" for x in ("origin", "direction") for i in range(3)] + ["a.length"]
 INPUTS = {"sphere_sphere": BALLS, "rigid_sphere_rigid_sphere": BALLS, "sphere_rigid_sphere": BALLS, "cube_cube": BOXES,
           "sphere_cube": BALLS[:4] + BOXES[6:], "sphere_capsule": BALLS[:4] + CAPSULES[7:], "capsule_capsule": CAPSULES,
-          "sphere_triangle": BALLS[:4] + [f"b.vertices[{k}][{i}]" for k in range(3) for i in range(3)] + BALLS[-2:],
-          "ray_sphere": [f"a.{x}[{i}]" for x in ("origin", "direction") for i in range(3)] + ["a.length"] + BALLS[4:],
+          "sphere_triangle": BALLS[:4] + TRIANGLE + BALLS[-2:], "ray_sphere": RAY + BALLS[4:],
+          "ray_triangle": RAY + TRIANGLE + BALLS[-2:],
+          "triangle_line": [x.replace("b", "a", 1) for x in TRIANGLE] + CAPSULES[7:13] + BALLS[-2:],
           "sphere_plane": BALLS[:4] + PLANE, "capsule_plane": CAPSULES[:7] + PLANE}
 Written = type("Written", (str,), {})  # a number as it is spelt in the file
 
@@ -156,6 +159,21 @@ def over_plane(a1, a2, r, *plane, alarm, contact, scalar):
                  alarm, contact, scalar)
 
 
+def crossing(start, way, corners, sign, scalar):
+    """The point of the segment that the plane of the triangle has too lies on the inner side of every edge, or on it."""
+    n = cross(*(at(corner, corners[0], -1) for corner in corners[1:]))
+    if through := dot(n, way):
+        x = at(start, way, part := dot(n, at(corners[0], start, -1)) / through)
+        sides = [dot(n, cross(at(b, a, -1), at(x, a, -1))) for a, b in zip(corners, corners[1:] + corners[:1])]
+        if 0 <= part <= 1 and min(sides) >= 0:
+            names = [f"expect.{name}[{i}]" for name in ("normal", "point1", "point2") for i in range(3)]
+            point = [rounded(k, 0, 0, scalar) for k in x]
+            numbers = [rounded(0, sign * k / dot(n, n), dot(n, n), scalar) for k in n] + point + point
+            return {"expect.hit": True, "expect.degenerate": False, **dict(zip(names, numbers)), "expect.value": 0.0,
+                    **{f"exact.crossing[{i}]": exactly(k) for i, k in enumerate(x)}}
+    return {"expect.hit": False, "exact.crossing": None}
+
+
 def sphere_cube(c, r, low, high, alarm, contact, scalar):
     """Outside: the sphere and the nearest point of the box, on each axis the middle one of three numbers."""
     q = [sorted(three)[1] for three in zip(c, low, high)]
@@ -195,6 +213,10 @@ def right_case(found, pair, scalar):
         return case | triangle(x[0:3], x[3], x[4:7], x[7:10], x[10:13], x[13], x[14], scalar)
     if pair == "ray_sphere":
         return case | capsules(x[0:3], at(x[0:3], x[3:6], x[6]), Fraction(0), x[7:10], x[7:10], x[10], x[11], x[12], scalar)
+    if pair == "ray_triangle":
+        return case | crossing(x[0:3], [x[6] * d for d in x[3:6]], [x[7:10], x[10:13], x[13:16]], -1, scalar)
+    if pair == "triangle_line":
+        return case | crossing(x[9:12], at(x[12:15], x[9:12], -1), [x[0:3], x[3:6], x[6:9]], 1, scalar)
     if pair == "sphere_plane":
         return case | over_plane(x[0:3], x[0:3], *x[3:8], alarm=x[8], contact=x[9], scalar=scalar)
     if pair == "capsule_plane":

@@ -46,18 +46,19 @@ Query laid_over(const Range& range, Query query, LyingOverPlane lying, int axis,
   b.offset = range.moved(b.offset, ulps);
   return query;
 }
-rc::Gen<Query> laid_over_plane(const Range& range, rc::Gen<double> number) {
+rc::Gen<Query> laid_over_plane(const Range& range, rc::Gen<double> number, bool is_a_sphere) {
   return rc::gen::map(
       rc::gen::tuple(plane_from(std::move(number)), integer(0, 3), integer(0, 5), integer(-4, 8), integer(-1, 1)),
-      [range](const std::tuple<Query, int, int, int, int>& parts) {
+      [range, is_a_sphere](const std::tuple<Query, int, int, int, int>& parts) {
         const auto& [query, how, axis, height, ulps] = parts;
-        return laid_over(range, query, static_cast<LyingOverPlane>(how), axis, height, ulps);
+        const auto lying = is_a_sphere ? LyingOverPlane::without_length : static_cast<LyingOverPlane>(how);
+        return laid_over(range, query, lying, axis, height, ulps);
       });
 }
 
 /// The radius is the height as double computes it, up to 2 ulps off.
 rc::Gen<Query> nearly_touching_plane(const Range& range, rc::Gen<double> number, bool is_a_sphere) {
-  return rc::gen::map(rc::gen::pair(laid_over_plane(range, std::move(number)), integer(-2, 2)),
+  return rc::gen::map(rc::gen::pair(laid_over_plane(range, std::move(number), is_a_sphere), integer(-2, 2)),
                       [range, is_a_sphere](const std::pair<Query, int>& parts) {
                         Query query = parts.first;
                         auto& [a, b] = std::get<CapsuleAndPlane>(query.shapes);
@@ -112,9 +113,9 @@ rc::Gen<Query> plane_queries(const Range& range, bool is_a_sphere) {
                                                   {1, plane_from(huge(range))},
                                                   {1, plane_from(ordinary(range))},
                                                   {2, plane_from(small_dyadic(range))},
-                                                  {2, laid_over_plane(range, any_number(range))},
-                                                  {2, laid_over_plane(range, ordinary(range))},
-                                                  {4, laid_over_plane(range, small_dyadic(range))},
+                                                  {2, laid_over_plane(range, any_number(range), is_a_sphere)},
+                                                  {2, laid_over_plane(range, ordinary(range), is_a_sphere)},
+                                                  {4, laid_over_plane(range, small_dyadic(range), is_a_sphere)},
                                                   {1, near(any_bits(range))},
                                                   {1, near(subnormal(range))},
                                                   {3, exactly_touching_plane(range)},

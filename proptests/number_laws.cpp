@@ -21,7 +21,11 @@ Rational dot(const Vector& x, const Vector& y) { return x[0] * y[0] + x[1] * y[1
 Vector minus(const Vector& x, const Vector& y) { return {x[0] - y[0], x[1] - y[1], x[2] - y[2]}; }
 /// The nearest points of the cores of question i, and its radii.
 const oracle::Cores& cores(const Case& c, std::size_t i) { return c.truth(i).distance()->cores(); }
-Vector delta(const Case& c) { return minus(cores(c, 0).nearest[1], cores(c, 0).nearest[0]); }
+/// From the first shape to the second: into a half-space, also from below its plane.
+Vector delta(const Case& c) {
+  if (const auto& plane = cores(c, 0).half_space) return plane->inward;
+  return minus(cores(c, 0).nearest[1], cores(c, 0).nearest[0]);
+}
 Vector3 rounded(const Vector& v) { return {CGAL::to_double(v[0]), CGAL::to_double(v[1]), CGAL::to_double(v[2])}; }
 
 oracle::Verdict judged(const Case& c, std::size_t i) {

@@ -1,4 +1,5 @@
 // What swapping, turning, moving and scaling must do to an answer.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -104,12 +105,45 @@ Questions turned(const Trial& trial, const Subject&) {
   return {trial.query, other};
 }
 
+namespace {
+
+bool is_reflection(const Change& change) {
+  const auto image = [&](int axis) { return turned(change, Vector3::Unit(axis)); };
+  return image(0).cross(image(1)).dot(image(2)) < 0;
+}
+
+}  // namespace
+
 Outcome check_turned(const Case& c) {
   if (c.contact(0) == nullptr) return compared(c, nullptr, {});
-  const ContactClaim wanted = carried_over(*c.contact(0), [&](const Vector3& v) { return turned(c.trial.change, v); });
+  ContactClaim wanted = carried_over(*c.contact(0), [&](const Vector3& v) { return turned(c.trial.change, v); });
+  // The normal of a crossing goes by the order of the vertices, which a reflection turns round.
+  if (is_crossing(c.queries[0].pair) && wanted.normal && is_reflection(c.trial.change))
+    *wanted.normal = -*wanted.normal;
   if (coincident(c, 0)) return compared(c, &wanted, {Field::value});
   return compared(c, &wanted, {Field::normal, Field::value, Field::point1, Field::point2, Field::point});
 }
+
+namespace {
+
+/// A plane moves by its offset; whether exactly.
+bool moved_planes(const Range& range, Query& query, int axis, double shift) {
+  bool exact = true;
+  std::visit(
+      [&]<class A, class B>(Two<A, B>& shapes) {
+        if constexpr (std::same_as<B, Plane>) {
+          const double way = shapes.b.normal[axis] * shift;
+          if (std::fma(shapes.b.normal[axis], shift, -way) != 0 || !range.contains(way)) return void(exact = false);
+          const auto sum = exact_sum(range, shapes.b.offset, way);
+          exact = sum.has_value();
+          if (sum) shapes.b.offset = *sum;
+        }
+      },
+      query.shapes);
+  return exact;
+}
+
+}  // namespace
 
 Questions translated(const Trial& trial, const Subject& subject) {
   Query other = trial.query;
@@ -129,6 +163,7 @@ Questions translated(const Trial& trial, const Subject& subject) {
       exact = exact && sum.has_value();
       if (sum) v[axis] = *sum;
     });
+    exact = exact && moved_planes(subject.range, candidate, axis, shift);
     if (exact) other = candidate;
     moved = moved || exact;
   }

@@ -25,7 +25,8 @@ GOLDEN = ROOT / "golden"
 SHAPES = {"spheres": "sphere_rigid_sphere", "cubes": "cube_cube", "sphere and cube": "sphere_cube",
           "sphere and capsule": "sphere_capsule", "capsules": "capsule_capsule",
           "sphere and triangle": "sphere_triangle", "ray and sphere": "ray_sphere",
-          "sphere and plane": "sphere_plane", "capsule and plane": "capsule_plane"}
+          "sphere and plane": "sphere_plane", "capsule and plane": "capsule_plane",
+          "ray and triangle": "ray_triangle", "triangle and line": "triangle_line"}
 COMMON = json.loads((SCHEMAS / "common.json").read_text())["$defs"]
 
 

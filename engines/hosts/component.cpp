@@ -37,9 +37,8 @@ Model model_of(const Plane& plane, bool) {
   return std::make_unique<PlaneCollisionModel>("planes", plane.normal.transpose(),
                                                Eigen::VectorXd::Constant(1, plane.offset));
 }
-template <class Shape>
-Model model_of(const Shape&, bool) {
-  return nullptr;  // a shape that has no model
+Model model_of(const Line& line, bool) {
+  return std::make_unique<LineCollisionModel>("lines", line.start.transpose(), line.end.transpose());
 }
 
 /// The two shapes of a pair as models of one element each.

@@ -43,6 +43,9 @@ std::unique_ptr<CollisionModel> model(const Ray& ray, bool) {
   return std::make_unique<RayCollisionModel>("ray", ray.origin.transpose(), ray.direction.transpose(),
                                              Eigen::VectorXd::Constant(1, ray.length));
 }
+std::unique_ptr<CollisionModel> model(const Line& line, bool) {
+  return std::make_unique<LineCollisionModel>("line", line.start.transpose(), line.end.transpose());
+}
 std::unique_ptr<CollisionModel> model(const Plane& plane, bool) {
   return std::make_unique<PlaneCollisionModel>("plane", plane.normal.transpose(),
                                                Eigen::VectorXd::Constant(1, plane.offset));

@@ -26,7 +26,9 @@ static_assert(static_cast<int>(Pair::sphere_sphere) == CONTACT_SPHERE_SPHERE &&
               static_cast<int>(Pair::sphere_triangle) == CONTACT_SPHERE_TRIANGLE &&
               static_cast<int>(Pair::ray_sphere) == CONTACT_RAY_SPHERE &&
               static_cast<int>(Pair::sphere_plane) == CONTACT_SPHERE_PLANE &&
-              static_cast<int>(Pair::capsule_plane) == CONTACT_CAPSULE_PLANE);
+              static_cast<int>(Pair::capsule_plane) == CONTACT_CAPSULE_PLANE &&
+              static_cast<int>(Pair::ray_triangle) == CONTACT_RAY_TRIANGLE &&
+              static_cast<int>(Pair::triangle_line) == CONTACT_TRIANGLE_LINE);
 
 /// Questions of one pair as the arrays that the library reads, and its answers.
 struct Arrays {

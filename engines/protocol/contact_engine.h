@@ -25,14 +25,16 @@ enum contact_pair {
   CONTACT_SPHERE_TRIANGLE = 7,
   CONTACT_RAY_SPHERE = 8,
   CONTACT_SPHERE_PLANE = 9,
-  CONTACT_CAPSULE_PLANE = 10
+  CONTACT_CAPSULE_PLANE = 10,
+  CONTACT_RAY_TRIANGLE = 11,
+  CONTACT_TRIANGLE_LINE = 12
 };
 
 /* Questions of one pair kind, as arrays with one row a question. */
 typedef struct contact_questions {
   size_t count;
   int32_t pair;          /* enum contact_pair */
-  int32_t width;         /* numbers of a shape of a: 4 for spheres and planes, 6 for cubes, 7 for capsules and rays, 9 for triangles; b is as wide as its own */
+  int32_t width;         /* numbers of a shape of a: 4 for spheres and planes, 6 for cubes and lines, 7 for capsules and rays, 9 for triangles; b is as wide as its own */
   const double* a;       /* count rows: centre and radius; min and max; or start, end and radius */
   const double* b;
   const double* alarm;   /* count */

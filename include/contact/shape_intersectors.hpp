@@ -1,11 +1,12 @@
-// Intersectors of the pairs that DiscreteIntersection does not have: capsules, rays, triangles and planes, and spheres
-// against solid cubes. They join at run time.
+// Intersectors of the pairs that DiscreteIntersection does not have: capsules, rays, lines, triangles and planes, and
+// spheres against solid cubes. They join at run time.
 #pragma once
 
 #include <type_traits>
 
 #include "contact/capsule_model.hpp"
 #include "contact/discrete_intersection.hpp"
+#include "contact/line_model.hpp"
 #include "contact/pair_functions.hpp"
 #include "contact/plane_model.hpp"
 #include "contact/ray_model.hpp"
@@ -55,6 +56,7 @@ class ShapeIntersector : public BaseIntersector {
   static Capsule shape_of(const CapsuleElement& element) { return element.capsule(); }
   static Triangle shape_of(const TriangleElement& element) { return element.triangle(); }
   static Ray shape_of(const RayElement& element) { return element.ray(); }
+  static Line shape_of(const LineElement& element) { return element.line(); }
   static Plane shape_of(const PlaneElement& element) { return element.plane(); }
 
   template <class Element1, class Element2>
@@ -81,15 +83,17 @@ class CapsuleDiscreteIntersection : public ShapeIntersector {
   explicit CapsuleDiscreteIntersection(DiscreteIntersection& object);
 };
 
-/// Both kinds of sphere against triangles, solid and seen from both sides. SOFA's class of this name has triangles
-/// against lines, and its function for a sphere and a triangle is registered by nobody.
+/// Triangles against lines, as SOFA's class of this name has them: registered by itself, as "Mesh". And both kinds of
+/// sphere against triangles, solid and seen from both sides, which SOFA's class has a function for that it registers
+/// nowhere.
 class MeshDiscreteIntersection : public ShapeIntersector {
  public:
   static constexpr std::string_view kName = "MeshDiscreteIntersection";
   explicit MeshDiscreteIntersection(DiscreteIntersection& object);
 };
 
-/// Rays against both kinds of sphere, as SOFA's class of this name has them: registered by itself, as "Ray".
+/// Rays against both kinds of sphere and against triangles, as SOFA's class of this name has them: registered by
+/// itself, as "Ray".
 class RayDiscreteIntersection : public ShapeIntersector {
  public:
   static constexpr std::string_view kName = "RayDiscreteIntersection";

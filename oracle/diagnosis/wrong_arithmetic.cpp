@@ -9,11 +9,38 @@ constexpr double kToleranceWeight = 0.95;
 
 Real largest_number(F f) { return std::ldexp(Real{1}, format_of(f.scalar).max_exponent + 1); }
 
+/// Whether a product of three differences does, of a crossing, or one of the normal with itself or a point, of a plane.
+bool products_out_of_range(F f) {
+  const Real smallest = std::ldexp(Real{1}, format_of(f.scalar).min_exponent);
+  const auto lost = [&](Real x) { return x != 0 && (std::abs(x) < smallest || std::abs(x) >= largest_number(f)); };
+  return std::visit(
+      [&]<class A, class B>(const Two<A, B>& shapes) {
+        if constexpr (std::same_as<B, Plane>) {
+          const Numbers n = numbers_of(shapes.b.normal);
+          return std::any_of(kAxes.begin(), kAxes.end(), [&](std::size_t axis) {
+            return lost(n[axis] * n[axis]) || lost(n[axis] * f.nearest[0][axis]);
+          });
+        }
+        if constexpr (std::same_as<Two<A, B>, RayAndTriangle> || std::same_as<Two<A, B>, TriangleAndLine>) {
+          const CrossingInReals crossing(shapes);
+          const CrossingInReals::Vector n = (crossing.v[1] - crossing.v[0]).cross(crossing.v[2] - crossing.v[0]);
+          return lost(n.squaredNorm()) || lost(n.dot(crossing.direction)) ||
+                 lost(n.dot(crossing.start - crossing.v[0])) ||
+                 std::any_of(kAxes.begin(), kAxes.end(), [&](std::size_t axis) {
+                   const auto i = static_cast<Eigen::Index>(axis);
+                   return lost(n[i]) || lost(n[i] * crossing.direction[i]);
+                 });
+        }
+        return false;
+      },
+      f.query.shapes);
+}
 /// Whether a square leaves the range of the engine's own format, so that everything computed from it is lost.
 bool squares_out_of_range(F f) {
-  if (!f.has_distance()) return false;
+  if (!f.has_numbers()) return false;
   const Real smallest = std::ldexp(Real{1}, format_of(f.scalar).min_exponent);
   const auto lost = [&](Real x) { return x != 0 && (x * x < smallest || x * x >= largest_number(f)); };
+  if (products_out_of_range(f)) return true;
   return lost(std::sqrt(f.D)) || lost(f.radii() + f.alarm) || std::any_of(f.delta.begin(), f.delta.end(), lost);
 }
 bool sums_out_of_range(F f) {

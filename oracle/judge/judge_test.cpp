@@ -1226,5 +1226,49 @@ TEST(JudgeRays, on_a_ray_what_separates_is_right) {
   EXPECT_EQ(level_of(at(0), normal_of({0.6, 0.8, 0})), Level::decisions);
 }
 
+TEST(JudgePlanes, below_a_plane_the_distance_is_signed_and_the_normal_stays) {
+  const auto at = [](double z) {
+    return Query{Pair::sphere_plane, BallAndPlane{{{1, 2, z}, 1}, {{0, 0, 2}, 4}}, {0, 0.5}};  // z = 2
+  };
+  for (const double z : {3.0, 2.0, -3.0}) {
+    EXPECT_EQ(level_of(at(z), normal_of({0, 0, -1})), Level::correctly_rounded) << z;
+    EXPECT_EQ(level_of(at(z), normal_of({0, 0, 1})), Level::decisions) << z;
+    EXPECT_EQ(level_of(at(z), points_of({1, 2, z - 1}, {1, 2, 2})), Level::correctly_rounded) << z;
+    EXPECT_EQ(level_of(at(z), value_of(z - 2 - 1 - 0.5)), Level::correctly_rounded) << z;
+  }
+  EXPECT_EQ(level_of(at(-3), value_of(5 - 1 - 0.5)), Level::decisions);
+  EXPECT_EQ(level_of(at(-3), no_contact()), Level::none);
+  EXPECT_EQ(level_of(at(3.5), normal_of({0, 0, -1})), Level::conservative);
+}
+
+TEST(JudgePlanes, along_a_plane_every_point_of_the_axis_is_right_and_no_other) {
+  const Query level{Pair::capsule_plane, CapsuleAndPlane{{{0, 0, 3}, {4, 0, 3}, 1}, {{0, 0, 1}, 2}}, {0, 0}};
+  for (const double x : {0.0, 2.0, 3.5, 4.0})
+    EXPECT_EQ(level_of(level, points_of({x, 0, 2}, {x, 0, 2})), Level::correctly_rounded) << x;
+  EXPECT_EQ(level_of(level, points_of({4.5, 0, 2}, {4.5, 0, 2})), Level::decisions);
+  const Query tilted{Pair::capsule_plane, CapsuleAndPlane{{{0, 0, 3}, {4, 0, 4}, 1}, {{0, 0, 1}, 2}}, {0, 0}};
+  EXPECT_EQ(level_of(tilted, points_of({0, 0, 2}, {0, 0, 2})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(tilted, points_of({2, 0, 2}, {2, 0, 2})), Level::decisions);
+}
+
+TEST(JudgeCrossings, have_one_point_and_the_normal_of_the_vertices_whatever_the_distances_and_conventions) {
+  const Triangle face{{Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(0, 4, 0)}};
+  const Query edge{Pair::triangle_line, TriangleAndLine{face, {{2, 0, 1}, {2, 0, -1}}}, {3, 7}};
+  EXPECT_EQ(level_of(edge, normal_of({0, 0, 1})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(edge, normal_of({0, 0, -1})), Level::decisions);
+  EXPECT_EQ(level_of(edge, points_of({2, 0, 0}, {2, 0, 0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(edge, points_of({2, 0, 0}, {2, 0, 0.5})), Level::decisions);
+  EXPECT_EQ(level_of(edge, value_of(0)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(edge, value_of(-7)), Level::decisions);
+  EXPECT_EQ(level_of(edge, no_contact()), Level::none);
+  const Query ray{Pair::ray_triangle, RayAndTriangle{{{1, 1, 1}, {0, 0, -1}, 2}, face}, {0, 0}};
+  EXPECT_EQ(level_of(ray, normal_of({0, 0, -1})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(ray, normal_of({0, 0, 1})), Level::decisions);
+  // Within the alarm distance, but beside it.
+  const Query beside{Pair::triangle_line, TriangleAndLine{face, {{2, -1, 1}, {2, -1, -1}}}, {3, 0}};
+  EXPECT_EQ(level_of(beside, no_contact()), Level::correctly_rounded);
+  EXPECT_EQ(level_of(beside, normal_of({0, 0, 1})), Level::conservative);
+}
+
 }  // namespace
 }  // namespace contact::oracle

@@ -1,4 +1,4 @@
-// The models of triangles, rays and planes: data in and out, bounding boxes, and every refusal word for word.
+// The models of triangles, rays, lines and planes: data in and out, bounding boxes, and every refusal word for word.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 namespace contact {
 namespace {
 
+using component::lines;
 using component::planes;
 using component::rays;
 using component::refusal;
@@ -128,6 +129,35 @@ TEST(RayModel, its_bounding_boxes_contain_the_rays_and_not_much_more_in_every_ro
                                                : Rational(box.max[axis]) - high <= margin);
       }
     }
+}
+
+TEST(LineModel, gives_back_what_it_was_given_and_moves_it) {
+  auto model = lines("l", {{{0, 1, 2}, {3, -4, 5}}, {{0, 0, 0}, {0, 0, 0}}});
+  EXPECT_EQ(model.getSize(), 2);
+  EXPECT_EQ(LineElement(model, 0).p1(), Vector3(0, 1, 2));
+  EXPECT_EQ(LineElement(model, 0).p2(), Vector3(3, -4, 5));
+  EXPECT_EQ(model.bounding_box(0).min, Vector3(0, -4, 2));
+  EXPECT_EQ(model.bounding_box(0).max, Vector3(3, 1, 5));
+  model.setEnds(Eigen::MatrixX3d::Ones(2, 3), Eigen::MatrixX3d::Zero(2, 3));
+  EXPECT_EQ(model.line(1).start, Vector3(1, 1, 1));
+}
+
+TEST(LineModel, refuses_what_is_outside_the_domain_and_names_it) {
+  EXPECT_EQ(refusal([] {
+              (void)lines("cut", {{{0, kNaN, 0}, {1, 1, 1}}});
+            }),
+            "LineCollisionModel \"cut\": p1[0][1] = nan: must be finite");
+  EXPECT_EQ(refusal([] {
+              (void)lines("cut", {{{0, 0, 0}, {1, 1, -kInfinity}}});
+            }),
+            "LineCollisionModel \"cut\": p2[0][2] = -inf: must be finite");
+  const Eigen::MatrixX3d two = Eigen::MatrixX3d::Ones(2, 3);
+  EXPECT_EQ(refusal([&] { (void)LineCollisionModel("cut", two, Eigen::MatrixX3d::Ones(1, 3)); }),
+            "LineCollisionModel \"cut\": number of p2 = 1: must be that of p1, 2");
+  auto model = lines("cut", {{{0, 0, 0}, {1, 1, 1}}});
+  EXPECT_EQ(refusal([&] { model.setEnds(two, two); }),
+            "LineCollisionModel \"cut\": number of p1 = 2: must be that of lines, 1");
+  EXPECT_EQ(model.line(0).end, Vector3(1, 1, 1));
 }
 
 TEST(PlaneModel, gives_back_what_it_was_given_and_moves_it) {

@@ -13,6 +13,7 @@
 #include "contact/capsule_model.hpp"
 #include "contact/cube_model.hpp"
 #include "contact/detection_output.hpp"
+#include "contact/line_model.hpp"
 #include "contact/plane_model.hpp"
 #include "contact/ray_model.hpp"
 #include "contact/sphere_model.hpp"
@@ -92,6 +93,17 @@ inline RayCollisionModel rays(std::string name, const std::vector<Ray>& all) {
     lengths(i) = ray.length;
   }
   return {std::move(name), std::move(origins), std::move(directions), std::move(lengths)};
+}
+
+inline LineCollisionModel lines(std::string name, const std::vector<Line>& all) {
+  const auto count = static_cast<Index>(all.size());
+  Rows<3> p1(count, 3);
+  Rows<3> p2(count, 3);
+  for (Index i = 0; i < count; ++i) {
+    p1.set(i, all[static_cast<std::size_t>(i)].start);
+    p2.set(i, all[static_cast<std::size_t>(i)].end);
+  }
+  return {std::move(name), std::move(p1), std::move(p2)};
 }
 
 inline PlaneCollisionModel planes(std::string name, const std::vector<Plane>& all) {

@@ -1,4 +1,4 @@
-// Intersectors of capsules, rays, triangles and planes, and of spheres against solid cubes.
+// Intersectors of capsules, rays, lines, triangles and planes, and of spheres against solid cubes.
 #include "contact/shape_intersectors.hpp"
 
 namespace contact {
@@ -12,11 +12,13 @@ CapsuleDiscreteIntersection::CapsuleDiscreteIntersection(DiscreteIntersection& o
 MeshDiscreteIntersection::MeshDiscreteIntersection(DiscreteIntersection& object) : ShapeIntersector(object) {
   object.intersectors.add<SphereCollisionModel, TriangleCollisionModel>(*this);
   object.intersectors.add<RigidSphereModel, TriangleCollisionModel>(*this);
+  object.intersectors.add<TriangleCollisionModel, LineCollisionModel>(*this);
 }
 
 RayDiscreteIntersection::RayDiscreteIntersection(DiscreteIntersection& object) : ShapeIntersector(object) {
   object.intersectors.add<RayCollisionModel, SphereCollisionModel>(*this);
   object.intersectors.add<RayCollisionModel, RigidSphereModel>(*this);
+  object.intersectors.add<RayCollisionModel, TriangleCollisionModel>(*this);
 }
 
 PlaneDiscreteIntersection::PlaneDiscreteIntersection(DiscreteIntersection& object) : ShapeIntersector(object) {

@@ -26,6 +26,7 @@ using component::capsules;
 using component::cubes;
 using component::expected_contact;
 using component::expected_swapped;
+using component::lines;
 using component::planes;
 using component::rays;
 using component::rigid_spheres;
@@ -54,13 +55,14 @@ struct Place {
   std::vector<Triangle> faces;
   std::vector<Ray> beams;
   std::vector<Plane> floors;
+  std::vector<Line> edges;
   Distances distances;
 };
 
 /// `reach` is how long capsules are, and how large radii and boxes.
 Place place(std::string name, int count, Distances distances, const std::function<double()>& number,
             const std::function<double()>& reach) {
-  Place made{std::move(name), {}, {}, {}, {}, {}, {}, {}, distances};
+  Place made{std::move(name), {}, {}, {}, {}, {}, {}, {}, {}, distances};
   const auto vector = [](const auto& next) {
     const double x = next();
     const double y = next();
@@ -89,6 +91,8 @@ Place place(std::string name, int count, Distances distances, const std::functio
     normal[i % 3] = i % 2 == 0 ? 1 : -2;
     if (i % 4 == 3) normal += Vector3::Constant(0.5);
     made.floors.push_back({normal, -std::abs(number())});
+    const Vector3 edge = vector(number);
+    made.edges.push_back({edge, i % 8 == 0 ? edge : finite_sum(edge, vector(reach))});
   }
   return made;
 }
@@ -152,6 +156,7 @@ std::size_t expect_all(const Intersection& intersection, const CollisionModel& m
 
 TEST(ShapeIntersectors, find_what_the_oracle_finds_over_all_pairs_of_every_kind_in_either_order) {
   std::size_t contacts = 0;
+  std::size_t crossings = 0;
   std::size_t pairs = 0;
   for (const std::uint64_t seed : {1U, 2U})
     for (const Place& at : places(seed)) {
@@ -177,10 +182,14 @@ TEST(ShapeIntersectors, find_what_the_oracle_finds_over_all_pairs_of_every_kind_
       contacts += expect_all(intersection, deformable, at.balls, floors, at.floors, at.distances);
       contacts += expect_all(intersection, rigid, at.balls, floors, at.floors, at.distances);
       contacts += expect_all(intersection, bars, at.bars, floors, at.floors, at.distances);
+      const auto edges = lines("edges", at.edges);
+      crossings += expect_all(intersection, faces, at.faces, edges, at.edges, at.distances);
+      crossings += expect_all(intersection, beams, at.beams, faces, at.faces, at.distances);
       expect_all(intersection, bars, at.bars, bars, at.bars, at.distances);
       pairs += 12 * at.balls.size() * at.balls.size();
     }
   EXPECT_GT(contacts, pairs / 10);
+  EXPECT_GT(crossings, 10U);
   EXPECT_LT(contacts, pairs / 2);
 }
 
@@ -304,6 +313,17 @@ TEST(ShapeIntersectors, find_what_sofas_rays_and_triangles_miss) {
   expect_numbers(only_contact(edge, face, {0, 0}), {0, 0.6, -0.8}, {2, 0, 0}, {2, 0, 0}, 0);
   const auto vertex = spheres("vertex", {{{7, 0, 4}, 4.5}});
   expect_numbers(only_contact(vertex, face, {0.5, 0.25}), {-0.6, 0, -0.8}, {4.3, 0, 0.4}, {4, 0, 0}, 0.25);
+}
+
+// SOFA's determinant of these is 2^-57, which it takes for 0; and a line that only reaches a triangle crosses it.
+TEST(ShapeIntersectors, cross_triangles_of_every_size_at_their_boundary_too) {
+  constexpr double kSize = 0x1p-19;
+  const auto face = triangles("face", {{{Vector3(0, 0, 0), Vector3(kSize, 0, 0), Vector3(0, kSize, 0)}}});
+  const auto edge = lines("edge", {{{kSize / 4, kSize / 4, kSize}, {kSize / 4, kSize / 4, 0}}});
+  expect_numbers(only_contact(face, edge, {0, 0}), {0, 0, 1}, {kSize / 4, kSize / 4, 0}, {kSize / 4, kSize / 4, 0}, 0);
+  expect_numbers(only_contact(edge, face, {0, 0}), {0, 0, -1}, {kSize / 4, kSize / 4, 0}, {kSize / 4, kSize / 4, 0}, 0);
+  const auto beam = rays("beam", {{{kSize / 2, kSize / 2, -kSize}, {0, 0, kSize / 2}, 2}});
+  expect_numbers(only_contact(beam, face, {4, 2}), {0, 0, -1}, {kSize / 2, kSize / 2, 0}, {kSize / 2, kSize / 2, 0}, 0);
 }
 
 TEST(ShapeIntersectors, of_one_model_meet_at_a_joint) {

@@ -16,6 +16,8 @@
 #include "contact/detect.hpp"
 #include "contact/discrete_intersection.hpp"
 #include "contact/exact_sum.hpp"
+#include "contact/line_model.hpp"
+#include "contact/plane_model.hpp"
 #include "contact/plugin.hpp"
 #include "contact/ray_model.hpp"
 #include "contact/sphere_sphere.hpp"
@@ -92,6 +94,10 @@ void models_are_made_copied_moved_and_destroyed() {
     expect(capsules.capsule(7).end == Vector3(7, 1, 0) && capsules.bounding_box(7).max[1] >= 1.25, "a capsule");
     const TriangleCollisionModel triangles("triangles", centers(), centers(), centers());
     expect(triangles.triangle(7).vertices[2] == Vector3(7, 0, 0), "a triangle");
+    const PlaneCollisionModel planes("planes", Eigen::MatrixX3d::Ones(kCount, 3), radii(0.25));
+    expect(planes.plane(7).offset == 0.25, "a plane");
+    const LineCollisionModel lines("lines", centers(), centers());
+    expect(lines.line(7).start == lines.line(7).end, "a line");
     const RayCollisionModel rays("rays", centers(), Eigen::MatrixX3d::Ones(kCount, 3), radii(0.25));
     expect(rays.ray(7).length == 0.25 && rays.bounding_box(7).max[1] >= 0.25, "a ray");
     SphereCollisionModel copy(static_cast<const SphereCollisionModel&>(*models[0]));

@@ -14,14 +14,14 @@
 
 namespace contact {
 
-using Numbers = std::array<double, 10>;
+using TenNumbers = std::array<double, 10>;
 
-inline Numbers numbers_of(const Contact& c) {
+inline TenNumbers numbers_of(const Contact& c) {
   return {c.normal[0], c.normal[1], c.normal[2], c.point1[0], c.point1[1],
           c.point1[2], c.point2[0], c.point2[1], c.point2[2], c.value};
 }
 
-inline void expect_same(const Numbers& actual, const Numbers& expected) {
+inline void expect_same(const TenNumbers& actual, const TenNumbers& expected) {
   for (std::size_t i = 0; i < expected.size(); ++i)
     EXPECT_EQ(std::bit_cast<std::uint64_t>(actual[i]), std::bit_cast<std::uint64_t>(expected[i]))
         << "number " << i << " is " << actual[i] << ", not " << expected[i];
@@ -29,7 +29,7 @@ inline void expect_same(const Numbers& actual, const Numbers& expected) {
 
 enum class Kind { ordinary, many, degenerate, degenerate_and_many };
 
-inline void expect_contact(const std::optional<Contact>& contact, const Numbers& expected, Kind kind) {
+inline void expect_contact(const std::optional<Contact>& contact, const TenNumbers& expected, Kind kind) {
   ASSERT_TRUE(contact);
   expect_same(numbers_of(*contact), expected);
   EXPECT_EQ(contact->degenerate, kind == Kind::degenerate || kind == Kind::degenerate_and_many);

@@ -5,6 +5,7 @@
 
 #include "contact/capsule_model.hpp"
 #include "contact/cube_model.hpp"
+#include "contact/line_model.hpp"
 #include "contact/plane_model.hpp"
 #include "contact/ray_model.hpp"
 #include "contact/sphere_model.hpp"
@@ -49,6 +50,10 @@ std::unique_ptr<CollisionModel> make_planes(std::string name, const ModelColumns
   return std::make_unique<PlaneCollisionModel>(std::move(name), columns.at("normals"), columns.at("offsets"));
 }
 
+std::unique_ptr<CollisionModel> make_lines(std::string name, const ModelColumns& columns) {
+  return std::make_unique<LineCollisionModel>(std::move(name), columns.at("p1"), columns.at("p2"));
+}
+
 }  // namespace
 
 ModelFactory::ModelFactory()
@@ -60,7 +65,8 @@ ModelFactory::ModelFactory()
               {std::string(CapsuleCollisionModel::kName), {{"starts", 3}, {"ends", 3}, {"radii", 1}}, make_capsules},
               {std::string(TriangleCollisionModel::kName), {{"p1", 3}, {"p2", 3}, {"p3", 3}}, make_triangles},
               {std::string(RayCollisionModel::kName), {{"origins", 3}, {"directions", 3}, {"lengths", 1}}, make_rays},
-              {std::string(PlaneCollisionModel::kName), {{"normals", 3}, {"offsets", 1}}, make_planes}} {}
+              {std::string(PlaneCollisionModel::kName), {{"normals", 3}, {"offsets", 1}}, make_planes},
+              {std::string(LineCollisionModel::kName), {{"p1", 3}, {"p2", 3}}, make_lines}} {}
 
 bool ModelFactory::registerModel(ModelMaker maker) {
   const std::lock_guard lock(mutex_);

@@ -37,7 +37,7 @@ ModelMaker maker_of_everything(std::vector<ModelColumn> columns = {}) {
           [](std::string name, const ModelColumns&) { return std::make_unique<Everything>(std::move(name)); }};
 }
 
-TEST(ModelFactory, knows_the_seven_built_in_types_and_their_columns) {
+TEST(ModelFactory, knows_the_eight_built_in_types_and_their_columns) {
   std::vector<std::string> known;
   for (const ModelMaker& maker : ModelFactory().makers()) {
     known.push_back(maker.type);
@@ -47,7 +47,7 @@ TEST(ModelFactory, knows_the_seven_built_in_types_and_their_columns) {
                        "SphereCollisionModel centers3 radii1", "RigidSphereModel positions3 orientations4 radii1",
                        "CubeCollisionModel min3 max3", "CapsuleCollisionModel starts3 ends3 radii1",
                        "TriangleCollisionModel p13 p23 p33", "RayCollisionModel origins3 directions3 lengths1",
-                       "PlaneCollisionModel normals3 offsets1"}));
+                       "PlaneCollisionModel normals3 offsets1", "LineCollisionModel p13 p23"}));
 }
 
 TEST(ModelFactory, makes_spheres) {
@@ -106,7 +106,11 @@ TEST(ModelFactory, makes_triangles_and_rays) {
   EXPECT_EQ(ray.l(), 5);
 }
 
-TEST(ModelFactory, makes_planes) {
+TEST(ModelFactory, makes_lines_and_planes) {
+  const auto lines = ModelFactory().make("LineCollisionModel", "l", {{"p1", rows(2, 3, -1)}, {"p2", rows(2, 3, 4)}});
+  const LineElement line(dynamic_cast<const LineCollisionModel&>(*lines), 1);
+  EXPECT_EQ(line.p1(), Vector3(-1, -1, -1));
+  EXPECT_EQ(line.p2(), Vector3(4, 4, 4));
   const auto planes =
       ModelFactory().make("PlaneCollisionModel", "p", {{"normals", rows(2, 3, -1)}, {"offsets", rows(2, 1, 5)}});
   const PlaneElement plane(dynamic_cast<const PlaneCollisionModel&>(*planes), 1);
@@ -122,7 +126,7 @@ TEST(ModelFactory, makes_models_without_elements) {
 TEST(ModelFactory, refuses_a_type_that_it_does_not_know_and_says_which_there_are) {
   EXPECT_EQ(refusal([] { (void)ModelFactory().make("Sphere", "s", {}); }),
             "Sphere \"s\": unknown type of model; there are SphereCollisionModel RigidSphereModel CubeCollisionModel "
-            "CapsuleCollisionModel TriangleCollisionModel RayCollisionModel PlaneCollisionModel");
+            "CapsuleCollisionModel TriangleCollisionModel RayCollisionModel PlaneCollisionModel LineCollisionModel");
 }
 
 TEST(ModelFactory, refuses_a_column_that_is_missing_unknown_too_wide_or_too_long) {
@@ -177,7 +181,7 @@ TEST(ModelFactory, registers_a_type_once) {
   EXPECT_TRUE(factory.registerModel(maker_of_everything()));
   EXPECT_FALSE(factory.registerModel(maker_of_everything({{"mass", 1}})));
   EXPECT_FALSE(factory.registerModel({"SphereCollisionModel", {}, {}}));
-  EXPECT_EQ(factory.makers().size(), 8U);
+  EXPECT_EQ(factory.makers().size(), 9U);
   EXPECT_TRUE(factory.makers().back().columns.empty());
 }
 
@@ -185,7 +189,7 @@ TEST(ModelFactory, has_one_instance_and_others_are_apart_from_it) {
   EXPECT_EQ(&ModelFactory::getInstance(), &ModelFactory::getInstance());
   ModelFactory factory;
   EXPECT_TRUE(factory.registerModel(maker_of_everything()));
-  EXPECT_EQ(ModelFactory::getInstance().makers().size(), 7U);
+  EXPECT_EQ(ModelFactory::getInstance().makers().size(), 8U);
 }
 
 TEST(ModelFactory, refuses_a_maker_that_is_nothing_or_makes_nothing) {

@@ -142,8 +142,9 @@
   const finite = (v) => v.every(Number.isFinite);
   const color = (property) => new THREE.Color(getComputedStyle(document.documentElement).getPropertyValue(property).trim());
 
-  /** The points of a shape: its fields that are three numbers. */
-  const points = (shape) => {
+  /** The points of a shape: its fields that are three numbers; of a plane the foot of another shape's first point. */
+  const points = (shape, other) => {
+    if (shape.normal) return [foot(shape, points(other)[0])];
     if (shape.vertices) return shape.vertices.map(numbers);
     if (shape.origin) return [numbers(shape.origin), far_end(shape)];
     return Object.values(shape).filter(Array.isArray).map(numbers);
@@ -151,10 +152,22 @@
   /** Where a ray ends, rounded. */
   const far_end = (ray) => numbers(ray.origin).map((x, i) => x + Number(ray.length) * Number(ray.direction[i]));
 
+  const unit = (v) => {
+    const n = numbers(v), most = Math.max(...n.map(Math.abs)), shorter = n.map((x) => x / most);
+    return {n: shorter.map((x) => x / Math.hypot(...shorter)), length: most * Math.hypot(...shorter)};
+  };
+  /** Where a point lies on a plane, straight below or above, rounded. */
+  const foot = (plane, at) => {
+    const {n, length} = unit(plane.normal);
+    const s = n[0] * at[0] + n[1] * at[1] + n[2] * at[2] - Number(plane.offset) / length;
+    const on = at.map((x, i) => x - s * n[i]);
+    return finite(on) ? on : at;
+  };
+
   /** The two shapes, moved and scaled to fit into the unit ball: what is done to every point of theirs. */
   function frame(query) {
     const shapes = [query.a, query.b].map((s) => {
-      const at = points(s), r = Number(s.radius || 0);
+      const at = points(s, query.a), r = Number(s.radius || 0);
       const ends = (least) => [0, 1, 2].map((i) => Math[least](...at.map((p) => p[i])));
       return {low: ends("min").map((x) => x - r), high: ends("max").map((x) => x + r), all: [...at.flat(), r]};
     });
@@ -200,7 +213,12 @@
         at = low.clone().add(high).multiplyScalar(0.5);
         const box = new THREE.BoxBufferGeometry(...high.sub(low).toArray());
         draw(box, new THREE.EdgesGeometry(box), at);
-      } else if (shape.start) {  // two balls and the cylinder between them, which stands along y until it is turned
+      } else if (shape.normal) {  // a slab of the half-space, its upper side the plane
+        at = point(points(shape, query.a)[0]);
+        const n = new THREE.Vector3(...unit(shape.normal).n), slab = new THREE.BoxBufferGeometry(2, 0.3, 2);
+        const turn = new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 1, 0), n);
+        draw(slab, new THREE.EdgesGeometry(slab), at.clone().addScaledVector(n, -0.15), turn);
+      } else if (shape.start && "radius" in shape) {  // two balls and the cylinder between them, which stands along y until it is turned
         const start = point(numbers(shape.start)), end = point(numbers(shape.end)), radius = length(Number(shape.radius));
         at = start.clone().add(end).multiplyScalar(0.5);
         for (const tip of [start, end]) ball(tip, radius);
@@ -214,14 +232,15 @@
         const face = new THREE.BufferGeometry().setFromPoints([...corners, ...corners.slice().reverse()].map((v) => v.clone().sub(at)));
         face.computeVertexNormals();
         draw(face, new THREE.EdgesGeometry(face), at);
-      } else if (shape.origin) {  // an arrow, thick where the ray begins
+      } else if (shape.origin || shape.start) {  // a thin rod; an arrow, thick where the ray begins
         const [start, end] = points(shape).map(point);
         at = start.clone().add(end).multiplyScalar(0.5);
         const along = end.clone().sub(start);
         const turn = new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 1, 0), along.clone().normalize());
-        const shaft = new THREE.CylinderBufferGeometry(0.004, 0.014, along.length(), 12);
+        const shaft = new THREE.CylinderBufferGeometry(shape.origin ? 0.004 : 0.008, shape.origin ? 0.014 : 0.008, along.length(), 12);
         if (along.length() > 0) draw(shaft, new THREE.EdgesGeometry(shaft), at, turn);
-        add(new THREE.SphereBufferGeometry(0.025, 12, 8), new THREE.MeshBasicMaterial({color: paint}), start);
+        for (const tip of shape.origin ? [start] : [start, end])
+          add(new THREE.SphereBufferGeometry(0.025, 12, 8), new THREE.MeshBasicMaterial({color: paint}), tip);
       } else {  // a shape without a drawing of its own: a dot at its first point
         at = point(points(shape)[0]);
         ball(at, 0.02);

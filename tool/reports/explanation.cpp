@@ -97,6 +97,34 @@ std::string shapes_text(const Query& query) {
   return text;
 }
 
+/// Each number of a contact: rounded, where the exact real lies beside that, and what plain double says.
+std::string numbers_text(const Query& query, const oracle::DistanceTruth& t, const Contact& c, Scalar scalar) {
+  const auto plain = golden::plain_contact(query, Scalar::binary64);
+  std::string text = fmt::format("\n  {:<10}{:<26}{:<36}{}\n", "", fmt::format("rounded to {}", name(scalar)),
+                                 "the exact real lies", "plain double says");
+  const auto row = [&](const std::string& field, const Exact& x, double rounded, std::optional<double> said) {
+    std::string beside = "no contact";
+    if (said)
+      beside = number(*said) + (*said == rounded ? ""
+                                : std::isfinite(*said)
+                                    ? fmt::format("  (off by {:.3g} ulp)",
+                                                  oracle::error_in_units(Rational(*said), x, oracle::ulp(x, scalar)))
+                                    : "  (not finite)");
+    text += fmt::format("  {:<10}{:<26}{:<36}{}\n", field, number(rounded), neighbourhood(x, rounded, scalar), beside);
+  };
+  const auto said = [&](auto member, int axis) { return plain ? std::optional((*plain.*member)[axis]) : std::nullopt; };
+  for (int axis = 0; axis < 3; ++axis)
+    row(fmt::format("normal[{}]", axis), t.normal(axis), c.normal[axis], said(&Contact::normal, axis));
+  for (int axis = 0; axis < 3; ++axis)
+    row(fmt::format("point1[{}]", axis), t.point(0, axis, PointOn::nearest_surface), c.point1[axis],
+        said(&Contact::point1, axis));
+  for (int axis = 0; axis < 3; ++axis)
+    row(fmt::format("point2[{}]", axis), t.point(1, axis, PointOn::nearest_surface), c.point2[axis],
+        said(&Contact::point2, axis));
+  row("value", t.value(true), c.value, plain ? std::optional(plain->value) : std::nullopt);
+  return text;
+}
+
 std::string distance_text(const Query& query, const oracle::Truth& truth, Scalar scalar) {
   const oracle::DistanceTruth& t = *truth.distance();
   std::string text = shapes_text(query);
@@ -129,34 +157,24 @@ std::string distance_text(const Query& query, const oracle::Truth& truth, Scalar
   if (!truth.hit()) return text;
 
   const Contact c = *oracle::expectation(truth, scalar).contact;
-  const auto plain = golden::plain_contact(query, Scalar::binary64);
   if (c.degenerate) text += meeting_text(query, t);
   if (!c.unique)
     text += fmt::format("  {}, and more than one pair of points is nearest: the reference takes the middle.\n",
                         over_plane ? "The axis goes along the plane" : "The axes are parallel");
-  text += fmt::format("\n  {:<10}{:<26}{:<36}{}\n", "", fmt::format("rounded to {}", name(scalar)),
-                      "the exact real lies", "plain double says");
-  const auto row = [&](const std::string& field, const Exact& x, double rounded, std::optional<double> said) {
-    std::string beside = "no contact";
-    if (said)
-      beside = number(*said) + (*said == rounded ? ""
-                                : std::isfinite(*said)
-                                    ? fmt::format("  (off by {:.3g} ulp)",
-                                                  oracle::error_in_units(Rational(*said), x, oracle::ulp(x, scalar)))
-                                    : "  (not finite)");
-    text += fmt::format("  {:<10}{:<26}{:<36}{}\n", field, number(rounded), neighbourhood(x, rounded, scalar), beside);
-  };
-  const auto said = [&](auto member, int axis) { return plain ? std::optional((*plain.*member)[axis]) : std::nullopt; };
-  for (int axis = 0; axis < 3; ++axis)
-    row(fmt::format("normal[{}]", axis), t.normal(axis), c.normal[axis], said(&Contact::normal, axis));
-  for (int axis = 0; axis < 3; ++axis)
-    row(fmt::format("point1[{}]", axis), t.point(0, axis, PointOn::nearest_surface), c.point1[axis],
-        said(&Contact::point1, axis));
-  for (int axis = 0; axis < 3; ++axis)
-    row(fmt::format("point2[{}]", axis), t.point(1, axis, PointOn::nearest_surface), c.point2[axis],
-        said(&Contact::point2, axis));
-  row("value", t.value(true), c.value, plain ? std::optional(plain->value) : std::nullopt);
-  return text;
+  return text + numbers_text(query, t, c, scalar);
+}
+
+/// The numbers of a crossing.
+std::string crossing_text(const Query& query, const oracle::Truth& truth, Scalar scalar) {
+  std::string text = shapes_text(query) + "\n";
+  if (!truth.hit())
+    return text +
+           "  The segment does not cross the triangle: it passes by, ends before it, or goes along its plane.  MISS\n" +
+           plain_double_says(query, false);
+  const auto& at = *truth.crossing()->at();
+  for (std::size_t axis = 0; axis < 3; ++axis) text += fmt::format("  X[{}]      {}\n", axis, exactly(at[axis]));
+  text += "\n  The segment crosses the triangle at X.  HIT\n" + plain_double_says(query, true);
+  return text + numbers_text(query, *truth.contact(), *oracle::expectation(truth, scalar).contact, scalar);
 }
 
 std::string gaps_text(const Query& query, const oracle::Truth& truth) {
@@ -178,7 +196,9 @@ std::string gaps_text(const Query& query, const oracle::Truth& truth) {
 
 std::string explanation(const Query& query, const oracle::Truth& truth, Scalar scalar) {
   return fmt::format("{} {}\n{}", name(query.pair), golden::query_id(query),
-                     truth.has_numbers() ? distance_text(query, truth, scalar) : gaps_text(query, truth));
+                     is_crossing(query.pair) ? crossing_text(query, truth, scalar)
+                     : truth.has_distance()  ? distance_text(query, truth, scalar)
+                                             : gaps_text(query, truth));
 }
 
 }  // namespace contact::tool
