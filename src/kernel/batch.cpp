@@ -42,6 +42,19 @@ std::array<const double*, 6> columns(const std::string& side, const BoxColumns& 
   return all;
 }
 
+std::array<const double*, 7> columns(const std::string& side, const CapsuleColumns& capsules, std::size_t size) {
+  std::array<const double*, 7> all{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    expect_length(side + ".start " + kAxes[axis], capsules.start[axis], size);
+    expect_length(side + ".end " + kAxes[axis], capsules.end[axis], size);
+    all[axis] = capsules.start[axis].data();
+    all[3 + axis] = capsules.end[axis].data();
+  }
+  expect_length(side + ".radius", capsules.radius, size);
+  all[6] = capsules.radius.data();
+  return all;
+}
+
 template <class A, class B, class First, class Second>
 kernel::PairColumns<A, B> pairs_of(const First& a, const Second& b) {
   const std::size_t size = size_of(a);

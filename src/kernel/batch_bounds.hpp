@@ -69,6 +69,23 @@ struct FastBounds {
   static constexpr double kSecondGrid = 0x1.8p7 * kUnit;
   /// |error| of E / (sqrt D + T), of itself, beside that of E.
   static constexpr double kQuotientError = 512 * kUnitSquared;
+
+  // Points and segments. w is from one to the other's start, |w| the sum of its components.
+
+  /// D of a foot in plain arithmetic: its error beside kFilterGap's, of |w|^2, and what is lost where numbers are small.
+  static constexpr double kFootGap = 40 * kUnit;
+  static constexpr double kFootFloor = 0x1p-780;
+  /// |error| of a foot and of delta, of |w|.
+  static constexpr double kFootError = 256 * kUnitSquared;
+  /// What a turned normal, and a core of two numbers, add to a point's error: of r, and of the sum's high part.
+  static constexpr double kCorePointError = 136 * kUnitSquared;
+  static constexpr double kCoreSumError = 12 * kUnitSquared;
+  /// The least that delta is of its error, and the error of a normal's component for a delta's.
+  static constexpr double kClear = 0x1p40;
+  static constexpr double kTurn = 1.125;
+  /// Bounds of |w|^2 and |v|^2: within them no product matters that underflows, and none overflows.
+  static constexpr double kLeastSquare = 0x1p-680;
+  static constexpr double kMostSquare = 0x1p600;
 };
 
 using ForDouble = FastBounds<double>;

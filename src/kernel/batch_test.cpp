@@ -500,6 +500,29 @@ BallAndBox of_kind(const Balls& balls, golden::Random& random, const BallAndBox*
   return made;
 }
 
+/// The first ball, and a capsule whose axis has the second one's centre for its nearest point, or for its middle.
+BallAndCapsule of_kind(const Balls& balls, golden::Random& random, const BallAndCapsule* /*kind*/) {
+  static constexpr double kLargest = std::numeric_limits<double>::max();
+  const auto finite = [](double x) { return std::clamp(x, -kLargest, kLargest); };
+  BallAndCapsule made{balls.a, {balls.b.center, balls.b.center, balls.b.radius}};
+  const Vector3& p = balls.a.center;
+  const Vector3& q = balls.b.center;
+  const int way = random.between(0, 3);
+  const auto first = static_cast<Eigen::Index>(random.below(3));
+  const Eigen::Index second = (first + 1) % 3;
+  for (Eigen::Index k = 0; k < 3 && way == 1; ++k) made.b.end[k] = finite(q[k] + finite(q[k] - p[k]));  // straight on
+  if (way == 2) made.b.start[second] = finite(q[second] + balls.b.radius);                              // along an axis
+  if (way == 3) {  // across the distance
+    const double to_first = finite(q[second] - p[second]);
+    const double to_second = finite(p[first] - q[first]);
+    made.b.start[first] = finite(q[first] - to_first);
+    made.b.start[second] = finite(q[second] - to_second);
+    made.b.end[first] = finite(q[first] + to_first);
+    made.b.end[second] = finite(q[second] + to_second);
+  }
+  return made;
+}
+
 template <class Kind>
 std::vector<Query> of_kind(std::vector<Query> queries) {
   golden::Random random(golden::Random::key("sphere_sphere", "of_kind", "binary64", kSeed), 0);
@@ -683,6 +706,8 @@ TYPED_TEST(BatchOfContacts, counts_every_pair_that_it_left_to_the_function_of_on
 using Span = std::span<const double>;
 constexpr std::array kBallColumns{"x", "y", "z", "radius"};
 constexpr std::array kBoxColumns{"min x", "min y", "min z", "max x", "max y", "max z"};
+constexpr std::array kCapsuleColumns{"start x", "start y", "start z", "end x", "end y", "end z", "radius"};
+constexpr const auto& names_of(const batch::CapsuleColumns*) { return kCapsuleColumns; }
 constexpr const auto& names_of(const batch::BallColumns*) { return kBallColumns; }
 constexpr const auto& names_of(const batch::BoxColumns*) { return kBoxColumns; }
 
