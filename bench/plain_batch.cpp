@@ -8,6 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -54,6 +55,24 @@ struct Pair {
     decide(alarm);
   }
 
+  HWY_INLINE Pair(const kernel::SphereCapsulePairs& pairs, std::size_t i, double alarm) {
+    load_first(pairs.a, i);
+    const D d;
+    const auto at = [&](std::size_t k) HWY_ATTR { return hn::LoadU(d, pairs.b[k] + i); };
+    const V vx = hn::Sub(at(3), at(0));
+    const V vy = hn::Sub(at(4), at(1));
+    const V vz = hn::Sub(at(5), at(2));
+    const auto along = [&](V x, V y, V z)
+                           HWY_ATTR { return hn::Add(hn::Add(hn::Mul(x, vx), hn::Mul(y, vy)), hn::Mul(z, vz)); };
+    const V part = hn::Div(along(hn::Sub(ax, at(0)), hn::Sub(ay, at(1)), hn::Sub(az, at(2))), along(vx, vy, vz));
+    const V t = hn::Min(hn::Max(part, hn::Zero(d)), hn::Set(d, 1));
+    bx = hn::Add(at(0), hn::Mul(t, vx));
+    by = hn::Add(at(1), hn::Mul(t, vy));
+    bz = hn::Add(at(2), hn::Mul(t, vz));
+    br = at(6);
+    decide(alarm);
+  }
+
  private:
   HWY_INLINE void load_first(const std::array<const double*, 4>& a, std::size_t i) {
     const D d;
@@ -96,7 +115,8 @@ struct Numbers {
   }
 };
 
-HWY_INLINE void leave_boxes(const kernel::SpherePairs&, std::size_t, const Pair&, double, Numbers&) {}
+template <class Pairs>
+HWY_INLINE void leave_boxes(const Pairs&, std::size_t, const Pair&, double, Numbers&) {}
 
 /// Centres inside: out through the nearest face.
 HWY_INLINE void leave_boxes(const kernel::SphereCubePairs& pairs, std::size_t i, const Pair& p, double contact,
@@ -202,7 +222,15 @@ namespace {
 
 const Ball& as_ball(const Ball& /*a*/, const Ball& ball) { return ball; }
 Ball as_ball(const Ball& a, const Box& box) { return {a.center.cwiseMax(box.min).cwiseMin(box.max), 0}; }
-bool contact_inside(const Ball&, const Ball&, double, Contact&) { return false; }
+Ball as_ball(const Ball& a, const Capsule& capsule) {
+  const Vector3 v = capsule.end - capsule.start;
+  const double t = std::clamp((a.center - capsule.start).dot(v) / v.dot(v), 0.0, 1.0);
+  return {capsule.start + t * v, capsule.radius};
+}
+template <class B>
+bool contact_inside(const Ball&, const B&, double, Contact&) {
+  return false;
+}
 bool contact_inside(const Ball& a, const Box& box, double contact_distance, Contact& out) {
   plain_contact_inside(a, box, contact_distance, out);
   return true;

@@ -72,14 +72,16 @@ struct FastBounds {
 
   // Points and segments. w is from one to the other's start, |w| the sum of its components.
 
-  /// D of a foot in plain arithmetic: its error beside kFilterGap's, of |w|^2, and what is lost where numbers are small.
+  /// D of a foot in plain arithmetic: its error beside kFilterGap's, of |w|^2, and what is lost where numbers are
+  /// small.
   static constexpr double kFootGap = 40 * kUnit;
   static constexpr double kFootFloor = 0x1p-780;
-  /// |error| of a foot and of delta, of |w|.
-  static constexpr double kFootError = 256 * kUnitSquared;
-  /// What a turned normal, and a core of two numbers, add to a point's error: of r, and of the sum's high part.
-  static constexpr double kCorePointError = 136 * kUnitSquared;
-  static constexpr double kCoreSumError = 12 * kUnitSquared;
+  /// |error| of delta, of |w|.
+  static constexpr double kFootError = 320 * kUnitSquared;
+  /// |error| of a value and of a point beside a core, of the lengths in it, but for the core's and the turned normal's.
+  static constexpr double kCoreError = 256 * kUnitSquared;
+  /// The interval's ends are as much farther as this share of the low part, for errors of a share of the high one.
+  static constexpr double kCoreEta = 8192 * kUnit;
   /// The least that delta is of its error, and the error of a normal's component for a delta's.
   static constexpr double kClear = 0x1p40;
   static constexpr double kTurn = 1.125;

@@ -15,7 +15,27 @@
 
 #include "contact/pair_functions.hpp"
 #include "kernel/batch_arithmetic-inl.h"
+#include "kernel/batch_strips.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
+
+#ifndef CONTACT_KERNEL_BATCH_CORES
+#define CONTACT_KERNEL_BATCH_CORES
+namespace contact::kernel {
+
+/// The nearest points p and p + d of a strip of pairs, high and low parts axis by axis. The coordinates of p are within
+/// p_error and the vector d is within d_error, which is infinite where that is not known. Some room between columns
+/// keeps them from the same place in a page, where loads look like recent stores to the processor.
+struct CoreColumns {
+  static constexpr std::size_t kRoom = kStrip + 24;
+  double d[6][kRoom];
+  double d_error[kRoom];
+  double decision[kRoom];  ///< 1 a hit, 0 a miss
+  double p[6][kRoom];      ///< of a first core that is no point
+  double p_error[kRoom];
+};
+
+}  // namespace contact::kernel
+#endif
 
 #if HWY_HAVE_FLOAT64  // else nothing is here, and no attribute for it
 HWY_BEFORE_NAMESPACE();
@@ -23,9 +43,8 @@ namespace contact::kernel {
 namespace HWY_NAMESPACE {
 
 /// Nearest points of a vector of pairs in plain arithmetic, constructed from (pairs, i):
-///   radius1, radius2
 ///   filter(alarm, hit, miss)     where the decision is certain
-///   cores()                      from here on in double-double arithmetic
+///   find_cores(to, i)            d, its error and, where the first core is no point, p, from here on in double-double
 template <class A, class B>
 struct Feet;
 
@@ -36,6 +55,11 @@ HWY_INLINE void for_each_lane(M lanes, std::size_t size, const Work& work) {
   for (std::size_t lane = 0; lane < std::min(size, hn::Lanes(D())); ++lane)
     if (((bits >> lane) & 1) != 0) work(lane);
 }
+
+HWY_INLINE V plain_dot(V ax, V ay, V az, V bx, V by, V bz) {
+  return hn::MulAdd(az, bz, hn::MulAdd(ay, by, hn::Mul(ax, bx)));
+}
+HWY_INLINE V clamped(V t) { return hn::Min(hn::Max(t, all(0)), all(1)); }
 
 template <class A, class B>
 HWY_INLINE void test_cores_of_vector(const PairColumns<A, B>& pairs, double alarm, std::size_t i, std::uint8_t* hit,
@@ -70,19 +94,7 @@ batch::Count test_cores(const PairColumns<A, B>& pairs, double alarm, std::uint8
 
 #if HWY_NATIVE_FMA
 
-/// Approximate nearest points p and p + d: the coordinates of p, Number each, and the vector d are within `error`,
-/// where `holds`.
-template <class Number>
-struct Cores {
-  Number px, py, pz;
-  Delta d;
-  V error;
-  M holds;
-
-  HWY_INLINE Cores() {}
-};
-
-// Corrections of a core. Errors: docs/error-bounds.md, "Feet in vectors".
+// What Feet are made of. Errors: docs/error-bounds.md, "Feet in vectors".
 
 /// w + t v.
 HWY_INLINE Double2 moved(Double2 w, V t, Double2 v) {
@@ -92,8 +104,12 @@ HWY_INLINE Double2 moved(Double2 w, V t, Double2 v) {
   return {high.high, hn::Add(high.low, hn::Add(w.low, way_low))};
 }
 
-/// d + step v, where the step is so short that its product with v's low part is nothing; |low| <= u |high|.
-HWY_INLINE Double2 stepped(Double2 d, V step, Double2 v) { return two_sum(d.high, hn::MulAdd(step, v.high, d.low)); }
+/// d + step v, where the step is so short that its product with v's low part is nothing.
+HWY_INLINE Double2 stepped(Double2 d, V step, Double2 v) {
+  const V more = hn::MulAdd(step, v.high, d.low);
+  const V high = hn::Add(d.high, more);
+  return {high, hn::Sub(more, hn::Sub(high, d.high))};  // Dekker: exact where d.high is not less than the rest
+}
 
 /// x.y, rounded.
 HWY_INLINE V dot(const Delta& x, const Delta& y) {
@@ -103,21 +119,56 @@ HWY_INLINE V dot(const Delta& x, const Delta& y) {
   const auto rest = [](Double2 a, Double2 b, V product) HWY_ATTR {
     return hn::MulAdd(a.high, b.low, hn::MulAdd(a.low, b.high, hn::MulSub(a.high, b.high, product)));
   };
-  const V rest_xy = hn::Add(rest(x.x, y.x, product_x), rest(x.y, y.y, product_y));
+  const V rests = hn::Add(hn::Add(rest(x.x, y.x, product_x), rest(x.y, y.y, product_y)), rest(x.z, y.z, product_z));
   const Double2 xy = two_sum(product_x, product_y);
-  const Double2 xyz = two_sum(xy.high, product_z);
-  return hn::Add(xyz.high, hn::Add(hn::Add(xy.low, xyz.low), hn::Add(rest_xy, rest(x.z, y.z, product_z))));
+  return hn::Add(hn::Add(xy.high, product_z), hn::Add(xy.low, rests));
 }
 
-HWY_INLINE Double2 sum(V x, Double2 y) {
-  const Double2 high = two_sum(x, y.high);
-  return {high.high, hn::Add(high.low, y.low)};
+HWY_INLINE V magnitude(V x, V y, V z) { return hn::Add(hn::Add(hn::Abs(x), hn::Abs(y)), hn::Abs(z)); }
+
+HWY_INLINE void store(const Delta& d, double (&to)[6][CoreColumns::kRoom], std::size_t i) {
+  const D tag;
+  hn::StoreU(d.x.high, tag, to[0] + i);
+  hn::StoreU(d.x.low, tag, to[1] + i);
+  hn::StoreU(d.y.high, tag, to[2] + i);
+  hn::StoreU(d.y.low, tag, to[3] + i);
+  hn::StoreU(d.z.high, tag, to[4] + i);
+  hn::StoreU(d.z.low, tag, to[5] + i);
+}
+HWY_INLINE Double2 load(const double (&from)[6][CoreColumns::kRoom], std::size_t axis, std::size_t i) {
+  const D tag;
+  return {hn::LoadU(tag, from[2 * axis] + i), hn::LoadU(tag, from[2 * axis + 1] + i)};
 }
 
-/// core + radius n.
-HWY_INLINE Double2 point_beside(V core, V radius, V q, V low) { return point(core, radius, q, low); }
-HWY_INLINE Double2 point_beside(Double2 core, V radius, V q, V low) {
-  const Double2 at = point(core.high, radius, q, low);
+/// The first core on an axis, and its error. A centre is a number; an error above 0 has room for underflows.
+template <class B>
+HWY_INLINE V first_core(const PairColumns<Ball, B>& pairs, const CoreColumns& /*from*/, std::size_t axis,
+                        std::size_t i) {
+  return hn::LoadU(D(), pairs.a[axis] + i);
+}
+template <class B>
+HWY_INLINE V first_error(const PairColumns<Ball, B>& /*pairs*/, const CoreColumns& /*from*/, std::size_t /*i*/) {
+  return all(bounds::kLeast);
+}
+template <class B>
+HWY_INLINE Double2 first_core(const PairColumns<Capsule, B>& /*pairs*/, const CoreColumns& from, std::size_t axis,
+                              std::size_t i) {
+  return load(from.p, axis, i);
+}
+template <class B>
+HWY_INLINE V first_error(const PairColumns<Capsule, B>& /*pairs*/, const CoreColumns& from, std::size_t i) {
+  return hn::LoadU(D(), from.p_error + i);
+}
+
+/// core + length n.
+HWY_INLINE Double2 point_beside(V core, V length, V q, V low) { return point(core, length, q, low); }
+HWY_INLINE Double2 point_beside(V core, Double2 length, V q, V low) {
+  const Double2 at = point(core, length.high, q, low);
+  return {at.high, hn::MulAdd(length.low, q, at.low)};
+}
+template <class Length>
+HWY_INLINE Double2 point_beside(Double2 core, Length length, V q, V low) {
+  const Double2 at = point_beside(core.high, length, q, low);
   return {at.high, hn::Add(at.low, core.low)};
 }
 
@@ -131,98 +182,124 @@ HWY_NOINLINE void leave_contacts(const PairColumns<A, B>& pairs, const ContactQu
   });
 }
 
-/// The contacts of a vector of pairs; `i` + lanes may be beyond pairs.size, and out has room for these.
+/// The first half. (Two loops: each has a chain of operations that is short enough for the processor to begin the next
+/// vectors, which takes a sixth of the time off.)
 template <class A, class B>
-HWY_INLINE void contacts_of_cores(const PairColumns<A, B>& pairs, const ContactQuestion& question, std::size_t i,
-                                  const ContactRows& out, batch::Count& count) {
-  const D tag;
+HWY_INLINE void cores_of_vector(const PairColumns<A, B>& pairs, double alarm, std::size_t i, CoreColumns& to) {
   const Feet<A, B> feet(pairs, i);
   M hit;
   M miss;
-  feet.filter(question.distances.alarm, hit, miss);
+  feet.filter(alarm, hit, miss);
+  const V decision = hn::IfThenElse(hit, all(1), hn::IfThenElseZero(hn::Not(miss), all(0.5)));
+  hn::StoreU(decision, D(), to.decision + i);
+  if (!hn::AllTrue(D(), miss)) feet.find_cores(to, i);
+}
+
+/// The contacts of a vector of pairs; `i` + lanes may be beyond pairs.size, and out has room for these.
+template <class A, class B>
+HWY_INLINE void contacts_of_vector(const PairColumns<A, B>& pairs, const ContactQuestion& question, std::size_t i,
+                                   const CoreColumns& from, const ContactRows& out, batch::Count& count) {
+  const D tag;
+  const V decision = hn::LoadU(tag, from.decision + i);
+  M hit = hn::Eq(decision, all(1));
+  M miss = hn::Eq(decision, all(0));
   auto* const states = reinterpret_cast<std::uint8_t*>(out.state + i);
   if (hn::AllTrue(tag, miss)) {
     for (double* column : out.number) hn::StoreU(all(0), tag, column + i);
     store_flags(hit, states);
     return;
   }
-  const auto cores = feet.cores();
-  const Delta& d = cores.d;
+  const Delta d{load(from.d, 0, i), load(from.d, 1, i), load(from.d, 2, i)};
+  const V radius1 = hn::LoadU(tag, pairs.a.back() + i);
+  const V radius2 = hn::LoadU(tag, pairs.b.back() + i);
+  const V d_error = hn::LoadU(tag, from.d_error + i);
+  const V p_error = first_error(pairs, from, i);
   const Direction n(d, squared_length(d.x.high, d.y.high, d.z.high));
-  M certain = hn::And(cores.holds, hn::Ge(n.root.high, hn::Mul(cores.error, all(bounds::kClear))));
+  const V length = n.root.high;
+  const V turn = hn::Mul(hn::Mul(d_error, all(bounds::kTurn)), n.reciprocal);
+  const V of_length = hn::Add(turn, all(bounds::kCoreError));
+  M certain = hn::Ge(length, hn::Mul(d_error, all(bounds::kClear)));
 
-  const Double2 radii = two_sum(feet.radius1, feet.radius2);
-  /// sqrt(D) less a sum, and the error of that.
-  const auto beyond = [&](const Less& less, V& error) HWY_ATTR {
-    error = hn::MulAdd(hn::Add(n.root.high, less.sum.high), all(bounds::kValueError), cores.error);
-    return value_of(n.root, less);
+  // From the first core to a surface of the second shape.
+  const auto as_far_as = [&](V radius) HWY_ATTR {
+    const Double2 sum = two_sum(length, radius);
+    return Double2(sum.high, hn::Add(sum.low, n.root.low));
   };
+  const Double2 to_surface = as_far_as(hn::Neg(radius2));
   V error;
+  // The distance of the surfaces less another one, and its error.
+  const auto beyond = [&](double distance) HWY_ATTR {
+    const Double2 rest = two_sum(radius1, all(distance));
+    const Double2 sum = two_difference(to_surface.high, rest.high);
+    const V lengths = hn::Add(hn::Add(length, radius2), rest.high);
+    error = hn::MulAdd(lengths, all(bounds::kCoreError), d_error);
+    return Double2(sum.high, hn::Add(sum.low, hn::Sub(to_surface.low, rest.low)));
+  };
   if (HWY_UNLIKELY(!hn::AllTrue(tag, hn::Or(hit, miss)))) {
-    const Double2 gap = beyond(Less(radii, all(question.distances.alarm)), error);
+    const Double2 gap = beyond(question.distances.alarm);
     const M nearer = hn::Lt(hn::Add(gap.high, hn::Add(gap.low, error)), all(0));
     const M farther = hn::Gt(hn::Add(gap.high, hn::Sub(gap.low, error)), all(0));
     hit = hn::Or(hit, hn::And(certain, nearer));
     miss = hn::Or(miss, hn::And(certain, farther));
   }
 
+  certain = hn::And(certain, hit);
   const auto write = [&](std::size_t k, const Double2& number, V within) HWY_ATTR {
-    const V above = hn::Add(number.high, hn::Add(number.low, within));
-    certain = and_equal(certain, above, hn::Add(number.high, hn::Sub(number.low, within)));
+    const V above = hn::Add(number.high, hn::MulAdd(number.low, all(1 + bounds::kCoreEta), within));
+    const V below = hn::Add(number.high, hn::MulSub(number.low, all(1 - bounds::kCoreEta), within));
+    certain = and_equal(certain, above, below);
     hn::StoreU(hn::IfThenElseZero(hit, above), tag, out.number[k] + i);
   };
-  const V turn = hn::Mul(hn::Mul(cores.error, all(bounds::kTurn)), n.reciprocal);
-  const auto write_normal = [&](std::size_t k, V q, V low) HWY_ATTR {
-    write(k, Double2(q, low), hn::MulAdd(hn::Abs(q), all(bounds::kNormalError), turn));
+  write(0, Double2(n.q.x, n.low.x), turn);
+  write(1, Double2(n.q.y, n.low.y), turn);
+  write(2, Double2(n.q.z, n.low.z), turn);
+  const Double2 value = beyond(question.distances.contact);
+  write(9, value, error);
+  const auto write_points = [&](std::size_t k, const auto& from_first, V within) HWY_ATTR {
+    write(k, point_beside(first_core(pairs, from, 0, i), from_first, n.q.x, n.low.x), within);
+    write(k + 1, point_beside(first_core(pairs, from, 1, i), from_first, n.q.y, n.low.y), within);
+    write(k + 2, point_beside(first_core(pairs, from, 2, i), from_first, n.q.z, n.low.z), within);
   };
-  write_normal(0, n.q.x, n.low.x);
-  write_normal(1, n.q.y, n.low.y);
-  write_normal(2, n.q.z, n.low.z);
-  write(9, beyond(Less(radii, all(question.distances.contact)), error), error);
+  const V signed1 = hn::Mul(radius1, all(sign_of(question.points.first, 1)));
+  write_points(3, signed1, hn::MulAdd(radius1, of_length, p_error));
+  Double2 to_second = to_surface;
+  if (question.points.second != PointOn::nearest_surface)
+    to_second = as_far_as(hn::Mul(radius2, all(sign_of(question.points.second, -1))));
+  write_points(6, to_second, hn::MulAdd(hn::Add(radius2, length), of_length, hn::Add(p_error, d_error)));
 
-  const V of_radius = hn::Add(turn, all(bounds::kCorePointError));
-  const auto write_point = [&](std::size_t k, const auto& core, V radius, V core_error, V q, V low) HWY_ATTR {
-    const Double2 at = point_beside(core, radius, q, low);
-    write(k, at, hn::MulAdd(hn::Abs(at.high), all(bounds::kCoreSumError), core_error));
-  };
-  const auto sign1 = all(sign_of(question.points.first, 1));
-  const auto sign2 = all(sign_of(question.points.second, -1));
-  const V radius1 = hn::Mul(feet.radius1, sign1);
-  const V radius2 = hn::Mul(feet.radius2, sign2);
-  const V error1 = hn::MulAdd(hn::Abs(radius1), of_radius, feet.first_error(cores.error));
-  const V error2 = hn::MulAdd(hn::Abs(radius2), of_radius, cores.error);
-  write_point(3, cores.px, radius1, error1, n.q.x, n.low.x);
-  write_point(4, cores.py, radius1, error1, n.q.y, n.low.y);
-  write_point(5, cores.pz, radius1, error1, n.q.z, n.low.z);
-  write_point(6, sum(cores.px, d.x), radius2, error2, n.q.x, n.low.x);
-  write_point(7, sum(cores.py, d.y), radius2, error2, n.q.y, n.low.y);
-  write_point(8, sum(cores.pz, d.z), radius2, error2, n.q.z, n.low.z);
-
-  const M good = hn::And(hit, certain);
-  store_flags(good, states);
-  const M in_columns = hn::FirstN(tag, pairs.size - i);
-  count.hits += hn::CountTrue(tag, hn::And(good, in_columns));
-  const M settled = hn::Or(miss, good);
+  store_flags(certain, states);
+  count.hits += hn::CountTrue(tag, hn::And(certain, hn::FirstN(tag, pairs.size - i)));
+  const M settled = hn::Or(miss, certain);
   if (HWY_UNLIKELY(!hn::AllTrue(tag, settled))) leave_contacts(pairs, question, i, hn::Not(settled), out, count);
+}
+
+template <class A, class B>
+HWY_INLINE void contacts_of_vectors(const PairColumns<A, B>& pairs, const ContactQuestion& question,
+                                    const ContactRows& out, CoreColumns& columns, batch::Count& count) {
+  const std::size_t lanes = hn::Lanes(D());
+  for (std::size_t i = 0; i < pairs.size; i += lanes) cores_of_vector(pairs, question.distances.alarm, i, columns);
+  for (std::size_t i = 0; i < pairs.size; i += lanes) contacts_of_vector(pairs, question, i, columns, out, count);
 }
 
 template <class A, class B>
 batch::Count compute_cores(const PairColumns<A, B>& pairs, const ContactQuestion& question, const ContactRows& out) {
   batch::Count count;
-  const std::size_t lanes = hn::Lanes(D());
-  std::size_t i = 0;
-  for (; i + lanes <= pairs.size; i += lanes) contacts_of_cores(pairs, question, i, out, count);
-  if (i == pairs.size) return count;
+  CoreColumns columns;
+  const std::size_t whole = pairs.size - pairs.size % hn::Lanes(D());
+  for_each_strip(pairs.from(0, whole), [&](const PairColumns<A, B>& strip, std::size_t begin) HWY_ATTR {
+    contacts_of_vectors(strip, question, out.from(begin), columns, count);
+  });
+  if (whole == pairs.size) return count;
 
-  const Padded last(pairs, i);
+  const Padded last(pairs, whole);
   double numbers[ContactRows::kNumbers][kMostLanes];
   batch::PairState states[kMostLanes];
   ContactRows rows{};
   for (std::size_t k = 0; k < ContactRows::kNumbers; ++k) rows.number[k] = numbers[k];
   rows.state = states;
-  contacts_of_cores(last.pairs, question, 0, rows, count);
-  for (std::size_t k = 0; k < ContactRows::kNumbers; ++k) std::copy_n(numbers[k], last.count, out.number[k] + i);
-  std::copy_n(states, last.count, out.state + i);
+  contacts_of_vectors(last.pairs, question, rows, columns, count);
+  for (std::size_t k = 0; k < ContactRows::kNumbers; ++k) std::copy_n(numbers[k], last.count, out.number[k] + whole);
+  std::copy_n(states, last.count, out.state + whole);
   return count;
 }
 

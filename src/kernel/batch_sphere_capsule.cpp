@@ -11,8 +11,9 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <limits>
+
 #include "kernel/batch_cores-inl.h"
-#include "kernel/batch_strips.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace contact::kernel {
@@ -22,24 +23,23 @@ namespace HWY_NAMESPACE {
 
 template <>
 struct Feet<Ball, Capsule> {
-  V radius1, radius2;
+  V radii;
   V cx, cy, cz, ax, ay, az, bx, by, bz;  // centre, start, end
   V wx, wy, wz, vx, vy, vz;              // rounded
-  V ww, vv, reciprocal, t;
+  V ww, vv, minus_reciprocal, t;
 
   HWY_INLINE Feet(const SphereCapsulePairs& pairs, std::size_t i) {
-    const D d;
-    cx = hn::LoadU(d, pairs.a[0] + i);
-    cy = hn::LoadU(d, pairs.a[1] + i);
-    cz = hn::LoadU(d, pairs.a[2] + i);
-    radius1 = hn::LoadU(d, pairs.a[3] + i);
-    ax = hn::LoadU(d, pairs.b[0] + i);
-    ay = hn::LoadU(d, pairs.b[1] + i);
-    az = hn::LoadU(d, pairs.b[2] + i);
-    bx = hn::LoadU(d, pairs.b[3] + i);
-    by = hn::LoadU(d, pairs.b[4] + i);
-    bz = hn::LoadU(d, pairs.b[5] + i);
-    radius2 = hn::LoadU(d, pairs.b[6] + i);
+    const D tag;
+    cx = hn::LoadU(tag, pairs.a[0] + i);
+    cy = hn::LoadU(tag, pairs.a[1] + i);
+    cz = hn::LoadU(tag, pairs.a[2] + i);
+    ax = hn::LoadU(tag, pairs.b[0] + i);
+    ay = hn::LoadU(tag, pairs.b[1] + i);
+    az = hn::LoadU(tag, pairs.b[2] + i);
+    bx = hn::LoadU(tag, pairs.b[3] + i);
+    by = hn::LoadU(tag, pairs.b[4] + i);
+    bz = hn::LoadU(tag, pairs.b[5] + i);
+    radii = hn::Add(hn::LoadU(tag, pairs.a[3] + i), hn::LoadU(tag, pairs.b[6] + i));
     wx = hn::Sub(ax, cx);
     wy = hn::Sub(ay, cy);
     wz = hn::Sub(az, cz);
@@ -48,47 +48,33 @@ struct Feet<Ball, Capsule> {
     vz = hn::Sub(bz, az);
     ww = squared_length(wx, wy, wz);
     vv = squared_length(vx, vy, vz);
-    // A segment that is nothing beside w, or whose square is nothing, is its start.
-    reciprocal = hn::IfThenElseZero(hn::Ge(vv, all(bounds::kLeast)), hn::Div(all(1), vv));
-    const V vw = hn::MulAdd(vz, wz, hn::MulAdd(vy, wy, hn::Mul(vx, wx)));
-    t = hn::Min(hn::Max(hn::Mul(hn::Neg(vw), reciprocal), all(0)), all(1));
+    // A segment whose square is nothing is its start.
+    minus_reciprocal = hn::IfThenElseZero(hn::Ge(vv, all(bounds::kLeast)), hn::Div(all(-1), vv));
+    t = clamped(hn::Mul(plain_dot(vx, vy, vz, wx, wy, wz), minus_reciprocal));
   }
 
   HWY_INLINE void filter(double alarm, M& hit, M& miss) const {
     const V d2 = squared_length(hn::MulAdd(t, vx, wx), hn::MulAdd(t, vy, wy), hn::MulAdd(t, vz, wz));
-    const V reach = hn::Add(hn::Add(radius1, radius2), all(alarm));
+    const V reach = hn::Add(radii, all(alarm));
     const V sum = hn::MulAdd(reach, reach, d2);
     const V difference = hn::NegMulAdd(reach, reach, d2);
-    const V gap =
-        hn::MulAdd(sum, all(bounds::kFilterGap), hn::MulAdd(ww, all(bounds::kFootGap), all(bounds::kFootFloor)));
+    const V of_foot = hn::MulAdd(ww, all(bounds::kFootGap), all(bounds::kFootFloor));
+    const V gap = hn::MulAdd(sum, all(bounds::kFilterGap), of_foot);
     const M in_range = hn::Le(vv, all(bounds::kMostSquare));
     hit = hn::And(in_range, hn::Lt(difference, hn::Neg(gap)));
     miss = hn::And(in_range, hn::Gt(difference, gap));
   }
 
 #if HWY_NATIVE_FMA
-  /// Of the first point beside that of the normal: the centre is a number.
-  HWY_INLINE static V first_error(V /*error*/) { return all(0); }
-
-  HWY_INLINE Cores<V> cores() const {
+  HWY_INLINE void find_cores(CoreColumns& to, std::size_t i) const {
     const Delta w{two_difference(ax, cx), two_difference(ay, cy), two_difference(az, cz)};
     const Delta v{two_difference(bx, ax), two_difference(by, ay), two_difference(bz, az)};
     const Delta d{moved(w.x, t, v.x), moved(w.y, t, v.y), moved(w.z, t, v.z)};
-    const V correction = hn::Mul(hn::Neg(dot(d, v)), reciprocal);
-    const V step = hn::Max(hn::Min(correction, hn::Sub(all(1), t)), hn::Neg(t));
-    Cores<V> cores;
-    cores.px = cx;
-    cores.py = cy;
-    cores.pz = cz;
-    cores.d.x = stepped(d.x, step, v.x);
-    cores.d.y = stepped(d.y, step, v.y);
-    cores.d.z = stepped(d.z, step, v.z);
-    cores.error = hn::Mul(hn::Add(hn::Add(hn::Abs(wx), hn::Abs(wy)), hn::Abs(wz)), all(bounds::kFootError));
-    const auto is_short = [](V r) HWY_ATTR { return hn::Or(hn::Ge(r, all(bounds::kLeast)), hn::Eq(r, all(0))); };
-    cores.holds =
-        hn::And(hn::And(hn::Ge(ww, all(bounds::kLeastSquare)), hn::Le(hn::Max(ww, vv), all(bounds::kMostSquare))),
-                hn::And(is_short(radius1), is_short(radius2)));
-    return cores;
+    const V step = hn::Max(hn::Min(hn::Mul(dot(d, v), minus_reciprocal), hn::Sub(all(1), t)), hn::Neg(t));
+    store({stepped(d.x, step, v.x), stepped(d.y, step, v.y), stepped(d.z, step, v.z)}, to.d, i);
+    const M holds = hn::And(hn::Ge(ww, all(bounds::kLeastSquare)), hn::Le(hn::Max(ww, vv), all(bounds::kMostSquare)));
+    const V error = hn::Mul(magnitude(wx, wy, wz), all(bounds::kFootError));
+    hn::StoreU(hn::IfThenElse(holds, error, all(std::numeric_limits<double>::infinity())), D(), to.d_error + i);
   }
 #endif
 };
