@@ -49,7 +49,7 @@ class Uniform {
   // With these every other pair of one shape is a hit.
   std::uniform_real_distribution<double> radius_{0.5, 12.75};
   std::uniform_real_distribution<double> extent_{5.4, 18};
-  std::uniform_real_distribution<double> thin_{0.25, 4};
+  std::uniform_real_distribution<double> thin_{0.25, 5};
 };
 
 }  // namespace contact::bench

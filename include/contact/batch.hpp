@@ -77,10 +77,11 @@ struct Count {
 // Evidence    src/kernel/batch_test.cpp compares every available instruction set with the functions of one pair.
 
 /// The pairs that have these functions, X(name, first shape, second shape): those whose contacts have numbers, and all.
-#define CONTACT_BATCH_CONTACTS(X) \
-  X(sphere_sphere, Ball, Ball)    \
-  X(sphere_cube, Ball, Box)       \
-  X(sphere_capsule, Ball, Capsule)
+#define CONTACT_BATCH_CONTACTS(X)  \
+  X(sphere_sphere, Ball, Ball)     \
+  X(sphere_cube, Ball, Box)        \
+  X(sphere_capsule, Ball, Capsule) \
+  X(capsule_capsule, Capsule, Capsule)
 #define CONTACT_BATCH_PAIRS(X) \
   CONTACT_BATCH_CONTACTS(X)    \
   X(cube_cube, Box, Box)

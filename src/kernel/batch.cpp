@@ -22,6 +22,7 @@ void expect_length(const std::string& column, std::span<T> actual, std::size_t e
 
 std::size_t size_of(const BallColumns& balls) { return balls.x.size(); }
 std::size_t size_of(const BoxColumns& boxes) { return boxes.min[0].size(); }
+std::size_t size_of(const CapsuleColumns& capsules) { return capsules.start[0].size(); }
 
 std::array<const double*, 4> columns(const std::string& side, const BallColumns& balls, std::size_t size) {
   expect_length(side + ".x", balls.x, size);

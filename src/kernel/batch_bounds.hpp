@@ -88,6 +88,18 @@ struct FastBounds {
   /// Bounds of |w|^2 and |v|^2: within them no product matters that underflows, and none overflows.
   static constexpr double kLeastSquare = 0x1p-680;
   static constexpr double kMostSquare = 0x1p600;
+
+  // Two segments.
+
+  /// What plain arithmetic loses of D, of the directions' and w's squares together.
+  static constexpr double kSegmentGap = 32 * kUnit;
+  /// |error| of a correction, of its length.
+  static constexpr double kStepError = 128 * kUnit;
+  /// Bounds of the squares together, and of the square of a direction along which a core moves.
+  static constexpr double kLeastSize = 0x1p-400;
+  static constexpr double kMostSize = 0x1p400;
+  /// The reciprocal squared sine of the angle between the segments, where both cores move.
+  static constexpr double kMostParallel = 0x1p20;
 };
 
 using ForDouble = FastBounds<double>;

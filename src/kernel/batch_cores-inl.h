@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "contact/pair_functions.hpp"
 #include "kernel/batch_arithmetic-inl.h"
@@ -56,8 +57,22 @@ HWY_INLINE void for_each_lane(M lanes, std::size_t size, const Work& work) {
     if (((bits >> lane) & 1) != 0) work(lane);
 }
 
-HWY_INLINE V plain_dot(V ax, V ay, V az, V bx, V by, V bz) {
-  return hn::MulAdd(az, bz, hn::MulAdd(ay, by, hn::Mul(ax, bx)));
+/// Points of a vector of pairs.
+struct Points {
+  V x, y, z;
+
+  HWY_INLINE Points(V on_x, V on_y, V on_z) : x(on_x), y(on_y), z(on_z) {}
+  HWY_INLINE Points(const double* const* columns, std::size_t i)
+      : x(hn::LoadU(D(), columns[0] + i)), y(hn::LoadU(D(), columns[1] + i)), z(hn::LoadU(D(), columns[2] + i)) {}
+};
+HWY_INLINE Points from_to(const Points& a, const Points& b) {
+  return {hn::Sub(b.x, a.x), hn::Sub(b.y, a.y), hn::Sub(b.z, a.z)};
+}
+HWY_INLINE Points plus(const Points& w, V t, const Points& v) {
+  return {hn::MulAdd(t, v.x, w.x), hn::MulAdd(t, v.y, w.y), hn::MulAdd(t, v.z, w.z)};
+}
+HWY_INLINE V plain_dot(const Points& a, const Points& b) {
+  return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
 }
 HWY_INLINE V clamped(V t) { return hn::Min(hn::Max(t, all(0)), all(1)); }
 
@@ -124,7 +139,19 @@ HWY_INLINE V dot(const Delta& x, const Delta& y) {
   return hn::Add(hn::Add(xy.high, product_z), hn::Add(xy.low, rests));
 }
 
-HWY_INLINE V magnitude(V x, V y, V z) { return hn::Add(hn::Add(hn::Abs(x), hn::Abs(y)), hn::Abs(z)); }
+HWY_INLINE V magnitude(const Points& a) { return hn::Add(hn::Add(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z)); }
+HWY_INLINE Delta exactly_from_to(const Points& a, const Points& b) {
+  return {two_difference(b.x, a.x), two_difference(b.y, a.y), two_difference(b.z, a.z)};
+}
+HWY_INLINE Delta moved(const Delta& w, V t, const Delta& v) {
+  return {moved(w.x, t, v.x), moved(w.y, t, v.y), moved(w.z, t, v.z)};
+}
+HWY_INLINE Delta stepped(const Delta& d, V step, const Delta& v) {
+  return {stepped(d.x, step, v.x), stepped(d.y, step, v.y), stepped(d.z, step, v.z)};
+}
+HWY_INLINE void store_error(V error, M holds, double* to) {
+  hn::StoreU(hn::IfThenElse(holds, error, all(std::numeric_limits<double>::infinity())), D(), to);
+}
 
 HWY_INLINE void store(const Delta& d, double (&to)[6][CoreColumns::kRoom], std::size_t i) {
   const D tag;

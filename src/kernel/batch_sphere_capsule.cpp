@@ -11,8 +11,6 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include <limits>
-
 #include "kernel/batch_cores-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,38 +21,27 @@ namespace HWY_NAMESPACE {
 
 template <>
 struct Feet<Ball, Capsule> {
-  V radii;
-  V cx, cy, cz, ax, ay, az, bx, by, bz;  // centre, start, end
-  V wx, wy, wz, vx, vy, vz;              // rounded
-  V ww, vv, minus_reciprocal, t;
+  Points center, start, end;
+  Points w, v;  // rounded
+  V ww, vv, minus_reciprocal, t, radii;
 
-  HWY_INLINE Feet(const SphereCapsulePairs& pairs, std::size_t i) {
-    const D tag;
-    cx = hn::LoadU(tag, pairs.a[0] + i);
-    cy = hn::LoadU(tag, pairs.a[1] + i);
-    cz = hn::LoadU(tag, pairs.a[2] + i);
-    ax = hn::LoadU(tag, pairs.b[0] + i);
-    ay = hn::LoadU(tag, pairs.b[1] + i);
-    az = hn::LoadU(tag, pairs.b[2] + i);
-    bx = hn::LoadU(tag, pairs.b[3] + i);
-    by = hn::LoadU(tag, pairs.b[4] + i);
-    bz = hn::LoadU(tag, pairs.b[5] + i);
-    radii = hn::Add(hn::LoadU(tag, pairs.a[3] + i), hn::LoadU(tag, pairs.b[6] + i));
-    wx = hn::Sub(ax, cx);
-    wy = hn::Sub(ay, cy);
-    wz = hn::Sub(az, cz);
-    vx = hn::Sub(bx, ax);
-    vy = hn::Sub(by, ay);
-    vz = hn::Sub(bz, az);
-    ww = squared_length(wx, wy, wz);
-    vv = squared_length(vx, vy, vz);
+  HWY_INLINE Feet(const SphereCapsulePairs& pairs, std::size_t i)
+      : center(&pairs.a[0], i),
+        start(&pairs.b[0], i),
+        end(&pairs.b[3], i),
+        w(from_to(center, start)),
+        v(from_to(start, end)),
+        ww(plain_dot(w, w)),
+        vv(plain_dot(v, v)) {
     // A segment whose square is nothing is its start.
     minus_reciprocal = hn::IfThenElseZero(hn::Ge(vv, all(bounds::kLeast)), hn::Div(all(-1), vv));
-    t = clamped(hn::Mul(plain_dot(vx, vy, vz, wx, wy, wz), minus_reciprocal));
+    t = clamped(hn::Mul(plain_dot(v, w), minus_reciprocal));
+    radii = hn::Add(hn::LoadU(D(), pairs.a[3] + i), hn::LoadU(D(), pairs.b[6] + i));
   }
 
   HWY_INLINE void filter(double alarm, M& hit, M& miss) const {
-    const V d2 = squared_length(hn::MulAdd(t, vx, wx), hn::MulAdd(t, vy, wy), hn::MulAdd(t, vz, wz));
+    const Points d = plus(w, t, v);
+    const V d2 = plain_dot(d, d);
     const V reach = hn::Add(radii, all(alarm));
     const V sum = hn::MulAdd(reach, reach, d2);
     const V difference = hn::NegMulAdd(reach, reach, d2);
@@ -67,14 +54,13 @@ struct Feet<Ball, Capsule> {
 
 #if HWY_NATIVE_FMA
   HWY_INLINE void find_cores(CoreColumns& to, std::size_t i) const {
-    const Delta w{two_difference(ax, cx), two_difference(ay, cy), two_difference(az, cz)};
-    const Delta v{two_difference(bx, ax), two_difference(by, ay), two_difference(bz, az)};
-    const Delta d{moved(w.x, t, v.x), moved(w.y, t, v.y), moved(w.z, t, v.z)};
-    const V step = hn::Max(hn::Min(hn::Mul(dot(d, v), minus_reciprocal), hn::Sub(all(1), t)), hn::Neg(t));
-    store({stepped(d.x, step, v.x), stepped(d.y, step, v.y), stepped(d.z, step, v.z)}, to.d, i);
+    const Delta along = exactly_from_to(start, end);
+    const Delta d = moved(exactly_from_to(center, start), t, along);
+    const V correction = hn::Mul(dot(d, along), minus_reciprocal);
+    const V step = hn::Max(hn::Min(correction, hn::Sub(all(1), t)), hn::Neg(t));
+    store(stepped(d, step, along), to.d, i);
     const M holds = hn::And(hn::Ge(ww, all(bounds::kLeastSquare)), hn::Le(hn::Max(ww, vv), all(bounds::kMostSquare)));
-    const V error = hn::Mul(magnitude(wx, wy, wz), all(bounds::kFootError));
-    hn::StoreU(hn::IfThenElse(holds, error, all(std::numeric_limits<double>::infinity())), D(), to.d_error + i);
+    store_error(hn::Mul(magnitude(w), all(bounds::kFootError)), holds, to.d_error + i);
   }
 #endif
 };
