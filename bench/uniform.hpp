@@ -1,5 +1,5 @@
 // The questions of every benchmark that is about no family: uniform, half of them hits, in an order that cannot be
-// learned; of a ball and a box two in five, and one in sixteen a centre inside.
+// learned; of a ball and a box two in five, and one in sixteen a centre inside; with capsules nearly half.
 #pragma once
 
 #include <concepts>
