@@ -187,6 +187,15 @@ HWY_INLINE V first_error(const PairColumns<Capsule, B>& /*pairs*/, const CoreCol
   return hn::LoadU(D(), from.p_error + i);
 }
 
+/// Where all points of both shapes have one coordinate: what delta has of it is 0, with no error.
+template <class A>
+HWY_INLINE M in_plane(const PairColumns<A, Capsule>& pairs, std::size_t axis, std::size_t i) {
+  const auto same = [&](const double* column)
+                        HWY_ATTR { return hn::Eq(hn::LoadU(D(), column + i), hn::LoadU(D(), pairs.b[axis] + i)); };
+  const M all_same = hn::And(same(pairs.a[axis]), same(pairs.b[3 + axis]));
+  return pairs.a.size() == 4 ? all_same : hn::And(all_same, same(pairs.a[(3 + axis) % pairs.a.size()]));
+}
+
 /// core + length n.
 HWY_INLINE Double2 point_beside(V core, V length, V q, V low) { return point(core, length, q, low); }
 HWY_INLINE Double2 point_beside(V core, Double2 length, V q, V low) {
@@ -270,6 +279,15 @@ HWY_INLINE void contacts_of_vector(const PairColumns<A, B>& pairs, const Contact
     miss = hn::Or(miss, hn::And(certain, farther));
   }
 
+  const V zero = all(0);
+  M flat_x = hn::Eq(d.x.high, zero);
+  M flat_y = hn::Eq(d.y.high, zero);
+  M flat_z = hn::Eq(d.z.high, zero);
+  if (HWY_UNLIKELY(!hn::AllFalse(tag, hn::Or(hn::Or(flat_x, flat_y), flat_z)))) {
+    flat_x = hn::And(flat_x, in_plane(pairs, 0, i));
+    flat_y = hn::And(flat_y, in_plane(pairs, 1, i));
+    flat_z = hn::And(flat_z, in_plane(pairs, 2, i));
+  }
   certain = hn::And(certain, hit);
   const auto write = [&](std::size_t k, const Double2& number, V within) HWY_ATTR {
     const V above = hn::Add(number.high, hn::MulAdd(number.low, all(1 + bounds::kCoreEta), within));
@@ -277,15 +295,18 @@ HWY_INLINE void contacts_of_vector(const PairColumns<A, B>& pairs, const Contact
     certain = and_equal(certain, above, below);
     hn::StoreU(hn::IfThenElseZero(hit, above), tag, out.number[k] + i);
   };
-  write(0, Double2(n.q.x, n.low.x), turn);
-  write(1, Double2(n.q.y, n.low.y), turn);
-  write(2, Double2(n.q.z, n.low.z), turn);
+  write(0, Double2(n.q.x, n.low.x), hn::IfThenZeroElse(flat_x, turn));
+  write(1, Double2(n.q.y, n.low.y), hn::IfThenZeroElse(flat_y, turn));
+  write(2, Double2(n.q.z, n.low.z), hn::IfThenZeroElse(flat_z, turn));
   const Double2 value = beyond(question.distances.contact);
   write(9, value, error);
   const auto write_points = [&](std::size_t k, const auto& from_first, V within) HWY_ATTR {
-    write(k, point_beside(first_core(pairs, from, 0, i), from_first, n.q.x, n.low.x), within);
-    write(k + 1, point_beside(first_core(pairs, from, 1, i), from_first, n.q.y, n.low.y), within);
-    write(k + 2, point_beside(first_core(pairs, from, 2, i), from_first, n.q.z, n.low.z), within);
+    write(k, point_beside(first_core(pairs, from, 0, i), from_first, n.q.x, n.low.x),
+          hn::IfThenZeroElse(flat_x, within));
+    write(k + 1, point_beside(first_core(pairs, from, 1, i), from_first, n.q.y, n.low.y),
+          hn::IfThenZeroElse(flat_y, within));
+    write(k + 2, point_beside(first_core(pairs, from, 2, i), from_first, n.q.z, n.low.z),
+          hn::IfThenZeroElse(flat_z, within));
   };
   const V signed1 = hn::Mul(radius1, all(sign_of(question.points.first, 1)));
   write_points(3, signed1, hn::MulAdd(radius1, of_length, p_error));

@@ -653,6 +653,44 @@ TEST(BatchSphereCube, leaves_few_pairs_to_exact_arithmetic) {
   }
 }
 
+using KindsOfCapsules = testing::Types<BallAndCapsule, Capsules>;
+template <class Kind>
+class BatchOfCapsules : public testing::Test {};
+TYPED_TEST_SUITE(BatchOfCapsules, KindsOfCapsules, PairNames);
+
+TYPED_TEST(BatchOfCapsules, leaves_few_pairs_to_exact_arithmetic) {
+  kernel::use_instruction_set("");
+  if (!kernel::vectors_compute_contacts()) GTEST_SKIP() << "no fused multiply-add in vectors here";
+  for (const Distances distances : {Distances{0, 0}, Distances{0.5, 0.0625}}) {
+    SCOPED_TRACE(std::to_string(distances.alarm) + " " + std::to_string(distances.contact));
+    EXPECT_LE(share_left<TypeParam>("generic", distances), 0.0);
+    EXPECT_LE(share_left<TypeParam>("units", distances), 0.01);
+    EXPECT_LE(share_left<TypeParam>("alarm_edge", distances), 0.06);
+    EXPECT_LE(share_left<TypeParam>("far_from_origin", distances), 0.15);
+    EXPECT_LE(share_left<TypeParam>("along_axes", distances), 0.25);
+  }
+}
+
+void put_in_plane(Ball& ball, Eigen::Index axis, double at) { ball.center[axis] = at; }
+void put_in_plane(Capsule& capsule, Eigen::Index axis, double at) { capsule.start[axis] = capsule.end[axis] = at; }
+
+TYPED_TEST(BatchOfCapsules, leaves_no_pair_for_lying_in_a_plane) {
+  kernel::use_instruction_set("");
+  if (!kernel::vectors_compute_contacts()) GTEST_SKIP() << "no fused multiply-add in vectors here";
+  const golden::Family& generic = *golden::find_family(pair_of<TypeParam>(), "generic");
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    for (const double at : {0.0, 0.1}) {
+      Many<TypeParam> shapes;
+      for (const Query& query : questions_of(pair_of<TypeParam>(), generic, Scalar::binary64, 500)) {
+        shapes.push_back(shapes_of<TypeParam>(query));
+        put_in_plane(shapes.back().a, axis, at);
+        put_in_plane(shapes.back().b, axis, at);
+      }
+      // Axes that cross in a plane meet, and have no direction of their own.
+      EXPECT_LE(expect_same_bits(shapes, {0.5, 0.0625}), std::is_same_v<TypeParam, Capsules> ? 50U : 0U);
+    }
+}
+
 TYPED_TEST(Batch, does_not_depend_on_the_callers_floating_point_environment) {
   Many<TypeParam> shapes;
   for (const golden::Family& family : golden::families_of(pair_of<TypeParam>()))
