@@ -138,6 +138,10 @@ void register_contacts(const std::string& of) {
   register_contacts<Ball, Ball>("");
   register_decisions<Ball, Box>("sphere_cube_test");
   register_contacts<Ball, Box>("sphere_cube_");
+  register_decisions<Ball, Capsule>("sphere_capsule_test");
+  register_contacts<Ball, Capsule>("sphere_capsule_");
+  register_decisions<Capsule, Capsule>("capsules_test");
+  register_contacts<Capsule, Capsule>("capsules_");
   register_decisions<Box, Box>("cubes");
 #ifdef CONTACT_BENCH_FAMILIES
   register_families();

@@ -22,7 +22,7 @@ class Columns {
   }
 
  private:
-  static constexpr std::size_t kStagger = 24;  // three lines: 18 columns spread over a page
+  static constexpr std::size_t kStagger = 24;  // three lines: 21 columns spread over a page
   std::size_t size_;
   hwy::AlignedFreeUniquePtr<double[]> memory_;
 };

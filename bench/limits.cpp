@@ -15,7 +15,6 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::ScalableTag<double>;
-constexpr std::size_t kMostColumns = 20;
 
 /// Reads `read` columns and writes their sums to the `write` columns behind them: a row a pair, or with an `index` 5
 /// rows for 12 pairs, one after the other. A flag a row, and its index.
@@ -71,12 +70,13 @@ HWY_EXPORT(triad);
 namespace {
 
 struct Memory {
+  static constexpr std::size_t kColumns = 24;
   Columns columns;
-  std::array<double*, 20> column{};
+  std::array<double*, kColumns> column{};
   std::vector<std::uint8_t> flag;
   std::vector<std::uint32_t> index;
 
-  explicit Memory(std::size_t size) : columns(20, size), flag(size), index(size) {
+  explicit Memory(std::size_t size) : columns(kColumns, size), flag(size), index(size) {
     for (std::size_t k = 0; k < column.size(); ++k) column[k] = columns[k].data();
   }
 };
@@ -93,13 +93,19 @@ struct Traffic {
   bool index;
 };
 /// What a call of the batch API reads and writes a pair.
-constexpr std::array<Traffic, 7> kTraffic{{{"test", 8, 0, false},
-                                           {"compute", 8, 10, false},
-                                           {"hits", 8, 10, true},
-                                           {"cubes", 12, 0, false},
-                                           {"sphere_cube_test", 10, 0, false},
-                                           {"sphere_cube_compute", 10, 10, false},
-                                           {"sphere_cube_hits", 10, 10, true}}};
+constexpr std::array<Traffic, 13> kTraffic{{{"test", 8, 0, false},
+                                            {"compute", 8, 10, false},
+                                            {"hits", 8, 10, true},
+                                            {"cubes", 12, 0, false},
+                                            {"sphere_cube_test", 10, 0, false},
+                                            {"sphere_cube_compute", 10, 10, false},
+                                            {"sphere_cube_hits", 10, 10, true},
+                                            {"sphere_capsule_test", 11, 0, false},
+                                            {"sphere_capsule_compute", 11, 10, false},
+                                            {"sphere_capsule_hits", 11, 10, true},
+                                            {"capsules_test", 14, 0, false},
+                                            {"capsules_compute", 14, 10, false},
+                                            {"capsules_hits", 14, 10, true}}};
 
 void compute_in_threads(benchmark::State& state) {
   constexpr std::size_t kPairs = 1 << 12;

@@ -8,6 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -54,7 +55,69 @@ struct Pair {
     decide(alarm);
   }
 
+  HWY_INLINE Pair(const kernel::SphereCapsulePairs& pairs, std::size_t i, double alarm) {
+    load_first(pairs.a, i);
+    const Axis v(pairs.b, i);
+    const V t = part(hn::Neg(v.dot(v.from(ax, ay, az))), v.dot(v));
+    take_second(v, t);
+    decide(alarm);
+  }
+  HWY_INLINE Pair(const kernel::CapsulePairs& pairs, std::size_t i, double alarm) {
+    const Axis u(pairs.a, i);
+    const Axis v(pairs.b, i);
+    const Axis w = v.from(u.startx, u.starty, u.startz);
+    const V A = u.dot(u);
+    const V B = u.dot(v);
+    const V C = u.dot(w);
+    const V E = v.dot(v);
+    const V F = v.dot(w);
+    V s = part(hn::Sub(hn::Mul(C, E), hn::Mul(B, F)), hn::Sub(hn::Mul(A, E), hn::Mul(B, B)));
+    const V t = part(hn::Sub(hn::Mul(B, s), F), E);
+    s = part(hn::Add(hn::Mul(B, t), C), A);
+    ax = hn::Add(u.startx, hn::Mul(s, u.x));
+    ay = hn::Add(u.starty, hn::Mul(s, u.y));
+    az = hn::Add(u.startz, hn::Mul(s, u.z));
+    ar = u.radius;
+    take_second(v, t);
+    decide(alarm);
+  }
+
  private:
+  /// A capsule's axis, as a vector.
+  struct Axis {
+    V startx, starty, startz, x, y, z, radius;
+
+    HWY_INLINE Axis(const std::array<const double*, 7>& capsules, std::size_t i) {
+      const auto at = [&](std::size_t k) HWY_ATTR { return hn::LoadU(D(), capsules[k] + i); };
+      startx = at(0);
+      starty = at(1);
+      startz = at(2);
+      x = hn::Sub(at(3), startx);
+      y = hn::Sub(at(4), starty);
+      z = hn::Sub(at(5), startz);
+      radius = at(6);
+    }
+    /// From a point to the start.
+    [[nodiscard]] HWY_INLINE Axis from(V px, V py, V pz) const {
+      Axis w = *this;
+      w.x = hn::Sub(startx, px);
+      w.y = hn::Sub(starty, py);
+      w.z = hn::Sub(startz, pz);
+      return w;
+    }
+    [[nodiscard]] HWY_INLINE V dot(const Axis& o) const {
+      return hn::Add(hn::Add(hn::Mul(x, o.x), hn::Mul(y, o.y)), hn::Mul(z, o.z));
+    }
+  };
+  HWY_INLINE static V part(V numerator, V whole) {
+    return hn::Min(hn::Max(hn::Div(numerator, whole), hn::Zero(D())), hn::Set(D(), 1));
+  }
+  HWY_INLINE void take_second(const Axis& v, V t) {
+    bx = hn::Add(v.startx, hn::Mul(t, v.x));
+    by = hn::Add(v.starty, hn::Mul(t, v.y));
+    bz = hn::Add(v.startz, hn::Mul(t, v.z));
+    br = v.radius;
+  }
   HWY_INLINE void load_first(const std::array<const double*, 4>& a, std::size_t i) {
     const D d;
     ax = hn::LoadU(d, a[0] + i);
@@ -96,7 +159,8 @@ struct Numbers {
   }
 };
 
-HWY_INLINE void leave_boxes(const kernel::SpherePairs&, std::size_t, const Pair&, double, Numbers&) {}
+template <class Pairs>
+HWY_INLINE void leave_boxes(const Pairs&, std::size_t, const Pair&, double, Numbers&) {}
 
 /// Centres inside: out through the nearest face.
 HWY_INLINE void leave_boxes(const kernel::SphereCubePairs& pairs, std::size_t i, const Pair& p, double contact,
@@ -200,19 +264,43 @@ HWY_AFTER_NAMESPACE();
 namespace contact::bench {
 namespace {
 
-const Ball& as_ball(const Ball& /*a*/, const Ball& ball) { return ball; }
-Ball as_ball(const Ball& a, const Box& box) { return {a.center.cwiseMax(box.min).cwiseMin(box.max), 0}; }
-bool contact_inside(const Ball&, const Ball&, double, Contact&) { return false; }
+double part(double numerator, double whole) { return std::clamp(numerator / whole, 0.0, 1.0); }
+
+const Balls& as_balls(const Balls& balls) { return balls; }
+Balls as_balls(const BallAndBox& pair) {
+  return {pair.a, {pair.a.center.cwiseMax(pair.b.min).cwiseMin(pair.b.max), 0}};
+}
+Balls as_balls(const BallAndCapsule& pair) {
+  const Capsule& b = pair.b;
+  const Vector3 v = b.end - b.start;
+  return {pair.a, {b.start + part((pair.a.center - b.start).dot(v), v.dot(v)) * v, b.radius}};
+}
+Balls as_balls(const Capsules& pair) {
+  const Vector3 u = pair.a.end - pair.a.start;
+  const Vector3 v = pair.b.end - pair.b.start;
+  const Vector3 w = pair.b.start - pair.a.start;
+  const double A = u.dot(u);
+  const double B = u.dot(v);
+  const double C = u.dot(w);
+  const double E = v.dot(v);
+  const double F = v.dot(w);
+  const double t = part(B * part(C * E - B * F, A * E - B * B) - F, E);
+  return {{pair.a.start + part(B * t + C, A) * u, pair.a.radius}, {pair.b.start + t * v, pair.b.radius}};
+}
+
+template <class A, class B>
+bool contact_inside(const A&, const B&, double, Contact&) {
+  return false;
+}
 bool contact_inside(const Ball& a, const Box& box, double contact_distance, Contact& out) {
   plain_contact_inside(a, box, contact_distance, out);
   return true;
 }
 
-template <class B>
-void compute_one_by_one(const Two<Ball, B>* pairs, std::size_t size, Distances distances, PlainContact* out) {
+template <class A, class B>
+void compute_one_by_one(const Two<A, B>* pairs, std::size_t size, Distances distances, PlainContact* out) {
   for (std::size_t i = 0; i < size; ++i) {
-    const Ball& a = pairs[i].a;
-    const Ball& b = as_ball(a, pairs[i].b);
+    const auto& [a, b] = as_balls(pairs[i]);
     const double dx = b.center[0] - a.center[0];
     const double dy = b.center[1] - a.center[1];
     const double dz = b.center[2] - a.center[2];
@@ -221,7 +309,7 @@ void compute_one_by_one(const Two<Ball, B>* pairs, std::size_t size, Distances d
     const double reach = radii + distances.alarm;
     out[i].hit = d2 <= reach * reach;
     if (!out[i].hit) continue;
-    if (d2 == 0 && contact_inside(a, pairs[i].b, distances.contact, out[i].contact)) continue;
+    if (d2 == 0 && contact_inside(pairs[i].a, pairs[i].b, distances.contact, out[i].contact)) continue;
     const double s = std::sqrt(d2);
     const Vector3 n(dx / s, dy / s, dz / s);
     out[i].contact = {n, a.center + a.radius * n, b.center - b.radius * n, s - radii - distances.contact, false};

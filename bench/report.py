@@ -17,12 +17,16 @@ SUBJECTS = {
     "libccd, MPR": "peer", "libccd, GJK": "peer", "CGAL Epick": "peer", "CGAL Epeck": "peer", "GMP rationals": "peer",
 }
 FAMILIES = ("generic", "near_touching", "touching", "far_from_origin", "extreme_scale", "coincident")
-# Bytes that a pair's question and answer take; half of the pairs are hits, of a sphere and a box two in five.
+# Bytes that a pair's question and answer take; half of the pairs are hits, of a sphere and a box two in five, of capsules nearly half.
 BYTES = {"test": 65, "compute": 145, "hits": 64 + 85 / 2, "cubes": 97, "sphere_cube_test": 81, "sphere_cube_compute": 161,
-         "sphere_cube_hits": 80 + 85 * 5 / 12}
+         "sphere_cube_hits": 80 + 85 * 5 / 12, "sphere_capsule_test": 89, "sphere_capsule_compute": 169,
+         "sphere_capsule_hits": 88 + 85 * 0.48, "capsules_test": 113, "capsules_compute": 193, "capsules_hits": 112 + 85 * 0.46}
 OPERATIONS = {"test": "decide", "compute": "contacts", "hits": "hits alone", "cubes": "boxes",
               "sphere_cube_test": "sphere and box: decide", "sphere_cube_compute": "contacts of these",
-              "sphere_cube_hits": "their hits alone"}
+              "sphere_cube_hits": "their hits alone", "sphere_capsule_test": "sphere and capsule: decide",
+              "sphere_capsule_compute": "sphere and capsule: contacts", "sphere_capsule_hits": "sphere and capsule: hits alone",
+              "capsules_test": "capsules: decide", "capsules_compute": "capsules: contacts",
+              "capsules_hits": "capsules: hits alone"}
 SETS = {"AVX3": "AVX-512", "AVX2": "AVX2", "SSE4": "SSE4", "NEON": "NEON"}
 
 

@@ -30,7 +30,6 @@ LEVELS = ["correctly-rounded", "faithful", "bounded", "decisions", "conservative
 PAIRS = ("sphere_sphere", "rigid_sphere_rigid_sphere", "sphere_rigid_sphere", "cube_cube", "sphere_cube", "sphere_capsule",
          "capsule_capsule", "sphere_triangle", "ray_sphere", "sphere_plane", "capsule_plane", "ray_triangle",
          "triangle_line")
-BATCH_PAIRS = PAIRS[:5]
 SOFA_PAIRS = PAIRS[:4]  # of DiscreteIntersection
 SPHERES = {"a": {"center": [0, 0, 0], "radius": 1.5}, "b": {"center": [1, 2, 2], "radius": 1.5}, "alarm": 0, "contact": 0.25}
 CUBES = {"a": {"min": [0, 0, 0], "max": [1, 1, 1]}, "b": {"min": [1, 0, 0], "max": [2, 1, 1]}, "alarm": 0.5, "contact": 0}

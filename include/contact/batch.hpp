@@ -26,6 +26,13 @@ struct BoxColumns {
   std::array<std::span<const double>, 3> max;
 };
 
+/// n capsules, one column per coordinate (x, y, z) of start and end, and the radii. All columns have the same length.
+struct CapsuleColumns {
+  std::array<std::span<const double>, 3> start;
+  std::array<std::span<const double>, 3> end;
+  std::span<const double> radius;
+};
+
 /// What a pair turned out to be.
 enum class PairState : std::uint8_t {
   miss = 0,        ///< farther apart than the alarm distance: no contact
@@ -70,26 +77,28 @@ struct Count {
 // Evidence    src/kernel/batch_test.cpp compares every available instruction set with the functions of one pair.
 
 /// The pairs that have these functions, X(name, first shape, second shape): those whose contacts have numbers, and all.
-#define CONTACT_BATCH_CONTACTS(X) \
-  X(sphere_sphere, Ball, Ball)    \
-  X(sphere_cube, Ball, Box)
+#define CONTACT_BATCH_CONTACTS(X)  \
+  X(sphere_sphere, Ball, Ball)     \
+  X(sphere_cube, Ball, Box)        \
+  X(sphere_capsule, Ball, Capsule) \
+  X(capsule_capsule, Capsule, Capsule)
 #define CONTACT_BATCH_PAIRS(X) \
   CONTACT_BATCH_CONTACTS(X)    \
   X(cube_cube, Box, Box)
 
-// test_sphere_sphere, test_sphere_cube, test_cube_cube: hit[i] = 1 where the shapes are within the alarm distance, else
-// 0, as the function of that name for one pair decides.
+// test_sphere_sphere, test_sphere_cube, test_cube_cube and so on: hit[i] = 1 where the shapes are within the alarm
+// distance, else 0, as the function of that name for one pair decides.
 #define CONTACT_TEST(name, A, B) \
   Count test_##name(const A##Columns& a, const B##Columns& b, double alarm, std::span<std::uint8_t> hit);
 CONTACT_BATCH_PAIRS(CONTACT_TEST)
 #undef CONTACT_TEST
 
-// compute_sphere_sphere, compute_sphere_cube: row i is the contact of pair i, as the function of that name for one pair
-// gives it; every number of a miss is +0.
+// compute_sphere_sphere, compute_sphere_cube and so on: row i is the contact of pair i, as the function of that name
+// for one pair gives it; every number of a miss is +0.
 //
-// compute_sphere_sphere_hits, compute_sphere_cube_hits: the hits alone, in the order of the pairs. Row k of `out` is
-// the contact of pair index[k], for every k below Count::hits. The contents of the rows after these are not specified.
-// Domain      fewer than 2^32 pairs; `index` is as long as the columns.
+// compute_sphere_sphere_hits, compute_sphere_cube_hits and so on: the hits alone, in the order of the pairs. Row k of
+// `out` is the contact of pair index[k], for every k below Count::hits. The contents of the rows after these are not
+// specified. Domain      fewer than 2^32 pairs; `index` is as long as the columns.
 #define CONTACT_COMPUTE(name, A, B)                                                                              \
   Count compute_##name(const A##Columns& a, const B##Columns& b, Distances distances, const ContactColumns& out, \
                        ContactPoints points = {});                                                               \

@@ -17,6 +17,10 @@ template <>
 struct ColumnsFor<Box> {
   using Type = BoxColumns;
 };
+template <>
+struct ColumnsFor<Capsule> {
+  using Type = CapsuleColumns;
+};
 template <class Shape>
 using ColumnsOf = typename ColumnsFor<Shape>::Type;
 

@@ -22,6 +22,7 @@ void expect_length(const std::string& column, std::span<T> actual, std::size_t e
 
 std::size_t size_of(const BallColumns& balls) { return balls.x.size(); }
 std::size_t size_of(const BoxColumns& boxes) { return boxes.min[0].size(); }
+std::size_t size_of(const CapsuleColumns& capsules) { return capsules.start[0].size(); }
 
 std::array<const double*, 4> columns(const std::string& side, const BallColumns& balls, std::size_t size) {
   expect_length(side + ".x", balls.x, size);
@@ -39,6 +40,19 @@ std::array<const double*, 6> columns(const std::string& side, const BoxColumns& 
     all[axis] = boxes.min[axis].data();
     all[3 + axis] = boxes.max[axis].data();
   }
+  return all;
+}
+
+std::array<const double*, 7> columns(const std::string& side, const CapsuleColumns& capsules, std::size_t size) {
+  std::array<const double*, 7> all{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    expect_length(side + ".start " + kAxes[axis], capsules.start[axis], size);
+    expect_length(side + ".end " + kAxes[axis], capsules.end[axis], size);
+    all[axis] = capsules.start[axis].data();
+    all[3 + axis] = capsules.end[axis].data();
+  }
+  expect_length(side + ".radius", capsules.radius, size);
+  all[6] = capsules.radius.data();
   return all;
 }
 

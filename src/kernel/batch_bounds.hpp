@@ -69,6 +69,37 @@ struct FastBounds {
   static constexpr double kSecondGrid = 0x1.8p7 * kUnit;
   /// |error| of E / (sqrt D + T), of itself, beside that of E.
   static constexpr double kQuotientError = 512 * kUnitSquared;
+
+  // Points and segments. w is from one to the other's start, |w| the sum of its components.
+
+  /// D of a foot in plain arithmetic: its error beside kFilterGap's, of |w|^2, and what is lost where numbers are
+  /// small.
+  static constexpr double kFootGap = 40 * kUnit;
+  static constexpr double kFootFloor = 0x1p-780;
+  /// |error| of delta, of |w|.
+  static constexpr double kFootError = 320 * kUnitSquared;
+  /// |error| of a value and of a point beside a core, of the lengths in it, but for the core's and the turned normal's.
+  static constexpr double kCoreError = 256 * kUnitSquared;
+  /// The interval's ends are as much farther as this share of the low part, for errors of a share of the high one.
+  static constexpr double kCoreEta = 8192 * kUnit;
+  /// The least that delta is of its error, and the error of a normal's component for a delta's.
+  static constexpr double kClear = 0x1p40;
+  static constexpr double kTurn = 1.125;
+  /// Bounds of |w|^2 and |v|^2: within them no product matters that underflows, and none overflows.
+  static constexpr double kLeastSquare = 0x1p-680;
+  static constexpr double kMostSquare = 0x1p600;
+
+  // Two segments.
+
+  /// What plain arithmetic loses of D, of the directions' and w's squares together.
+  static constexpr double kSegmentGap = 32 * kUnit;
+  /// |error| of a correction, of its length.
+  static constexpr double kStepError = 128 * kUnit;
+  /// Bounds of the squares together, and of the square of a direction along which a core moves.
+  static constexpr double kLeastSize = 0x1p-400;
+  static constexpr double kMostSize = 0x1p400;
+  /// The reciprocal squared sine of the angle between the segments, where both cores move.
+  static constexpr double kMostParallel = 0x1p20;
 };
 
 using ForDouble = FastBounds<double>;

@@ -21,9 +21,11 @@ struct Direction {
   Axes q;
   Axes low;
   Double2 root;
+  Number reciprocal;  ///< 1 / s within 2 u
 
   CONTACT_LANES Direction(const Delta& d, Number d2) {
     const Number y = reciprocal_root(d2);
+    reciprocal = y;
     q = product(d, y);
     const Axes e = product_rest(d, y, q);
     const Number qx = x_of(q);
