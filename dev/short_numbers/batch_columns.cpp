@@ -82,7 +82,7 @@ void answer_columns(const std::vector<Question>& questions, std::vector<Answer>&
     hits += states[i] != batch::PairState::miss ? 1U : 0U;
     if (left[i] == kUndecided) continue;
     answer.decision = states[i] == batch::PairState::miss ? Answer::Decision::miss : Answer::Decision::hit;
-    answer.degenerate = states[i] == batch::PairState::degenerate;
+    answer.degenerate = batch::is_degenerate(states[i]);
     for (std::size_t k = 0; k < kNumbers; ++k) {
       answer.number[k] = numbers[k][i];
       if (answer.decision == Answer::Decision::miss && std::bit_cast<std::uint64_t>(numbers[k][i]) != 0)

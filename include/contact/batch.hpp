@@ -38,7 +38,18 @@ enum class PairState : std::uint8_t {
   miss = 0,        ///< farther apart than the alarm distance: no contact
   contact = 1,     ///< within it
   degenerate = 2,  ///< a contact without a direction of its own, as of balls whose centres coincide
+  many = 3,        ///< a contact of which many points are nearest, as of capsules side by side
+  degenerate_and_many = 4,
 };
+/// What Contact says of the same.
+[[nodiscard]] constexpr bool is_degenerate(PairState state) {
+  return state == PairState::degenerate || state == PairState::degenerate_and_many;
+}
+[[nodiscard]] constexpr bool is_unique(PairState state) { return state < PairState::many; }
+[[nodiscard]] constexpr PairState state_of(const Contact& contact) {
+  if (contact.unique) return contact.degenerate ? PairState::degenerate : PairState::contact;
+  return contact.degenerate ? PairState::degenerate_and_many : PairState::many;
+}
 
 /// Room for contacts, one column per number and axis (x, y, z). Each column has one place per pair.
 struct ContactColumns {

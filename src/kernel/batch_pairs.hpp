@@ -59,7 +59,8 @@ class Pairs {
   [[nodiscard]] Contact numbers(std::size_t row) const {
     Contact contact;
     for (std::size_t k = 0; k < kContact; ++k) number_of(contact, k) = at(kFirst + kSecond + k)[row];
-    contact.degenerate = state_[row] == PairState::degenerate;
+    contact.degenerate = is_degenerate(state_[row]);
+    contact.unique = is_unique(state_[row]);
     return contact;
   }
 

@@ -32,9 +32,7 @@ void contact_of_one_pair(const PairColumns<A, B>& pairs, const ContactQuestion& 
     out.number[6 + axis][row] = contact ? contact->point2[k] : 0.0;
   }
   out.number[9][row] = contact ? contact->value : 0.0;
-  out.state[row] = !contact              ? batch::PairState::miss
-                   : contact->degenerate ? batch::PairState::degenerate
-                                         : batch::PairState::contact;
+  out.state[row] = contact ? batch::state_of(*contact) : batch::PairState::miss;
 }
 
 template <class A, class B>

@@ -92,7 +92,7 @@ Row row_of(Contact contact, batch::PairState state) {
 }
 Row row_of(const std::optional<Contact>& contact) {
   if (!contact) return {};
-  return row_of(*contact, contact->degenerate ? batch::PairState::degenerate : batch::PairState::contact);
+  return row_of(*contact, batch::state_of(*contact));
 }
 template <class A, class B>
 Row row_of(const batch::Pairs<A, B>& pairs, std::size_t row) {
