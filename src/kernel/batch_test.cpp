@@ -725,6 +725,22 @@ std::pair<RealVector, RealVector> nearest(const Capsule& a, const Capsule& b) {
   return best;
 }
 
+void make_point(Ball& ball, const Vector3& at, double radius) { ball = {at, radius}; }
+void make_point(Capsule& capsule, const Vector3& at, double radius) { capsule = {at, at, radius}; }
+
+TYPED_TEST(BatchOfCapsules, decides_where_the_square_of_an_axis_alone_overflows) {
+  Many<TypeParam> shapes;
+  for (const double length : {0x1p300, 0x1p510, 0x1.1p511, 0x1.4p511, 0x1p512, 0x1p1000, 0x1p1023}) {
+    TypeParam two;
+    make_point(two.a, {0, 1.5, 0}, 1);
+    two.b = {{-length, 0, 0}, {length * 0.99, 0, 0}, 1};
+    shapes.push_back(two);
+    two.b.radius = 0.25;
+    shapes.push_back(two);
+  }
+  expect_same_bits(shapes, {0, 0});
+}
+
 TYPED_TEST(BatchOfCapsules, finds_cores_within_their_errors) {
   golden::Random random(golden::Random::key("capsules", "cores", "binary64", kSeed), 0);
   constexpr std::size_t kVectors = 64;  // pairs, of every vector length
