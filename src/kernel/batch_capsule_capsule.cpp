@@ -125,6 +125,7 @@ batch::Count test_capsules(const CapsulePairs& pairs, double alarm, std::uint8_t
 batch::Count compute_capsules(const CapsulePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
   return compute_cores(pairs, question, out);
 }
+bool cores_of_capsules(const CapsulePairs& pairs, CoreColumns& to) { return cores_of_strip(pairs, to); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace contact::kernel
@@ -135,6 +136,11 @@ namespace contact::kernel {
 
 HWY_EXPORT(test_capsules);
 HWY_EXPORT(compute_capsules);
+HWY_EXPORT(cores_of_capsules);
+
+bool find_cores(const CapsulePairs& pairs, CoreColumns& to) {
+  return HWY_DYNAMIC_DISPATCH(cores_of_capsules)(pairs, to);
+}
 
 batch::Count test_vectors(const CapsulePairs& pairs, double alarm, std::uint8_t* hit) {
   return HWY_DYNAMIC_DISPATCH(test_capsules)(pairs, alarm, hit);

@@ -16,27 +16,8 @@
 
 #include "contact/pair_functions.hpp"
 #include "kernel/batch_arithmetic-inl.h"
-#include "kernel/batch_strips.hpp"
+#include "kernel/batch_cores.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
-
-#ifndef CONTACT_KERNEL_BATCH_CORES
-#define CONTACT_KERNEL_BATCH_CORES
-namespace contact::kernel {
-
-/// The nearest points p and p + d of a strip of pairs, high and low parts axis by axis. The coordinates of p are within
-/// p_error and the vector d is within d_error, which is infinite where that is not known. Some room between columns
-/// keeps them from the same place in a page, where loads look like recent stores to the processor.
-struct CoreColumns {
-  static constexpr std::size_t kRoom = kStrip + 24;
-  double d[6][kRoom];
-  double d_error[kRoom];
-  double decision[kRoom];  ///< 1 a hit, 0 a miss
-  double p[6][kRoom];      ///< of a first core that is no point
-  double p_error[kRoom];
-};
-
-}  // namespace contact::kernel
-#endif
 
 #if HWY_HAVE_FLOAT64  // else nothing is here, and no attribute for it
 HWY_BEFORE_NAMESPACE();
@@ -322,6 +303,14 @@ HWY_INLINE void contacts_of_vector(const PairColumns<A, B>& pairs, const Contact
 }
 
 template <class A, class B>
+bool cores_of_strip(const PairColumns<A, B>& pairs, CoreColumns& to) {
+  // No pair is plainly a miss.
+  for (std::size_t i = 0; i < pairs.size; i += hn::Lanes(D()))
+    cores_of_vector(pairs, std::numeric_limits<double>::max(), i, to);
+  return true;
+}
+
+template <class A, class B>
 HWY_INLINE void contacts_of_vectors(const PairColumns<A, B>& pairs, const ContactQuestion& question,
                                     const ContactRows& out, CoreColumns& columns, batch::Count& count) {
   const std::size_t lanes = hn::Lanes(D());
@@ -356,6 +345,10 @@ batch::Count compute_cores(const PairColumns<A, B>& pairs, const ContactQuestion
 // Without a fused multiply-add the numbers come from the functions of one pair.
 
 template <class A, class B>
+bool cores_of_strip(const PairColumns<A, B>& /*pairs*/, CoreColumns& /*to*/) {
+  return false;
+}
+template <class A, class B>
 batch::Count compute_cores(const PairColumns<A, B>& pairs, const ContactQuestion& question, const ContactRows& out) {
   return compute_scalar(pairs, question, out);
 }
@@ -374,6 +367,10 @@ namespace HWY_NAMESPACE {
 template <class A, class B>
 batch::Count test_cores(const PairColumns<A, B>& pairs, double alarm, std::uint8_t* hit) {
   return test_scalar(pairs, alarm, hit);
+}
+template <class A, class B>
+bool cores_of_strip(const PairColumns<A, B>& /*pairs*/, CoreColumns& /*to*/) {
+  return false;
 }
 template <class A, class B>
 batch::Count compute_cores(const PairColumns<A, B>& pairs, const ContactQuestion& question, const ContactRows& out) {

@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "kernel/batch.hpp"
+#include "kernel/batch_cores.hpp"
 
 namespace contact::kernel {
 
@@ -22,6 +23,9 @@ CONTACT_BATCH_PAIRS(CONTACT_TEST)
 CONTACT_BATCH_CONTACTS(CONTACT_COMPUTE)
 #undef CONTACT_TEST
 #undef CONTACT_COMPUTE
+
+bool find_cores(const SphereCapsulePairs& /*pairs*/, CoreColumns& /*to*/) { return false; }
+bool find_cores(const CapsulePairs& /*pairs*/, CoreColumns& /*to*/) { return false; }
 
 std::vector<std::string> instruction_sets() { return {}; }
 

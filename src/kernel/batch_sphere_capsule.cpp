@@ -74,6 +74,7 @@ batch::Count compute_sphere_capsules(const SphereCapsulePairs& pairs, const Cont
                                      const ContactRows& out) {
   return compute_cores(pairs, question, out);
 }
+bool cores_of_sphere_capsules(const SphereCapsulePairs& pairs, CoreColumns& to) { return cores_of_strip(pairs, to); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace contact::kernel
@@ -84,6 +85,11 @@ namespace contact::kernel {
 
 HWY_EXPORT(test_sphere_capsules);
 HWY_EXPORT(compute_sphere_capsules);
+HWY_EXPORT(cores_of_sphere_capsules);
+
+bool find_cores(const SphereCapsulePairs& pairs, CoreColumns& to) {
+  return HWY_DYNAMIC_DISPATCH(cores_of_sphere_capsules)(pairs, to);
+}
 
 batch::Count test_vectors(const SphereCapsulePairs& pairs, double alarm, std::uint8_t* hit) {
   return HWY_DYNAMIC_DISPATCH(test_sphere_capsules)(pairs, alarm, hit);

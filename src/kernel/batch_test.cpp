@@ -20,6 +20,7 @@
 #include "environment/floating_point_environments.hpp"
 #include "golden/families.hpp"
 #include "kernel/batch.hpp"
+#include "kernel/batch_cores.hpp"
 #include "kernel/batch_pairs.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 #include "oracle/truth/staged_oracle.hpp"
@@ -654,6 +655,11 @@ TEST(BatchSphereCube, leaves_few_pairs_to_exact_arithmetic) {
 }
 
 using KindsOfCapsules = testing::Types<BallAndCapsule, Capsules>;
+template <class A, class B>
+kernel::PairColumns<A, B> pair_columns(const Two<A, B>* /*kind*/) {
+  return {};
+}
+
 template <class Kind>
 class BatchOfCapsules : public testing::Test {};
 TYPED_TEST_SUITE(BatchOfCapsules, KindsOfCapsules, PairNames);
@@ -668,6 +674,122 @@ TYPED_TEST(BatchOfCapsules, leaves_few_pairs_to_exact_arithmetic) {
     EXPECT_LE(share_left<TypeParam>("alarm_edge", distances), 0.06);
     EXPECT_LE(share_left<TypeParam>("far_from_origin", distances), 0.15);
     EXPECT_LE(share_left<TypeParam>("along_axes", distances), 0.25);
+  }
+}
+
+using Real =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<600, boost::multiprecision::digit_base_2>,
+                                  boost::multiprecision::et_off>;
+using RealVector = std::array<Real, 3>;
+
+RealVector difference(const Vector3& b, const Vector3& a) {
+  return {Real(b[0]) - a[0], Real(b[1]) - a[1], Real(b[2]) - a[2]};
+}
+Real dot(const RealVector& a, const RealVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Real length(const RealVector& a) { return sqrt(dot(a, a)); }
+Real clamped(const Real& t) { return std::clamp(t, Real(0), Real(1)); }
+
+Capsule as_capsule(const Ball& ball) { return {ball.center, ball.center, ball.radius}; }
+const Capsule& as_capsule(const Capsule& capsule) { return capsule; }
+
+/// The point of the first axis nearest to the second one, less its start, and from there to the nearest point.
+std::pair<RealVector, RealVector> nearest(const Capsule& a, const Capsule& b) {
+  const RealVector u = difference(a.end, a.start);
+  const RealVector v = difference(b.end, b.start);
+  const RealVector w = difference(b.start, a.start);
+  std::pair<RealVector, RealVector> best;
+  bool first = true;
+  const auto take = [&](const Real& s, const Real& t) {
+    std::pair<RealVector, RealVector> found;
+    for (std::size_t k = 0; k < 3; ++k) {
+      found.first[k] = s * u[k];
+      found.second[k] = w[k] + t * v[k] - s * u[k];
+    }
+    if (first || length(found.second) < length(best.second)) best = found;
+    first = false;
+  };
+  const Real A = dot(u, u);
+  const Real B = dot(u, v);
+  const Real E = dot(v, v);
+  // The least of all: each end with its foot, and where the lines are nearest.
+  for (const int end : {0, 1}) {
+    take(end, E == 0 ? Real(0) : clamped((end * B - dot(v, w)) / E));
+    take(A == 0 ? Real(0) : clamped((end * B + dot(u, w)) / A), end);
+  }
+  const Real det = A * E - B * B;
+  if (det != 0) {
+    const Real s = (dot(u, w) * E - B * dot(v, w)) / det;
+    const Real t = (B * dot(u, w) - A * dot(v, w)) / det;
+    if (s >= 0 && s <= 1 && t >= 0 && t <= 1) take(s, t);
+  }
+  return best;
+}
+
+void make_point(Ball& ball, const Vector3& at, double radius) { ball = {at, radius}; }
+void make_point(Capsule& capsule, const Vector3& at, double radius) { capsule = {at, at, radius}; }
+
+TYPED_TEST(BatchOfCapsules, decides_where_the_square_of_an_axis_alone_overflows) {
+  Many<TypeParam> shapes;
+  for (const double length : {0x1p300, 0x1p510, 0x1.1p511, 0x1.4p511, 0x1p512, 0x1p1000, 0x1p1023}) {
+    TypeParam two;
+    make_point(two.a, {0, 1.5, 0}, 1);
+    two.b = {{-length, 0, 0}, {length * 0.99, 0, 0}, 1};
+    shapes.push_back(two);
+    two.b.radius = 0.25;
+    shapes.push_back(two);
+  }
+  expect_same_bits(shapes, {0, 0});
+}
+
+TYPED_TEST(BatchOfCapsules, finds_cores_within_their_errors) {
+  golden::Random random(golden::Random::key("capsules", "cores", "binary64", kSeed), 0);
+  constexpr std::size_t kVectors = 64;  // pairs, of every vector length
+  for (std::uint64_t round = 0; round < std::max<std::uint64_t>(kQuestions, 150); ++round) {
+    Many<TypeParam> shapes(kVectors);
+    for (TypeParam& two : shapes) {
+      for_each_number(two.a, [&](double& x) { x = random.uniform(-1.0, 1.0); });
+      for_each_number(two.b, [&](double& x) { x = random.uniform(-1.0, 1.0); });
+      const double small = std::ldexp(1.0, -random.between(0, 30));
+      if (random.chance(4)) two.b.end = two.b.start + small * two.b.end;
+      if constexpr (std::is_same_v<TypeParam, Capsules>) {
+        if (random.chance(4)) two.a.end = two.a.start + small * two.a.end;
+        const double slant = std::ldexp(1.0, -random.between(0, 12));
+        if (random.chance(3)) two.b.end = two.b.start + (two.a.end - two.a.start) + slant * two.b.end;
+      }
+    }
+    std::array<std::vector<double>, kNumbersOf<decltype(shapes[0].a)> + kNumbersOf<Capsule>> columns;
+    for (const TypeParam& two : shapes) {
+      std::size_t k = 0;
+      const auto put = [&](double x) { columns[k++].push_back(x); };
+      for_each_number(two.a, put);
+      for_each_number(two.b, put);
+    }
+    auto pairs = pair_columns(static_cast<const TypeParam*>(nullptr));
+    pairs.size = kVectors;
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      (k < pairs.a.size() ? pairs.a[k] : pairs.b[k - pairs.a.size()]) = columns[k].data();
+    for_each_instruction_set([&] {
+      static kernel::CoreColumns cores;
+      if (!kernel::find_cores(pairs, cores)) return;
+      std::size_t found = 0;
+      for (std::size_t i = 0; i < kVectors; ++i) {
+        if (!std::isfinite(cores.d_error[i])) continue;
+        ++found;
+        const Capsule first = as_capsule(shapes[i].a);
+        const auto [p, d] = nearest(first, shapes[i].b);
+        RealVector d_off;
+        for (std::size_t k = 0; k < 3; ++k) {
+          d_off[k] = d[k] - cores.d[2 * k][i] - cores.d[2 * k + 1][i];
+          if (std::is_same_v<TypeParam, BallAndCapsule>) continue;
+          const Real at = p[k] + first.start[static_cast<Eigen::Index>(k)];
+          const Real own = 0x1p-100 * abs(at);  // of its magnitude: kCoreEta covers it
+          EXPECT_LE(abs(at - cores.p[2 * k][i] - cores.p[2 * k + 1][i]), cores.p_error[i] + own);
+        }
+        EXPECT_LE(length(d_off), cores.d_error[i]) << words(shapes[i], {});
+      }
+      EXPECT_GE(found, kVectors - 4);
+    });
+    if (testing::Test::HasFailure()) break;
   }
 }
 
