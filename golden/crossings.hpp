@@ -219,7 +219,7 @@ Crossing<Real> along_triangle(Random& random) {
       for (const int sign : {-1, 1}) {
         s = level;
         s.start[axis] = ulps_away(s.start[axis], sign * steps);
-        s.direction[axis] = ulps_away(s.direction[axis], -sign * steps);
+        s.direction[axis] -= s.start[axis] - level.start[axis];  // the end is as far on the other side
         if (is_hit(s.query(kPair))) return s;
       }
   return s;

@@ -261,7 +261,6 @@ TEST(Families, OneAxisTakesEveryAxisAndDirection) {
 TEST(Families, ContainmentFlatNestedAndIdenticalAreWhatTheySay) {
   const auto share_of = [](std::string_view family, std::string_view flag, std::uint64_t percent) {
     for_each_file(family, [&](const CommittedFile& file) {
-      if (flag == "CrossingEdge" && !is_crossing(file.pair)) return;  // a box has a boundary of its own
       const auto n = count_if(file, [&](const Query& q, const oracle::Truth& t) {
         const auto names = flags_of(q, t, file.scalar);
         return std::find(names.begin(), names.end(), flag) != names.end();
@@ -279,7 +278,7 @@ TEST(Families, ContainmentFlatNestedAndIdenticalAreWhatTheySay) {
   share_of("parallel", "ManyNearest", 35);
   share_of("below_plane", "BelowPlane", 80);
   share_of("thin", "Flat", 50);
-  share_of("on_boundary", "CrossingEdge", 70);
+  share_of("through_boundary", "CrossingEdge", 70);
   share_of("end_on_triangle", "CrossingEdge", 70);
 }
 
@@ -407,11 +406,13 @@ TEST(Families, TouchingBoxesMeetInFacesEdgesAndCornersOnEverySide) {
 
 TEST(Families, SearchFindsWhatPlainArithmeticDecidesWrongly) {
   const std::map<std::string_view, std::uint64_t> least_percent{
-      {"near_touching", 50}, {"alarm_edge", 20},  {"far_from_origin", 10}, {"touching", 0},
-      {"extreme_scale", 0},  {"zero_radius", 10}, {"one_axis", 10}};
+      {"near_touching", 50}, {"near_boundary", 20}, {"alarm_edge", 20},  {"far_from_origin", 10},
+      {"touching", 0},       {"extreme_scale", 0},  {"zero_radius", 10}, {"one_axis", 10}};
   for (const CommittedFile& file : committed_files()) {
     const auto it = least_percent.find(file.family->name);
     if (it == least_percent.end() || (file.pair == Pair::cube_cube && file.family->name == "touching")) continue;
+    if (is_crossing(file.pair) && it->first == "far_from_origin")
+      continue;  // differences are short, and products exact
     const auto wrong = count_if(
         file, [&](const Query& q, const oracle::Truth& t) { return plain_overlap(q, file.scalar) != t.hit(); });
     EXPECT_GT(wrong * 100, kCommittedCount * it->second) << title(file);

@@ -10,7 +10,7 @@ constexpr std::array kFamilies{
     Family{"generic", "through a triangle, and two in five past an edge or short of the plane",
            "ordinary numbers: what fails here fails its users, and other families do not say so",
            made<generic_crossing<double, kPair>, generic_crossing<float, kPair>>, false},
-    Family{"on_boundary", "through an edge or a vertex exactly, by integers; a fifth one step outside",
+    Family{"through_boundary", "through an edge or a vertex exactly, by integers; a fifth one step outside",
            "strict bounds, or any tolerance: an edge that two triangles share belongs to both",
            made<boundary_crossing<double, kPair>, boundary_crossing<float, kPair>>, false},
     Family{"end_on_triangle", "a start or an end on the triangle exactly, by integers; a fifth one step short",

@@ -711,7 +711,7 @@ class Broken(Case):
         self.file("rays.jsonl", self.annotated(*{json.dumps(ray): ray for ray in rays}.values()))
         self.file("rays.invalid.jsonl", (GOLDEN / "ray_sphere" / "invalid.jsonl").read_text().splitlines())
         for name in ("sphere_plane/below_plane", "capsule_plane/parallel", "capsule_plane/generic", "ray_triangle/generic",
-                     "ray_triangle/on_boundary", "ray_triangle/end_on_triangle", "triangle_line/on_boundary"):
+                     "ray_triangle/through_boundary", "ray_triangle/end_on_triangle", "triangle_line/through_boundary"):
             pair, *asked = (json.loads(line) for line in (GOLDEN / f"{name}.jsonl").read_text().splitlines()[:61])
             self.file(f"{name.replace('/', '.')}.jsonl", self.annotated(*(
                 {"pair": pair["pair"], **{x: case[x] for x in ("a", "b", "alarm", "contact")}} for case in asked)))

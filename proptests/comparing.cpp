@@ -145,11 +145,15 @@ std::optional<std::string> different_numbers(const Case& c, std::size_t i, std::
 bool coincident(const Case& c, std::size_t i) { return c.truth(i).degenerate(); }
 
 Rational unit_of(const Case& c, std::size_t i, Field field) {
-  const oracle::DistanceTruth& truth = c.truth(i).has_distance() ? *c.truth(i).distance() : *c.truth(i).contact();
   const Scalar scalar = c.subject.info.declared.scalar;
   if (field == Field::normal) return oracle::ulp(Rational(1), scalar);
-  if (field == Field::value) return oracle::ulp(truth.value_scale(), scalar);
-  return oracle::ulp(oracle::larger_of(truth.point_scale(0), truth.point_scale(1)), scalar);
+  if (const oracle::DistanceTruth* truth = c.truth(i).distance()) {
+    if (field == Field::value) return oracle::ulp(truth->value_scale(), scalar);
+    return oracle::ulp(oracle::larger_of(truth->point_scale(0), truth->point_scale(1)), scalar);
+  }
+  double largest = 0;  // of a crossing, which need not be one
+  for_each_number(c.queries[i], [&](const std::string&, double x) { largest = std::max(largest, std::abs(x)); });
+  return oracle::ulp(Rational(largest), scalar);
 }
 
 Vector3 first_to_second(const Conventions& conventions, const Vector3& normal) {

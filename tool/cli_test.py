@@ -1862,7 +1862,7 @@ class Detect(Case):
                                       {"model": "TriangleCollisionModel", "name": "skin", "p1": [[0, 0, 0]], "p2": [[4, 0, 0]],
                                        "p3": [[0, 4, 0]]}])
         header, lines = self.contacts(scene)
-        self.assertEqual(header["no_intersector"], [["beam", "skin"]])
+        self.assertNotIn("no_intersector", header)
         self.assertIn({"first": {"model": "balls", "index": 0}, "second": {"model": "beam", "index": 0}, "id": 0,
                        "normal": [-1, 0, 0], "point1": [0.75, 0, 0], "point2": [1, 0, 0], "value": -0.25}, lines)
         self.assertIn({"first": {"model": "balls", "index": 1}, "second": {"model": "skin", "index": 0}, "id": 1,

@@ -191,8 +191,10 @@ class Names(Case):
     def test_pairs_and_shapes_are_the_programs(self):
         pairs = [json.loads(line) for line in run("pairs", "--json").stdout.splitlines()]
         self.assertEqual(COMMON["pair"]["enum"], [one["pair"] for one in pairs])
-        kinds = {"point": "vector", "points": "three_vectors", "direction": "vector", "length": "length"}
-        any_kinds = {"point": "any_vector", "points": "any_three_vectors", "direction": "any_vector", "length": "any_number"}
+        kinds = {"point": "vector", "points": "three_vectors", "direction": "vector", "length": "length",
+                 "offset": "number"}
+        any_kinds = {"point": "any_vector", "points": "any_three_vectors", "direction": "any_vector", "length": "any_number",
+                     "offset": "any_number"}
         shapes = {shape["shape"]: shape["fields"] for one in pairs for shape in (one["a"], one["b"])}
         self.assertIn("sphere", shapes)
         for name, fields in shapes.items():

@@ -378,7 +378,7 @@ Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const 
 
   verdict.contact = decide(claim.contact.has_value(), contact_expected);
   verdict.contact_expected = contact_expected;
-  if (!contact_expected || !claim.contact || !truth.has_numbers()) return verdict;
+  if (!contact_expected || !claim.contact || truth.contact() == nullptr) return verdict;
 
   const ContactJudge fields(query, *truth.contact(), *claim.contact, declared,
                             rounded != nullptr && rounded->contact ? &*rounded->contact : nullptr);

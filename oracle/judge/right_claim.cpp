@@ -21,6 +21,7 @@ Claim right_claim(const Query& query, const Truth& truth, const Declaration& dec
   if (!truth.has_numbers()) return claim;
   claim.speaks_of_contact = true;
   if (!expected_hit(query, truth, conventions.touching_contact, conventions.margin)) return claim;
+  if (truth.contact() == nullptr) return claim;
   const DistanceTruth& pair = *truth.contact();
   if (pair.coincident() && conventions.coincident == Coincident::no_contact) return claim;
   ContactClaim& contact = claim.contact.emplace();

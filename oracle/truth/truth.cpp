@@ -50,12 +50,13 @@ const CrossingTruth* Truth::crossing() const {
 const DistanceTruth* Truth::contact() const {
   if (!hit()) return nullptr;
   const CrossingTruth* crossed = crossing();
-  return crossed == nullptr ? distance() : &crossed->contact();
+  if (crossed == nullptr) return distance();
+  return crossed->at() ? &crossed->contact() : nullptr;  // a hit that is presumed
 }
 
 Expectation expectation(const Truth& truth, Scalar scalar) {
   Expectation expected{truth.hit(), std::nullopt};
-  if (!truth.hit() || !truth.has_numbers()) return expected;
+  if (truth.contact() == nullptr) return expected;
   const DistanceTruth& exact = *truth.contact();
   Contact contact{};
   contact.degenerate = exact.degenerate();
@@ -84,7 +85,7 @@ std::vector<FieldNumber> numbers(const DistanceTruth& truth) {
 
 std::vector<FieldDistance> rounding_distances(const Truth& truth, Scalar scalar) {
   std::vector<FieldDistance> least;
-  if (!truth.hit() || !truth.has_numbers()) return least;
+  if (truth.contact() == nullptr) return least;
   for (const auto& [field, number] : numbers(*truth.contact())) {
     const Boundary boundary = nearest_boundary(number, scalar);
     const Rational ulps = distance_in_ulps(number, boundary);

@@ -55,13 +55,13 @@ bool is_hit(const ExactCrossing& crossing, const Grid& /*grid*/, const Lengths& 
 
 void round_exactly(const ExactCrossing& crossing, const Grid& grid, const Lengths& /*lengths*/,
                    ContactPoints /*points*/, unsigned numbers, Contact& contact) {
-  const auto& [x, over, n] = crossing;
+  const IntegerVector& n = crossing.normal;
   const Integer N = dot(n, n);
   contact.degenerate = false;
   contact.unique = true;
   for (unsigned i = 0; i < 3; ++i) {
     if (numbers >> i & 1) contact.normal[i] = round_sum(0, n[i], N, 0);
-    const auto point = [&] { return round_sum(x[i], 0, 1, grid.exponent(), over); };
+    const auto point = [&] { return round_sum(crossing.x[i], 0, 1, grid.exponent(), crossing.over); };
     if (numbers >> (kPointNumber + i) & 1) contact.point1[i] = point();
     if (numbers >> (2 * kPointNumber + i) & 1) contact.point2[i] = point();
   }
