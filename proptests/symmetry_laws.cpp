@@ -133,7 +133,10 @@ bool moved_planes(const Range& range, Query& query, int axis, double shift) {
       [&]<class A, class B>(Two<A, B>& shapes) {
         if constexpr (std::same_as<B, Plane>) {
           const double way = shapes.b.normal[axis] * shift;
-          if (std::fma(shapes.b.normal[axis], shift, -way) != 0 || !range.contains(way)) return void(exact = false);
+          if (shapes.b.normal[axis] == 0) return;
+          // What is so small may have lost digits that no double holds.
+          if (std::fma(shapes.b.normal[axis], shift, -way) != 0 || !range.contains(way) || std::abs(way) < 0x1p-900)
+            return void(exact = false);
           const auto sum = exact_sum(range, shapes.b.offset, way);
           exact = sum.has_value();
           if (sum) shapes.b.offset = *sum;
