@@ -33,7 +33,19 @@ std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
   return given ? std::strtoull(given, nullptr, 10) : otherwise;
 }
 
-const std::uint64_t kQuestions = from_environment("CONTACT_BATCH_QUESTIONS", 150);
+#if defined(__SANITIZE_ADDRESS__)
+#define CONTACT_SANITIZED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define CONTACT_SANITIZED
+#endif
+#endif
+#ifdef CONTACT_SANITIZED
+constexpr std::uint64_t kUsually = 40;  // of each family; with sanitizers a question takes some twenty times as long
+#else
+constexpr std::uint64_t kUsually = 150;
+#endif
+const std::uint64_t kQuestions = from_environment("CONTACT_BATCH_QUESTIONS", kUsually);
 const std::uint64_t kSeed = from_environment("CONTACT_BATCH_SEED", 7);
 
 /// Runs a piece of a test with one instruction set after the other.
