@@ -41,7 +41,7 @@ std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
 #endif
 #endif
 #ifdef CONTACT_SANITIZED
-constexpr std::uint64_t kUsually = 40;  // of each family; with sanitizers a question takes some twenty times as long
+constexpr std::uint64_t kUsually = 25;  // of each family; with sanitizers a question takes some twenty times as long
 #else
 constexpr std::uint64_t kUsually = 150;
 #endif
