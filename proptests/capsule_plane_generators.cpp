@@ -40,6 +40,7 @@ Query laid_over(const Range& range, Query query, LyingOverPlane lying, int axis,
   }
   if (lying == LyingOverPlane::nearly_along) a.end[ulps & 1] = range.moved(a.end[ulps & 1], ulps < 0 ? -1 : 1);
   if (lying == LyingOverPlane::without_length) a.end = a.start;
+  if (height > 8) height = 0;  // on the plane
   const double length = b.normal.stableNorm();
   b.offset = range.rounded(b.normal.dot(a.start) - height * (std::isfinite(length) ? length : 0) / 2);
   if (std::isnan(b.offset)) b.offset = 0;
@@ -48,7 +49,7 @@ Query laid_over(const Range& range, Query query, LyingOverPlane lying, int axis,
 }
 rc::Gen<Query> laid_over_plane(const Range& range, rc::Gen<double> number, bool is_a_sphere) {
   return rc::gen::map(
-      rc::gen::tuple(plane_from(std::move(number)), integer(0, 3), integer(0, 5), integer(-4, 8), integer(-1, 1)),
+      rc::gen::tuple(plane_from(std::move(number)), integer(0, 3), integer(0, 5), integer(-4, 12), integer(-1, 1)),
       [range, is_a_sphere](const std::tuple<Query, int, int, int, int>& parts) {
         const auto& [query, how, axis, height, ulps] = parts;
         const auto lying = is_a_sphere ? LyingOverPlane::without_length : static_cast<LyingOverPlane>(how);

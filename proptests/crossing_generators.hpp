@@ -34,30 +34,31 @@ inline rc::Gen<Query> crossings_from(rc::Gen<double> number, const MakeQuery& ma
 /// The segment goes through a point of the triangle's plane, and begins some eighths of it before that; what is exact
 /// for small integers is nearly so for other numbers. With eighths of 0 and 8 it crosses the boundary, or ends there.
 inline rc::Gen<Query> crossings_laid(const Range& range, rc::Gen<double> number, const MakeQuery& make) {
-  const auto eighths = integer(-2, 10);
+  const auto eighths = integer(-1, 5);
   const auto ulps = rc::gen::weightedElement<int>({{6, 0}, {1, -1}, {1, 1}});
-  return rc::gen::map(
-      rc::gen::pair(numbers(17, std::move(number)), rc::gen::tuple(eighths, eighths, eighths, integer(0, 5), ulps)),
-      [range, make](const std::pair<std::vector<double>, std::tuple<int, int, int, int, int>>& drawn) {
-        const auto& x = drawn.first;
-        const auto [s, t, part, kind, step] = drawn.second;
-        const auto in_range = [&](const Vector3& v) -> Vector3 {
-          return v.unaryExpr([&](double y) { return std::isfinite(y) ? range.rounded(y) : 0.0; });
-        };
-        Laid laid{{{Vector3(x[0], x[1], x[2]), Vector3(x[3], x[4], x[5]), Vector3(x[6], x[7], x[8])}},
-                  Vector3::Zero(),
-                  {x[9], x[10], x[11]},
-                  1};
-        auto& v = laid.triangle.vertices;
-        if (kind == 0) v[2] = in_range(v[0] + t / 4.0 * (v[1] - v[0]));                               // on a line
-        if (kind == 1) laid.direction = in_range(s / 8.0 * (v[1] - v[0]) + t / 8.0 * (v[2] - v[0]));  // in the plane
-        if (kind == 2) laid.length = 2;
-        const double third = kind == 3 ? 1 - s / 8.0 : t / 8.0;  // through the edge from v1 to v2
-        const Vector3 at = v[0] + s / 8.0 * (v[1] - v[0]) + third * (v[2] - v[0]);
-        laid.start = in_range(at - part / 8.0 * laid.length * laid.direction);
-        laid.start[kind % 3] = range.moved(laid.start[kind % 3], step);
-        return make(laid, {std::abs(x[12]), std::abs(x[13])});
-      });
+  return rc::gen::map(rc::gen::pair(numbers(17, std::move(number)),
+                                    rc::gen::tuple(eighths, eighths, integer(-1, 9), integer(0, 5), ulps)),
+                      [range, make](const std::pair<std::vector<double>, std::tuple<int, int, int, int, int>>& drawn) {
+                        const auto& x = drawn.first;
+                        const auto [s, t, part, kind, step] = drawn.second;
+                        const auto in_range = [&](const Vector3& v) -> Vector3 {
+                          return v.unaryExpr([&](double y) { return std::isfinite(y) ? range.rounded(y) : 0.0; });
+                        };
+                        Laid laid{{{Vector3(x[0], x[1], x[2]), Vector3(x[3], x[4], x[5]), Vector3(x[6], x[7], x[8])}},
+                                  Vector3::Zero(),
+                                  {x[9], x[10], x[11]},
+                                  1};
+                        auto& v = laid.triangle.vertices;
+                        if (kind == 0) v[2] = in_range(v[0] + t / 4.0 * (v[1] - v[0]));  // on a line
+                        if (kind == 1)
+                          laid.direction = in_range(s / 8.0 * (v[1] - v[0]) + t / 8.0 * (v[2] - v[0]));  // in the plane
+                        if (kind == 2) laid.length = 2;
+                        const double third = kind == 3 ? 1 - s / 8.0 : t / 8.0;  // through the edge from v1 to v2
+                        const Vector3 at = v[0] + s / 8.0 * (v[1] - v[0]) + third * (v[2] - v[0]);
+                        laid.start = in_range(at - part / 8.0 * laid.length * laid.direction);
+                        laid.start[kind % 3] = range.moved(laid.start[kind % 3], step);
+                        return make(laid, {std::abs(x[12]), std::abs(x[13])});
+                      });
 }
 
 inline rc::Gen<Query> crossings(const Range& range, const MakeQuery& make) {
