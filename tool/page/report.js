@@ -83,7 +83,7 @@
 
   /** Which decisions are wrong, by the distance from where hit becomes miss. */
   function decisions(counts, scalar, width) {
-    if (counts.margins.length === 0) return element("p", {}, "No decision on two spheres was claimed here.");
+    if (counts.margins.length === 0) return element("p", {}, "No decision on a pair with a distance was claimed here.");
     const wrong = counts.margins.filter((m) => m[3] > 0);
     const farthest = wrong.reduce((far, m) => (m[0] !== 0 && (far === null || m[1] > far) ? m[1] : far), null);
     const caption = wrong.length === 0 ? "Every decision is right, however near" :
