@@ -210,7 +210,8 @@ std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, c
       attempt(convention, names[i], [&](Conventions& c) { c.*chosen = static_cast<E>(i); });
   };
   if (directions) {
-    every("normal", kNormalDirectionNames, &Conventions::normal);
+    every("normal", std::span(kNormalDirectionNames).first(static_cast<std::size_t>(NormalDirection::none)),
+          &Conventions::normal);
     attempt("normal_unit", "false", [](Conventions& c) { c.normal_unit = false; });
   }
   const Aspects said = claim.says();
@@ -219,6 +220,8 @@ std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, c
     every("points", std::span(kPointsNames).first(static_cast<std::size_t>(Points::none)), &Conventions::points);
   else if (missing_points)
     attempt("points", "none", [](Conventions& c) { c.points = Points::none; });
+  if (verdict.missing.has(Aspect::normal))
+    attempt("normal", "none", [](Conventions& c) { c.normal = NormalDirection::none; });
   if (verdict.missing.has(Aspect::value)) attempt("value", "none", [](Conventions& c) { c.value = ValueKind::none; });
   if (is_wrong(verdict.at(Field::value)))
     for (const bool less : {true, false})

@@ -9,7 +9,7 @@
 
 namespace contact {
 
-enum class NormalDirection { first_to_second, second_to_first };
+enum class NormalDirection { first_to_second, second_to_first, none };
 enum class Points { nearest_surface, center, published, midpoint, first_only, second_only, none };
 enum class ValueKind { signed_distance, depth, none };
 enum class Touching { closed, open };
@@ -18,7 +18,7 @@ enum class Coincident { any_unit_normal, zero_normal, no_contact };
 enum class ShapesAs { given, centered };
 
 // The names of the values, in the order of the enumerations: the one list for files, help and documentation.
-inline constexpr std::array<std::string_view, 2> kNormalDirectionNames{"first-to-second", "second-to-first"};
+inline constexpr std::array<std::string_view, 3> kNormalDirectionNames{"first-to-second", "second-to-first", "none"};
 inline constexpr std::array<std::string_view, 7> kPointsNames{"nearest_surface", "center",      "published", "midpoint",
                                                               "first_only",      "second_only", "none"};
 inline constexpr std::array<std::string_view, 3> kValueKindNames{"signed", "depth", "none"};
@@ -37,17 +37,18 @@ struct Conventions {
   Touching touching_contact = Touching::closed;  ///< equality at alarm 0, for the contact claim
   Margin margin = Margin::inclusive;             ///< equality at alarm > 0; none: alarm is not looked at
   Coincident coincident = Coincident::any_unit_normal;
-  ShapesAs shapes = ShapesAs::given;  ///< centered: by centre, direction and size; not_served
+  ShapesAs shapes = ShapesAs::given;  ///< centered: by centre, direction, size and ends; not_served
   double scale_min = 0;  ///< every non-zero |input| that the engine claims to serve lies in [scale_min, scale_max]
   double scale_max = std::numeric_limits<double>::infinity();
 
   friend bool operator==(const Conventions&, const Conventions&) = default;
 };
 
-/// What an answer with a contact says under these conventions: both decisions, the normal, and the points and the value
+/// What an answer with a contact says under these conventions: both decisions, and the normal, the points and the value
 /// that they speak of.
 [[nodiscard]] constexpr Aspects spoken_of(const Conventions& conventions) {
-  Aspects spoken{Aspect::overlap, Aspect::contact, Aspect::normal};
+  Aspects spoken{Aspect::overlap, Aspect::contact};
+  if (conventions.normal != NormalDirection::none) spoken.add(Aspect::normal);
   if (conventions.points <= Points::published || conventions.points == Points::first_only) spoken.add(Aspect::point1);
   if (conventions.points <= Points::published || conventions.points == Points::second_only) spoken.add(Aspect::point2);
   if (conventions.points == Points::midpoint) spoken.add(Aspect::point);

@@ -261,11 +261,25 @@ bool has_center_and_size(const Capsule& capsule, Scalar scalar) {
   const Box around{capsule.start.cwiseMin(capsule.end), capsule.start.cwiseMax(capsule.end)};
   return (capsule.start.array() != capsule.end.array()).count() <= 1 && has_center_and_size(around, scalar);
 }
-/// Triangles, rays, lines and planes have neither.
+/// A plane has a unit normal, which again is exact along a coordinate axis alone, and lies so many units along it.
+bool has_center_and_size(const Plane& plane, Scalar scalar) {
+  if (!plane.normal.allFinite() || !std::isfinite(plane.offset)) return true;
+  return (plane.normal.array() != 0).count() == 1 &&
+         is_number(Rational(plane.offset) / Rational(plane.normal.lpNorm<Eigen::Infinity>()), scalar);
+}
+/// A ray has two ends, and the way between them.
+bool has_center_and_size(const Ray& ray, Scalar scalar) {
+  if (!ray.origin.allFinite() || !ray.direction.allFinite() || !std::isfinite(ray.length)) return true;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Rational way = Rational(ray.length) * Rational(ray.direction[axis]);
+    for (const Rational& x : {way, Rational(ray.origin[axis]) + way})
+      if (!is_number(x, scalar)) return false;
+  }
+  return true;
+}
+/// Triangles and lines are taken by their corners.
 bool has_center_and_size(const Line& /*line*/, Scalar /*scalar*/) { return true; }
 bool has_center_and_size(const Triangle& /*triangle*/, Scalar /*scalar*/) { return true; }
-bool has_center_and_size(const Plane& /*plane*/, Scalar /*scalar*/) { return true; }
-bool has_center_and_size(const Ray& /*ray*/, Scalar /*scalar*/) { return true; }
 
 }  // namespace
 
@@ -282,7 +296,7 @@ std::optional<std::string_view> not_served(const Query& query, const Declaration
     return has_center_and_size(shapes.a, declared.scalar) && has_center_and_size(shapes.b, declared.scalar);
   };
   if (c.shapes == ShapesAs::centered && !std::visit(centered, query.shapes))
-    return "shapes whose centre, size or direction is no number of the engine's scalar";
+    return "shapes whose centre, size, direction or end is no number of the engine's scalar";
   return std::nullopt;
 }
 

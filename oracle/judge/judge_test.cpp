@@ -340,6 +340,32 @@ TEST(Served, a_capsule_by_center_and_size_lies_along_an_axis) {
   EXPECT_TRUE(served({1, 2, 3}, {1, 3, 4}));
 }
 
+TEST(Served, a_plane_by_a_unit_normal_lies_across_an_axis_and_a_ray_by_its_ends_has_them) {
+  Declaration declared = with([](Conventions& c) { c.shapes = ShapesAs::centered; });
+  const auto plane = [&](const Vector3& normal, double offset) {
+    return !not_served({Pair::sphere_plane, BallAndPlane{{{0, 0, 0}, 1}, {normal, offset}}, {0, 0}}, declared);
+  };
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(plane({0, -1, 0}, 0.1));
+  EXPECT_TRUE(plane({0, 0, 3}, 6));
+  EXPECT_FALSE(plane({0, 0, 3}, 1)) << "a third from the origin";
+  EXPECT_FALSE(plane({0.6, 0.8, 0}, 1));
+  EXPECT_FALSE(plane({0, 0, 0}, 1));
+  EXPECT_TRUE(plane({infinity, 1, 0}, 1)) << "outside the domain it is asked";
+  const auto ray = [&](const Vector3& origin, const Vector3& direction, double length) {
+    return !not_served({Pair::ray_sphere, RayAndBall{{origin, direction, length}, {{0, 0, 0}, 1}}, {0, 0}}, declared);
+  };
+  EXPECT_TRUE(ray({1, 2, 3}, {0.25, 3, 5}, 1.5));
+  EXPECT_TRUE(ray({0.1, 0.2, 0.3}, {0.1, 0.2, 0.3}, 0)) << "a point";
+  EXPECT_FALSE(ray({0, 0, 0}, {0.1, 0, 0}, 3)) << "a way that is no number";
+  EXPECT_FALSE(ray({0x1p53, 0, 0}, {1, 0, 0}, 1)) << "an end that is none";
+  EXPECT_TRUE(ray({0, 0, 0}, {1, 0, 0}, infinity)) << "outside the domain it is asked";
+  declared.scalar = Scalar::binary32;
+  EXPECT_FALSE(ray({0x1p24, 0, 0}, {1, 0, 0}, 1));
+  declared.conventions.shapes = ShapesAs::given;
+  EXPECT_TRUE(plane({0.6, 0.8, 0}, 1) && ray({0, 0, 0}, {0.1, 0, 0}, 3));
+}
+
 TEST(Served, a_number_beyond_the_scale_is_not_and_the_reasons_differ) {
   const Declaration scaled = with([](Conventions& c) { c.scale_min = 0.5, c.scale_max = 2; });
   const auto why = [&](double radius) {
@@ -642,6 +668,7 @@ TEST(JudgeFields, a_rounding_that_is_known_already_changes_no_verdict) {
   for (std::size_t points = 0; points < kPointsNames.size(); ++points)
     declarations.push_back(with_points(static_cast<Points>(points)));
   declarations.push_back(with([](Conventions& c) { c.normal = NormalDirection::second_to_first; }));
+  declarations.push_back(with([](Conventions& c) { c.normal = NormalDirection::none; }));
   declarations.push_back(with([](Conventions& c) { c.normal_unit = false; }));
   declarations.push_back(with([](Conventions& c) { c.value = ValueKind::depth; }));
   declarations.push_back(with([](Conventions& c) { c.value_less_contact = false; }));
@@ -936,7 +963,8 @@ TEST(RightClaim, is_correctly_rounded_in_the_judges_eyes_under_every_declaration
   for (const Scalar scalar : kScalars)
     for (std::size_t points = 0; points < kPointsNames.size(); ++points)
       for (const Coincident coincident : {Coincident::any_unit_normal, Coincident::zero_normal, Coincident::no_contact})
-        for (const NormalDirection normal : {NormalDirection::first_to_second, NormalDirection::second_to_first}) {
+        for (const NormalDirection normal :
+             {NormalDirection::first_to_second, NormalDirection::second_to_first, NormalDirection::none}) {
           Declaration declared;
           declared.scalar = scalar;
           declared.conventions.points = static_cast<Points>(points);

@@ -42,7 +42,7 @@ Claim right_claim(const Query& query, const Truth& truth, const Declaration& dec
   contact.point2 = point(1);
   if (conventions.points == Points::midpoint)
     contact.point = vector([&](int axis) { return zero ? pair.point(0, axis, PointOn::center) : pair.midpoint(axis); });
-  contact.normal = normal;
+  if (conventions.normal == NormalDirection::first_to_second) contact.normal = normal;
   if (conventions.normal == NormalDirection::second_to_first)
     contact.normal = Vector3::Zero() - normal;  // +0 where a zero is negated
   const Exact value = pair.value(conventions.value_less_contact);
