@@ -380,7 +380,18 @@ std::vector<std::string> Report::baseline_lines() const {
 
 std::vector<std::string> Report::left_out() const {
   std::vector<std::string> lines;
-  for (const Skipped& s : skipped) lines.push_back(fmt::format("{} ({} cases): {}", s.what, s.cases, s.why));
+  // One line a reason: an engine that does not serve a pair would have one a file.
+  std::vector<std::string_view> told;
+  for (const Skipped& first : skipped) {
+    if (std::find(told.begin(), told.end(), first.why) != told.end()) continue;
+    told.push_back(first.why);
+    std::uint64_t alike = 0;
+    std::uint64_t cases = 0;
+    for (const Skipped& s : skipped)
+      if (s.why == first.why) ++alike, cases += s.cases;
+    const std::string more = alike == 1 ? "" : fmt::format(" and {} more", alike - 1);
+    lines.push_back(fmt::format("{}{} ({} cases): {}", first.what, more, cases, first.why));
+  }
   if (unreached != 0)
     lines.push_back(
         fmt::format("{} not reached, and missing: {}", count(unreached, "case was", "cases were"), stopped));
