@@ -8,6 +8,7 @@ endif()
 if(CONTACT_SANITIZE)
   target_compile_options(contact_warnings INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(contact_warnings INTERFACE -fsanitize=address,undefined)
+  target_compile_definitions(contact_warnings INTERFACE CONTACT_SANITIZED)
 endif()
 
 if(CONTACT_FUZZ)

@@ -6,12 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define __SANITIZE_ADDRESS__ 1  // gcc's word for it
-#endif
-#endif
-#ifdef __SANITIZE_ADDRESS__
+#ifdef CONTACT_SANITIZED
 // HDF5 1.10 loses some memory where it meets a damaged file.
 extern "C" const char* __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier)
   return "leak:libhdf5\n";

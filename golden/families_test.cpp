@@ -532,8 +532,9 @@ TEST(Families, ExtremeBoxesHoldSumsThatOverflowBesideAnAxisThatIsApart) {
 
 TEST(Families, EveryFlagOccursInTheCommittedFiles) {
   std::set<std::string> seen;
-  for (const CommittedFile& file : committed_files())
-    for (std::uint64_t i = 0; i < kCommittedCount; ++i)
+  // A few questions of each file have nearly all of them.
+  for (std::uint64_t i = 0; i < kCommittedCount && seen.size() < flags().size(); ++i)
+    for (const CommittedFile& file : committed_files())
       for (const std::string& flag :
            make_case(generate_query(file.pair, *file.family, file.scalar, kCommittedSeed, i), file.scalar).flags)
         seen.insert(flag);

@@ -11,6 +11,13 @@ namespace {
 
 using oracle::Stage;
 
+// With sanitizers, where it takes minutes, every fifth committed case is asked.
+#ifdef CONTACT_SANITIZED
+constexpr std::uint64_t kEvery = 5;
+#else
+constexpr std::uint64_t kEvery = 1;
+#endif
+
 /// What each stage says by itself is what the exact oracle says, where it says anything.
 void expect_stages_agree(const Query& query, Scalar scalar, oracle::StageCounts& decided) {
   const oracle::Truth truth = oracle::truth_of(query);
@@ -44,13 +51,13 @@ TEST(Stages, agree_on_every_committed_case_in_both_scalars) {
     DatasetReader reader(path);
     if (reader.header().family == kInvalidFamily) continue;
     while (const auto c = reader.next()) {
-      ++cases;
+      if (++cases % kEvery != 0) continue;
       for (const Scalar scalar : kScalars) ASSERT_NO_FATAL_FAILURE(expect_stages_agree(c->query, scalar, decided));
     }
   }
   EXPECT_GT(cases, 10000U);
-  EXPECT_GT(count(decided, Stage::double_double), cases);
-  EXPECT_GT(count(decided, Stage::interval), cases / 10);
+  EXPECT_GT(count(decided, Stage::double_double), cases / kEvery);
+  EXPECT_GT(count(decided, Stage::interval), cases / kEvery / 10);
 }
 
 TEST(Stages, agree_on_fresh_questions_of_every_family) {
