@@ -118,6 +118,7 @@ bool are_alike(Pair pair) {
 constexpr About kAll{"any shapes", [](Pair) { return true; }};
 constexpr About kDistance{"shapes with a distance", has_distance};
 constexpr About kAlike{"two alike", are_alike};
+constexpr About kCrossing{"a segment and a triangle", is_crossing};
 constexpr About kSpheres{"spheres", is_one_of<Pair::sphere_sphere>};
 constexpr About kCubes{"cubes", is_one_of<Pair::cube_cube>};
 constexpr About kSphereCube{"a sphere and a cube", is_one_of<Pair::sphere_cube>};
@@ -256,6 +257,13 @@ constexpr std::array kLaws{
         "value = -(r + the least of c - min and max - c) - contact, to the bound",
         "by any other face a sphere is thrown through the box", kReals, kSphereCube, kNo, kTogether, without_value,
         spheres_in_boxes, itself_if_inside, check_way_out},
+    Law{"crossing",
+        "Where a segment crosses a triangle both points are one, which lies in the box around each, and the value is "
+        "0.",
+        "point1 = point2, each coordinate between the least and the largest of the segment, and of the triangle; value "
+        "= 0; to the bounds",
+        "a point that one shape alone has is not where they meet", kReals, kCrossing, kNo, kTogether, never, queries,
+        itself, check_crossing},
     Law{"span",
         "The way from the first point to the second is the value, without the contact distance, along the normal.",
         "point2 - point1 = (value + contact) n to the bounds of all four; radii added where points are not the nearest",

@@ -274,6 +274,49 @@ Outcome check_way_out(const Case& c) {
                                        text(CGAL::to_double(claimed)), text(CGAL::to_double(depth))));
 }
 
+Outcome check_crossing(const Case& c) {
+  if (c.contact(0) == nullptr || !c.truth(0).hit()) return Outcome::vacuous();
+  const ContactClaim& claim = *c.contact(0);
+  // Where the segment is, and where the triangle: the least and the largest of each coordinate.
+  std::array<std::vector<Vector>, 2> corners;
+  const auto add_triangle = [&](const Triangle& triangle) {
+    for (const Vector3& v : triangle.vertices) corners[1].push_back(exact(v));
+  };
+  if (const auto* asked = std::get_if<RayAndTriangle>(&c.queries[0].shapes)) {
+    Vector end = exact(asked->a.origin);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      end[axis] += Rational(asked->a.length) * Rational(asked->a.direction[static_cast<Eigen::Index>(axis)]);
+    corners[0] = {exact(asked->a.origin), end};
+    add_triangle(asked->b);
+  } else {
+    const auto& [triangle, line] = std::get<TriangleAndLine>(c.queries[0].shapes);
+    corners[0] = {exact(line.start), exact(line.end)};
+    add_triangle(triangle);
+  }
+  const Rational off = Rational(c.subject.bound(Field::point1)) * unit_of(c, 0, Field::point1);
+  for (const auto& point : {claim.point1, claim.point2}) {
+    if (!finite(point)) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const std::vector<Vector>& of : corners) {
+        const auto [least, largest] = std::minmax_element(
+            of.begin(), of.end(), [&](const Vector& x, const Vector& y) { return x[axis] < y[axis]; });
+        const Rational x((*point)[static_cast<Eigen::Index>(axis)]);
+        if (x < (*least)[axis] - off || x > (*largest)[axis] + off)
+          return Outcome::violated(fmt::format("the point {} lies beside the {}", text(*point),
+                                               &of == corners.data() ? "segment" : "triangle"));
+      }
+  }
+  if (finite(claim.point1) && finite(claim.point2))
+    for (int axis = 0; axis < 3; ++axis)
+      if (CGAL::abs(Rational((*claim.point1)[axis]) - Rational((*claim.point2)[axis])) > 2 * off)
+        return Outcome::violated(fmt::format("the points are {} and {}, and the shapes meet in one",
+                                             text(*claim.point1), text(*claim.point2)));
+  const auto value = finite_value(c, 0);
+  if (value && CGAL::abs(Rational(*value)) > value_error(c, 0))
+    return Outcome::violated(fmt::format("the value is {}, and the shapes meet", text(*value)));
+  return {};
+}
+
 Outcome check_larger_radius(const Case& c) {
   if (c.contact(0) == nullptr || c.contact(1) == nullptr) return Outcome::vacuous();
   const bool first = cores(c, 0).radius[0] != cores(c, 1).radius[0];
