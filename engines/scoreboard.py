@@ -23,7 +23,9 @@ PAGE, HTML = ROOT / "docs/scoreboard.md", ROOT / "build/scoreboard.html"
 BEGIN, END = "<!-- engines:begin -->\n", "<!-- engines:end -->\n"
 GRADES = ("not_finite", "beyond_bound", "bounded", "faithful", "correctly_rounded")  # the worst first
 PAIRS = {"sphere_sphere": "spheres", "cube_cube": "boxes", "sphere_cube": "a sphere and a box",
-         "sphere_capsule": "a sphere and a capsule", "capsule_capsule": "capsules"}
+         "sphere_capsule": "a sphere and a capsule", "capsule_capsule": "capsules", "sphere_triangle": "a sphere and a triangle",
+         "ray_sphere": "a ray and a sphere", "sphere_plane": "a sphere and a plane", "capsule_plane": "a capsule and a plane",
+         "ray_triangle": "a ray and a triangle", "triangle_line": "a triangle and a line"}
 FIELDS = ("normal", "point1", "point2", "point", "value")
 # What the others are seen beside: this project's own, and the formulas as everybody computes them.
 REFERENCES = ("production", "plain-double", "plain-float")

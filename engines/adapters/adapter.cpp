@@ -8,10 +8,15 @@ using namespace contact::adapters;
 
 /// The two shapes of each contact_pair.
 constexpr Kind kKinds[][2] = {
-    {Kind::sphere, Kind::sphere}, {Kind::sphere, Kind::sphere},  {Kind::sphere, Kind::sphere},  {Kind::box, Kind::box},
-    {Kind::sphere, Kind::box},    {Kind::sphere, Kind::capsule}, {Kind::capsule, Kind::capsule}};
+    {Kind::sphere, Kind::sphere},   {Kind::sphere, Kind::sphere},   {Kind::sphere, Kind::sphere},
+    {Kind::box, Kind::box},         {Kind::sphere, Kind::box},      {Kind::sphere, Kind::capsule},
+    {Kind::capsule, Kind::capsule}, {Kind::sphere, Kind::triangle}, {Kind::ray, Kind::sphere},
+    {Kind::sphere, Kind::plane},    {Kind::capsule, Kind::plane},   {Kind::ray, Kind::triangle},
+    {Kind::triangle, Kind::line}};
 
-std::size_t width_of(Kind kind) { return kind == Kind::sphere ? 4 : kind == Kind::box ? 6 : 7; }
+/// How many numbers each kind has.
+constexpr std::size_t kWidths[] = {4, 6, 7, 9, 7, 4, 6};
+std::size_t width_of(Kind kind) { return kWidths[static_cast<std::size_t>(kind)]; }
 }  // namespace
 
 int32_t contact_engine_interface() { return CONTACT_ENGINE_INTERFACE; }

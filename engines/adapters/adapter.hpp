@@ -9,32 +9,50 @@
 
 namespace contact::adapters {
 
-enum class Kind { sphere, box, capsule };
+enum class Kind { sphere, box, capsule, triangle, ray, plane, line };
 
-/// A shape as contact_engine.h gives it, and as most engines take it: by centre, size and direction. Nothing is
-/// rounded: a declaration with the shapes `centered` keeps away those whose centre, size or direction is no number.
+/// A shape as contact_engine.h gives it, and as most engines take it: by centre, size and direction, a ray by its ends,
+/// a plane by a unit normal. Nothing is rounded: a declaration with the shapes `centered` keeps away those for which
+/// one of these is no number.
 struct Shape {
   Shape(Kind of, const double* x) : kind(of), numbers(x) {
-    if (kind != Kind::box) radius = x[kind == Kind::sphere ? 3 : 6];
-    for (int i = 0; i < 3; ++i) {
-      const double way = kind == Kind::sphere ? 0 : x[3 + i] - x[i];
-      center[i] = x[i] + way / 2;
-      size[i] = way < 0 ? -way : way;
-      half[i] = size[i] / 2;
-      if (kind == Kind::capsule && way != 0) axis = i;
+    if (kind == Kind::sphere || kind == Kind::box || kind == Kind::capsule) {
+      if (kind != Kind::box) radius = x[kind == Kind::sphere ? 3 : 6];
+      for (int i = 0; i < 3; ++i) {
+        const double way = kind == Kind::sphere ? 0 : x[3 + i] - x[i];
+        center[i] = x[i] + way / 2;
+        size[i] = way < 0 ? -way : way;
+        half[i] = size[i] / 2;
+        if (kind == Kind::capsule && way != 0) axis = i;
+      }
     }
+    for (int i = 0; i < 3 && kind == Kind::ray; ++i) end[i] = x[i] + x[6] * x[3 + i];
+    for (int i = 0; i < 3 && kind == Kind::line; ++i) end[i] = x[3 + i];
+    for (int i = 0; i < 3 && kind == Kind::plane; ++i)
+      if (x[i] != 0) {
+        const double length = x[i] < 0 ? -x[i] : x[i];
+        axis = i;
+        normal[i] = x[i] / length;
+        offset = x[3] / length;
+      }
   }
   /// The rotation that takes z to the axis, of which every number is 0 or 1; none where there is no axis.
   [[nodiscard]] double rotation(int row, int column) const { return row == (column + axis + 1) % 3 ? 1 : 0; }
   [[nodiscard]] double length() const { return size[axis]; }
+  /// Where a ray or a line begins.
+  [[nodiscard]] const double* start() const { return numbers; }
+  [[nodiscard]] const double* vertex(int i) const { return numbers + 3 * i; }
 
   Kind kind;
   const double* numbers;
-  double center[3];
+  double center[3] = {};
   double radius = 0;
-  double size[3];
-  double half[3];
-  int axis = 2;  ///< of a capsule
+  double size[3] = {};
+  double half[3] = {};
+  int axis = 2;           ///< of a capsule, or of a plane's normal
+  double end[3] = {};     ///< of a ray or a line
+  double normal[3] = {};  ///< of a plane, which lies `offset` along it
+  double offset = 0;
 };
 
 /// One question: two shapes of the kinds that the pair names, and the alarm distance.
@@ -73,6 +91,12 @@ class Answer {
   template <class Vector>
   void point2(const Vector& v) {
     vector(CONTACT_POINT2, point2_, v);
+  }
+  /// Where one shape crosses the other, which is on both.
+  template <class Vector>
+  void crossing(const Vector& v) {
+    point1(v);
+    point2(v);
   }
   template <class Vector>
   void midpoint(const Vector& v) {

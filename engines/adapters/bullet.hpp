@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include <BulletCollision/CollisionShapes/btTriangleShape.h>
 #include <btBulletCollisionCommon.h>
 
 #include "engines/adapters/adapter.hpp"
@@ -26,6 +27,12 @@ struct BulletShape {
     } else if (x.kind == Kind::box) {
       shape = std::make_unique<btBoxShape>(bullet_vector(x.half));
       shape->setMargin(0);  // with one its edges are round
+    } else if (x.kind == Kind::triangle) {
+      shape = std::make_unique<btTriangleShape>(bullet_vector(x.vertex(0)), bullet_vector(x.vertex(1)),
+                                                bullet_vector(x.vertex(2)));
+      shape->setMargin(0);
+    } else if (x.kind == Kind::plane) {
+      shape = std::make_unique<btStaticPlaneShape>(bullet_vector(x.normal), static_cast<btScalar>(x.offset));
     } else if (x.axis == 0) {
       shape = std::make_unique<btCapsuleShapeX>(radius, length);
     } else if (x.axis == 1) {
@@ -34,7 +41,7 @@ struct BulletShape {
       shape = std::make_unique<btCapsuleShapeZ>(radius, length);
     }
   }
-  std::unique_ptr<btConvexInternalShape> shape;
+  std::unique_ptr<btCollisionShape> shape;
   btTransform place;
 };
 

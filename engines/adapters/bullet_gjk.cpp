@@ -1,5 +1,5 @@
-// Bullet: btGjkPairDetector, with its EPA for penetrations, on btSphereShape, btBoxShape and
-// btCapsuleShape.
+// Bullet: btGjkPairDetector, with its EPA for penetrations, on btSphereShape, btBoxShape,
+// btCapsuleShape and btTriangleShape.
 #include "engines/adapters/bullet.hpp"
 
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
@@ -12,7 +12,7 @@ namespace contact::adapters {
 // The detector gives the point on the second shape; the other is for its user to derive.
 std::string declaration() {
   return bullet_declaration(
-      "-gjk", R"(["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule"])",
+      "-gjk", R"(["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule","sphere_triangle"])",
       R"({"normal":"second-to-first","points":"second_only","value_less_contact":false,"shapes":"centered"})");
 }
 
@@ -21,7 +21,8 @@ void answer(const Question& q, Answer& said) {
   const BulletShape b(q.b);
   btVoronoiSimplexSolver simplex;
   btGjkEpaPenetrationDepthSolver penetration;
-  btGjkPairDetector detector(a.shape.get(), b.shape.get(), &simplex, &penetration);
+  const auto convex = [](const BulletShape& x) { return static_cast<const btConvexShape*>(x.shape.get()); };
+  btGjkPairDetector detector(convex(a), convex(b), &simplex, &penetration);
   btGjkPairDetector::ClosestPointInput input;
   input.m_transformA = a.place;
   input.m_transformB = b.place;

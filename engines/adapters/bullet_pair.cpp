@@ -1,5 +1,9 @@
-// Bullet: btCollisionWorld::contactPairTest, which finds btSphereSphereCollisionAlgorithm, and for boxes and
-// capsules btConvexConvexAlgorithm; TestAabbAgainstAabb2 for boxes.
+// Bullet: btCollisionWorld::contactPairTest, which finds btSphereSphereCollisionAlgorithm, for a sphere and a triangle
+// btSphereTriangleCollisionAlgorithm, for planes btConvexPlaneCollisionAlgorithm, and for the rest
+// btConvexConvexAlgorithm; TestAabbAgainstAabb2 for boxes; btCollisionWorld::rayTestSingle for rays, on a mesh where
+// they meet a triangle.
+#include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
+
 #include "engines/adapters/bullet.hpp"
 
 namespace contact::adapters {
@@ -29,13 +33,52 @@ struct World {
   btCollisionWorld world{&dispatcher, &broadphase, &configuration};
 };
 
+/// Casts a ray at a shape. Its normal is the triangle's, however the ray comes.
+btCollisionWorld::ClosestRayResultCallback cast(const Shape& ray, btCollisionShape& at, const btTransform& place) {
+  btTransform from;
+  btTransform to;
+  from.setIdentity();
+  to.setIdentity();
+  from.setOrigin(bullet_vector(ray.start()));
+  to.setOrigin(bullet_vector(ray.end));
+  btCollisionObject object;
+  object.setCollisionShape(&at);
+  object.setWorldTransform(place);
+  btCollisionWorld::ClosestRayResultCallback found(from.getOrigin(), to.getOrigin());
+  found.m_flags |= btTriangleRaycastCallback::kF_KeepUnflippedNormal;
+  btCollisionWorld::rayTestSingle(from, to, &object, &at, place, found);
+  return found;
+}
+
+void crossing(const Shape& line, const Shape& triangle, Answer& said) {
+  btTriangleMesh mesh;
+  mesh.addTriangle(bullet_vector(triangle.vertex(0)), bullet_vector(triangle.vertex(1)),
+                   bullet_vector(triangle.vertex(2)));
+  btBvhTriangleMeshShape shape(&mesh, false);
+  const auto found = cast(line, shape, btTransform::getIdentity());
+  said.hit(found.hasHit());
+  if (!found.hasHit()) return;
+  said.normal(found.m_hitNormalWorld);
+  said.crossing(found.m_hitPointWorld);
+}
+
 }  // namespace
 
+// Where a ray enters a sphere is no nearest point: of those decisions alone are claimed. The algorithm of a sphere and
+// a triangle does not look at the threshold.
 std::string declaration() {
-  return bullet_declaration("", R"(["sphere_sphere","cube_cube","sphere_cube","sphere_capsule","capsule_capsule"])",
-                            R"({"normal":"second-to-first","value_less_contact":false},)"
-                            R"("pair_conventions":{"sphere_cube":{"shapes":"centered"},)"
-                            R"("sphere_capsule":{"shapes":"centered"},"capsule_capsule":{"shapes":"centered"}})");
+  return bullet_declaration(
+      "",
+      R"(["sphere_sphere","cube_cube","sphere_cube","sphere_capsule","capsule_capsule","sphere_triangle","ray_sphere",)"
+      R"("sphere_plane","capsule_plane","ray_triangle","triangle_line"])",
+      R"({"normal":"second-to-first","value_less_contact":false},)"
+      R"("pair_conventions":{"sphere_cube":{"shapes":"centered"},)"
+      R"("sphere_capsule":{"shapes":"centered"},"capsule_capsule":{"shapes":"centered"},)"
+      R"("sphere_triangle":{"margin":"none"},)"
+      R"("ray_sphere":{"shapes":"centered","margin":"none","normal":"none","points":"none","value":"none"},)"
+      R"("sphere_plane":{"shapes":"centered"},"capsule_plane":{"shapes":"centered"},)"
+      R"("ray_triangle":{"shapes":"centered","value":"none"},)"
+      R"("triangle_line":{"normal":"first-to-second","value":"none"}})");
 }
 
 void answer(const Question& q, Answer& said) {
@@ -48,6 +91,12 @@ void answer(const Question& q, Answer& said) {
     said.overlap(TestAabbAgainstAabb2(min, max, bullet_vector(q.b.numbers), bullet_vector(q.b.numbers + 3)));
     return;
   }
+  if (q.pair == CONTACT_RAY_TRIANGLE) return crossing(q.a, q.b, said);
+  if (q.pair == CONTACT_TRIANGLE_LINE) return crossing(q.b, q.a, said);
+  if (q.pair == CONTACT_RAY_SPHERE) {
+    const BulletShape sphere(q.b);
+    return said.hit(cast(q.a, *sphere.shape, sphere.place).hasHit());
+  }
   static World world;
   const BulletShape first(q.a);
   const BulletShape second(q.b);
@@ -58,7 +107,7 @@ void answer(const Question& q, Answer& said) {
   a.setWorldTransform(first.place);
   b.setWorldTransform(second.place);
   Keep keep;
-  keep.m_closestDistanceThreshold = alarm;
+  keep.m_closestDistanceThreshold = q.pair == CONTACT_SPHERE_TRIANGLE ? 0 : alarm;
   keep.every_contact = q.pair == CONTACT_SPHERE_SPHERE;
   world.world.contactPairTest(&a, &b, keep);
   said.hit(keep.found);

@@ -1,5 +1,6 @@
 // CGAL's Exact_predicates_inexact_constructions_kernel: an exact comparison with a reach^2 that its user rounded;
-// do_intersect of a sphere of this squared radius and an Iso_cuboid_3; squared_distance of points and segments.
+// do_intersect of a sphere of this squared radius and an Iso_cuboid_3; squared_distance of points, segments, triangles
+// and planes; do_intersect of a segment and a triangle.
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/version.h>
@@ -12,8 +13,11 @@ namespace contact::adapters {
 // underflows.
 std::string declaration() {
   return R"({"engine":{"name":"cgal-epick","version":")" CGAL_VERSION_STR
-         R"("},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule"],)"
-         R"("conventions":{"scale":{"min":1e-150,"max":1e150}},"claims":["overlap"]})";
+         R"("},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule",)"
+         R"("sphere_triangle","ray_sphere","sphere_plane","capsule_plane","ray_triangle","triangle_line"],)"
+         R"("conventions":{"scale":{"min":1e-150,"max":1e150}},)"
+         R"("pair_conventions":{"ray_sphere":{"shapes":"centered"},"ray_triangle":{"shapes":"centered"}},)"
+         R"("claims":["overlap"]})";
 }
 
 void answer(const Question& q, Answer& said) {
@@ -21,6 +25,15 @@ void answer(const Question& q, Answer& said) {
   const auto point = [](const double* x) { return Kernel::Point_3(x[0], x[1], x[2]); };
   const auto segment = [&](const Shape& capsule) {
     return Kernel::Segment_3(point(capsule.numbers), point(capsule.numbers + 3));
+  };
+  const auto triangle = [&](const Shape& x) {
+    return Kernel::Triangle_3(point(x.vertex(0)), point(x.vertex(1)), point(x.vertex(2)));
+  };
+  const auto line = [&](const Shape& x) { return Kernel::Segment_3(point(x.start()), point(x.end)); };
+  // CGAL counts a segment that lies in the plane of a triangle, and has no word on triangles without an inside.
+  const auto crosses = [&](const Kernel::Segment_3& s, const Kernel::Triangle_3& t) {
+    const auto beside = [&](const Kernel::Point_3& p) { return !CGAL::coplanar(t[0], t[1], t[2], p); };
+    return (beside(s.source()) || beside(s.target())) && CGAL::do_intersect(s, t);
   };
   const double reach = q.alarm + q.a.radius + q.b.radius;
   const double reach2 = reach * reach;
@@ -32,6 +45,21 @@ void answer(const Question& q, Answer& said) {
     return said.overlap(CGAL::squared_distance(point(q.a.center), segment(q.b)) <= reach2);
   if (q.pair == CONTACT_CAPSULE_CAPSULE)
     return said.overlap(CGAL::squared_distance(segment(q.a), segment(q.b)) <= reach2);
+  if (q.pair == CONTACT_SPHERE_TRIANGLE)
+    return said.overlap(CGAL::squared_distance(point(q.a.center), triangle(q.b)) <= reach2);
+  if (q.pair == CONTACT_RAY_SPHERE) return said.overlap(CGAL::squared_distance(line(q.a), point(q.b.center)) <= reach2);
+  if (q.pair == CONTACT_RAY_TRIANGLE) return said.overlap(crosses(line(q.a), triangle(q.b)));
+  if (q.pair == CONTACT_TRIANGLE_LINE) return said.overlap(crosses(line(q.b), triangle(q.a)));
+  if (q.pair == CONTACT_SPHERE_PLANE || q.pair == CONTACT_CAPSULE_PLANE) {
+    const double* x = q.b.numbers;
+    const Kernel::Plane_3 plane(x[0], x[1], x[2], -x[3]);
+    const auto near = [&](const Kernel::Point_3& p) {
+      return plane.has_on_negative_side(p) || CGAL::squared_distance(p, plane) <= reach2;
+    };
+    if (q.pair == CONTACT_SPHERE_PLANE) return said.overlap(near(point(q.a.center)));
+    const Kernel::Segment_3 axis = segment(q.a);
+    return said.overlap(near(axis.source()) || near(axis.target()));
+  }
   said.overlap(CGAL::compare_squared_distance(point(q.a.center), point(q.b.center), reach2) != CGAL::LARGER);
 }
 

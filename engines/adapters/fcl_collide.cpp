@@ -8,14 +8,20 @@
 namespace contact::adapters {
 
 // The `pos` of two spheres divides the line of centres by the radii, which is neither nearest point nor the middle
-// between them; so no points are claimed. collide() knows no margin.
+// between them; so no points are claimed. Of a mesh it says the opposite normal, and the depth as a negative number.
+// collide() knows no margin.
 std::string declaration() {
   return R"({"engine":{"name":"fcl","version":")" FCL_VERSION
          R"("},"scalar":"binary64","pairs":["sphere_sphere","cube_cube","sphere_cube",)"
-         R"("sphere_capsule","capsule_capsule"],"conventions":{"points":"none",)"
+         R"("sphere_capsule","capsule_capsule","sphere_triangle","sphere_plane","capsule_plane"],)"
+         R"("conventions":{"points":"none",)"
          R"("value":"depth","value_less_contact":false,"margin":"none","coincident":"zero_normal"},)"
          R"("pair_conventions":{"sphere_cube":{"points":"midpoint","coincident":"any_unit_normal","shapes":"centered"},)"
-         R"("sphere_capsule":{"shapes":"centered"},"capsule_capsule":{"coincident":"any_unit_normal","shapes":"centered"}}})";
+         R"("sphere_capsule":{"shapes":"centered"},)"
+         R"("capsule_capsule":{"coincident":"any_unit_normal","shapes":"centered"},)"
+         R"("sphere_triangle":{"normal":"second-to-first","value":"signed"},)"
+         R"("sphere_plane":{"points":"midpoint","shapes":"centered"},)"
+         R"("capsule_plane":{"points":"midpoint","shapes":"centered"}}})";
 }
 
 void answer(const Question& q, Answer& said) {
@@ -30,9 +36,11 @@ void answer(const Question& q, Answer& said) {
   fcl::CollisionResultd result;
   said.hit(fcl::collide(&a, &b, fcl::CollisionRequestd(1, true), result) > 0);
   if (!result.isCollision()) return;
-  said.normal(result.getContact(0).normal);
-  if (q.pair == CONTACT_SPHERE_CUBE) said.midpoint(result.getContact(0).pos);
-  said.value(result.getContact(0).penetration_depth);
+  const fcl::Contactd& found = result.getContact(0);
+  said.normal(found.normal);
+  said.value(found.penetration_depth);
+  if (q.pair == CONTACT_SPHERE_CUBE || q.pair == CONTACT_SPHERE_PLANE || q.pair == CONTACT_CAPSULE_PLANE)
+    said.midpoint(found.pos);
 }
 
 }  // namespace contact::adapters

@@ -15,13 +15,16 @@ inline void ccd_support(const void* object, const ccd_vec3_t* direction, ccd_vec
     for (int i = 0; i < 3; ++i) point->v[i] = shape.center[i] + ccdSign(direction->v[i]) * shape.half[i];
     return;
   }
+  // By its corners: one of a sphere, two of a capsule, three of a triangle.
   ccd_vec3_t end;
   ccdVec3Set(&end, x[0], x[1], x[2]);
-  if (shape.kind == Kind::capsule) {  // by its ends
+  const int corners = shape.kind == Kind::sphere ? 1 : shape.kind == Kind::capsule ? 2 : 3;
+  for (int i = 1; i < corners; ++i) {
     ccd_vec3_t other;
-    ccdVec3Set(&other, x[3], x[4], x[5]);
+    ccdVec3Set(&other, x[3 * i], x[3 * i + 1], x[3 * i + 2]);
     if (ccdVec3Dot(direction, &other) > ccdVec3Dot(direction, &end)) end = other;
   }
+  if (shape.kind == Kind::triangle) return ccdVec3Copy(point, &end);
   ccdVec3Copy(point, direction);
   ccdVec3Normalize(point);
   ccdVec3Scale(point, shape.radius);
@@ -29,8 +32,10 @@ inline void ccd_support(const void* object, const ccd_vec3_t* direction, ccd_vec
 }
 
 inline void ccd_center(const void* object, ccd_vec3_t* point) {
-  const double* x = static_cast<const Shape*>(object)->center;
+  const auto& shape = *static_cast<const Shape*>(object);
+  const double* x = shape.center;
   ccdVec3Set(point, x[0], x[1], x[2]);
+  for (int i = 0; i < 9 && shape.kind == Kind::triangle; ++i) point->v[i % 3] += shape.numbers[i] / 3;
 }
 
 /// libccd's header leaves the number of iterations unlimited; its README sets 100.
@@ -47,7 +52,7 @@ inline ccd_t ccd_settings() {
 inline std::string ccd_declaration(const std::string& name, const std::string& scale) {
   return R"({"engine":{"name":")" + name +
          R"(","version":"2.1"},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube","sphere_capsule",)"
-         R"("capsule_capsule"],"conventions":{"points":"none",)"
+         R"("capsule_capsule","sphere_triangle"],"conventions":{"points":"none",)"
          R"("value":"depth","value_less_contact":false,"margin":"none")" +
          scale + R"(},"pair_conventions":{"sphere_cube":{"shapes":"centered"}}})";
 }

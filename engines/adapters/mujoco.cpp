@@ -1,4 +1,5 @@
-// MuJoCo: mj_collision on one predefined pair of spheres, boxes and capsules.
+// MuJoCo: mj_collision on one predefined pair of spheres, boxes, capsules and planes; mju_rayGeom for a ray and a
+// sphere.
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
@@ -10,15 +11,19 @@
 namespace contact::adapters {
 namespace {
 
-// Two bodies that can move: between geoms of the world nothing is ever tested.
+// Bodies that can move, but for planes, which only the world may have: between geoms of the world nothing is ever
+// tested.
 struct Scene {
   Scene(const std::string& first, const std::string& second) {
-    const std::string text = R"(<mujoco><option collision="predefined"/><worldbody>
-  <body><freejoint/><geom name="a" type=")" +
-                             first + R"(" size="1 1 1"/></body>
-  <body><freejoint/><geom name="b" type=")" +
-                             second + R"(" size="1 1 1"/></body>
-</worldbody><contact><pair geom1="a" geom2="b"/></contact></mujoco>)";
+    const auto geom = [](const std::string& name, const std::string& type) {
+      const std::string made = R"(<geom name=")" + name + R"(" type=")" + type + R"(" size="1 1 1"/>)";
+      return type == "plane" ? made : "<body><freejoint/>" + made + "</body>";
+    };
+    // The world's geoms are numbered before those of bodies.
+    first_geom = second == "plane" ? 1 : 0;
+    const std::string text = R"(<mujoco><option collision="predefined"/><worldbody>)" + geom("a", first) +
+                             geom("b", second) +
+                             R"(</worldbody><contact><pair geom1="a" geom2="b"/></contact></mujoco>)";
     static mjVFS files;  // it holds megabytes
     mj_defaultVFS(&files);
     mj_makeEmptyFileVFS(&files, "model.xml", static_cast<int>(text.size()));
@@ -28,13 +33,21 @@ struct Scene {
     if (!model) throw std::runtime_error(error);
     data = mj_makeData(model);
   }
-  /// False where its compiler would refuse the shape: a box without thickness, a capsule without length.
+  /// False where its compiler would refuse the shapes: a box without thickness, a capsule without length.
+  [[nodiscard]] bool set(const Shape& a, const Shape& b) const { return set(first_geom, a) && set(1 - first_geom, b); }
   [[nodiscard]] bool set(int geom, const Shape& x) const {
     mjtNum* size = model->geom_size + 3 * geom;
     mjtNum& bound = model->geom_rbound[geom];  // as its compiler computes it
     std::copy(x.center, x.center + 3, data->geom_xpos + 3 * geom);
     for (int row = 0; row < 3; ++row)
       for (int column = 0; column < 3; ++column) data->geom_xmat[9 * geom + 3 * row + column] = x.rotation(row, column);
+    if (x.kind == Kind::plane) {
+      for (int i = 0; i < 3; ++i) {
+        data->geom_xpos[3 * geom + i] = x.normal[i] * x.offset;
+        data->geom_xmat[9 * geom + 3 * i + 2] = x.normal[i];
+      }
+      return true;
+    }
     if (x.kind == Kind::box) {
       std::copy(x.half, x.half + 3, size);
       bound = mju_norm3(x.half);
@@ -45,6 +58,7 @@ struct Scene {
     bound = size[0] + size[1];
     return x.kind == Kind::sphere || size[1] > 0;
   }
+  int first_geom;
   mjModel* model;
   mjData* data;
 };
@@ -54,9 +68,13 @@ struct Scene {
 // The scale is mjMAXVAL, beyond which MuJoCo calls a coordinate bad.
 std::string declaration() {
   return R"({"engine":{"name":"mujoco","version":")" + std::string(mj_versionString()) +
-         R"("},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule"],)"
+         R"("},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule",)"
+         R"("ray_sphere","sphere_plane","capsule_plane"],)"
          R"("conventions":{"points":"midpoint",)"
-         R"("value_less_contact":false,"shapes":"centered","scale":{"min":0,"max":1e10}}})";
+         R"("value_less_contact":false,"shapes":"centered","scale":{"min":0,"max":1e10}},)"
+         R"("pair_conventions":{)"
+         R"("ray_sphere":{"shapes":"given","margin":"none","normal":"none","points":"none","value":"none"},)"
+         R"("sphere_plane":{"normal":"second-to-first"},"capsule_plane":{"normal":"second-to-first"}}})";
 }
 
 void answer(const Question& q, Answer& said) {
@@ -66,11 +84,22 @@ void answer(const Question& q, Answer& said) {
   static const Scene sphere_and_box("sphere", "box");
   static const Scene sphere_and_capsule("sphere", "capsule");
   static const Scene capsules("capsule", "capsule");
+  static const Scene sphere_on_plane("sphere", "plane");
+  static const Scene capsule_on_plane("capsule", "plane");
+  if (q.pair == CONTACT_RAY_SPHERE) {
+    // How far along the direction, in lengths of it; where the ray enters is no nearest point.
+    const double* ray = q.a.numbers;
+    const double radius[3] = {q.b.radius};
+    const mjtNum distance = mju_rayGeom(q.b.center, nullptr, radius, ray, ray + 3, mjGEOM_SPHERE);
+    return said.hit(distance >= 0 && distance <= ray[6]);
+  }
   const Scene& scene = q.pair == CONTACT_SPHERE_CUBE       ? sphere_and_box
                        : q.pair == CONTACT_SPHERE_CAPSULE  ? sphere_and_capsule
                        : q.pair == CONTACT_CAPSULE_CAPSULE ? capsules
+                       : q.pair == CONTACT_SPHERE_PLANE    ? sphere_on_plane
+                       : q.pair == CONTACT_CAPSULE_PLANE   ? capsule_on_plane
                                                            : spheres;
-  if (!scene.set(0, q.a) || !scene.set(1, q.b)) return said.unsupported();
+  if (!scene.set(q.a, q.b)) return said.unsupported();
   scene.model->pair_margin[0] = q.alarm;
   mj_collision(scene.model, scene.data);
   said.hit(scene.data->ncon > 0);

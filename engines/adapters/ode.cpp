@@ -1,19 +1,52 @@
-// Open Dynamics Engine: dCollide on sphere, box and capsule geoms.
+// Open Dynamics Engine: dCollide on sphere, box, capsule and plane geoms, and on a mesh of one triangle, of which it
+// knows one side.
 #include <ode/ode.h>
 
 #include <array>
+#include <optional>
 
 #include "engines/adapters/adapter.hpp"
 
 namespace contact::adapters {
+namespace {
 
-// dCollideSphereBox puts its contact on the box.
+/// A mesh of one triangle, which stays where it is.
+class Mesh {
+ public:
+  explicit Mesh(const Shape& triangle) {
+    for (int i = 0; i < 9; ++i) corners_[4 * (i / 3) + i % 3] = static_cast<dReal>(triangle.numbers[i]);
+    const auto build = sizeof(dReal) == sizeof(double) ? dGeomTriMeshDataBuildDouble : dGeomTriMeshDataBuildSingle;
+    build(data_, corners_, 4 * sizeof(dReal), 3, order_, 3, 3 * sizeof(dTriIndex));
+    geom = dCreateTriMesh(nullptr, data_, nullptr, nullptr, nullptr);
+  }
+  Mesh(const Mesh&) = delete;
+  Mesh& operator=(const Mesh&) = delete;
+  ~Mesh() {
+    dGeomDestroy(geom);
+    dGeomTriMeshDataDestroy(data_);
+  }
+
+ private:
+  dReal corners_[12] = {};
+  dTriIndex order_[3] = {0, 1, 2};
+  dTriMeshDataID data_ = dGeomTriMeshDataCreate();
+
+ public:
+  dGeomID geom;
+};
+
+}  // namespace
+
+// dCollideSphereBox puts its contact on the box, and what is on a plane has it at its own lowest point. A ray has a
+// unit direction and a length here, which its user would have to round; so rays are not asked.
 std::string declaration() {
   return R"({"engine":{"name":"ode","version":")" dODE_VERSION R"("},"scalar":")" +
          std::string(sizeof(dReal) == sizeof(double) ? "binary64" : "binary32") +
-         R"(","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule"],"conventions":{"normal":"second-to-first","points":"midpoint",)"
+         R"(","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule",)"
+         R"("sphere_triangle","sphere_plane","capsule_plane"],"conventions":{"normal":"second-to-first","points":"midpoint",)"
          R"("value":"depth","value_less_contact":false,"margin":"none","shapes":"centered"},)"
-         R"("pair_conventions":{"sphere_cube":{"points":"second_only"}}})";
+         R"("pair_conventions":{"sphere_cube":{"points":"second_only"},"sphere_triangle":{"points":"second_only"},)"
+         R"("sphere_plane":{"points":"first_only"},"capsule_plane":{"points":"first_only"}}})";
 }
 
 void answer(const Question& q, Answer& said) {
@@ -38,14 +71,26 @@ void answer(const Question& q, Answer& said) {
     return geom;
   };
   const dGeomID a = set(first, q.a);
-  const dGeomID b = set(second, q.b);
+  static const dGeomID plane = dCreatePlane(nullptr, 0, 0, 1, 0);
+  std::optional<Mesh> mesh;
+  dGeomID b = plane;
+  if (q.pair == CONTACT_SPHERE_TRIANGLE) {
+    b = mesh.emplace(q.b).geom;
+  } else if (q.pair == CONTACT_SPHERE_PLANE || q.pair == CONTACT_CAPSULE_PLANE) {
+    const auto real = [](double number) { return static_cast<dReal>(number); };
+    dGeomPlaneSetParams(plane, real(q.b.normal[0]), real(q.b.normal[1]), real(q.b.normal[2]), real(q.b.offset));
+  } else {
+    b = set(second, q.b);
+  }
   dContactGeom contact;
   const bool hit = dCollide(a, b, 1, &contact, sizeof contact) > 0;
   said.hit(hit);
   if (!hit) return;
   said.normal(contact.normal);
-  if (q.pair == CONTACT_SPHERE_CUBE)
+  if (q.pair == CONTACT_SPHERE_CUBE || q.pair == CONTACT_SPHERE_TRIANGLE)
     said.point2(contact.pos);
+  else if (q.pair == CONTACT_SPHERE_PLANE || q.pair == CONTACT_CAPSULE_PLANE)
+    said.point1(contact.pos);
   else
     said.midpoint(contact.pos);
   said.value(contact.depth);

@@ -1,4 +1,4 @@
-// ammo.js (Bullet): contactPairTest of bodies that are spheres, boxes or capsules.
+// ammo.js (Bullet): contactPairTest of bodies that are spheres, boxes, capsules or planes.
 import {centered, serve, versionOf} from './loop.mjs';
 import ammo from 'ammo.js';
 
@@ -20,7 +20,7 @@ callback.addSingleResult = (pointer) => {
 // It computes in double precision and keeps every number in single.
 serve({
   engine: {name: 'ammo', version: versionOf('ammo.js')}, scalar: 'binary32', 
-  pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule'],
+  pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule', 'sphere_plane', 'capsule_plane'],
   conventions: {normal: 'second-to-first', value_less_contact: false, margin: 'none', shapes: 'centered'},
 }, ({pair, a, b}) => {
   const made = [];
@@ -38,6 +38,7 @@ serve({
       shape.setMargin(0); // with one its edges are round
       return shape;
     },
+    plane: ({normal}) => new ammo.btStaticPlaneShape(make(new ammo.btVector3(...normal)), 0),
     capsule: ({axis, halfLength, radius}) =>
       new [ammo.btCapsuleShapeX, ammo.btCapsuleShape, ammo.btCapsuleShapeZ][axis](radius, 2 * halfLength),
   };

@@ -1,4 +1,4 @@
-// Jolt Physics: TransformedShape.CollideShape with the alarm distance as its largest separation.
+// Jolt Physics: TransformedShape.CollideShape with the alarm distance as its largest separation; CastRay for rays.
 import {centered, serve, turned, versionOf} from './loop.mjs';
 import load from 'jolt-physics';
 
@@ -18,13 +18,20 @@ new jolt.JoltInterface(world);
 
 const [unit, origin] = [new jolt.Vec3(1, 1, 1), new jolt.RVec3(0, 0, 0)];
 const [settings, everything] = [new jolt.CollideShapeSettings(), new jolt.ShapeFilter()];
+// Triangles have two sides.
+settings.mBackFaceMode = jolt.EBackFaceMode_CollideWithBackFaces;
 const numbers = (v) => [v.GetX(), v.GetY(), v.GetZ()];
 
 // Points are relative to the base offset, which is the origin here.
 serve({
   engine: {name: 'jolt', version: versionOf('jolt-physics')}, scalar: 'binary32', 
-  pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule'],
+  pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule', 'sphere_triangle', 'ray_sphere', 'sphere_plane', 'capsule_plane', 'ray_triangle', 'triangle_line'],
   conventions: {normal_unit: false, value: 'depth', value_less_contact: false, shapes: 'centered'},
+  pair_conventions: {
+    // Where a ray enters a sphere is no nearest point; it has no normal before its user asks for one.
+    ray_sphere: {margin: 'none', normal: 'none', points: 'none', value: 'none'},
+    ray_triangle: {normal: 'none', value: 'none'}, triangle_line: {normal: 'none', value: 'none'},
+  },
 }, ({a, b, alarm}) => {
   const [made, shapes] = [[], []];
   const make = (thing) => (made.push(thing), thing);
@@ -33,19 +40,46 @@ serve({
     // Without a convex radius: its edges are as sharp as the question's.
     box: ({half}) => new jolt.BoxShape(make(new jolt.Vec3(...half)), 0),
     capsule: ({halfLength, radius}) => new jolt.CapsuleShape(halfLength, radius),
+    // Only a mesh has triangles here. It takes none without an inside.
+    triangle: ({vertices}) => {
+      const list = make(new jolt.TriangleList());
+      list.push_back(make(new jolt.Triangle(...vertices.map((v) => make(new jolt.Vec3(...v))))));
+      const result = make(new jolt.MeshShapeSettings(list)).Create();
+      return result.IsValid() ? result.Get() : null;
+    },
+    // Its planes end somewhere: farther away than any question reaches.
+    plane: ({normal}) => new jolt.PlaneShape(make(new jolt.Plane(make(new jolt.Vec3(...normal)), 0)), null, 2 ** 120),
   };
   const shaped = (like) => {
     const shape = kinds[like.kind](like);
+    if (!shape) return null;
     shape.AddRef();
     shapes.push(shape);
     return shape;
   };
   const at = ({center}) => make(new jolt.RVec3(...center));
   const upright = ({kind, axis}) => make(new jolt.Quat(...(kind === 'capsule' ? turned(1, axis) : [0, 0, 0, 1])));
-  const [from, to] = [centered(a), centered(b)];
+  const done = (answer) => {
+    made.forEach((thing) => jolt.destroy(thing));
+    shapes.forEach((shape) => shape.Release());
+    return answer;
+  };
+  let [from, to] = [centered(a), centered(b)];
+  if (to.kind === 'line') [from, to] = [to, from];
   const second = make(new jolt.TransformedShape());
-  second.mShape = shaped(to);
+  const shape2 = shaped(to);
+  if (!shape2) return done({unsupported: 'a triangle without an inside'});
+  second.mShape = shape2;
   second.SetWorldTransform(at(to), upright(to), unit);
+  if (from.kind === 'ray' || from.kind === 'line') {
+    const way = from.end.map((x, i) => x - from.start[i]);
+    const ray = make(new jolt.RRayCast(make(new jolt.RVec3(...from.start)), make(new jolt.Vec3(...way))));
+    const result = make(new jolt.RayCastResult());
+    second.CastRay(ray, result);
+    if (result.mFraction > 1) return done({overlap: false, contact: null}); // beyond 1 where it hits nothing
+    const point = numbers(ray.GetPointOnRay(result.mFraction));
+    return done({overlap: true, contact: to.kind === 'sphere' ? {} : {point1: point, point2: point}});
+  }
   settings.mMaxSeparationDistance = alarm;
   const collector = make(new jolt.CollideShapeClosestHitCollisionCollector());
   // The shape that is handed over is shape 1 of the result.
@@ -56,7 +90,5 @@ serve({
     normal: numbers(found.mPenetrationAxis), point1: numbers(found.mContactPointOn1),
     point2: numbers(found.mContactPointOn2), value: found.mPenetrationDepth,
   };
-  made.forEach((thing) => jolt.destroy(thing));
-  shapes.forEach((shape) => shape.Release());
-  return {overlap: found !== null, contact};
+  return done({overlap: found !== null, contact});
 });

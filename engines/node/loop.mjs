@@ -15,10 +15,19 @@ export const numbers = ({x, y, z}) => [x, y, z];
 export const vector = ([x, y, z]) => ({x, y, z});
 
 /**
- * A shape by its centre, size and direction, and its kind. Nothing is rounded: a declaration with the shapes `centered` keeps
- * away those whose centre, size or direction is no number.
+ * A shape by its centre, size and direction, a plane by a unit normal, a ray by its ends, and its kind. Nothing is rounded: a
+ * declaration with the shapes `centered` keeps away those for which one of these is no number.
  */
-export const centered = ({center, radius, min, max, start, end}) => {
+export const centered = ({center, radius, min, max, start, end, vertices, origin, direction, length, normal, offset}) => {
+  if (vertices) return {kind: 'triangle', center: [0, 0, 0], axis: 2, vertices};
+  if (origin) return {kind: 'ray', start: origin, end: origin.map((x, i) => x + length * direction[i]), direction, length};
+  if (normal) {
+    const long = Math.max(...normal.map(Math.abs));
+    const unit = normal.map((x) => x / long);
+    return {kind: 'plane', normal: unit, offset: offset / long, center: unit.map((x) => x * (offset / long)),
+      axis: unit.findIndex((x) => x !== 0)};
+  }
+  if (start && radius === undefined) return {kind: 'line', start, end};
   if (center) return {kind: 'sphere', center, radius, axis: 2};
   const [from, to] = min ? [min, max] : [start, end];
   const way = to.map((x, i) => x - from[i]);

@@ -1,31 +1,37 @@
-// MuJoCo's own WebAssembly: mj_collision on one predefined pair of spheres, boxes and capsules.
+// MuJoCo's own WebAssembly: mj_collision on one predefined pair of spheres, boxes, capsules and planes.
 import {centered, serve, versionOf} from './loop.mjs';
 import load from '@mujoco/mujoco';
 
 const mujoco = await load();
-// Two bodies that can move: between geoms of the world nothing is ever tested.
+// Bodies that can move, but for planes, which only the world may have: between geoms of the world nothing is ever tested.
 const sceneWith = (first, second) => {
-  const model = mujoco.MjModel.from_xml_string(`<mujoco><worldbody>
-    <body><freejoint/><geom name="a" type="${first}" size="1 1 1"/></body>
-    <body><freejoint/><geom name="b" type="${second}" size="1 1 1"/></body>
-  </worldbody><contact><pair geom1="a" geom2="b"/></contact></mujoco>`);
+  const geom = (name, type) => `<geom name="${name}" type="${type}" size="1 1 1"/>`;
+  const body = (name, type) => (type === 'plane' ? geom(name, type) : `<body><freejoint/>${geom(name, type)}</body>`);
+  const model = mujoco.MjModel.from_xml_string(`<mujoco><worldbody>${body('a', first)}${body('b', second)}</worldbody><contact><pair geom1="a" geom2="b"/></contact></mujoco>`);
   const data = new mujoco.MjData(model);
   return {model, data};
 };
 const scenes = {
   sphere_sphere: sceneWith('sphere', 'sphere'), sphere_cube: sceneWith('sphere', 'box'),
   sphere_capsule: sceneWith('sphere', 'capsule'), capsule_capsule: sceneWith('capsule', 'capsule'),
+  sphere_plane: sceneWith('sphere', 'plane'), capsule_plane: sceneWith('capsule', 'plane'),
 };
 const mjMAXVAL = 1e10; // beyond it MuJoCo calls a coordinate bad
 
 serve({
   engine: {name: 'mujoco-js', version: versionOf('@mujoco/mujoco')}, scalar: 'binary64', pairs: Object.keys(scenes),
   conventions: {points: 'midpoint', value_less_contact: false, shapes: 'centered', scale: {min: 0, max: mjMAXVAL}},
+  pair_conventions: {sphere_plane: {normal: 'second-to-first'}, capsule_plane: {normal: 'second-to-first'}},
 }, ({pair, a, b, alarm}) => {
   const {model, data} = scenes[pair];
   // Its compiler refuses a box without thickness and a capsule without length; to its collider a size of 0 is no limit.
   const set = (geom, like) => {
-    const {kind, center, radius, half, axis, halfLength} = centered(like);
+    const {normal, kind, center, radius, half, axis, halfLength} = centered(like);
+    if (kind === 'plane') {
+      data.geom_xpos.set(center, 3 * geom);
+      data.geom_xmat.set(normal.flatMap((x) => [0, 0, x]), 9 * geom);
+      return true;
+    }
     const sizes = {sphere: [radius], box: half, capsule: [radius, halfLength]}[kind];
     const bounds = {sphere: radius, box: Math.hypot(...(half ?? [])), capsule: radius + halfLength};
     data.geom_xpos.set(center, 3 * geom);
@@ -34,7 +40,9 @@ serve({
     model.geom_rbound[geom] = bounds[kind];
     return kind === 'sphere' || !(kind === 'box' ? half : [halfLength]).includes(0);
   };
-  if (!set(0, a) || !set(1, b)) return {unsupported: 'a size of 0'};
+  // The world's geoms are numbered before those of bodies.
+  const first = pair.endsWith('_plane') ? 1 : 0;
+  if (!set(first, a) || !set(1 - first, b)) return {unsupported: 'a size of 0'};
   model.pair_margin[0] = alarm;
   mujoco.mj_collision(model, data);
   const contacts = data.contact;

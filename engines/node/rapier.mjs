@@ -1,5 +1,5 @@
 // Rapier: Shape.contactShape with the alarm distance as its prediction, and Shape.intersectsShape, which has no margin:
-// with one, shapes overlap where they have a contact.
+// with one, shapes overlap where they have a contact. Shape.castRay for rays.
 import {centered, numbers, serve, turned, vector, versionOf} from './loop.mjs';
 import rapier from '@dimforge/rapier3d-compat';
 
@@ -8,6 +8,8 @@ const shapes = {
   sphere: ({radius}) => new rapier.Ball(radius),
   box: ({half}) => new rapier.Cuboid(...half),
   capsule: ({halfLength, radius}) => new rapier.Capsule(halfLength, radius),
+  triangle: ({vertices}) => new rapier.Triangle(...vertices.map(vector)),
+  plane: ({normal}) => new rapier.HalfSpace(vector(normal)),
 };
 const upright = ({kind, axis}) => {
   const [x, y, z, w] = kind === 'capsule' ? turned(1, axis) : [0, 0, 0, 1];
@@ -15,14 +17,27 @@ const upright = ({kind, axis}) => {
 };
 
 const closed = {touching_contact: 'closed', margin: 'inclusive', shapes: 'centered'};
+const solid = true; // a ray that begins in a ball hits it there
 
 serve({
   engine: {name: 'rapier', version: versionOf('@dimforge/rapier3d-compat')}, scalar: 'binary32', 
-  pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule'],
+  pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule', 'sphere_triangle', 'ray_sphere', 'sphere_plane', 'capsule_plane', 'ray_triangle'],
   conventions: {value_less_contact: false, touching_contact: 'open', margin: 'exclusive'},
-  pair_conventions: {sphere_cube: closed, sphere_capsule: closed, capsule_capsule: closed},
+  pair_conventions: {sphere_cube: closed, sphere_capsule: closed, capsule_capsule: closed, sphere_triangle: closed, sphere_plane: closed, capsule_plane: closed,
+    // Where a ray enters a ball is no nearest point.
+    ray_sphere: {touching_contact: 'closed', margin: 'none', normal: 'none', points: 'none', value: 'none'},
+    // It gives the side that the ray comes from.
+    ray_triangle: {normal: 'none', value: 'none'},
+  },
 }, ({a, b, alarm}) => {
   const [from, to] = [centered(a), centered(b)];
+  if (from.kind === 'ray') {
+    const time = shapes[to.kind](to).castRay(new rapier.Ray(vector(a.origin), vector(a.direction)), vector(to.center), upright(to), a.length, solid);
+    if (time === null || time < 0) return {overlap: false, contact: null};
+    if (to.kind === 'sphere') return {overlap: true, contact: {}};
+    const point = a.origin.map((x, i) => Math.fround(x + Math.fround(time * a.direction[i])));
+    return {overlap: true, contact: {point1: point, point2: point}};
+  }
   const [first, second] = [from, to].map((shape) => shapes[shape.kind](shape));
   const placed = [vector(from.center), upright(from), second, vector(to.center), upright(to)];
   const found = first.contactShape(...placed, alarm);
