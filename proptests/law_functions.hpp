@@ -72,12 +72,15 @@ Questions translated(const Trial& trial, const Subject& subject);
 Questions scaled(const Trial& trial, const Subject& subject);
 Questions point_box(const Trial& trial, const Subject& subject);
 Questions half_of_box(const Trial& trial, const Subject& subject);
+Questions corners_exchanged(const Trial& trial, const Subject& subject);
+Questions without_length(const Trial& trial, const Subject& subject);
 Questions other_sphere_kinds(const Trial& trial, const Subject& subject);
 Outcome check_swapped(const Case& c);
 Outcome check_turned(const Case& c);
 Outcome check_translated(const Case& c);
 Outcome check_scaled(const Case& c);
 Outcome check_same_contact(const Case& c);
+Outcome check_corners(const Case& c);
 Outcome check_sphere_kinds(const Case& c);
 
 }  // namespace contact::proptests

@@ -111,6 +111,9 @@ rc::Gen<Query> nested_boxes(Pair pair, const Range& range) {
   });
 }
 
+template <class Shape, class... Shapes>
+constexpr bool is_any_of = (std::same_as<Shape, Shapes> || ...);
+
 bool are_alike(Pair pair) {
   return std::visit([]<class A, class B>(const Two<A, B>&) { return std::same_as<A, B>; }, description(pair).zeros());
 }
@@ -119,6 +122,16 @@ constexpr About kAll{"any shapes", [](Pair) { return true; }};
 constexpr About kDistance{"shapes with a distance", has_distance};
 constexpr About kAlike{"two alike", are_alike};
 constexpr About kCrossing{"a segment and a triangle", is_crossing};
+constexpr About kCorners{"a capsule, a triangle or a line", [](Pair pair) {
+                           return std::visit(
+                               []<class A, class B>(const Two<A, B>&) {
+                                 return is_any_of<A, Capsule, Triangle, Line> || is_any_of<B, Capsule, Triangle, Line>;
+                               },
+                               description(pair).zeros());
+                         }};
+constexpr About kLong{"a capsule, a triangle or a ray, and a distance",
+                      is_one_of<Pair::sphere_capsule, Pair::capsule_capsule, Pair::sphere_triangle, Pair::ray_sphere,
+                                Pair::capsule_plane>};
 constexpr About kSpheres{"spheres", is_one_of<Pair::sphere_sphere>};
 constexpr About kCubes{"cubes", is_one_of<Pair::cube_cube>};
 constexpr About kSphereCube{"a sphere and a cube", is_one_of<Pair::sphere_cube>};
@@ -184,6 +197,18 @@ constexpr std::array kLaws{
         "`swap`",
         "what lies farther away has no influence: catches middles, corners and bounding spheres", kBits, kSphereCube,
         kNo, kTogether, never, queries, half_of_box, check_same_contact},
+    Law{"corners", "The order of a capsule's or a line's ends, and of a triangle's vertices, changes nothing.",
+        "same hit and contact; the normal of a crossing is turned round where two vertices change places; allowances "
+        "as "
+        "for `swap`",
+        "which corner is told first is an accident; catches a parameter clamped or an edge asked in one order alone",
+        kBits, kCorners, kNo, kTogether, never, queries, corners_exchanged, check_corners},
+    Law{"without_length",
+        "A capsule without length is a sphere, a ray without length and a triangle in one place are one without "
+        "radius.",
+        "same contact as with the sphere; allowances as for `swap`",
+        "two functions that meet in one question must agree there; catches divisions by a length", kBits, kLong, kNo,
+        kTogether, never, queries, without_length, check_same_contact},
     Law{"turn", "Axes permuted and reflected permute and reflect the answer.",
         "answer(P q) = P answer(q), P a signed permutation; allowances as for `swap`",
         "no direction in space is special; catches a component mistyped", kBits, kAll, kNo, kTogether, never, queries,

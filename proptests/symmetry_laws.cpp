@@ -246,6 +246,66 @@ Questions point_box(const Trial& trial, const Subject&) {
   return {point, {Pair::sphere_sphere, Balls{ball, {box.min, 0}}, point.distances}};
 }
 
+namespace {
+
+/// The orders of three vertices but the one they are in: two that go round, then three that exchange two.
+constexpr std::array<std::array<std::size_t, 3>, 5> kOrders{{{1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}}};
+std::size_t order_of(const Change& change) { return static_cast<std::size_t>(change.choice) % kOrders.size(); }
+
+/// The sphere that a shape without extent is.
+Ball as_ball(const Ball& ball) { return ball; }
+Ball as_ball(const Capsule& capsule) { return {capsule.start, capsule.radius}; }
+Ball as_ball(const Triangle& triangle) { return {triangle.vertices[0], 0}; }
+Ball as_ball(const Ray& ray) { return {ray.origin, 0}; }
+
+void shrink_to_a_point(Capsule& capsule) { capsule.end = capsule.start; }
+void shrink_to_a_point(Triangle& triangle) { triangle.vertices.fill(triangle.vertices[0]); }
+void shrink_to_a_point(Ray& ray) { ray.length = 0; }
+template <class Shape>
+void shrink_to_a_point(Shape& /*shape*/) {}
+
+}  // namespace
+
+Questions corners_exchanged(const Trial& trial, const Subject&) {
+  Query other = trial.query;
+  const auto exchange = [&]<class Shape>(Shape& shape) {
+    if constexpr (std::same_as<Shape, Capsule> || std::same_as<Shape, Line>) std::swap(shape.start, shape.end);
+    if constexpr (std::same_as<Shape, Triangle>) {
+      const Triangle before = shape;
+      for (std::size_t i = 0; i < 3; ++i) shape.vertices[i] = before.vertices[kOrders[order_of(trial.change)][i]];
+    }
+  };
+  std::visit([&](auto& shapes) { exchange(shapes.a), exchange(shapes.b); }, other.shapes);
+  return {trial.query, other};
+}
+
+Outcome check_corners(const Case& c) {
+  if (c.contact(0) == nullptr || coincident(c, 0)) return compared(c, nullptr, {});
+  ContactClaim wanted = *c.contact(0);
+  // The normal of a crossing goes by the order of the vertices.
+  if (is_crossing(c.queries[0].pair) && wanted.normal && order_of(c.trial.change) >= 2)
+    *wanted.normal = -*wanted.normal;
+  return compared(c, &wanted, {Field::normal, Field::value, Field::point1, Field::point2, Field::point});
+}
+
+Questions without_length(const Trial& trial, const Subject& subject) {
+  Query point = trial.query;
+  std::visit([](auto& shapes) { shrink_to_a_point(shapes.a), shrink_to_a_point(shapes.b); }, point.shapes);
+  Query simpler = point;
+  std::visit(
+      [&](auto& shapes) {
+        if constexpr (requires { as_ball(shapes.a), as_ball(shapes.b); }) {
+          simpler = {Pair::sphere_sphere, Balls{as_ball(shapes.a), as_ball(shapes.b)}, point.distances};
+        } else if constexpr (requires { as_ball(shapes.a), shapes.b.normal; }) {
+          simpler = {Pair::sphere_plane, BallAndPlane{as_ball(shapes.a), shapes.b}, point.distances};
+        }
+      },
+      point.shapes);
+  const auto conventions = [&](const Query& query) { return subject.info.declared_for(query.pair).conventions; };
+  if (!subject.info.serves(simpler.pair) || conventions(point) != conventions(simpler)) return {};
+  return {point, simpler};
+}
+
 Questions half_of_box(const Trial& trial, const Subject&) {
   Query half = trial.query;
   auto& [ball, box] = std::get<BallAndBox>(half.shapes);

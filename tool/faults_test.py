@@ -243,7 +243,9 @@ class Stopped(Prepared):
                     self.moment(not again, Inputs.seconds[name])
                     process.send_signal(number)
                     out, err = process.communicate(timeout=60)
-                    self.assertIn(process.returncode, (130, COMMANDS[name][2]) if again else (130,), err)
+                    # What takes no time at all, as a merge, may be done before the signal has come.
+                    may_be_done = again or Inputs.seconds[name] < 0.5
+                    self.assertIn(process.returncode, (130, COMMANDS[name][2]) if may_be_done else (130,), err)
                     if process.returncode == 130:
                         self.assertIn("interrupted", err)
                         if name != "certify --certificate":  # which is written when the verdict has been told

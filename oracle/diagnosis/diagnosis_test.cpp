@@ -822,7 +822,7 @@ TEST(Diagnosis, WhatAnswersToHitsLackIsCountedAndTheConventionNamedThatWouldNotA
   EXPECT_EQ(diagnosis.missing("point2"), 2U);
   EXPECT_EQ(diagnosis.missing("value"), 0U);
   const Lines lines{
-      "normal: missing in 1 answers to hits; an engine that never gives it says so by \"claims\"",
+      "normal: missing in 1 answers to hits; 1 of 1 wrong answers are right under the convention normal = none",
       "point2: missing in 2 answers to hits; 2 of 2 wrong answers are right under the convention points = first_only"};
   EXPECT_EQ(diagnosis.lines(), lines);
   diagnosis.merge(other);
