@@ -34,6 +34,22 @@ std::string broken_law(const engines::Mutant& mutant) {
   return {};
 }
 
+TEST(Laws, of_the_order_of_corners_of_lengths_and_of_crossings_find_what_they_are_for) {
+  for (const auto& [law, mutant] : {std::pair{"corners", "mjx-segment-1e-6"},
+                                    {"corners", "capsule-start-only"},
+                                    {"corners", "crossing-normal-against"},
+                                    {"without_length", "triangle-area-1e-6"},
+                                    {"crossing", "crossing-points-at-start"},
+                                    {"crossing", "crossing-value-along"}}) {
+    RunOptions options;
+    options.seed = 20;
+    options.names = {law};
+    auto engine = engines::make_built_in(std::string(engines::kMutantPrefix) + mutant);
+    const RunResult result = run_laws(engine, options);
+    EXPECT_NE(result.first_violated(), nullptr) << law << " and " << mutant;
+  }
+}
+
 TEST(Laws, find_every_mutant_but_these) {
   const auto mutants = engines::mutants();
   std::vector<std::string> broken(mutants.size());
