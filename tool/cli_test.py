@@ -233,6 +233,13 @@ class Documentation(Case):
                       re.search(r"(?m)^## (\S+)", (ROOT / "CHANGELOG.md").read_text())[1]):
             self.assertEqual(found, version)
 
+    def test_the_picture_of_the_pairs_is_drawn_from_what_explain_says(self):
+        drawn = self.folder / "pairs.svg"
+        subprocess.run([sys.executable, ROOT / "docs" / "draw_pairs.py", TOOL, drawn], check=True, timeout=60)
+        self.assertEqual(drawn.read_text(), (ROOT / "docs" / "pairs.svg").read_text())
+        for pair in PAIRS:
+            self.assertIn(f">{pair}<" if "rigid" not in pair else "<svg", drawn.read_text(), pair)
+
     def test_the_table_of_laws_is_the_programs(self):
         self.stands("properties.md", "properties", "--table")
 
