@@ -30,8 +30,8 @@ struct Questions {
     for_each_number(shapes.a, put);
     for_each_number(shapes.b, put);
   }
-  [[nodiscard]] batch::ColumnsOf<A> a() const { return side<A>(0); }
-  [[nodiscard]] batch::ColumnsOf<B> b() const { return side<B>(kFirst); }
+  [[nodiscard]] auto a() const { return side<A>(0); }
+  [[nodiscard]] auto b() const { return side<B>(kFirst); }
   [[nodiscard]] batch::ContactColumns contacts() {
     const auto three = [this](std::size_t k) { return std::array{out(k), out(k + 1), out(k + 2)}; };
     return {three(0), three(3), three(6), out(9), state};
@@ -57,13 +57,32 @@ struct Questions {
   }
 };
 
+/// A segment seldom crosses a triangle by chance: half of them go through a point of it.
+template <class A, class B>
+void aim(Two<A, B>& shapes, Uniform& uniform) {
+  const auto inside = [&](const Triangle& triangle) -> Vector3 {
+    const auto& v = triangle.vertices;
+    const double s = uniform.part();
+    return v[0] + s * (v[1] - v[0]) + (1 - s) * uniform.part() * (v[2] - v[0]);
+  };
+  if constexpr (std::same_as<A, Ray> && std::same_as<B, Triangle>)
+    shapes.a.origin = inside(shapes.b) - uniform.part() * shapes.a.length * shapes.a.direction;
+  if constexpr (std::same_as<B, Line>) {
+    const Vector3 along = shapes.b.end - shapes.b.start;
+    shapes.b.start = inside(shapes.a) - uniform.part() * along;
+    shapes.b.end = shapes.b.start + along;
+  }
+}
+
 template <class A, class B>
 Questions<A, B> make_questions(std::size_t size) {
   Uniform uniform(1);
   Questions<A, B> made(size);
   for (std::size_t i = 0; i < size; ++i) {
     const A a = uniform.shape<A>();
-    made.set(i, {a, uniform.shape<B>()});
+    Two<A, B> shapes{a, uniform.shape<B>()};
+    if (i % 2 == 0) aim(shapes, uniform);
+    made.set(i, shapes);
   }
   return made;
 }

@@ -131,6 +131,26 @@ def sphere_cube_table(m):
                   "memory"], rows)
 
 
+PAIRS = {"sphere_sphere": "", "sphere_cube": "sphere_cube_", **{pair: pair + "_" for pair in (
+    "sphere_capsule", "capsule_capsule", "sphere_triangle", "ray_sphere", "sphere_plane", "capsule_plane", "ray_triangle", "triangle_line")}}
+
+
+def pairs_table(m):
+    rows = []
+    for pair, prefix in PAIRS.items():
+        cells = []
+        for op in ("test", "compute"):
+            times = {s: m.ns(f"Peer/{s}/{prefix}{op}/L2") for s in SUBJECTS}
+            plain, ours = times["plain double"], times["ours, scalar"]
+            peers = [(ns, s) for s, ns in times.items() if ns and SUBJECTS[s] == "peer"]
+            cells += [f"{number(plain)} → {number(ours)}", number(ours / plain)]
+            cells.append("–" if not peers else f"{number(min(peers)[0] / ours)} ({min(peers)[1]})")
+        rows.append([f"`{pair}`", *cells])
+    head = ["one pair after the other, L2", "decide: plain → ours, ns", "ratio", "fastest peer to ours", "contact: plain → ours, ns",
+            "ratio", "fastest peer to ours"]
+    return table(head, rows)
+
+
 def wrong_table(m):
     rows = []
     for subject in SUBJECTS:
@@ -290,6 +310,8 @@ def main():
         "### A sphere and a box, beside the peers",
         'Nanoseconds per pair; then the time of a contact as a multiple of plain double (of "plain double, vectors" for the '
         "subjects with vectors) and of ours.", sphere_cube_table(m),
+        "### Every pair, one after the other",
+        "Plain double is [the formula of the engine `plain-double`](../bench/peers/own.cpp), ours the function of one pair.", pairs_table(m),
         "### Batch, beside plain double with the same vectors", batch_table(m),
         "### Contacts by family, batch, in L2", families_table(m), "### Limits", facts(m)])
     page = DOCS / "performance.md"

@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <set>
 #include <string>
 #include <vector>
@@ -50,16 +51,21 @@ TEST(Laws, of_the_order_of_corners_of_lengths_and_of_crossings_find_what_they_ar
   }
 }
 
+// Every third, and every one with CONTACT_EVERY_MUTANT set, as ./run campaign does: that takes minutes.
 TEST(Laws, find_every_mutant_but_these) {
-  const auto mutants = engines::mutants();
-  std::vector<std::string> broken(mutants.size());
-  tbb::parallel_for(std::size_t{0}, mutants.size(), [&](std::size_t i) { broken[i] = broken_law(mutants[i]); });
+  const std::size_t step = std::getenv("CONTACT_EVERY_MUTANT") != nullptr ? 1 : 3;
+  std::vector<engines::Mutant> asked;
+  for (std::size_t i = 0; i < engines::mutants().size(); i += step) asked.push_back(engines::mutants()[i]);
+  std::vector<std::string> broken(asked.size());
+  tbb::parallel_for(std::size_t{0}, asked.size(), [&](std::size_t i) { broken[i] = broken_law(asked[i]); });
   std::set<std::string> left;
-  for (std::size_t i = 0; i < mutants.size(); ++i) {
-    const std::string id(mutants[i].id);
+  std::set<std::string> expected;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const std::string id(asked[i].id);
     if (broken[i].empty()) left.insert(id);
+    if (kNotFound.contains(id)) expected.insert(id);
   }
-  EXPECT_EQ(left, kNotFound);
+  EXPECT_EQ(left, expected);
 }
 
 }  // namespace

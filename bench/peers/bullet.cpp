@@ -128,7 +128,8 @@ class World {
   bool test(const Balls& p) { return test(p, spheres_); }
   bool test(const BallAndBox& p) { return test(p, box_); }
   template <class Second>
-  bool compute(const Two<Ball, Second>& p, Contact& out) {
+  requires(std::same_as<Second, Ball> || std::same_as<Second, Box>) bool compute(const Two<Ball, Second>& p,
+                                                                                 Contact& out) {
     if (!test(p)) return false;
     out.normal = from_bullet(callback_.point.m_normalWorldOnB);
     out.point1 = from_bullet(callback_.point.getPositionWorldOnA());

@@ -2,6 +2,7 @@
 #include <ccd/ccd.h>
 
 #include <cmath>
+#include <concepts>
 
 #include "peers/peers.hpp"
 
@@ -13,6 +14,9 @@ namespace contact::bench {
 namespace {
 
 /// Its functions of a shape.
+template <class Shape>
+constexpr bool kHasSupport = std::same_as<Shape, Ball> || std::same_as<Shape, Box>;
+
 template <class Shape>
 struct Support;
 template <>
@@ -55,10 +59,10 @@ const ccd_t kSettings = settings<Shape>();
 
 struct Mpr {
   template <class Shape>
-  static bool test(const Two<Ball, Shape>& p) {
-    return ccdMPRIntersect(&p.a, &p.b, &kSettings<Shape>) != 0;
-  }
+  requires kHasSupport<Shape>
+  static bool test(const Two<Ball, Shape>& p) { return ccdMPRIntersect(&p.a, &p.b, &kSettings<Shape>) != 0; }
   template <class Shape>
+  requires kHasSupport<Shape>
   static bool compute(const Two<Ball, Shape>& p, Contact& out) {
     ccd_vec3_t direction;
     ccd_vec3_t position;
@@ -71,9 +75,8 @@ struct Mpr {
 
 struct Gjk {
   template <class Shape>
-  static bool test(const Two<Ball, Shape>& p) {
-    return ccdGJKIntersect(&p.a, &p.b, &kSettings<Shape>) != 0;
-  }
+  requires kHasSupport<Shape>
+  static bool test(const Two<Ball, Shape>& p) { return ccdGJKIntersect(&p.a, &p.b, &kSettings<Shape>) != 0; }
 };
 
 }  // namespace

@@ -34,6 +34,19 @@ struct Cgal {
     out.value = s - CGAL::to_double(Number(p.a.radius) + Number(p.b.radius));
     return true;
   }
+  // Of these its users have squared distances, and compare.
+  static bool test(const BallAndCapsule& p) {
+    return CGAL::squared_distance(point(p.a.center), segment(p.b)) <= squared(Number(p.a.radius) + Number(p.b.radius));
+  }
+  static bool test(const Capsules& p) {
+    return CGAL::squared_distance(segment(p.a), segment(p.b)) <= squared(Number(p.a.radius) + Number(p.b.radius));
+  }
+  static bool test(const BallAndTriangle& p) {
+    return CGAL::squared_distance(point(p.a.center), triangle(p.b)) <= squared(Number(p.a.radius));
+  }
+  static bool test(const TriangleAndLine& p) {
+    return CGAL::do_intersect(typename Kernel::Segment_3(point(p.b.start), point(p.b.end)), triangle(p.a));
+  }
   static bool test(const Boxes& p) {
     const typename Kernel::Iso_cuboid_3 a(point(p.a.min), point(p.a.max), 0);
     const typename Kernel::Iso_cuboid_3 b(point(p.b.min), point(p.b.max), 0);
@@ -41,6 +54,13 @@ struct Cgal {
   }
 
  private:
+  static typename Kernel::Segment_3 segment(const Capsule& capsule) {
+    return {point(capsule.start), point(capsule.end)};
+  }
+  static typename Kernel::Triangle_3 triangle(const Triangle& t) {
+    return {point(t.vertices[0]), point(t.vertices[1]), point(t.vertices[2])};
+  }
+  static Number squared(const Number& x) { return x * x; }
   static Number squared_reach(const Balls& p) {
     const Number reach = Number(p.a.radius) + Number(p.b.radius);
     const Number squared = reach * reach;

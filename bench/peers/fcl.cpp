@@ -1,22 +1,64 @@
 // FCL: fcl::collide on two geometries and their transforms, without the broad phase's objects; AABB::overlap.
 #include <fcl/geometry/shape/box.h>
+#include <fcl/geometry/shape/capsule.h>
+#include <fcl/geometry/shape/halfspace.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/math/bv/AABB.h>
 #include <fcl/narrowphase/collision.h>
+
+#include <concepts>
 
 #include "peers/peers.hpp"
 
 namespace contact::bench {
 namespace {
 
+/// A shape as FCL has it and where it is: moved and resized from question to question.
+struct Placed {
+  fcl::Sphered sphere{1};
+  fcl::Boxd box{1, 1, 1};
+  fcl::Capsuled capsule{1, 1};
+  fcl::Halfspaced half_space;
+  fcl::Transform3d at = fcl::Transform3d::Identity();
+
+  fcl::Sphered& set(const Ball& ball) {
+    sphere.radius = ball.radius;
+    at.linear().setIdentity();
+    at.translation() = ball.center;
+    return sphere;
+  }
+  fcl::Boxd& set(const Box& bounds) {
+    box.side = bounds.max - bounds.min;
+    at.linear().setIdentity();
+    at.translation() = 0.5 * (bounds.min + bounds.max);
+    return box;
+  }
+  fcl::Capsuled& set(const Capsule& given) {
+    const Vector3 along = given.end - given.start;
+    capsule.radius = given.radius;
+    capsule.lz = along.norm();
+    at.linear() = Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), along).toRotationMatrix();
+    at.translation() = 0.5 * (given.start + given.end);
+    return capsule;
+  }
+  fcl::Halfspaced& set(const Plane& plane) {
+    const double length = plane.normal.norm();
+    half_space.n = plane.normal / length;
+    half_space.d = plane.offset / length;
+    at = fcl::Transform3d::Identity();
+    return half_space;
+  }
+};
+
 class Fcl {
  public:
-  template <class Shape>
-  bool test(const Two<Ball, Shape>& p) {
-    return collide(p, {1, false});
-  }
-  template <class Shape>
-  bool compute(const Two<Ball, Shape>& p, Contact& out) {
+  template <class A, class B>
+  requires requires(Placed& placed, const Two<A, B>& p) { placed.set(p.a), placed.set(p.b); }
+  bool test(const Two<A, B>& p) { return collide(p, {1, false}); }
+  template <class A, class B>
+  requires(!std::same_as<A, Box> && requires(Placed & placed, const Two<A, B>& p) {
+    placed.set(p.a), placed.set(p.b);
+  }) bool compute(const Two<A, B>& p, Contact& out) {
     if (!collide(p, {1, true})) return false;
     const fcl::Contactd& contact = result_.getContact(0);
     out.normal = contact.normal;
@@ -35,30 +77,16 @@ class Fcl {
   }
 
  private:
-  fcl::Sphered& second(const Ball& ball) {
-    b_.radius = ball.radius;
-    at_b_.translation() = ball.center;
-    return b_;
-  }
-  fcl::Boxd& second(const Box& box) {
-    box_.side = box.max - box.min;
-    at_b_.translation() = 0.5 * (box.min + box.max);
-    return box_;
-  }
-  template <class Shape>
-  bool collide(const Two<Ball, Shape>& p, const fcl::CollisionRequestd& request) {
-    a_.radius = p.a.radius;
-    at_a_.translation() = p.a.center;
-    auto& b = second(p.b);
+  template <class A, class B>
+  bool collide(const Two<A, B>& p, const fcl::CollisionRequestd& request) {
+    auto& a = a_.set(p.a);
+    auto& b = b_.set(p.b);
     result_.clear();
-    return fcl::collide(&a_, at_a_, &b, at_b_, request, result_) > 0;
+    return fcl::collide(&a, a_.at, &b, b_.at, request, result_) > 0;
   }
 
-  fcl::Sphered a_{1};
-  fcl::Sphered b_{1};
-  fcl::Boxd box_{1, 1, 1};
-  fcl::Transform3d at_a_ = fcl::Transform3d::Identity();
-  fcl::Transform3d at_b_ = fcl::Transform3d::Identity();
+  Placed a_;
+  Placed b_;
   fcl::CollisionResultd result_;
 };
 

@@ -1,5 +1,7 @@
-// ODE: dCollide on two sphere geometries, or two boxes.
+// ODE: dCollide on two geometries: spheres, boxes, capsules and planes.
 #include <ode/ode.h>
+
+#include <concepts>
 
 #include "peers/peers.hpp"
 
@@ -10,49 +12,61 @@
 namespace contact::bench {
 namespace {
 
+/// One geometry of each kind, moved and resized from question to question.
+struct Geometries {
+  int started = dInitODE2(0);
+  dGeomID sphere = dCreateSphere(nullptr, 1);
+  dGeomID box = dCreateBox(nullptr, 1, 1, 1);
+  dGeomID capsule = dCreateCapsule(nullptr, 1, 1);
+  dGeomID plane = dCreatePlane(nullptr, 0, 0, 1, 0);
+
+  [[nodiscard]] dGeomID set(const Ball& ball) const {
+    dGeomSphereSetRadius(sphere, ball.radius);
+    dGeomSetPosition(sphere, ball.center[0], ball.center[1], ball.center[2]);
+    return sphere;
+  }
+  [[nodiscard]] dGeomID set(const Box& bounds) const {
+    const Vector3 size = bounds.max - bounds.min;
+    const Vector3 center = 0.5 * (bounds.min + bounds.max);
+    dGeomBoxSetLengths(box, size[0], size[1], size[2]);
+    dGeomSetPosition(box, center[0], center[1], center[2]);
+    return box;
+  }
+  [[nodiscard]] dGeomID set(const Capsule& given) const {
+    const Vector3 along = given.end - given.start;
+    const Vector3 center = 0.5 * (given.start + given.end);
+    dMatrix3 turned;
+    dRFromZAxis(turned, along[0], along[1], along[2]);
+    dGeomCapsuleSetParams(capsule, given.radius, along.norm());
+    dGeomSetRotation(capsule, turned);
+    dGeomSetPosition(capsule, center[0], center[1], center[2]);
+    return capsule;
+  }
+  [[nodiscard]] dGeomID set(const Plane& given) const {
+    dGeomPlaneSetParams(plane, given.normal[0], given.normal[1], given.normal[2], given.offset);  // makes it a unit one
+    return plane;
+  }
+};
+
 class Ode {
  public:
-  bool test(const Balls& p) {
-    set(a_, p.a);
-    set(b_, p.b);
-    return dCollide(a_, b_, 1, &found_, sizeof found_) > 0;
-  }
-  bool test(const BallAndBox& p) {
-    set(a_, p.a);
-    set(box_a_, p.b);
-    return dCollide(a_, box_a_, 1, &found_, sizeof found_) > 0;
-  }
-  template <class Shape>
-  bool compute(const Two<Ball, Shape>& p, Contact& out) {
+  template <class A, class B>
+  requires requires(const Geometries& made, const Two<A, B>& p) { made.set(p.a), made.set(p.b); }
+  bool test(const Two<A, B>& p) { return dCollide(a_.set(p.a), b_.set(p.b), 1, &found_, sizeof found_) > 0; }
+  template <class A, class B>
+  requires(!std::same_as<A, Box> && requires(const Geometries& made, const Two<A, B>& p) {
+    made.set(p.a), made.set(p.b);
+  }) bool compute(const Two<A, B>& p, Contact& out) {
     if (!test(p)) return false;
     out.normal = {found_.normal[0], found_.normal[1], found_.normal[2]};
     out.point1 = {found_.pos[0], found_.pos[1], found_.pos[2]};
     out.value = found_.depth;
     return true;
   }
-  bool test(const Boxes& p) {
-    set(box_a_, p.a);
-    set(box_b_, p.b);
-    return dCollide(box_a_, box_b_, 1, &found_, sizeof found_) > 0;
-  }
 
  private:
-  static void set(dGeomID sphere, const Ball& ball) {
-    dGeomSphereSetRadius(sphere, ball.radius);
-    dGeomSetPosition(sphere, ball.center[0], ball.center[1], ball.center[2]);
-  }
-  static void set(dGeomID box, const Box& bounds) {
-    const Vector3 size = bounds.max - bounds.min;
-    const Vector3 center = 0.5 * (bounds.min + bounds.max);
-    dGeomBoxSetLengths(box, size[0], size[1], size[2]);
-    dGeomSetPosition(box, center[0], center[1], center[2]);
-  }
-
-  int started_ = dInitODE2(0);
-  dGeomID a_ = dCreateSphere(nullptr, 1);
-  dGeomID b_ = dCreateSphere(nullptr, 1);
-  dGeomID box_a_ = dCreateBox(nullptr, 1, 1, 1);
-  dGeomID box_b_ = dCreateBox(nullptr, 1, 1, 1);
+  Geometries a_;
+  Geometries b_;
   dContactGeom found_{};
 };
 

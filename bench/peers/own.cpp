@@ -1,12 +1,17 @@
 // What the peers are held against: plain double as upstream has it, and production, one pair after the other.
 #include <cmath>
+#include <concepts>
 
 #include "contact/pair_functions.hpp"
+#include "golden/plain_crossings.hpp"
+#include "golden/plain_planes.hpp"
 #include "peers/peers.hpp"
 #include "plain_batch.hpp"
 
 namespace contact::bench {
 namespace {
+
+constexpr Distances kNone{.alarm = 0, .contact = 0};
 
 struct Plain {
   static double distance2(const Balls& p, Vector3& delta) {
@@ -32,6 +37,51 @@ struct Plain {
     return p.a.min[0] <= p.b.max[0] && p.b.min[0] <= p.a.max[0] && p.a.min[1] <= p.b.max[1] &&
            p.b.min[1] <= p.a.max[1] && p.a.min[2] <= p.b.max[2] && p.b.min[2] <= p.a.max[2];
   }
+  // A capsule and a ray by the clamped foot, two capsules and a triangle as Ericson has them.
+  static Vector3 on_segment(const golden::Segment<double>& segment, const Vector3& point) {
+    return golden::widened(segment.at(segment.part_at(golden::in_scalar<double>(point))));
+  }
+  static Balls at_nearest(const BallAndCapsule& p) {
+    return {p.a, {on_segment(golden::segment_of<double>(p.b), p.a.center), p.b.radius}};
+  }
+  static Balls at_nearest(const RayAndBall& p) {
+    return {{on_segment(golden::segment_of<double>(p.a), p.b.center), 0}, p.b};
+  }
+  static Balls at_nearest(const Capsules& p) {
+    const auto a = golden::segment_of<double>(p.a);
+    const auto b = golden::segment_of<double>(p.b);
+    return golden::at_nearest(golden::nearest_points(a, b), a.radius, b.radius);
+  }
+  static Balls at_nearest(const BallAndTriangle& p) {
+    const auto c = golden::in_scalar<double>(p.a.center);
+    return {p.a, {golden::widened(golden::nearest_point(c, golden::vertices_of<double>(p.b))), 0}};
+  }
+  template <class A, class B>
+  requires requires(const Two<A, B>& p) { at_nearest(p); }
+  static bool test(const Two<A, B>& p) { return test(at_nearest(p)); }
+  template <class A, class B>
+  requires requires(const Two<A, B>& p) { at_nearest(p); }
+  static bool compute(const Two<A, B>& p, Contact& out) { return compute(at_nearest(p), out); }
+  template <class A>
+  static bool test(const Two<A, Plane>& p) {
+    return golden::OverPlainPlane<double>(golden::segment_of<double>(p.a), p.b).overlap(kNone);
+  }
+  template <class A>
+  static bool compute(const Two<A, Plane>& p, Contact& out) {
+    return write(golden::OverPlainPlane<double>(golden::segment_of<double>(p.a), p.b).contact(kNone, {}), out);
+  }
+  static bool test(const RayAndTriangle& p) { return golden::plain_crossing(p, Scalar::binary64).has_value(); }
+  static bool test(const TriangleAndLine& p) { return golden::plain_crossing(p, Scalar::binary64).has_value(); }
+  static bool compute(const RayAndTriangle& p, Contact& out) {
+    return write(golden::plain_crossing(p, Scalar::binary64), out);
+  }
+  static bool compute(const TriangleAndLine& p, Contact& out) {
+    return write(golden::plain_crossing(p, Scalar::binary64), out);
+  }
+  static bool write(const std::optional<Contact>& contact, Contact& out) {
+    if (contact) out = *contact;
+    return contact.has_value();
+  }
   static Balls at_nearest(const BallAndBox& p) { return {p.a, {p.a.center.cwiseMax(p.b.min).cwiseMin(p.b.max), 0}}; }
   static bool test(const BallAndBox& p) { return test(at_nearest(p)); }
   static bool compute(const BallAndBox& p, Contact& out) {
@@ -45,11 +95,11 @@ struct Plain {
 struct Production {
   template <class A, class B>
   static bool test(const Two<A, B>& p) {
-    return is_hit(p, {.alarm = 0, .contact = 0});
+    return is_hit(p, kNone);
   }
-  template <class Shape>
-  static bool compute(const Two<Ball, Shape>& p, Contact& out) {
-    const std::optional<Contact> contact = contact_of(p, {.alarm = 0, .contact = 0});
+  template <class A, class B>
+  requires(!std::same_as<A, Box>) static bool compute(const Two<A, B>& p, Contact& out) {
+    const std::optional<Contact> contact = contact_of(p, kNone);
     if (contact) out = *contact;
     return contact.has_value();
   }

@@ -27,17 +27,28 @@ struct PeerAnswer {
 };
 
 /// Loops over many pairs of a kind in which a library's call is inlined; empty where it has none.
-template <class Kind>
+template <class Asked>
 struct Loops {
-  std::function<void(std::span<const Kind>, std::uint8_t*)> test;
-  std::function<void(std::span<const Kind>, PeerAnswer*)> compute;
+  using Kind = Asked;
+  std::function<void(std::span<const Asked>, std::uint8_t*)> test;
+  std::function<void(std::span<const Asked>, PeerAnswer*)> compute;
 };
+
+template <class... Kinds>
+struct LoopsOfAll;
+template <class... Kinds>
+struct LoopsOfAll<void, Kinds...> {
+  using Type = std::tuple<Loops<Kinds>...>;
+};
+#define CONTACT_KIND(A, B) , Two<A, B>
+using AllLoops = LoopsOfAll<void CONTACT_KINDS(CONTACT_KIND)>::Type;
+#undef CONTACT_KIND
 
 struct Peer {
   std::string name;
   Conventions conventions;  ///< of its answers about two spheres
   bool slow = false;        ///< measured in the second level cache alone
-  std::tuple<Loops<Balls>, Loops<Boxes>, Loops<BallAndBox>> loops;
+  AllLoops loops;
 
   template <class Kind>
   [[nodiscard]] const Loops<Kind>& of() const {
@@ -66,7 +77,9 @@ Loops<Kind> loops_of(std::shared_ptr<One> one) {
 /// once, and keeps what a user would keep between calls.
 template <class One>
 Peer make_peer(std::string name, const Conventions& conventions, bool slow, std::shared_ptr<One> one) {
-  return {std::move(name), conventions, slow, {loops_of<Balls>(one), loops_of<Boxes>(one), loops_of<BallAndBox>(one)}};
+  Peer peer{std::move(name), conventions, slow, {}};
+  std::apply([&]<class... Each>(Each&... each) { ((each = loops_of<typename Each::Kind>(one)), ...); }, peer.loops);
+  return peer;
 }
 
 [[nodiscard]] std::vector<Peer> own_peers();  ///< plain double and production, one pair after the other

@@ -36,7 +36,7 @@ std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
 #ifdef CONTACT_SANITIZED
 constexpr std::uint64_t kUsually = 25;  // of each family; with sanitizers a question takes some twenty times as long
 #else
-constexpr std::uint64_t kUsually = 150;
+constexpr std::uint64_t kUsually = 80;
 #endif
 const std::uint64_t kQuestions = from_environment("CONTACT_BATCH_QUESTIONS", kUsually);
 const std::uint64_t kSeed = from_environment("CONTACT_BATCH_SEED", 7);
