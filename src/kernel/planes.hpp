@@ -108,6 +108,7 @@ struct ApproximateLowest {
 /// each (2 + 3), and both (4): 11 T.
 [[gnu::always_inline]] inline Bounded height_of(const Vector3& c, const HalfSpace& plane) {
   constexpr double kHeightError = 12 * kUnitSquared;
+  static_assert(kHeightError >= proved::kPlaneHeight);
   std::array<double, 3> product;
   double residual = 0;
   double T = std::abs(plane.offset);

@@ -26,5 +26,10 @@ inline constexpr double kPairPointNeeded = 0x1.075c29p-101;       // 32.92 u^2
 inline constexpr double kPairValueRootNeeded = 0x1.128f5dp-102;   // 17.16 u^2
 inline constexpr double kPairValueLessNeeded = 0x1.00a3d8p-103;   // 8.02 u^2
 inline constexpr double kPairLastSumNeeded = 0x1.0147bp-105;      // 2.01 u^2
+inline constexpr double kSegmentProduct = 0x1.801064p-104;        // 6.001 u^2
+inline constexpr double kSegmentSum = 0x1.8020c8p-105;            // 3.001 u^2
+inline constexpr double kSegmentQuotient = 0x1.600832p-103;       // 11.001 u^2
+inline constexpr double kSegmentDot = 0x1.3028f6p-102;            // 19.01 u^2
+inline constexpr double kPlaneHeight = 0x1.6051ecp-103;           // 11.01 u^2
 
 }  // namespace contact::kernel::proved

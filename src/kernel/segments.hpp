@@ -187,6 +187,9 @@ inline constexpr double kSumError = 4 * kUnitSquared;
 }
 [[gnu::always_inline]] inline DoubleDouble<double> negative(const DoubleDouble<double>& x) { return {-x.high, -x.low}; }
 
+static_assert(kDotError >= proved::kSegmentDot && kQuotientError >= proved::kSegmentQuotient &&
+              kProductError >= proved::kSegmentProduct && kSumError >= proved::kSegmentSum);
+
 /// Where on a segment the nearest point to another core is.
 enum class Place { start, within, end, open };
 
