@@ -402,7 +402,8 @@ TwoSegments<Real> region_edge(Random& random) {
       s.a.end[i] = s.a.start[i] + (s.a.start[i] - s.b.start[i]) * random.uniform(Real{0}, Real{1});
     }
     if (kPair == Pair::ray_sphere) s.times = 1;
-    s.a.start[along] = ulps_away(random.chance(2) ? s.b.start[along] : s.b.end[along], random.between(-1, 1));
+    const auto step = random.between(-1, 1);  // drawn first: a call's arguments are in no order
+    s.a.start[along] = ulps_away(random.chance(2) ? s.b.start[along] : s.b.end[along], step);
   }
   if (kHasSphere<kPair>) s.a.end = s.a.start;
   reach_or_not(s, random);

@@ -184,7 +184,8 @@ SphereAndBox<Real> region_edge(Random& random) {
   const std::size_t first = random.index(3);
   for (std::size_t k = 0; k <= random.index(2); ++k) {
     const std::size_t i = (first + k) % 3;
-    s.c[i] = ulps_away(random.chance(2) ? s.min[i] : s.max[i], random.between(-1, 1));
+    const auto step = random.between(-1, 1);  // drawn first: a call's arguments are in no order
+    s.c[i] = ulps_away(random.chance(2) ? s.min[i] : s.max[i], step);
   }
   s.r =
       s.distance() * (random.turn(3) == 0 ? random.uniform(Real{0.5}, Real{0.9375}) : random.uniform(Real{1}, Real{2}));

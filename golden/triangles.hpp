@@ -90,7 +90,11 @@ SphereTriangle<Real> beside_part(Random& random) {
   const Triple<Real> v = across();
   Vertices<Real> made{q, q, q};
   if (which.part == Part::face) {
-    made = {moved(q, size(), u), moved(q, size(), v), moved(moved(q, -size(), u), -size(), v)};
+    // Drawn one after the other: a call's arguments are in no order.
+    const Triple<Real> first = moved(q, size(), u);
+    const Triple<Real> second = moved(q, size(), v);
+    const Real along_v = size();
+    made = {first, second, moved(moved(q, -size(), u), -along_v, v)};
   } else if (which.part == Part::edge) {
     made = {moved(q, -size(), u), moved(q, size(), u), moved(q, Real{1}, away())};
   } else {
@@ -249,10 +253,13 @@ SphereTriangle<Real> thin_triangle(Random& random) {
   auto& [x, y, z] = s.vertices;
   const auto part = static_cast<Real>(random.between(-4, 12)) / Real{8};
   switch (kind) {
-    case 0:  // a sliver: the third vertex beside the line of the others
+    case 0: {  // a sliver: the third vertex beside the line of the others
       z = moved(x, part, moved(y, Real{-1}, x));
-      z[random.index(3)] = ulps_away(z[random.index(3)], random.chance(2) ? 1 : -1);
+      const int step = random.chance(2) ? 1 : -1;
+      const std::size_t from = random.index(3);
+      z[random.index(3)] = ulps_away(z[from], step);
       break;
+    }
     case 1:  // on the line, in whichever order
       z = moved(x, part * Real{8}, moved(y, Real{-1}, x));
       break;
