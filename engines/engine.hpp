@@ -32,6 +32,8 @@ class Engine {
   [[nodiscard]] const engines::EngineInfo& info() const { return info_; }
   /// One claim for each question, in their order.
   [[nodiscard]] virtual std::vector<Claim> answer(std::span<const Question> questions) = 0;
+  /// A question that is not asked, because the engine is judged on others alone.
+  virtual void pass_over(const Question& /*question*/) {}
   /// The ids of recorded answers that no question has asked for, in their order.
   [[nodiscard]] virtual std::vector<std::string> unasked() const { return {}; }
 

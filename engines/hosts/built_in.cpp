@@ -5,6 +5,7 @@
 #include "contact/pair_functions.hpp"
 #include "engines/engine.hpp"
 #include "engines/zoo/mutants.hpp"
+#include "engines/zoo/unsteady.hpp"
 #include "golden/plain.hpp"
 
 namespace contact::engines {
@@ -84,6 +85,7 @@ class BuiltInEngine final : public Engine {
 std::span<const BuiltIn> built_in_engines() { return kBuiltIn; }
 
 std::unique_ptr<Engine> make_built_in(std::string_view name, PointConvention points) {
+  if (name.starts_with(kUnsteadyPrefix)) return make_unsteady(name.substr(kUnsteadyPrefix.size()));
   if (name.starts_with(kMutantPrefix)) {
     for (const Mutant& mutant : mutants())
       if (mutant.id == name.substr(kMutantPrefix.size())) {

@@ -30,6 +30,10 @@ class RecordedEngine final : public Engine {
     return claims;
   }
 
+  void pass_over(const Question& question) override {
+    if (const auto it = recorded_.find(question.id); it != recorded_.end()) it->second.asked = true;
+  }
+
   [[nodiscard]] std::vector<std::string> unasked() const override {
     std::vector<std::string> ids;
     for (const auto& [id, answer] : recorded_)

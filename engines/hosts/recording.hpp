@@ -21,6 +21,8 @@ class Recording final : public Engine {
   [[nodiscard]] std::vector<Claim> answer(std::span<const Question> questions) override;
   [[nodiscard]] std::vector<std::string> unasked() const override { return engine_->unasked(); }
 
+  /// The other engine.
+  [[nodiscard]] Engine& recorded() { return *engine_; }
   /// How many questions were answered.
   [[nodiscard]] std::size_t answers() const;
   /// The results file, its answers in the order of their ids, whatever the order in which they came. A question that

@@ -23,6 +23,19 @@ void read_choice(const formats::Node& node, std::string_view key, const std::arr
   if (const auto found = node.find(key)) choice = static_cast<Enum>(found->one_of(names));
 }
 
+/// The range of numbers that conventions or a tolerance serve.
+void read_scale(const formats::Node& node, auto& of) {
+  node.allow_only({"min", "max"});
+  of.scale_min = node.at("min").number();
+  of.scale_max = node.at("max").number();
+  if (!(of.scale_min >= 0 && of.scale_min <= of.scale_max)) node.refuse("expected 0 <= min <= max");
+}
+
+std::string scale_text(const auto& of) {
+  if (of.scale_min == 0 && !std::isfinite(of.scale_max)) return {};
+  return fmt::format(R"(,"scale":{{"min":{},"max":{}}})", formats::number(of.scale_min), formats::number(of.scale_max));
+}
+
 /// A key that is absent stays as it is in `c`.
 Conventions read_conventions(const formats::Node& node, Conventions c = {}) {
   node.allow_only({"normal", "normal_unit", "points", "value", "value_less_contact", "touching_overlap",
@@ -37,12 +50,7 @@ Conventions read_conventions(const formats::Node& node, Conventions c = {}) {
   read_choice(node, "margin", kMarginNames, c.margin);
   read_choice(node, "coincident", kCoincidentNames, c.coincident);
   read_choice(node, "shapes", kShapesAsNames, c.shapes);
-  if (const auto scale = node.find("scale")) {
-    scale->allow_only({"min", "max"});
-    c.scale_min = scale->at("min").number();
-    c.scale_max = scale->at("max").number();
-    if (!(c.scale_min >= 0 && c.scale_min <= c.scale_max)) scale->refuse("expected 0 <= min <= max");
-  }
+  if (const auto scale = node.find("scale")) read_scale(*scale, c);
   return c;
 }
 
@@ -57,6 +65,8 @@ DeclaredBounds read_bounds(const formats::Node& node) {
     }
   return bounds;
 }
+
+constexpr double kHalfTurn = 3.15;  // a little more: at that a normal may point anywhere
 
 /// What an engine declares to claim. A number is one of a contact, so it speaks of the contact too.
 Aspects read_claims(const formats::Node& node, const EngineInfo& info) {
@@ -76,6 +86,19 @@ Aspects read_claims(const formats::Node& node, const EngineInfo& info) {
 
 }  // namespace
 
+Tolerance read_tolerance(const formats::Node& node) {
+  node.allow_only({"length", "relative", "angle", "scale"});
+  Tolerance t;
+  for (const auto& [key, part] : {std::pair{"length", &t.length}, {"relative", &t.relative}, {"angle", &t.angle}})
+    if (const auto found = node.find(key)) {
+      *part = found->number();
+      if (!(*part >= 0 && std::isfinite(*part))) found->refuse("a tolerance is finite and not negative");
+      if (part == &t.angle && t.angle > kHalfTurn) found->refuse("an angle is in radians, up to half a turn");
+    }
+  if (const auto scale = node.find("scale")) read_scale(*scale, t);
+  return t;
+}
+
 bool EngineInfo::serves(Pair pair) const { return std::find(pairs.begin(), pairs.end(), pair) != pairs.end(); }
 
 oracle::Declaration EngineInfo::declared_for(Pair pair) const {
@@ -85,8 +108,8 @@ oracle::Declaration EngineInfo::declared_for(Pair pair) const {
 }
 
 EngineInfo read_engine_info(const formats::Node& node, std::initializer_list<std::string_view> beside) {
-  std::vector<std::string_view> known{"engine",           "scalar", "pairs", "conventions",
-                                      "pair_conventions", "bounds", "claims"};
+  std::vector<std::string_view> known{"engine",           "scalar", "pairs",  "conventions",
+                                      "pair_conventions", "bounds", "claims", "tolerance"};
   known.insert(known.end(), beside);
   node.allow_only(known);
   EngineInfo info;
@@ -108,6 +131,7 @@ EngineInfo read_engine_info(const formats::Node& node, std::initializer_list<std
   }
   if (const auto bounds = node.find("bounds")) info.declared.bounds = read_bounds(*bounds);
   if (const auto claims = node.find("claims")) info.declared.claims = read_claims(*claims, info);
+  if (const auto tolerance = node.find("tolerance")) info.declared.tolerance = read_tolerance(*tolerance);
   return info;
 }
 
@@ -119,10 +143,12 @@ std::string conventions_text(const Conventions& c) {
       pick(kValueKindNames, c.value), c.value_less_contact, pick(kTouchingNames, c.touching_overlap),
       pick(kTouchingNames, c.touching_contact), pick(kMarginNames, c.margin), pick(kCoincidentNames, c.coincident),
       pick(kShapesAsNames, c.shapes));
-  if (c.scale_min != 0 || std::isfinite(c.scale_max))
-    text +=
-        fmt::format(R"(,"scale":{{"min":{},"max":{}}})", formats::number(c.scale_min), formats::number(c.scale_max));
-  return text + "}";
+  return text + scale_text(c) + "}";
+}
+
+std::string tolerance_object(const Tolerance& t) {
+  return fmt::format(R"({{"length":{},"relative":{},"angle":{}{}}})", formats::number(t.length),
+                     formats::number(t.relative), formats::number(t.angle), scale_text(t));
 }
 
 std::string pair_conventions_text(const EngineInfo& engine) {
@@ -139,11 +165,13 @@ std::string engine_text(const EngineInfo& engine) {
   std::string claims;
   if (engine.declared.claims)
     claims = fmt::format(R"(,"claims":["{}"])", fmt::join(engine.declared.claims->names(), R"(",")"));
+  const std::string tolerance =
+      engine.declared.tolerance ? fmt::format(R"(,"tolerance":{})", tolerance_object(*engine.declared.tolerance)) : "";
   return fmt::format(
-      R"("engine":{{"name":{},"version":{}}},"scalar":"{}","pairs":[{}],"conventions":{},{}"bounds":{{"value":{},"normal":{},"point":{}}}{})",
+      R"("engine":{{"name":{},"version":{}}},"scalar":"{}","pairs":[{}],"conventions":{},{}"bounds":{{"value":{},"normal":{},"point":{}}}{}{})",
       formats::json_string(engine.name), formats::json_string(engine.version), name(engine.declared.scalar), pairs,
       conventions_text(engine.declared.conventions), pair_conventions_text(engine), formats::number(b.value),
-      formats::number(b.normal), formats::number(b.point), claims);
+      formats::number(b.normal), formats::number(b.point), claims, tolerance);
 }
 
 std::string to_line(const EngineInfo& engine) {

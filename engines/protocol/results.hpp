@@ -27,9 +27,11 @@ struct EngineInfo {
   [[nodiscard]] oracle::Declaration declared_for(Pair pair) const;
 };
 
-/// "engine", "scalar", "pairs", "conventions", "pair_conventions", "bounds" and "claims" of a results header or a hello
-/// message, which has no other keys than these and those `beside` them.
+/// "engine", "scalar", "pairs", "conventions", "pair_conventions", "bounds", "claims" and "tolerance" of a results
+/// header or a hello message, which has no other keys than these and those `beside` them.
 [[nodiscard]] EngineInfo read_engine_info(const formats::Node& node, std::initializer_list<std::string_view> beside);
+[[nodiscard]] Tolerance read_tolerance(const formats::Node& node);
+[[nodiscard]] std::string tolerance_object(const Tolerance& tolerance);
 [[nodiscard]] std::string conventions_text(const Conventions& conventions);
 /// "pair_conventions":{...}, or nothing where every pair has the same.
 [[nodiscard]] std::string pair_conventions_text(const EngineInfo& engine);

@@ -101,7 +101,8 @@ std::vector<Claimed> claimed_of(const Facts& f, const Claim& claim, const Declar
   const ContactClaim& said = *claim.contact;
   const auto field = [&](Aspect aspect, Field which, const Numbers& numbers, Real scale, double bound) {
     const auto& judged = verdict.at(which);
-    if (judged) all.push_back({aspect, is_right(judged), numbers, scale, bound});
+    // What the inputs' last bit may do has no other cause.
+    if (judged && !judged->last_bit) all.push_back({aspect, is_right(judged), numbers, scale, bound});
   };
   constexpr Real kLeast = std::numeric_limits<Real>::min();  // a scale of 0 stands for a decision
   const std::array scales{std::max(f.scale[0], kLeast), std::max(f.scale[1], kLeast)};

@@ -56,6 +56,19 @@ struct Conventions {
   return spoken;
 }
 
+/// What an engine promises in the units of whoever asks: a value or a coordinate may be off by `length` and `relative`
+/// times its field's scale, a normal by `angle`, and a decision wrong within `length` and `relative` times the reach of
+/// where it changes. Each is finite and >= 0.
+struct Tolerance {
+  double length = 0;
+  double relative = 0;
+  double angle = 0;      ///< radians
+  double scale_min = 0;  ///< as those of Conventions: the promise is for no other questions
+  double scale_max = std::numeric_limits<double>::infinity();
+
+  friend bool operator==(const Tolerance&, const Tolerance&) = default;
+};
+
 /// Declared error bounds, in ulps of the scales of docs/specification.md#judging; 1 to 64.
 struct DeclaredBounds {
   double value = 8;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/judge/off.hpp"
 #include "oracle/judge/point_set.hpp"
 #include "oracle/judge/right_claim.hpp"
 #include "oracle/truth/default_environment.hpp"
@@ -18,7 +19,9 @@ Decision decide(bool claimed, bool expected) {
 }
 
 FieldVerdict worse(const FieldVerdict& x, const FieldVerdict& y) {
-  return {std::max(x.grade, y.grade), std::max(x.error, y.error)};
+  FieldVerdict both{std::max(x.grade, y.grade), std::max(x.error, y.error), x.off};
+  both.off.merge(y.off);
+  return both;
 }
 
 bool is_finite(const Vector3& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
@@ -71,6 +74,7 @@ class ContactJudge {
     if (rounded_ != nullptr && conventions_.normal_unit && n == rounded_->normal) return FieldVerdict{};
     FieldVerdict verdict;
     for (int axis = 0; axis < 3; ++axis) verdict = worse(verdict, component(n, axis, truth_.normal(axis)));
+    verdict.off = verdict.grade == Grade::correctly_rounded ? Off{} : off_from(n, truth_.along());
     return verdict;
   }
 
@@ -104,11 +108,15 @@ class ContactJudge {
       return FieldVerdict{};
     Exact x = truth_.value(conventions_.value_less_contact);
     if (conventions_.value == ValueKind::depth) x = x.scaled(Rational(-1));
-    return grade(*claim_.value, x, declared_.scalar, truth_.value_scale(), declared_.bounds.value);
+    return grade(*claim_.value, x, {declared_.scalar, truth_.value_scale(), declared_.bounds.value, tolerance()});
   }
 
  private:
   [[nodiscard]] bool claims(Field field) const { return declared_.claimed().has(aspect(field)); }
+  [[nodiscard]] const std::optional<Tolerance>& tolerance() const { return declared_.tolerance; }
+  [[nodiscard]] Off off_from(const Vector3& n, const Point& right) const {
+    return angle_off(contact::oracle::point_of(n), right, conventions_.normal_unit, tolerance());
+  }
 
   /// A claimed point beside the right one, or where the nearest points are not unique, beside all of them. Where it
   /// goes with a claimed normal that was rounded, the point may be that of the normal before.
@@ -120,19 +128,18 @@ class ContactJudge {
     const Rational room = is_claimed_normals ? roundings() * radius : Rational(0);
     const PointSet set{
         {right(0), right(1), right(2)}, truth_.spread() ? *truth_.spread() : point_of(Vector3::Zero()), room};
-    if (truth_.spread() || is_claimed_normals)
-      return grade(claimed, set, declared_.scalar, scale, declared_.bounds.point);
+    const Yardstick by{declared_.scalar, scale, declared_.bounds.point, tolerance()};
+    if (truth_.spread() || is_claimed_normals) return grade(claimed, set, by);
     FieldVerdict verdict;
-    for (int axis = 0; axis < 3; ++axis) {
-      const Exact& x = set.middle[static_cast<std::size_t>(axis)];
-      verdict = worse(verdict, grade(claimed[axis], x, declared_.scalar, scale, declared_.bounds.point));
-    }
+    for (int axis = 0; axis < 3; ++axis)
+      verdict = worse(verdict, grade(claimed[axis], set.middle[static_cast<std::size_t>(axis)], by));
     return verdict;
   }
 
   /// A component of a claimed normal beside the exact one.
   [[nodiscard]] FieldVerdict component(const Vector3& n, int axis, const Exact& x) const {
-    if (conventions_.normal_unit) return grade(n[axis], x, declared_.scalar, Rational(1), declared_.bounds.normal);
+    if (conventions_.normal_unit)
+      return grade(n[axis], x, {declared_.scalar, Exact(Rational(1)), declared_.bounds.normal});
     const Rational length2 = squared_length(n);
     const Rational unit = ulp(Rational(1), declared_.scalar);
     if (CGAL::is_zero(length2)) return {Grade::beyond_bound, error_in_units(Rational(0), x, unit)};
@@ -142,6 +149,7 @@ class ContactJudge {
   /// Inside: the best of the shortest ways out, right within 8 roundings of a unit normal.
   [[nodiscard]] FieldVerdict normal_out(const Vector3& n) const {
     std::optional<FieldVerdict> best;
+    std::optional<Off> least;
     for (const WayOut& way : truth_.meeting().ways) {
       FieldVerdict verdict;
       Rational off(0);
@@ -151,8 +159,10 @@ class ContactJudge {
         off += (Rational(n[axis]) - along) * (Rational(n[axis]) - along);
       }
       if (conventions_.normal_unit && off <= roundings() * roundings()) return {};
-      if (!best || worse(verdict, *best) == *best) best = verdict;
+      if (const Off off_way = off_from(n, way.direction); !least || off_way.most < least->most) least = off_way;
+      if (!best || std::pair(verdict.grade, verdict.error) <= std::pair(best->grade, best->error)) best = verdict;
     }
+    best->off = *least;
     return *best;
   }
   [[nodiscard]] Rational roundings() const {
@@ -181,11 +191,15 @@ class ContactJudge {
   [[nodiscard]] FieldVerdict coincident_normal(const Vector3& n) const {
     const Rational length2 = squared_length(n);
     if (conventions_.coincident == Coincident::zero_normal)
-      return CGAL::is_zero(length2) ? FieldVerdict{} : FieldVerdict{Grade::beyond_bound, error_from_unit(length2)};
+      return CGAL::is_zero(length2)
+                 ? FieldVerdict{}
+                 : FieldVerdict{Grade::beyond_bound, error_from_unit(length2), no_direction(tolerance())};
     const bool right = separates(n) && (conventions_.normal_unit ? CGAL::abs(length2 - Rational(1)) <= roundings()
                                                                  : !CGAL::is_zero(length2));
     const Grade best = conventions_.normal_unit ? Grade::correctly_rounded : Grade::bounded;
-    return right ? FieldVerdict{best, 0} : FieldVerdict{Grade::beyond_bound, error_from_unit(length2)};
+    if (right) return {best, 0};
+    return {Grade::beyond_bound, error_from_unit(length2),
+            angle_off(contact::oracle::point_of(n), truth_.meeting().apart, conventions_.normal_unit, tolerance())};
   }
   [[nodiscard]] double error_from_unit(const Rational& length2) const {
     return error_in_units(length2, Rational(1), ulp(Rational(1), declared_.scalar));
@@ -238,6 +252,15 @@ Aspects missing_aspects(const Claim& claim, const Declaration& declared, bool ha
   return declared.claimed().common(asked).without(claim.says());
 }
 
+/// What the fields are off, by what they are measured in.
+void add_off(Verdict& verdict, const std::array<std::optional<FieldVerdict>, kFields.size()>& fields) {
+  for (const Field field : kFields)
+    if (const auto& found = fields[static_cast<std::size_t>(field)]) {
+      verdict.off[static_cast<std::size_t>(measure_of(field))].merge(found->off);
+      verdict.no_number_beside = verdict.no_number_beside || found->grade == Grade::not_finite;
+    }
+}
+
 bool is_number(const Rational& x, Scalar scalar) {
   const double rounded = round_to_nearest(Exact(x), scalar);
   return std::isfinite(rounded) && Rational(rounded) == x;
@@ -285,13 +308,17 @@ bool has_center_and_size(const Triangle& /*triangle*/, Scalar /*scalar*/) { retu
 
 std::optional<std::string_view> not_served(const Query& query, const Declaration& declared) {
   const Conventions& c = declared.conventions;
-  if (c.scale_min != 0 || std::isfinite(c.scale_max)) {
+  const auto serves = [&](const auto& scale) {
+    if (scale.scale_min == 0 && !std::isfinite(scale.scale_max)) return true;
     bool within = true;
-    for_each_number(query, [&](const std::string&, double x) {
-      if (x != 0 && std::isfinite(x)) within = within && std::abs(x) >= c.scale_min && std::abs(x) <= c.scale_max;
+    for_each_number_unnamed(query, [&](double x) {
+      if (x != 0 && std::isfinite(x))
+        within = within && std::abs(x) >= scale.scale_min && std::abs(x) <= scale.scale_max;
     });
-    if (!within) return "numbers outside the scale that the engine declares";
-  }
+    return within;
+  };
+  if (!serves(c)) return "numbers outside the scale that the engine declares";
+  if (declared.tolerance && !serves(*declared.tolerance)) return "numbers outside the scale of the tolerance";
   const auto centered = [&](const auto& shapes) {
     return has_center_and_size(shapes.a, declared.scalar) && has_center_and_size(shapes.b, declared.scalar);
   };
@@ -321,14 +348,40 @@ std::optional<PointOn> point_of(const Conventions& conventions, const Query& que
   return std::nullopt;
 }
 
-FieldVerdict grade(double claim, const Exact& x, Scalar scalar, const Exact& scale, double bound) {
+FieldVerdict grade(double claim, const Exact& x, const Yardstick& by) {
   const DefaultEnvironment environment;
-  if (is_correctly_rounded(claim, x, scalar)) return {};
+  if (is_correctly_rounded(claim, x, by.scalar)) return {};
   if (!std::isfinite(claim)) return {Grade::not_finite, 0};
-  const Rational unit = ulp(scale, scalar);
+  const Rational unit = ulp(by.scale, by.scalar);
   const double error = error_in_units(Rational(claim), x, unit);
-  if (is_faithful(claim, x, scalar)) return {Grade::faithful, error};
-  return {is_within(Rational(claim), x, Rational(bound) * unit) ? Grade::bounded : Grade::beyond_bound, error};
+  const Off off = length_off(x.plus(-Rational(claim)), by.scale, by.tolerance);
+  if (is_faithful(claim, x, by.scalar)) return {Grade::faithful, error, off};
+  return {is_within(Rational(claim), x, Rational(by.bound) * unit) ? Grade::bounded : Grade::beyond_bound, error, off};
+}
+
+void Off::merge(const Off& other) {
+  most = std::max(most, other.most);
+  relative = std::max(relative, other.relative);
+  within = within && other.within;
+}
+
+Off Verdict::beyond_last_bit(Measure measure) const {
+  if (measure == Measure::decision) return decision_last_bit ? Off{} : at(measure);
+  Off rest;
+  bool any = false;
+  for (const Field field : kFields)
+    if (const auto& f = at(field); f && measure_of(field) == measure) {
+      any = any || f->last_bit;
+      if (!f->last_bit) rest.merge(f->off);
+    }
+  return any ? rest : at(measure);
+}
+bool Verdict::beyond_any() const {
+  return status != Claim::Status::answered || answered_outside_domain || !missing.empty() || not_finite() ||
+         no_number_beside;
+}
+bool Verdict::within() const {
+  return !beyond_any() && std::all_of(off.begin(), off.end(), [](const Off& measure) { return measure.within; });
 }
 
 bool Verdict::not_finite() const {
@@ -388,15 +441,26 @@ Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const 
     verdict.overlap = decide(*claim.overlap, overlap_expected);
     verdict.overlap_expected = overlap_expected;
   }
+  if (says_contact) {
+    verdict.contact = decide(claim.contact.has_value(), contact_expected);
+    verdict.contact_expected = contact_expected;
+  }
+  if (verdict.missed_hit() || verdict.false_hit())
+    verdict.off[static_cast<std::size_t>(Measure::decision)] =
+        decision_off(query, truth, conventions.margin != Margin::none, declared.tolerance);
   if (!says_contact) return verdict;
-
-  verdict.contact = decide(claim.contact.has_value(), contact_expected);
-  verdict.contact_expected = contact_expected;
-  if (!contact_expected || !claim.contact || truth.contact() == nullptr) return verdict;
-
-  const ContactJudge fields(query, *truth.contact(), *claim.contact, declared,
-                            rounded != nullptr && rounded->contact ? &*rounded->contact : nullptr);
-  verdict.fields = {fields.normal(), fields.point(0), fields.point(1), fields.midpoint(), fields.value()};
+  if (!claim.contact) return verdict;
+  const auto judged = [&](const DistanceTruth& numbers) {
+    const ContactJudge fields(query, numbers, *claim.contact, declared,
+                              rounded != nullptr && rounded->contact ? &*rounded->contact : nullptr);
+    return decltype(verdict.fields){fields.normal(), fields.point(0), fields.point(1), fields.midpoint(),
+                                    fields.value()};
+  };
+  // A false hit that a tolerance allows has numbers, which must be right too.
+  if (contact_expected && truth.contact() != nullptr)
+    add_off(verdict, verdict.fields = judged(*truth.contact()));
+  else if (!contact_expected && truth.distance() != nullptr)
+    add_off(verdict, judged(*truth.distance()));
   return verdict;
 }
 

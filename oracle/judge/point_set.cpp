@@ -6,13 +6,13 @@
 #include <cstddef>
 #include <optional>
 
+#include "oracle/judge/off.hpp"
 #include "oracle/truth/default_environment.hpp"
 
 namespace contact::oracle {
 namespace {
 
 bool is_smaller(const Exact& x, const Exact& y) { return x.plus(y.scaled(Rational(-1))).sign() == CGAL::NEGATIVE; }
-Exact magnitude(const Exact& x) { return x.sign() == CGAL::NEGATIVE ? x.scaled(Rational(-1)) : x; }
 
 /// The numbers between two, which belong to it or do not.
 struct Range {
@@ -112,13 +112,14 @@ Exact least_error(const std::array<Exact, 3>& off, const Point& spread) {
 
 }  // namespace
 
-FieldVerdict grade(const Vector3& claim, const PointSet& set, Scalar scalar, const Exact& scale, double bound) {
+FieldVerdict grade(const Vector3& claim, const PointSet& set, const Yardstick& by) {
   const DefaultEnvironment environment;
+  const Scalar scalar = by.scalar;
   if (!claim.allFinite()) {
     // Beyond the range there is nothing to move along: each coordinate by itself, at the middle.
     FieldVerdict worst;
     for (std::size_t i = 0; i < 3; ++i) {
-      const FieldVerdict one = grade(claim[static_cast<Eigen::Index>(i)], set.middle[i], scalar, scale, bound);
+      const FieldVerdict one = grade(claim[static_cast<Eigen::Index>(i)], set.middle[i], by);
       worst = {std::max(worst.grade, one.grade), std::max(worst.error, one.error)};
     }
     return worst;
@@ -132,11 +133,12 @@ FieldVerdict grade(const Vector3& claim, const PointSet& set, Scalar scalar, con
   std::array<Exact, 3> off{set.middle};
   for (std::size_t i = 0; i < 3; ++i) off[i] = off[i].plus(-Rational(claim[static_cast<Eigen::Index>(i)]));
   const Exact least = least_error(off, set.spread);
-  const Rational unit = ulp(scale, scalar);
+  const Rational unit = ulp(by.scale, scalar);
   const double error = error_in_units(Rational(0), least, unit);
-  if (in_format && meets(set, ranges(beside))) return {Grade::faithful, error};
-  return {is_within(Rational(0), least, Rational(bound) * unit + set.room) ? Grade::bounded : Grade::beyond_bound,
-          error};
+  const Off beside_set = length_off(least, by.scale, by.tolerance, set.room);
+  if (in_format && meets(set, ranges(beside))) return {Grade::faithful, error, beside_set};
+  return {is_within(Rational(0), least, Rational(by.bound) * unit + set.room) ? Grade::bounded : Grade::beyond_bound,
+          error, beside_set};
 }
 
 }  // namespace contact::oracle

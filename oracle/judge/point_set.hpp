@@ -18,7 +18,6 @@ struct PointSet {
 
 /// The grade of a claimed point: right where one point of the set rounds to it in all three coordinates, faithful where
 /// one is beside it in all three. Else its error is the least, over the set, of the largest error of a coordinate.
-[[nodiscard]] FieldVerdict grade(const Vector3& claim, const PointSet& set, Scalar scalar, const Exact& scale,
-                                 double bound);
+[[nodiscard]] FieldVerdict grade(const Vector3& claim, const PointSet& set, const Yardstick& by);
 
 }  // namespace contact::oracle

@@ -29,6 +29,23 @@ ExactTruth truth_of_crossing(const Segment& segment, const Triangle& triangle, i
   return {CrossingTruth(at, Rational(inward) * cross(u, v), farthest)};
 }
 
+Rational distance2_to_change(const Segment& segment, const Triangle& triangle) {
+  std::array<Point, 3> v;
+  for (std::size_t i = 0; i < v.size(); ++i) v[i] = point_of(triangle.vertices[i]);
+  std::vector<Rational> all;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const Segment edge{v[i], v[(i + 1) % v.size()] - v[i], 0};
+    all.push_back(std::get<DistanceTruth>(truth_of_segments(segment, edge, {0, 0}).numbers).distance2());
+  }
+  const Point normal = cross(v[1] - v[0], v[2] - v[0]);
+  if (!is_zero(normal))
+    for (const Point& end : segment.ends()) {
+      const Rational height = dot(end - v[0], normal);
+      all.push_back(height * height / dot(normal, normal));
+    }
+  return *std::min_element(all.begin(), all.end());
+}
+
 Witness witness_of(const CrossingTruth& crossing) {
   Witness w;
   if (!crossing.at()) return w;

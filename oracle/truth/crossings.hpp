@@ -10,4 +10,8 @@ namespace contact::oracle {
 
 [[nodiscard]] Witness witness_of(const CrossingTruth& crossing);
 
+/// The square of how far a segment is from crossing where it does not, or the other way: the least of the distances
+/// from it to the triangle's edges and from its ends to the triangle's plane.
+[[nodiscard]] Rational distance2_to_change(const Segment& segment, const Triangle& triangle);
+
 }  // namespace contact::oracle

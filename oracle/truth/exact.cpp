@@ -22,7 +22,7 @@ double as_float_neighbour(double x, float toward) {
 
 /// An enclosure of |x|, x other than 0, with both ends positive and no farther apart than a 2^-60th.
 Exact::Enclosure tight_magnitude(const Exact& x) {
-  const Exact positive = x.sign() == CGAL::NEGATIVE ? x.scaled(Rational(-1)) : x;
+  const Exact positive = magnitude(x);
   for (int bits = 96;; bits *= 2) {  // more where a and b sqrt(D) cancel
     Exact::Enclosure e = positive.enclosure(bits);
     if (CGAL::sign(e.low) == CGAL::POSITIVE && e.high <= e.low * (Rational(1) + power_of_two(-60))) return e;
@@ -102,6 +102,8 @@ Exact::Enclosure Exact::enclosure(int bits) const {
   if (CGAL::sign(number_.a1()) == CGAL::POSITIVE) return {number_.a0() + low, number_.a0() + high};
   return {number_.a0() - high, number_.a0() - low};
 }
+
+Exact magnitude(const Exact& x) { return x.sign() == CGAL::NEGATIVE ? x.scaled(Rational(-1)) : x; }
 
 Exact larger_of(const Exact& x, const Exact& y) {
   return x.plus(y.scaled(Rational(-1))).sign() == CGAL::NEGATIVE ? y : x;

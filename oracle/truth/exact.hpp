@@ -42,6 +42,9 @@ class Exact {
   Extension number_;
 };
 
+/// |x|
+[[nodiscard]] Exact magnitude(const Exact& x);
+
 /// Domain: both of one D, or one of them rational.
 [[nodiscard]] Exact larger_of(const Exact& x, const Exact& y);
 

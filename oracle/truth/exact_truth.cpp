@@ -88,7 +88,7 @@ Exact DistanceTruth::value(bool less_contact) const {
 }
 
 Exact DistanceTruth::margin(Scalar scalar) const {
-  return signed_distance().plus(-reach_).scaled(Rational(1) / ulp(reach_, scalar));
+  return beyond(reach_).scaled(Rational(1) / ulp(reach_, scalar));
 }
 
 Exact DistanceTruth::value_scale() const {

@@ -86,6 +86,10 @@ class DistanceTruth {
   [[nodiscard]] Side at_alarm() const;
   [[nodiscard]] Side at_zero() const;
 
+  /// The signed distance less a limit of it.
+  [[nodiscard]] Exact beyond(const Rational& limit) const { return signed_distance().plus(-limit); }
+  /// n, of any length; where D = 0, the reference's way out.
+  [[nodiscard]] const Point& along() const { return along_; }
   /// One component of n; where D = 0, of the reference's way out.
   [[nodiscard]] Exact normal(int axis) const;
   /// One coordinate of shape 0's or 1's contact point for the normal n.

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "tool/commands/commands.hpp"
+#include "tool/commands/demand.hpp"
 #include "tool/commands/engine_options.hpp"
 #include "tool/reports/certificate_files.hpp"
 #include "tool/reports/report_files.hpp"
@@ -23,8 +24,8 @@ namespace {
 struct CertifyOptions {
   std::vector<std::string> paths;
   EngineOptions engine;
-  std::string level = std::string(name(Level::bounded));
   std::vector<std::string> families;
+  DemandOptions demand;
   bool allow_unsupported = false;
   std::uint64_t generate = 0;
   std::vector<std::string> pairs;
@@ -37,6 +38,7 @@ struct CertifyOptions {
   std::uint64_t shards = 64;
   std::string shard;
   bool stats = false;
+  bool determinism = false;
   std::string check = std::string(kCheckNames.front());
   CertificateOptions certificate;
   std::string accept_reason;
@@ -150,6 +152,14 @@ void require_whole(const CertifyOptions& options, bool scoreboard) {
     refuse("--certificate is of a whole run, which --fail-fast and --max-time may end early");
 }
 
+/// Only an engine that answers here, and all of whose answers are seen by one process, can be asked again.
+void require_askable(const CertifyOptions& options, bool scoreboard) {
+  if (scoreboard) refuse("--determinism asks one engine again: give the engine");
+  if (!options.engine.results.empty()) refuse("--determinism asks again, and a results file has been answered once");
+  if (!options.parts.empty() || Cluster::size() > 1)
+    refuse("--determinism compares the answers of one whole run: --parts and several processes cut it");
+}
+
 std::vector<Subject> subjects(const CertifyOptions& options, bool scoreboard, const Stop& stop,
                               CertificateFiles& certificate) {
   if (scoreboard && !options.baseline.empty()) refuse("--baseline is one engine's: give the engine");
@@ -163,7 +173,7 @@ std::vector<Subject> subjects(const CertifyOptions& options, bool scoreboard, co
   }
   for (Subject& subject : found) {
     subject.report.engine = subject.engine->info();
-    subject.report.required = static_cast<Level>(index_of(oracle::kLevelNames, options.level, "level"));
+    set_demand(options.demand, subject.report);
     subject.report.allow_unsupported = options.allow_unsupported;
     subject.baseline = baseline;
     if (baseline != nullptr) subject.report.accepted = baseline->accepted();
@@ -271,6 +281,7 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
                found.judged(), wrong ? "and not all is right" : "and nothing is wrong");
     return wrong ? kRefuted : kCertified;
   }
+  if (options.determinism) require_askable(options, scoreboard);
   std::optional<ReportFiles> files;
   if (Cluster::is_first()) files.emplace(options.reports);
   // One process that keeps nothing has no use for parts.
@@ -284,6 +295,9 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
   if (!files) return kCertified;
   for (Report& report : reports)
     if (report.unreached != 0) report.unknown_answers.clear();
+  if (options.determinism && stop.why.empty())
+    reports.front().repeats = ask_again(sources, certificate.unwatched(*judged.front().engine), reports.front().engine,
+                                        other_hosts(options.engine, [&stop] { stop.check(); }));
   if (options.stats) print_stats(reports, std::chrono::steady_clock::now() - begin, oracles);
   const int exit = files->write(reports, scoreboard);
   if (exit == kCertified || exit == kRefuted)
@@ -302,9 +316,7 @@ void add_certify(CLI::App& app, int& exit) {
   command->add_option("datasets", options->paths,
                       fmt::format("Golden files or folders (default: {})", golden_folder()));
   add_engine_options(*command, options->engine, true);
-  command->add_option("--level", options->level, "Required level")
-      ->capture_default_str()
-      ->check(CLI::IsMember(kRequiredLevels));
+  add_demand_options(*command, options->demand);
   command->add_option("--family", options->families, "Only these families")->delimiter(',');
   command->add_flag("--allow-unsupported", options->allow_unsupported,
                     "Leave out questions that the engine answers with \"unsupported\"");
@@ -342,6 +354,9 @@ void add_certify(CLI::App& app, int& exit) {
   command->add_option("--shard", options->shard, "I/N: judge only part I (from 0) of N, for `merge`")->needs(parts);
   command->add_flag("--stats", options->stats,
                     "Say on standard error how long it took, how much memory, and which oracle decided how often");
+  command->add_flag("--determinism", options->determinism,
+                    "Ask again: in the same order, in another, one at a time, many at once, from several threads and "
+                    "processes; every answer must have the same bits");
   command
       ->add_option("--check", options->check,
                    "Which questions all oracles are asked: of a source of more than 4096 a sample, or all")

@@ -96,6 +96,7 @@ int run_command(int argc, const char* const* argv) {
   add_certify(app, exit);
   add_compare(app, exit);
   add_explain(app, exit);
+  add_exam(app, exit);
   add_generate(app, exit);
   add_regenerate(app, exit);
   add_annotate(app, exit);
@@ -115,7 +116,10 @@ int run_command(int argc, const char* const* argv) {
         return value.empty() ? std::string("expected something, got ''") : std::string();
       },
       "");
-  for (CLI::App* command : app.get_subcommands({}))
+  std::vector<CLI::App*> commands = app.get_subcommands({});
+  for (std::size_t i = 0; i < commands.size(); ++i)
+    for (CLI::App* inner : commands[i]->get_subcommands({})) commands.push_back(inner);
+  for (CLI::App* command : commands)
     for (CLI::Option* option : command->get_options())
       if (option->get_items_expected_max() != 0) option->transform(something);  // before other checks
   try {

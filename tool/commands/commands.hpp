@@ -17,6 +17,7 @@ void add_adequacy(CLI::App& app, int& exit);
 void add_compare(CLI::App& app, int& exit);
 void add_detect(CLI::App& app, int& exit);
 void add_digests(CLI::App& app, int& exit);
+void add_exam(CLI::App& app, int& exit);
 void add_explain(CLI::App& app, int& exit);
 void add_generate(CLI::App& app, int& exit);
 void add_regenerate(CLI::App& app, int& exit);

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 
+#include "golden/query_id.hpp"
 #include "tool/commands/commands.hpp"
 #include "tool/reports/saved_report.hpp"
 #include "tool/reports/table.hpp"
@@ -21,6 +22,7 @@ class Comparison {
  public:
   Comparison(const SavedReport& older, const SavedReport& newer) {
     families(older, newer);
+    bits(older, newer);
     if (older.required == newer.required)
       failures(older, newer);
     else
@@ -33,6 +35,8 @@ class Comparison {
   }
 
   [[nodiscard]] bool worse() const { return worse_; }
+  /// Whether both reports say what the bits of their answers are, and these are the same.
+  [[nodiscard]] bool same_bits() const { return same_bits_; }
 
   [[nodiscard]] std::string text() const {
     std::string text;
@@ -45,6 +49,37 @@ class Comparison {
   }
 
  private:
+  void bits(const SavedReport& older, const SavedReport& newer) {
+    for (const SavedReport* report : {&older, &newer})
+      if (report->answers.empty() && !(older.answers.empty() && newer.answers.empty()))
+        notes_.push_back(fmt::format("{} does not say what the bits of its answers are: certify --determinism does.",
+                                     report->path.string()));
+    if (older.answers.empty() || newer.answers.empty()) return;
+    std::map<std::string, const SavedAnswers*> before;
+    for (const SavedAnswers& one : older.answers) before.emplace(one.title, &one);
+    std::size_t differ = 0;
+    std::string first;
+    for (const SavedAnswers& now : newer.answers) {
+      const auto it = before.find(now.title);
+      if (it == before.end() || it->second->sha256 == now.sha256) continue;
+      if (differ++ == 0) first = fmt::format("{} in {}", first_difference(it->second->each, now.each), now.title);
+    }
+    same_bits_ = differ == 0 && older.answers.size() == newer.answers.size();
+    notes_.push_back(differ == 0 ? "The answers to what both were asked have the same bits."
+                                 : fmt::format("The bits of the answers differ in {} {}, first in {}.", differ,
+                                               differ == 1 ? "family" : "families", first));
+  }
+
+  /// The id of the first question whose answer differs.
+  static std::string first_difference(std::string_view before, std::string_view now) {
+    constexpr std::size_t kEach = golden::kIdLength + 8;
+    for (std::size_t i = 0; i + kEach <= std::min(before.size(), now.size()); i += kEach) {
+      if (before.substr(i, golden::kIdLength) != now.substr(i, golden::kIdLength)) return "questions that are others";
+      if (before.substr(i, kEach) != now.substr(i, kEach)) return std::string(now.substr(i, golden::kIdLength));
+    }
+    return "a question that no report lists";
+  }
+
   void families(const SavedReport& older, const SavedReport& newer) {
     table_.row(
         {"family", "cases", "level", "missed", "false", "not finite", "unanswered", "beyond", "correctly rounded"});
@@ -132,6 +167,7 @@ class Comparison {
   Table table_;
   std::vector<std::string> notes_;
   std::size_t changed_ = 0;
+  bool same_bits_ = false;
   bool worse_ = false;
   bool better_ = false;
 };
@@ -144,17 +180,23 @@ void add_compare(CLI::App& app, int& exit) {
   struct Paths {
     std::string older;
     std::string newer;
+    bool same_bits = false;
   };
   auto paths = std::make_shared<Paths>();
   command->add_option("old", paths->older, "The earlier report")->required();
   command->add_option("new", paths->newer, "The later report")->required();
+  command->add_flag(
+      "--same-bits", paths->same_bits,
+      "Exit 1 too where the reports do not show the same bits in every answer: both of certify --determinism");
   command->callback([paths, &exit] {
     const SavedReport older = read_report(paths->older);
     const SavedReport newer = read_report(paths->newer);
     fmt::print("old  {}\nnew  {}\n\n", older.verdict, newer.verdict);
     const Comparison comparison(older, newer);
     fmt::print("{}", comparison.text());
-    exit = comparison.worse() ? kRefuted : kCertified;
+    const bool other_bits = paths->same_bits && !comparison.same_bits();
+    if (other_bits) fmt::print("REFUTED: --same-bits, and that is not shown.\n");
+    exit = comparison.worse() || other_bits ? kRefuted : kCertified;
   });
 }
 

@@ -13,6 +13,7 @@
 #include "engines/adapters.hpp"
 #include "engines/hosts/subprocess.hpp"
 #include "engines/zoo/mutants.hpp"
+#include "engines/zoo/unsteady.hpp"
 #include "tool/commands/commands.hpp"
 
 namespace contact::tool {
@@ -30,6 +31,14 @@ std::unique_ptr<engines::Engine> subprocess(const EngineOptions& options, std::v
   process.answer = milliseconds(options.answer_limit);
   process.check = std::move(check);
   return engines::make_subprocess(process);
+}
+
+/// This program again, which calls a library.
+std::vector<std::string> library_words(const EngineOptions& options, const std::vector<std::string>& more) {
+  std::vector<std::string> words{std::filesystem::read_symlink("/proc/self/exe").string(), "serve", "--engine-library",
+                                 options.library};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
 }
 
 /// How many letters to add, drop or change to make one word of another.
@@ -112,6 +121,12 @@ PointConvention computed_points(const EngineOptions& options) {
 
 std::unique_ptr<engines::Engine> built_in(const std::string& name, PointConvention points) {
   if (name.starts_with(engines::kMutantPrefix)) return mutant(name);
+  if (name.starts_with(engines::kUnsteadyPrefix)) {
+    std::vector<std::string_view> ids;
+    for (const engines::Unsteady& one : engines::unsteady_engines()) ids.push_back(one.id);
+    static_cast<void>(index_of(ids, name.substr(engines::kUnsteadyPrefix.size()), "unsteady engine"));
+    return engines::make_built_in(name);
+  }
   if (name.starts_with(engines::kBatchPrefix)) {
     const std::vector<std::string> sets = engines::batch_instruction_sets();
     static_cast<void>(index_of(sets, name.substr(engines::kBatchPrefix.size()), "instruction set of this processor"));
@@ -121,9 +136,24 @@ std::unique_ptr<engines::Engine> built_in(const std::string& name, PointConventi
   for (const engines::BuiltIn& e : engines::built_in_engines()) names.push_back(e.name);
   for (const engines::Adapter& a : engines::adapters()) names.push_back(a.name);
   names.emplace_back("mutant:ID");
+  names.emplace_back("unsteady:ID");
   static_cast<void>(index_of(names, name, "engine"));
   if (auto engine = engines::make_built_in(name, points)) return engine;
   throw formats::InputError({"command line", 0}, "", fmt::format("engine '{}' is an adapter, and not built in", name));
+}
+
+std::vector<OtherHost> other_hosts(const EngineOptions& options, const std::function<void()>& check) {
+  std::vector<OtherHost> hosts;
+  const bool process = !options.command.empty() || engines::find_adapter(options.engine) != nullptr;
+  if (!process && options.library.empty()) return hosts;
+  EngineOptions several = options;
+  several.jobs = kThreadsThatAsk;
+  hosts.push_back({fmt::format("by {} processes", kThreadsThatAsk), make_engine(several, check)});
+  if (!options.library.empty())
+    hosts.push_back(
+        {fmt::format("from {} threads of a process", kThreadsThatAsk),
+         subprocess(options, library_words(options, {"--threads", std::to_string(kThreadsThatAsk)}), check)});
+  return hosts;
 }
 
 std::unique_ptr<engines::Engine> make_engine(const EngineOptions& options, std::function<void()> check) {
@@ -143,10 +173,7 @@ std::unique_ptr<engines::Engine> make_engine(const EngineOptions& options, std::
       throw formats::InputError({options.library, 0}, "",
                                 std::filesystem::exists(options.library) ? "is no file" : "no such file");
     // This program again, so that a crash of the library is the other's end.
-    return subprocess(
-        options,
-        {std::filesystem::read_symlink("/proc/self/exe").string(), "serve", "--engine-library", options.library},
-        std::move(check));
+    return subprocess(options, library_words(options, {}), std::move(check));
   }
   if (const engines::Adapter* adapter = engines::find_adapter(options.engine)) {
     if (auto words = engines::command_of(*adapter)) return subprocess(options, std::move(*words), std::move(check));

@@ -13,6 +13,7 @@
 #include "contact/contact.hpp"
 #include "engines/engine.hpp"
 #include "formats/input_error.hpp"
+#include "tool/run/determinism.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
@@ -45,6 +46,9 @@ void require_used(const EngineOptions& options, bool threads);
 /// the wait. Throws InputError for what is not there, and engines::HarnessInvalid for an engine that does not start.
 [[nodiscard]] std::unique_ptr<engines::Engine> make_engine(const EngineOptions& options,
                                                            std::function<void()> check = throw_if_interrupted);
+
+/// The other ways to ask it at once from several threads: of a process several, of a library several threads besides.
+[[nodiscard]] std::vector<OtherHost> other_hosts(const EngineOptions& options, const std::function<void()>& check);
 
 /// A built-in engine by name. Throws InputError with the names where there is none.
 [[nodiscard]] std::unique_ptr<engines::Engine> built_in(const std::string& name, PointConvention points);

@@ -8,6 +8,7 @@
 #include "engines/adapters.hpp"
 #include "engines/engine.hpp"
 #include "engines/zoo/mutants.hpp"
+#include "engines/zoo/unsteady.hpp"
 #include "golden/families.hpp"
 #include "golden/flags.hpp"
 #include "oracle/diagnosis/diagnosis.hpp"
@@ -51,9 +52,14 @@ void list_engines(bool json, bool every_mutant) {
     else if (every_mutant)
       fmt::print("{:<40}{}\n", full_name, m.about);
   }
+  for (const engines::Unsteady& one : engines::unsteady_engines())
+    if (!json && every_mutant)
+      fmt::print("{:<40}{}\n", fmt::format("{}{}", engines::kUnsteadyPrefix, one.id), one.about);
   if (!json && !every_mutant)
-    fmt::print("{:<18}{} engines with one mistake each, docs/bug-zoo.md; --mutants lists them\n", "mutant:ID",
-               engines::mutants().size());
+    fmt::print(
+        "{:<18}{} engines with one mistake each, docs/bug-zoo.md; --mutants lists them\n"
+        "{:<18}{} engines that --determinism refutes, listed with them\n",
+        "mutant:ID", engines::mutants().size(), "unsteady:ID", engines::unsteady_engines().size());
 }
 
 /// With --json one object a line, families then flags.

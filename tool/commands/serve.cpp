@@ -5,6 +5,8 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <thread>
 
 #include "engines/hosts/library.hpp"
 #include "engines/protocol/protocol.hpp"
@@ -20,7 +22,7 @@ constexpr std::size_t kTogether = 256;  // questions that have arrived are answe
 /// What has been asked and not been answered.
 class Asked {
  public:
-  explicit Asked(engines::Engine& engine) : engine_(engine) {}
+  Asked(engines::Engine& engine, std::size_t threads) : engine_(engine), threads_(threads) {}
 
   void add(std::uint64_t seq, const Query& query) {
     seqs_.push_back(seq);
@@ -29,7 +31,7 @@ class Asked {
   [[nodiscard]] bool full() const { return questions_.size() >= kTogether; }
   void answer() {
     if (questions_.empty()) return;
-    const std::vector<Claim> claims = engine_.answer(questions_);
+    const std::vector<Claim> claims = threads_ == 1 ? engine_.answer(questions_) : answer_by_threads();
     std::string text;
     for (std::size_t i = 0; i < claims.size(); ++i) text += engines::answer_message(seqs_[i], claims[i]) + "\n";
     write(text);
@@ -42,15 +44,29 @@ class Asked {
   }
 
  private:
+  /// Each thread answers every so many-th question.
+  [[nodiscard]] std::vector<Claim> answer_by_threads() {
+    std::vector<Claim> claims(questions_.size());
+    std::vector<std::thread> threads;
+    for (std::size_t t = 0; t < threads_; ++t)
+      threads.emplace_back([&, t] {
+        for (std::size_t i = t; i < questions_.size(); i += threads_)
+          claims[i] = engine_.answer(std::span(questions_).subspan(i, 1)).front();
+      });
+    for (std::thread& thread : threads) thread.join();
+    return claims;
+  }
+
   engines::Engine& engine_;
+  std::size_t threads_;
   std::vector<std::uint64_t> seqs_;
   std::vector<engines::Question> questions_;
 };
 
-void serve(engines::Engine& engine) {
+void serve(engines::Engine& engine, std::size_t threads) {
   std::ios::sync_with_stdio(false);
   InputLines lines("-");
-  Asked asked(engine);
+  Asked asked(engine, threads);
   while (lines.next()) {
     const auto json = formats::parse_object(lines.text(), lines.where());
     const formats::Node message(json, lines.where());
@@ -77,15 +93,19 @@ void add_serve(CLI::App& app, int& exit) {
   struct ServeOptions {
     std::string engine = "production";
     std::string library;
+    std::size_t threads = 1;
   };
   auto options = std::make_shared<ServeOptions>();
   auto* engine = command->add_option("--engine", options->engine, "A built-in engine")->capture_default_str();
   command->add_option("--engine-library", options->library, "A shared library with the interface of contact_engine.h")
       ->excludes(engine);
+  command->add_option("--threads", options->threads, "Answer what has arrived from so many threads")
+      ->capture_default_str()
+      ->check(kFromOne);
   command->callback([options, &exit] {
     const auto served = options->library.empty() ? built_in(options->engine, PointConvention::nearest_surface)
                                                  : engines::make_library(options->library);
-    serve(*served);
+    serve(*served, options->threads);
     exit = kCertified;
   });
 }

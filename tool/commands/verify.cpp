@@ -11,6 +11,7 @@
 #include "tool/commands/commands.hpp"
 #include "tool/reports/certificate.hpp"
 #include "tool/run/date.hpp"
+#include "tool/run/exam.hpp"
 #include "tool/run/parts.hpp"
 #include "tool/run/process.hpp"
 
@@ -27,6 +28,7 @@ struct VerifyOptions {
   std::string dataset;
   std::string results;
   std::string level;
+  std::string exam;
 };
 
 /// One thing that a certificate states and that is otherwise.
@@ -147,6 +149,14 @@ class Certificate {
       if (const auto file = sources[i].find("file"))
         compare(fmt::format("/questions/sources/{}/sha256", i), sources[i].at("sha256"),
                 dataset(file->text(), sources.size()));
+    if (!options_.exam.empty()) {
+      const Exam exam = read_exam(options_.exam);
+      const auto stated = node().find("exam");
+      if (!stated) throw formats::InputError({options_.certificate, 0}, "exam", "is a certificate of no exam");
+      for (const auto& [key, is] : {std::pair("commitment", exam.commitment), {"questions", exam.questions}})
+        if (const std::string said = stated->at(key).text(); said != is)
+          found.push_back({fmt::format("/exam/{}", key), said, fmt::format("{}, of {}", is, options_.exam)});
+    }
     compare("/answers/sha256", node().at("answers").at("sha256"), answers());
     return found;
   }
@@ -168,6 +178,7 @@ class Certificate {
       stated.names.push_back(file ? file->text() : "");
     }
     stated.answers = node().at("answers").at("file").text();
+    if (const auto exam = node().find("exam")) stated.nonce = exam->at("nonce").text();
     return stated;
   }
 
@@ -232,6 +243,9 @@ Report judge_again(const Certificate& certificate, const std::vector<Source>& so
   report.engine = subjects.front().engine->info();
   report.required = static_cast<Level>(found.at("required").one_of(oracle::kLevelNames));
   report.allow_unsupported = found.at("allow_unsupported").boolean();
+  report.engine.declared.tolerance.reset();
+  if (const auto tolerance = found.find("tolerance"))
+    report.engine.declared.tolerance = engines::read_tolerance(*tolerance);
   if (baseline != nullptr) report.accepted = baseline->accepted();
   Stop stop;
   std::vector<Report> reports{report};
@@ -310,6 +324,7 @@ void add_verify(CLI::App& app, int& exit) {
                       "The folder that the names of the datasets begin in, or the one dataset (default: where the "
                       "certificate says, seen from its own folder)");
   command->add_option("--results", options->results, "The recorded answers (default: where the certificate says)");
+  command->add_option("--exam", options->exam, "The exam that it should be of: what it commits to, and its questions");
   command->add_option("--level", options->level, "Demand that it certifies this level, accepted failures left out")
       ->check(CLI::IsMember(kRequiredLevels));
   command->callback([options, &exit] { exit = verify(*options); });

@@ -108,6 +108,54 @@
     return chart;
   }
 
+  /** The largest error of each engine against the size of the question's numbers: both in powers of ten. */
+  function scales(place, reports) {
+    const shown = [-24, 24];  // golden files have every power that there is; beyond these nobody has lengths
+    const clamp = (x) => Math.min(shown[1], Math.max(shown[0], x));
+    const engines = reports.map((report) => report.engine.name);
+    const key = element("p", {className: "key lines"});
+    engines.forEach((engine, i) => key.append(element("span", {className: "l" + i % 6}, "━"), " " + engine + " "));
+    const grid = element("div", {className: "grid"});
+    const measures = [["values and coordinates", "length", 1], ["normals", "radians", 2], ["wrong decisions", "length", 3]];
+    for (const [what, unit, at] of measures) {
+      const lines = reports.map((report) => report.total.fitness.by_scale
+        .filter((row) => Number(row[at]) > 0 && row[0] >= shown[0] && row[0] <= shown[1])
+        .map((row) => [row[0], clamp(Math.log10(Math.min(Number(row[at]), 1e300)))]));
+      const chart = figure(`${what}: the largest error (${unit})`);
+      const every = lines.flat();
+      if (every.length === 0) {
+        chart.append(element("p", {}, "None is off."));
+        grid.append(chart);
+        continue;
+      }
+      const width = 420, height = 240, left = 50, right = 12, bottom = 38, top = 8;
+      const x = d3.scale.linear().domain(d3.extent(every, (p) => p[0])).range([left + 8, width - right]);
+      const y = d3.scale.linear().domain(d3.extent(every, (p) => p[1])).nice().range([height - bottom, top]);
+      const svg = d3.select(chart).append("svg").attr({viewBox: `0 0 ${width} ${height}`, role: "img"});
+      svg.append("title").text(`${what}: the largest error by the size of the question's numbers`);
+      const power = (p) => (Number.isInteger(p) ? "10" + superscript(p) : "");
+      svg.append("g").attr("transform", `translate(${left},0)`)
+        .call(d3.svg.axis().scale(y).orient("left").ticks(6).tickFormat(power).tickSize(-(width - left - right), 0));
+      svg.append("g").attr("transform", `translate(0,${height - bottom})`)
+        .call(d3.svg.axis().scale(x).ticks(7).tickFormat(power).tickSize(3, 0));
+      svg.append("text").attr({x: (left + width - right) / 2, y: height - 4, "text-anchor": "middle"})
+        .text("the question's largest number");
+      const path = d3.svg.line().x((p) => x(p[0])).y((p) => y(p[1]));
+      const numbers = [];
+      lines.forEach((points, i) => {
+        if (points.length === 0) return;
+        const group = svg.append("g").attr("class", "l" + i % 6);
+        group.append("title").text(engines[i]);
+        group.append("path").attr({d: path(points), class: "line"});
+        for (const p of points) group.append("circle").attr({cx: x(p[0]), cy: y(p[1]), r: 2});
+        numbers.push(`${engines[i]}: ` + points.map((p) => `10${superscript(p[0])}: ${(10 ** p[1]).toExponential(1)}`).join(", "));
+      });
+      chart.append(element("details", {}, element("summary", {}, "as numbers"), element("p", {}, numbers.join("; "))));
+      grid.append(chart);
+    }
+    place.append(...(engines.length > 1 ? [key] : []), grid);
+  }
+
   function charts(section, report) {
     const place = section.querySelector(".charts");
     const shown = element("div");
@@ -361,8 +409,10 @@
 
   // ---- the page ----
 
+  const reports = [];
   for (const section of document.querySelectorAll("section")) {
     const report = JSON.parse(section.querySelector("script.data").textContent);
+    reports.push(report);
     if (typeof d3 === "undefined") {
       section.querySelector(".charts").append(element("p", {}, "Built without D3 and three.js: no charts and no views."));
       continue;
@@ -373,6 +423,7 @@
       if (inside(worst.query)) view(article.querySelector(".view"), worst);
     }
   }
+  if (typeof d3 !== "undefined") scales(document.getElementById("scales"), reports);
   /** Whether every number of a question is finite, so that it can be drawn. */
   function inside(query) {
     return [query.a, query.b].every((s) => finite(numbers(Object.values(s).flat(2))));

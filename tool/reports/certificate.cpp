@@ -17,6 +17,7 @@
 #include "engines/protocol/results.hpp"
 #include "golden/dataset.hpp"
 #include "golden/query_id.hpp"
+#include "tool/run/exam.hpp"
 #include "tool/run/parts.hpp"
 
 namespace contact::tool {
@@ -30,19 +31,9 @@ constexpr std::size_t kDigits = 64;
 /// SHA-256 of the questions of a source, a line each as `explain` reads it.
 std::string questions_digest(const Source& source) {
   formats::Sha256 digest;
-  const auto add = [&](const Query& query) { digest.add(golden::query_line(query, source.scalar)).add("\n"); };
-  if (source.dataset) {
-    golden::DatasetReader reader(*source.dataset);
-    while (const auto c = reader.next()) {
-      throw_if_interrupted();
-      add(c->query);
-    }
-  } else {
-    for (std::uint64_t i = 0; i < source.count; ++i) {
-      throw_if_interrupted();
-      add(golden::generate_query(source.pair, *source.generator, source.scalar, source.seed, i));
-    }
-  }
+  for_each_question(source, [&](const engines::Question& question) {
+    digest.add(golden::query_line(question.query, source.scalar)).add("\n");
+  });
   return digest.hex();
 }
 
@@ -128,19 +119,28 @@ json found_json(const Report& report) {
   }
   json skipped = json::array();
   for (const Skipped& s : report.skipped) skipped.push_back({{"source", s.source}, {"why", s.why}, {"cases", s.cases}});
-  return {{"required", name(report.required)},
-          {"allow_unsupported", report.allow_unsupported},
-          {"certified", report.certified()},
-          {"claims", report.engine.declared.claimed().names()},
-          {"not_claimed", report.not_claimed().names()},
-          {"one_answer", all.one_answer() ? json(*all.one_answer()) : json(nullptr)},
-          {"level_but_accepted", name(report.level_but_accepted())},
-          {"given", given},
-          {"share_judged", fmt::format("{:.6g} %", 100.0 * static_cast<double>(report.judged()) /
-                                                       static_cast<double>(std::max<std::uint64_t>(given, 1)))},
-          {"total", counts_json(all, report.allow_unsupported)},
-          {"families", std::move(families)},
-          {"skipped", std::move(skipped)}};
+  json found{{"required", name(report.required)},
+             {"allow_unsupported", report.allow_unsupported},
+             {"certified", report.certified()},
+             {"claims", report.engine.declared.claimed().names()},
+             {"not_claimed", report.not_claimed().names()},
+             {"one_answer", all.one_answer() ? json(*all.one_answer()) : json(nullptr)},
+             {"level_but_accepted", name(report.level_but_accepted())},
+             {"given", given},
+             {"share_judged", fmt::format("{:.6g} %", 100.0 * static_cast<double>(report.judged()) /
+                                                          static_cast<double>(std::max<std::uint64_t>(given, 1)))},
+             {"total", counts_json(all, report.allow_unsupported)},
+             {"families", std::move(families)},
+             {"skipped", std::move(skipped)}};
+  if (report.repeats) {
+    found["same_bits"] = report.repeats->same();
+    found["answers_again"] = report.repeats->sha256;
+  }
+  if (report.tolerance()) {
+    found["tolerance"] = json::parse(engines::tolerance_object(*report.tolerance()));
+    found["beyond_tolerance"] = all.fitness.beyond;
+  }
+  return found;
 }
 
 json accepted_json(const Report& report, const Baseline* baseline) {
@@ -216,20 +216,25 @@ json statement(const Judged& judged, const Stated& stated) {
     sources.push_back(source_json(judged.sources[i], stated.names[i]));
   json questions{{"sources", std::move(sources)}};
   if (!stated.folder.empty()) questions["folder"] = stated.folder;
-  return {{"format", "contact-oracle/certificate"},
-          {"version", 1},
-          {"issued", stated.issued},
-          {"environment", stated.environment},
-          {"oracle", oracle_json(judged.oracles)},
-          {"engine", engine_json(report.engine, stated.engine)},
-          {"questions", std::move(questions)},
-          {"answers",
-           {{"file", stated.answers},
-            {"sha256", judged.answers_sha256},
-            {"count", judged.answers},
-            {"to_no_question", report.unknown_answers.size()}}},
-          {"found", found_json(report)},
-          {"accepted", accepted_json(report, judged.baseline)}};
+  json whole{{"format", "contact-oracle/certificate"},
+             {"version", 1},
+             {"issued", stated.issued},
+             {"environment", stated.environment},
+             {"oracle", oracle_json(judged.oracles)},
+             {"engine", engine_json(report.engine, stated.engine)},
+             {"questions", std::move(questions)},
+             {"answers",
+              {{"file", stated.answers},
+               {"sha256", judged.answers_sha256},
+               {"count", judged.answers},
+               {"to_no_question", report.unknown_answers.size()}}},
+             {"found", found_json(report)},
+             {"accepted", accepted_json(report, judged.baseline)}};
+  if (!stated.nonce.empty())
+    whole["exam"] = {{"nonce", stated.nonce},
+                     {"commitment", commitment_of(judged.sources, stated.nonce)},
+                     {"questions", exam_digest(judged.sources, stated.nonce).sha256}};
+  return whole;
 }
 
 std::string certificate_text(json statement) {

@@ -27,10 +27,12 @@ class CertificateFiles {
 
   /// The engine to ask in the place of `engine`: one that keeps the answers, where they are to be written.
   [[nodiscard]] std::unique_ptr<engines::Engine> watched(std::unique_ptr<engines::Engine> engine);
-  /// Writes what is asked for, and says so. Throws formats::InputError where there are more failures than a report
-  /// lists and some are accepted.
-  void write(const Report& report, const std::vector<Source>& sources, const Oracles& oracles,
-             const Baseline* baseline);
+  /// The engine that was given, of which nothing is kept.
+  [[nodiscard]] engines::Engine& unwatched(engines::Engine& engine) const;
+  /// Writes what is asked for, and says so. `nonce`: of an exam's key, where the questions are an exam's. Throws
+  /// formats::InputError where there are more failures than a report lists and some are accepted.
+  void write(const Report& report, const std::vector<Source>& sources, const Oracles& oracles, const Baseline* baseline,
+             const std::string& nonce = "");
 
  private:
   CertificateOptions options_;
@@ -38,7 +40,7 @@ class CertificateFiles {
   std::string issued_;
   std::unique_ptr<formats::OutputFile> answers_;
   std::unique_ptr<formats::OutputFile> certificate_;
-  const engines::Recording* recording_ = nullptr;
+  engines::Recording* recording_ = nullptr;
 };
 
 }  // namespace contact::tool

@@ -297,11 +297,24 @@ std::string declaration(const Report& report) {
   return html + "</dl>\n";
 }
 
+/// From which tolerance on it would pass, and the questions that stand in the way.
+std::string fitness(const Report& report) {
+  std::string html = listed("Fitness", report.fitness());
+  const auto questions = report.in_the_way();
+  if (questions.empty()) return html;
+  html += "<details><summary>In the way of a smaller tolerance</summary>\n";
+  for (const InTheWay& one : questions)
+    html += fmt::format(
+        "<p>{}</p><div class=copy><code>echo '{}' | ./run explain</code><button type=button>Copy</button></div>\n",
+        for_html(one.what), for_html(one.question));
+  return html + "</details>\n";
+}
+
 std::string section(const Report& report) {
   std::string html =
       fmt::format("<section id=\"{0}\"><h2>{0} {1} {2}</h2>\n<p class=verdict>{3}</p>\n", for_html(report.engine.name),
                   for_html(report.engine.version), verdict_mark(report), for_html(report.sentence()));
-  html += listed("Diagnosis", report.why.lines());
+  html += listed("Diagnosis", report.why.lines()) + fitness(report);
   html += "<h3>Families and fields</h3>\n" + matrix(report) + counts(report);
   html += "<div class=charts></div>\n";
   if (!report.certified() && !report.worst.empty()) {
@@ -309,6 +322,7 @@ std::string section(const Report& report) {
     for (std::size_t i = 0; i < report.worst.size(); ++i)
       html += worst_case(report.worst[i], i, report.engine.declared_for(report.worst[i].query.pair));
   }
+  if (report.repeats) html += listed("Asked again", report.repeats->lines());
   html += listed("Not judged", report.left_out()) + listed("Baseline", report.baseline_lines()) + declaration(report);
   return html + "<script type=\"application/json\" class=data>" + inside_script(json_text(report, false)) +
          "</script></section>\n";
@@ -336,6 +350,7 @@ std::string html_text(const std::vector<Report>& reports) {
       first.certified() ? "✓" : "✕", for_html(first.engine.name), page::kStyle);
   html += "<p>Each engine held against the exact answer.</p>\n";
   if (reports.size() > 1) html += summary(reports);
+  html += "<h2>Error against scale</h2>\n<div id=scales></div>\n";
   for (const Report& report : reports) html += section(report);
   html += fmt::format("<footer>Judged by contact-oracle {} on {}.", CONTACT_VERSION, made_on());
   if (!page::kLicences.empty())

@@ -22,7 +22,9 @@ std::string junit_text(const Report& report) {
     auto test = suite.append_child("testcase");
     test.append_attribute("classname") = fmt::format("{}.{}", name(f.pair), name(f.scalar)).c_str();
     test.append_attribute("name") = f.family.c_str();
-    if (f.judged(report.allow_unsupported) == f.accepted || f.reaches(report.required, report.allow_unsupported))
+    if (f.judged(report.allow_unsupported) == f.accepted ||
+        (report.tolerance() ? f.within_tolerance(report.allow_unsupported)
+                            : f.reaches(report.required, report.allow_unsupported)))
       continue;
     ++failures;
     auto failure = test.append_child("failure");
@@ -42,7 +44,7 @@ std::string junit_text(const Report& report) {
   }
   auto verdict = suite.append_child("testcase");
   verdict.append_attribute("classname") = "verdict";
-  verdict.append_attribute("name") = fmt::format("required: {}", name(report.required)).c_str();
+  verdict.append_attribute("name") = fmt::format("required: {}", report.demand()).c_str();
   if (!report.certified()) {
     ++failures;
     std::string detail;

@@ -49,6 +49,8 @@ std::string markdown_text(const Report& report) {
   };
   for (const FamilyReport& f : report.families) row(f);
   row(report.total());
+  listed("Fitness", report.fitness());
+  if (report.repeats) listed("Asked again", report.repeats->lines());
   listed("Not judged", report.left_out());
   listed("Baseline", report.baseline_lines());
   if (!report.certified() && !report.worst.empty()) {

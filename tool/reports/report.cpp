@@ -134,6 +134,17 @@ void FamilyReport::add(const Verdict& verdict, const std::string& id, bool hit,
   there.wrong += verdict.missed_hit() || verdict.false_hit() ? 1 : 0;
 }
 
+bool FamilyReport::within_tolerance(bool allow_unsupported) const {
+  const bool no_number = with_numbers != 0 && all_fields().judged() == 0;
+  return fitness.beyond == accepted + (allow_unsupported ? with(Claim::Status::unsupported) : 0) && !no_number &&
+         judged(allow_unsupported) != 0;
+}
+
+void FamilyReport::add_fitness(const Verdict& verdict, const Query& query) {
+  fitness.add(verdict, query, scalar);
+  if (is_everyday(query)) everyday.add(verdict, query, scalar);
+}
+
 void FamilyReport::accept(Level level) {
   ++accepted;
   ++accepted_levels[static_cast<std::size_t>(level)];
@@ -143,6 +154,8 @@ void FamilyReport::add_unreached(std::uint64_t count) {
   cases += count;
   statuses[static_cast<std::size_t>(Claim::Status::missing)] += count;
   levels[static_cast<std::size_t>(Level::none)] += count;
+  fitness.never += count;
+  fitness.beyond += count;
 }
 
 void FamilyReport::merge(const FamilyReport& other) {
@@ -169,14 +182,19 @@ void FamilyReport::merge(const FamilyReport& other) {
     margins[margin].claimed += there.claimed;
     margins[margin].wrong += there.wrong;
   }
+  fitness.merge(other.fitness);
+  everyday.merge(other.everyday);
 }
 
 std::string WorstCase::what() const {
   if (verdict.status != Claim::Status::answered)
     return fmt::format("{}: {}", kStatusNames[static_cast<std::size_t>(verdict.status)], printable(verdict.text));
   if (verdict.answered_outside_domain) return "an answer outside the domain";
-  if (verdict.missed_hit()) return "missed hit";
-  if (verdict.false_hit()) return "false hit";
+  if (verdict.missed_hit() || verdict.false_hit()) {
+    const oracle::Off& off = verdict.at(oracle::Measure::decision);
+    return fmt::format("{} hit, {} from where the answer changes{}", verdict.missed_hit() ? "missed" : "false",
+                       rounded_up(off.most), verdict.decision_last_bit ? " (no worse than the inputs' last bit)" : "");
+  }
   if (!verdict.missing.empty()) return fmt::format("missing field: {}", fmt::join(verdict.missing.names(), ", "));
   Grade worst = Grade::correctly_rounded;
   for (const auto& f : verdict.fields)
@@ -187,7 +205,8 @@ std::string WorstCase::what() const {
     if (!f || f->grade < std::min(worst, Grade::beyond_bound)) continue;
     if (!text.empty()) text += ", ";
     text += f->grade == Grade::not_finite ? fmt::format("{} not finite", name(field))
-                                          : fmt::format("{} off by {:.4g} ulps", name(field), f->error);
+                                          : fmt::format("{} off by {:.4g} ulps{}", name(field), f->error,
+                                                        f->last_bit ? " (no worse than the inputs' last bit)" : "");
   }
   return text;
 }
@@ -308,9 +327,42 @@ std::string Report::rests_on() const {
                   numbers.empty() ? "and on no number" : fmt::format("and on numbers: {}", fmt::join(numbers, ", ")));
   if (const Aspects left = not_claimed(); !left.empty())
     text += fmt::format(" Not claimed, so not judged: {}.", fmt::join(left.names(), ", "));
+  if (repeats && repeats->same())
+    text += fmt::format(" Asked in {} more ways, it gave the same bits.", repeats->ways.size());
   if (const auto one = all.one_answer())
     text += fmt::format(" An engine that always says {} decides all of it right.", *one);
   return text;
+}
+
+bool Report::certified() const {
+  if (repeats && !repeats->same()) return false;
+  return tolerance() ? total().within_tolerance(allow_unsupported) : total().reaches(required, allow_unsupported);
+}
+
+bool Report::fails(const Verdict& verdict) const {
+  return tolerance() ? !verdict.within() : verdict.level() > required;
+}
+
+std::vector<std::string> Report::fitness() const {
+  const FamilyReport all = total();
+  std::vector<std::string> lines;
+  const auto add = [&](std::string_view what, std::string_view scale, const Fitness& of) {
+    if (of.answers != 0)
+      for (std::string& line : fitness_lines(what, scale, of)) lines.push_back(std::move(line));
+  };
+  add(kEveryday, kEverydayOption, all.everyday);
+  add(kAllNumbers, "", all.fitness);
+  return lines;
+}
+
+std::vector<InTheWay> Report::in_the_way() const {
+  const FamilyReport all = total();
+  std::vector<InTheWay> found = tool::in_the_way(all.everyday);
+  return found.empty() ? tool::in_the_way(all.fitness) : found;
+}
+
+std::string Report::demand() const {
+  return tolerance() ? "within " + tolerance_text(*tolerance()) : std::string(name(required));
 }
 
 std::string Report::sentence() const {
@@ -319,11 +371,17 @@ std::string Report::sentence() const {
   const double share = 100.0 * static_cast<double>(judged()) / static_cast<double>(all.cases + skipped_cases());
   const std::string of =
       fmt::format("{} ({:.3g} % of those given)", count(judged(), "judged case", "judged cases"), share);
+  const auto but_for = [&](std::string_view what) {
+    return all.accepted == 0 ? std::string() : fmt::format("{}", what);
+  };
+  if (certified() && tolerance())
+    return fmt::format("CERTIFIED {}{}: {}, on all {}{}. {}", demand(),
+                       but_for(fmt::format(" but for {}", count(all.accepted, "failure", "failures"))), who(), of,
+                       but_for(" but those that the baseline accepts"), rests_on());
   if (certified())
     return fmt::format("CERTIFIED{}: {} reaches {} on all {}{}; {} was required{}. {}",
-                       all.accepted == 0 ? "" : fmt::format(" but for {}", count(all.accepted, "failure", "failures")),
-                       who(), name(level_but_accepted()), of,
-                       all.accepted == 0 ? "" : " but those that the baseline accepts", name(required),
+                       but_for(fmt::format(" but for {}", count(all.accepted, "failure", "failures"))), who(),
+                       name(level_but_accepted()), of, but_for(" but those that the baseline accepts"), name(required),
                        level_but_accepted() > required ? ", and these questions have no numbers" : "", rests_on());
   if (harness_invalid())
     return fmt::format("HARNESS INVALID: {} never gave an answer that claims something, on {}.", who(), of);
@@ -352,13 +410,18 @@ std::string Report::sentence() const {
             fmt::format("{} {} {}", c.at(grade), name(field),
                         grade == Grade::beyond_bound ? "beyond the bound" : fmt::format("only {}", name(grade))));
   }
-  if (required < Level::decisions && all.with_numbers != 0 && all.all_fields().judged() == 0)
+  if (tolerance()) reasons = {count(all.fitness.beyond, "answer beyond it", "answers beyond it")};
+  if ((tolerance() || required < Level::decisions) && all.with_numbers != 0 && all.all_fields().judged() == 0)
     reasons.emplace_back("no number was judged");
+  if (repeats && !repeats->same()) reasons.emplace_back("other answers when it was asked again");
   const std::string beyond =
       !accepted ? ""
                 : fmt::format(", {} more than the {} that the baseline accepts",
                               count(failure_count + unreached - all.accepted, "failure", "failures"), all.accepted);
-  return fmt::format("REFUTED: {} does not reach {} on {}{}: {}. {}", who(), name(required), of, beyond,
+  const bool meets = tolerance() ? all.within_tolerance(allow_unsupported) : all.reaches(required, allow_unsupported);
+  const std::string is_short =
+      tolerance() ? "is not " + demand() + "," : fmt::format("does not reach {}", name(required));
+  return fmt::format("REFUTED: {} {} on {}{}: {}. {}", who(), meets ? "is not deterministic" : is_short, of, beyond,
                      fmt::join(reasons, ", "), rests_on());
 }
 
@@ -435,10 +498,11 @@ std::string json_text(const Report& report, bool with_failures) {
         missing += fmt::format("{}\"{}\":{}", missing.empty() ? "" : ",", kAspectNames[i], f.missing[i]);
     const auto one = f.one_answer();
     return fmt::format(
-        R"("cases":{},"judged":{},"accepted":{},"hits":{},"decided":{{"hits":{},"misses":{}}},"one_answer":{},"missed_hits":{},"false_hits":{},"outside_domain":{},"refused":{},"not_finite":{},"incomplete":{},"missing_fields":{{{}}},"level":"{}","answers":{{{}}},"fields":{{{}}},"margins":[{}])",
+        R"("cases":{},"judged":{},"accepted":{},"hits":{},"decided":{{"hits":{},"misses":{}}},"one_answer":{},"missed_hits":{},"false_hits":{},"outside_domain":{},"refused":{},"not_finite":{},"incomplete":{},"missing_fields":{{{}}},"level":"{}","answers":{{{}}},"fields":{{{}}},"margins":[{}],{})",
         f.cases, f.judged(report.allow_unsupported), f.accepted, f.hits, f.decided.hits, f.decided.misses,
         one ? json_string(*one) : "null", f.missed_hits, f.false_hits, f.outside_domain, f.refused, f.not_finite,
-        f.incomplete, missing, name(f.level(report.allow_unsupported)), statuses, fields, margins);
+        f.incomplete, missing, name(f.level(report.allow_unsupported)), statuses, fields, margins,
+        fitness_json("fitness", f.fitness) + "," + fitness_json("everyday", f.everyday));
   };
   std::string families;
   for (const FamilyReport& f : report.families)
@@ -456,6 +520,10 @@ std::string json_text(const Report& report, bool with_failures) {
     worst += fmt::format(R"({}{{"what":{},"query":{},"claimed":{},"right":{}}})", worst.empty() ? "" : ",\n",
                          json_string(w.what()), golden::query_line(w.query, w.scalar), engines::claim_object(w.claim),
                          engines::claim_object(w.right(report.engine.declared_for(w.query.pair))));
+  std::string standing;
+  for (const InTheWay& one : report.in_the_way())
+    standing += fmt::format(R"({}{{"what":{},"query":{}}})", standing.empty() ? "" : ",\n", json_string(one.what),
+                            one.question);
   std::string failures;
   for (const Failure& f : std::span(report.failures).first(with_failures ? report.failures.size() : 0))
     failures +=
@@ -487,16 +555,18 @@ std::string json_text(const Report& report, bool with_failures) {
       "{{\"format\":\"contact-oracle/"
       "report\",\"version\":1,\"engine\":{{\"name\":{},\"version\":{}}},\"scalar\":\"{}\",\"conventions\":{},"
       "{}\"bounds\":{{\"value\":{},\"normal\":{},\"point\":{}}},\"claims\":[{}],\"not_claimed\":[{}],"
-      "\"required\":\"{}\",\"certified\":{},\"verdict\":{},"
+      "\"required\":\"{}\",\"tolerance\":{},\"certified\":{},\"verdict\":{},"
       "\"diagnosis\":[{}],\"causes\":[{}],\n\"total\":{{{}}},"
       "\n\"families\":[\n{}],\n\"skipped\":[{}],\n\"unknown_answers\":[{}],\n\"not_reached\":{},\n{}\"worst\":[{}],"
-      "\n\"failure_count\":{},\"failures\":[\n{}]}}\n",
+      "\n\"in_the_way\":[{}],\n\"failure_count\":{},\"failures\":[\n{}]{}}}\n",
       json_string(report.engine.name), json_string(report.engine.version), name(report.engine.declared.scalar),
       engines::conventions_text(report.engine.declared.conventions), engines::pair_conventions_text(report.engine),
       number(bounds.value), number(bounds.normal), number(bounds.point), names(report.engine.declared.claimed()),
-      names(report.not_claimed()), name(report.required), report.certified(), json_string(report.sentence()), diagnosis,
-      causes, family_text(report.total()), families, skipped, unknown, report.unreached, baseline, worst,
-      report.failure_count, failures);
+      names(report.not_claimed()), name(report.required),
+      report.tolerance() ? engines::tolerance_object(*report.tolerance()) : "null", report.certified(),
+      json_string(report.sentence()), diagnosis, causes, family_text(report.total()), families, skipped, unknown,
+      report.unreached, baseline, worst, standing, report.failure_count, failures,
+      report.repeats ? ",\n\"determinism\":" + report.repeats->json() : "");
 }
 
 }  // namespace contact::tool

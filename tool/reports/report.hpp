@@ -13,6 +13,8 @@
 #include "engines/engine.hpp"
 #include "oracle/diagnosis/diagnosis.hpp"
 #include "oracle/judge/judge.hpp"
+#include "tool/reports/fitness.hpp"
+#include "tool/reports/repeats.hpp"
 #include "tool/reports/saved_report.hpp"
 
 namespace contact::tool {
@@ -94,6 +96,8 @@ struct FamilyReport {
   std::array<std::uint64_t, oracle::kLevelNames.size()> levels{};  ///< cases by the strictest level they reach
   decltype(levels) accepted_levels{};                              ///< those of them that are accepted failures
   std::map<MarginBin, Decisions> margins;                          ///< decisions on spheres
+  Fitness fitness;
+  Fitness everyday;  ///< the same of questions whose numbers are everyday ones
 
   [[nodiscard]] std::string title() const;  ///< family_title, or "total"
   [[nodiscard]] FieldCount all_fields() const;
@@ -108,10 +112,14 @@ struct FamilyReport {
   [[nodiscard]] Level level_but_accepted(bool allow_unsupported) const;
   /// Whether that is enough: of questions that have no numbers no level asks for more than decisions.
   [[nodiscard]] bool reaches(Level required, bool allow_unsupported) const;
+  /// Whether the declared tolerance allows every case but the accepted failures.
+  [[nodiscard]] bool within_tolerance(bool allow_unsupported) const;
   /// The one answer, "hit" or "miss", that would have been right in every decision judged, or "the same".
   [[nodiscard]] std::optional<std::string_view> one_answer() const;
   /// `margin`: of a question whose decisions depend on it.
   void add(const Verdict& verdict, const std::string& id, bool hit, const std::optional<MarginBin>& margin);
+  /// The same answer in the question's own units.
+  void add_fitness(const Verdict& verdict, const Query& query);
   /// A case already added is a failure that the baseline accepts.
   void accept(Level level);
   /// Cases that the run ended before.
@@ -168,6 +176,7 @@ struct Report : Findings {
   Level required = Level::bounded;
   bool allow_unsupported = false;
   std::optional<Accepted> accepted;          ///< what the baseline is, where one is given
+  std::optional<Repeats> repeats;            ///< where the engine was asked again
   std::vector<std::string> unknown_answers;  ///< ids of recorded answers to questions that were not asked
 
   [[nodiscard]] FamilyReport total() const;
@@ -176,7 +185,16 @@ struct Report : Findings {
   [[nodiscard]] Level level() const { return total().level(allow_unsupported); }
   [[nodiscard]] Level level_but_accepted() const { return total().level_but_accepted(allow_unsupported); }
   /// Nothing left to judge reaches no level, and is not certified.
-  [[nodiscard]] bool certified() const { return total().reaches(required, allow_unsupported); }
+  [[nodiscard]] bool certified() const;
+  /// What the engine is judged by, where that is no level.
+  [[nodiscard]] const std::optional<Tolerance>& tolerance() const { return engine.declared.tolerance; }
+  /// Whether an answer fails.
+  [[nodiscard]] bool fails(const Verdict& verdict) const;
+  /// From which tolerance on it would pass, and what stands in the way of everyday numbers, else of all.
+  [[nodiscard]] std::vector<std::string> fitness() const;
+  [[nodiscard]] std::vector<InTheWay> in_the_way() const;
+  /// "bounded", or "within length ...".
+  [[nodiscard]] std::string demand() const;
   /// What the engine does not claim, of all that an answer can say: its decisions, and numbers where they are asked
   /// for.
   [[nodiscard]] Aspects not_claimed() const;

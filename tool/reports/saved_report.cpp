@@ -94,6 +94,11 @@ SavedReport read_report(const std::filesystem::path& path) {
                     {},
                     report.at("failure_count").count()};
   for (const Node& family : report.at("families").items()) saved.families.push_back(read_family(family));
+  if (const auto determinism = report.find("determinism"))
+    for (const Node& source : determinism->at("sources").items())
+      saved.answers.push_back({family_title(golden::read_pair(source.at("pair")), source.at("family").text(),
+                                            golden::read_scalar(source.at("scalar"))),
+                               source.at("sha256").text(), source.at("each").text()});
   Failure of_all{};
   read_acceptance(report, of_all);
   for (const Node& other : report.at("failures").items()) failures.push_back(read_failure(other));  // that is no object

@@ -44,6 +44,13 @@ struct SavedFamily {
   oracle::Level level;
 };
 
+/// The answers to the questions of a family, where the report says what their bits are.
+struct SavedAnswers {
+  std::string title;  ///< family_title
+  std::string sha256;
+  std::string each;  ///< an id and 8 digits of the answer's digest for each
+};
+
 struct SavedReport {
   std::filesystem::path path;
   std::string engine;  ///< its name
@@ -53,6 +60,7 @@ struct SavedReport {
   std::vector<SavedFamily> families;
   std::vector<Failure> failures;
   std::uint64_t failure_count;  ///< more than are listed, perhaps
+  std::vector<SavedAnswers> answers{};
 };
 
 /// Reads a report that `certify --json` wrote. Throws formats::InputError with file and field.

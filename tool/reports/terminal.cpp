@@ -46,6 +46,7 @@ std::vector<std::pair<std::string, FamilyReport>> rows_of(const Report& report) 
   std::vector<FamilyReport> families = report.families;
   const auto level = [&](const FamilyReport& f) { return f.level(report.allow_unsupported); };
   const auto short_of = [&](const FamilyReport& f) {
+    if (report.tolerance()) return !f.within_tolerance(report.allow_unsupported);
     return level(f) > (f.with_numbers == 0 ? std::max(report.required, Level::decisions) : report.required);
   };
   std::stable_sort(families.begin(), families.end(), [&](const FamilyReport& x, const FamilyReport& y) {
@@ -86,11 +87,11 @@ std::string terminal_text(const Report& report, bool colour) {
   }
   table.drop_empty_columns();
 
-  std::string text = styled(kHead,
-                            fmt::format("{} ({}), required: {}", report.who(), name(report.engine.declared.scalar),
-                                        name(report.required)),
-                            colour) +
-                     "\n\n" + table.text(colour ? style_of : Table::Style());
+  std::string text =
+      styled(kHead,
+             fmt::format("{} ({}), required: {}", report.who(), name(report.engine.declared.scalar), report.demand()),
+             colour) +
+      "\n\n" + table.text(colour ? style_of : Table::Style());
   const FamilyReport all = report.total();
   std::string levels;
   for (const Field field : oracle::kFields) {
@@ -109,6 +110,12 @@ std::string terminal_text(const Report& report, bool colour) {
     if (!lines.empty())
       text += fmt::format("\n{}\n  {}\n", styled(kHead, title + ":", colour), fmt::join(lines, "\n  "));
   };
+  listed("Fitness", report.fitness());
+  if (const auto questions = report.in_the_way(); !questions.empty()) {
+    text += "\n" + styled(kHead, "In the way of a smaller tolerance:", colour) + "\n";
+    for (const InTheWay& one : questions) text += fmt::format("  # {}\n  {}\n", one.what, one.question);
+  }
+  if (report.repeats) listed("Asked again", report.repeats->lines());
   listed("Not judged", report.left_out());
   if (!report.certified() && !report.worst.empty()) {
     text += "\n" + styled(kHead, "The worst cases, as lines for `contact-oracle explain`:", colour) + "\n";

@@ -69,19 +69,40 @@ inline void load(PortableBinaryInputArchive& archive, bool& value) {
 namespace contact::oracle {
 
 template <class Archive>
+void serialize(Archive& archive, Off& off) {
+  archive(off.most, off.relative, off.within);
+}
+
+template <class Archive>
 void serialize(Archive& archive, FieldVerdict& v) {
-  archive(v.grade, v.error);
+  archive(v.grade, v.error, v.off, v.last_bit);
 }
 
 template <class Archive>
 void serialize(Archive& archive, Verdict& v) {
   archive(v.status, v.text, v.overlap, v.contact, v.answered_outside_domain, v.refused_outside_domain, v.missing,
-          v.overlap_expected, v.contact_expected, v.has_numbers, v.fields);
+          v.overlap_expected, v.contact_expected, v.has_numbers, v.decision_last_bit, v.no_number_beside, v.fields,
+          v.off);
 }
 
 }  // namespace contact::oracle
 
 namespace contact::tool {
+
+template <class Archive>
+void serialize(Archive& archive, Largest& l) {
+  archive(l.off, l.question);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Need& n) {
+  archive(n.absolute, n.relative);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Fitness& f) {
+  archive(f.all, f.beyond_last_bit, f.last_bit, f.answers, f.never, f.never_question, f.beyond, f.by_scale);
+}
 
 template <class Archive>
 void serialize(Archive& archive, FieldCount& c) {
@@ -107,7 +128,7 @@ template <class Archive>
 void serialize(Archive& archive, FamilyReport& f) {
   archive(f.source, f.pair, f.scalar, f.family, f.cases, f.hits, f.missed_hits, f.false_hits, f.outside_domain,
           f.refused, f.not_finite, f.accepted, f.statuses, f.fields, f.decided, f.decisions, f.with_numbers,
-          f.incomplete, f.missing, f.levels, f.accepted_levels, f.margins);
+          f.incomplete, f.missing, f.levels, f.accepted_levels, f.margins, f.fitness, f.everyday);
 }
 
 template <class Archive>
@@ -168,7 +189,7 @@ void serialize(Archive& archive, Part& p) {
 namespace {
 
 constexpr std::string_view kFormat = "contact-oracle/part";
-constexpr std::uint64_t kVersion = 3;
+constexpr std::uint64_t kVersion = 4;
 
 // Whether what a part tells is of kinds that there are, which become indices into their names.
 

@@ -12,6 +12,7 @@
 #include <map>
 
 #include "golden/query_id.hpp"
+#include "oracle/judge/conditioning.hpp"
 #include "oracle/truth/quick_witness.hpp"
 #include "tool/run/process.hpp"
 
@@ -167,20 +168,23 @@ void judge_one(const Item& item, const std::optional<Agreed>& agreed, const Sour
   const oracle::Truth* truth = agreed ? &agreed->truth : nullptr;
   const Rounded* in_scalar = agreed ? &agreed->in(declared.scalar) : nullptr;
   const Expectation* rounded = agreed ? &in_scalar->expected : nullptr;
-  const Verdict verdict =
+  Verdict verdict =
       agreed ? oracle::judge(query, *truth, claim, declared, rounded) : oracle::judge_outside_domain(claim);
+  if (agreed) oracle::mark_last_bit(query, *truth, declared, verdict);
   const Level level = verdict.level();
   // An engine that knows no alarm distance decides at another margin.
   const bool decides_there = declared.conventions.margin != Margin::none || query.distances.alarm == 0;
   found.families.front().add(verdict, id, truth != nullptr && truth->hit(),
                              agreed && decides_there ? in_scalar->margin : std::nullopt);
-  const bool accepted = level > report.required && baseline != nullptr && baseline->accepts(id, level);
+  found.families.front().add_fitness(verdict, query);
+  const bool fails = report.fails(verdict);
+  const bool accepted = fails && baseline != nullptr && baseline->accepts(id, level);
   // What is right speaks against a hypothesis as what is wrong speaks for one.
   if (truth != nullptr && !accepted)
     found.why.add(golden::id_digits(id, 0, 16), query, *truth, claim, declared, verdict, rounded,
                   weight_of(item.index, source.size(), level));
   if (verdict.answered_outside_domain && !accepted) found.why.add_outside_domain(query);
-  if (level <= report.required) {
+  if (!fails) {
     if (baseline != nullptr && baseline->lists(id)) found.gone.insert(id);
     return;
   }
@@ -194,14 +198,27 @@ void judge_one(const Item& item, const std::optional<Agreed>& agreed, const Sour
 }
 
 /// Why an engine's declaration excludes a whole source, or nothing.
-std::optional<std::string> excluded(const Source& source, const engines::EngineInfo& engine) {
-  if (!engine.serves(source.pair)) return fmt::format("the engine does not serve {}", name(source.pair));
-  if (engine.declared.scalar == Scalar::binary32 && source.scalar == Scalar::binary64)
+std::optional<std::string> excluded(Pair pair, Scalar scalar, const engines::EngineInfo& engine) {
+  if (!engine.serves(pair)) return fmt::format("the engine does not serve {}", name(pair));
+  if (engine.declared.scalar == Scalar::binary32 && scalar == Scalar::binary64)
     return std::string("binary64 numbers, and the engine computes in binary32");
   return std::nullopt;
 }
 
 }  // namespace
+
+void for_each_question(const Source& source, const std::function<void(const engines::Question&)>& visit) {
+  Questions questions(source);
+  while (auto slice = questions.next()) {
+    if (slice->error) std::rethrow_exception(slice->error);
+    if (!source.dataset) slice->items = generated(source, *slice);
+    for (const Item& item : slice->items) visit(item.question);
+  }
+}
+
+bool engine_takes(const engines::EngineInfo& engine, Pair pair, Scalar scalar) {
+  return !excluded(pair, scalar, engine);
+}
 
 bool is_checked(Check check, std::uint64_t size, const std::string& id, oracle::Stage stage) {
   if (check == Check::all || size <= kWhole) return true;
@@ -244,7 +261,7 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
   for (Subject& subject : subjects) {
     const engines::EngineInfo& engine = subject.engine->info();
     none.source = subject.report.sources++;
-    if (const auto why = excluded(source, engine)) {
+    if (const auto why = excluded(source.pair, source.scalar, engine)) {
       const std::string what =
           source.dataset ? source.dataset->string() : fmt::format("{}/{}", name(source.pair), source.family);
       subject.report.skipped.push_back({what, *why, source.count, none.source});
@@ -277,6 +294,7 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
       for (std::size_t i = 0; i < slice.items.size(); ++i) {
         if (const auto why = oracle::not_served(slice.items[i].question.query, declared)) {
           ++left_out[*why];
+          judged[s]->engine->pass_over(slice.items[i].question);
           continue;
         }
         asked.push_back(slice.items[i].question);

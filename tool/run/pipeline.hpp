@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +33,11 @@ struct Source {
 
   [[nodiscard]] std::uint64_t size() const { return whole != 0 ? whole : count; }
 };
+
+/// Calls visit for the questions of a source in their order.
+void for_each_question(const Source& source, const std::function<void(const engines::Question&)>& visit);
+/// Whether an engine that declares this is asked questions of a pair, in numbers of a scalar.
+[[nodiscard]] bool engine_takes(const engines::EngineInfo& engine, Pair pair, Scalar scalar);
 
 /// An engine under judgement and what was found of it.
 struct Subject {

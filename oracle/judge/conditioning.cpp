@@ -1,0 +1,205 @@
+// What the last bit of a question's numbers would have done to its answer.
+#include "oracle/judge/conditioning.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "oracle/judge/off.hpp"
+#include "oracle/judge/right_claim.hpp"
+#include "oracle/truth/default_environment.hpp"
+#include "oracle/truth/exact_truth.hpp"
+#include "oracle/truth/staged_oracle.hpp"
+
+namespace contact::oracle {
+namespace {
+
+/// What an answer is made of, in binary64.
+struct Answer {
+  ContactClaim contact;
+  Vector3 spread = Vector3::Zero();          ///< the points may lie so far beside
+  std::optional<std::array<double, 2>> any;  ///< any normal is right, and the points are so far from the cores
+};
+
+/// The right answer where the points follow from the two nearest ones.
+std::optional<Answer> answer_of(const Query& query, const Declaration& declared) {
+  const Conventions& conventions = declared.conventions;
+  const StagedAnswer staged = staged_answer(query, Scalar::binary64);
+  if (!staged.expected.contact) return std::nullopt;
+  const Contact& contact = *staged.expected.contact;
+  Answer answer;
+  if (conventions.points == Points::center || conventions.points == Points::published) {
+    Declaration rounded = declared;
+    rounded.scalar = Scalar::binary64;
+    rounded.conventions.margin = Margin::inclusive;
+    rounded.conventions.touching_contact = Touching::closed;
+    const Claim right = right_claim(query, staged.truth, rounded);
+    if (!right.contact) return std::nullopt;
+    answer.contact = *right.contact;
+  } else {
+    answer.contact = {contact.normal, contact.point1, contact.point2, Vector3(contact.point1 / 2 + contact.point2 / 2),
+                      contact.value};
+  }
+  if (contact.degenerate || !contact.unique)
+    if (const DistanceTruth* exact = staged.truth.contact()) {
+      if (exact->spread())
+        for (int axis = 0; axis < 3; ++axis)
+          answer.spread[axis] =
+              std::abs(round_to_nearest((*exact->spread())[static_cast<std::size_t>(axis)], Scalar::binary64));
+      if (exact->coincident())
+        answer.any = {round_to_nearest(exact->radius(0), Scalar::binary64),
+                      round_to_nearest(exact->radius(1), Scalar::binary64)};
+    }
+  return answer;
+}
+
+double ulp_of(double x) { return std::nextafter(std::abs(x), std::numeric_limits<double>::infinity()) - std::abs(x); }
+
+double angle_between(const Vector3& x, const Vector3& y) {
+  constexpr double kRounding = 1e-15;  // of both normals and of this
+  return std::max(0.0, std::atan2(x.cross(y).norm(), x.dot(y)) - kRounding);
+}
+/// Each of the two is half an ulp from the real number at most; a middle has rounded more than once.
+double apart(double x, double y, int ulps) {
+  return std::max(0.0, std::abs(x - y) - ulps * ulp_of(std::max(std::abs(x), std::abs(y))));
+}
+
+/// How far one answer is from another, field by field.
+LastBit difference(const Answer& here, const Answer& there) {
+  LastBit off;
+  const auto at = [&](Field field) -> double& { return off.effect[static_cast<std::size_t>(field)]; };
+  const auto point = [&](Field field, const std::optional<Vector3> ContactClaim::*member, int ulps, double radius) {
+    const auto& x = here.contact.*member;
+    const auto& y = there.contact.*member;
+    if (!x || !y) return;
+    for (int axis = 0; axis < 3; ++axis)
+      at(field) = std::max(at(field), apart((*x)[axis], (*y)[axis], ulps) + there.spread[axis] + radius);
+  };
+  const std::array<double, 2> radii = there.any.value_or(std::array{0.0, 0.0});
+  if (here.contact.normal && there.contact.normal)
+    at(Field::normal) = there.any ? std::numbers::pi : angle_between(*here.contact.normal, *there.contact.normal);
+  point(Field::point1, &ContactClaim::point1, 1, radii[0]);
+  point(Field::point2, &ContactClaim::point2, 1, radii[1]);
+  point(Field::point, &ContactClaim::point, 4, (radii[0] + radii[1]) / 2);
+  if (here.contact.value && there.contact.value) at(Field::value) = apart(*here.contact.value, *there.contact.value, 1);
+  return off;
+}
+
+/// Calls visit(neighbour, i) for both neighbours of number i of a question, as far as they lie inside the domain.
+template <class Visit>
+void for_each_neighbour(const Query& query, Scalar scalar, Visit&& visit) {
+  Query moved = query;
+  std::size_t i = 0;
+  for_each_number(moved, [&](const std::string&, double& x) {
+    const double before = x;
+    for (const double beside : {next_up(before, scalar), next_down(before, scalar)}) {
+      x = beside;
+      if (before != 0 && inside_domain(moved)) visit(std::as_const(moved), i);
+    }
+    x = before;
+    ++i;
+  });
+}
+
+/// The signed distance from where the decision changes; nothing of a pair that has none.
+std::optional<Exact> beyond(const Query& query, const Truth& truth, const Declaration& declared) {
+  const bool at_alarm = declared.conventions.margin != Margin::none && query.distances.alarm != 0;
+  if (const DistanceTruth* distance = truth.distance())
+    return distance->beyond(at_alarm ? distance->reach() : distance->radii());
+  if (const GapTruth* gaps = truth.gaps()) return Exact(gaps->widest_gap() - (at_alarm ? gaps->alarm() : Rational(0)));
+  return std::nullopt;
+}
+
+/// The largest length that a decision is computed from.
+double largest_length(const Query& query, const Truth& truth) {
+  double largest = 0;
+  for_each_number_unnamed(query, [&](double x) { largest = std::max(largest, std::abs(x)); });
+  if (const DistanceTruth* distance = truth.distance())
+    for (const Exact& scale : {distance->value_scale(), distance->point_scale(0), distance->point_scale(1)})
+      largest = std::max(largest, round_to_nearest(scale, Scalar::binary64));
+  if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes))
+    largest = std::max(largest, ray->a.length * ray->a.direction.lpNorm<Eigen::Infinity>() * 2);
+  return largest;
+}
+
+}  // namespace
+
+LastBit last_bit(const Query& query, const Declaration& declared) {
+  const DefaultEnvironment environment;
+  LastBit sum;
+  const auto here = answer_of(query, declared);
+  if (!here || here->any || !here->spread.isZero(0)) return sum;
+  LastBit larger;
+  std::size_t number = 0;
+  const auto add = [&] {
+    for (std::size_t f = 0; f < sum.effect.size(); ++f) sum.effect[f] += larger.effect[f];
+    larger = {};
+  };
+  for_each_neighbour(query, declared.scalar, [&](const Query& neighbour, std::size_t i) {
+    if (std::exchange(number, i) != i) add();
+    const auto there = answer_of(neighbour, declared);
+    if (!there) return;  // a miss: the neighbour on the other side tells
+    const LastBit off = difference(*here, *there);
+    for (std::size_t f = 0; f < off.effect.size(); ++f) larger.effect[f] = std::max(larger.effect[f], off.effect[f]);
+  });
+  add();
+  return sum;
+}
+
+bool last_bit_decides(const Query& query, const Truth& truth, const Declaration& declared) {
+  const DefaultEnvironment environment;
+  const Conventions& conventions = declared.conventions;
+  const auto hit = [&](const Query& q, const Truth& t) {
+    return expected_hit(q, t, conventions.touching_contact, conventions.margin);
+  };
+  const bool is_hit = hit(query, truth);
+  // No question has so many numbers that all of their last bits together move a distance farther.
+  constexpr double kMostUlps = 64;
+  const double unit = std::ldexp(1.0, 1 - format_of(declared.scalar).precision);
+  const Off off = decision_off(query, truth, conventions.margin != Margin::none, std::nullopt);
+  if (off.most > kMostUlps * unit * largest_length(query, truth)) return false;
+
+  const std::optional<Exact> here = beyond(query, truth, declared);
+  Query all = query;
+  bool decides = false;
+  // Away from the decision that is right: the neighbour with the larger signed distance where it is a hit.
+  std::optional<Exact::Enclosure> best;
+  std::size_t number = 0;
+  for_each_neighbour(query, declared.scalar, [&](const Query& neighbour, std::size_t i) {
+    const Truth there = truth_of(neighbour);
+    decides = decides || hit(neighbour, there) != is_hit;
+    if (!here) return;
+    constexpr int kBits = 256;
+    const auto moved = beyond(neighbour, there, declared)->enclosure(kBits);
+    if (std::exchange(number, i) != i || !best) best = here->enclosure(kBits);
+    if (is_hit ? moved.low <= best->low : moved.high >= best->high) return;
+    best = moved;
+    double to = 0;
+    std::size_t k = 0;
+    for_each_number_unnamed(neighbour, [&](double x) {
+      if (k++ == i) to = x;
+    });
+    k = 0;
+    for_each_number(all, [&](const std::string&, double& x) {
+      if (k++ == i) x = to;
+    });
+  });
+  return decides || (here && inside_domain(all) && hit(all, truth_of(all)) != is_hit);
+}
+
+void mark_last_bit(const Query& query, const Truth& truth, const Declaration& declared, Verdict& verdict) {
+  const auto is_off = [](const auto& field) { return field && field->grade == Grade::beyond_bound; };
+  if (std::any_of(verdict.fields.begin(), verdict.fields.end(), is_off)) {
+    const LastBit bit = last_bit(query, declared);
+    for (const Field field : kFields)
+      if (auto& f = verdict.fields[static_cast<std::size_t>(field)]; is_off(f))
+        f->last_bit = f->off.most <= bit.at(field);
+  }
+  if (verdict.missed_hit() || verdict.false_hit()) verdict.decision_last_bit = last_bit_decides(query, truth, declared);
+}
+
+}  // namespace contact::oracle

@@ -1,0 +1,316 @@
+// Tolerances, and what the inputs' last bit does: every expectation follows from docs/specification.md#tolerances and
+// from numbers worked out by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "oracle/judge/conditioning.hpp"
+#include "oracle/judge/judge.hpp"
+
+namespace contact::oracle {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double above(double x) { return std::nextafter(x, kInfinity); }
+double below(double x) { return std::nextafter(x, -kInfinity); }
+
+Query spheres(const Ball& a, const Ball& b, double alarm = 0, double contact = 0) {
+  return {Pair::sphere_sphere, Balls{a, b}, {alarm, contact}};
+}
+// 5 apart along (0.6, 0.8, 0), radii 1 and 1: value 3, and a contact by an alarm distance of 4
+Query apart() { return spheres({{0, 0, 0}, 1}, {{3, 4, 0}, 1}, 4); }
+
+Claim says(bool hit) {
+  Claim claim;
+  claim.overlap = hit;
+  return claim;
+}
+Claim says(const ContactClaim& contact) {
+  Claim claim;
+  claim.speaks_of_contact = true;
+  claim.contact = contact;
+  return claim;
+}
+Claim value_of(double value) {
+  ContactClaim contact;
+  contact.value = value;
+  return says(contact);
+}
+Claim normal_of(const Vector3& n) {
+  ContactClaim contact;
+  contact.normal = n;
+  return says(contact);
+}
+
+/// Judged by a tolerance, of the fields that the claim has.
+Verdict judged(const Query& query, const Claim& claim, const Tolerance& tolerance, Conventions conventions = {}) {
+  const Declaration declared{Scalar::binary64, conventions, {}, claim.says(), tolerance};
+  return judge(query, truth_of(query), claim, declared);
+}
+bool within(const Query& query, const Claim& claim, const Tolerance& tolerance, const Conventions& conventions = {}) {
+  return judged(query, claim, tolerance, conventions).within();
+}
+
+TEST(Tolerance, a_length_may_be_off_by_so_much_and_no_more) {
+  const double off = 0x1p-10;
+  for (const double value : {3 + off, 3 - off}) {
+    EXPECT_TRUE(within(apart(), value_of(value), {.length = off}));
+    EXPECT_FALSE(within(apart(), value_of(value), {.length = below(off)}));
+  }
+  EXPECT_EQ(judged(apart(), value_of(3 + off), {}).at(Measure::length).most, off);
+}
+
+TEST(Tolerance, a_share_is_one_of_the_fields_scale) {
+  // value: max(5, 1 + 1, 0) = 5
+  EXPECT_TRUE(within(apart(), value_of(3 + 5 * 0x1p-10), {.relative = 0x1p-10}));
+  EXPECT_FALSE(within(apart(), value_of(3 + 5 * 0x1p-10), {.relative = below(0x1p-10)}));
+  EXPECT_EQ(judged(apart(), value_of(3 + 5 * 0x1p-10), {}).at(Measure::length).relative, 0x1p-10);
+  // Both together: 0.5 + 0.1 * 5 is a little more than 1, 0.1 being more than a tenth.
+  EXPECT_TRUE(within(apart(), value_of(4), {.length = 0.5, .relative = 0.1}));
+  EXPECT_FALSE(within(apart(), value_of(4), {.length = 0.5, .relative = below(0.1)}));
+}
+
+TEST(Tolerance, a_correctly_rounded_number_is_within_any) {
+  const Query root = spheres({{0, 0, 0}, 0}, {{1, 1, 0}, 0}, 2);
+  EXPECT_TRUE(within(root, value_of(std::numbers::sqrt2), {}));
+  EXPECT_FALSE(within(root, value_of(below(std::numbers::sqrt2)), {}));
+  EXPECT_TRUE(within(root, value_of(below(std::numbers::sqrt2)), {.length = 0x1p-52}));
+}
+
+TEST(Tolerance, points_are_lengths_coordinate_by_coordinate) {
+  ContactClaim contact;
+  contact.point1 = Vector3(2, 0.25, 0);  // of (2,0,0): scale 2
+  const Query query = spheres({{0, 0, 0}, 2}, {{4, 0, 0}, 3});
+  EXPECT_TRUE(within(query, says(contact), {.length = 0.25}));
+  EXPECT_FALSE(within(query, says(contact), {.length = below(0.25)}));
+  EXPECT_TRUE(within(query, says(contact), {.relative = 0.125}));
+  EXPECT_FALSE(within(query, says(contact), {.relative = below(0.125)}));
+}
+
+// Neither pi / 4 nor 3 pi / 4 is a double, and the doubles nearest to them are below.
+TEST(Tolerance, an_angle_is_compared_exactly) {
+  const Query along_x = spheres({{0, 0, 0}, 1}, {{2, 0, 0}, 1});
+  const Conventions any_length{.normal_unit = false};
+  for (const auto& [normal, nearest] :
+       {std::pair{Vector3(1, 1, 0), std::numbers::pi / 4}, {Vector3(-7, 0, 7), 3 * (std::numbers::pi / 4)}}) {
+    EXPECT_FALSE(within(along_x, normal_of(normal), {.angle = nearest}, any_length));
+    EXPECT_TRUE(within(along_x, normal_of(normal), {.angle = above(nearest)}, any_length));
+    EXPECT_EQ(judged(along_x, normal_of(normal), {}, any_length).at(Measure::angle).most, above(nearest));
+  }
+  EXPECT_FALSE(within(along_x, normal_of({0, 3, 0}), {.angle = std::numbers::pi / 2}, any_length));
+  EXPECT_TRUE(within(along_x, normal_of({0, 3, 0}), {.angle = above(std::numbers::pi / 2)}, any_length));
+  EXPECT_FALSE(within(along_x, normal_of({-1, 0, 0}), {.angle = std::numbers::pi}));
+  EXPECT_TRUE(within(along_x, normal_of({-1, 0, 0}), {.angle = above(std::numbers::pi)}));
+  EXPECT_TRUE(within(along_x, normal_of({5, 0, 0}), {}, any_length));
+  EXPECT_FALSE(within(along_x, normal_of({0, 0, 0}), {.angle = 3.14}, any_length));
+}
+
+TEST(Tolerance, a_unit_normal_may_be_longer_or_shorter_by_the_angle) {
+  const Query along_x = spheres({{0, 0, 0}, 1}, {{2, 0, 0}, 1});
+  for (const double length : {1.25, 0.75}) {
+    EXPECT_TRUE(within(along_x, normal_of({length, 0, 0}), {.angle = 0.25}));
+    EXPECT_FALSE(within(along_x, normal_of({length, 0, 0}), {.angle = below(0.25)}));
+  }
+}
+
+TEST(Tolerance, a_decision_may_be_wrong_so_near_to_where_it_changes) {
+  // 5 apart, reach 1 + 1 + 2.5: a miss by 0.5, which is a ninth of the reach
+  const Query miss = spheres({{0, 0, 0}, 1}, {{3, 4, 0}, 1}, 2.5);
+  EXPECT_TRUE(within(miss, says(true), {.length = 0.5}));
+  EXPECT_FALSE(within(miss, says(true), {.length = below(0.5)}));
+  EXPECT_TRUE(within(miss, says(true), {.relative = above(1.0 / 9)}));
+  EXPECT_FALSE(within(miss, says(true), {.relative = below(1.0 / 9)}));
+  EXPECT_TRUE(within(miss, says(false), {}));
+  const Query hit = spheres({{0, 0, 0}, 1}, {{3, 4, 0}, 1}, 3.5);
+  EXPECT_TRUE(within(hit, says(false), {.length = 0.5}));
+  EXPECT_FALSE(within(hit, says(false), {.length = below(0.5)}));
+}
+
+// sqrt 2 - 1 = 0.41421356237309504880..., and the double nearest to it is below
+TEST(Tolerance, an_irrational_distance_is_compared_exactly) {
+  const Query miss = spheres({{0, 0, 0}, 1}, {{1, 1, 0}, 0});
+  const double nearest = 0.41421356237309503;
+  EXPECT_FALSE(within(miss, says(true), {.length = nearest}));
+  EXPECT_TRUE(within(miss, says(true), {.length = above(nearest)}));
+  EXPECT_EQ(judged(miss, says(true), {}).at(Measure::decision).most, above(nearest));
+}
+
+TEST(Tolerance, a_decision_at_the_limit_may_go_either_way) {
+  const Query touching = spheres({{0, 0, 0}, 1}, {{2, 0, 0}, 1});
+  EXPECT_TRUE(within(touching, says(false), {}));
+  EXPECT_TRUE(within(touching, says(true), {}));
+}
+
+TEST(Tolerance, without_a_margin_the_limit_is_touching) {
+  const Conventions no_margin{.margin = Margin::none};
+  const Query query = spheres({{0, 0, 0}, 1}, {{3, 4, 0}, 1}, 2.5);  // 3 apart
+  EXPECT_TRUE(within(query, says(true), {.length = 3}, no_margin));
+  EXPECT_FALSE(within(query, says(true), {.length = below(3)}, no_margin));
+}
+
+TEST(Tolerance, the_numbers_of_a_false_hit_that_is_allowed_are_judged) {
+  const Query miss = spheres({{0, 0, 0}, 1}, {{2.5, 0, 0}, 1}, 0.25);  // value 0.5, and 0.25 beyond
+  EXPECT_TRUE(within(miss, value_of(0.5), {.length = 0.25}));
+  EXPECT_TRUE(within(miss, value_of(0.75), {.length = 0.25}));
+  EXPECT_FALSE(within(miss, value_of(above(0.75)), {.length = 0.25}));
+  EXPECT_FALSE(within(miss, value_of(std::nan("")), {.length = 1e6}));
+}
+
+TEST(Tolerance, no_tolerance_allows_what_is_no_answer) {
+  const Tolerance wide{1e300, 1e300, 3.15};
+  EXPECT_FALSE(within(apart(), value_of(kInfinity), wide));
+  EXPECT_FALSE(within(apart(), normal_of({std::nan(""), 0, 0}), wide));
+  Claim refused;
+  refused.status = Claim::Status::unsupported;
+  EXPECT_FALSE(within(apart(), refused, wide));
+  const Declaration both{Scalar::binary64, {}, {}, Aspects{Aspect::contact, Aspect::value, Aspect::normal}, wide};
+  EXPECT_FALSE(judge(apart(), truth_of(apart()), value_of(3), both).within());  // no normal
+}
+
+TEST(Tolerance, boxes_are_decided_by_the_widest_gap) {
+  const Query boxes{Pair::cube_cube, Boxes{{{0, 0, 0}, {1, 1, 1}}, {{1.5, 9, 0}, {2, 10, 1}}}, {7.75, 0}};
+  EXPECT_TRUE(within(boxes, says(true), {.length = 0.25}));  // 8 - 7.75
+  EXPECT_FALSE(within(boxes, says(true), {.length = below(0.25)}));
+}
+
+TEST(Tolerance, inside_a_box_the_nearest_way_out_counts) {
+  // 1 from the faces at x = 4 and y = 4: both are right
+  const Query inside{Pair::sphere_cube, BallAndBox{{{3, 3, 0}, 0}, {{-4, -4, -4}, {4, 4, 4}}}, {0, 0}};
+  const Conventions any_length{.normal_unit = false};
+  for (const Vector3& n : {Vector3(-1, 0, 0), Vector3(0, -1, 0)}) EXPECT_TRUE(within(inside, normal_of(n), {}));
+  EXPECT_FALSE(within(inside, normal_of({-1, -1, 0}), {.angle = std::numbers::pi / 4}, any_length));
+  EXPECT_TRUE(within(inside, normal_of({-1, -1, 0}), {.angle = above(std::numbers::pi / 4)}, any_length));
+  EXPECT_EQ(judged(inside, normal_of({0, 0, 1}), {}).at(Measure::angle).most, above(std::numbers::pi / 2));
+}
+
+TEST(Tolerance, where_cores_touch_a_normal_may_point_against_them_by_the_angle) {
+  // The sphere's centre lies on the triangle, so that a normal is right which is across it.
+  const Triangle triangle{{Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(0, 4, 0)}};
+  const Query on{Pair::sphere_triangle, BallAndTriangle{{{1, 1, 0}, 1}, triangle}, {0, 0}};
+  const Conventions any_length{.normal_unit = false};
+  EXPECT_TRUE(within(on, normal_of({0, 0, 1}), {}));
+  EXPECT_TRUE(within(on, normal_of({0, 0, -1}), {}));
+  // (0,1,1) makes the angle 3 pi / 4 with (0,-1,0): pi / 4 too much, and no corner is further against it
+  const Query below_corner{Pair::sphere_triangle, BallAndTriangle{{{0, 1, 0}, 1}, triangle}, {0, 0}};
+  EXPECT_FALSE(within(below_corner, normal_of({0, 1, 1}), {.angle = std::numbers::pi / 4}, any_length));
+  EXPECT_TRUE(within(below_corner, normal_of({0, 1, 1}), {.angle = above(std::numbers::pi / 4)}, any_length));
+}
+
+TEST(Tolerance, a_crossing_changes_at_the_boundary_or_the_plane) {
+  const Triangle triangle{{Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(0, 4, 0)}};
+  const auto line = [&](const Vector3& start, const Vector3& end) {
+    return Query{Pair::triangle_line, TriangleAndLine{triangle, {start, end}}, {0, 0}};
+  };
+  const Query beside = line({-0.5, 1, -8}, {-0.5, 1, 8});  // 0.5 from the edge x = 0
+  EXPECT_TRUE(within(beside, says(true), {.length = 0.5}));
+  EXPECT_FALSE(within(beside, says(true), {.length = below(0.5)}));
+  EXPECT_FALSE(within(beside, says(true), {.relative = 1}));  // there is no reach
+  const Query over = line({1, 1, 0.25}, {1, 1, 8});           // 0.25 over the plane
+  EXPECT_TRUE(within(over, says(true), {.length = 0.25}));
+  EXPECT_FALSE(within(over, says(true), {.length = below(0.25)}));
+  const Query through = line({1, 1, -8}, {1, 1, 0.125});  // a hit until its end comes to the plane
+  EXPECT_TRUE(within(through, says(false), {.length = 0.125}));
+  EXPECT_FALSE(within(through, says(false), {.length = below(0.125)}));
+  const Query ray{Pair::ray_triangle, RayAndTriangle{{{1, 1, 3}, {0, 0, -1}, 2.75}, triangle}, {0, 0}};
+  EXPECT_TRUE(within(ray, says(true), {.length = 0.25}));
+  EXPECT_FALSE(within(ray, says(true), {.length = below(0.25)}));
+}
+
+TEST(Tolerance, its_scale_leaves_questions_out) {
+  Declaration declared;
+  declared.tolerance = Tolerance{.scale_min = 1, .scale_max = 4};
+  EXPECT_FALSE(not_served(apart(), declared));
+  declared.tolerance->scale_max = below(4);
+  EXPECT_TRUE(not_served(apart(), declared));
+  declared.tolerance = Tolerance{.scale_min = above(1), .scale_max = 4};
+  EXPECT_TRUE(not_served(apart(), declared));
+}
+
+// ---- the inputs' last bit ----
+
+constexpr Declaration kDouble{};
+
+TEST(LastBit, of_a_value_is_the_sum_of_what_each_number_does) {
+  // value x2 - x1 - r1 - r2 - contact: each of these numbers may move by its own ulp, and zeros do not move
+  const Query query = spheres({{8, 0, 0}, 1}, {{16, 0, 0}, 2}, 8, 0.5);
+  // Down is half of up at a power of two: the larger counts.
+  const double sum = 0x1p-49 + 0x1p-48 + 0x1p-52 + 0x1p-51 + 0x1p-53;
+  const double effect = last_bit(query, kDouble).at(Field::value);
+  EXPECT_LE(effect, sum);
+  EXPECT_GE(effect, sum - 5 * 0x1p-50);  // each less an ulp of the value, 4.5
+}
+
+TEST(LastBit, of_a_normal_grows_as_the_centres_approach) {
+  const auto effect = [](double apart) {
+    return last_bit(spheres({{1, 1, 1}, 1}, {{1 + apart, 1, 1}, 1}), kDouble).at(Field::normal);
+  };
+  // Four coordinates across may move by an ulp of 1, each turning by 2^-52 / apart.
+  EXPECT_NEAR(effect(0x1p-20), 4 * 0x1p-32, 0x1p-32);
+  EXPECT_NEAR(effect(0x1p-40), 4 * 0x1p-12, 0x1p-12);
+  EXPECT_GE(effect(0x1p-52), std::numbers::pi);  // the centres of a neighbour coincide
+}
+
+TEST(LastBit, is_in_the_engines_scalar) {
+  const Query query = spheres({{8, 0, 0}, 1}, {{16, 0, 0}, 2}, 8, 0.5);
+  EXPECT_GT(last_bit(query, {Scalar::binary32, {}, {}}).at(Field::value), 0x1p-20);
+  EXPECT_LT(last_bit(query, kDouble).at(Field::value), 0x1p-46);
+}
+
+Verdict marked(const Query& query, const Claim& claim) {
+  const Truth truth = truth_of(query);
+  const Declaration declared{Scalar::binary64, {}, {}, claim.says()};
+  Verdict verdict = judge(query, truth, claim, declared);
+  mark_last_bit(query, truth, declared, verdict);
+  return verdict;
+}
+
+TEST(LastBit, tells_a_hard_question_from_a_wrong_answer) {
+  const Query near = spheres({{1, 1, 1}, 1}, {{1 + 0x1p-40, 1, 1}, 1});
+  const Verdict hard = marked(near, normal_of({1, 0x1p-14, 0}));
+  EXPECT_EQ(hard.at(Field::normal)->grade, Grade::beyond_bound);
+  EXPECT_TRUE(hard.at(Field::normal)->last_bit);
+  EXPECT_EQ(hard.beyond_last_bit(Measure::angle).most, 0);
+  const Verdict wrong = marked(near, normal_of({1, 0x1p-6, 0}));
+  EXPECT_FALSE(wrong.at(Field::normal)->last_bit);
+  EXPECT_GT(wrong.beyond_last_bit(Measure::angle).most, 0x1p-7);
+  const Verdict easy = marked(apart(), normal_of({0.6, 0.8, 0x1p-14}));
+  EXPECT_FALSE(easy.at(Field::normal)->last_bit);
+}
+
+TEST(LastBit, is_never_thought_of_where_the_centres_coincide) {
+  const Verdict verdict = marked(spheres({{1, 1, 1}, 1}, {{1, 1, 1}, 1}), normal_of({0, 0, 0}));
+  EXPECT_EQ(verdict.at(Field::normal)->grade, Grade::beyond_bound);
+  EXPECT_FALSE(verdict.at(Field::normal)->last_bit);
+}
+
+TEST(LastBit, decides_at_the_limit_alone) {
+  // A wrong decision: a ulp of a centre makes touching spheres miss, three ulps are too many for one number and none
+  // too many for all four that may move.
+  const auto excused = [](double x, bool says_hit) {
+    return marked(spheres({{0, 0, 0}, 1}, {{x, 0, 0}, 1}), says(says_hit)).decision_last_bit;
+  };
+  EXPECT_TRUE(excused(2, false));
+  EXPECT_TRUE(excused(above(2), true));
+  EXPECT_FALSE(excused(2 - 0x1p-40, false));
+  EXPECT_FALSE(excused(2 + 0x1p-40, true));
+  // Three ulps of 1 below: the radii down and the centre up, by an ulp below 1 each and one below 2, are as much.
+  EXPECT_TRUE(excused(2 - 0x1p-52, false));
+  EXPECT_FALSE(excused(2 - 0x1p-49, false));
+}
+
+TEST(LastBit, decides_crossings_one_number_at_a_time) {
+  const Triangle triangle{{Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(0, 4, 0)}};
+  const auto excused = [&](double x, bool says_hit) {
+    return marked({Pair::triangle_line, TriangleAndLine{triangle, {{x, 2, -1}, {x, 2, 1}}}, {0, 0}}, says(says_hit))
+        .decision_last_bit;
+  };
+  EXPECT_TRUE(excused(2, false));  // on the edge x + y = 4
+  EXPECT_FALSE(excused(2 - 0x1p-40, false));
+  EXPECT_FALSE(excused(2 + 0x1p-40, true));
+}
+
+}  // namespace
+}  // namespace contact::oracle

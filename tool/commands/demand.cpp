@@ -1,0 +1,74 @@
+// The options that say what an engine must reach.
+#include "tool/commands/demand.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "engines/protocol/results.hpp"
+#include "tool/commands/engine_options.hpp"
+#include "tool/run/profiles.hpp"
+
+namespace contact::tool {
+namespace {
+
+/// "length=1e-6,relative=1e-6,angle=1e-6", any of which may be absent, with min= and max= of the numbers served.
+Tolerance read_tolerance(const std::string& text) {
+  nlohmann::json object = nlohmann::json::object();
+  nlohmann::json scale{{"min", 0}, {"max", "Infinity"}};
+  const auto refuse = [&](const std::string& part) {
+    throw formats::InputError(
+        {"command line", 0}, "--tolerance",
+        fmt::format("expected length=, relative=, angle=, min= or max= and a number each, got '{}'", part));
+  };
+  std::istringstream parts(text);
+  std::string part;
+  while (std::getline(parts, part, ',')) {
+    const std::size_t equals = std::min(part.find('='), part.size());
+    const std::string key = part.substr(0, equals);
+    double value = 0;
+    const char* end = part.data() + part.size();
+    const char* begin = part.data() + std::min(equals + 1, part.size());
+    if (const auto read = std::from_chars(begin, end, value); begin == end || read.ptr != end || read.ec != std::errc())
+      refuse(part);
+    nlohmann::json& into = scale.contains(key) ? scale : object;
+    if (&into == &object && object.contains(key)) refuse(text);
+    into[key] = value;
+  }
+  if (text.empty() || text.back() == ',') refuse(text);
+  object["scale"] = scale;
+  const formats::Location where{"--tolerance", 0};
+  return engines::read_tolerance(formats::Node(object, where));
+}
+
+}  // namespace
+
+void add_demand_options(CLI::App& command, DemandOptions& options) {
+  options.parsed = &command;
+  auto* level = command.add_option("--level", options.level, "Required level")
+                    ->capture_default_str()
+                    ->check(CLI::IsMember(kRequiredLevels));
+  auto* tolerance = command
+                        .add_option("--tolerance", options.tolerance,
+                                    "Instead of a level: length=L,relative=R,angle=A. A number may be off by L and R "
+                                    "times its scale, a normal by A radians, a decision wrong so near to where it "
+                                    "changes; min=,max= leave questions with other numbers out")
+                        ->excludes(level);
+  command.add_option("--profile", options.profile, "A tolerance by name, in metres and radians")
+      ->check(CLI::IsMember(kProfileNames))
+      ->excludes(level)
+      ->excludes(tolerance);
+}
+
+void set_demand(const DemandOptions& options, Report& report, const std::string& profile) {
+  report.required = static_cast<Level>(index_of(oracle::kLevelNames, options.level, "level"));
+  std::optional<Tolerance>& tolerance = report.engine.declared.tolerance;
+  if (!profile.empty()) tolerance = profile_of(profile).tolerance;
+  if (options.parsed->count("--level") != 0) tolerance.reset();
+  if (options.parsed->count("--tolerance") != 0) tolerance = read_tolerance(options.tolerance);
+  if (!options.profile.empty()) tolerance = profile_of(options.profile).tolerance;
+}
+
+}  // namespace contact::tool

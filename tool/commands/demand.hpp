@@ -1,0 +1,23 @@
+// The options that say what an engine must reach: a level, a tolerance, or a profile's.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+
+#include "tool/reports/report.hpp"
+
+namespace contact::tool {
+
+struct DemandOptions {
+  std::string level = std::string(name(Level::bounded));
+  std::string tolerance;
+  std::string profile;
+  const CLI::App* parsed = nullptr;  ///< the command that they were given to
+};
+
+void add_demand_options(CLI::App& command, DemandOptions& options);
+/// What a report demands: a tolerance that is given, else that of `profile` where it is not empty, else the one that
+/// the engine declares, and where a level is given or there is none of these, the level.
+void set_demand(const DemandOptions& options, Report& report, const std::string& profile = "");
+
+}  // namespace contact::tool

@@ -1,0 +1,231 @@
+// exam: questions without answers, made from a key that is used once: new, take, close.
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <memory>
+#include <random>
+
+#include "engines/hosts/recording.hpp"
+#include "formats/output_file.hpp"
+#include "tool/commands/commands.hpp"
+#include "tool/commands/demand.hpp"
+#include "tool/commands/engine_options.hpp"
+#include "tool/reports/certificate_files.hpp"
+#include "tool/reports/report_files.hpp"
+#include "tool/run/date.hpp"
+#include "tool/run/exam.hpp"
+#include "tool/run/parts.hpp"
+#include "tool/run/process.hpp"
+#include "tool/run/profiles.hpp"
+
+namespace contact::tool {
+namespace {
+
+using formats::InputError;
+
+struct NewOptions {
+  std::string output;
+  std::string key;
+  std::string profile;
+  std::vector<std::string> pairs;
+  std::vector<std::string> families;
+  std::uint64_t count = 0;
+  std::string scalar;
+  std::optional<std::uint64_t> seed;
+};
+
+constexpr std::uint64_t kQuestionsOfAFamily = 100;
+
+/// The families of an exam: those that are named, else all but what the profile leaves out.
+std::vector<Source> sources_of(const NewOptions& o, std::uint64_t seed) {
+  const Profile* profile = o.profile.empty() ? nullptr : &profile_of(o.profile);
+  const Scalar scalar = !o.scalar.empty() ? named(kScalars, o.scalar) : profile ? profile->scalar : Scalar::binary64;
+  const std::uint64_t count = o.count != 0 ? o.count : profile ? profile->count : kQuestionsOfAFamily;
+  const auto left_out = profile ? profile->left_out : std::span<const std::string_view>(kOutOfTheDomain);
+  std::vector<std::string> unknown = o.families;
+  std::vector<Source> sources;
+  for (const Pair pair : kPairs) {
+    if (!o.pairs.empty() && std::find(o.pairs.begin(), o.pairs.end(), name(pair)) == o.pairs.end()) continue;
+    for (const golden::Family& family : golden::families_of(pair)) {
+      std::erase(unknown, family.name);
+      const bool is_named = std::find(o.families.begin(), o.families.end(), family.name) != o.families.end();
+      const bool is_out = std::find(left_out.begin(), left_out.end(), family.name) != left_out.end();
+      if (o.families.empty() ? !is_out : is_named)
+        sources.push_back({pair, scalar, std::string(family.name), count, std::nullopt, &family, seed});
+    }
+  }
+  if (!unknown.empty())
+    throw InputError({"exam new", 0}, "--family",
+                     fmt::format("unknown family '{}'; `contact-oracle families` lists them", unknown.front()));
+  return sources;
+}
+
+std::string chance(std::size_t digits) {
+  std::random_device device;
+  std::string text;
+  while (text.size() < digits) text += fmt::format("{:08x}", static_cast<std::uint32_t>(device()));
+  return text.substr(0, digits);
+}
+
+void make_new(const NewOptions& o) {
+  require_apart({o.output, o.key}, {});
+  if (std::filesystem::exists(o.key))
+    throw InputError({o.key, 0}, "--key", "is there already, and may belong to an exam that is not closed");
+  formats::OutputFile exam(o.output);
+  formats::OutputFile key_file(o.key);
+  ExamKey key;
+  key.issued = issue_date();
+  key.profile = o.profile;
+  key.nonce = chance(64);
+  key.sources = sources_of(o, seed_or_fresh(o.seed));
+  const ExamDigest questions = exam_digest(key.sources, key.nonce);
+  key.questions = questions.sha256;
+  const std::string commitment = commitment_of(key.sources, key.nonce);
+  exam.write(exam_header(questions, commitment) + "\n");
+  for_each_exam_question(key.sources, key.nonce, [&](const engines::Question& question, Scalar scalar) {
+    exam.write(golden::query_line(question.query, scalar) + "\n");
+  });
+  key_file.write(key_text(key));
+  // The key first: questions without one could not be judged.
+  key_file.commit();
+  exam.commit();
+  fmt::print("{}: {} questions of {} families\n{}: keep it to yourself until the exam is closed\ncommitment {}\n",
+             o.output, questions.count, key.sources.size(), o.key, commitment);
+}
+
+struct TakeOptions {
+  std::string exam;
+  std::string output;
+  EngineOptions engine;
+};
+
+void take(const TakeOptions& o) {
+  require_used(o.engine, false);
+  require_apart({o.output}, {o.exam, o.engine.library});
+  const Exam exam = read_exam(o.exam);
+  formats::OutputFile answers(o.output);
+  engines::Recording engine(make_engine(o.engine));
+  const engines::EngineInfo& info = engine.info();
+  Progress progress(o.exam, exam.all.size());
+  constexpr std::size_t kTogetherHere = 32;
+  std::vector<engines::Question> asked;
+  for (std::size_t i = 0; i < exam.all.size(); i += kTogetherHere) {
+    throw_if_interrupted();
+    asked.clear();
+    const std::size_t end = std::min(i + kTogetherHere, exam.all.size());
+    for (std::size_t k = i; k < end; ++k) {
+      const auto& [question, scalar] = exam.all[k];
+      if (engine_takes(info, question.query.pair, scalar) &&
+          !oracle::not_served(question.query, info.declared_for(question.query.pair)))
+        asked.push_back(question);
+    }
+    static_cast<void>(engine.answer(asked));
+    progress.add(end - i);
+  }
+  answers.write(engine.results());
+  answers.commit();
+  fmt::print("{}: {} of {} questions answered by {} {}\n", o.output, engine.answers(), exam.all.size(), info.name,
+             info.version);
+}
+
+struct CloseOptions {
+  std::string key;
+  std::string exam;
+  EngineOptions engine;  ///< of which only the results file is given
+  DemandOptions demand;
+  bool allow_unsupported = false;
+  ReportOptions reports;
+  CertificateOptions certificate;
+};
+
+int close(const CloseOptions& o) {
+  require_apart({o.reports.html, o.reports.json, o.reports.junit, o.reports.markdown, o.certificate.certificate},
+                {o.key, o.exam, o.engine.results});
+  ExamKey key = read_key(o.key);
+  if (!key.used_on.empty())
+    throw InputError({o.key, 0}, "used",
+                     fmt::format("this key was used on {}, for the answers with SHA-256 {}: an exam is closed once",
+                                 key.used_on, key.used_for));
+  if (!o.exam.empty()) {
+    const Exam exam = read_exam(o.exam);
+    if (exam.commitment != commitment_of(key.sources, key.nonce))
+      throw InputError({o.exam, 1}, "commitment", "is not that of the key: another exam, or it was changed");
+    if (exam.questions != key.questions)
+      throw InputError({o.exam, 1}, "questions", "are not those of the key: the exam was changed");
+  }
+  ReportFiles files(o.reports);
+  CertificateFiles certificate(o.certificate, o.engine);
+  std::vector<Subject> subjects;
+  subjects.push_back({make_engine(o.engine), {}});
+  Report& report = subjects.front().report;
+  report.engine = subjects.front().engine->info();
+  report.allow_unsupported = o.allow_unsupported;
+  set_demand(o.demand, report, key.profile);
+  Stop stop;
+  Oracles oracles;
+  std::vector<Report> reports{report};
+  merge(reports, judge_part(key.sources, subjects, stop, oracles), true);
+  // Used before anybody has seen what came of it.
+  formats::OutputFile used(o.key);
+  key.used_on = issue_date();
+  key.used_for = digest_of_file(o.engine.results);
+  used.write(key_text(key));
+  used.commit();
+  const int exit = files.write(reports, false);
+  if (exit == kCertified || exit == kRefuted)
+    certificate.write(reports.front(), key.sources, oracles, nullptr, key.nonce);
+  fmt::print("{} is used, and its seed {}\n", o.key,
+             o.certificate.certificate.empty() ? "is in it" : "stands in the certificate");
+  return exit;
+}
+
+}  // namespace
+
+void add_exam(CLI::App& app, int& exit) {
+  auto* command = app.add_subcommand("exam", "Questions that nobody has seen: set an exam, take it, close it");
+  command->require_subcommand(1);
+
+  auto* set = command->add_subcommand("new", "Write questions without answers, and the key that they come from");
+  auto o = std::make_shared<NewOptions>();
+  set->add_option("-o,--output", o->output, "The exam, *.jsonl")->required();
+  set->add_option("--key", o->key, "The key, *.json: keep it until the exam is closed")->required();
+  set->add_option("--profile", o->profile,
+                  "Families, how many questions of each, scalar, and the tolerance to judge by")
+      ->check(CLI::IsMember(kProfileNames));
+  set->add_option("--pair", o->pairs, "Only these pairs")->delimiter(',')->check(CLI::IsMember(names_of(kPairs)));
+  set->add_option("--family", o->families, "Only these families")->delimiter(',');
+  set->add_option("--count", o->count, "Questions of each family (default: the profile's, or 100)")->check(kFromOne);
+  set->add_option("--scalar", o->scalar, "The questions' number format (default: the profile's, or binary64)")
+      ->check(CLI::IsMember(names_of(kScalars)));
+  set->add_option("--seed", o->seed, "The seed (default: random); there is chance besides")->check(kFromZero);
+  set->callback([o, &exit] {
+    make_new(*o);
+    exit = kCertified;
+  });
+
+  auto* taken = command->add_subcommand("take", "Ask an engine the questions of an exam and write its answers");
+  auto t = std::make_shared<TakeOptions>();
+  taken->add_option("exam", t->exam, "What `exam new` wrote")->required();
+  taken->add_option("-o,--output", t->output, "The answers, a results file")->required();
+  add_engine_options(*taken, t->engine, false);
+  taken->callback([t, &exit] {
+    take(*t);
+    exit = kCertified;
+  });
+
+  auto* closed = command->add_subcommand("close", "Judge the answers to an exam, once, and reveal its seed");
+  auto c = std::make_shared<CloseOptions>();
+  c->engine.parsed = closed;
+  closed->add_option("--key", c->key, "The exam's key, which is marked as used")->required();
+  closed->add_option("--results", c->engine.results, "The answers, a results file")->required();
+  closed->add_option("--exam", c->exam, "The exam: compared with the key");
+  closed->add_flag("--allow-unsupported", c->allow_unsupported,
+                   "Leave out questions that the engine answers with \"unsupported\"");
+  add_demand_options(*closed, c->demand);
+  add_report_options(*closed, c->reports);
+  closed->add_option("--certificate", c->certificate.certificate, "Write a certificate, which `verify` checks offline");
+  closed->callback([c, &exit] { exit = close(*c); });
+}
+
+}  // namespace contact::tool

@@ -1,0 +1,206 @@
+// From which tolerance on an engine would pass, and which questions stand in the way.
+#include "tool/reports/fitness.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include "formats/json.hpp"
+#include "golden/dataset.hpp"
+#include "golden/query_id.hpp"
+
+namespace contact::tool {
+namespace {
+
+using oracle::Measure;
+using oracle::Off;
+
+std::size_t place(Measure measure) { return static_cast<std::size_t>(measure); }
+
+/// Takes what is larger. The line of the question is made only then.
+void take(Largest& largest, double off, const Query& query, Scalar scalar) {
+  if (off > largest.off) largest = {off, golden::query_line(query, scalar)};
+}
+void take(Need& need, const Off& off, const Query& query, Scalar scalar) {
+  take(need.absolute, off.most, query, scalar);
+  take(need.relative, off.relative, query, scalar);
+}
+
+const Need& of(const Fitness::Needs& needs, Measure measure) { return needs[place(measure)]; }
+double length_of(const Fitness::Needs& needs, Largest Need::*kind) {
+  return std::max((of(needs, Measure::length).*kind).off, (of(needs, Measure::decision).*kind).off);
+}
+
+/// The option that these needs ask for, with one kind of length; nothing where no such length is enough.
+std::optional<std::string> option(const Fitness::Needs& needs, std::string_view key, Largest Need::*kind) {
+  const double angle = of(needs, Measure::angle).absolute.off;
+  const double length = length_of(needs, kind);
+  if (std::isinf(length)) return std::nullopt;
+  std::string text = length == 0 && angle != 0 ? "" : fmt::format("{}={}", key, rounded_up(length));
+  if (angle != 0) text += fmt::format("{}angle={}", text.empty() ? "" : ",", rounded_up(angle));
+  return text;
+}
+
+/// "--tolerance length=1e-3,angle=0.1, or relative=1e-6,angle=0.1"
+std::string options(const Fitness::Needs& needs, std::string_view scale) {
+  if (length_of(needs, &Need::absolute) == 0 && of(needs, Measure::angle).absolute.off == 0) return "any tolerance";
+  const auto length = option(needs, "length", &Need::absolute);
+  const auto relative = option(needs, "relative", &Need::relative);
+  if (!length && !relative) return "no length alone and no share of the scale alone";
+  std::string text = fmt::format("--tolerance {}{}", length.value_or(relative.value_or("")), scale);
+  if (length && relative && *length != *relative) text += fmt::format(", or {}{}", *relative, scale);
+  return text;
+}
+
+/// Of a line for `explain`, which begins with it.
+std::string_view id_of(std::string_view question) {
+  constexpr std::string_view kBefore = R"({"id":")";
+  return question.substr(kBefore.size(), golden::kIdLength);
+}
+
+std::string needs_json(const Fitness::Needs& needs) {
+  const auto largest = [](const Largest& one) {
+    const std::string id = one.question.empty() ? "" : formats::json_string(id_of(one.question));
+    return fmt::format(R"({{"from":{}{}{}}})", formats::number(one.off), id.empty() ? "" : ",\"id\":", id);
+  };
+  std::string text;
+  for (const Measure measure : oracle::kMeasures) {
+    const Need& need = of(needs, measure);
+    text += fmt::format(R"({}"{}":{})", text.empty() ? "" : ",", oracle::kMeasureNames[place(measure)],
+                        largest(need.absolute));
+    if (measure != Measure::angle)
+      text += fmt::format(R"(,"relative_{}":{})", oracle::kMeasureNames[place(measure)], largest(need.relative));
+  }
+  return "{" + text + "}";
+}
+
+}  // namespace
+
+void Largest::merge(const Largest& other) {
+  if (other.off > off) *this = other;
+}
+
+void Need::merge(const Need& other) {
+  absolute.merge(other.absolute);
+  relative.merge(other.relative);
+}
+
+void Fitness::add(const oracle::Verdict& verdict, const Query& query, Scalar scalar) {
+  ++answers;
+  if (!verdict.within()) ++beyond;
+  if (verdict.beyond_any()) {
+    if (never++ == 0) never_question = golden::query_line(query, scalar);
+    return;
+  }
+  std::array<double, oracle::kMeasures.size()>* here = nullptr;
+  for (const Measure measure : oracle::kMeasures) {
+    const Off& off = verdict.at(measure);
+    if (off.most == 0) continue;
+    take(all[place(measure)], off, query, scalar);
+    if (here == nullptr) here = &by_scale[decade_of(query)];
+    (*here)[place(measure)] = std::max((*here)[place(measure)], off.most);
+    const Off rest = verdict.beyond_last_bit(measure);
+    take(beyond_last_bit[place(measure)], rest, query, scalar);
+    if (rest != off) ++last_bit[place(measure)];
+  }
+}
+
+void Fitness::merge(const Fitness& other) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i].merge(other.all[i]);
+    beyond_last_bit[i].merge(other.beyond_last_bit[i]);
+    last_bit[i] += other.last_bit[i];
+  }
+  if (never_question.empty()) never_question = other.never_question;
+  answers += other.answers;
+  never += other.never;
+  beyond += other.beyond;
+  for (const auto& [decade, most] : other.by_scale) {
+    auto& here = by_scale[decade];
+    for (std::size_t i = 0; i < here.size(); ++i) here[i] = std::max(here[i], most[i]);
+  }
+}
+
+int decade_of(const Query& query) {
+  double largest = 0;
+  for_each_number_unnamed(query, [&](double x) {
+    if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
+  });
+  return largest == 0 ? 0 : static_cast<int>(std::floor(std::log10(largest)));
+}
+
+std::string rounded_up(double x) {
+  if (x == 0 || !std::isfinite(x)) return fmt::format("{}", x);
+  std::string text = fmt::format("{:.1e}", x);
+  // The shorter number may be below: the next one of two figures is not.
+  if (std::strtod(text.c_str(), nullptr) < x)
+    text = fmt::format("{:.1e}", x + std::pow(10.0, std::floor(std::log10(x)) - 1) / 2);
+  return text;
+}
+
+std::string tolerance_text(const Tolerance& t) {
+  std::string text = fmt::format("length {}, relative {}, angle {}", t.length, t.relative, t.angle);
+  if (t.scale_min != 0 || std::isfinite(t.scale_max))
+    text += fmt::format(", for numbers from {} to {}", t.scale_min, t.scale_max);
+  return text;
+}
+
+std::vector<std::string> fitness_lines(std::string_view what, std::string_view scale, const Fitness& fitness) {
+  std::vector<std::string> lines{fmt::format("{}: would pass with {}", what, options(fitness.all, scale))};
+  if (fitness.never != 0)
+    lines.back() += fmt::format(", but for {} without an answer, a field or a number, which no tolerance allows",
+                                fitness.never == 1 ? "1 answer" : fmt::format("{} answers", fitness.never));
+  const auto [lengths, angles, decisions] = fitness.last_bit;
+  if (lengths + angles + decisions != 0)
+    lines.push_back(
+        fmt::format("{}, without what is wrong by no more than the inputs' last bit ({} lengths, {} "
+                    "normals, {} decisions): with {}",
+                    what, lengths, angles, decisions, options(fitness.beyond_last_bit, scale)));
+  return lines;
+}
+
+std::vector<InTheWay> in_the_way(const Fitness& fitness) {
+  constexpr std::array<std::string_view, oracle::kMeasures.size()> kWhat{
+      "a value or coordinate off by {}", "a normal off by {} radians", "a decision wrong {} from where it changes"};
+  constexpr std::array<std::string_view, oracle::kMeasures.size()> kShare{
+      "a value or coordinate off by {} of its scale", "", "a decision wrong by {} of the reach"};
+  std::vector<InTheWay> all;
+  if (!fitness.never_question.empty())
+    all.push_back({"no answer, a field missing, or no number", fitness.never_question});
+  for (const Measure measure : oracle::kMeasures) {
+    const Need& need = of(fitness.all, measure);
+    const auto add = [&](std::string_view what, const Largest& largest) {
+      const auto is_same = [&](const InTheWay& other) { return other.question == largest.question; };
+      // Where the scale is 0 no share of it helps: nothing that a number could tell.
+      if (!largest.question.empty() && std::isfinite(largest.off) && std::none_of(all.begin(), all.end(), is_same))
+        all.push_back({fmt::format(fmt::runtime(what), rounded_up(largest.off)), largest.question});
+    };
+    add(kWhat[place(measure)], need.absolute);
+    add(kShare[place(measure)], need.relative);
+  }
+  return all;
+}
+
+bool is_everyday(const Query& query) {
+  bool everyday = true;
+  for_each_number_unnamed(query, [&](double x) {
+    everyday = everyday && (x == 0 || (std::abs(x) >= kEverydayFrom && std::abs(x) <= kEverydayTo));
+  });
+  return everyday;
+}
+
+std::string fitness_json(std::string_view key, const Fitness& fitness) {
+  std::string by_scale;
+  for (const auto& [decade, most] : fitness.by_scale)
+    by_scale += fmt::format("{}[{},{},{},{}]", by_scale.empty() ? "" : ",", decade, formats::number(most[0]),
+                            formats::number(most[1]), formats::number(most[2]));
+  return fmt::format(
+      R"("{}":{{"answers":{},"never":{},"needs":{},"no_worse_than_last_bit":{{"length":{},"angle":{},"decision":{}}},"needs_beyond_last_bit":{},"by_scale":[{}]}})",
+      key, fitness.answers, fitness.never, needs_json(fitness.all), fitness.last_bit[0], fitness.last_bit[1],
+      fitness.last_bit[2], needs_json(fitness.beyond_last_bit), by_scale);
+}
+
+}  // namespace contact::tool

@@ -1,0 +1,192 @@
+// Exams: questions without answers, made from a key that is used once.
+#include "tool/run/exam.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "formats/json.hpp"
+#include "formats/sha256.hpp"
+#include "golden/query_id.hpp"
+#include "tool/run/date.hpp"
+#include "tool/run/process.hpp"
+
+namespace contact::tool {
+namespace {
+
+using formats::Node;
+
+constexpr std::string_view kExamFormat = "contact-oracle/exam";
+constexpr std::string_view kKeyFormat = "contact-oracle/exam-key";
+constexpr std::size_t kDigits = 64;
+
+bool is_digest(const std::string& text) {
+  return text.size() == kDigits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+std::string sources_text(const std::vector<Source>& sources) {
+  std::string text;
+  for (const Source& s : sources)
+    text += fmt::format(R"({}{{"pair":"{}","scalar":"{}","family":"{}","count":{}}})", text.empty() ? "" : ",",
+                        name(s.pair), name(s.scalar), s.family, s.count);
+  return "[" + text + "]";
+}
+
+void require_format(const Node& node, std::string_view format) {
+  if (const Node found = node.at("format"); found.text() != format)
+    found.refuse(fmt::format("expected \"{}\"", format));
+  if (const Node version = node.at("version"); version.count() != 1) version.refuse("this program reads version 1");
+}
+
+std::string digest_at(const Node& node) {
+  const std::string text = node.text();
+  if (!is_digest(text)) node.refuse("expected 64 hexadecimal digits");
+  return text;
+}
+
+std::vector<Source> read_sources(const Node& node, std::uint64_t seed) {
+  std::vector<Source> sources;
+  for (const Node& one : node.items()) {
+    one.allow_only({"pair", "scalar", "family", "count"});
+    const Pair pair = golden::read_pair(one.at("pair"));
+    const std::string family = one.at("family").text();
+    const golden::Family* generator = golden::find_family(pair, family);
+    if (generator == nullptr) one.at("family").refuse("this program has no such generator");
+    const std::uint64_t count = one.at("count").count();
+    if (count == 0) one.at("count").refuse("a family without a question");
+    sources.push_back({pair, golden::read_scalar(one.at("scalar")), family, count, std::nullopt, generator, seed});
+  }
+  if (sources.empty()) node.refuse("an exam has questions");
+  return sources;
+}
+
+}  // namespace
+
+std::string commitment_of(const std::vector<Source>& sources, const std::string& nonce) {
+  return formats::Sha256()
+      .add(fmt::format(R"({{"generator":{},"seed":{},"nonce":"{}","sources":{}}})",
+                       formats::json_string(golden::kGenerator), sources.front().seed, nonce, sources_text(sources)))
+      .hex();
+}
+
+void for_each_exam_question(const std::vector<Source>& sources, const std::string& nonce, const VisitExam& visit) {
+  // Digests and places are all that is kept: questions are made again where they are asked for.
+  struct Place {
+    formats::Sha256::Digest order;
+    std::uint32_t source;
+    std::uint64_t index;
+  };
+  std::vector<Place> places;
+  formats::Sha256 hash;
+  for (std::size_t s = 0; s < sources.size(); ++s) {
+    std::uint64_t index = 0;
+    for_each_question(sources[s], [&](const engines::Question& question) {
+      places.push_back({hash.digest_of(nonce + question.id), static_cast<std::uint32_t>(s), index++});
+    });
+  }
+  std::stable_sort(places.begin(), places.end(), [](const Place& x, const Place& y) { return x.order < y.order; });
+  const auto alike = [](const Place& x, const Place& y) { return x.order == y.order; };
+  places.erase(std::unique(places.begin(), places.end(), alike), places.end());
+  for (const Place& place : places) {
+    throw_if_interrupted();
+    const Source& source = sources[place.source];
+    const Query query = golden::generate_query(source.pair, *source.generator, source.scalar, source.seed, place.index);
+    visit({golden::query_id(query), query}, source.scalar);
+  }
+}
+
+ExamDigest exam_digest(const std::vector<Source>& sources, const std::string& nonce) {
+  ExamDigest found;
+  formats::Sha256 hash;
+  for_each_exam_question(sources, nonce, [&](const engines::Question& question, Scalar scalar) {
+    hash.add(golden::query_line(question.query, scalar)).add("\n");
+    ++found.count;
+  });
+  found.sha256 = hash.hex();
+  return found;
+}
+
+std::string exam_header(const ExamDigest& questions, const std::string& commitment) {
+  return fmt::format(R"({{"format":"{}","version":1,"count":{},"questions":"{}","commitment":"{}"}})", kExamFormat,
+                     questions.count, questions.sha256, commitment);
+}
+
+std::string key_text(const ExamKey& key) {
+  const std::string used =
+      key.used_on.empty() ? "null" : fmt::format(R"({{"on":"{}","answers":"{}"}})", key.used_on, key.used_for);
+  return fmt::format(
+      "{{\"format\":\"{}\",\"version\":1,\"issued\":\"{}\",\"profile\":{},\"generator\":{},\"seed\":{},\"nonce\":\"{}"
+      "\","
+      "\n\"sources\":{},\n\"questions\":\"{}\",\"commitment\":\"{}\",\n\"used\":{}}}\n",
+      kKeyFormat, key.issued, key.profile.empty() ? "null" : formats::json_string(key.profile),
+      formats::json_string(golden::kGenerator), key.sources.front().seed, key.nonce, sources_text(key.sources),
+      key.questions, commitment_of(key.sources, key.nonce), used);
+}
+
+ExamKey read_key(const std::filesystem::path& path) {
+  const formats::Location where{path.string(), 0};
+  const auto json = formats::parse_object(formats::read_text(path), where);
+  const Node node(json, where);
+  require_format(node, kKeyFormat);
+  node.allow_only({"format", "version", "issued", "profile", "generator", "seed", "nonce", "sources", "questions",
+                   "commitment", "used"});
+  ExamKey key;
+  key.issued = node.at("issued").text();
+  if (!is_date(key.issued)) node.at("issued").refuse("expected a day, YYYY-MM-DD");
+  if (const Node profile = node.at("profile"); !profile.is_null()) key.profile = profile.text();
+  if (const Node generator = node.at("generator"); generator.text() != golden::kGenerator)
+    generator.refuse(fmt::format("this program is {}, and makes other questions", golden::kGenerator));
+  key.nonce = digest_at(node.at("nonce"));
+  key.sources = read_sources(node.at("sources"), node.at("seed").count());
+  key.questions = digest_at(node.at("questions"));
+  if (const Node stated = node.at("commitment"); stated.text() != commitment_of(key.sources, key.nonce))
+    stated.refuse("the key was changed: its seed, nonce and families are not what it commits to");
+  if (const ExamDigest made = exam_digest(key.sources, key.nonce); made.sha256 != key.questions)
+    node.at("questions").refuse(fmt::format("the key was changed: its questions have the digest {}", made.sha256));
+  if (const Node used = node.at("used"); !used.is_null()) {
+    used.allow_only({"on", "answers"});
+    key.used_on = used.at("on").text();
+    key.used_for = used.at("answers").text();
+  }
+  return key;
+}
+
+Exam read_exam(const std::filesystem::path& path) {
+  std::ifstream stream = formats::open_to_read(path);
+  formats::Location where{path.string(), 0};
+  Exam exam;
+  std::uint64_t count = 0;
+  formats::Sha256 hash;
+  for (std::string line; formats::read_line(stream, line, where);) {
+    throw_if_interrupted();
+    if (stream.eof()) throw formats::InputError(where, "", "the last line has no line feed: the file is truncated");
+    const auto json = formats::parse_object(line, where);
+    const Node node(json, where);
+    if (where.line == 1) {
+      require_format(node, kExamFormat);
+      node.allow_only({"format", "version", "count", "questions", "commitment"});
+      count = node.at("count").count();
+      exam.questions = digest_at(node.at("questions"));
+      exam.commitment = digest_at(node.at("commitment"));
+      continue;
+    }
+    const golden::ReadQuery read = golden::read_query(node);
+    exam.all.push_back({{golden::query_id(read.query), read.query}, read.scalar});
+    hash.add(line).add("\n");
+  }
+  if (where.line == 0) throw formats::InputError(where, "", "empty: an exam begins with its header");
+  const formats::Location header{path.string(), 1};
+  if (exam.all.size() != count)
+    throw formats::InputError(header, "count",
+                              fmt::format("the header says {}, and {} follow", count, exam.all.size()));
+  if (const std::string found = hash.hex(); found != exam.questions)
+    throw formats::InputError(
+        header, "questions",
+        fmt::format("the header says {}, and the questions that follow have {}: the exam was changed", exam.questions,
+                    found));
+  return exam;
+}
+
+}  // namespace contact::tool

@@ -1,0 +1,59 @@
+// Exams: questions without answers, made from a key that is used once. docs/exams.md
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tool/run/pipeline.hpp"
+
+namespace contact::tool {
+
+/// What an exam's questions come from, all of it kept by whoever sets the exam until it is closed.
+struct ExamKey {
+  std::string issued;           ///< a day
+  std::string profile;          ///< empty: none
+  std::string nonce;            ///< 64 hexadecimal digits of chance: the seed alone could be guessed
+  std::vector<Source> sources;  ///< generated ones, of one seed
+  std::string questions;        ///< SHA-256 of the exam's lines behind the header
+  std::string used_on;          ///< a day; empty: not yet
+  std::string used_for;         ///< SHA-256 of the answers
+};
+
+/// SHA-256 of the text that says all of the questions: generator, seed, nonce, and the families with their counts.
+[[nodiscard]] std::string commitment_of(const std::vector<Source>& sources, const std::string& nonce);
+
+/// Calls visit for every question of an exam once, in an order in which families cannot be seen: that of the SHA-256 of
+/// nonce and id.
+using VisitExam = std::function<void(const engines::Question&, Scalar)>;
+void for_each_exam_question(const std::vector<Source>& sources, const std::string& nonce, const VisitExam& visit);
+/// SHA-256 of its lines, and how many they are.
+struct ExamDigest {
+  std::string sha256;
+  std::uint64_t count = 0;
+};
+[[nodiscard]] ExamDigest exam_digest(const std::vector<Source>& sources, const std::string& nonce);
+
+/// The first line of an exam.
+[[nodiscard]] std::string exam_header(const ExamDigest& questions, const std::string& commitment);
+
+/// A key's file, and the key in one. Throws formats::InputError where it is malformed, or was changed: it states what
+/// it commits to.
+[[nodiscard]] std::string key_text(const ExamKey& key);
+[[nodiscard]] ExamKey read_key(const std::filesystem::path& path);
+
+/// The questions of an exam's file with their scalars, in its order. Throws formats::InputError where it is malformed,
+/// or not what its header says.
+struct ExamQuestion {
+  engines::Question question;
+  Scalar scalar;
+};
+struct Exam {
+  std::string commitment;
+  std::string questions;  ///< SHA-256 of its lines behind the header
+  std::vector<ExamQuestion> all;
+};
+[[nodiscard]] Exam read_exam(const std::filesystem::path& path);
+
+}  // namespace contact::tool
