@@ -8,6 +8,7 @@ whole page once more as build/scoreboard.html.
 
 What stands outside of the page's markers, and engines/findings.json, are written by people."""
 import json
+import math
 import re
 import resource
 import subprocess
@@ -88,6 +89,26 @@ def added(families):
     return {**sums, "fields": fields}
 
 
+NEEDS = ("length", "relative_length", "angle", "decision", "relative_decision")
+
+
+def fitness_of(families):
+    """From which tolerance on an engine would pass questions whose numbers are everyday ones, of some families."""
+    fitness = [f["everyday"] for f in families]
+    return {"answers": sum(f["answers"] for f in fitness), "never": sum(f["never"] for f in fitness),
+            "last_bit": sum(sum(f["no_worse_than_last_bit"].values()) for f in fitness),
+            **{key: max((float(f["needs"][key]["from"]) for f in fitness), default=0) for key in NEEDS},
+            **{f"beyond_{key}": max((float(f["needs_beyond_last_bit"][key]["from"]) for f in fitness), default=0) for key in NEEDS}}
+
+
+def up(x):
+    """Two figures, rounded up, as the reports write them."""
+    if x in (0, float("inf")):
+        return "." if x == 0 else "any share is too small"
+    text = f"{x:.1e}"
+    return text if float(text) >= x else f"{x + 10.0 ** (math.floor(math.log10(x)) - 1) / 2:.1e}"
+
+
 def number(n):
     return str(n) if n else "."
 
@@ -130,6 +151,9 @@ class Engine:
         except (subprocess.SubprocessError, OSError, ValueError):
             self.time = "-"
 
+    def fitness(self, pair):
+        return fitness_of([f for f in self.report["families"] if f["pair"] == pair])
+
     def families(self, pair):
         """The families of a pair, by name, in both scalars."""
         of = {}
@@ -143,13 +167,43 @@ def main_table(engines):
     rows = []
     for e in engines:
         wrong = sum(f["beyond_bound"] + f["not_finite"] for f in e.total["fields"].values())
+        fit = fitness_of(e.report["families"])
         rows.append([f"`{e.name}`", e.report["engine"]["version"], e.scalar, e.report["total"]["level"],
                      str(e.report["total"]["decided"]["hits"]), str(e.report["total"]["decided"]["misses"]),
                      number(e.total["missed_hits"]), number(e.total["false_hits"]), number(e.total["incomplete"]),
-                     str(sum(f["judged"] for f in e.total["fields"].values())), number(wrong), number(e.total["not_finite"]), number(e.total["unanswered"]), e.time,
+                     str(sum(f["judged"] for f in e.total["fields"].values())), number(wrong), number(e.total["not_finite"]), number(e.total["unanswered"]), up(fit["length"]), up(fit["angle"]), up(fit["decision"]), e.time,
                      f"`./run certify golden --engine {e.name}`"])
     return table(["engine", "version", "arithmetic", "level", "hits", "misses", "missed hits", "false hits", "missing fields",
-                  "numbers", "wrong numbers", "not finite", "no answer", "µs a question", "again"], rows)
+                  "numbers", "wrong numbers", "not finite", "no answer", "lengths fit from",
+                  "normals fit from, radians", "decisions fit from", "µs a question", "again"], rows)
+
+
+def claims_numbers(e, pair):
+    return any(field in FIELDS for field in e.report["claims"]) and pair != "cube_cube"
+
+
+def fitness_tables(engines):
+    """A table a measure, engines by pairs: what it needs, and in brackets what it needs but for answers that are no worse
+    than what the inputs' last bit does."""
+    text = ""
+    for title, key, measure in (("Lengths: a value or a coordinate is off by at most", "length", "numbers"),
+                                ("Lengths, as a share of their scale", "relative_length", "numbers"),
+                                ("Normals: off by at most so many radians", "angle", "numbers"),
+                                ("Decisions: wrong no farther than so much from where the answer changes", "decision", "")):
+        rows, pairs = [], [p for p in PAIRS if any(e.fitness(p)["answers"] for e in engines)]
+        for e in engines:
+            cells = []
+            for pair in pairs:
+                f = e.fitness(pair)
+                if not f["answers"] or (measure and not claims_numbers(e, pair)):
+                    cells.append("")
+                    continue
+                beyond = "" if f[key] == f[f"beyond_{key}"] else f" ({up(f[f'beyond_{key}'])})"
+                cells.append(up(f[key]) + beyond + (f", but for {f['never']}" if f["never"] else ""))
+            if any(cells):
+                rows.append([f"`{e.name}`", *cells])
+        text += f"{title}:\n\n" + table(["engine", *(PAIRS[p] for p in pairs)], rows)
+    return text
 
 
 def edge_table(engines):
@@ -324,6 +378,10 @@ def main(tool, *wanted):
             engines.append(Engine(engine, report, engine.get("command") or [tool, "serve", "--engine", name]))
 
     text = "## All engines\n\n" + main_table(engines)
+    text += ("## What each is good for\n\nFrom which [tolerance](specification.md#tolerances) on an engine would pass, on questions whose "
+             "numbers are 0 or from 1e-4 to 1e4. In brackets: from which it would, if answers are left out that are no worse than "
+             "what the [inputs' last bit](specification.md#conditioning) does. `.` is any tolerance, *but for 3* three answers that "
+             "none allows, an empty cell was not asked or claims no number.\n\n") + fitness_tables(engines)
     text += ("## At the edges\n\nWhat each declares about spheres that touch, share their centre, or are as far apart as the alarm "
              "distance, and how many of the questions\nthere it decides wrongly: missed / false hits, `.` for none.\n\n") + edge_table(engines)
     text += ("## Decisions by family\n\nMissed / false hits; `.` is all right, an empty cell was not asked. A binary64 engine is asked "
