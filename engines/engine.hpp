@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +21,7 @@ namespace contact::engines {
 struct Question {
   std::string id;
   Query query;
+  std::uint64_t index = 0;  ///< its place among the questions that it was read or generated with
 };
 
 /// Answers questions. Engines may be asked from several threads at once.
@@ -73,8 +76,13 @@ inline constexpr std::string_view kBatchPrefix = "batch:";
 [[nodiscard]] std::unique_ptr<Engine> make_built_in(std::string_view name,
                                                     PointConvention points = PointConvention::nearest_surface);
 
-/// An engine that answers from a results file; what stands not in it is missing.
-[[nodiscard]] std::unique_ptr<Engine> make_recorded(engines::Results results);
+/// An engine that answers from a results file; what stands not in it is missing. Columns answer row by row, and in
+/// memory that does not grow, where all questions are `rows` of one dataset; else by their ids. Throws
+/// formats::InputError where there are more rows or fewer.
+[[nodiscard]] std::unique_ptr<Engine> make_recorded(const std::filesystem::path& path,
+                                                    std::optional<std::uint64_t> rows);
+/// How many answers a results file has.
+[[nodiscard]] std::uint64_t count_recorded(const std::filesystem::path& path);
 
 /// The engine `production`.
 [[nodiscard]] Claim production_answer(const Query& query, PointConvention points);

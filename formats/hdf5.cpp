@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <nlohmann/json.hpp>
 
 #ifdef CONTACT_SANITIZED
@@ -25,7 +26,9 @@ std::recursive_mutex& mutex() {
 }
 
 // More of either than any file here has: whoever nests or repeats them without end is stopped at so many.
-constexpr std::size_t kMostNames = 64;
+constexpr std::size_t kMostAttributes = 64;
+constexpr std::size_t kMostNames = 512;
+constexpr std::size_t kLongestText = 65536;  // bytes of an attribute
 
 std::string innermost_error() {
   std::string text = "HDF5 does not say why";
@@ -141,7 +144,6 @@ void write_attribute(hid_t object, const std::string& name, const nlohmann::json
 
 nlohmann::json read_attribute(hid_t object, const std::string& name) {
   constexpr hssize_t kMost = 64;  // of entries and bytes, more than any attribute here has
-  constexpr std::size_t kLongest = 65536;
   const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
   const Handle space(H5Aget_space(attribute), H5Sclose);
   const Handle type(H5Aget_type(attribute), H5Tclose);
@@ -153,7 +155,7 @@ nlohmann::json read_attribute(hid_t object, const std::string& name) {
   nlohmann::json values = nlohmann::json::array();
   if (checked(H5Tget_class(type)) == H5T_STRING && checked(H5Tis_variable_str(type)) == 0) {
     const std::size_t length = H5Tget_size(type);
-    if (length == 0 || length > kLongest) throw Error(fmt::format("a text of {} bytes", length));
+    if (length == 0 || length > kLongestText) throw Error(fmt::format("a text of {} bytes", length));
     std::vector<char> bytes(count * length);
     checked(H5Aread(attribute, type, bytes.data()));
     values = texts(bytes, length);
@@ -167,15 +169,34 @@ nlohmann::json read_attribute(hid_t object, const std::string& name) {
   return extent == H5S_SCALAR ? values.front() : values;
 }
 
+std::string read_text_attribute(hid_t object, const std::string& name) {
+  const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
+  const Handle space(H5Aget_space(attribute), H5Sclose);
+  const Handle type(H5Aget_type(attribute), H5Tclose);
+  if (checked(H5Tget_class(type)) != H5T_STRING || checked(H5Sget_simple_extent_npoints(space)) != 1)
+    throw Error("expected a text");
+  if (checked(H5Tis_variable_str(type)) == 0) {
+    const auto text = read_attribute(object, name);
+    return (text.is_array() ? text.front() : text).get<std::string>();
+  }
+  char* bytes = nullptr;
+  checked(H5Aread(attribute, type, &bytes));
+  if (bytes == nullptr) return {};
+  const std::string text(bytes, strnlen(bytes, kLongestText + 1));
+  checked(H5Dvlen_reclaim(type, space, H5P_DEFAULT, &bytes));
+  if (text.size() > kLongestText) throw Error(fmt::format("a text of more than {} bytes", kLongestText));
+  return text;
+}
+
 std::vector<std::string> attribute_names(hid_t object) {
   std::vector<std::string> names;
   const auto visit = [](hid_t, const char* name, const H5A_info_t*, void* found) -> herr_t {
     auto& all = *static_cast<std::vector<std::string>*>(found);
     all.emplace_back(name);
-    return all.size() > kMostNames ? 1 : 0;
+    return all.size() > kMostAttributes ? 1 : 0;
   };
   if (checked(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, visit, &names)) > 0)
-    throw Error(fmt::format("more than {} attributes", kMostNames));
+    throw Error(fmt::format("more than {} attributes", kMostAttributes));
   return names;
 }
 

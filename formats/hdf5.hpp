@@ -74,6 +74,8 @@ void create_group(hid_t file, const std::string& name);
 /// with an Error what is none of them.
 void write_attribute(hid_t object, const std::string& name, const nlohmann::json& value);
 [[nodiscard]] nlohmann::json read_attribute(hid_t object, const std::string& name);
+/// A text, also one of no fixed length, as other libraries write them.
+[[nodiscard]] std::string read_text_attribute(hid_t object, const std::string& name);
 [[nodiscard]] std::vector<std::string> attribute_names(hid_t object);
 
 /// The paths of everything in a file, such as "a" and "a/center"; of what it only points to, "alarm (a link)".

@@ -1,23 +1,18 @@
-// A dataset as columns in HDF5: docs/formats.md#columns.
+// A dataset as columns, HDF5 or .npz: docs/formats.md#columns.
 #include "golden/columns.hpp"
-#include "formats/sha256.hpp"
-
-#include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <set>
 #include <vector>
 
-#include "formats/hdf5.hpp"
-#include "formats/output_file.hpp"
+#include "formats/arrays.hpp"
+#include "formats/sha256.hpp"
 #include "golden/families.hpp"
 #include "golden/flags.hpp"
 #include "golden/query_id.hpp"
@@ -25,13 +20,16 @@
 namespace contact::golden {
 namespace {
 
-using formats::hdf5::checked;
-using formats::hdf5::Handle;
-using formats::hdf5::Lock;
+using formats::ArraysForm;
+using formats::ArrayType;
+using Kind = ArrayType::Kind;
 
-constexpr std::uint64_t kBlock = 4096;   // rows in a chunk of the file and in memory
-constexpr unsigned kDeflate = 4;         // 9 takes four times as long for 1 % of the size
+constexpr std::uint64_t kBlock = formats::kArrayBlock;
 constexpr std::size_t kFirstWidth = 32;  // of a column of exact numbers, doubled until its longest text has room
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+const char* const kDigest = "sha256";
+constexpr std::size_t kMostFlags = 32;
+
 /// Of the longest name of a number of a pair, or of a sphere's.
 std::size_t rejected_length(Pair pair) {
   std::size_t longest = std::string_view("a.center[0]").size();
@@ -39,14 +37,6 @@ std::size_t rejected_length(Pair pair) {
   for_each_number(zeros, [&](const std::string& field, double) { longest = std::max(longest, field.size()); });
   return longest;
 }
-constexpr std::size_t kMostFlags = 32;
-constexpr hsize_t kLargestChunk = hsize_t{1} << 25;     // bytes; the largest here has 4096 D, of longest_distance2
-constexpr hsize_t kMostDeflated = 1032;                 // times smaller than before is the most that deflate can make
-constexpr hsize_t kLargestInflated = hsize_t{1} << 28;  // bytes that HDF5 may try to inflate a chunk to
-constexpr std::size_t kChecksum = 4;                    // bytes that may be deflated beside the rows
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-const char* const kDigest = "sha256";
-const char* const kFlagNames = "names";
 
 /// A case as a row has it: with a contact, of kNone where there is none, and with the flags as bits.
 struct Row {
@@ -91,59 +81,31 @@ void for_each_column(const DatasetHeader& h, Row& row, Visit&& visit) {
   visit("exact/margin_ulps", c.exact.margin_ulps, 0);
 }
 
-/// What a value is in the file and in memory, and in words.
+/// What the values of a column are, and how wide its texts may become.
 struct Type {
-  Handle file;
-  Handle memory;
-  std::size_t size;
-  std::string words;
-  std::size_t widest;             ///< that texts may become
-  std::vector<hsize_t> row = {};  ///< the shape of a row: none of one value, (3) of a vector, (3, 3) of three
+  ArrayType array;
+  std::size_t widest;
 
-  /// Values in a row.
-  [[nodiscard]] hsize_t across() const {
-    return std::accumulate(row.begin(), row.end(), hsize_t{1}, std::multiplies<>());
-  }
-
-  [[nodiscard]] bool is_text() const { return H5Tget_class(file) == H5T_STRING; }
   /// Whether a file has texts as wide as its longest.
-  [[nodiscard]] bool grows() const { return is_text() && widest > kFirstWidth; }
-  void set_width(std::size_t width) {
-    file = formats::hdf5::text_type(width);
-    memory = formats::hdf5::text_type(width);
-    size = width;
+  [[nodiscard]] bool grows() const { return array.kind == Kind::text && widest > kFirstWidth; }
+  [[nodiscard]] std::string words() const {
+    return grows() ? fmt::format("texts of up to {} bytes", widest) : array.words();
   }
 };
 
-Handle copied(hid_t type) { return {H5Tcopy(type), H5Tclose}; }
-Type type_of(const double& /*value*/, std::size_t /*width*/) {
-  return {copied(H5T_IEEE_F64LE), copied(H5T_NATIVE_DOUBLE), 8, "64-bit IEEE numbers", 8};
+Type type_of(const double& /*value*/, std::size_t /*width*/) { return {{Kind::real, sizeof(double)}, 0}; }
+Type type_of(const Vector3& /*value*/, std::size_t /*width*/) { return {{Kind::real, sizeof(double), {3}}, 0}; }
+Type type_of(const std::array<Vector3, 3>& /*value*/, std::size_t /*width*/) {
+  return {{Kind::real, sizeof(double), {3, 3}}, 0};
 }
-Type type_of(const Vector3& v, std::size_t width) {
-  Type type = type_of(v[0], width);
-  type.row = {3};
-  return type;
-}
-Type type_of(const std::array<Vector3, 3>& all, std::size_t width) {
-  Type type = type_of(all[0], width);
-  type.row = {3, 3};
-  return type;
-}
-Type type_of(const bool& /*value*/, std::size_t /*width*/) {
-  return {copied(H5T_STD_U8LE), copied(H5T_NATIVE_UINT8), 1, "8-bit unsigned integers", 1};
-}
-Type type_of(const std::uint32_t& /*value*/, std::size_t /*width*/) {
-  return {copied(H5T_STD_U32LE), copied(H5T_NATIVE_UINT32), 4, "32-bit unsigned integers", 4};
-}
+Type type_of(const bool& /*value*/, std::size_t /*width*/) { return {{Kind::byte, 1}, 0}; }
+Type type_of(const std::uint32_t& /*value*/, std::size_t /*width*/) { return {{Kind::bits, sizeof(std::uint32_t)}, 0}; }
 Type type_of(const std::string& /*value*/, std::size_t width) {
-  const std::size_t first = std::min(width, kFirstWidth);
-  const std::string upto = first == width ? "" : "up to ";
-  return {formats::hdf5::text_type(first), formats::hdf5::text_type(first), first,
-          fmt::format("texts of {}{} bytes", upto, width), width};
+  return {{Kind::text, std::min(width, kFirstWidth)}, width};
 }
 Type type_of(const std::array<std::string, 3>& v, std::size_t width) {
   Type type = type_of(v[0], width);
-  type.row = {3};
+  type.array.row = {3};
   return type;
 }
 
@@ -151,51 +113,17 @@ Type type_of(const std::array<std::string, 3>& v, std::size_t width) {
 struct Column {
   std::string path;
   Type type;
-  Handle dataset{};
-  std::size_t created_width = 0;  ///< of the dataset, when it was created
   std::vector<char> rows{};
-  std::vector<hsize_t> chunk{};  ///< the shape of those that are read
-
-  [[nodiscard]] bool is_created() const { return dataset >= 0 && created_width == type.size; }
-
-  [[nodiscard]] std::vector<hsize_t> shape(hsize_t height) const {
-    std::vector<hsize_t> shape{height};
-    shape.insert(shape.end(), type.row.begin(), type.row.end());
-    return shape;
-  }
-
-  /// Reads or writes `count` rows from `first` on: transfer(dataset, type, memory space, file space, bytes).
-  template <class Transfer>
-  void transfer(hid_t set, hsize_t first, hsize_t count, Transfer call) {
-    const std::vector<hsize_t> size = shape(count);
-    std::vector<hsize_t> start(size.size(), 0);
-    start[0] = first;
-    const Handle memory(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
-    const Handle file(H5Dget_space(set), H5Sclose);
-    checked(H5Sselect_hyperslab(file, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr));
-    checked(call(set, type.memory, memory, file, rows.data()));
-  }
-  /// Reads rows of this column, or of one with texts of another width.
-  void read(hid_t set, hsize_t first, hsize_t count) {
-    rows.resize(count * type.across() * type.size);
-    transfer(set, first, count, [](hid_t from, hid_t as, hid_t memory, hid_t file, char* bytes) {
-      return H5Dread(from, as, memory, file, H5P_DEFAULT, bytes);
-    });
-  }
-  void write(hsize_t first, hsize_t count) {
-    transfer(dataset, first, count, [](hid_t to, hid_t as, hid_t memory, hid_t file, const char* bytes) {
-      return H5Dwrite(to, as, memory, file, H5P_DEFAULT, bytes);
-    });
-    rows.clear();
-  }
+  std::unique_ptr<formats::ArrayReader> reader{};
 
   /// Gives texts in memory more room.
   void widen(std::size_t width) {
-    std::vector<char> wider(rows.size() / type.size * width);
-    for (std::size_t i = 0; i * type.size < rows.size(); ++i)
-      std::copy_n(rows.data() + i * type.size, type.size, wider.data() + i * width);
+    const std::size_t size = type.array.size;
+    std::vector<char> wider(rows.size() / size * width);
+    for (std::size_t i = 0; i * size < rows.size(); ++i)
+      std::copy_n(rows.data() + i * size, size, wider.data() + i * width);
     rows = std::move(wider);
-    type.set_width(width);
+    type.array.size = width;
   }
 };
 
@@ -207,8 +135,6 @@ std::vector<Column> columns_of(const DatasetHeader& header) {
   });
   return columns;
 }
-
-std::string group_of(const std::string& path) { return path.substr(0, path.find('/')); }
 
 std::string where_written(const Column& column) { return "/" + column.path; }
 
@@ -246,9 +172,9 @@ class Encoder {
     if (text.size() > widest)
       throw formats::InputError(where_, where_written(*next_),
                                 fmt::format("at most {} bytes have room, got '{}'", widest, text));
-    if (text.size() > next_->type.size) next_->widen(std::min(widest, std::bit_ceil(text.size())));
+    if (text.size() > next_->type.array.size) next_->widen(std::min(widest, std::bit_ceil(text.size())));
     append(text.data(), text.size());
-    next_->rows.resize(next_->rows.size() + next_->type.size - text.size());
+    next_->rows.resize(next_->rows.size() + next_->type.array.size - text.size());
   }
 
   std::vector<Column>::iterator next_;
@@ -283,7 +209,7 @@ class Decoder {
 
  private:
   [[nodiscard]] const char* bytes(std::size_t across) const {
-    return next_->rows.data() + (at_ * next_->type.across() + across) * next_->type.size;
+    return next_->rows.data() + (at_ * next_->type.array.across() + across) * next_->type.array.size;
   }
   [[nodiscard]] double number_at(std::size_t across) const {
     double x = 0;
@@ -292,7 +218,7 @@ class Decoder {
   }
   [[nodiscard]] std::string text_at(std::size_t across) const {
     const char* begin = bytes(across);
-    const std::size_t size = next_->type.size;
+    const std::size_t size = next_->type.array.size;
     std::string text(begin, strnlen(begin, size));
     // A column is as wide as its longest text could be, and nearly all of it is padding.
     if (const char* padding = begin + text.size(); text.size() + 1 < size)
@@ -311,13 +237,21 @@ class Decoder {
   const formats::Location& where_;
 };
 
+nlohmann::json flag_names() {
+  nlohmann::json names = nlohmann::json::array();
+  for (const Flag& flag : flags()) names.push_back(flag.name);
+  return names;
+}
+
 class ColumnsWriter : public DatasetWriter {
  public:
-  ColumnsWriter(const std::filesystem::path& path, const DatasetHeader& header)
-      : path_(path), header_(header), pending_(path) {
-    if (!pending_.replaceable()) pending_.fail("columns need a regular file");
+  ColumnsWriter(const std::filesystem::path& path, ArraysForm form, const DatasetHeader& header)
+      : path_(path), header_(header), pending_(path), columns_(columns_of(header)) {
     hash_.add(to_line(header_)).add("\n");
-    guarded([&] { create(); });
+    std::vector<formats::ArraysWriter::Array> arrays;
+    for (const Column& column : columns_)
+      arrays.push_back({column.path, header_.count, column.path == "flags" ? flag_names() : nlohmann::json()});
+    arrays_ = formats::create_arrays(pending_, form, std::move(arrays));
   }
 
   void write(const Case& c, std::string_view line) override {
@@ -328,82 +262,18 @@ class ColumnsWriter : public DatasetWriter {
     row.flags = bits(c);
     for_each_column(header_, row, Encoder(columns_, path_, rows_));
     hash_.add(line).add("\n");
-    if (++rows_ % kBlock == 0) guarded([&] { flush(); });
+    if (++rows_ % kBlock == 0) flush();
   }
 
   void commit() override {
-    guarded([&] {
-      flush();
-      formats::hdf5::write_attribute(file_, kDigest, hash_.hex());
-      for (Column& column : columns_) column.dataset.close();
-      file_.close();
-    });
+    flush();
+    auto header = nlohmann::json::parse(to_line(header_));
+    header[kDigest] = hash_.hex();
+    arrays_->finish(header);
     pending_.commit();
   }
 
  private:
-  template <class Work>
-  void guarded(Work work) {
-    const Lock lock;
-    try {
-      work();
-    } catch (const formats::hdf5::Error& error) {
-      pending_.fail(error.what());
-    }
-  }
-
-  void create() {
-    file_ = formats::hdf5::create_file(pending_.temporary());
-    const auto header = nlohmann::json::parse(to_line(header_));
-    for (const auto& [key, value] : header.items()) formats::hdf5::write_attribute(file_, key, value);
-    std::set<std::string> groups;
-    columns_ = columns_of(header_);
-    for (const Column& column : columns_)
-      if (const std::string group = group_of(column.path); group != column.path && groups.insert(group).second)
-        formats::hdf5::create_group(file_, group);
-  }
-
-  /// Makes the columns as wide as the rows in memory; those that are in the file already are copied.
-  void create_columns() {
-    for (Column& column : columns_) {
-      if (column.is_created()) continue;
-      const Handle narrower = std::move(column.dataset);
-      if (narrower >= 0) checked(H5Ldelete(file_, column.path.c_str(), H5P_DEFAULT));
-      const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-      checked(H5Pset_obj_track_times(creation, false));
-      if (header_.count != 0) {  // what has no rows has no chunks
-        const std::vector<hsize_t> chunk = column.shape(std::min(kBlock, header_.count));
-        checked(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
-        // Bytes of texts compress as well without, and putting a column's long padding back in order takes long.
-        if (!column.type.is_text()) checked(H5Pset_shuffle(creation));
-        checked(H5Pset_deflate(creation, kDeflate));
-        checked(H5Pset_fletcher32(creation));
-      }
-      const Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
-      checked(H5Pset_chunk_cache(access, 0, 0, 1));  // whole chunks are written, once
-      const std::vector<hsize_t> shape = column.shape(header_.count);
-      const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
-      column.dataset = Handle(
-          H5Dcreate2(file_, column.path.c_str(), column.type.file, space, H5P_DEFAULT, creation, access), H5Dclose);
-      column.created_width = column.type.size;
-      if (column.path == "flags") formats::hdf5::write_attribute(column.dataset, kFlagNames, flag_names());
-      if (narrower < 0) continue;
-      std::vector<char> rows;
-      rows.swap(column.rows);
-      for (std::uint64_t first = 0; first < written_; first += kBlock) {
-        column.read(narrower, first, kBlock);
-        column.write(first, kBlock);
-      }
-      rows.swap(column.rows);
-    }
-  }
-
-  static nlohmann::json flag_names() {
-    nlohmann::json names = nlohmann::json::array();
-    for (const Flag& flag : flags()) names.push_back(flag.name);
-    return names;
-  }
-
   [[nodiscard]] std::uint32_t bits(const Case& c) const {
     std::uint32_t bits = 0;
     for (std::size_t i = 0; i < flags().size(); ++i)
@@ -415,69 +285,50 @@ class ColumnsWriter : public DatasetWriter {
   }
 
   void flush() {
-    create_columns();
-    const std::uint64_t count = rows_ - written_;
-    if (count == 0) return;
-    for (Column& column : columns_) column.write(written_, count);
-    written_ = rows_;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      arrays_->append(i, columns_[i].type.array, columns_[i].rows);
+      columns_[i].rows.clear();
+    }
   }
 
   std::filesystem::path path_;
   DatasetHeader header_;
   formats::PendingFile pending_;
-  Handle file_;
   std::vector<Column> columns_;
+  std::unique_ptr<formats::ArraysWriter> arrays_;
   formats::Sha256 hash_;
   std::uint64_t rows_ = 0;
-  std::uint64_t written_ = 0;
 };
 
-/// Whether a chunk, whose filters end in deflate or in a checksum behind it, inflates to at most `most` bytes.
-bool inflates_within(const Column& column, const std::vector<hsize_t>& at, std::size_t size, std::size_t most) {
-  std::vector<unsigned char> stored(size);
-  std::uint32_t left_out = 0;
-  checked(H5Dread_chunk(column.dataset, H5P_DEFAULT, at.data(), &left_out, stored.data()));
-  std::array<unsigned char, 65536> piece;
-  z_stream stream{};
-  stream.next_in = stored.data();
-  stream.avail_in = static_cast<unsigned>(stored.size());
-  inflateInit(&stream);
-  int status = Z_OK;
-  while (status == Z_OK && stream.total_out <= most + kChecksum) {
-    stream.next_out = piece.data();
-    stream.avail_out = static_cast<unsigned>(piece.size());
-    status = inflate(&stream, Z_NO_FLUSH);
-  }
-  inflateEnd(&stream);
-  return stream.total_out <= most + kChecksum;  // what is damaged HDF5 finds
-}
-
-/// Work that reads; what HDF5 cannot read is refused with file, row and field.
-template <class Work>
-auto reading(const formats::Location& where, const std::string& field, Work work) {
-  const Lock lock;
-  try {
-    return work();
-  } catch (const formats::hdf5::Error& error) {
-    throw formats::InputError(where, field, fmt::format("cannot read: {}", error.what()));
-  }
+/// Opens a column of a file. Throws InputError where it is not of its kind and shape.
+void open_column(Column& column, formats::ArraysFile& file, std::optional<std::uint64_t> rows,
+                 const formats::Location& where) {
+  column.reader = file.open(column.path);
+  const auto refuse = [&](const std::string& problem) {
+    throw formats::InputError(where, where_written(column), problem);
+  };
+  const ArrayType& found = column.reader->type();
+  ArrayType& expected = column.type.array;
+  if (found.kind == Kind::text && column.type.grows() && found.size <= column.type.widest) expected.size = found.size;
+  if (found.kind != expected.kind || found.size != expected.size) refuse("expected " + column.type.words());
+  const std::uint64_t count = rows.value_or(column.reader->rows());
+  if (found.row != expected.row || column.reader->rows() != count)
+    refuse(fmt::format("expected a shape of {}, got {}", expected.shape_text(count),
+                       found.shape_text(column.reader->rows())));
 }
 
 class ColumnsSource : public CaseSource {
  public:
-  explicit ColumnsSource(const std::filesystem::path& path) : whole_{path.string(), 0} {
+  ColumnsSource(const std::filesystem::path& path, ArraysForm form)
+      : whole_{path.string(), 0}, file_(formats::open_arrays(path, form)) {
     where_ = {path.string(), 0, true};
-    const Lock lock;
-    file_ = reading(whole_, "", [&] { return formats::hdf5::open_file(path); });
-    nlohmann::json attributes = nlohmann::json::object();
-    for (const std::string& name : reading(whole_, "", [&] { return formats::hdf5::attribute_names(file_); }))
-      attributes[name] = reading(whole_, name, [&] { return formats::hdf5::read_attribute(file_, name); });
+    nlohmann::json attributes = file_->header();
     digest_ = formats::Node(attributes, whole_).at(kDigest).text();
     attributes.erase(kDigest);
     header_ = read_header(formats::Node(attributes, whole_));
     columns_ = columns_of(header_);
-    check_objects();
-    for (Column& column : columns_) reading(whole_, where_written(column), [&] { open(column); });
+    check_names();
+    for (Column& column : columns_) open(column);
     text_ = to_line(header_);
     hash_.add(text_).add("\n");
   }
@@ -513,115 +364,36 @@ class ColumnsSource : public CaseSource {
 
  private:
   /// Whether the file holds the groups and columns of such a dataset, and nothing else.
-  void check_objects() const {
+  void check_names() const {
     std::set<std::string> expected;
     for (const Column& column : columns_) {
-      expected.insert(group_of(column.path));
+      expected.insert(formats::group_of(column.path));
       expected.insert(column.path);
     }
-    const std::set<std::string> found = reading(whole_, "", [&] { return formats::hdf5::object_names(file_); });
+    const std::set<std::string> found = file_->names();
     for (const std::string& name : expected)
       if (!found.contains(name)) throw formats::InputError(whole_, "/" + name, "missing");
-    for (const std::string& name : found) {
-      if (!expected.contains(name))
+    for (const std::string& name : found)
+      if (!expected.contains(name) && name != formats::labelled("flags"))
         throw formats::InputError(whole_, "/" + name,
                                   fmt::format("unknown; known here: /{}", fmt::join(expected, ", /")));
-      reading(whole_, "/" + name, [&] {
-        const Handle object(H5Oopen(file_, name.c_str(), H5P_DEFAULT), H5Oclose);
-        for (const std::string& attribute : formats::hdf5::attribute_names(object))
-          if (name != "flags" || attribute != kFlagNames)
-            throw formats::InputError(whole_, fmt::format("/{}: attribute {}", name, attribute), "unknown");
-      });
-    }
   }
 
   void open(Column& column) {
-    column.dataset = Handle(H5Dopen2(file_, column.path.c_str(), H5P_DEFAULT), H5Dclose);
-    const auto refuse = [&](const std::string& problem) {
-      throw formats::InputError(whole_, where_written(column), problem);
-    };
-    const Handle type(H5Dget_type(column.dataset), H5Tclose);
-    if (const std::size_t width = H5Tget_size(type); column.type.grows() && width > 0 && width <= column.type.widest)
-      column.type.set_width(width);
-    if (checked(H5Tequal(type, column.type.file)) == 0) refuse("expected " + column.type.words);
-    const Handle space(H5Dget_space(column.dataset), H5Sclose);
-    std::vector<hsize_t> shape(static_cast<std::size_t>(checked(H5Sget_simple_extent_ndims(space))));
-    checked(H5Sget_simple_extent_dims(space, shape.data(), nullptr));
-    if (shape != column.shape(header_.count))
-      refuse(fmt::format("expected a shape of ({}), got ({})", fmt::join(column.shape(header_.count), ", "),
-                         fmt::join(shape, ", ")));
-    // Such as a part of another file would be.
-    const Handle creation(H5Dget_create_plist(column.dataset), H5Pclose);
-    if (const H5D_layout_t layout = H5Pget_layout(creation);
-        layout != (header_.count == 0 ? H5D_CONTIGUOUS : H5D_CHUNKED) || H5Pget_external_count(creation) != 0)
-      refuse("expected chunks in this file");
-    if (header_.count != 0) column.chunk = chunk_of(column, creation, refuse);
+    open_column(column, *file_, header_.count, whole_);
     if (column.path != "flags") return;
-    const nlohmann::json names = formats::hdf5::read_attribute(column.dataset, kFlagNames);
+    const nlohmann::json names = file_->labels(column.path);
     const formats::Location& where = whole_;
     for (const formats::Node& name : formats::Node(names, where, "/flags: attribute names").items())
       flag_names_.push_back(name.text());
-    if (flag_names_.size() > kMostFlags) refuse(fmt::format("more than {} names", kMostFlags));
-  }
-
-  /// The shape of a column's chunks. Refuses those that are large, and filters that nobody here knows.
-  template <class Refuse>
-  static std::vector<hsize_t> chunk_of(const Column& column, hid_t creation, Refuse refuse) {
-    std::vector<hsize_t> chunk(column.shape(0).size());
-    checked(H5Pget_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
-    hsize_t bytes = column.type.size;
-    for (const hsize_t size : chunk) bytes = size > kLargestChunk ? kLargestChunk + 1 : bytes * size;
-    if (bytes > kLargestChunk)
-      refuse(fmt::format("chunks of ({}), and of more than {} bytes", fmt::join(chunk, ", "), kLargestChunk));
-    constexpr std::array kFilters{H5Z_FILTER_SHUFFLE, H5Z_FILTER_DEFLATE, H5Z_FILTER_FLETCHER32};
-    auto next = kFilters.begin();
-    for (int i = 0; i < checked(H5Pget_nfilters(creation)); ++i) {
-      std::size_t none = 0;
-      const auto filter =
-          checked(H5Pget_filter2(creation, static_cast<unsigned>(i), nullptr, &none, nullptr, 0, nullptr, nullptr));
-      next = std::find(next, kFilters.end(), filter);
-      if (next == kFilters.end()) refuse("expected no filters but shuffle, deflate and Fletcher-32, in that order");
-      ++next;
-    }
-    return chunk;
-  }
-
-  /// Refuses rows that are not stored, which HDF5 would make up, and a chunk that inflates to more than its rows: HDF5
-  /// would give it all the memory that it asks for.
-  void check_chunks(const Column& column, hsize_t first, hsize_t count) const {
-    std::vector<hsize_t> at(column.chunk.size(), 0);
-    hsize_t most = column.type.size;
-    for (const hsize_t size : column.chunk) most *= size;
-    const auto next_in_row = [&] {
-      for (std::size_t i = column.type.row.size(); i > 0; --i) {
-        if ((at[i] += column.chunk[i]) < column.type.row[i - 1]) return true;
-        at[i] = 0;
-      }
-      return false;
-    };
-    for (at[0] = first / column.chunk[0] * column.chunk[0]; at[0] < first + count; at[0] += column.chunk[0]) do {
-        unsigned left_out = 0;
-        haddr_t address = HADDR_UNDEF;
-        hsize_t size = 0;
-        checked(H5Dget_chunk_info_by_coord(column.dataset, at.data(), &left_out, &address, &size));
-        if (address == HADDR_UNDEF)
-          throw formats::hdf5::Error(fmt::format("the rows from {} on are not stored", at[0]));
-        if (size > 2 * kLargestChunk ||
-            (size * kMostDeflated > kLargestInflated && !inflates_within(column, at, size, most)))
-          throw formats::hdf5::Error(
-              fmt::format("the chunk of the rows from {} on is of more than its {} bytes", at[0], most));
-      } while (next_in_row());
+    if (flag_names_.size() > kMostFlags)
+      throw formats::InputError(whole_, where_written(column), fmt::format("more than {} names", kMostFlags));
   }
 
   void load(std::uint64_t first) {
     loaded_ = 0;
     const std::uint64_t count = std::min(kBlock, header_.count - first);
-    for (Column& column : columns_) {
-      reading({where_.file, first + 1, true}, where_written(column), [&] {
-        check_chunks(column, first, count);
-        column.read(column.dataset, first, count);
-      });
-    }
+    for (Column& column : columns_) column.reader->read(first, count, column.rows);
     first_ = first;
     loaded_ = count;
   }
@@ -646,7 +418,7 @@ class ColumnsSource : public CaseSource {
   }
 
   formats::Location whole_;
-  Handle file_;
+  std::unique_ptr<formats::ArraysFile> file_;
   std::string digest_;
   std::vector<Column> columns_;
   std::vector<std::string> flag_names_;
@@ -656,21 +428,99 @@ class ColumnsSource : public CaseSource {
   std::uint64_t hashed_ = 0;
 };
 
+/// Calls visit as for_each_column does.
+template <class Visit>
+void for_each_question_column(PlacedQuestion& question, Visit&& visit) {
+  const std::string group = std::string(name(question.query.pair)) + "/";
+  visit(group + "id", question.id, kIdLength);
+  visit(group + "place", question.place, 0);
+  for_each_field(question.query, [&](std::string path, auto& value, FieldKind /*kind*/) {
+    std::replace(path.begin(), path.end(), '.', '/');
+    visit(group + path, value, 0);
+  });
+}
+
+std::vector<Column> question_columns(Pair pair) {
+  std::vector<Column> columns;
+  PlacedQuestion none{"", 0, zero_query(pair)};
+  for_each_question_column(none, [&](std::string_view path, const auto& value, std::size_t width) {
+    columns.push_back({std::string(path), type_of(value, width)});
+  });
+  return columns;
+}
+
 }  // namespace
 
-bool holds_columns(const std::filesystem::path& path) {
-  std::ifstream stream = formats::open_to_read(path, true);
-  std::array<char, 8> first{};
-  stream.read(first.data(), first.size());
-  return formats::hdf5::is_hdf5({first.data(), static_cast<std::size_t>(stream.gcount())});
+void write_questions(const formats::PendingFile& pending, ArraysForm form, const nlohmann::json& header,
+                     const std::vector<PlacedQuestion>& questions) {
+  std::vector<std::vector<Column>> groups;
+  std::vector<formats::ArraysWriter::Array> arrays;
+  for (const Pair pair : kPairs) {
+    const auto is_here = [&](const PlacedQuestion& one) { return one.query.pair == pair; };
+    const auto rows = static_cast<std::uint64_t>(std::count_if(questions.begin(), questions.end(), is_here));
+    if (rows == 0) continue;
+    groups.push_back(question_columns(pair));
+    for (const Column& column : groups.back()) arrays.push_back({column.path, rows});
+    std::uint64_t row = 0;
+    for (PlacedQuestion one : questions)
+      if (is_here(one)) for_each_question_column(one, Encoder(groups.back(), "", row++));
+  }
+  const auto writer = formats::create_arrays(pending, form, std::move(arrays));
+  std::size_t array = 0;
+  for (const std::vector<Column>& columns : groups)
+    for (const Column& column : columns) writer->append(array++, column.type.array, column.rows);
+  writer->finish(header);
 }
 
-std::unique_ptr<CaseSource> open_columns(const std::filesystem::path& path) {
-  return std::make_unique<ColumnsSource>(path);
+QuestionColumns read_questions(const std::filesystem::path& path, ArraysForm form) {
+  const formats::Location whole{path.string(), 0};
+  const auto file = formats::open_arrays(path, form);
+  QuestionColumns found{file->header(), {}};
+  const std::set<std::string> names = file->names();
+  std::set<std::string> known;
+  for (const Pair pair : kPairs) {
+    if (!names.contains(std::string(name(pair)))) continue;
+    known.insert(std::string(name(pair)));
+    std::vector<Column> columns = question_columns(pair);
+    std::optional<std::uint64_t> rows;
+    for (Column& column : columns) {
+      if (!names.contains(column.path)) throw formats::InputError(whole, where_written(column), "missing");
+      for (std::size_t end = column.path.find('/'); end != std::string::npos; end = column.path.find('/', end + 1))
+        known.insert(column.path.substr(0, end));
+      known.insert(column.path);
+      open_column(column, *file, rows, whole);
+      rows = column.reader->rows();
+    }
+    formats::Location where{path.string(), 0, true};
+    for (std::uint64_t first = 0; first < *rows; first += kBlock) {
+      const std::uint64_t count = std::min(kBlock, *rows - first);
+      for (Column& column : columns) column.reader->read(first, count, column.rows);
+      for (std::uint64_t row = 0; row < count; ++row) {
+        where.line = first + row + 1;
+        PlacedQuestion one{"", 0, zero_query(pair)};
+        for_each_question_column(one, Decoder(columns, row, where));
+        if (const std::string id = query_id(one.query); id != one.id)
+          throw formats::InputError(where, fmt::format("/{}/id", name(pair)),
+                                    fmt::format("the question has the id {}, got {}", id, one.id));
+        found.questions.push_back(std::move(one));
+      }
+    }
+  }
+  for (const std::string& name : names)
+    if (!known.contains(name))
+      throw formats::InputError(whole, "/" + name, "unknown; an exam has a group for each pair");
+  std::sort(found.questions.begin(), found.questions.end(),
+            [](const PlacedQuestion& x, const PlacedQuestion& y) { return x.place < y.place; });
+  return found;
 }
 
-std::unique_ptr<DatasetWriter> create_columns(const std::filesystem::path& path, const DatasetHeader& header) {
-  return std::make_unique<ColumnsWriter>(path, header);
+std::unique_ptr<CaseSource> open_columns(const std::filesystem::path& path, ArraysForm form) {
+  return std::make_unique<ColumnsSource>(path, form);
+}
+
+std::unique_ptr<DatasetWriter> create_columns(const std::filesystem::path& path, ArraysForm form,
+                                              const DatasetHeader& header) {
+  return std::make_unique<ColumnsWriter>(path, form, header);
 }
 
 }  // namespace contact::golden

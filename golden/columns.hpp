@@ -1,25 +1,38 @@
-// A dataset as columns in HDF5: docs/formats.md#columns.
+// A dataset as columns, HDF5 or .npz: docs/formats.md#columns.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
 #include <memory>
-#include <string_view>
+#include <string>
+#include <vector>
 
+#include "formats/arrays.hpp"
 #include "golden/dataset.hpp"
 #include "golden/dataset_writer.hpp"
 
 namespace contact::golden {
 
-inline constexpr std::string_view kColumnsExtension = ".h5";
-
-/// Whether the content of a file is HDF5, whatever its name is.
-[[nodiscard]] bool holds_columns(const std::filesystem::path& path);
-
 /// Both hold a block of rows in memory at a time, so their memory does not grow with the file.
-[[nodiscard]] std::unique_ptr<CaseSource> open_columns(const std::filesystem::path& path);
-[[nodiscard]] std::unique_ptr<DatasetWriter> create_columns(const std::filesystem::path& path,
+[[nodiscard]] std::unique_ptr<CaseSource> open_columns(const std::filesystem::path& path, formats::ArraysForm form);
+[[nodiscard]] std::unique_ptr<DatasetWriter> create_columns(const std::filesystem::path& path, formats::ArraysForm form,
                                                             const DatasetHeader& header);
+
+/// A question of an exam, and its place there.
+struct PlacedQuestion {
+  std::string id;
+  std::uint32_t place;
+  Query query;
+};
+/// Questions without answers as columns: a group for each pair, whose rows are in the order of their places.
+void write_questions(const formats::PendingFile& pending, formats::ArraysForm form, const nlohmann::json& header,
+                     const std::vector<PlacedQuestion>& questions);
+struct QuestionColumns {
+  nlohmann::json header;
+  std::vector<PlacedQuestion> questions;  ///< in the order of their places
+};
+/// Throws formats::InputError where the file holds anything else, or an id is not that of its question.
+[[nodiscard]] QuestionColumns read_questions(const std::filesystem::path& path, formats::ArraysForm form);
 
 /// The longest text of an exact number in a file of that scalar: of one with the unit of an input (reach, gap) for
 /// power 1, of one with the unit of its square (distance2) for power 2.

@@ -420,10 +420,11 @@ DatasetReader::Key DatasetReader::key_of(const std::string& id) {
 }
 
 DatasetReader::DatasetReader(const std::filesystem::path& path) {
-  if (holds_columns(path))
-    source_ = open_columns(path);
-  else if (path.extension() == kColumnsExtension)
-    throw formats::InputError({path.string(), 0}, "", "no HDF5 file, or one without its beginning");
+  if (const auto form = formats::arrays_form(path))
+    source_ = open_columns(path, *form);
+  else if (const auto named = formats::named_arrays_form(path))
+    throw formats::InputError({path.string(), 0}, "",
+                              fmt::format("no {} file, or one without its beginning", name(*named)));
   else
     source_ = std::make_unique<JsonLines>(path);
   if (header().count <= kRepeatsLookedFor) ids_.reserve(header().count);
@@ -474,8 +475,15 @@ bool DatasetReader::is_dataset(const std::filesystem::path& path) {
   // A results file says what it is; anything else is read as a dataset, so that a damaged one is refused, not passed
   // over.
   try {
-    std::ifstream stream = formats::open_to_read(path);
     formats::Location where{path.string(), 0};
+    if (const auto form = formats::arrays_form(path)) {
+      const auto text = formats::open_arrays(path, *form)->header_text();
+      if (!text) return true;
+      const auto header = formats::parse_object(*text, where);
+      const auto format = formats::Node(header, where).find("format");
+      return !format || format->text() != kResultsFormat;
+    }
+    std::ifstream stream = formats::open_to_read(path);
     std::string line;
     if (!formats::read_line(stream, line, where)) return true;
     const auto header = formats::parse_object(line, where);
@@ -511,7 +519,8 @@ std::vector<std::filesystem::path> dataset_files(const std::vector<std::filesyst
                         "of one",
                         kMostFiles));
     }
-    if (found.empty()) throw formats::InputError({path.string(), 0}, "", "no dataset (*.jsonl, *.h5) in this folder");
+    if (found.empty())
+      throw formats::InputError({path.string(), 0}, "", "no dataset (*.jsonl, *.h5, *.npz) in this folder");
     std::sort(found.begin(), found.end());
     files.insert(files.end(), found.begin(), found.end());
   }

@@ -27,11 +27,11 @@ class LinesWriter : public DatasetWriter {
 }  // namespace
 
 bool names_dataset(const std::filesystem::path& path) {
-  return path.extension() == ".jsonl" || path.extension() == kColumnsExtension;
+  return path.extension() == ".jsonl" || formats::named_arrays_form(path);
 }
 
 std::unique_ptr<DatasetWriter> create_dataset(const std::filesystem::path& path, const DatasetHeader& header) {
-  if (path.extension() == kColumnsExtension) return create_columns(path, header);
+  if (const auto form = formats::named_arrays_form(path)) return create_columns(path, *form, header);
   return std::make_unique<LinesWriter>(path, header);
 }
 

@@ -23,10 +23,10 @@ class DatasetWriter {
   virtual void commit() = 0;
 };
 
-/// Whether a name is one that a dataset can have: it ends in .jsonl or .h5.
+/// Whether a name is one that a dataset can have: it ends in .jsonl, .h5 or .npz.
 [[nodiscard]] bool names_dataset(const std::filesystem::path& path);
 
-/// The form is what the name ends in: .h5 are columns, anything else JSON lines.
+/// The form is what the name ends in: .h5 and .npz are columns, anything else JSON lines.
 [[nodiscard]] std::unique_ptr<DatasetWriter> create_dataset(const std::filesystem::path& path,
                                                             const DatasetHeader& header);
 

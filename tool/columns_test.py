@@ -338,7 +338,7 @@ class Outputs(Columns):
         for name, word in (("gone/x.h5", "No such file"), ("folder.h5", "directory"), ("pipe.h5", "regular")):
             for args in ((*self.GENERATE, 3), ("convert", GOLDEN / "cube_cube/flat.jsonl")):
                 self.refused((*args, "-o", self.folder / name), name, "cannot write", word)
-        self.refused(("convert", GOLDEN / "cube_cube/flat.jsonl", "-o", self.folder / "x.txt"), "x.txt", ".jsonl or .h5")
+        self.refused(("convert", GOLDEN / "cube_cube/flat.jsonl", "-o", self.folder / "x.txt"), "x.txt", ".jsonl, .h5 or .npz")
 
     def test_an_interruption_leaves_what_was_there(self):
         big = self.generate("big.h5", count=60000, family=("--pair", "cube_cube", "--family", "nested", "--seed", 1))

@@ -31,7 +31,7 @@ struct Made {
     header.count = 5;
     const std::filesystem::path path =
         std::filesystem::temp_directory_path() / ("fuzz-" + std::to_string(::getpid()) + ".h5");
-    const auto writer = golden::create_columns(path, header);
+    const auto writer = golden::create_columns(path, formats::ArraysForm::hdf5, header);
     for (std::uint64_t i = 0; i < header.count; ++i) {
       const Query query =
           golden::generate_query(pair, *golden::find_family(pair, family), header.scalar, header.seed, i);

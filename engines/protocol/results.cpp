@@ -6,14 +6,13 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "engines/protocol/result_columns.hpp"
 #include "golden/dataset.hpp"
 #include "golden/query_id.hpp"
 
 namespace contact::engines {
 namespace {
 
-constexpr std::string_view kFormat = "contact-oracle/results";
-constexpr std::uint64_t kVersion = 1;
 constexpr double kLeastBound = 1;
 constexpr double kLargestBound = 64;
 
@@ -175,7 +174,7 @@ std::string engine_text(const EngineInfo& engine) {
 }
 
 std::string to_line(const EngineInfo& engine) {
-  return fmt::format(R"({{"format":"{}","version":{},{}}})", kFormat, kVersion, engine_text(engine));
+  return fmt::format(R"({{"format":"{}","version":{},{}}})", kResultsFormat, kResultsVersion, engine_text(engine));
 }
 
 Claim read_claim(const formats::Node& node) {
@@ -248,7 +247,31 @@ std::string claim_object(const Claim& claim) {
   return "{" + text.substr(std::min<std::size_t>(1, text.size())) + "}";
 }
 
+void check_results_format(const formats::Node& header) {
+  if (const formats::Node format = header.at("format"); format.text() != kResultsFormat)
+    format.refuse(fmt::format("expected \"{}\"", kResultsFormat));
+  if (const formats::Node version = header.at("version"); version.count() != kResultsVersion)
+    version.refuse(fmt::format("this program reads version {}", kResultsVersion));
+}
+
+namespace {
+
+Results read_columns(const std::filesystem::path& path, formats::ArraysForm form) {
+  ResultColumns columns(path, form);
+  if (!columns.has_ids())
+    throw formats::InputError({path.string(), 0}, "/id",
+                              "missing: without ids the rows answer the questions of one dataset, in their order");
+  Results results{columns.engine(), {}};
+  for (std::uint64_t row = 0; row < columns.rows(); ++row)
+    if (!results.claims.emplace(columns.id(row), columns.claim(row)).second)
+      throw formats::InputError(columns.where(row), "/id", "this question is answered twice");
+  return results;
+}
+
+}  // namespace
+
 Results read_results(const std::filesystem::path& path) {
+  if (const auto form = formats::arrays_form(path)) return read_columns(path, *form);
   std::ifstream stream = formats::open_to_read(path);
   formats::Location where{path.string(), 0};
   Results results;
@@ -257,10 +280,7 @@ Results read_results(const std::filesystem::path& path) {
     const auto json = formats::parse_object(line, where);
     const formats::Node node(json, where);
     if (where.line == 1) {
-      if (const formats::Node format = node.at("format"); format.text() != kFormat)
-        format.refuse(fmt::format("expected \"{}\"", kFormat));
-      if (const formats::Node version = node.at("version"); version.count() != kVersion)
-        version.refuse(fmt::format("this program reads version {}", kVersion));
+      check_results_format(node);
       results.engine = read_engine_info(node, {"format", "version"});
       continue;
     }

@@ -47,7 +47,12 @@ struct EngineInfo {
 [[nodiscard]] std::string claim_object(const Claim& claim);
 [[nodiscard]] std::string to_line(const std::string& id, const Claim& claim);
 
-/// A results file, whole.
+inline constexpr std::string_view kResultsFormat = "contact-oracle/results";
+inline constexpr std::uint64_t kResultsVersion = 1;
+/// Throws formats::InputError where a header says that it is of another format or version.
+void check_results_format(const formats::Node& header);
+
+/// A results file, whole: JSON lines, or columns with ids.
 struct Results {
   EngineInfo engine;
   std::unordered_map<std::string, Claim> claims;

@@ -160,8 +160,8 @@ void require_askable(const CertifyOptions& options, bool scoreboard) {
     refuse("--determinism compares the answers of one whole run: --parts and several processes cut it");
 }
 
-std::vector<Subject> subjects(const CertifyOptions& options, bool scoreboard, const Stop& stop,
-                              CertificateFiles& certificate) {
+std::vector<Subject> subjects(const CertifyOptions& options, bool scoreboard, std::optional<std::uint64_t> rows,
+                              const Stop& stop, CertificateFiles& certificate) {
   if (scoreboard && !options.baseline.empty()) refuse("--baseline is one engine's: give the engine");
   const std::shared_ptr<const Baseline> baseline = read_baseline(options);
   std::vector<Subject> found;
@@ -169,7 +169,9 @@ std::vector<Subject> subjects(const CertifyOptions& options, bool scoreboard, co
     for (const engines::BuiltIn& e : engines::built_in_engines())
       if (e.on_scoreboard) found.push_back({engines::make_built_in(e.name, computed_points(options.engine)), {}});
   } else {
-    found.push_back({certificate.watched(make_engine(options.engine, [&stop] { stop.check(); })), {}});
+    EngineOptions chosen = options.engine;
+    chosen.rows = rows;
+    found.push_back({certificate.watched(make_engine(chosen, [&stop] { stop.check(); })), {}});
   }
   for (Subject& subject : found) {
     subject.report.engine = subject.engine->info();
@@ -239,7 +241,6 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
   stop.at_first_failure = options.fail_fast;
   require_whole(options, scoreboard);
   CertificateFiles certificate(options.certificate, options.engine);
-  std::vector<Subject> judged = subjects(options, scoreboard, stop, certificate);
   std::vector<Source> sources;
   if (options.generate != 0) {
     if (!options.seed && (!options.parts.empty() || Cluster::size() > 1))
@@ -250,6 +251,7 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
   } else {
     sources = datasets(options);
   }
+  std::vector<Subject> judged = subjects(options, scoreboard, rows_of(sources), stop, certificate);
   if (stop.at_first_failure && (!options.parts.empty() || Cluster::size() > 1))
     refuse("--fail-fast ends one run; parts are judged each for itself");
   if (!options.parts.empty() && scoreboard) refuse("--parts keeps what one engine did: give the engine");

@@ -84,7 +84,8 @@ void add_engine_options(CLI::App& command, EngineOptions& options, bool recorded
   std::vector<CLI::Option*> choices{engine, program, library};
   if (recorded)
     choices.push_back(
-        command.add_option("--results", options.results, "A results file: the recorded answers of an engine"));
+        command.add_option("--results", options.results,
+                           "A results file: the recorded answers of an engine, JSON lines or columns (*.h5, *.npz)"));
   for (auto* one : choices)
     for (auto* other : choices)
       if (one != other) one->excludes(other);
@@ -157,7 +158,7 @@ std::vector<OtherHost> other_hosts(const EngineOptions& options, const std::func
 }
 
 std::unique_ptr<engines::Engine> make_engine(const EngineOptions& options, std::function<void()> check) {
-  if (!options.results.empty()) return engines::make_recorded(engines::read_results(options.results));
+  if (!options.results.empty()) return engines::make_recorded(options.results, options.rows);
   if (!options.command.empty()) {
     std::vector<std::string> words;
     try {

@@ -72,7 +72,7 @@ void make_new(const NewOptions& o) {
   require_apart({o.output, o.key}, {});
   if (std::filesystem::exists(o.key))
     throw InputError({o.key, 0}, "--key", "is there already, and may belong to an exam that is not closed");
-  formats::OutputFile exam(o.output);
+  ExamFile exam(o.output);
   formats::OutputFile key_file(o.key);
   ExamKey key;
   key.issued = issue_date();
@@ -82,10 +82,7 @@ void make_new(const NewOptions& o) {
   const ExamDigest questions = exam_digest(key.sources, key.nonce);
   key.questions = questions.sha256;
   const std::string commitment = commitment_of(key.sources, key.nonce);
-  exam.write(exam_header(questions, commitment) + "\n");
-  for_each_exam_question(key.sources, key.nonce, [&](const engines::Question& question, Scalar scalar) {
-    exam.write(golden::query_line(question.query, scalar) + "\n");
-  });
+  exam.write(key, questions);
   key_file.write(key_text(key));
   // The key first: questions without one could not be judged.
   key_file.commit();
@@ -188,7 +185,7 @@ void add_exam(CLI::App& app, int& exit) {
 
   auto* set = command->add_subcommand("new", "Write questions without answers, and the key that they come from");
   auto o = std::make_shared<NewOptions>();
-  set->add_option("-o,--output", o->output, "The exam, *.jsonl")->required();
+  set->add_option("-o,--output", o->output, "The exam, *.jsonl, *.h5 or *.npz")->required();
   set->add_option("--key", o->key, "The key, *.json: keep it until the exam is closed")->required();
   set->add_option("--profile", o->profile,
                   "Families, how many questions of each, scalar, and the tolerance to judge by")

@@ -76,7 +76,8 @@ void say(fmt::format_string<Args...> format, Args&&... args) {
 
 void check_output(const std::string& command, const std::string& path) {
   if (!golden::names_dataset(path))
-    throw InputError({command, 0}, "-o", fmt::format("the name of a dataset ends in .jsonl or .h5, got '{}'", path));
+    throw InputError({command, 0}, "-o",
+                     fmt::format("the name of a dataset ends in .jsonl, .h5 or .npz, got '{}'", path));
 }
 
 /// Refuses a file that is not the whole of what would be written: what stands there is never written over unasked.
@@ -288,10 +289,10 @@ void convert(ConvertOptions o) {
 
 void add_convert(CLI::App& app, int& exit) {
   auto* command = app.add_subcommand(
-      "convert", "A golden file in its other form, JSON lines or HDF5; of all shards of a dataset, the whole");
+      "convert", "A golden file in another form, JSON lines, HDF5 or .npz; of all shards of a dataset, the whole");
   auto o = std::make_shared<ConvertOptions>();
   command->add_option("datasets", o->inputs, "A golden file, or all shards of one in any order")->required();
-  command->add_option("-o,--output", o->output, "The file, *.jsonl or *.h5")->required();
+  command->add_option("-o,--output", o->output, "The file, *.jsonl, *.h5 or *.npz")->required();
   command->callback([o, &exit] {
     convert(*o);
     exit = kCertified;
@@ -311,7 +312,7 @@ void add_generate(CLI::App& app, int& exit) {
       ->check(CLI::IsMember(names_of(kScalars)));
   command->add_option("--shard", o->shard, "I/N: only part I (from 0) of N, itself a dataset");
   command->add_flag("--resume", o->resume, "Keep the file where it is there already and whole; refuse it if damaged");
-  command->add_option("-o,--output", o->output, "The file, *.jsonl or *.h5; may be left out with --digest");
+  command->add_option("-o,--output", o->output, "The file, *.jsonl, *.h5 or *.npz; may be left out with --digest");
   command->add_flag("--digest", o->digest, "Print the SHA-256 of the answers, docs/formats.md#digests");
   command->callback([o, &exit] {
     generate(*o);
@@ -334,7 +335,7 @@ void add_annotate(CLI::App& app, int& exit) {
   auto* command = app.add_subcommand("annotate", "Make a golden file of your own questions (JSON lines)");
   auto o = std::make_shared<AnnotateOptions>();
   command->add_option("queries", o->input, "The questions, or - for standard input")->required();
-  command->add_option("-o,--output", o->output, "The file, *.jsonl or *.h5")->required();
+  command->add_option("-o,--output", o->output, "The file, *.jsonl, *.h5 or *.npz")->required();
   command->add_option("--family", o->family, "The name of the family that they make")->capture_default_str();
   command->callback([o, &exit] {
     annotate(*o);

@@ -141,7 +141,7 @@ int properties(const CLI::App& command, const PropertiesOptions& o) {
   run.names = o.laws;
   if (!o.save.empty() && !golden::names_dataset(o.save))
     throw formats::InputError({"properties", 0}, "--save",
-                              fmt::format("the name of a dataset ends in .jsonl or .h5, got '{}'", o.save));
+                              fmt::format("the name of a dataset ends in .jsonl, .h5 or .npz, got '{}'", o.save));
   if (!o.save.empty()) static_cast<void>(read_regression(o.save));  // refused before the work
   const auto json = o.json.empty() ? nullptr : std::make_unique<formats::OutputFile>(o.json);
   const auto junit = o.junit.empty() ? nullptr : std::make_unique<formats::OutputFile>(o.junit);

@@ -233,12 +233,12 @@ class Certificate {
 
 /// Judges the recorded answers as the run did that the certificate tells of.
 Report judge_again(const Certificate& certificate, const std::vector<Source>& sources, Oracles& oracles,
-                   const std::shared_ptr<const Baseline>& baseline, engines::Results answers) {
+                   const std::shared_ptr<const Baseline>& baseline, std::unique_ptr<engines::Engine> answers) {
   const Node found = certificate.node().at("found");
   const Node check = certificate.node().at("oracle").at("check");
   oracles.check = static_cast<Check>(check.one_of(kCheckNames));
   std::vector<Subject> subjects;
-  subjects.push_back({engines::make_recorded(std::move(answers)), {}, baseline});
+  subjects.push_back({std::move(answers), {}, baseline});
   Report& report = subjects.front().report;
   report.engine = subjects.front().engine->info();
   report.required = static_cast<Level>(found.at("required").one_of(oracle::kLevelNames));
@@ -259,11 +259,11 @@ std::vector<Difference> in_judgement(Certificate& certificate, std::optional<Rep
   const SavedReport accepted = certificate.accepted();
   // Each is put to use first, so that what is derived does not depend on the day; whether it has expired comes after.
   const auto baseline = accepted.failures.empty() ? nullptr : std::make_shared<const Baseline>(accepted, std::string());
-  engines::Results answers = engines::read_results(certificate.answers());
-  const std::uint64_t count = answers.claims.size();
   Oracles oracles;
-  report = judge_again(certificate, sources, oracles, baseline, std::move(answers));
-  json derived = statement({*report, sources, oracles, baseline.get(), digest_of_file(certificate.answers()), count},
+  report = judge_again(certificate, sources, oracles, baseline,
+                       engines::make_recorded(certificate.answers(), rows_of(sources)));
+  json derived = statement({*report, sources, oracles, baseline.get(), digest_of_file(certificate.answers()),
+                            engines::count_recorded(certificate.answers())},
                            certificate.not_derived());
   json stated = certificate.stated();
   stated.erase("sha256");

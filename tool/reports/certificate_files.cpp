@@ -63,8 +63,7 @@ void CertificateFiles::write(const Report& report, const std::vector<Source>& so
     for (const Source& source : sources)
       stated.names.push_back(source.dataset ? seen_from(common, *source.dataset) : "");
     const std::string digest = answers_ != nullptr ? formats::Sha256().add(text).hex() : digest_of_file(results);
-    const std::uint64_t count =
-        answers_ != nullptr ? recording_->answers() : engines::read_results(results).claims.size();
+    const std::uint64_t count = answers_ != nullptr ? recording_->answers() : engines::count_recorded(results);
     certificate = certificate_text(statement({report, sources, oracles, baseline, digest, count}, stated));
   }
   // The answers first: a certificate never lies beside answers that it is not of.

@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "formats/json.hpp"
 #include "formats/sha256.hpp"
+#include "golden/columns.hpp"
 #include "golden/query_id.hpp"
 #include "tool/run/date.hpp"
 #include "tool/run/process.hpp"
@@ -108,9 +112,31 @@ ExamDigest exam_digest(const std::vector<Source>& sources, const std::string& no
   return found;
 }
 
-std::string exam_header(const ExamDigest& questions, const std::string& commitment) {
-  return fmt::format(R"({{"format":"{}","version":1,"count":{},"questions":"{}","commitment":"{}"}})", kExamFormat,
-                     questions.count, questions.sha256, commitment);
+ExamFile::ExamFile(const std::filesystem::path& path) : form_(formats::named_arrays_form(path)), file_(path) {}
+
+void ExamFile::write(const ExamKey& key, const ExamDigest& questions) {
+  const std::string commitment = commitment_of(key.sources, key.nonce);
+  if (!form_) {
+    std::ofstream stream(file_.temporary(), std::ios::binary | std::ios::trunc);
+    stream << fmt::format(
+        "{{\"format\":\"{}\",\"version\":1,\"count\":{},\"questions\":\"{}\",\"commitment\":\"{}\"}}\n", kExamFormat,
+        questions.count, questions.sha256, commitment);
+    for_each_exam_question(key.sources, key.nonce, [&](const engines::Question& question, Scalar scalar) {
+      stream << golden::query_line(question.query, scalar) << '\n';
+    });
+    stream.close();
+    if (!stream) file_.fail(std::strerror(errno));
+    return;
+  }
+  std::vector<golden::PlacedQuestion> placed;
+  placed.reserve(questions.count);
+  for_each_exam_question(key.sources, key.nonce, [&](const engines::Question& question, Scalar /*scalar*/) {
+    placed.push_back({question.id, static_cast<std::uint32_t>(placed.size()), question.query});
+  });
+  const nlohmann::json header{{"format", kExamFormat},    {"version", 1},
+                              {"count", questions.count}, {"questions", questions.sha256},
+                              {"commitment", commitment}, {"scalar", name(key.sources.front().scalar)}};
+  golden::write_questions(file_, *form_, header, placed);
 }
 
 std::string key_text(const ExamKey& key) {
@@ -153,7 +179,41 @@ ExamKey read_key(const std::filesystem::path& path) {
   return key;
 }
 
+namespace {
+
+/// Whether the questions that follow are those of the header, which stands at `header`.
+void require_whole(const Exam& exam, std::uint64_t count, const std::string& found, const formats::Location& header) {
+  if (exam.all.size() != count)
+    throw formats::InputError(header, "count",
+                              fmt::format("the header says {}, and {} follow", count, exam.all.size()));
+  if (found != exam.questions)
+    throw formats::InputError(
+        header, "questions",
+        fmt::format("the header says {}, and the questions that follow have {}: the exam was changed", exam.questions,
+                    found));
+}
+
+Exam read_columns(const std::filesystem::path& path, formats::ArraysForm form) {
+  const formats::Location where{path.string(), 0};
+  golden::QuestionColumns columns = golden::read_questions(path, form);
+  const Node node(columns.header, where);
+  require_format(node, kExamFormat);
+  node.allow_only({"format", "version", "count", "questions", "commitment", "scalar"});
+  Exam exam{digest_at(node.at("commitment")), digest_at(node.at("questions")), {}};
+  const Scalar scalar = golden::read_scalar(node.at("scalar"));
+  formats::Sha256 hash;
+  for (golden::PlacedQuestion& one : columns.questions) {
+    hash.add(golden::query_line(one.query, scalar)).add("\n");
+    exam.all.push_back({{std::move(one.id), one.query}, scalar});
+  }
+  require_whole(exam, node.at("count").count(), hash.hex(), where);
+  return exam;
+}
+
+}  // namespace
+
 Exam read_exam(const std::filesystem::path& path) {
+  if (const auto form = formats::arrays_form(path)) return read_columns(path, *form);
   std::ifstream stream = formats::open_to_read(path);
   formats::Location where{path.string(), 0};
   Exam exam;
@@ -177,15 +237,7 @@ Exam read_exam(const std::filesystem::path& path) {
     hash.add(line).add("\n");
   }
   if (where.line == 0) throw formats::InputError(where, "", "empty: an exam begins with its header");
-  const formats::Location header{path.string(), 1};
-  if (exam.all.size() != count)
-    throw formats::InputError(header, "count",
-                              fmt::format("the header says {}, and {} follow", count, exam.all.size()));
-  if (const std::string found = hash.hex(); found != exam.questions)
-    throw formats::InputError(
-        header, "questions",
-        fmt::format("the header says {}, and the questions that follow have {}: the exam was changed", exam.questions,
-                    found));
+  require_whole(exam, count, hash.hex(), {path.string(), 1});
   return exam;
 }
 

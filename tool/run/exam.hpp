@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "formats/arrays.hpp"
 #include "tool/run/pipeline.hpp"
 
 namespace contact::tool {
@@ -35,8 +37,17 @@ struct ExamDigest {
 };
 [[nodiscard]] ExamDigest exam_digest(const std::vector<Source>& sources, const std::string& nonce);
 
-/// The first line of an exam.
-[[nodiscard]] std::string exam_header(const ExamDigest& questions, const std::string& commitment);
+/// An exam on its way to its file, JSON lines or columns by what the name ends in: whole by commit(), or not at all.
+class ExamFile {
+ public:
+  explicit ExamFile(const std::filesystem::path& path);
+  void write(const ExamKey& key, const ExamDigest& questions);
+  void commit() { file_.commit(); }
+
+ private:
+  std::optional<formats::ArraysForm> form_;
+  formats::PendingFile file_;
+};
 
 /// A key's file, and the key in one. Throws formats::InputError where it is malformed, or was changed: it states what
 /// it commits to.

@@ -25,7 +25,6 @@ struct Item {
   engines::Question question;
   std::optional<golden::Case> expected;
   formats::Location where;
-  std::uint64_t index;  ///< in the whole source
 };
 
 /// Some questions on their way: read one after another, asked and judged on any thread, merged one after another.
@@ -73,8 +72,9 @@ class Questions {
     for (; slice.count < kSlice && asked_ + slice.count < source_.count; ++slice.count) {
       auto c = reader_->next();
       if (!c) break;
-      engines::Question question{c->id, c->query};
-      slice.items.push_back({std::move(question), std::move(c), reader_->where(), slice.first + slice.count});
+      const std::uint64_t index = slice.first + slice.count;
+      engines::Question question{c->id, c->query, index};
+      slice.items.push_back({std::move(question), std::move(c), reader_->where()});
     }
     // Behind the last case the reader compares what it read with what the header says.
     if (slice.count == 0 && source_.first + asked_ == reader_->header().count) (void)reader_->next();
@@ -91,7 +91,7 @@ std::vector<Item> generated(const Source& source, const Slice& slice) {
   items.reserve(slice.count);
   for (std::uint64_t index = slice.first; index < slice.first + slice.count; ++index) {
     const Query query = golden::generate_query(source.pair, *source.generator, source.scalar, source.seed, index);
-    items.push_back({{golden::query_id(query), query}, std::nullopt, {}, index});
+    items.push_back({{golden::query_id(query), query, index}, std::nullopt, {}});
   }
   return items;
 }
@@ -162,7 +162,7 @@ std::uint64_t weight_of(std::uint64_t index, std::uint64_t size, Level level) {
 
 void judge_one(const Item& item, const std::optional<Agreed>& agreed, const Source& source, const Claim& claim,
                const Subject& subject, const oracle::Declaration& declared, Findings& found) {
-  const auto& [id, query] = item.question;
+  const auto& [id, query, index] = item.question;
   const Report& report = subject.report;
   const Baseline* baseline = subject.baseline.get();
   const oracle::Truth* truth = agreed ? &agreed->truth : nullptr;
@@ -182,7 +182,7 @@ void judge_one(const Item& item, const std::optional<Agreed>& agreed, const Sour
   // What is right speaks against a hypothesis as what is wrong speaks for one.
   if (truth != nullptr && !accepted)
     found.why.add(golden::id_digits(id, 0, 16), query, *truth, claim, declared, verdict, rounded,
-                  weight_of(item.index, source.size(), level));
+                  weight_of(index, source.size(), level));
   if (verdict.answered_outside_domain && !accepted) found.why.add_outside_domain(query);
   if (!fails) {
     if (baseline != nullptr && baseline->lists(id)) found.gone.insert(id);

@@ -34,6 +34,11 @@ struct Source {
   [[nodiscard]] std::uint64_t size() const { return whole != 0 ? whole : count; }
 };
 
+/// How many questions the one source has, whose rows may be answered in their order; nothing of several.
+[[nodiscard]] inline std::optional<std::uint64_t> rows_of(const std::vector<Source>& sources) {
+  return sources.size() == 1 ? std::optional(sources.front().size()) : std::nullopt;
+}
+
 /// Calls visit for the questions of a source in their order.
 void for_each_question(const Source& source, const std::function<void(const engines::Question&)>& visit);
 /// Whether an engine that declares this is asked questions of a pair, in numbers of a scalar.
