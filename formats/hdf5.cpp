@@ -27,7 +27,7 @@ std::recursive_mutex& mutex() {
 
 // More of either than any file here has: whoever nests or repeats them without end is stopped at so many.
 constexpr std::size_t kMostAttributes = 64;
-constexpr std::size_t kMostNames = 512;
+constexpr std::size_t kMostNames = 256;
 constexpr std::size_t kLongestText = 65536;  // bytes of an attribute
 
 std::string innermost_error() {

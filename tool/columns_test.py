@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Datasets as columns in HDF5, shards and resuming, as a user meets them: python3 tool/columns_test.py PATH_TO_TOOL
-[unittest arguments]. HDF5 is read and damaged by h5py, which knows nothing of this program."""
+"""Datasets as columns in HDF5 and .npz, shards and resuming, as a user meets them: python3 tool/columns_test.py
+PATH_TO_TOOL [unittest arguments]. They are read and damaged by h5py and NumPy, which know nothing of this program."""
+import copy
 import hashlib
 import json
 import math
@@ -12,6 +13,8 @@ import subprocess
 import sys
 import time
 import unittest
+import warnings
+import zipfile
 
 import h5py
 import numpy
@@ -28,6 +31,20 @@ def number(value):
 
 def same(x, y):
     return x == y or math.isnan(x) and math.isnan(y)
+
+
+def read(path):
+    """Header, columns and the names of the flags of either form."""
+    if path.suffix == ".npz":
+        with numpy.load(path) as file:
+            columns = {name: file[name] for name in file.files}
+        header = json.loads(columns.pop("header").item().decode())
+        return header, columns, [name.decode() for name in columns.pop("flags.names")]
+    with h5py.File(path, "r") as file:
+        columns = {}
+        file.visititems(lambda name, item: columns.update({name: item[:]}) if isinstance(item, h5py.Dataset) else None)
+        header = {key: value.decode() if isinstance(value, bytes) else value for key, value in file.attrs.items()}
+        return header, columns, [name.decode() for name in file["flags"].attrs["names"]]
 
 
 class Columns(Case):
@@ -48,16 +65,13 @@ class Form(Columns):
             with self.subTest(source):
                 lines = (GOLDEN / source).read_bytes()
                 header, *cases = map(json.loads, lines.splitlines())
-                with h5py.File(self.convert(GOLDEN / source, to="x.h5"), "r") as file:
-                    self.check(file, lines, header, cases)
+                for form in ("h5", "npz"):
+                    self.check(self.convert(GOLDEN / source, to=f"x.{form}"), lines, header, copy.deepcopy(cases))
 
-    def check(self, file, lines, header, cases):
-        attributes = {key: value.decode() if isinstance(value, bytes) else value for key, value in file.attrs.items()}
+    def check(self, path, lines, header, cases):
+        attributes, columns, names = read(path)
         self.assertEqual(attributes.pop("sha256"), hashlib.sha256(lines).hexdigest())
         self.assertEqual(attributes, header)
-        columns = {}
-        file.visititems(lambda name, item: columns.update({name: item[:]}) if isinstance(item, h5py.Dataset) else None)
-        names = [name.decode() for name in file["flags"].attrs["names"]]
         compared = set()
 
         def compare(path, row, value):
@@ -85,18 +99,37 @@ class Form(Columns):
         for name, column in columns.items():
             self.assertEqual(len(column), len(cases), name)
 
-    def test_both_forms_hold_the_same_to_the_byte_and_the_content_tells_them_apart(self):
-        for family in (SPHERE_FAMILY, CUBE_FAMILY):
+    def test_all_forms_hold_the_same_to_the_byte_and_the_content_tells_them_apart(self):
+        # Texts of extreme numbers become wider than those before them.
+        for family, form in ((SPHERE_FAMILY, "h5"), (CUBE_FAMILY, "h5"), (SPHERE_FAMILY, "npz"), (CUBE_FAMILY, "npz"),
+                             (("--pair", "sphere_sphere", "--family", "extreme_scale", "--seed", 7), "npz")):
             lines = self.generate("a.jsonl", family=family, count=5000)
-            columns = self.generate("a.h5", family=family, count=5000)
-            self.assertEqual(self.convert(lines, to="b.h5").read_bytes(), columns.read_bytes())
+            columns = self.generate(f"a.{form}", family=family, count=5000)
+            self.assertEqual(self.convert(lines, to=f"b.{form}").read_bytes(), columns.read_bytes())
             self.assertEqual(self.convert(columns, to="b.jsonl").read_bytes(), lines.read_bytes())
             self.assertLess(columns.stat().st_size, lines.stat().st_size / 2)
             shutil.copy(columns, self.folder / "misnamed.jsonl")
             self.holds("lint", "--generated", self.folder / "misnamed.jsonl")
             self.assertEqual(self.convert(self.folder / "misnamed.jsonl", to="c.jsonl").read_bytes(), lines.read_bytes())
 
-    def test_commands_take_either_form(self):
+    def test_what_others_store_in_another_way_is_read(self):
+        for path in (self.generate("a.npz"), self.generate("a.h5")):
+            with self.subTest(path.suffix):
+                lines, header = self.convert(path, to="a.jsonl").read_bytes(), read(path)[0]
+                if path.suffix == ".npz":
+                    with numpy.load(path) as file:
+                        columns = {name: file[name] for name in file.files}
+                    columns["id"] = columns["id"].astype("U")
+                    numpy.savez_compressed(path, **{**columns, "header": json.dumps(header)})
+                else:
+                    with h5py.File(path, "r+") as file:
+                        for name in ("alarm", "id"):
+                            data = file[name][:]
+                            del file[name]
+                            file[name] = data  # in one piece
+                self.assertEqual(self.convert(path, to="b.jsonl").read_bytes(), lines)
+
+    def test_commands_take_any_form(self):
         (self.folder / "columns").mkdir()
         for name in ("touching", "generic", "invalid"):
             self.convert(GOLDEN / "sphere_sphere" / f"{name}.jsonl", to=f"columns/{name}.h5")
@@ -177,7 +210,6 @@ class Damage(Columns):
             "text too wide": (replaced("id", dtype="S25"), "/id: expected texts of 24 bytes"),
             "column too short": (replaced("contact", data=lambda data: data[:-1]), "/contact: ", "(39)"),
             "two coordinates": (replaced("a/center", data=lambda data: data[:, :2]), "/a/center: ", "(40, 3)", "(40, 2)"),
-            "no chunks": (replaced("alarm", chunks=None), "/alarm: expected chunks"),
             "values elsewhere": (replaced("alarm", chunks=None, external=[(external, 0, 320)]), "/alarm: expected chunks"),
             "a link to another file": (linked, "/alarm: missing"),
             "flags without names": (lambda file: file["flags"].attrs.__delitem__("names"), "/flags: ", "names"),
@@ -221,6 +253,95 @@ class Damage(Columns):
                 with h5py.File(self.path, "r+") as file:  # whoever made the mistake may have made the digest too
                     file.attrs["sha256"] = numpy.bytes_(done.stderr.split()[-1].encode())
                 self.refused(("certify", self.path), f"{self.path}: row {row}: ", *words)
+
+    def test_an_npz_that_is_wrong_is_refused_where_it_is(self):
+        self.good = self.generate("good.npz", family=("--pair", "sphere_sphere", "--family", "alarm_edge", "--seed", 7))
+        self.path = self.folder / "d.npz"
+        with numpy.load(self.good) as file:
+            good = {name: file[name] for name in file.files}
+        header = json.loads(good["header"].item())
+
+        def other(name, value):
+            return {**good, name: value}
+
+        def without(name):
+            return {key: value for key, value in good.items() if key != name}
+
+        def changed(name, row, value):
+            column = good[name].copy()
+            column[row] = value
+            return other(name, column)
+
+        def told(**change):
+            return other("header", json.dumps({**header, **change}))
+        miss = int(numpy.flatnonzero(good["expect/hit"] == 0)[3])
+        for name, (columns, *words) in {
+                "column missing": (without("exact/reach"), "/exact/reach: missing"),
+                "unknown column": (other("expect/colour", good["alarm"]), "/expect/colour: unknown"),
+                "header missing": (without("header"), "/header: missing"),
+                "header no JSON": (other("header", "{"), "d.npz"),
+                "a list of headers": (other("header", ["{}", "{}"]), "/header: expected one text"),
+                "numbers for a header": (other("header", numpy.zeros(3)), "/header: expected a text"),
+                "flags without names": (without("flags.names"), "/flags.names: missing"),
+                "wrong version": (told(version=2), "version: ", "2"),
+                "wrong pair": (told(pair="cube_cube"), "/a/max: missing"),
+                "count too small": (told(count=39), "/id: ", "(39)", "(40)"),
+                "another seed": (told(seed=8), "sha256: "),
+                "numbers too narrow": (other("alarm", good["alarm"].astype("f4")), "/alarm: expected 64-bit IEEE numbers"),
+                "whole numbers": (other("alarm", good["alarm"].astype("i8")), "/alarm: has values of NumPy's kind '<i8'"),
+                "numbers of another processor": (other("alarm", good["alarm"].astype(">f8")), "/alarm: has values of NumPy's kind '>f8'"),
+                "objects": (other("alarm", good["alarm"].astype(object)), "/alarm: has values of NumPy's kind '|O'"),
+                "by columns": (other("a/center", numpy.asfortranarray(good["a/center"])), "/a/center: is stored by columns", "ascontiguousarray"),
+                "two coordinates": (other("a/center", good["a/center"][:, :2].copy()), "/a/center: ", "(40, 3)", "(40, 2)"),
+                "one value": (other("alarm", numpy.float64(3)), "/alarm: expected rows, got one value"),
+                "column too short": (other("contact", good["contact"][:-1]), "/contact: ", "(39)"),
+                "text too wide": (other("id", good["id"].astype("S25")), "/id: expected texts of 24 bytes"),
+                "other question": (changed("alarm", 17, 123.5), "row 17: id: "),
+                "no truth value": (changed("expect/hit", 5, 2), "row 5: /expect/hit: expected 0 or 1, got 2"),
+                "contact of a miss": (changed("expect/value", miss, 0.5), f"row {miss}: /expect/value: a miss has no contact"),
+        }.items():
+            with self.subTest(name):
+                numpy.savez(self.path, **columns)
+                self.everywhere_refused(f"{self.path}: ", *words)
+        for name, value in (("expect/value", 0.5), ("exact/reach", b"0x7p-3")):
+            numpy.savez(self.path, **changed(name, int(numpy.flatnonzero(good["expect/hit"])[3]), value))
+            self.refused(("lint", self.path), f"{self.path}: row ", name.replace("/", "."))
+
+    def test_a_damaged_archive_is_refused(self):
+        self.good = self.generate("good.npz", count=300)
+        self.path = self.folder / "d.npz"
+        good = self.good.read_bytes()
+        with zipfile.ZipFile(self.good) as file:
+            members = {one.filename: file.read(one) for one in file.infolist()}
+            alarm = file.getinfo("alarm.npy")
+        inside = good.index(b"\x93NUMPY", alarm.header_offset) + 256 + 8 * 150 + 6  # of a number, by the checksum alone
+
+        def archive(members, also=()):
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # two of one name
+                with zipfile.ZipFile(self.path, "w") as file:
+                    for name, content in (*members.items(), *also):
+                        file.writestr(name, content)
+
+        for name, content, words in (("empty", b"", "no .npz file"), ("noise", os.urandom(5000), "no .npz file"), ("beginning", good[:100], "cannot read"),
+                                     ("half", good[:len(good) // 2], "cannot read"), ("last byte", good[:-1], "cannot read"),
+                                     ("a bit", good[:inside] + bytes([good[inside] ^ 1]) + good[inside + 1:], "")):
+            with self.subTest(name):
+                self.path.write_bytes(content)
+                self.everywhere_refused(f"{self.path}: ", words)
+        head = members["alarm.npy"][:256]
+        for name, alarm, words in (("no magic", b"x" * 3000, "/alarm: is no .npy file"), ("nothing", b"", "/alarm: is no .npy file"),
+                                   ("rows missing", members["alarm.npy"][:-8], "/alarm: has 2392 bytes, and its rows take 2400"),
+                                   ("rows without end", head.replace(b"(300,)", b"(%d,)" % 2**62), "/alarm: "),
+                                   ("a shape beyond numbers", head.replace(b"(300,)", b"(%d,)" % 10**30), "/alarm: has a shape beyond any memory"),
+                                   ("a long header", b"\x93NUMPY\x02\x00\xff\xff\xff\xff" + bytes(300), "/alarm: is no .npy file")):
+            with self.subTest(name):
+                archive({**members, "alarm.npy": alarm})
+                self.everywhere_refused(f"{self.path}: ", words)
+        archive(members, [("alarm.npy", members["alarm.npy"])])
+        self.everywhere_refused(f"{self.path}: /alarm: is there twice")
+        archive({**members, "readme.txt": "x"})
+        self.everywhere_refused(f"{self.path}: /readme.txt: is no .npy file")
 
     def test_rows_that_are_not_those_of_the_digest_are_refused(self):
         other = "0" * 64
@@ -287,7 +408,7 @@ class Shards(Columns):
                 refused(good, good[1], words)
 
     def test_a_resumed_generation_keeps_what_is_whole_and_refuses_what_is_not(self):
-        for ending in ("jsonl", "h5"):
+        for ending in ("jsonl", "h5", "npz"):
             args = ("generate", *SPHERE_FAMILY, "--count", 40, "--resume", "-o", self.folder / f"x.{ending}", "--shard", "1/3")
             path = args[-3]
             self.assertNotIn("kept", self.holds(*args))
@@ -313,14 +434,15 @@ class Outputs(Columns):
 
     def test_a_full_disk_is_reported_and_leaves_no_file(self):
         source = self.generate("source.jsonl", count=9000)
-        for limit in (0, 3000, 100_000, 500_000):
+        for limit, form in ((0, "h5"), (3000, "h5"), (100_000, "h5"), (500_000, "h5"), (3000, "npz"), (300_000, "npz")):
             def no_room():
                 resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
             for args in (("convert", source), *([(*self.GENERATE, 9000)] if limit == 100_000 else [])):
-                with self.subTest(args[0], limit=limit):
-                    target = self.folder / "x.h5"
-                    self.refused((*args, "-o", target), f"{target}: cannot write: File too large", preexec_fn=no_room,
+                with self.subTest(args[0], limit=limit, form=form):
+                    target = self.folder / f"x.{form}"
+                    self.refused((*args, "-o", target), f"{target}: cannot write: ", "File too large", preexec_fn=no_room,
                                  restore_signals=False)
+                    self.assertEqual(list(self.folder.iterdir()), [source])
 
     @unittest.skipUnless(hasattr(os, "geteuid") and os.geteuid() == 0, "only root can mount a small disk")
     def test_a_small_disk_that_fills_up_is_reported_and_leaves_no_file(self):
@@ -329,8 +451,9 @@ class Outputs(Columns):
         if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=256k", "tmpfs", disk], capture_output=True).returncode != 0:
             self.skipTest("no right to mount")
         self.addCleanup(subprocess.run, ["umount", disk], check=True)
-        for ending in ("h5", "jsonl"):
-            self.refused((*self.GENERATE, 9000, "-o", disk / f"x.{ending}"), "cannot write: No space left on device")
+        for ending in ("h5", "jsonl", "npz"):
+            self.refused((*self.GENERATE, 9000, "-o", disk / f"x.{ending}"), "cannot write: ", "No space left on device")
+            self.assertEqual(list(disk.iterdir()), [])
 
     def test_an_output_that_cannot_be_written_is_refused_by_name(self):
         (self.folder / "folder.h5").mkdir()

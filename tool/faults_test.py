@@ -695,7 +695,7 @@ class Columns(Case):
             "2^63 rows": (lambda file: file.attrs.__setitem__("count", numpy.uint64(1 << 63)), ""),
             "a filter that is none of ours": (anew("alarm", chunks=True, compression="lzf"), "/alarm", "filters"),
             "two filters of one kind": (anew("alarm", chunks=True, scaleoffset=3), "/alarm", "filters"),
-            "hundreds of groups, one in the other": (nested, "more than 64"),
+            "hundreds of groups, one in the other": (nested, "more than 256"),
             "a group in itself": (around, "/a/around"),
             "hundreds of attributes": (attributes, "more than 64"),
             "a long text": (lambda file: file.attrs.__setitem__("family", numpy.bytes_(b"x" * 60000)), "sha256"),

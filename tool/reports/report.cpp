@@ -298,7 +298,9 @@ bool Report::harness_invalid() const {
              0;
 }
 
-std::string Report::who() const { return printable(engine.name + " " + engine.version); }
+std::string Report::who() const {
+  return printable(engine.version.empty() ? engine.name : engine.name + " " + engine.version);
+}
 
 Aspects Report::not_claimed() const {
   const Conventions& conventions = engine.declared.conventions;
