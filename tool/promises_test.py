@@ -149,6 +149,35 @@ class Case(unittest.TestCase):
         return self.file("answers.jsonl", [first, *said])
 
 
+class Documentation(Case):
+    """What stands on a page and in the program is the same in both."""
+
+    PAGE = (ROOT / "docs" / "certify-your-engine.md").read_text()
+
+    def test_the_table_of_profiles_is_the_programs(self):
+        rows = re.findall(r"^\| `(\w+)` \| (\S+) \| (\S+) \| (\S+) \| (\S+) to (\S+) \|", self.PAGE, re.MULTILINE)
+        refused = run("certify", GENERIC, "--profile", "none")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("{" + ",".join(row[0] for row in rows) + "}", refused.stderr)
+        schema = json.loads((ROOT / "docs" / "schema" / "exam-key.json").read_text())
+        self.assertEqual(schema["properties"]["profile"]["enum"], [*(row[0] for row in rows), None])
+        self.questions()
+        results = self.answers()
+        for name, *numbers in rows:
+            with self.subTest(name):
+                tolerance = self.judged(results, "--profile", name)["tolerance"]
+                said = [tolerance["length"], tolerance["relative"], tolerance["angle"], tolerance["scale"]["min"], tolerance["scale"]["max"]]
+                self.assertEqual(said, list(map(float, numbers)))
+
+    def test_the_table_of_unsteady_engines_is_the_programs(self):
+        listed = re.findall(r"^unsteady:(\w+)", self.holds("engines", "--mutants"), re.MULTILINE)
+        rows = re.findall(r"^\| `unsteady:(\w+)` \|.*\| (.*) \|$", (ROOT / "docs" / "bug-zoo.md").read_text(), re.MULTILINE)
+        self.assertEqual([name for name, _ in rows], listed)
+        self.assertEqual(sorted(listed), sorted(UNSTEADY))
+        for name, way in rows:
+            self.assertIn(way, UNSTEADY[name][1])
+
+
 class Tolerance(Case):
     def passes_from(self, results, key, least):
         """Just enough certifies, and the number below refutes."""
@@ -231,14 +260,6 @@ class Tolerance(Case):
                 self.assertEqual(self.judged(results, *wide, code=1)["total"]["fitness"]["never"], 1)
 
     def test_a_profile_is_the_tolerance_that_its_field_asks_for(self):
-        expected = {"game": (1e-3, 1e-5, 1e-2, 1e-4, 1e4), "robotics": (1e-5, 1e-7, 1e-4, 1e-6, 1e3),
-                    "metrology": (1e-7, 1e-12, 1e-7, 1e-9, 1e3)}
-        self.questions()
-        results = self.answers()
-        for name, (length, relative, angle, least, most) in expected.items():
-            with self.subTest(name):
-                tolerance = self.judged(results, "--profile", name)["tolerance"]
-                self.assertEqual(tolerance, {"length": length, "relative": relative, "angle": angle, "scale": {"min": least, "max": most}})
         # Off by half a millimetre: good enough for a game, and for nothing that measures.
         off = self.wrong_value(5e-4)
         self.judged(off, "--profile", "game")
@@ -355,6 +376,43 @@ class Fitness(Case):
         self.assertIn("all numbers: would pass with any tolerance", printed)
         self.assertNotIn("In the way", printed)
         self.holds("certify", GENERIC, "--engine", "production", "--tolerance", "length=0")
+
+    def test_the_needs_of_whole_files_are_those_of_the_definition(self):
+        for path in (GENERIC, TOUCHING):
+            recorded = self.folder / f"{path.stem}.answers.jsonl"
+            needs = self.report(path, "--engine-command", PLAIN, "--record", recorded, code=int(path == TOUCHING))["total"]["fitness"]["needs"]
+            said = {one["id"]: one for one in map(json.loads, recorded.read_text().splitlines()[1:])}
+            offs = {"length": (Decimal(0), ""), "relative_length": (Decimal(0), ""), "decision": (Decimal(0), ""), "relative_decision": (Decimal(0), "")}
+
+            def take(key, off, scale, name):
+                for what, x in ((key, off), (f"relative_{key}", off / scale if scale else off)):
+                    offs[what] = max(offs[what], (x, name), key=lambda pair: pair[0])
+
+            for case in map(json.loads, path.read_text().splitlines()[1:]):
+                (c, r), (d, s) = ((list(map(Fraction, case[which]["center"])), Fraction(case[which]["radius"])) for which in "ab")
+                distance2, reach = sum((y - x) ** 2 for x, y in zip(c, d)), Fraction(case["alarm"]) + r + s
+                root = decimal(distance2).sqrt()
+                answer, hit = said[case["id"]], distance2 <= reach**2
+                if answer["overlap"] != hit:
+                    take("decision", abs(root - decimal(reach)), decimal(reach), case["id"])
+                # A false hit has numbers, and those are judged.
+                if not answer["contact"] or not distance2:
+                    continue
+                normal = [decimal(y - x) / root for x, y in zip(c, d)]
+                right = {"value": [root - decimal(r + s) - Decimal(case["contact"])], "point1": [decimal(x) + decimal(r) * n for x, n in zip(c, normal)],
+                         "point2": [decimal(x) - decimal(s) * n for x, n in zip(d, normal)]}
+                scales = {"value": max(root, decimal(r + s), Decimal(case["contact"])), "point1": decimal(max(*map(abs, c), r)),
+                          "point2": decimal(max(*map(abs, d), s))}
+                for field, exact_numbers in right.items():
+                    claims = answer["contact"][field]
+                    for claim, x in zip(claims if isinstance(claims, list) else [claims], exact_numbers):
+                        if abs(Decimal(claim) - x) > Decimal(math.ulp(claim)) / 2 * (1 + Decimal("1e-60")):  # else correctly rounded
+                            take("length", abs(Decimal(claim) - x), scales[field], case["id"])
+            for key, (off, name) in offs.items():
+                with self.subTest(f"{path.name} {key}"):
+                    self.assertGreaterEqual(Decimal(needs[key]["from"]), off)
+                    self.assertLessEqual(Decimal(needs[key]["from"]) * (1 - Decimal(2) ** -50), off)
+                    self.assertEqual(needs[key].get("id", ""), name)
 
     def test_everyday_numbers_are_those_from_a_tenth_of_a_thousandth_to_ten_thousand(self):
         def question(x):
