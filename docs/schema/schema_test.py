@@ -128,12 +128,16 @@ class Accepted(Case):
             "ended early": (1, ["--engine", "plain-double", "--fail-fast"]),
             "outside the domain": (1, ["--engine", "plain-double", "--family", "invalid"]),
             "recorded": (1, ["--results", GOLDEN / "recorded" / "sofa-2a278d8" / "sphere_sphere.jsonl"]),
+            "a tolerance": (1, ["--engine", "plain-double", "--tolerance", "relative=1e-9,max=1e9"]),
+            "asked again": (0, ["--engine", "production", "--determinism"]),
+            "other bits": (1, ["--engine", "unsteady:order", "--determinism"]),
         }
         for name, (code, options) in table.items():
             with self.subTest(name):
                 done = run("certify", *self.FEW, *options, "--json", report)
                 self.assertEqual(done.returncode, code, done.stderr)
                 self.valid("report.json", json.loads(report.read_text()))
+                self.assertEqual("determinism" in json.loads(report.read_text()), "--determinism" in options)
         refuted("certify", *self.FEW, "--engine", "plain-double", "--json", older)
         done = run("certify", *self.FEW, "--engine", "plain-double", "--baseline", older, "--json", report)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -151,6 +155,8 @@ class Accepted(Case):
             "a command": (1, [*self.FEW, "--engine-command", plain]),
             "recorded": (1, [*self.FEW, "--results", GOLDEN / "recorded" / "sofa-2a278d8" / "sphere_sphere.jsonl"]),
             "generated": (0, ["--generate", 3, "--seed", 2**64 - 1]),
+            "a tolerance": (0, [one, "--engine", "production", "--tolerance", "length=1e-9,max=1e9"]),
+            "asked again": (0, [one, "--engine", "production", "--determinism"]),
             "accepted": (0, [one, "--engine", "plain-double", "--baseline", known, "--accept-reason", "known",
                              "--accept-until", "2999-12-31"]),
         }
@@ -160,6 +166,27 @@ class Accepted(Case):
                 self.assertEqual(done.returncode, code, done.stderr)
                 self.valid("certificate.json", json.loads(path.read_text()))
         self.assertTrue(json.loads(path.read_text())["accepted"])
+
+    def exam(self, *options):
+        """An exam, its key before and after it is closed, and its certificate."""
+        exam, key, answers, certificate = (self.folder / name for name in ("exam.jsonl", "key.json", "answers.jsonl", "c.json"))
+        keys = []
+        for args in (["new", "-o", exam, "--key", key, "--count", 2, *options], ["take", exam, "-o", answers, "--engine", "production"],
+                     ["close", "--key", key, "--results", answers, "--certificate", certificate]):
+            done = run("exam", *args)
+            self.assertEqual(done.returncode, 0, done.stderr + done.stdout[-500:])
+            keys.append(json.loads(key.read_text()))
+        return exam, keys, json.loads(certificate.read_text())
+
+    def test_exams_and_their_keys_and_certificates_are_valid(self):
+        for options in ([], ["--profile", "game", "--pair", "sphere_cube"]):
+            exam, keys, certificate = self.exam(*options)
+            self.lines_valid("exam.json", exam, "question")
+            self.valid("exam-key.json", *keys)
+            self.assertEqual([key["used"] is None for key in keys], [True, True, False])
+            self.valid("certificate.json", certificate)
+            self.assertIn("exam", certificate)
+            (self.folder / "key.json").unlink()
 
     def test_both_sides_of_the_protocol_are_valid(self):
         recording = self.folder / "questions.jsonl"
@@ -297,6 +324,10 @@ class Refused(Case):
             "bound too large": (["bounds", "value"], 65), "unknown bound": (["bounds", "point1"], 8),
             "scale without max": (["conventions", "scale"], {"min": 0}), "scalar missing": (["scalar"], None),
         })
+        self.check("results.json", {**header, "tolerance": {"length": 1e-6, "relative": 0, "angle": 1e-3, "scale": {"min": 0, "max": 9}}}, {
+            "negative length": (["tolerance", "length"], -1), "more than half a turn": (["tolerance", "angle"], 3.2),
+            "unknown measure": (["tolerance", "width"], 1), "infinite": (["tolerance", "relative"], "Infinity"),
+            "half a scale": (["tolerance", "scale"], {"min": 0})})
         hit = next(answer for answer in answers if answer.get("contact"))
         self.valid("results.json", *({"id": hit["id"], **says} for says in (
             {"overlap": True}, {"contact": None}, {"contact": {}}, {"unsupported": "why"}, {"rejected": "alarm"}, {"error": "text"})))
@@ -390,6 +421,37 @@ class Refused(Case):
             "grade": ([*family, "fields", "value", "grade"], "good"), "level": ([*family, "level"], None),
             "unknown count": ([*family, "colour"], 7), "crashes": (["found", "total", "answers", "crash"], 0),
             "no reason": (["accepted", 0, "reason"], ""), "no day": (["accepted", 0, "expires"], None)})
+
+    def test_typical_mistakes_in_an_exam_its_key_and_its_certificate(self):
+        exam, keys, certificate = Accepted.exam(self, "--pair", "sphere_sphere", "--family", "generic")
+        header, question, _ = lines_of(exam)
+        self.check("exam.json", header, {
+            "format": (["format"], "contact-oracle/dataset"), "count": (["count"], -1), "digest": (["questions"], "0" * 63),
+            "no commitment": (["commitment"], None), "a family": (["family"], "generic")})
+        self.check("exam.json", question, {
+            "an answer": (["expect"], {"hit": False}), "no pair": (["pair"], None), "id": (["id"], "1"), "negative alarm": (["alarm"], -1),
+            "no number": (["a", "radius"], "NaN"), "flags": (["flags"], [])})
+        self.check("exam-key.json", keys[-1], {
+            "seed": (["seed"], -1), "short nonce": (["nonce"], "0" * 63), "profile": (["profile"], "sport"), "no source": (["sources"], []),
+            "no question": (["sources", 0, "count"], 0), "outside the domain": (["sources", 0, "family"], "invalid"),
+            "day": (["used", "on"], "today"), "no digest of answers": (["used", "answers"], None), "not said": (["used"], None),
+            "unknown key": (["colour"], 7)})
+        self.check("certificate.json", certificate, {
+            "no nonce": (["exam", "nonce"], None), "digest": (["exam", "questions"], "x"), "seed": (["exam", "seed"], 7)})
+
+    def test_typical_mistakes_in_what_came_of_asking_again(self):
+        path = self.folder / "report.json"
+        refuted("certify", self.FEW_QUESTIONS, "--engine", "unsteady:order", "--determinism", "--json", path)
+        report = json.loads(path.read_text())
+        different = next(i for i, way in enumerate(report["determinism"]["ways"]) if way["differ"])
+        same = next(i for i, way in enumerate(report["determinism"]["ways"]) if not way["differ"])
+        way, source = ["determinism", "ways", different], ["determinism", "sources", 0]
+        self.check("report.json", report, {
+            "no question": ([*way, "question"], None), "no answer": ([*way, "now"], None), "half an id": ([*source, "each"], "0" * 31),
+            "a question of the same": (["determinism", "ways", same, "question"], report["determinism"]["ways"][different]["question"]),
+            "digest": (["determinism", "sha256"], None), "count": ([*source, "answers"], -1)})
+
+    FEW_QUESTIONS = GOLDEN / "sphere_sphere" / "touching.jsonl"
 
 
 if __name__ == "__main__":

@@ -45,10 +45,10 @@ class UnsteadyEngine final : public Engine {
  private:
   [[nodiscard]] double disturbed(double value, std::size_t at_once) {
     if (id_ == "order") return ulps_above(value, before_.exchange(value) > value ? 1 : 0);
-    if (id_ == "batch") return ulps_above(value, at_once > 256 ? 1 : 0);
+    if (id_ == "batch") return ulps_above(value, at_once > 64 ? 1 : 0);
     if (id_ == "time")
       return ulps_above(value, (std::chrono::steady_clock::now().time_since_epoch().count() / 1000) % 2 == 0 ? 1 : 0);
-    if (id_ == "process") return ulps_above(value, static_cast<unsigned>(getpid()) % 61);
+    if (id_ == "process") return ulps_above(value, static_cast<unsigned>(getpid()) % 7);
     // Whoever writes between is whose value comes back.
     before_ = value;
     std::this_thread::yield();

@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "engines/protocol/results.hpp"
@@ -23,6 +24,7 @@ Tolerance read_tolerance(const std::string& text) {
         {"command line", 0}, "--tolerance",
         fmt::format("expected length=, relative=, angle=, min= or max= and a number each, got '{}'", part));
   };
+  std::set<std::string> given;
   std::istringstream parts(text);
   std::string part;
   while (std::getline(parts, part, ',')) {
@@ -33,9 +35,8 @@ Tolerance read_tolerance(const std::string& text) {
     const char* begin = part.data() + std::min(equals + 1, part.size());
     if (const auto read = std::from_chars(begin, end, value); begin == end || read.ptr != end || read.ec != std::errc())
       refuse(part);
-    nlohmann::json& into = scale.contains(key) ? scale : object;
-    if (&into == &object && object.contains(key)) refuse(text);
-    into[key] = value;
+    if (key == "scale" || !given.insert(key).second) refuse(text);
+    (scale.contains(key) ? scale : object)[key] = value;
   }
   if (text.empty() || text.back() == ',') refuse(text);
   object["scale"] = scale;

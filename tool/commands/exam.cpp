@@ -43,6 +43,8 @@ std::vector<Source> sources_of(const NewOptions& o, std::uint64_t seed) {
   const Scalar scalar = !o.scalar.empty() ? named(kScalars, o.scalar) : profile ? profile->scalar : Scalar::binary64;
   const std::uint64_t count = o.count != 0 ? o.count : profile ? profile->count : kQuestionsOfAFamily;
   const auto left_out = profile ? profile->left_out : std::span<const std::string_view>(kOutOfTheDomain);
+  if (std::find(o.families.begin(), o.families.end(), "invalid") != o.families.end())
+    throw InputError({"exam new", 0}, "--family", "invalid has questions outside the domain, and an exam has none");
   std::vector<std::string> unknown = o.families;
   std::vector<Source> sources;
   for (const Pair pair : kPairs) {

@@ -175,6 +175,7 @@ class Certificate {
     if (const auto folder = questions.find("folder")) stated.folder = folder->text();
     for (const Node& source : questions.at("sources").items()) {
       const auto file = source.find("file");
+      if (file && node().find("exam")) file->refuse("an exam's questions are generated, and come from no file");
       stated.names.push_back(file ? file->text() : "");
     }
     stated.answers = node().at("answers").at("file").text();

@@ -16,6 +16,7 @@
 #include "golden/query_id.hpp"
 #include "tool/run/date.hpp"
 #include "tool/run/process.hpp"
+#include "tool/run/profiles.hpp"
 
 namespace contact::tool {
 namespace {
@@ -161,7 +162,8 @@ ExamKey read_key(const std::filesystem::path& path) {
   ExamKey key;
   key.issued = node.at("issued").text();
   if (!is_date(key.issued)) node.at("issued").refuse("expected a day, YYYY-MM-DD");
-  if (const Node profile = node.at("profile"); !profile.is_null()) key.profile = profile.text();
+  if (const Node profile = node.at("profile"); !profile.is_null())
+    key.profile = kProfileNames[profile.one_of(kProfileNames)];
   if (const Node generator = node.at("generator"); generator.text() != golden::kGenerator)
     generator.refuse(fmt::format("this program is {}, and makes other questions", golden::kGenerator));
   key.nonce = digest_at(node.at("nonce"));

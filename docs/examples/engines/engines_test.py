@@ -156,7 +156,7 @@ class Pages(unittest.TestCase):
         return subprocess.run(words, shell=True, text=True, capture_output=True, cwd=ROOT, timeout=60).stdout
 
     def test_what_they_show_is_what_is_printed(self):
-        blocks = [block for name in ("README.md", "docs/certify-your-engine.md") for block in shown((ROOT / name).read_text())]
+        blocks = [block for name in ("README.md", "docs/certify-your-engine.md", "docs/exams.md") for block in shown((ROOT / name).read_text())]
         self.assertGreater(len(blocks), 4)
         for (command, output), printed in zip(blocks, in_pairs(lambda block: self.run_as_shown(block[0]), blocks)):
             with self.subTest(command):
@@ -175,15 +175,16 @@ class Pages(unittest.TestCase):
         self.assertTrue(all(isinstance(line, str) for line in gitlab["contacts"]["script"]))
 
     def test_links_lead_somewhere(self):
-        page = (ROOT / "docs/certify-your-engine.md").read_text()
-        for target in re.findall(r"\]\(([^)]+)\)", page):
-            file, _, anchor = target.partition("#")
-            linked = (ROOT / "docs" / file) if file else ROOT / "docs/certify-your-engine.md"
-            with self.subTest(target):
-                self.assertTrue(linked.exists())
-                if anchor:
-                    heads = re.findall(r"^#+ (.*)$", linked.read_text(), re.MULTILINE)
-                    self.assertIn(anchor, [re.sub(r"[^\w -]", "", head.lower()).replace(" ", "-") for head in heads])
+        for name in ("certify-your-engine.md", "exams.md", "specification.md", "glossary.md", "trust.md", "formats.md"):
+            page = (ROOT / "docs" / name).read_text()
+            for target in re.findall(r"\]\((?!https?:)([^)]+)\)", page):
+                file, _, anchor = target.partition("#")
+                linked = (ROOT / "docs" / file) if file else ROOT / "docs" / name
+                with self.subTest(f"{name}: {target}"):
+                    self.assertTrue(linked.exists())
+                    if anchor:
+                        heads = re.findall(r"^#+ (.*)$", linked.read_text(), re.MULTILINE)
+                        self.assertIn(anchor, [re.sub(r"[^\w -]", "", head.lower()).replace(" ", "-") for head in heads])
 
 
 class NothingIsLeft(unittest.TestCase):
