@@ -152,7 +152,7 @@ class Pages(unittest.TestCase):
     """In a block after <!-- run --> the first lines are commands and the rest what they print; ... stands for some lines."""
 
     def run_as_shown(self, command):
-        words = command.replace("./run ", shlex.quote(str(TOOL)) + " ")
+        words = command.replace("./run ", shlex.quote(str(TOOL)) + " ").replace("python3 ", shlex.quote(sys.executable) + " ")
         return subprocess.run(words, shell=True, text=True, capture_output=True, cwd=ROOT, timeout=60).stdout
 
     def test_what_they_show_is_what_is_printed(self):
