@@ -162,6 +162,13 @@ std::vector<std::string> fitness_lines(std::string_view what, std::string_view s
   return lines;
 }
 
+Fit fit_of(const Fitness& fitness) {
+  if (fitness.answers == 0) return {"-", "-", "-"};
+  const auto text = [](double x) { return x == 0 ? std::string(".") : rounded_up(x); };
+  return {text(length_of(fitness.all, &Need::absolute)), text(of(fitness.all, Measure::angle).absolute.off),
+          fitness.never == 0 ? "." : std::to_string(fitness.never)};
+}
+
 std::vector<InTheWay> in_the_way(const Fitness& fitness) {
   constexpr std::array<std::string_view, oracle::kMeasures.size()> kWhat{
       "a value or coordinate off by {}", "a normal off by {} radians", "a decision wrong {} from where it changes"};

@@ -57,6 +57,14 @@ struct Fitness {
 /// What an engine would need on some questions, a line each. `scale`: how an option says that it is those alone.
 [[nodiscard]] std::vector<std::string> fitness_lines(std::string_view what, std::string_view scale,
                                                      const Fitness& fitness);
+/// The least length and the least angle of it, two figures each, and how many answers no tolerance allows: "." for
+/// none.
+struct Fit {
+  std::string length;
+  std::string angle;
+  std::string never;
+};
+[[nodiscard]] Fit fit_of(const Fitness& fitness);
 /// A question that makes a tolerance as large as it is, as a line for `explain`.
 struct InTheWay {
   std::string what;

@@ -65,8 +65,7 @@ std::string summary(const std::vector<Report>& reports) {
   std::string html =
       "<div class=wide tabindex=0><table class=board><thead><tr><th>engine<th>verdict<th>level reached<th>hits"
       "<th>misses<th>missed hits<th>false hits<th>missing fields<th>not finite<th>numbers<th>correctly "
-      "rounded<th>beyond "
-      "bound</tr></thead><tbody>\n";
+      "rounded<th>beyond bound<th>lengths fit from<th>normals fit from</tr></thead><tbody>\n";
   for (const Report& report : reports) {
     const FamilyReport all = report.total();
     const FieldCount fields = all.all_fields();
@@ -74,7 +73,8 @@ std::string summary(const std::vector<Report>& reports) {
                         for_html(report.engine.name), verdict_mark(report), name(report.level())) +
             cell(all.decided.hits) + cell(all.decided.misses) + bad_cell(all.missed_hits) + bad_cell(all.false_hits) +
             bad_cell(all.incomplete) + bad_cell(all.not_finite) + cell(fields.judged()) +
-            cell(fields.at(Grade::correctly_rounded)) + bad_cell(fields.at(Grade::beyond_bound)) + "</tr>\n";
+            cell(fields.at(Grade::correctly_rounded)) + bad_cell(fields.at(Grade::beyond_bound)) +
+            fmt::format("<td>{}</td><td>{}</td></tr>\n", fit_of(all.everyday).length, fit_of(all.everyday).angle);
   }
   return html + "</tbody></table></div>\n";
 }

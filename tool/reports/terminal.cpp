@@ -130,17 +130,18 @@ std::string terminal_text(const Report& report, bool colour) {
 std::string scoreboard_text(const std::vector<Report>& reports, bool colour) {
   Table summary;
   summary.row({"engine", "verdict", "level reached", "hits", "misses", "missed hits", "false hits", "missing fields",
-               "not finite", "numbers", "correctly rounded", "beyond bound"});
+               "not finite", "numbers", "correctly rounded", "beyond bound", "lengths fit from", "normals fit from"});
   for (const Report& report : reports) {
     const FamilyReport all = report.total();
     const FieldCount fields = all.all_fields();
     const double share = fields.judged() == 0 ? 0
                                               : 100.0 * static_cast<double>(fields.at(Grade::correctly_rounded)) /
                                                     static_cast<double>(fields.judged());
+    const Fit fit = fit_of(all.everyday);
     summary.row({report.engine.name, report.certified() ? "certified" : "REFUTED", std::string(name(report.level())),
                  or_dot(all.decided.hits), or_dot(all.decided.misses), or_dot(all.missed_hits), or_dot(all.false_hits),
                  or_dot(all.incomplete), or_dot(all.not_finite), or_dot(fields.judged()),
-                 fmt::format("{:.1f} %", share), or_dot(fields.at(Grade::beyond_bound))});
+                 fmt::format("{:.1f} %", share), or_dot(fields.at(Grade::beyond_bound)), fit.length, fit.angle});
   }
   // Family by family: those where most is wrong, of all engines together, come first.
   struct Row {
@@ -172,11 +173,12 @@ std::string scoreboard_text(const std::vector<Report>& reports, bool colour) {
     families.row(std::move(cells));
   }
   summary.drop_empty_columns();
-  std::string text = summary.text(colour ? style_of : Table::Style()) + "\n" +
-                     families.text(colour ? style_of : Table::Style()) +
-                     "\n.  none      -  not judged: the file holds numbers that the engine's scalar does not\n" +
-                     fmt::format("and {} families with less that is wrong, {} with nothing; --report shows all\n\n",
-                                 all_wrong - shown, worst.size() - all_wrong);
+  std::string text =
+      summary.text(colour ? style_of : Table::Style()) + "\n" + families.text(colour ? style_of : Table::Style()) +
+      "\n.  none      -  not judged: the file holds numbers that the engine's scalar does not\n" +
+      "fit from: the length, or the angle in radians, that --tolerance must allow for everyday numbers\n" +
+      fmt::format("and {} families with less that is wrong, {} with nothing; --report shows all\n\n", all_wrong - shown,
+                  worst.size() - all_wrong);
   for (const Report& report : reports) {
     text += styled(report.certified() ? kGood : kBad, report.sentence(), colour) + "\n";
     for (const std::string& d : report.why.lines()) text += "  " + d + "\n";
