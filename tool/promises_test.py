@@ -371,6 +371,18 @@ class Fitness(Case):
             less = re.sub(r"(length|relative)=([^,]+)", lambda m: f"{m[1]}={float(m[2]) / 10!r}", tolerance)
             self.refuted("certify", *base, "--tolerance", less)
 
+    def test_half_a_turn_is_said_as_the_option_takes_it_and_a_length_that_no_angle_allows_is_not(self):
+        self.questions()
+        for factor, said in ((-1, "angle=3.15"), (10, None)):
+            results = self.answers(lambda contact: {**contact, "normal": [factor * x for x in contact["normal"]]})
+            printed = self.fitness(self.dataset, "--results", results)
+            with self.subTest(factor):
+                if said is None:
+                    self.assertNotIn("would pass with --tolerance", printed)
+                else:
+                    self.assertIn(f"would pass with --tolerance {said}", printed)
+                    self.holds("certify", self.dataset, "--results", results, "--tolerance", said)
+
     def test_a_right_engine_passes_with_any_tolerance(self):
         printed = self.fitness(GENERIC, "--engine", "production", code=0)
         self.assertIn("all numbers: would pass with any tolerance", printed)
