@@ -371,6 +371,18 @@ class Fitness(Case):
             less = re.sub(r"(length|relative)=([^,]+)", lambda m: f"{m[1]}={float(m[2]) / 10!r}", tolerance)
             self.refuted("certify", *base, "--tolerance", less)
 
+    def test_half_a_turn_is_said_as_the_option_takes_it_and_a_length_that_no_angle_allows_is_not(self):
+        self.questions()
+        for factor, said in ((-1, "angle=3.15"), (10, None)):
+            results = self.answers(lambda contact: {**contact, "normal": [factor * x for x in contact["normal"]]})
+            printed = self.fitness(self.dataset, "--results", results)
+            with self.subTest(factor):
+                if said is None:
+                    self.assertNotIn("would pass with --tolerance", printed)
+                else:
+                    self.assertIn(f"would pass with --tolerance {said}", printed)
+                    self.holds("certify", self.dataset, "--results", results, "--tolerance", said)
+
     def test_a_right_engine_passes_with_any_tolerance(self):
         printed = self.fitness(GENERIC, "--engine", "production", code=0)
         self.assertIn("all numbers: would pass with any tolerance", printed)
@@ -608,6 +620,15 @@ class Determinism(Case):
         for name in names:
             with self.subTest(name):
                 self.assertRegex((self.folder / f"out.{name}").read_text(), "in another order")
+
+    def test_a_certificate_of_an_engine_that_was_asked_again_holds(self):
+        self.questions()
+        path = self.folder / "certificate.json"
+        for engine, dataset, code in (("production", self.dataset, 0), ("unsteady:order", TOUCHING, 1)):
+            with self.subTest(engine):
+                self.ends(code, "certify", dataset, "--engine", engine, "--determinism", "--certificate", path)
+                self.assertEqual(json.loads(path.read_text())["found"]["same_bits"], code == 0)
+                self.assertIn("HOLDS", self.holds("verify", path))
 
     def test_an_engine_that_answers_from_threads_is_served_and_gives_the_same_answers(self):
         self.questions(20)
@@ -866,6 +887,17 @@ class Exams(Case):
             self.file("taken.jsonl", "".join(lines)[:length])
             self.refused("taken.jsonl", args=self.closing())
             self.assertIsNone(self.key_json()["used"])
+
+    def test_answers_that_claim_nothing_do_not_use_up_a_key(self):
+        self.set_exam()
+        self.take()
+        self.file("taken.jsonl", self.taken.read_text().splitlines(True)[0])
+        certificate = self.folder / "certificate.json"
+        done = run(*self.closing("--certificate", certificate))
+        self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
+        self.assertIsNone(self.key_json()["used"])
+        self.assertFalse(certificate.exists())
+        self.assertNotIn("stands in the certificate", done.stdout)
 
     def test_an_exam_of_a_profile_is_judged_by_its_tolerance(self):
         for off, code in ((5e-4, 0), (2e-2, 1)):

@@ -38,9 +38,12 @@ double length_of(const Fitness::Needs& needs, Largest Need::*kind) {
 std::optional<std::string> option(const Fitness::Needs& needs, std::string_view key, Largest Need::*kind) {
   const double angle = of(needs, Measure::angle).absolute.off;
   const double length = length_of(needs, kind);
-  if (std::isinf(length)) return std::nullopt;
+  constexpr double kMostAngle = 3.15;  // that --tolerance takes; a normal's length may be off by more
+  if (std::isinf(length) || angle > kMostAngle) return std::nullopt;
   std::string text = length == 0 && angle != 0 ? "" : fmt::format("{}={}", key, rounded_up(length));
-  if (angle != 0) text += fmt::format("{}angle={}", text.empty() ? "" : ",", rounded_up(angle));
+  // Half a turn with two figures would be more than the option takes.
+  if (angle != 0)
+    text += fmt::format("{}angle={}", text.empty() ? "" : ",", angle > 3.1 ? std::string("3.15") : rounded_up(angle));
   return text;
 }
 
