@@ -79,6 +79,7 @@ class Archive {
     return found;
   }
   [[nodiscard]] Member open(const std::string& name) const {
+    static_cast<void>(stat(name));
     Member member(zip_fopen(zip_, (name + std::string(kNpy)).c_str(), 0));
     if (!member) throw InputError(where_, "/" + name, "cannot read: " + message(zip_get_error(zip_)));
     return member;

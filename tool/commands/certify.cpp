@@ -156,6 +156,8 @@ void require_whole(const CertifyOptions& options, bool scoreboard) {
 void require_askable(const CertifyOptions& options, bool scoreboard) {
   if (scoreboard) refuse("--determinism asks one engine again: give the engine");
   if (!options.engine.results.empty()) refuse("--determinism asks again, and a results file has been answered once");
+  if (options.fail_fast || options.max_time > 0)
+    refuse("--determinism asks all questions again, and --fail-fast and --max-time may end early");
   if (!options.parts.empty() || Cluster::size() > 1)
     refuse("--determinism compares the answers of one whole run: --parts and several processes cut it");
 }

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -24,6 +27,7 @@ Tolerance read_tolerance(const std::string& text) {
         {"command line", 0}, "--tolerance",
         fmt::format("expected length=, relative=, angle=, min= or max= and a number each, got '{}'", part));
   };
+  constexpr std::array<std::string_view, 5> kParts{"length", "relative", "angle", "min", "max"};
   std::set<std::string> given;
   std::istringstream parts(text);
   std::string part;
@@ -35,7 +39,8 @@ Tolerance read_tolerance(const std::string& text) {
     const char* begin = part.data() + std::min(equals + 1, part.size());
     if (const auto read = std::from_chars(begin, end, value); begin == end || read.ptr != end || read.ec != std::errc())
       refuse(part);
-    if (key == "scale" || !given.insert(key).second) refuse(text);
+    if (std::find(kParts.begin(), kParts.end(), key) == kParts.end() || std::isnan(value)) refuse(part);
+    if (!given.insert(key).second) refuse(text);
     (scale.contains(key) ? scale : object)[key] = value;
   }
   if (text.empty() || text.back() == ',') refuse(text);

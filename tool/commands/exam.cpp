@@ -165,6 +165,13 @@ int close(const CloseOptions& o) {
   Oracles oracles;
   std::vector<Report> reports{report};
   merge(reports, judge_part(key.sources, subjects, stop, oracles), true);
+  const std::size_t unknown = reports.front().unknown_answers.size();
+  if (unknown != 0 && unknown == engines::count_recorded(o.engine.results))
+    throw InputError({o.engine.results, 0}, "", "answers no question of this exam");
+  if (reports.front().harness_invalid()) {
+    fmt::print("{} stays as it is: no answer claims anything\n", o.key);
+    return files.write(reports, false);
+  }
   // Used before anybody has seen what came of it.
   formats::OutputFile used(o.key);
   key.used_on = issue_date();

@@ -11,6 +11,7 @@
 #include "tool/commands/commands.hpp"
 #include "tool/reports/certificate.hpp"
 #include "tool/run/date.hpp"
+#include "tool/run/determinism.hpp"
 #include "tool/run/exam.hpp"
 #include "tool/run/parts.hpp"
 #include "tool/run/process.hpp"
@@ -178,6 +179,8 @@ class Certificate {
       if (file && node().find("exam")) file->refuse("an exam's questions are generated, and come from no file");
       stated.names.push_back(file ? file->text() : "");
     }
+    if (node().at("found").find("same_bits"))
+      not_checked_.emplace_back("whether the engine gave the same bits when it was asked again");
     stated.answers = node().at("answers").at("file").text();
     if (const auto exam = node().find("exam")) stated.nonce = exam->at("nonce").text();
     return stated;
@@ -251,6 +254,14 @@ Report judge_again(const Certificate& certificate, const std::vector<Source>& so
   Stop stop;
   std::vector<Report> reports{report};
   merge(reports, judge_part(sources, subjects, stop, oracles), true);
+  if (const auto same = found.find("same_bits")) {
+    // That it gave the same bits cannot be asked of a file; that these are the bits can, where they are the same.
+    Repeats repeats = ask_once(sources, *subjects.front().engine, report.engine);
+    if (!same->boolean()) repeats.sha256 = found.at("answers_again").text();
+    repeats.ways.assign(std::max<std::uint64_t>(found.at("ways").count(), 1), Way{});
+    repeats.ways.back().differ = same->boolean() ? 0 : 1;
+    reports.front().repeats = std::move(repeats);
+  }
   return std::move(reports.front());
 }
 

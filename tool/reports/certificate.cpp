@@ -134,6 +134,7 @@ json found_json(const Report& report) {
              {"skipped", std::move(skipped)}};
   if (report.repeats) {
     found["same_bits"] = report.repeats->same();
+    found["ways"] = report.repeats->ways.size();
     found["answers_again"] = report.repeats->sha256;
   }
   if (report.tolerance()) {

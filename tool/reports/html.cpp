@@ -314,7 +314,7 @@ std::string section(const Report& report) {
   std::string html =
       fmt::format("<section id=\"{0}\"><h2>{0} {1} {2}</h2>\n<p class=verdict>{3}</p>\n", for_html(report.engine.name),
                   for_html(report.engine.version), verdict_mark(report), for_html(report.sentence()));
-  html += listed("Diagnosis", report.why.lines()) + fitness(report);
+  html += listed("Diagnosis", report.diagnosis()) + fitness(report);
   html += "<h3>Families and fields</h3>\n" + matrix(report) + counts(report);
   html += "<div class=charts></div>\n";
   if (!report.certified() && !report.worst.empty()) {

@@ -32,7 +32,7 @@ std::string markdown_text(const Report& report) {
     text += fmt::format("\n**{}**\n\n", title);
     for (const std::string& line : lines) text += fmt::format("- {}\n", for_markdown(line));
   };
-  listed("Diagnosis", report.why.lines());
+  listed("Diagnosis", report.diagnosis());
   text +=
       "\n| family | cases | hits | missed | false | no answer | missing fields | not finite | correctly rounded | "
       "faithful | bounded | beyond | worst (ulps) | level "

@@ -345,9 +345,15 @@ bool Report::fails(const Verdict& verdict) const {
   return tolerance() ? !verdict.within() : verdict.level() > required;
 }
 
+std::vector<std::string> Report::diagnosis() const {
+  return tolerance() && certified() ? std::vector<std::string>() : why.lines();
+}
+
 std::vector<std::string> Report::fitness() const {
   const FamilyReport all = total();
   std::vector<std::string> lines;
+  if (all.with_numbers != 0 && all.all_fields().judged() == 0)
+    lines.emplace_back("no number was judged, so no tolerance certifies it: what follows is of its decisions");
   const auto add = [&](std::string_view what, std::string_view scale, const Fitness& of) {
     if (of.answers != 0)
       for (std::string& line : fitness_lines(what, scale, of)) lines.push_back(std::move(line));

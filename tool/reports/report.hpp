@@ -190,6 +190,8 @@ struct Report : Findings {
   [[nodiscard]] const std::optional<Tolerance>& tolerance() const { return engine.declared.tolerance; }
   /// Whether an answer fails.
   [[nodiscard]] bool fails(const Verdict& verdict) const;
+  /// Why answers are wrong; nothing where the tolerance allows them all, so that none is.
+  [[nodiscard]] std::vector<std::string> diagnosis() const;
   /// From which tolerance on it would pass, and what stands in the way of everyday numbers, else of all.
   [[nodiscard]] std::vector<std::string> fitness() const;
   [[nodiscard]] std::vector<InTheWay> in_the_way() const;

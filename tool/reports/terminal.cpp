@@ -46,7 +46,7 @@ std::vector<std::pair<std::string, FamilyReport>> rows_of(const Report& report) 
   std::vector<FamilyReport> families = report.families;
   const auto level = [&](const FamilyReport& f) { return f.level(report.allow_unsupported); };
   const auto short_of = [&](const FamilyReport& f) {
-    if (report.tolerance()) return !f.within_tolerance(report.allow_unsupported);
+    if (report.tolerance()) return f.fitness.answers != 0 && !f.within_tolerance(report.allow_unsupported);
     return level(f) > (f.with_numbers == 0 ? std::max(report.required, Level::decisions) : report.required);
   };
   std::stable_sort(families.begin(), families.end(), [&](const FamilyReport& x, const FamilyReport& y) {
@@ -122,7 +122,7 @@ std::string terminal_text(const Report& report, bool colour) {
     for (const WorstCase& w : report.worst)
       text += fmt::format("  # {}\n  {}\n", styled(kBad, w.what(), colour), golden::query_line(w.query, w.scalar));
   }
-  listed("Diagnosis", report.why.lines());
+  listed("Diagnosis", report.diagnosis());
   listed("Baseline", report.baseline_lines());
   return text + "\n" + styled(report.certified() ? kGood : kBad, report.sentence(), colour) + "\n";
 }
@@ -181,7 +181,7 @@ std::string scoreboard_text(const std::vector<Report>& reports, bool colour) {
                   worst.size() - all_wrong);
   for (const Report& report : reports) {
     text += styled(report.certified() ? kGood : kBad, report.sentence(), colour) + "\n";
-    for (const std::string& d : report.why.lines()) text += "  " + d + "\n";
+    for (const std::string& d : report.diagnosis()) text += "  " + d + "\n";
   }
   return text;
 }

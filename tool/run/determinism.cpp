@@ -86,22 +86,11 @@ std::string line_of(const engines::Question& question, const std::string& text) 
   return fmt::format("{} {}\n", question.id, text);
 }
 
-}  // namespace
+using Ask = std::function<Texts(Block)>;
+using Ways = std::vector<std::pair<std::string, Ask>>;
 
-Repeats ask_again(const std::vector<Source>& sources, engines::Engine& engine, const engines::EngineInfo& info,
-                  const std::vector<OtherHost>& others) {
-  using Ask = std::function<Texts(Block)>;
-  std::vector<std::pair<std::string, Ask>> all{
-      {"again, in the same order", [&](Block q) { return asked(engine, q, kSliceAgain); }},
-      {"in another order", [&](Block q) { return asked_in_another_order(engine, q); }},
-      {"one at a time", [&](Block q) { return asked(engine, q, 1); }},
-      {fmt::format("up to {} at once", kTogether), [&](Block q) { return asked(engine, q, kTogether); }}};
-  for (const OtherHost& other : others)
-    all.emplace_back(other.how, [&](Block q) { return asked_by_threads(*other.engine, q); });
-  if (others.empty())
-    all.emplace_back(fmt::format("from {} threads", kThreadsThatAsk),
-                     [&](Block q) { return asked_by_threads(engine, q); });
-
+Repeats ask(const std::vector<Source>& sources, engines::Engine& engine, const engines::EngineInfo& info,
+            const Ways& all) {
   Repeats repeats;
   for (const auto& [how, ask] : all) repeats.ways.push_back({how});
   formats::Sha256 whole;
@@ -145,6 +134,26 @@ Repeats ask_again(const std::vector<Source>& sources, engines::Engine& engine, c
   }
   repeats.sha256 = whole.hex();
   return repeats;
+}
+
+}  // namespace
+
+Repeats ask_again(const std::vector<Source>& sources, engines::Engine& engine, const engines::EngineInfo& info,
+                  const std::vector<OtherHost>& others) {
+  Ways all{{"again, in the same order", [&](Block q) { return asked(engine, q, kSliceAgain); }},
+           {"in another order", [&](Block q) { return asked_in_another_order(engine, q); }},
+           {"one at a time", [&](Block q) { return asked(engine, q, 1); }},
+           {fmt::format("up to {} at once", kTogether), [&](Block q) { return asked(engine, q, kTogether); }}};
+  for (const OtherHost& other : others)
+    all.emplace_back(other.how, [&](Block q) { return asked_by_threads(*other.engine, q); });
+  if (others.empty())
+    all.emplace_back(fmt::format("from {} threads", kThreadsThatAsk),
+                     [&](Block q) { return asked_by_threads(engine, q); });
+  return ask(sources, engine, info, all);
+}
+
+Repeats ask_once(const std::vector<Source>& sources, engines::Engine& engine, const engines::EngineInfo& info) {
+  return ask(sources, engine, info, {});
 }
 
 }  // namespace contact::tool

@@ -22,6 +22,10 @@ struct OtherHost {
 [[nodiscard]] Repeats ask_again(const std::vector<Source>& sources, engines::Engine& engine,
                                 const engines::EngineInfo& info, const std::vector<OtherHost>& others);
 
+/// The digests of what an engine answers when it is asked once.
+[[nodiscard]] Repeats ask_once(const std::vector<Source>& sources, engines::Engine& engine,
+                               const engines::EngineInfo& info);
+
 inline constexpr std::size_t kTogether = 4096;  ///< questions that are shuffled, or asked in one batch
 inline constexpr unsigned kThreadsThatAsk = 4;
 
