@@ -43,7 +43,10 @@ constexpr std::size_t kBlocks = 3;  // the engine's threads ask for rows of two 
 }  // namespace
 
 ResultColumns::ResultColumns(const std::filesystem::path& path, formats::ArraysForm form)
-    : path_(path.string()), file_(formats::open_arrays(path, form)) {
+    : ResultColumns(path, formats::open_arrays(path, form)) {}
+
+ResultColumns::ResultColumns(const std::filesystem::path& path, std::unique_ptr<formats::ArraysFile> arrays)
+    : path_(path.string()), file_(std::move(arrays)) {
   const formats::Location whole{path_, 0};
   const auto refuse = [&](const std::string& name, const std::string& problem) {
     throw InputError(whole, "/" + name, problem);

@@ -20,6 +20,8 @@ class ResultColumns {
  public:
   /// Throws formats::InputError where a column is unknown, or is not of its kind and shape.
   ResultColumns(const std::filesystem::path& path, formats::ArraysForm form);
+  /// The same of arrays that are in no file; `path` names them in messages.
+  ResultColumns(const std::filesystem::path& path, std::unique_ptr<formats::ArraysFile> arrays);
 
   /// Who answers: what the header says of it, and else the file's name and what the columns claim.
   [[nodiscard]] const EngineInfo& engine() const { return engine_; }

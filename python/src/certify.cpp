@@ -1,0 +1,250 @@
+// A callable of Python as an engine, held against the oracle.
+#include "python/src/certify.hpp"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "engines/protocol/result_columns.hpp"
+#include "golden/dataset.hpp"
+#include "golden/families.hpp"
+#include "oracle/truth/interval_oracle.hpp"
+#include "proptests/run.hpp"
+#include "python/src/columns.hpp"
+#include "tool/reports/law_report.hpp"
+#include "tool/reports/report.hpp"
+#include "tool/run/determinism.hpp"
+#include "tool/run/parts.hpp"
+#include "tool/run/process.hpp"
+#include "tool/run/profiles.hpp"
+
+namespace contact::python {
+namespace {
+
+using engines::EngineInfo;
+using engines::Question;
+using formats::InputError;
+using formats::Node;
+using nlohmann::json;
+using tool::Source;
+
+constexpr std::size_t kTogether = 1 << 16;  // questions in a call
+
+/// Asks the callable, and keeps what it answered to the questions that it was asked ahead of time.
+class CallableEngine final : public engines::Engine {
+ public:
+  CallableEngine(py::function ask, std::string header, EngineInfo info)
+      : Engine(std::move(info)), ask_(std::move(ask)), header_(std::move(header)) {}
+  ~CallableEngine() override {
+    const py::gil_scoped_acquire gil;
+    ask_ = py::function();
+  }
+
+  std::vector<Claim> answer(std::span<const Question> questions) override {
+    std::vector<Claim> claims(questions.size());
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+      const auto kept = kept_.find(questions[i].id);
+      if (kept != kept_.end())
+        claims[i] = kept->second;
+      else
+        open.push_back(i);
+    }
+    // One pair a call.
+    while (!open.empty()) {
+      std::vector<std::size_t> alike;
+      std::vector<std::size_t> other;
+      for (const std::size_t i : open)
+        (questions[i].query.pair == questions[open.front()].query.pair ? alike : other).push_back(i);
+      std::vector<Question> asked;
+      for (const std::size_t i : alike) asked.push_back(questions[i]);
+      std::vector<Claim> answers = ask(asked);
+      for (std::size_t k = 0; k < alike.size(); ++k) claims[alike[k]] = std::move(answers[k]);
+      open = std::move(other);
+    }
+    return claims;
+  }
+
+  /// Asks all questions of a source that the engine serves, many at once.
+  void ask_ahead(const Source& source) {
+    std::vector<Question> block;
+    const auto flush = [&] {
+      tool::throw_if_interrupted();
+      std::vector<Claim> answers = ask(block);
+      for (std::size_t i = 0; i < block.size(); ++i) kept_.insert_or_assign(block[i].id, std::move(answers[i]));
+      block.clear();
+    };
+    const oracle::Declaration declared = info().declared_for(source.pair);
+    tool::for_each_question(source, [&](const Question& question) {
+      if (oracle::not_served(question.query, declared)) return;
+      block.push_back(question);
+      if (block.size() == kTogether) flush();
+    });
+    if (!block.empty()) flush();
+  }
+  void forget() { kept_.clear(); }
+
+ private:
+  /// Questions of one pair.
+  std::vector<Claim> ask(std::span<const Question> questions) {
+    const py::gil_scoped_acquire gil;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    const Pair pair = questions.front().query.pair;
+    const Scalar scalar = info().declared.scalar;
+    QuestionColumns columns(pair, scalar, questions.size());
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+      columns.set(i, questions[i].query);
+      columns.set_id(i, questions[i].id);
+    }
+    const auto answers = py::cast<py::dict>(ask_(std::string(name(pair)), std::string(name(scalar)), columns.arrays()));
+    engines::ResultColumns found("answers", arrays_in_memory("answers", answers, header_));
+    if (found.rows() != questions.size())
+      throw InputError({"answers", 0}, "",
+                       fmt::format("have {} rows, and {} questions were asked", found.rows(), questions.size()));
+    {
+      // What the columns claim is known when the first come; later ones may not claim less.
+      const std::lock_guard lock(mutex_);
+      if (!said_) {
+        said_ = true;
+        set_info(found.engine());
+      }
+    }
+    std::vector<Claim> claims;
+    claims.reserve(questions.size());
+    for (std::size_t i = 0; i < questions.size(); ++i) claims.push_back(found.claim(i));
+    return claims;
+  }
+
+  py::function ask_;
+  std::string header_;
+  std::mutex mutex_;
+  bool said_ = false;
+  std::unordered_map<std::string, Claim> kept_;
+};
+
+/// What is known of an engine before it answers.
+EngineInfo info_of(const std::string& header) {
+  const formats::Location where{"engine", 0};
+  json all = formats::parse_object(header, where);
+  const auto add = [&](const char* key, const json& value) {
+    if (!all.contains(key)) all[key] = value;
+  };
+  add("engine", {{"name", "callable"}, {"version", ""}});
+  add("scalar", name(Scalar::binary64));
+  json pairs = json::array();
+  for (const Pair pair : kPairs) pairs.push_back(name(pair));
+  add("pairs", pairs);
+  add("format", engines::kResultsFormat);
+  add("version", engines::kResultsVersion);
+  return engines::read_engine_info(Node(all, where), {"format", "version"});
+}
+
+std::vector<Source> sources_of(const std::string& text) {
+  const formats::Location where{"sources", 0};
+  const json all = json::parse(text);
+  std::vector<Source> sources;
+  for (const Node& one : Node(all, where).items()) {
+    if (const auto dataset = one.find("dataset")) {
+      const std::filesystem::path path = dataset->text();
+      const golden::DatasetHeader& h = golden::DatasetReader(path).header();
+      sources.push_back({h.pair, h.scalar, h.family, h.count, path});
+      continue;
+    }
+    const Pair pair = golden::read_pair(one.at("pair"));
+    const std::string family = one.at("family").text();
+    const golden::Family* generator = golden::find_family(pair, family);
+    if (generator == nullptr) one.at("family").refuse(fmt::format("{} has no such generator", name(pair)));
+    sources.push_back({pair, golden::read_scalar(one.at("scalar")), family, one.at("count").count(), std::nullopt,
+                       generator, one.at("seed").count()});
+  }
+  return sources;
+}
+
+}  // namespace
+
+py::dict certify(const py::function& ask, const std::string& engine, const std::string& sources_text,
+                 const std::string& options) {
+  const formats::Location where{"options", 0};
+  const json all = formats::parse_object(options, where);
+  const Node o(all, where);
+  o.allow_only({"level", "tolerance", "profile", "allow_unsupported", "check", "determinism"});
+  const std::vector<Source> sources = sources_of(sources_text);
+  auto owned = std::make_unique<CallableEngine>(ask, engine, info_of(engine));
+  CallableEngine& callable = *owned;
+  std::vector<tool::Subject> subjects;
+  subjects.push_back({std::move(owned), {}});
+  tool::Oracles oracles;
+  if (const auto check = o.find("check")) oracles.check = static_cast<tool::Check>(check->one_of(tool::kCheckNames));
+  std::vector<tool::Report> reports;
+  {
+    const py::gil_scoped_release no_gil;
+    for (const Source& source : sources)
+      if (tool::engine_takes(callable.info(), source.pair, source.scalar)) callable.ask_ahead(source);
+    tool::Report& report = subjects.front().report;
+    report.engine = callable.info();
+    if (const auto level = o.find("level")) {
+      report.required = static_cast<oracle::Level>(level->one_of(oracle::kLevelNames));
+      report.engine.declared.tolerance.reset();
+    }
+    if (const auto tolerance = o.find("tolerance"))
+      report.engine.declared.tolerance = engines::read_tolerance(*tolerance);
+    if (const auto profile = o.find("profile"))
+      report.engine.declared.tolerance = tool::kProfiles[profile->one_of(tool::kProfileNames)].tolerance;
+    if (const auto allow = o.find("allow_unsupported")) report.allow_unsupported = allow->boolean();
+    tool::Stop stop;
+    reports.push_back(report);
+    merge(reports, judge_part(sources, subjects, stop, oracles), true);
+    if (const auto again = o.find("determinism"); again && again->boolean()) {
+      callable.forget();
+      reports.front().repeats = tool::ask_again(sources, callable, reports.front().engine, {});
+    }
+  }
+  const tool::Report& report = reports.front();
+  if (report.judged() == 0)
+    throw InputError({"certify", 0}, "", fmt::format("no case was judged; {}", fmt::join(report.left_out(), "; ")));
+  py::dict found;
+  found["exit"] = static_cast<int>(report.harness_invalid() ? tool::kHarnessInvalid
+                                   : report.certified()     ? tool::kCertified
+                                                            : tool::kRefuted);
+  found["json"] = json_text(report);
+  found["html"] = html_text(reports);
+  found["text"] = terminal_text(report, false);
+  found["junit"] = junit_text(report);
+  found["markdown"] = markdown_text(report);
+  return found;
+}
+
+py::dict properties(const py::function& ask, const std::string& engine, const std::string& options) {
+  const formats::Location where{"options", 0};
+  const json all = formats::parse_object(options, where);
+  const Node o(all, where);
+  o.allow_only({"seed", "cases", "laws"});
+  proptests::RunOptions run;
+  run.seed = o.at("seed").count();
+  if (const auto cases = o.find("cases")) run.cases = cases->count();
+  if (const auto laws = o.find("laws"))
+    for (const Node& law : laws->items()) {
+      if (proptests::find_law(law.text()) == nullptr) law.refuse("no such law");
+      run.names.push_back(law.text());
+    }
+  run.after_case = [] { tool::throw_if_interrupted(); };
+  std::unique_ptr<engines::Engine> callable = std::make_unique<CallableEngine>(ask, engine, info_of(engine));
+  std::optional<tool::LawRun> done;
+  {
+    const py::gil_scoped_release no_gil;
+    done.emplace(tool::LawRun{proptests::run_laws(callable, run), run.seed, run.cases, ""});
+    callable.reset();
+  }
+  py::dict found;
+  found["exit"] = static_cast<int>(done->result.holds()         ? tool::kCertified
+                                   : done->result.ever_answered ? tool::kRefuted
+                                                                : tool::kHarnessInvalid);
+  found["json"] = json_text(*done);
+  found["text"] = terminal_text(*done);
+  found["junit"] = junit_text(*done);
+  return found;
+}
+
+}  // namespace contact::python

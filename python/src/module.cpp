@@ -1,0 +1,454 @@
+// The module contact_oracle._core: production, the oracle, the judge and the generators over NumPy arrays.
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "contact/pair_functions.hpp"
+#include "engines/engine.hpp"
+#include "golden/dataset.hpp"
+#include "golden/dataset_writer.hpp"
+#include "golden/families.hpp"
+#include "kernel/batch_pairs.hpp"
+#include "oracle/truth/staged_oracle.hpp"
+#include "proptests/law.hpp"
+#include "python/src/certify.hpp"
+#include "python/src/columns.hpp"
+#include "tool/reports/explanation.hpp"
+#include "tool/run/process.hpp"
+#include "tool/run/profiles.hpp"
+
+namespace contact::python {
+namespace {
+
+constexpr std::size_t kBlock = 512;  // pairs that are answered together: their columns stay in the nearest cache
+
+template <class Names>
+auto named(const Names& all, const std::string& text, std::string_view what) {
+  for (const auto one : all)
+    if (name(one) == text) return one;
+  throw std::invalid_argument(fmt::format("unknown {} '{}'", what, text));
+}
+Pair pair_of(const std::string& text) { return named(kPairs, text, "pair"); }
+Scalar scalar_of(const std::string& text) { return named(kScalars, text, "scalar"); }
+
+/// Answers, in arrays of `Number`.
+template <class Number>
+class Answers {
+ public:
+  Answers(Pair pair, std::size_t size) : has_numbers_(has_numbers(pair)) {
+    const auto n = static_cast<py::ssize_t>(size);
+    hit_ = add<bool>("hit", {n});
+    if (!has_numbers_) return;
+    normal_ = add<Number>("normal", {n, 3});
+    point1_ = add<Number>("point1", {n, 3});
+    point2_ = add<Number>("point2", {n, 3});
+    value_ = add<Number>("value", {n});
+    degenerate_ = add<bool>("degenerate", {n});
+    unique_ = add<bool>("unique", {n});
+  }
+
+  void set(std::size_t row, bool hit, const std::optional<Contact>& contact) {
+    hit_[row] = hit;
+    if (!has_numbers_) return;
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto at = static_cast<Eigen::Index>(axis);
+      normal_[3 * row + axis] = static_cast<Number>(contact ? contact->normal[at] : none);
+      point1_[3 * row + axis] = static_cast<Number>(contact ? contact->point1[at] : none);
+      point2_[3 * row + axis] = static_cast<Number>(contact ? contact->point2[at] : none);
+    }
+    value_[row] = static_cast<Number>(contact ? contact->value : none);
+    degenerate_[row] = contact && contact->degenerate;
+    unique_[row] = !contact || contact->unique;
+  }
+  [[nodiscard]] py::dict arrays() const { return arrays_; }
+
+ private:
+  template <class Value>
+  Value* add(const char* name, const std::vector<py::ssize_t>& shape) {
+    py::array_t<Value> array(shape);
+    arrays_[name] = array;
+    return array.mutable_data();
+  }
+
+  bool has_numbers_;
+  py::dict arrays_;
+  bool* hit_ = nullptr;
+  Number* normal_ = nullptr;
+  Number* point1_ = nullptr;
+  Number* point2_ = nullptr;
+  Number* value_ = nullptr;
+  bool* degenerate_ = nullptr;
+  bool* unique_ = nullptr;
+};
+
+/// Calls visit(row, contact) for some questions of two kinds of shapes with the same distances, in vectors.
+template <class A, class B, class Visit>
+void in_vectors(std::span<const Query> questions, ContactPoints points, batch::Pairs<A, B>& pairs, Visit&& visit) {
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    pairs.set(i, std::get<Two<A, B>>(questions[std::min(i, questions.size() - 1)].shapes));
+  if constexpr (batch::Computes<A, B>) {
+    pairs.compute(questions.front().distances, points);
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+      const auto contact = pairs.contact(i);
+      visit(i, contact.has_value(), contact);
+    }
+  } else {
+    pairs.test(questions.front().distances.alarm);
+    for (std::size_t i = 0; i < questions.size(); ++i) visit(i, pairs.hit()[i] != 0, std::nullopt);
+  }
+}
+
+/// Calls visit(row, hit, contact) for every question.
+template <class Visit>
+void production(const QuestionArrays& questions, PointConvention convention, Visit&& visit) {
+  Query zeros = zero_query(questions.pair());
+  std::visit(
+      [&]<class A, class B>(const Two<A, B>&) {
+        std::vector<Query> block(std::min(kBlock, questions.size()), zeros);
+        const ContactPoints points = engines::contact_points(zeros, convention);
+        const auto one = [&](std::size_t row, const Query& query) {
+          const auto& shapes = std::get<Two<A, B>>(query.shapes);
+          if constexpr (std::is_same_v<A, Box> && std::is_same_v<B, Box>) {
+            visit(row, is_hit(shapes, query.distances), std::nullopt);
+          } else {
+            const auto contact = contact_of(shapes, query.distances, points);
+            visit(row, contact.has_value(), contact);
+          }
+        };
+        if constexpr (batch::Decides<A, B>) {
+          batch::Pairs<A, B> pairs(block.size());
+          for (std::size_t first = 0; first < questions.size(); first += kBlock) {
+            const std::size_t count = std::min(kBlock, questions.size() - first);
+            bool alike = true;
+            for (std::size_t i = 0; i < count; ++i) {
+              questions.read_checked(first + i, block[i]);
+              alike = alike && block[i].distances.alarm == block[0].distances.alarm &&
+                      block[i].distances.contact == block[0].distances.contact;
+            }
+            if (alike)
+              in_vectors<A, B>(
+                  std::span(block).first(count), points, pairs,
+                  [&](std::size_t i, bool hit, const std::optional<Contact>& c) { visit(first + i, hit, c); });
+            else
+              for (std::size_t i = 0; i < count; ++i) one(first + i, block[i]);
+          }
+        } else {
+          for (std::size_t row = 0; row < questions.size(); ++row) {
+            questions.read_checked(row, zeros);
+            one(row, zeros);
+          }
+        }
+      },
+      zero_query(questions.pair()).shapes);
+}
+
+template <class Number>
+py::dict contacts_as(const QuestionArrays& questions, PointConvention convention, Scalar scalar) {
+  Answers<Number> answers(questions.pair(), questions.size());
+  {
+    const py::gil_scoped_release no_gil;
+    if (scalar == Scalar::binary64) {
+      production(questions, convention,
+                 [&](std::size_t row, bool hit, const std::optional<Contact>& c) { answers.set(row, hit, c); });
+    } else {
+      // Production rounds to binary64, and what is rounded twice may be another number: the oracle rounds once.
+      Query query = zero_query(questions.pair());
+      for (std::size_t row = 0; row < questions.size(); ++row) {
+        questions.read_checked(row, query);
+        const Expectation answer = oracle::staged_answer(query, scalar).expected;
+        answers.set(row, answer.hit, answer.contact);
+      }
+    }
+  }
+  return answers.arrays();
+}
+
+py::dict contacts(const std::string& pair, const py::list& columns, const py::array& alarm, const py::array& contact,
+                  const std::string& points, const std::string& scalar) {
+  const auto& names = engines::kComputedPointsNames;
+  const auto it = std::find(names.begin(), names.end(), points);
+  if (it == names.end())
+    throw std::invalid_argument(fmt::format("unknown points '{}'; known: {}", points, fmt::join(names, ", ")));
+  const auto convention = static_cast<PointConvention>(it - names.begin());
+  const QuestionArrays questions(pair_of(pair), columns, alarm, contact);
+  if (scalar_of(scalar) == Scalar::binary64) return contacts_as<double>(questions, convention, Scalar::binary64);
+  if (convention != PointConvention::nearest_surface)
+    throw std::invalid_argument("of float32 only the points nearest_surface are answered");
+  return contacts_as<float>(questions, convention, Scalar::binary32);
+}
+
+py::array_t<bool> hits(const std::string& pair, const py::list& columns, const py::array& alarm,
+                       const py::array& contact) {
+  const QuestionArrays questions(pair_of(pair), columns, alarm, contact);
+  py::array_t<bool> all(static_cast<py::ssize_t>(questions.size()));
+  bool* hit = all.mutable_data();
+  const py::gil_scoped_release no_gil;
+  Query query = zero_query(questions.pair());
+  for (std::size_t row = 0; row < questions.size(); ++row) {
+    questions.read_checked(row, query);
+    hit[row] = std::visit([&](const auto& shapes) { return is_hit(shapes, query.distances); }, query.shapes);
+  }
+  return all;
+}
+
+/// Calls visit(row, question).
+template <class Visit>
+void for_each(const QuestionArrays& questions, Visit&& visit) {
+  Query query = zero_query(questions.pair());
+  for (std::size_t row = 0; row < questions.size(); ++row) {
+    questions.read_checked(row, query);
+    visit(row, std::as_const(query));
+  }
+}
+
+py::object ids(const std::string& pair, const py::list& columns, const py::array& alarm, const py::array& contact) {
+  const QuestionArrays questions(pair_of(pair), columns, alarm, contact);
+  QuestionColumns found(questions.pair(), Scalar::binary64, questions.size());
+  for_each(questions, [&](std::size_t row, const Query& query) { found.set_id(row, golden::query_id(query)); });
+  return found.arrays()["id"];
+}
+
+std::vector<std::string> cases(const std::string& pair, const py::list& columns, const py::array& alarm,
+                               const py::array& contact, const std::string& scalar) {
+  const QuestionArrays questions(pair_of(pair), columns, alarm, contact);
+  const Scalar rounded_to = scalar_of(scalar);
+  std::vector<std::string> lines;
+  const py::gil_scoped_release no_gil;
+  for_each(questions, [&](std::size_t, const Query& query) {
+    lines.push_back(golden::to_line(golden::make_case(query, rounded_to)));
+  });
+  return lines;
+}
+
+std::string explain(const std::string& line) {
+  const formats::Location where{"question", 0};
+  const auto json = formats::parse_object(line, where);
+  const auto [query, scalar] = golden::read_query(formats::Node(json, where));
+  if (const auto error = outside_domain(query)) throw OutsideDomain{error->field, 0, error->value, error->rule};
+  return tool::explanation(query, oracle::truth_of(query), scalar);
+}
+
+py::list pairs() {
+  py::list all;
+  for (const Pair pair : kPairs) {
+    const auto shape = [](const auto& s) {
+      py::list fields;
+      for_each_field(s, [&](const auto& field, const auto& value) {
+        py::tuple across(0);
+        if (sizeof(value) == sizeof(Vector3)) across = py::make_tuple(3);
+        if (sizeof(value) == 3 * sizeof(Vector3)) across = py::make_tuple(3, 3);
+        const std::string kind(kFieldKindNames[static_cast<std::size_t>(field.kind)]);
+        py::dict one;
+        one["name"] = std::string(field.name);
+        one["kind"] = across.size() == 2 ? kind + "s" : kind;
+        one["shape"] = across;
+        fields.append(one);
+      });
+      py::dict found;
+      found["shape"] = std::string(ShapeDescription<std::remove_cvref_t<decltype(s)>>::kName);
+      found["fields"] = fields;
+      return found;
+    };
+    const Query zeros = zero_query(pair);
+    py::dict one;
+    one["name"] = std::string(name(pair));
+    one["numbers"] = has_distance(pair) ? "distance" : is_crossing(pair) ? "crossing" : "none";
+    std::visit([&](const auto& shapes) { one["a"] = shape(shapes.a), one["b"] = shape(shapes.b); }, zeros.shapes);
+    all.append(one);
+  }
+  return all;
+}
+
+py::list families(const std::string& pair) {
+  py::list all;
+  for (const golden::Family& family : golden::families_of(pair_of(pair))) {
+    py::dict one;
+    one["name"] = std::string(family.name);
+    one["reason"] = std::string(family.reason);
+    one["outside_domain"] = family.outside_domain;
+    all.append(one);
+  }
+  return all;
+}
+
+py::tuple generate(const std::string& pair, const std::string& family, std::uint64_t count, std::uint64_t seed,
+                   const std::string& scalar, std::uint64_t first) {
+  const Pair of = pair_of(pair);
+  const golden::Family* generator = golden::find_family(of, family);
+  if (generator == nullptr) throw std::invalid_argument(fmt::format("unknown family '{}' of {}", family, pair));
+  QuestionColumns columns(of, scalar_of(scalar), count);
+  for (std::uint64_t i = 0; i < count; ++i)
+    columns.set(i, golden::generate_query(of, *generator, scalar_of(scalar), seed, first + i));
+  return columns.as_columns();
+}
+
+/// A column of a dataset's answers.
+template <class Value>
+py::array_t<Value> column(const std::vector<golden::Case>& all, py::ssize_t across, const auto& read) {
+  std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(all.size())};
+  if (across > 1) shape.push_back(across);
+  py::array_t<Value> array(shape);
+  Value* to = array.mutable_data();
+  for (const golden::Case& c : all)
+    for (py::ssize_t i = 0; i < across; ++i) *to++ = read(c, i);
+  return array;
+}
+
+py::array texts(const std::vector<golden::Case>& all, const auto& read) {
+  std::size_t width = 1;
+  for (const golden::Case& c : all) width = std::max(width, read(c).size());
+  const py::array array(py::dtype(fmt::format("S{}", width)), std::vector<std::size_t>{all.size()});
+  auto* to = static_cast<char*>(const_cast<void*>(array.data()));
+  std::memset(to, 0, width * all.size());
+  for (const golden::Case& c : all) {
+    const std::string& text = read(c);
+    std::copy(text.begin(), text.end(), to);
+    to += width;
+  }
+  return array;
+}
+
+py::tuple read_dataset(const std::string& path) {
+  golden::DatasetReader reader(path);
+  const golden::DatasetHeader header = reader.header();
+  std::vector<golden::Case> all;
+  {
+    const py::gil_scoped_release no_gil;
+    while (auto c = reader.next()) all.push_back(std::move(*c));
+  }
+  QuestionColumns questions(header.pair, Scalar::binary64, all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    questions.set(i, all[i].query);
+    questions.set_id(i, all[i].id);
+  }
+  py::dict arrays = questions.arrays();
+  py::list flags;
+  for (const golden::Case& c : all) flags.append(py::cast(c.flags));
+  arrays["flags"] = flags;
+  if (header.family == golden::kInvalidFamily) {
+    arrays["expect/rejected"] = texts(all, [](const golden::Case& c) -> const std::string& { return *c.rejected; });
+    return py::make_tuple(to_line(header), arrays);
+  }
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const auto number = [&](const char* name, py::ssize_t across, const auto& read) {
+    arrays[name] = column<double>(all, across, [&](const golden::Case& c, py::ssize_t i) {
+      return c.expect.contact ? read(*c.expect.contact, static_cast<Eigen::Index>(i)) : none;
+    });
+  };
+  arrays["expect/hit"] = column<bool>(all, 1, [](const golden::Case& c, py::ssize_t) { return c.expect.hit; });
+  if (has_numbers(header.pair)) {
+    number("expect/normal", 3, [](const Contact& c, Eigen::Index i) { return c.normal[i]; });
+    number("expect/point1", 3, [](const Contact& c, Eigen::Index i) { return c.point1[i]; });
+    number("expect/point2", 3, [](const Contact& c, Eigen::Index i) { return c.point2[i]; });
+    number("expect/value", 1, [](const Contact& c, Eigen::Index) { return c.value; });
+    arrays["expect/degenerate"] = column<bool>(
+        all, 1, [](const golden::Case& c, py::ssize_t) { return c.expect.contact && c.expect.contact->degenerate; });
+    arrays["expect/unique"] = column<bool>(
+        all, 1, [](const golden::Case& c, py::ssize_t) { return !c.expect.contact || c.expect.contact->unique; });
+  }
+  if (has_distance(header.pair)) {
+    arrays["exact/distance2"] =
+        texts(all, [](const golden::Case& c) -> const std::string& { return c.exact.distance2; });
+    arrays["exact/reach"] = texts(all, [](const golden::Case& c) -> const std::string& { return c.exact.reach; });
+  }
+  return py::make_tuple(to_line(header), arrays);
+}
+
+void write_dataset(const std::string& path, const std::string& pair, const std::string& scalar,
+                   const std::string& family, const py::list& columns, const py::array& alarm,
+                   const py::array& contact) {
+  const QuestionArrays questions(pair_of(pair), columns, alarm, contact);
+  if (!golden::names_dataset(path))
+    throw std::invalid_argument(fmt::format("the name of a dataset ends in .jsonl, .h5 or .npz, got '{}'", path));
+  if (golden::find_family(questions.pair(), family) != nullptr)
+    throw std::invalid_argument(fmt::format("'{}' is a family of the generator's: choose another name", family));
+  golden::DatasetHeader header;
+  header.pair = questions.pair();
+  header.scalar = scalar_of(scalar);
+  header.family = family;
+  header.count = questions.size();
+  const py::gil_scoped_release no_gil;
+  const auto writer = golden::create_dataset(path, header);
+  for_each(questions, [&](std::size_t, const Query& query) {
+    const golden::Case c = golden::make_case(query, header.scalar);
+    writer->write(c, golden::to_line(c));
+  });
+  writer->commit();
+}
+
+py::list laws() {
+  py::list all;
+  for (const proptests::Law& law : proptests::laws()) {
+    py::list of;
+    for (const Pair pair : kPairs)
+      if (law.about.includes(pair)) of.append(std::string(name(pair)));
+    py::dict one;
+    one["name"] = std::string(law.name);
+    one["about"] = std::string(law.sentence);
+    one["pairs"] = of;
+    one["only_when_named"] = law.only_when_named;
+    all.append(one);
+  }
+  return all;
+}
+
+py::list profiles() {
+  py::list all;
+  for (const tool::Profile& profile : tool::kProfiles) {
+    py::dict one;
+    one["name"] = std::string(profile.name);
+    one["length"] = profile.tolerance.length;
+    one["relative"] = profile.tolerance.relative;
+    one["angle"] = profile.tolerance.angle;
+    one["scale"] = py::make_tuple(profile.tolerance.scale_min, profile.tolerance.scale_max);
+    one["reason"] = std::string(profile.reason);
+    all.append(one);
+  }
+  return all;
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_core, m) {
+  m.doc() = "Production, the oracle, the judge and the generators of contact-oracle over NumPy arrays.";
+  static const py::exception<OutsideDomain> domain_error(m, "DomainError", PyExc_ValueError);
+  static const py::exception<formats::InputError> bad_input(m, "BadInput", PyExc_ValueError);
+  static const py::exception<tool::OracleFault> oracle_fault(m, "OracleFault", PyExc_RuntimeError);
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const OutsideDomain& e) {
+      PyErr_SetObject(domain_error.ptr(), py::make_tuple(e.field, e.row, e.value, e.rule).ptr());
+    } catch (const formats::InputError& e) {
+      PyErr_SetString(bad_input.ptr(), e.what());
+    } catch (const tool::OracleFault& e) {
+      PyErr_SetString(oracle_fault.ptr(), e.what());
+    } catch (const tool::Interrupted&) {
+      PyErr_SetNone(PyExc_KeyboardInterrupt);
+    }
+  });
+  using namespace py::literals;
+  m.def("version", [] { return std::string(CONTACT_VERSION); });
+  m.def("pairs", &pairs);
+  m.def("families", &families, "pair"_a);
+  m.def("laws", &laws);
+  m.def("profiles", &profiles);
+  m.def("contacts", &contacts, "pair"_a, "columns"_a, "alarm"_a, "contact"_a, "points"_a = "nearest_surface",
+        "scalar"_a = "binary64");
+  m.def("hits", &hits, "pair"_a, "columns"_a, "alarm"_a, "contact"_a);
+  m.def("ids", &ids, "pair"_a, "columns"_a, "alarm"_a, "contact"_a);
+  m.def("cases", &cases, "pair"_a, "columns"_a, "alarm"_a, "contact"_a, "scalar"_a = "binary64");
+  m.def("explain", &explain, "line"_a);
+  m.def("generate", &generate, "pair"_a, "family"_a, "count"_a, "seed"_a, "scalar"_a = "binary64", "first"_a = 0);
+  m.def("read_dataset", &read_dataset, "path"_a);
+  m.def("write_dataset", &write_dataset, "path"_a, "pair"_a, "scalar"_a, "family"_a, "columns"_a, "alarm"_a,
+        "contact"_a);
+  m.def("certify", &certify, "ask"_a, "engine"_a, "sources"_a, "options"_a);
+  m.def("properties", &properties, "ask"_a, "engine"_a, "options"_a);
+}
+
+}  // namespace contact::python
