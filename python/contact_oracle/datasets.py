@@ -1,0 +1,102 @@
+"""Questions from the generator and from files."""
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+
+from . import _core
+from .contacts import Contacts
+from .errors import InputError, errors_of_core
+from .pairs import Array, number_of, pair_named, scalar_named
+from .questions import Questions, joined
+from .shapes import Question
+
+
+def families(pair: str) -> list[dict[str, Any]]:
+    """The families of a pair: dicts with ``name``, ``reason`` and ``outside_domain``, which is true of questions that must be refused."""
+    return list(_core.families(pair_named(pair).name))
+
+
+def profiles() -> list[dict[str, Any]]:
+    """The tolerances that have names."""
+    return list(_core.profiles())
+
+
+def family_named(pair: str, family: str) -> str:
+    known = [entry["name"] for entry in families(pair)]
+    if family not in known:
+        raise InputError(f"must be one of {', '.join(known)}", "family", value=repr(family))
+    return family
+
+
+def _in_scalar(columns: Iterable[Any], scalar: str) -> list[Array]:
+    return [np.asarray(column, number_of(scalar)) for column in columns]
+
+
+def generate(pair: str, family: str, count: int, seed: int = 0, scalar: str = "binary64", *, first: int = 0) -> Questions:
+    """Questions of a family: a pure function of its arguments, the same on every machine and as the command's.
+
+    first      the index of the first question; question i is the same whatever else is generated
+
+    >>> import contact_oracle
+    >>> contact_oracle.generate("sphere_sphere", "touching", 100, seed=1)
+    <100 questions of sphere_sphere, binary64, family touching>
+    """
+    family_named(pair, family)
+    with errors_of_core():
+        columns, alarm, contact = _core.generate(pair, family, count, seed, scalar_named(scalar), first)
+    return Questions(pair, dict(zip(pair_named(pair).arguments, _in_scalar([*columns, alarm, contact], scalar))), scalar, family)
+
+
+class Dataset(Questions):
+    """The questions of a file, with their right answers.
+
+    header   the file's header, a dict
+    expect   the right answers, `Contacts`
+    flags    for each question the names of what is true of it
+    columns  every other column of the file by its name there, such as ``exact/distance2``
+    """
+
+    header: dict[str, Any]
+    expect: Contacts | None
+    flags: list[tuple[str, ...]]
+    columns: dict[str, Array]
+
+    def __init__(self, header: Mapping[str, Any], columns: Mapping[str, Any]) -> None:
+        pair, scalar = pair_named(header["pair"]), header["scalar"]
+        arrays = dict(zip(pair.arguments, _in_scalar((columns[name] for name in pair.columns), scalar)))
+        super().__init__(pair.name, arrays, scalar, header.get("family"))
+        self.header = dict(header)
+        self.flags = [tuple(names) for names in columns.get("flags", ())]
+        self.columns = {name: np.asarray(column) for name, column in columns.items() if name != "flags"}
+        self.expect = self._expect()
+
+    def _expect(self) -> Contacts | None:
+        if "expect/hit" not in self.columns:
+            return None
+        number = number_of(self.scalar)
+        found = {name: self.columns[f"expect/{name}"] for name in Contacts.__dataclass_fields__ if f"expect/{name}" in self.columns}
+        return Contacts(**{name: array.astype(bool if name in ("hit", "degenerate", "unique") else number) for name, array in found.items()})
+
+
+def read_dataset(path: str | os.PathLike[str]) -> Dataset:
+    """A dataset in any form: JSON lines, .h5 or .npz."""
+    with errors_of_core():
+        header, columns = _core.read_dataset(os.fspath(path))
+    return Dataset(json.loads(header), columns)
+
+
+def write_dataset(path: str | os.PathLike[str], questions: Questions | Question | Iterable[Question], family: str = "own") -> None:
+    """Questions of one's own, with their right answers, as a golden dataset; the end of the name says in which form.
+
+    family     any name but those of the generator, whose questions `generate` makes
+    """
+    batch = joined(questions)
+    question = batch.asked()
+    with question.naming_errors():
+        _core.write_dataset(os.fspath(path), batch.pair, batch.scalar, family, question.columns,
+                            question.alarm, question.contact)

@@ -1,0 +1,142 @@
+"""Many questions of one pair: arrays under the names of the pair's arguments."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _core
+from .asked import Asked, asked
+from .contacts import Contacts
+from .errors import InputError
+from .pairs import Array, number_of, pair_named, scalar_named
+from .shapes import SHAPES, Question, _from_json
+
+if TYPE_CHECKING:
+    from .exact_answers import Exact
+
+
+class Questions:
+    """N questions of one pair.
+
+    The arrays are attributes, and entries: ``questions.center1`` is ``questions["center1"]``, an (N, 3) of the questions'
+    scalar. ``**questions`` gives them all to the pair's function. ``questions[3]`` is one `Question`, a slice or an array of
+    rows gives `Questions`.
+
+    pair    the pair's name
+    scalar  binary64 or binary32
+    family  the family that made them, or None
+    """
+
+    pair: str
+    scalar: str
+    family: str | None
+
+    def __init__(self, pair: str, arrays: Mapping[str, Any], scalar: str | None = None, family: str | None = None) -> None:
+        description = pair_named(pair)
+        values = {"alarm": 0.0, "contact": 0.0, **arrays}
+        for name in description.arguments:
+            if name not in values:
+                raise InputError("is missing", name)
+        for name in values:
+            if name not in description.arguments:
+                raise InputError(f"is no argument of {pair}; it has {', '.join(description.arguments)}", name)
+        question = asked(description, values)
+        self.pair, self.family = pair, family
+        self.scalar = question.scalar if scalar is None else scalar_named(scalar)
+        if self.scalar == "binary32" and question.scalar != "binary32":
+            raise InputError("must be arrays of binary32, as the scalar is", "arrays", value="binary64")
+        number = number_of(self.scalar)
+        self._arrays = {name: column.astype(number, copy=False) for name, column in zip(description.arguments, question.all_columns)}
+
+    def __getattr__(self, name: str) -> Array:
+        try:
+            arrays: dict[str, Array] = self.__dict__["_arrays"]
+            return arrays[name]
+        except KeyError:
+            raise AttributeError(f"questions of {self.__dict__.get('pair', 'no pair')} have no {name!r}") from None
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._arrays]
+
+    def __getitem__(self, key: Any) -> Any:
+        if isinstance(key, str):
+            return self._arrays[key]
+        if isinstance(key, (int, np.integer)):
+            return self._question(range(len(self))[key])
+        return Questions(self.pair, {name: array[key] for name, array in self._arrays.items()}, self.scalar, self.family)
+
+    def _question(self, row: int) -> Question:
+        pair = pair_named(self.pair)
+        a, b = (SHAPES[shape](**{field.name: _from_json(self._arrays[field.argument][row]) for field in pair.fields if field.side == side})
+                for side, shape in zip("ab", pair.shapes))
+        return Question(self.pair, a, b, float(self.alarm[row]), float(self.contact[row]), self.scalar)
+
+    def __len__(self) -> int:
+        return len(self._arrays["alarm"])
+
+    def __iter__(self) -> Iterator[Question]:
+        return (self._question(row) for row in range(len(self)))
+
+    def __repr__(self) -> str:
+        of = f", family {self.family}" if self.family else ""
+        return f"<{len(self)} questions of {self.pair}, {self.scalar}{of}>"
+
+    def keys(self) -> Iterable[str]:
+        """The names of the arrays."""
+        return self._arrays.keys()
+
+    def asked(self) -> Asked:
+        """As the core reads them."""
+        question = asked(pair_named(self.pair), self._arrays)
+        return question
+
+    @property
+    def id(self) -> Array:
+        """The ids of the questions, texts of 24 hexadecimal digits."""
+        question = self.asked()
+        with question.naming_errors():
+            ids = _core.ids(self.pair, question.columns, question.alarm, question.contact)
+        return np.asarray(ids).astype("U24")
+
+    def lines(self) -> list[str]:
+        """One line for ``explain`` each."""
+        return [str(question) for question in self]
+
+    def answer(self, points: str = "nearest_surface") -> Contacts:
+        """The right answers, correctly rounded to the scalar."""
+        from .answering import contacts_of
+
+        return contacts_of(self.asked(), points)
+
+    def exact(self) -> list[Exact]:
+        """The exact numbers behind the answers."""
+        from .exact_answers import exact_of
+
+        return exact_of(self.asked())
+
+    def to_dataframe(self) -> Any:
+        """A pandas.DataFrame, one row a question, with a column for each number: ``center1[0]``, ..."""
+        import pandas
+
+        columns = {}
+        for name, array in self._arrays.items():
+            flat = array.reshape((len(self), -1))
+            for column, index in enumerate(np.ndindex(*array.shape[1:])):
+                columns[name + "".join(f"[{i}]" for i in index)] = flat[:, column]
+        return pandas.DataFrame(columns)
+
+
+def joined(questions: Questions | Question | Iterable[Question]) -> Questions:
+    """Questions of one pair and scalar, given in any of these ways."""
+    if isinstance(questions, Questions):
+        return questions
+    if isinstance(questions, Question):
+        return questions.as_questions()
+    single = list(questions)
+    kinds = {(question.pair, question.scalar) for question in single}
+    if len(kinds) != 1:
+        raise InputError("must be of one pair and one scalar", "questions", value=sorted(kinds))
+    rows = [question.arguments() for question in single]
+    return Questions(single[0].pair, {name: np.stack([row[name] for row in rows]) for name in rows[0]}, single[0].scalar)

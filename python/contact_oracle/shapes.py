@@ -1,0 +1,152 @@
+"""One question: two shapes of Python's own numbers, an alarm distance and a contact distance."""
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any, Union
+
+import numpy as np
+
+from .pairs import number_of, pair_named
+
+if TYPE_CHECKING:
+    from .contacts import Contacts
+    from .exact_answers import Exact
+    from .questions import Questions
+
+Point = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Sphere:
+    """All points within `radius` of `center`."""
+
+    center: Point
+    radius: float
+
+
+@dataclass(frozen=True)
+class Cube:
+    """A box along the axes; `min` exceeds `max` nowhere."""
+
+    min: Point
+    max: Point
+
+
+@dataclass(frozen=True)
+class Capsule:
+    """All points within `radius` of the segment from `start` to `end`."""
+
+    start: Point
+    end: Point
+    radius: float
+
+
+@dataclass(frozen=True)
+class Triangle:
+    """Three points and what is between them."""
+
+    vertices: tuple[Point, Point, Point]
+
+
+@dataclass(frozen=True)
+class Plane:
+    """The half-space normal . x <= offset; the normal has any length but 0."""
+
+    normal: Point
+    offset: float
+
+
+@dataclass(frozen=True)
+class Ray:
+    """The segment from `origin` to `origin` + `length` * `direction`; the direction has any length but 0."""
+
+    origin: Point
+    direction: Point
+    length: float
+
+
+@dataclass(frozen=True)
+class Line:
+    """The segment from `start` to `end`."""
+
+    start: Point
+    end: Point
+
+
+Shape = Union[Sphere, Cube, Capsule, Triangle, Plane, Ray, Line]
+SHAPES: dict[str, type] = {"sphere": Sphere, "cube": Cube, "capsule": Capsule, "triangle": Triangle, "plane": Plane, "ray": Ray,
+                           "line": Line}
+
+
+def json_number(value: float) -> float | str:
+    """As in all files: what is not finite is a text."""
+    value = float(value)
+    if math.isfinite(value):
+        return value
+    return "NaN" if math.isnan(value) else "Infinity" if value > 0 else "-Infinity"
+
+
+def _json_value(value: Any) -> Any:
+    return [_json_value(part) for part in value] if isinstance(value, (tuple, list, np.ndarray)) else json_number(value)
+
+
+def _from_json(value: Any) -> Any:
+    return tuple(_from_json(part) for part in value) if isinstance(value, (list, tuple, np.ndarray)) else float(value)
+
+
+def _shape_json(shape: Shape) -> dict[str, Any]:
+    return {field.name: _json_value(getattr(shape, field.name)) for field in fields(shape)}
+
+
+@dataclass(frozen=True)
+class Question:
+    """One question. ``str(question)`` is a line for ``explain``."""
+
+    pair: str
+    a: Any
+    b: Any
+    alarm: float = 0.0
+    contact: float = 0.0
+    scalar: str = "binary64"
+
+    @classmethod
+    def from_json(cls, line: str | dict[str, Any]) -> Question:
+        """From a line as ``explain`` reads it, or what it holds."""
+        query = json.loads(line) if isinstance(line, (str, bytes)) else line
+        pair = query.get("pair") or ("cube_cube" if "min" in query["a"] else "sphere_sphere")
+        a, b = (SHAPES[kind](**{name: _from_json(value) for name, value in query[side].items()})
+                for side, kind in zip("ab", pair_named(pair).shapes))
+        return cls(pair, a, b, float(query.get("alarm", 0)), float(query.get("contact", 0)), query.get("scalar", "binary64"))
+
+    def __str__(self) -> str:
+        return json.dumps({"pair": self.pair, "scalar": self.scalar, "a": _shape_json(self.a), "b": _shape_json(self.b),
+                           "alarm": json_number(self.alarm), "contact": json_number(self.contact)}, separators=(",", ":"))
+
+    def arguments(self) -> dict[str, Any]:
+        """The arguments of the pair's function, as arrays of the question's scalar."""
+        number = number_of(self.scalar)
+        pair = pair_named(self.pair)
+        values = {field.argument: getattr(self.a if field.side == "a" else self.b, field.name) for field in pair.fields}
+        return {name: np.asarray(value, number)[()] for name, value in (*values.items(), ("alarm", self.alarm), ("contact", self.contact))}
+
+    def as_questions(self) -> Questions:
+        """The same as a batch of one."""
+        from .questions import Questions
+
+        return Questions(self.pair, {name: np.asarray(value)[np.newaxis] for name, value in self.arguments().items()}, self.scalar)
+
+    def answer(self, points: str = "nearest_surface") -> Contacts:
+        """The right answer, correctly rounded."""
+        return self.as_questions().answer(points)[0]
+
+    def exact(self) -> Exact:
+        """The exact numbers behind the answer."""
+        return self.as_questions().exact()[0]
+
+    def explain(self) -> str:
+        """The answer in words."""
+        from .answering import explain
+
+        return explain(str(self))
