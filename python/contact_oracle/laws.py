@@ -1,0 +1,440 @@
+"""Laws for Hypothesis: statements that the answers of every right engine obey.
+
+    @given(strategies.questions("sphere_sphere"))
+    def test_swapped_spheres(question):
+        laws.swap(my_engine, question)
+
+Each takes an engine, as `certify` does, and a question. It raises an AssertionError with a line for ``explain`` where the law is
+violated, and asks Hypothesis for another question where this one does not suit it. Numbers may differ by `ulps` ulps of their scale
+for each of the answers that are compared; with ``ulps=0`` they must have the same bits, and hits are compared however near they are to
+their edge. `LAWS` is the list of all, with the questions that each is asked; `check` asks them. The command knows more laws:
+docs/properties.md.
+"""
+from __future__ import annotations
+
+import itertools
+import json
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields, replace
+from fractions import Fraction
+from typing import Any
+
+import hypothesis
+import numpy as np
+from hypothesis import assume
+from hypothesis import strategies as st
+
+from . import strategies
+from .engines import Engine, answers_of, by_pair
+from .pairs import number_of, pair_named
+from .serving import lines_of
+from .shapes import Plane, Question, Ray, Sphere
+
+ULPS = 8.0
+# An engine may decide by squares, which doubles a relative error twice: docs/properties.md#what-is-fair.
+MARGIN = 4.0
+VECTORS = ("normal", "point1", "point2", "point")
+# Numbers whose squares neither overflow nor underflow in either scalar: what a law asks of an engine that declares no scale.
+SMALLEST, LARGEST = 1e-4, 1e4
+SCALES = 6
+# What `scale` scales by at most: a question must be one that the engine serves afterwards too.
+LARGEST_EXPONENT = 8
+
+
+class Answer:
+    """What an engine says of one question: numbers under their names, where it says a hit."""
+
+    def __init__(self, engine: Engine, question: Question) -> None:
+        self.question = question
+        said = by_pair(engine)[0](question.as_questions())
+        if said is None:
+            raise AssertionError(f"no answer\n  question 1  {question}")
+        self._arrays = answers_of(said, 1, question.scalar)
+        decision = next((name for name in ("hit", "overlap", "contact") if name in self._arrays), None)
+        if decision is None:
+            raise AssertionError(f"an answer without a decision\n  question 1  {question}")
+        self.hit = bool(self._arrays[decision][0])
+        self.numbers = {name: self._arrays[name][0] for name in (*VECTORS, "value") if name in self._arrays} if self.hit else {}
+
+    def __str__(self) -> str:
+        return json.dumps(lines_of(self._arrays)[0], separators=(",", ":"))
+
+
+def _violated(law: str, why: str, *answers: Answer) -> None:
+    lines = [f"{law}: {why}"]
+    for at, answer in enumerate(answers, 1):
+        expect = json.dumps(answer.question.exact().expect, separators=(",", ":"))
+        lines += [f"  question {at}  {answer.question}", f"    expected  {expect}", f"    got       {answer}"]
+    raise AssertionError("\n".join(lines))
+
+
+def _is_in_scalar(question: Question) -> bool:
+    number = number_of(question.scalar)
+    with np.errstate(over="ignore"):
+        return all(float(number(part)) == part and abs(part) != math.inf and (part == 0 or abs(part) >= np.finfo(number).tiny)
+                   for part in _every_number(question))
+
+
+def _every_number(question: Question) -> list[float]:
+    def flat(value: Any) -> list[float]:
+        return [part for entry in value for part in flat(entry)] if isinstance(value, tuple) else [float(value)]
+
+    return [part for shape in (question.a, question.b) for field in fields(shape) for part in flat(getattr(shape, field.name))] + \
+        [question.alarm, question.contact]
+
+
+def _is_clear(question: Question, ulps: float) -> bool:
+    """Whether a right engine of this bound must decide as the exact numbers do."""
+    if ulps == 0:
+        return True
+    margin = question.exact().margin_ulps
+    return margin is not None and abs(margin) > MARGIN * ulps
+
+
+def _scale(name: str, question: Question) -> float:
+    """The length whose ulp measures an error: docs/specification.md#scales-and-ulps. No smaller than it, so no law is too strict."""
+    if name == "normal":
+        return 1.0
+    lengths = [abs(part) for part in _every_number(question)]
+    if isinstance(question.b, Plane):
+        lengths.append(abs(question.b.offset) / math.hypot(*question.b.normal))
+    if isinstance(question.a, Ray):
+        lengths.append(question.a.length * math.hypot(*question.a.direction))
+    return 4.0 * max(lengths)
+
+
+def _ulp(scale: float, scalar: str) -> float:
+    return float(np.spacing(np.float32(scale)) if scalar == "binary32" else np.spacing(scale))
+
+
+def _same(law: str, name: str, one: Any, other: Any, ulps: float, scale: float, *answers: Answer) -> None:
+    one, other = np.asarray(one, float), np.asarray(other, float)
+    same = (one == other) | (np.isnan(one) & np.isnan(other))
+    if ulps > 0:
+        same |= np.abs(one - other) <= 2 * ulps * _ulp(scale, answers[0].question.scalar)
+    if not same.all():
+        _violated(law, f"{name} is {one.tolist()}, and {other.tolist()}", *answers)
+
+
+def _same_hit(law: str, one: Answer, other: Answer, ulps: float) -> None:
+    if one.hit != other.hit and _is_clear(one.question, ulps) and _is_clear(other.question, ulps):
+        _violated(law, f"{'a hit' if one.hit else 'a miss'}, and {'a hit' if other.hit else 'a miss'}", one, other)
+
+
+def _agreed(question: Question) -> set[str]:
+    """The numbers that are an agreement: a direction where cores meet, and points where many are nearest."""
+    exact = question.exact()
+    if exact.degenerate:
+        return set(VECTORS)
+    return set() if exact.unique else {"point1", "point2", "point"}
+
+
+def _compare(law: str, engine: Engine, question: Question, changed: Question, ulps: float, back: Callable[[str, Any], Any]) -> None:
+    """Both answers are the same once `back` has undone the change of the question."""
+    one, other = Answer(engine, question), Answer(engine, changed)
+    _same_hit(law, one, other, ulps)
+    for name in sorted(one.numbers.keys() & other.numbers.keys() - _agreed(question)):
+        _same(law, name, one.numbers[name], back(name, other.numbers[name]), ulps, _scale(name, question), one, other)
+
+
+def decision(engine: Engine, question: Question, *, ulps: float = 0.0) -> None:
+    """Every hit and every miss is the exact decision; with `ulps` those near the edge are left out."""
+    answer, exact = Answer(engine, question), question.exact()
+    if _is_clear(question, ulps) and answer.hit != exact.hit:
+        _violated("decision", f"{'a hit' if exact.hit else 'a miss'} is right", answer)
+
+
+def bounds(engine: Engine, question: Question, *, ulps: float = ULPS) -> None:
+    """Every number of a hit is the right one, to `ulps` of its scale; those that are an agreement are left out."""
+    exact = question.exact()
+    assume(exact.hit)
+    answer = Answer(engine, question)
+    for name in sorted(answer.numbers.keys() & exact.expect.keys() - _agreed(question)):
+        right = np.array([float(part) for part in np.ravel(exact.expect[name])]).reshape(np.shape(answer.numbers[name]))
+        _same("bounds", name, answer.numbers[name], right, ulps / 2, _scale(name, question), answer)
+
+
+def repeatable(engine: Engine, question: Question) -> None:
+    """The same question gets the same bits again."""
+    one, other = Answer(engine, question), Answer(engine, question)
+    if one.hit != other.hit:
+        _violated("repeatable", "another decision", one, other)
+    for name, number in one.numbers.items():
+        _same("repeatable", name, number, other.numbers[name], 0, 1, one, other)
+
+
+def swap(engine: Engine, question: Question, *, ulps: float = ULPS) -> None:
+    """Two shapes of one kind that change places: same hit and value, the normal turned round, the points exchanged."""
+    assume(_has_two_alike(question.pair))
+    one, other = Answer(engine, question), Answer(engine, replace(question, a=question.b, b=question.a))
+    _same_hit("swap", one, other, ulps)
+    partner = {"point1": "point2", "point2": "point1"}
+    for name in sorted(one.numbers.keys() - _agreed(question)):
+        found = other.numbers.get(partner.get(name, name))
+        if found is not None:
+            _same("swap", name, one.numbers[name], -found if name == "normal" else found, ulps, _scale(name, question), one, other)
+
+
+def _has_two_alike(pair: str) -> bool:
+    # A sphere and a rigid sphere are one shape with two names.
+    return len(set(pair_named(pair).shapes)) == 1 and pair != "sphere_rigid_sphere"
+
+
+def _of_lengths(shape: Any, change: Callable[[float], float]) -> Any:
+    """The shape with every length changed. A ray's length counts directions, and a plane's offset normals, so one of the two is left."""
+    def changed(value: Any) -> Any:
+        return tuple(map(changed, value)) if isinstance(value, tuple) else change(value)
+
+    left = "length" if isinstance(shape, Ray) else "normal" if isinstance(shape, Plane) else ""
+    return replace(shape, **{field.name: changed(getattr(shape, field.name)) for field in fields(shape) if field.name != left})
+
+
+def scale(engine: Engine, question: Question, exponent: int = 1, *, ulps: float = ULPS) -> None:
+    """A power of two scales points and value, and changes nothing else."""
+    factor = 2.0**exponent
+    scaled = replace(question, a=_of_lengths(question.a, lambda x: x * factor), b=_of_lengths(question.b, lambda x: x * factor),
+                     alarm=question.alarm * factor, contact=question.contact * factor)
+    assume(_is_in_scalar(question) and _is_in_scalar(scaled))
+    _compare("scale", engine, question, scaled, ulps, lambda name, number: number if name == "normal" else number / factor)
+
+
+def _moved(shape: Any, by: tuple[float, float, float]) -> Any:
+    def moved(value: Any) -> Any:
+        return tuple(map(moved, value)) if isinstance(value[0], tuple) else tuple(x + d for x, d in zip(value, by))
+
+    names = {"Sphere": ("center",), "Cube": ("min", "max"), "Capsule": ("start", "end"), "Triangle": ("vertices",), "Ray": ("origin",),
+             "Line": ("start", "end")}[type(shape).__name__]
+    return replace(shape, **{name: moved(getattr(shape, name)) for name in names})
+
+
+def translate(engine: Engine, question: Question, by: tuple[float, float, float] = (1.0, 0.0, 0.0), *, ulps: float = ULPS) -> None:
+    """A translation leaves hit, value and normal, and moves the points along. Planes, and translations that would round, do not suit it."""
+    assume(not isinstance(question.b, Plane))
+    there = replace(question, a=_moved(question.a, by), b=_moved(question.b, by))
+    back = (-by[0], -by[1], -by[2])
+    again = replace(there, a=_moved(there.a, back), b=_moved(there.b, back))
+    # x + d rounds where it differs from x by more or less than d: then d + x - x, or going back, shows it.
+    assume(_is_in_scalar(question) and _is_in_scalar(there) and again == question and _moved_exactly(question, there, by))
+    one, other = Answer(engine, question), Answer(engine, there)
+    _same_hit("translate", one, other, ulps)
+    for name in sorted(one.numbers.keys() & other.numbers.keys() - _agreed(question)):
+        scale = max(_scale(name, question), _scale(name, there))
+        if name in ("normal", "value"):
+            _same("translate", name, one.numbers[name], other.numbers[name], ulps, scale, one, other)
+        else:
+            # The moved points are rounded elsewhere, so they agree to an ulp of their scale at best.
+            moved = np.asarray(one.numbers[name], float) + np.array(by)
+            _same("translate", name, moved, other.numbers[name], max(ulps, 1), scale, one, other)
+
+
+def _moved_exactly(question: Question, there: Question, by: tuple[float, float, float]) -> bool:
+    steps = {Fraction(d) for d in by} | {Fraction(0)}
+    return all(Fraction(after) - Fraction(before) in steps for before, after in zip(_every_number(question), _every_number(there)))
+
+
+def turn(engine: Engine, question: Question, axes: tuple[int, int, int] = (1, 2, 0), signs: tuple[int, int, int] = (1, 1, 1), *,
+         ulps: float = ULPS) -> None:
+    """Axes permuted and reflected permute and reflect the answer. A crossing's normal goes by the order of vertices: it is left out."""
+    def turned(value: tuple[float, ...]) -> tuple[float, ...]:
+        return tuple(value[axis] * sign for axis, sign in zip(axes, signs))
+
+    def shape_turned(shape: Any) -> Any:
+        changed = {field.name: getattr(shape, field.name) for field in fields(shape)}
+        for name, value in changed.items():
+            if isinstance(value, tuple):
+                changed[name] = tuple(map(turned, value)) if isinstance(value[0], tuple) else turned(value)
+        if "min" in changed:
+            low, high = changed["min"], changed["max"]
+            changed = {"min": tuple(map(min, low, high)), "max": tuple(map(max, low, high))}
+        return type(shape)(**changed)
+
+    def back(name: str, number: Any) -> Any:
+        if name == "value":
+            return number
+        found = np.empty(3, np.asarray(number).dtype)
+        for at, (axis, sign) in enumerate(zip(axes, signs)):
+            found[axis] = number[at] * sign
+        return found
+
+    changed = replace(question, a=shape_turned(question.a), b=shape_turned(question.b))
+    crossing = pair_named(question.pair).numbers == "crossing"
+    wrapped = _without_normal(engine) if crossing else engine
+    _compare("turn", wrapped, question, changed, ulps, back)
+
+
+def _without_normal(engine: Engine) -> Engine:
+    def asked(questions: Any) -> Any:
+        said = answers_of(by_pair(engine)[0](questions), len(questions), questions.scalar)
+        return {name: array for name, array in said.items() if name != "normal"}
+
+    return asked
+
+
+def unit_normal(engine: Engine, question: Question, *, ulps: float = ULPS) -> None:
+    """The normal has unit length."""
+    answer = Answer(engine, question)
+    assume("normal" in answer.numbers)
+    normal = np.asarray(answer.numbers["normal"], float)
+    if not abs(float(normal @ normal) - 1) <= 4 * max(ulps, 1) * _ulp(1.0, question.scalar):
+        _violated("unit_normal", f"the normal is {normal.tolist()}", answer)
+
+
+def finite(engine: Engine, question: Question) -> None:
+    """Where the truth is finite, so is the answer."""
+    expect = question.exact().expect
+    answer = Answer(engine, question)
+    for name, number in answer.numbers.items():
+        right = np.array([float(part) for part in np.ravel(expect.get(name, 0.0))])
+        if np.isfinite(right).all() and not np.isfinite(number).all():
+            _violated("finite", f"{name} is {np.asarray(number).tolist()}", answer)
+
+
+def _still_a_hit(law: str, engine: Engine, question: Question, larger: Question, ulps: float) -> None:
+    one, other = Answer(engine, question), Answer(engine, larger)
+    assume(one.hit)
+    if not other.hit and _is_clear(question, ulps) and _is_clear(larger, ulps):
+        _violated(law, "a hit, and a miss", one, other)
+
+
+def alarm_growth(engine: Engine, question: Question, growth: float, *, ulps: float = ULPS) -> None:
+    """A hit stays a hit when the alarm distance grows."""
+    wider = _with_growth(question, alarm=question.alarm + growth)
+    _still_a_hit("alarm_growth", engine, question, wider, ulps)
+
+
+def size_growth(engine: Engine, question: Question, growth: float, *, ulps: float = ULPS) -> None:
+    """A hit stays a hit when the first sphere grows."""
+    assume(isinstance(question.a, Sphere))
+    grown = _with_growth(question, a=replace(question.a, radius=question.a.radius + growth))
+    _still_a_hit("size_growth", engine, question, grown, ulps)
+
+
+def _with_growth(question: Question, **changes: Any) -> Question:
+    grown = replace(question, **changes)
+    assume(_is_in_scalar(grown))
+    return grown
+
+
+def alarm_changes_no_number(engine: Engine, question: Question, growth: float, *, ulps: float = ULPS) -> None:
+    """The alarm distance decides whether there is a contact, and changes no number of it."""
+    one, other = Answer(engine, question), Answer(engine, _with_growth(question, alarm=question.alarm + growth))
+    assume(one.hit and other.hit)
+    for name, number in one.numbers.items():
+        _same("alarm_changes_no_number", name, number, other.numbers[name], ulps, _scale(name, question), one, other)
+
+
+def contact_distance(engine: Engine, question: Question, growth: float, *, ulps: float = ULPS) -> None:
+    """The contact distance changes the value alone, by as much as it changes."""
+    changed = _with_growth(question, contact=question.contact + growth)
+    one, other = Answer(engine, question), Answer(engine, changed)
+    assume(one.hit)
+    if not other.hit:
+        _violated("contact_distance", "a hit, and a miss", one, other)
+    for name, number in one.numbers.items():
+        if name != "value":
+            _same("contact_distance", name, number, other.numbers[name], 0, 1, one, other)
+        elif pair_named(question.pair).numbers == "distance":
+            both = float(number) + question.contact, float(other.numbers[name]) + changed.contact
+            _same("contact_distance", "value + contact", *both, max(ulps, 1), max(_scale(name, question), _scale(name, changed)), one, other)
+
+
+@dataclass(frozen=True)
+class Law:
+    """A law as `check` asks it.
+
+    check     the law itself
+    concerns  whether it is about a pair
+    draws     what it takes beside the question
+    unfit     the conventions that it does not understand, so that an engine that declares one of them is not asked
+    """
+
+    check: Callable[..., None]
+    concerns: Callable[[str], bool] = lambda pair: True
+    draws: Mapping[str, st.SearchStrategy[Any]] | None = None
+    unfit: tuple[str, ...] = ()
+
+    @property
+    def name(self) -> str:
+        return self.check.__name__
+
+    @property
+    def about(self) -> str:
+        return (self.check.__doc__ or "").split("\n")[0]
+
+
+def _has_numbers(pair: str) -> bool:
+    return pair_named(pair).numbers != "none"
+
+
+_GROWTH = {"growth": st.integers(0, 64).map(float)}
+_STEP = {"by": st.tuples(*[st.integers(-16, 16).map(float)] * 3)}
+_TURN = {"axes": st.sampled_from(list(itertools.permutations((0, 1, 2)))), "signs": st.tuples(*[st.sampled_from((1, -1))] * 3)}
+_EDGES = ("touching_overlap", "touching_contact", "margin")
+
+LAWS: dict[str, Law] = {law.name: law for law in (
+    Law(repeatable),
+    Law(finite, _has_numbers, unfit=("coincident",)),
+    Law(swap, _has_two_alike, unfit=("points",)),
+    Law(turn, draws=_TURN),
+    Law(unit_normal, _has_numbers, unfit=("normal", "normal_unit", "coincident")),
+    Law(scale, draws={"exponent": st.integers(-LARGEST_EXPONENT, LARGEST_EXPONENT)}),
+    Law(translate, lambda pair: "plane" not in pair_named(pair).shapes, draws=_STEP),
+    Law(alarm_growth, lambda pair: pair_named(pair).numbers != "crossing", draws=_GROWTH),
+    Law(size_growth, lambda pair: pair_named(pair).shapes[0] == "sphere", draws=_GROWTH),
+    Law(alarm_changes_no_number, _has_numbers, draws=_GROWTH),
+    Law(contact_distance, _has_numbers, draws=_GROWTH, unfit=("value", "value_less_contact")),
+    Law(decision, unfit=_EDGES),
+    Law(bounds, _has_numbers, unfit=("normal", "normal_unit", "points", "value", "value_less_contact")),
+)}
+
+
+class NotAsked(Exception):
+    """Why a law was not asked of an engine."""
+
+
+def questions_for(pair: str, scalar: str, smallest: float, largest: float) -> st.SearchStrategy[Question]:
+    """What laws ask: questions of any numbers, of small whole ones, and such that touch or nearly do."""
+    near = strategies.touching(pair, scalar, scales=SCALES)
+    if pair_named(pair).numbers != "crossing":
+        near |= strategies.near_touching(pair, scalar, scales=SCALES)
+    return near.filter(lambda question: _is_served(question, smallest, largest)) | strategies.questions(pair, scalar, largest, smallest)
+
+
+def _is_served(question: Question, smallest: float, largest: float) -> bool:
+    return all(part == 0 or smallest <= abs(part) <= largest for part in _every_number(question))
+
+
+def check(name: str, engine: Engine, pairs: tuple[str, ...], *, scalar: str = "binary64", examples: int = 100, seed: int | None = None,
+          conventions: Mapping[str, Any] | None = None, ulps: float | None = None) -> None:
+    """Asks a law of random questions about these pairs. Raises what the shrunk question raises, or NotAsked with the reason."""
+    law = LAWS[name]
+    declared = dict(conventions or {})
+    unfit = [key for key in law.unfit if key in declared]
+    if unfit:
+        raise NotAsked(f"the engine declares {unfit[0]} {declared[unfit[0]]}")
+    concerned = [pair for pair in pairs if law.concerns(pair)]
+    if not concerned:
+        raise NotAsked(f"it is about none of {', '.join(pairs)}")
+    magnitudes = declared.get("scale") or {}
+    beyond = 2.0**LARGEST_EXPONENT
+    smallest = float(magnitudes["min"]) * beyond if "min" in magnitudes else SMALLEST
+    largest = float(magnitudes["max"]) / beyond if "max" in magnitudes else LARGEST
+    asked = st.one_of([questions_for(pair, scalar, smallest, largest) for pair in concerned])
+    bound = {} if ulps is None or name in ("repeatable", "finite") else {"ulps": ulps}
+
+    @hypothesis.settings(max_examples=examples, deadline=None, database=None, report_multiple_bugs=False,
+                         suppress_health_check=list(hypothesis.HealthCheck))
+    @hypothesis.given(asked, st.fixed_dictionaries(dict(law.draws or {})))
+    def run(question: Question, drawn: dict[str, Any]) -> None:
+        law.check(engine, question, **drawn, **bound)
+
+    try:
+        (run if seed is None else hypothesis.seed(seed)(run))()
+    except hypothesis.errors.Unsatisfiable:
+        raise NotAsked("too few questions suit it") from None
+
+
+def laws_about(pairs: tuple[str, ...]) -> list[str]:
+    """The names of the laws that concern one of the pairs."""
+    return [name for name, law in LAWS.items() if any(law.concerns(pair) for pair in pairs)]
