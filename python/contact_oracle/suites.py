@@ -1,0 +1,111 @@
+"""What `suite` makes: a test function for pytest, which the plugin asks once for each family and each law."""
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from .errors import EngineError
+from .judging import certify_sources, pairs_of
+from .pairs import scalar_named
+
+if TYPE_CHECKING:
+    import pytest
+
+GOLDEN_COUNT = 200
+SHOWN = 3
+
+
+@dataclass(frozen=True)
+class Suite:
+    """What `suite` was asked for."""
+
+    pairs: tuple[str, ...]
+    families: tuple[str, ...] | None
+    laws: tuple[str, ...] | None
+    scalar: str
+    count: int
+
+
+@dataclass(frozen=True)
+class Case:
+    """One test: a family of golden cases, or a law."""
+
+    suite: Suite
+    kind: str
+    id: str
+    source: Mapping[str, Any] | None = None
+    law: str | None = None
+
+
+def suite(pairs: str | Iterable[str] | None = None, families: str | Iterable[str] | None = None, laws: str | Iterable[str] | bool = True, *,
+          scalar: str = "binary64", count: int = GOLDEN_COUNT) -> Callable[..., None]:
+    """The tests of an engine for pytest: assign it to a name that begins with ``test_``, beside a session fixture `contact_engine`.
+
+    pairs      what the engine serves; all pairs
+    families   of the golden cases; all in the domain. ``()`` for none
+    laws       their names; True for all that are about the pairs, False for none
+    scalar     what the engine computes in
+    count      how many golden cases of each family, where they are generated
+    """
+    def named(names: str | Iterable[str]) -> tuple[str, ...]:
+        return (names,) if isinstance(names, str) else tuple(names)
+
+    asked = Suite(pairs_of(pairs, None), None if families is None else named(families),
+                  None if laws is True else () if laws is False else named(laws), scalar_named(scalar), count)
+
+    def test_contacts(contact_case: Case, contact_engine: Any, contact_conventions: Any, contact_tolerance: Any, contact_level: Any,
+                      contact_bounds: Any, contact_claims: Any, request: pytest.FixtureRequest) -> None:
+        declared = {"conventions": contact_conventions, "bounds": contact_bounds, "claims": contact_claims}
+        try:
+            if contact_case.kind == "law":
+                _test_law(contact_case, contact_engine, declared, request.config)
+            else:
+                _test_golden(contact_case, contact_engine, declared, contact_tolerance, contact_level)
+        except EngineError as error:
+            # The engine's own trace is the cause; ours would only stand before it.
+            raise error.with_traceback(None)
+
+    test_contacts.contact_suite = asked  # type: ignore[attr-defined]
+    return test_contacts
+
+
+def _test_golden(case: Case, engine: Any, declared: Mapping[str, Any], tolerance: Any, level: str) -> None:
+    import pytest
+
+    report = certify_sources(engine, case.suite.pairs, [dict(case.source or {})], scalar=case.suite.scalar, level=level,
+                             tolerance=tolerance, **declared)
+    if report.certified:
+        return
+    lines = [report.verdict, *report.diagnosis]
+    for worst in report.worst[:SHOWN]:
+        lines += ["", worst["what"], f"  question  {_text(worst['query'])}", f"  expected  {_text(worst.get('right'))}",
+                  f"  got       {_text(worst.get('claimed'))}"]
+    pytest.fail("\n".join(lines), pytrace=False)
+
+
+def _test_law(case: Case, engine: Any, declared: Mapping[str, Any], config: pytest.Config) -> None:
+    import pytest
+
+    laws = pytest.importorskip("contact_oracle.laws", reason="the laws need Hypothesis")
+    seed = config.getoption("--contact-seed")
+    try:
+        laws.check(case.law, engine, case.suite.pairs, scalar=case.suite.scalar, examples=config.getoption("--contact-max-examples"), seed=seed,
+                   conventions=declared["conventions"], ulps=largest_bound(declared["bounds"]))
+    except laws.NotAsked as why:
+        pytest.skip(str(why))
+    except AssertionError as error:
+        pytest.fail(f"{error}\n\nagain with --contact-seed {seed}", pytrace=False)
+    except EngineError:
+        raise
+    except Exception as error:
+        raise EngineError(f"{case.law}: the engine raised {type(error).__name__}: {error}") from error
+
+
+def largest_bound(bounds: Mapping[str, float] | None) -> float | None:
+    return max(bounds.values(), default=None) if bounds else None
+
+
+def _text(value: Any) -> str:
+    return json.dumps(value, separators=(",", ":"))
