@@ -1,0 +1,304 @@
+"""The functions of the pairs: right answers, every kind of array, and refusals that name the place."""
+import json
+import threading
+
+import numpy as np
+import pytest
+
+import contact_oracle
+from contact_oracle import InputError, _core
+from contact_oracle.pairs import PAIRS
+
+THIRD = 1 / 3
+
+# Checked by hand: docs/specification.md has most of them.
+BY_HAND = {
+    "sphere_sphere": (((0, 0, 0), 1.5, (1, 2, 2), 1.5), dict(contact=0.25), ((THIRD, 2 * THIRD, 2 * THIRD), (0.5, 1, 1), (0.5, 1, 1), -0.25)),
+    "rigid_sphere_rigid_sphere": (((0, 0, 0), 1, (0, 0, 4), 2), dict(alarm=1), ((0, 0, 1), (0, 0, 1), (0, 0, 2), 1)),
+    "sphere_rigid_sphere": (((1, 0, 0), 1, (0, 0, 0), 1), {}, ((-1, 0, 0), (0, 0, 0), (1, 0, 0), -1)),
+    "cube_cube": (((0, 0, 0), (1, 1, 1), (1, 0, 0), (2, 1, 1)), {}, None),
+    "sphere_cube": (((0.25, 0.5, 0.5), 1.5, (0, 0, 0), (1, 1, 1)), dict(contact=0.25), ((1, 0, 0), (1.75, 0.5, 0.5), (0, 0.5, 0.5), -2)),
+    "sphere_capsule": (((0, 3, 0), 1, (-5, 0, 0), (5, 0, 0), 2), {}, ((0, -1, 0), (0, 2, 0), (0, 2, 0), 0)),
+    "capsule_capsule": (((0, 0, 0), (1, 0, 0), 0.25, (0.5, 0.5, 0), (2, 0.5, 0), 0.25), dict(contact=0.125),
+                        ((0, 1, 0), (0.75, 0.25, 0), (0.75, 0.25, 0), -0.125)),
+    "sphere_triangle": (((2, -3, 4), 5, ((0, 0, 0), (4, 0, 0), (0, 4, 0))), {}, ((0, 0.6, -0.8), (2, 0, 0), (2, 0, 0), 0)),
+    "ray_sphere": (((0, 0, 0), (1, 0, 0), 1, (1.5, 0, 0), 0.75), {}, ((1, 0, 0), (1, 0, 0), (0.75, 0, 0), -0.25)),
+    "sphere_plane": (((2, 3, 5), 6, (1, 2, 2), 3), {}, ((-THIRD, -2 * THIRD, -2 * THIRD), (0, -1, 1), (THIRD, -THIRD, 5 * THIRD), -1)),
+    "capsule_plane": (((0, 0, 3), (0, 0, 1), 1, (0, 0, 2), 0), {}, ((0, 0, -1), (0, 0, 0), (0, 0, 0), 0)),
+    "ray_triangle": (((1, 1, 2), (0, 0, -1), 4, ((0, 0, 0), (4, 0, 0), (0, 4, 0))), {}, ((0, 0, -1), (1, 1, 0), (1, 1, 0), 0)),
+    "triangle_line": ((((0, 0, 0), (4, 0, 0), (0, 4, 0)), (1, 1, 2), (1, 1, -2)), {}, ((0, 0, 1), (1, 1, 0), (1, 1, 0), 0)),
+}
+
+
+def function(pair):
+    return getattr(contact_oracle, pair)
+
+
+def test_every_pair_has_an_answer_by_hand():
+    assert set(BY_HAND) == set(PAIRS)
+
+
+@pytest.mark.parametrize("pair", BY_HAND)
+def test_a_known_answer_by_hand(pair):
+    arguments, distances, right = BY_HAND[pair]
+    contact = function(pair)(*arguments, **distances)
+    assert contact.hit
+    if right is None:
+        assert contact.normal is None and contact.value is None
+        return
+    for name, number in zip(("normal", "point1", "point2", "value"), right):
+        np.testing.assert_allclose(getattr(contact, name), number, rtol=2e-16, atol=0, err_msg=name)
+        assert np.shape(getattr(contact, name)) == np.shape(number)
+
+
+@pytest.mark.parametrize("scalar", ["binary64", "binary32"])
+@pytest.mark.parametrize("pair", PAIRS)
+def test_answers_have_the_bits_of_the_golden_cases(pair, scalar):
+    for family in contact_oracle.families(pair):
+        if family["outside_domain"]:
+            continue
+        questions = contact_oracle.generate(pair, family["name"], 40, seed=7, scalar=scalar)
+        answers = questions.answer()
+        asked = questions.asked()
+        lines = _core.cases(pair, asked.columns, asked.alarm, asked.contact, scalar)
+        for row, line in enumerate(lines):
+            case = json.loads(line)
+            expect = case["expect"]
+            assert case["id"] == questions.id[row]
+            assert answers.hit[row] == expect["hit"]
+            if PAIRS[pair].numbers == "none":
+                continue
+            assert answers.value.dtype == (np.float32 if scalar == "binary32" else np.float64)
+            for name in ("normal", "point1", "point2", "value"):
+                found = np.asarray(getattr(answers, name)[row], float)
+                right = np.array([float(part) for part in np.ravel(expect[name])]).reshape(found.shape) if expect["hit"] else np.full(found.shape, np.nan)
+                assert found.tobytes() == right.tobytes() or np.isnan(found).all() and not expect["hit"], (line, name, found)
+            if expect["hit"]:
+                assert answers.degenerate[row] == expect["degenerate"]
+                assert answers.unique[row] == expect.get("unique", True)
+
+
+def test_hits_are_those_of_contacts():
+    questions = contact_oracle.generate("sphere_sphere", "near_touching", 500, seed=3)
+    arguments = dict(**questions)
+    assert (contact_oracle.hits("sphere_sphere", **arguments) == questions.answer().hit).all()
+    assert contact_oracle.hits("cube_cube", (0, 0, 0), (1, 1, 1), (3, 0, 0), (4, 1, 1), alarm=2)
+
+
+def test_arguments_are_broadcast():
+    centers = np.zeros((2, 4, 3))
+    centers[..., 0] = np.arange(8).reshape(2, 4)
+    contact = contact_oracle.sphere_sphere(centers, np.ones(4), (0, 0, 0), 1, alarm=[[0], [3]])
+    assert contact.hit.shape == (2, 4) and contact.normal.shape == (2, 4, 3)
+    assert contact.hit.tolist() == [[True, True, True, False], [True, True, False, False]]
+    assert np.isnan(contact.value[0, 3]) and contact[1, 0].value == 2
+    assert contact[0].hit.shape == (4,)
+
+
+def test_a_single_question_has_single_answers():
+    contact = contact_oracle.sphere_sphere((0, 0, 0), 1, (1, 0, 0), 1)
+    assert isinstance(contact.hit, np.bool_) and isinstance(contact.value, np.float64) and contact.normal.shape == (3,)
+    assert contact
+    with pytest.raises(TypeError, match="no length"):
+        len(contact)
+
+
+def test_several_contacts_are_no_truth_value():
+    contact = contact_oracle.sphere_sphere(np.zeros((2, 3)), 1, (1, 0, 0), 1)
+    assert len(contact) == 2 and len(list(contact)) == 2
+    with pytest.raises(ValueError, match="hit.any"):
+        bool(contact)
+
+
+def test_no_question_has_no_answer():
+    contact = contact_oracle.sphere_capsule(np.zeros((0, 3)), np.zeros(0), np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
+    assert contact.hit.shape == (0,) and contact.normal.shape == (0, 3) and len(contact) == 0
+
+
+@pytest.mark.parametrize("change", [lambda a: np.asfortranarray(a), lambda a: np.repeat(a, 2, axis=0)[::2], lambda a: a[::-1].copy()[::-1],
+                                    lambda a: a.astype(">f8"), lambda a: a.tolist()])
+def test_any_order_of_memory_gives_the_same_answers(change):
+    questions = contact_oracle.generate("sphere_sphere", "generic", 50, seed=1)
+    changed = {name: change(array) for name, array in dict(**questions).items()}
+    answers = contact_oracle.sphere_sphere(**changed)
+    assert answers.value.tobytes() == questions.answer().value.tobytes()
+
+
+def test_arrays_that_cannot_be_written_are_read():
+    centers = np.zeros((3, 3))
+    centers.flags.writeable = False
+    assert contact_oracle.sphere_sphere(centers, 1, centers, 1).degenerate.all()
+
+
+def test_a_column_of_doubles_is_not_copied():
+    from contact_oracle.asked import asked
+
+    centers, radii = np.zeros((5, 3)), np.ones(5)
+    question = asked(PAIRS["sphere_sphere"], dict(center1=centers, radius1=radii, center2=centers, radius2=1.0, alarm=0, contact=0))
+    assert np.shares_memory(question.columns[0], centers) and np.shares_memory(question.columns[1], radii)
+    assert question.columns[3].strides == (0,)
+
+
+def test_single_precision_is_answered_in_single_precision():
+    centers = np.array([[0, 0, 0]], np.float32)
+    contact = contact_oracle.sphere_sphere(centers, np.float32(1), centers + np.float32(0.3), np.float32(1), alarm=0)
+    assert contact.value.dtype == contact.normal.dtype == np.float32
+    doubles = contact_oracle.sphere_sphere(centers, 1.0, centers + np.float32(0.3), np.float64(1))
+    assert doubles.value.dtype == np.float64
+    assert contact.value[0] == np.float32(doubles.value[0])
+
+
+def test_a_number_without_a_format_follows_the_arrays_where_it_can():
+    centers = np.zeros((2, 3), np.float32)
+    assert contact_oracle.sphere_sphere(centers, 0.5, (1, 0, 0), 0.5).value.dtype == np.float32
+    with pytest.raises(InputError, match="radius1: is no binary32 number") as caught:
+        contact_oracle.sphere_sphere(centers, 0.1, centers, 0.5)
+    assert caught.value.argument == "radius1" and caught.value.value == 0.1
+    assert contact_oracle.sphere_sphere(centers.astype(int), 0.1, centers, 0.5).value.dtype == np.float64
+
+
+def test_integers_are_read_where_they_are_doubles():
+    assert contact_oracle.sphere_sphere(np.zeros((1, 3), int), np.array([2]), np.array([[3, 0, 0]]), np.array([1], np.uint8)).value[0] == 0
+    with pytest.raises(InputError, match=r"center1\[1, 2\]: is no binary64 number, got 9007199254740993"):
+        contact_oracle.sphere_sphere([[0, 0, 0], [0, 0, 2**53 + 1]], 1, (0, 0, 0), 1)
+    with pytest.raises(InputError, match="is no binary64 number"):
+        contact_oracle.sphere_sphere((2**63 - 1, 0, 0), 1, (0, 0, 0), 1)
+
+
+@pytest.mark.parametrize("center", [np.zeros(3, np.float16), np.zeros(3, complex), np.array([None] * 3), ["a", "b", "c"], np.zeros(3, bool),
+                                    np.zeros(3, np.longdouble), np.zeros(3, "datetime64[s]"), (2**70, 0, 0), [[0, 0, 0], [0, 0]], None])
+def test_what_is_no_number_is_refused(center):
+    with pytest.raises(InputError, match="center1"):
+        contact_oracle.sphere_sphere(center, 1, (0, 0, 0), 1)
+
+
+def test_masked_numbers_are_refused():
+    with pytest.raises(InputError, match="center1: must have no masked"):
+        contact_oracle.sphere_sphere(np.ma.array(np.zeros(3), mask=[0, 1, 0]), 1, (0, 0, 0), 1)
+
+
+@pytest.mark.parametrize("arguments, message", [
+    (((0, 0), 1, (0, 0, 0), 1), r"center1: must have the shape \(..., 3\), got shape \(2,\)"),
+    ((5, 1, (0, 0, 0), 1), r"center1: must have the shape"),
+    ((np.zeros((2, 3)), np.ones(3), (0, 0, 0), 1), r"do not go together: center1 \(2,\), radius1 \(3,\)"),
+    ((np.zeros((3, 2)), 1, (0, 0, 0), 1), "center1: must have the shape"),
+])
+def test_wrong_shapes_are_named(arguments, message):
+    with pytest.raises(InputError, match=message):
+        contact_oracle.sphere_sphere(*arguments)
+
+
+def test_a_triangle_is_three_points():
+    with pytest.raises(InputError, match=r"vertices2: must have the shape \(..., 3, 3\)"):
+        contact_oracle.sphere_triangle((0, 0, 0), 1, np.zeros((4, 3)))
+
+
+def refusal(call, *arguments, **named):
+    with pytest.raises(InputError) as caught:
+        call(*arguments, **named)
+    return caught.value
+
+
+def test_a_number_outside_the_domain_is_named_as_it_was_given():
+    centers = np.zeros((2, 3, 3))
+    centers[1, 2, 1] = np.nan
+    error = refusal(contact_oracle.sphere_sphere, centers, 1, (0, 0, 0), 1)
+    assert (error.argument, error.index, error.field) == ("center1", (1, 2, 1), "a.center[1]") and np.isnan(error.value)
+    assert str(error).startswith("center1[1, 2, 1]: ")
+
+    error = refusal(contact_oracle.sphere_sphere, np.zeros((4, 3)), 1, (0, np.inf, 0), 1)
+    assert (error.argument, error.index, error.value) == ("center2", (1,), np.inf)
+
+    error = refusal(contact_oracle.sphere_sphere, np.zeros((4, 3)), 1, np.zeros((1, 3)), [[1, 2, -3, 4]])
+    assert (error.argument, error.index, error.value) == ("radius2", (0, 2), -3)
+
+    error = refusal(contact_oracle.sphere_sphere, (0, 0, 0), 1, (0, 0, 0), 1, alarm=-1)
+    assert (error.argument, error.index, error.field) == ("alarm", (), "alarm")
+
+    error = refusal(contact_oracle.cube_cube, (0, 2, 0), (1, 1, 1), (0, 0, 0), (1, 1, 1))
+    assert (error.argument, error.index) == ("min1", (1,)) and "exceed" in error.rule
+
+    error = refusal(contact_oracle.sphere_triangle, (0, 0, 0), 1, [[(0, 0, 0), (1, 0, np.nan), (0, 1, 0)]])
+    assert (error.argument, error.index) == ("vertices2", (0, 1, 2))
+
+    assert refusal(contact_oracle.sphere_plane, (0, 0, 0), 1, (0, 0, 0), 1).argument == "normal2"
+    assert refusal(contact_oracle.ray_sphere, (0, 0, 0), (0, 0, 0), 1, (0, 0, 0), 1).argument == "direction1"
+
+
+def test_wrong_words_are_refused():
+    with pytest.raises(InputError, match="points: must be one of nearest_surface"):
+        contact_oracle.sphere_sphere((0, 0, 0), 1, (0, 0, 0), 1, points="middle")
+    with pytest.raises(InputError, match="pair: must be one of sphere_sphere"):
+        contact_oracle.hits("sphere_donut", 1)
+    with pytest.raises(TypeError, match="radius2"):
+        contact_oracle.sphere_sphere((0, 0, 0), 1, (0, 0, 0))
+    with pytest.raises(TypeError):
+        contact_oracle.sphere_sphere((0, 0, 0), 1, (0, 0, 0), 1, 2)
+
+
+def test_points_of_other_conventions():
+    contact = contact_oracle.sphere_sphere((0, 0, 0), 1.5, (1, 2, 2), 1.5, points="published")
+    np.testing.assert_array_equal(contact.point1, (-0.5, -1, -1))
+    contact = contact_oracle.sphere_rigid_sphere((0, 0, 0), 1.5, (1, 2, 2), 1.5, points="center")
+    np.testing.assert_array_equal(contact.point1, (0, 0, 0))
+
+
+class OnlyDlpack:
+    """What a library without NumPy's own protocol gives."""
+
+    def __init__(self, array):
+        self._array = array
+
+    def __dlpack__(self, *args, **named):
+        return self._array.__dlpack__(*args, **named)
+
+    def __dlpack_device__(self):
+        return self._array.__dlpack_device__()
+
+
+def test_arrays_of_other_libraries_are_taken():
+    centers = np.zeros((2, 3), np.float32)
+    assert contact_oracle.sphere_sphere(OnlyDlpack(centers), 1, OnlyDlpack(centers), 1).value.dtype == np.float32
+
+
+def test_tensors_are_taken_and_gradients_refused():
+    torch = pytest.importorskip("torch")
+    centers = torch.zeros((2, 3))
+    assert contact_oracle.sphere_sphere(centers, 1, centers, torch.tensor(1.0)).value.dtype == np.float32
+    assert contact_oracle.sphere_sphere(centers.double(), 1, centers.double(), 1).value.dtype == np.float64
+    with pytest.raises(InputError, match="center1: requires a gradient"):
+        contact_oracle.sphere_sphere(centers.clone().requires_grad_(), 1, centers, 1)
+    with pytest.raises(InputError, match="center1"):
+        contact_oracle.sphere_sphere(centers.to(torch.bfloat16), 1, centers, 1)
+
+
+def test_a_million_questions():
+    count = 1_000_000
+    centers = np.random.default_rng(1).uniform(-2, 2, (count, 3))
+    contact = contact_oracle.sphere_sphere(centers, 0.5, (0, 0, 0), 0.75)
+    plain = np.sqrt((centers * centers).sum(axis=1))
+    np.testing.assert_allclose(contact.value[contact.hit], plain[contact.hit] - 1.25, atol=1e-15)
+    assert 0 < contact.hit.sum() < count
+
+
+def test_threads_may_ask_at_once():
+    questions = contact_oracle.generate("sphere_capsule", "generic", 3000, seed=5)
+    right = questions.answer().value.tobytes()
+    found = []
+    threads = [threading.Thread(target=lambda: found.append(questions.answer().value.tobytes())) for _ in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert found == [right] * 8
+
+
+def test_contacts_are_shown_and_tabulated():
+    contact = contact_oracle.sphere_sphere(np.zeros((20, 3)), 1, (1, 0, 0), 1)
+    assert "and 10 more" in contact._repr_html_() and "<th>value</th>" in contact._repr_html_()
+    assert "<th>hit</th>" in contact[0]._repr_html_()
+    pandas = pytest.importorskip("pandas")
+    frame = contact.to_dataframe()
+    assert isinstance(frame, pandas.DataFrame) and list(frame)[:4] == ["hit", "normal_x", "normal_y", "normal_z"] and len(frame) == 20
+    with pytest.raises(AttributeError):
+        contact.hit = None

@@ -1,0 +1,238 @@
+"""Verdicts on engines, and what becomes of engines that do not answer."""
+import json
+import pathlib
+import subprocess
+import sys
+
+import engines
+import numpy as np
+import pytest
+
+import contact_oracle
+from contact_oracle import EngineError, InputError
+
+
+def test_a_right_engine_is_certified():
+    report = contact_oracle.certify(engines.right, count=20, seed=1, level="correctly-rounded")
+    assert report.certified and report and report.level == "correctly-rounded" and report.failures == [] and report.seed == 1
+    assert {family["pair"] for family in report.families} == set(contact_oracle.PAIRS)
+    assert "CERTIFIED" in str(report) and "Generated from seed 1." in str(report)
+
+
+def test_a_right_engine_is_certified_in_single_precision():
+    report = contact_oracle.certify(engines.right, count=10, seed=1, scalar="binary32", level="correctly-rounded")
+    assert report.certified and {family["scalar"] for family in report.families} == {"binary32"}
+
+
+def test_a_plain_engine_is_refuted_and_the_failures_can_be_explained(tmp_path):
+    report = contact_oracle.certify(engines.plain_spheres, "sphere_sphere", "touching", seed=1)
+    assert not report.certified and not report and report.level == "none" and report.failure_count == len(report.failures) > 0
+    assert "REFUTED" in report.verdict and any("rounded" in line for line in report.diagnosis)
+    assert "D = reach^2" in contact_oracle.explain(report.failures[0]["line"]) or "MISS" in contact_oracle.explain(report.failures[0]["line"])
+    assert report.fitness["all"]["answers"] == 200 and report.worst[0]["claimed"]
+    assert report.to_html(tmp_path / "report.html") == (tmp_path / "report.html").read_text()
+    assert json.loads(report.to_json(tmp_path / "report.json"))["certified"] is False
+    assert report.to_junit().startswith("<?xml") and "|" in report.to_markdown()
+    assert report._repr_html_().startswith("<iframe srcdoc=") and "<html" not in report._repr_html_()
+    pytest.importorskip("pandas")
+    frame = report.to_dataframe()
+    assert frame["family"].tolist() == ["touching"] and frame["missed_hits"][0] > 0
+
+
+def test_an_engine_is_judged_by_what_it_declares():
+    refuted = contact_oracle.certify(engines.reversed_normal, "sphere_sphere", "generic", seed=1)
+    assert not refuted.certified and any("second-to-first" in line for line in refuted.diagnosis)
+    assert contact_oracle.certify(engines.reversed_normal, "sphere_sphere", "generic", seed=1, conventions={"normal": "second-to-first"})
+    hit_alone = lambda questions: {"hit": questions.answer().hit}
+    report = contact_oracle.certify(hit_alone, "sphere_sphere", "touching", seed=1, level="decisions", claims=["overlap"])
+    assert report.certified and report.level == "decisions"
+
+
+def test_a_tolerance_takes_the_place_of_a_level():
+    single = lambda questions: {name: array.astype(float) if array.dtype.kind == "f" else array for name, array in
+                                engines.plain_spheres(questions_in_single(questions)).items()}
+    asked = dict(pairs="sphere_sphere", families="generic", seed=1)
+    assert not contact_oracle.certify(single, **asked)
+    report = contact_oracle.certify(single, **asked, tolerance={"length": 1e-4, "angle": 1e-4})
+    assert report.certified and "within length 0.0001" in report.verdict
+    assert contact_oracle.certify(single, **asked, profile="game").certified
+    with pytest.raises(InputError, match="tolerance: cannot stand beside a profile"):
+        contact_oracle.certify(single, **asked, profile="game", tolerance={"length": 1})
+    with pytest.raises(InputError):
+        contact_oracle.certify(single, **asked, profile="horseshoe")
+
+
+def questions_in_single(questions):
+    with np.errstate(over="ignore"):
+        return contact_oracle.Questions(questions.pair, {name: questions[name].astype(np.float32) for name in questions.keys()})
+
+
+def test_engines_by_pair():
+    report = contact_oracle.certify({"cube_cube": engines.right, "sphere_sphere": engines.right}, count=5, seed=1)
+    assert {family["pair"] for family in report.families} == {"cube_cube", "sphere_sphere"}
+    with pytest.raises(InputError, match="pair: must be one of"):
+        contact_oracle.certify({"cube_donut": engines.right})
+
+
+@pytest.mark.parametrize("answer", [None, NotImplemented])
+def test_no_answer_is_unsupported(answer):
+    half = lambda questions: questions.answer() if questions.pair == "cube_cube" else answer
+    report = contact_oracle.certify(half, ["cube_cube", "sphere_sphere"], "generic", count=10, seed=1)
+    assert not report.certified and report.data["total"]["answers"]["unsupported"] == 10
+    assert contact_oracle.certify(half, ["cube_cube", "sphere_sphere"], "generic", count=10, seed=1, allow_unsupported=True, level="decisions").certified
+
+
+def test_golden_files_are_judged(golden):
+    report = contact_oracle.certify(engines.right, "sphere_sphere", datasets=golden, scalar="binary64")
+    assert report.certified and report.seed is None and report.data["total"]["cases"] > 1000
+    one = contact_oracle.certify(engines.plain_spheres, "sphere_sphere", datasets=golden / "sphere_sphere" / "generic.jsonl")
+    assert one.certified and one.data["total"]["cases"] == 210
+    with pytest.raises(InputError, match="datasets: is not there"):
+        contact_oracle.certify(engines.right, datasets="nowhere")
+    with pytest.raises(InputError, match="no question to judge"):
+        contact_oracle.certify(engines.right, "cube_cube", datasets=golden / "sphere_sphere")
+
+
+def test_the_engine_that_raises_is_named_with_its_first_question():
+    with pytest.raises(EngineError, match="sphere_sphere: the engine raised KeyError: 'no such shape'") as caught:
+        contact_oracle.certify(engines.raises, "sphere_sphere", "generic", seed=1)
+    assert isinstance(caught.value.__cause__, KeyError) and caught.value.pair == "sphere_sphere"
+    assert "sphere_sphere" in contact_oracle.explain(caught.value.line)
+
+
+@pytest.mark.parametrize("answers, message", [
+    ({}, "no answer: give a dict"), (5, "no answer: give a dict or an object with some of hit.*got int"),
+    ({"hits": [True]}, "an answer has no 'hits'"), ({"hit": [0.5] * 10}, "hit must be truth values"),
+    ({"hit": np.ones(9, bool)}, r"hit must have the shape \(10,\), a row a question, got \(9,\)"),
+    ({"hit": np.ones(10, bool), "normal": np.zeros((3, 10))}, r"normal must have the shape \(10, 3\)"),
+    ({"hit": np.ones(10, bool), "value": np.zeros(10, complex)}, "value must be binary64 or binary32"),
+    ({"hit": np.ones(10, bool), "value": ["a"] * 10}, "value must be"),
+])
+def test_what_is_no_answer_is_named(answers, message):
+    with pytest.raises(EngineError, match=message):
+        contact_oracle.certify(lambda questions: answers, "sphere_sphere", "generic", count=10, seed=1, claims=["overlap"])
+
+
+def test_answers_in_double_are_none_of_an_engine_in_single():
+    with pytest.raises(EngineError, match="value is binary64, and the engine's scalar is binary32"):
+        contact_oracle.certify(lambda q: {"hit": q.answer().hit, "value": np.zeros(len(q))}, "sphere_sphere", "generic", scalar="binary32", seed=1)
+
+
+def test_tensors_are_answers():
+    torch = pytest.importorskip("torch")
+
+    def engine(questions):
+        right = questions.answer()
+        value = torch.from_numpy(right.value).requires_grad_() * 1
+        return {"hit": torch.from_numpy(right.hit), "value": value}
+
+    assert contact_oracle.certify(engine, "sphere_sphere", "generic", seed=1, claims=["overlap", "contact", "value"]).certified
+
+
+def test_an_engine_in_its_own_process():
+    report = contact_oracle.certify(engines.right, "sphere_sphere", "generic", seed=1, isolated=True)
+    assert report.certified
+    with pytest.raises(EngineError, match="process ended, with exit status 7"):
+        contact_oracle.certify(engines.dies, "sphere_sphere", "generic", seed=1, isolated=True)
+    with pytest.raises(EngineError, match="KeyError"):
+        contact_oracle.certify(engines.raises, "sphere_sphere", "generic", seed=1, isolated=True)
+    with pytest.raises(EngineError, match="no answer within 0.5 seconds"):
+        contact_oracle.certify(engines.hangs, "sphere_sphere", "generic", seed=1, isolated=True, time_limit=0.5)
+    with pytest.raises(InputError, match="engine: cannot be sent to another process"):
+        contact_oracle.certify(lambda questions: None, "sphere_sphere", "generic", seed=1, isolated=True)
+    with pytest.raises(InputError, match="time_limit: needs isolated"):
+        contact_oracle.certify(engines.right, "sphere_sphere", "generic", seed=1, time_limit=1)
+
+
+@pytest.mark.parametrize("named", [dict(level="good"), dict(pairs="sphere_donut"), dict(families="cheese"), dict(scalar="half"), dict(pairs=[]),
+                                   dict(conventions={"normal": "sideways"}), dict(bounds={"value": 1000}), dict(engine=5)])
+def test_wrong_arguments_are_refused(named):
+    with pytest.raises(InputError):
+        contact_oracle.certify(**{**dict(engine=engines.right, pairs="sphere_sphere", families="generic", count=3, seed=1), **named})
+
+
+def test_an_engine_that_gives_other_bits_is_not_deterministic():
+    state = [0]
+
+    def unsteady(questions):
+        state[0] += 1
+        right = questions.answer()
+        return {"hit": right.hit, "value": np.nextafter(right.value, np.inf) if state[0] % 2 else right.value}
+
+    asked = dict(pairs="sphere_sphere", families="generic", count=50, seed=1, claims=["overlap", "contact", "value"])
+    assert contact_oracle.certify(unsteady, **asked).certified
+    assert not contact_oracle.certify(unsteady, **asked, determinism=True).certified
+
+
+def test_laws_of_the_command_hold_of_a_right_engine_and_name_a_mistake(tool):
+    report = contact_oracle.properties(engines.right, "sphere_sphere", cases=30, seed=1)
+    assert report.holds and report.violated == [] and report.seed == 1
+    report = contact_oracle.properties(engines.reversed_normal, "sphere_sphere", "direction", cases=100, seed=1)
+    assert not report.holds and [law["law"] for law in report.violated] == ["direction"]
+    assert report.violated[0]["questions"][0]["query"]["pair"] == "sphere_sphere" and "direction VIOLATED" in str(report)
+    with pytest.raises(InputError, match="gravity"):
+        contact_oracle.properties(engines.right, laws="gravity")
+    with pytest.raises(EngineError, match="KeyError"):
+        contact_oracle.properties(engines.raises, "sphere_sphere", "swap", cases=10, seed=1)
+
+
+def test_without_the_command_its_laws_are_not_asked(monkeypatch, tmp_path):
+    monkeypatch.setattr("contact_oracle.by_command.__file__", str(tmp_path / "contact_oracle" / "by_command.py"))
+    monkeypatch.delenv("CONTACT_ORACLE_TOOL", raising=False)
+    monkeypatch.setenv("PATH", "")
+    with pytest.raises(InputError, match="contact-oracle is not on the path"):
+        contact_oracle.properties(engines.right, "sphere_sphere", "swap")
+
+
+SERVED = """
+import engines, contact_oracle
+print("a greeting that must not reach the host")
+contact_oracle.serve({"sphere_sphere": engines.%s}, name="served", version="2"%s)
+"""
+
+
+def conversation(tmp_path, engine, lines, more=""):
+    script = tmp_path / "adapter.py"
+    script.write_text(SERVED % (engine, more))
+    text = "".join(json.dumps(line) + "\n" for line in lines)
+    tests = str(pathlib.Path(__file__).parent)
+    import os
+
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([tests, os.environ["PYTHONPATH"]])}
+    done = subprocess.run([sys.executable, str(script)], input=text, capture_output=True, text=True, timeout=60, env=environment)
+    assert done.returncode == 0, done.stderr
+    greeting, *replies = done.stdout.splitlines()
+    return [json.loads(reply) for reply in replies], done
+
+
+QUERY = {"op": "query", "seq": 1, "pair": "sphere_sphere", "a": {"center": [0, 0, 0], "radius": 1.5}, "b": {"center": [1, 2, 2], "radius": 1.5},
+         "alarm": 0, "contact": 0.25}
+
+
+def test_a_script_serves_the_protocol(tmp_path):
+    far = {**QUERY, "seq": 2, "b": {"center": [9, 0, 0], "radius": 1}}
+    bad = {**QUERY, "seq": 3, "a": {"center": ["NaN", 0, 0], "radius": 1}}
+    replies, _ = conversation(tmp_path, "right", [{"op": "hello", "protocol": 1}, QUERY, far, bad, {"op": "stop"}])
+    hello, *answers = replies
+    assert hello == {"op": "hello", "protocol": 1, "engine": {"name": "served", "version": "2"}, "scalar": "binary64", "pairs": ["sphere_sphere"]}
+    by_seq = {answer["seq"]: answer for answer in answers}
+    assert by_seq[1]["overlap"] is True and by_seq[1]["contact"]["value"] == -0.25 and by_seq[1]["contact"]["point1"] == [0.5, 1, 1]
+    assert by_seq[2] == {"op": "answer", "seq": 2, "overlap": False, "contact": None}
+    assert by_seq[3]["rejected"] == "a.center[0]"
+
+
+def test_an_engine_that_raises_serves_errors(tmp_path):
+    replies, _ = conversation(tmp_path, "raises", [{"op": "hello", "protocol": 1}, QUERY])
+    assert replies[1]["error"] == "KeyError: 'no such shape'"
+
+
+def test_the_command_certifies_a_script(tmp_path, tool, golden):
+    import os
+
+    script = tmp_path / "adapter.py"
+    script.write_text(SERVED.replace('print("a greeting that must not reach the host")\n', "") % ("right", ""))
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(pathlib.Path(__file__).parent), os.environ["PYTHONPATH"]])}
+    done = subprocess.run([tool, "certify", str(golden / "sphere_sphere"), "--engine-command", f"{sys.executable} {script}", "--level", "correctly-rounded",
+                           "--start-limit", "60"], capture_output=True, text=True, env=environment)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "CERTIFIED: served 2 reaches correctly-rounded" in done.stdout

@@ -1,0 +1,127 @@
+"""The package itself: signatures, stubs, documentation and examples."""
+import ast
+import doctest
+import importlib
+import inspect
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+import pytest
+
+import contact_oracle
+from contact_oracle.pairs import PAIRS
+
+PACKAGE = pathlib.Path(contact_oracle.__file__).parent
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+EXAMPLES = ROOT / "python" / "examples"
+MODULES = ["answering", "asked", "by_command", "contacts", "datasets", "engines", "errors", "exact_answers", "judging", "laws", "pairs", "questions", "serving",
+           "shapes", "strategies", "suites"]
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_functions_have_signatures_and_documentation(pair):
+    function = getattr(contact_oracle, pair)
+    signature = inspect.signature(function)
+    names = [field.argument for field in PAIRS[pair].fields]
+    assert list(signature.parameters) == [*names, "alarm", "contact", "points"]
+    assert signature.parameters["alarm"].kind is inspect.Parameter.KEYWORD_ONLY and signature.parameters["alarm"].default == 0
+    for word in (*names, "Units", "Domain", "Scalar", "Decision", "Error", "Degenerate", "Source"):
+        assert word in function.__doc__
+    assert function.__name__ == pair and function.__module__ == "contact_oracle"
+
+
+def test_the_stub_says_what_the_functions_are():
+    tree = ast.parse((PACKAGE / "__init__.pyi").read_text())
+    stubs = {node.name: node.args for node in tree.body if isinstance(node, ast.FunctionDef)}
+    assert list(stubs) == list(PAIRS)
+    for pair, arguments in stubs.items():
+        parameters = inspect.signature(getattr(contact_oracle, pair)).parameters.values()
+        assert [a.arg for a in arguments.args] == [p.name for p in parameters if p.kind is p.POSITIONAL_OR_KEYWORD]
+        assert [a.arg for a in arguments.kwonlyargs] == [p.name for p in parameters if p.kind is p.KEYWORD_ONLY]
+    imported = {alias.asname for node in tree.body if isinstance(node, ast.ImportFrom) for alias in node.names if alias.asname}
+    assert set(contact_oracle.__all__) == imported | set(PAIRS) | {"PAIRS"}
+
+
+def test_all_names_are_there():
+    for name in contact_oracle.__all__:
+        assert hasattr(contact_oracle, name)
+    assert contact_oracle.__version__ and (PACKAGE / "py.typed").exists()
+
+
+@pytest.mark.parametrize("module", ["", *MODULES])
+def test_what_the_documentation_shows_is_so(module):
+    if module in ("laws", "strategies"):
+        pytest.importorskip("hypothesis")
+    found = doctest.testmod(importlib.import_module("contact_oracle" + ("." + module if module else "")), optionflags=doctest.ELLIPSIS)
+    assert found.failed == 0
+    assert found.attempted or module not in ("", "answering", "exact_answers", "datasets")
+
+
+def shown():
+    """The examples of docs/python.md, which share their names as one session does."""
+    text = (ROOT / "docs" / "python.md").read_text()
+    return re.findall(r"<!-- python -->\n```pycon\n(.*?)```", text, re.S)
+
+
+def test_what_the_page_shows_is_so():
+    names = {}
+    blocks = shown()
+    assert len(blocks) >= 5
+    parser, runner = doctest.DocTestParser(), doctest.DocTestRunner(optionflags=doctest.ELLIPSIS | doctest.IGNORE_EXCEPTION_DETAIL)
+    for number, block in enumerate(blocks):
+        test = parser.get_doctest(block, names, f"docs/python.md block {number}", None, None)
+        runner.run(test, clear_globs=False)
+        names.update(test.globs)
+    assert runner.summarize().failed == 0
+
+
+def test_the_page_names_every_argument_law_and_strategy():
+    text = (ROOT / "docs" / "python.md").read_text()
+    for name in inspect.signature(contact_oracle.certify).parameters:
+        assert f"`{name}`" in text, name
+    pytest.importorskip("hypothesis")
+    from contact_oracle import laws, strategies
+
+    for name in [*laws.LAWS, *(function.__name__ for function in strategies.OF_SHAPE.values())]:
+        assert f"`{name}`" in text, name
+    from contact_oracle import pytest_plugin
+
+    for option in pytest_plugin.HELP:
+        assert f"`{option}" in text
+
+
+def test_types_are_right():
+    pytest.importorskip("mypy")
+    done = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports", "--cache-dir", os.devnull, "-p", "contact_oracle"],
+                          capture_output=True, text=True, env={**os.environ, "MYPYPATH": str(PACKAGE.parent)})
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def run(example, *arguments, cwd):
+    done = subprocess.run([sys.executable, str(EXAMPLES / example), *arguments], capture_output=True, text=True, cwd=cwd)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def test_the_judge_finds_the_guard_in_the_quotient(tmp_path):
+    text = run("mjx_style.py", cwd=tmp_path)
+    assert "1e-6 added to the squared length" in text and "REFUTED: sphere_capsule 1 is not within length 1e-05" in text
+    assert text.strip().splitlines()[-1].startswith("CERTIFIED within")
+
+
+def test_an_engine_in_torch_is_judged(tmp_path):
+    pytest.importorskip("torch")
+    text = run("torch_float32.py", cwd=tmp_path)
+    assert "torch" in text and "(binary32)" in text
+
+
+def test_a_notebook_is_made_and_its_cells_work(tmp_path):
+    run("notebook.py", "made.ipynb", cwd=tmp_path)
+    made = json.loads((tmp_path / "made.ipynb").read_text())
+    assert made["nbformat"] == 4 and sum(cell["cell_type"] == "code" for cell in made["cells"]) >= 5
+    if (tmp_path / "made.svg").exists():
+        assert "<circle" in (tmp_path / "made.svg").read_text()

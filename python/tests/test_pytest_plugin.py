@@ -1,0 +1,109 @@
+"""The plugin, by the file that a user writes."""
+import json
+import pathlib
+
+import pytest
+
+import contact_oracle
+import contact_oracle.laws
+
+TESTS = pathlib.Path(__file__).parent
+
+FILE = """
+import sys; sys.path.insert(0, {tests!r})
+import contact_oracle, pytest
+import engines
+
+@pytest.fixture(scope="session")
+def contact_engine():
+    return engines.{engine}
+
+test_contacts = contact_oracle.suite({arguments})
+"""
+
+
+@pytest.fixture
+def run(pytester, plugin):
+    def run(engine, arguments, *options, more=""):
+        pytester.makepyfile(FILE.format(tests=str(TESTS), engine=engine, arguments=arguments) + more)
+        return pytester.runpytest_subprocess(*plugin, "-ra", "-p", "no:cacheprovider", "--strict-markers", *options)
+
+    return run
+
+
+def test_a_right_engine_passes(run):
+    result = run("right", '"sphere_sphere", count=10', "-v", "--contact-seed", "3", "--contact-max-examples", "20")
+    result.stdout.fnmatch_lines(["contact_oracle: --contact-seed=3", "*::test_contacts[[]golden-sphere_sphere-touching] PASSED*",
+                                 "*::test_contacts[[]law-swap] PASSED*"])
+    outcomes = result.parseoutcomes()
+    laws = len(contact_oracle.laws.laws_about(("sphere_sphere",)))
+    families = sum(not family["outside_domain"] for family in contact_oracle.families("sphere_sphere"))
+    assert sum(outcomes.values()) == laws + families and not outcomes.get("failed") and result.ret == 0, outcomes
+
+
+def test_a_wrong_engine_fails_with_a_question_expected_and_got(run):
+    result = run("strict_spheres", '"sphere_sphere", ["touching"], "decision"', "--contact-seed", "3")
+    result.assert_outcomes(failed=2)
+    text = result.stdout.str()
+    for part in ("REFUTED", "  question  {", "  expected  {", "  got       {", "question 1  {", "again with --contact-seed 3"):
+        assert part in text, text
+    line = next(line for line in text.splitlines() if "  question  {" in line).split("question  ")[1]
+    assert "sphere_sphere" in contact_oracle.explain(line)
+    assert result.ret == 1
+
+
+def test_golden_files_take_the_place_of_generated_cases(run, golden):
+    result = run("right", '["sphere_sphere", "cube_cube"], laws=False', "-v", "--contact-golden", str(golden))
+    result.stdout.fnmatch_lines(["*[[]golden-sphere_sphere-hardest] PASSED*"])
+    result.stdout.fnmatch_lines(["*[[]golden-cube_cube-generic-binary32] PASSED*"])
+    assert result.ret == 0
+    assert run("right", '"sphere_sphere"', "--contact-golden", str(golden / "cube_cube")).ret == 4
+
+
+def test_known_failures_are_listed_in_files(run, pytester):
+    (pytester.path / "xfails.txt").write_text("# known\ngolden-sphere_sphere-touching  # strict\ngolden-sphere_sphere-generic\n")
+    (pytester.path / "skips.txt").write_text("law-decision\n")
+    result = run("strict_spheres", '"sphere_sphere", ["touching", "generic"], ["decision", "repeatable"]', "--contact-xfails-file", "xfails.txt",
+                 "--contact-skips-file", "skips.txt", "--contact-seed", "1")
+    result.assert_outcomes(xfailed=1, xpassed=1, skipped=1, passed=1)
+    result.stdout.fnmatch_lines(["*xfails.txt:2*"])
+    assert result.ret == 0
+    assert run("right", '"sphere_sphere"', "--contact-xfails-file", "nowhere.txt").ret == 4
+
+
+def test_markers_choose(run):
+    result = run("right", '"cube_cube", count=5', "-m", "contact_law", "--contact-max-examples", "5", "-q")
+    outcomes = result.parseoutcomes()
+    assert outcomes["deselected"] == sum(not family["outside_domain"] for family in contact_oracle.families("cube_cube"))
+
+
+def test_fixtures_say_what_answers_mean(run):
+    more = """
+@pytest.fixture(scope="session")
+def contact_conventions():
+    return {"normal": "second-to-first"}
+
+@pytest.fixture(scope="session")
+def contact_tolerance():
+    return {"length": 1e-9, "relative": 1e-9, "angle": 1e-9}
+"""
+    run("reversed_normal", '"sphere_sphere", "generic", "bounds"', more=more).assert_outcomes(passed=1, skipped=1)
+    run("reversed_normal", '"sphere_sphere", "generic", "bounds"').assert_outcomes(failed=2)
+
+
+def test_an_engine_that_raises_shows_its_own_trace(run):
+    result = run("raises", '"sphere_sphere", "generic", "swap"')
+    result.assert_outcomes(failed=2)
+    result.stdout.fnmatch_lines(["*KeyError: 'no such shape'*"])
+
+
+def test_without_an_engine_the_message_says_what_to_do(pytester, plugin):
+    pytester.makepyfile("import contact_oracle\ntest_contacts = contact_oracle.suite('cube_cube', 'generic', False)")
+    result = pytester.runpytest_subprocess(*plugin, "-p", "no:cacheprovider")
+    result.assert_outcomes(errors=1)
+    result.stdout.fnmatch_lines(["*define a fixture contact_engine*"])
+
+
+def test_other_tests_are_left_alone(pytester, plugin):
+    pytester.makepyfile("def test_nothing(): pass")
+    pytester.runpytest_subprocess(*plugin, "-p", "no:cacheprovider").assert_outcomes(passed=1)

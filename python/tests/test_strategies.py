@@ -1,0 +1,181 @@
+"""Strategies and laws: what they make lies in the domain, touches where it says so, and shrinks."""
+import pytest
+
+hypothesis = pytest.importorskip("hypothesis")
+
+import engines
+import numpy as np
+from hypothesis import HealthCheck, find, given, settings
+from hypothesis import strategies as st
+
+import contact_oracle
+from contact_oracle import InputError, Question, Sphere, laws, strategies
+from contact_oracle.pairs import PAIRS
+from contact_oracle.shapes import SHAPES
+
+FEW = settings(max_examples=30, deadline=None, suppress_health_check=list(HealthCheck), database=None, derandomize=True)
+DISTANCES = [pair for pair in PAIRS if PAIRS[pair].numbers == "distance"]
+
+
+def test_every_shape_has_a_strategy():
+    assert set(strategies.OF_SHAPE) == set(SHAPES) == {shape for pair in PAIRS.values() for shape in pair.shapes}
+    for pair in PAIRS.values():
+        for side, shape in zip("ab", pair.shapes):
+            assert list(SHAPES[shape].__dataclass_fields__) == [field.name for field in pair.fields if field.side == side]
+
+
+@pytest.mark.parametrize("largest", [1e4, None])
+@pytest.mark.parametrize("scalar", ["binary64", "binary32"])
+@pytest.mark.parametrize("pair", PAIRS)
+def test_questions_lie_in_the_domain(pair, scalar, largest):
+    @FEW
+    @given(strategies.questions(pair, scalar, largest))
+    def check(question):
+        assert question.answer().hit == question.exact().hit
+
+    check()
+
+
+@pytest.mark.parametrize("scalar", ["binary64", "binary32"])
+@pytest.mark.parametrize("pair", PAIRS)
+def test_touching_questions_touch(pair, scalar):
+    @settings(FEW, max_examples=150)
+    @given(strategies.touching(pair, scalar))
+    def check(question):
+        exact = question.exact()
+        assert exact.hit
+        if PAIRS[pair].numbers == "distance":
+            assert exact.margin() == 0 and not exact.degenerate
+        elif PAIRS[pair].numbers == "none":
+            assert max(exact.gap) == question.alarm
+        else:
+            assert "CrossingEdge" in exact.flags
+
+    check()
+
+
+@pytest.mark.parametrize("pair", [*DISTANCES, "cube_cube"])
+def test_near_touching_questions_are_hits_and_misses(pair):
+    both = set()
+
+    @settings(FEW, max_examples=100)
+    @given(strategies.near_touching(pair))
+    def check(question):
+        exact = question.exact()
+        both.add(exact.hit)
+        if exact.margin_ulps is not None:
+            assert abs(exact.margin_ulps) <= 8
+
+    check()
+    assert both == {True, False}
+
+
+def test_near_touching_has_no_crossings():
+    with pytest.raises(InputError):
+        strategies.near_touching("ray_triangle")
+
+
+def test_questions_of_a_family():
+    first = find(strategies.family("sphere_sphere", "touching"), lambda question: True, settings=FEW)
+    assert first == contact_oracle.generate("sphere_sphere", "touching", 1)[0]
+    with pytest.raises(InputError):
+        strategies.family("sphere_sphere", "cheese")
+
+
+def test_questions_shrink_to_simple_numbers():
+    question = find(strategies.questions("sphere_sphere"), lambda question: question.exact().hit and question.a.radius > 1, settings=settings(FEW, max_examples=2000))
+    assert question.a.center == question.b.center and question.alarm == question.contact == 0 and question.a.radius <= 2
+
+
+def test_types_have_strategies():
+    strategies._register()
+
+    @FEW
+    @given(st.from_type(Sphere), st.from_type(Question))
+    def check(sphere, question):
+        assert sphere.radius >= 0 and question.pair in PAIRS
+
+    check()
+
+
+def test_strategies_can_be_mapped_and_filtered():
+    @FEW
+    @given(strategies.spheres().filter(lambda sphere: sphere.radius > 1).map(lambda sphere: sphere.radius))
+    def check(radius):
+        assert radius > 1
+
+    check()
+
+
+@pytest.mark.parametrize("scalar", ["binary64", "binary32"])
+@pytest.mark.parametrize("name", laws.LAWS)
+def test_a_right_engine_obeys(name, scalar):
+    laws.check(name, engines.right, tuple(PAIRS), scalar=scalar, examples=100, seed=1)
+
+
+@pytest.mark.parametrize("name", [name for name in laws.LAWS if name not in ("translate", "contact_distance")])
+def test_a_right_engine_obeys_bit_for_bit(name):
+    laws.check(name, engines.right, tuple(PAIRS), examples=100, seed=2, ulps=0)
+
+
+@pytest.mark.parametrize("name", [name for name in laws.LAWS if name != "decision"])
+def test_plain_arithmetic_obeys_all_but_the_decisions(name):
+    laws.check(name, engines.plain_spheres_or_first_axis, ("sphere_sphere",), examples=300, seed=3)
+
+
+def worse(**changes):
+    def engine(questions):
+        right = questions.answer()
+        answers = {"hit": right.hit, "normal": right.normal, "point1": right.point1, "point2": right.point2, "value": right.value}
+        return {**answers, **{name: change(questions, answers) for name, change in changes.items()}}
+
+    return engine
+
+
+MISTAKES = {
+    "decision": worse(hit=lambda q, a: a["hit"] & (a["value"] + q.contact - q.alarm != 0)),
+    "bounds": worse(value=lambda q, a: a["value"] * (1 + 1e-9) + 1e-9), "swap": worse(point1=lambda q, a: a["point2"] * 2),
+    "scale": worse(value=lambda q, a: a["value"] + 1), "translate": worse(value=lambda q, a: a["value"] + q.center1[:, 0]),
+    "turn": worse(normal=lambda q, a: a["normal"] * np.array([1, 1, -1])), "unit_normal": worse(normal=lambda q, a: a["normal"] * 1.001),
+    "finite": worse(value=lambda q, a: a["value"] * np.nan), "alarm_growth": worse(hit=lambda q, a: a["hit"] & (q.alarm < 5)),
+    "alarm_changes_no_number": worse(value=lambda q, a: a["value"] - q.alarm), "contact_distance": worse(value=lambda q, a: a["value"] - q.contact),
+    "size_growth": worse(hit=lambda q, a: a["hit"] & (q.radius1 < 5)),
+}
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_a_mistake_violates_its_law(name):
+    with pytest.raises(AssertionError, match=rf'^{name}: .*\n  question 1  \{{"pair":"sphere_sphere".*\n    expected  .*\n    got       \{{"overlap"'):
+        laws.check(name, MISTAKES[name], ("sphere_sphere",), examples=300, seed=1)
+
+
+def test_a_law_about_another_meaning_is_not_asked():
+    with pytest.raises(laws.NotAsked, match="the engine declares value depth"):
+        laws.check("contact_distance", engines.right, ("sphere_sphere",), conventions={"value": "depth"})
+    with pytest.raises(laws.NotAsked, match="about none of cube_cube"):
+        laws.check("bounds", engines.right, ("cube_cube",))
+
+
+def test_laws_ask_what_the_engine_serves():
+    asked = []
+
+    def engine(questions):
+        asked.append(questions)
+        return questions.answer()
+
+    laws.check("scale", engine, ("sphere_capsule",), examples=50, seed=1, conventions={"scale": {"min": 1e-3, "max": 1e3}})
+    for questions in asked:
+        for name in questions.keys():
+            size = abs(questions[name][questions[name] != 0])
+            assert ((size >= 1e-3) & (size <= 1e3)).all()
+
+
+def test_an_unsteady_engine_is_not_repeatable():
+    state = [0.0]
+
+    def unsteady(questions):
+        state[0] += 1
+        return {"hit": np.ones(len(questions), bool), "value": np.full(len(questions), state[0])}
+
+    with pytest.raises(AssertionError, match="repeatable"):
+        laws.repeatable(unsteady, Question("sphere_sphere", Sphere((0.0,) * 3, 1.0), Sphere((0.0,) * 3, 1.0)))
