@@ -398,11 +398,16 @@ def questions_for(pair: str, scalar: str, smallest: float, largest: float) -> st
     near = strategies.touching(pair, scalar, scales=SCALES)
     if pair_named(pair).numbers != "crossing":
         near |= strategies.near_touching(pair, scalar, scales=SCALES)
-    return near.filter(lambda question: _is_served(question, smallest, largest)) | strategies.questions(pair, scalar, largest, smallest)
+    return near.filter(_IsServed(smallest, largest)) | strategies.questions(pair, scalar, largest, smallest)
 
 
-def _is_served(question: Question, smallest: float, largest: float) -> bool:
-    return all(part == 0 or smallest <= abs(part) <= largest for part in _every_number(question))
+@dataclass(frozen=True)
+class _IsServed:
+    smallest: float
+    largest: float
+
+    def __call__(self, question: Question) -> bool:
+        return all(part == 0 or self.smallest <= abs(part) <= self.largest for part in _every_number(question))
 
 
 def check(name: str, engine: Engine, pairs: tuple[str, ...], *, scalar: str = "binary64", examples: int = 100, seed: int | None = None,

@@ -5,7 +5,7 @@ mistake. What a counterexample shows is then a wrong decision, not a rounding.
 """
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -37,8 +37,20 @@ def lengths(scalar: str = "binary64", largest: float | None = LARGEST, smallest:
 
 
 def _without_small(drawn: SearchStrategy[float], smallest: float) -> SearchStrategy[float]:
-    # 0 takes their place: a filter would refuse most of what Hypothesis likes to draw.
-    return drawn if smallest == 0 else drawn.map(lambda x: x if abs(x) >= smallest else 0.0)
+    return drawn if smallest == 0 else drawn.map(_ZeroBelow(smallest))
+
+
+@dataclass(frozen=True)
+class _ZeroBelow:
+    """0 in the place of small numbers: a filter would refuse most of what Hypothesis likes to draw.
+
+    An object and no lambda, whose source Hypothesis would look up at every draw.
+    """
+
+    smallest: float
+
+    def __call__(self, x: float) -> float:
+        return x if abs(x) >= self.smallest else 0.0
 
 
 def _down(largest: float, width: int) -> float:

@@ -101,6 +101,38 @@ def test_types_are_right():
     assert done.returncode == 0, done.stdout + done.stderr
 
 
+def test_what_is_installed_is_found_by_pytest_and_hypothesis(tmp_path):
+    """The entry points of pyproject.toml, as an installation writes them."""
+    pytest.importorskip("hypothesis")
+    tomllib = pytest.importorskip("tomllib")
+    project = tomllib.loads((ROOT / "python" / "pyproject.toml").read_text())["project"]
+    assert project["version"] == contact_oracle.__version__
+    information = tmp_path / "site" / "contact_oracle-0.dist-info"
+    information.mkdir(parents=True)
+    (information / "METADATA").write_text("Metadata-Version: 2.1\nName: contact-oracle\nVersion: 0\n")
+    (information / "entry_points.txt").write_text("".join(f"[{group}]\n" + "".join(f"{name} = {value}\n" for name, value in entries.items())
+                                                          for group, entries in project["entry-points"].items()))
+    (tmp_path / "test_mine.py").write_text("""
+import contact_oracle
+import pytest
+from hypothesis import given, strategies as st
+
+@pytest.fixture(scope="session")
+def contact_engine():
+    return lambda questions: questions.answer()
+
+test_contacts = contact_oracle.suite("cube_cube", "generic", "swap", count=5)
+
+@given(st.from_type(contact_oracle.Cube))
+def test_boxes_are_boxes(box):
+    assert all(low <= high for low, high in zip(box.min, box.max))
+""")
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(tmp_path / "site"), os.environ["PYTHONPATH"]])}
+    done = subprocess.run([sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "--contact-max-examples", "5"], cwd=tmp_path,
+                          capture_output=True, text=True, env=environment)
+    assert "3 passed" in done.stdout, done.stdout + done.stderr
+
+
 def run(example, *arguments, cwd):
     done = subprocess.run([sys.executable, str(EXAMPLES / example), *arguments], capture_output=True, text=True, cwd=cwd)
     assert done.returncode == 0, done.stdout + done.stderr
