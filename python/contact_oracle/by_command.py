@@ -37,12 +37,17 @@ carry(s.recv, lambda data: [sys.stdout.buffer.write(data), sys.stdout.buffer.flu
 
 
 def command() -> str:
-    """The command's path: what CONTACT_ORACLE_TOOL says, what is on the path, or what was built beside this package."""
-    built = pathlib.Path(__file__).parent.parent.parent / "contact-oracle"
-    found = os.environ.get("CONTACT_ORACLE_TOOL") or shutil.which("contact-oracle") or (str(built) if built.is_file() else None)
-    if found is None:
-        raise InputError("the command contact-oracle is not on the path, and CONTACT_ORACLE_TOOL does not name it")
-    return found
+    """The command's path: what CONTACT_ORACLE_TOOL says, what a wheel holds or a build has beside this package, or what is on the path.
+
+    What came with the package comes first: it is of the same version.
+    """
+    here = pathlib.Path(__file__).parent
+    places = [os.environ.get("CONTACT_ORACLE_TOOL"), here / "bin" / "contact-oracle", here.parent.parent / "contact-oracle",
+              shutil.which("contact-oracle")]
+    for place in filter(None, places):
+        if os.path.isfile(place) and os.access(place, os.X_OK):
+            return str(place)
+    raise InputError("the command contact-oracle is not on the path, and CONTACT_ORACLE_TOOL does not name it")
 
 
 @contextlib.contextmanager

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 import html
 import json
 import os
@@ -42,7 +43,7 @@ class Report:
         self.verdict: str = self.data["verdict"]
         self.diagnosis: list[str] = self.data["diagnosis"]
 
-    @property
+    @functools.cached_property
     def failures(self) -> list[dict[str, Any]]:
         return [{**failure, "line": json.dumps({key: failure[key] for key in ("id", "pair", "scalar", "a", "b", "alarm", "contact")
                                                 if key in failure}, separators=(",", ":"))} for failure in self.data["failures"]]
@@ -256,6 +257,10 @@ def certify_sources(engine: Engine | Mapping[str, Engine], pairs: Iterable[str],
     with _asking(by_pair(engine)[0], isolated, time_limit) as ask, errors_of_core():
         if claims is None:
             claims = claims_of(ask, pairs, scalar)
+        claims = None if claims is None else list(claims)
+        if claims is not None and "point" in claims:
+            # One point can only be the middle, as docs/formats.md#answers-in-columns says of columns.
+            conventions = {"points": "midpoint", **(conventions or {})}
         declared = _declared(_name_of(engine, name), version, scalar, pairs, conventions, pair_conventions, bounds, claims)
         judged = _core.certify(ask, declared, json.dumps(sources), json.dumps({key: value for key, value in options.items() if value is not None}))
     _raise_unless_judged(judged)

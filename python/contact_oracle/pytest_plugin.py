@@ -61,8 +61,9 @@ def pytest_configure_node(node: Any) -> None:
     node.workerinput["contact_seed"] = seed_of(node.config)
 
 
-def pytest_report_header(config: pytest.Config) -> str:
-    return f"contact_oracle: --contact-seed={seed_of(config)}"
+def pytest_report_collectionfinish(config: pytest.Config, items: list[pytest.Item]) -> list[str]:
+    # Who has no suite hears nothing of us.
+    return [f"contact_oracle: --contact-seed={seed_of(config)}"] if any(map(_is_ours, items)) else []
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
@@ -117,6 +118,10 @@ def _ids_in(path: str | None) -> dict[str, int]:
     return {line: at for at, line in enumerate(lines, 1) if line}
 
 
+def _is_ours(item: pytest.Item) -> bool:
+    return hasattr(getattr(item, "function", None), "contact_suite")
+
+
 def _is_named(item: pytest.Item, entry: str) -> bool:
     """By the id of the node, by all that stands before its brackets, or by what is in them."""
     callspec = getattr(item, "callspec", None)
@@ -125,7 +130,10 @@ def _is_named(item: pytest.Item, entry: str) -> bool:
 
 @pytest.hookimpl(trylast=True)  # type: ignore[misc]
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    ours = [item for item in items if hasattr(getattr(item, "function", None), "contact_suite")]
+    ours = [item for item in items if _is_ours(item)]
+    if ours:
+        # Drawn before the first test, which is told it.
+        seed_of(config)
     for option, mark in (("--contact-xfails-file", pytest.mark.xfail), ("--contact-skips-file", pytest.mark.skip)):
         path = config.getoption(option)
         for entry, line in _ids_in(path).items():

@@ -164,6 +164,29 @@ def test_an_engine_that_gives_other_bits_is_not_deterministic():
     assert not contact_oracle.certify(unsteady, **asked, determinism=True).certified
 
 
+def midpoints(questions):
+    """As MuJoCo and Newton answer: one position, half way between the surfaces."""
+    answers = engines.plain_spheres(questions)
+    middle = answers["point1"] + (answers["point2"] - answers["point1"]) / 2
+    return {"hit": answers["hit"], "normal": answers["normal"], "point": middle, "value": answers["value"]}
+
+
+def test_one_point_is_the_middle():
+    report = contact_oracle.certify(midpoints, "sphere_sphere", "generic", seed=1)
+    assert report.certified and "point" in report.data["total"]["fields"], str(report)
+    boxes_first = contact_oracle.certify({"cube_cube": engines.right, "sphere_sphere": midpoints}, families="generic", seed=1)
+    assert boxes_first.certified
+
+
+def test_a_fault_of_the_oracle_is_no_verdict(monkeypatch):
+    def fault(*_):
+        raise contact_oracle._core.OracleFault("two oracles differ")
+
+    monkeypatch.setattr(contact_oracle._core, "certify", fault)
+    with pytest.raises(contact_oracle.OracleDisagreement, match="two oracles differ"):
+        contact_oracle.certify(engines.right, "sphere_sphere", "generic", seed=1)
+
+
 def test_laws_of_the_command_hold_of_a_right_engine_and_name_a_mistake(tool):
     report = contact_oracle.properties(engines.right, "sphere_sphere", cases=30, seed=1)
     assert report.holds and report.violated == [] and report.seed == 1
@@ -226,13 +249,14 @@ def test_an_engine_that_raises_serves_errors(tmp_path):
     assert replies[1]["error"] == "KeyError: 'no such shape'"
 
 
-def test_the_command_certifies_a_script(tmp_path, tool, golden):
+@pytest.mark.parametrize("scalar", ["binary64", "binary32"])
+def test_the_command_certifies_a_script(tmp_path, tool, golden, scalar):
     import os
 
     script = tmp_path / "adapter.py"
-    script.write_text(SERVED.replace('print("a greeting that must not reach the host")\n', "") % ("right", ""))
+    script.write_text(SERVED.replace('print("a greeting that must not reach the host")\n', "") % ("right", f", scalar={scalar!r}"))
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(pathlib.Path(__file__).parent), os.environ["PYTHONPATH"]])}
     done = subprocess.run([tool, "certify", str(golden / "sphere_sphere"), "--engine-command", f"{sys.executable} {script}", "--level", "correctly-rounded",
                            "--start-limit", "60"], capture_output=True, text=True, env=environment)
     assert done.returncode == 0, done.stdout + done.stderr
-    assert "CERTIFIED: served 2 reaches correctly-rounded" in done.stdout
+    assert "CERTIFIED: served 2 reaches correctly-rounded" in done.stdout and f"served 2 ({scalar})" in done.stdout

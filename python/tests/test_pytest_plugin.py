@@ -106,4 +106,12 @@ def test_without_an_engine_the_message_says_what_to_do(pytester, plugin):
 
 def test_other_tests_are_left_alone(pytester, plugin):
     pytester.makepyfile("def test_nothing(): pass")
-    pytester.runpytest_subprocess(*plugin, "-p", "no:cacheprovider").assert_outcomes(passed=1)
+    result = pytester.runpytest_subprocess(*plugin, "-p", "no:cacheprovider")
+    result.assert_outcomes(passed=1)
+    result.stdout.no_fnmatch_line("*contact*seed*")
+
+
+def test_the_seed_is_drawn_and_said(run):
+    result = run("right", '"cube_cube", "generic", "swap", count=5', "--contact-max-examples", "5")
+    result.stdout.fnmatch_lines(["contact_oracle: --contact-seed=*"])
+    result.assert_outcomes(passed=2)
