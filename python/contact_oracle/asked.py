@@ -36,7 +36,6 @@ def array_of(argument: str, value: Any) -> Array:
     if array.dtype.kind == "f" and array.dtype.itemsize in (4, 8):
         return array.astype(array.dtype.newbyteorder("="), copy=False)
     if array.dtype.kind not in "iu":
-        # An empty list has no numbers, and NumPy calls it binary64; anything else here has numbers that would be changed.
         raise InputError(NUMBERS, argument, value=array.dtype)
     rounded = array.astype(np.float64)
     # The largest integers round up to 2^63 and 2^64, which are out of their type's range: compare as Python's integers.

@@ -42,8 +42,8 @@ def command() -> str:
     What came with the package comes first: it is of the same version.
     """
     here = pathlib.Path(__file__).parent
-    places = [os.environ.get("CONTACT_ORACLE_TOOL"), here / "bin" / "contact-oracle", here.parent.parent / "contact-oracle",
-              shutil.which("contact-oracle")]
+    places: list[str | os.PathLike[str] | None] = [os.environ.get("CONTACT_ORACLE_TOOL"), here / "bin" / "contact-oracle",
+                                                   here.parent.parent / "contact-oracle", shutil.which("contact-oracle")]
     for place in filter(None, places):
         if os.path.isfile(place) and os.access(place, os.X_OK):
             return str(place)

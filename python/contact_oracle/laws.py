@@ -51,6 +51,8 @@ class Answer:
         if said is None:
             raise AssertionError(f"no answer\n  question 1  {question}")
         self._arrays = answers_of(said, 1, question.scalar)
+        if self._arrays.get("unsupported", [False])[0]:
+            raise AssertionError(f"no answer\n  question 1  {question}")
         decision = next((name for name in ("hit", "overlap", "contact") if name in self._arrays), None)
         if decision is None:
             raise AssertionError(f"an answer without a decision\n  question 1  {question}")
@@ -85,11 +87,17 @@ def _every_number(question: Question) -> list[float]:
 
 
 def _is_clear(question: Question, ulps: float) -> bool:
-    """Whether a right engine of this bound must decide as the exact numbers do."""
+    """Whether a right engine of this bound must decide as the exact numbers do. A crossing has no margin, so none is clear but to the bit."""
     if ulps == 0:
         return True
-    margin = question.exact().margin_ulps
-    return margin is not None and abs(margin) > MARGIN * ulps
+    exact = question.exact()
+    if exact.gap is not None:
+        margin = float(max(exact.gap) - Fraction(question.alarm))
+    elif exact.distance2 is not None:
+        margin = float(exact.margin(17))
+    else:
+        return False
+    return abs(margin) > MARGIN * ulps * _ulp(_scale("value", question), question.scalar)
 
 
 def _scale(name: str, question: Question) -> float:
@@ -200,8 +208,13 @@ def scale(engine: Engine, question: Question, exponent: int = 1, *, ulps: float 
 
 
 def _moved(shape: Any, by: tuple[float, float, float]) -> Any:
+    def step(x: float, d: float) -> float:
+        there = x + d
+        assume(math.isfinite(there) and Fraction(there) == Fraction(x) + Fraction(d))
+        return there
+
     def moved(value: Any) -> Any:
-        return tuple(map(moved, value)) if isinstance(value[0], tuple) else tuple(x + d for x, d in zip(value, by))
+        return tuple(map(moved, value)) if isinstance(value[0], tuple) else tuple(map(step, value, by))
 
     names = {"Sphere": ("center",), "Cube": ("min", "max"), "Capsule": ("start", "end"), "Triangle": ("vertices",), "Ray": ("origin",),
              "Line": ("start", "end")}[type(shape).__name__]
@@ -212,25 +225,17 @@ def translate(engine: Engine, question: Question, by: tuple[float, float, float]
     """A translation leaves hit, value and normal, and moves the points along. Planes, and translations that would round, do not suit it."""
     assume(not isinstance(question.b, Plane))
     there = replace(question, a=_moved(question.a, by), b=_moved(question.b, by))
-    back = (-by[0], -by[1], -by[2])
-    again = replace(there, a=_moved(there.a, back), b=_moved(there.b, back))
-    # x + d rounds where it differs from x by more or less than d: then d + x - x, or going back, shows it.
-    assume(_is_in_scalar(question) and _is_in_scalar(there) and again == question and _moved_exactly(question, there, by))
+    assume(_is_in_scalar(question) and _is_in_scalar(there))
     one, other = Answer(engine, question), Answer(engine, there)
     _same_hit("translate", one, other, ulps)
     for name in sorted(one.numbers.keys() & other.numbers.keys() - _agreed(question)):
-        scale = max(_scale(name, question), _scale(name, there))
+        length = max(_scale(name, question), _scale(name, there))
         if name in ("normal", "value"):
-            _same("translate", name, one.numbers[name], other.numbers[name], ulps, scale, one, other)
+            _same("translate", name, one.numbers[name], other.numbers[name], ulps, length, one, other)
         else:
             # The moved points are rounded elsewhere, so they agree to an ulp of their scale at best.
             moved = np.asarray(one.numbers[name], float) + np.array(by)
-            _same("translate", name, moved, other.numbers[name], max(ulps, 1), scale, one, other)
-
-
-def _moved_exactly(question: Question, there: Question, by: tuple[float, float, float]) -> bool:
-    steps = {Fraction(d) for d in by} | {Fraction(0)}
-    return all(Fraction(after) - Fraction(before) in steps for before, after in zip(_every_number(question), _every_number(there)))
+            _same("translate", name, moved, other.numbers[name], max(ulps, 1), length, one, other)
 
 
 def turn(engine: Engine, question: Question, axes: tuple[int, int, int] = (1, 2, 0), signs: tuple[int, int, int] = (1, 1, 1), *,

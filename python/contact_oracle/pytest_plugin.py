@@ -79,13 +79,13 @@ def _golden_cases(asked: Suite, path: str | None) -> list[Case]:
     if asked.families == ():
         return []
     if path is None:
-        return [Case(asked, "golden", f"golden-{source['pair']}-{source['family']}", source)
+        return [Case(asked, "golden", f"golden-{source['pair']}-{source['family']}", (source["pair"],), source)
                 for source in generated_sources(asked.pairs, asked.families, asked.scalar, GOLDEN_SEED, asked.count)]
     cases = []
     for source in golden_sources(path, asked.pairs, asked.families, asked.scalar):
         header = header_of(source["dataset"]) or {}
         suffix = "" if header["scalar"] == asked.scalar else f"-{header['scalar']}"
-        cases.append(Case(asked, "golden", f"golden-{header['pair']}-{header['family']}{suffix}", source))
+        cases.append(Case(asked, "golden", f"golden-{header['pair']}-{header['family']}{suffix}", (header["pair"],), source))
     if not cases:
         raise pytest.UsageError(f"--contact-golden {path}: no golden cases of {', '.join(asked.pairs)} in {asked.scalar}")
     return cases

@@ -35,6 +35,7 @@ class Case:
     suite: Suite
     kind: str
     id: str
+    pairs: tuple[str, ...] = ()
     source: Mapping[str, Any] | None = None
     law: str | None = None
 
@@ -74,7 +75,7 @@ def suite(pairs: str | Iterable[str] | None = None, families: str | Iterable[str
 def _test_golden(case: Case, engine: Any, declared: Mapping[str, Any], tolerance: Any, level: str) -> None:
     import pytest
 
-    report = certify_sources(engine, case.suite.pairs, [dict(case.source or {})], scalar=case.suite.scalar, level=level,
+    report = certify_sources(engine, case.pairs, [dict(case.source or {})], scalar=case.suite.scalar, level=level,
                              tolerance=tolerance, **declared)
     if report.certified:
         return

@@ -137,7 +137,7 @@ MISTAKES = {
     "bounds": worse(value=lambda q, a: a["value"] * (1 + 1e-9) + 1e-9), "swap": worse(point1=lambda q, a: a["point2"] * 2),
     "scale": worse(value=lambda q, a: a["value"] + 1), "translate": worse(value=lambda q, a: a["value"] + q.center1[:, 0]),
     "turn": worse(normal=lambda q, a: a["normal"] * np.array([1, 1, -1])), "unit_normal": worse(normal=lambda q, a: a["normal"] * 1.001),
-    "finite": worse(value=lambda q, a: a["value"] * np.nan), "alarm_growth": worse(hit=lambda q, a: a["hit"] & (q.alarm < 5)),
+    "finite": worse(value=lambda q, a: a["value"] * np.nan), "alarm_growth": worse(hit=lambda q, a: a["hit"] & (q.alarm == 0)),
     "alarm_changes_no_number": worse(value=lambda q, a: a["value"] - q.alarm), "contact_distance": worse(value=lambda q, a: a["value"] - q.contact),
     "size_growth": worse(hit=lambda q, a: a["hit"] & (q.radius1 < 5)),
 }
