@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Reports against the ones before them: python3 tool/history_test.py PATH_TO_TOOL [unittest arguments]."""
+"""Reports against the ones before them, and badges: python3 tool/history_test.py PATH_TO_TOOL [unittest arguments]."""
+import hashlib
 import json
 import os
 import re
@@ -7,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree as ElementTree
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -14,6 +16,7 @@ TOOL = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
 ROOT = Path(__file__).resolve().parent.parent
 GOLDEN = ROOT / "golden"
 UGLY = """</script><b x="1">&'"""  # in an engine's name
+SVG = "{http://www.w3.org/2000/svg}"
 
 
 def run(*args, **options):
@@ -322,6 +325,98 @@ class History(Case):
         self.assertEqual(json.loads(page.data)["labels"], [f"1 {UGLY} 1", f"2 {UGLY} {UGLY}"])
         self.assertNotIn("<b x", self.page.read_text())
         self.assertEqual(page.tables["board"][2][0], f"2 {UGLY} {UGLY}")
+
+
+class Badge(Case):
+    def certificate(self, *args, code=0, **answers):
+        path = self.folder / "c.json"
+        done = run("certify", self.dataset, "--results", self.answers(**answers), "--certificate", path, *args)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return path
+
+    def badge(self, certificate, *args):
+        """What a badge says: to the left, to the right, its title, its colour."""
+        path = self.folder / "badge.svg"
+        done = run("badge", certificate, "-o", path, *args)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        root = ElementTree.fromstring(path.read_bytes())
+        left, right = root.iter(SVG + "text")
+        title = root.find(SVG + "title").text
+        self.assertEqual((root.get("role"), root.get("aria-label")), ("img", f"{left.text}: {right.text}"))
+        self.assertTrue(title.startswith(f"{left.text}: {right.text}. "), title)
+        self.assertIn(f"says \"{left.text}: {right.text}\"", done.stdout)
+        # Each text has its field: nothing overlaps, whatever the font.
+        ends = [(float(text.get("x")), float(text.get("x")) + float(text.get("textLength"))) for text in (left, right)]
+        self.assertLess(ends[0][1], ends[1][0])
+        self.assertLess(ends[1][1], float(root.get("width")))
+        for attribute in ("href", "src", "url(", "@import"):
+            self.assertNotIn(attribute, path.read_text())
+        return left.text, right.text, title, [path.get("fill") for path in root.iter(SVG + "path")][1]
+
+    def test_a_badge_says_the_level_that_is_certified_the_engine_and_the_day(self):
+        path = self.certificate(version="7")
+        left, right, title, _ = self.badge(path)
+        stated = json.loads(path.read_text())
+        self.assertEqual((left, right), ("contact-oracle", "certified: correctly-rounded"))
+        self.assertEqual(title, f"{left}: {right}. known 7, issued {stated['issued']}; 60 cases, 100 % of those given; "
+                                f"certificate {stated['sha256'][:12]}")
+
+    def test_what_is_refuted_is_refuted_in_another_colour(self):
+        certified = self.badge(self.certificate())
+        refuted = self.badge(self.certificate(wrong=[3], code=1))
+        self.assertEqual(refuted[1], "refuted")
+        self.assertNotEqual(refuted[3], certified[3])
+
+    def test_a_tolerance_is_said_in_short(self):
+        for tolerance, words in (("length=0.001,angle=0.01", "certified: length 0.001, angle 0.01 rad"),
+                                 ("relative=1e-6,min=1e-4,max=1e4", "certified: relative 1e-06, from 0.0001 to 10000")):
+            self.assertEqual(self.badge(self.certificate("--tolerance", tolerance))[1], words)
+
+    def test_accepted_failures_are_counted(self):
+        for wrong, words in (([3], "certified: correctly-rounded but for 1 failure"), ([3, 4], "certified: correctly-rounded but for 2 failures")):
+            known = self.report("known.json", wrong=wrong)
+            path = self.certificate("--baseline", known, "--accept-reason", "known", "--accept-until", "2999-12-31", wrong=wrong)
+            self.assertEqual(self.badge(path)[1], words)
+
+    def test_the_text_to_the_left_may_be_another_and_every_text_is_escaped(self):
+        path = self.certificate(engine=UGLY, version="\u0001\uffff é")
+        left, _, title, _ = self.badge(path, "--label", UGLY + "\x02 漢字")
+        self.assertEqual(left, UGLY + "  漢字")
+        self.assertIn(f"{UGLY}  \ufffd é, issued", title)
+        self.badge(path, "--label", b"\xff\xfe".decode("utf-8", "surrogateescape"))
+
+    def test_what_is_no_whole_certificate_is_refused_and_leaves_no_badge(self):
+        path, out = self.certificate(), self.folder / "badge.svg"
+        text = path.read_text()
+        for name, content, words in (("report.json", self.report("r.json").read_text(), ("format", "contact-oracle/certificate")),
+                                     ("version.json", text.replace('"version":1\n', '"version":2\n'), ("version", "reads version 1")),
+                                     ("changed.json", text.replace('"certified":true', '"certified":false'), ("sha256", "was changed")),
+                                     ("half.json", text[:500], ()),
+                                     ("form.json", self.sealed(text.replace('"accepted":[]', '"accepted": []')), ("not the canonical one",)),
+                                     ("empty.json", self.sealed('{\n"format":"contact-oracle/certificate",\n"sha256":"' + "0" * 64 + '",\n"version":1\n}\n'),
+                                      ("engine",))):
+            with self.subTest(name):
+                bad = self.file(name, content)
+                self.refused(("badge", bad, "-o", out), bad, *words)
+                self.assertFalse(out.exists())
+        self.refused(("badge", self.folder / "gone.json", "-o", out), "gone.json", "no such file")
+        self.assertEqual(run("badge", path).returncode, 2)
+
+    @staticmethod
+    def sealed(text):
+        """The text with the digest that it has."""
+        blank = re.sub('\n"sha256":"[0-9a-f]*"', '\n"sha256":"' + "0" * 64 + '"', text)
+        return blank.replace('\n"sha256":"' + "0" * 64, '\n"sha256":"' + hashlib.sha256(blank.encode()).hexdigest())
+
+    def test_a_badge_that_cannot_be_written_is_refused(self):
+        path = self.certificate()
+        for out in (self.folder / "gone" / "b.svg", self.folder):
+            self.refused(("badge", path, "-o", out), out)
+        self.refused(("badge", path, "-o", path), path, "is read by this run")
+        if os.path.exists("/dev/full"):
+            done = run("badge", path, "-o", "/dev/full")
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn("/dev/full", done.stderr)
 
 
 if __name__ == "__main__":
