@@ -310,10 +310,11 @@ class History(Case):
         self.assertEqual(page.tables["board"][1][7:11], ["-"] * 4)
 
     def test_a_family_that_one_report_does_not_judge_is_left_empty_and_said(self):
-        first, other = self.report("1.json"), self.folder / "other.json"
+        first, other = self.report("1.json", wrong=[3]), self.folder / "other.json"
         run("certify", GOLDEN / "cube_cube" / "generic.jsonl", "--engine", "production", "--json", other)
         page = self.page_of(first, other, code=0)
         rows = {row[0]: row[1:] for row in page.tables["levels"][1:]}
+        self.assertNotIn("Newly right: 1", page.summaries)  # nobody asked again
         self.assertEqual((rows["touching"][1], rows["generic"][0]), ("not judged | –",) * 2)
         self.assertIn("cube_cube/generic (210 cases) is judged in the new report alone.", page.items)
         self.assertIn("Judged in one of the two reports alone: 2", page.summaries)
@@ -369,7 +370,7 @@ class Badge(Case):
 
     def test_a_tolerance_is_said_in_short(self):
         for tolerance, words in (("length=0.001,angle=0.01", "certified: length 0.001, angle 0.01 rad"),
-                                 ("relative=1e-6,min=1e-4,max=1e4", "certified: relative 1e-06, from 0.0001 to 10000")):
+                                 ("relative=1e-6,min=1e-4,max=1e4", "certified: relative 1e-06, numbers 0.0001 to 10000")):
             self.assertEqual(self.badge(self.certificate("--tolerance", tolerance))[1], words)
 
     def test_accepted_failures_are_counted(self):

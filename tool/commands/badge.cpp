@@ -37,7 +37,7 @@ constexpr std::string_view kLabelColour = "#4a4a4a";
 
 /// How wide a text is, in pixels, from Verdana's advance widths in thousandths of the size, from the space to the
 /// tilde. The picture says that the text is that wide, so that another font does not leave its field.
-double width_of(std::string_view text) {
+int width_of(std::string_view text) {
   constexpr std::array kAdvances{352,  394, 459, 818, 636, 1076, 727, 269, 454, 454, 636, 818, 364, 454, 364, 454,
                                  636,  636, 636, 636, 636, 636,  636, 636, 636, 636, 454, 454, 818, 818, 818, 545,
                                  1000, 684, 686, 698, 771, 632,  575, 775, 751, 421, 455, 693, 557, 843, 748, 787,
@@ -51,7 +51,7 @@ double width_of(std::string_view text) {
     if (byte >= 0x80 && byte < 0xC0) continue;  // of a character that has begun
     width += byte >= ' ' && byte <= '~' ? kAdvances[byte - std::size_t{' '}] : 1000;
   }
-  return width * kFontSize / 1000;
+  return static_cast<int>(std::ceil(width * kFontSize / 1000));
 }
 
 /// Text as XML can hold it: no control characters, nor the two that are no characters, and UTF-8 throughout.
@@ -76,7 +76,8 @@ std::string short_text(const Tolerance& t) {
   add("relative", t.relative, "");
   add("angle", t.angle, " rad");
   if (text.empty()) text = "tolerance 0";
-  if (t.scale_min != 0 || std::isfinite(t.scale_max)) text += fmt::format(", from {} to {}", t.scale_min, t.scale_max);
+  if (t.scale_min != 0 || std::isfinite(t.scale_max))
+    text += fmt::format(", numbers {} to {}", t.scale_min, t.scale_max);
   return text;
 }
 
@@ -100,22 +101,22 @@ Says says(const formats::Node& certificate) {
           tolerance ? kToleranceColour : kLevelColours[level]};
 }
 
-void put_text(pugi::xml_node group, const std::string& text, double x) {
+void put_text(pugi::xml_node group, const std::string& text, int x) {
   auto node = group.append_child("text");
-  node.append_attribute("x") = fmt::format("{:.1f}", x).c_str();
+  node.append_attribute("x") = x;
   node.append_attribute("y") = 14;
-  node.append_attribute("textLength") = fmt::format("{:.1f}", width_of(text)).c_str();
+  node.append_attribute("textLength") = width_of(text);
   node.append_attribute("lengthAdjust") = "spacingAndGlyphs";
   node.append_child(pugi::node_pcdata).set_value(text.c_str());
 }
 
 std::string svg(const std::string& label, const Says& right, const std::string& title) {
-  const double middle = 2 * kMargin + width_of(label);
-  const double width = middle + 2 * kMargin + width_of(right.text);
+  const int middle = 2 * kMargin + width_of(label);
+  const int width = middle + 2 * kMargin + width_of(right.text);
   pugi::xml_document document;
   auto root = document.append_child("svg");
   root.append_attribute("xmlns") = "http://www.w3.org/2000/svg";
-  root.append_attribute("width") = fmt::format("{:.1f}", width).c_str();
+  root.append_attribute("width") = width;
   root.append_attribute("height") = kHeight;
   root.append_attribute("role") = "img";
   root.append_attribute("aria-label") = fmt::format("{}: {}", label, right.text).c_str();
@@ -125,9 +126,8 @@ std::string svg(const std::string& label, const Says& right, const std::string& 
     node.append_attribute("fill") = std::string(colour).c_str();
     node.append_attribute("d") = path.c_str();
   };
-  field(kLabelColour, fmt::format("M{:.1f} 0H3a3 3 0 0 0-3 3v14a3 3 0 0 0 3 3H{:.1f}z", middle, middle));
-  field(right.colour,
-        fmt::format("M{:.1f} 0H{:.1f}a3 3 0 0 1 3 3v14a3 3 0 0 1-3 3H{:.1f}z", middle, width - 3, middle));
+  field(kLabelColour, fmt::format("M{} 0H3a3 3 0 0 0-3 3v14a3 3 0 0 0 3 3H{}z", middle, middle));
+  field(right.colour, fmt::format("M{} 0H{}a3 3 0 0 1 3 3v14a3 3 0 0 1-3 3H{}z", middle, width - 3, middle));
   auto group = root.append_child("g");
   group.append_attribute("fill") = "#fff";
   group.append_attribute("font-family") = "Verdana,Geneva,DejaVu Sans,sans-serif";

@@ -124,8 +124,12 @@ std::string level_cell(const SavedFamily* f, const Change& change) {
                      change.better ? " ▲" : "", change.worse ? " ▼" : "");
 }
 
-/// Some of the questions of a step.
-std::string html_failures(std::string_view title, const std::vector<ChangedFailure>& failures) {
+/// Some of the questions of a step, of families that both reports judge: what became of the others is not known.
+std::string html_failures(std::string_view title, const Comparison& step, const std::vector<ChangedFailure>& all) {
+  std::vector<ChangedFailure> failures;
+  for (const ChangedFailure& one : all)
+    if (step.families().contains(family_title(one.failure.pair, one.failure.family, one.failure.scalar)))
+      failures.push_back(one);
   std::string html;
   for (std::size_t i = 0; i < std::min(failures.size(), kNamedFailures); ++i) {
     const Failure& f = failures[i].failure;
@@ -177,10 +181,10 @@ bool History::same_bits() const {
                      [](const Comparison& step) { return step.same_bits() == SameBits::same; });
 }
 
-std::vector<std::vector<std::string>> History::rows() const {
-  std::vector<std::vector<std::string>> rows{{"report", "verdict", "against the one before", "level", "failures",
-                                              "wrong decisions", "correctly rounded", "lengths", "angles", "decisions",
-                                              "none allows", "bits"}};
+Table History::table() const {
+  Table table;
+  table.row({"report", "verdict", "against the one before", "level", "failures", "wrong decisions", "correctly rounded",
+             "lengths", "angles", "decisions", "none allows", "bits"});
   for (std::size_t i = 0; i < reports_.size(); ++i) {
     const SavedReport& r = reports_[i];
     std::vector<std::string> cells{labels_[i],
@@ -192,15 +196,16 @@ std::vector<std::vector<std::string>> History::rows() const {
                                    r.total.share_rounded()};
     for (std::string& cell : fitness_cells(r.total)) cells.push_back(std::move(cell));
     cells.push_back(i == 0 ? "" : bits(steps_[i - 1].same_bits()));
-    rows.push_back(std::move(cells));
+    table.row(std::move(cells));
   }
-  return rows;
+  table.drop_empty_columns();
+  return table;
 }
 
 std::vector<std::string> History::notes() const {
   std::vector<std::string> lines{
-      fmt::format("Lengths, angles and decisions: from which tolerance on {} would pass.", kEveryday),
-      "None allows: how many answers to them no tolerance allows."};
+      fmt::format("Lengths, angles and decisions: from which tolerance on {}, pass.", kEveryday),
+      "None allows: how many answers to such questions no tolerance allows."};
   const auto differ = [&](auto of) {
     return std::any_of(reports_.begin(), reports_.end(),
                        [&](const SavedReport& other) { return of(other) != of(reports_.front()); });
@@ -217,9 +222,6 @@ std::vector<std::string> History::notes() const {
 }
 
 std::string History::text() const {
-  Table table;
-  for (std::vector<std::string>& row : rows()) table.row(std::move(row));
-  table.drop_empty_columns();
   std::string below;
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const std::string step = fmt::format("{} against {}", i + 2, i + 1);
@@ -230,7 +232,8 @@ std::string History::text() const {
   }
   if (!below.empty()) below += "\n";
   for (const std::string& line : notes()) below += line + "\n";
-  return fmt::format("{}\n{}\nThe last against the one before it: {}\n", table.text(), below, steps_.back().sentence());
+  return fmt::format("{}\n{}\nThe last against the one before it: {}\n", table().text(), below,
+                     steps_.back().sentence());
 }
 
 std::string History::families_html() const {
@@ -278,8 +281,8 @@ std::string History::steps_html() const {
     html += html_list(step.notes()) +
             html_details(fmt::format("Judged in one of the two reports alone: {}", step.alone().size()),
                          html_list(step.alone())) +
-            html_failures("Newly failing, or worse than before", step.fresh()) +
-            html_failures("Newly right", step.gone());
+            html_failures("Newly failing, or worse than before", step, step.fresh()) +
+            html_failures("Newly right", step, step.gone());
   }
   return html;
 }
@@ -290,7 +293,8 @@ std::string History::html() const {
     if (std::find(engines.begin(), engines.end(), r.engine) == engines.end()) engines.push_back(r.engine);
   const std::string title =
       fmt::format("{} {}", engines.size() == 1 ? "History of" : "Comparison of engines:", fmt::join(engines, ", "));
-  const std::vector<std::vector<std::string>> lines = rows();
+  const Table of_reports = table();
+  const auto& lines = of_reports.rows();
   std::string body;
   for (std::size_t i = 1; i < lines.size(); ++i) body += html_row(lines[i]);
   std::string said;

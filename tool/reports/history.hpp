@@ -25,9 +25,9 @@ class History {
   [[nodiscard]] std::string html() const;
 
  private:
-  /// A head and a row for each report.
-  [[nodiscard]] std::vector<std::vector<std::string>> rows() const;
-  /// What the rows mean, and what does not compare.
+  /// A row for each report.
+  [[nodiscard]] Table table() const;
+  /// What the table means, and what does not compare.
   [[nodiscard]] std::vector<std::string> notes() const;
   [[nodiscard]] std::string families_html() const;
   [[nodiscard]] std::string steps_html() const;
