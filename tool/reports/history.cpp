@@ -204,8 +204,10 @@ Table History::table() const {
 
 std::vector<std::string> History::notes() const {
   std::vector<std::string> lines{
-      fmt::format("Lengths, angles and decisions: from which tolerance on {}, pass.", kEveryday),
-      "None allows: how many answers to such questions no tolerance allows."};
+      fmt::format("Lengths, angles and decisions: from which tolerance on {}, pass.", kEveryday)};
+  if (std::any_of(reports_.begin(), reports_.end(),
+                  [](const SavedReport& r) { return says_fitness(r.total) && r.total.everyday->never != 0; }))
+    lines.emplace_back("None allows: how many answers to such questions no tolerance allows.");
   const auto differ = [&](auto of) {
     return std::any_of(reports_.begin(), reports_.end(),
                        [&](const SavedReport& other) { return of(other) != of(reports_.front()); });
