@@ -15,6 +15,7 @@ namespace contact::tool {
 class Table {
  public:
   void row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+  [[nodiscard]] const std::vector<std::vector<std::string>>& rows() const { return rows_; }
 
   /// Leaves out the columns that hold nothing but ".", or nothing, below their head.
   void drop_empty_columns() {
