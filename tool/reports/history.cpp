@@ -19,8 +19,6 @@ using page::for_html;
 
 std::uint64_t wrong_decisions(const SavedFamily& f) { return f.missed_hits + f.false_hits; }
 
-std::string or_dot(std::uint64_t n) { return n == 0 ? "." : std::to_string(n); }
-
 /// Whether everyday questions were asked, and the report says what they need.
 bool says_fitness(const SavedFamily& f) { return f.everyday && f.everyday->answers != 0; }
 

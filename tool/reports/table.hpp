@@ -12,6 +12,9 @@
 
 namespace contact::tool {
 
+/// A count in a cell.
+[[nodiscard]] inline std::string or_dot(std::uint64_t n) { return n == 0 ? "." : std::to_string(n); }
+
 class Table {
  public:
   void row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
