@@ -171,7 +171,7 @@ Fit fit_of(const Fitness& fitness) {
   if (fitness.answers == 0) return {"-", "-", "-"};
   const double length = length_of(fitness.all, &Need::absolute);
   const double angle = of(fitness.all, Measure::angle).absolute.off;
-  return {text(length_of(fitness.all, &Need::absolute)),
+  return {length == 0 ? "." : rounded_up(length),
           angle == 0           ? "."
           : angle > kMostAngle ? "none"
                                : angle_text(angle),
