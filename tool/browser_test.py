@@ -4,6 +4,7 @@
 Needs Chromium; without it the exit status is 77, which ctest calls skipped. --pictures takes pictures of reports instead."""
 import base64
 import json
+import math
 import os
 import re
 import shutil
@@ -166,6 +167,9 @@ class Page(unittest.TestCase):
             folder = Path(cls.folder.name) / name
             folder.mkdir()
             setattr(cls, name, certify(folder, *args))
+        cls.history = Path(cls.folder.name) / "history.html"
+        reports = [Path(cls.folder.name) / name / "report.json" for name in ("wrong", "ugly", "right")]
+        subprocess.run([TOOL, "compare", *reports, "--report", cls.history], check=True, capture_output=True)
         cls.browser.open(cls.wrong[0])
         if cls.browser.run("typeof d3") == "undefined":
             cls.tearDownClass()
@@ -272,9 +276,8 @@ class Page(unittest.TestCase):
                 self.assertEqual(drawn, [field[key] for field in fields] if drawn_at_all else [], key)
 
     def test_every_word_can_be_read_in_light_and_dark(self):
-        page, report = self.wrong
         backgrounds = set()
-        for scheme in ("light", "dark"):
+        for page, scheme in ((page, scheme) for page in (self.wrong[0], self.history) for scheme in ("light", "dark")):
             self.browser.open(page, scheme=scheme)
             contrasts = self.browser.run("""(() => {
                 const rgb = (text) => text.match(/[\\d.]+/g).map(Number);
@@ -299,8 +302,31 @@ class Page(unittest.TestCase):
             backgrounds.add(self.browser.run("getComputedStyle(document.body).backgroundColor"))
         self.assertEqual(len(backgrounds), 2)
 
+    def test_the_history_draws_every_measure_of_every_report_and_nothing_goes_wrong(self):
+        reports = [json.loads((Path(self.folder.name) / name / "report.json").read_text())["total"] for name in ("wrong", "ugly", "right")]
+        for scheme, size in (("light", DESKTOP), ("dark", PHONE)):
+            self.browser.open(self.history, size, scheme)
+            self.assertEqual(self.browser.complaints(), [])
+            drawn = self.browser.run("""[...document.querySelectorAll('#history .chart')].map((chart) => ({
+                what: chart.querySelector('figcaption').textContent, numbers: chart.querySelector('details p').textContent,
+                heights: [...chart.querySelectorAll('circle')].map((dot) => Number(dot.getAttribute('cy')))}))""")
+            asked = sum(report["everyday"]["answers"] > 0 for report in reports)  # extreme scales are not everyday numbers
+            self.assertEqual([(len(chart["heights"]), chart["what"].split(" (")[0]) for chart in drawn],
+                             [(asked, "values and coordinates fit from"), (asked, "normals fit from"),
+                              (asked, "decisions fit from"), (3, "numbers correctly rounded"), (3, "wrong decisions")])
+            self.assertGreater(asked, 1)
+            wrong = [report["missed_hits"] + report["false_hits"] for report in reports]
+            self.assertEqual([int(part.split(": ")[1]) for part in drawn[4]["numbers"].split("; ")], wrong)
+            # On the logarithmic scale 0 stands a power of ten below the one under the smallest number.
+            self.assertEqual((wrong[2], min(wrong[:2]) > 0), (0, True))
+            first, second, zero = drawn[4]["heights"]
+            powers = [math.log10(count) for count in wrong[:2]]
+            decade = (first - second) / (powers[1] - powers[0])
+            self.assertGreater(decade, 10)
+            self.assertAlmostEqual(zero - first, decade * (powers[0] - math.floor(min(powers)) + 1), delta=0.5)
+
     def test_no_page_is_wider_than_its_window(self):
-        for page, _ in (self.wrong, self.right):
+        for page in (self.wrong[0], self.right[0], self.history):
             for size in (PHONE, DESKTOP):
                 self.browser.open(page, size)
                 self.assertLessEqual(self.browser.run("document.documentElement.scrollWidth"), size[0])

@@ -82,7 +82,7 @@ COMPONENTS = {
                "oracle/truth/sphere_sphere_double_double.cpp", "oracle/truth/sphere_sphere_interval.cpp",
                "oracle/truth/sphere_sphere_witness.cpp", "oracle/truth/staged_oracle.cpp", "oracle/truth/staged_oracle.hpp",
                "oracle/truth/truth.cpp", "oracle/truth/truth.hpp"],
-    "judge": ["oracle/judge/judge.cpp", "oracle/judge/judge.hpp", "oracle/judge/point_set.cpp", "oracle/judge/right_claim.cpp"],
+    "judge": ["oracle/judge/conditioning.cpp", "oracle/judge/judge.cpp", "oracle/judge/judge.hpp", "oracle/judge/off.cpp", "oracle/judge/point_set.cpp", "oracle/judge/right_claim.cpp"],
     "diagnosis": ["oracle/diagnosis/capsule_plane.cpp", "oracle/diagnosis/sphere_plane.cpp",
                   "oracle/diagnosis/wrong_planes.cpp", "oracle/diagnosis/wrong_crossings.cpp",
                   "oracle/diagnosis/ray_triangle.cpp", "oracle/diagnosis/triangle_line.cpp",

@@ -195,7 +195,9 @@ std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, c
     decision("overlap", verdict.overlap, under.overlap);
     decision("contact", verdict.contact, under.contact);
     for (const Field field : kFields) {
-      if (verdict.at(field) && !is_right(verdict.at(field)) && is_right(under.at(field))) note(name(field));
+      if (verdict.at(field) && !is_right(verdict.at(field)) && !verdict.at(field)->last_bit &&
+          is_right(under.at(field)))
+        note(name(field));
       if (verdict.missing.has(aspect(field)) && !under.missing.has(aspect(field)) && !newly_wrong(verdict, under))
         note(name(field));
     }

@@ -10,10 +10,7 @@
 #include "engines/protocol/result_columns.hpp"
 #include "golden/dataset.hpp"
 #include "golden/families.hpp"
-#include "oracle/truth/interval_oracle.hpp"
-#include "proptests/run.hpp"
 #include "python/src/columns.hpp"
-#include "tool/reports/law_report.hpp"
 #include "tool/reports/report.hpp"
 #include "tool/run/determinism.hpp"
 #include "tool/run/parts.hpp"
@@ -213,37 +210,6 @@ py::dict certify(const py::function& ask, const std::string& engine, const std::
   found["text"] = terminal_text(report, false);
   found["junit"] = junit_text(report);
   found["markdown"] = markdown_text(report);
-  return found;
-}
-
-py::dict properties(const py::function& ask, const std::string& engine, const std::string& options) {
-  const formats::Location where{"options", 0};
-  const json all = formats::parse_object(options, where);
-  const Node o(all, where);
-  o.allow_only({"seed", "cases", "laws"});
-  proptests::RunOptions run;
-  run.seed = o.at("seed").count();
-  if (const auto cases = o.find("cases")) run.cases = cases->count();
-  if (const auto laws = o.find("laws"))
-    for (const Node& law : laws->items()) {
-      if (proptests::find_law(law.text()) == nullptr) law.refuse("no such law");
-      run.names.push_back(law.text());
-    }
-  run.after_case = [] { tool::throw_if_interrupted(); };
-  std::unique_ptr<engines::Engine> callable = std::make_unique<CallableEngine>(ask, engine, info_of(engine));
-  std::optional<tool::LawRun> done;
-  {
-    const py::gil_scoped_release no_gil;
-    done.emplace(tool::LawRun{proptests::run_laws(callable, run), run.seed, run.cases, ""});
-    callable.reset();
-  }
-  py::dict found;
-  found["exit"] = static_cast<int>(done->result.holds()         ? tool::kCertified
-                                   : done->result.ever_answered ? tool::kRefuted
-                                                                : tool::kHarnessInvalid);
-  found["json"] = json_text(*done);
-  found["text"] = terminal_text(*done);
-  found["junit"] = junit_text(*done);
   return found;
 }
 

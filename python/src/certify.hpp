@@ -9,11 +9,10 @@ namespace contact::python {
 
 namespace py = pybind11;
 
-/// What `certify` and `properties` of the command line do, of ask(pair, scalar, questions) -> answers; both by the
-/// names of docs/formats.md. The texts are JSON. Gives {"exit": ..., "json": ..., "html": ..., "text": ..., "junit":
-/// ..., "markdown": ...}, of laws without the pages.
+/// What `certify` of the command line does, of ask(pair, scalar, questions) -> answers; both by the names of
+/// docs/formats.md. The texts are JSON. Gives {"exit": ..., "json": ..., "html": ..., "text": ..., "junit": ...,
+/// "markdown": ...}. (Laws are asked by the command line: Debian's RapidCheck cannot be part of a shared library.)
 [[nodiscard]] py::dict certify(const py::function& ask, const std::string& engine, const std::string& sources,
                                const std::string& options);
-[[nodiscard]] py::dict properties(const py::function& ask, const std::string& engine, const std::string& options);
 
 }  // namespace contact::python

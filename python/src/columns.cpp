@@ -134,7 +134,7 @@ QuestionColumns::QuestionColumns(Pair pair, Scalar scalar, std::size_t size) : s
 
 void QuestionColumns::set(std::size_t row, const Query& query) {
   const Column* column = columns_.data();
-  for_each_field(query, [&](const std::string&, const auto& value, FieldKind) {
+  for_each_value(query, [&](const auto& value) {
     std::size_t at = row * column->across;
     for_each_number_in(value, [&](double x) {
       if (scalar_ == Scalar::binary32)

@@ -25,6 +25,19 @@ struct OutsideDomain {
   std::string rule;
 };
 
+/// Calls visit(value&) for every field of a question in the canonical order, without their names, which take time.
+template <class AnyQuery, class Visit>
+void for_each_value(AnyQuery& query, Visit&& visit) {
+  std::visit(
+      [&](auto& shapes) {
+        for_each_field(shapes.a, [&](const auto&, auto& value) { visit(value); });
+        for_each_field(shapes.b, [&](const auto&, auto& value) { visit(value); });
+      },
+      query.shapes);
+  visit(query.distances.alarm);
+  visit(query.distances.contact);
+}
+
 /// Questions of one pair as float64 arrays of any strides: the fields of a, then of b, the alarm and the contact
 /// distance, with as many rows each. They are read in place.
 class QuestionArrays {
@@ -37,7 +50,7 @@ class QuestionArrays {
   /// Question `row`, each of its numbers copied to `query`, which is one of this pair.
   void read(std::size_t row, Query& query) const {
     const Column* column = columns_.data();
-    for_each_field(query, [&](const std::string&, auto& value, FieldKind) {
+    for_each_value(query, [&](auto& value) {
       const char* at = column->begin + static_cast<py::ssize_t>(row) * column->strides[0];
       read_value(at, column->strides.data() + 1, value);
       ++column;

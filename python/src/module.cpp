@@ -13,7 +13,6 @@
 #include "golden/families.hpp"
 #include "kernel/batch_pairs.hpp"
 #include "oracle/truth/staged_oracle.hpp"
-#include "proptests/law.hpp"
 #include "python/src/certify.hpp"
 #include "python/src/columns.hpp"
 #include "tool/reports/explanation.hpp"
@@ -380,22 +379,6 @@ void write_dataset(const std::string& path, const std::string& pair, const std::
   writer->commit();
 }
 
-py::list laws() {
-  py::list all;
-  for (const proptests::Law& law : proptests::laws()) {
-    py::list of;
-    for (const Pair pair : kPairs)
-      if (law.about.includes(pair)) of.append(std::string(name(pair)));
-    py::dict one;
-    one["name"] = std::string(law.name);
-    one["about"] = std::string(law.sentence);
-    one["pairs"] = of;
-    one["only_when_named"] = law.only_when_named;
-    all.append(one);
-  }
-  return all;
-}
-
 py::list profiles() {
   py::list all;
   for (const tool::Profile& profile : tool::kProfiles) {
@@ -435,7 +418,6 @@ PYBIND11_MODULE(_core, m) {
   m.def("version", [] { return std::string(CONTACT_VERSION); });
   m.def("pairs", &pairs);
   m.def("families", &families, "pair"_a);
-  m.def("laws", &laws);
   m.def("profiles", &profiles);
   m.def("contacts", &contacts, "pair"_a, "columns"_a, "alarm"_a, "contact"_a, "points"_a = "nearest_surface",
         "scalar"_a = "binary64");
@@ -448,7 +430,6 @@ PYBIND11_MODULE(_core, m) {
   m.def("write_dataset", &write_dataset, "path"_a, "pair"_a, "scalar"_a, "family"_a, "columns"_a, "alarm"_a,
         "contact"_a);
   m.def("certify", &certify, "ask"_a, "engine"_a, "sources"_a, "options"_a);
-  m.def("properties", &properties, "ask"_a, "engine"_a, "options"_a);
 }
 
 }  // namespace contact::python

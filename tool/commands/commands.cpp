@@ -106,6 +106,7 @@ int run_command(int argc, const char* const* argv) {
   add_lint(app, exit);
   add_merge(app, exit);
   add_verify(app, exit);
+  add_badge(app, exit);
   add_digests(app, exit);
   add_adequacy(app, exit);
   add_detect(app, exit);

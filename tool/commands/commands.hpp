@@ -14,6 +14,7 @@
 namespace contact::tool {
 
 void add_adequacy(CLI::App& app, int& exit);
+void add_badge(CLI::App& app, int& exit);
 void add_compare(CLI::App& app, int& exit);
 void add_detect(CLI::App& app, int& exit);
 void add_digests(CLI::App& app, int& exit);

@@ -32,13 +32,6 @@ struct VerifyOptions {
   std::string exam;
 };
 
-/// One thing that a certificate states and that is otherwise.
-struct Difference {
-  std::string pointer;  ///< of JSON
-  std::string stated;
-  std::string derived;
-};
-
 /// A value as it is printed: its beginning, where it is long.
 std::string shown(const json& value) {
   constexpr std::size_t kMost = 120;
@@ -82,31 +75,11 @@ void print(std::vector<Difference> found) {
 /// A certificate as it was read, and the files that it names as they are found here.
 class Certificate {
  public:
-  explicit Certificate(const VerifyOptions& options)
-      : options_(options), where_{options.certificate, 0}, text_(formats::read_text(options.certificate)) {
-    json_ = formats::parse_object(text_, where_);
-    const Node root = node();
-    if (const Node format = root.at("format"); format.text() != "contact-oracle/certificate")
-      format.refuse("expected \"contact-oracle/certificate\", what certify --certificate writes");
-    if (const Node version = root.at("version"); version.count() != 1) version.refuse("this program reads version 1");
-    static_cast<void>(root.at("sha256").text());
-  }
+  explicit Certificate(const VerifyOptions& options) : options_(options), text_(options.certificate) {}
 
-  [[nodiscard]] const json& stated() const { return json_; }
-  [[nodiscard]] Node node() const { return {json_, where_}; }
-
-  /// What is wrong with the text alone.
-  [[nodiscard]] std::vector<Difference> in_itself() const {
-    std::vector<Difference> found;
-    const std::string digest = certificate_digest(text_, where_);
-    if (const std::string said = node().at("sha256").text(); said != digest)
-      found.push_back({"/sha256", said, digest + ": the certificate was changed"});
-    json content = json_;
-    content.erase("sha256");
-    if (found.empty() && certificate_text(std::move(content)) != text_)
-      found.push_back({"", "these bytes", "others: the form is not the canonical one"});
-    return found;
-  }
+  [[nodiscard]] const json& stated() const { return text_.stated(); }
+  [[nodiscard]] Node node() const { return text_.node(); }
+  [[nodiscard]] std::vector<Difference> in_itself() const { return text_.in_itself(); }
 
   /// The questions, with the files where they are here.
   [[nodiscard]] std::vector<Source> sources() const {
@@ -167,7 +140,7 @@ class Certificate {
     Stated stated;
     stated.issued = node().at("issued").text();
     static_cast<void>(node().at("environment"));
-    stated.environment = json_.at("environment");
+    stated.environment = text_.stated().at("environment");
     const Node engine = node().at("engine");
     stated.engine = {{"kind", engine.at("kind").text()}, {"files", json::array()}};
     if (const auto command = engine.find("command")) stated.engine["command"] = command->text();
@@ -189,7 +162,7 @@ class Certificate {
   /// The failures that it accepts, as a report that lists them.
   [[nodiscard]] SavedReport accepted() const {
     SavedReport report{};
-    report.path = where_.file;
+    report.path = options_.certificate;
     for (const Node& f : node().at("accepted").items())
       report.failures.push_back({f.at("id").text(), golden::read_pair(f.at("pair")),
                                  golden::read_scalar(f.at("scalar")), f.at("family").text(),
@@ -228,9 +201,7 @@ class Certificate {
   }
 
   VerifyOptions options_;
-  formats::Location where_;
-  std::string text_;
-  json json_;
+  CertificateText text_;
   std::size_t engine_files_ = 0;
   std::vector<std::string> not_checked_{"the environment and the day of issue"};
 };

@@ -1,4 +1,4 @@
-// What the page adds to its text: charts (D3), the worst cases in space (three.js), and buttons that copy.
+// What the pages add to their text: charts (D3), the worst cases in space (three.js), and buttons that copy.
 "use strict";
 (() => {
   const superscript = (n) => String(n).replace(/./g, (c) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]);
@@ -108,6 +108,25 @@
     return chart;
   }
 
+  /** Lines of points [x, y] on two axes, whose scales get their ranges here. lines: [{name, points, apart}], apart: dots alone. */
+  function lines_on(figure, title, below, across, up, lines) {
+    const width = 420, height = 240, left = 50, right = 12, bottom = 38, top = 8;
+    const x = across.scale().range([left + 8, width - right]), y = up.scale().range([height - bottom, top]);
+    const svg = d3.select(figure).append("svg").attr({viewBox: `0 0 ${width} ${height}`, role: "img"});
+    svg.append("title").text(title);
+    svg.append("g").attr("transform", `translate(${left},0)`).call(up.orient("left").tickSize(-(width - left - right), 0));
+    svg.append("g").attr("transform", `translate(0,${height - bottom})`).call(across.tickSize(3, 0));
+    svg.append("text").attr({x: (left + width - right) / 2, y: height - 4, "text-anchor": "middle"}).text(below);
+    const path = d3.svg.line().x((p) => x(p[0])).y((p) => y(p[1]));
+    lines.forEach(({name, points, apart}, i) => {
+      if (points.length === 0) return;
+      const group = svg.append("g").attr("class", "l" + i % 6);
+      group.append("title").text(name);
+      if (!apart) group.append("path").attr({d: path(points), class: "line"});
+      for (const p of points) group.append("circle").attr({cx: x(p[0]), cy: y(p[1]), r: apart ? 3 : 2});
+    });
+  }
+
   /** The largest error of each engine against the size of the question's numbers: both in powers of ten. */
   function scales(place, reports) {
     const shown = [-24, 24];  // golden files have every power that there is; beyond these nobody has lengths
@@ -128,32 +147,54 @@
         grid.append(chart);
         continue;
       }
-      const width = 420, height = 240, left = 50, right = 12, bottom = 38, top = 8;
-      const x = d3.scale.linear().domain(d3.extent(every, (p) => p[0])).range([left + 8, width - right]);
-      const y = d3.scale.linear().domain(d3.extent(every, (p) => p[1])).nice().range([height - bottom, top]);
-      const svg = d3.select(chart).append("svg").attr({viewBox: `0 0 ${width} ${height}`, role: "img"});
-      svg.append("title").text(`${what}: the largest error by the size of the question's numbers`);
       const power = (p) => (Number.isInteger(p) ? "10" + superscript(p) : "");
-      svg.append("g").attr("transform", `translate(${left},0)`)
-        .call(d3.svg.axis().scale(y).orient("left").ticks(6).tickFormat(power).tickSize(-(width - left - right), 0));
-      svg.append("g").attr("transform", `translate(0,${height - bottom})`)
-        .call(d3.svg.axis().scale(x).ticks(7).tickFormat(power).tickSize(3, 0));
-      svg.append("text").attr({x: (left + width - right) / 2, y: height - 4, "text-anchor": "middle"})
-        .text("the question's largest number");
-      const path = d3.svg.line().x((p) => x(p[0])).y((p) => y(p[1]));
-      const numbers = [];
-      lines.forEach((points, i) => {
-        if (points.length === 0) return;
-        const group = svg.append("g").attr("class", "l" + i % 6);
-        group.append("title").text(engines[i]);
-        group.append("path").attr({d: path(points), class: "line"});
-        for (const p of points) group.append("circle").attr({cx: x(p[0]), cy: y(p[1]), r: 2});
-        numbers.push(`${engines[i]}: ` + points.map((p) => `10${superscript(p[0])}: ${(10 ** p[1]).toExponential(1)}`).join(", "));
-      });
+      const x = d3.scale.linear().domain(d3.extent(every, (p) => p[0])), y = d3.scale.linear().domain(d3.extent(every, (p) => p[1])).nice();
+      lines_on(chart, `${what}: the largest error by the size of the question's numbers`, "the question's largest number",
+               d3.svg.axis().scale(x).ticks(7).tickFormat(power), d3.svg.axis().scale(y).ticks(6).tickFormat(power),
+               lines.map((points, i) => ({name: engines[i], points})));
+      const numbers = lines.map((points, i) => `${engines[i]}: ` +
+        points.map((p) => `10${superscript(p[0])}: ${(10 ** p[1]).toExponential(1)}`).join(", ")).filter((_, i) => lines[i].length > 0);
       chart.append(element("details", {}, element("summary", {}, "as numbers"), element("p", {}, numbers.join("; "))));
       grid.append(chart);
     }
     place.append(...(engines.length > 1 ? [key] : []), grid);
+  }
+
+  /** What became of each measure from report to report. On a logarithmic scale 0 stands below everything, infinity above. */
+  function history(place, {one_engine, labels, charts}) {
+    const grid = element("div", {className: "grid"});
+    for (const {what, logarithmic, values} of charts) {
+      const chart = figure(what);
+      grid.append(chart);
+      const said = values.map((value, i) => [i + 1, Number(value)]).filter((_, i) => values[i] !== null);
+      if (said.length === 0) {
+        chart.append(element("p", {}, "No report says."));
+        continue;
+      }
+      const x = d3.scale.linear().domain([0.7, labels.length + 0.3]), y = d3.scale.linear();
+      const up = d3.svg.axis().scale(y);
+      let points = said;
+      if (logarithmic) {
+        const powers = said.map((p) => Math.log10(p[1])), finite = powers.filter(Number.isFinite);
+        const zero = powers.includes(-Infinity), endless = powers.includes(Infinity);
+        const low = Math.floor(d3.min(finite) ?? 0) - (zero ? 1 : 0);
+        const most = Math.max(low + 1, Math.ceil(d3.max(finite) ?? 0) + (endless ? 1 : 0));
+        const step = Math.ceil((most - low) / 6), high = low + step * Math.ceil((most - low) / step);
+        points = said.map((p, i) => [p[0], Math.min(high, Math.max(low, powers[i]))]);
+        y.domain([low, high]);
+        up.tickValues(d3.range(low, high + 1, step)).tickFormat((p) => (p === low && zero ? "0" : p === high && endless ? "∞" : "10" + superscript(p)));
+      } else {
+        const [low, high] = d3.extent(said, (p) => p[1]);
+        y.domain(low === high ? [low - 1, low + 1] : [low, high]).nice();
+        up.ticks(6);
+      }
+      lines_on(chart, what + ", report by report", "report",
+               d3.svg.axis().scale(x).tickValues(d3.range(1, labels.length + 1, Math.ceil(labels.length / 20))).tickFormat(d3.format("d")),
+               up, [{name: what, points, apart: !one_engine}]);
+      chart.append(element("details", {}, element("summary", {}, "as numbers"), element("p", {},
+        said.map(([i, value]) => `${labels[i - 1]}: ${Number(value.toPrecision(4))}`).join("; "))));
+    }
+    place.append(grid);
   }
 
   function charts(section, report) {
@@ -423,7 +464,9 @@
       if (inside(worst.query)) view(article.querySelector(".view"), worst);
     }
   }
-  if (typeof d3 !== "undefined") scales(document.getElementById("scales"), reports);
+  if (typeof d3 !== "undefined" && reports.length !== 0) scales(document.getElementById("scales"), reports);
+  const told = document.querySelector("script.history");
+  if (told && typeof d3 !== "undefined") history(document.getElementById("history"), JSON.parse(told.textContent));
   /** Whether every number of a question is finite, so that it can be drawn. */
   function inside(query) {
     return [query.a, query.b].every((s) => finite(numbers(Object.values(s).flat(2))));

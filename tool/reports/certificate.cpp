@@ -251,6 +251,29 @@ std::string certificate_digest(const std::string& text, const formats::Location&
   return formats::Sha256().add(blank).hex();
 }
 
+CertificateText::CertificateText(const std::filesystem::path& path)
+    : where_{path.string(), 0}, text_(formats::read_text(path)) {
+  json_ = formats::parse_object(text_, where_);
+  const formats::Node root = node();
+  if (const formats::Node format = root.at("format"); format.text() != "contact-oracle/certificate")
+    format.refuse("expected \"contact-oracle/certificate\", what certify --certificate writes");
+  if (const formats::Node version = root.at("version"); version.count() != 1)
+    version.refuse("this program reads version 1");
+  static_cast<void>(root.at("sha256").text());
+}
+
+std::vector<Difference> CertificateText::in_itself() const {
+  std::vector<Difference> found;
+  const std::string digest = certificate_digest(text_, where_);
+  if (const std::string said = node().at("sha256").text(); said != digest)
+    found.push_back({"/sha256", said, digest + ": the certificate was changed"});
+  json content = json_;
+  content.erase("sha256");
+  if (found.empty() && certificate_text(std::move(content)) != text_)
+    found.push_back({"", "these bytes", "others: the form is not the canonical one"});
+  return found;
+}
+
 json provenance(const EngineOptions& options, const std::filesystem::path& folder) {
   json files = json::array();
   const auto add = [&](const char* key, const std::string& name, const std::filesystem::path& file) {

@@ -44,6 +44,30 @@ struct Judged {
 /// no place for it.
 [[nodiscard]] std::string certificate_digest(const std::string& text, const formats::Location& where);
 
+/// One thing that a certificate states and that is otherwise.
+struct Difference {
+  std::string pointer;  ///< of JSON
+  std::string stated;
+  std::string derived;
+};
+
+/// A certificate as it was read.
+class CertificateText {
+ public:
+  /// Throws formats::InputError where it is none, or one of another version.
+  explicit CertificateText(const std::filesystem::path& path);
+
+  [[nodiscard]] const nlohmann::json& stated() const { return json_; }
+  [[nodiscard]] formats::Node node() const { return {json_, where_}; }
+  /// What is wrong with the text alone: its digest, or its form.
+  [[nodiscard]] std::vector<Difference> in_itself() const;
+
+ private:
+  formats::Location where_;
+  std::string text_;
+  nlohmann::json json_;
+};
+
 /// "kind", "command" and "files" of an engine: the program and every file that its command names, with their digests.
 /// A program that is found by its name alone (python3) is stated as "program"; a "file" is seen from `folder`.
 [[nodiscard]] nlohmann::json provenance(const EngineOptions& options, const std::filesystem::path& folder);

@@ -34,16 +34,18 @@ double length_of(const Fitness::Needs& needs, Largest Need::*kind) {
   return std::max((of(needs, Measure::length).*kind).off, (of(needs, Measure::decision).*kind).off);
 }
 
+constexpr double kMostAngle = 3.15;  // that --tolerance takes; a normal's length may be off by more
+
+/// Half a turn with two figures would be more than the option takes. Domain: at most kMostAngle.
+std::string angle_text(double angle) { return angle > 3.1 ? "3.15" : rounded_up(angle); }
+
 /// The option that these needs ask for, with one kind of length; nothing where no such length is enough.
 std::optional<std::string> option(const Fitness::Needs& needs, std::string_view key, Largest Need::*kind) {
   const double angle = of(needs, Measure::angle).absolute.off;
   const double length = length_of(needs, kind);
-  constexpr double kMostAngle = 3.15;  // that --tolerance takes; a normal's length may be off by more
   if (std::isinf(length) || angle > kMostAngle) return std::nullopt;
   std::string text = length == 0 && angle != 0 ? "" : fmt::format("{}={}", key, rounded_up(length));
-  // Half a turn with two figures would be more than the option takes.
-  if (angle != 0)
-    text += fmt::format("{}angle={}", text.empty() ? "" : ",", angle > 3.1 ? std::string("3.15") : rounded_up(angle));
+  if (angle != 0) text += fmt::format("{}angle={}", text.empty() ? "" : ",", angle_text(angle));
   return text;
 }
 
@@ -167,8 +169,12 @@ std::vector<std::string> fitness_lines(std::string_view what, std::string_view s
 
 Fit fit_of(const Fitness& fitness) {
   if (fitness.answers == 0) return {"-", "-", "-"};
-  const auto text = [](double x) { return x == 0 ? std::string(".") : rounded_up(x); };
-  return {text(length_of(fitness.all, &Need::absolute)), text(of(fitness.all, Measure::angle).absolute.off),
+  const double length = length_of(fitness.all, &Need::absolute);
+  const double angle = of(fitness.all, Measure::angle).absolute.off;
+  return {length == 0 ? "." : rounded_up(length),
+          angle == 0           ? "."
+          : angle > kMostAngle ? "none"
+                               : angle_text(angle),
           fitness.never == 0 ? "." : std::to_string(fitness.never)};
 }
 

@@ -16,33 +16,7 @@
 namespace contact::tool {
 namespace {
 
-std::string for_html(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
-
-/// JSON inside a script element: nothing in it may end the element.
-std::string inside_script(const std::string& text) {
-  std::string out;
-  for (const char c : text)
-    if (c == '<')
-      out += "\\u003c";
-    else
-      out += c;
-  return out;
-}
+using page::for_html;
 
 std::string cell(std::uint64_t n) { return n == 0 ? "<td>.</td>" : fmt::format("<td>{}</td>", n); }
 std::string bad_cell(std::uint64_t n) { return n == 0 ? "<td>.</td>" : fmt::format("<td class=bad>{}</td>", n); }
@@ -265,11 +239,8 @@ std::string worst_case(const WorstCase& w, std::size_t index, const oracle::Decl
                         formats::number(oracle::margin_ulps(oracle::truth_of(w.query), declared.scalar)),
                         name(declared.scalar));
   }
-  const std::string line = fmt::format("echo '{}' | ./run explain", golden::query_line(w.query, w.scalar));
-  return html + fmt::format(
-                    ".</p>\n<div class=sides><figure class=view></figure>\n{}</div>\n<div class=copy><code>{}"
-                    "</code><button type=button>Copy</button></div></article>\n",
-                    numbers_table(w, declared), for_html(line));
+  return html + fmt::format(".</p>\n<div class=sides><figure class=view></figure>\n{}</div>\n{}</article>\n",
+                            numbers_table(w, declared), page::command_to_copy(golden::query_line(w.query, w.scalar)));
 }
 
 /// {"normal":"first-to-second",...} as a list of terms.
@@ -304,9 +275,7 @@ std::string fitness(const Report& report) {
   if (questions.empty()) return html;
   html += "<details><summary>In the way of a smaller tolerance</summary>\n";
   for (const InTheWay& one : questions)
-    html += fmt::format(
-        "<p>{}</p><div class=copy><code>echo '{}' | ./run explain</code><button type=button>Copy</button></div>\n",
-        for_html(one.what), for_html(one.question));
+    html += fmt::format("<p>{}</p>{}\n", for_html(one.what), page::command_to_copy(one.question));
   return html + "</details>\n";
 }
 
@@ -324,7 +293,7 @@ std::string section(const Report& report) {
   }
   if (report.repeats) html += listed("Asked again", report.repeats->lines());
   html += listed("Not judged", report.left_out()) + listed("Baseline", report.baseline_lines()) + declaration(report);
-  return html + "<script type=\"application/json\" class=data>" + inside_script(json_text(report, false)) +
+  return html + "<script type=\"application/json\" class=data>" + page::inside_script(json_text(report, false)) +
          "</script></section>\n";
 }
 
@@ -341,26 +310,15 @@ std::string made_on() {
 
 std::string html_text(const std::vector<Report>& reports) {
   const Report& first = reports.front();
-  // Nothing is fetched from anywhere, and the browser is told so.
-  std::string html = fmt::format(
-      "<!doctype html>\n<html lang=en><meta charset=utf-8><meta name=viewport content=\"width=device-width,"
-      "initial-scale=1\">\n<meta http-equiv=Content-Security-Policy content=\"default-src 'none'; "
-      "style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">\n"
-      "<title>{0} {1}: contact-oracle</title>\n<style>{2}</style>\n<main><h1>contact-oracle</h1>\n",
-      first.certified() ? "✓" : "✕", for_html(first.engine.name), page::kStyle);
-  html += "<p>Each engine held against the exact answer.</p>\n";
+  std::string html = "<p>Each engine held against the exact answer.</p>\n";
   if (reports.size() > 1) html += summary(reports);
-  html += "<h2>Error against scale</h2>\n<div id=scales></div>\n";
+  // Beside one engine's verdict nothing comes first; of several it tells them apart.
+  const std::string scales = "<h2>Error against scale</h2>\n<div id=scales></div>\n";
+  if (reports.size() > 1) html += scales;
   for (const Report& report : reports) html += section(report);
-  html += fmt::format("<footer>Judged by contact-oracle {} on {}.", CONTACT_VERSION, made_on());
-  if (!page::kLicences.empty())
-    html += fmt::format("<details><summary>Libraries in this page</summary><pre>{}</pre></details>",
-                        for_html(page::kLicences));
-  html += "</footer></main>\n";
-  // What draws in space is large: it is text until the first view is looked at.
-  html += fmt::format("<script type=\"text/plain\" id=space>{}</script>\n<script>{}</script>\n<script>{}</script>\n",
-                      page::kSpace, page::kCharts, page::kScript);
-  return html + "</html>\n";
+  if (reports.size() == 1) html += scales;
+  return page::whole(fmt::format("{} {}", first.certified() ? "✓" : "✕", first.engine.name), html,
+                     fmt::format("Judged by contact-oracle {} on {}.", CONTACT_VERSION, made_on()), true);
 }
 
 }  // namespace contact::tool

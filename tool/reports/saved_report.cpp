@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "engines/protocol/results.hpp"
 #include "golden/dataset.hpp"
+#include "tool/reports/fitness.hpp"
 #include "tool/run/date.hpp"
 
 namespace contact::tool {
@@ -18,9 +20,14 @@ using oracle::Level;
 
 Level level_of(const Node& node) { return static_cast<Level>(node.one_of(oracle::kLevelNames)); }
 
-SavedFamily read_family(const Node& node) {
-  SavedFamily family{family_title(golden::read_pair(node.at("pair")), node.at("family").text(),
-                                  golden::read_scalar(node.at("scalar"))),
+/// "pair", "family" and "scalar" as one.
+std::string read_title(const Node& node) {
+  return family_title(golden::read_pair(node.at("pair")), node.at("family").text(),
+                      golden::read_scalar(node.at("scalar")));
+}
+
+SavedFamily read_counts(std::string title, const Node& node) {
+  SavedFamily family{std::move(title),
                      node.at("cases").count(),
                      node.at("missed_hits").count(),
                      node.at("false_hits").count(),
@@ -41,6 +48,11 @@ SavedFamily read_family(const Node& node) {
     }
   // Reports of before 0.2.0 say more of questions without numbers.
   if (family.fields == 0) family.level = std::max(family.level, Level::decisions);
+  if (const auto everyday = node.find("everyday")) {
+    family.everyday = SavedFitness{everyday->at("answers").count(), everyday->at("never").count(), {}};
+    for (std::size_t i = 0; i < oracle::kMeasures.size(); ++i)
+      family.everyday->needs[i] = everyday->at("needs").at(oracle::kMeasureNames[i]).at("from").number();
+  }
   return family;
 }
 
@@ -70,6 +82,15 @@ std::string family_title(Pair pair, std::string_view family, Scalar scalar) {
   return fmt::format("{}/{}{}", name(pair), family, scalar == Scalar::binary32 ? ".f32" : "");
 }
 
+std::string SavedFamily::share_rounded() const {
+  if (fields == 0) return "-";
+  return fmt::format("{:.2f} %", 100.0 * static_cast<double>(correctly_rounded) / static_cast<double>(fields));
+}
+
+std::string SavedReport::demand() const {
+  return tolerance ? "a tolerance of " + tolerance_text(*tolerance) : std::string(name(required));
+}
+
 SavedReport read_report(const std::filesystem::path& path) {
   const std::string text = formats::read_text(path);
   const formats::Location where{path.string(), 0};
@@ -93,12 +114,14 @@ SavedReport read_report(const std::filesystem::path& path) {
                     {},
                     {},
                     report.at("failure_count").count()};
-  for (const Node& family : report.at("families").items()) saved.families.push_back(read_family(family));
+  for (const Node& family : report.at("families").items())
+    saved.families.push_back(read_counts(read_title(family), family));
   if (const auto determinism = report.find("determinism"))
     for (const Node& source : determinism->at("sources").items())
-      saved.answers.push_back({family_title(golden::read_pair(source.at("pair")), source.at("family").text(),
-                                            golden::read_scalar(source.at("scalar"))),
-                               source.at("sha256").text(), source.at("each").text()});
+      saved.answers.push_back({read_title(source), source.at("sha256").text(), source.at("each").text()});
+  saved.total = read_counts("", report.at("total"));
+  if (const auto tolerance = report.find("tolerance"); tolerance && !tolerance->is_null())
+    saved.tolerance = engines::read_tolerance(*tolerance);
   Failure of_all{};
   read_acceptance(report, of_all);
   for (const Node& other : report.at("failures").items()) failures.push_back(read_failure(other));  // that is no object

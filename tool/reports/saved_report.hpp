@@ -31,8 +31,15 @@ struct Failure {
 /// pair/family, with .f32 for questions in binary32.
 [[nodiscard]] std::string family_title(Pair pair, std::string_view family, Scalar scalar);
 
+/// What a report says that everyday numbers need of a tolerance.
+struct SavedFitness {
+  std::uint64_t answers;
+  std::uint64_t never;  ///< answers that no tolerance allows
+  std::array<double, oracle::kMeasures.size()> needs;
+};
+
 struct SavedFamily {
-  std::string title;  ///< family_title
+  std::string title;  ///< family_title; empty for all of them together
   std::uint64_t cases;
   std::uint64_t missed_hits;
   std::uint64_t false_hits;
@@ -42,6 +49,10 @@ struct SavedFamily {
   std::uint64_t correctly_rounded;
   std::uint64_t beyond_bound;
   oracle::Level level;
+  std::optional<SavedFitness> everyday = std::nullopt;  ///< reports of older versions do not say
+
+  /// "99.50 %" of the numbers; "-" where there are none.
+  [[nodiscard]] std::string share_rounded() const;
 };
 
 /// The answers to the questions of a family, where the report says what their bits are.
@@ -61,6 +72,15 @@ struct SavedReport {
   std::vector<Failure> failures;
   std::uint64_t failure_count;  ///< more than are listed, perhaps
   std::vector<SavedAnswers> answers{};
+  SavedFamily total{};
+  std::optional<Tolerance> tolerance = std::nullopt;  ///< what it was judged by instead of the required level
+
+  /// Its name and its version.
+  [[nodiscard]] std::string who() const { return engine + " " + version; }
+  /// What the verdict says first: "REFUTED", "CERTIFIED but for 3 failures".
+  [[nodiscard]] std::string_view outcome() const { return std::string_view(verdict).substr(0, verdict.find(':')); }
+  /// What it was judged by: a level, or a tolerance.
+  [[nodiscard]] std::string demand() const;
 };
 
 /// Reads a report that `certify --json` wrote. Throws formats::InputError with file and field.

@@ -12,9 +12,13 @@
 
 namespace contact::tool {
 
+/// A count in a cell.
+[[nodiscard]] inline std::string or_dot(std::uint64_t n) { return n == 0 ? "." : std::to_string(n); }
+
 class Table {
  public:
   void row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+  [[nodiscard]] const std::vector<std::vector<std::string>>& rows() const { return rows_; }
 
   /// Leaves out the columns that hold nothing but ".", or nothing, below their head.
   void drop_empty_columns() {

@@ -19,8 +19,6 @@ const fmt::text_style kGood = fmt::fg(fmt::terminal_color::green);
 const fmt::text_style kBad = fmt::fg(fmt::terminal_color::red);
 const fmt::text_style kHead = fmt::emphasis::bold;
 
-std::string or_dot(std::uint64_t n) { return n == 0 ? "." : std::to_string(n); }
-
 std::string styled(const fmt::text_style& style, const std::string& text, bool colour) {
   return colour ? fmt::format(style, "{}", text) : text;
 }
