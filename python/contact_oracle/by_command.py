@@ -44,8 +44,8 @@ def command() -> str:
     here = pathlib.Path(__file__).parent
     places: list[str | os.PathLike[str] | None] = [os.environ.get("CONTACT_ORACLE_TOOL"), here / "bin" / "contact-oracle",
                                                    here.parent.parent / "contact-oracle", shutil.which("contact-oracle")]
-    for place in filter(None, places):
-        if os.path.isfile(place) and os.access(place, os.X_OK):
+    for place in places:
+        if place is not None and os.path.isfile(place) and os.access(place, os.X_OK):
             return str(place)
     raise InputError("the command contact-oracle is not on the path, and CONTACT_ORACLE_TOOL does not name it")
 

@@ -19,6 +19,7 @@ from typing import Any
 
 import pytest
 
+from .errors import InputError
 from .judging import generated_sources, golden_sources, header_of
 from .suites import Case, Suite
 
@@ -70,7 +71,10 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     asked = getattr(metafunc.function, "contact_suite", None)
     if asked is None or "contact_case" not in metafunc.fixturenames:
         return
-    cases = [*_golden_cases(asked, metafunc.config.getoption("--contact-golden")), *_law_cases(asked)]
+    try:
+        cases = [*_golden_cases(asked, metafunc.config.getoption("--contact-golden")), *_law_cases(asked)]
+    except InputError as error:
+        raise pytest.Collector.CollectError(f"contact_oracle.suite: {error}") from None
     marks = {"golden": pytest.mark.contact_golden, "law": pytest.mark.contact_law}
     metafunc.parametrize("contact_case", [pytest.param(case, id=case.id, marks=marks[case.kind]) for case in cases])
 
@@ -87,7 +91,7 @@ def _golden_cases(asked: Suite, path: str | None) -> list[Case]:
         suffix = "" if header["scalar"] == asked.scalar else f"-{header['scalar']}"
         cases.append(Case(asked, "golden", f"golden-{header['pair']}-{header['family']}{suffix}", (header["pair"],), source))
     if not cases:
-        raise pytest.UsageError(f"--contact-golden {path}: no golden cases of {', '.join(asked.pairs)} in {asked.scalar}")
+        raise pytest.Collector.CollectError(f"--contact-golden={path}: no golden cases of {', '.join(asked.pairs)} in {asked.scalar}")
     return cases
 
 
@@ -101,7 +105,7 @@ def _law_cases(asked: Suite) -> list[Case]:
         return [Case(asked, "law", "laws")]
     for name in asked.laws or ():
         if name not in laws.LAWS:
-            raise pytest.UsageError(f"contact_oracle.suite: no law {name!r}; the laws are {', '.join(laws.LAWS)}")
+            raise pytest.Collector.CollectError(f"contact_oracle.suite: no law {name!r}; the laws are {', '.join(laws.LAWS)}")
     names = laws.laws_about(asked.pairs) if asked.laws is None else asked.laws
     return [Case(asked, "law", f"law-{name}", law=name) for name in names]
 

@@ -53,22 +53,32 @@ def test_a_wrong_engine_fails_with_a_question_expected_and_got(run):
 
 
 def test_golden_files_take_the_place_of_generated_cases(run, golden):
-    result = run("right", '["sphere_sphere", "cube_cube"], laws=False', "-v", "--contact-golden", str(golden))
+    result = run("right", '["sphere_sphere", "cube_cube"], laws=False', "-v", f"--contact-golden={golden}")
     result.stdout.fnmatch_lines(["*[[]golden-sphere_sphere-hardest] PASSED*"])
     result.stdout.fnmatch_lines(["*[[]golden-cube_cube-generic-binary32] PASSED*"])
     assert result.ret == 0
-    assert run("right", '"sphere_sphere"', "--contact-golden", str(golden / "cube_cube")).ret == 4
+
+
+@pytest.mark.parametrize("arguments, options, message", [
+    ('"sphere_sphere"', ["--contact-golden={golden}/cube_cube"], "no golden cases of sphere_sphere in binary64"),
+    ('"sphere_sphere"', ["--contact-golden=nowhere"], "datasets: is not there, got nowhere"),
+    ('"sphere_sphere", laws="gravity"', [], "no law 'gravity'"), ('"sphere_sphere", "cheese"', [], "families: is a family of none of the pairs"),
+])
+def test_what_cannot_be_asked_is_named_before_any_test(run, golden, arguments, options, message):
+    result = run("right", arguments, *(option.format(golden=golden) for option in options))
+    assert result.ret == 2
+    result.stdout.fnmatch_lines([f"*{message}*"])
 
 
 def test_known_failures_are_listed_in_files(run, pytester):
     (pytester.path / "xfails.txt").write_text("# known\ngolden-sphere_sphere-touching  # strict\ngolden-sphere_sphere-generic\n")
     (pytester.path / "skips.txt").write_text("law-decision\n")
-    result = run("strict_spheres", '"sphere_sphere", ["touching", "generic"], ["decision", "repeatable"]', "--contact-xfails-file", "xfails.txt",
-                 "--contact-skips-file", "skips.txt", "--contact-seed", "1")
+    result = run("strict_spheres", '"sphere_sphere", ["touching", "generic"], ["decision", "repeatable"]', "--contact-xfails-file=xfails.txt",
+                 "--contact-skips-file=skips.txt", "--contact-seed", "1")
     result.assert_outcomes(xfailed=1, xpassed=1, skipped=1, passed=1)
     result.stdout.fnmatch_lines(["*xfails.txt:2*"])
     assert result.ret == 0
-    assert run("right", '"sphere_sphere"', "--contact-xfails-file", "nowhere.txt").ret == 4
+    assert run("right", '"sphere_sphere"', "--contact-xfails-file=nowhere.txt").ret == 4
 
 
 def test_markers_choose(run):
