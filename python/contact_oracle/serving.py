@@ -50,6 +50,8 @@ class Conversation:
         os.dup2(2, 1)
         try:
             self.converse(0, replies)
+        except BrokenPipeError:
+            pass  # a host that has closed wants no more answers
         finally:
             sys.stdout.flush()
             os.dup2(replies, 1)

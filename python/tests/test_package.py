@@ -80,6 +80,12 @@ def test_what_the_page_shows_is_so():
     assert runner.summarize().failed == 0
 
 
+def test_the_page_has_every_function_with_its_arguments():
+    text = (ROOT / "docs" / "python.md").read_text()
+    rows = re.search(r"<!-- functions:begin -->\n[^\n]*\n[^\n]*\n(.*)\n<!-- functions:end -->", text, re.S)[1].splitlines()
+    assert rows == [f"| `{pair.name}` | {', '.join(f'`{field.argument}`' for field in pair.fields)} |" for pair in PAIRS.values()]
+
+
 def test_the_page_names_every_argument_law_and_strategy():
     text = (ROOT / "docs" / "python.md").read_text()
     for name in inspect.signature(contact_oracle.certify).parameters:

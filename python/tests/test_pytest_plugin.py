@@ -114,6 +114,12 @@ def test_without_an_engine_the_message_says_what_to_do(pytester, plugin):
     result.stdout.fnmatch_lines(["*define a fixture contact_engine*"])
 
 
+def test_without_hypothesis_the_laws_are_a_test_that_is_skipped(run):
+    result = run("right", '"cube_cube", "generic", count=5', "-p", "no:hypothesispytest", more="\nsys.modules['hypothesis'] = None\n")
+    result.assert_outcomes(passed=1, skipped=1)
+    result.stdout.fnmatch_lines(["*the laws need Hypothesis*"])
+
+
 def test_other_tests_are_left_alone(pytester, plugin):
     pytester.makepyfile("def test_nothing(): pass")
     result = pytester.runpytest_subprocess(*plugin, "-p", "no:cacheprovider")
