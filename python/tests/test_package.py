@@ -47,6 +47,17 @@ def test_the_stub_says_what_the_functions_are():
     assert set(contact_oracle.__all__) == imported | set(PAIRS) | {"PAIRS"}
 
 
+def test_the_stub_of_the_module_has_what_the_module_has():
+    tree = ast.parse((PACKAGE / "_core.pyi").read_text())
+    assert {node.name for node in tree.body if isinstance(node, (ast.FunctionDef, ast.ClassDef))} == \
+        {name for name in dir(contact_oracle._core) if not name.startswith("_")}
+    for node in tree.body:
+        if isinstance(node, ast.FunctionDef):
+            # pybind11 writes the signature in the first line of the documentation.
+            said = getattr(contact_oracle._core, node.name).__doc__.splitlines()[0]
+            assert [argument.arg for argument in node.args.args] == re.findall(r"(\w+): ", said), said
+
+
 def test_all_names_are_there():
     for name in contact_oracle.__all__:
         assert hasattr(contact_oracle, name)
