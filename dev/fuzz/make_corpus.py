@@ -25,6 +25,12 @@ def numbers(shape):
     return [*shape["center"], shape["radius"]] if "center" in shape else [*shape["min"], *shape["max"]]
 
 
+def npy(kind, shape, rows):
+    """An array as NumPy stores it."""
+    head = f"{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}".encode().ljust(117) + b"\n"
+    return b"\x93NUMPY\x01\x00" + struct.pack("<H", len(head)) + head + rows
+
+
 def main():
     questions = []
     for path in sorted(QUICK.rglob("*.jsonl")):
@@ -32,7 +38,8 @@ def main():
         if "invalid" not in path.stem:
             questions += [(json.loads(header), json.loads(line)) for line in lines]
     for i, (header, case) in enumerate(questions):
-        if header["scalar"] == "binary64":
+        of_kinds = all(("center" in shape) or ("min" in shape) for shape in (case["a"], case["b"]))
+        if header["scalar"] == "binary64" and of_kinds:
             kind = KINDS.index(header["pair"]) << 56 if header["pair"] in KINDS else 0
             values = [*numbers(case["a"]), *numbers(case["b"]), case["alarm"], case["contact"]]
             put("bits", case["id"], struct.pack(f"<Q{len(values)}d", kind, *values))
@@ -66,6 +73,16 @@ def main():
     put("certificate", "text", '{"format":"contact-oracle/certificate","version":1,"sha256":"' + "0" * 64 + '"}\n')
     for change in ([0], [1, 0, 0], [0, 9, 3, 0, 7, 4, 255, 240, 0], [0, 5, 1, 2, 1, 1, 2], [2, 0, 2, 0, 4], [1, 12, 4, 0, 3, 2, 65, 66]):
         put("columns", "-".join(map(str, change)), bytes(change))
+    # Which file and which array of it, then what that becomes; + stands for the beginning of a true one.
+    for name, which, array in (("numbers", (0, 3), npy("<f8", "(3, 3)", struct.pack("<9d", *range(9)))),
+                               ("hits", (1, 0), npy("|b1", "(3,)", b"\1\0\1")),
+                               ("wide-texts", (1, 5), npy("<U24", "(2,)", ("0123456789abcdef01234567" * 2).encode("utf-32-le"))),
+                               ("header", (2, 6), npy("|S2", "()", b"{}")),
+                               ("rows-beyond-memory", (0, 4), npy("<f4", "(4611686018427387904, 3)", b"")),
+                               ("rows-of-a-true-array", (0, 4), b"+" + bytes(72)),
+                               ("no-array", (0, 1), b"PK"),
+                               ("version-two", (0, 2), b"\x93NUMPY\x02\x00\x20\x00\x00\x00{'descr': '<u4', 'shape': (1,)  }")):
+        put("arrays", name, bytes(which) + array)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,120 @@
+// A .npz whose arrays hold anything: refused as a dataset, or read as what it was made of; and as answers refused or
+// read. (Bytes that are no ZIP archive are libzip's to refuse; fuzzing those would be fuzzing it.)
+#include <unistd.h>
+#include <zip.h>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engines/protocol/result_columns.hpp"
+#include "formats/input_error.hpp"
+#include "fuzz/fuzz.hpp"
+#include "golden/columns.hpp"
+#include "golden/families.hpp"
+
+namespace contact::fuzz {
+namespace {
+
+using Members = std::vector<std::pair<std::string, std::string>>;
+
+Members members_of(const std::filesystem::path& path) {
+  Members members;
+  zip_t* zip = zip_open(path.c_str(), ZIP_RDONLY, nullptr);
+  for (zip_int64_t i = 0; i < zip_get_num_entries(zip, 0); ++i) {
+    const auto index = static_cast<zip_uint64_t>(i);
+    zip_stat_t stat;
+    zip_stat_index(zip, index, 0, &stat);
+    std::string bytes(stat.size, '\0');
+    zip_file_t* member = zip_fopen_index(zip, index, 0);
+    zip_fread(member, bytes.data(), bytes.size());
+    zip_fclose(member);
+    members.emplace_back(stat.name, std::move(bytes));
+  }
+  zip_discard(zip);
+  return members;
+}
+
+void write(const std::filesystem::path& path, const Members& members) {
+  zip_t* zip = zip_open(path.c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr);
+  for (const auto& [name, bytes] : members) {
+    const zip_int64_t index =
+        zip_file_add(zip, name.c_str(), zip_source_buffer(zip, bytes.data(), bytes.size(), 0), ZIP_FL_OVERWRITE);
+    zip_set_file_compression(zip, static_cast<zip_uint64_t>(index), ZIP_CM_STORE, 0);
+  }
+  zip_close(zip);
+}
+
+/// A file of some generated cases, its members and its lines.
+struct Made {
+  explicit Made(std::string_view family) {
+    golden::DatasetHeader header;
+    header.family = family;
+    header.count = 3;
+    const std::filesystem::path path = place("made");
+    const auto writer = golden::create_columns(path, formats::ArraysForm::npz, header);
+    for (std::uint64_t i = 0; i < header.count; ++i) {
+      const Query query =
+          golden::generate_query(header.pair, *golden::find_family(header.pair, family), header.scalar, header.seed, i);
+      const golden::Case c = golden::make_case(query, header.scalar);
+      lines.push_back(golden::to_line(c));
+      writer->write(c, lines.back());
+    }
+    writer->commit();
+    members = members_of(path);
+    std::filesystem::remove(path);
+  }
+  static std::filesystem::path place(const std::string& name) {
+    return std::filesystem::temp_directory_path() / ("fuzz-" + std::to_string(::getpid()) + "-" + name + ".npz");
+  }
+
+  Members members;
+  std::vector<std::string> lines;
+};
+
+constexpr std::array kAnswers{"hit.npy",   "overlap.npy", "contact.npy", "normal.npy",
+                              "value.npy", "id.npy",      "header.npy"};
+
+}  // namespace
+
+void try_input(Bytes bytes) {
+  static const std::array made{Made("generic"), Made("invalid")};
+  if (bytes.size() < 2) return;
+  const Made& from = made[bytes[0] % made.size()];
+  Members members = from.members;
+  auto& [name, content] = members[bytes[1] % members.size()];
+  std::string changed(text_of(bytes.subspan(2)));
+  // The beginning of a true array makes a true one of what follows.
+  if (!changed.empty() && changed.front() == '+') changed = content.substr(0, 256) + changed.substr(1);
+  const bool same = changed == content;
+  content = changed;
+  const struct File {
+    ~File() { std::filesystem::remove(path); }
+    std::filesystem::path path = Made::place("changed");
+  } file;
+  write(file.path, members);
+  try {
+    golden::DatasetReader reader(file.path);
+    std::vector<std::string> lines;
+    while (reader.next()) lines.push_back(reader.text());
+    // Behind the last row their digest has been compared.
+    require(lines == from.lines, "changed rows pass for whole");
+  } catch (const formats::InputError& error) {
+    require(!same, std::string("a whole file is refused: ") + error.what());
+  }
+
+  Members answers{{kAnswers[bytes[1] % kAnswers.size()], changed}};
+  if (bytes[0] % 3 != 0) answers.emplace_back("point.npy", from.members.back().second);
+  write(file.path, answers);
+  try {
+    engines::ResultColumns columns(file.path, formats::ArraysForm::npz);
+    for (std::uint64_t row = 0; row < columns.rows(); ++row) {
+      static_cast<void>(columns.claim(row));
+      if (columns.has_ids()) static_cast<void>(columns.id(row));
+    }
+  } catch (const formats::InputError&) {
+  }
+}
+
+}  // namespace contact::fuzz
