@@ -144,7 +144,8 @@ class Stream {
     std::array<unsigned char, 4> length{};
     const std::size_t digits = version == 1 ? 2 : 4;
     read(reinterpret_cast<char*>(length.data()), digits);
-    const std::size_t size = length[0] | length[1] << 8 | length[2] << 16 | std::size_t{length[3]} << 24;
+    std::uint32_t size = 0;
+    std::memcpy(&size, length.data(), sizeof size);
     if (size > kLongestHeader || archive_.stat(name_).size < at_ + size) refuse("is no .npy file");
     std::string text(size, '\0');
     read(text.data(), size);

@@ -19,7 +19,7 @@ def main(package, tool, *arguments):
         return 77
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        wheel = subprocess.run([sys.executable, HERE / "wheel.py", package, tool, folder], check=True, capture_output=True, text=True).stdout.strip()
+        wheel = subprocess.run([sys.executable, HERE / "make_wheel.py", package, tool, folder], check=True, capture_output=True, text=True).stdout.strip()
         subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", folder / "venv"], check=True)
         python = folder / "venv" / "bin" / "python3"
         subprocess.run([python, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps", wheel], check=True)

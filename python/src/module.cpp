@@ -353,6 +353,8 @@ py::tuple read_dataset(const std::string& path) {
     arrays["exact/distance2"] =
         texts(all, [](const golden::Case& c) -> const std::string& { return c.exact.distance2; });
     arrays["exact/reach"] = texts(all, [](const golden::Case& c) -> const std::string& { return c.exact.reach; });
+    arrays["exact/margin_ulps"] =
+        column<double>(all, 1, [](const golden::Case& c, py::ssize_t) { return c.exact.margin_ulps; });
   }
   return py::make_tuple(to_line(header), arrays);
 }

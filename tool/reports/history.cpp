@@ -111,7 +111,7 @@ std::string level_cell(const SavedFamily* f, const Change& change) {
   if (f == nullptr) return "<td title=\"not judged\">–</td>";
   // Of questions that have no numbers no level asks for more than decisions.
   constexpr std::array<std::string_view, oracle::kLevelNames.size()> kColours{"g0", "g1", "g2", "g3", "g5", "g4"};
-  const bool is_best = f->fields == 0 && f->level == Level::decisions;
+  const bool is_best = f->fields == 0 && f->level == oracle::Level::decisions;
   std::string says;
   const std::vector<std::string> cells = count_cells(*f);
   for (std::size_t i = 0; i < cells.size(); ++i)

@@ -1,4 +1,4 @@
-"""A wheel of the package as it was built here: python3 wheel.py PACKAGE TOOL FOLDER prints its path.
+"""A wheel of the package as it was built here: python3 make_wheel.py PACKAGE TOOL FOLDER prints its path.
 
 PACKAGE is the folder with the module and the Python files, TOOL the program contact-oracle, which asks laws. What the
 wheel says of itself stands in pyproject.toml; scikit-build-core, which that file names for the world outside, is not
