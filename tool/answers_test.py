@@ -4,14 +4,13 @@ arguments]. A small engine in NumPy makes them, from questions as columns."""
 import hashlib
 import json
 import math
-import subprocess
 import sys
 import unittest
 
 import h5py
 import numpy
 
-from cli_test import TOOL, Case
+from cli_test import Case
 
 FAMILY = ("--pair", "sphere_sphere", "--family", "generic", "--seed", 5)
 
@@ -193,12 +192,10 @@ class Refusals(Answers):
         answers = self.answers(columns)
         good = answers.read_bytes()
         at = good.rindex(b"\x93NUMPY") + 3000
+        # A changed bit is another answer: the archive's checksum alone tells.
         for content in (good[:-1], good[:len(good) // 2], good[:at] + bytes([good[at] ^ 64]) + good[at + 1:]):
             answers.write_bytes(content)
-            done = subprocess.run([TOOL, "certify", path, "--results", answers], capture_output=True, text=True)
-            self.assertIn(done.returncode, (1, 2), done)
-            if content[-1:] != good[-1:] or len(content) < len(good):
-                self.assertEqual(done.returncode, 2)
+            self.refused(("certify", path, "--results", answers), f"{answers}: ", "cannot read")
 
     def test_determinism_cannot_be_asked_of_columns(self):
         path, questions, columns = self.both()
