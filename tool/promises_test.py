@@ -10,36 +10,22 @@ import math
 import os
 import re
 import shlex
-import subprocess
 import sys
-import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 from decimal import Decimal, getcontext
 from fractions import Fraction
 from pathlib import Path
 
-TOOL = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
+import cli_test
+from cli_test import ROOT, TOOL, line, run, text
+
 LIBRARY = os.environ.get("CONTACT_LIBRARY", "")
-ROOT = Path(__file__).resolve().parent.parent
 GENERIC = ROOT / "golden" / "sphere_sphere" / "generic.jsonl"
 TOUCHING = ROOT / "golden" / "sphere_sphere" / "touching.jsonl"
 PLAIN = shlex.join([sys.executable, str(ROOT / "docs" / "examples" / "engines" / "plain.py")])
 PAST = {**os.environ, "SOURCE_DATE_EPOCH": "1600000000"}  # 2020-09-13
 getcontext().prec = 120  # more than any sum of a few doubles near 1 has, and more than tells roots apart
-
-
-def run(*args, **options):
-    options = {"capture_output": True, "text": True, "timeout": 120, "cwd": ROOT, **options}
-    return subprocess.run([TOOL, *map(str, args)], **options)
-
-
-def line(value):
-    return json.dumps(value, separators=(",", ":"))
-
-
-def text(lines):
-    return "".join(line(one) + "\n" for one in lines)
 
 
 def sha256(content):
@@ -70,27 +56,11 @@ def is_rounded_up(claimed, real):
     return Decimal(claimed) >= real > Decimal(below(claimed))
 
 
-class Case(unittest.TestCase):
-    longMessage = True
-    maxDiff = 2000
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name).resolve()
-
-    def file(self, name, lines):
-        path = self.folder / name
-        path.write_text(lines if isinstance(lines, str) else text(lines))
-        return path
-
+class Case(cli_test.Case):
     def ends(self, code, *args, **options):
         done = run(*args, **options)
         self.assertEqual((done.returncode, done.stderr), (code, ""), done.stdout[-800:])
         return done.stdout
-
-    def holds(self, *args, **options):
-        return self.ends(0, *args, **options)
 
     def refuted(self, *args, **options):
         printed = self.ends(1, *args, **options)
