@@ -29,6 +29,12 @@ def found(target):
     return CORPUS / f"{target}.found.tar.xz"
 
 
+def unpack_found(target, folder):
+    """An archive of no inputs, as of a new target, makes no folder by itself."""
+    folder.mkdir()
+    shutil.unpack_archive(found(target), folder)
+
+
 def anonymous(member):
     """The same inputs make the same archive, whoever packs them and when."""
     member.uid = member.gid = member.mtime = 0
@@ -42,7 +48,7 @@ def keep(build, target):
     with tempfile.TemporaryDirectory(dir=MEMORY) as scratch:
         chosen, before = Path(scratch, "chosen"), Path(scratch, "found")
         shutil.copytree(CORPUS / target, chosen)
-        shutil.unpack_archive(found(target), before)
+        unpack_found(target, before)
         named = set(chosen.iterdir())
         run = subprocess.run([build / "dev/fuzz" / f"fuzz_{target}", "-set_cover_merge=1", "-use_counters=0", "-timeout=60",
                               "-rss_limit_mb=4096", chosen, *filter(Path.is_dir, (before, build / "corpus" / target))],
@@ -66,7 +72,7 @@ def fuzz(build, target, seconds):
     crashes.mkdir(exist_ok=True)
     log = build / f"fuzz_{target}.log"
     with log.open("wb") as out, tempfile.TemporaryDirectory(dir=MEMORY) as scratch:
-        shutil.unpack_archive(found(target), Path(scratch, "found"))
+        unpack_found(target, Path(scratch, "found"))
         # Where memory was got is not needed while nothing fails: walking the stack at every request takes a tenth of the time.
         process = subprocess.Popen(
             [build / "dev/fuzz" / f"fuzz_{target}", f"-max_total_time={seconds:.0f}", "-rss_limit_mb=4096", "-timeout=60",
