@@ -24,7 +24,7 @@ ROOT = Path(__file__).resolve().parents[1]
 # Every place where the version stands, and how.
 VERSIONS = {"CMakeLists.txt": r"(?m)^project\(contact-oracle VERSION (\S+)", "vcpkg.json": r'"version": "([^"]*)"',
             "python/pyproject.toml": r'(?m)^version = "([^"]*)"', "CITATION.cff": r"(?m)^version: (\S+)",
-            "CHANGELOG.md": r"(?m)^## (\d\S*)"}
+            "CHANGELOG.md": r"(?m)^## (\d\S*)", "packaging/debian/changelog": r"\Acontact-oracle \(([^-)]*)"}
 
 
 class Doubt(Exception):
@@ -109,7 +109,7 @@ def build_twice(root, version, folder):
         said("git", "clone", "--quiet", "--no-hardlinks", root, clone)
         # A cache of the compiler would give the second build what the first one made.
         subprocess.run([clone / "run", "packages"], check=True, cwd=clone, stdout=sys.stderr, env=os.environ | {"CCACHE_DISABLE": "1"})
-        made.append((clone, digests(clone / "build/packages")))
+        made.append((clone, digests(clone / "build/packages/out")))
     (clone, first), (_, second) = made
     if first != second:
         differ = sorted(name for name in first.keys() | second.keys() if first.get(name) != second.get(name))
@@ -119,7 +119,7 @@ def build_twice(root, version, folder):
     if strangers := [name for name in first if version not in name]:
         raise Doubt(f"./run packages made what has not the version in its name: {', '.join(strangers)}")
     for name in first:
-        shutil.copy2(clone / "build/packages" / name, folder)
+        shutil.copy2(clone / "build/packages/out" / name, folder)
     return clone
 
 
@@ -156,7 +156,7 @@ def release(root, version, reports):
         folder.mkdir()
         clone = build_twice(root, version, folder)
         bill = folder / f"contact-oracle-{version}.spdx.json"
-        said(sys.executable, clone / "packaging/sbom.py", clone / "build/release", "-o", bill, "--packages", folder, cwd=clone)
+        said(sys.executable, clone / "packaging/sbom.py", clone / "build/packages", "-o", bill, "--packages", folder, cwd=clone)
         check_sbom(bill, version, folder)
         (folder / "NOTES.md").write_text(section((root / "CHANGELOG.md").read_text(encoding="utf-8"), version)[1] + "\n", encoding="utf-8")
         (folder / "SHA256SUMS").write_text("".join(f"{digest}  {name}\n" for name, digest in digests(folder).items()))
@@ -174,8 +174,7 @@ def release(root, version, reports):
           f"  git push origin main v{version}\n"
           f"  a release v{version} on the site that hosts the repository, with NOTES.md as its text and the other files attached\n"
           "  the container: packaging/docker/Dockerfile beside the package\n"
-          "  CITATION.cff: a DOI, if an archive gave one\n"
-          "  the next version in the places that packaging/README.md names")
+          "  CITATION.cff: a DOI, if an archive gave one")
 
 
 def main():

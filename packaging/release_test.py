@@ -20,10 +20,11 @@ FILES = {
     "python/pyproject.toml": '[project]\nname = "contact-oracle"\nversion = "0.9.0"\n',
     "CITATION.cff": f'cff-version: 1.2.0\nversion: 0.9.0\ndate-released: "{TODAY}"\n',
     "CHANGELOG.md": f"# Changelog\n\n## Unreleased\n\n## 0.9.0 ({TODAY})\n\n- It is there.\n\n## 0.8.0 (2020-01-01)\n\n- Before.\n",
+    "packaging/debian/changelog": "contact-oracle (0.9.0-1) unstable; urgency=medium\n",
     ".gitignore": "/build/\n",
     ".ci/allowed-skips.txt": "# none\n",
     ".ci/run": "#!/bin/sh\nmkdir -p build\ncp reports/*.xml build/\n",
-    "run": "#!/bin/sh\n[ \"$1\" = packages ] || exit 2\nmkdir -p build/packages\necho bytes >build/packages/contact-oracle_0.9.0_amd64.deb\n",
+    "run": "#!/bin/sh\n[ \"$1\" = packages ] || exit 2\nmkdir -p build/packages/out\necho bytes >build/packages/out/contact-oracle_0.9.0-1_amd64.deb\n",
     "packaging/sbom.py": "import json, sys\nfrom pathlib import Path\nnames = [path.name for path in Path(sys.argv[5]).glob('*.deb')]\n"
                          "Path(sys.argv[3]).write_text(json.dumps({'name': 'contact-oracle-0.9.0', 'packages': [{'packageFileName': name} for name in names]}))\n",
 }
@@ -100,7 +101,7 @@ class Done(Release):
         done = self.release(0)
         folder = self.root / "build/release-0.9.0"
         self.assertEqual(sorted(path.name for path in folder.iterdir()),
-                         ["NOTES.md", "SHA256SUMS", "contact-oracle-0.9.0.spdx.json", "contact-oracle_0.9.0_amd64.deb"])
+                         ["NOTES.md", "SHA256SUMS", "contact-oracle-0.9.0.spdx.json", "contact-oracle_0.9.0-1_amd64.deb"])
         self.assertEqual((folder / "NOTES.md").read_text(), "- It is there.\n")
         subprocess.run(["sha256sum", "--check", "--strict", "SHA256SUMS"], cwd=folder, check=True, capture_output=True)
         self.assertEqual(len((folder / "SHA256SUMS").read_text().splitlines()), 3)
@@ -145,7 +146,7 @@ class Doubts(Release):
         self.doubt("the branch is other, not main")
 
     def test_another_version_in_any_place(self):
-        for name in ("CMakeLists.txt", "vcpkg.json", "python/pyproject.toml", "CITATION.cff"):
+        for name in ("CMakeLists.txt", "vcpkg.json", "python/pyproject.toml", "CITATION.cff", "packaging/debian/changelog"):
             with self.subTest(name):
                 self.edit(name, "0.9.0", "0.9.1")
                 self.doubt(f"{name}: the version is 0.9.1, not 0.9.0")
@@ -198,7 +199,7 @@ class Builds(Release):
 
     def test_two_builds_that_differ_by_their_folder(self):
         self.edit("run", "echo bytes", "pwd")
-        self.refused("two builds of one commit differ: contact-oracle_0.9.0_amd64.deb")
+        self.refused("two builds of one commit differ: contact-oracle_0.9.0-1_amd64.deb")
 
     def test_the_second_build_has_no_cache_of_the_compiler(self):
         self.edit("run", "echo bytes", "test \"$CCACHE_DISABLE\" = 1 && echo bytes")
@@ -213,11 +214,11 @@ class Builds(Release):
 
     def test_a_package_of_another_version(self):
         self.edit("run", "0.9.0", "0.8.0")
-        self.refused("not the version in its name: contact-oracle_0.8.0_amd64.deb")
+        self.refused("not the version in its name: contact-oracle_0.8.0-1_amd64.deb")
 
     def test_a_bill_of_materials_that_lacks_a_package_or_is_refused(self):
         self.edit("packaging/sbom.py", "in names", "in []")
-        self.refused("spdx.json says nothing of contact-oracle_0.9.0_amd64.deb")
+        self.refused("spdx.json says nothing of contact-oracle_0.9.0-1_amd64.deb")
         self.write("packaging/sbom.py", "import sys\nsys.exit('under the GPL')\n")
         self.commit()
         self.refused("ended with 1\nunder the GPL")

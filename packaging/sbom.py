@@ -20,13 +20,12 @@ ROOT = Path(__file__).resolve().parents[1]
 # Our packages, and the targets that are in each.
 PACKAGES = {"contact-oracle": "contact-oracle", "contact-oracle-mpi": "contact-oracle-mpi", "python3-contact-oracle": "contact_python",
             "libcontact-oracle-dev": "contact_contact"}
-# Shared libraries that packaging/copyright does not speak of, because nothing of them is copied, by Debian's source package.
+# What packaging/copyright does not speak of, because its headers only declare what is in a shared library, or are the compiler's own: licences by
+# Debian's source package.
 LINKED = {"gmp": "LGPL-3.0-or-later OR GPL-2.0-or-later", "mpfr4": "LGPL-3.0-or-later", "mpfi": "LGPL-2.1-or-later", "hdf5": "BSD-3-Clause",
           "libzip": "BSD-3-Clause", "libuv1": "MIT", "openssl": "Apache-2.0", "zlib": "Zlib", "openmpi": "BSD-3-Clause",
           "glibc": "LGPL-2.1-or-later", "gcc-12": "GPL-3.0-or-later WITH GCC-exception-3.1", "linux": "GPL-2.0-only WITH Linux-syscall-note",
-          "python3.11": "PSF-2.0", "numpy": "BSD-3-Clause"}
-# Headers of these only declare what is in a shared library, or are the compiler's own.
-DECLARED = {*LINKED}
+          "llvm-toolchain-14": "Apache-2.0 WITH LLVM-exception", "python3.11": "PSF-2.0"}
 
 
 class Refused(Exception):
@@ -104,13 +103,10 @@ class Build:
         found |= {one: "static" for one in inputs if one.startswith("/usr/") and one.endswith(".a")}
         if any(one.endswith("/page.cpp.o") for one in inputs):
             found |= {path: "inlined" for path in self.cache.values() if not path.endswith("NOTFOUND")}
-        for program in [self.folder / target, *(self.folder / one for one in inputs if one.endswith(".so") and not one.startswith("/"))][:1 if
-                        (self.folder / target).is_file() else None]:
-            if program.is_file():
-                needed = set(re.findall(r"NEEDED +(\S+)", said("objdump", "-p", program)))
-                for name, path in re.findall(r"(\S+) => (\S+)", said("ldd", program)):
-                    if name in needed:
-                        found[os.path.realpath(path)] = "shared"
+        modules = [self.folder / one for one in inputs if one.endswith(".so") and not one.startswith("/")]
+        for program in [one for one in (self.folder / target, *modules) if one.is_file()][:1]:
+            needed = set(re.findall(r"NEEDED +(\S+)", said("objdump", "-p", program)))
+            found |= {os.path.realpath(path): "shared" for name, path in re.findall(r"(\S+) => (\S+)", said("ldd", program)) if name in needed}
         return found
 
 
@@ -121,16 +117,14 @@ def components(parts, known):
     found = {}
     for path, how in sorted(parts.items()):
         source, version, _ = about[owner[path]]
-        if how == "header" and source in DECLARED:
+        if how == "header" and source in LINKED:
             continue
-        if source not in known and not (how == "shared" and source in LINKED):
+        if source not in known and source not in LINKED:
             raise Refused(f"{path}: packaging/copyright says nothing of the source package {source}")
         if source == "cgal" and how == "header":
             said_licence = re.search(r"SPDX-License-Identifier: *(.*)", Path(path).read_text(errors="replace"))
             if not said_licence or not re.match(r"(LGPL|BSL)-", said_licence[1]):
                 raise Refused(f"{path}: is under {said_licence[1].strip() if said_licence else 'no licence that it names'}, and would be part of a program")
-        if source in known and how == "shared" and source not in found:
-            found[source] = (version, set(), set())
         _, hows, packages = found.setdefault(source, (version, set(), set()))
         hows.add(how)
         packages.add(owner[path].split(":")[0])

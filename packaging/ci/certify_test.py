@@ -181,14 +181,14 @@ class Installation(Script):
                         GITHUB_SERVER_URL="https://server.example")
         architecture = subprocess.run(["dpkg", "--print-architecture"], check=True, capture_output=True, text=True).stdout.strip()
         self.assertEqual((self.folder / "curl").read_text(),
-                         f"https://server.example/some-owner/some-name/releases/download/v7.8.9/contact-oracle_7.8.9_{architecture}.deb\n")
+                         f"https://server.example/some-owner/some-name/releases/download/v7.8.9/contact-oracle_7.8.9-1_{architecture}.deb\n")
         self.assertIn("--engine-command", (self.folder / "record").read_text())
 
     def test_another_version_and_another_repository_can_be_named(self):
         folder = self.action()
         self.run_script(0, script=folder / "packaging/ci/certify.sh", engine_command="x", GITHUB_ACTION_PATH=folder, version="1.2.3",
                         repository="other/place")
-        self.assertRegex((self.folder / "curl").read_text(), r"^https://github\.com/other/place/releases/download/v1\.2\.3/contact-oracle_1\.2\.3_")
+        self.assertRegex((self.folder / "curl").read_text(), r"^https://github\.com/other/place/releases/download/v1\.2\.3/contact-oracle_1\.2\.3-1_")
 
     def test_a_file_is_installed_without_the_network(self):
         self.run_script(0, engine_command="x", package=self.deb)
