@@ -31,19 +31,19 @@ function(contact_debian_package component name section description)
   set(CPACK_COMPONENTS_ALL ${CPACK_COMPONENTS_ALL} ${component} PARENT_SCOPE)
 endfunction()
 
-# Debian wants them compressed, and no name or date in what gzip writes.
+# Debian wants them compressed, with no name or date in what gzip writes.
 set(changelogs)
 find_program(CONTACT_GZIP gzip)
 if(CONTACT_GZIP)
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/packaging)
   foreach(log CHANGELOG.md=changelog packaging/debian/changelog=changelog.Debian)
     string(REGEX MATCH "(.*)=(.*)" log ${log})
     set(source ${PROJECT_SOURCE_DIR}/${CMAKE_MATCH_1})
     set(packed ${PROJECT_BINARY_DIR}/packaging/${CMAKE_MATCH_2}.gz)
-    add_custom_command(OUTPUT ${packed} COMMAND ${CONTACT_GZIP} -9nc ${source} > ${packed} DEPENDS ${source} VERBATIM)
+    execute_process(COMMAND ${CONTACT_GZIP} -9nc ${source} OUTPUT_FILE ${packed} COMMAND_ERROR_IS_FATAL ANY)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
     list(APPEND changelogs ${packed})
   endforeach()
-  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/packaging)
-  add_custom_target(contact_changelogs ALL DEPENDS ${changelogs})
 endif()
 
 set(CPACK_COMPONENTS_ALL)
