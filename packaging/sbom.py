@@ -177,6 +177,8 @@ def main():
     arguments.add_argument("-o", dest="out", type=Path, required=True)
     arguments.add_argument("--packages", type=Path)
     options = arguments.parse_args()
+    if not (options.build / "build.ninja").is_file():
+        arguments.error(f"{options.build}: no build by Ninja")
     known = licences((ROOT / "packaging/copyright").read_text(encoding="utf-8"))
     build = Build(options.build.resolve())
     files = {}

@@ -91,6 +91,11 @@ class Refusals(unittest.TestCase):
     def test_a_file_of_no_package(self):
         self.refused("of no Debian package: /usr/local/include/strange.h", "/usr/local/include/strange.h", KNOWN)
 
+    def test_a_folder_that_is_no_build(self):
+        done = subprocess.run([sys.executable, sbom.ROOT / "packaging/sbom.py", sbom.ROOT / "docs", "-o", "x"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("docs: no build by Ninja", done.stderr)
+
     def test_a_target_that_is_not_built(self):
         with self.assertRaisesRegex(sbom.Refused, "contact-oracle is not built"):
             build = sbom.Build(BUILD)
