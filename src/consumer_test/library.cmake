@@ -1,5 +1,6 @@
 # Somebody else's programs in C and C++ against the installed library. VARIANT pkg_config finds it by pkg-config, shared and static;
-# components by the components of find_package, in C alone and in C++ with a plug-in; an unknown component is refused in words.
+# components by the components of find_package, in C alone and in C++ with a plug-in; an unknown component is refused in words;
+# fortran and rust call the C interface.
 cmake_minimum_required(VERSION 3.25)
 set(library ${WORK}/installed/${LIBDIR})
 set(ENV{LD_LIBRARY_PATH} ${library})
@@ -75,6 +76,15 @@ if(VARIANT STREQUAL "pkg_config")
   file(WRITE ${folder}/both.c "#include \"${ENGINE_HEADER}\"\n#include <contact/contact.h>\nint unused;\n")
   run(${COMPILER} -std=c++11 -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I${WORK}/installed/include ${folder}/both.cpp)
   run(${C_COMPILER} -std=c99 -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I${WORK}/installed/include ${folder}/both.c)
+elseif(VARIANT STREQUAL "fortran" OR VARIANT STREQUAL "rust")
+  execute_process(COMMAND ${PKG_CONFIG} --libs-only-L contact-oracle-c OUTPUT_VARIABLE said OUTPUT_STRIP_TRAILING_WHITESPACE
+                  COMMAND_ERROR_IS_FATAL ANY)
+  if(VARIANT STREQUAL "fortran")
+    run(${COMPILER} -std=f2018 -Wall -Wextra -pedantic -Werror -J ${folder} ${EXAMPLES}/c/contacts.f90 ${said} -lcontact-oracle -o ${folder}/contacts)
+  else()
+    run(${COMPILER} -D warnings ${EXAMPLES}/c/contacts.rs ${said} -o ${folder}/contacts)
+  endif()
+  expect(${folder}/contacts shared "2 hits\nsphere 0: value -0.5\nsphere 1: value  0.0\n")
 else()
   # The shared library asks a program in C for no other package and no C++.
   components(c shared "${in_c_prints}" -DCOMPONENTS=c,shared -DLANGUAGES=C -DSOURCE=${in_c} -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON
