@@ -12,6 +12,7 @@ endif()
 set(CONTACT_LIBRARIES ${kinds} CACHE STRING "The kinds of library that are installed: static, shared, or both")
 
 # Of the shared library nothing is seen but what the installed headers declare.
+string(LENGTH ${CONTACT_ABI} abi_length)
 configure_file(${CMAKE_CURRENT_SOURCE_DIR}/exports.map.in ${PROJECT_BINARY_DIR}/exports.map @ONLY)
 foreach(kind IN LISTS CONTACT_LIBRARIES)
   string(TOUPPER ${kind} type)

@@ -1,0 +1,58 @@
+# vcpkg's functions as far as the port uses them, in a few lines each, so that the port can be tried where vcpkg cannot be installed. What
+# is prepared here is what vcpkg prepares: docs/library.md#vcpkg says what this does not show.
+function(run)
+  execute_process(COMMAND ${ARGV} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+function(vcpkg_cmake_configure)
+  cmake_parse_arguments(ARG "" "SOURCE_PATH" "OPTIONS" ${ARGN})
+  if(ARG_UNPARSED_ARGUMENTS OR NOT ARG_SOURCE_PATH)
+    message(FATAL_ERROR "vcpkg_cmake_configure(${ARGV})")
+  endif()
+  run(${CMAKE_COMMAND} -S ${ARG_SOURCE_PATH} -B ${WORK}/build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${COMPILER}
+      -DBUILD_SHARED_LIBS=${SHARED} -DCMAKE_INSTALL_PREFIX=${CURRENT_PACKAGES_DIR} --no-warn-unused-cli ${ARG_OPTIONS})
+endfunction()
+
+# Builds and installs. With BUILT, a build of the same sources, the files of that one are installed.
+function(vcpkg_cmake_install)
+  if(BUILT)
+    run(${CMAKE_COMMAND} --install ${BUILT} --prefix ${CURRENT_PACKAGES_DIR} --component contact)
+  else()
+    run(${CMAKE_COMMAND} --build ${WORK}/build)
+    run(${CMAKE_COMMAND} --install ${WORK}/build)
+  endif()
+endfunction()
+
+function(vcpkg_cmake_config_fixup)
+  cmake_parse_arguments(ARG "" "CONFIG_PATH" "" ${ARGN})
+  set(to ${CURRENT_PACKAGES_DIR}/share/${PORT})
+  file(MAKE_DIRECTORY ${CURRENT_PACKAGES_DIR}/share)
+  file(RENAME ${CURRENT_PACKAGES_DIR}/${ARG_CONFIG_PATH} ${to})
+  file(GLOB left ${CURRENT_PACKAGES_DIR}/lib/cmake/*)
+  if(NOT left)
+    file(REMOVE_RECURSE ${CURRENT_PACKAGES_DIR}/lib/cmake)
+  endif()
+  file(GLOB files ${to}/*.cmake)
+  foreach(file IN LISTS files)
+    file(READ ${file} text)
+    string(REGEX REPLACE "(get_filename_component\\(_IMPORT_PREFIX [^\n]*\n)+"
+                         "get_filename_component(_IMPORT_PREFIX \"\${CMAKE_CURRENT_LIST_DIR}/../..\" ABSOLUTE)\n" text "${text}")
+    file(WRITE ${file} "${text}")
+  endforeach()
+endfunction()
+
+function(vcpkg_fixup_pkgconfig)
+  file(GLOB files ${CURRENT_PACKAGES_DIR}/lib/pkgconfig/*.pc)
+  foreach(file IN LISTS files)
+    set(ENV{PKG_CONFIG_PATH} ${CURRENT_PACKAGES_DIR}/lib/pkgconfig)
+    run(${PKG_CONFIG} --exists --print-errors ${file})
+  endforeach()
+  if(NOT files)
+    message(FATAL_ERROR "no file for pkg-config")
+  endif()
+endfunction()
+
+function(vcpkg_install_copyright)
+  cmake_parse_arguments(ARG "" "" "FILE_LIST" ${ARGN})
+  file(COPY_FILE ${ARG_FILE_LIST} ${CURRENT_PACKAGES_DIR}/share/${PORT}/copyright)
+endfunction()
