@@ -1,18 +1,77 @@
-# Debian packages of what is installed, by component: cpack -G DEB -D CPACK_COMPONENTS_ALL=python
+# Debian packages, one a component, and an archive of all that is installed: ./run packages.
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_CONTACT "contact-oracle maintainers <maintainers@contact-oracle.example>")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_ARCHIVE_THREADS 1)  # the same bytes wherever it is packed
+
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_STRIP_FILES ON)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-contact-oracle)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Verified reference for collision contacts, for Python
- Answers questions about spheres, boxes, capsules, triangles, rays and planes
- correctly rounded, and judges the answers of other engines exactly. With a
- plugin for pytest and strategies for Hypothesis.")
-# The module is of one version of Python.
-set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
-set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pytest, python3-hypothesis, python3-pandas")
+set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(about "It answers questions about spheres, boxes, capsules, triangles, rays and planes
+ correctly rounded, and judges the answers of other engines exactly.")
+
+# contact_debian_package(component name section summary SETTINGS..): its copyright and changelog are of that component too.
+function(contact_debian_package component name section description)
+  string(TOUPPER ${component} key)
+  foreach(setting "PACKAGE_NAME;${name}" "PACKAGE_SECTION;${section}" ${ARGN})
+    list(POP_FRONT setting variable)
+    set(CPACK_DEBIAN_${key}_${variable} "${setting}" PARENT_SCOPE)
+  endforeach()
+  set(CPACK_COMPONENT_${key}_DESCRIPTION "${description}" PARENT_SCOPE)
+  set(excluded)
+  if(component STREQUAL python)
+    set(excluded EXCLUDE_FROM_ALL)
+  endif()
+  install(FILES ${PROJECT_SOURCE_DIR}/packaging/copyright ${changelogs} DESTINATION share/doc/${name} COMPONENT ${component} ${excluded})
+  set(CPACK_COMPONENTS_ALL ${CPACK_COMPONENTS_ALL} ${component} PARENT_SCOPE)
+endfunction()
+
+# Debian wants them compressed, with no name or date in what gzip writes.
+set(changelogs)
+find_program(CONTACT_GZIP gzip)
+if(CONTACT_GZIP)
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/packaging)
+  foreach(log CHANGELOG.md=changelog packaging/debian/changelog=changelog.Debian)
+    string(REGEX MATCH "(.*)=(.*)" log ${log})
+    set(source ${PROJECT_SOURCE_DIR}/${CMAKE_MATCH_1})
+    set(packed ${PROJECT_BINARY_DIR}/packaging/${CMAKE_MATCH_2}.gz)
+    execute_process(COMMAND ${CONTACT_GZIP} -9nc ${source} OUTPUT_FILE ${packed} COMMAND_ERROR_IS_FATAL ANY)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
+    list(APPEND changelogs ${packed})
+  endforeach()
+endif()
+
+set(CPACK_COMPONENTS_ALL)
+contact_debian_package(contact libcontact-oracle-dev libdevel "Verified reference for collision contacts, the library
+ Decisions and contacts of spheres, boxes, capsules, triangles, rays and planes,
+ each number the exact real one rounded once, for one pair and for many in
+ vectors. With SOFA's names for detection between models."
+  "PACKAGE_DEPENDS;libeigen3-dev (>= 3.4), libboost-dev (>= 1.74), libhwy-dev (>= 1.0.3)")
+if(TARGET contact-oracle)
+  contact_debian_package(program contact-oracle science "Certifies the contacts that a physics engine computes
+ ${about}
+ An exact oracle says what is right; a second one checks it. With laws for
+ random questions, golden files, and reports for continuous integration."
+    "PACKAGE_SUGGESTS;python3-contact-oracle, libcontact-oracle-dev")
+endif()
+if(TARGET contact-oracle-mpi)
+  contact_debian_package(cluster contact-oracle-mpi science "Certifies contacts with many processes under mpirun
+ The program of contact-oracle, whose runs mpirun shares among the processes of
+ a machine or a cluster: a report has the same bytes as that of one process."
+    "PACKAGE_DEPENDS;contact-oracle (= ${PROJECT_VERSION}-1)")
+endif()
+if(TARGET contact_python)
+  # The module is of one version of Python.
+  contact_debian_package(python python3-contact-oracle python "Verified reference for collision contacts, for Python
+ ${about}
+ With a plugin for pytest and strategies for Hypothesis."
+    "PACKAGE_DEPENDS;python3 (>= 3.11), python3 (<< 3.12), python3-numpy"
+    "PACKAGE_RECOMMENDS;contact-oracle (= ${PROJECT_VERSION}-1)"
+    "PACKAGE_SUGGESTS;python3-pytest, python3-hypothesis, python3-pandas")
+endif()
 include(CPack)

@@ -5,6 +5,8 @@
 #include <array>
 #include <filesystem>
 
+#include "formats/program.hpp"
+
 namespace contact::engines {
 namespace {
 
@@ -40,14 +42,14 @@ constexpr std::array kAdapters{
 
 namespace fs = std::filesystem;
 
-const fs::path kNode = CONTACT_NODE_DIR;
+/// The engines in JavaScript, with what npm installed for them.
+fs::path node_folder() { return fs::weakly_canonical(formats::data_folder() / "node"); }
 
-fs::path module_of(const Adapter& adapter) { return kNode / (std::string(adapter.name) + ".mjs"); }
+fs::path module_of(const Adapter& adapter) { return node_folder() / (std::string(adapter.name) + ".mjs"); }
 
 /// Libraries lie beside this program, which serves them, so that a crash of one is the other's end.
-fs::path program() { return fs::read_symlink("/proc/self/exe"); }
 fs::path library_of(const Adapter& adapter) {
-  return program().parent_path() / "engines" / (std::string(adapter.name) + ".so");
+  return formats::program().parent_path() / "engines" / (std::string(adapter.name) + ".so");
 }
 
 }  // namespace
@@ -62,16 +64,16 @@ const Adapter* find_adapter(std::string_view name) {
 
 std::optional<std::vector<std::string>> command_of(const Adapter& adapter) {
   if (!adapter.npm.empty()) {
-    if (!fs::exists(kNode / "node_modules" / adapter.npm)) return std::nullopt;
+    if (!fs::exists(node_folder() / "node_modules" / adapter.npm)) return std::nullopt;
     return {{"node", module_of(adapter)}};
   }
   if (!fs::exists(library_of(adapter))) return std::nullopt;
-  return {{program(), "serve", "--engine-library", library_of(adapter)}};
+  return {{formats::program(), "serve", "--engine-library", library_of(adapter)}};
 }
 
 std::vector<fs::path> files_of(const Adapter& adapter) {
   if (adapter.npm.empty()) return {library_of(adapter)};
-  return {module_of(adapter), kNode / "package-lock.json"};
+  return {module_of(adapter), node_folder() / "package-lock.json"};
 }
 
 }  // namespace contact::engines

@@ -6,6 +6,7 @@
 #include "engines/engine.hpp"
 #include "engines/zoo/mutants.hpp"
 #include "engines/zoo/unsteady.hpp"
+#include "formats/program.hpp"
 #include "golden/plain.hpp"
 
 namespace contact::engines {
@@ -91,7 +92,7 @@ std::unique_ptr<Engine> make_built_in(std::string_view name, PointConvention poi
       if (mutant.id == name.substr(kMutantPrefix.size())) {
         engines::EngineInfo info;
         info.name = name;
-        info.version = CONTACT_VERSION;
+        info.version = formats::version();
         return std::make_unique<MutantEngine>(mutant, std::move(info));
       }
     return nullptr;
@@ -105,7 +106,7 @@ std::unique_ptr<Engine> make_built_in(std::string_view name, PointConvention poi
   if (it == kBuiltIn.end()) return nullptr;
   engines::EngineInfo info;
   info.name = name;
-  info.version = CONTACT_VERSION;
+  info.version = formats::version();
   std::erase_if(info.pairs, [it](Pair pair) { return !it->serves(pair); });
   info.declared.scalar = it->scalar;
   info.declared.conventions.points = static_cast<Points>(points);

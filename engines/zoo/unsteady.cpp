@@ -11,6 +11,8 @@
 #include <limits>
 #include <thread>
 
+#include "formats/program.hpp"
+
 namespace contact::engines {
 namespace {
 
@@ -68,7 +70,7 @@ std::unique_ptr<Engine> make_unsteady(std::string_view id) {
   if (it == kUnsteady.end()) return nullptr;
   EngineInfo info;
   info.name = std::string(kUnsteadyPrefix) + std::string(id);
-  info.version = CONTACT_VERSION;
+  info.version = formats::version();
   return std::make_unique<UnsteadyEngine>(it->id, std::move(info));
 }
 

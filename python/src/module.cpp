@@ -8,6 +8,7 @@
 
 #include "contact/pair_functions.hpp"
 #include "engines/engine.hpp"
+#include "formats/program.hpp"
 #include "golden/dataset.hpp"
 #include "golden/dataset_writer.hpp"
 #include "golden/families.hpp"
@@ -417,7 +418,7 @@ PYBIND11_MODULE(_core, m) {
     }
   });
   using namespace py::literals;
-  m.def("version", [] { return std::string(CONTACT_VERSION); });
+  m.def("version", [] { return std::string(formats::version()); });
   m.def("pairs", &pairs);
   m.def("families", &families, "pair"_a);
   m.def("profiles", &profiles);

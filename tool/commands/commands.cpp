@@ -12,12 +12,19 @@
 #include <random>
 
 #include "formats/input_error.hpp"
+#include "formats/program.hpp"
 #include "tool/run/cluster.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
 
-std::string golden_folder() { return CONTACT_GOLDEN_DIR; }
+std::string golden_folder() {
+  const std::filesystem::path& data = formats::data_folder();
+  if (data.empty())
+    throw formats::InputError({formats::program().string(), 0}, "",
+                              "no golden files lie beside the program (share/contact-oracle): name a dataset");
+  return std::filesystem::canonical(data / "golden");
+}
 
 std::string chosen_folder(const std::string& given) {
   if (!given.empty()) return given;
@@ -90,7 +97,7 @@ int run_command(int argc, const char* const* argv) {
       "DiscreteIntersection).\n"
       "Exit: 0 certified or holds, 1 refuted, 2 bad usage or input, 3 harness invalid, 4 oracle fault."};
   app.name("contact-oracle");
-  app.set_version_flag("--version", std::string("contact-oracle ") + CONTACT_VERSION);
+  app.set_version_flag("--version", "contact-oracle " + formats::version_and_commit());
   app.require_subcommand(1);
   int exit = kCertified;
   add_certify(app, exit);

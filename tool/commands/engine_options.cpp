@@ -14,6 +14,7 @@
 #include "engines/hosts/subprocess.hpp"
 #include "engines/zoo/mutants.hpp"
 #include "engines/zoo/unsteady.hpp"
+#include "formats/program.hpp"
 #include "tool/commands/commands.hpp"
 
 namespace contact::tool {
@@ -35,8 +36,7 @@ std::unique_ptr<engines::Engine> subprocess(const EngineOptions& options, std::v
 
 /// This program again, which calls a library.
 std::vector<std::string> library_words(const EngineOptions& options, const std::vector<std::string>& more) {
-  std::vector<std::string> words{std::filesystem::read_symlink("/proc/self/exe").string(), "serve", "--engine-library",
-                                 options.library};
+  std::vector<std::string> words{formats::program().string(), "serve", "--engine-library", options.library};
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }

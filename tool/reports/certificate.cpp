@@ -1,6 +1,5 @@
 // A certificate: what an engine answered to which questions, and what came of it.
 #include "tool/reports/certificate.hpp"
-#include "formats/sha256.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -15,6 +14,8 @@
 #include "engines/adapters.hpp"
 #include "engines/hosts/subprocess.hpp"
 #include "engines/protocol/results.hpp"
+#include "formats/program.hpp"
+#include "formats/sha256.hpp"
 #include "golden/dataset.hpp"
 #include "golden/query_id.hpp"
 #include "tool/run/exam.hpp"
@@ -164,7 +165,7 @@ json oracle_json(const Oracles& oracles) {
   json decided = json::object();
   for (std::size_t i = 0; i < oracle::kStageNames.size(); ++i)
     decided[std::string(oracle::kStageNames[i])] = oracles.decided.answers[i];
-  return {{"version", CONTACT_VERSION},
+  return {{"version", formats::version()},
           {"check", kCheckNames[static_cast<std::size_t>(oracles.check)]},
           {"decided", std::move(decided)},
           {"put_to_all_oracles", oracles.checked}};

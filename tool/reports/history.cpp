@@ -8,6 +8,7 @@
 #include <set>
 
 #include "formats/json.hpp"
+#include "formats/program.hpp"
 #include "golden/dataset.hpp"
 #include "tool/reports/fitness.hpp"
 #include "tool/reports/page.hpp"
@@ -308,7 +309,7 @@ std::string History::html() const {
                          "<h3>What each report says</h3>\n<dl>" + said +
                          "</dl>\n<script type=\"application/json\" class=history>" +
                          page::inside_script(chart_data(reports_, labels_, engines.size() == 1)) + "</script>\n",
-                     fmt::format("Compared by contact-oracle {}.", CONTACT_VERSION), false);
+                     fmt::format("Compared by contact-oracle {}.", formats::version()), false);
 }
 
 }  // namespace contact::tool

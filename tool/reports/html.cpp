@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "formats/program.hpp"
 #include "golden/dataset.hpp"
 #include "oracle/truth/truth.hpp"
 #include "tool/reports/page.hpp"
@@ -318,7 +319,7 @@ std::string html_text(const std::vector<Report>& reports) {
   for (const Report& report : reports) html += section(report);
   if (reports.size() == 1) html += scales;
   return page::whole(fmt::format("{} {}", first.certified() ? "✓" : "✕", first.engine.name), html,
-                     fmt::format("Judged by contact-oracle {} on {}.", CONTACT_VERSION, made_on()), true);
+                     fmt::format("Judged by contact-oracle {} on {}.", formats::version(), made_on()), true);
 }
 
 }  // namespace contact::tool
