@@ -2,8 +2,8 @@
 """What is in our packages, as SPDX 2.3:   sbom.py BUILD -o FILE [--packages FOLDER]
 
 BUILD is a finished build by Ninja on Debian or Ubuntu. What went into a program is read off the build itself: the headers that the compiler
-opened for each of its objects, its static libraries, the shared libraries that it asks the loader for, and the scripts in its HTML page.
-Their versions and source packages are dpkg's, their licences those of packaging/copyright and of LINKED. A part without a licence there, or a
+opened for each of its objects, the static libraries that the linker could take from, the shared libraries that it asks the loader for, and the
+scripts in its HTML page. Their versions and source packages are dpkg's, their licences those of packaging/copyright and of LINKED. A part without a licence there, or a
 header of CGAL that is under the GPL, is an error: exit status 1. --packages names the folder of the finished .deb files, whose digests join."""
 import argparse
 import hashlib
@@ -19,14 +19,13 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 # Our packages, and the targets that are in each.
 PACKAGES = {"contact-oracle": "contact-oracle", "contact-oracle-mpi": "contact-oracle-mpi", "python3-contact-oracle": "contact_python",
-            "libcontact-oracle-dev": "contact_contact"}
-# Shared libraries that packaging/copyright does not speak of, because nothing of them is copied, by Debian's source package.
+            "libcontact-oracle-dev": (LIBRARY := "contact_contact")}
+# What packaging/copyright does not speak of, because its headers only declare what is in a shared library, or are the compiler's own: licences by
+# Debian's source package.
 LINKED = {"gmp": "LGPL-3.0-or-later OR GPL-2.0-or-later", "mpfr4": "LGPL-3.0-or-later", "mpfi": "LGPL-2.1-or-later", "hdf5": "BSD-3-Clause",
           "libzip": "BSD-3-Clause", "libuv1": "MIT", "openssl": "Apache-2.0", "zlib": "Zlib", "openmpi": "BSD-3-Clause",
           "glibc": "LGPL-2.1-or-later", "gcc-12": "GPL-3.0-or-later WITH GCC-exception-3.1", "linux": "GPL-2.0-only WITH Linux-syscall-note",
-          "python3.11": "PSF-2.0", "numpy": "BSD-3-Clause"}
-# Headers of these only declare what is in a shared library, or are the compiler's own.
-DECLARED = {*LINKED}
+          "llvm-toolchain-14": "Apache-2.0 WITH LLVM-exception", "python3.11": "PSF-2.0"}
 
 
 class Refused(Exception):
@@ -98,19 +97,18 @@ class Build:
     def parts(self, target):
         """What is in a target: {path: how}."""
         inputs = self.inputs(target)
+        programs = [one for one in (self.folder / path for path in (target, *inputs) if not path.startswith("/") and (path == target or path.endswith(".so")))
+                    if one.is_file()]
         found = dict.fromkeys(self.headers([one for one in inputs if one.endswith(".o")]), "header")
-        if not found:
+        if not found or not programs and target != LIBRARY:
             raise Refused(f"{self.folder}: {target} is not built")
-        found |= {one: "static" for one in inputs if one.startswith("/usr/") and one.endswith(".a")}
+        # Some of glibc's are empty.
+        found |= {one: "static" for one in inputs if one.startswith("/usr/") and one.endswith(".a") and said("ar", "t", one)}
         if any(one.endswith("/page.cpp.o") for one in inputs):
             found |= {path: "inlined" for path in self.cache.values() if not path.endswith("NOTFOUND")}
-        for program in [self.folder / target, *(self.folder / one for one in inputs if one.endswith(".so") and not one.startswith("/"))][:1 if
-                        (self.folder / target).is_file() else None]:
-            if program.is_file():
-                needed = set(re.findall(r"NEEDED +(\S+)", said("objdump", "-p", program)))
-                for name, path in re.findall(r"(\S+) => (\S+)", said("ldd", program)):
-                    if name in needed:
-                        found[os.path.realpath(path)] = "shared"
+        if programs:
+            needed = set(re.findall(r"NEEDED +(\S+)", said("objdump", "-p", programs[0])))
+            found |= {os.path.realpath(path): "shared" for name, path in re.findall(r"(\S+) => (\S+)", said("ldd", programs[0])) if name in needed}
         return found
 
 
@@ -121,16 +119,14 @@ def components(parts, known):
     found = {}
     for path, how in sorted(parts.items()):
         source, version, _ = about[owner[path]]
-        if how == "header" and source in DECLARED:
+        if how == "header" and source in LINKED:
             continue
-        if source not in known and not (how == "shared" and source in LINKED):
+        if source not in known and source not in LINKED:
             raise Refused(f"{path}: packaging/copyright says nothing of the source package {source}")
         if source == "cgal" and how == "header":
             said_licence = re.search(r"SPDX-License-Identifier: *(.*)", Path(path).read_text(errors="replace"))
             if not said_licence or not re.match(r"(LGPL|BSL)-", said_licence[1]):
                 raise Refused(f"{path}: is under {said_licence[1].strip() if said_licence else 'no licence that it names'}, and would be part of a program")
-        if source in known and how == "shared" and source not in found:
-            found[source] = (version, set(), set())
         _, hows, packages = found.setdefault(source, (version, set(), set()))
         hows.add(how)
         packages.add(owner[path].split(":")[0])
@@ -148,6 +144,7 @@ def named(name):
 def document(ours, version, commit, created, known, files):
     """The SPDX document: ours is {package: components}, files {package: (file name, SHA-256)}."""
     packages, relationships, sources = [], [], {}
+    licence = (LINKED | known).get
     for package, parts in ours.items():
         one = {"SPDXID": named(package), "name": package, "versionInfo": version, "supplier": "Organization: contact-oracle maintainers",
                "downloadLocation": "NOASSERTION", "filesAnalyzed": False, "licenseConcluded": "NOASSERTION", "licenseDeclared": known[""],
@@ -157,7 +154,7 @@ def document(ours, version, commit, created, known, files):
             one |= {"packageFileName": name, "checksums": [{"algorithm": "SHA256", "checksumValue": digest}]}
         packages.append(one)
         relationships.append({"spdxElementId": "SPDXRef-DOCUMENT", "relationshipType": "DESCRIBES", "relatedSpdxElement": named(package)})
-        one["licenseConcluded"] = " AND ".join(sorted({known[""], *(known[source] for source, (_, hows, _) in parts.items() if hows - {"shared"})}))
+        one["licenseConcluded"] = " AND ".join(sorted({known[""], *(licence(source) for source, (_, hows, _) in parts.items() if hows - {"shared"})}))
         for source, (its_version, hows, binaries) in sorted(parts.items()):
             sources.setdefault(source, (its_version, set()))[1].update(binaries)
             for how in sorted(hows):
@@ -165,9 +162,8 @@ def document(ours, version, commit, created, known, files):
                 relationships.append({"spdxElementId": named(package), "relationshipType": kind, "relatedSpdxElement": named("Debian-" + source),
                                       "comment": comment})
     for source, (its_version, binaries) in sorted(sources.items()):
-        licence = known.get(source) or LINKED[source]
         packages.append({"SPDXID": named("Debian-" + source), "name": source, "versionInfo": its_version, "supplier": "Organization: Debian",
-                         "downloadLocation": "NOASSERTION", "filesAnalyzed": False, "licenseConcluded": licence, "licenseDeclared": licence,
+                         "downloadLocation": "NOASSERTION", "filesAnalyzed": False, "licenseConcluded": licence(source), "licenseDeclared": licence(source),
                          "copyrightText": "NOASSERTION", "comment": "Debian packages: " + ", ".join(sorted(binaries)),
                          "externalRefs": [{"referenceCategory": "PACKAGE-MANAGER", "referenceType": "purl",
                                            "referenceLocator": f"pkg:deb/debian/{source}@{its_version.replace('+', '%2B')}?arch=source"}]})
@@ -183,6 +179,8 @@ def main():
     arguments.add_argument("-o", dest="out", type=Path, required=True)
     arguments.add_argument("--packages", type=Path)
     options = arguments.parse_args()
+    if not (options.build / "build.ninja").is_file():
+        arguments.error(f"{options.build}: no build by Ninja")
     known = licences((ROOT / "packaging/copyright").read_text(encoding="utf-8"))
     build = Build(options.build.resolve())
     files = {}

@@ -31,7 +31,7 @@ address() {
   if [ -z "$repository" ] || [ -z "$version" ]; then
     refuse "nothing says which package to install: give package, or repository and version"
   fi
-  echo "${GITHUB_SERVER_URL:-https://github.com}/$repository/releases/download/v$version/contact-oracle_${version}_$(dpkg --print-architecture).deb"
+  echo "${GITHUB_SERVER_URL:-https://github.com}/$repository/releases/download/v$version/contact-oracle_${version}-1_$(dpkg --print-architecture).deb"
 }
 
 install_program() {

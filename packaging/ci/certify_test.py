@@ -84,7 +84,7 @@ class Judged(Script):
         self.run_script(1, engine_command=PLAIN, datasets=f"{GENERIC}\n{TOUCHING}", reports="here")
         self.assertIn("REFUTED", (self.folder / "summary").read_text())
         self.assertEqual(self.output()["status"], "1")
-        self.assertEqual(json.loads((self.folder / "here/contacts.json").read_text())["verdict"], "refuted")
+        self.assertTrue((self.folder / "here/contacts.html").is_file())
 
     def test_a_tolerance_and_more_words_reach_certify(self):
         self.run_script(0, engine_command=PLAIN, datasets=TOUCHING, tolerance="length=1e-6,relative=1e-9,angle=1e-6", arguments="--jobs\n2\n\n--determinism")
@@ -106,7 +106,7 @@ class Judged(Script):
     def test_laws_are_asked_and_their_status_counts(self):
         self.run_script(1, engine_command=PLAIN, datasets=GENERIC, laws=100)
         self.assertIn("decision", (self.folder / "contact-oracle-reports/laws.xml").read_text())
-        self.assertEqual(json.loads((self.folder / "contact-oracle-reports/contacts.json").read_text())["verdict"], "certified")
+        self.assertRegex(json.loads((self.folder / "contact-oracle-reports/contacts.json").read_text())["verdict"], "^CERTIFIED")
 
     def test_reports_of_an_earlier_run_do_not_pass_for_those_of_this_one(self):
         self.run_script(0, engine_command=PLAIN, datasets=GENERIC)
@@ -181,14 +181,14 @@ class Installation(Script):
                         GITHUB_SERVER_URL="https://server.example")
         architecture = subprocess.run(["dpkg", "--print-architecture"], check=True, capture_output=True, text=True).stdout.strip()
         self.assertEqual((self.folder / "curl").read_text(),
-                         f"https://server.example/some-owner/some-name/releases/download/v7.8.9/contact-oracle_7.8.9_{architecture}.deb\n")
+                         f"https://server.example/some-owner/some-name/releases/download/v7.8.9/contact-oracle_7.8.9-1_{architecture}.deb\n")
         self.assertIn("--engine-command", (self.folder / "record").read_text())
 
     def test_another_version_and_another_repository_can_be_named(self):
         folder = self.action()
         self.run_script(0, script=folder / "packaging/ci/certify.sh", engine_command="x", GITHUB_ACTION_PATH=folder, version="1.2.3",
                         repository="other/place")
-        self.assertRegex((self.folder / "curl").read_text(), r"^https://github\.com/other/place/releases/download/v1\.2\.3/contact-oracle_1\.2\.3_")
+        self.assertRegex((self.folder / "curl").read_text(), r"^https://github\.com/other/place/releases/download/v1\.2\.3/contact-oracle_1\.2\.3-1_")
 
     def test_a_file_is_installed_without_the_network(self):
         self.run_script(0, engine_command="x", package=self.deb)
