@@ -12,21 +12,23 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
-set(about "It answers questions about spheres, boxes, capsules, triangles, rays and planes
- correctly rounded, and judges the answers of other engines exactly.")
+set(about "It answers questions about spheres, boxes, capsules, triangles, rays and
+planes correctly rounded, and judges the answers of other engines exactly.")
 
-# contact_debian_package(component name section summary SETTINGS..): its copyright and changelog are of that component too.
+# contact_debian_package(component name section description SETTING=VALUE..): its copyright and changelog are of that component too.
 function(contact_debian_package component name section description)
   string(TOUPPER ${component} key)
-  foreach(setting "PACKAGE_NAME;${name}" "PACKAGE_SECTION;${section}" ${ARGN})
-    list(POP_FRONT setting variable)
-    set(CPACK_DEBIAN_${key}_${variable} "${setting}" PARENT_SCOPE)
+  foreach(setting "PACKAGE_NAME=${name}" "PACKAGE_SECTION=${section}" "DESCRIPTION=${description}" ${ARGN})
+    string(REGEX MATCH "^([A-Z_]+)=(.*)$" setting "${setting}")
+    set(CPACK_DEBIAN_${key}_${CMAKE_MATCH_1} "${CMAKE_MATCH_2}" PARENT_SCOPE)
   endforeach()
-  set(CPACK_COMPONENT_${key}_DESCRIPTION "${description}" PARENT_SCOPE)
   set(excluded)
   if(component STREQUAL python)
     set(excluded EXCLUDE_FROM_ALL)
   endif()
+  set(overrides ${PROJECT_BINARY_DIR}/packaging/overrides/${name})
+  configure_file(${PROJECT_SOURCE_DIR}/packaging/debian/overrides.in ${overrides} @ONLY)
+  install(FILES ${overrides} DESTINATION share/lintian/overrides COMPONENT ${component} ${excluded})
   install(FILES ${PROJECT_SOURCE_DIR}/packaging/copyright ${changelogs} DESTINATION share/doc/${name} COMPONENT ${component} ${excluded})
   set(CPACK_COMPONENTS_ALL ${CPACK_COMPONENTS_ALL} ${component} PARENT_SCOPE)
 endfunction()
@@ -47,31 +49,31 @@ if(CONTACT_GZIP)
 endif()
 
 set(CPACK_COMPONENTS_ALL)
-contact_debian_package(contact libcontact-oracle-dev libdevel "Verified reference for collision contacts, the library
- Decisions and contacts of spheres, boxes, capsules, triangles, rays and planes,
- each number the exact real one rounded once, for one pair and for many in
- vectors. With SOFA's names for detection between models."
-  "PACKAGE_DEPENDS;libeigen3-dev (>= 3.4), libboost-dev (>= 1.74), libhwy-dev (>= 1.0.3)")
+contact_debian_package(contact libcontact-oracle-dev libdevel "verified reference for collision contacts (development files)
+Decisions and contacts of spheres, boxes, capsules, triangles, rays and
+planes, each number the exact real one rounded once, for one pair and for
+many in vectors. With SOFA's names for detection between models."
+  "PACKAGE_DEPENDS=libeigen3-dev (>= 3.4), libboost-dev (>= 1.74), libhwy-dev (>= 1.0.3)")
 if(TARGET contact-oracle)
-  contact_debian_package(program contact-oracle science "Certifies the contacts that a physics engine computes
- ${about}
- An exact oracle says what is right; a second one checks it. With laws for
- random questions, golden files, and reports for continuous integration."
-    "PACKAGE_SUGGESTS;python3-contact-oracle, libcontact-oracle-dev")
+  contact_debian_package(program contact-oracle science "certifies the contacts that a physics engine computes
+${about}
+An exact oracle says what is right, and a second one checks it. With laws for
+random questions, golden files, and reports for continuous integration."
+    "PACKAGE_SUGGESTS=python3-contact-oracle, libcontact-oracle-dev")
 endif()
 if(TARGET contact-oracle-mpi)
-  contact_debian_package(cluster contact-oracle-mpi science "Certifies contacts with many processes under mpirun
- The program of contact-oracle, whose runs mpirun shares among the processes of
- a machine or a cluster: a report has the same bytes as that of one process."
-    "PACKAGE_DEPENDS;contact-oracle (= ${PROJECT_VERSION}-1)")
+  contact_debian_package(cluster contact-oracle-mpi science "certifies contacts with many processes under mpirun
+The program of contact-oracle, whose runs mpirun shares among the processes
+of a machine or a cluster. A report has the same bytes as that of one process."
+    "PACKAGE_DEPENDS=contact-oracle (= ${PROJECT_VERSION}-1)")
 endif()
 if(TARGET contact_python)
   # The module is of one version of Python.
-  contact_debian_package(python python3-contact-oracle python "Verified reference for collision contacts, for Python
- ${about}
- With a plugin for pytest and strategies for Hypothesis."
-    "PACKAGE_DEPENDS;python3 (>= 3.11), python3 (<< 3.12), python3-numpy"
-    "PACKAGE_RECOMMENDS;contact-oracle (= ${PROJECT_VERSION}-1)"
-    "PACKAGE_SUGGESTS;python3-pytest, python3-hypothesis, python3-pandas")
+  contact_debian_package(python python3-contact-oracle python "verified reference for collision contacts, for Python
+${about}
+With a plugin for pytest and strategies for Hypothesis."
+    "PACKAGE_DEPENDS=python3 (>= 3.11), python3 (<< 3.12), python3-numpy"
+    "PACKAGE_RECOMMENDS=contact-oracle (= ${PROJECT_VERSION}-1)"
+    "PACKAGE_SUGGESTS=python3-pytest, python3-hypothesis, python3-pandas")
 endif()
 include(CPack)

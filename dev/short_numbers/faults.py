@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Plants faults in the kernels and asks that short numbers find each.   python3 faults.py COMPILER EIGEN [WORD]
+"""Plants faults in the kernels and asks that short numbers find each.   python3 faults.py COMPILER EIGEN INCLUDE [WORD]
 
 Each fault is one change of a copy of the sources: a term dropped, an operation or an operand swapped, a constant too small, a
 condition left out. The copy is compiled, and tiny_kernels must find a wrong answer, in its quick run or in the whole one. With
@@ -200,9 +200,10 @@ TARGETS = {DIVISION: {"12": "tiny_12", "16": "tiny_16"}, ESTIMATE: {"12": "tiny_
 class Build:
     """Objects in a folder, of the sources as they are, and beside them those of changed copies."""
 
-    def __init__(self, compiler, eigen, folder):
+    def __init__(self, compiler, eigen, include, folder):
         self.compiler = compiler
         self.eigen = eigen
+        self.include = include
         self.folder = folder
         for name in ("batch_columns", "batch_kernels", "grids", "harness", "main", "one_pair"):
             self.compile(ROOT / "src", folder, name, name, "-O2")
@@ -211,7 +212,7 @@ class Build:
                 self.compile_for(ROOT / "src", folder, kernel, bits)
 
     def compile(self, sources, to, name, source, *options):
-        subprocess.run([self.compiler, "-std=c++20", "-O1", "-ffp-contract=off", "-w", f"-I{sources}", f"-I{ROOT}", f"-I{ROOT / 'include'}",
+        subprocess.run([self.compiler, "-std=c++20", "-O1", "-ffp-contract=off", "-w", f"-I{sources}", f"-I{ROOT}", f"-I{ROOT / 'include'}", f"-I{self.include}",
                         "-isystem", self.eigen, *options, "-c", str(HERE / f"{source}.cpp"), "-o",
                         str(to / f"{name}.o")], check=True)
 
@@ -273,11 +274,11 @@ def plant(build, kernel, file, old, new):
 
 
 def main():
-    compiler, eigen, *words = sys.argv[1:]
+    compiler, eigen, include, *words = sys.argv[1:]
     faults = [fault for fault in FAULTS if not words or any(word in "\t".join(fault) for word in words)]
     missed = 0
     with tempfile.TemporaryDirectory() as temporary, concurrent.futures.ThreadPoolExecutor(2) as pool:
-        build = Build(compiler, eigen, Path(temporary))
+        build = Build(compiler, eigen, include, Path(temporary))
         for (kernel, file, old, new), what in zip(faults, pool.map(lambda fault: plant(build, *fault), faults)):
             missed += what is None
             print(f"{kernel}: {file}: {old}  ->  {new}\n    {what or 'NOT FOUND'}", flush=True)

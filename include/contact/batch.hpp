@@ -10,7 +10,7 @@
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
 
-namespace contact::batch {
+namespace contact::inline CONTACT_ABI::batch {
 
 /// n balls, one column per number: ball i has the centre (x[i], y[i], z[i]). All columns have the same length.
 struct BallColumns {
@@ -118,4 +118,4 @@ CONTACT_BATCH_PAIRS(CONTACT_TEST)
 CONTACT_BATCH_CONTACTS(CONTACT_COMPUTE)
 #undef CONTACT_COMPUTE
 
-}  // namespace contact::batch
+}  // namespace contact::inline CONTACT_ABI::batch

@@ -4,7 +4,7 @@
 #include "contact/batch.hpp"
 #include "contact/shapes.hpp"
 
-namespace contact::batch {
+namespace contact::inline CONTACT_ABI::batch {
 
 /// The columns of n shapes: their spans in the order of the shape's numbers, and nothing else.
 template <class Shape>
@@ -53,4 +53,4 @@ concept Computes = requires(const ColumnsOf<A>& a, const ColumnsOf<B>& b, const 
   compute(a, b, Distances{}, out);
 };
 
-}  // namespace contact::batch
+}  // namespace contact::inline CONTACT_ABI::batch

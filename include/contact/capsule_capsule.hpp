@@ -6,7 +6,7 @@
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Whether two capsules are within the alarm distance of each other.
 ///   p, q = nearest points of their axes     D = |q - p|^2     reach = alarm + a.radius + b.radius
@@ -39,4 +39,4 @@ namespace contact {
 [[nodiscard]] std::optional<Contact> compute_capsule_capsule(const Capsule& a, const Capsule& b, Distances distances,
                                                              ContactPoints points = {});
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -4,7 +4,7 @@
 #include "contact/collision_model.hpp"
 #include "contact/rows.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Capsules: everything within a radius of a segment, given by its two ends.
 /// Units       one length unit throughout.
@@ -49,4 +49,4 @@ class CapsuleElement : public ElementOf<CapsuleCollisionModel> {
 /// A box that contains the capsule, as box_around a ball.
 [[nodiscard]] Box box_around(const Capsule& capsule);
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -6,7 +6,7 @@
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Whether a capsule and the half-space below a plane are within the alarm distance of each other.
 ///   p = the end of the capsule's axis with the lower b.normal . p
@@ -40,4 +40,4 @@ namespace contact {
 [[nodiscard]] std::optional<Contact> compute_capsule_plane(const Capsule& a, const Plane& b, Distances distances,
                                                            ContactPoints points = {});
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

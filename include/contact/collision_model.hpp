@@ -12,7 +12,7 @@
 #include "contact/domain.hpp"
 #include "contact/geometry.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// A model refuses its data. The message names the model, the number, and the rule that the number breaks.
 class InvalidModel : public std::invalid_argument {
@@ -145,4 +145,4 @@ class ElementOf : public CollisionElement {
   }
 };
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -3,7 +3,7 @@
 
 #include "contact/geometry.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// One contact. `normal` is a unit vector from the first shape to the second, points are in world coordinates.
 struct Contact {
@@ -51,4 +51,4 @@ enum class SphereKind { deformable, rigid };
   return PointOn::nearest_surface;
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -3,7 +3,7 @@
 
 #include "contact/geometry.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Whether two boxes are within `alarm` of each other on every axis.
 /// Units       one length unit throughout.
@@ -16,4 +16,4 @@ namespace contact {
 /// Evidence    src/kernel/cube_cube_test.cpp; proptests/cube_cube_properties.cpp.
 [[nodiscard]] bool test_cube_cube(const Box& a, const Box& b, double alarm);
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

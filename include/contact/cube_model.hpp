@@ -7,7 +7,7 @@
 #include "contact/collision_model.hpp"
 #include "contact/rows.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Axis-aligned boxes. A box may carry the cone of the surface normals inside it (Volino's test for self-collision): a
 /// surface whose normals stay within less than a quarter turn of one axis cannot touch itself.
@@ -53,4 +53,4 @@ class Cube : public ElementOf<CubeCollisionModel> {
   [[nodiscard]] Vector3 getConeAxis() const { return getCollisionModel().cone_axis(getIndex()); }
 };
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -5,7 +5,7 @@
 
 #include "contact/intersection.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Every contact between the elements of two models. The result is std::nullopt if `intersection` has no intersector
 /// for them, which is not the same as an empty vector of contacts. `intersection` also supplies the distances.
@@ -29,4 +29,4 @@ namespace contact {
 /// Every contact of a model with itself: each pair of different elements once, the lower index first.
 [[nodiscard]] std::optional<OutputVector> detect(const Intersection& intersection, const CollisionModel& model);
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

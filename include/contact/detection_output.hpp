@@ -8,7 +8,7 @@
 
 #include "contact/collision_model.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// A contact's number, and whether contact_id gave it or an intersector that numbers its contacts in another way.
 class ContactId {
@@ -48,4 +48,4 @@ using OutputVector = std::vector<DetectionOutput>;
 /// +0). A number that contact_id gave is computed again for the new order; an intersector's own number stays.
 [[nodiscard]] DetectionOutput mirrored(const DetectionOutput& output);
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

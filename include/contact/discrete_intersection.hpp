@@ -15,7 +15,7 @@
 #include "contact/sphere_model.hpp"
 #include "contact/sphere_sphere.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// SOFA's component for discrete detection between cubes and spheres.
 ///
@@ -154,4 +154,4 @@ class ProximityIntersection : public DiscreteIntersection {
   Distances distances_{};
 };
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

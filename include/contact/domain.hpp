@@ -13,7 +13,7 @@
 
 #include "contact/shapes.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Neither infinite nor NaN, whatever the compiler may assume.
 [[nodiscard]] constexpr bool is_finite_by_bits(double x) {
@@ -108,4 +108,4 @@ template <DescribedShape Shape>
   return outside_domain("contact", distances.contact);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -3,7 +3,9 @@
 
 #include <initializer_list>
 
-namespace contact {
+#include "contact/version.h"
+
+namespace contact::inline CONTACT_ABI {
 
 /// The sign of the real sum of the terms: -1, 0 or 1.
 /// Domain      finite terms; subnormals and the largest finite numbers included.
@@ -14,4 +16,4 @@ namespace contact {
 /// range. Domain and environment as sign_of_sum.
 [[nodiscard]] double rounded_sum(std::initializer_list<double> terms, int exponent = 0);
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

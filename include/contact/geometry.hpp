@@ -5,7 +5,9 @@
 #include <array>
 #include <cstddef>
 
-namespace contact {
+#include "contact/version.h"
+
+namespace contact::inline CONTACT_ABI {
 
 using Vector3 = Eigen::Vector3d;
 // Vectors pass between files that are compiled with different flags, so no instruction set may ask for more alignment.
@@ -65,4 +67,4 @@ struct Distances {
   double contact;
 };
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

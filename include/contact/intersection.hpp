@@ -8,7 +8,7 @@
 
 #include "contact/detection_output.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 class Intersection;
 
@@ -85,4 +85,4 @@ class Intersection {
   virtual void setContactDistance(double) {}
 };
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

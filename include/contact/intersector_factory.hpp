@@ -9,7 +9,9 @@
 #include <utility>
 #include <vector>
 
-namespace contact {
+#include "contact/version.h"
+
+namespace contact::inline CONTACT_ABI {
 
 class DiscreteIntersection;
 
@@ -54,4 +56,4 @@ class IntersectorCreator {
   }
 };
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -12,7 +12,7 @@
 
 #include "contact/intersection.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// An ElementIntersector that hands elements to the methods of an object of class T.
 template <class Model1, class Model2, class T>
@@ -162,4 +162,4 @@ void IntersectorMap::add(const T& object) {
   }
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

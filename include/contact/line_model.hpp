@@ -4,7 +4,7 @@
 #include "contact/collision_model.hpp"
 #include "contact/rows.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Lines, as SOFA calls segments between two points.
 /// Units       one length unit for all ends.
@@ -41,4 +41,4 @@ class LineElement : public ElementOf<LineCollisionModel> {
   [[nodiscard]] Vector3 p2() const { return line().end; }
 };
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

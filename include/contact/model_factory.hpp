@@ -11,7 +11,7 @@
 #include "contact/collision_model.hpp"
 #include "contact/rows.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Columns by name, one row per element. Eigen's matrices are copied in and out.
 using ModelColumns = std::map<std::string, Rows<Eigen::Dynamic>>;
@@ -54,4 +54,4 @@ class ModelFactory {
   std::vector<ModelMaker> makers_;
 };
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -6,7 +6,7 @@
 #include "contact/contact.hpp"
 #include "contact/pairs.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 // Each kind has these in its own file of src/kernel/. They are test_sphere_sphere and compute_sphere_sphere,
 // test_cube_cube, and so on, whose declarations say what holds.
@@ -19,4 +19,4 @@ namespace contact {
 CONTACT_KINDS(CONTACT_DECLARE)
 #undef CONTACT_DECLARE
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -10,7 +10,7 @@
 
 #include "contact/shapes.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Two shapes that are asked about, first and second.
 template <class A, class B>
@@ -116,4 +116,4 @@ inline constexpr PairDescription kPairTable[] = {CONTACT_PAIRS(CONTACT_PAIR)};
 /// Whether the nearest points may be quotients of what is given, so that D is no dyadic.
 [[nodiscard]] constexpr bool has_quotients(Pair pair) { return pair >= Pair::sphere_capsule; }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

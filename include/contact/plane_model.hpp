@@ -4,7 +4,7 @@
 #include "contact/collision_model.hpp"
 #include "contact/rows.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Planes, each with the half-space normal . x <= offset below it, such as a floor.
 /// Units       an offset is of the unit of the points times that of the normal, which need not be of length 1.
@@ -45,4 +45,4 @@ class PlaneElement : public ElementOf<PlaneCollisionModel> {
 /// A box that contains the half-space: one side of it is finite where the normal lies along an axis, else none.
 [[nodiscard]] Box box_around(const Plane& plane);
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -7,7 +7,7 @@
 #include "contact/intersector_factory.hpp"
 #include "contact/model_factory.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// The factories in which a plug-in registers its model types and creators.
 struct PluginHost {
@@ -37,7 +37,7 @@ class PluginError : public std::runtime_error {
 /// constructors, before it registers, ends the program.
 void load_plugin(const std::filesystem::path& library);
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI
 
 /// In one source file of the plug-in: CONTACT_PLUGIN(function); where `void function(contact::PluginHost&)` registers.
 #define CONTACT_PLUGIN(function)                                                                     \

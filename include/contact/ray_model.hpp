@@ -4,7 +4,7 @@
 #include "contact/collision_model.hpp"
 #include "contact/rows.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Rays: segments from an origin along a direction.
 /// Units       one length unit for the origins; a length counts directions, which need not be of length 1.
@@ -50,4 +50,4 @@ class RayElement : public ElementOf<RayCollisionModel> {
 /// A box that contains the ray, as box_around a ball.
 [[nodiscard]] Box box_around(const Ray& ray);
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -6,7 +6,7 @@
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Whether a ray and a sphere are within the alarm distance of each other.
 ///   p = the point nearest to b.center of the segment from a.origin to a.origin + a.length a.direction
@@ -39,4 +39,4 @@ namespace contact {
 [[nodiscard]] std::optional<Contact> compute_ray_sphere(const Ray& a, const Ball& b, Distances distances,
                                                         ContactPoints points = {});
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

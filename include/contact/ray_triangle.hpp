@@ -6,7 +6,7 @@
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Whether a ray crosses a triangle: X = a.origin + t a.direction with 0 <= t <= a.length lies in it.
 ///   N = (v1 - v0) x (v2 - v0)     crossing where N . a.direction is not 0, the ends and the boundary included
@@ -33,4 +33,4 @@ namespace contact {
 /// Evidence    src/kernel/crossing_test.cpp; proptests/ray_triangle_properties.cpp; golden/ray_triangle.
 [[nodiscard]] std::optional<Contact> compute_ray_triangle(const Ray& a, const Triangle& b);
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

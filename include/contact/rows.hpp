@@ -10,7 +10,7 @@
 
 #include "contact/geometry.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Rows of `Width` numbers, or of any one width if `Width` is Eigen::Dynamic.
 ///
@@ -93,4 +93,4 @@ class Rows {
   Index cols_;
 };
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -12,7 +12,7 @@
 #include "contact/ray_model.hpp"
 #include "contact/triangle_model.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// The base of an intersector that answers for two elements what production answers for their shapes.
 /// Decision, Error, Degenerate, Environment  as test_sphere_capsule, compute_sphere_capsule and so on, the models in
@@ -117,4 +117,4 @@ class SolidCubeDiscreteIntersection : public ShapeIntersector {
   explicit SolidCubeDiscreteIntersection(DiscreteIntersection& object);
 };
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -14,7 +14,7 @@
 
 #include "contact/geometry.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// What a field of a shape is: a place in space, or three of them; a length, which is >= 0; a direction, which is not
 /// zero and whose own length says nothing; or how far along a direction something lies, of either sign.
@@ -213,4 +213,4 @@ template <class Shape>
   return shape;
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -6,7 +6,7 @@
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Whether a sphere and a capsule are within the alarm distance of each other.
 ///   q = the point of the capsule's axis nearest to a.center     D = |q - a.center|^2
@@ -37,4 +37,4 @@ namespace contact {
 [[nodiscard]] std::optional<Contact> compute_sphere_capsule(const Ball& a, const Capsule& b, Distances distances,
                                                             ContactPoints points = {});
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

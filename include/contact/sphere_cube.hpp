@@ -6,7 +6,7 @@
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Whether a sphere and a solid box are within the alarm distance of each other.
 ///   q = the point of the box nearest to a.center     D = |q - a.center|^2     reach = alarm + a.radius
@@ -38,4 +38,4 @@ namespace contact {
 [[nodiscard]] std::optional<Contact> compute_sphere_cube(const Ball& a, const Box& b, Distances distances,
                                                          ContactPoints points = {});
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

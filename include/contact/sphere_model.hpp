@@ -7,7 +7,7 @@
 #include "contact/contact.hpp"
 #include "contact/rows.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// A view of many balls as a structure of arrays: x of every centre, then every y, then every z, and the radii.
 struct BallArray {
@@ -124,4 +124,4 @@ class RigidSphere : public SphereOf<RigidSphereModel> {
   [[nodiscard]] Frame rigidCenter() const { return getCollisionModel().frame(getIndex()); }
 };
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

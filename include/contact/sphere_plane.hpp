@@ -6,7 +6,7 @@
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Whether a sphere and the half-space below a plane are within the alarm distance of each other.
 ///   s = (b.normal . a.center - b.offset) / |b.normal|, negative below the plane     reach = alarm + a.radius
@@ -35,4 +35,4 @@ namespace contact {
 [[nodiscard]] std::optional<Contact> compute_sphere_plane(const Ball& a, const Plane& b, Distances distances,
                                                           ContactPoints points = {});
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

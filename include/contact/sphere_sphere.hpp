@@ -6,7 +6,7 @@
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Whether `a` and `b` are within the alarm distance of each other.
 ///   delta = b.center - a.center     D = |delta|^2     reach = alarm + a.radius + b.radius
@@ -35,4 +35,4 @@ namespace contact {
 [[nodiscard]] std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances,
                                                            ContactPoints points = {});
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

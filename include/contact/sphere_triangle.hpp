@@ -6,7 +6,7 @@
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Whether a sphere and a triangle are within the alarm distance of each other.
 ///   q = the point of the triangle nearest to a.center     D = |q - a.center|^2     reach = alarm + a.radius
@@ -39,4 +39,4 @@ namespace contact {
 [[nodiscard]] std::optional<Contact> compute_sphere_triangle(const Ball& a, const Triangle& b, Distances distances,
                                                              ContactPoints points = {});
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

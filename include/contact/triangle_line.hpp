@@ -6,7 +6,7 @@
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Whether a segment, which SOFA calls a line, crosses a triangle: X = b.start + t (b.end - b.start) with 0 <= t <= 1
 /// lies in it.
@@ -34,4 +34,4 @@ namespace contact {
 /// Evidence    src/kernel/crossing_test.cpp; proptests/triangle_line_properties.cpp; golden/triangle_line.
 [[nodiscard]] std::optional<Contact> compute_triangle_line(const Triangle& a, const Line& b);
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

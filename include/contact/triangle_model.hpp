@@ -4,7 +4,7 @@
 #include "contact/collision_model.hpp"
 #include "contact/rows.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 /// Triangles, given by their vertices.
 /// Units       one length unit throughout.
@@ -46,4 +46,4 @@ class TriangleElement : public ElementOf<TriangleCollisionModel> {
   [[nodiscard]] Vector3 p3() const { return triangle().vertices[2]; }
 };
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

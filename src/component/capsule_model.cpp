@@ -5,7 +5,7 @@
 #include "contact/shape_intersectors.hpp"
 #include "kernel/floating_point_environment.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 namespace {
 
 /// Here, so that no linker leaves it out of a program that has capsules.
@@ -47,4 +47,4 @@ void CapsuleCollisionModel::setEnds(Rows<3> starts, Rows<3> ends) {
   ends_ = std::move(ends);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

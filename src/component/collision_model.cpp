@@ -3,7 +3,7 @@
 
 #include "component/message.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 const ModelType& CollisionModel::static_type() {
   static const ModelType type{kName, ModelId(typeid(CollisionModel), "contact::CollisionModel"), nullptr};
@@ -18,4 +18,4 @@ void CollisionModel::refuse(const std::string& problem) const {
   throw InvalidModel(std::string(type().name) + " \"" + name_ + "\": " + problem);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

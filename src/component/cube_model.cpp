@@ -3,7 +3,7 @@
 
 #include "component/columns.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 CubeCollisionModel::CubeCollisionModel(std::string name, Rows<3> min, Rows<3> max)
     : ModelOf(std::move(name)),
@@ -37,4 +37,4 @@ void CubeCollisionModel::setParentOf(Index index, const Vector3& min, const Vect
   cone_angle_[static_cast<std::size_t>(index)] = angle;
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

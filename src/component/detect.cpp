@@ -13,7 +13,7 @@
 #include "component/message.hpp"
 #include "kernel/floating_point_environment.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 namespace {
 
 namespace geometry = boost::geometry;
@@ -155,4 +155,4 @@ std::optional<OutputVector> detect(const Intersection& intersection, const Colli
   return detect(intersection, model, model);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -3,7 +3,7 @@
 
 #include <bit>
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 ContactId contact_id(const CollisionElement& first, const CollisionElement& second) {
   ContactId id(first.getCollisionModel().getSize() > second.getCollisionModel().getSize() ? first.getIndex()
@@ -26,4 +26,4 @@ DetectionOutput mirrored(const DetectionOutput& output) {
   return mirror;
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

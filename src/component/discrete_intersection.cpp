@@ -12,7 +12,7 @@
 #include "contact/batch.hpp"
 #include "contact/cube_cube.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 bool Intersection::isSupported(const CollisionElement& elem1, const CollisionElement& elem2) const {
   bool swap = false;
@@ -164,4 +164,4 @@ void ProximityIntersection::set(Distances distances) {
   distances_ = distances;
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

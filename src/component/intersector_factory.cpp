@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 bool IntersectorFactory::registerCreator(std::string name, Creator creator) {
   const std::lock_guard lock(mutex_);
@@ -37,4 +37,4 @@ IntersectorFactory& IntersectorFactory::getInstance() {
   return instance;
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

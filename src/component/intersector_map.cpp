@@ -6,7 +6,7 @@
 #include <limits>
 #include <tuple>
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 namespace {
 
 std::string pair_name(const ModelType& type1, const ModelType& type2) {
@@ -79,4 +79,4 @@ std::vector<std::string> IntersectorMap::names() const {
   return names;
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -3,7 +3,7 @@
 
 #include "component/columns.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 namespace {
 
 std::optional<DomainError> not_in_domain(const Rows<3>& p1, const Rows<3>& p2) {
@@ -31,4 +31,4 @@ void LineCollisionModel::setEnds(Rows<3> p1, Rows<3> p2) {
   p2_ = std::move(p2);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -8,7 +8,7 @@
 #include "contact/shape_intersectors.hpp"
 #include "kernel/floating_point_environment.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 namespace {
 
 /// Here, so that no linker leaves it out of a program that has planes.
@@ -64,4 +64,4 @@ void PlaneCollisionModel::setPlanes(Rows<3> normals, Rows<1> offsets) {
   offsets_ = std::move(offsets);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

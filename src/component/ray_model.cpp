@@ -8,7 +8,7 @@
 #include "contact/shape_intersectors.hpp"
 #include "kernel/floating_point_environment.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 namespace {
 
 /// Here, so that no linker leaves it out of a program that has rays.
@@ -73,4 +73,4 @@ void RayCollisionModel::setRays(Rows<3> origins, Rows<3> directions) {
   directions_ = std::move(directions);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -1,7 +1,7 @@
 // Intersectors of capsules, rays, lines, triangles and planes, and of spheres against solid cubes.
 #include "contact/shape_intersectors.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 CapsuleDiscreteIntersection::CapsuleDiscreteIntersection(DiscreteIntersection& object) : ShapeIntersector(object) {
   object.intersectors.add<CapsuleCollisionModel, CapsuleCollisionModel>(*this);
@@ -32,4 +32,4 @@ SolidCubeDiscreteIntersection::SolidCubeDiscreteIntersection(DiscreteIntersectio
   object.intersectors.add<RigidSphereModel, CubeCollisionModel>(*this);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -7,7 +7,7 @@
 #include "component/columns.hpp"
 #include "kernel/floating_point_environment.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 namespace {
 
 std::optional<DomainError> outside_domain(const Rows<3>& centers, const Rows<1>& radii, const char* name) {
@@ -113,4 +113,4 @@ void RigidSphereModel::setFrames(Rows<3> positions, Rows<4> orientations) {
   orientations_ = std::move(orientations);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

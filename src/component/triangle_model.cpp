@@ -4,7 +4,7 @@
 #include "component/columns.hpp"
 #include "contact/shape_intersectors.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 namespace {
 
 /// Here, so that no linker leaves it out of a program that has triangles.
@@ -38,4 +38,4 @@ void TriangleCollisionModel::setVertices(Rows<3> p1, Rows<3> p2, Rows<3> p3) {
   p3_ = std::move(p3);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

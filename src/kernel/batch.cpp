@@ -8,7 +8,7 @@
 #include "kernel/batch.hpp"
 #include "kernel/floating_point_environment.hpp"
 
-namespace contact::batch {
+namespace contact::inline CONTACT_ABI::batch {
 namespace {
 
 constexpr std::array kAxes{"x", "y", "z"};
@@ -116,4 +116,4 @@ CONTACT_BATCH_CONTACTS(CONTACT_COMPUTE)
 #undef CONTACT_TEST
 #undef CONTACT_COMPUTE
 
-}  // namespace contact::batch
+}  // namespace contact::inline CONTACT_ABI::batch

@@ -10,7 +10,7 @@
 #include "contact/batch_functions.hpp"
 #include "contact/pairs.hpp"
 
-namespace contact::batch {
+namespace contact::inline CONTACT_ABI::batch {
 
 /// What stands in a column of numbers, by contact and number: normal, point1, point2, value.
 inline double& number_of(Contact& contact, std::size_t k) {
@@ -90,4 +90,4 @@ class Pairs {
   std::vector<std::uint32_t> index_;
 };
 
-}  // namespace contact::batch
+}  // namespace contact::inline CONTACT_ABI::batch

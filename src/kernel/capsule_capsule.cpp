@@ -5,7 +5,7 @@
 #include "kernel/cores_stages.hpp"
 #include "kernel/segments.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 bool test_capsule_capsule(const Capsule& a, const Capsule& b, double alarm) {
   return kernel::decide(kernel::Segment{a.start, a.end}, kernel::Segment{b.start, b.end},
@@ -25,4 +25,4 @@ std::optional<Contact> contact_of(const Capsules& shapes, Distances distances, C
   return compute_capsule_capsule(shapes.a, shapes.b, distances, points);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -4,7 +4,7 @@
 #include "contact/pair_functions.hpp"
 #include "kernel/planes.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 bool test_capsule_plane(const Capsule& a, const Plane& b, double alarm) {
   return kernel::decide(kernel::Segment{a.start, a.end}, kernel::HalfSpace{b.normal, b.offset},
@@ -24,4 +24,4 @@ std::optional<Contact> contact_of(const CapsuleAndPlane& shapes, Distances dista
   return compute_capsule_plane(shapes.a, shapes.b, distances, points);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

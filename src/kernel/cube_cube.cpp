@@ -7,7 +7,7 @@
 #include "contact/pair_functions.hpp"
 #include "kernel/floating_point_environment.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 namespace {
 
 // Below this magnitude a flushed subnormal could matter; above it every rounding mode is monotone and keeps what it can
@@ -43,4 +43,4 @@ std::optional<Contact> contact_of(const Boxes& /*boxes*/, Distances /*distances*
   return std::nullopt;
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

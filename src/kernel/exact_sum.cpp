@@ -8,7 +8,7 @@
 #include "kernel/floating_point_environment.hpp"
 #include "kernel/sum_of_two.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 namespace {
 
 struct Sum {
@@ -55,4 +55,4 @@ double rounded_sum(std::initializer_list<double> terms, int exponent) {
   return kernel::round_integer(sum.total, sum.grid.exponent() + std::clamp(exponent, -kBeyond, kBeyond));
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

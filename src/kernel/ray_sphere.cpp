@@ -5,7 +5,7 @@
 #include "kernel/cores_stages.hpp"
 #include "kernel/segments.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 namespace {
 
 kernel::DirectedSegment core_of(const Ray& ray) { return {ray.origin, ray.direction, ray.length}; }
@@ -27,4 +27,4 @@ std::optional<Contact> contact_of(const RayAndBall& shapes, Distances distances,
   return compute_ray_sphere(shapes.a, shapes.b, distances, points);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

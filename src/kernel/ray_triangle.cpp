@@ -4,7 +4,7 @@
 #include "contact/pair_functions.hpp"
 #include "kernel/crossings.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 namespace {
 
 kernel::DirectedSegment segment_of(const Ray& ray) { return {ray.origin, ray.direction, ray.length}; }
@@ -24,4 +24,4 @@ std::optional<Contact> contact_of(const RayAndTriangle& shapes, Distances /*dist
   return compute_ray_triangle(shapes.a, shapes.b);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -5,7 +5,7 @@
 #include "kernel/cores_stages.hpp"
 #include "kernel/segments.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 bool test_sphere_capsule(const Ball& a, const Capsule& b, double alarm) {
   return kernel::decide(a.center, kernel::Segment{b.start, b.end}, {a.radius, b.radius, alarm, 0});
@@ -24,4 +24,4 @@ std::optional<Contact> contact_of(const BallAndCapsule& shapes, Distances distan
   return compute_sphere_capsule(shapes.a, shapes.b, distances, points);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

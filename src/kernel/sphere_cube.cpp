@@ -9,7 +9,7 @@
 #include "kernel/sphere_sphere_numbers.hpp"
 #include "kernel/sum_of_two.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 namespace {
 
 /// The nearest point of the box, as a sphere without extent.
@@ -114,4 +114,4 @@ std::optional<Contact> contact_of(const BallAndBox& shapes, Distances distances,
   return compute_sphere_cube(shapes.a, shapes.b, distances, points);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

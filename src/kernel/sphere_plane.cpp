@@ -4,7 +4,7 @@
 #include "contact/pair_functions.hpp"
 #include "kernel/planes.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 bool test_sphere_plane(const Ball& a, const Plane& b, double alarm) {
   return kernel::decide(a.center, kernel::HalfSpace{b.normal, b.offset}, {a.radius, 0, alarm, 0});
@@ -22,4 +22,4 @@ std::optional<Contact> contact_of(const BallAndPlane& shapes, Distances distance
   return compute_sphere_plane(shapes.a, shapes.b, distances, points);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

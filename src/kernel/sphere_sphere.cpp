@@ -32,7 +32,7 @@
 #include "kernel/sphere_sphere_numbers.hpp"
 #include "kernel/sphere_sphere_one_vector.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 namespace {
 
 using kernel::filter;
@@ -235,11 +235,6 @@ bool contact_of_pair(const Ball& a, const Ball& b, Distances distances, ContactP
 
 }  // namespace
 
-void kernel::round_numbers(const Ball& a, const Ball& b, double contact_distance, ContactPoints points,
-                           unsigned numbers, Contact& contact) {
-  round(a, b, contact_distance, points, numbers, contact);
-}
-
 bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm) {
   const kernel::RoundToNearest environment;
   return decide(a, b, alarm);
@@ -257,4 +252,9 @@ std::optional<Contact> contact_of(const Balls& balls, Distances distances, Conta
   return compute_sphere_sphere(balls.a, balls.b, distances, points);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI
+
+void contact::kernel::round_numbers(const Ball& a, const Ball& b, double contact_distance, ContactPoints points,
+                                    unsigned numbers, Contact& contact) {
+  round(a, b, contact_distance, points, numbers, contact);
+}

@@ -5,7 +5,7 @@
 #include "kernel/cores_stages.hpp"
 #include "kernel/triangles.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 
 bool test_sphere_triangle(const Ball& a, const Triangle& b, double alarm) {
   return kernel::decide(a.center, kernel::Corners{b.vertices}, {a.radius, 0, alarm, 0});
@@ -24,4 +24,4 @@ std::optional<Contact> contact_of(const BallAndTriangle& shapes, Distances dista
   return compute_sphere_triangle(shapes.a, shapes.b, distances, points);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

@@ -4,7 +4,7 @@
 #include "contact/pair_functions.hpp"
 #include "kernel/crossings.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 namespace {
 
 kernel::Segment segment_of(const Line& line) { return {line.start, line.end}; }
@@ -24,4 +24,4 @@ std::optional<Contact> contact_of(const TriangleAndLine& shapes, Distances /*dis
   return compute_triangle_line(shapes.a, shapes.b);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

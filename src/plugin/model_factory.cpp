@@ -11,7 +11,7 @@
 #include "contact/sphere_model.hpp"
 #include "contact/triangle_model.hpp"
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 namespace {
 
 [[noreturn]] void refuse(const std::string& type, const std::string& name, const std::string& problem) {
@@ -118,4 +118,4 @@ ModelFactory& ModelFactory::getInstance() {
   return instance;
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

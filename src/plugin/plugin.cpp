@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-namespace contact {
+namespace contact::inline CONTACT_ABI {
 namespace {
 
 constexpr const char* kEntry = "contact_plugin_entry";
@@ -66,4 +66,4 @@ void load_plugin(const std::filesystem::path& library) {
   loaded.insert(opened);
 }
 
-}  // namespace contact
+}  // namespace contact::inline CONTACT_ABI

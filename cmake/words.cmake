@@ -1,0 +1,17 @@
+# What the program itself writes for those who type: manual pages, compressed as Debian wants them, and completions. PROGRAM, OUT.
+file(REMOVE_RECURSE ${OUT})
+execute_process(COMMAND ${PROGRAM} man --all ${OUT}/man COMMAND_ERROR_IS_FATAL ANY)
+if(CLUSTER)
+  file(WRITE ${OUT}/man-cluster/contact-oracle-mpi.1 ".so man1/contact-oracle.1\n")
+endif()
+find_program(gzip gzip)
+if(gzip)
+  file(GLOB pages ${OUT}/man*/*.1)
+  execute_process(COMMAND ${gzip} -9n ${pages} COMMAND_ERROR_IS_FATAL ANY)
+endif()
+foreach(completion bash=contact-oracle zsh=_contact-oracle fish=contact-oracle.fish)
+  string(REGEX MATCH "(.*)=(.*)" completion ${completion})
+  file(MAKE_DIRECTORY ${OUT}/${CMAKE_MATCH_1})
+  execute_process(COMMAND ${PROGRAM} completion ${CMAKE_MATCH_1} OUTPUT_FILE ${OUT}/${CMAKE_MATCH_1}/${CMAKE_MATCH_2}
+                  COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
