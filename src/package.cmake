@@ -26,7 +26,10 @@ foreach(kind IN LISTS CONTACT_LIBRARIES)
   target_compile_features(contact_cxx_${kind} INTERFACE cxx_std_20)
   target_link_libraries(contact_cxx_${kind} INTERFACE contact_${kind} Eigen3::Eigen)
   set_target_properties(contact_cxx_${kind} PROPERTIES EXPORT_NAME contact)
-  install(TARGETS contact_${kind} contact_cxx_${kind} EXPORT contact-oracle-${kind} COMPONENT contact)
+  # Programs need the shared library alone: component runtime.
+  install(TARGETS contact_${kind} contact_cxx_${kind} EXPORT contact-oracle-${kind}
+          ARCHIVE COMPONENT contact
+          LIBRARY COMPONENT runtime NAMELINK_COMPONENT contact)
   install(EXPORT contact-oracle-${kind} FILE contact-oracle-${kind}.cmake NAMESPACE contact::
           DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contact-oracle COMPONENT contact)
 endforeach()
