@@ -1178,6 +1178,8 @@ class BadUsage(Case):
                        "--parts", "--certificate"):
             with self.subTest(option):
                 self.refused(("certify", flat, option, ""), option, "''", one_line=False)
+                self.refused(("certify", flat, f"{option}="), option, "''")
+        self.refused(("explain", flat, "--json="), "--json", "''")
         for args in (("certify", ""), ("explain", ""), ("adequacy", ""), ("digests", ""), ("lint", ""), ("properties", "--law", ""),
                      ("annotate", "-", "-o", self.folder / "x.jsonl", "--family", "")):
             with self.subTest(args):
