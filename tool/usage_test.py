@@ -322,13 +322,18 @@ class Completion(Case):
     def test_a_tab_completes_in_zsh(self):
         script = self.script("zsh")
         (self.folder / "some file.jsonl").write_text("")
-        set_up = (f"PS1='$ '; autoload -U compinit; compinit -u -D; source {script}; "
-                  "show() { print -r -- \"<<$BUFFER>>\" }; zle -N show; bindkey '^X^X' show")
+        show = "show() { print -r -- \"<<$BUFFER>>\" }; zle -N show; bindkey '^X^X' show"
+        set_up = f"PS1='$ '; autoload -U compinit; compinit -u -D; source {script}; {show}"
         for keys, right in (("contact-oracle certi\t", "contact-oracle certify "), ("contact-oracle certify --level=cor\t", "contact-oracle certify --level=correctly-rounded "),
                             ("contact-oracle certify --engine mutant:rapier-coincident-n\t", "contact-oracle certify --engine mutant:rapier-coincident-nan "),
                             ("contact-oracle lint some\t", r"contact-oracle lint some\ file.jsonl "), ("contact-oracle certify --engine uns\t", "contact-oracle certify --engine unsteady:")):
             with self.subTest(keys):
                 self.assertEqual(self.typed(["zsh", "-f", "-i"], set_up, keys), right)
+        # As it is installed: a file that zsh loads by its name.
+        (self.folder / "functions").mkdir()
+        script.rename(self.folder / "functions" / "_contact-oracle")
+        set_up = f"PS1='$ '; fpath=({self.folder}/functions $fpath); autoload -U compinit; compinit -u -D; {show}"
+        self.assertEqual(self.typed(["zsh", "-f", "-i"], set_up, "contact-oracle certify --lev\t"), "contact-oracle certify --level ")
 
     def test_fish_has_the_same_answers(self):
         script = self.script("fish")
