@@ -502,6 +502,8 @@ class Certify(Case):
             self.assertEqual(re.sub(r"\x1b\[[0-9;]*m", "", coloured), plain)
             for variables in ({"NO_COLOR": "1"}, {"TERM": "dumb"}):
                 self.assertEqual(at_terminal(*args, **variables), plain)
+                self.assertEqual(at_terminal(*args, "--color", "always", **variables), coloured)
+            self.assertEqual(at_terminal(*args, "--color", "never"), plain)
 
     def test_the_report_at_a_terminal_is_short_and_the_worst_comes_first(self):
         report = self.folder / "report.json"
@@ -1178,6 +1180,8 @@ class BadUsage(Case):
                        "--parts", "--certificate"):
             with self.subTest(option):
                 self.refused(("certify", flat, option, ""), option, "''", one_line=False)
+                self.refused(("certify", flat, f"{option}="), option, "''")
+        self.refused(("explain", flat, "--json="), "--json", "''")
         for args in (("certify", ""), ("explain", ""), ("adequacy", ""), ("digests", ""), ("lint", ""), ("properties", "--law", ""),
                      ("annotate", "-", "-o", self.folder / "x.jsonl", "--family", "")):
             with self.subTest(args):
@@ -1241,22 +1245,27 @@ class Outputs(Case):
     CERTIFY = ("certify", GOLDEN / "cube_cube" / "generic.jsonl")
 
     def test_no_progress_is_written_where_standard_error_is_not_a_terminal_and_a_bar_where_it_is(self):
-        for command in ("certify", "lint"):
-            args = (command, GOLDEN / "sphere_sphere" / "upstream.jsonl")
+        upstream = GOLDEN / "sphere_sphere" / "upstream.jsonl"
+        for args, total in ((("certify", upstream), 891), (("lint", upstream), 891),
+                            (("generate", "--all", self.folder / "set", "--seed", 1, "--count", 1), 320)):
             self.holds(*args)
-            try:
-                master, slave = pty.openpty()
-            except OSError as error:
-                self.skipTest(f"no terminal can be made here: {error}")
-            done = run(*args, capture_output=False, stdout=subprocess.DEVNULL, stderr=slave)
-            self.assertEqual(done.returncode, 0)
-            os.close(slave)
-            bar = os.read(master, 65536)
-            os.close(master)
-            self.assertIn(b"\r", bar)
-            # Certifying so few may be over before a number is drawn.
-            done = [int(n) for n in re.findall(rb"(\d+) of 891", bar)]
-            self.assertTrue(all(n <= 891 for n in done) and (command != "lint" or max(done, default=0) > 0), done)
+            for quiet in (False, True):
+                try:
+                    master, slave = pty.openpty()
+                except OSError as error:
+                    self.skipTest(f"no terminal can be made here: {error}")
+                done = run(*args, *["--quiet"] * quiet, capture_output=False, stdout=subprocess.DEVNULL, stderr=slave)
+                self.assertEqual(done.returncode, 0)
+                os.close(slave)
+                try:
+                    bar = os.read(master, 65536)
+                except OSError:  # nothing was written, and the other end is closed
+                    bar = b""
+                os.close(master)
+                self.assertEqual(b"\r" in bar, not quiet, bar)
+                # Certifying so few may be over before a number is drawn.
+                done = [int(n) for n in re.findall(rf"(\d+) of {total}\b".encode(), bar)]
+                self.assertTrue(all(n <= total for n in done) and (quiet or args[0] == "certify" or max(done, default=0) > 0), done)
 
     def test_an_output_that_cannot_be_written_is_refused_by_name(self):
         (self.folder / "folder.jsonl").mkdir()

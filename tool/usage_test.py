@@ -17,7 +17,9 @@ from cli_test import GOLDEN, ROOT, SPHERES, TOOL, answers_to, committed, run, te
 
 FLAT = GOLDEN / "cube_cube" / "flat.jsonl"
 TOUCHING = GOLDEN / "sphere_sphere" / "touching.jsonl"
-DROPS = ROOT / "docs" / "examples" / "scenes" / "drops.jsonl"
+SCENE = [{"format": "contact-oracle/scene", "version": 1, "alarm": 0.5, "contact": 0.25},
+         {"model": "SphereCollisionModel", "name": "one", "centers": [[0, 0, 0], [9, 0, 0]], "radii": [1.5, 1]},
+         {"model": "SphereCollisionModel", "name": "other", "centers": [[1, 2, 2]], "radii": [1.5]}]
 MOST_USED = ["certify", "properties", "explain", "compare", "generate", "engines"]
 HEADINGS = {
     "Judge an engine": ["certify", "properties", "compare", "exam", "merge", "verify", "badge"],
@@ -51,6 +53,8 @@ class Help(Case):
         page = self.help()
         self.assertEqual(sections(page)["The commands that are used most"], MOST_USED)
         self.assertNotIn("adequacy", page)
+        listed = page.split("used most:\n")[1].split("\n\n")[0].splitlines()
+        self.assertEqual(len(listed), len(MOST_USED))  # one line each
         for word in ("contact-oracle help all ", "contact-oracle help COMMAND ", "--quiet", "--color", "oracle fault"):
             self.assertIn(word, page)
         self.assertLess(len(page.splitlines()), 40)
@@ -99,12 +103,12 @@ class Json(Case):
         self.query = self.file("q.jsonl", [SPHERES])
         self.parts = self.folder / "parts"
         self.holds("certify", self.dataset, "--engine", "production", "--parts", self.parts, "--shards", 2)
-        self.results = self.file("r.jsonl", answers_to(lines))
+        self.results, self.scene = self.file("r.jsonl", answers_to(lines)), self.file("scene.jsonl", SCENE)
 
     def commands(self):
         """Each command that has --json, with arguments for it, and whether the file may stand behind a space."""
         return [(("certify", self.dataset, "--results", self.results), True), (("merge", self.parts), True),
-                (("properties", "--cases", 3, "--seed", 5), True), (("explain", self.query), False), (("detect", DROPS), False),
+                (("properties", "--cases", 3, "--seed", 5), True), (("explain", self.query), False), (("detect", self.scene), False),
                 (("engines",), False), (("engines", "--mutants"), False), (("pairs",), False), (("families",), False)]
 
     def test_each_command_that_has_it_is_looked_at_here(self):
@@ -120,7 +124,7 @@ class Json(Case):
             with self.subTest(args):
                 words = self.holds(*args)
                 alone = self.holds(*args, "--json")
-                for one in alone.splitlines() if alone.count("\n{") else [alone]:
+                for one in [alone] if args[0] in ("certify", "merge", "properties") else alone.splitlines():
                     self.assertIsInstance(json.loads(one), dict)
                 self.assertEqual(self.holds(args[0], "--json=-", *args[1:]), alone)
                 for spelling in [["--json={}"], *([["--json", "{}"]] if spaced else [])]:
@@ -138,7 +142,7 @@ class Json(Case):
     def test_a_question_behind_it_is_a_question_and_no_file_to_write(self):
         before = self.query.read_bytes()
         self.assertEqual(self.holds("explain", "--json", self.query), self.holds("explain", self.query, "--json"))
-        self.assertEqual(self.holds("detect", "--json", DROPS), self.holds("detect", DROPS, "--json"))
+        self.assertEqual(self.holds("detect", "--json", self.scene), self.holds("detect", self.scene, "--json"))
         self.assertEqual(self.query.read_bytes(), before)
         self.refused(("explain", self.query, f"--json={self.query}"), self.query, "would be written over")
 
@@ -168,7 +172,7 @@ class Quiet(Case):
                  (0, "properties", "--cases", 3), (1, "compare", other, known), (0, "exam", "new", "-o", exam, "--key", key, "--count", 1),
                  (0, "exam", "take", exam, "-o", answers), (0, "exam", "close", "--key", key, "--results", answers),
                  (0, "merge", self.folder / "p"), (0, "verify", certificate), (0, "badge", certificate, "-o", self.folder / "b.svg"),
-                 (0, "detect", DROPS), (0, "generate", "--pair", "cube_cube", "--family", "flat", "--count", 2, "--seed", 1, "-o", out),
+                 (0, "detect", self.file("scene.jsonl", SCENE)), (0, "generate", "--pair", "cube_cube", "--family", "flat", "--count", 2, "--seed", 1, "-o", out),
                  (0, "annotate", self.file("q.jsonl", [SPHERES]), "-o", out), (0, "convert", FLAT, "-o", out), (0, "lint", FLAT)]
         for status, *args in table:
             for words in ((*args, "--quiet"), ("--quiet", *args)) if args[0] in ("certify", "lint") else ((args[0], "--quiet", *args[1:]),):
@@ -318,22 +322,28 @@ class Completion(Case):
     def test_a_tab_completes_in_zsh(self):
         script = self.script("zsh")
         (self.folder / "some file.jsonl").write_text("")
-        set_up = (f"PS1='$ '; autoload -U compinit; compinit -u -D; source {script}; "
-                  "show() { print -r -- \"<<$BUFFER>>\" }; zle -N show; bindkey '^X^X' show")
+        show = "show() { print -r -- \"<<$BUFFER>>\" }; zle -N show; bindkey '^X^X' show"
+        set_up = f"PS1='$ '; autoload -U compinit; compinit -u -D; source {script}; {show}"
         for keys, right in (("contact-oracle certi\t", "contact-oracle certify "), ("contact-oracle certify --level=cor\t", "contact-oracle certify --level=correctly-rounded "),
                             ("contact-oracle certify --engine mutant:rapier-coincident-n\t", "contact-oracle certify --engine mutant:rapier-coincident-nan "),
                             ("contact-oracle lint some\t", r"contact-oracle lint some\ file.jsonl "), ("contact-oracle certify --engine uns\t", "contact-oracle certify --engine unsteady:")):
             with self.subTest(keys):
                 self.assertEqual(self.typed(["zsh", "-f", "-i"], set_up, keys), right)
+        # As it is installed: a file that zsh loads by its name.
+        (self.folder / "functions").mkdir()
+        script.rename(self.folder / "functions" / "_contact-oracle")
+        set_up = f"PS1='$ '; fpath=({self.folder}/functions $fpath); autoload -U compinit; compinit -u -D; {show}"
+        self.assertEqual(self.typed(["zsh", "-f", "-i"], set_up, "contact-oracle certify --lev\t"), "contact-oracle certify --level ")
 
     def test_fish_has_the_same_answers(self):
         script = self.script("fish")
         (self.folder / "some.jsonl").write_text("")
-        for words, right in [*TYPED, (["lint", "som"], ["some.jsonl"]), (["certify", "--report=som"], ["--report=some.jsonl"])]:
+        (self.folder / "someplace").mkdir()
+        for words, right in [*TYPED, (["lint", "som"], ["some.jsonl", "someplace/"]), (["certify", "--parts", "som"], ["someplace/"]),
+                             (["certify", "--report=some."], ["--report=some.jsonl"])]:
             done = subprocess.run(["fish", "--no-config", "-c", f"source {script}; complete -C 'contact-oracle {' '.join(words)}'"],
                                   capture_output=True, text=True, env=self.environment(), timeout=60, cwd=self.folder)
             self.assertEqual((done.returncode, done.stderr), (0, ""), words)
-            # Of a word with = or a comma fish may show what is new alone.
             found = [one.split("\t")[0] for one in done.stdout.splitlines()]
             self.assertEqual(sorted(found), sorted(right), words)
 

@@ -171,7 +171,7 @@ void add_badge(CLI::App& app, int& exit) {
   auto options = std::make_shared<BadgeOptions>();
   command->add_option("certificate", options->certificate, "What certify --certificate wrote")->required();
   command->add_option("-o,--output", options->output, "The picture, *.svg")->type_name("FILE")->required();
-  command->add_option("--label", options->label, "What stands to the left")->type_name("TEXT")->capture_default_str();
+  command->add_option("--label", options->label, "What stands to the left")->capture_default_str();
   command->callback([options, &exit] {
     write_badge(*options);
     exit = kCertified;

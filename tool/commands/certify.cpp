@@ -375,7 +375,7 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
 
 void add_certify(CLI::App& app, int& exit) {
   auto* command = app.add_subcommand("certify",
-                                     "Hold an engine against golden files, or all built-in ones: the scoreboard\n"
+                                     "Judge an engine by golden files; without one, the scoreboard\n"
                                      "Without an engine production is judged; with no dataset either, the built-in "
                                      "engines on the committed golden files.");
   auto options = std::make_shared<CertifyOptions>();
@@ -420,7 +420,7 @@ void add_certify(CLI::App& app, int& exit) {
                        "A JSON report of this engine: its failures are accepted, only new ones and worse ones fail")
           ->type_name("FILE");
   command->add_option("--accept-reason", options->accept_reason, "Why, where the baseline does not say")
-      ->type_name("TEXT")
+      ->type_name("REASON")
       ->needs(baseline);
   command
       ->add_option("--accept-until", options->accept_until,

@@ -123,7 +123,15 @@ void add_under(const std::string& heading, CLI::App& app, int& exit, Adds... add
     if (all[i]->get_group() == "Subcommands") all[i]->group(heading);
 }
 
-/// An empty value is a variable of a script that was not set: what it was to name must not be taken for not given.
+// An empty value is a variable of a script that was not set: what it was to name must not be taken for not given.
+
+/// CLI11 takes the next word for the value of "--option=".
+void refuse_options_that_end_in_an_equals_sign(const std::vector<std::string>& words) {
+  for (const std::string& word : words)
+    if (word.starts_with("--") && word.find('=') + 1 == word.size())
+      throw formats::InputError({"command line", 0}, word.substr(0, word.size() - 1), "expected something, got ''");
+}
+
 void refuse_empty_values(CLI::App& command) {
   static const CLI::Validator something(
       [](const std::string& value) {
@@ -158,6 +166,8 @@ int run_command(int argc, const char* const* argv) {
   add_under("Help", app, exit, add_help, add_completion, add_man);
   app.set_help_all_flag("--help-all", "Print every command and exit");  // of the program alone: it comes last
   refuse_empty_values(app);
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  if (!words.empty() && words.front() != kCompleteName) refuse_options_that_end_in_an_equals_sign(words);
   try {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {

@@ -51,10 +51,10 @@ int compare_reports(const CompareOptions& options) {
 }  // namespace
 
 void add_compare(CLI::App& app, int& exit) {
-  auto* command = app.add_subcommand(
-      "compare",
-      "What became better or worse between two reports, or from each to the next\n"
-      "Reports are what certify --json writes. Exit 1 where anything became worse in the last step.");
+  auto* command = app.add_subcommand("compare",
+                                     "What became better or worse between reports of certify\n"
+                                     "They are what certify --json writes, and each is held against the one before it. "
+                                     "Exit 1 where anything became worse in the last step.");
   auto options = std::make_shared<CompareOptions>();
   command->add_option("old", options->older, "The earlier report")->required();
   command->add_option("new", options->newer, "The later report")->required();

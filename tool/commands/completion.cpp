@@ -282,29 +282,16 @@ else
 fi
 )SCRIPT"},
     {"fish", R"SCRIPT(# fish completion of contact-oracle, which is asked what may come next.
-function __contact_oracle_complete
+function __contact_oracle_answers
     set -l words (commandline -opc)
     set -l last (commandline -ct)
     set -l program $words[1]
     set -e words[1]
-    set -l before (string match -r -- '^--[^=]*=' $last)
-    set -l file (string replace -r -- '^--[^=]*=' '' $last)
-    for line in ($program complete -- $words "$last" 2>/dev/null)
-        switch $line
-            case ':files'
-                for path in (__fish_complete_path "$file")
-                    echo -- $before$path
-                end
-            case ':folders'
-                for path in (__fish_complete_directories "$file" '')
-                    echo -- $before$path
-                end
-            case '*'
-                echo -- $line
-        end
-    end
+    $program complete -- $words "$last" 2>/dev/null
 end
-complete -c contact-oracle -f -a '(__contact_oracle_complete)'
+complete -c contact-oracle -f -a '(__contact_oracle_answers | string match -v ":*")'
+complete -c contact-oracle -F -n 'contains -- :files (__contact_oracle_answers)'
+complete -c contact-oracle -f -n 'contains -- :folders (__contact_oracle_answers)' -a '(__fish_complete_directories)'
 )SCRIPT"},
 }};
 

@@ -77,13 +77,11 @@ class HelpFormatter : public CLI::FormatterBase {
     else
       for (const CommandGroup& group : command_groups(*app)) text += list(group.title, group.commands);
     for (const OptionGroup& group : option_groups(*app)) {
-      text += fmt::format("\n{}{}:\n", group.title, whole_program ? ", which every command takes" : "");
+      text += fmt::format("\n{}:\n", group.title);
       for (const OptionUsage& option : group.options) text += entry(option.text(), option.about, kOptionColumn);
     }
-    if (whole_program)
-      text += exits();
-    else
-      text += "\n" + wrapped("Every command takes --quiet and --color too.", 0) + "\n";
+    text += "\nEvery command takes --quiet and --color, wherever they stand.\n";
+    if (whole_program) text += exits();
     if (!app->get_footer().empty()) text += "\n" + app->get_footer() + "\n";
     return text;
   }

@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
-#include "golden/columns.hpp"
-#include "golden/dataset.hpp"
+#include "formats/input_error.hpp"
+#include "golden/dataset_writer.hpp"
 #include "tool/run/printing.hpp"
 
 namespace contact::tool {
@@ -17,7 +17,7 @@ constexpr std::string_view kPrinted = "-";
 }  // namespace
 
 void add_json_option(CLI::App& command, std::string& where, const std::string& about, FileOfJson file) {
-  const std::string all = about + "; alone it prints that in place of the words, with a file it writes it";
+  const std::string all = about + ", in place of the words; with FILE written there beside them";
   const auto keep = [](const std::string& value) {
     if (value == kPrinted) keep_output_for_data();
   };
@@ -25,18 +25,18 @@ void add_json_option(CLI::App& command, std::string& where, const std::string& a
     command.add_flag(fmt::format("--json{{{}}}", kPrinted), where, all)->type_name("FILE")->each(keep);
     return;
   }
-  command.add_option("--json", where, all)
+  const auto set = [&where, keep](const std::string& value) {
+    if (value.empty()) throw CLI::ValidationError("--json", "expected something, got ''");
+    if (golden::names_dataset(value) && std::filesystem::is_regular_file(value))
+      throw formats::InputError({value, 0}, "--json",
+                                "is there under the name of a golden file, and would be written over");
+    keep(value);
+    where = value;
+  };
+  command.add_option_function<std::string>("--json", set, all)
       ->expected(0, 1)
       ->default_str(std::string(kPrinted))
-      ->type_name("FILE")
-      ->check(CLI::Validator(
-          [](const std::string& value) {
-            return golden::names_dataset(value) && std::filesystem::is_regular_file(value)
-                       ? fmt::format("'{}' has the name of a golden file, is there, and would be written over", value)
-                       : std::string();
-          },
-          ""))
-      ->each(keep);
+      ->type_name("FILE");
 }
 
 JsonOutput::JsonOutput(const std::string& where) : alone_(where == kPrinted) {

@@ -176,8 +176,9 @@ int properties(const CLI::App& command, const PropertiesOptions& o) {
 
 void add_properties(CLI::App& app, int& exit) {
   auto* command = app.add_subcommand("properties",
-                                     "Ask an engine every law, and shrink what it violates to what a person can read\n"
-                                     "docs/properties.md has the laws.");
+                                     "Ask an engine every law, and shrink what it violates\n"
+                                     "The laws are those of docs/properties.md. What violates one is shrunk to what a "
+                                     "person can read.");
   auto options = std::make_shared<PropertiesOptions>();
   add_engine_options(*command, options->engine, false);
   command->add_option("--level", options->level, "Held to its declared bounds, or to correct rounding, bit for bit")

@@ -92,8 +92,8 @@ std::vector<OptionGroup> option_groups(const CLI::App& command) {
 std::vector<CommandGroup> command_groups(const CLI::App& app) {
   std::vector<CommandGroup> groups;
   for (const CLI::App* command : app.get_subcommands({})) {
-    const std::string& title = command->get_group();
-    if (title.empty()) continue;
+    if (command->get_group().empty()) continue;
+    const std::string title = command->get_group() == "Subcommands" ? "Commands" : command->get_group();
     auto group = std::find_if(groups.begin(), groups.end(), [&](const CommandGroup& g) { return g.title == title; });
     if (group == groups.end()) group = groups.insert(groups.end(), {title, {}});
     group->commands.push_back(command);
