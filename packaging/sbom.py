@@ -19,7 +19,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 # Our packages, and the targets that are in each.
 PACKAGES = {"contact-oracle": "contact-oracle", "contact-oracle-mpi": "contact-oracle-mpi", "python3-contact-oracle": "contact_python",
-            "libcontact-oracle-dev": (LIBRARY := "contact_contact")}
+            "libcontact-oracle-dev": "contact_shared"}
 # What packaging/copyright does not speak of, because its headers only declare what is in a shared library, or are the compiler's own: licences by
 # Debian's source package.
 LINKED = {"gmp": "LGPL-3.0-or-later OR GPL-2.0-or-later", "mpfr4": "LGPL-3.0-or-later", "mpfi": "LGPL-2.1-or-later", "hdf5": "BSD-3-Clause",
@@ -97,19 +97,17 @@ class Build:
     def parts(self, target):
         """What is in a target: {path: how}."""
         inputs = self.inputs(target)
-        programs = [one for one in (self.folder / path for path in (target, *inputs) if not path.startswith("/") and (path == target or path.endswith(".so")))
-                    if one.is_file()]
+        program = next((one for one in (self.folder / path for path in (target, *inputs) if path == target or re.search(r"^[^/].*\.so(\.|$)", path))
+                        if one.is_file()), None)
         found = dict.fromkeys(self.headers([one for one in inputs if one.endswith(".o")]), "header")
-        if not found or not programs and target != LIBRARY:
+        if not found or not program:
             raise Refused(f"{self.folder}: {target} is not built")
         # Some of glibc's are empty.
         found |= {one: "static" for one in inputs if one.startswith("/usr/") and one.endswith(".a") and said("ar", "t", one)}
         if any(one.endswith("/page.cpp.o") for one in inputs):
             found |= {path: "inlined" for path in self.cache.values() if not path.endswith("NOTFOUND")}
-        if programs:
-            needed = set(re.findall(r"NEEDED +(\S+)", said("objdump", "-p", programs[0])))
-            found |= {os.path.realpath(path): "shared" for name, path in re.findall(r"(\S+) => (\S+)", said("ldd", programs[0])) if name in needed}
-        return found
+        needed = set(re.findall(r"NEEDED +(\S+)", said("objdump", "-p", program)))
+        return found | {os.path.realpath(path): "shared" for name, path in re.findall(r"(\S+) => (\S+)", said("ldd", program)) if name in needed}
 
 
 def components(parts, known):
