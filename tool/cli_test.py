@@ -225,13 +225,10 @@ class Documentation(Case):
             self.assertGreater(len(table.splitlines()), 4)
             self.assertIn(table, page)
 
-    def test_the_version_is_the_same_wherever_it_stands(self):
+    def test_the_version_is_that_of_the_source(self):
+        # packaging/repository_test.py looks at the other places. The generator has a number of its own, which changes with what it makes.
         version = self.holds("--version").split()[1]
-        self.holds("generate", "--pair", "cube_cube", "--family", "flat", "--count", 1, "--seed", 1, "-o", self.folder / "x.jsonl")
-        for found in (json.loads((self.folder / "x.jsonl").read_text().splitlines()[0])["generator"].removeprefix("contact-oracle "),
-                      json.loads((ROOT / "vcpkg.json").read_text())["version"],
-                      re.search(r"(?m)^## (\d\S*)", (ROOT / "CHANGELOG.md").read_text())[1]):
-            self.assertEqual(found, version)
+        self.assertEqual(re.search(r"(?m)^project\(contact-oracle VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text())[1], version)
 
     def test_the_picture_of_the_pairs_is_drawn_from_what_explain_says(self):
         drawn = self.folder / "pairs.svg"
