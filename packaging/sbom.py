@@ -96,10 +96,10 @@ class Build:
 
     def program(self, target):
         """The program, module or shared library that a target is."""
-        own = [self.folder / path for path in (target, *self.inputs(target)) if path == target or re.search(r"^[^/].*\.so(\.|$)", path)]
-        for one in own:
-            if one.is_file():
-                return one
+        stands_for = said("ninja", "-t", "query", target, cwd=self.folder).split("outputs:")[0].split()[1:]  # a name that CMake gives to a file
+        for path in (target, *stands_for):
+            if (path == target or re.search(r"\.so(\.|$)", path)) and (self.folder / path).is_file():
+                return self.folder / path
         raise Refused(f"{self.folder}: {target} is not built")
 
     def parts(self, target):
