@@ -16,7 +16,11 @@ std::string version_and_commit() {
   return text;
 }
 
-fs::path program() { return fs::read_symlink("/proc/self/exe"); }
+fs::path program() {
+  std::error_code absent;
+  const fs::path found = fs::read_symlink("/proc/self/exe", absent);
+  return absent ? "contact-oracle" : found;
+}
 
 const fs::path& data_folder() {
   static const fs::path found = [] {

@@ -13,7 +13,7 @@ namespace contact::formats {
 /// The version and, where it is known, the commit: "0.2.0 (commit 0123456789ab)".
 [[nodiscard]] std::string version_and_commit();
 
-/// The file of this process's program, without links.
+/// The file of this process's program, without links; its name alone where the system does not tell (no /proc).
 [[nodiscard]] std::filesystem::path program();
 
 /// The folder of the golden files (`golden`) and schemas (`schema`): share/contact-oracle beside the program, as in a
