@@ -1,4 +1,4 @@
-"""A header as Doxygen reads it: in a comment of /// a line "Domain    finite" begins a paragraph of that name, and lines that are
+"""A header as Doxygen reads it. A comment of C before a declaration, or behind one, is about it. In a comment of /// a line "Domain    finite" begins a paragraph of that name, and lines that are
 indented are shown as they are. Its first line, a comment of //, describes the file.   doc_blocks.py FILE"""
 import re
 import sys
@@ -26,6 +26,12 @@ def block(lines):
         yield "@endverbatim"
 
 
+def c_comments(text):
+    """The comments of a header in C, as Doxygen takes them; the first is about the file."""
+    text = re.sub(r"^( *)/\*(?= )", r"\1/**", text, flags=re.MULTILINE).replace("/**", "/** @file\n  ", 1)
+    return re.sub(r"(?<=[;,])( +)/\*(?= )", r"\1/**<", text)
+
+
 def filtered(text):
     """The whole header."""
     text = re.sub(r"\A//(.*\n)((?://.*\n)*)", lambda head: f"/// @file\n///{head[1]}" + head[2].replace("//", "///"), text)
@@ -42,4 +48,5 @@ def filtered(text):
 
 
 if __name__ == "__main__":
-    print("\n".join(filtered(Path(sys.argv[1]).read_text(encoding="utf-8"))))
+    header = Path(sys.argv[1]).read_text(encoding="utf-8")
+    print(c_comments(header) if sys.argv[1].endswith(".h") else "\n".join(filtered(header)))
