@@ -122,7 +122,11 @@ def arrange(xml):
 
 
 def bring_in(static):
-    """Debian's style sheets import others by their place on a server of Debian's: these are copied beside them."""
+    """What Debian's build of the theme lacks: its script imports another, which no page does from a file, and its style sheets
+    import others by their place on a server of Debian's."""
+    script, imported = static / "scripts/furo.js", 'import Gumshoe from "./gumshoe-patched.js";'
+    if (text := script.read_text(encoding="utf-8")).startswith(imported):
+        script.write_text((static / "scripts/gumshoe-patched.js").read_text(encoding="utf-8") + text.removeprefix(imported), encoding="utf-8")
     for sheet in [sheet for sheet in static.rglob("*.css") if sheet.is_file()]:
         text = sheet.read_text(encoding="utf-8")
         for name in re.findall(r"url\(/javascript/([^)]+)\)", text):
