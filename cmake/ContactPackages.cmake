@@ -49,11 +49,19 @@ if(CONTACT_GZIP)
 endif()
 
 set(CPACK_COMPONENTS_ALL)
+set(runtime "")
+if(TARGET contact_shared)
+  get_target_property(soversion contact_shared SOVERSION)
+  contact_debian_package(runtime libcontact-oracle${soversion} libs "verified reference for collision contacts (shared library)
+The library of libcontact-oracle-dev for programs in C and in whatever calls C."
+    "PACKAGE_GENERATE_SHLIBS=ON")
+  set(runtime "libcontact-oracle${soversion} (= ${PROJECT_VERSION}-1), ")
+endif()
 contact_debian_package(contact libcontact-oracle-dev libdevel "verified reference for collision contacts (development files)
 Decisions and contacts of spheres, boxes, capsules, triangles, rays and
 planes, each number the exact real one rounded once, for one pair and for
 many in vectors. With SOFA's names for detection between models."
-  "PACKAGE_DEPENDS=libeigen3-dev (>= 3.4), libboost-dev (>= 1.74), libhwy-dev (>= 1.0.3)")
+  "PACKAGE_DEPENDS=${runtime}libeigen3-dev (>= 3.4), libboost-dev (>= 1.74), libhwy-dev (>= 1.0.3)")
 if(TARGET contact-oracle)
   contact_debian_package(program contact-oracle science "certifies the contacts that a physics engine computes
 ${about}

@@ -24,7 +24,8 @@ ROOT = Path(__file__).resolve().parents[1]
 # Every place where the version stands, and how.
 VERSIONS = {"CMakeLists.txt": r"(?m)^project\(contact-oracle VERSION (\S+)", "vcpkg.json": r'"version": "([^"]*)"',
             "python/pyproject.toml": r'(?m)^version = "([^"]*)"', "CITATION.cff": r"(?m)^version: (\S+)",
-            "CHANGELOG.md": r"(?m)^## (\d\S*)", "packaging/debian/changelog": r"\Acontact-oracle \(([^-)]*)"}
+            "CHANGELOG.md": r"(?m)^## (\d\S*)", "packaging/debian/changelog": r"\Acontact-oracle \(([^-)]*)",
+            "packaging/vcpkg/contact-oracle/vcpkg.json": r'"version": "([^"]*)"'}
 
 
 class Doubt(Exception):

@@ -17,6 +17,7 @@ TODAY = datetime.now(timezone.utc).strftime("%Y-%m-%d")
 FILES = {
     "CMakeLists.txt": "project(contact-oracle VERSION 0.9.0 LANGUAGES CXX\n",
     "vcpkg.json": '{\n  "name": "contact-oracle",\n  "version": "0.9.0"\n}\n',
+    "packaging/vcpkg/contact-oracle/vcpkg.json": '{\n  "version": "0.9.0"\n}\n',
     "python/pyproject.toml": '[project]\nname = "contact-oracle"\nversion = "0.9.0"\n',
     "CITATION.cff": f'cff-version: 1.2.0\nversion: 0.9.0\ndate-released: "{TODAY}"\n',
     "CHANGELOG.md": f"# Changelog\n\n## Unreleased\n\n## 0.9.0 ({TODAY})\n\n- It is there.\n\n## 0.8.0 (2020-01-01)\n\n- Before.\n",
@@ -146,7 +147,8 @@ class Doubts(Release):
         self.doubt("the branch is other, not main")
 
     def test_another_version_in_any_place(self):
-        for name in ("CMakeLists.txt", "vcpkg.json", "python/pyproject.toml", "CITATION.cff", "packaging/debian/changelog"):
+        for name in ("CMakeLists.txt", "vcpkg.json", "python/pyproject.toml", "CITATION.cff", "packaging/debian/changelog",
+                     "packaging/vcpkg/contact-oracle/vcpkg.json"):
             with self.subTest(name):
                 self.edit(name, "0.9.0", "0.9.1")
                 self.doubt(f"{name}: the version is 0.9.1, not 0.9.0")

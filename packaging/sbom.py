@@ -17,9 +17,9 @@ from datetime import datetime, timezone
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-# Our packages, and the targets that are in each.
+# Our packages, and the targets that are in each. The library is in one more, which has the version of its interface in its name.
 PACKAGES = {"contact-oracle": "contact-oracle", "contact-oracle-mpi": "contact-oracle-mpi", "python3-contact-oracle": "contact_python",
-            "libcontact-oracle-dev": (LIBRARY := "contact_contact")}
+            "libcontact-oracle-dev": (LIBRARY := "contact_shared")}
 # What packaging/copyright does not speak of, because its headers only declare what is in a shared library, or are the compiler's own: licences by
 # Debian's source package.
 LINKED = {"gmp": "LGPL-3.0-or-later OR GPL-2.0-or-later", "mpfr4": "LGPL-3.0-or-later", "mpfi": "LGPL-2.1-or-later", "hdf5": "BSD-3-Clause",
@@ -94,22 +94,27 @@ class Build:
                 found.add(path)
         return found
 
+    def program(self, target):
+        """The program, module or shared library that a target is."""
+        own = [self.folder / path for path in (target, *self.inputs(target)) if path == target or re.search(r"^[^/].*\.so(\.|$)", path)]
+        for one in own:
+            if one.is_file():
+                return one
+        raise Refused(f"{self.folder}: {target} is not built")
+
     def parts(self, target):
         """What is in a target: {path: how}."""
         inputs = self.inputs(target)
-        programs = [one for one in (self.folder / path for path in (target, *inputs) if not path.startswith("/") and (path == target or path.endswith(".so")))
-                    if one.is_file()]
+        program = self.program(target)
         found = dict.fromkeys(self.headers([one for one in inputs if one.endswith(".o")]), "header")
-        if not found or not programs and target != LIBRARY:
+        if not found:
             raise Refused(f"{self.folder}: {target} is not built")
         # Some of glibc's are empty.
         found |= {one: "static" for one in inputs if one.startswith("/usr/") and one.endswith(".a") and said("ar", "t", one)}
         if any(one.endswith("/page.cpp.o") for one in inputs):
             found |= {path: "inlined" for path in self.cache.values() if not path.endswith("NOTFOUND")}
-        if programs:
-            needed = set(re.findall(r"NEEDED +(\S+)", said("objdump", "-p", programs[0])))
-            found |= {os.path.realpath(path): "shared" for name, path in re.findall(r"(\S+) => (\S+)", said("ldd", programs[0])) if name in needed}
-        return found
+        needed = set(re.findall(r"NEEDED +(\S+)", said("objdump", "-p", program)))
+        return found | {os.path.realpath(path): "shared" for name, path in re.findall(r"(\S+) => (\S+)", said("ldd", program)) if name in needed}
 
 
 def components(parts, known):
@@ -188,6 +193,9 @@ def main():
         files[said("dpkg-deb", "-f", deb, "Package").strip()] = (deb.name, hashlib.sha256(deb.read_bytes()).hexdigest())
     try:
         ours = {package: components(build.parts(target), known) for package, target in PACKAGES.items() if build.has(target)}
+        if build.has(LIBRARY):
+            soname = re.search(r"SONAME +\S+\.so\.(\S+)", said("objdump", "-p", build.program(LIBRARY)))
+            ours[f"libcontact-oracle{soname[1]}"] = ours["libcontact-oracle-dev"]
         if set(files) - set(ours):
             raise Refused(f"{options.packages}: nothing is known of {', '.join(sorted(set(files) - set(ours)))}")
     except Refused as refused:

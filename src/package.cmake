@@ -12,6 +12,7 @@ endif()
 set(CONTACT_LIBRARIES ${kinds} CACHE STRING "The kinds of library that are installed: static, shared, or both")
 
 # Of the shared library nothing is seen but what the installed headers declare.
+string(LENGTH ${CONTACT_ABI} abi_length)
 configure_file(${CMAKE_CURRENT_SOURCE_DIR}/exports.map.in ${PROJECT_BINARY_DIR}/exports.map @ONLY)
 foreach(kind IN LISTS CONTACT_LIBRARIES)
   string(TOUPPER ${kind} type)
@@ -25,7 +26,10 @@ foreach(kind IN LISTS CONTACT_LIBRARIES)
   target_compile_features(contact_cxx_${kind} INTERFACE cxx_std_20)
   target_link_libraries(contact_cxx_${kind} INTERFACE contact_${kind} Eigen3::Eigen)
   set_target_properties(contact_cxx_${kind} PROPERTIES EXPORT_NAME contact)
-  install(TARGETS contact_${kind} contact_cxx_${kind} EXPORT contact-oracle-${kind} COMPONENT contact)
+  # Programs need the shared library alone: component runtime.
+  install(TARGETS contact_${kind} contact_cxx_${kind} EXPORT contact-oracle-${kind}
+          ARCHIVE COMPONENT contact
+          LIBRARY COMPONENT runtime NAMELINK_COMPONENT contact)
   install(EXPORT contact-oracle-${kind} FILE contact-oracle-${kind}.cmake NAMESPACE contact::
           DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contact-oracle COMPONENT contact)
 endforeach()

@@ -40,10 +40,12 @@ void kernel::contact_of_one_pair(const SpherePairs& /*pairs*/, const ContactQues
   out.state[row] = batch::PairState::contact;
 }
 
+inline namespace CONTACT_ABI {
 bool test_sphere_sphere(const Ball& /*a*/, const Ball& /*b*/, double /*alarm*/) {
   decision_left = true;
   return true;
 }
+}  // namespace CONTACT_ABI
 
 namespace kernel::tiny {
 

@@ -32,6 +32,7 @@ def filtered(text):
     text = c_comment.sub(lambda found: "".join(f"{found[1]}/// {line}\n" for line in re.split(rf"\n {{,{len(found[1]) + 3}}}", found[2].strip()))[:-1], text)
     text = re.sub(r"(?<=[;,])( +)/\*(?= )", r"\1/**<", text)
     text = re.sub(r"\A///?(.*\n)((?:///?.*\n)*)", lambda head: f"/// @file\n///{head[1]}" + re.sub("^///?", "///", head[2], flags=re.MULTILINE), text)
+    text = text.replace("::inline CONTACT_ABI", "")  # which version it is, a reader does not write
     comment = []
     for line in [*text.splitlines(), ""]:
         if found := re.fullmatch(r" */// ?(.*)", line):

@@ -43,10 +43,10 @@ install_program() {
   fi
   folder=$(mktemp -d)
   trap 'rm -rf "$folder"' EXIT
+  "${sudo[@]}" apt-get update -qq
   if [ -f "$package" ]; then
     cp "$package" "$folder/contact-oracle.deb"
   else
-    "${sudo[@]}" apt-get update -qq
     command -v curl >/dev/null || "${sudo[@]}" apt-get install -qq -y --no-install-recommends ca-certificates curl >&2
     curl -fsSL --retry 3 -o "$folder/contact-oracle.deb" "$package" || refuse "could not load $package"
   fi

@@ -193,12 +193,12 @@ class Installation(Script):
     def test_a_file_is_installed_without_the_network(self):
         self.run_script(0, engine_command="x", package=self.deb)
         self.assertFalse((self.folder / "curl").exists())
-        self.assertIn("install", (self.folder / "apt").read_text())
+        self.assertEqual([line.split()[0] for line in (self.folder / "apt").read_text().splitlines()], ["update", "install"])
 
     def test_a_package_with_another_digest_is_not_installed(self):
         done = self.run_script(2, engine_command="x", package=self.deb, sha256="0" * 64)
         self.assertIn("has the SHA-256", done.stderr)
-        self.assertFalse((self.folder / "apt").exists())
+        self.assertNotIn("install", (self.folder / "apt").read_text())
         self.run_script(0, engine_command="x", package=self.deb, sha256=hashlib.sha256(self.deb.read_bytes()).hexdigest())
 
     def test_what_cannot_be_loaded_or_installed_is_said_with_status_2(self):

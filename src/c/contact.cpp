@@ -14,7 +14,7 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <type_traits>
+#include <utility>
 
 #include "contact/batch_functions.hpp"
 #include "contact/domain.hpp"
@@ -22,16 +22,11 @@
 #include "contact/pairs.hpp"
 
 namespace contact {
-namespace {
 
 // The shapes of C by those of C++: the same numbers in the same order.
-template <class Shape>
-struct InC;
-#define CONTACT_SHAPE(Shape, Type)                                                                         \
-  template <>                                                                                              \
-  struct InC<Shape> : std::type_identity<Type> {                                                           \
-    static_assert(sizeof(Type) == kNumbersOf<Shape> * sizeof(double) && alignof(Type) == alignof(double)); \
-  };
+#define CONTACT_SHAPE(Shape, InC) \
+  const InC* in_c(const Shape&);  \
+  static_assert(sizeof(InC) == kNumbersOf<Shape> * sizeof(double) && alignof(InC) == alignof(double));
 CONTACT_SHAPE(Ball, contact_sphere)
 CONTACT_SHAPE(Box, contact_cube)
 CONTACT_SHAPE(Capsule, contact_capsule)
@@ -41,7 +36,9 @@ CONTACT_SHAPE(Ray, contact_ray)
 CONTACT_SHAPE(Line, contact_line)
 #undef CONTACT_SHAPE
 template <class Shape>
-using In = const typename InC<Shape>::type*;
+using In = decltype(in_c(std::declval<Shape>()));
+
+namespace {
 
 static_assert(static_cast<int>(batch::PairState::miss) == CONTACT_STATE_MISS &&
               static_cast<int>(batch::PairState::contact) == CONTACT_STATE_CONTACT &&

@@ -102,13 +102,13 @@ class Golden(unittest.TestCase):
                 asked += len(group)
                 hits += sum(hit)
                 arrays += len(group) > 1
-        self.assertGreater(asked, 30000)
+        self.assertGreater(asked, 29000)
         self.assertGreater(hits, 10000)
         self.assertGreater(arrays, 1000)
 
     def test_many_pairs_in_one_call_have_the_bits_of_one_at_a_time(self):
         for pair in PAIRS:
-            some = [question for _, question in questions(pair) if "rejected" not in question["expect"]][::3]
+            some = [question for _, question in questions(pair) if "rejected" not in question["expect"]][::2]
             self.assertGreater(len(some), 600)
             whole = test(pair, some, 0.25)
             self.assertEqual(whole[2], [test(pair, [one], 0.25)[2][0] for one in some])

@@ -8,7 +8,10 @@ endfunction()
 
 if(VARIANT STREQUAL install)
   file(REMOVE_RECURSE ${WORK})
-  run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed --component contact)
+  foreach(component runtime contact)
+    run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/elsewhere --component ${component})
+  endforeach()
+  file(RENAME ${WORK}/elsewhere ${WORK}/installed)  # what is installed may be moved
   return()
 endif()
 

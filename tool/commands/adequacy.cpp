@@ -20,6 +20,7 @@
 #include "tool/commands/commands.hpp"
 #include "tool/reports/table.hpp"
 #include "tool/run/kill_matrix.hpp"
+#include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
@@ -280,13 +281,13 @@ bool adequacy(const std::filesystem::path& folder, bool to_write) {
   const KillMatrix matrix = kill_matrix(folder, golden::dataset_files({folder}));
   const QuickFiles quick = quick_files(matrix);
   const std::string text = adequacy_text(matrix, quick);
-  fmt::print("{}", table_of(matrix, quick));
+  fmt::print(words(), "{}", table_of(matrix, quick));
   if (to_write)
     write(folder, quick, text);
   else
     check(folder, quick, text);
   const auto wrong = complaints(matrix);
-  for (const std::string& sentence : wrong) fmt::print("NOT ADEQUATE: {}\n", sentence);
+  for (const std::string& sentence : wrong) fmt::print(words(), "NOT ADEQUATE: {}\n", sentence);
   return wrong.empty();
 }
 
@@ -306,10 +307,10 @@ void add_adequacy(CLI::App& app, int& exit) {
     bool write = false;
     bool table = false;
   };
-  auto* command = app.add_subcommand(
-      "adequacy", "Which mutants do the golden files kill, what does each family add, and which few cases are enough?");
+  auto* command = app.add_subcommand("adequacy", "Which mutants golden files kill, and which few cases are enough");
   auto o = std::make_shared<AdequacyOptions>();
-  command->add_option("folder", o->folder, fmt::format("A folder of golden files (default: {})", golden_folder()));
+  command->add_option("folder", o->folder, fmt::format("A folder of golden files (default: {})", kCommitted))
+      ->type_name("FOLDER");
   command->add_flag("--write", o->write, "Write adequacy.json and quick/ instead of checking them");
   command->add_flag("--table", o->table, "The table of docs/golden.md")->group("");
   command->callback([o, command, &exit] {

@@ -14,6 +14,7 @@
 #include "formats/output_file.hpp"
 #include "tool/commands/commands.hpp"
 #include "tool/reports/certificate.hpp"
+#include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
@@ -158,7 +159,7 @@ void write_badge(const BadgeOptions& options) {
                   for_xml(found.at("share_judged").text()), root.at("sha256").text().substr(0, 12));
   file.write(svg(label, right, title));
   file.commit();
-  fmt::print("Badge: {}, which says \"{}: {}\"\n", options.output, label, right.text);
+  fmt::print(words(), "Badge: {}, which says \"{}: {}\"\n", options.output, label, right.text);
 }
 
 }  // namespace
@@ -166,10 +167,10 @@ void write_badge(const BadgeOptions& options) {
 void add_badge(CLI::App& app, int& exit) {
   auto* command = app.add_subcommand(
       "badge",
-      "What a certificate states, as a small picture (SVG); whether it is true `verify` says, and not a badge");
+      "What a certificate states, as a small picture (SVG)\nWhether it is true `verify` says, and not a badge.");
   auto options = std::make_shared<BadgeOptions>();
   command->add_option("certificate", options->certificate, "What certify --certificate wrote")->required();
-  command->add_option("-o,--output", options->output, "The picture, *.svg")->required();
+  command->add_option("-o,--output", options->output, "The picture, *.svg")->type_name("FILE")->required();
   command->add_option("--label", options->label, "What stands to the left")->capture_default_str();
   command->callback([options, &exit] {
     write_badge(*options);

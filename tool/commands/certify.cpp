@@ -6,7 +6,9 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <memory>
+#include <set>
 
 #include "tool/commands/commands.hpp"
 #include "tool/commands/demand.hpp"
@@ -16,6 +18,7 @@
 #include "tool/run/cluster.hpp"
 #include "tool/run/date.hpp"
 #include "tool/run/parts.hpp"
+#include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
@@ -25,6 +28,7 @@ struct CertifyOptions {
   std::vector<std::string> paths;
   EngineOptions engine;
   std::vector<std::string> families;
+  std::string failures_of;  ///< a report
   DemandOptions demand;
   bool allow_unsupported = false;
   std::uint64_t generate = 0;
@@ -92,6 +96,58 @@ std::vector<Source> generated(const CertifyOptions& options, std::uint64_t seed)
   return sources;
 }
 
+/// The questions of a report's failures, as one source a family; with datasets those of them that stand there.
+std::vector<Source> failed_before(const CertifyOptions& options) {
+  const SavedReport report = read_report(options.failures_of);
+  const auto refuse_report = [&](const std::string& problem) {
+    throw formats::InputError({options.failures_of, 0}, "failures", problem);
+  };
+  if (report.failures.empty()) refuse_report("lists none: nothing failed that could be asked again");
+  std::map<std::pair<std::string, Scalar>, std::optional<Query>> questions;
+  std::set<std::pair<Pair, Scalar>> kinds;
+  for (const Failure& f : report.failures) {
+    questions[{f.id, f.scalar}] = options.paths.empty() ? f.question : std::nullopt;
+    kinds.emplace(f.pair, f.scalar);
+  }
+  for (const auto& path :
+       golden::dataset_files(std::vector<std::filesystem::path>(options.paths.begin(), options.paths.end()))) {
+    golden::DatasetReader reader(path);
+    if (!kinds.contains({reader.header().pair, reader.header().scalar})) continue;
+    while (const auto c = reader.next()) {
+      throw_if_interrupted();
+      const auto it = questions.find({c->id, reader.header().scalar});
+      if (it != questions.end()) it->second = c->query;
+    }
+  }
+  std::vector<Source> sources;
+  std::map<std::string, std::vector<Query>> lists;  // by family_title
+  std::set<std::string> taken;                      // family_title and id
+  for (const Failure& f : report.failures) {
+    if (!options.families.empty() && !wanted(options, f.family)) continue;
+    const std::optional<Query>& question = questions.at({f.id, f.scalar});
+    if (!question && options.paths.empty())
+      refuse_report(fmt::format("lists {} without its question, as older versions did: give the datasets too", f.id));
+    const std::string title = family_title(f.pair, f.family, f.scalar);
+    if (!question || !taken.insert(title + " " + f.id).second) continue;
+    if (!lists.contains(title)) sources.push_back({f.pair, f.scalar, f.family, 0, std::nullopt});
+    lists[title].push_back(*question);
+  }
+  for (Source& source : sources) {
+    source.listed =
+        std::make_shared<const std::vector<Query>>(lists.at(family_title(source.pair, source.family, source.scalar)));
+    source.count = source.listed->size();
+  }
+  if (sources.empty())
+    refuse_report(options.families.empty()
+                      ? "lists none that stands in these datasets"
+                      : fmt::format("lists none of the family {}{}", fmt::join(options.families, " or "),
+                                    options.paths.empty() ? "" : " that stands in these datasets"));
+  if (Cluster::is_first())
+    fmt::print(words(), "asked again: {} of the {} failures in {}, and nothing else\n", taken.size(),
+               report.failure_count, options.failures_of);
+  return sources;
+}
+
 /// The failures to accept; what has expired of them is said on standard error.
 std::shared_ptr<const Baseline> read_baseline(const CertifyOptions& options) {
   if (options.baseline.empty()) return nullptr;
@@ -132,7 +188,8 @@ void require_used(const CLI::App& command, const CertifyOptions& options, bool s
   if (command.count("--shards") != 0 && options.parts.empty() && Cluster::size() == 1)
     refuse("--shards cuts a run that --parts keeps, or that several processes share, and this is neither");
   std::vector<std::string> read = options.paths;
-  for (const std::string& file : {options.baseline, options.engine.results, options.engine.library})
+  for (const std::string& file :
+       {options.baseline, options.failures_of, options.engine.results, options.engine.library})
     read.push_back(file);
   const ReportOptions& reports = options.reports;
   require_apart({reports.html, reports.json, reports.junit, reports.markdown, options.certificate.certificate,
@@ -142,6 +199,9 @@ void require_used(const CLI::App& command, const CertifyOptions& options, bool s
 
 /// A certificate tells of one whole run in one process, from which all answers came.
 void require_whole(const CertifyOptions& options, bool scoreboard) {
+  if (!options.failures_of.empty() && (!options.parts.empty() || !options.certificate.certificate.empty()))
+    refuse(
+        "--failures-of asks a few questions again: it has no use for --parts, and a certificate is of all questions");
   if (options.certificate.none()) return;
   if (scoreboard) refuse("--certificate and --record are one engine's: give the engine");
   if (!options.parts.empty() || Cluster::size() > 1)
@@ -233,7 +293,9 @@ void print_stats(const std::vector<Report>& reports, std::chrono::steady_clock::
 }
 
 int certify(const CLI::App& command, const CertifyOptions& options) {
-  const bool scoreboard = options.engine.none() && options.paths.empty() && options.generate == 0;
+  const bool fresh = options.generate != 0;
+  const bool again = !options.failures_of.empty();
+  const bool scoreboard = options.engine.none() && options.paths.empty() && !fresh && !again;
   require_used(command, options, scoreboard);
   const tbb::global_control threads(
       tbb::global_control::max_allowed_parallelism,
@@ -244,14 +306,14 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
   require_whole(options, scoreboard);
   CertificateFiles certificate(options.certificate, options.engine);
   std::vector<Source> sources;
-  if (options.generate != 0) {
+  if (fresh) {
     if (!options.seed && (!options.parts.empty() || Cluster::size() > 1))
       refuse("--generate in parts needs --seed: every part has the same");
     const std::uint64_t seed = seed_or_fresh(options.seed);
-    if (Cluster::is_first()) fmt::print("seed {}\n", seed);
+    if (Cluster::is_first()) fmt::print(words(), "seed {}\n", seed);
     sources = generated(options, seed);
   } else {
-    sources = datasets(options);
+    sources = again ? failed_before(options) : datasets(options);
   }
   std::vector<Subject> judged = subjects(options, scoreboard, rows_of(sources), stop, certificate);
   if (stop.at_first_failure && (!options.parts.empty() || Cluster::size() > 1))
@@ -263,8 +325,8 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
   Oracles oracles;
   oracles.check = static_cast<Check>(index_of(kCheckNames, options.check, "check"));
   if (options.engine.none() && !scoreboard && Cluster::is_first())
-    fmt::print("no engine is named: production is judged\n");
-  if (options.paths.empty() && options.generate == 0) static_cast<void>(chosen_folder(""));
+    fmt::print(words(), "no engine is named: production is judged\n");
+  if (options.paths.empty() && !fresh && !again) static_cast<void>(chosen_folder(""));
   const auto judge = [&](golden::Shard part) {
     if (auto bytes = kept.find(part)) return *std::move(bytes);
     std::string bytes = pack(judge_part(cut(sources, part), judged, stop, oracles));
@@ -281,7 +343,7 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
     if (options.stats) print_stats(reports, std::chrono::steady_clock::now() - begin, oracles);
     const Report& found = reports.front();
     const bool wrong = found.judged() != 0 && !found.certified();
-    fmt::print("part {} of {}: {} questions judged, {}; the verdict is that of `merge`\n", part.index, part.of,
+    fmt::print(words(), "part {} of {}: {} questions judged, {}; the verdict is that of `merge`\n", part.index, part.of,
                found.judged(), wrong ? "and not all is right" : "and nothing is wrong");
     return wrong ? kRefuted : kCertified;
   }
@@ -313,21 +375,25 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
 
 void add_certify(CLI::App& app, int& exit) {
   auto* command = app.add_subcommand("certify",
-                                     "Hold an engine against golden files; production where none is named, and with no "
-                                     "dataset either the scoreboard of "
-                                     "the built-in engines");
+                                     "Judge an engine by golden files; without one, the scoreboard\n"
+                                     "Without an engine production is judged; with no dataset either, the built-in "
+                                     "engines on the committed golden files.");
   auto options = std::make_shared<CertifyOptions>();
-  command->add_option("datasets", options->paths,
-                      fmt::format("Golden files or folders (default: {})", golden_folder()));
+  command->add_option("datasets", options->paths, fmt::format("Golden files or folders (default: {})", kCommitted));
+  std::optional<Heading> heading;
   add_engine_options(*command, options->engine, true);
-  add_demand_options(*command, options->demand);
+  heading.emplace(*command, "Questions");
   command->add_option("--family", options->families, "Only these families")->delimiter(',');
-  command->add_flag("--allow-unsupported", options->allow_unsupported,
-                    "Leave out questions that the engine answers with \"unsupported\"");
+  auto* failures = command
+                       ->add_option("--failures-of", options->failures_of,
+                                    "Only what failed before: the failures that this JSON report lists, of these "
+                                    "datasets where any are given")
+                       ->type_name("FILE");
   auto* generate = command
                        ->add_option("--generate", options->generate,
                                     "Instead of golden files: this many generated questions a family and scalar")
-                       ->check(kFromOne);
+                       ->check(kFromOne)
+                       ->excludes(failures);
   command->add_option("--pair", options->pairs, "With --generate: only these pairs")
       ->delimiter(',')
       ->needs(generate)
@@ -335,39 +401,54 @@ void add_certify(CLI::App& app, int& exit) {
   command->add_option("--seed", options->seed, "With --generate: the seed (default: random, printed)")
       ->check(kFromZero)
       ->needs(generate);
-  auto* baseline =
-      command->add_option("--baseline", options->baseline,
-                          "A JSON report of this engine: its failures are accepted, only new ones and worse ones fail");
-  command->add_option("--accept-reason", options->accept_reason, "Why, where the baseline does not say")
-      ->needs(baseline);
-  command
-      ->add_option("--accept-until", options->accept_until,
-                   "The last day on which, YYYY-MM-DD, where the baseline does not say")
-      ->needs(baseline);
-  command->add_flag("--fail-fast", options->fail_fast, "Stop at the first failure; the questions left are missing");
-  command
-      ->add_option("--max-time", options->max_time,
-                   "Stop after so many seconds; the questions left are missing, which is never a pass")
-      ->check(kSeconds);
-  auto* parts = command->add_option("--parts", options->parts,
-                                    "A folder that keeps what each part of the run found: a run that was interrupted "
-                                    "goes on from there");
-  command->add_option("--shards", options->shards, "Into how many parts the run is cut")
-      ->capture_default_str()
-      ->check(kFromOne);
-  command->add_option("--shard", options->shard, "I/N: judge only part I (from 0) of N, for `merge`")->needs(parts);
-  command->add_flag("--stats", options->stats,
-                    "Say on standard error how long it took, how much memory, and which oracle decided how often");
-  command->add_flag("--determinism", options->determinism,
-                    "Ask again: in the same order, in another, one at a time, many at once, from several threads and "
-                    "processes; every answer must have the same bits");
   command
       ->add_option("--check", options->check,
                    "Which questions all oracles are asked: of a source of more than 4096 a sample, or all")
       ->capture_default_str()
       ->check(CLI::IsMember(kCheckNames));
+  heading.reset();
+  add_demand_options(*command, options->demand);
+  heading.emplace(*command, "What passes");
+  command->add_flag("--allow-unsupported", options->allow_unsupported,
+                    "Leave out questions that the engine answers with \"unsupported\"");
+  command->add_flag("--determinism", options->determinism,
+                    "Ask again: in the same order, in another, one at a time, many at once, from several threads and "
+                    "processes; every answer must have the same bits");
+  auto* baseline =
+      command
+          ->add_option("--baseline", options->baseline,
+                       "A JSON report of this engine: its failures are accepted, only new ones and worse ones fail")
+          ->type_name("FILE");
+  command->add_option("--accept-reason", options->accept_reason, "Why, where the baseline does not say")
+      ->type_name("REASON")
+      ->needs(baseline);
+  command
+      ->add_option("--accept-until", options->accept_until,
+                   "The last day on which, YYYY-MM-DD, where the baseline does not say")
+      ->type_name("DAY")
+      ->needs(baseline);
+  heading.reset();
   add_report_options(*command, options->reports);
   add_certificate_options(*command, options->certificate);
+  heading.emplace(*command, "Long runs");
+  command->add_flag("--fail-fast", options->fail_fast, "Stop at the first failure; the questions left are missing");
+  command
+      ->add_option("--max-time", options->max_time,
+                   "Stop after so many seconds; the questions left are missing, which is never a pass")
+      ->check(kSeconds);
+  auto* parts = command
+                    ->add_option("--parts", options->parts,
+                                 "A folder that keeps what each part of the run found: a run that was interrupted "
+                                 "goes on from there")
+                    ->type_name("FOLDER");
+  command->add_option("--shards", options->shards, "Into how many parts the run is cut")
+      ->capture_default_str()
+      ->check(kFromOne);
+  command->add_option("--shard", options->shard, "Judge only part I (from 0) of N, for `merge`")
+      ->type_name("I/N")
+      ->needs(parts);
+  command->add_flag("--stats", options->stats,
+                    "Say on standard error how long it took, how much memory, and which oracle decided how often");
   command->callback([options, command, &exit] { exit = certify(*command, *options); });
 }
 

@@ -6,6 +6,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -13,7 +14,9 @@
 
 #include "formats/input_error.hpp"
 #include "formats/program.hpp"
+#include "tool/commands/help.hpp"
 #include "tool/run/cluster.hpp"
+#include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
@@ -28,7 +31,7 @@ std::string golden_folder() {
 
 std::string chosen_folder(const std::string& given) {
   if (!given.empty()) return given;
-  if (Cluster::is_first()) fmt::print("golden files: {}\n", golden_folder());
+  if (Cluster::is_first()) fmt::print(words(), "golden files: {}\n", golden_folder());
   return golden_folder();
 }
 
@@ -91,50 +94,87 @@ const CLI::Validator kSeconds(
     },
     "SECONDS");
 
-int run_command(int argc, const char* const* argv) {
-  CLI::App app{
-      "Verified reference and test oracle for discrete collision between cubes and spheres (SOFA's "
-      "DiscreteIntersection).\n"
-      "Exit: 0 certified or holds, 1 refuted, 2 bad usage or input, 3 harness invalid, 4 oracle fault."};
-  app.name("contact-oracle");
-  app.set_version_flag("--version", "contact-oracle " + formats::version_and_commit());
-  app.require_subcommand(1);
-  int exit = kCertified;
-  add_certify(app, exit);
-  add_compare(app, exit);
-  add_explain(app, exit);
-  add_exam(app, exit);
-  add_generate(app, exit);
-  add_regenerate(app, exit);
-  add_annotate(app, exit);
-  add_convert(app, exit);
-  add_serve(app, exit);
-  add_properties(app, exit);
-  add_lint(app, exit);
-  add_merge(app, exit);
-  add_verify(app, exit);
-  add_badge(app, exit);
-  add_digests(app, exit);
-  add_adequacy(app, exit);
-  add_detect(app, exit);
-  add_lists(app, exit);
-  // An empty value is a variable of a script that was not set: what it was to name must not be taken for not given.
-  const CLI::Validator something(
+namespace {
+
+/// What every command takes, wherever it stands.
+void add_common_options(CLI::App& app) {
+  app.add_flag_function(
+      "--quiet", [](std::int64_t) { be_quiet(); },
+      "Print nothing but data that was asked for: the exit status is the verdict, and errors are told all the same");
+  app.add_option_function<std::string>(
+         "--color",
+         [](const std::string& when) {
+           const auto it = std::find(kColourNames.begin(), kColourNames.end(), when);
+           choose_colour(static_cast<Colour>(it - kColourNames.begin()));
+         },
+         "Colours on standard output: auto is at a terminal, unless NO_COLOR is set")
+      ->type_name("WHEN")
+      ->check(CLI::IsMember(kColourNames));
+  app.fallthrough();
+}
+
+/// Adds commands, of which those without a heading stand under this one.
+template <class... Adds>
+void add_under(const std::string& heading, CLI::App& app, int& exit, Adds... adds) {
+  const std::size_t before = app.get_subcommands({}).size();
+  (adds(app, exit), ...);
+  const std::vector<CLI::App*> all = app.get_subcommands({});
+  for (std::size_t i = before; i < all.size(); ++i)
+    if (all[i]->get_group() == "Subcommands") all[i]->group(heading);
+}
+
+// An empty value is a variable of a script that was not set: what it was to name must not be taken for not given.
+
+/// CLI11 takes the next word for the value of "--option=".
+void refuse_options_that_end_in_an_equals_sign(const std::vector<std::string>& words) {
+  for (const std::string& word : words)
+    if (word.starts_with("--") && word.find('=') + 1 == word.size())
+      throw formats::InputError({"command line", 0}, word.substr(0, word.size() - 1), "expected something, got ''");
+}
+
+void refuse_empty_values(CLI::App& command) {
+  static const CLI::Validator something(
       [](const std::string& value) {
         return value.empty() ? std::string("expected something, got ''") : std::string();
       },
       "");
-  std::vector<CLI::App*> commands = app.get_subcommands({});
-  for (std::size_t i = 0; i < commands.size(); ++i)
-    for (CLI::App* inner : commands[i]->get_subcommands({})) commands.push_back(inner);
-  for (CLI::App* command : commands)
-    for (CLI::Option* option : command->get_options())
-      if (option->get_items_expected_max() != 0) option->transform(something);  // before other checks
+  for (CLI::Option* option : command.get_options())
+    if (option->get_items_expected_max() != 0) option->transform(something);  // before other checks
+  for (CLI::App* inner : command.get_subcommands({}))
+    if (inner->get_name() != kCompleteName) refuse_empty_values(*inner);
+}
+
+}  // namespace
+
+int run_command(int argc, const char* const* argv) {
+  CLI::App app{
+      "Verified reference and test oracle for discrete collision\n"
+      "It holds collision engines against golden files and exact arithmetic, for the pairs of shapes of SOFA's "
+      "DiscreteIntersection and more."};
+  app.name("contact-oracle");
+  app.set_version_flag("--version", "contact-oracle " + formats::version_and_commit());
+  app.require_subcommand(1);
+  app.formatter(help_formatter());
+  add_common_options(app);
+  int exit = kCertified;
+  add_under("Judge an engine", app, exit, add_certify, add_properties, add_compare, add_exam, add_merge, add_verify,
+            add_badge);
+  add_under("Ask for right answers", app, exit, add_explain, add_detect, add_serve);
+  add_under("Make golden files", app, exit, add_generate, add_annotate, add_convert, add_lint);
+  add_under("List what there is", app, exit, add_lists);
+  add_under("Maintain the committed golden files", app, exit, add_regenerate, add_adequacy, add_digests);
+  add_under("Help", app, exit, add_help, add_completion, add_man);
+  app.set_help_all_flag("--help-all", "Print every command and exit");  // of the program alone: it comes last
+  refuse_empty_values(app);
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  if (!words.empty() && words.front() != kCompleteName) refuse_options_that_end_in_an_equals_sign(words);
   try {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {
-    if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) {
-      fmt::print(stderr, "contact-oracle: unknown command '{}'; --help lists them\n", argv[1]);
+    const std::vector<std::string> unknown = app.remaining();
+    if (app.get_subcommands().empty() && !unknown.empty()) {
+      fmt::print(stderr, "contact-oracle: unknown command '{}'; `contact-oracle help all` lists them\n",
+                 unknown.front());
       return kBadInput;
     }
     app.exit(error);

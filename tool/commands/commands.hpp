@@ -30,7 +30,15 @@ void add_properties(CLI::App& app, int& exit);
 void add_lint(CLI::App& app, int& exit);
 void add_merge(CLI::App& app, int& exit);
 void add_verify(CLI::App& app, int& exit);
-void add_lists(CLI::App& app, int& exit);  ///< engines, families
+void add_lists(CLI::App& app, int& exit);  ///< engines, pairs, families
+void add_help(CLI::App& app, int& exit);
+void add_completion(CLI::App& app, int& exit);
+void add_man(CLI::App& app, int& exit);
+/// A hidden command, whose arguments are the words of another command line and may be empty.
+inline constexpr const char* kCompleteName = "complete";
+
+/// What help calls the default of golden_folder(), whose path is another on every machine.
+inline constexpr std::string_view kCommitted = "the committed golden files";
 
 /// Parses a command line, does what it says and returns the exit code; what is wrong with its options is told on
 /// standard error. Throws what a command throws: formats::InputError, OracleFault, engines::HarnessInvalid,
@@ -58,6 +66,22 @@ template <class All>
 [[nodiscard]] auto named(const All& all, std::string_view text) {
   return *std::find_if(all.begin(), all.end(), [&](auto one) { return name(one) == text; });
 }
+
+/// Options that are added while it lives stand under this heading in help.
+class Heading {
+ public:
+  Heading(CLI::App& command, const std::string& title)
+      : command_(command), before_(command.option_defaults()->get_group()) {
+    command_.option_defaults()->group(title);
+  }
+  Heading(const Heading&) = delete;
+  Heading& operator=(const Heading&) = delete;
+  ~Heading() { command_.option_defaults()->group(before_); }
+
+ private:
+  CLI::App& command_;
+  std::string before_;
+};
 
 /// Refuses an option that stands alone where others were given beside it, which would do nothing.
 void require_alone(const CLI::App& command, const std::string& option);

@@ -8,6 +8,7 @@
 #include "formats/output_file.hpp"
 #include "tool/commands/commands.hpp"
 #include "tool/reports/history.hpp"
+#include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
@@ -34,31 +35,31 @@ int compare_reports(const CompareOptions& options) {
     throw_if_interrupted();
     reports.push_back(read_report(path));
   }
-  if (reports.size() == 2) fmt::print("old  {}\nnew  {}\n\n", reports.front().verdict, reports.back().verdict);
+  if (reports.size() == 2) fmt::print(words(), "old  {}\nnew  {}\n\n", reports.front().verdict, reports.back().verdict);
   const History history(std::move(reports));
   if (page) {
     page->write(history.html());
     page->commit();
   }
-  fmt::print("{}", history.steps().size() == 1 ? history.steps().front().text() : history.text());
+  fmt::print(words(), "{}", history.steps().size() == 1 ? history.steps().front().text() : history.text());
   const bool other_bits = options.same_bits && !history.same_bits();
-  if (other_bits) fmt::print("REFUTED: --same-bits, and that is not shown.\n");
-  if (page) fmt::print("\nReport: {}\n", options.page);
+  if (other_bits) fmt::print(words(), "REFUTED: --same-bits, and that is not shown.\n");
+  if (page) fmt::print(words(), "\nReport: {}\n", options.page);
   return history.steps().back().worse() || other_bits ? kRefuted : kCertified;
 }
 
 }  // namespace
 
 void add_compare(CLI::App& app, int& exit) {
-  auto* command = app.add_subcommand(
-      "compare",
-      "What became better or worse between two JSON reports of certify, or from each of several to the next; exit 1 "
-      "where anything became worse in the last step");
+  auto* command = app.add_subcommand("compare",
+                                     "What became better or worse between reports of certify\n"
+                                     "They are what certify --json writes, and each is held against the one before it. "
+                                     "Exit 1 where anything became worse in the last step.");
   auto options = std::make_shared<CompareOptions>();
   command->add_option("old", options->older, "The earlier report")->required();
   command->add_option("new", options->newer, "The later report")->required();
   command->add_option("more", options->more, "Later ones still, in their order");
-  command->add_option("--report", options->page, "Write a page of all of them as HTML");
+  command->add_option("--report", options->page, "Write a page of all of them, HTML")->type_name("FILE");
   command->add_flag(
       "--same-bits", options->same_bits,
       "Exit 1 too where the reports do not show the same bits in every answer: all of certify --determinism");

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "engines/protocol/results.hpp"
+#include "tool/commands/commands.hpp"
 #include "tool/commands/engine_options.hpp"
 #include "tool/run/profiles.hpp"
 
@@ -53,6 +54,7 @@ Tolerance read_tolerance(const std::string& text) {
 
 void add_demand_options(CLI::App& command, DemandOptions& options) {
   options.parsed = &command;
+  const Heading heading(command, "What passes");
   auto* level = command.add_option("--level", options.level, "Required level")
                     ->capture_default_str()
                     ->check(CLI::IsMember(kRequiredLevels));

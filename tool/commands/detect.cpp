@@ -13,8 +13,9 @@
 #include "contact/shape_intersectors.hpp"
 #include "engines/engine.hpp"
 #include "formats/json.hpp"
-#include "formats/output_file.hpp"
 #include "tool/commands/commands.hpp"
+#include "tool/commands/json_output.hpp"
+#include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
 #include "tool/run/scene.hpp"
 
@@ -33,7 +34,7 @@ struct DetectOptions {
   bool self = false;
   bool solid_cubes = false;
   std::string output;
-  bool json = false;
+  std::string json;
 };
 
 /// Every intersector asks for the alarm distance of each candidate: a long detection ends where a signal arrives.
@@ -134,8 +135,9 @@ std::string table(const std::vector<Meeting>& all, const ProximityIntersection& 
 }
 
 void run_detect(const DetectOptions& options) {
-  require_apart({options.output}, options.scenes);
-  const auto output = options.output.empty() ? nullptr : std::make_unique<formats::OutputFile>(options.output);
+  require_apart({options.output, options.json}, options.scenes);
+  JsonOutput output(options.output);
+  JsonOutput json(options.json);
   if (options.solid_cubes)  // before the plug-ins, whose intersectors replace others
     IntersectorFactory::getInstance().registerCreator("SolidCube", creator_of<SolidCubeDiscreteIntersection>());
   for (const std::string& plugin : options.plugins) load_plugin(plugin);
@@ -149,14 +151,12 @@ void run_detect(const DetectOptions& options) {
 
   const std::vector<Meeting> all = meetings(scene, intersection, options.self);
   const std::string header = header_line(all, intersection, options.points);
-  if (output) {
-    write_contacts(all, header, [&](const std::string& line) { output->write(line); });
-    output->commit();
+  for (JsonOutput* to : {&output, &json}) {
+    if (!to->wanted()) continue;
+    write_contacts(all, header, [&](const std::string& line) { to->write(line); });
+    to->commit();
   }
-  if (options.json)
-    write_contacts(all, header, [](const std::string& line) { fmt::print("{}", line); });
-  else
-    fmt::print("{}", table(all, intersection, options.points));
+  if (!json.alone()) fmt::print(words(), "{}", table(all, intersection, options.points));
 }
 
 /// A distance on the command line.
@@ -171,7 +171,9 @@ std::string not_a_distance(const std::string& text) {
 }  // namespace
 
 void add_detect(CLI::App& app, int& exit) {
-  auto* command = app.add_subcommand("detect", "The contacts between whole models of a scene");
+  auto* command = app.add_subcommand(
+      "detect",
+      "The contacts between whole models of a scene\nA table of each pair of models, or all contacts with --json.");
   auto options = std::make_shared<DetectOptions>();
   command->add_option("scenes", options->scenes, "Scene files (below), or - for standard input")->required();
   command
@@ -189,8 +191,8 @@ void add_detect(CLI::App& app, int& exit) {
   command->add_flag("--self", options->self, "Each model with itself, too");
   command->add_flag("--solid-cubes", options->solid_cubes,
                     "Spheres against cubes, too: cubes are solid (default: they bound something else, as in SOFA)");
-  command->add_option("-o,--output", options->output, "Write the contacts as JSON lines");
-  command->add_flag("--json", options->json, "Print the contacts as JSON lines instead of the table");
+  add_json_option(*command, options->json, "The contacts as JSON lines");
+  command->add_option("-o,--output", options->output, "The same as --json=FILE")->type_name("FILE");
   command->footer(
       "A scene is JSON lines: a header (alarm and contact may be left out), then one model a line with one\n"
       "entry an element in each column; x is a number. Plug-ins bring more models. See docs/formats.md#scenes.\n\n" +

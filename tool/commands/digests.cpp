@@ -8,6 +8,7 @@
 #include "golden/production.hpp"
 #include "tool/commands/commands.hpp"
 #include "tool/run/digests.hpp"
+#include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
@@ -41,7 +42,7 @@ void write(const DigestsOptions& o) {
   } catch (const Interrupted&) {
     throw Interrupted(fmt::format("interrupted; {} files are done, and will not be done again", written));
   }
-  fmt::print("{}: digests of {} generators' answers\n", o.folder, written);
+  fmt::print(words(), "{}: digests of {} generators' answers\n", o.folder, written);
 }
 
 /// Whether every recorded digest is what the answers give, and that of many answers is recorded.
@@ -63,7 +64,7 @@ bool check(const DigestsOptions& o) {
       }
       // That of the most answers is made where there is time for it.
       if (count < golden::kMostAnswers) ++wrong;
-      fmt::print("{}: no digest of {} answers\n", stream.path(), count);
+      fmt::print(words(), "{}: no digest of {} answers\n", stream.path(), count);
     }
     if (counts.empty()) continue;
     const auto found =
@@ -72,21 +73,24 @@ bool check(const DigestsOptions& o) {
       const bool same = digests.at(counts[i]) == found[i];
       ++(same ? right : wrong);
       if (!same)
-        fmt::print("{}: the manifest says {} for {} answers, {} gives {}\n", stream.path(), digests.at(counts[i]),
-                   counts[i], o.production ? "production" : "the oracle", found[i]);
+        fmt::print(words(), "{}: the manifest says {} for {} answers, {} gives {}\n", stream.path(),
+                   digests.at(counts[i]), counts[i], o.production ? "production" : "the oracle", found[i]);
     }
   }
-  fmt::print("{} digests right, {} wrong or missing\n", right, wrong);
+  fmt::print(words(), "{} digests right, {} wrong or missing\n", right, wrong);
   return wrong == 0;
 }
 
 }  // namespace
 
 void add_digests(CLI::App& app, int& exit) {
-  auto* command = app.add_subcommand(
-      "digests", "Are the manifest's digests those of the answers to the first 10000 questions of every generator?");
+  auto* command =
+      app.add_subcommand("digests",
+                         "Whether the manifest's digests are those of the answers\n"
+                         "They are of the answers to the first 10000, or 1000000, questions of every generator.");
   auto o = std::make_shared<DigestsOptions>();
-  command->add_option("folder", o->folder, fmt::format("A folder with a manifest (default: {})", golden_folder()));
+  command->add_option("folder", o->folder, fmt::format("A folder with a manifest (default: {})", kCommitted))
+      ->type_name("FOLDER");
   command->add_option("--count", o->count, "10000, or 1000000: both are looked at")
       ->capture_default_str()
       ->check(CLI::IsMember({golden::kManyAnswers, golden::kMostAnswers}));

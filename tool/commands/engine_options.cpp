@@ -73,19 +73,26 @@ std::unique_ptr<engines::Engine> mutant(const std::string& name) {
 
 void add_engine_options(CLI::App& command, EngineOptions& options, bool recorded) {
   options.parsed = &command;
+  const Heading heading(command, "Engine");
   auto* engine =
       command.add_option("--engine", options.engine, "An engine by name; `contact-oracle engines` lists them");
-  auto* program = command.add_option("--engine-command", options.command,
-                                     "An engine in any language: a program that speaks the engine protocol, with its "
-                                     "arguments; split as a shell splits words, without a shell");
+  auto* program = command
+                      .add_option("--engine-command", options.command,
+                                  "An engine in any language: a program that speaks the engine protocol, with its "
+                                  "arguments; split as a shell splits words, without a shell")
+                      ->type_name("\"CMD ARGS\"");
   auto* library =
-      command.add_option("--engine-library", options.library,
-                         "An engine as a shared library with the interface of engines/protocol/contact_engine.h");
+      command
+          .add_option("--engine-library", options.library,
+                      "An engine as a shared library with the interface of engines/protocol/contact_engine.h")
+          ->type_name("FILE");
   std::vector<CLI::Option*> choices{engine, program, library};
   if (recorded)
     choices.push_back(
-        command.add_option("--results", options.results,
-                           "A results file: the recorded answers of an engine, JSON lines or columns (*.h5, *.npz)"));
+        command
+            .add_option("--results", options.results,
+                        "A results file: the recorded answers of an engine, JSON lines or columns (*.h5, *.npz)")
+            ->type_name("FILE"));
   for (auto* one : choices)
     for (auto* other : choices)
       if (one != other) one->excludes(other);

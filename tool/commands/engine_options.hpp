@@ -30,9 +30,9 @@ struct EngineOptions {
   std::string points = std::string(engines::kComputedPointsNames.front());
   std::size_t jobs = 0;  ///< engine processes, and threads where the command has them; 0: one process, a thread a core
   std::optional<std::uint64_t> rows{};  ///< of a results file: the questions, where all are of one dataset
-  double start_limit = 10;           ///< seconds
-  double answer_limit = 10;          ///< seconds
-  const CLI::App* parsed = nullptr;  ///< the command that they were given to
+  double start_limit = 10;              ///< seconds
+  double answer_limit = 10;             ///< seconds
+  const CLI::App* parsed = nullptr;     ///< the command that they were given to
 
   /// Whether none was chosen.
   [[nodiscard]] bool none() const { return engine.empty() && command.empty() && library.empty() && results.empty(); }

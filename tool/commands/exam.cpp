@@ -16,6 +16,7 @@
 #include "tool/run/date.hpp"
 #include "tool/run/exam.hpp"
 #include "tool/run/parts.hpp"
+#include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
 #include "tool/run/profiles.hpp"
 
@@ -89,7 +90,8 @@ void make_new(const NewOptions& o) {
   // The key first: questions without one could not be judged.
   key_file.commit();
   exam.commit();
-  fmt::print("{}: {} questions of {} families\n{}: keep it to yourself until the exam is closed\ncommitment {}\n",
+  fmt::print(words(),
+             "{}: {} questions of {} families\n{}: keep it to yourself until the exam is closed\ncommitment {}\n",
              o.output, questions.count, key.sources.size(), o.key, commitment);
 }
 
@@ -124,8 +126,8 @@ void take(const TakeOptions& o) {
   }
   answers.write(engine.results());
   answers.commit();
-  fmt::print("{}: {} of {} questions answered by {} {}\n", o.output, engine.answers(), exam.all.size(), info.name,
-             info.version);
+  fmt::print(words(), "{}: {} of {} questions answered by {} {}\n", o.output, engine.answers(), exam.all.size(),
+             info.name, info.version);
 }
 
 struct CloseOptions {
@@ -169,7 +171,7 @@ int close(const CloseOptions& o) {
   if (unknown != 0 && unknown == engines::count_recorded(o.engine.results))
     throw InputError({o.engine.results, 0}, "", "answers no question of this exam");
   if (reports.front().harness_invalid()) {
-    fmt::print("{} stays as it is: no answer claims anything\n", o.key);
+    fmt::print(words(), "{} stays as it is: no answer claims anything\n", o.key);
     return files.write(reports, false);
   }
   // Used before anybody has seen what came of it.
@@ -181,7 +183,7 @@ int close(const CloseOptions& o) {
   const int exit = files.write(reports, false);
   if (exit == kCertified || exit == kRefuted)
     certificate.write(reports.front(), key.sources, oracles, nullptr, key.nonce);
-  fmt::print("{} is used, and its seed {}\n", o.key,
+  fmt::print(words(), "{} is used, and its seed {}\n", o.key,
              o.certificate.certificate.empty() ? "is in it" : "stands in the certificate");
   return exit;
 }
@@ -189,13 +191,14 @@ int close(const CloseOptions& o) {
 }  // namespace
 
 void add_exam(CLI::App& app, int& exit) {
-  auto* command = app.add_subcommand("exam", "Questions that nobody has seen: set an exam, take it, close it");
+  auto* command = app.add_subcommand(
+      "exam", "Questions that nobody has seen: set an exam, take it, close it\nAn exam is closed once, by its key.");
   command->require_subcommand(1);
 
   auto* set = command->add_subcommand("new", "Write questions without answers, and the key that they come from");
   auto o = std::make_shared<NewOptions>();
-  set->add_option("-o,--output", o->output, "The exam, *.jsonl, *.h5 or *.npz")->required();
-  set->add_option("--key", o->key, "The key, *.json: keep it until the exam is closed")->required();
+  set->add_option("-o,--output", o->output, "The exam, *.jsonl, *.h5 or *.npz")->type_name("FILE")->required();
+  set->add_option("--key", o->key, "The key, *.json: keep it until the exam is closed")->type_name("FILE")->required();
   set->add_option("--profile", o->profile,
                   "Families, how many questions of each, scalar, and the tolerance to judge by")
       ->check(CLI::IsMember(kProfileNames));
@@ -213,7 +216,7 @@ void add_exam(CLI::App& app, int& exit) {
   auto* taken = command->add_subcommand("take", "Ask an engine the questions of an exam and write its answers");
   auto t = std::make_shared<TakeOptions>();
   taken->add_option("exam", t->exam, "What `exam new` wrote")->required();
-  taken->add_option("-o,--output", t->output, "The answers, a results file")->required();
+  taken->add_option("-o,--output", t->output, "The answers, a results file")->type_name("FILE")->required();
   add_engine_options(*taken, t->engine, false);
   taken->callback([t, &exit] {
     take(*t);
@@ -223,14 +226,15 @@ void add_exam(CLI::App& app, int& exit) {
   auto* closed = command->add_subcommand("close", "Judge the answers to an exam, once, and reveal its seed");
   auto c = std::make_shared<CloseOptions>();
   c->engine.parsed = closed;
-  closed->add_option("--key", c->key, "The exam's key, which is marked as used")->required();
-  closed->add_option("--results", c->engine.results, "The answers, a results file")->required();
-  closed->add_option("--exam", c->exam, "The exam: compared with the key");
+  closed->add_option("--key", c->key, "The exam's key, which is marked as used")->type_name("FILE")->required();
+  closed->add_option("--results", c->engine.results, "The answers, a results file")->type_name("FILE")->required();
+  closed->add_option("--exam", c->exam, "The exam: compared with the key")->type_name("FILE");
   closed->add_flag("--allow-unsupported", c->allow_unsupported,
                    "Leave out questions that the engine answers with \"unsupported\"");
   add_demand_options(*closed, c->demand);
   add_report_options(*closed, c->reports);
-  closed->add_option("--certificate", c->certificate.certificate, "Write a certificate, which `verify` checks offline");
+  closed->add_option("--certificate", c->certificate.certificate, "Write a certificate, which `verify` checks offline")
+      ->type_name("FILE");
   closed->callback([c, &exit] { exit = close(*c); });
 }
 

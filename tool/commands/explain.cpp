@@ -14,8 +14,10 @@
 #include "golden/dataset_writer.hpp"
 #include "golden/query_id.hpp"
 #include "tool/commands/commands.hpp"
+#include "tool/commands/json_output.hpp"
 #include "tool/reports/explanation.hpp"
 #include "tool/run/pipeline.hpp"
+#include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
@@ -27,13 +29,13 @@ constexpr std::size_t kShownIds = 5;
 struct ExplainOptions {
   std::string input = "-";
   std::string in;
-  bool json = false;
+  std::string json;
 };
 
 /// Prints what the oracles say of one question after another.
 class Explained {
  public:
-  explicit Explained(bool json) : json_(json) {}
+  explicit Explained(const std::string& json) : json_(json) {}
 
   void add(const Query& query, Scalar scalar) {
     if (const auto error = outside_domain(query)) {
@@ -44,20 +46,19 @@ class Explained {
     }
     const oracle::Truth truth = oracle::truth_of(query);
     require_agreement(query, truth, oracle::interval_answer(query, scalar), scalar);
-    print(query, scalar, json_ ? "" : explanation(query, truth, scalar));
+    print(query, scalar, json_.alone() ? "" : explanation(query, truth, scalar));
   }
   [[nodiscard]] bool any() const { return any_; }
+  void commit() { json_.commit(); }
 
  private:
-  void print(const Query& query, Scalar scalar, const std::string& words) {
-    if (json_)
-      fmt::print("{}\n", golden::answer_line(golden::make_case(query, scalar)));
-    else
-      fmt::print("{}{}", any_ ? "\n" : "", words);
+  void print(const Query& query, Scalar scalar, const std::string& said) {
+    if (json_.wanted()) json_.write(golden::answer_line(golden::make_case(query, scalar)) + "\n");
+    if (!json_.alone()) fmt::print("{}{}", any_ ? "\n" : "", said);
     any_ = true;
   }
 
-  bool json_;
+  JsonOutput json_;
   bool any_ = false;
 };
 
@@ -76,6 +77,7 @@ void explain_lines(const ExplainOptions& o) {
     explained.add(query, scalar);
   }
   if (!explained.any()) throw formats::InputError(lines.where(), "", "no question given: expected JSON lines");
+  explained.commit();
 }
 
 bool begins_an_id(const std::string& text) {
@@ -125,7 +127,7 @@ class Lookup {
   }
 
   /// Explains the one question that was found.
-  void explain(const std::string& where, bool json) const {
+  void explain(const std::string& where, const std::string& json) const {
     if (ids_.empty())
       throw formats::InputError({where, 0}, "",
                                 fmt::format("{}no question whose id begins with {}{}", no_file_, digits_, beside_));
@@ -139,9 +141,10 @@ class Lookup {
               ids_.size() > kShownIds ? ", ..." : ""));
     Explained explained(json);
     for (const Found& f : found_) {
-      fmt::print(stderr, "found in {}\n", f.where);
+      if (!is_quiet()) fmt::print(stderr, "found in {}\n", f.where);
       explained.add(f.query, f.scalar);
     }
+    explained.commit();
   }
 
  private:
@@ -159,6 +162,7 @@ class Lookup {
 };
 
 void explain(const ExplainOptions& o) {
+  require_apart({o.json}, {o.input, o.in});
   const bool is_id = begins_an_id(o.input);
   if (!o.in.empty() && !is_id)
     throw formats::InputError(
@@ -176,18 +180,20 @@ void explain(const ExplainOptions& o) {
 
 void add_explain(CLI::App& app, int& exit) {
   auto* command = app.add_subcommand("explain",
-                                     "The exact answer to questions (JSON lines), or to one that a report or a golden "
-                                     "file holds, in words and numbers");
+                                     "The exact answer to a question, in words and numbers\n"
+                                     "Questions are JSON lines, or one is named by its id, which reports print.");
   auto o = std::make_shared<ExplainOptions>();
   command
       ->add_option("questions", o->input,
                    "A file of questions, - for standard input, or the id of one, of which the first digits are enough")
       ->capture_default_str();
-  command->add_option("--in", o->in,
-                      fmt::format("Where an id is looked for: a report of certify --json, a golden file or a folder of "
-                                  "them (default: {})",
-                                  golden_folder()));
-  command->add_flag("--json", o->json, "One {\"id\",\"expect\",\"exact\"} line a question");
+  command
+      ->add_option("--in", o->in,
+                   fmt::format("Where an id is looked for: a report of certify --json, a golden file or a folder of "
+                               "them (default: {})",
+                               kCommitted))
+      ->type_name("FILE");
+  add_json_option(*command, o->json, "One {\"id\",\"expect\",\"exact\"} line a question");
   command->callback([o, &exit] {
     explain(*o);
     exit = kCertified;

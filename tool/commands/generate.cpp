@@ -19,6 +19,7 @@
 #include "tool/commands/commands.hpp"
 #include "tool/run/cluster.hpp"
 #include "tool/run/digests.hpp"
+#include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
@@ -37,15 +38,20 @@ struct GenerateOptions {
   bool resume = false;
   std::string output;
   bool digest = false;
+  std::string all;  ///< folder
 };
+
+/// A bar for what one dataset, or many, are made of.
+Progress progress_of(const std::string& label, std::uint64_t cases) {
+  return Progress(label, Cluster::is_first() ? cases : 0);
+}
 
 /// Writes the cases of `count` questions, worked out on every thread of every process and written in order by the
 /// first. Gives it the digest of their answers.
 std::string write_dataset(const golden::DatasetHeader& header, const std::string& path,
-                          const std::function<Query(std::uint64_t)>& question) {
+                          const std::function<Query(std::uint64_t)>& question, Progress& progress) {
   const auto writer = Cluster::is_first() ? golden::create_dataset(path, header) : nullptr;
   formats::Sha256 digest;
-  Progress progress(fmt::format("{}/{}", name(header.pair), header.family), Cluster::is_first() ? header.count : 0);
   const auto work = [&](std::uint64_t run) {
     const std::uint64_t begin = run * kRun;
     std::vector<std::string> lines(std::min<std::uint64_t>(kRun, header.count - begin));
@@ -71,7 +77,7 @@ std::string write_dataset(const golden::DatasetHeader& header, const std::string
 /// What is printed at the end of a command whose work processes share: once.
 template <class... Args>
 void say(fmt::format_string<Args...> format, Args&&... args) {
-  if (Cluster::is_first()) fmt::print(format, std::forward<Args>(args)...);
+  if (Cluster::is_first()) fmt::print(words(), format, std::forward<Args>(args)...);
 }
 
 void check_output(const std::string& command, const std::string& path) {
@@ -83,12 +89,11 @@ void check_output(const std::string& command, const std::string& path) {
 /// Refuses a file that is not the whole of what would be written: what stands there is never written over unasked.
 /// Gives the digest of its answers.
 std::string check_finished(const golden::DatasetHeader& header, const std::string& path,
-                           const std::function<Query(std::uint64_t)>& question) {
+                           const std::function<Query(std::uint64_t)>& question, Progress& progress) {
   golden::DatasetReader reader(path);
   if (const auto found = to_line(reader.header()), expected = to_line(header); found != expected)
     throw InputError({path, 0}, "",
                      fmt::format("--resume met another dataset: its header is {}, to be made is {}", found, expected));
-  Progress progress(path, header.count);
   formats::Sha256 digest;
   for (std::uint64_t i = 0; const auto c = reader.next(); ++i) {
     throw_if_interrupted();
@@ -101,8 +106,10 @@ std::string check_finished(const golden::DatasetHeader& header, const std::strin
   return digest.hex();
 }
 
-void generate(const GenerateOptions& o) {
+void generate_one(const GenerateOptions& o) {
   const formats::Location where{"generate", 0};
+  for (const auto& [option, value] : {std::pair("--pair", o.pair), {"--family", o.family}})
+    if (value.empty()) throw InputError(where, option, "missing, and only --all does without it");
   const Pair pair = named(kPairs, o.pair);
   const golden::Family* family = golden::find_family(pair, o.family);
   if (family == nullptr) {
@@ -136,15 +143,12 @@ void generate(const GenerateOptions& o) {
   const auto question = [&](std::uint64_t i) {
     return golden::generate_query(header.pair, *family, header.scalar, header.seed, first + i);
   };
-  if (o.resume && std::filesystem::exists(o.output)) {
-    const std::string kept = check_finished(header, o.output, question);
-    say("{}: {} cases, kept as they stand there\n", o.output, header.count);
-    if (o.digest) say("{}\n", kept);
-    return;
-  }
-  const std::string digest = write_dataset(header, o.output, question);
-  say("{}: {} cases\n", o.output, header.count);
-  if (o.digest) say("{}\n", digest);
+  Progress progress = progress_of(fmt::format("{}/{}", o.pair, o.family), header.count);
+  const bool kept = o.resume && std::filesystem::exists(o.output);
+  const std::string digest =
+      kept ? check_finished(header, o.output, question, progress) : write_dataset(header, o.output, question, progress);
+  say("{}: {} cases{}\n", o.output, header.count, kept ? ", kept as they stand there" : "");
+  if (o.digest && Cluster::is_first()) fmt::print("{}\n", digest);
 }
 
 /// Refuses a file that something else made, as far as its header tells: it would be lost.
@@ -154,30 +158,58 @@ void require_own(const std::filesystem::path& path, golden::DatasetHeader own) {
   own.generator = found.generator;  // another version of this program
   if (to_line(found) != to_line(own))
     throw InputError({path.string(), 1}, "",
-                     fmt::format("not what `regenerate` writes, which begins with {}: move it away", to_line(own)));
+                     fmt::format("not what would be written, which begins with {}: move it away", to_line(own)));
 }
 
-void regenerate(const std::string& folder) {
-  const auto header_of = [](const golden::CommittedFile& file) {
+/// Writes every one of these files below a folder: a whole set, laid out as the committed one. A file is there whole or
+/// not at all, and with `resume` one that is there is kept.
+void write_set(const std::string& folder, const std::vector<golden::CommittedFile>& files, std::uint64_t seed,
+               std::uint64_t count, bool resume) {
+  const auto header_of = [&](const golden::CommittedFile& file) {
     golden::DatasetHeader header;
     header.pair = file.pair;
     header.scalar = file.scalar;
     header.family = file.family->name;
-    header.seed = golden::kCommittedSeed;
-    header.count = golden::kCommittedCount;
+    header.seed = seed;
+    header.count = count;
     return header;
   };
   const auto path_of = [&](const golden::CommittedFile& file) { return std::filesystem::path(folder) / file.path(); };
-  for (const golden::CommittedFile& file : golden::committed_files()) require_own(path_of(file), header_of(file));
-  for (const golden::CommittedFile& file : golden::committed_files()) {
+  for (const golden::CommittedFile& file : files) require_own(path_of(file), header_of(file));
+  Progress progress = progress_of(folder, count * files.size());
+  std::size_t kept = 0;
+  for (const golden::CommittedFile& file : files) {
     const std::filesystem::path path = path_of(file);
-    make_folder(path.parent_path());
     const golden::DatasetHeader header = header_of(file);
-    write_dataset(header, path.string(), [&](std::uint64_t i) {
-      return golden::generate_query(file.pair, *file.family, file.scalar, header.seed, i);
-    });
+    const auto question = [&](std::uint64_t i) {
+      return golden::generate_query(file.pair, *file.family, file.scalar, seed, i);
+    };
+    if (resume && std::filesystem::exists(path)) {
+      static_cast<void>(check_finished(header, path.string(), question, progress));
+      ++kept;
+      continue;
+    }
+    make_folder(path.parent_path());
+    static_cast<void>(write_dataset(header, path.string(), question, progress));
   }
-  say("{}: {} files of {} cases\n", folder, golden::committed_files().size(), golden::kCommittedCount);
+  say("{}: {} files of {} cases{}\n", folder, files.size(), count,
+      kept == 0 ? "" : fmt::format(", {} of them kept as they stand there", kept));
+}
+
+/// Every family of every pair, in both scalars.
+std::vector<golden::CommittedFile> every_file() {
+  std::vector<golden::CommittedFile> files;
+  for (const Pair pair : kPairs)
+    for (const golden::Family& family : golden::families_of(pair))
+      for (const Scalar scalar : kScalars) files.push_back({pair, scalar, &family});
+  return files;
+}
+
+void generate(const GenerateOptions& o) {
+  if (o.all.empty())
+    generate_one(o);
+  else
+    write_set(o.all, every_file(), o.seed, o.count, o.resume);
 }
 
 struct AnnotateOptions {
@@ -217,7 +249,9 @@ void annotate(const AnnotateOptions& o) {
   }
   if (queries.empty()) throw InputError(lines.where(), "", "no question in this file");
   header.count = queries.size();
-  write_dataset(header, o.output, [&](std::uint64_t i) { return queries[i]; });
+  Progress progress = progress_of(o.output, header.count);
+  static_cast<void>(write_dataset(
+      header, o.output, [&](std::uint64_t i) { return queries[i]; }, progress));
   say("{}: {} cases\n", o.output, header.count);
 }
 
@@ -288,11 +322,12 @@ void convert(ConvertOptions o) {
 }  // namespace
 
 void add_convert(CLI::App& app, int& exit) {
-  auto* command = app.add_subcommand(
-      "convert", "A golden file in another form, JSON lines, HDF5 or .npz; of all shards of a dataset, the whole");
+  auto* command = app.add_subcommand("convert",
+                                     "A golden file in another form, or all its shards as one\n"
+                                     "The forms are JSON lines, HDF5 and NumPy's .npz.");
   auto o = std::make_shared<ConvertOptions>();
   command->add_option("datasets", o->inputs, "A golden file, or all shards of one in any order")->required();
-  command->add_option("-o,--output", o->output, "The file, *.jsonl, *.h5 or *.npz")->required();
+  command->add_option("-o,--output", o->output, "The file, *.jsonl, *.h5 or *.npz")->type_name("FILE")->required();
   command->callback([o, &exit] {
     convert(*o);
     exit = kCertified;
@@ -300,20 +335,31 @@ void add_convert(CLI::App& app, int& exit) {
 }
 
 void add_generate(CLI::App& app, int& exit) {
-  auto* command = app.add_subcommand(
-      "generate", "Write a golden file of a family: a pure function of pair, family, scalar, seed and index");
+  auto* command =
+      app.add_subcommand("generate",
+                         "Make golden files: questions of a family, with their exact answers\n"
+                         "A pure function of pair, family, scalar, seed and index. With --all every family of "
+                         "every pair in both scalars: FOLDER/PAIR/FAMILY.jsonl, and .f32.jsonl in binary32.");
   auto o = std::make_shared<GenerateOptions>();
-  command->add_option("--pair", o->pair, "The pair of shapes")->required()->check(CLI::IsMember(names_of(kPairs)));
-  command->add_option("--family", o->family, "A family; `contact-oracle families` lists them")->required();
-  command->add_option("--count", o->count, "How many questions")->required()->check(kFromOne);
+  auto* all = command->add_option("--all", o->all, "A whole set, into this folder")->type_name("FOLDER");
+  command->add_option("--pair", o->pair, "The pair of shapes")->excludes(all)->check(CLI::IsMember(names_of(kPairs)));
+  command->add_option("--family", o->family, "A family; `contact-oracle families` lists them")->excludes(all);
+  command->add_option("--count", o->count, "How many questions, with --all of each family")
+      ->required()
+      ->check(kFromOne);
   command->add_option("--seed", o->seed, "The seed")->required()->check(kFromZero);
   command->add_option("--scalar", o->scalar, "The number format that answers are rounded to")
       ->capture_default_str()
+      ->excludes(all)
       ->check(CLI::IsMember(names_of(kScalars)));
-  command->add_option("--shard", o->shard, "I/N: only part I (from 0) of N, itself a dataset");
-  command->add_flag("--resume", o->resume, "Keep the file where it is there already and whole; refuse it if damaged");
-  command->add_option("-o,--output", o->output, "The file, *.jsonl, *.h5 or *.npz; may be left out with --digest");
-  command->add_flag("--digest", o->digest, "Print the SHA-256 of the answers, docs/formats.md#digests");
+  command->add_option("--shard", o->shard, "Only part I (from 0) of N, itself a dataset")
+      ->type_name("I/N")
+      ->excludes(all);
+  command->add_flag("--resume", o->resume, "Keep a file that is there already and whole; refuse it if damaged");
+  command->add_option("-o,--output", o->output, "The file, *.jsonl, *.h5 or *.npz; may be left out with --digest")
+      ->type_name("FILE")
+      ->excludes(all);
+  command->add_flag("--digest", o->digest, "Print the SHA-256 of the answers, docs/formats.md#digests")->excludes(all);
   command->callback([o, &exit] {
     generate(*o);
     exit = kCertified;
@@ -321,12 +367,13 @@ void add_generate(CLI::App& app, int& exit) {
 }
 
 void add_regenerate(CLI::App& app, int& exit) {
-  auto* command = app.add_subcommand(
-      "regenerate", "Write anew every committed golden file that a family makes (then: lint --write-manifest)");
+  auto* command = app.add_subcommand("regenerate",
+                                     "Write anew every committed golden file that a family makes\n"
+                                     "Then lint --write-manifest makes the manifest.");
   auto folder = std::make_shared<std::string>();
-  command->add_option("folder", *folder, "The folder of golden files that is written")->required();
+  command->add_option("folder", *folder, "The folder of golden files that is written")->type_name("FOLDER")->required();
   command->callback([folder, &exit] {
-    regenerate(*folder);
+    write_set(*folder, golden::committed_files(), golden::kCommittedSeed, golden::kCommittedCount, false);
     exit = kCertified;
   });
 }
@@ -335,8 +382,10 @@ void add_annotate(CLI::App& app, int& exit) {
   auto* command = app.add_subcommand("annotate", "Make a golden file of your own questions (JSON lines)");
   auto o = std::make_shared<AnnotateOptions>();
   command->add_option("queries", o->input, "The questions, or - for standard input")->required();
-  command->add_option("-o,--output", o->output, "The file, *.jsonl, *.h5 or *.npz")->required();
-  command->add_option("--family", o->family, "The name of the family that they make")->capture_default_str();
+  command->add_option("-o,--output", o->output, "The file, *.jsonl, *.h5 or *.npz")->type_name("FILE")->required();
+  command->add_option("--family", o->family, "The name of the family that they make")
+      ->type_name("NAME")
+      ->capture_default_str();
   command->callback([o, &exit] {
     annotate(*o);
     exit = kCertified;

@@ -11,6 +11,7 @@
 #include "golden/manifest.hpp"
 #include "tool/commands/commands.hpp"
 #include "tool/run/digests.hpp"
+#include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
@@ -84,14 +85,14 @@ void lint(const LintOptions& o) {
       golden::check_manifest(path, entries);
     }
   }
-  fmt::print("{} cases in {} files: well formed, canonical, every expectation right\n", cases, files);
+  fmt::print(words(), "{} cases in {} files: well formed, canonical, every expectation right\n", cases, files);
 }
 
 }  // namespace
 
 void add_lint(CLI::App& app, int& exit) {
   auto* command = app.add_subcommand(
-      "lint", "Is this golden file well formed, and is every expectation right? A folder's manifest is checked too");
+      "lint", "Whether golden files are well formed, and every expectation right\nA folder's manifest is checked too.");
   auto o = std::make_shared<LintOptions>();
   command->add_option("datasets", o->paths, "Golden files or folders")->required();
   command->add_flag("--generated", o->generated, "Allow a generated file to repeat a question");

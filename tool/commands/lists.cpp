@@ -13,6 +13,7 @@
 #include "golden/flags.hpp"
 #include "oracle/diagnosis/diagnosis.hpp"
 #include "tool/commands/commands.hpp"
+#include "tool/commands/json_output.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
@@ -20,72 +21,80 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void print_line(const Json& json) { fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace)); }
+/// A list in words, and where it is wanted as JSON, one object a line.
+class Listed {
+ public:
+  explicit Listed(const std::string& json) : json_(json) {}
 
-/// With --json the mutants are among them; else they are counted, or with `every_mutant` listed.
-void list_engines(bool json, bool every_mutant) {
-  for (const engines::BuiltIn& e : engines::built_in_engines())
-    if (json)
-      print_line({{"name", e.name}, {"scalar", name(e.scalar)}, {"about", e.about}});
-    else
-      fmt::print("{:<18}{}  {}\n", e.name, name(e.scalar), e.about);
+  void json(const Json& line) {
+    if (json_.wanted()) json_.write(line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+  }
+  template <class... Args>
+  void words(fmt::format_string<Args...> format, Args&&... args) const {
+    if (!json_.alone()) fmt::print(format, std::forward<Args>(args)...);
+  }
+  void commit() { json_.commit(); }
+
+ private:
+  JsonOutput json_;
+};
+
+/// As JSON the mutants are among them; in words they are counted, or with `every_mutant` listed.
+void list_engines(Listed& list, bool every_mutant) {
+  for (const engines::BuiltIn& e : engines::built_in_engines()) {
+    list.json({{"name", e.name}, {"scalar", name(e.scalar)}, {"about", e.about}});
+    list.words("{:<18}{}  {}\n", e.name, name(e.scalar), e.about);
+  }
   for (const engines::Adapter& a : engines::adapters()) {
     const auto command = engines::command_of(a);
-    if (json)
-      print_line({{"name", a.name},
-                  {"scalar", name(a.scalar)},
-                  {"about", a.about},
-                  {"command", command ? Json(*command) : Json()}});
-    else
-      fmt::print("{:<18}{}  {}{}\n", a.name, name(a.scalar), a.about,
-                 command ? "" : ": not here, ./run engines installs it");
+    list.json({{"name", a.name},
+               {"scalar", name(a.scalar)},
+               {"about", a.about},
+               {"command", command ? Json(*command) : Json()}});
+    list.words("{:<18}{}  {}{}\n", a.name, name(a.scalar), a.about,
+               command ? "" : ": not here, ./run engines installs it");
   }
   for (const engines::Mutant& m : engines::mutants()) {
     const std::string full_name = fmt::format("{}{}", engines::kMutantPrefix, m.id);
-    if (json)
-      print_line({{"name", full_name},
-                  {"scalar", name(Scalar::binary64)},
-                  {"about", m.about},
-                  {"origin", engines::kOriginNames[static_cast<std::size_t>(m.origin)]},
-                  {"diagnosis", oracle::sentence_of(m.cause)},
-                  {"source", m.source}});
-    else if (every_mutant)
-      fmt::print("{:<40}{}\n", full_name, m.about);
+    list.json({{"name", full_name},
+               {"scalar", name(Scalar::binary64)},
+               {"about", m.about},
+               {"origin", engines::kOriginNames[static_cast<std::size_t>(m.origin)]},
+               {"diagnosis", oracle::sentence_of(m.cause)},
+               {"source", m.source}});
+    if (every_mutant) list.words("{:<40}{}\n", full_name, m.about);
   }
-  for (const engines::Unsteady& one : engines::unsteady_engines())
-    if (!json && every_mutant)
-      fmt::print("{:<40}{}\n", fmt::format("{}{}", engines::kUnsteadyPrefix, one.id), one.about);
-  if (!json && !every_mutant)
-    fmt::print(
+  if (every_mutant)
+    for (const engines::Unsteady& one : engines::unsteady_engines())
+      list.words("{:<40}{}\n", fmt::format("{}{}", engines::kUnsteadyPrefix, one.id), one.about);
+  else
+    list.words(
         "{:<18}{} engines with one mistake each, docs/bug-zoo.md; --mutants lists them\n"
         "{:<18}{} engines that --determinism refutes, listed with them\n",
         "mutant:ID", engines::mutants().size(), "unsteady:ID", engines::unsteady_engines().size());
 }
 
-/// With --json one object a line, families then flags.
-void list_families(bool json) {
+/// Families, then flags.
+void list_families(Listed& list) {
   for (const Pair pair : pairs_of_kinds()) {
-    if (!json) fmt::print("{}{}\n", pair == kPairs.front() ? "" : "\n", shapes_of(pair));
-    for (const golden::Family& f : golden::families_of(pair))
-      if (json) {
-        Json line{{"family", f.name}, {"shapes", shapes_of(pair)}, {"reason", f.reason}};
-        if (!f.hits_alone.empty()) line["hits_alone"] = f.hits_alone;
-        print_line(line);
-      } else {
-        fmt::print("  {:<17}{}{}\n", f.name, f.reason,
-                   f.hits_alone.empty() ? "" : fmt::format(" (hits alone: {})", f.hits_alone));
-      }
+    list.words("{}{}\n", pair == kPairs.front() ? "" : "\n", shapes_of(pair));
+    for (const golden::Family& f : golden::families_of(pair)) {
+      Json line{{"family", f.name}, {"shapes", shapes_of(pair)}, {"reason", f.reason}};
+      if (!f.hits_alone.empty()) line["hits_alone"] = f.hits_alone;
+      list.json(line);
+      list.words("  {:<17}{}{}\n", f.name, f.reason,
+                 f.hits_alone.empty() ? "" : fmt::format(" (hits alone: {})", f.hits_alone));
+    }
   }
-  if (!json) fmt::print("\nflags\n");
-  for (const golden::Flag& f : golden::flags())
-    if (json)
-      print_line({{"flag", f.name}, {"meaning", f.meaning}, {"breaks", f.breaks}});
-    else
-      fmt::print("  {:<17}{}\n", f.name, f.meaning);
+  list.words("\nflags\n");
+  for (const golden::Flag& f : golden::flags()) {
+    list.json({{"flag", f.name}, {"meaning", f.meaning}, {"breaks", f.breaks}});
+    list.words("  {:<17}{}\n", f.name, f.meaning);
+  }
 }
 
 /// The pairs, and what their shapes are made of.
-void list_pairs(bool json) {
+void list_pairs(Listed& list) {
   for (const Pair pair : kPairs) {
     const auto described = [&]<class Shape>(const Shape& shape) {
       Json fields = Json::object();
@@ -99,10 +108,8 @@ void list_pairs(bool json) {
         std::visit([&](const auto& shapes) { return std::pair(described(shapes.a), described(shapes.b)); },
                    description(pair).zeros());
     const bool numbers = has_numbers(pair);
-    if (json)
-      print_line({{"pair", name(pair)}, {"a", a}, {"b", b}, {"numbers", numbers}});
-    else
-      fmt::print("{:<27}{}{}\n", name(pair), shapes_of(pair), numbers ? "" : ", whose contacts have no numbers");
+    list.json({{"pair", name(pair)}, {"a", a}, {"b", b}, {"numbers", numbers}});
+    list.words("{:<27}{}{}\n", name(pair), shapes_of(pair), numbers ? "" : ", whose contacts have no numbers");
   }
 }
 
@@ -141,28 +148,33 @@ void print_mutants() {
 }  // namespace
 
 void add_lists(CLI::App& app, int& exit) {
-  const auto add = [&](const std::string& name, const std::string& about, void (*list)(bool)) {
+  const auto add = [&](const std::string& name, const std::string& about, void (*list)(Listed&)) {
     auto* command = app.add_subcommand(name, about);
-    auto json = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "One JSON object a line");
+    auto json = std::make_shared<std::string>();
+    add_json_option(*command, *json, "One JSON object a line");
     command->callback([json, list, &exit] {
-      list(*json);
+      Listed listed(*json);
+      list(listed);
+      listed.commit();
       exit = kCertified;
     });
   };
   auto* engines = app.add_subcommand("engines", "The engines that can be certified by name");
-  auto engines_json = std::make_shared<bool>(false);
+  auto engines_json = std::make_shared<std::string>();
   auto every_mutant = std::make_shared<bool>(false);
-  engines->add_flag("--json", *engines_json, "One JSON object a line, mutants included");
+  add_json_option(*engines, *engines_json, "One JSON object a line, mutants included");
   engines->add_flag("--mutants", *every_mutant, "Also the engines with one mistake each");
   auto table = std::make_shared<bool>(false);
   engines->add_flag("--table", *table, "The table of docs/bug-zoo.md")->group("");
   engines->callback([=, &exit] {
-    if (*table) require_alone(*engines, "--table");
-    if (*table)
+    if (*table) {
+      require_alone(*engines, "--table");
       print_mutants();
-    else
-      list_engines(*engines_json, *every_mutant);
+    } else {
+      Listed listed(*engines_json);
+      list_engines(listed, *every_mutant);
+      listed.commit();
+    }
     exit = kCertified;
   });
   add("pairs", "The pairs of shapes that can be asked about", list_pairs);

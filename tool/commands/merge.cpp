@@ -79,7 +79,7 @@ int merge_parts(const MergeOptions& options) {
 }  // namespace
 
 void add_merge(CLI::App& app, int& exit) {
-  auto* command = app.add_subcommand("merge", "The report of a run from the parts that `certify --shard` left");
+  auto* command = app.add_subcommand("merge", "The report of a run from the parts that certify --shard left");
   auto options = std::make_shared<MergeOptions>();
   command->add_option("parts", options->paths, "Parts, or folders of them")->required();
   add_report_options(*command, options->reports);

@@ -14,8 +14,10 @@
 #include "golden/query_id.hpp"
 #include "tool/commands/commands.hpp"
 #include "tool/commands/engine_options.hpp"
+#include "tool/commands/json_output.hpp"
 #include "tool/reports/law_report.hpp"
 #include "tool/run/pipeline.hpp"
+#include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
@@ -109,7 +111,7 @@ void save(const std::string& path, const proptests::RunResult& result) {
     const auto output = golden::create_dataset(file, regression->header);
     for (const golden::Case& c : regression->cases) output->write(c, golden::to_line(c));
     output->commit();
-    fmt::print("Saved {} new cases in {}, which holds {}\n", added, file.string(), regression->cases.size());
+    fmt::print(words(), "Saved {} new cases in {}, which holds {}\n", added, file.string(), regression->cases.size());
   }
 }
 
@@ -143,7 +145,7 @@ int properties(const CLI::App& command, const PropertiesOptions& o) {
     throw formats::InputError({"properties", 0}, "--save",
                               fmt::format("the name of a dataset ends in .jsonl, .h5 or .npz, got '{}'", o.save));
   if (!o.save.empty()) static_cast<void>(read_regression(o.save));  // refused before the work
-  const auto json = o.json.empty() ? nullptr : std::make_unique<formats::OutputFile>(o.json);
+  JsonOutput json(o.json);
   const auto junit = o.junit.empty() ? nullptr : std::make_unique<formats::OutputFile>(o.junit);
   if (!o.save.empty()) static_cast<void>(formats::PendingFile(o.save));  // as is a place where nothing can be written
 
@@ -161,9 +163,10 @@ int properties(const CLI::App& command, const PropertiesOptions& o) {
   };
   run.restart = [&] { return make_engine(o.engine); };
   LawRun done{proptests::run_laws(engine, run), run.seed, o.cases, command_again(command, o, run.seed)};
-  write(json, json_text(done));
+  json.write(json_text(done));
+  json.commit();
   write(junit, junit_text(done));
-  fmt::print("{}", terminal_text(done));
+  if (!json.alone()) fmt::print(words(), "{}", terminal_text(done));
   if (!o.save.empty()) save(o.save, done.result);
   if (done.result.holds()) return kCertified;
   return done.result.ever_answered ? kRefuted : kHarnessInvalid;
@@ -172,9 +175,10 @@ int properties(const CLI::App& command, const PropertiesOptions& o) {
 }  // namespace
 
 void add_properties(CLI::App& app, int& exit) {
-  auto* command = app.add_subcommand(
-      "properties",
-      "Ask an engine every law of docs/properties.md, and shrink what it violates to what a person can read");
+  auto* command = app.add_subcommand("properties",
+                                     "Ask an engine every law, and shrink what it violates\n"
+                                     "The laws are those of docs/properties.md. What violates one is shrunk to what a "
+                                     "person can read.");
   auto options = std::make_shared<PropertiesOptions>();
   add_engine_options(*command, options->engine, false);
   command->add_option("--level", options->level, "Held to its declared bounds, or to correct rounding, bit for bit")
@@ -183,12 +187,17 @@ void add_properties(CLI::App& app, int& exit) {
   command->add_option("--law", options->laws, "Only these laws; --list shows them")->delimiter(',');
   command->add_option("--seed", options->seed, "The seed (default: random, printed)")->check(kFromZero);
   command->add_option("--cases", options->cases, "Cases a law")->capture_default_str()->check(kFromOne);
-  command->add_option(
-      "--save", options->save,
-      "Add the shrunk counterexamples to this golden file, made where it is not there; one of another pair "
-      "goes to a file beside it");
-  command->add_option("--junit", options->junit, "Write the report as JUnit XML, a test case a law");
-  command->add_option("--json", options->json, "Write the report as JSON");
+  {
+    const Heading heading(*command, "Reports");
+    command
+        ->add_option("--save", options->save,
+                     "Add the shrunk counterexamples to this golden file, made where it is not there; one of another "
+                     "pair goes to a file beside it")
+        ->type_name("FILE");
+    add_json_option(*command, options->json, "The report as JSON", FileOfJson::behind_space_too);
+    command->add_option("--junit", options->junit, "Write the report as JUnit XML, a test case a law")
+        ->type_name("FILE");
+  }
   command->add_flag("--list", options->list, "List the laws");
   command->add_flag("--table", options->table, "The table of docs/properties.md")->group("");
   command->callback([options, command, &exit] { exit = properties(*command, *options); });

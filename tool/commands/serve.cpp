@@ -98,6 +98,7 @@ void add_serve(CLI::App& app, int& exit) {
   auto options = std::make_shared<ServeOptions>();
   auto* engine = command->add_option("--engine", options->engine, "A built-in engine")->capture_default_str();
   command->add_option("--engine-library", options->library, "A shared library with the interface of contact_engine.h")
+      ->type_name("FILE")
       ->excludes(engine);
   command->add_option("--threads", options->threads, "Answer what has arrived from so many threads")
       ->capture_default_str()

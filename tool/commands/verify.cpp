@@ -14,6 +14,7 @@
 #include "tool/run/determinism.hpp"
 #include "tool/run/exam.hpp"
 #include "tool/run/parts.hpp"
+#include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
@@ -64,11 +65,11 @@ void print(std::vector<Difference> found) {
   for (std::size_t i = 0; i < found.size();) {
     const std::string name = part(found[i]);
     for (std::size_t shown = 0; i < found.size() && part(found[i]) == name && shown < kShown; ++i, ++shown)
-      fmt::print("{}\n  stated   {}\n  derived  {}\n", name.empty() ? "(the whole)" : found[i].pointer, found[i].stated,
-                 found[i].derived);
+      fmt::print(words(), "{}\n  stated   {}\n  derived  {}\n", name.empty() ? "(the whole)" : found[i].pointer,
+                 found[i].stated, found[i].derived);
     std::size_t more = 0;
     for (; i < found.size() && part(found[i]) == name; ++i) ++more;
-    if (more != 0) fmt::print("and {} more in {}\n", more, name);
+    if (more != 0) fmt::print(words(), "and {} more in {}\n", more, name);
   }
 }
 
@@ -278,21 +279,21 @@ int verify(const VerifyOptions& options) {
     unfinished = error.what();
   }
   print(found);
-  if (!unfinished.empty()) fmt::print("{}\n", unfinished);
+  if (!unfinished.empty()) fmt::print(words(), "{}\n", unfinished);
   if (!found.empty()) {
-    fmt::print("\nREFUTED: {} does not hold: {} {}.\n", options.certificate, found.size(),
+    fmt::print(words(), "\nREFUTED: {} does not hold: {} {}.\n", options.certificate, found.size(),
                found.size() == 1 ? "statement differs" : "statements differ");
     return kRefuted;
   }
-  for (const std::string& line : certificate.not_checked()) fmt::print("stated, not checked: {}\n", line);
+  for (const std::string& line : certificate.not_checked()) fmt::print(words(), "stated, not checked: {}\n", line);
   const Level level = report->level_but_accepted();
   const std::size_t sources = certificate.node().at("questions").at("sources").items().size();
-  fmt::print("checked: the certificate itself; the questions of {} {} and {} recorded answers, judged again", sources,
-             sources == 1 ? "source" : "sources", certificate.node().at("answers").at("count").count());
-  if (certificate.engine_files() != 0) fmt::print("; {} of the engine's files", certificate.engine_files());
-  fmt::print("\n\nHOLDS: {} states what is so:\n  {}\n", options.certificate, report->sentence());
+  fmt::print(words(), "checked: the certificate itself; the questions of {} {} and {} recorded answers, judged again",
+             sources, sources == 1 ? "source" : "sources", certificate.node().at("answers").at("count").count());
+  if (certificate.engine_files() != 0) fmt::print(words(), "; {} of the engine's files", certificate.engine_files());
+  fmt::print(words(), "\n\nHOLDS: {} states what is so:\n  {}\n", options.certificate, report->sentence());
   if (!demanded || level <= *demanded) return kCertified;
-  fmt::print("REFUTED: {} was asked for, and {} is what it certifies.\n", options.level, name(level));
+  fmt::print(words(), "REFUTED: {} was asked for, and {} is what it certifies.\n", options.level, name(level));
   return kRefuted;
 }
 
@@ -300,14 +301,18 @@ int verify(const VerifyOptions& options) {
 
 void add_verify(CLI::App& app, int& exit) {
   auto* command = app.add_subcommand(
-      "verify", "Check a certificate offline: derive all that it says again from the dataset and the answers");
+      "verify", "Check a certificate offline\nAll that it says is derived again from the dataset and the answers.");
   auto options = std::make_shared<VerifyOptions>();
   command->add_option("certificate", options->certificate, "What certify --certificate wrote")->required();
-  command->add_option("--dataset", options->dataset,
-                      "The folder that the names of the datasets begin in, or the one dataset (default: where the "
-                      "certificate says, seen from its own folder)");
-  command->add_option("--results", options->results, "The recorded answers (default: where the certificate says)");
-  command->add_option("--exam", options->exam, "The exam that it should be of: what it commits to, and its questions");
+  command
+      ->add_option("--dataset", options->dataset,
+                   "The folder that the names of the datasets begin in, or the one dataset (default: where the "
+                   "certificate says, seen from its own folder)")
+      ->type_name("FILE");
+  command->add_option("--results", options->results, "The recorded answers (default: where the certificate says)")
+      ->type_name("FILE");
+  command->add_option("--exam", options->exam, "The exam that it should be of: what it commits to, and its questions")
+      ->type_name("FILE");
   command->add_option("--level", options->level, "Demand that it certifies this level, accepted failures left out")
       ->check(CLI::IsMember(kRequiredLevels));
   command->callback([options, &exit] { exit = verify(*options); });

@@ -10,14 +10,20 @@
 #include "tool/run/date.hpp"
 #include "tool/run/environment.hpp"
 #include "tool/run/parts.hpp"
+#include "tool/run/printing.hpp"
 
 namespace contact::tool {
 
 void add_certificate_options(CLI::App& command, CertificateOptions& options) {
-  command.add_option("--certificate", options.certificate,
-                     "Write a certificate, which `verify` checks offline, and beside it the engine's answers: F.json "
-                     "and F.answers.jsonl");
+  command
+      .add_option("--certificate", options.certificate,
+                  "Write a certificate, which `verify` checks offline, and beside it the engine's answers: F.json "
+                  "and F.answers.jsonl")
+      ->type_name("FILE")
+      ->group("Reports");
   command.add_option("--record", options.record, "Write the engine's answers as a results file, which --results reads")
+      ->type_name("FILE")
+      ->group("Reports")
       ->excludes("--results");
 }
 
@@ -74,9 +80,9 @@ void CertificateFiles::write(const Report& report, const std::vector<Source>& so
   if (certificate_ != nullptr) {
     certificate_->write(certificate);
     certificate_->commit();
-    fmt::print("\nCertificate: {}, of the answers in {}\n", options_.certificate, results);
+    fmt::print(words(), "\nCertificate: {}, of the answers in {}\n", options_.certificate, results);
   } else if (answers_ != nullptr) {
-    fmt::print("\nAnswers: {}\n", results);
+    fmt::print(words(), "\nAnswers: {}\n", results);
   }
 }
 

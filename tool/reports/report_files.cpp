@@ -6,7 +6,9 @@
 
 #include <cstdlib>
 
+#include "tool/commands/commands.hpp"
 #include "tool/run/cluster.hpp"
+#include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
@@ -16,9 +18,10 @@ std::unique_ptr<formats::OutputFile> opened(const std::string& path) {
   return path.empty() ? nullptr : std::make_unique<formats::OutputFile>(path);
 }
 
-/// At a terminal that knows colours, unless NO_COLOR says otherwise (https://no-color.org). To processes that mpirun
-/// started it gives a terminal of its own, whatever becomes of what they print.
+/// Where --color does not say: at a terminal that knows colours, unless NO_COLOR says otherwise (https://no-color.org).
+/// To processes that mpirun started it gives a terminal of its own, whatever becomes of what they print.
 bool wants_colour() {
+  if (chosen_colour() != Colour::automatic) return chosen_colour() == Colour::always;
   const auto variable = [](const char* name) {
     const char* value = std::getenv(name);
     return std::string_view(value == nullptr ? "" : value);
@@ -36,28 +39,32 @@ void write_to(const std::unique_ptr<formats::OutputFile>& file, const std::strin
 }  // namespace
 
 void add_report_options(CLI::App& command, ReportOptions& options) {
-  command.add_option("--report", options.html, "Write the report as HTML");
-  command.add_option("--junit", options.junit, "Write the report as JUnit XML");
-  command.add_option("--json", options.json, "Write the report as JSON");
-  command.add_option("--markdown", options.markdown, "Write the report as Markdown, for the summary of a CI job");
+  const Heading heading(command, "Reports");
+  command.add_option("--report", options.html, "Write the report as a page, HTML")->type_name("FILE");
+  add_json_option(command, options.json, "The report as JSON", FileOfJson::behind_space_too);
+  command.add_option("--junit", options.junit, "Write the report as JUnit XML")->type_name("FILE");
+  command.add_option("--markdown", options.markdown, "Write the report as Markdown, for the summary of a CI job")
+      ->type_name("FILE");
 }
 
 ReportFiles::ReportFiles(const ReportOptions& options)
     : html_path_(options.html),
       html_(opened(options.html)),
       junit_(opened(options.junit)),
-      json_(opened(options.json)),
+      json_(options.json),
       markdown_(opened(options.markdown)) {}
 
 int ReportFiles::write(const std::vector<Report>& reports, bool scoreboard) {
   const Report& first = reports.front();
-  write_to(json_, json_text(first));
   write_to(junit_, junit_text(first));
   write_to(markdown_, markdown_text(first));
   write_to(html_, html_text(reports));
+  json_.write(json_text(first));
+  json_.commit();
   const bool colour = wants_colour();
-  fmt::print("{}", scoreboard ? scoreboard_text(reports, colour) : terminal_text(first, colour));
-  if (!html_path_.empty()) fmt::print("\nReport: {}\n", html_path_);
+  if (!json_.alone())
+    fmt::print(words(), "{}", scoreboard ? scoreboard_text(reports, colour) : terminal_text(first, colour));
+  if (!html_path_.empty()) fmt::print(words(), "\nReport: {}\n", html_path_);
   if (first.judged() == 0)
     throw formats::InputError({"certify", 0}, "", "no case was judged: see what was skipped, and why");
   if (first.harness_invalid()) return kHarnessInvalid;

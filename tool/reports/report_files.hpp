@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "formats/output_file.hpp"
+#include "tool/commands/json_output.hpp"
 #include "tool/reports/report.hpp"
 
 namespace contact::tool {
@@ -35,7 +36,7 @@ class ReportFiles {
   std::string html_path_;
   File html_;
   File junit_;
-  File json_;
+  JsonOutput json_;
   File markdown_;
 };
 

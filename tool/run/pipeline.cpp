@@ -85,12 +85,14 @@ class Questions {
   std::uint64_t asked_ = 0;
 };
 
-/// The questions of a slice of a generated family.
+/// The questions of a slice of a generated family, or of a list.
 std::vector<Item> generated(const Source& source, const Slice& slice) {
   std::vector<Item> items;
   items.reserve(slice.count);
   for (std::uint64_t index = slice.first; index < slice.first + slice.count; ++index) {
-    const Query query = golden::generate_query(source.pair, *source.generator, source.scalar, source.seed, index);
+    const Query query = source.listed
+                            ? source.listed->at(index)
+                            : golden::generate_query(source.pair, *source.generator, source.scalar, source.seed, index);
     items.push_back({{golden::query_id(query), query, index}, std::nullopt, {}});
   }
   return items;

@@ -19,7 +19,7 @@
 
 namespace contact::tool {
 
-/// Where questions come from: a dataset, or a family's generator.
+/// Where questions come from: a dataset, a family's generator, or a list of them.
 struct Source {
   Pair pair;
   Scalar scalar;
@@ -30,6 +30,7 @@ struct Source {
   std::uint64_t seed = 0;
   std::uint64_t first = 0;  ///< questions before those
   std::uint64_t whole = 0;  ///< questions of the source that this is a part of; 0: of this one
+  std::shared_ptr<const std::vector<Query>> listed = nullptr;
 
   [[nodiscard]] std::uint64_t size() const { return whole != 0 ? whole : count; }
 };

@@ -10,6 +10,7 @@
 #include <iostream>
 
 #include "formats/json.hpp"
+#include "tool/run/printing.hpp"
 
 namespace contact::tool {
 namespace {
@@ -57,7 +58,7 @@ bool InputLines::next() {
 }
 
 Progress::Progress(std::string label, std::uint64_t total)
-    : label_(std::move(label)), total_(total), visible_(::isatty(STDERR_FILENO) == 1 && total > 0) {}
+    : label_(std::move(label)), total_(total), visible_(::isatty(STDERR_FILENO) == 1 && total > 0 && !is_quiet()) {}
 
 Progress::~Progress() {
   if (visible_) fmt::print(stderr, "\r\033[K");

@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""What ./run does before it installs packages, with an apt-get that only writes down what it is told:   packages_test.py"""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+# Each writes down its words and what it reads, so that a question to the user would be seen to be asked.
+TOLD = '#!/bin/sh\necho "$(basename "$0") $*" >> "{told}"\nif [ -t 0 ] || [ -n "$(cat)" ]; then echo "asked" >> "{told}"; fi\n'
+SIZES = """case "$*" in *--print-uris*)
+  echo "0 upgraded, 12 newly installed, 0 to remove and 3 not upgraded."
+  echo "Need to get 34.5 MB/40.1 MB of archives."
+  echo "After this operation, 210 MB of additional disk space will be used."
+  echo "'http://example.org/coq.deb' coq.deb 123 SHA256:0" ;;
+esac
+"""
+
+
+class Packages(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        shutil.copy(ROOT / "run", self.folder)
+        (self.folder / "cmake").mkdir()
+        (self.folder / "cmake" / "packages.txt").write_text("# the list\nalpha\nbeta  # why\n")
+        (self.folder / "bin").mkdir()
+        self.told = self.folder / "told.txt"
+        self.program("apt-get", TOLD.format(told=self.told) + SIZES)
+        self.program("dpkg-query", '#!/bin/sh\nprintf "ii  alpha\\n"\n')
+
+    def program(self, name, text):
+        path = self.folder / "bin" / name
+        path.write_text(text)
+        path.chmod(0o755)
+
+    def prove(self, user):
+        """./run prove, which installs and then ends for want of the proofs."""
+        self.program("id", f"#!/bin/sh\necho {user}\n")
+        environment = {**os.environ, "PATH": f"{self.folder / 'bin'}:/usr/bin:/bin"}
+        done = subprocess.run([self.folder / "run", "prove", "--list"], input="y\n" * 9, capture_output=True, text=True, timeout=60,
+                              env=environment)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        return done.stderr, self.told.read_text().splitlines() if self.told.exists() else []
+
+    def test_what_is_missing_and_how_large_it_is_is_said_before_it_is_installed(self):
+        said, told = self.prove(0)
+        self.assertEqual(said.splitlines()[:4], [
+            "contact-oracle needs these packages: beta coq libcoq-flocq libcoq-gappa", "  12 newly installed",
+            "  Need to get 34.5 MB/40.1 MB of archives.", "  After this operation, 210 MB of additional disk space will be used."])
+        self.assertEqual([next(word for word in one.split() if word in ("update", "--print-uris", "-qq")) for one in told],
+                         ["update", "--print-uris", "-qq"])
+        self.assertIn("install", told[2].split())
+        self.assertNotIn("alpha", " ".join(told))
+
+    def test_nothing_waits_for_an_answer(self):
+        self.program("sudo", TOLD.format(told=self.told) + 'while [ "$1" != apt-get ] && [ $# -gt 0 ]; do shift; done\n[ $# -eq 0 ] || exec "$@"\n')
+        for user in (0, 1000):
+            with self.subTest(user):
+                self.told.unlink(missing_ok=True)
+                _, told = self.prove(user)
+                self.assertNotIn("asked", told)
+                self.assertEqual(sum(one.startswith("apt-get") for one in told), 3)
+                asked_as_root = [one for one in told if one.startswith("sudo")]
+                self.assertEqual(len(asked_as_root), 3 if user else 0, told)  # true, update, install
+                self.assertTrue(all(one.startswith("sudo -n ") for one in asked_as_root), told)
+                self.assertTrue(all("DEBIAN_FRONTEND=noninteractive" in one for one in asked_as_root[1:]), told)
+
+    def test_a_sudo_that_wants_a_password_is_not_asked_and_the_command_is_named(self):
+        self.program("sudo", f'{TOLD.format(told=self.told)}exit 1\n')
+        said, told = self.prove(1000)
+        self.assertEqual(told, ["sudo -n true"])
+        self.assertIn("sudo apt-get install --no-install-recommends beta coq libcoq-flocq libcoq-gappa", said)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[1:]])
