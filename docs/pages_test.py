@@ -76,7 +76,8 @@ def unmarked(text):
 
 def navigation():
     """The pages of each part of the site's navigation."""
-    return {caption: names.split() for caption, names in re.findall(r"^:caption: (.*)\n\n((?:\S+\n)+)```", NAVIGATION, re.MULTILINE)}
+    return {caption: re.findall(r"^(?:.* <)?([^\s>]+)>?$", names, re.MULTILINE)
+            for caption, names in re.findall(r"^:caption: (.*)\n\n((?:.+\n)+?)```", NAVIGATION, re.MULTILINE)}
 
 
 def users():

@@ -17,7 +17,7 @@ from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from pages import ROOT, SCHEME, links, name_of, pages, split  # noqa: E402
+from pages import ROOT, SCHEME, broken, links, name_of, pages, split  # noqa: E402
 
 SITE = ROOT / "docs/site"
 OUT = ROOT / "build/docs"
@@ -41,9 +41,12 @@ class Layout:
         if len(set(self.placed.values())) != len(self.placed):
             raise SystemExit(f"two pages have one place: {sorted(map(str, self.placed.values()))}")
         self.shown = {}
+        texts = {page: page.read_text(encoding="utf-8") for page in self.placed}
+        if wrong := [f"{name_of(page)}: {one}" for page, text in texts.items() for one in broken(page, text)]:
+            raise SystemExit("\n".join(wrong))
         for page, target in self.placed.items():
-            self.write(target, self.with_links(page, page.read_text(encoding="utf-8"), target))
-        for header in (ROOT / "include/contact").glob("*.h*"):
+            self.write(target, self.with_links(page, texts[page], target))
+        for header in (file for file in (ROOT / "include/contact").iterdir() if file.suffix in (".h", ".hpp")):
             self.write(f"cpp/{header.name}.md", f"# `contact/{header.name}`\n\n```{{doxygenfile}} contact/{header.name}\n```\n")
 
     def write(self, target, text):
@@ -92,16 +95,44 @@ def run(*command, **environment):
         raise SystemExit(done.returncode)
 
 
-def prune(xml):
-    """A header's page neither declares its namespaces anew nor has macros that nothing is said of, which are its own affair."""
+SECTIONS = {"function": "func", "variable": "var"}
+
+
+def arrange(xml):
+    """A header's page has what its namespaces hold of it, once, and no macro that nothing is said of, which is the header's own affair."""
+    held = {}
+    for file in sorted(xml.glob("namespace*.xml")):
+        for member in ElementTree.parse(file).iter("memberdef"):
+            held.setdefault(member.find("location").get("file"), []).append(member)
     for file in xml.glob("*_8h*.xml"):
         tree = ElementTree.parse(file)
-        for parent in list(tree.iter()):
+        header = tree.getroot().find("compounddef")
+        structs = {one.text for one in header.findall("innerclass")}
+        for parent in list(header.iter()):
             for child in list(parent):
                 said = "".join(text for part in child if part.tag.endswith("description") for text in part.itertext()).strip()
-                if child.tag == "innernamespace" or child.get("kind") == "define" and child.tag == "memberdef" and not said:
+                if (child.tag == "innernamespace" or child.get("kind") == "define" and child.tag == "memberdef" and not said
+                        or child.get("kind") == "typedef" and child.tag == "memberdef" and child.findtext("name") in structs):
                     parent.remove(child)
+        for member in held.get(header.find("location").get("file"), []):
+            kind = SECTIONS.get(member.get("kind"), member.get("kind"))
+            section = header.find(f"sectiondef[@kind='{kind}']")
+            (ElementTree.SubElement(header, "sectiondef", kind=kind) if section is None else section).append(member)
         tree.write(file, encoding="unicode")
+
+
+def bring_in(static):
+    """What Debian's build of the theme lacks: its script imports another, which no page does from a file, and its style sheets
+    import others by their place on a server of Debian's."""
+    script, imported = static / "scripts/furo.js", 'import Gumshoe from "./gumshoe-patched.js";'
+    if (text := script.read_text(encoding="utf-8")).startswith(imported):
+        script.write_text((static / "scripts/gumshoe-patched.js").read_text(encoding="utf-8") + text.removeprefix(imported), encoding="utf-8")
+    for sheet in [sheet for sheet in static.rglob("*.css") if sheet.is_file()]:
+        text = sheet.read_text(encoding="utf-8")
+        for name in re.findall(r"url\(/javascript/([^)]+)\)", text):
+            (static / "javascript" / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(f"/usr/share/javascript/{name}", static / "javascript" / name)
+        sheet.write_text(text.replace("url(/javascript/", f"url({os.path.relpath(static / 'javascript', sheet.parent)}/"), encoding="utf-8")
 
 
 class Links(HTMLParser):
@@ -121,7 +152,11 @@ class Links(HTMLParser):
 
 
 def broken_links(folder):
-    """Links of built pages that lead nowhere, and addresses that pages load, which an offline reader lacks."""
+    """Links of built pages and style sheets that lead nowhere."""
+    for sheet in (sheet for sheet in folder.rglob("*.css") if sheet.is_file()):
+        for link in re.findall(r"url\([\"']?([^)\"']+)", sheet.read_text(encoding="utf-8")):
+            if not link.startswith("data:") and not (sheet.parent / urlsplit(link).path).is_file():
+                yield f"{sheet.relative_to(folder)}: {link}: there is no such file"
     read = {file: Links(file) for file in sorted(folder.rglob("*.html"))}
     for file, page in read.items():
         for link in page.links:
@@ -146,12 +181,13 @@ def main():
     Layout()
     version = re.search(r"project\(contact-oracle VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
     run("doxygen", "Doxyfile", CONTACT_HEADERS=ROOT / "include", CONTACT_DOXYGEN_XML=XML)
-    prune(XML)
+    arrange(XML)
     run("sphinx-build", "-q", "-W", "--keep-going", "-E", "-b", "html", "-c", SITE, "-d", OUT / "doctrees", SOURCE, HTML,
         CONTACT_VERSION=version, CONTACT_DOXYGEN_XML=XML, CONTACT_PYTHON_SOURCE=ROOT / "python",
         **({"CONTACT_PYTHON": built.resolve()} if built else {}))
-    if broken := list(broken_links(HTML)):
-        raise SystemExit("\n".join(broken))
+    bring_in(HTML / "_static")
+    if wrong := list(broken_links(HTML)):
+        raise SystemExit("\n".join(wrong))
     print(f"{HTML}/index.html: {len(list(HTML.rglob('*.html')))} pages, every link leads somewhere")
 
 

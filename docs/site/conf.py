@@ -17,7 +17,18 @@ html_static_path = ["static"]
 html_css_files = ["site.css"]
 html_copy_source = False
 html_show_sourcelink = False
-html_theme_options = {"navigation_with_keys": True}
+html_theme_options = {
+    "navigation_with_keys": True,
+    # Debian's build of the theme lacks the colours of its dark mode.
+    "dark_css_variables": {
+        "color-foreground-primary": "#dadada", "color-foreground-secondary": "#a4a8ad", "color-foreground-muted": "#8a8f96",
+        "color-foreground-border": "#6b6b6b", "color-background-primary": "#141517", "color-background-secondary": "#1b1d20",
+        "color-background-hover": "#22262a", "color-background-hover--transparent": "#22262a00", "color-background-border": "#33373a",
+        "color-background-item": "#454545", "color-brand-primary": "#4a9eff", "color-brand-content": "#5aa5f5",
+        "color-problematic": "#f07070", "color-highlighted-background": "#0d3a66", "color-highlight-on-target": "#33330a",
+        "color-api-keyword": "#a4a8ad", "color-admonition-background": "#191a1d", "color-card-background": "#191a1d",
+    },
+}
 pygments_style = "default"
 pygments_dark_style = "native"
 
@@ -36,9 +47,9 @@ if not BUILT:
 
 def own_anchors(app, docname, source):
     """<a id="x"></a> in a page is a target of links, as its headings are."""
-    labels = app.env.get_domain("std").labels
+    labels = app.env.get_domain("std").anonlabels
     for name in re.findall(r'<a id="([^"]+)"></a>', source[0]):
-        labels[f"{app.env.doc2path(docname, base=False)}#{name}"] = (docname, name, name)
+        labels[f"{app.env.doc2path(docname, base=False)}#{name}"] = (docname, name)
 
 
 def columns_to_fields(app, what, name, what_is_documented, options, lines):

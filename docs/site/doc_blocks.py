@@ -1,5 +1,5 @@
-"""A header as Doxygen reads it: in a comment of /// a line "Domain    finite" begins a paragraph of that name, and lines that are
-indented are shown as they are. Its first line, a comment of //, describes the file.   doc_blocks.py FILE"""
+"""A header as Doxygen reads it. In a comment, of /// or of C before what it is about, a line "Domain    finite" begins a paragraph of that
+name, and lines that are indented are shown as they are. The first comment describes the file.   doc_blocks.py FILE"""
 import re
 import sys
 from pathlib import Path
@@ -8,8 +8,9 @@ KEYED = re.compile(r"([A-Z][a-z]+) {2,}(\S.*)|(Environment|Degenerate) (\S.*)")
 
 
 def block(lines):
-    """The lines of one comment, without their ///."""
+    """A comment of these lines."""
     shown, keyed = False, False
+    yield "/**"
     for line in lines:
         key = KEYED.fullmatch(line)
         verbatim = not keyed and not key and line.startswith("  ")
@@ -19,24 +20,26 @@ def block(lines):
         if key:
             keyed = True
             yield f"@par {key[1] or key[3]}"
-            yield (key[2] or key[4]).replace("#", "\\#")
-        else:
-            yield line if verbatim else line.strip().replace("#", "\\#")
+        yield line if verbatim else (key[2] or key[4] if key else line.strip()).replace("#", "\\#")
     if shown:
         yield "@endverbatim"
+    yield "*/"
 
 
 def filtered(text):
-    """The whole header."""
-    text = re.sub(r"\A//(.*\n)((?://.*\n)*)", lambda head: f"/// @file\n///{head[1]}" + head[2].replace("//", "///"), text)
-    comment, indent = [], ""
+    """The header, all of whose comments are blocks or stand behind what they are about."""
+    c_comment = re.compile(r"^( *)/\*(?= )((?:(?!\*/).)*)\*/$", re.MULTILINE | re.DOTALL)
+    text = c_comment.sub(lambda found: "".join(f"{found[1]}/// {line}\n" for line in re.split(rf"\n {{,{len(found[1]) + 3}}}", found[2].strip()))[:-1], text)
+    text = re.sub(r"(?<=[;,])( +)/\*(?= )", r"\1/**<", text)
+    text = re.sub(r"\A///?(.*\n)((?:///?.*\n)*)", lambda head: f"/// @file\n///{head[1]}" + re.sub("^///?", "///", head[2], flags=re.MULTILINE), text)
+    text = text.replace("::inline CONTACT_ABI", "")  # which version it is, a reader does not write
+    comment = []
     for line in [*text.splitlines(), ""]:
-        found = re.fullmatch(r"(\s*)/// ?(.*)", line)
-        if found:
-            indent = found[1]
-            comment.append(found[2])
+        if found := re.fullmatch(r" */// ?(.*)", line):
+            comment.append(found[1])
             continue
-        yield from (f"{indent}/// {one}" for one in block(comment))
+        if comment:
+            yield from block(comment)
         comment = []
         yield line
 
