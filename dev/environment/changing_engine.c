@@ -3,7 +3,7 @@
    computes. */
 #include <fenv.h>
 
-#include "engines/protocol/contact_engine.h"
+#include "contact/contact_engine.h"
 
 #ifdef __SSE2__
 #include <xmmintrin.h>

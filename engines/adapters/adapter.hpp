@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "engines/protocol/contact_engine.h"
+#include "contact/contact_engine.h"
 
 namespace contact::adapters {
 

@@ -9,8 +9,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "contact/contact_engine.h"
 #include "engines/hosts/subprocess.hpp"
-#include "engines/protocol/contact_engine.h"
 #include "engines/protocol/protocol.hpp"
 
 namespace contact::engines {

@@ -84,7 +84,7 @@ void add_engine_options(CLI::App& command, EngineOptions& options, bool recorded
   auto* library =
       command
           .add_option("--engine-library", options.library,
-                      "An engine as a shared library with the interface of engines/protocol/contact_engine.h")
+                      "An engine as a shared library with the interface of contact/contact_engine.h")
           ->type_name("FILE");
   std::vector<CLI::Option*> choices{engine, program, library};
   if (recorded)

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engines/protocol/contact_engine.h"
+#include "contact/contact_engine.h"
 
 static int mode(const char* name) {
   const char* set = getenv("CONTACT_MISBEHAVES");

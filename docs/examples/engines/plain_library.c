@@ -1,7 +1,7 @@
 /* An engine in C as a shared library for contact-oracle: spheres and boxes in plain double arithmetic. */
 #include <math.h>
 
-#include "engines/protocol/contact_engine.h"
+#include "contact/contact_engine.h"
 
 int32_t contact_engine_interface(void) { return CONTACT_ENGINE_INTERFACE; }
 
