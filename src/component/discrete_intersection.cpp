@@ -102,14 +102,14 @@ bool DiscreteIntersection::intersectSpheres(const Spheres& first, const Spheres&
                                             std::span<const ElementPair> pairs, std::span<std::size_t> written,
                                             OutputVector& contacts, const Intersection& currentIntersection) const {
   if (may_be_overridden()) return false;
-  constexpr std::size_t kPairs = 256;
-  std::array<std::array<double, kPairs>, 8> in;
-  std::array<std::array<double, kPairs>, 10> out;
-  std::array<batch::PairState, kPairs> state;
-  std::array<std::uint32_t, kPairs> index;
+  constexpr std::size_t kSome = 256;
+  std::array<std::array<double, kSome>, 8> in;
+  std::array<std::array<double, kSome>, 10> out;
+  std::array<batch::PairState, kSome> state;
+  std::array<std::uint32_t, kSome> index;
   const Distances distances{currentIntersection.getAlarmDistance(), currentIntersection.getContactDistance()};
-  for (std::size_t begin = 0; begin < pairs.size(); begin += kPairs) {
-    const auto some = pairs.subspan(begin, std::min(kPairs, pairs.size() - begin));
+  for (std::size_t begin = 0; begin < pairs.size(); begin += kSome) {
+    const auto some = pairs.subspan(begin, std::min(kSome, pairs.size() - begin));
     const std::size_t size = some.size();
     for (std::size_t k = 0; k < size; ++k) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
