@@ -18,7 +18,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 SCRIPT = ROOT / "packaging/ci/certify.sh"
 TOOL = Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 and not sys.argv[1].startswith("-") else None
-PLAIN = f"python3 {ROOT}/docs/examples/engines/plain.py"
+PLAIN = f"{sys.executable} {ROOT}/docs/examples/engines/plain.py"
 GENERIC = ROOT / "golden/sphere_sphere/generic.jsonl"
 TOUCHING = ROOT / "golden/sphere_sphere/touching.jsonl"
 
