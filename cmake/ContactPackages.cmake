@@ -1,6 +1,7 @@
 # Debian packages, one a component, and an archive of all that is installed: ./run packages.
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_CONTACT "contact-oracle maintainers <maintainers@contact-oracle.example>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
 set(CPACK_STRIP_FILES ON)
 set(CPACK_ARCHIVE_THREADS 1)  # the same bytes wherever it is packed
 
@@ -52,9 +53,12 @@ set(CPACK_COMPONENTS_ALL)
 set(runtime "")
 if(TARGET contact_shared)
   get_target_property(soversion contact_shared SOVERSION)
+  set(control ${PROJECT_SOURCE_DIR}/packaging/debian/triggers ${PROJECT_BINARY_DIR}/packaging/shlibs)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/packaging/shlibs
+       CONTENT "libcontact-oracle ${soversion} libcontact-oracle${soversion} (>= ${PROJECT_VERSION})\n")
   contact_debian_package(runtime libcontact-oracle${soversion} libs "verified reference for collision contacts (shared library)
-The library of libcontact-oracle-dev for programs in C and in whatever calls C."
-    "PACKAGE_GENERATE_SHLIBS=ON")
+The library of libcontact-oracle-dev for programs in C and in whatever calls C.")
+  set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${control})
   set(runtime "libcontact-oracle${soversion} (= ${PROJECT_VERSION}-1), ")
 endif()
 contact_debian_package(contact libcontact-oracle-dev libdevel "verified reference for collision contacts (development files)
