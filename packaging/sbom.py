@@ -204,9 +204,12 @@ def main():
     if files:
         ours = {package: parts for package, parts in ours.items() if package in files}
     version = re.search(r"project\(contact-oracle VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text())[1]
-    seconds = int(os.environ.get("SOURCE_DATE_EPOCH") or said("git", "log", "-1", "--format=%ct", cwd=ROOT))
+    git = subprocess.run(["git", "log", "-1", "--format=%H %ct"], cwd=ROOT, capture_output=True, text=True).stdout if (ROOT / ".git").exists() else ""
+    # The archive of a release has no history: its file says of which commit it is.
+    commit, time = git.split() or ((ROOT / "cmake/commit.txt").read_text().strip(), (ROOT / "CHANGELOG.md").stat().st_mtime)
+    seconds = int(os.environ.get("SOURCE_DATE_EPOCH") or time)
     created = datetime.fromtimestamp(seconds, timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
-    text = json.dumps(document(ours, version, said("git", "rev-parse", "HEAD", cwd=ROOT).strip(), created, known, files), indent=1) + "\n"
+    text = json.dumps(document(ours, version, commit, created, known, files), indent=1) + "\n"
     with tempfile.NamedTemporaryFile("w", dir=options.out.resolve().parent, delete=False) as unfinished:
         unfinished.write(text)
     os.replace(unfinished.name, options.out)
