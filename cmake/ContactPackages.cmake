@@ -27,6 +27,10 @@ function(contact_debian_package component name section description)
   if(component STREQUAL python)
     set(excluded EXCLUDE_FROM_ALL)
   endif()
+  set(more "")
+  if(component STREQUAL runtime)
+    set(more "# CPack writes a call of ldconfig beside the trigger, and cannot be told not to.\n${name}: maintscript-calls-ldconfig\n")
+  endif()
   set(overrides ${PROJECT_BINARY_DIR}/packaging/overrides/${name})
   configure_file(${PROJECT_SOURCE_DIR}/packaging/debian/overrides.in ${overrides} @ONLY)
   install(FILES ${overrides} DESTINATION share/lintian/overrides COMPONENT ${component} ${excluded})
@@ -58,14 +62,14 @@ if(TARGET contact_shared)
        CONTENT "libcontact-oracle ${soversion} libcontact-oracle${soversion} (>= ${PROJECT_VERSION})\n")
   contact_debian_package(runtime libcontact-oracle${soversion} libs "verified reference for collision contacts (shared library)
 The library of libcontact-oracle-dev for programs in C and in whatever calls C.")
-  set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${control})
+  set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${control})  # a list would not come through the function
   set(runtime "libcontact-oracle${soversion} (= ${PROJECT_VERSION}-1), ")
 endif()
 contact_debian_package(contact libcontact-oracle-dev libdevel "verified reference for collision contacts (development files)
 Decisions and contacts of spheres, boxes, capsules, triangles, rays and
 planes, each number the exact real one rounded once, for one pair and for
 many in vectors. With SOFA's names for detection between models."
-  "PACKAGE_DEPENDS=${runtime}libeigen3-dev (>= 3.4), libboost-dev (>= 1.74), libhwy-dev (>= 1.0.3)")
+  "PACKAGE_DEPENDS=${runtime}libeigen3-dev (>= 3.4), libhwy-dev (>= 1.0.3)")
 if(TARGET contact-oracle)
   contact_debian_package(program contact-oracle science "certifies the contacts that a physics engine computes
 ${about}

@@ -205,8 +205,9 @@ def main():
         ours = {package: parts for package, parts in ours.items() if package in files}
     version = re.search(r"project\(contact-oracle VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text())[1]
     git = subprocess.run(["git", "log", "-1", "--format=%H %ct"], cwd=ROOT, capture_output=True, text=True).stdout if (ROOT / ".git").exists() else ""
-    # The archive of a release has no history: its file says of which commit it is.
-    commit, time = git.split() or ((ROOT / "cmake/commit.txt").read_text().strip(), (ROOT / "CHANGELOG.md").stat().st_mtime)
+    # The archive of a release has no history: its file says of which commit it is. A copy of the files says nothing.
+    archived = re.fullmatch(r"[0-9a-f]{40}", (ROOT / "cmake/commit.txt").read_text().strip())
+    commit, time = git.split() or (archived[0] if archived else "unknown", (ROOT / "CHANGELOG.md").stat().st_mtime)
     seconds = int(os.environ.get("SOURCE_DATE_EPOCH") or time)
     created = datetime.fromtimestamp(seconds, timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
     text = json.dumps(document(ours, version, commit, created, known, files), indent=1) + "\n"

@@ -114,7 +114,7 @@ class Side {
     return shape;
   }
 
- protected:
+ private:
   static constexpr std::size_t kNumbers = kNumbersOf<Shape>;
   const double* rows_ = nullptr;
 };
