@@ -25,6 +25,8 @@ import time
 import unittest
 from pathlib import Path
 
+from cluster import after_a_death
+
 arguments = argparse.ArgumentParser(description=__doc__.split("\n")[0])
 arguments.add_argument("tool")
 arguments.add_argument("--times", type=int, default=1)
@@ -345,7 +347,7 @@ class Cluster(Prepared):
                     self.moment(early, 1 + Inputs.seconds[name])
                     with contextlib.nullcontext() if early else contextlib.suppress(ProcessLookupError, IndexError):
                         os.kill(process.pid if victim == "mpirun" else self.random.choice(ranks()), signal.SIGKILL)
-                    out, err = process.communicate(timeout=60)
+                    out, err = after_a_death(process, ranks)
                     while ranks() and time.monotonic() < deadline:
                         time.sleep(0.05)
                     self.assertEqual(ranks(), [], "processes outlive their cluster")

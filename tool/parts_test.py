@@ -17,6 +17,8 @@ import time
 import unittest
 from pathlib import Path
 
+from cluster import after_a_death
+
 TOOL = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
 MPIRUN = shlex.split(os.environ.get("CONTACT_MPIRUN", ""))
 ROOT = Path(__file__).resolve().parent.parent
@@ -254,10 +256,10 @@ class Cluster(Case):
         while not folder.exists() or len(list(folder.glob("*.part"))) < 8:
             self.assertLess(time.monotonic(), deadline)
             time.sleep(0.01)
-        ranks = subprocess.run(["pgrep", "-f", f"^{TOOL} .*{folder}"], capture_output=True, text=True).stdout.split()
-        self.assertEqual(len(ranks), 4)
-        os.kill(int(ranks[-1]), signal.SIGKILL)
-        out, err = process.communicate(timeout=60)
+        ranks = lambda: subprocess.run(["pgrep", "-f", f"^{TOOL} .*{folder}"], capture_output=True, text=True).stdout.split()
+        self.assertEqual(len(ranks()), 4)
+        os.kill(int(ranks()[-1]), signal.SIGKILL)
+        out, err = after_a_death(process, ranks)
         self.assertNotIn(process.returncode, (0, 1), "a certificate or a refutation although a process died")
         self.assertRegex(err, r"signal 9|Killed")
         self.assertNotIn("CERTIFIED", out)
