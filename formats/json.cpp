@@ -104,6 +104,46 @@ void require_read(const std::istream& stream, const Location& where) {
 
 }  // namespace
 
+LineReader::LineReader(const std::filesystem::path& path) : file_(path.string()), stream_(open_to_read(path, true)) {}
+
+Lines LineReader::next(std::uint64_t most) {
+  constexpr std::size_t kPiece = std::size_t{1} << 18;
+  Lines lines;
+  std::size_t from = at_;  // where the next line feed is looked for
+  std::size_t begin = at_;
+  const auto refuse = [&](const std::string& problem) {
+    throw InputError({file_, static_cast<std::size_t>(passed_ + lines.ends.size()) + 1}, "", problem);
+  };
+  while (lines.ends.size() < most) {
+    const auto* feed = static_cast<const char*>(std::memchr(read_.data() + from, '\n', read_.size() - from));
+    if (feed != nullptr) {
+      const auto end = static_cast<std::size_t>(feed - read_.data());
+      if (end - begin > kLongestLine) refuse(fmt::format("a line of more than {} bytes", kLongestLine));
+      lines.ends.push_back(end - at_);
+      from = begin = end + 1;
+      continue;
+    }
+    if (read_.size() - begin > kLongestLine) refuse(fmt::format("a line of more than {} bytes", kLongestLine));
+    // What was given goes, and what follows comes.
+    read_.erase(0, at_);
+    begin -= at_;
+    from = read_.size();
+    at_ = 0;
+    read_.resize(from + kPiece);
+    stream_.read(read_.data() + from, static_cast<std::streamsize>(kPiece));
+    read_.resize(from + static_cast<std::size_t>(stream_.gcount()));
+    require_read(stream_, {file_, 0});
+    if (read_.size() > from) continue;
+    if (begin != read_.size()) refuse("the last line has no line feed: the file is truncated");
+    break;
+  }
+  lines.text.reserve(begin - at_ + Lines::kRoom);
+  lines.text.assign(read_, at_, begin - at_);
+  at_ = begin;
+  passed_ += lines.ends.size();
+  return lines;
+}
+
 bool read_line(std::istream& stream, std::string& line, Location& where, std::size_t longest) {
   std::array<char, 8192> piece;
   line.clear();

@@ -72,6 +72,36 @@ class Node {
 inline constexpr std::size_t kLongestLine = std::size_t{1} << 20;  ///< bytes; lines here have some thousands
 inline constexpr std::size_t kLargestText = std::size_t{1} << 28;  ///< bytes of what is read as a whole, as models are
 
+/// Some lines of a file, one after the other.
+struct Lines {
+  static constexpr std::size_t kRoom = 64;  ///< bytes that a quick parser may read beyond a line
+
+  std::string text;               ///< with every line feed
+  std::vector<std::size_t> ends;  ///< where the line feeds are
+
+  [[nodiscard]] std::string_view line(std::size_t i) const {
+    const std::size_t begin = i == 0 ? 0 : ends[i - 1] + 1;
+    return std::string_view(text).substr(begin, ends[i] - begin);
+  }
+};
+
+/// Reads a file of lines, each of which ends in a line feed, the last one too. Throws InputError.
+class LineReader {
+ public:
+  explicit LineReader(const std::filesystem::path& path);
+  /// The next lines, at most so many; fewer only at the end of the file.
+  [[nodiscard]] Lines next(std::uint64_t most);
+  /// How many are behind.
+  [[nodiscard]] std::uint64_t passed() const { return passed_; }
+
+ private:
+  std::string file_;
+  std::ifstream stream_;
+  std::string read_;  ///< what was read and not given, from at_ on
+  std::size_t at_ = 0;
+  std::uint64_t passed_ = 0;
+};
+
 /// Reads the next line as std::getline does, and counts it in `where`. A longer one, whose memory nobody could bound,
 /// and a device that fails are refused.
 [[nodiscard]] bool read_line(std::istream& stream, std::string& line, Location& where,

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "contact/geometry.hpp"
+#include "formats/json.hpp"
 
 namespace contact::formats::quick {
 
@@ -90,17 +91,25 @@ bool read_object(Result<value> node, Member member) {
   return node.get_object().get(object) == simdjson::SUCCESS && read_members(object, member);
 }
 
-/// A line that is one object, its members taken as they come. The line grows by room that simdjson reads beyond it.
+static_assert(Lines::kRoom >= simdjson::SIMDJSON_PADDING);
+
+/// A line that is one object, its members taken as they come. Lines::kRoom bytes behind it can be read.
 template <class Member>
-bool read_line(std::string& line, Member member) {
+bool read_line(std::string_view line, Member member) {
   static thread_local simdjson::ondemand::parser parser;
-  if (line.capacity() < line.size() + simdjson::SIMDJSON_PADDING) line.reserve(line.size() * 2 + 512);
   simdjson::ondemand::document document;
   simdjson::ondemand::object object;
-  return parser.iterate(simdjson::padded_string_view(line.data(), line.size(), line.capacity())).get(document) ==
-             simdjson::SUCCESS &&
+  return parser.iterate(simdjson::padded_string_view(line.data(), line.size(), line.size() + Lines::kRoom))
+                 .get(document) == simdjson::SUCCESS &&
          document.get_object().get(object) == simdjson::SUCCESS && read_members(object, member) &&
          document.current_location().error() == simdjson::OUT_OF_BOUNDS;  // nothing follows
+}
+
+/// The same of a text, which grows by the room.
+template <class Member>
+bool read_line(std::string& line, Member member) {
+  if (line.capacity() < line.size() + Lines::kRoom) line.reserve(line.size() * 2 + 512);
+  return read_line(std::string_view(line), member);
 }
 
 }  // namespace contact::formats::quick

@@ -20,8 +20,8 @@ class Sha256 {
   Sha256& add(std::string_view bytes);
   [[nodiscard]] Digest digest() const;
   [[nodiscard]] std::string hex() const;
-  /// The digest of one text; what was added before is forgotten. Cheaper than an object for each.
-  [[nodiscard]] Digest digest_of(std::string_view bytes);
+  /// The digest of one text; cheaper than an object for it.
+  [[nodiscard]] static Digest digest_of(std::string_view bytes);
 
  private:
   struct Free {

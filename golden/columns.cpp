@@ -60,10 +60,13 @@ template <class Visit>
 void for_each_column(const DatasetHeader& h, Row& row, Visit&& visit) {
   Case& c = row.c;
   visit("id", c.id, kIdLength);
-  for_each_field(c.query, [&](std::string path, auto& value, FieldKind /*kind*/) {
-    std::replace(path.begin(), path.end(), '.', '/');
-    visit(path, value, 0);
-  });
+  if constexpr (requires { std::remove_cvref_t<Visit>::kByPlace; })
+    for_each_value(c.query, [&](auto& value) { visit("", value, 0); });
+  else
+    for_each_field(c.query, [&](std::string path, auto& value, FieldKind /*kind*/) {
+      std::replace(path.begin(), path.end(), '.', '/');
+      visit(path, value, 0);
+    });
   visit("flags", row.flags, 0);
   if (c.rejected) return visit("expect/rejected", *c.rejected, rejected_length(h.pair));
   visit("expect/hit", c.expect.hit, 0);
@@ -114,7 +117,7 @@ struct Column {
   std::string path;
   Type type;
   std::vector<char> rows{};
-  std::unique_ptr<formats::ArrayReader> reader{};
+  std::shared_ptr<formats::ArrayReader> reader{};
 
   /// Gives texts in memory more room.
   void widen(std::size_t width) {
@@ -144,6 +147,8 @@ class Encoder {
   Encoder(std::vector<Column>& columns, const std::filesystem::path& path, std::uint64_t row)
       : next_(columns.begin()), where_{path.string(), row + 1, true} {}
 
+  /// No path is asked for, which takes time to make.
+  static constexpr bool kByPlace = true;
   void operator()(std::string_view, const double& x, std::size_t) { put(x), ++next_; }
   template <class Vectors>
   void operator()(std::string_view, const Vectors& vectors, std::size_t) {
@@ -181,12 +186,13 @@ class Encoder {
   formats::Location where_;
 };
 
-/// Gives a row the values that stand at one place of the columns.
+/// Gives a row the values that stand at one place of the columns: row `row` behind the `first`, in a message.
 class Decoder {
  public:
-  Decoder(const std::vector<Column>& columns, std::size_t at, const formats::Location& where)
-      : next_(columns.begin()), at_(at), where_(where) {}
+  Decoder(const std::vector<Column>& columns, std::size_t at, const formats::Location& first, std::uint64_t row)
+      : next_(columns.begin()), at_(at), first_(first), row_(row) {}
 
+  static constexpr bool kByPlace = true;
   void operator()(std::string_view, double& x, std::size_t) { x = number_at(0), ++next_; }
   template <class Vectors>
   void operator()(std::string_view, Vectors& vectors, std::size_t) {
@@ -229,12 +235,13 @@ class Decoder {
     return text;
   }
   [[noreturn]] void refuse(const std::string& problem) const {
-    throw formats::InputError(where_, where_written(*next_), problem);
+    throw formats::InputError({first_.file, first_.line + row_, true}, where_written(*next_), problem);
   }
 
   std::vector<Column>::const_iterator next_;
   std::size_t at_;
-  const formats::Location& where_;
+  const formats::Location& first_;
+  std::uint64_t row_;
 };
 
 nlohmann::json flag_names() {
@@ -317,93 +324,39 @@ void open_column(Column& column, formats::ArraysFile& file, std::optional<std::u
                        found.shape_text(column.reader->rows())));
 }
 
-class ColumnsSource : public CaseSource {
+/// Rows of a file in memory: what several blocks share.
+struct Loaded {
+  std::vector<Column> columns;
+  const std::vector<std::string>& flag_names;
+};
+
+class RowBlock final : public CaseBlock {
  public:
-  ColumnsSource(const std::filesystem::path& path, ArraysForm form)
-      : whole_{path.string(), 0}, file_(formats::open_arrays(path, form)) {
-    where_ = {path.string(), 0, true};
-    nlohmann::json attributes = file_->header();
-    digest_ = formats::Node(attributes, whole_).at(kDigest).text();
-    attributes.erase(kDigest);
-    header_ = read_header(formats::Node(attributes, whole_));
-    columns_ = columns_of(header_);
-    check_names();
-    for (Column& column : columns_) open(column);
-    text_ = to_line(header_);
-    hash_.add(text_).add("\n");
-  }
+  RowBlock(const DatasetHeader& header, const formats::Location& first, std::uint64_t size,
+           std::shared_ptr<const Loaded> loaded, std::size_t at)
+      : CaseBlock(header, first, size), loaded_(std::move(loaded)), at_(at) {}
 
-  bool advance() override {
-    if (where_.line < header_.count) {
-      ++where_.line;
-      return true;
-    }
-    // The digest is of the whole file, so it says nothing where rows were passed over.
-    if (hashed_ == header_.count && hash_.hex() != digest_)
-      throw formats::InputError(whole_, kDigest,
-                                fmt::format("the file says {}, its rows as JSON lines have {}", digest_, hash_.hex()));
-    return false;
-  }
+  std::string text(std::uint64_t /*i*/, const Case& c) const override { return to_line(c); }
 
-  Case read() override {
-    const std::uint64_t index = where_.line - 1;
-    if (index < first_ || index >= first_ + loaded_) load(index / kBlock * kBlock);
-    Row row(header_);
-    for_each_column(header_, row, Decoder(columns_, index - first_, where_));
-    check(row.c);
-    if (row.flags >> flag_names_.size() != 0 && flag_names_.size() < kMostFlags)
-      throw formats::InputError(where_, "/flags", fmt::format("a bit without a name, in {:#x}", row.flags));
-    for (std::size_t i = 0; i < flag_names_.size(); ++i)
-      if ((row.flags >> i & 1) != 0) row.c.flags.push_back(flag_names_[i]);
-    settle_contact(row.c);
-    text_ = to_line(row.c);
-    hash_.add(text_).add("\n");
-    ++hashed_;
+ private:
+  Case parse(std::uint64_t i) const override {
+    Row row(header());
+    for_each_column(header(), row, Decoder(loaded_->columns, at_ + i, first(), i));
+    const std::vector<std::string>& names = loaded_->flag_names;
+    if (row.flags >> names.size() != 0 && names.size() < kMostFlags)
+      throw formats::InputError(where(i), "/flags", fmt::format("a bit without a name, in {:#x}", row.flags));
+    for (std::size_t k = 0; k < names.size(); ++k)
+      if ((row.flags >> k & 1) != 0) row.c.flags.push_back(names[k]);
+    settle_contact(row.c, i);
     return std::move(row.c);
   }
 
- private:
-  /// Whether the file holds the groups and columns of such a dataset, and nothing else.
-  void check_names() const {
-    std::set<std::string> expected;
-    for (const Column& column : columns_) {
-      expected.insert(formats::group_of(column.path));
-      expected.insert(column.path);
-    }
-    const std::set<std::string> found = file_->names();
-    for (const std::string& name : expected)
-      if (!found.contains(name)) throw formats::InputError(whole_, "/" + name, "missing");
-    for (const std::string& name : found)
-      if (!expected.contains(name) && name != formats::labelled("flags"))
-        throw formats::InputError(whole_, "/" + name,
-                                  fmt::format("unknown; known here: /{}", fmt::join(expected, ", /")));
-  }
-
-  void open(Column& column) {
-    open_column(column, *file_, header_.count, whole_);
-    if (column.path != "flags") return;
-    const nlohmann::json names = file_->labels(column.path);
-    const formats::Location& where = whole_;
-    for (const formats::Node& name : formats::Node(names, where, "/flags: attribute names").items())
-      flag_names_.push_back(name.text());
-    if (flag_names_.size() > kMostFlags)
-      throw formats::InputError(whole_, where_written(column), fmt::format("more than {} names", kMostFlags));
-  }
-
-  void load(std::uint64_t first) {
-    loaded_ = 0;
-    const std::uint64_t count = std::min(kBlock, header_.count - first);
-    for (Column& column : columns_) column.reader->read(first, count, column.rows);
-    first_ = first;
-    loaded_ = count;
-  }
-
   /// A miss has no contact, and its row says so in every column of it.
-  void settle_contact(Case& c) const {
-    if (!c.rejected && c.expect.hit && has_numbers(header_.pair)) return;
+  void settle_contact(Case& c, std::uint64_t i) const {
+    if (!c.rejected && c.expect.hit && has_numbers(header().pair)) return;
     const Contact& k = *c.expect.contact;
     const auto none = [&](const char* field, bool is_none) {
-      if (!is_none) throw formats::InputError(where_, field, "a miss has no contact");
+      if (!is_none) throw formats::InputError(where(i), field, "a miss has no contact");
     };
     none("/expect/degenerate", !k.degenerate);
     none("/expect/unique", k.unique);
@@ -417,13 +370,97 @@ class ColumnsSource : public CaseSource {
     c.exact.crossing.reset();
   }
 
+  std::shared_ptr<const Loaded> loaded_;
+  std::size_t at_;
+};
+
+class ColumnsSource final : public CaseSource {
+ public:
+  ColumnsSource(const std::filesystem::path& path, ArraysForm form)
+      : whole_{path.string(), 0}, arrays_(formats::open_arrays(path, form)) {
+    file_ = path.string();
+    nlohmann::json attributes = arrays_->header();
+    digest_ = formats::Node(attributes, whole_).at(kDigest).text();
+    attributes.erase(kDigest);
+    header_ = read_header(formats::Node(attributes, whole_));
+    columns_ = columns_of(header_);
+    check_names();
+    for (Column& column : columns_) open(column);
+    header_text_ = to_line(header_);
+    hash_.add(header_text_).add("\n");
+  }
+
+  std::unique_ptr<CaseBlock> next(std::uint64_t most) override {
+    if (passed_ == header_.count) return nullptr;
+    if (!loaded_ || passed_ >= first_ + kBlock) load(passed_ / kBlock * kBlock);
+    const std::uint64_t size = std::min({most, header_.count - passed_, first_ + kBlock - passed_});
+    auto block = std::make_unique<RowBlock>(header_, formats::Location{file_, passed_ + 1, true}, size, loaded_,
+                                            passed_ - first_);
+    passed_ += size;
+    return block;
+  }
+  bool skip(std::uint64_t n) override {
+    const bool enough = n <= header_.count - passed_;
+    passed_ += std::min(n, header_.count - passed_);
+    if (loaded_ && passed_ >= first_ + kBlock) loaded_.reset();
+    return enough;
+  }
+
+  void saw(std::string_view text) override {
+    hash_.add(text).add("\n");
+    ++hashed_;
+  }
+  void saw_all() override {
+    // The digest is of the whole file, so it says nothing where rows were passed over.
+    if (hashed_ == header_.count && hash_.hex() != digest_)
+      throw formats::InputError(whole_, kDigest,
+                                fmt::format("the file says {}, its rows as JSON lines have {}", digest_, hash_.hex()));
+  }
+
+ private:
+  /// Whether the file holds the groups and columns of such a dataset, and nothing else.
+  void check_names() const {
+    std::set<std::string> expected;
+    for (const Column& column : columns_) {
+      expected.insert(formats::group_of(column.path));
+      expected.insert(column.path);
+    }
+    const std::set<std::string> found = arrays_->names();
+    for (const std::string& name : expected)
+      if (!found.contains(name)) throw formats::InputError(whole_, "/" + name, "missing");
+    for (const std::string& name : found)
+      if (!expected.contains(name) && name != formats::labelled("flags"))
+        throw formats::InputError(whole_, "/" + name,
+                                  fmt::format("unknown; known here: /{}", fmt::join(expected, ", /")));
+  }
+
+  void open(Column& column) {
+    open_column(column, *arrays_, header_.count, whole_);
+    if (column.path != "flags") return;
+    const nlohmann::json names = arrays_->labels(column.path);
+    const formats::Location& where = whole_;
+    for (const formats::Node& name : formats::Node(names, where, "/flags: attribute names").items())
+      flag_names_.push_back(name.text());
+    if (flag_names_.size() > kMostFlags)
+      throw formats::InputError(whole_, where_written(column), fmt::format("more than {} names", kMostFlags));
+  }
+
+  void load(std::uint64_t first) {
+    auto loaded = std::make_shared<Loaded>(Loaded{columns_, flag_names_});
+    const std::uint64_t count = std::min(kBlock, header_.count - first);
+    for (Column& column : loaded->columns) column.reader->read(first, count, column.rows);
+    loaded_ = std::move(loaded);
+    first_ = first;
+  }
+
   formats::Location whole_;
-  std::unique_ptr<formats::ArraysFile> file_;
+  std::unique_ptr<formats::ArraysFile> arrays_;
   std::string digest_;
-  std::vector<Column> columns_;
+  std::vector<Column> columns_;  ///< without rows
   std::vector<std::string> flag_names_;
-  std::uint64_t first_ = 0;
-  std::uint64_t loaded_ = 0;
+  std::shared_ptr<const Loaded> loaded_;
+  std::uint64_t first_ = 0;   ///< row of what is loaded
+  std::uint64_t passed_ = 0;  ///< rows in blocks, or passed over
   formats::Sha256 hash_;
   std::uint64_t hashed_ = 0;
 };
@@ -498,7 +535,7 @@ QuestionColumns read_questions(const std::filesystem::path& path, ArraysForm for
       for (std::uint64_t row = 0; row < count; ++row) {
         where.line = first + row + 1;
         PlacedQuestion one{"", 0, zero_query(pair)};
-        for_each_question_column(one, Decoder(columns, row, where));
+        for_each_question_column(one, Decoder(columns, row, where, 0));
         if (const std::string id = query_id(one.query); id != one.id)
           throw formats::InputError(where, fmt::format("/{}/id", name(pair)),
                                     fmt::format("the question has the id {}, got {}", id, one.id));

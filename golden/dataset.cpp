@@ -133,6 +133,9 @@ void check_domain(const Query& query, const formats::Location& where) {
 }
 
 void check_representable(const Query& query, const formats::Location& where) {
+  bool all = true;  // names take time to make
+  for_each_number_unnamed(query, [&](double x) { all = all && static_cast<double>(static_cast<float>(x)) == x; });
+  if (all) return;
   for_each_number(query, [&](const std::string& field, double x) {
     if (std::isfinite(x) && (std::abs(x) > static_cast<double>(std::numeric_limits<float>::max()) ||
                              static_cast<double>(static_cast<float>(x)) != x))
@@ -358,15 +361,18 @@ Case read_case(const formats::Node& line, const DatasetHeader& header) {
   return c;
 }
 
-void CaseSource::check(const Case& c) const {
-  if (header_.scalar == Scalar::binary32) check_representable(c.query, where_);
-  check_id(c.query, c.id, where_);
+namespace {
+
+/// What every source asks of a case.
+void check_sound(const Case& c, Scalar scalar, const formats::Location& where) {
+  if (scalar == Scalar::binary32) check_representable(c.query, where);
+  check_id(c.query, c.id, where);
   if (c.rejected) return;
-  check_domain(c.query, where_);
+  check_domain(c.query, where);
   const auto exact = [&](const std::string& field, const std::string& text) {
     if (!oracle::is_exact_string(text))
       throw formats::InputError(
-          where_, "exact." + field,
+          where, "exact." + field,
           fmt::format("expected an exact number such as \"-0x1abdp-12\", got {}", formats::json_string(text)));
   };
   if (is_crossing(c.query.pair)) {
@@ -381,42 +387,97 @@ void CaseSource::check(const Case& c) const {
   }
 }
 
-namespace {
+/// Whether a case has nothing of what check_sound refuses.
+bool is_sound(const Case& c, Scalar scalar) {
+  try {
+    check_sound(c, scalar, {});
+    return true;
+  } catch (const formats::InputError&) {
+    return false;
+  }
+}
 
-class JsonLines : public CaseSource {
+/// Lines that stand in one text, each with its line feed.
+class LineBlock final : public CaseBlock {
  public:
-  explicit JsonLines(const std::filesystem::path& path) : stream_(formats::open_to_read(path, true)) {
-    where_ = {path.string(), 0};
-    if (!advance()) throw formats::InputError(where_, "", "empty: a dataset begins with its header");
-    const auto json = formats::parse_object(text_, where_);
-    header_ = read_header(formats::Node(json, where_));
+  LineBlock(const DatasetHeader& header, formats::Location first, formats::Lines lines)
+      : CaseBlock(header, std::move(first), lines.ends.size()), lines_(std::move(lines)) {
+    lines_.text.resize(lines_.text.size() + formats::Lines::kRoom);
   }
 
-  bool advance() override {
-    if (!formats::read_line(stream_, text_, where_)) return false;
-    if (stream_.eof()) throw formats::InputError(where_, "", "the last line has no line feed: the file is truncated");
+  std::string text(std::uint64_t i, const Case& /*c*/) const override { return std::string(lines_.line(i)); }
+
+ private:
+  Case parse(std::uint64_t i) const override {
+    const std::string_view line = lines_.line(i);
+    if (auto c = quick_case(line, header())) return *std::move(c);
+    const formats::Location here = where(i);
+    const auto json = formats::parse_object(line, here);
+    return read_case(formats::Node(json, here), header());
+  }
+
+  formats::Lines lines_;
+};
+
+class JsonLines final : public CaseSource {
+ public:
+  explicit JsonLines(const std::filesystem::path& path) : lines_(path) {
+    file_ = path.string();
+    const formats::Lines first = lines_.next(1);
+    const formats::Location where{file_, 1};
+    if (first.ends.empty()) throw formats::InputError({file_, 0}, "", "empty: a dataset begins with its header");
+    header_text_ = first.line(0);
+    const auto json = formats::parse_object(header_text_, where);
+    header_ = read_header(formats::Node(json, where));
+  }
+
+  std::unique_ptr<CaseBlock> next(std::uint64_t most) override {
+    const formats::Location first{file_, lines_.passed() + 1};
+    formats::Lines lines = lines_.next(most);
+    if (lines.ends.empty()) return nullptr;
+    return std::make_unique<LineBlock>(header_, first, std::move(lines));
+  }
+  bool skip(std::uint64_t n) override {
+    for (; n != 0; --n)
+      if (lines_.next(1).ends.empty()) return false;
     return true;
   }
 
-  Case read() override {
-    std::optional<Case> c = quick_case(text_, header_);
-    if (!c) {
-      const auto json = formats::parse_object(text_, where_);
-      c = read_case(formats::Node(json, where_), header_);
-    }
-    check(*c);
-    return *std::move(c);
-  }
-
  private:
-  std::ifstream stream_;
+  formats::LineReader lines_;
 };
 
 }  // namespace
 
-DatasetReader::Key DatasetReader::key_of(const std::string& id) {
-  // The id is that of its question by now: 24 hexadecimal digits.
-  return {id_digits(id, 0, 16), static_cast<std::uint32_t>(id_digits(id, 16, 8))};
+Case CaseBlock::read(std::uint64_t i) const {
+  Case c = parse(i);
+  // Almost every case is sound, and its place takes time to write down.
+  if (!is_sound(c, header_.scalar)) check_sound(c, header_.scalar, where(i));
+  return c;
+}
+
+std::size_t SeenIds::place(const std::vector<Key>& keys, const Key& key) {
+  std::size_t at = key.first & (keys.size() - 1);
+  while (keys[at].taken && (keys[at].first != key.first || keys[at].second != key.second))
+    at = (at + 1) & (keys.size() - 1);
+  return at;
+}
+
+SeenIds::Key::Key(std::string_view id)
+    : first(id_digits(id, 0, 16)), second(static_cast<std::uint32_t>(id_digits(id, 16, 8))), taken(true) {}
+
+bool SeenIds::insert(const Key& key) {
+  if (2 * size_ >= keys_.size()) {
+    std::vector<Key> larger(2 * keys_.size());
+    for (const Key& old : keys_)
+      if (old.taken) larger[place(larger, old)] = old;
+    keys_ = std::move(larger);
+  }
+  Key& there = keys_[place(keys_, key)];
+  if (there.taken) return false;
+  there = key;
+  ++size_;
+  return true;
 }
 
 DatasetReader::DatasetReader(const std::filesystem::path& path) {
@@ -427,46 +488,66 @@ DatasetReader::DatasetReader(const std::filesystem::path& path) {
                               fmt::format("no {} file, or one without its beginning", name(*named)));
   else
     source_ = std::make_unique<JsonLines>(path);
-  if (header().count <= kRepeatsLookedFor) ids_.reserve(header().count);
+  where_ = {source_->file(), 1};
+  text_ = source_->header_text();
 }
 
-bool DatasetReader::advance() {
-  const std::uint64_t count = header().count;
-  const bool more = source_->advance();
-  if (more && passed_ == count)
-    throw formats::InputError({where().file, 1}, "count",
-                              fmt::format("the header says {}, the file holds more cases", count));
-  if (!more && passed_ != count)
-    throw formats::InputError({where().file, 1}, "count",
-                              fmt::format("the header says {}, the file holds {} cases", count, passed_));
-  passed_ += more ? 1 : 0;
-  return more;
+std::unique_ptr<CaseBlock> DatasetReader::next_block(std::uint64_t most) {
+  const std::uint64_t left = header().count - passed_;
+  const auto refuse = [&](const std::string& what) {
+    throw formats::InputError({source_->file(), 1}, "count",
+                              fmt::format("the header says {}, the file holds {}", header().count, what));
+  };
+  // Behind the last case one is asked for that must not be there.
+  auto block = source_->next(left == 0 ? 1 : std::min(most, left));
+  if (left == 0 && block) refuse("more cases");
+  if (left != 0 && !block) refuse(fmt::format("{} cases", passed_));
+  if (block) passed_ += block->size();
+  return block;
 }
 
 void DatasetReader::skip(std::uint64_t n) {
-  while (n != 0 && advance()) --n;
+  n = std::min(n, header().count - passed_);
+  if (source_->skip(n))
+    passed_ += n;
+  else
+    throw formats::InputError({source_->file(), 1}, "count",
+                              fmt::format("the header says {}, the file holds fewer cases", header().count));
 }
 
 std::optional<Case> DatasetReader::next() {
-  if (!advance()) return std::nullopt;
-  Case c = source_->read();
-  check(c);
+  constexpr std::uint64_t kAtOnce = 64;
+  if (!block_ || in_block_ == block_->size()) {
+    block_ = next_block(kAtOnce);
+    in_block_ = 0;
+    if (!block_) {
+      source_->saw_all();
+      return std::nullopt;
+    }
+  }
+  const std::uint64_t i = in_block_++;
+  where_ = block_->where(i);
+  Case c = block_->read(i);
+  text_ = block_->text(i, c);
+  source_->saw(text_);
+  accept(c, SeenIds::Key(c.id), passed_ - block_->size() + i, *block_, i);
   return c;
 }
 
-void DatasetReader::check(const Case& c) {
+void DatasetReader::accept(const Case& c, const SeenIds::Key& key, std::uint64_t index, const CaseBlock& block,
+                           std::uint64_t i) {
   const DatasetHeader& h = header();
   if (c.rejected && !outside_domain(c.query))
     throw formats::InputError(
-        where(), "expect.rejected",
+        block.where(i), "expect.rejected",
         fmt::format("the question is inside the domain, got {}", formats::json_string(*c.rejected)));
-  if (h.count > kRepeatsLookedFor || ids_.insert(key_of(c.id)).second) return;
+  if (h.count > kRepeatsLookedFor || ids_.insert(key)) return;
   // A generator may repeat itself: the case is right if the family's generator makes this very question here.
   const Family* family = find_family(h.pair, h.family);
-  const bool generated = family != nullptr &&
-                         (h.shard || query_id(generate_query(h.pair, *family, h.scalar, h.seed, passed_ - 1)) == c.id);
+  const bool generated =
+      family != nullptr && (h.shard || query_id(generate_query(h.pair, *family, h.scalar, h.seed, index)) == c.id);
   if (!generated)
-    throw formats::InputError(where(), "id",
+    throw formats::InputError(block.where(i), "id",
                               fmt::format("the same question stands in this file twice, got \"{}\"", c.id));
   ++repeats_;
 }

@@ -4,11 +4,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <memory_resource>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_set>
 #include <vector>
 
 #include "formats/json.hpp"
@@ -87,7 +85,36 @@ struct ReadQuery {
 /// that tells its pair and scalar.
 [[nodiscard]] ReadQuery read_query(const formats::Node& line, const DatasetHeader* file = nullptr);
 
-/// The cases of a file, whatever its form.
+/// Consecutive cases as a file has them, to be read on any thread.
+class CaseBlock {
+ public:
+  CaseBlock(const DatasetHeader& header, formats::Location first, std::uint64_t size)
+      : header_(header), first_(std::move(first)), size_(size) {}
+  CaseBlock(const CaseBlock&) = delete;
+  CaseBlock& operator=(const CaseBlock&) = delete;
+  virtual ~CaseBlock() = default;
+
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+  /// Where case i stands.
+  [[nodiscard]] formats::Location where(std::uint64_t i) const { return {first_.file, first_.line + i, first_.is_row}; }
+  /// Case i. Throws formats::InputError at anything malformed: its form, the id, scalar and domain of its question, and
+  /// that its exact numbers are some.
+  [[nodiscard]] Case read(std::uint64_t i) const;
+  /// Its line, canonical or not, and of columns the canonical one.
+  [[nodiscard]] virtual std::string text(std::uint64_t i, const Case& c) const = 0;
+
+ protected:
+  [[nodiscard]] virtual Case parse(std::uint64_t i) const = 0;
+  [[nodiscard]] const DatasetHeader& header() const { return header_; }
+  [[nodiscard]] const formats::Location& first() const { return first_; }
+
+ private:
+  const DatasetHeader& header_;
+  formats::Location first_;
+  std::uint64_t size_;
+};
+
+/// The cases of a file, whatever its form. Its blocks are valid as long as it is.
 class CaseSource {
  public:
   CaseSource() = default;
@@ -95,26 +122,52 @@ class CaseSource {
   CaseSource& operator=(const CaseSource&) = delete;
   virtual ~CaseSource() = default;
 
-  /// Goes on to the next case, unread; false after the last.
-  [[nodiscard]] virtual bool advance() = 0;
-  /// The case gone to. At most once a case.
-  [[nodiscard]] virtual Case read() = 0;
-
   [[nodiscard]] const DatasetHeader& header() const { return header_; }
-  [[nodiscard]] const formats::Location& where() const { return where_; }
-  [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] const std::string& file() const { return file_; }
+  /// The line of the header, as it stands there.
+  [[nodiscard]] const std::string& header_text() const { return header_text_; }
+  /// Goes on to the next cases, at most so many and no more than the header says; nullptr after the last.
+  [[nodiscard]] virtual std::unique_ptr<CaseBlock> next(std::uint64_t most) = 0;
+  /// Passes over cases, unread; false where there are not so many.
+  [[nodiscard]] virtual bool skip(std::uint64_t n) = 0;
+  /// Told the text of every case in turn, and the end of them: what a whole file says of itself can be checked.
+  virtual void saw(std::string_view /*text*/) {}
+  virtual void saw_all() {}
 
  protected:
-  /// What every source asks of a case: the id, scalar and domain of its question, and that its exact numbers are some.
-  void check(const Case& c) const;
-
   DatasetHeader header_;
-  formats::Location where_;
-  std::string text_;
+  std::string file_;
+  std::string header_text_;
+};
+
+/// Questions that were seen, by their ids.
+class SeenIds {
+ public:
+  /// An id as a number, which takes a third of the memory of its text.
+  struct Key {
+    std::uint64_t first = 0;
+    std::uint32_t second = 0;
+    bool taken = false;
+
+    Key() = default;
+    /// Domain: an id that is right, so 24 hexadecimal digits.
+    explicit Key(std::string_view id);
+  };
+
+  /// Whether it is new.
+  bool insert(const Key& key);
+  /// Says that a key will be inserted soon: memory takes longer to answer than all the rest.
+  void prefetch(const Key& key) const { __builtin_prefetch(&keys_[key.first & (keys_.size() - 1)], 1); }
+
+ private:
+  /// The place of a key, or the free one where it belongs: its first digits are a digest's, and say where to look.
+  [[nodiscard]] static std::size_t place(const std::vector<Key>& keys, const Key& key);
+  std::vector<Key> keys_ = std::vector<Key>(1024);  ///< a power of two of them, half of them free at least
+  std::size_t size_ = 0;
 };
 
 /// Reads a dataset case by case, checking as it goes: form, domain, ids, questions that stand there twice, and at the
-/// end the count. What the expectations say is checked by lint and by certify, against the oracle.
+/// end the count and the digest. What the expectations say is checked by lint and by certify, against the oracle.
 class DatasetReader {
  public:
   explicit DatasetReader(const std::filesystem::path& path);
@@ -124,9 +177,17 @@ class DatasetReader {
   [[nodiscard]] std::optional<Case> next();
   /// Passes over the next n cases, or as many as there are, unread: of them only the number is checked.
   void skip(std::uint64_t n);
-  /// Where the case that next() gave last stands, and its text.
-  [[nodiscard]] const formats::Location& where() const { return source_->where(); }
-  [[nodiscard]] const std::string& text() const { return source_->text(); }
+  /// Where the case that next() gave last stands, and its text; before the first, of the header.
+  [[nodiscard]] const formats::Location& where() const { return where_; }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+  /// For readers on many threads: the next cases, at most so many, which any of them may read; nullptr after the last.
+  /// Whoever reads them gives each to `accept`, one thread in the order of the file. The digest of columns is not
+  /// checked: it is of all texts, one after the other.
+  [[nodiscard]] std::unique_ptr<CaseBlock> next_block(std::uint64_t most);
+  /// Refuses a question that stood in the file before. `index`: its place in the file, from 0.
+  void accept(const Case& c, const SeenIds::Key& key, std::uint64_t index, const CaseBlock& block, std::uint64_t i);
+  void prefetch(const SeenIds::Key& key) const { ids_.prefetch(key); }
 
   /// How many questions stood in the file before, as the family's generator makes them.
   [[nodiscard]] std::uint64_t repeats() const { return repeats_; }
@@ -135,28 +196,14 @@ class DatasetReader {
   [[nodiscard]] static bool is_dataset(const std::filesystem::path& path);
 
  private:
-  [[nodiscard]] bool advance();
-  void check(const Case& c);
-
   std::unique_ptr<CaseSource> source_;
-  std::uint64_t passed_ = 0;
+  std::unique_ptr<CaseBlock> block_;  ///< of next()
+  std::uint64_t in_block_ = 0;
+  formats::Location where_;
+  std::string text_;
+  std::uint64_t passed_ = 0;  ///< cases that are behind, in blocks or not
   std::uint64_t repeats_ = 0;
-  /// An id as a number, which takes a third of the memory of its text.
-  struct Key {
-    std::uint64_t first;
-    std::uint32_t second;
-
-    friend bool operator==(const Key&, const Key&) = default;
-  };
-  struct Hash {
-    std::size_t operator()(const Key& key) const noexcept {
-      return static_cast<std::size_t>(key.first);
-    }  // SHA-256's digits
-  };
-  [[nodiscard]] static Key key_of(const std::string& id);
-  std::unique_ptr<std::pmr::monotonic_buffer_resource> memory_ =
-      std::make_unique<std::pmr::monotonic_buffer_resource>();  // a million small allocations would take longer
-  std::pmr::unordered_set<Key, Hash> ids_{memory_.get()};
+  SeenIds ids_;
 };
 
 /// A folder of this name holds a selection of its neighbours' cases, for when time is short.

@@ -25,8 +25,7 @@ constexpr std::size_t kLongestCanonical =
 }  // namespace
 
 std::string query_id(const Query& query) {
-  // One context a thread and no text on the way: every question of a run has its id computed and compared.
-  static thread_local formats::Sha256 hash;
+  // No text on the way: every question of a run has its id computed and compared.
   std::array<unsigned char, kLongestCanonical> bytes{};
   auto at = std::copy(name(query.pair).begin(), name(query.pair).end(), bytes.begin()) + 1;
   const auto put = [&](double x) {
@@ -34,8 +33,8 @@ std::string query_id(const Query& query) {
     for (int shift = 56; shift >= 0; shift -= 8) *at++ = static_cast<unsigned char>((bits >> shift) & 0xff);
   };
   for_each_number_unnamed(query, put);
-  const auto digest =
-      hash.digest_of({reinterpret_cast<const char*>(bytes.data()), static_cast<std::size_t>(at - bytes.begin())});
+  const auto digest = formats::Sha256::digest_of(
+      {reinterpret_cast<const char*>(bytes.data()), static_cast<std::size_t>(at - bytes.begin())});
   std::string id(kIdLength, '\0');
   for (std::size_t i = 0; i < id.size(); ++i) id[i] = "0123456789abcdef"[digest[i / 2] >> (i % 2 == 0 ? 4 : 0) & 15];
   return id;

@@ -100,7 +100,7 @@ bool read(Result<value> node, oracle::Witness& exact, Pair pair) {
 
 }  // namespace
 
-std::optional<Case> quick_case(std::string& line, const DatasetHeader& header) {
+std::optional<Case> quick_case(std::string_view line, const DatasetHeader& header) {
   if (header.family == kInvalidFamily) return std::nullopt;
   std::optional<Case> found(Case{{}, zero_query(header.pair), {}, {}, std::nullopt, {}});
   Case& c = *found;

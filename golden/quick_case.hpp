@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <string>
+#include <string_view>
 
 #include "golden/dataset.hpp"
 
@@ -10,7 +10,7 @@ namespace contact::golden {
 
 /// The case in a line as this project writes it: the keys in their order and none else, every number written as one.
 /// Nothing for any other line: read_case then reads it, or refuses it with a message. What this reads, read_case reads
-/// the same. The line is given more room behind its end, which the parser looks at; its text stays.
-[[nodiscard]] std::optional<Case> quick_case(std::string& line, const DatasetHeader& header);
+/// the same. The parser looks at formats::Lines::kRoom bytes behind the line, which can be read.
+[[nodiscard]] std::optional<Case> quick_case(std::string_view line, const DatasetHeader& header);
 
 }  // namespace contact::golden

@@ -25,6 +25,7 @@ std::optional<std::string> carefully(const std::string& line, const DatasetHeade
 
 std::optional<std::string> quickly(std::string line, const DatasetHeader& header) {
   const std::string before = line;
+  line.reserve(line.size() + formats::Lines::kRoom);
   const auto c = quick_case(line, header);
   EXPECT_EQ(line, before);
   return c ? std::optional(to_line(*c)) : std::nullopt;

@@ -7,6 +7,7 @@
 #include <set>
 #include <span>
 #include <unordered_map>
+#include <utility>
 
 #include "oracle/diagnosis/formulas.hpp"
 #include "oracle/truth/default_environment.hpp"
@@ -312,6 +313,33 @@ void Diagnosis::add(std::uint64_t key, const Query& query, const Truth& truth, c
   ++answered_[query.pair];
   for (const std::string_view aspect : verdict.missing.names()) ++missing_[std::string(aspect)];
   if (weight == 0) return;
+  if (!compares_at_once() && verdict.level() <= Level::bounded) {
+    postpone(query, truth, claim, declared, weight);
+    return;
+  }
+  compare(key, query, truth, claim, declared, verdict, rounded, weight);
+  settle();
+}
+
+void Diagnosis::postpone(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
+                         std::uint64_t weight) {
+  // One copy of a declaration serves all that are judged by it, as a rule.
+  const bool known = !postponed_.empty() && *postponed_.back().declared == declared;
+  postponed_.push_back({query, truth.at_alarm, truth.at_zero, claim,
+                        known ? postponed_.back().declared : std::make_shared<const Declaration>(declared), weight});
+}
+
+void Diagnosis::settle() {
+  for (const Postponed& p : std::exchange(postponed_, {})) {
+    const Truth truth = truth_with(p.query, p.at_alarm, p.at_zero);
+    // No key: a right claim stands in no sample.
+    compare(0, p.query, truth, p.claim, *p.declared, judge(p.query, truth, p.claim, *p.declared), nullptr, p.weight);
+  }
+}
+
+void Diagnosis::compare(std::uint64_t key, const Query& query, const Truth& truth, const Claim& claim,
+                        const Declaration& declared, const Verdict& verdict, const Expectation* rounded,
+                        std::uint64_t weight) {
   const DefaultEnvironment environment;
   const Facts facts(query, truth, declared.scalar, said_normal(claim, declared.conventions));
   const std::vector<Claimed> claimed = claimed_of(facts, claim, declared, verdict);
@@ -377,6 +405,8 @@ void Diagnosis::merge(const Diagnosis& other) {
     mine.resize(counts.size());
     for (std::size_t i = 0; i < counts.size(); ++i) mine[i] += counts[i];
   }
+  postponed_.insert(postponed_.end(), other.postponed_.begin(), other.postponed_.end());
+  if (at_once_ || !wrong_.empty() || postponed_.size() > kPostponed) settle();
 }
 
 Gain Diagnosis::gain(std::size_t cause, std::span<const Alike> wrong, std::span<const std::size_t> left) const {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,9 +50,13 @@ struct Finding {
 /// right claim contradicts a cause whose formula gives another. Memory is bounded: a sample of kSample wrong claims,
 /// those with the smallest keys, stands for all others of their aspect. The findings depend neither on the order of the
 /// answers nor on how they were divided before `merge`.
+///
+/// What the causes say of an answer costs more than to judge it, and of right answers alone it tells nothing. So up to
+/// kPostponed of them are kept as they are until something is wrong.
 class Diagnosis {
  public:
   static constexpr std::size_t kSample = 16384;
+  static constexpr std::size_t kPostponed = 16384;
 
   /// Adds the answer to a question inside the domain. Its right claims count `weight` times, for so many answers like
   /// it; an answer of weight 0 must be right. `key` is 64 bits of a digest of the question.
@@ -60,6 +65,13 @@ class Diagnosis {
   /// Adds an answer to a question outside the domain.
   void add_outside_domain(const Query& query);
   void merge(const Diagnosis& other);
+  /// Whether another right answer would be compared with the causes, so that whoever shares the work does that at once.
+  [[nodiscard]] bool compares_at_once() const { return at_once_ || !wrong_.empty() || postponed_.size() >= kPostponed; }
+  /// From now on every answer is compared as it comes.
+  void compare_at_once() {
+    at_once_ = true;
+    settle();
+  }
 
   /// How many claims of each kind ("overlap", "normal", ...) are wrong.
   [[nodiscard]] const std::map<std::string, std::uint64_t>& wrong() const { return wrong_; }
@@ -76,6 +88,7 @@ class Diagnosis {
   /// Everything that was counted, for an archive of Cereal.
   template <class Archive>
   void serialize(Archive& archive) {
+    settle();
     archive(explanations_, wrong_, sample_, contradicted_, answered_, silent_, outside_, missing_);
   }
   /// Whether every name and count in it exists: an archive may hold others.
@@ -118,6 +131,21 @@ class Diagnosis {
     Set by;
     double n;
   };
+  /// A right answer that no cause has been asked about.
+  struct Postponed {
+    Query query;
+    Side at_alarm;
+    Side at_zero;
+    Claim claim;
+    std::shared_ptr<const Declaration> declared;
+    std::uint64_t weight;
+  };
+  void postpone(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
+                std::uint64_t weight);
+  /// Asks the causes about what was postponed.
+  void settle();
+  void compare(std::uint64_t key, const Query& query, const Truth& truth, const Claim& claim,
+               const Declaration& declared, const Verdict& verdict, const Expectation* rounded, std::uint64_t weight);
   void count(std::uint64_t key, const Place& place, bool is_right, const Set& agree, const Set& differ,
              std::uint64_t weight);
   void add_wrong(const Wrong& wrong, std::uint64_t n);
@@ -129,6 +157,8 @@ class Diagnosis {
   [[nodiscard]] std::string sentence(std::size_t cause, std::span<const Alike> wrong,
                                      std::span<const std::size_t> explained) const;
 
+  std::vector<Postponed> postponed_;  ///< none where anything is wrong
+  bool at_once_ = false;
   std::map<Explanation, std::uint64_t> explanations_;
   std::map<std::string, std::uint64_t> wrong_;
   std::map<std::string, std::uint64_t> missing_;              ///< by field that is declared: answers to hits without it

@@ -50,13 +50,15 @@ FieldVerdict grade_direction(double component, const Rational& length2, const Ex
   }
 }
 
-/// Judges the fields of one claimed contact of two spheres.
+/// Judges the fields of one claimed contact. The exact numbers are made where a claimed one is not the rounded one.
 class ContactJudge {
  public:
-  ContactJudge(const Query& query, const DistanceTruth& truth, const ContactClaim& claim, const Declaration& declared,
-               const Contact* rounded)
+  ContactJudge(const Query& query, const Truth& truth, bool contact_expected, const ContactClaim& claim,
+               const Declaration& declared, const Contact* rounded)
       : query_(query),
-        truth_(truth),
+        whole_(truth),
+        contact_expected_(contact_expected),
+        degenerate_(rounded != nullptr ? rounded->degenerate : exact().degenerate()),
         claim_(claim),
         declared_(declared),
         conventions_(declared.conventions),
@@ -70,11 +72,11 @@ class ContactJudge {
     if (!claim_.normal || !claims(Field::normal)) return std::nullopt;
     const Vector3& n = claimed_n_;
     if (!is_finite(n)) return FieldVerdict{Grade::not_finite, 0};
-    if (truth_.degenerate()) return truth_.coincident() ? coincident_normal(n) : normal_out(n);
+    if (degenerate_) return exact().coincident() ? coincident_normal(n) : normal_out(n);
     if (rounded_ != nullptr && conventions_.normal_unit && n == rounded_->normal) return FieldVerdict{};
     FieldVerdict verdict;
-    for (int axis = 0; axis < 3; ++axis) verdict = worse(verdict, component(n, axis, truth_.normal(axis)));
-    verdict.off = verdict.grade == Grade::correctly_rounded ? Off{} : off_from(n, truth_.along());
+    for (int axis = 0; axis < 3; ++axis) verdict = worse(verdict, component(n, axis, exact().normal(axis)));
+    verdict.off = verdict.grade == Grade::correctly_rounded ? Off{} : off_from(n, exact().along());
     return verdict;
   }
 
@@ -83,22 +85,21 @@ class ContactJudge {
     const std::optional<Vector3>& p = sphere == 0 ? claim_.point1 : claim_.point2;
     const std::optional<PointOn> on = point_of(conventions_, query_, sphere);
     if (!p || !on || !claims(sphere == 0 ? Field::point1 : Field::point2)) return std::nullopt;
-    if (truth_.degenerate() && *on != PointOn::center && !knows_coincident_normal()) return std::nullopt;
-    if (rounded_ != nullptr && (!truth_.degenerate() || is_reference()) && *on == PointOn::nearest_surface &&
+    if (degenerate_ && *on != PointOn::center && !knows_coincident_normal()) return std::nullopt;
+    if (rounded_ != nullptr && (!degenerate_ || is_reference()) && *on == PointOn::nearest_surface &&
         *p == (sphere == 0 ? rounded_->point1 : rounded_->point2))
       return FieldVerdict{};
-    return grade_point(*p, truth_.point_scale(sphere), truth_.radius(sphere), [&](int axis) {
-      return truth_.degenerate() ? coincident_point(sphere, axis, *on) : truth_.point(sphere, axis, *on);
+    return grade_point(*p, exact().point_scale(sphere), exact().radius(sphere), [&](int axis) {
+      return degenerate_ ? coincident_point(sphere, axis, *on) : exact().point(sphere, axis, *on);
     });
   }
 
   [[nodiscard]] std::optional<FieldVerdict> midpoint() const {
     if (!claim_.point || conventions_.points != Points::midpoint || !claims(Field::point)) return std::nullopt;
-    if (truth_.degenerate() && !knows_coincident_normal()) return std::nullopt;
-    const Exact scale = larger_of(truth_.point_scale(0), truth_.point_scale(1));
-    return grade_point(*claim_.point, scale, truth_.radii() / Rational(2), [&](int axis) {
-      return truth_.degenerate() ? coincident_midpoint(axis) : truth_.midpoint(axis);
-    });
+    if (degenerate_ && !knows_coincident_normal()) return std::nullopt;
+    const Exact scale = larger_of(exact().point_scale(0), exact().point_scale(1));
+    return grade_point(*claim_.point, scale, exact().radii() / Rational(2),
+                       [&](int axis) { return degenerate_ ? coincident_midpoint(axis) : exact().midpoint(axis); });
   }
 
   [[nodiscard]] std::optional<FieldVerdict> value() const {
@@ -106,12 +107,15 @@ class ContactJudge {
     if (rounded_ != nullptr && conventions_.value == ValueKind::signed_distance && conventions_.value_less_contact &&
         *claim_.value == rounded_->value)
       return FieldVerdict{};
-    Exact x = truth_.value(conventions_.value_less_contact);
+    Exact x = exact().value(conventions_.value_less_contact);
     if (conventions_.value == ValueKind::depth) x = x.scaled(Rational(-1));
-    return grade(*claim_.value, x, {declared_.scalar, truth_.value_scale(), declared_.bounds.value, tolerance()});
+    return grade(*claim_.value, x, {declared_.scalar, exact().value_scale(), declared_.bounds.value, tolerance()});
   }
 
  private:
+  [[nodiscard]] const DistanceTruth& exact() const {
+    return contact_expected_ ? *whole_.contact() : *whole_.distance();
+  }
   [[nodiscard]] bool claims(Field field) const { return declared_.claimed().has(aspect(field)); }
   [[nodiscard]] const std::optional<Tolerance>& tolerance() const { return declared_.tolerance; }
   [[nodiscard]] Off off_from(const Vector3& n, const Point& right) const {
@@ -123,13 +127,12 @@ class ContactJudge {
   [[nodiscard]] FieldVerdict grade_point(const Vector3& claimed, const Exact& scale, const Rational& radius,
                                          const auto& right) const {
     const bool is_exact = is_reference() && squared_length(claimed_n_) == Rational(1);
-    const bool is_claimed_normals =
-        conventions_.normal_unit && truth_.degenerate() && knows_coincident_normal() && !is_exact;
+    const bool is_claimed_normals = conventions_.normal_unit && degenerate_ && knows_coincident_normal() && !is_exact;
     const Rational room = is_claimed_normals ? roundings() * radius : Rational(0);
     const PointSet set{
-        {right(0), right(1), right(2)}, truth_.spread() ? *truth_.spread() : point_of(Vector3::Zero()), room};
+        {right(0), right(1), right(2)}, exact().spread() ? *exact().spread() : point_of(Vector3::Zero()), room};
     const Yardstick by{declared_.scalar, scale, declared_.bounds.point, tolerance()};
-    if (truth_.spread() || is_claimed_normals) return grade(claimed, set, by);
+    if (exact().spread() || is_claimed_normals) return grade(claimed, set, by);
     FieldVerdict verdict;
     for (int axis = 0; axis < 3; ++axis)
       verdict = worse(verdict, grade(claimed[axis], set.middle[static_cast<std::size_t>(axis)], by));
@@ -150,7 +153,7 @@ class ContactJudge {
   [[nodiscard]] FieldVerdict normal_out(const Vector3& n) const {
     std::optional<FieldVerdict> best;
     std::optional<Off> least;
-    for (const WayOut& way : truth_.meeting().ways) {
+    for (const WayOut& way : exact().meeting().ways) {
       FieldVerdict verdict;
       Rational off(0);
       for (int axis = 0; axis < 3; ++axis) {
@@ -175,7 +178,7 @@ class ContactJudge {
 
   /// Whether a normal points against no vertex of the cores: n.w >= -8u |w| for all of their differences w.
   [[nodiscard]] bool separates(const Vector3& n) const {
-    return std::all_of(truth_.meeting().apart.begin(), truth_.meeting().apart.end(), [&](const Point& w) {
+    return std::all_of(exact().meeting().apart.begin(), exact().meeting().apart.end(), [&](const Point& w) {
       Rational along(0);
       Rational length2(0);
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -199,7 +202,7 @@ class ContactJudge {
     const Grade best = conventions_.normal_unit ? Grade::correctly_rounded : Grade::bounded;
     if (right) return {best, 0};
     return {Grade::beyond_bound, error_from_unit(length2),
-            angle_off(contact::oracle::point_of(n), truth_.meeting().apart, conventions_.normal_unit, tolerance())};
+            angle_off(contact::oracle::point_of(n), exact().meeting().apart, conventions_.normal_unit, tolerance())};
   }
   [[nodiscard]] double error_from_unit(const Rational& length2) const {
     return error_in_units(length2, Rational(1), ulp(Rational(1), declared_.scalar));
@@ -208,17 +211,17 @@ class ContactJudge {
   [[nodiscard]] bool knows_coincident_normal() const { return claim_.normal && is_finite(claimed_n_); }
   /// D = 0: the point that goes with the claimed normal.
   [[nodiscard]] Exact coincident_point(int sphere, int axis, PointOn on) const {
-    if (!knows_coincident_normal()) return truth_.point(sphere, axis, on);  // a centre
-    const Rational center = truth_.point_for(sphere, axis, PointOn::center, claimed_n_);
-    return beside_center(center, truth_.point_for(sphere, axis, on, claimed_n_) - center);
+    if (!knows_coincident_normal()) return exact().point(sphere, axis, on);  // a centre
+    const Rational center = exact().point_for(sphere, axis, PointOn::center, claimed_n_);
+    return beside_center(center, exact().point_for(sphere, axis, on, claimed_n_) - center);
   }
   /// D = 0: the middle of the two nearest surface points that go with the claimed normal.
   [[nodiscard]] Exact coincident_midpoint(int axis) const {
-    const Rational center = (truth_.point_for(0, axis, PointOn::center, claimed_n_) +
-                             truth_.point_for(1, axis, PointOn::center, claimed_n_)) /
+    const Rational center = (exact().point_for(0, axis, PointOn::center, claimed_n_) +
+                             exact().point_for(1, axis, PointOn::center, claimed_n_)) /
                             Rational(2);
-    const Rational sum = truth_.point_for(0, axis, PointOn::nearest_surface, claimed_n_) +
-                         truth_.point_for(1, axis, PointOn::nearest_surface, claimed_n_);
+    const Rational sum = exact().point_for(0, axis, PointOn::nearest_surface, claimed_n_) +
+                         exact().point_for(1, axis, PointOn::nearest_surface, claimed_n_);
     return beside_center(center, sum / Rational(2) - center);
   }
   /// center + along, `along` being a multiple of the claimed normal, which is normalised exactly where it need not be
@@ -230,7 +233,9 @@ class ContactJudge {
   }
 
   const Query& query_;
-  const DistanceTruth& truth_;
+  const Truth& whole_;
+  bool contact_expected_;
+  bool degenerate_;
   const ContactClaim& claim_;
   const Declaration& declared_;
   const Conventions& conventions_;
@@ -421,7 +426,7 @@ Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const 
   verdict.status = claim.status;
   verdict.text = claim.text;
   bool contact_expected = expected_hit(query, truth, conventions.touching_contact, conventions.margin);
-  if (truth.coincident() && conventions.coincident == Coincident::no_contact) contact_expected = false;
+  if (conventions.coincident == Coincident::no_contact && truth.coincident()) contact_expected = false;
   verdict.has_numbers = truth.has_numbers() && contact_expected;
   if (claim.status != Claim::Status::answered) return verdict;
 
@@ -450,17 +455,17 @@ Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const 
         decision_off(query, truth, conventions.margin != Margin::none, declared.tolerance);
   if (!says_contact) return verdict;
   if (!claim.contact) return verdict;
-  const auto judged = [&](const DistanceTruth& numbers) {
-    const ContactJudge fields(query, numbers, *claim.contact, declared,
+  const auto judged = [&] {
+    const ContactJudge fields(query, truth, contact_expected, *claim.contact, declared,
                               rounded != nullptr && rounded->contact ? &*rounded->contact : nullptr);
     return decltype(verdict.fields){fields.normal(), fields.point(0), fields.point(1), fields.midpoint(),
                                     fields.value()};
   };
   // A false hit that a tolerance allows has numbers, which must be right too.
-  if (contact_expected && truth.contact() != nullptr)
-    add_off(verdict, verdict.fields = judged(*truth.contact()));
-  else if (!contact_expected && truth.distance() != nullptr)
-    add_off(verdict, judged(*truth.distance()));
+  if (contact_expected && truth.contact_has_numbers())
+    add_off(verdict, verdict.fields = judged());
+  else if (!contact_expected && truth.has_distance())
+    add_off(verdict, judged());
   return verdict;
 }
 

@@ -233,15 +233,16 @@ bool is_exact_string(std::string_view text) {
     return there;
   };
   // Neither part begins with 0, but for an exponent of 0.
-  const auto only = [](std::string_view part, std::string_view digits) {
-    return !part.empty() && part.find_first_not_of(digits) == std::string_view::npos && part.front() != '0';
+  const auto only = [](std::string_view part, bool hexadecimal) {
+    return !part.empty() && part.front() != '0' && std::all_of(part.begin(), part.end(), [&](char c) {
+      return (c >= '0' && c <= '9') || (hexadecimal && c >= 'a' && c <= 'f');
+    });
   };
   const auto take_odd = [&](std::string_view until) {
     if (!drop("0x")) return std::string_view();
     const std::string_view integer = text.substr(0, text.find_first_of(until));
     text.remove_prefix(integer.size());
-    const bool odd = only(integer, "0123456789abcdef") &&
-                     std::string_view("13579bdf").find(integer.back()) != std::string_view::npos;
+    const bool odd = only(integer, true) && std::string_view("13579bdf").find(integer.back()) != std::string_view::npos;
     return odd ? integer : std::string_view();
   };
   drop("-");
@@ -257,7 +258,7 @@ bool is_exact_string(std::string_view text) {
     if (gcd(n, d) != 1) return false;
     text = exponent;
   }
-  return text == "0" || (drop("-"), only(text, "0123456789"));
+  return text == "0" || (drop("-"), only(text, false));
 }
 
 }  // namespace contact::oracle

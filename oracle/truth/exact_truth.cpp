@@ -87,9 +87,7 @@ Exact DistanceTruth::value(bool less_contact) const {
   return signed_distance().plus(less_contact ? -inward - contact_ : -inward);
 }
 
-Exact DistanceTruth::margin(Scalar scalar) const {
-  return beyond(reach_).scaled(Rational(1) / ulp(reach_, scalar));
-}
+Exact DistanceTruth::margin(Scalar scalar) const { return beyond(reach_).scaled(Rational(1) / ulp(reach_, scalar)); }
 
 Exact DistanceTruth::value_scale() const {
   Rational larger = std::max({radii_, contact_, degenerate() ? meeting().depth : Rational(0)});

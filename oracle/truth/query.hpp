@@ -99,6 +99,16 @@ void for_each_field(AnyQuery& query, Visit&& visit) {
   visit(std::string("contact"), query.distances.contact, FieldKind::length);
 }
 
+/// Calls visit(value&) for every field in that order: names take time to make.
+template <class Visit>
+void for_each_value(Query& query, Visit&& visit) {
+  const auto value_of = [&](const auto& /*field*/, auto& value) { visit(value); };
+  std::visit([&](auto& shapes) { for_each_field(shapes.a, value_of), for_each_field(shapes.b, value_of); },
+             query.shapes);
+  visit(query.distances.alarm);
+  visit(query.distances.contact);
+}
+
 /// Calls visit("a.center[0]", number&) for every number of a question in that order.
 template <class AnyQuery, class Visit>
 requires std::same_as<std::remove_const_t<AnyQuery>, Query>

@@ -2,27 +2,55 @@
 #include "oracle/truth/grid.hpp"
 
 namespace contact::oracle {
+namespace {
 
-Witness quick_witness(const Balls& balls, Distances distances) {
+/// D: of most questions in two words, of all others in GMP's integers.
+std::string squared_distance(const Vector3& a, const Vector3& b) {
+  const OnWords<6> words({a[0], a[1], a[2], b[0], b[1], b[2]});
+  if (words.fit()) {
+    TwoWords sum = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::int64_t d = words[axis] - words[axis + 3];  // 62 bits
+      const auto length = static_cast<std::uint64_t>(d < 0 ? -d : d);
+      sum += static_cast<TwoWords>(length) * length;
+    }
+    return sum == 0 ? "0x0p0" : text_of(sum, 2 * words.unit());
+  }
   Scratch& s = scratch();
-  Witness w;
-  const auto& [a, b] = balls;
-  const Grid centers{std::min({last_exponent(a.center), last_exponent(b.center), 0})};
+  const Grid centers{std::min({last_exponent(a), last_exponent(b), 0})};
   mpz_set_ui(s.sum, 0);
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    centers.place(s.x, a.center[axis]);
-    centers.place(s.y, b.center[axis]);
+    centers.place(s.x, a[axis]);
+    centers.place(s.y, b[axis]);
     mpz_sub(s.x, s.x, s.y);
     mpz_addmul(s.sum, s.x, s.x);
   }
-  w.distance2 = text_of(s.sum, 2 * centers.unit);
-  const Grid lengths{std::min({last_exponent(a.radius), last_exponent(b.radius), last_exponent(distances.alarm), 0})};
-  lengths.place(s.sum, distances.alarm);
-  for (const double radius : {a.radius, b.radius}) {
+  return text_of(s.sum, 2 * centers.unit);
+}
+
+/// The sum of three lengths in the same way.
+std::string reach(double alarm, double radius1, double radius2) {
+  const OnWords<3> words({alarm, radius1, radius2});
+  if (words.fit()) {
+    const std::int64_t sum = words[0] + words[1] + words[2];  // 63 bits
+    return text_of(static_cast<TwoWords>(static_cast<std::uint64_t>(sum)), words.unit());
+  }
+  Scratch& s = scratch();
+  const Grid lengths{std::min({last_exponent(alarm), last_exponent(radius1), last_exponent(radius2), 0})};
+  lengths.place(s.sum, alarm);
+  for (const double radius : {radius1, radius2}) {
     lengths.place(s.x, radius);
     mpz_add(s.sum, s.sum, s.x);
   }
-  w.reach = text_of(s.sum, lengths.unit);
+  return text_of(s.sum, lengths.unit);
+}
+
+}  // namespace
+
+Witness quick_witness(const Balls& balls, Distances distances) {
+  Witness w;
+  w.distance2 = squared_distance(balls.a.center, balls.b.center);
+  w.reach = reach(distances.alarm, balls.a.radius, balls.b.radius);
   return w;
 }
 

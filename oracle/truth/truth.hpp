@@ -52,6 +52,8 @@ class Truth {
   [[nodiscard]] const CrossingTruth* crossing() const;
   /// Those of the contact; nullptr where there is none, or it has no numbers.
   [[nodiscard]] const DistanceTruth* contact() const;
+  /// Whether contact() gives some. Of a pair with a distance no exact number is made.
+  [[nodiscard]] bool contact_has_numbers() const { return hit() && (has_distance() || contact() != nullptr); }
 
  private:
   Query query_;

@@ -327,9 +327,10 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
   if (options.engine.none() && !scoreboard && Cluster::is_first())
     fmt::print(words(), "no engine is named: production is judged\n");
   if (options.paths.empty() && !fresh && !again) static_cast<void>(chosen_folder(""));
+  const auto judged_part = [&](golden::Shard part) { return judge_part(cut(sources, part), judged, stop, oracles); };
   const auto judge = [&](golden::Shard part) {
     if (auto bytes = kept.find(part)) return *std::move(bytes);
-    std::string bytes = pack(judge_part(cut(sources, part), judged, stop, oracles));
+    std::string bytes = pack(judged_part(part));
     if (stop.why.empty()) kept.keep(part, bytes);
     return bytes;
   };
@@ -351,13 +352,15 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
   std::optional<ReportFiles> files;
   if (Cluster::is_first()) files.emplace(options.reports);
   // One process that keeps nothing has no use for parts.
-  const std::uint64_t parts = options.parts.empty() && Cluster::size() == 1 ? 1 : options.shards;
-  Cluster::in_order(
-      parts,
-      [&](std::uint64_t i) {
-        return judge({i, parts});
-      },
-      [&](std::uint64_t i, const std::string& bytes) { merge(reports, unpack(bytes), i == 0); });
+  if (options.parts.empty() && Cluster::size() == 1)
+    merge(reports, judged_part({0, 1}), true);
+  else
+    Cluster::in_order(
+        options.shards,
+        [&](std::uint64_t i) {
+          return judge({i, options.shards});
+        },
+        [&](std::uint64_t i, const std::string& bytes) { merge(reports, unpack(bytes), i == 0); });
   if (!files) return kCertified;
   for (Report& report : reports)
     if (report.unreached != 0) report.unknown_answers.clear();

@@ -84,11 +84,10 @@ void for_each_exam_question(const std::vector<Source>& sources, const std::strin
     std::uint64_t index;
   };
   std::vector<Place> places;
-  formats::Sha256 hash;
   for (std::size_t s = 0; s < sources.size(); ++s) {
     std::uint64_t index = 0;
     for_each_question(sources[s], [&](const engines::Question& question) {
-      places.push_back({hash.digest_of(nonce + question.id), static_cast<std::uint32_t>(s), index++});
+      places.push_back({formats::Sha256::digest_of(nonce + question.id), static_cast<std::uint32_t>(s), index++});
     });
   }
   std::stable_sort(places.begin(), places.end(), [](const Place& x, const Place& y) { return x.order < y.order; });

@@ -24,20 +24,23 @@ constexpr std::size_t kSlice = 32;  // questions that one thread takes at a time
 struct Item {
   engines::Question question;
   std::optional<golden::Case> expected;
-  formats::Location where;
 };
 
 /// Some questions on their way: read one after another, asked and judged on any thread, merged one after another.
 struct Slice {
-  std::uint64_t first;        ///< index of its first question in the whole source
-  std::uint64_t count;        ///< questions that it stands for
-  std::vector<Item> items{};  ///< those of a dataset; generated ones are made where they are asked
+  std::uint64_t first;                         ///< index of its first question in the whole source
+  std::uint64_t count;                         ///< questions that it stands for
+  std::unique_ptr<golden::CaseBlock> block{};  ///< of a dataset
+  std::vector<Item> items{};                   ///< read or generated where they are asked
+  std::vector<golden::SeenIds::Key> keys{};    ///< of those that were read
   std::vector<Findings> found{};
   oracle::StageCounts decided{};
   std::uint64_t checked = 0;
   bool asked_all = false;
   bool failed = false;         ///< the first subject, where that ends the run
   std::exception_ptr error{};  ///< thrown when its turn comes, so that the first in order is what a run ends with
+
+  [[nodiscard]] formats::Location where(const Item& item) const { return block->where(item.question.index - first); }
 };
 
 /// Reads or counts the questions of a source, some at a time.
@@ -54,10 +57,14 @@ class Questions {
     Slice slice{source_.first + asked_, 0};
     try {
       throw_if_interrupted();
-      if (reader_)
-        read(slice);
-      else
-        slice.count = std::min<std::uint64_t>(kSlice, source_.count - asked_);
+      const std::uint64_t most = std::min<std::uint64_t>(kSlice, source_.count - asked_);
+      if (!reader_) {
+        slice.count = most;
+      } else if (most != 0 || source_.first + asked_ == reader_->header().count) {
+        // Behind the last case the reader compares what it read with what the header says.
+        slice.block = reader_->next_block(most);
+        if (slice.block) slice.count = slice.block->size();
+      }
     } catch (...) {
       slice.error = std::current_exception();
       slice.count = std::max<std::uint64_t>(slice.count, 1);
@@ -67,35 +74,35 @@ class Questions {
     return slice;
   }
 
- private:
-  void read(Slice& slice) {
-    for (; slice.count < kSlice && asked_ + slice.count < source_.count; ++slice.count) {
-      auto c = reader_->next();
-      if (!c) break;
-      const std::uint64_t index = slice.first + slice.count;
-      engines::Question question{c->id, c->query, index};
-      slice.items.push_back({std::move(question), std::move(c), reader_->where()});
-    }
-    // Behind the last case the reader compares what it read with what the header says.
-    if (slice.count == 0 && source_.first + asked_ == reader_->header().count) (void)reader_->next();
+  /// What only the whole file tells of the cases of a slice. To be called in their order, whoever reads them.
+  void accept(const Slice& slice) {
+    for (const auto& key : slice.keys) reader_->prefetch(key);
+    for (std::size_t i = 0; i < slice.keys.size(); ++i)
+      reader_->accept(*slice.items[i].expected, slice.keys[i], slice.first + i, *slice.block, i);
   }
 
+ private:
   const Source& source_;
   std::optional<golden::DatasetReader> reader_;
   std::uint64_t asked_ = 0;
 };
 
-/// The questions of a slice of a generated family, or of a list.
-std::vector<Item> generated(const Source& source, const Slice& slice) {
-  std::vector<Item> items;
+/// Makes the questions of a slice: read, generated, or of a list.
+void make_items(const Source& source, Slice& slice) {
+  std::vector<Item>& items = slice.items;
   items.reserve(slice.count);
+  for (std::uint64_t i = 0; slice.block && i < slice.count; ++i) {
+    golden::Case c = slice.block->read(i);
+    slice.keys.emplace_back(c.id);
+    items.push_back({{c.id, c.query, slice.first + i}, std::move(c)});
+  }
+  if (slice.block) return;
   for (std::uint64_t index = slice.first; index < slice.first + slice.count; ++index) {
     const Query query = source.listed
                             ? source.listed->at(index)
                             : golden::generate_query(source.pair, *source.generator, source.scalar, source.seed, index);
-    items.push_back({{golden::query_id(query), query, index}, std::nullopt, {}});
+    items.push_back({{golden::query_id(query), query, index}, std::nullopt});
   }
-  return items;
 }
 
 /// What the oracles say of a question, in one scalar.
@@ -124,13 +131,13 @@ std::optional<MarginBin> margin_of(const oracle::StagedAnswer& staged, Scalar sc
 }
 
 /// A dataset's case against the stages; what they do not confirm is for the exact oracle to word.
-void check_expectation(const Item& item, const oracle::StagedAnswer& staged, Scalar scalar) {
+void check_expectation(const Item& item, const oracle::StagedAnswer& staged, Scalar scalar, const Slice& slice) {
   if (staged.margin_ulps || !item.question.query.has_distance()) {
     oracle::Witness witness = oracle::quick_witness(item.question.query);
     witness.margin_ulps = staged.margin_ulps.value_or(0);
     if (golden::says(*item.expected, staged.expected, witness)) return;
   }
-  golden::check_case(*item.expected, scalar, oracle::truth_of(item.question.query), item.where);
+  golden::check_case(*item.expected, scalar, oracle::truth_of(item.question.query), slice.where(item));
   // The exact oracle bears the file out: then so must the stage.
   check_stage(item.question.query, staged, scalar);
 }
@@ -142,7 +149,7 @@ Agreed agreed_truth(const Item& item, const Source& source, const std::vector<Sc
   for (const Scalar scalar : scalars) {
     oracle::StagedAnswer staged = oracle::staged_answer(query, scalar);
     slice.decided.add(staged.stage);
-    if (item.expected && scalar == source.scalar) check_expectation(item, staged, scalar);
+    if (item.expected && scalar == source.scalar) check_expectation(item, staged, scalar, slice);
     if (is_checked(check, source.size(), item.question.id, staged.stage)) {
       check_stage(query, staged, scalar);
       ++slice.checked;
@@ -213,7 +220,8 @@ void for_each_question(const Source& source, const std::function<void(const engi
   Questions questions(source);
   while (auto slice = questions.next()) {
     if (slice->error) std::rethrow_exception(slice->error);
-    if (!source.dataset) slice->items = generated(source, *slice);
+    make_items(source, *slice);
+    questions.accept(*slice);
     for (const Item& item : slice->items) visit(item.question);
   }
 }
@@ -275,16 +283,22 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
       scalars.push_back(engine.declared.scalar);
   }
 
+  // Whether right answers are compared with the causes where they are judged: on any thread, not where all are merged.
+  std::vector<std::atomic<bool>> compared_at_once(judged.size());
+  for (std::size_t s = 0; s < judged.size(); ++s) compared_at_once[s] = judged[s]->report.why.compares_at_once();
+
   const auto ask = [&](Slice& slice) {
-    if (!source.dataset) slice.items = generated(source, slice);
+    make_items(source, slice);
     Findings nothing;
     nothing.families.push_back(none);
     slice.found.assign(judged.size(), nothing);
+    for (std::size_t s = 0; s < judged.size(); ++s)
+      if (compared_at_once[s]) slice.found[s].why.compare_at_once();
     std::vector<std::optional<Agreed>> truths;
     truths.reserve(slice.items.size());
     for (const Item& item : slice.items) {
       const bool outside = !inside_domain(item.question.query);
-      if (outside && item.expected) golden::check_rejection(*item.expected, item.where);
+      if (outside && item.expected) golden::check_rejection(*item.expected, slice.where(item));
       truths.push_back(outside ? std::nullopt
                                : std::optional(agreed_truth(item, source, scalars, oracles.check, slice)));
     }
@@ -345,6 +359,11 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
   };
   const auto merge = [&](const std::shared_ptr<Slice>& slice) {
     if (error || !stop.why.empty()) return;
+    try {
+      questions.accept(*slice);
+    } catch (...) {
+      slice->error = std::current_exception();
+    }
     if (slice->error) {
       error = slice->error;
       over = true;
@@ -353,7 +372,10 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
     progress.add(slice->count);
     if (!slice->asked_all) return;
     reached += slice->count;
-    for (std::size_t s = 0; s < judged.size(); ++s) judged[s]->report.merge(slice->found[s]);
+    for (std::size_t s = 0; s < judged.size(); ++s) {
+      judged[s]->report.merge(slice->found[s]);
+      compared_at_once[s] = judged[s]->report.why.compares_at_once();
+    }
     oracles.decided.merge(slice->decided);
     oracles.checked += slice->checked;
     if (slice->failed) stop.why = "the first failure ended the run";
