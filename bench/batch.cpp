@@ -1,6 +1,6 @@
 // Many pairs at once: the batch kernels beside plain double arithmetic with the same vectors, on data in the second
 // level cache, in the third, and in memory; half of the pairs hits, in no order. Ratios hold within one run:
-//   build/bench/bench/bench --benchmark_filter=Batch --benchmark_repetitions=9
+//   build/release/bench/bench --benchmark_filter=Batch --benchmark_repetitions=9
 //   --benchmark_enable_random_interleaving=true
 
 #include <benchmark/benchmark.h>

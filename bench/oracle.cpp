@@ -148,4 +148,35 @@ BENCHMARK(certified_as_generated)
     ->UseRealTime()
     ->MeasureProcessCPUTime();
 
+/// The first questions of every family of every pair, each family judged as if it were `certify --generate 150000`: so
+/// many of them are put to all oracles, and to the diagnosis.
+void certified_as_generated_of_all(benchmark::State& state) {
+  constexpr std::uint64_t kEach = 1000;
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 1);
+  std::uint64_t asked = 0;
+  for ([[maybe_unused]] const auto run : state) {
+    std::vector<tool::Subject> subjects;
+    subjects.push_back({engines::make_built_in("production"), {}});
+    subjects.front().report.engine = subjects.front().engine->info();
+    tool::Stop never;
+    tool::Oracles oracles;
+    for (const Pair pair : kPairs)
+      for (const golden::Family& family : golden::families_of(pair)) {
+        if (family.outside_domain) continue;
+        tool::Source source{pair, Scalar::binary64, std::string(family.name), kEach, std::nullopt, &family, kSeed};
+        source.whole = 150'000;
+        tool::judge_source(source, subjects, never, oracles);
+        asked += kEach;
+      }
+    if (subjects.front().report.level() != oracle::Level::correctly_rounded)
+      state.SkipWithError("an answer was not correctly rounded");
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(asked));
+}
+BENCHMARK(certified_as_generated_of_all)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->Iterations(1)
+    ->Repetitions(1);
+
 }  // namespace

@@ -15,7 +15,7 @@ struct Place {
   const char* name;
   std::size_t pairs;
 };
-inline constexpr std::array<Place, 3> kPlaces{{{"L2", 1 << 12}, {"L3", 1 << 17}, {"memory", 1 << 23}}};
+inline constexpr std::array<Place, 3> kPlaces{{{"L2", 1 << 12}, {"L3", 1 << 17}, {"memory", 1 << 22}}};
 
 /// What a state's times are divided by.
 inline void count(benchmark::State& state, std::size_t pairs) {

@@ -206,6 +206,53 @@ def machine(m):
             "time. They affect times by the wall clock, caches and memory.")
 
 
+def rate(m, name):
+    """Questions a second of processor time, or None."""
+    entry = m.entries.get(name)
+    return entry and entry["items_per_second"] * entry["real_time"] / entry["cpu_time"]
+
+
+def speed_table(m):
+    """What this project wants of its speed, and what it has."""
+    best = next(key for key in SETS if m.ns(f"Batch/test/ours/{key}/L2"))
+    rows = []
+
+    def thousands(what, name, goal):
+        found = rate(m, name)
+        rows.append([what, "–" if found is None else f"{round(found, -3):,.0f}", goal])
+
+    def ratios(what, pairs, goal):
+        found = [number(m.ratio(a, b)) for a, b in pairs]
+        if set(found) != {"–"}:
+            rows.append([what, ", ".join(found), goal])
+
+    in_places = lambda op, key: [(f"Batch/{op}/ours/{key}/{p}", f"Batch/{op}/plain/{key}/{p}") for p in PLACES]
+    thousands("`certify` from JSON lines, questions a second of processor time", "certified_from/json_lines/1/process_time/real_time", "1,000,000")
+    thousands("`certify` from HDF5", "certified_from/columns/1/process_time/real_time", "3,000,000")
+    thousands("oracle in memory, generic", "judged_in_stages/generic", "5,000,000")
+    thousands("oracle in memory, touching", "judged_in_stages/touching", "1,000,000")
+    thousands("`certify --generate 150000`, all families and pairs",
+              "certified_as_generated_of_all/iterations:1/repeats:1/process_time", "150,000")
+    for key, goal in (("AVX3", "1.2, 1.0, 1.0"), ("AVX2", "2.0, 1.3, 1.1"), ("SSE4", "4 in L2")):
+        ratios(f"contacts in vectors to plain double with the same, {SETS[key]}: L2, L3, memory", in_places("compute", key), goal)
+    ratios("decisions in vectors to plain double, AVX2: L2", in_places("test", "AVX2")[:1], "1.2")
+    one = lambda op: (f"Peer/ours, scalar/{op}/L2", f"Peer/plain double/{op}/L2")
+    ratios("one pair to plain double, L2: decision, boxes, contact", [one("test"), one("boxes"), one("compute")], "2, 1.5, 3")
+    peers = [s for s in SUBJECTS if SUBJECTS[s] == "peer" and m.ns(f"Peer/{s}/compute/L2")]
+    fastest = min(peers, key=lambda s: m.ns(f"Peer/{s}/compute/L2"))
+    ratios(f"contact to the fastest peer's ({fastest}), L2: batch, one pair",
+           [(f"Peer/ours, {way}/compute/L2", f"Peer/{fastest}/compute/L2") for way in ("batch", "scalar")], "0.2, 0.6")
+    ratios(f"batch, {SETS[best]}: nearly coincident, extreme scale to generic",
+           [(f"Family/compute/{family}", "Family/compute/generic") for family in ("near_coincident", "extreme_scale")], "3, 20")
+    small, large = (m.entries.get(f"detect_between_two_models/{n}") for n in ("1000", "1000000/iterations:1"))
+    if small and large:
+        rows.append(["`detect`: time an element, from 1e3 to 1e6 elements", number(large["time/element"] / small["time/element"]), "1.5"])
+    two = [m.entries[f"Threads/compute/real_time/threads:{n}"] for n in (1, 2)]
+    rows.append(["contacts in L2, two threads to one, by the wall clock", number(two[1]["items_per_second"] / two[0]["items_per_second"]), "1.9"])
+    rows.append(["`explain`, one question, from the shell and back, ms by the wall clock", number(1e3 * m.entries["Startup/explain/manual_time"]["wall"]), "15"])
+    return table(["", "measured", "goal"], rows)
+
+
 def facts(m):
     one, two = (m.entries[f"Threads/compute/real_time/threads:{n}"] for n in (1, 2))
     start = m.entries["Startup/explain/manual_time"]
@@ -301,6 +348,7 @@ def main():
     m = Measured(sys.argv[1])
     block = "\n\n".join([
         machine(m), "![Contacts by subject, and batch to plain double](performance.svg)",
+        "### At a glance", "Each figure beside what this project aims for; ratios are times, so less is faster.", speed_table(m),
         summary(m), "### Spheres, beside the peers",
         'Nanoseconds per pair; then the time of a contact as a multiple of the time of "ours, batch".', peers_table(m),
         "The same times as ratios, for subjects that take one pair after the other.", scalar_table(m),

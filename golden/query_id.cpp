@@ -2,8 +2,10 @@
 #include "golden/query_id.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <concepts>
+#include <cstring>
 
 #include "formats/sha256.hpp"
 #include "golden/answer_bytes.hpp"
@@ -29,8 +31,10 @@ std::string query_id(const Query& query) {
   std::array<unsigned char, kLongestCanonical> bytes{};
   auto at = std::copy(name(query.pair).begin(), name(query.pair).end(), bytes.begin()) + 1;
   const auto put = [&](double x) {
-    const std::uint64_t bits = canonical_bits(x);
-    for (int shift = 56; shift >= 0; shift -= 8) *at++ = static_cast<unsigned char>((bits >> shift) & 0xff);
+    std::uint64_t bits = canonical_bits(x);
+    if constexpr (std::endian::native == std::endian::little) bits = __builtin_bswap64(bits);  // the first byte first
+    std::memcpy(at, &bits, sizeof bits);
+    at += sizeof bits;
   };
   for_each_number_unnamed(query, put);
   const auto digest = formats::Sha256::digest_of(

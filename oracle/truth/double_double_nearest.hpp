@@ -32,6 +32,8 @@ struct DoubleDoubleNearest {
 [[nodiscard]] inline DoubleDoubles difference(const Vector3& b, const Vector3& a) {
   return {two_sum(b[0], -a[0]), two_sum(b[1], -a[1]), two_sum(b[2], -a[2])};
 }
+/// x + y, exact where y is 0.
+[[nodiscard]] inline DoubleDouble plus(const DoubleDouble& x, double y) { return y == 0 ? x : x + DoubleDouble{y}; }
 [[nodiscard]] inline DoubleDouble dot(const DoubleDoubles& x, const DoubleDoubles& y) {
   return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
 }
@@ -50,9 +52,15 @@ struct DoubleDoubleAlong {
 [[nodiscard]] std::optional<DoubleDoubleCase> case_along(const DoubleDoubleAlong& along, double radius1, double radius2,
                                                          Distances distances, Scalar scalar, bool with_margin);
 
+/// Decisions that are known already: on which side of the alarm distance, and of 0, the distance is.
+struct Sides {
+  int at_alarm;
+  int at_zero;
+};
 /// Domain: every number in_range of 200. Where the cores meet, the normal is (1, 0, 0).
 [[nodiscard]] std::optional<DoubleDoubleCase> case_of_nearest(const DoubleDoubleNearest& nearest, double radius1,
                                                               double radius2, Distances distances, Scalar scalar,
-                                                              bool with_margin);
+                                                              bool with_margin,
+                                                              const std::optional<Sides>& known = std::nullopt);
 
 }  // namespace contact::oracle

@@ -56,7 +56,7 @@ std::optional<DoubleDoubleCase> case_along(const DoubleDoubleAlong& along, doubl
                                            Distances distances, Scalar scalar, bool with_margin) {
   const DoubleDouble radii = two_sum(radius1, radius2);
   DoubleDoubleCase found{{along.at_alarm, along.at_zero, {along.at_alarm <= 0, std::nullopt}}, std::nullopt};
-  if (with_margin) found.margin_ulps = margin_of(along.distance, radii + DoubleDouble{distances.alarm}, scalar);
+  if (with_margin) found.margin_ulps = margin_of(along.distance, plus(radii, distances.alarm), scalar);
   if (!found.answer.expected.hit) return found;
 
   Settled settled;
@@ -70,24 +70,26 @@ std::optional<DoubleDoubleCase> case_along(const DoubleDoubleAlong& along, doubl
     contact.point1[axis] = settled(round_to_nearest(along.p[i] + DoubleDouble{radius1} * n, scalar));
     contact.point2[axis] = settled(round_to_nearest(along.q[i] - DoubleDouble{radius2} * n, scalar));
   }
-  contact.value = settled(round_to_nearest(along.distance - (radii + DoubleDouble{distances.contact}), scalar));
+  contact.value = settled(round_to_nearest(along.distance - plus(radii, distances.contact), scalar));
   if (!settled.all()) return std::nullopt;
   return found;
 }
 
 std::optional<DoubleDoubleCase> case_of_nearest(const DoubleDoubleNearest& nearest, double radius1, double radius2,
-                                                Distances distances, Scalar scalar, bool with_margin) {
+                                                Distances distances, Scalar scalar, bool with_margin,
+                                                const std::optional<Sides>& known) {
   const auto& [p, q, delta] = nearest;
   const DoubleDouble D = dot(delta, delta);
   if (D.radius > D.high * 0x1p-20) return std::nullopt;
   const DoubleDouble radii = two_sum(radius1, radius2);
-  const DoubleDouble reach = radii + DoubleDouble{distances.alarm};
-  const auto at_alarm = (D - reach * reach).sign();
-  const auto at_zero = (D - radii * radii).sign();
+  const DoubleDouble reach = plus(radii, distances.alarm);
+  const auto at_alarm = known ? known->at_alarm : (D - reach * reach).sign();
+  const auto at_zero = known ? known->at_zero : (D - radii * radii).sign();
   if (!at_alarm || !at_zero) return std::nullopt;
   DoubleDoubleAlong along{p, q, {{{1.0}, {0.0}, {0.0}}}, {}, *at_alarm, *at_zero, D.high == 0, true};
   if (!along.degenerate) {
-    along.distance = root(D);
+    // Where they touch, the distance is a sum of lengths, which a root could only come near.
+    along.distance = *at_zero == 0 ? radii : *at_alarm == 0 ? reach : root(D);
     const DoubleDouble inverse = reciprocal(along.distance);
     for (std::size_t i = 0; i < 3; ++i) along.normal[i] = delta[i] * inverse;
   }

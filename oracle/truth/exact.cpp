@@ -5,6 +5,7 @@
 #include <gmpxx.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -225,6 +226,18 @@ std::string exact_string(const Rational& x) {
          std::to_string(trailing - below) + (over == 1 ? "" : "/" + hexadecimal(over));
 }
 
+namespace {
+
+/// The value of a digit; of whatever is none, more than any base. A table, because every number of a file is looked at.
+constexpr auto kDigit = [] {
+  std::array<unsigned char, 256> value{};
+  value.fill(255);
+  for (unsigned char i = 0; i < 16; ++i) value[static_cast<unsigned char>("0123456789abcdef"[i])] = i;
+  return value;
+}();
+
+}  // namespace
+
 bool is_exact_string(std::string_view text) {
   if (text == "0x0p0") return true;
   const auto drop = [&text](std::string_view start) {
@@ -233,16 +246,16 @@ bool is_exact_string(std::string_view text) {
     return there;
   };
   // Neither part begins with 0, but for an exponent of 0.
-  const auto only = [](std::string_view part, bool hexadecimal) {
-    return !part.empty() && part.front() != '0' && std::all_of(part.begin(), part.end(), [&](char c) {
-      return (c >= '0' && c <= '9') || (hexadecimal && c >= 'a' && c <= 'f');
-    });
+  const auto only = [](std::string_view part, unsigned base) {
+    bool all = !part.empty() && part.front() != '0';
+    for (const char c : part) all &= kDigit[static_cast<unsigned char>(c)] < base;
+    return all;
   };
   const auto take_odd = [&](std::string_view until) {
     if (!drop("0x")) return std::string_view();
     const std::string_view integer = text.substr(0, text.find_first_of(until));
     text.remove_prefix(integer.size());
-    const bool odd = only(integer, true) && std::string_view("13579bdf").find(integer.back()) != std::string_view::npos;
+    const bool odd = only(integer, 16) && std::string_view("13579bdf").find(integer.back()) != std::string_view::npos;
     return odd ? integer : std::string_view();
   };
   drop("-");
@@ -258,7 +271,7 @@ bool is_exact_string(std::string_view text) {
     if (gcd(n, d) != 1) return false;
     text = exponent;
   }
-  return text == "0" || (drop("-"), only(text, false));
+  return text == "0" || (drop("-"), only(text, 10));
 }
 
 }  // namespace contact::oracle

@@ -64,6 +64,12 @@ struct Grid {
 
 __extension__ using TwoWords = unsigned __int128;
 
+/// Domain: x has at most 63 bits.
+inline TwoWords square(std::int64_t x) {
+  const auto length = static_cast<std::uint64_t>(x < 0 ? -x : x);
+  return static_cast<TwoWords>(length) * length;
+}
+
 /// n 2^exponent as exact_string writes it. Domain: n is positive.
 inline std::string text_of(TwoWords n, int exponent) {
   while ((n & 0xffff) == 0) n >>= 16, exponent += 16;

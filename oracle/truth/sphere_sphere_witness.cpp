@@ -9,11 +9,7 @@ std::string squared_distance(const Vector3& a, const Vector3& b) {
   const OnWords<6> words({a[0], a[1], a[2], b[0], b[1], b[2]});
   if (words.fit()) {
     TwoWords sum = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::int64_t d = words[axis] - words[axis + 3];  // 62 bits
-      const auto length = static_cast<std::uint64_t>(d < 0 ? -d : d);
-      sum += static_cast<TwoWords>(length) * length;
-    }
+    for (std::size_t axis = 0; axis < 3; ++axis) sum += square(words[axis] - words[axis + 3]);  // of 62 bits
     return sum == 0 ? "0x0p0" : text_of(sum, 2 * words.unit());
   }
   Scratch& s = scratch();
