@@ -2,7 +2,10 @@
 #include <cmath>
 #include <concepts>
 
+#include "contact/cube_cube.hpp"
 #include "contact/pair_functions.hpp"
+#include "contact/sphere_cube.hpp"
+#include "contact/sphere_sphere.hpp"
 #include "golden/plain_crossings.hpp"
 #include "golden/plain_planes.hpp"
 #include "peers/peers.hpp"
@@ -92,14 +95,24 @@ struct Plain {
   }
 };
 
+/// By their names: those of three pairs decide inline what plain arithmetic is certain of.
 struct Production {
+  static bool test(const Balls& p) { return test_sphere_sphere(p.a, p.b, 0); }
+  static bool test(const Boxes& p) { return test_cube_cube(p.a, p.b, 0); }
+  static bool test(const BallAndBox& p) { return test_sphere_cube(p.a, p.b, 0); }
   template <class A, class B>
   static bool test(const Two<A, B>& p) {
     return is_hit(p, kNone);
   }
+  static std::optional<Contact> contact_between(const Balls& p) { return compute_sphere_sphere(p.a, p.b, kNone); }
+  static std::optional<Contact> contact_between(const BallAndBox& p) { return compute_sphere_cube(p.a, p.b, kNone); }
+  template <class A, class B>
+  static std::optional<Contact> contact_between(const Two<A, B>& p) {
+    return contact_of(p, kNone);
+  }
   template <class A, class B>
   requires(!std::same_as<A, Box>) static bool compute(const Two<A, B>& p, Contact& out) {
-    const std::optional<Contact> contact = contact_of(p, kNone);
+    const std::optional<Contact> contact = contact_between(p);
     if (contact) out = *contact;
     return contact.has_value();
   }

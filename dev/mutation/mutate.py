@@ -42,7 +42,7 @@ COMPONENTS = {
                "src/kernel/ray_sphere.cpp", "src/kernel/sphere_triangle.cpp", "src/kernel/triangles.cpp", "src/kernel/triangles.hpp",
                "src/kernel/cube_cube.cpp", "src/kernel/exact.cpp", "src/kernel/exact.hpp", "src/kernel/exact_sum.cpp",
                "src/kernel/double_double-inl.h", "src/kernel/fixed_integer.hpp", "src/kernel/floating_point_environment.hpp",
-               "src/kernel/sphere_cube.cpp", "src/kernel/sphere_sphere.cpp", "src/kernel/sphere_sphere_double_double.hpp", "src/kernel/sphere_sphere_filter.hpp",
+               "src/kernel/sphere_cube.cpp", "src/kernel/sphere_sphere.cpp", "src/kernel/sphere_sphere_double_double.hpp", "include/contact/plain_decision.hpp",
                "src/kernel/sphere_sphere_formula-inl.h", "src/kernel/sphere_sphere_one_vector-inl.h",
                "src/kernel/sphere_sphere_one_vector.hpp", "src/kernel/sum_of_two-inl.h"],
     "batch": ["src/kernel/batch.cpp", "src/kernel/batch.hpp", "src/kernel/batch_arithmetic-inl.h", "src/kernel/batch_columns-inl.h",

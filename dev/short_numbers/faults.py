@@ -16,7 +16,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-FILTER = "sphere_sphere_filter.hpp"
+FILTER = "../contact/plain_decision.hpp"
 PAIR = "sphere_sphere_double_double.hpp"
 DOUBLE_DOUBLE = "double_double-inl.h"
 FORMULA = "sphere_sphere_formula-inl.h"
@@ -32,15 +32,15 @@ ESTIMATE = "batch, by an estimate"
 # What is asked, the file, what stands there, and what is put in its place.
 FAULTS = [
     # The filter of one pair.
-    ("one pair", FILTER, "kGap = 32 * kUnit", "kGap = 1 * kUnit"),
+    ("one pair", FILTER, "kGap = 24 * kUnit", "kGap = 0.5 * kUnit"),
     ("one pair", FILTER, " + dz * dz", ""),
     ("one pair", FILTER, "b.center[1] - a.center[1]", "b.center[1] + a.center[1]"),
     ("one pair", FILTER, "(a.radius + b.radius) + alarm", "(a.radius + b.radius)"),
-    ("one pair", FILTER, "D < reach2 * (1 - Limits::kGap)", "D > reach2 * (1 - Limits::kGap)"),
-    ("one pair", FILTER, "D > reach2 * (1 + Limits::kGap)", "D > reach2 * (1 - Limits::kGap)"),
-    ("filter, rounding up", FILTER, "kGap = 32 * kUnit", "kGap = 2 * kUnit"),
-    ("filter, rounding down", FILTER, "kGap = 32 * kUnit", "kGap = 2 * kUnit"),
-    ("filter, rounding to zero", FILTER, "kGap = 32 * kUnit", "kGap = 2 * kUnit"),
+    ("one pair", FILTER, "return difference < 0 ?", "return difference > 0 ?"),
+    ("one pair", FILTER, "!(abs(difference) > margin)", "!(abs(difference) >= 0)"),
+    ("filter, rounding up", FILTER, "kGap = 24 * kUnit", "kGap = 1 * kUnit"),
+    ("filter, rounding down", FILTER, "kGap = 24 * kUnit", "kGap = 1 * kUnit"),
+    ("filter, rounding to zero", FILTER, "kGap = 24 * kUnit", "kGap = 1 * kUnit"),
     # The fast stage of one pair.
     ("one pair", DOUBLE_DOUBLE, "hn::Add(hn::Sub(a, hn::Sub(high, b_part)), hn::Sub(b, b_part))", "hn::Sub(a, hn::Sub(high, b_part))"),
     ("one pair", DOUBLE_DOUBLE, "hn::Add(hn::Sub(a, hn::Sub(high, b_part)), hn::Sub(b, b_part))", "hn::Sub(hn::Sub(a, hn::Sub(high, b_part)), hn::Sub(b, b_part))"),
@@ -263,6 +263,8 @@ def plant(build, kernel, file, old, new):
     with tempfile.TemporaryDirectory() as changed:
         sources = Path(changed) / "src"
         shutil.copytree(ROOT / "src/kernel", sources / "kernel")
+        (sources / "contact").mkdir()
+        shutil.copy(ROOT / "include/contact/plain_decision.hpp", sources / "contact")
         path = sources / "kernel" / file
         text = path.read_text()
         if text.count(old) != 1:

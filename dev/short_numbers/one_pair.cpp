@@ -179,7 +179,7 @@ void answer(const std::vector<Question>& questions, std::vector<Answer>& answers
     const auto b = ball<Number>(q, 4);
     const Number D = squared_distance(a, b);
     Contact contact{};
-    if (answer.decision != Answer::Decision::hit || !(D > PlainBounds<Number>::kLeast) ||
+    if (answer.decision != Answer::Decision::hit || !(D > bounds::kLeast) ||
         !contact_of_hit(a, b, D, q.contact, q.signs[0] * a.radius, q.signs[1] * b.radius, contact))
       continue;
     for (std::size_t k = 0; k < kNumbers; ++k) answer.number[k] = static_cast<double>(contact.number[k]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/geometry.hpp"
+#include "contact/plain_decision.hpp"
 
 namespace contact::inline CONTACT_ABI {
 
@@ -11,9 +12,25 @@ namespace contact::inline CONTACT_ABI {
 ///             included.
 /// Decision    on every axis a.min <= b.max + alarm and b.min <= a.max + alarm, exactly: touching counts.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
+///             What plain arithmetic decides inline may raise exceptions of the caller's, the inexact one mostly; to
+///             raise none there is out_of_line.
 /// Source      seed.txt, testIntersection(Cube&, Cube&); docs/specification.md#cube-pairs. SOFA's computeIntersection
 ///             of two cubes writes no contact and returns 0, so there is nothing to compute beyond this decision.
 /// Evidence    src/kernel/cube_cube_test.cpp; proptests/cube_cube_properties.cpp.
 [[nodiscard]] bool test_cube_cube(const Box& a, const Box& b, double alarm);
+
+namespace out_of_line {
+/// The same, all of it in the library: no exception is raised, and none traps.
+[[nodiscard]] bool test_cube_cube(const Box& a, const Box& b, double alarm);
+}  // namespace out_of_line
+
+#if CONTACT_DECIDES_INLINE
+CONTACT_INLINE bool test_cube_cube(const Box& a, const Box& b, double alarm) {
+  const plain_decision::Filtered filtered = plain_decision::filter_boxes(a, b, alarm);
+  if (filtered == plain_decision::Filtered::undecided) [[unlikely]]
+    return out_of_line::test_cube_cube(a, b, alarm);
+  return filtered == plain_decision::Filtered::hit;
+}
+#endif
 
 }  // namespace contact::inline CONTACT_ABI

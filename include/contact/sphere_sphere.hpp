@@ -5,6 +5,7 @@
 
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
+#include "contact/plain_decision.hpp"
 
 namespace contact::inline CONTACT_ABI {
 
@@ -15,6 +16,8 @@ namespace contact::inline CONTACT_ABI {
 ///             may be infinite: then every pair is a hit.
 /// Decision    D <= reach^2, exactly: touching counts. `reach` is a real number and never overflows.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
+///             What plain arithmetic decides inline may raise exceptions of the caller's, the inexact one mostly; to
+///             raise none there is out_of_line.
 /// Source      seed.txt, testIntersectionSphere; docs/specification.md#sphere-pairs.
 /// Evidence    src/kernel/sphere_sphere_test.cpp; proptests/sphere_sphere_properties.cpp.
 [[nodiscard]] bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm);
@@ -34,5 +37,26 @@ namespace contact::inline CONTACT_ABI {
 /// Evidence    src/kernel/sphere_sphere_test.cpp; proptests/sphere_sphere_properties.cpp; every file in golden/.
 [[nodiscard]] std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances,
                                                            ContactPoints points = {});
+
+namespace out_of_line {
+/// The same, all of it in the library: no exception is raised, and none traps.
+[[nodiscard]] bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm);
+[[nodiscard]] std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances,
+                                                           ContactPoints points = {});
+}  // namespace out_of_line
+
+#if CONTACT_DECIDES_INLINE
+CONTACT_INLINE bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm) {
+  const plain_decision::Filtered filtered = plain_decision::filter_balls(a, b, alarm);
+  if (filtered == plain_decision::Filtered::undecided) [[unlikely]]
+    return out_of_line::test_sphere_sphere(a, b, alarm);
+  return filtered == plain_decision::Filtered::hit;
+}
+CONTACT_INLINE std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances,
+                                                            ContactPoints points) {
+  if (plain_decision::filter_balls(a, b, distances.alarm) == plain_decision::Filtered::miss) return std::nullopt;
+  return out_of_line::compute_sphere_sphere(a, b, distances, points);
+}
+#endif
 
 }  // namespace contact::inline CONTACT_ABI

@@ -38,6 +38,19 @@ Proof.
     assert (M := RN_monotone _ _ H). fold sum in M. rewrite (RN_double low Fl) in M. lra.
 Qed.
 
+(* plain_decision.hpp, filter_boxes(): the sign of what is left of a rounded sum, rounded again in any mode. *)
+Theorem room_in_any_mode : forall (rounding : R -> R) low high alarm,
+  (forall x y, x <= y -> rounding x <= rounding y) -> (forall x, double x -> rounding x = x) -> double low -> double 0 ->
+  (0 < rounding (rounding (high + alarm) - low) -> low <= high + alarm) /\
+  (rounding (rounding (high + alarm) - low) < 0 -> ~ low <= high + alarm).
+Proof.
+  intros rounding low high alarm monotone keeps Fl F0. split.
+  - intros L. apply Rnot_lt_le. intros C. apply Rlt_le in C. apply monotone in C. rewrite (keeps low Fl) in C.
+    assert (P : rounding (high + alarm) - low <= 0) by lra. apply monotone in P. rewrite (keeps 0 F0) in P. lra.
+  - intros L C. apply monotone in C. rewrite (keeps low Fl) in C.
+    assert (P : 0 <= rounding (high + alarm) - low) by lra. apply monotone in P. rewrite (keeps 0 F0) in P. lra.
+Qed.
+
 (* cube_cube.cpp, where any rounding mode may be on: what any monotone rounding that keeps doubles says is right. *)
 Theorem box_decision_in_any_mode : forall (rounding : R -> R) low high alarm,
   (forall x y, x <= y -> rounding x <= rounding y) -> (forall x, double x -> rounding x = x) -> double low ->

@@ -13,6 +13,7 @@
 
 #include "contact/batch.hpp"
 #include "contact/capsule_model.hpp"
+#include "contact/cube_cube.hpp"
 #include "contact/detect.hpp"
 #include "contact/discrete_intersection.hpp"
 #include "contact/exact_sum.hpp"
@@ -20,6 +21,7 @@
 #include "contact/plane_model.hpp"
 #include "contact/plugin.hpp"
 #include "contact/ray_model.hpp"
+#include "contact/sphere_cube.hpp"
 #include "contact/sphere_sphere.hpp"
 #include "contact/triangle_model.hpp"
 
@@ -79,6 +81,37 @@ void the_readmes_example() {
   expect(tiny && same(tiny->value, std::bit_cast<double>(std::uint64_t{2})), "subnormal numbers");
   expect(same(rounded_sum({1, 0x1p-53, kLeast}), std::bit_cast<double>(std::bit_cast<std::uint64_t>(1.0) + 1)),
          "a sum rounded once");
+}
+
+// Whatever these flags make of the decisions that are inline: what is touching or nearly so, and what is flushed.
+void decisions_are_the_librarys() {
+  std::uint64_t state = 1;
+  const auto random = [&state] {
+    return static_cast<double>((state = state * 6364136223846793005U + 1442695040888963407U) >> 11);
+  };
+  int hits = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double scale = i % 4 == 0 ? 0x1p-1100 : i % 4 == 1 ? 0x1p400 : i % 4 == 2 ? 0x1p-500 : 1;
+    const auto number = [&] { return random() * 0x1p-53 * scale; };
+    const Ball a{{number(), number(), number()}, number()};
+    Ball b{{number(), number(), number()}, number()};
+    const Box box{{-number(), -number(), -number()}, {number(), number(), number()}};
+    const double alarm = i % 3 == 0 ? 0 : number();
+    // Nearly touching: the reach is the distance, wrong by a bit or none.
+    if (i % 8 < 4) b.radius = std::max(0.0, (b.center - a.center).norm() - a.radius - alarm);
+    Box beside = box;
+    if (i % 8 < 4) beside.max[i % 3] = (beside.min[i % 3] = box.max[i % 3] + alarm) + number();
+    const bool hit = out_of_line::test_sphere_sphere(a, b, alarm);
+    hits += hit ? 1 : 0;
+    expect(test_sphere_sphere(a, b, alarm) == hit, "a decision of two spheres");
+    expect(compute_sphere_sphere(a, b, {alarm, 0}).has_value() == hit, "a contact of two spheres");
+    expect(test_cube_cube(box, beside, alarm) == out_of_line::test_cube_cube(box, beside, alarm), "that of two boxes");
+    expect(test_sphere_cube(a, beside, alarm) == out_of_line::test_sphere_cube(a, beside, alarm),
+           "of a sphere and a box");
+    expect(compute_sphere_cube(a, beside, {alarm, 0}).has_value() == out_of_line::test_sphere_cube(a, beside, alarm),
+           "a contact of a sphere and a box");
+  }
+  expect(hits > 4000 && hits < 19000, "as many hits as misses, about");
 }
 
 void models_are_made_copied_moved_and_destroyed() {
@@ -175,6 +208,7 @@ void a_plugin_works(const char* library) {
 
 int main(int count, char** arguments) {
   the_readmes_example();
+  decisions_are_the_librarys();
   models_are_made_copied_moved_and_destroyed();
   bad_numbers_are_refused();
   for (int i = 1; i < count; ++i) a_plugin_works(arguments[i]);

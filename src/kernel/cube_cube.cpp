@@ -33,10 +33,12 @@ bool within(double low, double high, double alarm) {
 
 }  // namespace
 
-bool test_cube_cube(const Box& a, const Box& b, double alarm) {
+bool out_of_line::test_cube_cube(const Box& a, const Box& b, double alarm) {
   const kernel::RoundToNearest environment;
   return decide(a, b, alarm);
 }
+
+bool test_cube_cube(const Box& a, const Box& b, double alarm) { return out_of_line::test_cube_cube(a, b, alarm); }
 
 bool is_hit(const Boxes& boxes, Distances distances) { return test_cube_cube(boxes.a, boxes.b, distances.alarm); }
 std::optional<Contact> contact_of(const Boxes& /*boxes*/, Distances /*distances*/, ContactPoints /*points*/) {

@@ -2,16 +2,12 @@
 #pragma once
 
 // The build undoes such options (cmake/ContactTargets.cmake). This is for another build, as far as a compiler tells.
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
-    defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
-    (defined(__GCC_IEC_559) && __GCC_IEC_559 == 0)
+#include "contact/plain_decision.hpp"
+
+#if CONTACT_FAST_MATH
 #error "contact-oracle promises exact decisions and correct rounding: build it without -ffast-math, or any part of it"
 #endif
-
-#include <cfloat>
-
-// 1 and 2 are the registers of the x87, which round twice; the others leave float and double as they are.
-#if FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2 || FLT_EVAL_METHOD < 0
+#if CONTACT_EXCESS_PRECISION
 #error "contact-oracle promises the same bits everywhere: build it without excess precision (-msse2 -mfpmath=sse)"
 #endif
 

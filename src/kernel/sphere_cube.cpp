@@ -97,14 +97,20 @@ Contact contact_along_axis(const Ball& a, const Face& face, double contact_dista
 
 }  // namespace
 
-bool test_sphere_cube(const Ball& a, const Box& b, double alarm) {
+bool out_of_line::test_sphere_cube(const Ball& a, const Box& b, double alarm) {
   const kernel::RoundToNearest environment;
   return decide(a, b, alarm);
 }
 
-std::optional<Contact> compute_sphere_cube(const Ball& a, const Box& b, Distances distances, ContactPoints points) {
+std::optional<Contact> out_of_line::compute_sphere_cube(const Ball& a, const Box& b, Distances distances,
+                                                        ContactPoints points) {
   const kernel::RoundToNearest environment;
   return contact_of_pair(a, b, distances, points);
+}
+
+bool test_sphere_cube(const Ball& a, const Box& b, double alarm) { return out_of_line::test_sphere_cube(a, b, alarm); }
+std::optional<Contact> compute_sphere_cube(const Ball& a, const Box& b, Distances distances, ContactPoints points) {
+  return out_of_line::compute_sphere_cube(a, b, distances, points);
 }
 
 bool is_hit(const BallAndBox& shapes, Distances distances) {

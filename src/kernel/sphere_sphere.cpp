@@ -6,7 +6,7 @@
 //   value           s - (r1 + r2 + contact)
 //
 // A decision is asked of two stages, the second where the first leaves it open:
-//   filter          plain arithmetic and a bound on its error        sphere_sphere_filter.hpp
+//   filter          plain arithmetic and a bound on its error        contact/plain_decision.hpp
 //   decide_exactly  integers on a common grid                        ExactPair below, exact.hpp
 // The ten numbers of a hit are asked of three. Each computes with a bound on its error and keeps a number where every
 // real number within the bound rounds to the same double; the last has no error.
@@ -112,6 +112,7 @@ auto exactly(const Ball& a, const Ball& b, Distances distances, const Ask& ask) 
 }
 
 [[gnu::noinline]] bool decide_exactly(const Ball& a, const Ball& b, double alarm) {
+  if (alarm == std::numeric_limits<double>::infinity()) return true;
   return exactly(a, b, {alarm, 0}, [](const auto& pair) { return pair.hit(); });
 }
 
@@ -170,7 +171,7 @@ void put_at_center(const Vector3& center, Vector3& point) {
 /// The contact of a pair, or false.
 [[gnu::always_inline]] inline bool contact_of(const Ball& a, const Ball& b, Distances distances, ContactPoints points,
                                               Contact& contact) {
-  const Filtered filtered = filter(a, b, squared_distance(a, b), distances.alarm);
+  const Filtered filtered = plain_decision::filter_balls(a, b, distances.alarm);
   if (filtered == Filtered::miss) return false;
   if (filtered == Filtered::undecided && !decide_exactly(a, b, distances.alarm)) return false;
   round(a, b, distances.contact, points, kernel::kAllNumbers, contact);
@@ -180,15 +181,8 @@ void put_at_center(const Vector3& center, Vector3& point) {
 // Behind calls that are not inlined: what RoundToNearest sets must be set before anything is computed.
 
 [[gnu::noinline]] bool decide(const Ball& a, const Ball& b, double alarm) {
-  switch (filter(a, b, squared_distance(a, b), alarm)) {
-    case Filtered::hit:
-      return true;
-    case Filtered::miss:
-      return false;
-    case Filtered::undecided:
-      break;
-  }
-  return decide_exactly(a, b, alarm);
+  const Filtered filtered = plain_decision::filter_balls(a, b, alarm);
+  return filtered == Filtered::undecided ? decide_exactly(a, b, alarm) : filtered == Filtered::hit;
 }
 
 [[gnu::noinline, gnu::flatten]] bool contact_portably(const Ball& a, const Ball& b, Distances distances,
@@ -206,6 +200,10 @@ void put_at_center(const Vector3& center, Vector3& point) {
 #endif
 
 #if CONTACT_HAS_ONE_VECTOR
+// Between these no square of the vector leaves the normal range in a way that matters.
+constexpr double kLeastSquare = kernel::ForDouble::kLeast;
+constexpr double kMostSquare = kernel::ForDouble::kMost;
+
 /// A miss, a hit whose contact is settled, or neither.
 [[gnu::noinline, gnu::target("avx2,fma")]] Filtered by_one_vector(const Ball& a, const Ball& b, Distances distances,
                                                                   ContactPoints points, Contact& contact) {
@@ -214,7 +212,7 @@ void put_at_center(const Vector3& center, Vector3& point) {
   if (filtered != Filtered::hit) return filtered;
   const double r1 = sign_of(points.first, 1) * a.radius;
   const double r2 = sign_of(points.second, -1) * b.radius;
-  const bool settled = D > kernel::PlainBounds<double>::kLeast &&
+  const bool settled = D > kLeastSquare && D < kMostSquare &&
                        kernel::one_vector::contact_of_hit(a, b, D, distances.contact, r1, r2, contact);
   return settled ? Filtered::hit : Filtered::undecided;
 }
@@ -235,16 +233,24 @@ bool contact_of_pair(const Ball& a, const Ball& b, Distances distances, ContactP
 
 }  // namespace
 
-bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm) {
+bool out_of_line::test_sphere_sphere(const Ball& a, const Ball& b, double alarm) {
   const kernel::RoundToNearest environment;
   return decide(a, b, alarm);
 }
 
-std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances, ContactPoints points) {
+std::optional<Contact> out_of_line::compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances,
+                                                          ContactPoints points) {
   const kernel::RoundToNearest environment;
   std::optional<Contact> contact(std::in_place, kernel::Unset());
   if (!contact_of_pair(a, b, distances, points, *contact)) contact.reset();
   return contact;
+}
+
+bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm) {
+  return out_of_line::test_sphere_sphere(a, b, alarm);
+}
+std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances, ContactPoints points) {
+  return out_of_line::compute_sphere_sphere(a, b, distances, points);
 }
 
 bool is_hit(const Balls& balls, Distances distances) { return test_sphere_sphere(balls.a, balls.b, distances.alarm); }
