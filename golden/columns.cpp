@@ -406,6 +406,7 @@ class ColumnsSource final : public CaseSource {
     return enough;
   }
 
+  [[nodiscard]] bool wants_texts() const override { return true; }
   void saw(std::string_view text) override {
     hash_.add(text).add("\n");
     ++hashed_;

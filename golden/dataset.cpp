@@ -521,7 +521,7 @@ std::optional<Case> DatasetReader::next() {
     block_ = next_block(kAtOnce);
     in_block_ = 0;
     if (!block_) {
-      source_->saw_all();
+      accepted_all();
       return std::nullopt;
     }
   }
@@ -529,13 +529,13 @@ std::optional<Case> DatasetReader::next() {
   where_ = block_->where(i);
   Case c = block_->read(i);
   text_ = block_->text(i, c);
-  source_->saw(text_);
-  accept(c, SeenIds::Key(c.id), passed_ - block_->size() + i, *block_, i);
+  accept(c, SeenIds::Key(c.id), passed_ - block_->size() + i, *block_, i, text_);
   return c;
 }
 
 void DatasetReader::accept(const Case& c, const SeenIds::Key& key, std::uint64_t index, const CaseBlock& block,
-                           std::uint64_t i) {
+                           std::uint64_t i, std::string_view text) {
+  if (!text.empty()) source_->saw(text);
   const DatasetHeader& h = header();
   if (c.rejected && !outside_domain(c.query))
     throw formats::InputError(

@@ -33,6 +33,8 @@ struct Slice {
   std::unique_ptr<golden::CaseBlock> block{};  ///< of a dataset
   std::vector<Item> items{};                   ///< read or generated where they are asked
   std::vector<golden::SeenIds::Key> keys{};    ///< of those that were read
+  std::vector<std::string> texts{};            ///< of those too, where the file says something of them
+  bool with_texts = false;
   std::vector<Findings> found{};
   oracle::StageCounts decided{};
   std::uint64_t checked = 0;
@@ -46,9 +48,11 @@ struct Slice {
 /// Reads or counts the questions of a source, some at a time.
 class Questions {
  public:
-  explicit Questions(const Source& source) : source_(source) {
+  /// `whole`: whether what a file says of all its texts is checked.
+  Questions(const Source& source, bool whole) : source_(source) {
     if (!source.dataset || source.count == 0) return;
     reader_.emplace(*source.dataset);
+    with_texts_ = whole && reader_->wants_texts();
     reader_->skip(source.first);
   }
 
@@ -64,6 +68,7 @@ class Questions {
         // Behind the last case the reader compares what it read with what the header says.
         slice.block = reader_->next_block(most);
         if (slice.block) slice.count = slice.block->size();
+        slice.with_texts = with_texts_;
       }
     } catch (...) {
       slice.error = std::current_exception();
@@ -78,12 +83,17 @@ class Questions {
   void accept(const Slice& slice) {
     for (const auto& key : slice.keys) reader_->prefetch(key);
     for (std::size_t i = 0; i < slice.keys.size(); ++i)
-      reader_->accept(*slice.items[i].expected, slice.keys[i], slice.first + i, *slice.block, i);
+      reader_->accept(*slice.items[i].expected, slice.keys[i], slice.first + i, *slice.block, i,
+                      with_texts_ ? slice.texts[i] : std::string_view());
+  }
+  void accepted_all() {
+    if (reader_) reader_->accepted_all();
   }
 
  private:
   const Source& source_;
   std::optional<golden::DatasetReader> reader_;
+  bool with_texts_ = false;
   std::uint64_t asked_ = 0;
 };
 
@@ -94,6 +104,7 @@ void make_items(const Source& source, Slice& slice) {
   for (std::uint64_t i = 0; slice.block && i < slice.count; ++i) {
     golden::Case c = slice.block->read(i);
     slice.keys.emplace_back(c.id);
+    if (slice.with_texts) slice.texts.push_back(slice.block->text(i, c));
     items.push_back({{c.id, c.query, slice.first + i}, std::move(c)});
   }
   if (slice.block) return;
@@ -217,13 +228,14 @@ std::optional<std::string> excluded(Pair pair, Scalar scalar, const engines::Eng
 }  // namespace
 
 void for_each_question(const Source& source, const std::function<void(const engines::Question&)>& visit) {
-  Questions questions(source);
+  Questions questions(source, true);
   while (auto slice = questions.next()) {
     if (slice->error) std::rethrow_exception(slice->error);
     make_items(source, *slice);
     questions.accept(*slice);
     for (const Item& item : slice->items) visit(item.question);
   }
+  questions.accepted_all();
 }
 
 bool engine_takes(const engines::EngineInfo& engine, Pair pair, Scalar scalar) {
@@ -329,7 +341,7 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
     slice.asked_all = true;
   };
 
-  Questions questions(source);
+  Questions questions(source, oracles.check == Check::all || source.size() <= kWhole);
   Progress progress(fmt::format("{}/{}", name(source.pair), source.family), source.count);
   std::uint64_t reached = 0;
   bool all_read = !stop.why.empty();
@@ -390,6 +402,7 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
           tbb::make_filter<std::shared_ptr<Slice>, std::shared_ptr<Slice>>(tbb::filter_mode::parallel, judge) &
           tbb::make_filter<std::shared_ptr<Slice>, void>(tbb::filter_mode::serial_in_order, merge));
   if (error) std::rethrow_exception(error);
+  if (stop.why.empty()) questions.accepted_all();
   if (stop.late() && stop.why.empty()) stop.why = "the time was up";
   for (Subject* subject : judged) {
     subject->report.unreached += source.count - reached;
