@@ -37,6 +37,10 @@ Vector3 middle(const Box& box) {
   for (int axis = 0; axis < 3; ++axis) middle[axis] = 0.5 * in_range(box.min[axis]) + 0.5 * in_range(box.max[axis]);
   return middle;
 }
+Vector3 middle(const Ball& ball) {
+  return {in_range(ball.center[0]), in_range(ball.center[1]), in_range(ball.center[2])};
+}
+double extent(const Ball& ball) { return ball.radius; }
 double extent(const Box& box) {
   double most = 0;
   for (int axis = 0; axis < 3; ++axis) most = std::max(most, in_range(box.max[axis]) - in_range(box.min[axis]));
@@ -92,18 +96,17 @@ class Cells {
 /// Elements up to eight times as large as the middle one are of class 0, those up to 64 times of class 1, and so on.
 class SizeClasses {
  public:
-  explicit SizeClasses(const std::vector<Box>& boxes) {
+  template <class Shape>
+  SizeClasses(std::size_t size, const Shape& shape) {
     constexpr std::size_t kSome = 1000;
     std::vector<double> some;
-    for (std::size_t i = 0; i < boxes.size(); i += std::max<std::size_t>(1, boxes.size() / kSome))
-      some.push_back(extent(boxes[i]));
+    for (std::size_t i = 0; i < size; i += std::max<std::size_t>(1, size / kSome)) some.push_back(extent(shape(i)));
     const auto half = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
     std::nth_element(some.begin(), half, some.end());
     double bound = *half;
     for (double& b : bounds_) b = bound *= 8;
   }
-  [[nodiscard]] std::uint32_t of(const Box& box) const {
-    const double size = extent(box);
+  [[nodiscard]] std::uint32_t of(double size) const {
     std::uint32_t c = 0;
     for (const double bound : bounds_) c += size > bound ? 1 : 0;
     return c;
@@ -114,7 +117,7 @@ class SizeClasses {
 };
 
 /// By key, equal keys as they were: digits from the last, or comparisons where these are few.
-void sort_by_key(Keyed* begin, std::size_t size, std::vector<Keyed>& room) {
+void sort_by_key(Keyed* begin, std::size_t size, LargeVector<Keyed>& room) {
   if (size < 256) {
     std::stable_sort(begin, begin + size, [](const Keyed& a, const Keyed& b) { return a.key < b.key; });
     return;
@@ -134,26 +137,29 @@ void sort_by_key(Keyed* begin, std::size_t size, std::vector<Keyed>& room) {
   if (from != begin) std::copy_n(from, size, begin);
 }
 
-/// Sorts the elements along a curve through space. Where many share a cell, a curve through that cell follows.
-std::vector<Keyed> sorted(const std::vector<Box>& boxes, const ParallelFor& parallel_for) {
-  std::vector<Keyed> all(boxes.size());
+/// Sorts the elements along a curve through space; shape(i) is that of an element. Where many share a cell, a curve
+/// through that cell follows.
+template <class Shape>
+LargeVector<Keyed> sorted(std::size_t size, const Shape& shape, const ParallelFor& parallel_for) {
+  LargeVector<Keyed> all(size);
   if (all.empty()) return all;
-  const SizeClasses classes(boxes);
-  std::vector<Cells> parts((boxes.size() + kPart - 1) / kPart);
-  for_parts(boxes.size(), kPart, parallel_for, [&](std::size_t begin, std::size_t end) {
+  const SizeClasses classes(size, shape);
+  std::vector<Cells> parts((size + kPart - 1) / kPart);
+  for_parts(size, kPart, parallel_for, [&](std::size_t begin, std::size_t end) {
     Cells cells;
-    for (std::size_t i = begin; i < end; ++i) cells.add(middle(boxes[i]));
+    for (std::size_t i = begin; i < end; ++i) cells.add(middle(shape(i)));
     parts[begin / kPart] = cells;
   });
   Cells whole;
   for (const Cells& part : parts) whole.add(part);
   const double edge = whole.is_point() ? 1 : whole.edge();
-  for_parts(boxes.size(), kPart, parallel_for, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      all[i] = {classes.of(boxes[i]) << 3 * kAxisBits | whole.key(middle(boxes[i]), edge),
-                static_cast<std::uint32_t>(i)};
+  for_parts(size, kPart, parallel_for, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto its = shape(i);
+      all[i] = {classes.of(extent(its)) << 3 * kAxisBits | whole.key(middle(its), edge), static_cast<std::uint32_t>(i)};
+    }
   });
-  std::vector<Keyed> room;
+  LargeVector<Keyed> room;
   sort_by_key(all.data(), all.size(), room);
 
   // Each time the first and the last on the longest axis part, so this ends.
@@ -165,10 +171,10 @@ std::vector<Keyed> sorted(const std::vector<Box>& boxes, const ParallelFor& para
       while (end < last && all[end].key == all[begin].key) ++end;
       if (end - begin <= kTogether) continue;
       Cells cell;
-      for (std::size_t i = begin; i < end; ++i) cell.add(middle(boxes[all[i].element]));
+      for (std::size_t i = begin; i < end; ++i) cell.add(middle(shape(all[i].element)));
       if (cell.is_point()) continue;
       const double width = cell.edge();
-      for (std::size_t i = begin; i < end; ++i) all[i].key = cell.key(middle(boxes[all[i].element]), width);
+      for (std::size_t i = begin; i < end; ++i) all[i].key = cell.key(middle(shape(all[i].element)), width);
       sort_by_key(all.data() + begin, end - begin, room);
       ranges.emplace_back(begin, end);
     }
@@ -198,6 +204,18 @@ Box around(const BoxBlock& block) {
   return box;
 }
 
+/// A box that contains the ball, as box_around of a model: the margin pays for every rounding.
+Box box_of(const Ball& ball) {
+  Box box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double c = ball.center[axis];
+    const double margin = (std::abs(c) * 0x1p-50 + ball.radius * 0x1p-50) + 0x1p-1000;
+    box.min[axis] = (c - ball.radius) - margin;
+    box.max[axis] = (c + ball.radius) + margin;
+  }
+  return box;
+}
+
 std::size_t blocks(std::size_t n) { return (n + kTogether - 1) / kTogether; }
 
 }  // namespace
@@ -216,10 +234,50 @@ void for_parts(std::size_t n, std::size_t part, const ParallelFor& parallel_for,
   for (std::size_t p = 0; p < parts; ++p) one(p);
 }
 
-BoxTree tree_of(const CollisionModel& model, const BallColumns& balls, const ParallelFor& parallel_for) {
-  BoxTree tree;
-  tree.size = static_cast<std::size_t>(model.getSize());
-  std::vector<Box> boxes(tree.size);
+namespace {
+
+/// Sets the elements of the tree, in their order, and the two lowest levels. put(place, element, block, lane) keeps
+/// the element where it belongs and sets its box in the block.
+template <class Put>
+void set_elements(BoxTree& tree, const LargeVector<Keyed>& order, const ParallelFor& parallel_for, const Put& put) {
+  tree.element.resize(tree.size);
+  tree.levels[1].resize(std::max<std::size_t>(1, blocks(blocks(tree.size))));
+  constexpr std::size_t kOfABlock = kTogether * kTogether;  // elements under one block of levels[1]
+  static_assert(kPart % kOfABlock == 0);
+  for_parts(tree.levels[1].size() * kOfABlock, kPart, parallel_for, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t first = begin; first < end; first += kTogether) {
+      BoxBlock block;
+      for (std::size_t lane = 0; lane < kTogether; ++lane) {
+        const std::size_t place = first + lane;
+        if (place < tree.size) {
+          tree.element[place] = order[place].element;
+          put(place, order[place].element, block, lane);
+        } else {
+          set_box(block, lane, kEmpty);
+        }
+      }
+      if (first < tree.size && !tree.levels[0].empty()) tree.levels[0][first / kTogether] = block;
+      set_box(tree.levels[1][first / kOfABlock], first / kTogether % kTogether, around(block));
+    }
+  });
+}
+
+void set_balls(BoxTree& tree, const BallColumns& balls, const ParallelFor& parallel_for) {
+  tree.balls.resize(blocks(tree.size));
+  const auto shape = [&](std::size_t i) { return balls[static_cast<Index>(i)]; };
+  set_elements(tree, sorted(tree.size, shape, parallel_for), parallel_for,
+               [&](std::size_t place, std::size_t element, BoxBlock& box_block, std::size_t lane) {
+                 const Ball ball = shape(element);
+                 BallBlock& block = tree.balls[place / kTogether];
+                 for (std::size_t axis = 0; axis < 3; ++axis)
+                   block.center[axis][lane] = ball.center[static_cast<Index>(axis)];
+                 block.radius[lane] = ball.radius;
+                 set_box(box_block, lane, box_of(ball));
+               });
+}
+
+void set_boxes(BoxTree& tree, const CollisionModel& model, const ParallelFor& parallel_for) {
+  LargeVector<Box> boxes(tree.size);
   std::vector<std::exception_ptr> errors((tree.size + kPart - 1) / kPart);
   for_parts(tree.size, kPart, parallel_for, [&](std::size_t begin, std::size_t end) {
     try {
@@ -231,43 +289,27 @@ BoxTree tree_of(const CollisionModel& model, const BallColumns& balls, const Par
   for (const std::exception_ptr& error : errors)
     if (error) std::rethrow_exception(error);
 
-  const std::vector<Keyed> order = sorted(boxes, parallel_for);
-  const bool keeps_boxes = balls.radii == nullptr;
-  tree.element.resize(tree.size);
+  tree.levels[0].resize(blocks(tree.size));
+  const auto shape = [&](std::size_t i) -> const Box& { return boxes[i]; };
+  set_elements(tree, sorted(tree.size, shape, parallel_for), parallel_for,
+               [&](std::size_t, std::size_t element, BoxBlock& block, std::size_t lane) {
+                 set_box(block, lane, boxes[element]);
+               });
+}
+
+}  // namespace
+
+BoxTree tree_of(const CollisionModel& model, const BallColumns& balls, const ParallelFor& parallel_for) {
+  BoxTree tree;
+  tree.size = static_cast<std::size_t>(model.getSize());
   tree.levels.resize(2);
-  if (keeps_boxes)
-    tree.levels[0].resize(blocks(tree.size));
+  if (balls.radii != nullptr)
+    set_balls(tree, balls, parallel_for);
   else
-    tree.balls.resize(blocks(tree.size));
-  tree.levels[1].resize(std::max<std::size_t>(1, blocks(blocks(tree.size))));
-  constexpr std::size_t kOfABlock = kTogether * kTogether;  // elements under one block of levels[1]
-  static_assert(kPart % kOfABlock == 0);
-  for_parts(tree.levels[1].size() * kOfABlock, kPart, parallel_for, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t first = begin; first < end; first += kTogether) {
-      BoxBlock block;
-      for (std::size_t lane = 0; lane < kTogether; ++lane) {
-        const std::size_t place = first + lane;
-        if (place >= tree.size) {
-          set_box(block, lane, kEmpty);
-          continue;
-        }
-        const std::uint32_t element = order[place].element;
-        tree.element[place] = element;
-        set_box(block, lane, boxes[element]);
-        if (keeps_boxes) continue;
-        BallBlock& ball_block = tree.balls[first / kTogether];
-        const Ball ball = balls[element];
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          ball_block.center[axis][lane] = ball.center[static_cast<Index>(axis)];
-        ball_block.radius[lane] = ball.radius;
-      }
-      if (keeps_boxes && first < tree.size) tree.levels[0][first / kTogether] = block;
-      set_box(tree.levels[1][first / kOfABlock], first / kTogether % kTogether, around(block));
-    }
-  });
+    set_boxes(tree, model, parallel_for);
   while (tree.levels.back().size() > 1) {
-    const std::vector<BoxBlock>& below = tree.levels.back();
-    std::vector<BoxBlock> level(blocks(below.size()));
+    const LargeVector<BoxBlock>& below = tree.levels.back();
+    LargeVector<BoxBlock> level(blocks(below.size()));
     for (std::size_t b = 0; b < level.size() * kTogether; ++b)
       set_box(level[b / kTogether], b % kTogether, b < below.size() ? around(below[b]) : kEmpty);
     tree.levels.push_back(std::move(level));

@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "component/large_vector.hpp"
 #include "contact/detect.hpp"
 
 namespace contact::component {
@@ -44,9 +45,9 @@ struct BallColumns {
 /// Only comparisons and a choice of order are made of the boxes, so that no rounding can lose a meeting.
 struct BoxTree {
   std::size_t size = 0;
-  std::vector<std::uint32_t> element;         ///< the element at each place
-  std::vector<BallBlock> balls;               ///< of sphere models, in the place of levels[0]
-  std::vector<std::vector<BoxBlock>> levels;  ///< levels[0] of the elements, levels[k] of the blocks of levels[k - 1]
+  LargeVector<std::uint32_t> element;         ///< the element at each place
+  LargeVector<BallBlock> balls;               ///< of sphere models, in the place of levels[0]
+  std::vector<LargeVector<BoxBlock>> levels;  ///< levels[0] of the elements, levels[k] of the blocks of levels[k - 1]
 
   /// The lanes of a block of elements that hold one.
   [[nodiscard]] unsigned used(std::size_t block) const {

@@ -31,9 +31,9 @@ using component::BoxTree;
 using component::Near;
 
 /// So many candidates are put to the intersector together.
-constexpr std::size_t kPairs = 1024;
+constexpr std::size_t kPairs = 512;
 /// So many times kPairs are handed out together where there are threads: enough for each, little in memory.
-constexpr std::size_t kRuns = 64;
+constexpr std::size_t kRuns = 128;
 /// So many candidates are kept at a time, or as many as one element has.
 constexpr std::size_t kMostKept = std::size_t{1} << 24;
 /// Blocks of elements that ask in one piece.
@@ -135,6 +135,7 @@ class Detection {
         const std::size_t count = std::min(some.size(), runs_.size() - from);
         component::for_parts(count, 1, parallel_for_, [&](std::size_t k, std::size_t) {
           some[k].clear();
+          some[k].reserve(spheres_ ? kPairs : 0);
           intersect(runs_[from + k], some[k]);
           seen_right(some[k]);
         });
@@ -180,7 +181,7 @@ class Detection {
     if (!self()) pack(spheres1->balls, packed1_);
   }
 
-  void pack(const BallColumns& balls, std::vector<Packed>& packed) const {
+  void pack(const BallColumns& balls, component::LargeVector<Packed>& packed) const {
     packed.resize(static_cast<std::size_t>(balls.count));
     component::for_parts(packed.size(), 1 << 14, parallel_for_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
@@ -281,28 +282,39 @@ class Detection {
   }
 
   void intersect_spheres(const Run& run, OutputVector& contacts) const {
-    const std::vector<Packed>& packed1 = self() ? packed2_ : packed1_;
-    component::SphereContacts together;
-    std::array<ElementPair, component::SphereContacts::kMost> pairs;
+    // Lists and balls lie anywhere in memory: they are asked for one after the other, and come together.
+    std::size_t left = run.size + run.candidate;
+    for (std::size_t i = run.element; left > 0; ++i) {
+      const Near& near = near_[i];
+      if (near.count > 0) __builtin_prefetch(lists_[near.list].data() + near.begin);
+      left -= std::min<std::size_t>(near.count, left);
+    }
+    struct Pair {
+      std::size_t i, j;
+    };
+    std::array<Pair, kPairs> pairs;
     std::size_t size = 0;
-    const auto compute = [&] {
-      together.compute(size, distances_, points_, [&](std::size_t k, std::size_t row) {
-        const CollisionElement elem1(first(), pairs[k].first);
-        const CollisionElement elem2(second(), pairs[k].second);
+    for_candidates(run, [&](std::size_t i, std::size_t j) {
+      __builtin_prefetch(&packed2_[j]);
+      pairs[size++] = {i, j};
+    });
+    const component::LargeVector<Packed>& packed1 = self() ? packed2_ : packed1_;
+    component::SphereContacts together;
+    for (std::size_t from = 0; from < size; from += component::SphereContacts::kMost) {
+      const std::size_t some = std::min(size - from, component::SphereContacts::kMost);
+      for (std::size_t k = 0; k < some; ++k) {
+        const auto [i, j] = pairs[from + k];
+        const Packed& a = swap_ ? packed2_[j] : packed1[i];
+        const Packed& b = swap_ ? packed1[i] : packed2_[j];
+        together.set(k, a.x, a.y, a.z, a.r, b.x, b.y, b.z, b.r);
+      }
+      together.compute(some, distances_, points_, [&](std::size_t k, std::size_t row) {
+        const auto [i, j] = pairs[from + k];
+        const CollisionElement elem1(first(), static_cast<Index>(swap_ ? j : i));
+        const CollisionElement elem2(second(), static_cast<Index>(swap_ ? i : j));
         contacts.push_back(together.contact(row, elem1, elem2, contact_id(elem1, elem2)));
       });
-      size = 0;
-    };
-    for_candidates(run, [&](std::size_t i, std::size_t j) {
-      const auto index1 = static_cast<Index>(i);
-      const auto index2 = static_cast<Index>(j);
-      pairs[size] = swap_ ? ElementPair{index2, index1} : ElementPair{index1, index2};
-      const Packed& a = swap_ ? packed2_[j] : packed1[i];
-      const Packed& b = swap_ ? packed1[i] : packed2_[j];
-      together.set(size, a.x, a.y, a.z, a.r, b.x, b.y, b.z, b.r);
-      if (++size == pairs.size()) compute();
-    });
-    if (size > 0) compute();
+    }
   }
 
   const Intersection& intersection_;
@@ -316,12 +328,12 @@ class Detection {
   ContactPoints points_{};
   BoxTree tree1_;  ///< empty of a model with itself
   BoxTree tree2_;
-  std::vector<Packed> packed1_;
-  std::vector<Packed> packed2_;
+  component::LargeVector<Packed> packed1_;
+  component::LargeVector<Packed> packed2_;
   // Of the elements of model1 that are looked at together:
   std::size_t from_ = 0;
   bool is_first_ = true;
-  std::vector<Near> near_;
+  component::LargeVector<Near> near_;
   std::vector<std::vector<std::uint32_t>> lists_;
   std::vector<Run> runs_;
 };

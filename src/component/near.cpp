@@ -160,7 +160,7 @@ void find(const Search& search, std::size_t first_block, std::size_t last_block,
   const BoxTree& asked = search.asked;
   const bool balls = !asking.balls.empty();
   const std::size_t top = asked.levels.size() - 1;
-  const std::vector<BoxBlock>& above = asked.levels[1];
+  const LargeVector<BoxBlock>& above = asked.levels[1];
   struct Node {
     std::size_t level;
     std::size_t block;

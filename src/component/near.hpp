@@ -12,9 +12,9 @@ namespace contact::component {
 
 /// Where the elements near one element stand: in the list `list`, from `begin`.
 struct Near {
-  std::size_t begin = 0;
-  std::uint32_t count = 0;
-  std::uint32_t list = 0;
+  std::size_t begin;
+  std::uint32_t count;
+  std::uint32_t list;
 };
 
 /// The elements near those of `asking` from `first` to `last`.
@@ -31,7 +31,7 @@ struct Search {
   std::size_t last;
   std::size_t most;                 ///< the search is given up where more than so many are found
   std::atomic<std::size_t>& found;  ///< so many, by all who search
-  std::vector<Near>& near;          ///< one for each element from first to last
+  LargeVector<Near>& near;          ///< one for each element from first to last
 };
 
 /// Asks for the elements in some blocks of places, and appends those near them to `elements`, ascending for each.
