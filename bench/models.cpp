@@ -85,7 +85,14 @@ void theirs(benchmark::State& state, const WorldPeer& peer, const std::string& n
   const auto world = peer.make(asked(name, n).balls);
   if (again) world->from_nothing();
   std::size_t contacts = 0;
-  for ([[maybe_unused]] auto _ : state) contacts = again ? world->again() : world->from_nothing();
+  for ([[maybe_unused]] auto _ : state) {
+    contacts = again ? world->again() : world->from_nothing();
+    if (again) continue;
+    state.PauseTiming();
+    world->forget();
+    state.ResumeTiming();
+  }
+  if (again) world->forget();
   count(state, n, contacts);
 }
 

@@ -45,6 +45,14 @@ class BulletWorld final : public World {
     }
     return contacts;
   }
+  /// By itself the world looks through all pairs for each object.
+  void forget() override {
+    auto* cache = phases_->broadphase.getOverlappingPairCache();
+    btBroadphasePairArray& pairs = cache->getOverlappingPairArray();
+    for (int i = 0; i < pairs.size(); ++i) cache->cleanOverlappingPair(pairs[i], &phases_->dispatcher);
+    for (const auto& object : objects_) object->setBroadphaseHandle(nullptr);
+    phases_.reset();
+  }
 
  private:
   std::vector<std::unique_ptr<btSphereShape>> shapes_;

@@ -28,6 +28,7 @@ class FclWorld final : public World {
     manager_->update();
     return count();
   }
+  void forget() override { manager_.reset(); }
 
  private:
   std::size_t count() {

@@ -23,6 +23,8 @@ class World {
   virtual std::size_t from_nothing() = 0;
   /// The same where the broad phase is there already, brought up to date, and no ball has moved.
   virtual std::size_t again() = 0;
+  /// Takes the broad phase down; not measured.
+  virtual void forget() = 0;
 };
 
 struct WorldPeer {
