@@ -50,6 +50,23 @@ void detect_between_two_models(benchmark::State& state) {
 BENCHMARK(detect_between_two_models)->RangeMultiplier(10)->Range(1000, 100000)->Unit(benchmark::kMillisecond);
 BENCHMARK(detect_between_two_models)->Arg(1000000)->Iterations(1)->Unit(benchmark::kMillisecond);
 
+void detect_streamed_between_two_models(benchmark::State& state) {
+  const Index n = state.range(0);
+  const SphereCollisionModel a = cloud(n, 1);
+  const SphereCollisionModel b = cloud(n, 2);
+  const ProximityIntersection intersection(kDistances);
+  std::size_t contacts = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    contacts = 0;
+    detect_streamed(intersection, a, b, [&](std::span<const OutputVector> some) {
+      for (const OutputVector& run : some) contacts += run.size();
+    });
+  }
+  count(state, n, contacts);
+}
+BENCHMARK(detect_streamed_between_two_models)->RangeMultiplier(10)->Range(1000, 100000)->Unit(benchmark::kMillisecond);
+BENCHMARK(detect_streamed_between_two_models)->Arg(1000000)->Iterations(1)->Unit(benchmark::kMillisecond);
+
 void detect_inside_one_model(benchmark::State& state) {
   const Index n = state.range(0);
   const SphereCollisionModel a = cloud(n, 1);

@@ -189,6 +189,43 @@ def families_table(m):
     return table(["", "hits", "ns", "to generic", "left to the scalar function"], rows)
 
 
+MODELS = ("ours", "ours, all threads", "FCL", "FCL, again", "Bullet", "Bullet, again")
+
+
+def models_entry(m, subject, scene, n):
+    """A row of bench/models.cpp; its name ends with how it was measured."""
+    name = f"Models/{subject}/{scene}/{n}/"
+    return next((entry for key, entry in m.entries.items() if key.startswith(name)), None)
+
+
+def models_table(m):
+    rows = []
+    for scene in ("uniform", "clustered", "one huge"):
+        for n in (10000, 100000):
+            entries = [models_entry(m, subject, scene, n) for subject in MODELS]
+            times = [entry and 1e9 * entry["time/element"] for entry in entries]
+            found = [f"{entry['contacts']:.0f}" if entry else "–" for entry in (entries[0], entries[2], entries[4])]
+            rows.append([f"{scene}, {n}", *found, *(number(t) for t in times),
+                         *(number(t and times[0] and t / times[0]) for t in times[2:])])
+    head = ["scene, spheres", "contacts: ours", "FCL", "Bullet", *(f"ns an element: {MODELS[0]}", *MODELS[1:]),
+            "to ours: FCL", *MODELS[3:]]
+    return table(head, rows)
+
+
+def detect_table(m):
+    """Between two models, with the contacts kept and with them handed over as they come."""
+    rows = []
+    for n in (1000, 10000, 100000, 1000000):
+        cells = []
+        for name in ("detect_between_two_models", "detect_streamed_between_two_models"):
+            entry = next((e for key, e in m.entries.items() if re.match(rf"{name}/{n}(/|$)", key)), None)
+            cells += [entry and 1e9 * entry["time/element"]]
+            first = next((e for key, e in m.entries.items() if re.match(rf"{name}/1000(/|$)", key)), None)
+            cells += [entry and first and entry["time/element"] / first["time/element"]]
+        rows.append([n, *(number(cell) for cell in cells)])
+    return table(["elements of each model", "`detect`, ns an element", "to 1000", "`detect_streamed`, ns an element", "to 1000"], rows)
+
+
 def cpu():
     info = pathlib.Path("/proc/cpuinfo")
     found = info.exists() and re.search(r"^model name\s*:\s*(.+)$", info.read_text(), re.M)
@@ -361,6 +398,10 @@ def main():
         "### Every pair, one after the other",
         "Plain double is [the formula of the engine `plain-double`](../bench/peers/own.cpp), ours the function of one pair.", pairs_table(m),
         "### Batch, beside plain double with the same vectors", batch_table(m),
+        "### Whole models, beside the peers",
+        "Every contact of a set of spheres with itself, without an alarm distance. FCL and Bullet build their broad phase anew, as ours does each time; "
+        '"again" leaves this out. Times of "ours, all threads" are by the wall clock.', models_table(m),
+        "### Detection between two models, one thread", detect_table(m),
         "### Contacts by family, batch, in L2", families_table(m), "### Limits", facts(m)])
     page = DOCS / "performance.md"
     begin, end = "<!-- measured:begin -->", "<!-- measured:end -->"

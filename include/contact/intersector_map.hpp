@@ -55,6 +55,7 @@ class MemberElementIntersector final : public ElementIntersector {
   [[nodiscard]] std::string name() const override {
     return std::string(T::kName) + "<" + std::string(Model1::kName) + "," + std::string(Model2::kName) + ">";
   }
+  [[nodiscard]] const T& object() const { return *object_; }
 
  private:
   const T* object_;

@@ -7,14 +7,17 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 #include <random>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "component/counting_new_for_tests.hpp"
@@ -263,6 +266,102 @@ TEST(Detect, of_two_equal_models_is_not_that_of_a_model_with_itself) {
   const DiscreteIntersection component;
   EXPECT_EQ(detect(component, spheres("a", two), spheres("b", two))->size(), 4U);
   EXPECT_EQ(detect(component, spheres("a", two))->size(), 1U);
+}
+
+/// On so many threads, which take turns: each begins with work of its own, from the end.
+ParallelFor on_threads(std::size_t threads) {
+  return [threads](std::size_t count, const std::function<void(std::size_t)>& work) {
+    std::vector<std::thread> all;
+    std::vector<std::exception_ptr> errors(threads);
+    for (std::size_t t = 0; t < threads; ++t)
+      all.emplace_back([&, t] {
+        try {
+          for (std::size_t i = count; i-- > 0;)
+            if (i % threads == t) work(i);
+        } catch (...) {
+          errors[t] = std::current_exception();
+        }
+      });
+    for (std::thread& thread : all) thread.join();
+    for (const auto& error : errors)
+      if (error) std::rethrow_exception(error);
+  };
+}
+
+std::vector<std::string> streamed(const Intersection& intersection, const CollisionModel& a, const CollisionModel& b,
+                                  const ParallelFor& parallel_for) {
+  OutputVector all;
+  EXPECT_TRUE(detect_streamed(
+      intersection, a, b,
+      [&](std::span<const OutputVector> some) {
+        for (const OutputVector& contacts : some) all.insert(all.end(), contacts.begin(), contacts.end());
+      },
+      parallel_for));
+  return text(all);
+}
+
+TEST(Detect, streamed_gives_the_same_contacts_in_the_same_order_on_any_number_of_threads) {
+  for (const Scene& scene : scenes(6)) {
+    SCOPED_TRACE(scene.name);
+    const ProximityIntersection component(scene.distances);
+    const auto s = spheres("s", scene.first);
+    const auto r = rigid_spheres("r", scene.second);
+    for (const auto& [a, b] : {std::pair<const CollisionModel&, const CollisionModel&>(s, r), {r, s}, {s, s}}) {
+      const std::vector<std::string> expected = text(*detect(component, a, b));
+      for (const std::size_t threads : {0U, 1U, 2U, 5U})
+        EXPECT_EQ(streamed(component, a, b, threads == 0 ? ParallelFor() : on_threads(threads)), expected) << threads;
+    }
+  }
+}
+
+TEST(Detect, streamed_keeps_the_order_among_many_thousand_elements_of_which_one_is_huge) {
+  std::mt19937_64 random(8);
+  const auto number = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53); };
+  std::vector<Ball> first = balls(30000, number);
+  std::vector<Ball> second = balls(20000, number);
+  for (Ball& ball : first) ball.radius *= 0.03;
+  for (Ball& ball : second) ball.radius *= 0.03;
+  first[17].radius = 0.4;
+  second[19999].center *= 0x1p40;  // all others share a cell of the curve, and so of the next
+  const auto a = spheres("a", first);
+  const auto b = rigid_spheres("b", second);
+  const DiscreteIntersection component;
+  const OutputVector expected = *detect(component, a, b);
+  EXPECT_GT(expected.size(), 30000U);
+  std::size_t next = 0;
+  std::size_t wrong = 0;
+  detect_streamed(
+      component, a, b,
+      [&](std::span<const OutputVector> some) {
+        for (const OutputVector& contacts : some)
+          for (const DetectionOutput& contact : contacts) {
+            wrong += next >= expected.size() || contact.elem != expected[next].elem ||
+                             contact.value != expected[next].value || contact.normal != expected[next].normal
+                         ? 1
+                         : 0;
+            ++next;
+          }
+      },
+      on_threads(3));
+  EXPECT_EQ(wrong, 0U);
+  EXPECT_EQ(next, expected.size());
+}
+
+TEST(Detect, streamed_ends_with_what_is_thrown_and_says_where_there_is_no_intersector) {
+  const auto s = spheres("s", std::vector<Ball>(900, Ball{{0, 0, 0}, 1}));
+  const DiscreteIntersection component;
+  for (const ParallelFor& parallel_for : {ParallelFor(), on_threads(2)}) {
+    int calls = 0;
+    const auto take = [&](std::span<const OutputVector>) {
+      if (++calls == 2) throw std::runtime_error("enough");
+    };
+    EXPECT_EQ(what_of<std::runtime_error>([&] { detect_streamed(component, s, take, parallel_for); }), "enough");
+    EXPECT_EQ(calls, 2);
+  }
+  const auto c = cubes("c", {{{0, 0, 0}, {1, 1, 1}}});
+  DiscreteIntersection silent;
+  silent.intersectors.setSink({});
+  EXPECT_FALSE(detect_streamed(silent, s, c, [](std::span<const OutputVector>) { ADD_FAILURE(); }));
 }
 
 /// Boxes, decided as the built-in ones are, and with a contact for each hit: number 100 i + j.
@@ -614,7 +713,7 @@ TEST(Detect, of_a_model_with_itself_builds_its_tree_once) {
   };
   const std::size_t one = taken_by([&] { EXPECT_TRUE(detect(component, a)->empty()); });
   const std::size_t two = taken_by([&] { (void)detect(component, a, b); });
-  EXPECT_GT(one, 4000 * sizeof(Box));
+  EXPECT_GT(one, 4000 * sizeof(Ball));
   EXPECT_LT(one, two * 7 / 10);
 }
 

@@ -2,14 +2,12 @@
 #include "contact/discrete_intersection.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <numbers>
 #include <stdexcept>
-#include <typeinfo>
 
+#include "component/built_in.hpp"
 #include "component/message.hpp"
-#include "contact/batch.hpp"
+#include "component/sphere_contacts.hpp"
 #include "contact/cube_cube.hpp"
 
 namespace contact::inline CONTACT_ABI {
@@ -88,9 +86,7 @@ int DiscreteIntersection::computeIntersection(const Sphere& sph1, const RigidSph
                                    currentIntersection.getContactDistance());
 }
 
-bool DiscreteIntersection::may_be_overridden() const {
-  return typeid(*this) != typeid(DiscreteIntersection) && typeid(*this) != typeid(ProximityIntersection);
-}
+bool DiscreteIntersection::may_be_overridden() const { return !component::is_built_in(*this); }
 
 bool DiscreteIntersection::intersectCubes(std::span<std::size_t> written) const {
   if (may_be_overridden()) return false;
@@ -102,49 +98,26 @@ bool DiscreteIntersection::intersectSpheres(const Spheres& first, const Spheres&
                                             std::span<const ElementPair> pairs, std::span<std::size_t> written,
                                             OutputVector& contacts, const Intersection& currentIntersection) const {
   if (may_be_overridden()) return false;
-  constexpr std::size_t kSome = 256;
-  std::array<std::array<double, kSome>, 8> in;
-  std::array<std::array<double, kSome>, 10> out;
-  std::array<batch::PairState, kSome> state;
-  std::array<std::uint32_t, kSome> index;
+  constexpr std::size_t kSome = component::SphereContacts::kMost;
+  component::SphereContacts together;
   const Distances distances{currentIntersection.getAlarmDistance(), currentIntersection.getContactDistance()};
   for (std::size_t begin = 0; begin < pairs.size(); begin += kSome) {
     const auto some = pairs.subspan(begin, std::min(kSome, pairs.size() - begin));
-    const std::size_t size = some.size();
-    for (std::size_t k = 0; k < size; ++k) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        in[axis][k] = first.centers[static_cast<Index>(axis) * first.count + some[k].first];
-        in[4 + axis][k] = second.centers[static_cast<Index>(axis) * second.count + some[k].second];
-      }
-      in[3][k] = first.radii[some[k].first];
-      in[7][k] = second.radii[some[k].second];
-    }
-    const auto given = [&](std::size_t column) { return std::span<const double>(in[column]).first(size); };
-    const auto room = [&](std::size_t column) { return std::span<double>(out[column]).first(size); };
-    const batch::Count count = batch::compute_sphere_sphere_hits({given(0), given(1), given(2), given(3)},
-                                                                 {given(4), given(5), given(6), given(7)}, distances,
-                                                                 std::span(index).first(size),
-                                                                 {{room(0), room(1), room(2)},
-                                                                  {room(3), room(4), room(5)},
-                                                                  {room(6), room(7), room(8)},
-                                                                  room(9),
-                                                                  std::span(state).first(size)},
-                                                                 {first.on, second.on});
-    std::fill_n(written.begin() + static_cast<std::ptrdiff_t>(begin), size, std::size_t{0});
-    for (std::size_t row = 0; row < count.hits; ++row) {
-      const ElementPair& pair = some[index[row]];
-      const CollisionElement elem1(first.model, pair.first);
-      const CollisionElement elem2(second.model, pair.second);
-      const auto vector = [&](std::size_t column) {
-        return Vector3(out[column][row], out[column + 1][row], out[column + 2][row]);
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      const auto number = [](const Spheres& spheres, Index axis, Index i) {
+        return spheres.centers[axis * spheres.count + i];
       };
-      contacts.push_back({.elem = {elem1, elem2},
-                          .id = contact_id(elem1, elem2),
-                          .point = {vector(3), vector(6)},
-                          .normal = vector(0),
-                          .value = out[9][row]});
-      written[begin + index[row]] = 1;
+      const auto [i, j] = some[k];
+      together.set(k, number(first, 0, i), number(first, 1, i), number(first, 2, i), first.radii[i],
+                   number(second, 0, j), number(second, 1, j), number(second, 2, j), second.radii[j]);
     }
+    std::fill_n(written.begin() + static_cast<std::ptrdiff_t>(begin), some.size(), std::size_t{0});
+    together.compute(some.size(), distances, {first.on, second.on}, [&](std::size_t k, std::size_t row) {
+      const CollisionElement elem1(first.model, some[k].first);
+      const CollisionElement elem2(second.model, some[k].second);
+      contacts.push_back(together.contact(row, elem1, elem2, contact_id(elem1, elem2)));
+      written[begin + k] = 1;
+    });
   }
   return true;
 }

@@ -99,6 +99,29 @@ TEST(Threads, detect_at_once_with_one_component) {
   EXPECT_EQ(wrong, 0);
 }
 
+TEST(Threads, share_one_detection) {
+  std::vector<Ball> balls;
+  balls.reserve(20000);
+  for (int i = 0; i < 20000; ++i) balls.push_back({{0.37 * (i % 200), 0.41 * (i / 200), 0.05 * (i % 3)}, 0.3});
+  const auto s = spheres("s", balls);
+  const auto r = rigid_spheres("r", balls);
+  const ProximityIntersection component({.alarm = 0.125, .contact = 0.0625});
+  std::size_t contacts = 0;
+  detect_streamed(
+      component, r, s,
+      [&](std::span<const OutputVector> some) {
+        for (const OutputVector& run : some) contacts += run.size();
+      },
+      [](std::size_t count, const std::function<void(std::size_t)>& work) {
+        std::atomic<std::size_t> next = 0;
+        in_threads([&](int) {
+          for (std::size_t i = next++; i < count; i = next++) work(i);
+        });
+      });
+  EXPECT_EQ(contacts, detect(component, r, s)->size());
+  EXPECT_GT(contacts, balls.size());
+}
+
 /// For two deformable spheres; counts those alive.
 class Idle : public BaseIntersector {
  public:

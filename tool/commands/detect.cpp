@@ -2,11 +2,13 @@
 #include "contact/detect.hpp"
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <charconv>
 #include <memory>
+#include <span>
 
 #include "contact/discrete_intersection.hpp"
 #include "contact/plugin.hpp"
@@ -33,35 +35,29 @@ struct DetectOptions {
   std::string points = std::string(engines::kComputedPointsNames.front());
   bool self = false;
   bool solid_cubes = false;
+  std::size_t jobs = 0;
   std::string output;
   std::string json;
 };
 
-/// Every intersector asks for the alarm distance of each candidate: a long detection ends where a signal arrives.
-class Interruptible final : public ProximityIntersection {
- public:
-  using ProximityIntersection::ProximityIntersection;
-  [[nodiscard]] double getAlarmDistance() const override {
-    throw_if_interrupted();
-    return ProximityIntersection::getAlarmDistance();
-  }
-};
-
-/// Two models, and their contacts or nothing where they have no intersector.
+/// Two models, and what the table says of their contacts.
 struct Meeting {
   const CollisionModel& first;
   const CollisionModel& second;
-  std::optional<OutputVector> contacts;
+  bool has_intersector = false;
+  std::uint64_t contacts = 0;
+  std::uint64_t overlapping = 0;
+  std::optional<DetectionOutput> deepest{};
 };
 
 std::vector<Meeting> meetings(const Scene& scene, const Intersection& intersection, bool self) {
   std::vector<Meeting> all;
   for (std::size_t i = 0; i < scene.models.size(); ++i)
     for (std::size_t j = self ? i : i + 1; j < scene.models.size(); ++j) {
-      throw_if_interrupted();
       const CollisionModel& first = *scene.models[i];
       const CollisionModel& second = *scene.models[j];
-      all.push_back({first, second, detect(intersection, first, second)});
+      bool swap = false;
+      all.push_back({first, second, intersection.findIntersector(first, second, swap) != nullptr});
     }
   return all;
 }
@@ -70,7 +66,7 @@ std::string header_line(const std::vector<Meeting>& all, const ProximityIntersec
                         const std::string& points) {
   std::string without;
   for (const Meeting& m : all)
-    if (!m.contacts)
+    if (!m.has_intersector)
       without += fmt::format("{}[{},{}]", without.empty() ? "" : ",", json_string(m.first.getName()),
                              json_string(m.second.getName()));
   return fmt::format(R"({{"format":"contact-oracle/contacts","version":1,"alarm":{},"contact":{},"points":"{}"{}}})"
@@ -90,15 +86,60 @@ std::string contact_line(const DetectionOutput& c) {
                      number(c.point[1]), number(c.value));
 }
 
-template <class Write>
-void write_contacts(const std::vector<Meeting>& all, const std::string& header, Write write) {
-  write(header);
-  for (const Meeting& m : all)
-    if (m.contacts)
-      for (const DetectionOutput& c : *m.contacts) {
-        throw_if_interrupted();
-        write(contact_line(c));
+/// Counts the contacts that come, and writes them where they are wanted, in their order; keeps none of them.
+class Contacts {
+ public:
+  Contacts(std::vector<JsonOutput*> outputs, double contact_distance)
+      : outputs_(std::move(outputs)), contact_distance_(contact_distance) {}
+
+  void write(std::string_view text) {
+    for (JsonOutput* output : outputs_) output->write(text);
+  }
+
+  void take(std::span<const OutputVector> some, Meeting& meeting) {
+    throw_if_interrupted();
+    for (const OutputVector& contacts : some)
+      for (const DetectionOutput& c : contacts) {
+        ++meeting.contacts;
+        meeting.overlapping += c.value + contact_distance_ < 0 ? 1 : 0;
+        if (!meeting.deepest || c.value < meeting.deepest->value) meeting.deepest = c;
       }
+    if (outputs_.empty()) return;
+    // Digits take longer than the contacts themselves: they are worked out on every thread.
+    lines_.resize(std::max(lines_.size(), some.size()));
+    in_parallel(some.size(), [&](std::size_t k) {
+      lines_[k].clear();
+      for (const DetectionOutput& c : some[k]) lines_[k] += contact_line(c);
+    });
+    for (std::size_t k = 0; k < some.size(); ++k) write(lines_[k]);
+  }
+
+ private:
+  std::vector<JsonOutput*> outputs_;
+  double contact_distance_;
+  std::vector<std::string> lines_;
+};
+
+/// Detects between all models, and shows how far it is where nothing else is printed meanwhile.
+void detect_all(std::vector<Meeting>& all, const Intersection& intersection, Contacts& contacts, bool shows_progress) {
+  std::uint64_t elements = 0;
+  for (const Meeting& m : all)
+    if (shows_progress && m.has_intersector) elements += static_cast<std::uint64_t>(m.first.getSize());
+  Progress progress("detect", elements);
+  for (Meeting& m : all) {
+    std::uint64_t done = 0;
+    const auto reached = [&](std::uint64_t element) {
+      progress.add(element - done);
+      done = element;
+    };
+    const auto take = [&](std::span<const OutputVector> some) {
+      contacts.take(some, m);
+      for (const OutputVector& run : some)
+        if (!run.empty()) reached(std::max(done, static_cast<std::uint64_t>(run.back().elem.first.getIndex())));
+    };
+    detect_streamed(intersection, m.first, m.second, take, in_parallel);
+    reached(static_cast<std::uint64_t>(m.first.getSize()));
+  }
 }
 
 std::string table(const std::vector<Meeting>& all, const ProximityIntersection& intersection,
@@ -115,20 +156,14 @@ std::string table(const std::vector<Meeting>& all, const ProximityIntersection& 
   text += fmt::format("\n{:<{}}  {:<{}}  contacts  overlapping  deepest\n", "first", first, "second", second);
   for (const Meeting& m : all) {
     text += fmt::format("{:<{}}  {:<{}}  ", m.first.getName(), first, m.second.getName(), second);
-    if (!m.contacts) {
+    if (!m.has_intersector) {
       text += "no intersector\n";
       continue;
     }
-    const auto overlapping = std::count_if(m.contacts->begin(), m.contacts->end(), [&](const DetectionOutput& c) {
-      return c.value + intersection.getContactDistance() < 0;
-    });
-    text += fmt::format("{:>8}  {:>11}", m.contacts->size(), overlapping);
-    const auto deepest =
-        std::min_element(m.contacts->begin(), m.contacts->end(),
-                         [](const DetectionOutput& x, const DetectionOutput& y) { return x.value < y.value; });
-    if (deepest != m.contacts->end())
-      text += fmt::format("  {}[{}] {}[{}] value {}", m.first.getName(), deepest->elem.first.getIndex(),
-                          m.second.getName(), deepest->elem.second.getIndex(), number(deepest->value));
+    text += fmt::format("{:>8}  {:>11}", m.contacts, m.overlapping);
+    if (m.deepest)
+      text += fmt::format("  {}[{}] {}[{}] value {}", m.first.getName(), m.deepest->elem.first.getIndex(),
+                          m.second.getName(), m.deepest->elem.second.getIndex(), number(m.deepest->value));
     text += "\n";
   }
   return text;
@@ -138,6 +173,8 @@ void run_detect(const DetectOptions& options) {
   require_apart({options.output, options.json}, options.scenes);
   JsonOutput output(options.output);
   JsonOutput json(options.json);
+  const auto limit = tbb::global_control::max_allowed_parallelism;
+  const tbb::global_control threads(limit, options.jobs > 0 ? options.jobs : tbb::global_control::active_value(limit));
   if (options.solid_cubes)  // before the plug-ins, whose intersectors replace others
     IntersectorFactory::getInstance().registerCreator("SolidCube", creator_of<SolidCubeDiscreteIntersection>());
   for (const std::string& plugin : options.plugins) load_plugin(plugin);
@@ -147,15 +184,16 @@ void run_detect(const DetectOptions& options) {
   const auto& names = engines::kComputedPointsNames;
   const auto points =
       static_cast<PointConvention>(std::find(names.begin(), names.end(), options.points) - names.begin());
-  const Interruptible intersection(distances, points);
+  const ProximityIntersection intersection(distances, points);
 
-  const std::vector<Meeting> all = meetings(scene, intersection, options.self);
-  const std::string header = header_line(all, intersection, options.points);
-  for (JsonOutput* to : {&output, &json}) {
-    if (!to->wanted()) continue;
-    write_contacts(all, header, [&](const std::string& line) { to->write(line); });
-    to->commit();
-  }
+  std::vector<Meeting> all = meetings(scene, intersection, options.self);
+  std::vector<JsonOutput*> wanted;
+  for (JsonOutput* to : {&output, &json})
+    if (to->wanted()) wanted.push_back(to);
+  Contacts contacts(wanted, distances.contact);
+  contacts.write(header_line(all, intersection, options.points));
+  detect_all(all, intersection, contacts, !json.alone());
+  for (JsonOutput* to : wanted) to->commit();
   if (!json.alone()) fmt::print(words(), "{}", table(all, intersection, options.points));
 }
 
@@ -191,6 +229,9 @@ void add_detect(CLI::App& app, int& exit) {
   command->add_flag("--self", options->self, "Each model with itself, too");
   command->add_flag("--solid-cubes", options->solid_cubes,
                     "Spheres against cubes, too: cubes are solid (default: they bound something else, as in SOFA)");
+  command
+      ->add_option("--jobs", options->jobs, "Threads (default: a thread a core); the output is the same for any number")
+      ->check(kFromOne);
   add_json_option(*command, options->json, "The contacts as JSON lines");
   command->add_option("-o,--output", options->output, "The same as --json=FILE")->type_name("FILE");
   command->footer(
