@@ -10,7 +10,6 @@
 #include <sofa/component/statecontainer/MechanicalObject.h>
 #include <sofa/component/topology/container/constant/MeshTopology.h>
 #include <sofa/simulation/Node.h>
-#include <sofa/simulation/graph/DAGNode.h>
 #include <sofa/simulation/graph/init.h>
 #ifdef CONTACT_SOFA_CAPSULES
 #include <CollisionOBBCapsule/geometry/CapsuleModel.h>
@@ -35,7 +34,7 @@ using sofa::component::statecontainer::MechanicalObject;
 using sofa::component::topology::container::constant::MeshTopology;
 using sofa::defaulttype::Rigid3Types;
 using sofa::defaulttype::Vec3Types;
-using sofa::simulation::graph::DAGNode;
+using sofa::simulation::Node;
 using sofa::type::Vec3;
 
 Vec3 vec(const double* x) { return {x[0], x[1], x[2]}; }
@@ -66,7 +65,7 @@ class State {
     auto all = sofa::helper::getWriteOnlyAccessor(*positions->write(core::vec_id::write_access::position));
     DataTypes::setCPos(all[static_cast<sofa::Index>(i)], vec(x));
   }
-  DAGNode::SPtr node = New<DAGNode>("side");
+  Node::SPtr node = New<Node>("side");
   typename MechanicalObject<DataTypes>::SPtr positions = New<MechanicalObject<DataTypes>>();
 };
 
