@@ -1,12 +1,10 @@
 // sofa-contacts: runs a .scn file in SOFA and writes the contacts that its pipeline finds, in the form of
 // `contact-oracle detect --json`. Plug-ins are found in the folders of SOFA_PLUGIN_PATH, data in those of
 // SOFA_DATA_PATH.
-#include <sofa/component/statecontainer/MechanicalObject.h>
-#include <sofa/core/ExecParams.h>
 #include <sofa/core/collision/DetectionOutput.h>
 #include <sofa/core/collision/Intersection.h>
 #include <sofa/core/collision/NarrowPhaseDetection.h>
-#include <sofa/simulation/CollisionVisitor.h>
+#include <sofa/core/collision/Pipeline.h>
 #include <sofa/simulation/Node.h>
 #include <sofa/simulation/Simulation.h>
 #include <sofa/simulation/common/init.h>
@@ -133,5 +131,7 @@ int main(int argc, char** argv) {
     }
   }
   sofa::simulation::node::unload(root);
+  sofa::simulation::graph::cleanup();
+  sofa::simulation::common::cleanup();
   return 0;
 }

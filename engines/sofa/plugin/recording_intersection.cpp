@@ -125,7 +125,7 @@ std::unique_ptr<ElementIntersector> recorded(ElementIntersector& of, RecordingIn
 
 RecordingIntersection::RecordingIntersection()
     : d_filename(initData(&d_filename, std::string("recorded"), "filename",
-                          "The files are FILENAME.queries.jsonl and FILENAME.answers.jsonl")),
+                          "The files are FILENAME.PAIR.queries.jsonl and FILENAME.answers.jsonl")),
       d_contactPoints(initData(&d_contactPoints, std::string("center"), "contactPoints",
                                "What the recorded component's contact points are: center (SOFA) or nearest_surface")),
       d_limit(initData(&d_limit, 1000000U, "limit", "How many different questions are written at most")),
@@ -143,12 +143,17 @@ void RecordingIntersection::init() {
     msg_error() << "contactPoints='" << points << "': expected center or nearest_surface";
 }
 
-bool RecordingIntersection::open() {
-  if (queries_.is_open()) return static_cast<bool>(queries_) && static_cast<bool>(answers_);
-  for (auto [file, ending] : {std::pair{&queries_, ".queries.jsonl"}, {&answers_, ".answers.jsonl"}}) {
-    file->open(d_filename.getValue() + ending);
-    if (!*file) msg_error() << "filename='" << d_filename.getValue() << "': " << ending << " cannot be written";
-  }
+bool RecordingIntersection::open(std::ofstream& file, const std::string& ending) {
+  file.open(d_filename.getValue() + ending);
+  if (!file) msg_error() << "filename='" << d_filename.getValue() << "': " << ending << " cannot be written";
+  return static_cast<bool>(file);
+}
+
+bool RecordingIntersection::open(Pair pair) {
+  std::ofstream& queries = queries_[pair];
+  if (!queries.is_open() && !open(queries, fmt::format(".{}.queries.jsonl", contact::name(pair)))) return false;
+  if (answers_.is_open()) return queries && answers_;
+  if (!open(answers_, ".answers.jsonl")) return false;
   answers_ << fmt::format(
       R"({{"format":"contact-oracle/results","version":1,"engine":{{"name":"{}","version":"recorded in SOFA {}"}},)"
       R"("scalar":"binary64","pairs":["sphere_sphere","rigid_sphere_rigid_sphere","sphere_rigid_sphere","cube_cube"],)"
@@ -156,7 +161,7 @@ bool RecordingIntersection::open() {
       R"("touching_overlap":"closed","touching_contact":"closed","margin":"inclusive"}}}})"
       "\n",
       l_intersection->getClassName(), CONTACT_SOFA_VERSION, d_contactPoints.getValue());
-  return static_cast<bool>(queries_) && static_cast<bool>(answers_);
+  return queries && answers_;
 }
 
 ElementIntersector* RecordingIntersection::findIntersector(core::CollisionModel* object1, core::CollisionModel* object2,
@@ -189,17 +194,18 @@ void RecordingIntersection::record(const Query& query, const Answer& answer) {
                     << line;
     return;
   }
-  if (lines_.size() >= d_limit.getValue() || !open()) {
+  if (lines_.size() >= d_limit.getValue() || !open(query.pair)) {
     ++left_out_;
     return;
   }
   std::visit(
       [&](const auto& two) {
         if constexpr (requires { text_of(two.a) + text_of(two.b); })
-          queries_ << fmt::format(R"({{"pair":"{}","scalar":"binary64","a":{},"b":{},"alarm":{},"contact":{}}})"
-                                  "\n",
-                                  name(query.pair), text_of(two.a), text_of(two.b), number(query.distances.alarm),
-                                  number(query.distances.contact));
+          queries_[query.pair] << fmt::format(
+              R"({{"pair":"{}","scalar":"binary64","a":{},"b":{},"alarm":{},"contact":{}}})"
+              "\n",
+              contact::name(query.pair), text_of(two.a), text_of(two.b), number(query.distances.alarm),
+              number(query.distances.contact));
       },
       query.shapes);
   answers_ << line << '\n';
@@ -214,7 +220,7 @@ void RecordingIntersection::leave_out() {
 void RecordingIntersection::endNarrowPhase() {
   l_intersection->endNarrowPhase();
   const std::lock_guard lock(mutex_);
-  queries_.flush();
+  for (auto& [pair, file] : queries_) file.flush();
   answers_.flush();
 }
 
@@ -222,7 +228,7 @@ void RecordingIntersection::cleanup() {
   const std::lock_guard lock(mutex_);
   msg_info() << lines_.size() << " questions are recorded, " << left_out_ << " were left out, " << differing_
              << " were answered differently again";
-  queries_.close();
+  queries_.clear();
   answers_.close();
 }
 

@@ -19,8 +19,8 @@
 namespace contact::sofa_plugin {
 
 /// It stands before the component that it names, so that the pipeline finds it first, and passes every call on.
-/// `filename`.queries.jsonl gets the questions, one a line as `annotate` reads them, and `filename`.answers.jsonl the
-/// answers, as `certify --results` reads them. Both are whole after each narrow phase. Of a pair of spheres both
+/// `filename`.PAIR.queries.jsonl gets the questions, one a line as `annotate` reads them, and `filename`.answers.jsonl
+/// the answers, as `certify --results` reads them. Both are whole after each narrow phase. Of a pair of spheres both
 /// functions are written down, whichever the pipeline calls; of two cubes testIntersection, which is all there is. A
 /// question that comes again is not written again, and a second answer that differs is told.
 /// Left out, and counted: a cube against itself, a number that is not finite, models with a contact distance of their
@@ -67,7 +67,8 @@ class RecordingIntersection : public sofa::core::collision::Intersection {
   ~RecordingIntersection() override;
 
  private:
-  [[nodiscard]] bool open();
+  [[nodiscard]] bool open(std::ofstream& file, const std::string& ending);
+  [[nodiscard]] bool open(Pair pair);
 
   sofa::core::objectmodel::SingleLink<RecordingIntersection, Current,
                                       sofa::BaseLink::FLAG_STOREPATH | sofa::BaseLink::FLAG_STRONGLINK>
@@ -75,7 +76,7 @@ class RecordingIntersection : public sofa::core::collision::Intersection {
   std::map<sofa::core::collision::ElementIntersector*, std::unique_ptr<sofa::core::collision::ElementIntersector>>
       recorded_;
   std::mutex mutex_;  // guards what is below
-  std::ofstream queries_;
+  std::map<Pair, std::ofstream> queries_;
   std::ofstream answers_;
   std::unordered_map<std::string, std::string> lines_;  // by id
   std::size_t left_out_ = 0;
