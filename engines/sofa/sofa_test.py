@@ -55,10 +55,10 @@ class Sofa(unittest.TestCase):
         cls.can_run_scenes = any(Path(sofa, "lib").glob("libSofa.Component.Collision.Response.Contact.so*"))
 
     def answers(self, library, *questions):
-        """What an engine says, by id, and the exit status of its verdict."""
+        """What an engine says, by id."""
         file = self.folder / f"{self.id()}.{library}.jsonl"
         made = run("certify", *questions, "--engine-library", self.build / f"{library}.so", "--record", file)
-        self.assertIn(made.returncode, (0, 1), made.stderr)
+        self.assertEqual(made.returncode, 1, made.stderr)  # refuted: every set has questions that it fails on
         return {a["id"]: claim(a) for a in map(json.loads, file.read_text().splitlines()[1:])}
 
     def test_its_answers_are_the_recorded_ones_bit_for_bit_in_either_order(self):
@@ -86,7 +86,7 @@ class Sofa(unittest.TestCase):
             fresh = ("--generate", 100, "--seed", 20, "--pair", pair)
             emulated = self.folder / f"{pair}.plain.jsonl"
             made = run("certify", *fresh, "--engine", "plain-double", "--points", "center", "--record", emulated)
-            self.assertIn(made.returncode, (0, 1), made.stderr)
+            self.assertEqual(made.returncode, 1, made.stderr)  # refuted: every set has questions that it fails on
             plain = {a["id"]: claim(a) for a in map(json.loads, emulated.read_text().splitlines()[1:]) if "overlap" in a}
             self.assertGreater(len(plain), 1000)
             live = self.answers("sofa", *fresh)
