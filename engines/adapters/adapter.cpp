@@ -32,7 +32,11 @@ int32_t contact_engine_answer(const contact_questions* questions, contact_answer
   for (std::size_t i = 0; i < questions->count; ++i) {
     Answer said(*answers, i);
     try {
-      answer({pair, {a, questions->a + i * width_of(a)}, {b, questions->b + i * width_of(b)}, questions->alarm[i]},
+      answer({pair,
+              {a, questions->a + i * width_of(a)},
+              {b, questions->b + i * width_of(b)},
+              questions->alarm[i],
+              questions->contact[i]},
              said);
     } catch (const std::exception&) {
       answers->said[i] = CONTACT_ERROR;

@@ -55,12 +55,13 @@ struct Shape {
   double offset = 0;
 };
 
-/// One question: two shapes of the kinds that the pair names, and the alarm distance.
+/// One question: two shapes of the kinds that the pair names, and the two distances.
 struct Question {
   contact_pair pair;
   Shape a;
   Shape b;
   double alarm;
+  double contact;
 };
 
 /// What is said of one question; of a hit, all that the declaration claims.

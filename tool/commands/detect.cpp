@@ -53,7 +53,8 @@ struct Meeting {
 std::vector<Meeting> meetings(const Scene& scene, const Intersection& intersection, bool self) {
   std::vector<Meeting> all;
   for (std::size_t i = 0; i < scene.models.size(); ++i)
-    for (std::size_t j = self ? i : i + 1; j < scene.models.size(); ++j) {
+    for (std::size_t j = i; j < scene.models.size(); ++j) {
+      if (i == j ? !(self || scene.rules[i].self_collision) : !may_meet(scene.rules[i], scene.rules[j])) continue;
       const CollisionModel& first = *scene.models[i];
       const CollisionModel& second = *scene.models[j];
       bool swap = false;
@@ -179,6 +180,7 @@ void run_detect(const DetectOptions& options) {
     IntersectorFactory::getInstance().registerCreator("SolidCube", creator_of<SolidCubeDiscreteIntersection>());
   for (const std::string& plugin : options.plugins) load_plugin(plugin);
   const Scene scene = read_scene(options.scenes, ModelFactory::getInstance());
+  for (const std::string& what : scene.left_out) fmt::print(stderr, "{}\n", what);
   const Distances distances{options.alarm.value_or(scene.alarm.value_or(0)),
                             options.contact.value_or(scene.contact.value_or(0))};
   const auto& names = engines::kComputedPointsNames;
@@ -213,7 +215,8 @@ void add_detect(CLI::App& app, int& exit) {
       "detect",
       "The contacts between whole models of a scene\nA table of each pair of models, or all contacts with --json.");
   auto options = std::make_shared<DetectOptions>();
-  command->add_option("scenes", options->scenes, "Scene files (below), or - for standard input")->required();
+  command->add_option("scenes", options->scenes, "Scene files (below), .scn files of SOFA, or - for standard input")
+      ->required();
   command
       ->add_option("--plugin", options->plugins,
                    "A shared library with more model types and intersectors; may be given again")

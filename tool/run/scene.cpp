@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "formats/json.hpp"
 #include "tool/run/process.hpp"
@@ -18,13 +19,15 @@ using formats::Node;
 constexpr std::string_view kFormat = "contact-oracle/scene";
 constexpr std::uint64_t kVersion = 1;
 
+std::string another_says(double distance) { return "another scene says " + formats::number(distance); }
+
 /// The distance that a header gives, which must be the one that an earlier header gave.
 void read_distance(const Node& header, const std::string& key, std::optional<double>& distance) {
   const auto given = header.find(key);
   if (!given) return;
   const double x = given->number();
   if (const auto error = outside_domain(key, x)) given->refuse(error->rule);
-  if (distance && *distance != x) given->refuse("another scene says " + formats::number(*distance));
+  if (distance && *distance != x) given->refuse(another_says(*distance));
   distance = x;
 }
 
@@ -67,12 +70,38 @@ std::unique_ptr<CollisionModel> read_model(const Node& line, const ModelFactory&
   }
 }
 
+void add_sofa_scene(const std::string& path, const ModelFactory& factory, Scene& scene,
+                    std::map<std::string, std::string>& named) {
+  SofaScene read = read_sofa_scene(path, factory);
+  for (auto [key, distance, own] :
+       {std::tuple{"alarm", &scene.alarm, read.alarm}, {"contact", &scene.contact, read.contact}}) {
+    if (*distance && **distance != own)
+      throw formats::InputError({path, 0}, key,
+                                fmt::format("{}, and {}", formats::number(own), another_says(**distance)));
+    *distance = own;
+  }
+  for (SofaScene::Model& of : read.models) {
+    const formats::Location where{path, of.line};
+    const auto [other, is_new] = named.emplace(of.model->getName(), where.text());
+    if (!is_new)
+      throw formats::InputError(where, "name",
+                                fmt::format("the model at {} has the name {} too", other->second, of.model->getName()));
+    scene.models.push_back(std::move(of.model));
+    scene.rules.push_back(std::move(of.rules));
+  }
+  scene.left_out.insert(scene.left_out.end(), read.left_out.begin(), read.left_out.end());
+}
+
 }  // namespace
 
 Scene read_scene(const std::vector<std::string>& paths, const ModelFactory& factory) {
   Scene scene;
   std::map<std::string, std::string> named;  // where each name was given
   for (const std::string& path : paths) {
+    if (is_sofa_scene(path)) {
+      add_sofa_scene(path, factory, scene, named);
+      continue;
+    }
     InputLines lines(path, formats::kLargestText);
     while (lines.next()) {
       const auto parsed = formats::parse_object(lines.text(), lines.where());
@@ -86,11 +115,15 @@ Scene read_scene(const std::vector<std::string>& paths, const ModelFactory& fact
           named.emplace(model->getName(), fmt::format("{}:{}", lines.where().file, lines.where().line));
       if (!is_new) node.at("name").refuse(fmt::format("the model at {} has this name", other->second));
       scene.models.push_back(std::move(model));
+      scene.rules.emplace_back();
     }
     if (lines.where().line == 0) throw formats::InputError(lines.where(), "", "empty: a scene begins with its header");
   }
   if (scene.models.empty())
-    throw formats::InputError({fmt::format("{}", fmt::join(paths, ", ")), 0}, "", "the scene holds no model");
+    throw formats::InputError({fmt::format("{}", fmt::join(paths, ", ")), 0}, "",
+                              scene.left_out.empty()
+                                  ? "the scene holds no model"
+                                  : fmt::format("no model is read:\n{}", fmt::join(scene.left_out, "\n")));
   return scene;
 }
 

@@ -1,0 +1,48 @@
+// The collision part of a scene of SOFA, a .scn file.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "contact/model_factory.hpp"
+
+namespace contact::tool {
+
+/// Which models SOFA's pipeline lets meet, as CollisionModel::canCollideWith and the broad phase have it.
+struct MeetingRules {
+  std::string node;             ///< two models of one node meet only where both say `selfCollision`; empty: no rule
+  std::set<int> groups;         ///< models with a group in common do not meet
+  bool simulated = true;        ///< two models that are not do not meet
+  bool self_collision = false;  ///< the model meets itself
+};
+/// Of two different models.
+[[nodiscard]] bool may_meet(const MeetingRules& first, const MeetingRules& second);
+
+/// What was read of a .scn file.
+struct SofaScene {
+  struct Model {
+    std::unique_ptr<CollisionModel> model;
+    MeetingRules rules;
+    std::size_t line;
+  };
+  double alarm = 0;
+  double contact = 0;
+  std::vector<Model> models;
+  std::vector<std::string> left_out;  ///< `file:line: what and why`
+};
+
+/// Reads spheres with the positions that they have before the first step: those of the nearest MechanicalObject, given,
+/// of a SphereLoader or of a RegularGridTopology, scaled, turned and moved as it says, and under an IdentityMapping or
+/// a RigidMapping. A model is named by its path, `/node/child/name`. The distances are those of the first intersection
+/// component. What else has to do with collisions is left out and told. Throws InputError where the file cannot be
+/// read, is no XML, or an attribute that is read is malformed.
+[[nodiscard]] SofaScene read_sofa_scene(const std::string& path, const ModelFactory& factory);
+
+/// Whether a file is taken for a scene of SOFA: by its name's ending.
+[[nodiscard]] bool is_sofa_scene(std::string_view path);
+
+}  // namespace contact::tool
