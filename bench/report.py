@@ -204,7 +204,7 @@ def models_table(m):
         for n in (10000, 100000):
             entries = [models_entry(m, subject, scene, n) for subject in MODELS]
             times = [entry and 1e9 * entry["time/element"] for entry in entries]
-            found = [f"{entry['contacts']:.0f}" if entry else "–" for entry in (entries[0], entries[2], entries[4])]
+            found = [f"{entry['contacts']:.0f}" if entry else "–" for entry in (entries[0], entries[3], entries[5])]
             rows.append([f"{scene}, {n}", *found, *(number(t) for t in times),
                          *(number(t and times[0] and t / times[0]) for t in times[2:])])
     head = ["scene, spheres", "contacts: ours", "FCL", "Bullet", *(f"ns an element: {MODELS[0]}", *MODELS[1:]),

@@ -28,6 +28,7 @@ class FclWorld final : public World {
     manager_->update();
     return count();
   }
+  [[nodiscard]] bool is_built() const override { return manager_ != nullptr; }
   void forget() override { manager_.reset(); }
 
  private:

@@ -23,7 +23,8 @@ class World {
   virtual std::size_t from_nothing() = 0;
   /// The same where the broad phase is there already, brought up to date, and no ball has moved.
   virtual std::size_t again() = 0;
-  /// Takes the broad phase down; not measured.
+  [[nodiscard]] virtual bool is_built() const = 0;
+  /// Takes the broad phase down where there is one; not measured.
   virtual void forget() = 0;
 };
 
