@@ -2062,6 +2062,15 @@ class Detect(Case):
         self.refused(("detect", self.file("bad.jsonl", [self.HEADER]), "-o", target), "bad.jsonl")
         self.assertIn("drops", target.read_text())
 
+    def test_the_contacts_are_the_same_bytes_on_any_number_of_threads(self):
+        # 3000 balls on a folded line, so that each meets some others far from it in the file.
+        centers = [[i * 7 % 60 / 8, i * 11 % 50 / 8, i * 13 % 40 / 8] for i in range(3000)]
+        scene = self.file("s.jsonl", [self.HEADER, self.ball_model("a", centers, [0.25] * 3000),
+                                      self.ball_model("b", [[x + 0.125, y, z] for x, y, z in centers], [0.125] * 3000)])
+        outputs = {run("detect", scene, "--self", "--json", "--jobs", jobs).stdout for jobs in (1, 2, 7)}
+        self.assertEqual(len(outputs), 1)
+        self.assertGreater(len(outputs.pop().splitlines()), 3000)
+
     def test_an_output_that_cannot_be_written_is_refused_and_a_full_disk_leaves_no_file(self):
         self.refused(("detect", self.BEADS, "-o", self.folder / "gone" / "x.jsonl"), "gone/x.jsonl", "cannot write")
         self.refused(("detect", self.BEADS, "-o", self.folder), self.folder, "directory")

@@ -19,7 +19,7 @@ constexpr std::size_t kPart = 8192;  // elements that a thread takes at a time
 
 /// What an element says of itself, which a class of somebody else's may get wrong: the tree orders by these numbers.
 Box bounding_box(const CollisionModel& model, Index i) {
-  const Box box = model.bounding_box(i);
+  Box box = model.bounding_box(i);
   for (int axis = 0; axis < 3; ++axis)
     if (!(box.min[axis] <= box.max[axis]))
       throw std::logic_error(std::string(model.type().name) + " \"" + model.getName() +
@@ -155,7 +155,7 @@ LargeVector<Keyed> sorted(std::size_t size, const Shape& shape, const ParallelFo
   const double edge = whole.is_point() ? 1 : whole.edge();
   for_parts(size, kPart, parallel_for, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const auto its = shape(i);
+      const auto& its = shape(i);
       all[i] = {classes.of(extent(its)) << 3 * kAxisBits | whole.key(middle(its), edge), static_cast<std::uint32_t>(i)};
     }
   });
