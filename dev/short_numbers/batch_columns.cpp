@@ -1,5 +1,4 @@
 // The functions of one pair as the vector kernels see them here: they note what is asked of them and settle nothing.
-#define CONTACT_OUT_OF_LINE  // test_sphere_sphere is defined below
 #include "dev/short_numbers/batch_columns.hpp"
 
 #include <algorithm>

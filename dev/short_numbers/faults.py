@@ -223,7 +223,7 @@ class Build:
             return
         name = TARGETS[kernel][bits]
         self.compile(sources, to, name, "batch", f"-I{HERE}", f"-DCONTACT_TINY_BITS={bits}",
-                     f"-DCONTACT_TINY_ESTIMATE={int(kernel == ESTIMATE)}", f"-DCONTACT_TINY_TARGET={name}", "-DEIGEN_DONT_VECTORIZE")
+                     f"-DCONTACT_TINY_ESTIMATE={int(kernel == ESTIMATE)}", f"-DCONTACT_TINY_TARGET={name}", "-DEIGEN_DONT_VECTORIZE", "-DCONTACT_OUT_OF_LINE")
 
     def link(self, changed):
         """tiny_kernels with the objects of a folder, and those of the sources as they are."""
