@@ -81,15 +81,9 @@ class Truth {
     return left == right ? 0 : left > right ? sign : other;
   }
 
-  /// Whether e / sqrt(D) is plainly less than half of the least number, which rounds to 0.
-  [[nodiscard]] bool vanishes(const Integer& e, int scale) const {
-    const auto bits_of = [](const Integer& x) { return static_cast<int>(msb(abs(x))); };
-    return D_ != 0 && e != 0 && bits_of(e) + 1 - bits_of(D_) / 2 + scale < -1075;
-  }
-
   [[nodiscard]] bool is_rounded(const Integer& c, const Integer& e, int scale, double y, int bits) const {
     if (std::isnan(y)) return false;
-    if (y == 0) return !std::signbit(y) && (compare(c, e, scale, 0) == 0 || (c == 0 && vanishes(e, scale)));
+    if (y == 0) return !std::signbit(y) && compare(c, e, scale, 0) == 0;
     // Numbers below 2^L on the grid make no X between 0 and 2^-(3L + 7) (docs/error-bounds.md, "Exact arithmetic"), and
     // a fixed integer has room for what is not smaller by far.
     if (std::numeric_limits<Integer>::is_bounded && std::ilogb(y) < scale - 300) return false;
