@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
 #include <limits>
 
 #include "contact/sphere_sphere.hpp"
@@ -14,18 +13,9 @@
 namespace contact {
 namespace {
 
-/// What the call under way has left, by row of its answer: the numbers of a hit, or kUndecided. Kernels pass strips of
-/// the columns; of rows that are somewhere else for a while, the last one's is noted.
+/// What the call under way has left, by pair: the numbers of a hit, or kUndecided.
 constexpr unsigned kUndecided = 1U << 31;
 std::vector<unsigned> left;
-const batch::PairState* first_row = nullptr;
-
-unsigned& left_of(const kernel::ContactRows& out, std::size_t row) {
-  const batch::PairState* const place = out.state + row;
-  const bool inside = std::greater_equal<>()(place, first_row) && std::less<>()(place, first_row + left.size());
-  return inside ? left[static_cast<std::size_t>(place - first_row)] : left.back();
-}
-
 bool decision_left;
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
@@ -38,21 +28,16 @@ constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 void kernel::round_numbers(const SpherePairs& /*pairs*/, const ContactQuestion& /*question*/, std::size_t i,
                            unsigned numbers, const ContactRows& out) {
-  left_of(out, i) |= numbers;
+  left[i] |= numbers;
   for (std::size_t k = 0; k < ContactRows::kNumbers; ++k)
     if ((numbers >> k & 1) != 0) out.number[k][i] = kNoNumber;
 }
 
 template <>
-void kernel::contact_of_one_pair(const SpherePairs& /*pairs*/, const ContactQuestion& /*question*/, std::size_t /*i*/,
+void kernel::contact_of_one_pair(const SpherePairs& /*pairs*/, const ContactQuestion& /*question*/, std::size_t i,
                                  const ContactRows& out, std::size_t row) {
-  left_of(out, row) = kUndecided;
+  left[i] = kUndecided;
   out.state[row] = batch::PairState::contact;
-}
-
-void kernel::contact_of_scaled_pair(const SpherePairs& pairs, const ContactQuestion& question, std::size_t i,
-                                    const ContactRows& out, std::size_t row) {
-  contact_of_one_pair(pairs, question, i, out, row);
 }
 
 inline namespace CONTACT_ABI {
@@ -90,7 +75,6 @@ void answer_columns(const std::vector<Question>& questions, std::vector<Answer>&
   rows.state = states.data();
 
   left.assign(size, 0);
-  first_row = states.data();
   const batch::Count count = compute(pairs, question, rows);
   std::size_t hits = 0;
   std::size_t exact = 0;
@@ -141,7 +125,6 @@ void answer_columns(const std::vector<Question>& questions, std::vector<Answer>&
     rows.number[k] = brought[k].data();
   }
   rows.state = brought_states.data();
-  first_row = brought_states.data();
   const batch::Count of_hits = compute_hits(pairs, question, index.data(), rows);
   if (undecided()) return;
   if (of_hits.hits != count.hits) fail("compute_sphere_hits finds other hits");

@@ -144,8 +144,8 @@ FAULTS = [
     (DIVISION, FORMULA, "hn::Add(sum.low, hn::Sub(root.low, hn::Add(less.sum.low, less.radii.low)))", "hn::Add(sum.low, hn::Sub(root.low, less.sum.low))"),
     (DIVISION, FORMULA, "hn::Add(sum.low, hn::Sub(root.low, hn::Add(less.sum.low, less.radii.low)))", "hn::Add(sum.low, hn::Sub(root.low, less.radii.low))"),
     (DIVISION, BATCH, "good = and_at_least(good, left, uncancelled);", ""),
-    (DIVISION, BATCH, "wanted, good), job.out.number[9]);\n", "wanted, miss), job.out.number[9]);\n"),
-    (DIVISION, BATCH, "steps.good[i / hn::Lanes(D())] &= ", "steps.good[i / hn::Lanes(D())] |= "),
+    (DIVISION, BATCH, "M good = hn::And(hn::And(hit, axes_agree), value_agrees);", "M good = hn::And(hit, axes_agree);"),
+    (DIVISION, BATCH, "M good = hn::And(hn::And(hit, axes_agree), value_agrees);", "M good = hn::And(hit, value_agrees);"),
     (DIVISION, BATCH, "const V radius2 = hn::Mul(in.br, all(job.sign2));\n  write(3", "const V radius2 = hn::Mul(in.br, all(job.sign1));\n  write(3"),
     # What the quick tests leave.
     (DIVISION, BOUNDS, "kPointError = 128 * kUnitSquared", "kPointError = 0.5 * kUnitSquared"),
@@ -168,8 +168,8 @@ FAULTS = [
     (DIVISION, FINISHING, "n = hn::IfThenElse(simple, hn::IfThenZeroElse(none, hn::Xor(all(1), sign)), n);",
      "n = hn::IfThenElse(simple, hn::IfThenZeroElse(none, all(1)), n);"),
     (DIVISION, FINISHING, "hn::IfThenZeroElse(none, hn::Xor(radius, sign))", "hn::IfThenZeroElse(none, radius)"),
-    (DIVISION, FINISHING, "hn::Add(second.high, hn::Add(root.low, hn::Sub(second.low, tail)))",
-     "hn::Add(root.low, hn::Sub(second.low, tail))"),
+    (DIVISION, FINISHING, "hn::Add(second.high, hn::Add(root.low, hn::Sub(second.low, less.tail)))",
+     "hn::Add(root.low, hn::Sub(second.low, less.tail))"),
     # Near touching.
     (DIVISION, BOUNDS, "kNearError = 0x1p17 *", "kNearError = 0 *"),
     (DIVISION, BOUNDS, "kFirstGrid = 6;", "kFirstGrid = 0.25;"),
@@ -189,7 +189,7 @@ FAULTS = [
     # Scaling.
     (DIVISION, BATCH, "if constexpr (kScaled) root = scaled(root, scale.up);", ""),
     (DIVISION, FINISHING, "hn::Add(hn::Mul(r1, down), hn::Mul(r2, down))", "hn::Mul(r1, down)"),
-    (DIVISION, FINISHING, "two_difference(root.high, hn::Mul(less.high, scale.down))", "two_difference(root.high, less.high)"),
+    (DIVISION, FINISHING, "const Double2 root = kScaled ? scaled(stage.root, scale.up) : stage.root;", "const Double2 root = stage.root;"),
     # AVX-512.
     (ESTIMATE, ARITHMETIC, "all(0.375)), h, all(0.5)", "all(0.375)), h, all(0.25)"),
     (ESTIMATE, ARITHMETIC, "return M{_mm512_mask_cmp_pd_mask(mask.raw, a.raw, b.raw, _CMP_EQ_OQ)};", "return M{_mm512_mask_cmp_pd_mask(mask.raw, a.raw, b.raw, _CMP_GE_OQ)};"),

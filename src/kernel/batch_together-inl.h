@@ -19,8 +19,8 @@ HWY_BEFORE_NAMESPACE();
 namespace contact::kernel {
 namespace HWY_NAMESPACE {
 
-#define CONTACT_LANES_OF_AVX3 (HWY_ARCH_X86 && HWY_MAX_BYTES == 64)
-#define CONTACT_LANES_OF_AVX2 (HWY_ARCH_X86 && HWY_MAX_BYTES == 32)
+#define CONTACT_LANES_OF_AVX3 (HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3)
+#define CONTACT_LANES_OF_AVX2 (HWY_ARCH_X86 && !CONTACT_LANES_OF_AVX3 && HWY_TARGET <= HWY_AVX2)
 
 #if CONTACT_LANES_OF_AVX2
 /// The halves of doubles that bring every set of four lanes together.
