@@ -78,10 +78,6 @@ void round_numbers(const SpherePairs& pairs, const ContactQuestion& question, st
 template <class A, class B>
 void contact_of_one_pair(const PairColumns<A, B>& pairs, const ContactQuestion& question, std::size_t i,
                          const ContactRows& out, std::size_t row);
-/// The same for a pair of balls of which some number is too large or too small for the quick stages: all of them are
-/// multiplied by a power of two, where nothing is lost by that.
-void contact_of_scaled_pair(const SpherePairs& pairs, const ContactQuestion& question, std::size_t i,
-                            const ContactRows& out, std::size_t row);
 template <class A, class B>
 batch::Count test_scalar(const PairColumns<A, B>& pairs, double alarm, std::uint8_t* hit);
 template <class A, class B>

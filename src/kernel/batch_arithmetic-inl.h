@@ -74,10 +74,6 @@ HWY_INLINE V masked_multiply_add(M mask, V a, V b, V c) {
 #endif
 }
 
-/// The mask of all lanes.
-struct Every {};
-HWY_INLINE V masked_multiply_add(Every /*mask*/, V a, V b, V c) { return hn::MulAdd(a, b, c); }
-
 /// The lesser of |a| and |b|.
 HWY_INLINE V least_magnitude(V a, V b) {
 #if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
@@ -142,11 +138,10 @@ HWY_INLINE V power_of_two(V x) {
   return hn::BitCast(D(), hn::And(hn::BitCast(words, x), hn::Set(words, std::uint64_t{0x7ff} << 52)));
 }
 
-/// 1 / p for a power of two p that is a normal number, and 2^1023 for 0.
+/// 1 / p for a power of two p in [2^-1022, 2^1022], and 2^1023 for 0.
 HWY_INLINE V reciprocal_of_power(V p) {
   const hn::RebindToUnsigned<D> words;
-  const V reciprocal = hn::BitCast(D(), hn::Sub(hn::Set(words, std::uint64_t{2046} << 52), hn::BitCast(words, p)));
-  return hn::Max(reciprocal, all(bounds::kLeastNormal / 2));  // of 2^1023
+  return hn::BitCast(D(), hn::Sub(hn::Set(words, std::uint64_t{2046} << 52), hn::BitCast(words, p)));
 }
 
 /// A power of two by which delta is multiplied where its square would leave the range, and its reciprocal; all 1 else.
@@ -161,7 +156,7 @@ HWY_INLINE V largest_component(const Delta& d) {
 
 HWY_INLINE Scale scale_of(const Delta& d) {
   const V power = power_of_two(largest_component(d));
-  return {reciprocal_of_power(power), hn::Max(power, all(bounds::kLeastNormal / 2))};  // of a subnormal delta too
+  return {reciprocal_of_power(power), power};
 }
 
 HWY_INLINE Double2 scaled(Double2 x, V by) { return {hn::Mul(x.high, by), hn::Mul(x.low, by)}; }
@@ -172,26 +167,6 @@ HWY_INLINE V rounded_within(V high, V low, V error, M& certain) {
   const V above = hn::Add(high, hn::Add(low, error));
   certain = hn::Eq(above, hn::Add(high, hn::Sub(low, error)));
   return above;
-}
-
-/// (high + low) up rounded once, as a subnormal number where it is one. `up` is a power of two, and `down` its
-/// reciprocal.
-HWY_INLINE V rounded_within(V high, V low, V error, V down, V up, M& certain) {
-  V number = rounded_within(high, low, error, certain);
-  const V least = hn::Mul(all(bounds::kLeastNormal), down);
-  certain = hn::And(certain, hn::Ge(hn::Abs(number), least));
-  const M subnormal = hn::Lt(hn::Abs(high), least);
-  if (!hn::AllFalse(D(), subnormal)) {
-    // A sum with `least` rounds to whole numbers of 2 u of it, which times `up` is the smallest number.
-    const V signed_least = hn::Xor(least, hn::And(high, all(-0.0)));
-    const V whole = hn::Sub(hn::Add(high, signed_least), signed_least);
-    const V rest = hn::Abs(hn::Add(hn::Sub(high, whole), low));
-    const M clear =
-        hn::Lt(hn::Add(rest, hn::Add(error, error)), hn::Mul(least, all(bounds::kUnit * (1 - 64 * bounds::kUnit))));
-    number = hn::IfThenElse(subnormal, whole, number);
-    certain = hn::Or(hn::AndNot(subnormal, certain), hn::And(subnormal, clear));
-  }
-  return hn::Mul(number, up);
 }
 
 #endif  // HWY_NATIVE_FMA

@@ -37,16 +37,6 @@ struct FastBounds {
   static constexpr double kLeastComponent = 0x1p-960;
   /// A factor of that magnitude, or 0: no product of two underflows, so that a product is 0 where a factor is.
   static constexpr double kLeastFactor = 0x1p-450;
-  /// The least number that has all of its bits.
-  static constexpr double kLeastNormal = std::numeric_limits<double>::min();
-  /// Lengths below this are multiplied by a power of two, so that no product of theirs underflows; and lengths from
-  /// here on by another one, so that no sum of theirs overflows.
-  static constexpr double kSmallLength = 0x1p-400;
-  static constexpr double kLift = 0x1p600;
-  static constexpr double kLargeLength = 0x1p1000;
-  static constexpr double kLower = 0x1p-100;
-  /// A number that is this many times as large is not changed by a sum with 4 of the smaller one.
-  static constexpr double kAlone = 64 / kUnit;
   /// More than any reach that is not plainly a hit, in units of the largest component of delta.
   static constexpr double kReachCap = 0x1p400;
 

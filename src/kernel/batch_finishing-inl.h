@@ -26,10 +26,10 @@ struct Job {
   SpherePairs pairs;
   ContactQuestion question;
   ContactRows out;
-  std::size_t size;       ///< pairs[size..] fill up a vector
-  double sign1;           ///< point1 = c1 + sign1 r1 n
-  double sign2;           ///< point2 = c2 + sign2 r2 n
-  std::size_t exact = 0;  ///< pairs left to the function of one pair
+  std::size_t size;  ///< pairs[size..] are padding
+  double sign1;      ///< point1 = c1 + sign1 r1 n
+  double sign2;      ///< point2 = c2 + sign2 r2 n
+  batch::Count count{};
 };
 
 HWY_INLINE Delta delta_of(const Loaded& in) {
@@ -48,8 +48,6 @@ struct Stage {
   Delta unit;  ///< delta, scaled
   V d2;        ///< its squared length, plainly
   V qx, qy, qz, low_x, low_y, low_z;
-  V reciprocal;  ///< 1 / s within 2 u, and what the shared root lacks
-  V half_rho;
   Double2 root;
   M hit;
   M miss;
@@ -62,42 +60,16 @@ struct Stage {
 
 /// center + radius q on one axis, by the true bounds.
 HWY_INLINE V point_within(V center, V signed_radius, V q, V low, M& certain) {
-  const M no_radius = hn::Eq(signed_radius, all(0));
-  const V largest = hn::Max(hn::Abs(center), hn::Abs(signed_radius));
-  const M small = hn::Lt(largest, all(bounds::kSmallLength));
-  const M large = hn::Ge(largest, all(bounds::kLargeLength));
-  const auto choose = [&](double if_small, double if_large) HWY_ATTR {
-    return hn::IfThenElse(small, all(if_small), hn::IfThenElse(large, all(if_large), all(1)));
-  };
-  const V lift = choose(bounds::kLift, bounds::kLower);
-  const V lifted = hn::Mul(center, lift);
-  const V radius = hn::Mul(signed_radius, lift);
-  const V w = hn::Abs(hn::Mul(radius, q));
-  const Double2 sum = point(lifted, radius, q, low);
+  const V w = hn::Abs(hn::Mul(signed_radius, q));
+  const Double2 sum = point(center, signed_radius, q, low);
   const V high = hn::Abs(sum.high);
   const V error = hn::MulAdd(w, all(bounds::kPointError), hn::Mul(high, all(bounds::kPointSumError)));
-  const V number =
-      rounded_within(sum.high, sum.low, error, lift, choose(1 / bounds::kLift, 1 / bounds::kLower), certain);
+  const V number = rounded_within(sum.high, sum.low, error, certain);
   const V magnitude = hn::Max(high, w);
   certain = hn::And(certain, hn::And(hn::Ge(magnitude, all(bounds::kLeast)), hn::Le(magnitude, all(bounds::kMost))));
+  const M no_radius = hn::Eq(signed_radius, all(0));
   certain = hn::Or(certain, no_radius);
   return hn::Add(hn::IfThenElse(no_radius, center, number), all(0));  // every zero is +0
-}
-
-/// center + radius back1 back2 q on one axis, for powers of two, and |q + low| < 4.
-HWY_INLINE V point_beside(V center, V signed_radius, V back1, V back2, V q, V low, M& certain) {
-  const V once = hn::Mul(signed_radius, back1);
-  const V radius = hn::Mul(once, back2);
-  const V number = point_within(center, radius, q, low, certain);
-  const V least = all(2 * bounds::kLeastNormal);
-  const M exact =
-      hn::Or(hn::Eq(signed_radius, all(0)), hn::And(hn::Ge(hn::Abs(once), least), hn::Ge(hn::Abs(radius), least)));
-  // What is added is less than 2^-57 of the centre, however much of the radius has underflowed.
-  const M alone = hn::And(
-      hn::Or(hn::Lt(back2, all(1)), hn::Ge(hn::Abs(once), least)),
-      hn::Gt(hn::Abs(center), hn::Mul(hn::Add(hn::Abs(radius), all(bounds::kLeastNormal)), all(bounds::kAlone))));
-  certain = hn::Or(hn::And(certain, exact), alone);
-  return hn::IfThenElse(alone, center, number);
 }
 
 /// One axis of normal and points, by whatever is certain.
@@ -121,7 +93,7 @@ struct Axis {
   /// Where the quick tests said no though the bounds hold.
   HWY_INLINE void take_bounds(V center1, V radius1, V center2, V radius2, V q, V low, M usable) {
     M agree = hn::And(usable, hn::Ge(hn::Abs(q), all(bounds::kLeastComponent)));
-    const V normal = rounded(q, low, bounds::kNormalEta, Every(), agree);
+    const V normal = rounded(q, low, bounds::kNormalEta, usable, agree);
     M first;
     M second;
     const V point1 = point_within(center1, radius1, q, low, first);
@@ -132,54 +104,20 @@ struct Axis {
     r = hn::IfThenElse(better, point2, r);
     certain = hn::Or(certain, better);
   }
-
-  /// Where delta's component d is so small beside s that its products underflow: d and 1 / s are brought to [1,2) by
-  /// powers of two, and what these leave to be multiplied back goes to the radii. `down` has scaled delta for
-  /// `reciprocal`.
-  HWY_INLINE void take_small(V center1, V radius1, V center2, V radius2, const Double2& d, V reciprocal, V half_rho,
-                             V down, M usable) {
-    const V power_of_d = power_of_two(d.high);
-    const V power_of_reciprocal = power_of_two(reciprocal);
-    const Double2 unit = scaled(d, reciprocal_of_power(power_of_d));
-    const V y = hn::Mul(reciprocal, reciprocal_of_power(power_of_reciprocal));
-    const V power = hn::Max(power_of_d, all(bounds::kLeastNormal / 2));  // of a subnormal d too
-    const V back = hn::Mul(power, power_of_reciprocal);
-    const V whole = hn::Mul(back, down);
-    const V q = hn::Mul(unit.high, y);
-    const V low = hn::MulAdd(q, half_rho, hn::MulAdd(unit.low, y, hn::MulSub(unit.high, y, q)));
-    M agree;
-    const V error = hn::Mul(hn::Abs(q), all(bounds::kNormalError));
-    const V number = rounded_within(q, low, error, reciprocal_of_power(whole), whole, agree);
-    agree = hn::And(agree, hn::Ge(whole, all(2 * bounds::kLeastNormal)));
-    // n is less than 4 of the whole power, and where even 256 of it is less than any number there is, it rounds to 0.
-    const V more = hn::Mul(hn::Mul(hn::Mul(power, all(256)), power_of_reciprocal), down);
-    const M nothing = hn::Eq(more, all(0));
-    const V normal = hn::IfThenZeroElse(nothing, number);
-    M first;
-    M second;
-    const V point1 = point_beside(center1, radius1, down, back, q, low, first);
-    const V point2 = point_beside(center2, radius2, down, back, q, low, second);
-    const M better = hn::AndNot(certain, hn::And(hn::And(usable, hn::Or(agree, nothing)), hn::And(first, second)));
-    n = hn::IfThenElse(better, normal, n);
-    p = hn::IfThenElse(better, point1, p);
-    r = hn::IfThenElse(better, point2, r);
-    certain = hn::Or(certain, better);
-  }
 };
 
 /// A value that neither the quick test nor the near path settles: the interval of its true bound; the exact sum where
 /// delta has one component; T rounded where s is too small to matter but for its sign.
-HWY_INLINE V other_value(const Delta& d, M only_axis, const Double2& root, const Scale& scale, const Length& less,
-                         M usable, M& certain) {
+HWY_INLINE V other_value(const Delta& d, M only_axis, const Double2& root, const Length& less, M usable, M& certain) {
   // T is exact, so that all of the error is the root's, and the last sums'.
-  const Double2 sum = two_difference(root.high, hn::Mul(less.high, scale.down));
-  const Double2 second = two_difference(sum.low, hn::Mul(less.low, scale.down));
-  const V tail = hn::Mul(less.tail, scale.down);
-  const V sum_low = hn::Add(second.high, hn::Add(root.low, hn::Sub(second.low, tail)));
+  const Double2 sum = two_difference(root.high, less.high);
+  const Double2 second = two_difference(sum.low, less.low);
+  const V sum_low = hn::Add(second.high, hn::Add(root.low, hn::Sub(second.low, less.tail)));
   const V error = hn::MulAdd(root.high, all(bounds::kRootError), hn::Mul(hn::Abs(sum_low), all(bounds::kLowError)));
-  V value = rounded_within(sum.high, sum_low, error, scale.down, scale.up, certain);
+  V value = rounded_within(sum.high, sum_low, error, certain);
   const V magnitude = hn::Abs(sum.high);
-  certain = hn::And(hn::And(certain, usable), hn::And(hn::Ge(magnitude, all(bounds::kLeast)), hn::IsFinite(value)));
+  certain = hn::And(hn::And(certain, usable),
+                    hn::And(hn::Ge(magnitude, all(bounds::kLeast)), hn::Le(magnitude, all(bounds::kMost))));
   const M whole = hn::Eq(less.tail, all(0));
 
   // s = |d| = |dh| +- |dl|: two components are 0, and so are their low parts.
@@ -224,8 +162,8 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
   M hit = stage.hit;
   M open = hn::Not(hn::Or(hit, stage.miss));
   if constexpr (kScaled) {
-    // Delta overflowed: nothing above means anything.
-    usable = hn::And(usable, hn::IsFinite(largest_component(d)));
+    // Delta overflowed, or is too large to be scaled: nothing above means anything.
+    usable = hn::And(usable, hn::Lt(largest_component(d), all(bounds::kMost)));
     const M lost = hn::Not(hn::Or(usable, coincident));
     hit = hn::AndNot(lost, hit);
     open = hn::Or(open, lost);
@@ -265,7 +203,7 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
       open = hn::AndNot(hn::Or(inside, hn::And(undecided, touching.positive())), open);
     }
     M certain;
-    const V near_value = touching.value(stage.root, scale, certain);
+    const V near_value = touching.value(stage.root, scale.up, certain);
     certain = hn::And(certain, wanting);
     value = hn::IfThenElse(certain, near_value, value);
     value_certain = hn::Or(value_certain, certain);
@@ -298,20 +236,15 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
     z.take_simple(in.az, radius1, in.bz, radius2, d.z.high, no_z, only_z);
     if (!hn::AllFalse(D(), hn::AndNot(x.certain, hit)))
       x.take_bounds(in.ax, radius1, in.bx, radius2, stage.qx, stage.low_x, usable);
-    if (!hn::AllFalse(D(), hn::AndNot(x.certain, hit)))
-      x.take_small(in.ax, radius1, in.bx, radius2, d.x, stage.reciprocal, stage.half_rho, scale.down, usable);
     if (!hn::AllFalse(D(), hn::AndNot(y.certain, hit)))
       y.take_bounds(in.ay, radius1, in.by, radius2, stage.qy, stage.low_y, usable);
-    if (!hn::AllFalse(D(), hn::AndNot(y.certain, hit)))
-      y.take_small(in.ay, radius1, in.by, radius2, d.y, stage.reciprocal, stage.half_rho, scale.down, usable);
     if (!hn::AllFalse(D(), hn::AndNot(z.certain, hit)))
       z.take_bounds(in.az, radius1, in.bz, radius2, stage.qz, stage.low_z, usable);
-    if (!hn::AllFalse(D(), hn::AndNot(z.certain, hit)))
-      z.take_small(in.az, radius1, in.bz, radius2, d.z, stage.reciprocal, stage.half_rho, scale.down, usable);
     if (!hn::AllFalse(D(), wanting)) {
+      const Double2 root = kScaled ? scaled(stage.root, scale.up) : stage.root;
       M certain;
       const M only_axis = hn::Or(only_x, hn::Or(only_y, only_z));
-      const V other = other_value(d, only_axis, stage.root, scale, less, usable, certain);
+      const V other = other_value(d, only_axis, root, less, usable, certain);
       certain = hn::And(certain, hn::AndNot(coincident, wanting));
       value = hn::IfThenElse(certain, other, value);
       value_certain = hn::Or(value_certain, certain);
@@ -322,6 +255,7 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
              of_hit(z.p), of_hit(x.r), of_hit(y.r), of_hit(z.r), of_hit(value)};
   numbers.store(job.out, i);
   store_states(hit, coincident, job.out.state + i);
+  job.count.hits += hn::CountTrue(D(), hit);
   const M certain = hn::And(hn::And(x.certain, y.certain), hn::And(z.certain, value_certain));
   const M rest = hn::Or(open, hn::AndNot(certain, hit));
   if (hn::AllFalse(D(), rest)) return;
@@ -331,7 +265,7 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
                                 bits_of(hn::Not(value_certain))};
   for (std::size_t lane = 0; lane < hn::Lanes(D()) && i + lane < job.size; ++lane) {
     if (((left >> lane) & 1) == 0) continue;
-    ++job.exact;
+    ++job.count.exact;
     if (((undecided_lanes >> lane) & 1) == 0) {
       unsigned numbers_left = ((uncertain[3] >> lane) & 1) << kValueNumber;
       for (unsigned axis = 0; axis < 3; ++axis)
@@ -339,7 +273,8 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
       round_numbers(job.pairs, job.question, i + lane, numbers_left, job.out);
       continue;
     }
-    contact_of_scaled_pair(job.pairs, job.question, i + lane, job.out, i + lane);
+    contact_of_one_pair(job.pairs, job.question, i + lane, job.out, i + lane);
+    job.count.hits += job.out.state[i + lane] != batch::PairState::miss ? 1U : 0U;
   }
 }
 
@@ -355,7 +290,7 @@ HWY_NOINLINE void finish_test(const SpherePairs& pairs, double alarm, std::size_
   M outside_filter;
   filter(d2, scaled_reach(in.ar, in.br, alarm, scale.down), inside_filter, outside_filter);
   const M coincident = coincide(d);
-  const M usable = hn::And(hn::IsFinite(largest_component(d)), hn::Ge(d2, all(bounds::kLeast)));
+  const M usable = hn::And(hn::Lt(largest_component(d), all(bounds::kMost)), hn::Ge(d2, all(bounds::kLeast)));
   M hits = hn::Or(coincident, hn::And(usable, inside_filter));
   M open = hn::AndNot(hn::Or(hits, hn::And(usable, outside_filter)), hn::Eq(all(0), all(0)));
   const NearTouching touching(unit, d2, d, scale.down, Length(in.ar, in.br, all(alarm)));

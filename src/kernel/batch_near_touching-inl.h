@@ -101,9 +101,8 @@ HWY_INLINE M proper_factor(V x, V before) {
 struct NearTouching {
   Double2 difference;
   V error;
-  M near;   ///< where any of it holds
-  M zero;   ///< E is 0, proved
-  M above;  ///< E is positive, proved: a component is longer than the length, or as long and not alone
+  M near;  ///< where any of it holds
+  M zero;  ///< E is 0, proved
   V length_high;
   V length_low;
 
@@ -126,9 +125,6 @@ struct NearTouching {
     difference = {sum.high, hn::Add(upper.low, sum.low)};
     error = hn::Mul(power, all(bounds::kNearError));
     zero = hn::And(near, hn::And(hn::Eq(upper.high, all(0)), hn::Eq(grids.rest, all(0))));
-    above = hn::AndNot(near, near);
-    if (hn::AllFalse(D(), hn::AndNot(negative(), hn::AndNot(positive(), near)))) return;
-    find_above(before, length);
     if (hn::AllFalse(D(), zero)) return;
     // Proved where everything lies on the grids, and no product is 0 because it was too small.
     const M on_grids =
@@ -145,25 +141,11 @@ struct NearTouching {
     return hn::And(near, hn::Lt(hn::Add(difference.high, hn::Add(error, error)), all(0)));
   }
   [[nodiscard]] HWY_INLINE M positive() const {
-    return hn::And(near, hn::Or(above, hn::Gt(hn::Sub(difference.high, hn::Add(error, error)), all(0))));
+    return hn::And(near, hn::Gt(hn::Sub(difference.high, hn::Add(error, error)), all(0)));
   }
 
-  HWY_INLINE void find_above(const Delta& d, const Length& length) {
-    const M length_whole = hn::And(hn::Eq(length.low, all(0)), hn::Eq(length.tail, all(0)));
-    const auto look_at = [&](const Double2& x, const Double2& other1, const Double2& other2) HWY_ATTR {
-      const M known = hn::And(length_whole, hn::Eq(x.low, all(0)));
-      const V size = hn::Abs(x.high);
-      const M alone = hn::And(hn::Eq(other1.high, all(0)), hn::Eq(other2.high, all(0)));
-      const M longer = hn::Or(hn::Gt(size, length.high), hn::AndNot(alone, hn::Eq(size, length.high)));
-      above = hn::Or(above, hn::And(known, longer));
-    };
-    look_at(d.x, d.y, d.z);
-    look_at(d.y, d.z, d.x);
-    look_at(d.z, d.x, d.y);
-  }
-
-  /// E / (s + length), multiplied back; `root` is s before that.
-  HWY_INLINE V value(const Double2& root, const Scale& scale, M& certain) const {
+  /// E / (s + length), times `up`; `root` is s before it was multiplied by `up`.
+  HWY_INLINE V value(const Double2& root, V up, M& certain) const {
     const Double2 sum = two_sum(root.high, length_high);
     const V sum_low = hn::Add(sum.low, hn::Add(root.low, length_low));
     const V reciprocal = hn::Div(all(1), sum.high);
@@ -172,10 +154,10 @@ struct NearTouching {
     const V low = hn::Mul(hn::Add(remainder, hn::NegMulAdd(quotient, sum_low, difference.low)), reciprocal);
     const V spread = hn::Mul(hn::Add(error, error), reciprocal);
     M agree;
-    const V error_of_quotient = hn::MulAdd(hn::Abs(quotient), all(bounds::kQuotientError), spread);
-    const V result = rounded_within(quotient, low, error_of_quotient, scale.down, scale.up, agree);
-    const V magnitude = hn::Abs(quotient);
-    const M in_range = hn::And(hn::Ge(magnitude, all(bounds::kLeast)), hn::IsFinite(result));
+    const V result = hn::Mul(
+        rounded_within(quotient, low, hn::MulAdd(hn::Abs(quotient), all(bounds::kQuotientError), spread), agree), up);
+    const V magnitude = hn::Abs(result);
+    const M in_range = hn::And(hn::Ge(magnitude, all(bounds::kLeast)), hn::Le(magnitude, all(bounds::kMost)));
     certain = hn::Or(zero, hn::And(near, hn::And(agree, in_range)));
     return hn::IfThenZeroElse(zero, result);
   }

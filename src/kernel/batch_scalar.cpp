@@ -1,6 +1,4 @@
 // Many pairs, one after the other: the specification of the vector kernels.
-#include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "contact/pair_functions.hpp"
@@ -23,9 +21,10 @@ void round_numbers(const SpherePairs& pairs, const ContactQuestion& question, st
   }
 }
 
-namespace {
-
-void write(const std::optional<Contact>& contact, const ContactRows& out, std::size_t row) {
+template <class A, class B>
+void contact_of_one_pair(const PairColumns<A, B>& pairs, const ContactQuestion& question, std::size_t i,
+                         const ContactRows& out, std::size_t row) {
+  const auto contact = contact_of(Two<A, B>{pairs.first(i), pairs.second(i)}, question.distances, question.points);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto k = static_cast<Eigen::Index>(axis);
     out.number[axis][row] = contact ? contact->normal[k] : 0.0;
@@ -34,62 +33,6 @@ void write(const std::optional<Contact>& contact, const ContactRows& out, std::s
   }
   out.number[9][row] = contact ? contact->value : 0.0;
   out.state[row] = contact ? batch::state_of(*contact) : batch::PairState::miss;
-}
-
-/// Multiplies by a power of two, in two steps, either of which is a normal number; notes what is lost.
-class PowerOfTwo {
- public:
-  explicit PowerOfTwo(int exponent)
-      : half_(std::ldexp(1.0, exponent / 2)), rest_(std::ldexp(1.0, exponent - exponent / 2)) {}
-  void multiply(double& x) {
-    const double scaled = x * half_ * rest_;
-    exact_ = exact_ && scaled / half_ / rest_ == x;
-    x = scaled;
-  }
-  [[nodiscard]] bool exact() const { return exact_; }
-
- private:
-  double half_;
-  double rest_;
-  bool exact_ = true;
-};
-
-}  // namespace
-
-template <class A, class B>
-void contact_of_one_pair(const PairColumns<A, B>& pairs, const ContactQuestion& question, std::size_t i,
-                         const ContactRows& out, std::size_t row) {
-  write(contact_of(Two<A, B>{pairs.first(i), pairs.second(i)}, question.distances, question.points), out, row);
-}
-
-void contact_of_scaled_pair(const SpherePairs& pairs, const ContactQuestion& question, std::size_t i,
-                            const ContactRows& out, std::size_t row) {
-  Balls balls{pairs.first(i), pairs.second(i)};
-  Distances distances = question.distances;
-  double most = std::max(distances.alarm, distances.contact);
-  const auto for_each_length = [&](const auto& work) {
-    for_each_number(balls.a, work);
-    for_each_number(balls.b, work);
-    work(distances.alarm);
-    work(distances.contact);
-  };
-  for_each_length([&](double x) { most = std::max(most, std::abs(x)); });
-  if (most == 0 || !std::isfinite(most)) return contact_of_one_pair(pairs, question, i, out, row);
-  const int exponent = std::ilogb(most);
-  PowerOfTwo down(-exponent);
-  for_each_length([&](double& x) { down.multiply(x); });
-  if (!down.exact()) return contact_of_one_pair(pairs, question, i, out, row);
-  auto contact = contact_of(balls, distances, question.points);
-  if (contact) {
-    PowerOfTwo up(exponent);
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      up.multiply(contact->point1[axis]);
-      up.multiply(contact->point2[axis]);
-    }
-    up.multiply(contact->value);
-    if (!up.exact()) return contact_of_one_pair(pairs, question, i, out, row);
-  }
-  write(contact, out, row);
 }
 
 template <class A, class B>

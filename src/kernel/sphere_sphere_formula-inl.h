@@ -22,11 +22,10 @@ struct Direction {
   Axes low;
   Double2 root;
   Number reciprocal;  ///< 1 / s within 2 u
-  Number half_rho;    ///< n = d reciprocal (1 + half_rho)
 
-  CONTACT_LANES Direction(const Delta& d, Number d2) : Direction(d, d2, reciprocal_root(d2)) {}
-  /// y is 1 / s within 2 u.
-  CONTACT_LANES Direction(const Delta& d, Number d2, Number y) : reciprocal(y) {
+  CONTACT_LANES Direction(const Delta& d, Number d2) {
+    const Number y = reciprocal_root(d2);
+    reciprocal = y;
     q = product(d, y);
     const Axes e = product_rest(d, y, q);
     const Number qx = x_of(q);
@@ -40,7 +39,7 @@ struct Direction {
     const Number ry = hn::MulSub(qy, qy, hn::Sub(a2, a1));
     const Number rz = hn::MulSub(qz, qz, hn::Sub(all<Number>(2), a2));
     const Number cross = hn::MulAdd(qx, x_of(e), hn::MulAdd(qy, y_of(e), hn::Mul(qz, z_of(e))));
-    half_rho = hn::NegMulSub(all<Number>(0.5), hn::Add(hn::Add(rx, ry), rz), cross);
+    const Number half_rho = hn::NegMulSub(all<Number>(0.5), hn::Add(hn::Add(rx, ry), rz), cross);
     low = times_plus(q, half_rho, e);
     root.high = hn::Mul(y, d2);
     root.low = hn::Mul(root.high, hn::Sub(hn::NegMulAdd(y, root.high, one), half_rho));
