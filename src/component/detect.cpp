@@ -107,8 +107,10 @@ class Detection {
     OutputVector contacts;
     begin(contacts);
     search([&](std::size_t candidates) {
-      if (spheres_ && contacts.capacity() < contacts.size() + candidates)  // nearly all of these will be contacts
+      if (spheres_ && contacts.capacity() < contacts.size() + candidates) {  // nearly all of these will be contacts
         contacts.reserve(std::max(contacts.size() + candidates, is_first_ ? 0 : 2 * contacts.capacity()));
+        component::ask_for_large_pages(contacts.data(), contacts.capacity() * sizeof(DetectionOutput));
+      }
       for (const Run& run : runs_) intersect(run, contacts);
     });
     intersector_->endIntersect(first(), second(), contacts);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <new>
 #include <vector>
@@ -11,6 +12,17 @@
 #endif
 
 namespace contact::component {
+
+/// Asks for pages of 2 MiB in some memory, where the system has such. A wish, which may go unheard.
+inline void ask_for_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+  constexpr std::size_t kPage = std::size_t{1} << 21;
+  const auto address = reinterpret_cast<std::uintptr_t>(memory);
+  const std::size_t before = (kPage - address % kPage) % kPage;
+  if (bytes < before + kPage) return;
+  ::madvise(static_cast<std::byte*>(memory) + before, (bytes - before) / kPage * kPage, MADV_HUGEPAGE);
+#endif
+}
 
 /// Memory of a large vector is taken in pages of 2 MiB where the system has such: the first touch of a page takes
 /// longer than all that is done with the numbers in it. The vector's elements are made by T's default constructor,
@@ -26,9 +38,7 @@ struct LargePages {
     const std::size_t bytes = n * sizeof(T);
     const std::align_val_t align = alignment(bytes);
     void* memory = ::operator new(bytes, align);
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-    if (align == kPage) ::madvise(memory, bytes, MADV_HUGEPAGE);  // a wish, which may go unheard
-#endif
+    ask_for_large_pages(memory, bytes);
     return static_cast<T*>(memory);
   }
   void deallocate(T* memory, std::size_t n) { ::operator delete(memory, alignment(n * sizeof(T))); }
