@@ -102,27 +102,29 @@ struct File {
   std::filesystem::path path;
 };
 
-void certify(benchmark::State& state, const tool::Source& source) {
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(state.range(0)));
+void certify(benchmark::State& state, const std::vector<tool::Source>& sources, std::size_t most_threads) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, most_threads);
+  std::uint64_t questions = 0;
+  for (const tool::Source& source : sources) questions += source.count;
   for ([[maybe_unused]] const auto run : state) {
     std::vector<tool::Subject> subjects;
     subjects.push_back({engines::make_built_in("production"), {}});
     subjects.front().report.engine = subjects.front().engine->info();
     tool::Stop never;
     tool::Oracles oracles;
-    tool::judge_source(source, subjects, never, oracles);
+    for (const tool::Source& source : sources) tool::judge_source(source, subjects, never, oracles);
     if (subjects.front().report.level() != oracle::Level::correctly_rounded)
       state.SkipWithError("an answer was not correctly rounded");
   }
-  count(state, source.count);
+  count(state, questions);
 }
+std::size_t threads_of(const benchmark::State& state) { return static_cast<std::size_t>(state.range(0)); }
 
 void certified_from(benchmark::State& state, const char* extension) {
   static const File lines(".jsonl");
   static const File columns(".h5");
   const File& file = std::string_view(extension) == ".h5" ? columns : lines;
-  certify(state, {Pair::sphere_sphere, Scalar::binary64, "generic", kCases, file.path});
+  certify(state, {{Pair::sphere_sphere, Scalar::binary64, "generic", kCases, file.path}}, threads_of(state));
 }
 BENCHMARK_CAPTURE(certified_from, json_lines, ".jsonl")
     ->Arg(1)
@@ -138,8 +140,10 @@ BENCHMARK_CAPTURE(certified_from, columns, ".h5")
     ->MeasureProcessCPUTime();
 
 void certified_as_generated(benchmark::State& state) {
-  certify(state, {Pair::sphere_sphere, Scalar::binary64, "generic", kCases, std::nullopt,
-                  golden::find_family(Pair::sphere_sphere, "generic"), kSeed});
+  certify(state,
+          {{Pair::sphere_sphere, Scalar::binary64, "generic", kCases, std::nullopt,
+            golden::find_family(Pair::sphere_sphere, "generic"), kSeed}},
+          threads_of(state));
 }
 BENCHMARK(certified_as_generated)
     ->Arg(1)
@@ -152,26 +156,14 @@ BENCHMARK(certified_as_generated)
 /// many of them are put to all oracles, and to the diagnosis.
 void certified_as_generated_of_all(benchmark::State& state) {
   constexpr std::uint64_t kEach = 1000;
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 1);
-  std::uint64_t asked = 0;
-  for ([[maybe_unused]] const auto run : state) {
-    std::vector<tool::Subject> subjects;
-    subjects.push_back({engines::make_built_in("production"), {}});
-    subjects.front().report.engine = subjects.front().engine->info();
-    tool::Stop never;
-    tool::Oracles oracles;
-    for (const Pair pair : kPairs)
-      for (const golden::Family& family : golden::families_of(pair)) {
-        if (family.outside_domain) continue;
-        tool::Source source{pair, Scalar::binary64, std::string(family.name), kEach, std::nullopt, &family, kSeed};
-        source.whole = 150'000;
-        tool::judge_source(source, subjects, never, oracles);
-        asked += kEach;
-      }
-    if (subjects.front().report.level() != oracle::Level::correctly_rounded)
-      state.SkipWithError("an answer was not correctly rounded");
-  }
-  state.SetItemsProcessed(static_cast<std::int64_t>(asked));
+  std::vector<tool::Source> sources;
+  for (const Pair pair : kPairs)
+    for (const golden::Family& family : golden::families_of(pair)) {
+      if (family.outside_domain) continue;
+      sources.push_back({pair, Scalar::binary64, std::string(family.name), kEach, std::nullopt, &family, kSeed});
+      sources.back().whole = 150'000;
+    }
+  certify(state, sources, 1);
 }
 BENCHMARK(certified_as_generated_of_all)
     ->Unit(benchmark::kMillisecond)

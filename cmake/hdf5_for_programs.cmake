@@ -1,5 +1,5 @@
 # contact_hdf5: HDF5 for whatever links it. Debian's shared library brings 28 others (curl, Kerberos, LDAP and what these
-# need), which a program loads before it does anything: 27 of the 43 ms that a question took. A program takes the static
+# need), which a program loads before it does anything: 27 of the 43 ms that it took to start. A program takes the static
 # library where there is one that links; it cannot be part of a shared library.
 add_library(contact_hdf5 INTERFACE)
 list(GET HDF5_C_LIBRARIES 0 shared)

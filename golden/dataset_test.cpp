@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/output_file.hpp"
+#include "formats/sha256.hpp"
 #include "golden/families.hpp"
 #include "golden/lint.hpp"
 #include "golden/query_id.hpp"
@@ -95,6 +96,19 @@ TEST(Reader, GivesBackWhatWasWritten) {
   EXPECT_EQ(to_line(*c), reader.text());
   EXPECT_FALSE(reader.next());
   std::filesystem::remove(path);
+}
+
+TEST(SeenIds, KnowsEveryIdAgainHoweverManyThereAre) {
+  const auto id = [](int i) { return formats::Sha256().add(std::to_string(i)).hex().substr(0, kIdLength); };
+  SeenIds seen;
+  for (int i = 0; i < 5000; ++i) ASSERT_TRUE(seen.insert(SeenIds::Key(id(i)))) << i;
+  for (int i = 0; i < 5000; ++i) ASSERT_FALSE(seen.insert(SeenIds::Key(id(i)))) << i;
+  // Ids that begin alike, and one of zeros alone.
+  const std::string zeros(kIdLength, '0');
+  for (const std::string& other : {zeros, zeros.substr(1) + "1", "1" + zeros.substr(1)}) {
+    EXPECT_TRUE(seen.insert(SeenIds::Key(other))) << other;
+    EXPECT_FALSE(seen.insert(SeenIds::Key(other))) << other;
+  }
 }
 
 TEST(OutputFile, LeavesNothingBehindWithoutCommit) {

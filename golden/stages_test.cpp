@@ -1,6 +1,9 @@
 // Every stage of the oracle against the others, on every committed case and on fresh questions of every family.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 #include "golden/dataset.hpp"
 #include "golden/families.hpp"
 #include "oracle/truth/quick_witness.hpp"
@@ -74,6 +77,32 @@ TEST(Stages, agree_on_fresh_questions_of_every_family) {
     }
   EXPECT_GT(count(decided, Stage::double_double), 1000U);
   EXPECT_GT(count(decided, Stage::interval), 100U);
+}
+
+TEST(Stages, whole_numbers_of_words_and_long_ones_say_the_same) {
+  // Numbers whose first and last bits are so far apart that two words have just room for them, or just none.
+  std::mt19937_64 random(5);
+  oracle::StageCounts decided;
+  for (int spread = 0; spread < 16; ++spread)
+    for (int i = 0; i < 200; ++i) {
+      Query query = zero_query(Pair::sphere_sphere);
+      const int shift = static_cast<int>(random() % 120) - 60;
+      for_each_number(query, [&](const std::string& field, double& x) {
+        const auto digits = static_cast<double>(random() >> 11 | 1 | std::uint64_t{1} << 52);
+        x = std::ldexp(digits, shift - 52 - static_cast<int>(random() % static_cast<unsigned>(spread + 1)));
+        if (random() % 8 == 0) x = 0;
+        if (field.find("center") != std::string::npos && random() % 2 == 0) x = -x;
+      });
+      // Every other one touches, or nearly: along an axis the sum of lengths is the distance, rounded or not.
+      if (i % 2 == 0) {
+        auto& [a, b] = std::get<Balls>(query.shapes);
+        b.center = a.center;
+        b.center[i / 2 % 3] += a.radius + b.radius + query.distances.alarm;
+      }
+      expect_stages_agree(query, Scalar::binary64, decided);
+      ASSERT_FALSE(HasFatalFailure());
+    }
+  EXPECT_GT(count(decided, Stage::double_double), 1600U);
 }
 
 TEST(Stages, the_first_decides_whatever_is_generic) {

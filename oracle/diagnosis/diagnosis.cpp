@@ -318,7 +318,7 @@ void Diagnosis::add(std::uint64_t key, const Query& query, const Truth& truth, c
     return;
   }
   compare(key, query, truth, claim, declared, verdict, rounded, weight);
-  settle();
+  if (!wrong_.empty()) settle();
 }
 
 void Diagnosis::postpone(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
@@ -330,11 +330,13 @@ void Diagnosis::postpone(const Query& query, const Truth& truth, const Claim& cl
 }
 
 void Diagnosis::settle() {
-  for (const Postponed& p : std::exchange(postponed_, {})) {
-    const Truth truth = truth_with(p.query, p.at_alarm, p.at_zero);
-    // No key: a right claim stands in no sample.
-    compare(0, p.query, truth, p.claim, *p.declared, judge(p.query, truth, p.claim, *p.declared), nullptr, p.weight);
-  }
+  for (const Postponed& p : std::exchange(postponed_, {})) compare(p);
+}
+
+void Diagnosis::compare(const Postponed& p) {
+  const Truth truth = truth_with(p.query, p.at_alarm, p.at_zero);
+  // No key: a right claim stands in no sample.
+  compare(0, p.query, truth, p.claim, *p.declared, judge(p.query, truth, p.claim, *p.declared), nullptr, p.weight);
 }
 
 void Diagnosis::compare(std::uint64_t key, const Query& query, const Truth& truth, const Claim& claim,
@@ -405,8 +407,12 @@ void Diagnosis::merge(const Diagnosis& other) {
     mine.resize(counts.size());
     for (std::size_t i = 0; i < counts.size(); ++i) mine[i] += counts[i];
   }
-  postponed_.insert(postponed_.end(), other.postponed_.begin(), other.postponed_.end());
-  if (at_once_ || !wrong_.empty() || postponed_.size() > kPostponed) settle();
+  for (const Postponed& p : other.postponed_)
+    if (compares_at_once())
+      compare(p);
+    else
+      postponed_.push_back(p);
+  if (at_once_ || !wrong_.empty()) settle();
 }
 
 Gain Diagnosis::gain(std::size_t cause, std::span<const Alike> wrong, std::span<const std::size_t> left) const {

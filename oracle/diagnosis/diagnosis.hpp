@@ -144,6 +144,7 @@ class Diagnosis {
                 std::uint64_t weight);
   /// Asks the causes about what was postponed.
   void settle();
+  void compare(const Postponed& p);
   void compare(std::uint64_t key, const Query& query, const Truth& truth, const Claim& claim,
                const Declaration& declared, const Verdict& verdict, const Expectation* rounded, std::uint64_t weight);
   void count(std::uint64_t key, const Place& place, bool is_right, const Set& agree, const Set& differ,

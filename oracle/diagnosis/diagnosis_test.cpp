@@ -730,6 +730,52 @@ TEST(Diagnosis, WhatIsRightSpeaksAgainstAMistakeWhereItIsSaid) {
       << "three right ones against three wrong";
 }
 
+TEST(Diagnosis, WhatIsRightSpeaksAgainstAMistakeWheneverItCame) {
+  // Right answers before anything is wrong are kept, those behind it are compared at once; so are all where that was
+  // asked for, and those of two parts that are merged.
+  const auto rights = [](Campaign& run) { run.right(seven_apart(4, 5, 0, 1)).right(seven_apart(1, 2, 8, 1)); };
+  const auto wrongs = [](Campaign& run) {
+    for (int i = 0; i < 3; ++i) run.says(seven_apart(4, 4 + 0.125 * i, 0, 1), reversed);
+  };
+  const Lines expected{
+      "normal points from second to first, where the shapes overlap: explains 3 of 3 wrong normal claims"};
+  for (const bool at_once : {false, true})
+    for (const bool before : {false, true}) {
+      Campaign run;
+      if (at_once) run.diagnosis.compare_at_once();
+      if (before) rights(run);
+      EXPECT_EQ(run.diagnosis.compares_at_once(), at_once);
+      wrongs(run);
+      EXPECT_TRUE(run.diagnosis.compares_at_once());
+      if (!before) rights(run);
+      EXPECT_EQ(run.sentences(), expected) << at_once << before;
+    }
+  for (const bool first : {false, true}) {
+    Campaign right;
+    Campaign wrong;
+    rights(right);
+    wrongs(wrong);
+    (first ? right : wrong).diagnosis.merge((first ? wrong : right).diagnosis);
+    EXPECT_EQ((first ? right : wrong).sentences(), expected) << first;
+  }
+}
+
+TEST(Diagnosis, KeepsABoundedNumberOfRightAnswers) {
+  Diagnosis all;
+  Campaign one;
+  one.right(seven_apart(4, 5, 0, 1));
+  Diagnosis many = one.diagnosis;
+  while (!many.compares_at_once()) many.merge(Diagnosis(many));
+  all.merge(many);
+  all.merge(one.diagnosis);  // one more than are kept: it is compared, and those stay
+  EXPECT_TRUE(all.compares_at_once());
+  Campaign wrong;
+  for (int i = 0; i < 3; ++i) wrong.says(seven_apart(4, 4 + 0.125 * i, 0, 1), reversed);
+  all.merge(wrong.diagnosis);
+  EXPECT_EQ(all.lines(), (Lines{"3 of 3 wrong claims fit no known mistake"}))
+      << "thousands of right ones against three";
+}
+
 TEST(Diagnosis, WhatFitsNoMistakeIsCountedFromATenthOn) {
   Campaign run;
   for (int i = 0; i < 18; ++i) run.says(seven_apart(2, 1 + 0.125 * i, 8, 1 + i), value(7));
