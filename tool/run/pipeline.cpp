@@ -48,11 +48,10 @@ struct Slice {
 /// Reads or counts the questions of a source, some at a time.
 class Questions {
  public:
-  /// `whole`: whether what a file says of all its texts is checked.
-  Questions(const Source& source, bool whole) : source_(source) {
+  explicit Questions(const Source& source) : source_(source) {
     if (!source.dataset || source.count == 0) return;
     reader_.emplace(*source.dataset);
-    with_texts_ = whole && reader_->wants_texts();
+    with_texts_ = reader_->wants_texts();
     reader_->skip(source.first);
   }
 
@@ -228,7 +227,7 @@ std::optional<std::string> excluded(Pair pair, Scalar scalar, const engines::Eng
 }  // namespace
 
 void for_each_question(const Source& source, const std::function<void(const engines::Question&)>& visit) {
-  Questions questions(source, true);
+  Questions questions(source);
   while (auto slice = questions.next()) {
     if (slice->error) std::rethrow_exception(slice->error);
     make_items(source, *slice);
@@ -341,7 +340,7 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
     slice.asked_all = true;
   };
 
-  Questions questions(source, oracles.check == Check::all || source.size() <= kWhole);
+  Questions questions(source);
   Progress progress(fmt::format("{}/{}", name(source.pair), source.family), source.count);
   std::uint64_t reached = 0;
   bool all_read = !stop.why.empty();

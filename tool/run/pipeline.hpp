@@ -68,8 +68,7 @@ struct Stop {
   void check() const;
 };
 
-/// Which questions are asked of all oracles, and not only of the first stage that can prove its answer. With all, and
-/// of a source of up to kWhole, the digest that columns have of their rows is checked too.
+/// Which questions are asked of all oracles, and not only of the first stage that can prove its answer.
 enum class Check { sample, all };
 inline constexpr std::array<std::string_view, 2> kCheckNames{"sample", "all"};
 
