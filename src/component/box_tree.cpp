@@ -116,10 +116,12 @@ class SizeClasses {
   std::array<double, 7> bounds_{};
 };
 
-/// By key, equal keys as they were: digits from the last, or comparisons where these are few.
+/// By key, then by element, as those of equal keys stand already: digits from the last, or comparisons where these are
+/// few.
 void sort_by_key(Keyed* begin, std::size_t size, LargeVector<Keyed>& room) {
   if (size < 256) {
-    std::stable_sort(begin, begin + size, [](const Keyed& a, const Keyed& b) { return a.key < b.key; });
+    std::sort(begin, begin + size,
+              [](const Keyed& a, const Keyed& b) { return std::pair(a.key, a.element) < std::pair(b.key, b.element); });
     return;
   }
   constexpr unsigned kDigit = 11;
