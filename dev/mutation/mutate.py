@@ -44,7 +44,7 @@ COMPONENTS = {
                "src/kernel/double_double-inl.h", "src/kernel/fixed_integer.hpp", "src/kernel/floating_point_environment.hpp",
                "src/kernel/sphere_cube.cpp", "src/kernel/sphere_sphere.cpp", "src/kernel/sphere_sphere_double_double.hpp", "include/contact/plain_decision.hpp",
                "src/kernel/sphere_sphere_formula-inl.h", "src/kernel/sphere_sphere_one_vector-inl.h",
-               "src/kernel/sphere_sphere_one_vector.hpp", "src/kernel/sum_of_two-inl.h"],
+               "src/kernel/sphere_sphere_one_vector.hpp", "src/kernel/sphere_sphere_scaled.hpp", "src/kernel/sum_of_two-inl.h"],
     "batch": ["src/kernel/batch.cpp", "src/kernel/batch.hpp", "src/kernel/batch_arithmetic-inl.h", "src/kernel/batch_columns-inl.h",
               "src/kernel/batch_capsule_capsule.cpp", "src/kernel/batch_cores-inl.h", "src/kernel/batch_sphere_capsule.cpp",
               "src/kernel/batch_cube_cube.cpp", "src/kernel/batch_finishing-inl.h", "src/kernel/batch_near_touching-inl.h",

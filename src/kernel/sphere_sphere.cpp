@@ -5,13 +5,15 @@
 //   point k         c_k + sign_k r_k n                sphere_sphere_numbers.hpp, sign_of
 //   value           s - (r1 + r2 + contact)
 //
-// A decision is asked of two stages, the second where the first leaves it open:
+// A decision is asked of stages, each where those before leave it open:
 //   filter          plain arithmetic and a bound on its error        contact/plain_decision.hpp
+//   ScaledPair      scaled, and D - t^2 without cancellation         sphere_sphere_scaled.hpp
 //   decide_exactly  integers on a common grid                        ExactPair below, exact.hpp
-// The ten numbers of a hit are asked of three. Each computes with a bound on its error and keeps a number where every
-// real number within the bound rounds to the same double; the last has no error.
+// The ten numbers of a hit are asked of the next. Each computes with a bound on its error and keeps a number where
+// every real number within the bound rounds to the same double; the last has no error.
 //   by_one_vector   all of a pair or none, where there are AVX2 and FMA     sphere_sphere_one_vector.hpp
 //   round           each number in double-double arithmetic                 sphere_sphere_double_double.hpp
+//   round_scaled    the same, scaled, and values near touching              sphere_sphere_scaled.hpp
 //   round_exactly   each number that is left, in integers                   ExactPair below, exact.hpp
 // A call is compute_sphere_sphere, contact_of_pair, and the stages. docs/specification.md, "Correct rounding", says
 // why.
@@ -31,6 +33,7 @@
 #include "kernel/sphere_sphere_filter.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 #include "kernel/sphere_sphere_one_vector.hpp"
+#include "kernel/sphere_sphere_scaled.hpp"
 
 namespace contact::inline CONTACT_ABI {
 namespace {
@@ -116,6 +119,35 @@ auto exactly(const Ball& a, const Ball& b, Distances distances, const Ask& ask) 
   return exactly(a, b, {alarm, 0}, [](const auto& pair) { return pair.hit(); });
 }
 
+#if defined(__x86_64__) && !defined(__FMA__)
+template <class Work>
+[[gnu::noinline, gnu::flatten, gnu::target("fma")]] auto by_fma(const Work& work) {
+  return work();
+}
+#endif
+template <class Work>
+[[gnu::noinline, gnu::flatten]] auto portably(const Work& work) {
+  return work();
+}
+/// What work() returns, computed where std::fma is an instruction if the processor has one: the same bits. Never
+/// inlined: what RoundToNearest sets must be set before anything is computed.
+template <class Work>
+[[gnu::always_inline]] inline auto with_fma(const Work& work) {
+#if defined(__x86_64__) && !defined(__FMA__)
+  if (__builtin_cpu_supports("fma")) return by_fma(work);
+#endif
+  return portably(work);
+}
+
+/// Decides what the filter leaves open.
+[[gnu::noinline]] bool decide_open(const Ball& a, const Ball& b, double alarm) {
+  const std::optional<bool> scaled = with_fma([&] {
+    const auto pair = kernel::ScaledPair::of(a, b);
+    return pair ? pair->hit(alarm) : std::nullopt;
+  });
+  return scaled ? *scaled : decide_exactly(a, b, alarm);
+}
+
 /// A point at the centre takes no arithmetic; -0 is +0, by the bits, since a sum may flush a subnormal number.
 void put_at_center(const Vector3& center, Vector3& point) {
   for (int axis = 0; axis < 3; ++axis)
@@ -141,6 +173,35 @@ void put_at_center(const Vector3& center, Vector3& point) {
   });
 }
 
+/// Settles numbers of a hit whose bits are set, whatever their size; what is left, as bits.
+unsigned round_scaled(const kernel::ScaledPair& pair, const Ball& a, const Ball& b, double contact_distance,
+                      ContactPoints points, unsigned numbers, Contact& contact) {
+  unsigned open = numbers;
+  const auto take = [&](unsigned bit, double& to, const auto& ask) {
+    if ((numbers >> bit & 1) == 0) return;
+    if (const std::optional<double> certain = ask()) {
+      to = *certain;
+      open &= ~(1U << bit);
+    }
+  };
+  const double r1 = sign_of(points.first, 1) * a.radius;
+  const double r2 = sign_of(points.second, -1) * b.radius;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    take(axis, contact.normal[axis], [&] { return pair.normal(axis); });
+    take(kernel::kPointNumber + axis, contact.point1[axis], [&] { return pair.point(a.center[axis], r1, axis); });
+    take(2 * kernel::kPointNumber + axis, contact.point2[axis], [&] { return pair.point(b.center[axis], r2, axis); });
+  }
+  take(kernel::kValueNumber, contact.value, [&] { return pair.value(contact_distance); });
+  return open;
+}
+[[gnu::noinline]] unsigned round_scaled(const Ball& a, const Ball& b, double contact_distance, ContactPoints points,
+                                        unsigned numbers, Contact& contact) {
+  return with_fma([&] {
+    const auto pair = kernel::ScaledPair::of(a, b);
+    return pair ? round_scaled(*pair, a, b, contact_distance, points, numbers, contact) : numbers;
+  });
+}
+
 /// Settles the numbers of a hit whose bits are set, and perhaps others: in double-double arithmetic where their
 /// rounding is certain, else exactly.
 [[gnu::always_inline]] inline void round(const Ball& a, const Ball& b, double contact_distance, ContactPoints points,
@@ -163,9 +224,25 @@ void put_at_center(const Vector3& center, Vector3& point) {
     }
     take(pair->value(), contact.value, kernel::kValueNumber);
   }
+  if ((open & numbers) != 0) open = round_scaled(a, b, contact_distance, points, open & numbers, contact);
   if (points.first == PointOn::center) put_at_center(a.center, contact.point1);
   if (points.second == PointOn::center) put_at_center(b.center, contact.point2);
   if ((open & numbers) != 0) round_exactly(a, b, contact_distance, points, open & numbers, contact);
+}
+
+/// The contact of a pair that the filter leaves open and of which a number is far from 1: a miss, a hit whose contact
+/// is settled, or neither.
+[[gnu::noinline]] Filtered contact_scaled(const Ball& a, const Ball& b, Distances distances, ContactPoints points,
+                                          Contact& contact) {
+  return with_fma([&] {
+    const auto pair = kernel::ScaledPair::of(a, b);
+    const std::optional<bool> hit = pair ? pair->hit(distances.alarm) : std::nullopt;
+    if (!hit) return Filtered::undecided;
+    if (!*hit) return Filtered::miss;
+    contact.degenerate = false;
+    const unsigned open = round_scaled(*pair, a, b, distances.contact, points, kernel::kAllNumbers, contact);
+    return open == 0 ? Filtered::hit : Filtered::undecided;
+  });
 }
 
 /// The contact of a pair, or false.
@@ -173,31 +250,22 @@ void put_at_center(const Vector3& center, Vector3& point) {
                                               Contact& contact) {
   const Filtered filtered = plain_decision::filter_balls(a, b, distances.alarm);
   if (filtered == Filtered::miss) return false;
-  if (filtered == Filtered::undecided && !decide_exactly(a, b, distances.alarm)) return false;
+  if (filtered == Filtered::undecided) {
+    if (!kernel::ball_in_range(a) || !kernel::ball_in_range(b)) {
+      const Filtered scaled = contact_scaled(a, b, distances, points, contact);
+      if (scaled != Filtered::undecided) return scaled == Filtered::hit;
+    }
+    if (!decide_open(a, b, distances.alarm)) return false;
+  }
   round(a, b, distances.contact, points, kernel::kAllNumbers, contact);
   return true;
 }
 
-// Behind calls that are not inlined: what RoundToNearest sets must be set before anything is computed.
-
+// Behind a call that is not inlined, as with_fma is.
 [[gnu::noinline]] bool decide(const Ball& a, const Ball& b, double alarm) {
   const Filtered filtered = plain_decision::filter_balls(a, b, alarm);
-  return filtered == Filtered::undecided ? decide_exactly(a, b, alarm) : filtered == Filtered::hit;
+  return filtered == Filtered::undecided ? decide_open(a, b, alarm) : filtered == Filtered::hit;
 }
-
-[[gnu::noinline, gnu::flatten]] bool contact_portably(const Ball& a, const Ball& b, Distances distances,
-                                                      ContactPoints points, Contact& contact) {
-  return contact_of(a, b, distances, points, contact);
-}
-
-#if defined(__x86_64__) && !defined(__FMA__)
-/// The same bits: std::fma is an instruction here, and a call above.
-[[gnu::noinline, gnu::flatten, gnu::target("fma")]] bool contact_by_fma(const Ball& a, const Ball& b,
-                                                                        Distances distances, ContactPoints points,
-                                                                        Contact& contact) {
-  return contact_of(a, b, distances, points, contact);
-}
-#endif
 
 #if CONTACT_HAS_ONE_VECTOR
 // Between these no square of the vector leaves the normal range in a way that matters.
@@ -225,10 +293,7 @@ bool contact_of_pair(const Ball& a, const Ball& b, Distances distances, ContactP
     if (said != Filtered::undecided) return said == Filtered::hit;
   }
 #endif
-#if defined(__x86_64__) && !defined(__FMA__)
-  if (__builtin_cpu_supports("fma")) return contact_by_fma(a, b, distances, points, contact);
-#endif
-  return contact_portably(a, b, distances, points, contact);
+  return with_fma([&] { return contact_of(a, b, distances, points, contact); });
 }
 
 }  // namespace

@@ -116,9 +116,12 @@ class DoubleDoublePairOf {
 
   /// center + sign radius n on one axis.
   [[nodiscard]] ApproximationOf<Real> point(Real center, Real signed_radius, std::size_t axis) const {
+    return point(center, signed_radius, normal_[axis]);
+  }
+  /// The same of an n_i that is given. Domain: as near as those here.
+  [[nodiscard]] static ApproximationOf<Real> point(Real center, Real signed_radius, const DoubleDouble<Real>& n) {
     using std::abs;
     using std::fma;
-    const auto& n = normal_[axis];
     const Real w = signed_radius * n.high;
     const Real w_low = fma(signed_radius, n.low, fma(signed_radius, n.high, -w));
     const DoubleDouble<Real> h = two_sum(center, w);
@@ -126,11 +129,23 @@ class DoubleDoublePairOf {
   }
 
   /// s - (r1 + r2 + contact).
-  [[nodiscard]] ApproximationOf<Real> value() const {
+  [[nodiscard]] ApproximationOf<Real> value() const { return root_less(root_, less_); }
+
+  /// One component of delta divided by s.
+  [[nodiscard]] static DoubleDouble<Real> over_root(const DoubleDouble<Real>& component,
+                                                    const DoubleDouble<Real>& root) {
+    using std::fma;
+    const Real q = component.high / root.high;
+    const Real remainder = fma(-q, root.high, component.high) + component.low;
+    return two_sum(q, fma(-q, root.low, remainder) / root.high);
+  }
+
+  /// s - t. Domain: both as near as those here.
+  [[nodiscard]] static ApproximationOf<Real> root_less(const DoubleDouble<Real>& root, const DoubleDouble<Real>& less) {
     using std::abs;
-    const DoubleDouble<Real> h = two_sum(root_.high, -less_.high);
-    return {h.high, h.low + (root_.low - less_.low),
-            (kValueRootError * root_.high + kValueLessError * less_.high) + kLastSumError * abs(h.high)};
+    const DoubleDouble<Real> h = two_sum(root.high, -less.high);
+    return {h.high, h.low + (root.low - less.low),
+            (kValueRootError * root.high + kValueLessError * less.high) + kLastSumError * abs(h.high)};
   }
 
  private:
@@ -180,12 +195,7 @@ template <class Real>
   pair.root_ = {root, (fma(-root, root, D.high) + D.low) / (2 * root)};
   pair.less_ = less;
 #pragma GCC unroll 3
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto [high, low] = delta[i];
-    const Real q = high / root;
-    const Real remainder = fma(-q, root, high) + low;
-    pair.normal_[i] = two_sum(q, fma(-q, pair.root_.low, remainder) / root);
-  }
+  for (std::size_t i = 0; i < 3; ++i) pair.normal_[i] = over_root(delta[i], pair.root_);
   return pair;
 }
 
