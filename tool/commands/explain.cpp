@@ -3,11 +3,15 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <string>
 
 #include "golden/columns.hpp"
 #include "golden/dataset.hpp"
@@ -118,12 +122,33 @@ class Lookup {
       return;
     }
     for (const auto& file : golden::dataset_files({path})) {
+      if (!may_hold(file)) continue;
       golden::DatasetReader reader(file);
       while (const auto c = reader.next()) {
         throw_if_interrupted();
         add(c->id, c->query, reader.header().scalar, reader.where().text());
       }
     }
+  }
+
+  /// False where no text in a file of JSON lines begins with the digits: most golden files need not be parsed.
+  [[nodiscard]] bool may_hold(const std::filesystem::path& file) const {
+    std::ifstream in(file, std::ios::binary);
+    if (in.peek() != '{') return true;
+    const std::string sought = '"' + digits_;
+    const std::boyer_moore_horspool_searcher search(sought.begin(), sought.end());
+    std::string bytes(std::size_t{1} << 20, '\0');
+    for (std::size_t kept = 0; in.good();) {
+      throw_if_interrupted();
+      in.read(bytes.data() + kept, static_cast<std::streamsize>(bytes.size() - kept));
+      const auto end = bytes.begin() + static_cast<std::ptrdiff_t>(kept) + in.gcount();
+      if (std::search(bytes.begin(), end, search) != end) return true;
+      const auto size = static_cast<std::size_t>(end - bytes.begin());
+      if (std::memchr(bytes.data(), '\\', size) != nullptr) return true;  // a character may be written otherwise
+      kept = std::min(size, sought.size() - 1);
+      std::copy(end - static_cast<std::ptrdiff_t>(kept), end, bytes.begin());
+    }
+    return false;
   }
 
   /// Explains the one question that was found.
