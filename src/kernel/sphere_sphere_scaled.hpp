@@ -53,10 +53,10 @@ class ScaledPair {
   static constexpr double kLost = 0x1p-1000;
   /// The square of a component from here on has all its bits in two numbers.
   static constexpr double kLeastFactor = 0x1p-450;
-  /// Of |value| = |D - t^2| / (s + t). In units of u^2: D - t^2 in two numbers (8); s (13) and its sum with t (2); the
-  /// quotient's remainder, at most 5 u of it, is built in three roundings (2, 3 and 4), divided by the sum's high part
-  /// alone (10) and rounded, and rounded() rounds once more (5 and 5).                                          52
-  static constexpr double kGapError = 64 * DoubleDoublePair::kUnitSquared;
+  /// Of |value| = |D - t^2| / (s + t). In units of u^2: D - t^2 in two numbers (six sums of at most 3 u: 18); s (13)
+  /// and its sum with t (2); the quotient's remainder, at most 5 u of it, is built in three roundings (2, 3 and 4),
+  /// divided by the sum's high part alone (10) and rounded, and rounded() rounds once more (5 and 5). 62
+  static constexpr double kGapError = 128 * DoubleDoublePair::kUnitSquared;
 
   /// Nothing where the bounds do not hold: coincident centres, two coordinates of an axis of which one is more than
   /// 2^1974 times the other, or an arithmetic that does not round to nearest or flushes subnormals.
@@ -234,9 +234,12 @@ class ScaledPair {
     }
     add(-std::fma(t, t, -(t * t)));
     add(-(t * t));
-    double low = 0;
-    for (std::size_t k = 0; k + 1 < size; ++k) low += sum[k];
-    return size == 0 ? DoubleDouble<double>{0, 0} : two_sum(sum[size - 1], low);
+    DoubleDouble<double> gap{0, 0};
+    for (std::size_t k = size; k-- > 0;) {  // neighbours may be of about one size: high takes each in turn
+      const DoubleDouble<double> both = two_sum(gap.high, sum[k]);
+      gap = {both.high, gap.low + both.low};
+    }
+    return two_sum(gap.high, gap.low);
   }
 
   /// `number` times 2^exponent rounded once: as a subnormal number where it is one.
