@@ -159,11 +159,15 @@ class SofaScene(unittest.TestCase):
         other = self.scene("<CollisionPipeline/>", plain[1], name="o.scn")
         self.assertIn("/a/s  ", self.detect(self.scene("<CollisionPipeline/>", plain[0]), other).stdout)
 
+    def test_a_model_without_a_name_is_named_as_sofa_names_it(self):
+        two = '<Node name="a"><MechanicalObject/><SphereCollisionModel selfCollision="1"/><SphereCollisionModel selfCollision="1"/></Node>'
+        self.assertEqual(self.pairs(two)[1], ["/a/SphereCollisionModel1", "/a/SphereCollisionModel2"])
+
     def test_what_is_not_read_is_named_by_file_and_line(self):
         _, _, said = self.contacts(self.scene(self.state(""), '<TriangleCollisionModel name="t"/>', "<CubeCollisionModel/>",
                                               '<include href="more.xml"/>', '<SphereCollisionModel name="x" active="0"/>',
                                               '<Node name="c"><MeshTopology filename="x.obj"/><MechanicalObject/>', '<SphereCollisionModel name="y"/></Node>'))
-        for line, words in enumerate(("TriangleCollisionModel 't' is not read: only spheres", "CubeCollisionModel is not read: it bounds other models",
+        for line, words in enumerate(("TriangleCollisionModel 't' is not read: only spheres", "CubeCollisionModel is not read: SOFA makes its boxes around other models",
                                       "include is not read: give 'more.xml'", "SphereCollisionModel 'x' is not read: active"), start=3):
             self.assertIn(f"s.scn:{line}: {words}", said)
         self.assertIn("s.scn:8: SphereCollisionModel 'y' is not read: its positions are those of a MeshTopology", said)

@@ -230,16 +230,42 @@ class Sofa(unittest.TestCase):
             self.assertEqual(made.returncode, 0, made.stdout + made.stderr)
             self.assertIn(f"CERTIFIED: {name}", made.stdout)
 
+    # What a scene that runs asks for, but for its pipeline.
+    MODULES = "".join(f'<RequiredPlugin name="Sofa.Component.{m}"/>' for m in
+                      ("Collision.Detection.Algorithm", "Collision.Detection.Intersection", "Collision.Geometry", "StateContainer",
+                       "Collision.Response.Contact", "AnimationLoop")) + '<RequiredPlugin name="ContactOracle"/><DefaultAnimationLoop/>'
+    PIPELINE = "<CollisionPipeline/><BruteForceBroadPhase/><BVHNarrowPhase/><CollisionResponse/>"
+
+    def scene(self, name, *elements):
+        path = self.folder / f"{name}.scn"
+        path.write_text(f'<Node name="root">{self.MODULES}{"".join(elements)}</Node>')
+        return path
+
+    def test_models_of_two_pipelines_do_not_meet(self):
+        node = '<Node name="{}">{}<MechanicalObject position="1 2 3"/><SphereCollisionModel/></Node>'
+        own = self.PIPELINE + "<DiscreteIntersection/>"
+        for name, elements, count in (("two", (node.format("a", own), node.format("b", own)), 0), ("one", (own, node.format("a", ""), node.format("b", "")), 1)):
+            scene = self.scene(name, *elements)
+            _, lines, _ = self.contacts(scene)
+            made = run("detect", scene, "--json")
+            self.assertEqual((len(lines), len(made.stdout.splitlines()) - 1), (count, count), name)
+            names = lambda found: [{c[side]["model"] for side in ("first", "second")} for c in found]
+            self.assertEqual(names(lines), names(map(json.loads, made.stdout.splitlines()[1:])))
+
+    def test_a_scene_gives_a_cube_model_no_boxes(self):
+        node = '<Node name="{}"><CubeCollisionModel size="2" minBBox="0 0 0" maxBBox="1 1 1"/></Node>'
+        record = f'<RecordingIntersection intersection="@inner" filename="{self.folder}/cubes"/><DiscreteIntersection name="inner"/>'
+        _, lines, _ = self.contacts(self.scene("cubes", self.PIPELINE, record, node.format("a"), node.format("b")))
+        self.assertEqual(lines, [])
+        asked = [json.loads(line) for line in (self.folder / "cubes.cube_cube.queries.jsonl").read_text().splitlines()]
+        nothing = {"min": [0, 0, 0], "max": [0, 0, 0]}
+        self.assertEqual([(q["a"], q["b"]) for q in asked], [(nothing, nothing)])  # the roots of two empty trees
+
     def test_the_plug_in_gives_coincident_centres_a_normal(self):
         spheres = '<Node name="{}"><MechanicalObject position="1 2 3"/><SphereCollisionModel name="s" radius="2"/></Node>'
-        pipeline = "".join(f'<RequiredPlugin name="Sofa.Component.{m}"/>' for m in
-                           ("Collision.Detection.Algorithm", "Collision.Detection.Intersection", "Collision.Geometry", "StateContainer",
-                            "Collision.Response.Contact", "AnimationLoop"))
-        pipeline += "<DefaultAnimationLoop/><CollisionPipeline/><BruteForceBroadPhase/><BVHNarrowPhase/><CollisionResponse/>"
         found = {}
         for component in ("DiscreteIntersection", "ExactDiscreteIntersection"):
-            scene = self.folder / f"{component}.scn"
-            scene.write_text(f'<Node name="root">{pipeline}<RequiredPlugin name="ContactOracle"/><{component}/>{spheres.format("a")}{spheres.format("b")}</Node>')
+            scene = self.scene(component, self.PIPELINE, f"<{component}/>", spheres.format("a"), spheres.format("b"))
             _, [found[component]], _ = self.contacts(scene)
         self.assertEqual(found["DiscreteIntersection"]["normal"], ["NaN"] * 3)
         self.assertEqual(found["ExactDiscreteIntersection"]["normal"], [1, 0, 0])

@@ -401,6 +401,15 @@ class Reader {
     radii.resize(count, number(spheres, "radius", 1));
     return radii;
   }
+  /// As SOFA names what has no name: by its type, numbered from 1 within its node.
+  [[nodiscard]] static std::string name_of(const xml_node& element) {
+    const std::string_view given = element.attribute("name").value();
+    if (!given.empty()) return std::string(given);
+    std::size_t number = 1;
+    for (xml_node before = element; (before = before.previous_sibling(element.name()));)
+      if (std::string_view(before.attribute("name").value()).empty()) ++number;
+    return element.name() + std::to_string(number);
+  }
   void read_spheres(const xml_node& spheres, const std::string& node) {
     if (!truth(spheres, "active", true)) return leave_out(spheres, "active=\"0\"");
     auto positions = positions_of(state_of(spheres.parent()));
@@ -420,8 +429,7 @@ class Reader {
         turns.row(i) = (*at.orientations)[static_cast<std::size_t>(i)].coeffs().transpose();
       columns["orientations"] = turns;
     }
-    const std::string_view given = spheres.attribute("name").value();
-    std::string name = node + "/" + std::string(given.empty() ? std::string_view(spheres.name()) : given);
+    std::string name = node + "/" + name_of(spheres);
     MeetingRules rules{.node = node + "/",
                        .groups = {},
                        .simulated = truth(spheres, "simulated", true),
@@ -448,7 +456,7 @@ class Reader {
       } else if (type == "SphereCollisionModel") {
         read_spheres(element, path);
       } else if (type == "CubeCollisionModel") {
-        leave_out(element, "it bounds other models, and a scene gives it no boxes of its own");
+        leave_out(element, "SOFA makes its boxes around other models, and reads none from a scene");
       } else if (type.ends_with("CollisionModel")) {
         leave_out(element, "only spheres are");
       } else if (type == "include") {
