@@ -150,6 +150,8 @@ class SofaScene(unittest.TestCase):
         self.assertEqual(self.pairs("<CollisionPipeline/>", *plain), everyone)
         # One for each of two nodes, and none for the third.
         self.assertEqual(self.pairs(node.format("a", "<CollisionPipeline/>"), node.format("b", "<DefaultPipeline/>"), plain[2]), [])
+        two = self.detect(self.scene(node.format("a", "<CollisionPipeline/>"), node.format("b", "<CollisionPipeline/>"))).stdout
+        self.assertIn("2 models, and no pair of them meets in SOFA", two)
         # One around two nodes, whose models are then /x/a/s and /x/b/s.
         self.assertEqual(self.pairs('<Node name="x"><CollisionPipeline/>', plain[0], plain[1], "</Node>", plain[2]), [["/x/a/s", "/x/b/s"]])
         # One that names its models.
