@@ -142,11 +142,34 @@ class SofaScene(unittest.TestCase):
         self.assertEqual(self.pairs(beside.format("", "")), apart)
         self.assertIn(["/a/s", "/a/t"], self.pairs(beside.format('selfCollision="1"', 'selfCollision="1"')))
 
+    def test_models_meet_only_within_a_pipeline(self):
+        node = '<Node name="{0}">{1}<MechanicalObject/><SphereCollisionModel name="s"/></Node>'
+        plain = [node.format(name, "") for name in "abc"]
+        everyone = [["/a/s", "/b/s"], ["/a/s", "/c/s"], ["/b/s", "/c/s"]]
+        self.assertEqual(self.pairs(*plain), everyone)
+        self.assertEqual(self.pairs("<CollisionPipeline/>", *plain), everyone)
+        # One for each of two nodes, and none for the third.
+        self.assertEqual(self.pairs(node.format("a", "<CollisionPipeline/>"), node.format("b", "<DefaultPipeline/>"), plain[2]), [])
+        two = self.detect(self.scene(node.format("a", "<CollisionPipeline/>"), node.format("b", "<CollisionPipeline/>"))).stdout
+        self.assertIn("2 models, and no pair of them meets in SOFA", two)
+        # One around two nodes, whose models are then /x/a/s and /x/b/s.
+        self.assertEqual(self.pairs('<Node name="x"><CollisionPipeline/>', plain[0], plain[1], "</Node>", plain[2]), [["/x/a/s", "/x/b/s"]])
+        # One that names its models.
+        named = '<SubCollisionPipeline collisionModels="@{} @{}"/>'
+        self.assertEqual(self.pairs(*plain, named.format("/a/s", "b/s"), named.format("b/s", "c/s")), [["/a/s", "/b/s"], ["/b/s", "/c/s"]])
+        # The roots of two files are one.
+        other = self.scene("<CollisionPipeline/>", plain[1], name="o.scn")
+        self.assertIn("/a/s  ", self.detect(self.scene("<CollisionPipeline/>", plain[0]), other).stdout)
+
+    def test_a_model_without_a_name_is_named_as_sofa_names_it(self):
+        two = '<Node name="a"><MechanicalObject/><SphereCollisionModel selfCollision="1"/><SphereCollisionModel selfCollision="1"/></Node>'
+        self.assertEqual(self.pairs(two)[1], ["/a/SphereCollisionModel1", "/a/SphereCollisionModel2"])
+
     def test_what_is_not_read_is_named_by_file_and_line(self):
         _, _, said = self.contacts(self.scene(self.state(""), '<TriangleCollisionModel name="t"/>', "<CubeCollisionModel/>",
                                               '<include href="more.xml"/>', '<SphereCollisionModel name="x" active="0"/>',
                                               '<Node name="c"><MeshTopology filename="x.obj"/><MechanicalObject/>', '<SphereCollisionModel name="y"/></Node>'))
-        for line, words in enumerate(("TriangleCollisionModel 't' is not read: only spheres", "CubeCollisionModel is not read: it bounds other models",
+        for line, words in enumerate(("TriangleCollisionModel 't' is not read: only spheres", "CubeCollisionModel is not read: SOFA makes its boxes around other models",
                                       "include is not read: give 'more.xml'", "SphereCollisionModel 'x' is not read: active"), start=3):
             self.assertIn(f"s.scn:{line}: {words}", said)
         self.assertIn("s.scn:8: SphereCollisionModel 'y' is not read: its positions are those of a MeshTopology", said)

@@ -3,6 +3,7 @@
 // mends nothing of what it says.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "contact/contact_engine.h"
@@ -41,7 +42,7 @@ struct Shape {
   [[nodiscard]] double length() const { return size[axis]; }
   /// Where a ray or a line begins.
   [[nodiscard]] const double* start() const { return numbers; }
-  [[nodiscard]] const double* vertex(int i) const { return numbers + 3 * i; }
+  [[nodiscard]] const double* vertex(int i) const { return numbers + std::ptrdiff_t{3} * i; }
 
   Kind kind;
   const double* numbers;
@@ -115,7 +116,10 @@ class Answer {
   template <class Vector>
   void vector(int what, double* to, const Vector& v) {
     say(what);
-    for (int i = 0; i < 3; ++i) to[i] = static_cast<double>(v[i]);
+    // One by one: libraries index by signed and by unsigned numbers, and a literal is either.
+    to[0] = static_cast<double>(v[0]);
+    to[1] = static_cast<double>(v[1]);
+    to[2] = static_cast<double>(v[2]);
   }
 
   std::uint32_t* said_;

@@ -168,17 +168,10 @@ using LineSide = EdgeSide<geometry::LineCollisionModel<Vec3Types>>;
 #ifdef CONTACT_SOFA_CAPSULES
 class CapsuleSide final : public EdgeSide<collisionobbcapsule::geometry::CapsuleCollisionModel<Vec3Types>> {
  public:
-  CapsuleSide() : radii_(dynamic_cast<Radii*>(edges().findData("listCapsuleRadii"))) {
-    if (radii_ == nullptr) throw std::runtime_error("CapsuleCollisionModel has no listCapsuleRadii");
-  }
   void set(const Shape& capsule) override {
     EdgeSide::set(capsule);
-    sofa::helper::getWriteOnlyAccessor(*radii_)[0] = capsule.radius;
+    sofa::helper::getWriteOnlyAccessor(edges().writeRadii())[0] = capsule.radius;
   }
-
- private:
-  using Radii = core::objectmodel::Data<Vec3Types::VecReal>;
-  Radii* radii_;
 };
 #endif
 

@@ -44,8 +44,9 @@ class Sofa(unittest.TestCase):
         cls.folder = Path(folder.name)
         cls.build = Path(os.environ.get("CONTACT_SOFA_BUILD") or cls.folder / "build")
         if not os.environ.get("CONTACT_SOFA_BUILD"):
-            made = subprocess.run(["cmake", "-S", ROOT / "engines/sofa", "-B", cls.build, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={sofa}"],
-                                  capture_output=True, text=True, check=False)
+            capsules = any(Path(sofa).glob("**/lib/libCollisionOBBCapsule.*"))
+            made = subprocess.run(["cmake", "-S", ROOT / "engines/sofa", "-B", cls.build, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={sofa}",
+                                   f"-DCONTACT_SOFA_CAPSULES={capsules}"], capture_output=True, text=True, check=False)
             if "SOFA is not found" in made.stderr:
                 raise unittest.SkipTest("SOFA is not found: CONTACT_SOFA is not where it was built or installed")
             assert made.returncode == 0, made.stderr
@@ -129,6 +130,49 @@ class Sofa(unittest.TestCase):
                                                            "b": ball(1, 3)})).values()
         self.assertEqual((said, found["normal"], found["value"]), (True, [bits("NaN")] * 3, [bits(-5)]))
 
+    def numbers(self, query, library="sofa"):
+        """The contact that it gives for one question, as numbers; nothing where there is none."""
+        file = self.folder / f"{self.id()}.jsonl"
+        made = run("certify", self.asked({"alarm": 0, "contact": 0, **query}), "--engine-library", self.build / f"{library}.so", "--record", file)
+        self.assertIn(made.returncode, (0, 1), made.stderr)
+        return json.loads(file.read_text().splitlines()[1])["contact"]
+
+    # Mat.h, equalsZero: a determinant up to 2.2e-16 counts as 0. Here it is 4e-12 times the line's length, or that of a ray's direction.
+    def test_small_triangles_are_crossed_by_long_lines_and_not_by_short_ones(self):
+        self.assertEqual([self.crossing(2e-6, length) is not None for length in (1, 1e-4, 1e-5, 2e-6)], [True, True, False, False])
+        ray = lambda edge, length: self.numbers({"pair": "ray_triangle", "a": {"origin": [edge / 4, edge / 4, length / 2], "direction": [0, 0, -1],
+                                                                               "length": length}, "b": {"vertices": [[0, 0, 0], [edge, 0, 0], [0, edge, 0]]}})
+        self.assertEqual([ray(edge, 2e-6) is not None for edge in (2e-6, 1e-7, 1e-8)], [True, True, False])
+
+    def crossing(self, edge, length):
+        x = edge / 4
+        return self.numbers({"pair": "triangle_line", "a": {"vertices": [[0, 0, 0], [edge, 0, 0], [0, edge, 0]]},
+                             "b": {"start": [x, x, length / 2], "end": [x, x, -length / 2]}})
+
+    # Capsules, each along an axis or in a plane, of radius 0.5 or 0.
+    def test_capsules_where_they_are_built(self):
+        if b'"capsule_capsule"' not in (self.build / "sofa.so").read_bytes():
+            self.skipTest("SOFA is built without the plug-in CollisionOBBCapsule")
+        capsule = lambda p, q, r=0.5: {"start": p, "end": q, "radius": r}
+        two = lambda first, second: self.numbers({"pair": "capsule_capsule", "alarm": 10, "a": first, "b": second})
+        # Side by side 3 apart, the middle of what they share; one above the other; end to end.
+        right = [(capsule([0, 0, 0], [4, 0, 0]), capsule([0, 3, 0], [4, 3, 0]), ([0, 1, 0], [2, 0.5, 0], [2, 2.5, 0], 2)),
+                 (capsule([-1, 0, 0], [1, 0, 0]), capsule([0, -1, 3], [0, 1, 3]), ([0, 0, 1], [0, 0, 0.5], [0, 0, 2.5], 2)),
+                 (capsule([0, 0, 0], [1, 0, 0]), capsule([3, 0, 0], [7, 0, 0]), ([1, 0, 0], [1.5, 0, 0], [2.5, 0, 0], 1))]
+        for first, second, found in right:
+            said = two(first, second)
+            self.assertEqual([said[key] for key in ("normal", "point1", "point2", "value")], list(found))
+        ball = {"pair": "sphere_capsule", "a": {"center": [2, 3, 0], "radius": 1}, "b": capsule([0, 0, 0], [4, 0, 0]), "alarm": 2}
+        for library in ("sofa", "sofa-second-first"):
+            said = self.numbers(ball, library)
+            self.assertEqual([said[key] for key in ("normal", "point1", "point2", "value")], [[0, -1, 0], [2, 2, 0], [2, 0.5, 0], 1.5])
+        # What docs/sofa-map.md says of them: D = 5 and not 2.5; D = 10 and not 1; no numbers; in the middle of a short axis.
+        self.assertAlmostEqual(two(capsule([0, 0, 0], [1, 0, 0]), capsule([3, 1, 0], [0, 2, 0]))["value"], 5 ** 0.5 - 1)
+        self.assertAlmostEqual(two(capsule([1, 1, 0], [1, 1, 0]), capsule([0, 0, 0], [4, 0, 0]))["value"], 10 ** 0.5 - 1)
+        self.assertEqual(self.numbers({"pair": "sphere_capsule", "a": {"center": [5, 0, 0], "radius": 1}, "b": capsule([0, 0, 0], [0, 0, 0])})["value"], "NaN")
+        self.assertEqual(two(capsule([-1, 0, 0], [1, 0, 0]), capsule([0, -1, 0], [0, 1, 0]))["normal"], ["NaN"] * 3)
+        self.assertEqual(two(capsule([0, 0, 0], [1e-4, 0, 0], 0), capsule([0, 0, 1e-4], [0, 1e-4, 1e-4], 0))["point2"], [0, 5e-5, 1e-4])
+
     # The plug-in, and scenes.
 
     def contacts(self, scene, *options):
@@ -186,16 +230,42 @@ class Sofa(unittest.TestCase):
             self.assertEqual(made.returncode, 0, made.stdout + made.stderr)
             self.assertIn(f"CERTIFIED: {name}", made.stdout)
 
+    # What a scene that runs asks for, but for its pipeline.
+    MODULES = "".join(f'<RequiredPlugin name="Sofa.Component.{m}"/>' for m in
+                      ("Collision.Detection.Algorithm", "Collision.Detection.Intersection", "Collision.Geometry", "StateContainer",
+                       "Collision.Response.Contact", "AnimationLoop")) + '<RequiredPlugin name="ContactOracle"/><DefaultAnimationLoop/>'
+    PIPELINE = "<CollisionPipeline/><BruteForceBroadPhase/><BVHNarrowPhase/><CollisionResponse/>"
+
+    def scene(self, name, *elements):
+        path = self.folder / f"{name}.scn"
+        path.write_text(f'<Node name="root">{self.MODULES}{"".join(elements)}</Node>')
+        return path
+
+    def test_models_of_two_pipelines_do_not_meet(self):
+        node = '<Node name="{}">{}<MechanicalObject position="1 2 3"/><SphereCollisionModel/></Node>'
+        own = self.PIPELINE + "<DiscreteIntersection/>"
+        for name, elements, count in (("two", (node.format("a", own), node.format("b", own)), 0), ("one", (own, node.format("a", ""), node.format("b", "")), 1)):
+            scene = self.scene(name, *elements)
+            _, lines, _ = self.contacts(scene)
+            made = run("detect", scene, "--json")
+            self.assertEqual((len(lines), len(made.stdout.splitlines()) - 1), (count, count), name)
+            names = lambda found: [{c[side]["model"] for side in ("first", "second")} for c in found]
+            self.assertEqual(names(lines), names(map(json.loads, made.stdout.splitlines()[1:])))
+
+    def test_a_scene_gives_a_cube_model_no_boxes(self):
+        node = '<Node name="{}"><CubeCollisionModel size="2" minBBox="0 0 0" maxBBox="1 1 1"/></Node>'
+        record = f'<RecordingIntersection intersection="@inner" filename="{self.folder}/cubes"/><DiscreteIntersection name="inner"/>'
+        _, lines, _ = self.contacts(self.scene("cubes", self.PIPELINE, record, node.format("a"), node.format("b")))
+        self.assertEqual(lines, [])
+        asked = [json.loads(line) for line in (self.folder / "cubes.cube_cube.queries.jsonl").read_text().splitlines()]
+        nothing = {"min": [0, 0, 0], "max": [0, 0, 0]}
+        self.assertEqual([(q["a"], q["b"]) for q in asked], [(nothing, nothing)])  # the roots of two empty trees
+
     def test_the_plug_in_gives_coincident_centres_a_normal(self):
         spheres = '<Node name="{}"><MechanicalObject position="1 2 3"/><SphereCollisionModel name="s" radius="2"/></Node>'
-        pipeline = "".join(f'<RequiredPlugin name="Sofa.Component.{m}"/>' for m in
-                           ("Collision.Detection.Algorithm", "Collision.Detection.Intersection", "Collision.Geometry", "StateContainer",
-                            "Collision.Response.Contact", "AnimationLoop"))
-        pipeline += "<DefaultAnimationLoop/><CollisionPipeline/><BruteForceBroadPhase/><BVHNarrowPhase/><CollisionResponse/>"
         found = {}
         for component in ("DiscreteIntersection", "ExactDiscreteIntersection"):
-            scene = self.folder / f"{component}.scn"
-            scene.write_text(f'<Node name="root">{pipeline}<RequiredPlugin name="ContactOracle"/><{component}/>{spheres.format("a")}{spheres.format("b")}</Node>')
+            scene = self.scene(component, self.PIPELINE, f"<{component}/>", spheres.format("a"), spheres.format("b"))
             _, [found[component]], _ = self.contacts(scene)
         self.assertEqual(found["DiscreteIntersection"]["normal"], ["NaN"] * 3)
         self.assertEqual(found["ExactDiscreteIntersection"]["normal"], [1, 0, 0])

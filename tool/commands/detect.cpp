@@ -143,10 +143,13 @@ void detect_all(std::vector<Meeting>& all, const Intersection& intersection, Con
   }
 }
 
-std::string table(const std::vector<Meeting>& all, const ProximityIntersection& intersection,
+std::string table(const std::vector<Meeting>& all, std::size_t models, const ProximityIntersection& intersection,
                   const std::string& points) {
   std::string text = fmt::format("alarm {}, contact {}, points {}\n", number(intersection.getAlarmDistance()),
                                  number(intersection.getContactDistance()), points);
+  if (all.empty() && models > 1)
+    return text + fmt::format("\n{} models, and no pair of them meets in SOFA: see docs/sofa.md#scenes-without-sofa\n",
+                              models);
   if (all.empty()) return text + "\none model, and no pair: --self detects inside a model\n";
   std::size_t first = std::string_view("first").size();
   std::size_t second = std::string_view("second").size();
@@ -196,7 +199,7 @@ void run_detect(const DetectOptions& options) {
   contacts.write(header_line(all, intersection, options.points));
   detect_all(all, intersection, contacts, !json.alone());
   for (JsonOutput* to : wanted) to->commit();
-  if (!json.alone()) fmt::print(words(), "{}", table(all, intersection, options.points));
+  if (!json.alone()) fmt::print(words(), "{}", table(all, scene.models.size(), intersection, options.points));
 }
 
 /// A distance on the command line.

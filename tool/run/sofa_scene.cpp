@@ -80,6 +80,7 @@ class Reader {
     const xml_node root = document_.child("Node");
     if (!root) throw InputError({path_, 0}, "", "a scene of SOFA is a <Node>, and here is none");
     read_distances(root);
+    find_pipelines(root);
     read_node(root, "");
     return std::move(scene_);
   }
@@ -377,7 +378,7 @@ class Reader {
     if (!is(mapping, "RigidMapping")) return Unread{fmt::format("its positions come from a {}", mapping.name())};
     for (const char* key : {"initialPoints", "rigidIndexPerPoint", "filename", "globalToLocalCoords", "index"})
       if (mapping.attribute(key)) return Unread{fmt::format("its RigidMapping has the attribute {}", key)};
-    const auto above = positions_of(state_of(node.parent()));
+    auto above = positions_of(state_of(node.parent()));
     if (unread(above)) return above;
     const auto& frames = std::get<Positions>(above);
     if (!frames.orientations) return Unread{"its RigidMapping has no rigid state above it"};
@@ -400,6 +401,15 @@ class Reader {
     radii.resize(count, number(spheres, "radius", 1));
     return radii;
   }
+  /// As SOFA names what has no name: by its type, numbered from 1 within its node.
+  [[nodiscard]] static std::string name_of(const xml_node& element) {
+    const std::string_view given = element.attribute("name").value();
+    if (!given.empty()) return std::string(given);
+    std::size_t number = 1;
+    for (xml_node before = element; (before = before.previous_sibling(element.name()));)
+      if (std::string_view(before.attribute("name").value()).empty()) ++number;
+    return element.name() + std::to_string(number);
+  }
   void read_spheres(const xml_node& spheres, const std::string& node) {
     if (!truth(spheres, "active", true)) return leave_out(spheres, "active=\"0\"");
     auto positions = positions_of(state_of(spheres.parent()));
@@ -419,12 +429,12 @@ class Reader {
         turns.row(i) = (*at.orientations)[static_cast<std::size_t>(i)].coeffs().transpose();
       columns["orientations"] = turns;
     }
-    const std::string_view given = spheres.attribute("name").value();
-    std::string name = node + "/" + std::string(given.empty() ? std::string_view(spheres.name()) : given);
+    std::string name = node + "/" + name_of(spheres);
     MeetingRules rules{.node = node + "/",
                        .groups = {},
                        .simulated = truth(spheres, "simulated", true),
-                       .self_collision = truth(spheres, "selfCollision", false)};
+                       .self_collision = truth(spheres, "selfCollision", false),
+                       .pipelines = pipelines_of(spheres)};
     for (const double group : numbers(spheres, "group")) rules.groups.insert(static_cast<int>(group));
     try {
       scene_.models.push_back(
@@ -446,13 +456,47 @@ class Reader {
       } else if (type == "SphereCollisionModel") {
         read_spheres(element, path);
       } else if (type == "CubeCollisionModel") {
-        leave_out(element, "it bounds other models, and a scene gives it no boxes of its own");
+        leave_out(element, "SOFA makes its boxes around other models, and reads none from a scene");
       } else if (type.ends_with("CollisionModel")) {
         leave_out(element, "only spheres are");
       } else if (type == "include") {
         leave_out(element, fmt::format("give '{}' too", element.attribute("href").value()));
       }
     }
+  }
+
+  // Pipelines: a CollisionPipeline has the models below its node, a SubCollisionPipeline those that it names.
+
+  void find_pipelines(const xml_node& node) {
+    for (const xml_node& element : node.children()) {
+      const std::string_view type = element.name();
+      if (is_node(element)) find_pipelines(element);
+      if (type == "CollisionPipeline" || type == "DefaultPipeline" || type == "SubCollisionPipeline")
+        pipelines_.push_back(element);
+    }
+  }
+  [[nodiscard]] bool has(const xml_node& pipeline, const xml_node& model) const {
+    if (!is(pipeline, "SubCollisionPipeline")) {
+      xml_node node = model.parent();
+      while (node && node != pipeline.parent()) node = node.parent();
+      return !node.empty();
+    }
+    std::istringstream links(pipeline.attribute("collisionModels").value());
+    for (std::string name; links >> name;)
+      if (component(pipeline, std::string_view(name).substr(name.starts_with('@') ? 1 : 0)) == model) return true;
+    return false;
+  }
+  [[nodiscard]] std::optional<std::set<std::string>> pipelines_of(const xml_node& model) const {
+    if (pipelines_.empty()) return std::nullopt;
+    std::set<std::string> all;
+    for (std::size_t i = 0; i < pipelines_.size(); ++i)
+      if (has(pipelines_[i], model)) {
+        // The roots of several files are one root.
+        const bool of_root =
+            pipelines_[i].parent() == document_.child("Node") && !is(pipelines_[i], "SubCollisionPipeline");
+        all.insert(of_root ? "root" : fmt::format("{}#{}", path_, i));
+      }
+    return all;
   }
 
   /// Those of the first intersection component, down the tree: the one that SOFA's pipeline takes.
@@ -474,12 +518,17 @@ class Reader {
   std::string text_;
   const ModelFactory& factory_;
   pugi::xml_document document_;
+  std::vector<xml_node> pipelines_;
   SofaScene scene_;
 };
 
 }  // namespace
 
 bool may_meet(const MeetingRules& first, const MeetingRules& second) {
+  if (first.pipelines && second.pipelines &&
+      std::none_of(first.pipelines->begin(), first.pipelines->end(),
+                   [&](const std::string& pipeline) { return second.pipelines->contains(pipeline); }))
+    return false;
   if (!first.simulated && !second.simulated) return false;
   if (!first.node.empty() && first.node == second.node) return first.self_collision && second.self_collision;
   return std::none_of(first.groups.begin(), first.groups.end(),

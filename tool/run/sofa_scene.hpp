@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -18,6 +19,9 @@ struct MeetingRules {
   std::set<int> groups;         ///< models with a group in common do not meet
   bool simulated = true;        ///< two models that are not do not meet
   bool self_collision = false;  ///< the model meets itself
+  /// The pipelines that have the model; two models meet only in one that has both. Nothing where a file has no
+  /// pipeline.
+  std::optional<std::set<std::string>> pipelines{};
 };
 /// Of two different models.
 [[nodiscard]] bool may_meet(const MeetingRules& first, const MeetingRules& second);
