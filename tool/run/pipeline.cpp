@@ -48,10 +48,10 @@ struct Slice {
 /// Reads or counts the questions of a source, some at a time.
 class Questions {
  public:
-  explicit Questions(const Source& source) : source_(source) {
+  explicit Questions(const Source& source, Check check = Check::sample) : source_(source) {
     if (!source.dataset || source.count == 0) return;
     reader_.emplace(*source.dataset);
-    with_texts_ = reader_->wants_texts();
+    with_texts_ = reader_->wants_texts() || (check == Check::all && reader_->has_digest_of_texts());
     reader_->skip(source.first);
   }
 
@@ -340,7 +340,7 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
     slice.asked_all = true;
   };
 
-  Questions questions(source);
+  Questions questions(source, oracles.check);
   Progress progress(fmt::format("{}/{}", name(source.pair), source.family), source.count);
   std::uint64_t reached = 0;
   bool all_read = !stop.why.empty();
