@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -126,6 +127,7 @@ struct Column {
   Type type;
   std::vector<char> rows{};
   std::shared_ptr<formats::ArrayReader> reader{};
+  std::size_t row_size = 0;  ///< bytes, where it is read
 
   /// Gives texts in memory more room.
   void widen(std::size_t width) {
@@ -229,23 +231,24 @@ class Decoder {
 
  private:
   [[nodiscard]] const char* bytes(std::size_t across) const {
-    return next_->rows.data() + (at_ * next_->type.array.across() + across) * next_->type.array.size;
+    return next_->rows.data() + at_ * next_->row_size + across * next_->type.array.size;
   }
   [[nodiscard]] double number_at(std::size_t across) const {
     double x = 0;
     std::memcpy(&x, bytes(across), sizeof x);
     return x == 0 ? 0.0 : x;
   }
-  [[nodiscard]] std::string text_at(std::size_t across) const {
+  [[nodiscard]] std::string_view text_at(std::size_t across) const {
     const char* begin = bytes(across);
     const std::size_t size = next_->type.array.size;
-    std::string text(begin, strnlen(begin, size));
+    const std::string_view text(begin, strnlen(begin, size));
     // A column is as wide as its longest text could be, and nearly all of it is padding.
     if (const char* padding = begin + text.size(); text.size() + 1 < size)
       if (std::memcmp(padding, padding + 1, size - text.size() - 1) != 0) refuse("text after the end of the text");
     // Every text of a row is a name or a number: none needs a character that JSON would have to escape.
-    if (std::any_of(text.begin(), text.end(), [](char c) { return c <= ' ' || c > '~' || c == '"' || c == '\\'; }))
-      refuse("a character that no text here has, in " + formats::json_string(text));
+    bool strange = false;  // without a way out of the loop it is done for many characters at once
+    for (const char c : text) strange |= c <= ' ' || c > '~' || c == '"' || c == '\\';
+    if (strange) refuse("a character that no text here has, in " + formats::json_string(text));
     return text;
   }
   [[noreturn]] void refuse(const std::string& problem) const {
@@ -339,6 +342,7 @@ void open_column(Column& column, formats::ArraysFile& file, std::optional<std::u
   if (found.row != expected.row || column.reader->rows() != count)
     refuse(fmt::format("expected a shape of {}, got {}", expected.shape_text(count),
                        found.shape_text(column.reader->rows())));
+  column.row_size = expected.row_size();
 }
 
 /// Rows of a file in memory: what several blocks share.
@@ -478,7 +482,11 @@ class ColumnsSource final : public CaseSource {
   }
 
   void load(std::uint64_t first) {
-    auto loaded = std::make_shared<Loaded>(Loaded{columns_, flag_names_});
+    // What no block uses any more has its memory already.
+    auto used = std::find_if(pool_.begin(), pool_.end(), [](const auto& one) { return one.use_count() == 1; });
+    if (used == pool_.end()) used = pool_.insert(used, std::make_shared<Loaded>(Loaded{columns_, flag_names_}));
+    std::atomic_thread_fence(std::memory_order_acquire);  // whoever used it has done so
+    const std::shared_ptr<Loaded> loaded = *used;
     const std::uint64_t count = std::min(kBlock, header_.count - first);
     const bool in_turn = columns_digest_ && first == added_;
     std::vector<std::exception_ptr> errors(columns_.size());
@@ -499,7 +507,7 @@ class ColumnsSource final : public CaseSource {
     for (const std::exception_ptr& error : errors)
       if (error) std::rethrow_exception(error);
     if (in_turn) added_ += count;
-    loaded_ = std::move(loaded);
+    loaded_ = loaded;
     first_ = first;
   }
 
@@ -511,8 +519,9 @@ class ColumnsSource final : public CaseSource {
   std::vector<Column> columns_;  ///< without rows
   std::vector<std::string> flag_names_;
   std::shared_ptr<const Loaded> loaded_;
-  std::uint64_t first_ = 0;   ///< row of what is loaded
-  std::uint64_t passed_ = 0;  ///< rows in blocks, or passed over
+  std::vector<std::shared_ptr<Loaded>> pool_;  ///< what was loaded, and may be again with other rows
+  std::uint64_t first_ = 0;                    ///< row of what is loaded
+  std::uint64_t passed_ = 0;                   ///< rows in blocks, or passed over
   formats::Sha256 hash_;
   std::uint64_t hashed_ = 0;
   std::optional<ColumnsDigest> digest_of_columns_;

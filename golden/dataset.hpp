@@ -157,6 +157,8 @@ class SeenIds {
     explicit Key(std::string_view id);
   };
 
+  /// Makes room for so many at once, which costs less than growing to it.
+  void expect(std::size_t count);
   /// Whether it is new.
   bool insert(const Key& key);
   /// Says that a key will be inserted soon: memory takes longer to answer than all the rest.
@@ -165,6 +167,7 @@ class SeenIds {
  private:
   /// The place of a key, or the free one where it belongs: its first digits are a digest's, and say where to look.
   [[nodiscard]] static std::size_t place(const std::vector<Key>& keys, const Key& key);
+  void make_room(std::size_t places);
   std::vector<Key> keys_ = std::vector<Key>(1024);  ///< a power of two of them, half of them free at least
   std::size_t size_ = 0;
 };
