@@ -35,8 +35,8 @@ constexpr std::size_t kFirstWidth = 32;  // of a column of exact numbers, double
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 const char* const kDigest = "sha256";                 // of the rows as JSON lines
 const char* const kColumnsDigest = "columns_sha256";  // of the header and the columns themselves
-const char* const kFlags = "flags";
-const char* const kFlagNames = "flags.names";  // of the list, where the digest has it
+const char* const kFlagsColumn = "flags";
+const char* const kFlagsList = "flags.names";  // of the list, where the digest has it
 constexpr std::size_t kMostFlags = 32;
 
 /// Of the longest name of a number of a pair, or of a sphere's.
@@ -274,7 +274,7 @@ class ColumnsWriter : public DatasetWriter {
     hash_.add(to_line(header_)).add("\n");
     std::vector<formats::ArraysWriter::Array> arrays;
     for (const Column& column : columns_)
-      arrays.push_back({column.path, header_.count, column.path == kFlags ? flag_names() : nlohmann::json()});
+      arrays.push_back({column.path, header_.count, column.path == kFlagsColumn ? flag_names() : nlohmann::json()});
     arrays_ = formats::create_arrays(pending_, form, std::move(arrays));
   }
 
@@ -293,7 +293,7 @@ class ColumnsWriter : public DatasetWriter {
     flush();
     auto header = nlohmann::json::parse(to_line(header_));
     header[kDigest] = hash_.hex();
-    header[kColumnsDigest] = digest_.hex(header, {{kFlagNames, flag_names().get<std::vector<std::string>>()}});
+    header[kColumnsDigest] = digest_.hex(header, {{kFlagsList, flag_names().get<std::vector<std::string>>()}});
     arrays_->finish(header);
     pending_.commit();
   }
@@ -443,7 +443,7 @@ class ColumnsSource final : public CaseSource {
   void saw_all() override {
     // Either digest is of the whole file, so it says nothing where rows were passed over.
     if (columns_digest_ && added_ == header_.count)
-      if (const std::string found = digest_of_columns_->hex(stated_, {{kFlagNames, flag_names_}});
+      if (const std::string found = digest_of_columns_->hex(stated_, {{kFlagsList, flag_names_}});
           found != *columns_digest_)
         throw formats::InputError(
             whole_, kColumnsDigest,
@@ -465,14 +465,14 @@ class ColumnsSource final : public CaseSource {
     for (const std::string& name : expected)
       if (!found.contains(name)) throw formats::InputError(whole_, "/" + name, "missing");
     for (const std::string& name : found)
-      if (!expected.contains(name) && name != formats::labelled(kFlags))
+      if (!expected.contains(name) && name != formats::labelled(kFlagsColumn))
         throw formats::InputError(whole_, "/" + name,
                                   fmt::format("unknown; known here: /{}", fmt::join(expected, ", /")));
   }
 
   void open(Column& column) {
     open_column(column, *arrays_, header_.count, whole_);
-    if (column.path != kFlags) return;
+    if (column.path != kFlagsColumn) return;
     const nlohmann::json names = arrays_->labels(column.path);
     const formats::Location& where = whole_;
     for (const formats::Node& name : formats::Node(names, where, "/flags: attribute names").items())
