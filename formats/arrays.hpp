@@ -53,7 +53,7 @@ class ArrayReader {
   std::uint64_t rows_;
 };
 
-/// A file of arrays that is read; one thread at a time.
+/// A file of arrays that is read; one thread at a time, but for the rows of different arrays where it says so.
 class ArraysFile {
  public:
   ArraysFile() = default;
@@ -70,6 +70,7 @@ class ArraysFile {
   [[nodiscard]] virtual std::unique_ptr<ArrayReader> open(const std::string& name) = 0;
   /// The texts that belong to an array: labelled() is what names() has of them.
   [[nodiscard]] virtual nlohmann::json labels(const std::string& name) = 0;
+  [[nodiscard]] virtual bool reads_in_parallel() const { return false; }
 };
 /// Of an array with labels, and the group of a name; the name itself where it is in none.
 [[nodiscard]] std::string labelled(const std::string& name);

@@ -7,6 +7,7 @@
 
 #include "formats/arrays.hpp"
 #include "formats/hdf5.hpp"
+#include "formats/hdf5_chunk.hpp"
 #include "formats/input_error.hpp"
 
 namespace contact::formats {
@@ -105,23 +106,50 @@ auto reading(const Location& where, const std::string& field, Work work) {
 
 class Hdf5Array final : public ArrayReader {
  public:
-  Hdf5Array(Location where, std::string field, Handle set, Handle type, std::vector<hsize_t> chunk, ArrayType array,
-            std::uint64_t rows)
+  Hdf5Array(Location where, std::string field, Handle set, Handle type, std::vector<hsize_t> chunk,
+            std::vector<hdf5::Filter> filters, bool stored_as_read, ArrayType array, std::uint64_t rows)
       : ArrayReader(std::move(array), rows),
         where_(std::move(where)),
         field_(std::move(field)),
         set_(std::move(set)),
         memory_(std::move(type)),
-        chunk_(std::move(chunk)) {}
+        chunk_(std::move(chunk)),
+        filters_(std::move(filters)),
+        chunk_has_rows_(stored_as_read && !chunk_.empty() &&
+                        std::equal(chunk_.begin() + 1, chunk_.end(), type_row().begin())) {}
 
   void read(std::uint64_t first, std::uint64_t count, std::vector<char>& bytes) override {
-    reading({where_.file, first + 1, true}, field_, [&] {
+    const Location where{where_.file, first + 1, true};
+    const bool is_chunk = chunk_has_rows_ && first % chunk_[0] == 0 && count <= chunk_[0];
+    // The library, which one thread uses at a time, only gives the chunk as it is stored. It gets what is damaged or
+    // stored in a way that is not known here, and says what is wrong.
+    reading(where, field_, [&] {
       if (!chunk_.empty()) check_chunks(first, count);
-      read_rows(set_, memory_, type(), first, count, bytes);
+      if (is_chunk)
+        read_stored(first);
+      else
+        read_rows(set_, memory_, type(), first, count, bytes);
     });
+    if (!is_chunk) return;
+    bytes.resize(chunk_[0] * type().row_size());
+    const bool good = decoder_.decode(stored_, left_out_, filters_, type().size, bytes);
+    bytes.resize(count * type().row_size());
+    if (!good) reading(where, field_, [&] { read_rows(set_, memory_, type(), first, count, bytes); });
   }
 
  private:
+  [[nodiscard]] const std::vector<std::uint64_t>& type_row() const { return type().row; }
+
+  void read_stored(hsize_t first) {
+    std::vector<hsize_t> at(chunk_.size(), 0);
+    at[0] = first;
+    hsize_t size = 0;
+    checked(H5Dget_chunk_storage_size(set_, at.data(), &size));
+    stored_.resize(size);
+    left_out_ = 0;
+    checked(H5Dread_chunk(set_, H5P_DEFAULT, at.data(), &left_out_, stored_.data()));
+  }
+
   /// Refuses rows that are not stored, which HDF5 would make up, and a chunk that inflates to more than its rows: HDF5
   /// would give it all the memory that it asks for.
   void check_chunks(hsize_t first, hsize_t count) const {
@@ -152,6 +180,11 @@ class Hdf5Array final : public ArrayReader {
   Handle set_;
   Handle memory_;
   std::vector<hsize_t> chunk_;  ///< its shape; none of an array that is stored in one piece
+  std::vector<hdf5::Filter> filters_;
+  bool chunk_has_rows_;  ///< whole ones, as they are in memory
+  std::vector<unsigned char> stored_;
+  std::uint32_t left_out_ = 0;  ///< bit i: filter i
+  hdf5::ChunkDecoder decoder_;
 };
 
 class Hdf5File final : public ArraysFile {
@@ -194,6 +227,9 @@ class Hdf5File final : public ArraysFile {
     });
   }
 
+  /// Only chunks as they are stored are read one at a time.
+  bool reads_in_parallel() const override { return true; }
+
   std::unique_ptr<ArrayReader> open(const std::string& one) override {
     const std::string field = "/" + one;
     return reading(where_, field, [&]() -> std::unique_ptr<ArrayReader> {
@@ -212,17 +248,20 @@ class Hdf5File final : public ArraysFile {
       if ((layout != H5D_CHUNKED && layout != H5D_CONTIGUOUS) || H5Pget_external_count(creation) != 0)
         refuse("expected chunks or one piece in this file");
       std::vector<hsize_t> chunk;
-      if (layout == H5D_CHUNKED)
+      std::vector<hdf5::Filter> filters;
+      if (layout == H5D_CHUNKED) {
         chunk = chunk_of(type, creation, refuse);
-      else if (shape.front() != 0 && H5Dget_offset(set) == HADDR_UNDEF)
+        filters = filters_of(creation, refuse);
+      } else if (shape.front() != 0 && H5Dget_offset(set) == HADDR_UNDEF)
         refuse("its rows are not stored");
+      const bool stored_as_read = memory.kind != Kind::other && checked(H5Tequal(stored, memory.type)) > 0;
       return std::make_unique<Hdf5Array>(where_, field, std::move(set), std::move(memory.type), std::move(chunk),
-                                         std::move(type), shape.front());
+                                         std::move(filters), stored_as_read, std::move(type), shape.front());
     });
   }
 
  private:
-  /// The shape of an array's chunks. Refuses those that are large, and filters that nobody here knows.
+  /// The shape of an array's chunks. Refuses those that are large.
   template <class Refuse>
   static std::vector<hsize_t> chunk_of(const ArrayType& type, hid_t creation, Refuse refuse) {
     std::vector<hsize_t> chunk(type.row.size() + 1);
@@ -231,7 +270,13 @@ class Hdf5File final : public ArraysFile {
     for (const hsize_t size : chunk) bytes = size > kLargestChunk ? kLargestChunk + 1 : bytes * size;
     if (bytes > kLargestChunk)
       refuse(fmt::format("chunks of ({}), and of more than {} bytes", fmt::join(chunk, ", "), kLargestChunk));
+    return chunk;
+  }
+  /// The filters of its chunks. Refuses those that nobody here knows.
+  template <class Refuse>
+  static std::vector<hdf5::Filter> filters_of(hid_t creation, Refuse refuse) {
     constexpr std::array kFilters{H5Z_FILTER_SHUFFLE, H5Z_FILTER_DEFLATE, H5Z_FILTER_FLETCHER32};
+    std::vector<hdf5::Filter> filters;
     auto next = kFilters.begin();
     for (int i = 0; i < checked(H5Pget_nfilters(creation)); ++i) {
       std::size_t none = 0;
@@ -239,9 +284,10 @@ class Hdf5File final : public ArraysFile {
           checked(H5Pget_filter2(creation, static_cast<unsigned>(i), nullptr, &none, nullptr, 0, nullptr, nullptr));
       next = std::find(next, kFilters.end(), filter);
       if (next == kFilters.end()) refuse("expected no filters but shuffle, deflate and Fletcher-32, in that order");
+      filters.push_back(static_cast<hdf5::Filter>(next - kFilters.begin()));
       ++next;
     }
-    return chunk;
+    return filters;
   }
 
   Location where_;

@@ -1,11 +1,16 @@
 // A dataset as columns, HDF5 or .npz: docs/formats.md#columns.
 #include "golden/columns.hpp"
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <exception>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -13,6 +18,7 @@
 
 #include "formats/arrays.hpp"
 #include "formats/sha256.hpp"
+#include "golden/columns_digest.hpp"
 #include "golden/families.hpp"
 #include "golden/flags.hpp"
 #include "golden/query_id.hpp"
@@ -27,7 +33,10 @@ using Kind = ArrayType::Kind;
 constexpr std::uint64_t kBlock = formats::kArrayBlock;
 constexpr std::size_t kFirstWidth = 32;  // of a column of exact numbers, doubled until its longest text has room
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-const char* const kDigest = "sha256";
+const char* const kDigest = "sha256";                 // of the rows as JSON lines
+const char* const kColumnsDigest = "columns_sha256";  // of the header and the columns themselves
+const char* const kFlagsColumn = "flags";
+const char* const kFlagsList = "flags.names";  // of the list, where the digest has it
 constexpr std::size_t kMostFlags = 32;
 
 /// Of the longest name of a number of a pair, or of a sphere's.
@@ -118,6 +127,7 @@ struct Column {
   Type type;
   std::vector<char> rows{};
   std::shared_ptr<formats::ArrayReader> reader{};
+  std::size_t row_size = 0;  ///< bytes, where it is read
 
   /// Gives texts in memory more room.
   void widen(std::size_t width) {
@@ -137,6 +147,12 @@ std::vector<Column> columns_of(const DatasetHeader& header) {
     columns.push_back({std::string(path), type_of(value, width)});
   });
   return columns;
+}
+
+std::vector<std::string> names_of(const std::vector<Column>& columns) {
+  std::vector<std::string> names;
+  for (const Column& column : columns) names.push_back(column.path);
+  return names;
 }
 
 std::string where_written(const Column& column) { return "/" + column.path; }
@@ -215,23 +231,24 @@ class Decoder {
 
  private:
   [[nodiscard]] const char* bytes(std::size_t across) const {
-    return next_->rows.data() + (at_ * next_->type.array.across() + across) * next_->type.array.size;
+    return next_->rows.data() + at_ * next_->row_size + across * next_->type.array.size;
   }
   [[nodiscard]] double number_at(std::size_t across) const {
     double x = 0;
     std::memcpy(&x, bytes(across), sizeof x);
     return x == 0 ? 0.0 : x;
   }
-  [[nodiscard]] std::string text_at(std::size_t across) const {
+  [[nodiscard]] std::string_view text_at(std::size_t across) const {
     const char* begin = bytes(across);
     const std::size_t size = next_->type.array.size;
-    std::string text(begin, strnlen(begin, size));
+    const std::string_view text(begin, strnlen(begin, size));
     // A column is as wide as its longest text could be, and nearly all of it is padding.
     if (const char* padding = begin + text.size(); text.size() + 1 < size)
       if (std::memcmp(padding, padding + 1, size - text.size() - 1) != 0) refuse("text after the end of the text");
     // Every text of a row is a name or a number: none needs a character that JSON would have to escape.
-    if (std::any_of(text.begin(), text.end(), [](char c) { return c <= ' ' || c > '~' || c == '"' || c == '\\'; }))
-      refuse("a character that no text here has, in " + formats::json_string(text));
+    bool strange = false;  // without a way out of the loop it is done for many characters at once
+    for (const char c : text) strange |= c <= ' ' || c > '~' || c == '"' || c == '\\';
+    if (strange) refuse("a character that no text here has, in " + formats::json_string(text));
     return text;
   }
   [[noreturn]] void refuse(const std::string& problem) const {
@@ -253,11 +270,11 @@ nlohmann::json flag_names() {
 class ColumnsWriter : public DatasetWriter {
  public:
   ColumnsWriter(const std::filesystem::path& path, ArraysForm form, const DatasetHeader& header)
-      : path_(path), header_(header), pending_(path), columns_(columns_of(header)) {
+      : path_(path), header_(header), pending_(path), columns_(columns_of(header)), digest_(names_of(columns_)) {
     hash_.add(to_line(header_)).add("\n");
     std::vector<formats::ArraysWriter::Array> arrays;
     for (const Column& column : columns_)
-      arrays.push_back({column.path, header_.count, column.path == "flags" ? flag_names() : nlohmann::json()});
+      arrays.push_back({column.path, header_.count, column.path == kFlagsColumn ? flag_names() : nlohmann::json()});
     arrays_ = formats::create_arrays(pending_, form, std::move(arrays));
   }
 
@@ -276,6 +293,7 @@ class ColumnsWriter : public DatasetWriter {
     flush();
     auto header = nlohmann::json::parse(to_line(header_));
     header[kDigest] = hash_.hex();
+    header[kColumnsDigest] = digest_.hex(header, {{kFlagsList, flag_names().get<std::vector<std::string>>()}});
     arrays_->finish(header);
     pending_.commit();
   }
@@ -294,6 +312,7 @@ class ColumnsWriter : public DatasetWriter {
   void flush() {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       arrays_->append(i, columns_[i].type.array, columns_[i].rows);
+      digest_.add(i, columns_[i].type.array, columns_[i].rows);
       columns_[i].rows.clear();
     }
   }
@@ -304,6 +323,7 @@ class ColumnsWriter : public DatasetWriter {
   std::vector<Column> columns_;
   std::unique_ptr<formats::ArraysWriter> arrays_;
   formats::Sha256 hash_;
+  ColumnsDigest digest_;
   std::uint64_t rows_ = 0;
 };
 
@@ -322,6 +342,7 @@ void open_column(Column& column, formats::ArraysFile& file, std::optional<std::u
   if (found.row != expected.row || column.reader->rows() != count)
     refuse(fmt::format("expected a shape of {}, got {}", expected.shape_text(count),
                        found.shape_text(column.reader->rows())));
+  column.row_size = expected.row_size();
 }
 
 /// Rows of a file in memory: what several blocks share.
@@ -379,13 +400,20 @@ class ColumnsSource final : public CaseSource {
   ColumnsSource(const std::filesystem::path& path, ArraysForm form)
       : whole_{path.string(), 0}, arrays_(formats::open_arrays(path, form)) {
     file_ = path.string();
-    nlohmann::json attributes = arrays_->header();
-    digest_ = formats::Node(attributes, whole_).at(kDigest).text();
-    attributes.erase(kDigest);
-    header_ = read_header(formats::Node(attributes, whole_));
+    stated_ = arrays_->header();
+    digest_ = formats::Node(stated_, whole_).at(kDigest).text();
+    if (const auto digest = formats::Node(stated_, whole_).find(kColumnsDigest)) {
+      columns_digest_ = digest->text();
+      stated_.erase(kColumnsDigest);
+    }
+    nlohmann::json header = stated_;
+    header.erase(kDigest);
+    header_ = read_header(formats::Node(header, whole_));
     columns_ = columns_of(header_);
     check_names();
     for (Column& column : columns_) open(column);
+    digest_of_columns_.emplace(names_of(columns_));
+    for (std::size_t i = 0; i < columns_.size(); ++i) digest_of_columns_->add(i, columns_[i].type.array, {});
     header_text_ = to_line(header_);
     hash_.add(header_text_).add("\n");
   }
@@ -406,13 +434,20 @@ class ColumnsSource final : public CaseSource {
     return enough;
   }
 
-  [[nodiscard]] bool wants_texts() const override { return true; }
+  [[nodiscard]] bool wants_texts() const override { return !columns_digest_; }
+  [[nodiscard]] bool has_digest_of_texts() const override { return true; }
   void saw(std::string_view text) override {
     hash_.add(text).add("\n");
     ++hashed_;
   }
   void saw_all() override {
-    // The digest is of the whole file, so it says nothing where rows were passed over.
+    // Either digest is of the whole file, so it says nothing where rows were passed over.
+    if (columns_digest_ && added_ == header_.count)
+      if (const std::string found = digest_of_columns_->hex(stated_, {{kFlagsList, flag_names_}});
+          found != *columns_digest_)
+        throw formats::InputError(
+            whole_, kColumnsDigest,
+            fmt::format("the file says {}, its header and columns have {}", *columns_digest_, found));
     if (hashed_ == header_.count && hash_.hex() != digest_)
       throw formats::InputError(whole_, kDigest,
                                 fmt::format("the file says {}, its rows as JSON lines have {}", digest_, hash_.hex()));
@@ -430,14 +465,14 @@ class ColumnsSource final : public CaseSource {
     for (const std::string& name : expected)
       if (!found.contains(name)) throw formats::InputError(whole_, "/" + name, "missing");
     for (const std::string& name : found)
-      if (!expected.contains(name) && name != formats::labelled("flags"))
+      if (!expected.contains(name) && name != formats::labelled(kFlagsColumn))
         throw formats::InputError(whole_, "/" + name,
                                   fmt::format("unknown; known here: /{}", fmt::join(expected, ", /")));
   }
 
   void open(Column& column) {
     open_column(column, *arrays_, header_.count, whole_);
-    if (column.path != "flags") return;
+    if (column.path != kFlagsColumn) return;
     const nlohmann::json names = arrays_->labels(column.path);
     const formats::Location& where = whole_;
     for (const formats::Node& name : formats::Node(names, where, "/flags: attribute names").items())
@@ -447,23 +482,50 @@ class ColumnsSource final : public CaseSource {
   }
 
   void load(std::uint64_t first) {
-    auto loaded = std::make_shared<Loaded>(Loaded{columns_, flag_names_});
+    // What no block uses any more has its memory already.
+    auto used = std::find_if(pool_.begin(), pool_.end(), [](const auto& one) { return one.use_count() == 1; });
+    if (used == pool_.end()) used = pool_.insert(used, std::make_shared<Loaded>(Loaded{columns_, flag_names_}));
+    std::atomic_thread_fence(std::memory_order_acquire);  // whoever used it has done so
+    const std::shared_ptr<Loaded> loaded = *used;
     const std::uint64_t count = std::min(kBlock, header_.count - first);
-    for (Column& column : loaded->columns) column.reader->read(first, count, column.rows);
-    loaded_ = std::move(loaded);
+    const bool in_turn = columns_digest_ && first == added_;
+    std::vector<std::exception_ptr> errors(columns_.size());
+    const auto read = [&](std::size_t i) {
+      try {
+        Column& column = loaded->columns[i];
+        column.reader->read(first, count, column.rows);
+        if (in_turn) digest_of_columns_->add(i, column.type.array, column.rows);
+      } catch (...) {
+        errors[i] = std::current_exception();
+      }
+    };
+    if (arrays_->reads_in_parallel())
+      // Whoever waits here for the other columns takes up nothing else meanwhile.
+      tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, columns_.size(), read); });
+    else
+      for (std::size_t i = 0; i < columns_.size(); ++i) read(i);
+    for (const std::exception_ptr& error : errors)
+      if (error) std::rethrow_exception(error);
+    if (in_turn) added_ += count;
+    loaded_ = loaded;
     first_ = first;
   }
 
   formats::Location whole_;
   std::unique_ptr<formats::ArraysFile> arrays_;
+  nlohmann::json stated_;  ///< the header as it stands there, without the digest of the columns
   std::string digest_;
+  std::optional<std::string> columns_digest_;
   std::vector<Column> columns_;  ///< without rows
   std::vector<std::string> flag_names_;
   std::shared_ptr<const Loaded> loaded_;
-  std::uint64_t first_ = 0;   ///< row of what is loaded
-  std::uint64_t passed_ = 0;  ///< rows in blocks, or passed over
+  std::vector<std::shared_ptr<Loaded>> pool_;  ///< what was loaded, and may be again with other rows
+  std::uint64_t first_ = 0;                    ///< row of what is loaded
+  std::uint64_t passed_ = 0;                   ///< rows in blocks, or passed over
   formats::Sha256 hash_;
   std::uint64_t hashed_ = 0;
+  std::optional<ColumnsDigest> digest_of_columns_;
+  std::uint64_t added_ = 0;  ///< rows that are in it
 };
 
 /// Calls visit as for_each_column does.

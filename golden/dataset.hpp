@@ -130,7 +130,9 @@ class CaseSource {
   [[nodiscard]] virtual std::unique_ptr<CaseBlock> next(std::uint64_t most) = 0;
   /// Passes over cases, unread; false where there are not so many.
   [[nodiscard]] virtual bool skip(std::uint64_t n) = 0;
-  /// Whether a whole file says something of the texts of its cases. Then it is told each in turn, and the end of them.
+  /// Whether a whole file says something of the texts of its cases, and whether nothing else covers what they say. It
+  /// is told each in turn, and the end of them.
+  [[nodiscard]] virtual bool has_digest_of_texts() const { return false; }
   [[nodiscard]] virtual bool wants_texts() const { return false; }
   virtual void saw(std::string_view /*text*/) {}
   virtual void saw_all() {}
@@ -155,6 +157,8 @@ class SeenIds {
     explicit Key(std::string_view id);
   };
 
+  /// Makes room for so many at once, which costs less than growing to it.
+  void expect(std::size_t count);
   /// Whether it is new.
   bool insert(const Key& key);
   /// Says that a key will be inserted soon: memory takes longer to answer than all the rest.
@@ -163,6 +167,7 @@ class SeenIds {
  private:
   /// The place of a key, or the free one where it belongs: its first digits are a digest's, and say where to look.
   [[nodiscard]] static std::size_t place(const std::vector<Key>& keys, const Key& key);
+  void make_room(std::size_t places);
   std::vector<Key> keys_ = std::vector<Key>(1024);  ///< a power of two of them, half of them free at least
   std::size_t size_ = 0;
 };
@@ -183,13 +188,15 @@ class DatasetReader {
   [[nodiscard]] const std::string& text() const { return text_; }
 
   /// For readers on many threads: the next cases, at most so many, which any of them may read; nullptr after the last.
-  /// Whoever reads them gives each to `accept`, one thread in the order of the file, and then calls `accepted_all`. The
-  /// digest of columns is that of all texts, one after the other: it is checked where `accept` is given them.
+  /// Whoever reads them gives each to `accept`, one thread in the order of the file, and then calls `accepted_all`.
+  /// Columns have a digest of all texts, one after the other: it is checked where `accept` is given them. Only a file
+  /// without a digest of the columns themselves needs that.
   [[nodiscard]] std::unique_ptr<CaseBlock> next_block(std::uint64_t most);
   /// Refuses a question that stood in the file before. `index`: its place in the file, from 0.
   void accept(const Case& c, const SeenIds::Key& key, std::uint64_t index, const CaseBlock& block, std::uint64_t i,
               std::string_view text = {});
   void accepted_all() { source_->saw_all(); }
+  [[nodiscard]] bool has_digest_of_texts() const { return source_->has_digest_of_texts(); }
   [[nodiscard]] bool wants_texts() const { return source_->wants_texts(); }
   void prefetch(const SeenIds::Key& key) const { ids_.prefetch(key); }
 

@@ -26,7 +26,7 @@ constexpr std::size_t kLongestCanonical =
 
 }  // namespace
 
-std::string query_id(const Query& query) {
+std::array<char, kIdLength> query_id_digits(const Query& query) {
   // No text on the way: every question of a run has its id computed and compared.
   std::array<unsigned char, kLongestCanonical> bytes{};
   auto at = std::copy(name(query.pair).begin(), name(query.pair).end(), bytes.begin()) + 1;
@@ -39,9 +39,14 @@ std::string query_id(const Query& query) {
   for_each_number_unnamed(query, put);
   const auto digest = formats::Sha256::digest_of(
       {reinterpret_cast<const char*>(bytes.data()), static_cast<std::size_t>(at - bytes.begin())});
-  std::string id(kIdLength, '\0');
+  std::array<char, kIdLength> id;
   for (std::size_t i = 0; i < id.size(); ++i) id[i] = "0123456789abcdef"[digest[i / 2] >> (i % 2 == 0 ? 4 : 0) & 15];
   return id;
+}
+
+std::string query_id(const Query& query) {
+  const auto id = query_id_digits(query);
+  return {id.data(), id.size()};
 }
 
 bool is_query_id(std::string_view text) {

@@ -1,6 +1,7 @@
 // The identity of a question: the beginning of a SHA-256.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -14,6 +15,8 @@ namespace contact::golden {
 /// big-endian binary64 in the canonical order.
 [[nodiscard]] std::string query_id(const Query& query);
 inline constexpr std::size_t kIdLength = 24;
+/// The same without memory of its own, for whoever only compares it.
+[[nodiscard]] std::array<char, kIdLength> query_id_digits(const Query& query);
 /// Whether a text could be the id of some question.
 [[nodiscard]] bool is_query_id(std::string_view text);
 

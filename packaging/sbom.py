@@ -23,7 +23,7 @@ PACKAGES = {"contact-oracle": "contact-oracle", "contact-oracle-mpi": "contact-o
 # What packaging/copyright does not speak of, because its headers only declare what is in a shared library, or are the compiler's own: licences by
 # Debian's source package.
 LINKED = {"gmp": "LGPL-3.0-or-later OR GPL-2.0-or-later", "mpfr4": "LGPL-3.0-or-later", "mpfi": "LGPL-2.1-or-later",
-          "libzip": "BSD-3-Clause", "libaec": "BSD-2-Clause", "libuv1": "MIT", "openssl": "Apache-2.0", "zlib": "Zlib", "openmpi": "BSD-3-Clause",
+          "libdeflate": "MIT", "libzip": "BSD-3-Clause", "libaec": "BSD-2-Clause", "libuv1": "MIT", "openssl": "Apache-2.0", "zlib": "Zlib", "openmpi": "BSD-3-Clause",
           "glibc": "LGPL-2.1-or-later", "gcc-12": "GPL-3.0-or-later WITH GCC-exception-3.1", "linux": "GPL-2.0-only WITH Linux-syscall-note",
           "llvm-toolchain-14": "Apache-2.0 WITH LLVM-exception", "python3.11": "PSF-2.0"}
 

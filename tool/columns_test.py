@@ -19,7 +19,11 @@ import zipfile
 import h5py
 import numpy
 
-from cli_test import GOLDEN, SPHERES, TOOL, Case, line
+from cli_test import GOLDEN, ROOT, SPHERES, TOOL, Case, line
+
+# The digest of columns as the page has it, in Python.
+PAGE = {}
+exec((ROOT / "docs" / "formats.md").read_text().split("<!-- columns-digest:begin -->\n```python")[1].split("```")[0], PAGE)
 
 SPHERE_FAMILY = ("--pair", "sphere_sphere", "--family", "touching", "--seed", 7)
 CUBE_FAMILY = ("--pair", "cube_cube", "--family", "alarm_edge", "--seed", 7, "--scalar", "binary32")
@@ -47,6 +51,20 @@ def read(path):
         return header, columns, [name.decode() for name in file["flags"].attrs["names"]]
 
 
+def seal(path):
+    """Gives a file of either form the digest that its columns have, as whoever changed it might."""
+    if path.suffix == ".npz":
+        with numpy.load(path) as file:
+            columns = {name: file[name] for name in file.files}
+        header = json.loads(columns["header"].item())
+        header["columns_sha256"] = PAGE["of_npz"](path)
+        numpy.savez(path, **{**columns, "header": numpy.bytes_(json.dumps(header).encode())})
+    else:
+        digest = PAGE["of_hdf5"](path)
+        with h5py.File(path, "r+") as file:
+            file.attrs["columns_sha256"] = numpy.bytes_(digest.encode())
+
+
 class Columns(Case):
     def generate(self, name, *more, count=40, family=SPHERE_FAMILY):
         path = self.folder / name
@@ -70,6 +88,7 @@ class Form(Columns):
 
     def check(self, path, lines, header, cases):
         attributes, columns, names = read(path)
+        self.assertEqual(attributes.pop("columns_sha256"), PAGE[f"of_{'npz' if path.suffix == '.npz' else 'hdf5'}"](path))
         self.assertEqual(attributes.pop("sha256"), hashlib.sha256(lines).hexdigest())
         self.assertEqual(attributes, header)
         compared = set()
@@ -197,6 +216,7 @@ class Damage(Columns):
             "attribute missing": (lambda file: file.attrs.__delitem__("seed"), "seed: missing"),
             "digest missing": (lambda file: file.attrs.__delitem__("sha256"), "sha256: missing"),
             "digest a number": (attribute("sha256", numpy.uint64(7)), "sha256: expected a string"),
+            "digest of columns a number": (attribute("columns_sha256", numpy.uint64(7)), "columns_sha256: expected a string"),
             "wrong version": (attribute("version", numpy.uint64(2)), "version: ", "2"),
             "wrong format": (attribute("format", numpy.bytes_(b"other")), "format: ", "other"),
             "wrong pair": (attribute("pair", numpy.bytes_(b"cone_cone")), "pair: ", "cone_cone"),
@@ -249,9 +269,13 @@ class Damage(Columns):
             with self.subTest(name):
                 self.damaged(change)
                 self.refused(("lint", self.path), f"{self.path}: row {row}: ", *words)
-                done = self.refused(("convert", self.path, "-o", self.folder / "x.jsonl"), f"{self.path}: sha256: the file says")
+                convert = ("convert", self.path, "-o", self.folder / "x.jsonl")
+                self.refused(convert, f"{self.path}: columns_sha256: the file says")
+                seal(self.path)
+                done = self.refused(convert, f"{self.path}: sha256: the file says")
                 with h5py.File(self.path, "r+") as file:  # whoever made the mistake may have made the digest too
                     file.attrs["sha256"] = numpy.bytes_(done.stderr.split()[-1].encode())
+                seal(self.path)
                 self.refused(("certify", self.path), f"{self.path}: row {row}: ", *words)
 
     def test_an_npz_that_is_wrong_is_refused_where_it_is(self):
@@ -286,7 +310,7 @@ class Damage(Columns):
                 "wrong version": (told(version=2), "version: ", "2"),
                 "wrong pair": (told(pair="cube_cube"), "/a/max: missing"),
                 "count too small": (told(count=39), "/id: ", "(39)", "(40)"),
-                "another seed": (told(seed=8), "sha256: "),
+                "another seed": (told(seed=8), "columns_sha256: "),
                 "numbers too narrow": (other("alarm", good["alarm"].astype("f4")), "/alarm: expected 64-bit IEEE numbers"),
                 "whole numbers": (other("alarm", good["alarm"].astype("i8")), "/alarm: has values of NumPy's kind '<i8'"),
                 "numbers of another processor": (other("alarm", good["alarm"].astype(">f8")), "/alarm: has values of NumPy's kind '>f8'"),
@@ -343,20 +367,103 @@ class Damage(Columns):
         archive({**members, "readme.txt": "x"})
         self.everywhere_refused(f"{self.path}: /readme.txt: is no .npy file")
 
-    def test_rows_that_are_not_those_of_the_digest_are_refused(self):
-        other = "0" * 64
-        self.damaged(lambda file: file.attrs.__setitem__("sha256", numpy.bytes_(other.encode())))
-        self.everywhere_refused(f"{self.path}: sha256: the file says {other}")
-        # Another header for the same rows.
-        self.damaged(lambda file: file.attrs.__setitem__("seed", numpy.uint64(8)))
-        self.everywhere_refused(f"{self.path}: sha256: ")
+    def test_a_file_that_was_changed_is_refused_by_the_digest_of_its_columns(self):
+        family = ("--pair", "sphere_sphere", "--family", "touching", "--seed", 7)
+        certify, convert = ("certify", "--engine", "production"), ("convert", "-o", self.folder / "x.jsonl")
+        for path, count in ((self.generate("a.h5", count=40, family=family), 40), (self.generate("b.h5", count=4100, family=family), 4100),
+                            (self.generate("a.npz", count=40, family=family), 40), (self.generate("b.npz", count=4100, family=family), 4100)):
+            _, good, names = read(path)
+            header = json.loads(numpy.load(path)["header"].item()) if path.suffix == ".npz" else None
+            last = count - 1
+            hits = numpy.flatnonzero(good["expect/hit"])
 
-    def test_the_digest_of_more_rows_than_a_block_has_is_compared(self):
-        path = self.generate("large.h5", count=4097)
-        with h5py.File(path, "r+") as file:
-            file.attrs["sha256"] = numpy.bytes_(b"0" * 64)
-        for args in (("certify", path), ("certify", path, "--jobs", "2"), ("lint", "--generated", path)):
-            self.refused(args, f"{path}: sha256: the file says ", "0" * 64)
+            def change(columns=(), **keys):
+                """Writes the file with other rows and another header."""
+                rows = dict(columns)
+                changed = self.folder / f"changed{path.suffix}"
+                if header is None:
+                    shutil.copy(path, changed)
+                    with h5py.File(changed, "r+") as file:
+                        for name, value in rows.items():
+                            file[name][:] = value
+                        for key, value in keys.items():
+                            file.attrs[key] = numpy.uint64(value) if isinstance(value, int) else numpy.bytes_(value.encode())
+                else:
+                    numpy.savez(changed, **{**good, **rows}, header=json.dumps({**header, **keys}), **{"flags.names": numpy.array(names, "S")})
+                return changed
+
+            def other(name, row, value):
+                column = good[name].copy()
+                column[row] = value
+                return {name: column}
+
+            def swapped(first, second):
+                order = numpy.arange(count)
+                order[[first, second]] = order[[second, first]]
+                return {name: column[order] for name, column in good.items()}
+            for name, changed in {
+                    "a number": other("exact/margin_ulps", last, 7.5), "a number of the first row": other("exact/margin_ulps", 0, 7.5),
+                    "the sign of a zero": other("alarm", last, -0.0),
+                    "a text": other("exact/reach", last, b"0x7p-3"), "a truth value": other("expect/degenerate", hits[-1], 1),
+                    "flags": other("flags", last, good["flags"][last] ^ 1), "a pair of rows": swapped(3, last)}.items():
+                with self.subTest(name, path=path.name):
+                    target = change(changed)
+                    # Nothing else is wrong in some, so that nothing but the digest can say so.
+                    alone = name in ("flags", "the sign of a zero", "a pair of rows")
+                    words = ("columns_sha256: the file says ", ", its header and columns have ") if alone else ()
+                    for command in (certify, (*certify, "--jobs", 2), convert):
+                        self.refused((*command, target), f"{target}: ", *words)
+            for key, value in (("seed", 8), ("generator", "another 0.1.0"), ("sha256", "0" * 64), ("columns_sha256", "0" * 64)):
+                with self.subTest(key, path=path.name):
+                    target = change(**{key: value})
+                    for command in (certify, (*certify, "--jobs", 2), convert):
+                        self.refused((*command, target), f"{target}: columns_sha256: the file says ", ", its header and columns have ")
+            with self.subTest("as it was", path=path.name):
+                target = change()
+                self.holds("lint", "--generated", target)
+                self.holds(*certify, target)
+
+    def test_a_file_without_the_digest_of_its_columns_is_compared_with_that_of_its_lines(self):
+        for path in (self.generate("a.h5", count=4100), self.generate("a.npz", count=4100)):
+            lines = self.convert(path, to="a.jsonl").read_bytes()
+
+            def told(**keys):
+                if path.suffix == ".npz":
+                    with numpy.load(path) as file:
+                        columns = {name: file[name] for name in file.files}
+                    header = {**json.loads(columns.pop("header").item()), **keys}
+                    header.pop("columns_sha256", None)
+                    numpy.savez(path, **columns, header=json.dumps(header))
+                else:
+                    with h5py.File(path, "r+") as file:
+                        if "columns_sha256" in file.attrs:
+                            del file.attrs["columns_sha256"]
+                        for key, value in keys.items():
+                            file.attrs[key] = numpy.uint64(value) if isinstance(value, int) else numpy.bytes_(value.encode())
+            with self.subTest(path.name):
+                told()
+                self.holds("certify", path, "--engine", "production")
+                self.holds("lint", "--generated", path)
+                self.assertEqual(self.convert(path, to="b.jsonl").read_bytes(), lines)
+                told(seed=8)
+                for args in (("certify", path), ("certify", path, "--jobs", 2), ("lint", "--generated", path), ("convert", path, "-o", self.folder / "c.jsonl")):
+                    self.refused(args, f"{path}: sha256: the file says ")
+
+    def test_the_digest_of_the_lines_is_compared_where_that_is_asked_for(self):
+        other = "0" * 64
+        for path in (self.generate("a.h5", count=4100), self.generate("a.npz", count=4100)):
+            with self.subTest(path.name):
+                if path.suffix == ".npz":
+                    with numpy.load(path) as file:
+                        columns = {name: file[name] for name in file.files}
+                    numpy.savez(path, **{**columns, "header": json.dumps({**json.loads(columns["header"].item()), "sha256": other})})
+                else:
+                    with h5py.File(path, "r+") as file:
+                        file.attrs["sha256"] = numpy.bytes_(other.encode())
+                seal(path)
+                for args in (("lint", "--generated", path), ("convert", path, "-o", self.folder / "x.jsonl"), ("certify", path, "--check", "all")):
+                    self.refused(args, f"{path}: sha256: the file says {other}")
+                self.holds("certify", path, "--engine", "production")
 
     def test_what_is_no_hdf5_or_a_piece_of_it_is_refused(self):
         good = self.good.read_bytes()

@@ -22,8 +22,8 @@ namespace {
 constexpr std::size_t kSlice = 32;  // questions that one thread takes at a time
 
 struct Item {
-  engines::Question question;
-  std::optional<golden::Case> expected;
+  const engines::Question& question;
+  const golden::Case* expected;  ///< of a dataset
 };
 
 /// Some questions on their way: read one after another, asked and judged on any thread, merged one after another.
@@ -31,9 +31,10 @@ struct Slice {
   std::uint64_t first;                         ///< index of its first question in the whole source
   std::uint64_t count;                         ///< questions that it stands for
   std::unique_ptr<golden::CaseBlock> block{};  ///< of a dataset
-  std::vector<Item> items{};                   ///< read or generated where they are asked
-  std::vector<golden::SeenIds::Key> keys{};    ///< of those that were read
-  std::vector<std::string> texts{};            ///< of those too, where the file says something of them
+  std::vector<engines::Question> questions{};  ///< read or generated where they are asked
+  std::vector<golden::Case> cases{};           ///< of those that were read, as their keys and texts
+  std::vector<golden::SeenIds::Key> keys{};
+  std::vector<std::string> texts{};  ///< where the file says something of them
   bool with_texts = false;
   std::vector<Findings> found{};
   oracle::StageCounts decided{};
@@ -42,16 +43,17 @@ struct Slice {
   bool failed = false;         ///< the first subject, where that ends the run
   std::exception_ptr error{};  ///< thrown when its turn comes, so that the first in order is what a run ends with
 
+  [[nodiscard]] Item item(std::size_t i) const { return {questions[i], cases.empty() ? nullptr : &cases[i]}; }
   [[nodiscard]] formats::Location where(const Item& item) const { return block->where(item.question.index - first); }
 };
 
 /// Reads or counts the questions of a source, some at a time.
 class Questions {
  public:
-  explicit Questions(const Source& source) : source_(source) {
+  explicit Questions(const Source& source, Check check = Check::sample) : source_(source) {
     if (!source.dataset || source.count == 0) return;
     reader_.emplace(*source.dataset);
-    with_texts_ = reader_->wants_texts();
+    with_texts_ = reader_->wants_texts() || (check == Check::all && reader_->has_digest_of_texts());
     reader_->skip(source.first);
   }
 
@@ -82,7 +84,7 @@ class Questions {
   void accept(const Slice& slice) {
     for (const auto& key : slice.keys) reader_->prefetch(key);
     for (std::size_t i = 0; i < slice.keys.size(); ++i)
-      reader_->accept(*slice.items[i].expected, slice.keys[i], slice.first + i, *slice.block, i,
+      reader_->accept(slice.cases[i], slice.keys[i], slice.first + i, *slice.block, i,
                       with_texts_ ? slice.texts[i] : std::string_view());
   }
   void accepted_all() {
@@ -98,20 +100,23 @@ class Questions {
 
 /// Makes the questions of a slice: read, generated, or of a list.
 void make_items(const Source& source, Slice& slice) {
-  std::vector<Item>& items = slice.items;
-  items.reserve(slice.count);
-  for (std::uint64_t i = 0; slice.block && i < slice.count; ++i) {
-    golden::Case c = slice.block->read(i);
-    slice.keys.emplace_back(c.id);
-    if (slice.with_texts) slice.texts.push_back(slice.block->text(i, c));
-    items.push_back({{c.id, c.query, slice.first + i}, std::move(c)});
+  slice.questions.reserve(slice.count);
+  if (slice.block) {
+    slice.cases.reserve(slice.count);
+    slice.keys.reserve(slice.count);
+    for (std::uint64_t i = 0; i < slice.count; ++i) {
+      const golden::Case& c = slice.cases.emplace_back(slice.block->read(i));
+      slice.keys.emplace_back(c.id);
+      if (slice.with_texts) slice.texts.push_back(slice.block->text(i, c));
+      slice.questions.push_back({c.id, c.query, slice.first + i});
+    }
+    return;
   }
-  if (slice.block) return;
   for (std::uint64_t index = slice.first; index < slice.first + slice.count; ++index) {
     const Query query = source.listed
                             ? source.listed->at(index)
                             : golden::generate_query(source.pair, *source.generator, source.scalar, source.seed, index);
-    items.push_back({{golden::query_id(query), query, index}, std::nullopt});
+    slice.questions.push_back({golden::query_id(query), query, index});
   }
 }
 
@@ -232,7 +237,7 @@ void for_each_question(const Source& source, const std::function<void(const engi
     if (slice->error) std::rethrow_exception(slice->error);
     make_items(source, *slice);
     questions.accept(*slice);
-    for (const Item& item : slice->items) visit(item.question);
+    for (const engines::Question& question : slice->questions) visit(question);
   }
   questions.accepted_all();
 }
@@ -306,8 +311,9 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
     for (std::size_t s = 0; s < judged.size(); ++s)
       if (compared_at_once[s]) slice.found[s].why.compare_at_once();
     std::vector<std::optional<Agreed>> truths;
-    truths.reserve(slice.items.size());
-    for (const Item& item : slice.items) {
+    truths.reserve(slice.questions.size());
+    for (std::size_t i = 0; i < slice.questions.size(); ++i) {
+      const Item item = slice.item(i);
       const bool outside = !inside_domain(item.question.query);
       if (outside && item.expected) golden::check_rejection(*item.expected, slice.where(item));
       truths.push_back(outside ? std::nullopt
@@ -318,21 +324,23 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
       std::vector<engines::Question> asked;
       std::vector<std::size_t> which;
       std::map<std::string_view, std::uint64_t> left_out;
-      for (std::size_t i = 0; i < slice.items.size(); ++i) {
-        if (const auto why = oracle::not_served(slice.items[i].question.query, declared)) {
+      for (std::size_t i = 0; i < slice.questions.size(); ++i) {
+        if (const auto why = oracle::not_served(slice.questions[i].query, declared)) {
           ++left_out[*why];
-          judged[s]->engine->pass_over(slice.items[i].question);
+          judged[s]->engine->pass_over(slice.questions[i]);
           continue;
         }
-        asked.push_back(slice.items[i].question);
         which.push_back(i);
       }
+      const bool all = which.size() == slice.questions.size();
+      if (!all)
+        for (const std::size_t i : which) asked.push_back(slice.questions[i]);
       for (const auto& [why, count] : left_out)
         slice.found[s].skipped.push_back(
             {fmt::format("{}/{}", name(source.pair), source.family), std::string(why), count, none.source});
-      const std::vector<Claim> claims = judged[s]->engine->answer(asked);
-      for (std::size_t k = 0; k < asked.size(); ++k)
-        judge_one(slice.items[which[k]], truths[which[k]], source, claims[k], *judged[s], declared, slice.found[s]);
+      const std::vector<Claim> claims = judged[s]->engine->answer(all ? slice.questions : asked);
+      for (std::size_t k = 0; k < which.size(); ++k)
+        judge_one(slice.item(which[k]), truths[which[k]], source, claims[k], *judged[s], declared, slice.found[s]);
     }
     const auto is_new = [](const Failure& f) { return !f.accepted; };
     slice.failed = stop.at_first_failure && !judged.empty() && judged.front() == &subjects.front() &&
@@ -340,7 +348,7 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
     slice.asked_all = true;
   };
 
-  Questions questions(source);
+  Questions questions(source, oracles.check);
   Progress progress(fmt::format("{}/{}", name(source.pair), source.family), source.count);
   std::uint64_t reached = 0;
   bool all_read = !stop.why.empty();
