@@ -145,8 +145,11 @@ class Hdf5Array final : public ArrayReader {
     at[0] = first;
     hsize_t size = 0;
     checked(H5Dget_chunk_storage_size(set_, at.data(), &size));
-    stored_.resize(size);
+    stored_.clear();  // which no chunk decodes from
     left_out_ = 0;
+    // What deflate cannot make smaller it makes hardly larger: any other size is damage.
+    if (size > 2 * chunk_[0] * type().row_size() + 4096) return;
+    stored_.resize(size);
     checked(H5Dread_chunk(set_, H5P_DEFAULT, at.data(), &left_out_, stored_.data()));
   }
 
