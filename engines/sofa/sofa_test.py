@@ -134,7 +134,7 @@ class Sofa(unittest.TestCase):
         """The contact that it gives for one question, as numbers; nothing where there is none."""
         file = self.folder / f"{self.id()}.jsonl"
         made = run("certify", self.asked({"alarm": 0, "contact": 0, **query}), "--engine-library", self.build / f"{library}.so", "--record", file)
-        self.assertIn(made.returncode, (0, 1), made.stderr)
+        self.assertTrue(file.is_file(), made.stderr)  # whatever the verdict
         return json.loads(file.read_text().splitlines()[1])["contact"]
 
     # Mat.h, equalsZero: a determinant up to 2.2e-16 counts as 0. Here it is 4e-12 times the line's length, or that of a ray's direction.

@@ -198,6 +198,11 @@ TEST(ScaledPair, takes_the_side_of_a_tie_that_a_tiny_distance_says) {
   EXPECT_EQ(ScaledPair::of(a, b)->value(0), -2.0);
   const Ball c{{0x1p-1000, 0, 0}, 1 + 0x3p-52};
   EXPECT_EQ(ScaledPair::of(a, c)->value(0), -(2 + 0x1p-51));
+  // A distance that two numbers do not hold beside the radii, or that no number of their unit holds, is on the other.
+  const auto third = ScaledPair::of({{0, 0, 0}, 1}, {{0x1p-1000, 0, 0}, 0x1p-53})->value(0x1p-200);
+  EXPECT_EQ(third.value_or(-(1 + 0x1p-52)), -(1 + 0x1p-52));
+  const auto lost = ScaledPair::of({{0, 0, 0}, 0x1p20}, {{0x1p-1070, 0, 0}, 0x1p-33})->value(0x1p-1060);
+  EXPECT_EQ(lost.value_or(-(0x1p20 + 0x1p-32)), -(0x1p20 + 0x1p-32));
 }
 
 TEST(ScaledPair, is_nothing_where_centres_coincide_or_arithmetic_is_another) {
