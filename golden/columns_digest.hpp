@@ -1,4 +1,4 @@
-// The digest of a dataset's columns, as they come block by block: docs/formats.md#columns.
+// The digest of a dataset's columns, as they come block by block: docs/formats.md#the-digest-of-the-columns.
 #pragma once
 
 #include <cstddef>

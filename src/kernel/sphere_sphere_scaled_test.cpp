@@ -15,7 +15,6 @@
 #include <string>
 #include <utility>
 
-#include "contact/sphere_sphere.hpp"
 #include "environment/floating_point_environments.hpp"
 
 namespace contact::kernel {
