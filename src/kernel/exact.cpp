@@ -1,10 +1,12 @@
 // Exact arithmetic for what the filters leave: integers on a common grid, and correct rounding in Q(sqrt D).
 //
-// A correctly rounded number needs its leading 54 bits and whether anything follows. With everything an integer, the
+// A number is estimated in double arithmetic, and then verified: two exact expressions tell on which side of it lie the
+// rounding boundaries beside the estimate. That takes products alone. Where the estimate fails, a division answers: a
+// correctly rounded number needs its leading 54 bits and whether anything follows. With everything an integer, the
 // leading bits of c + e / sqrt(D) at a scale 2^p are an integer square root, since floor(sqrt(N) / D) and
 // floor(sqrt(floor(N / D^2))) are the same integer; what follows is the two remainders. The scale p comes from an
-// exact lower bound on the magnitude, in which c^2 D - e^2 (or D - t^2) carries all of the cancellation, so nothing is
-// guessed, nothing is repeated, and ties are seen as ties.
+// exact lower bound on the magnitude, in which c^2 D - e^2 carries all of the cancellation, so nothing is guessed,
+// nothing is repeated, and ties are seen as ties.
 #include "kernel/exact.hpp"
 
 #include <algorithm>
@@ -12,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 namespace contact::kernel {
 namespace {
@@ -110,12 +113,31 @@ struct Estimate {
   int exponent;
 };
 
+// What both kinds of integers need.
+Estimate estimate(const FixedInteger& n) {
+  Estimate of{};
+  of.x = leading(n.limbs(), of.exponent);
+  return of;
+}
+Estimate estimate(const Integer& n) {
+  const auto& magnitude = n.backend();
+  Estimate of{};
+  of.x = leading(std::span(magnitude.limbs(), n.is_zero() ? 0 : magnitude.size()), of.exponent);
+  return of;
+}
+FixedInteger shifted(const FixedInteger& n, int by) { return n << by; }
+Integer shifted(const Integer& n, int by) { return n << static_cast<unsigned>(by); }
+int compare_magnitudes(const Integer& a, const Integer& b) { return a.backend().compare_unsigned(b.backend()); }
+/// significand 2^shift.
+void make(std::uint64_t significand, int shift, FixedInteger& n) { n = FixedInteger(significand, shift, false); }
+void make(std::uint64_t significand, int shift, Integer& n) { n = shifted(Integer(significand), shift); }
+
 /// |c| + |e| / sqrt(D) within a few units of the last place.
-Estimate estimate_of_magnitudes(const FixedInteger& c, const FixedInteger& e, const Estimate& D) {
-  Estimate first{};
-  first.x = c.leading(first.exponent);
-  Estimate second{};
-  second.x = e.leading(second.exponent) / std::sqrt(D.x);
+template <class Number>
+Estimate estimate_of_magnitudes(const Number& c, const Number& e, const Estimate& D) {
+  const Estimate first = estimate(c);
+  Estimate second = estimate(e);
+  second.x /= std::sqrt(D.x);
   second.exponent -= D.exponent / 2;
   if (second.x == 0) return first;
   if (first.x == 0) return second;
@@ -191,7 +213,7 @@ Integer floor_sqrt(const Integer& n) {
 
 double round_integer(const Integer& n, int exponent) { return round_magnitude(abs(n), false, exponent, n.sign() < 0); }
 
-double round_sum(const Integer& c, const Integer& e, const Integer& D, int exponent, const Integer& over) {
+double round_sum_by_division(const Integer& c, const Integer& e, const Integer& D, int exponent, const Integer& over) {
   if (e.is_zero() && (c.is_zero() || over == 1)) return round_integer(c, exponent);
   const int root_bits = (bit_length(D) + 1) / 2;  // sqrt(D) < 2^root_bits
   int lower_bound;
@@ -214,42 +236,26 @@ double round_sum(const Integer& c, const Integer& e, const Integer& D, int expon
   return round_floor(std::move(floor), ratio.exact, exponent - static_cast<int>(p), over);
 }
 
-// The leading bits are estimated and then verified: the number lies between the rounding boundaries beside the result,
-// by the signs of two exact expressions. An estimate that is off costs steps, never the answer.
-double round_sum(const FixedInteger& c, const FixedInteger& e, const FixedInteger& D, int exponent) {
-  // X = |c + e / sqrt(D)|. With s = sqrt(D), where the signs differ: X = |c^2 D - e^2| / (D (|c| + |e| / s)).
-  const bool cancels = c.sign() * e.sign() < 0;
-  const FixedInteger e2 = e * e;
-  Estimate root2{};
-  root2.x = D.leading(root2.exponent);
-  if (root2.exponent % 2 != 0) root2 = {root2.x / 2, root2.exponent + 1};
-  Estimate X = estimate_of_magnitudes(c, e, root2);
-  int sign = c.sign() != 0 ? c.sign() : e.sign();
-  if (cancels) {
-    const FixedInteger difference = c * c * D - e2;
-    sign *= difference.sign();
-    int bits = 0;
-    X.x = difference.leading(bits) / (root2.x * X.x);
-    X.exponent = bits - root2.exponent - X.exponent;
-  }
-  if (sign == 0) return 0.0;
+namespace {
 
-  return round_sum_near(std::ldexp(X.x, X.exponent + exponent), sign, c, e, D, exponent);
-}
-
-double round_sum_near(double estimate, int sign, const FixedInteger& c, const FixedInteger& e, const FixedInteger& D,
-                      int exponent) {
+/// round_sum_near for numbers of either kind, over `over` where there is one; `give_up` answers after kMostSteps.
+template <class Number, class GiveUp>
+double round_near(double estimate, int sign, const Number& c, const Number& e, const Number& D, int exponent,
+                  const Number* over, const GiveUp& give_up) {
   // The sign of X - m. With u = sign c - m and f = sign e: u^2 D against f^2 where their signs differ.
-  const FixedInteger e2 = e * e;
-  const FixedInteger u0 = sign < 0 ? -c : c;
+  const Number e2 = e * e;
+  const Number u0 = sign < 0 ? -c : c;
   const int f = sign * e.sign();
   int steps = 0;
   const auto compare = [&](const Decoded& m) {
     ++steps;
     const int finer = std::max(0, exponent - m.exponent);
-    const FixedInteger u = (u0 << finer) - FixedInteger(m.significand, m.exponent - exponent + finer, false);
+    Number u;
+    make(m.significand, m.exponent - exponent + finer, u);
+    if (over != nullptr) u = u * *over;
+    u = shifted(u0, finer) - u;
     if (f == 0 || u.sign() * f >= 0) return f == 0 ? u.sign() : f;
-    return u.sign() * compare_magnitudes(u * u * D, e2 << (2 * finer));
+    return u.sign() * compare_magnitudes(u * u * D, shifted(e2, 2 * finer));
   };
   constexpr auto kInfinite = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
   auto bits = std::bit_cast<std::uint64_t>(std::min(estimate, std::numeric_limits<double>::max()));
@@ -263,21 +269,57 @@ double round_sum_near(double estimate, int sign, const FixedInteger& c, const Fi
     if (below == 0) break;
     --bits;
   }
-  if (steps >= kMostSteps) return round_sum(integer(c), integer(e), integer(D), exponent);
+  if (steps >= kMostSteps) return give_up();
   if (bits == 0) return 0.0;
   return std::bit_cast<double>(bits | (sign < 0 ? std::uint64_t{1} << 63 : 0));
 }
 
+// An estimate that is off costs steps, never the answer.
+template <class Number, class GiveUp>
+double round_by_products(const Number& c, const Number& e, const Number& D, int exponent, const Number* over,
+                         const GiveUp& give_up) {
+  // X = |c + e / sqrt(D)|. With s = sqrt(D), where the signs differ: X = |c^2 D - e^2| / (D (|c| + |e| / s)).
+  const bool cancels = c.sign() * e.sign() < 0;
+  Estimate root2 = estimate(D);
+  if (root2.exponent % 2 != 0) root2 = {root2.x / 2, root2.exponent + 1};
+  Estimate X = estimate_of_magnitudes(c, e, root2);
+  int sign = c.sign() != 0 ? c.sign() : e.sign();
+  if (cancels) {
+    const Number difference = c * c * D - e * e;
+    sign *= difference.sign();
+    const Estimate of_difference = estimate(difference);
+    X.x = of_difference.x / (root2.x * X.x);
+    X.exponent = of_difference.exponent - root2.exponent - X.exponent;
+  }
+  if (sign == 0) return 0.0;
+  if (over != nullptr) {
+    const Estimate by = estimate(*over);
+    X = {X.x / by.x, X.exponent - by.exponent};
+  }
+  return round_near(std::ldexp(X.x, X.exponent + exponent), sign, c, e, D, exponent, over, give_up);
+}
+
+}  // namespace
+
+double round_sum(const Integer& c, const Integer& e, const Integer& D, int exponent, const Integer& over) {
+  if (e.is_zero() && (c.is_zero() || over == 1)) return round_integer(c, exponent);
+  return round_by_products(c, e, D, exponent, over == 1 ? nullptr : &over,
+                           [&] { return round_sum_by_division(c, e, D, exponent, over); });
+}
+
+double round_sum(const FixedInteger& c, const FixedInteger& e, const FixedInteger& D, int exponent) {
+  return round_by_products<FixedInteger>(
+      c, e, D, exponent, nullptr, [&] { return round_sum_by_division(integer(c), integer(e), integer(D), exponent); });
+}
+
+double round_sum_near(double estimate, int sign, const FixedInteger& c, const FixedInteger& e, const FixedInteger& D,
+                      int exponent) {
+  return round_near<FixedInteger>(estimate, sign, c, e, D, exponent, nullptr,
+                                  [&] { return round_sum_by_division(integer(c), integer(e), integer(D), exponent); });
+}
+
 double round_root_less(const Integer& D, const Integer& t, int exponent, const Integer& over) {
-  // |s - t| = |D - t^2| / (s + t)  with s = sqrt(D)
-  const Integer difference = abs(Integer(D - t * t));
-  if (difference.is_zero()) return 0.0;
-  const int root_bits = (bit_length(D) + 1) / 2;
-  const unsigned p =
-      scale_for(bit_length(difference) - 1 - (std::max(root_bits, bit_length(t)) + 1) - bit_length(over));
-  const Integer scaled = D << (2 * p);
-  const Integer root = floor_sqrt(scaled);
-  return round_floor(root - (t << p), root * root == scaled, exponent - static_cast<int>(p), over);
+  return round_sum(-t, D, D, exponent, over);
 }
 
 }  // namespace contact::kernel

@@ -59,12 +59,16 @@ class Grid {
 /// (c + e / sqrt(D)) / over 2^exponent rounded once to binary64, to nearest, ties to even. Domain: D > 0, over > 0.
 [[nodiscard]] double round_sum(const Integer& c, const Integer& e, const Integer& D, int exponent,
                                const Integer& over = 1);
-/// The same over 1 by products alone. Domain: an exponent near the range of double, and for L = Grid::kFixedLength
+/// The same over 1. Domain: an exponent near the range of double, and for L = Grid::kFixedLength
 ///             |c| < 2^(L+2), |e| < 2^(2L+4), D < 2^(2L+4).
 [[nodiscard]] double round_sum(const FixedInteger& c, const FixedInteger& e, const FixedInteger& D, int exponent);
 
+/// The same by division and an integer root. The others take products alone, and this where their estimate fails.
+[[nodiscard]] double round_sum_by_division(const Integer& c, const Integer& e, const Integer& D, int exponent,
+                                           const Integer& over = 1);
+
 /// The same, |c + e / sqrt(D)| 2^exponent being about `estimate`. A wrong one costs steps, and after kMostSteps the
-/// integers above answer. Domain: c + e / sqrt(D) has that sign, which is not 0.
+/// division answers. Domain: c + e / sqrt(D) has that sign, which is not 0.
 [[nodiscard]] double round_sum_near(double estimate, int sign, const FixedInteger& c, const FixedInteger& e,
                                     const FixedInteger& D, int exponent);
 

@@ -123,7 +123,7 @@ TEST(FixedInteger, has_the_length_and_the_leading_part_of_its_magnitude) {
       const FixedInteger n(3, shift, negative);  // 3/4 of 2^(shift + 2)
       EXPECT_EQ(n.bit_length(), shift + 2);
       int exponent = 0;
-      EXPECT_EQ(n.leading(exponent), 0.75);
+      EXPECT_EQ(leading(n.limbs(), exponent), 0.75);
       EXPECT_EQ(exponent, shift + 2);
     }
   EXPECT_EQ(FixedInteger().bit_length(), 0);
@@ -163,12 +163,14 @@ double rounded_integer(const Integer& n, int exponent) {
 
 double rounded_sum(const Integer& c, const Integer& e, const Integer& D, int exponent) {
   const double y = round_sum(c, e, D, exponent);
+  expect_same(round_sum_by_division(c, e, D, exponent), y);
   if (fits(c, e, D, exponent)) expect_same(round_sum(fixed(c), fixed(e), fixed(D), exponent), y);
   return y;
 }
 
 double rounded_root_less(const Integer& D, const Integer& t, int exponent) {
   const double y = round_root_less(D, t, exponent);
+  expect_same(round_sum_by_division(-t, D, D, exponent), y);
   if (fits(t, 0, D, exponent)) expect_same(round_root_less(fixed(D), fixed(t), exponent), y);
   return y;
 }
@@ -291,6 +293,7 @@ TEST(RoundSum, over_a_random_denominator_is_nearest) {
     if (i % 3 == 0) e = -e;
     if (i % 5 == 0) c = -(e * floor_sqrt(D)) / D;  // cancels nearly
     const Rational q = rational(over, 0);
+    expect_same(round_sum_by_division(c, e, D, -100, over), round_sum(c, e, D, -100, over));
     EXPECT_TRUE(is_nearest(round_sum(c, e, D, -100, over), Rational(rational(c, -100) / q),
                            Rational(rational(e, -100) / (rational(D, 0) * q)), rational(D, 0)))
         << c << " " << e << " " << D << " " << over;
