@@ -3,10 +3,9 @@
 
 namespace contact::oracle {
 
-std::optional<DoubleDoubleCase> double_double_case(const CapsuleAndPlane& shapes, Distances distances, Scalar scalar,
-                                                   bool with_margin) {
+std::optional<RoundedAnswer> double_double_answer(const CapsuleAndPlane& shapes, Distances distances, Scalar scalar) {
   const auto& [a, b] = shapes;
-  return case_over_plane({a.start, a.end}, a.radius, b, distances, scalar, with_margin);
+  return case_over_plane({a.start, a.end}, a.radius, b, distances, scalar);
 }
 
 }  // namespace contact::oracle

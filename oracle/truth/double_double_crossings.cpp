@@ -6,8 +6,8 @@
 
 namespace contact::oracle {
 
-std::optional<DoubleDoubleCase> case_of_crossing(const Vector3& from, const DoubleDoubles& along,
-                                                 const Triangle& triangle, int sign, Scalar scalar) {
+std::optional<RoundedAnswer> case_of_crossing(const Vector3& from, const DoubleDoubles& along, const Triangle& triangle,
+                                              int sign, Scalar scalar) {
   const auto& [v0, v1, v2] = triangle.vertices;
   if (!in_short_range({v0, v1}) || !in_short_range({v2, v2})) return std::nullopt;
   const DoubleDoubles u = difference(v1, v0);
@@ -30,7 +30,7 @@ std::optional<DoubleDoubleCase> case_of_crossing(const Vector3& from, const Doub
     if (of_x && *of_x * *of_all < 0) crosses = false;
   }
   if (crosses && !certain) return std::nullopt;
-  if (!crosses) return DoubleDoubleCase{{1, 1, {false, std::nullopt}}, std::nullopt};
+  if (!crosses) return RoundedAnswer{1, 1, {false, std::nullopt}};
 
   const DoubleDouble part = r * reciprocal(all);
   const DoubleDouble inverse = reciprocal(root(dot(n, n)));
@@ -40,7 +40,9 @@ std::optional<DoubleDoubleCase> case_of_crossing(const Vector3& from, const Doub
     contact.normal[i] = sign < 0 ? -n[i] * inverse : n[i] * inverse;
   }
   contact.q = contact.p;
-  return case_along(contact, 0, 0, {0, 0}, scalar, false);
+  auto found = case_along(contact, 0, 0, {0, 0}, scalar);
+  if (found) found->margin_ulps.reset();  // there is no distance
+  return found;
 }
 
 }  // namespace contact::oracle

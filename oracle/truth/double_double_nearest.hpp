@@ -49,8 +49,11 @@ struct DoubleDoubleAlong {
   bool degenerate;
   bool unique;
 };
-[[nodiscard]] std::optional<DoubleDoubleCase> case_along(const DoubleDoubleAlong& along, double radius1, double radius2,
-                                                         Distances distances, Scalar scalar, bool with_margin);
+/// past / ulp(reach) in the scalar, rounded to binary64, where the stage can tell.
+[[nodiscard]] std::optional<double> margin_of(const DoubleDouble& past, const DoubleDouble& reach, Scalar scalar);
+
+[[nodiscard]] std::optional<RoundedAnswer> case_along(const DoubleDoubleAlong& along, double radius1, double radius2,
+                                                      Distances distances, Scalar scalar);
 
 /// Decisions that are known already: on which side of the alarm distance, and of 0, the distance is.
 struct Sides {
@@ -58,9 +61,8 @@ struct Sides {
   int at_zero;
 };
 /// Domain: every number in_range of 200. Where the cores meet, the normal is (1, 0, 0).
-[[nodiscard]] std::optional<DoubleDoubleCase> case_of_nearest(const DoubleDoubleNearest& nearest, double radius1,
-                                                              double radius2, Distances distances, Scalar scalar,
-                                                              bool with_margin,
-                                                              const std::optional<Sides>& known = std::nullopt);
+[[nodiscard]] std::optional<RoundedAnswer> case_of_nearest(const DoubleDoubleNearest& nearest, double radius1,
+                                                           double radius2, Distances distances, Scalar scalar,
+                                                           const std::optional<Sides>& known = std::nullopt);
 
 }  // namespace contact::oracle

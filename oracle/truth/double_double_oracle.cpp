@@ -12,13 +12,6 @@
 namespace contact::oracle {
 namespace {
 
-std::optional<DoubleDoubleCase> answer(const Query& query, Scalar scalar, bool with_margin) {
-  const DefaultEnvironment environment;
-  return std::visit(
-      [&](const auto& shapes) { return double_double_case(shapes, query.distances, scalar, with_margin); },
-      query.shapes);
-}
-
 /// Takes answers, and remembers whether one of them was nothing.
 class Settled {
  public:
@@ -32,8 +25,9 @@ class Settled {
   bool all_ = true;
 };
 
-/// (sqrt(D) - reach) / ulp(reach), rounded to binary64.
-std::optional<double> margin_of(const DoubleDouble& distance, const DoubleDouble& reach, Scalar scalar) {
+}  // namespace
+
+std::optional<double> margin_of(const DoubleDouble& past, const DoubleDouble& reach, Scalar scalar) {
   const Format format = format_of(scalar);
   int exponent = format.min_exponent;
   if (reach.high > 0) {
@@ -44,23 +38,22 @@ std::optional<double> margin_of(const DoubleDouble& distance, const DoubleDouble
     exponent = std::max(exponent, format.min_exponent);
   }
   // The unit is a power of two and, as the answer, far from the ends of the range: scaling commutes with rounding.
-  const auto off = round_to_nearest(distance - reach, Scalar::binary64);
+  const auto off = round_to_nearest(past, Scalar::binary64);
   if (!off) return std::nullopt;
   if (*off != 0 && std::abs(std::ilogb(*off)) > 500) return std::nullopt;
   return std::ldexp(*off, format.precision - 1 - exponent);
 }
 
-}  // namespace
-
-std::optional<DoubleDoubleCase> case_along(const DoubleDoubleAlong& along, double radius1, double radius2,
-                                           Distances distances, Scalar scalar, bool with_margin) {
+std::optional<RoundedAnswer> case_along(const DoubleDoubleAlong& along, double radius1, double radius2,
+                                        Distances distances, Scalar scalar) {
   const DoubleDouble radii = two_sum(radius1, radius2);
-  DoubleDoubleCase found{{along.at_alarm, along.at_zero, {along.at_alarm <= 0, std::nullopt}}, std::nullopt};
-  if (with_margin) found.margin_ulps = margin_of(along.distance, plus(radii, distances.alarm), scalar);
-  if (!found.answer.expected.hit) return found;
+  RoundedAnswer found{along.at_alarm, along.at_zero, {along.at_alarm <= 0, std::nullopt}};
+  const DoubleDouble reach = plus(radii, distances.alarm);
+  found.margin_ulps = margin_of(along.distance - reach, reach, scalar);
+  if (!found.expected.hit) return found;
 
   Settled settled;
-  Contact& contact = found.answer.expected.contact.emplace();
+  Contact& contact = found.expected.contact.emplace();
   contact.degenerate = along.degenerate;
   contact.unique = along.unique;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -75,9 +68,8 @@ std::optional<DoubleDoubleCase> case_along(const DoubleDoubleAlong& along, doubl
   return found;
 }
 
-std::optional<DoubleDoubleCase> case_of_nearest(const DoubleDoubleNearest& nearest, double radius1, double radius2,
-                                                Distances distances, Scalar scalar, bool with_margin,
-                                                const std::optional<Sides>& known) {
+std::optional<RoundedAnswer> case_of_nearest(const DoubleDoubleNearest& nearest, double radius1, double radius2,
+                                             Distances distances, Scalar scalar, const std::optional<Sides>& known) {
   const auto& [p, q, delta] = nearest;
   const DoubleDouble D = dot(delta, delta);
   if (D.radius > D.high * 0x1p-20) return std::nullopt;
@@ -93,17 +85,13 @@ std::optional<DoubleDoubleCase> case_of_nearest(const DoubleDoubleNearest& neare
     const DoubleDouble inverse = reciprocal(along.distance);
     for (std::size_t i = 0; i < 3; ++i) along.normal[i] = delta[i] * inverse;
   }
-  return case_along(along, radius1, radius2, distances, scalar, with_margin);
+  return case_along(along, radius1, radius2, distances, scalar);
 }
 
 std::optional<RoundedAnswer> double_double_answer(const Query& query, Scalar scalar) {
-  auto found = answer(query, scalar, false);
-  if (!found) return std::nullopt;
-  return std::move(found->answer);
-}
-
-std::optional<DoubleDoubleCase> double_double_case(const Query& query, Scalar scalar) {
-  return answer(query, scalar, true);
+  const DefaultEnvironment environment;
+  return std::visit([&](const auto& shapes) { return double_double_answer(shapes, query.distances, scalar); },
+                    query.shapes);
 }
 
 }  // namespace contact::oracle

@@ -18,18 +18,10 @@ namespace contact::oracle {
 /// Evidence    oracle/truth/double_double_oracle_test.cpp
 [[nodiscard]] std::optional<RoundedAnswer> double_double_answer(const Query& query, Scalar scalar);
 
-/// The same with what a golden file records beside the answer of two spheres: (sqrt(D) - reach) / ulp(reach) in
-/// `scalar`, rounded to binary64.
-struct DoubleDoubleCase {
-  RoundedAnswer answer;
-  std::optional<double> margin_ulps;  ///< nothing where the stage cannot tell, and for cubes
-};
-[[nodiscard]] std::optional<DoubleDoubleCase> double_double_case(const Query& query, Scalar scalar);
-
 // The same of each pair, in files of its own.
-#define CONTACT_DECLARE(A, B)                                                                                    \
-  [[nodiscard]] std::optional<DoubleDoubleCase> double_double_case(const Two<A, B>& shapes, Distances distances, \
-                                                                   Scalar scalar, bool with_margin);
+#define CONTACT_DECLARE(A, B)                                                                                   \
+  [[nodiscard]] std::optional<RoundedAnswer> double_double_answer(const Two<A, B>& shapes, Distances distances, \
+                                                                  Scalar scalar);
 CONTACT_KINDS(CONTACT_DECLARE)
 #undef CONTACT_DECLARE
 

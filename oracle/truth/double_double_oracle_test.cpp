@@ -81,11 +81,11 @@ Rational exactly(const DoubleDouble& x) { return Rational(x.high) + Rational(x.l
 
 /// The stage's answer, if it has one, is that of both other oracles; whether it had one.
 bool agrees(const Query& query, Scalar scalar) {
-  const auto found = double_double_case(query, scalar);
+  const auto found = double_double_answer(query, scalar);
   if (!found) return false;
   const Truth truth = truth_of(query);
-  EXPECT_EQ(first_difference(found->answer, rounded_answer(truth, scalar)), std::nullopt);
-  EXPECT_EQ(first_difference(found->answer, interval_answer(query, scalar)), std::nullopt);
+  EXPECT_EQ(first_difference(*found, rounded_answer(truth, scalar)), std::nullopt);
+  EXPECT_EQ(first_difference(*found, interval_answer(query, scalar)), std::nullopt);
   if (found->margin_ulps) {
     EXPECT_EQ(*found->margin_ulps, witness(truth, scalar).margin_ulps);
   }
@@ -316,7 +316,7 @@ TEST(DoubleDoubleOracle, declines_numbers_out_of_its_range) {
 TEST(DoubleDoubleOracle, tells_the_margin_of_a_golden_file_or_nothing) {
   const auto margin = [](double r1, double r2) {
     const Query query{Pair::sphere_sphere, Balls{{{0, 0, 0}, r1}, {{3, 4, 0}, r2}}, {0, 0}};
-    const auto found = double_double_case(query, Scalar::binary64);
+    const auto found = double_double_answer(query, Scalar::binary64);
     const double right = witness(truth_of(query), Scalar::binary64).margin_ulps;
     if (found && found->margin_ulps) {
       EXPECT_EQ(*found->margin_ulps, right) << r1 << " " << r2;

@@ -6,8 +6,8 @@
 
 namespace contact::oracle {
 
-std::optional<DoubleDoubleCase> case_over_plane(const Ends& ends, double radius, const Plane& plane,
-                                                Distances distances, Scalar scalar, bool with_margin) {
+std::optional<RoundedAnswer> case_over_plane(const Ends& ends, double radius, const Plane& plane, Distances distances,
+                                             Scalar scalar) {
   constexpr int kMost = 80;
   if (!in_short_range(ends) || !in_range(plane.normal, kMost)) return std::nullopt;
   for (const double x : {radius, plane.offset, distances.alarm, distances.contact})
@@ -33,7 +33,7 @@ std::optional<DoubleDoubleCase> case_over_plane(const Ends& ends, double radius,
     along.normal[i] = -n[i] * inverse;
     along.q[i] = along.p[i] + along.distance * along.normal[i];
   }
-  return case_along(along, radius, 0, distances, scalar, with_margin);
+  return case_along(along, radius, 0, distances, scalar);
 }
 
 }  // namespace contact::oracle

@@ -5,8 +5,8 @@
 
 namespace contact::oracle {
 
-/// The answer for a segment blown up by a radius, as double_double_case has it.
-[[nodiscard]] std::optional<DoubleDoubleCase> case_over_plane(const Ends& ends, double radius, const Plane& plane,
-                                                              Distances distances, Scalar scalar, bool with_margin);
+/// The answer for a segment blown up by a radius, as double_double_answer has it.
+[[nodiscard]] std::optional<RoundedAnswer> case_over_plane(const Ends& ends, double radius, const Plane& plane,
+                                                           Distances distances, Scalar scalar);
 
 }  // namespace contact::oracle

@@ -107,18 +107,18 @@ bool keep_nearer(std::optional<DoubleDoubleNearest>& best, const DoubleDoubleNea
   return true;
 }
 
-std::optional<DoubleDoubleCase> case_of_apart(const std::optional<DoubleDoubleNearest>& nearest, double radius1,
-                                              double radius2, Distances distances, Scalar scalar, bool with_margin) {
+std::optional<RoundedAnswer> case_of_apart(const std::optional<DoubleDoubleNearest>& nearest, double radius1,
+                                           double radius2, Distances distances, Scalar scalar) {
   for (const double length : {radius1, radius2, distances.alarm, distances.contact})
     if (!in_range(length, 80)) return std::nullopt;
   if (!nearest || dot(nearest->delta, nearest->delta).sign() != 1) return std::nullopt;
-  return case_of_nearest(*nearest, radius1, radius2, distances, scalar, with_margin);
+  return case_of_nearest(*nearest, radius1, radius2, distances, scalar);
 }
 
-std::optional<DoubleDoubleCase> case_of_segments(const Ends& first, const Ends& second, double radius1, double radius2,
-                                                 Distances distances, Scalar scalar, bool with_margin) {
+std::optional<RoundedAnswer> case_of_segments(const Ends& first, const Ends& second, double radius1, double radius2,
+                                              Distances distances, Scalar scalar) {
   if (!in_short_range(first) || !in_short_range(second)) return std::nullopt;
-  return case_of_apart(nearest_of(first, second), radius1, radius2, distances, scalar, with_margin);
+  return case_of_apart(nearest_of(first, second), radius1, radius2, distances, scalar);
 }
 
 }  // namespace contact::oracle

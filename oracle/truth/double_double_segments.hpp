@@ -46,13 +46,12 @@ struct DoubleDoubleSegment {
   return is_not_zero(area[0]) || is_not_zero(area[1]) || is_not_zero(area[2]);
 }
 
-/// The answer at nearest points that are apart, as double_double_case has it; nothing where there are none.
-[[nodiscard]] std::optional<DoubleDoubleCase> case_of_apart(const std::optional<DoubleDoubleNearest>& nearest,
-                                                            double radius1, double radius2, Distances distances,
-                                                            Scalar scalar, bool with_margin);
-/// The answer for two segments blown up by radii, as double_double_case has it.
-[[nodiscard]] std::optional<DoubleDoubleCase> case_of_segments(const Ends& first, const Ends& second, double radius1,
-                                                               double radius2, Distances distances, Scalar scalar,
-                                                               bool with_margin);
+/// The answer at nearest points that are apart, as double_double_answer has it; nothing where there are none.
+[[nodiscard]] std::optional<RoundedAnswer> case_of_apart(const std::optional<DoubleDoubleNearest>& nearest,
+                                                         double radius1, double radius2, Distances distances,
+                                                         Scalar scalar);
+/// The answer for two segments blown up by radii, as double_double_answer has it.
+[[nodiscard]] std::optional<RoundedAnswer> case_of_segments(const Ends& first, const Ends& second, double radius1,
+                                                            double radius2, Distances distances, Scalar scalar);
 
 }  // namespace contact::oracle

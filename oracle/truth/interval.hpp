@@ -5,6 +5,7 @@
 #include <mpfi_io.h>
 
 #include <array>
+#include <climits>
 #include <optional>
 
 #include "oracle/truth/query.hpp"
@@ -55,6 +56,19 @@ class Interval {
     if (mpfi_is_strictly_pos(value_) != 0) return 1;
     if (mpfi_is_strictly_neg(value_) != 0) return -1;
     return std::nullopt;
+  }
+
+  /// The e with 2^e <= |x| < 2^(e+1), where both ends have it.
+  [[nodiscard]] std::optional<long> exponent() const {
+    const auto of = [](mpfr_srcptr end) { return mpfr_zero_p(end) != 0 ? LONG_MIN : mpfr_get_exp(end) - 1; };
+    const long low = of(&value_->left);
+    return low == of(&value_->right) ? std::optional(low) : std::nullopt;
+  }
+  /// x 2^power.
+  [[nodiscard]] Interval scaled(long power) const {
+    Interval result(mpfi_get_prec(value_));
+    mpfi_mul_2si(result.value_, value_, power);
+    return result;
   }
 
   /// The rounding of the real number to the scalar, where both ends round to it.
@@ -110,6 +124,9 @@ struct IntervalNearest {
 };
 /// Two points, each its own core: where they are one, the direction is the first axis.
 [[nodiscard]] IntervalNearest nearest_of_points(const Triple& p, const Triple& q, mpfr_prec_t precision);
+
+/// off / ulp(reach) in the scalar, rounded to binary64, where that is settled.
+[[nodiscard]] std::optional<double> margin_of(const Interval& off, const Interval& reach, Scalar scalar);
 
 /// The answer for two cores blown up by r1 and r2.
 [[nodiscard]] RoundedAnswer answer_of_nearest(const IntervalNearest& nearest, const Interval& r1, const Interval& r2,

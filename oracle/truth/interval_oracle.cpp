@@ -1,6 +1,7 @@
 // The second oracle: MPFR intervals with outward rounding.
 #include "oracle/truth/interval_oracle.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "oracle/truth/default_environment.hpp"
@@ -12,6 +13,13 @@ namespace {
 constexpr mpfr_prec_t kFirstPrecision = 192;
 
 }  // namespace
+
+std::optional<double> margin_of(const Interval& off, const Interval& reach, Scalar scalar) {
+  const Format format = format_of(scalar);
+  const std::optional<long> exponent = reach.exponent();
+  if (!exponent) return std::nullopt;
+  return off.scaled(format.precision - 1 - std::max<long>(*exponent, format.min_exponent)).rounded(Scalar::binary64);
+}
 
 IntervalNearest nearest_of_points(const Triple& p, const Triple& q, mpfr_prec_t precision) {
   return {p, q, Interval(precision, 1), triple(precision, Vector3::UnitX()), true};
@@ -26,6 +34,7 @@ RoundedAnswer answer_of_nearest(const IntervalNearest& nearest, const Interval& 
   const Interval reach = (Interval(precision, distances.alarm) + r1 + r2) * over;
 
   RoundedAnswer answer{settled((D - reach.squared()).sign()), settled((D - ((r1 + r2) * over).squared()).sign()), {}};
+  answer.margin_ulps = margin_of((D.root() - reach) / over, Interval(precision, distances.alarm) + r1 + r2, scalar);
   answer.expected.hit = answer.at_alarm <= 0;
   if (!answer.expected.hit) return answer;
 

@@ -40,7 +40,8 @@ RoundedAnswer answer_over_plane(std::initializer_list<Vector3> ends, double radi
   const Interval height = dot(n, first) - offset;  // of all of them
   const Interval r = number(radius);
   const auto side = [&](const Interval& reach) { return sign(height - reach * length); };
-  RoundedAnswer answer{side(number(distances.alarm) + r), side(r), {}};
+  const Interval reach = number(distances.alarm) + r;
+  RoundedAnswer answer{side(reach), side(r), {}, margin_of(height / length - reach, reach, scalar)};
   answer.expected.hit = answer.at_alarm <= 0;
   if (!answer.expected.hit) return answer;
 

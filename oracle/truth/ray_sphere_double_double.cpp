@@ -3,8 +3,7 @@
 
 namespace contact::oracle {
 
-std::optional<DoubleDoubleCase> double_double_case(const RayAndBall& shapes, Distances distances, Scalar scalar,
-                                                   bool with_margin) {
+std::optional<RoundedAnswer> double_double_answer(const RayAndBall& shapes, Distances distances, Scalar scalar) {
   const auto& [a, b] = shapes;
   constexpr int kMost = 40;  // of two factors, so that their product is short
   if (!in_short_range({a.origin, b.center}) || !in_range(a.direction, kMost) || !in_range(a.length, kMost))
@@ -17,7 +16,7 @@ std::optional<DoubleDoubleCase> double_double_case(const RayAndBall& shapes, Dis
   auto nearest = foot(b.center, ray);
   if (nearest)
     nearest = DoubleDoubleNearest{nearest->q, nearest->p, {-nearest->delta[0], -nearest->delta[1], -nearest->delta[2]}};
-  return case_of_apart(nearest, 0, b.radius, distances, scalar, with_margin);
+  return case_of_apart(nearest, 0, b.radius, distances, scalar);
 }
 
 }  // namespace contact::oracle

@@ -3,8 +3,8 @@
 
 namespace contact::oracle {
 
-std::optional<DoubleDoubleCase> double_double_case(const RayAndTriangle& shapes, Distances /*distances*/, Scalar scalar,
-                                                   bool /*with_margin*/) {
+std::optional<RoundedAnswer> double_double_answer(const RayAndTriangle& shapes, Distances /*distances*/,
+                                                  Scalar scalar) {
   const auto& [a, b] = shapes;
   constexpr int kMost = 40;  // of two factors, so that their product is short
   if (!in_short_range({a.origin, a.origin}) || !in_range(a.direction, kMost) || !in_range(a.length, kMost))

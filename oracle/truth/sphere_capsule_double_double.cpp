@@ -3,10 +3,9 @@
 
 namespace contact::oracle {
 
-std::optional<DoubleDoubleCase> double_double_case(const BallAndCapsule& shapes, Distances distances, Scalar scalar,
-                                                   bool with_margin) {
+std::optional<RoundedAnswer> double_double_answer(const BallAndCapsule& shapes, Distances distances, Scalar scalar) {
   const auto& [a, b] = shapes;
-  return case_of_segments({a.center, a.center}, {b.start, b.end}, a.radius, b.radius, distances, scalar, with_margin);
+  return case_of_segments({a.center, a.center}, {b.start, b.end}, a.radius, b.radius, distances, scalar);
 }
 
 }  // namespace contact::oracle

@@ -32,7 +32,7 @@ std::optional<Face> nearest_face(const Vector3& c, const Box& box) {
   return nearest;
 }
 
-std::optional<DoubleDoubleCase> inside(const Ball& ball, const Box& box, Distances distances, Scalar scalar) {
+std::optional<RoundedAnswer> inside(const Ball& ball, const Box& box, Distances distances, Scalar scalar) {
   const auto most = [](const Vector3& v) { return v.array().abs().maxCoeff(); };
   if (!(std::max({most(box.min), most(box.max), ball.radius, distances.contact}) <= kLargestOfSums))
     return std::nullopt;
@@ -54,16 +54,19 @@ std::optional<DoubleDoubleCase> inside(const Ball& ball, const Box& box, Distanc
       x = *rounded;
     }
   const auto at = [&](double reach) { return *depth > 0 || reach > 0 ? -1 : 0; };
-  return DoubleDoubleCase{{at(ball.radius + distances.alarm), at(ball.radius), {true, contact}}, std::nullopt};
+  const DoubleDouble reach = two_sum(ball.radius, distances.alarm);
+  return RoundedAnswer{at(ball.radius + distances.alarm),
+                       at(ball.radius),
+                       {true, contact},
+                       margin_of(-reach, reach, scalar)};
 }
 
 }  // namespace
 
-std::optional<DoubleDoubleCase> double_double_case(const BallAndBox& shapes, Distances distances, Scalar scalar,
-                                                   bool with_margin) {
+std::optional<RoundedAnswer> double_double_answer(const BallAndBox& shapes, Distances distances, Scalar scalar) {
   const Balls balls = at_clamped(shapes);
   if (balls.a.center == balls.b.center) return inside(shapes.a, shapes.b, distances, scalar);
-  return double_double_case(balls, distances, scalar, with_margin);
+  return double_double_answer(balls, distances, scalar);
 }
 
 }  // namespace contact::oracle

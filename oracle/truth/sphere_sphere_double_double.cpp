@@ -19,18 +19,17 @@ std::optional<Sides> sides(const Balls& balls, Distances distances) {
 
 }  // namespace
 
-std::optional<DoubleDoubleCase> double_double_case(const Balls& balls, Distances distances, Scalar scalar,
-                                                   bool with_margin) {
+std::optional<RoundedAnswer> double_double_answer(const Balls& balls, Distances distances, Scalar scalar) {
   constexpr int kMost = 200;
   const auto& [a, b] = balls;
   if (!in_range(a.center, kMost) || !in_range(b.center, kMost) || !in_range(a.radius, kMost) ||
       !in_range(b.radius, kMost) || !in_range(distances.alarm, kMost) || !in_range(distances.contact, kMost))
     return std::nullopt;
   const DoubleDoubleNearest nearest{exactly(a.center), exactly(b.center), difference(b.center, a.center)};
-  if (auto found = case_of_nearest(nearest, a.radius, b.radius, distances, scalar, with_margin)) return found;
+  if (auto found = case_of_nearest(nearest, a.radius, b.radius, distances, scalar)) return found;
   const auto known = sides(balls, distances);
   if (!known) return std::nullopt;
-  return case_of_nearest(nearest, a.radius, b.radius, distances, scalar, with_margin, known);
+  return case_of_nearest(nearest, a.radius, b.radius, distances, scalar, known);
 }
 
 }  // namespace contact::oracle

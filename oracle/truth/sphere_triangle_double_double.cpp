@@ -48,12 +48,11 @@ std::optional<DoubleDoubleNearest> nearest_of(const Vector3& c, const Triangle& 
 
 }  // namespace
 
-std::optional<DoubleDoubleCase> double_double_case(const BallAndTriangle& shapes, Distances distances, Scalar scalar,
-                                                   bool with_margin) {
+std::optional<RoundedAnswer> double_double_answer(const BallAndTriangle& shapes, Distances distances, Scalar scalar) {
   const auto& [ball, triangle] = shapes;
   const auto& [v0, v1, v2] = triangle.vertices;
   if (!in_short_range({ball.center, v0}) || !in_short_range({v1, v2})) return std::nullopt;
-  return case_of_apart(nearest_of(ball.center, triangle), ball.radius, 0, distances, scalar, with_margin);
+  return case_of_apart(nearest_of(ball.center, triangle), ball.radius, 0, distances, scalar);
 }
 
 }  // namespace contact::oracle

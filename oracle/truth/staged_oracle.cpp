@@ -4,18 +4,17 @@
 namespace contact::oracle {
 namespace {
 
-StagedAnswer with(const Query& query, RoundedAnswer&& answer, Stage stage, std::optional<double> margin_ulps) {
+StagedAnswer with(const Query& query, RoundedAnswer&& answer, Stage stage) {
   return {truth_with(query, static_cast<Side>(answer.at_alarm), static_cast<Side>(answer.at_zero)),
-          std::move(answer.expected), stage, margin_ulps};
+          std::move(answer.expected), stage, answer.margin_ulps};
 }
 
 }  // namespace
 
 StagedAnswer staged_answer(const Query& query, Scalar scalar) {
-  if (auto found = double_double_case(query, scalar))
-    return with(query, std::move(found->answer), Stage::double_double, found->margin_ulps);
+  if (auto answer = double_double_answer(query, scalar)) return with(query, *std::move(answer), Stage::double_double);
   if (auto answer = interval_answer_within(kMostBits, query, scalar))
-    return with(query, *std::move(answer), Stage::interval, std::nullopt);
+    return with(query, *std::move(answer), Stage::interval);
   Truth truth = truth_of(query);
   Expectation expected = expectation(truth, scalar);
   return {std::move(truth), std::move(expected), Stage::exact, std::nullopt};

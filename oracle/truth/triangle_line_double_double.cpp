@@ -3,8 +3,8 @@
 
 namespace contact::oracle {
 
-std::optional<DoubleDoubleCase> double_double_case(const TriangleAndLine& shapes, Distances /*distances*/,
-                                                   Scalar scalar, bool /*with_margin*/) {
+std::optional<RoundedAnswer> double_double_answer(const TriangleAndLine& shapes, Distances /*distances*/,
+                                                  Scalar scalar) {
   const auto& [a, b] = shapes;
   if (!in_short_range({b.start, b.end})) return std::nullopt;
   return case_of_crossing(b.start, difference(b.end, b.start), a, 1, scalar);
