@@ -48,6 +48,9 @@ struct DoubleDoubleAlong {
   int at_zero;
   bool degenerate;
   bool unique;
+  // Where more is known of these than their difference tells: the distance past the reach, and the value.
+  std::optional<DoubleDouble> past_reach{};
+  std::optional<DoubleDouble> value{};
 };
 /// past / ulp(reach) in the scalar, rounded to binary64, where the stage can tell.
 [[nodiscard]] std::optional<double> margin_of(const DoubleDouble& past, const DoubleDouble& reach, Scalar scalar);
@@ -55,14 +58,16 @@ struct DoubleDoubleAlong {
 [[nodiscard]] std::optional<RoundedAnswer> case_along(const DoubleDoubleAlong& along, double radius1, double radius2,
                                                       Distances distances, Scalar scalar);
 
-/// Decisions that are known already: on which side of the alarm distance, and of 0, the distance is.
-struct Sides {
-  int at_alarm;
-  int at_zero;
+/// How far D is past the squares of the reach, of the radii, and of what a value is less than the distance: without
+/// cancellation.
+struct Excess {
+  DoubleDouble at_alarm;
+  DoubleDouble at_zero;
+  DoubleDouble at_contact;
 };
 /// Domain: every number in_range of 200. Where the cores meet, the normal is (1, 0, 0).
 [[nodiscard]] std::optional<RoundedAnswer> case_of_nearest(const DoubleDoubleNearest& nearest, double radius1,
                                                            double radius2, Distances distances, Scalar scalar,
-                                                           const std::optional<Sides>& known = std::nullopt);
+                                                           const std::optional<Excess>& excess = std::nullopt);
 
 }  // namespace contact::oracle

@@ -49,7 +49,7 @@ std::optional<RoundedAnswer> case_along(const DoubleDoubleAlong& along, double r
   const DoubleDouble radii = two_sum(radius1, radius2);
   RoundedAnswer found{along.at_alarm, along.at_zero, {along.at_alarm <= 0, std::nullopt}};
   const DoubleDouble reach = plus(radii, distances.alarm);
-  found.margin_ulps = margin_of(along.distance - reach, reach, scalar);
+  found.margin_ulps = margin_of(along.past_reach.value_or(along.distance - reach), reach, scalar);
   if (!found.expected.hit) return found;
 
   Settled settled;
@@ -63,20 +63,21 @@ std::optional<RoundedAnswer> case_along(const DoubleDoubleAlong& along, double r
     contact.point1[axis] = settled(round_to_nearest(along.p[i] + DoubleDouble{radius1} * n, scalar));
     contact.point2[axis] = settled(round_to_nearest(along.q[i] - DoubleDouble{radius2} * n, scalar));
   }
-  contact.value = settled(round_to_nearest(along.distance - plus(radii, distances.contact), scalar));
+  const DoubleDouble value = along.value.value_or(along.distance - plus(radii, distances.contact));
+  contact.value = settled(round_to_nearest(value, scalar));
   if (!settled.all()) return std::nullopt;
   return found;
 }
 
 std::optional<RoundedAnswer> case_of_nearest(const DoubleDoubleNearest& nearest, double radius1, double radius2,
-                                             Distances distances, Scalar scalar, const std::optional<Sides>& known) {
+                                             Distances distances, Scalar scalar, const std::optional<Excess>& excess) {
   const auto& [p, q, delta] = nearest;
   const DoubleDouble D = dot(delta, delta);
   if (D.radius > D.high * 0x1p-20) return std::nullopt;
   const DoubleDouble radii = two_sum(radius1, radius2);
   const DoubleDouble reach = plus(radii, distances.alarm);
-  const auto at_alarm = known ? known->at_alarm : (D - reach * reach).sign();
-  const auto at_zero = known ? known->at_zero : (D - radii * radii).sign();
+  const auto at_alarm = (excess ? excess->at_alarm : D - reach * reach).sign();
+  const auto at_zero = (excess ? excess->at_zero : D - radii * radii).sign();
   if (!at_alarm || !at_zero) return std::nullopt;
   DoubleDoubleAlong along{p, q, {{{1.0}, {0.0}, {0.0}}}, {}, *at_alarm, *at_zero, D.high == 0, true};
   if (!along.degenerate) {
@@ -84,6 +85,14 @@ std::optional<RoundedAnswer> case_of_nearest(const DoubleDoubleNearest& nearest,
     along.distance = *at_zero == 0 ? radii : *at_alarm == 0 ? reach : root(D);
     const DoubleDouble inverse = reciprocal(along.distance);
     for (std::size_t i = 0; i < 3; ++i) along.normal[i] = delta[i] * inverse;
+    if (excess && *at_zero != 0 && *at_alarm != 0) {
+      // s - T = (D - T^2) / (s + T)
+      const auto past = [&](const DoubleDouble& by, const DoubleDouble& length) {
+        return by * reciprocal(along.distance + length);
+      };
+      along.past_reach = past(excess->at_alarm, reach);
+      along.value = past(excess->at_contact, plus(radii, distances.contact));
+    }
   }
   return case_along(along, radius1, radius2, distances, scalar);
 }
