@@ -240,38 +240,37 @@ constexpr auto kDigit = [] {
 
 bool is_exact_string(std::string_view text) {
   if (text == "0x0p0") return true;
-  const auto drop = [&text](std::string_view start) {
-    const bool there = text.starts_with(start);
-    if (there) text.remove_prefix(start.size());
+  const auto skip = [&text](char c) {
+    const bool there = text.starts_with(c);
+    if (there) text.remove_prefix(1);
     return there;
   };
-  // Neither part begins with 0, but for an exponent of 0.
-  const auto only = [](std::string_view part, unsigned base) {
-    bool all = !part.empty() && part.front() != '0';
-    for (const char c : part) all &= kDigit[static_cast<unsigned char>(c)] < base;
-    return all;
+  const auto digits = [&text](unsigned base) {
+    std::size_t size = 0;
+    while (size < text.size() && kDigit[static_cast<unsigned char>(text[size])] < base) ++size;
+    const std::string_view taken = text.substr(0, size);
+    text.remove_prefix(size);
+    return taken;
   };
-  const auto take_odd = [&](std::string_view until) {
-    if (!drop("0x")) return std::string_view();
-    const std::string_view integer = text.substr(0, text.find_first_of(until));
-    text.remove_prefix(integer.size());
-    const bool odd = only(integer, 16) && std::string_view("13579bdf").find(integer.back()) != std::string_view::npos;
-    return odd ? integer : std::string_view();
+  // Empty where it is even, begins with 0, or is none.
+  const auto odd = [&] {
+    if (!skip('0') || !skip('x')) return std::string_view();
+    const std::string_view integer = digits(16);
+    const bool is_odd =
+        !integer.empty() && integer.front() != '0' && kDigit[static_cast<unsigned char>(integer.back())] % 2 != 0;
+    return is_odd ? integer : std::string_view();
   };
-  drop("-");
-  const std::string_view numerator = take_odd("p");
-  if (numerator.empty() || !drop("p")) return false;
-  if (const std::size_t slash = text.find('/'); slash != std::string_view::npos) {
-    std::string_view exponent = text.substr(0, slash);
-    text.remove_prefix(slash + 1);
-    const std::string_view denominator = take_odd("");
-    if (denominator.empty() || denominator == "1" || !text.empty()) return false;
-    const mpz_class n(std::string(numerator), 16);
-    const mpz_class d(std::string(denominator), 16);
-    if (gcd(n, d) != 1) return false;
-    text = exponent;
-  }
-  return text == "0" || (drop("-"), only(text, 10));
+  skip('-');
+  const std::string_view numerator = odd();
+  if (numerator.empty() || !skip('p')) return false;
+  const bool negative = skip('-');
+  const std::string_view exponent = digits(10);
+  if (exponent.empty() || (exponent.front() == '0' && (negative || exponent.size() > 1))) return false;
+  if (text.empty()) return true;
+  if (!skip('/')) return false;
+  const std::string_view denominator = odd();
+  if (denominator.empty() || denominator == "1" || !text.empty()) return false;
+  return gcd(mpz_class(std::string(numerator), 16), mpz_class(std::string(denominator), 16)) == 1;
 }
 
 }  // namespace contact::oracle
