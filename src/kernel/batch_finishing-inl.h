@@ -9,6 +9,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -30,6 +31,16 @@ struct Job {
   double sign1;      ///< point1 = c1 + sign1 r1 n
   double sign2;      ///< point2 = c2 + sign2 r2 n
   batch::Count count{};
+  // Of each pair of a vector that is scaled.
+  double alarms[kMostLanes] = {};
+  double contacts[kMostLanes] = {};
+};
+
+/// What the vectors leave of a vector of pairs, as lanes: decisions, and numbers of hits by axis, and values.
+struct Left {
+  bool any = false;
+  unsigned undecided = 0;
+  unsigned uncertain[4] = {};
 };
 
 HWY_INLINE Delta delta_of(const Loaded& in) {
@@ -39,8 +50,8 @@ HWY_INLINE Delta delta_of(const Loaded& in) {
 HWY_INLINE M coincide(const Delta& d) { return hn::Eq(largest_component(d), all(0)); }
 
 /// reach in units of the scale. Where scaling up takes it out of the range it is a hit by far.
-HWY_INLINE V scaled_reach(V r1, V r2, double alarm, V down) {
-  return hn::Min(hn::MulAdd(all(alarm), down, hn::Add(hn::Mul(r1, down), hn::Mul(r2, down))), all(bounds::kReachCap));
+HWY_INLINE V scaled_reach(V r1, V r2, V alarm, V down) {
+  return hn::Min(hn::MulAdd(alarm, down, hn::Add(hn::Mul(r1, down), hn::Mul(r2, down))), all(bounds::kReachCap));
 }
 
 /// A vector of contacts as the fast stage leaves it; the numbers are in their rows, those of misses 0.
@@ -148,10 +159,9 @@ HWY_INLINE V other_value(const Delta& d, M only_axis, const Double2& root, const
   return hn::Add(value, all(0));
 }
 
-/// A vector of pairs of which some number is not certain yet. What is not certain after that goes to the function of
-/// one pair.
+/// A vector of pairs of which some number is not certain yet; what is not certain after that.
 template <bool kScaled>
-HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
+HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage, Left& left) {
   const Loaded in(job.pairs, i);
   const Delta d = kScaled ? delta_of(in) : stage.unit;
   Scale scale{all(1), all(1)};
@@ -172,9 +182,9 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
   open = hn::AndNot(coincident, open);
 
   // Decisions and values near touching.
-  const double alarm = job.question.distances.alarm;
-  const double contact = job.question.distances.contact;
-  const Length less(in.ar, in.br, all(contact));
+  const V alarm = kScaled ? hn::LoadU(D(), job.alarms) : all(job.question.distances.alarm);
+  const V contact = kScaled ? hn::LoadU(D(), job.contacts) : all(job.question.distances.contact);
+  const Length less(in.ar, in.br, contact);
   ContactLanes numbers = ContactLanes::load(job.out, i);
   V value = numbers.value;
   const V uncancelled = hn::Add(stage.uncancelled, stage.uncancelled);  // of rounded numbers
@@ -185,10 +195,10 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
     // Beyond the largest number the parts of T are no numbers.
     value_certain = hn::Or(value_certain, hn::And(coincident, hn::IsFinite(value)));
   }
-  const bool same = alarm == contact;
+  const bool same = job.question.distances.alarm == job.question.distances.contact;
   M undecided = hn::And(open, usable);
   if (!same && !hn::AllFalse(D(), undecided)) {
-    const NearTouching touching(stage.unit, stage.d2, d, scale.down, Length(in.ar, in.br, all(alarm)));
+    const NearTouching touching(stage.unit, stage.d2, d, scale.down, Length(in.ar, in.br, alarm));
     const M inside = hn::And(undecided, hn::Or(touching.zero, touching.negative()));
     hit = hn::Or(hit, inside);
     open = hn::AndNot(hn::Or(inside, hn::And(undecided, touching.positive())), open);
@@ -259,17 +269,21 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage) {
   const M certain = hn::And(hn::And(x.certain, y.certain), hn::And(z.certain, value_certain));
   const M rest = hn::Or(open, hn::AndNot(certain, hit));
   if (hn::AllFalse(D(), rest)) return;
-  const unsigned left = bits_of(rest);
-  const unsigned undecided_lanes = bits_of(open);
-  const unsigned uncertain[] = {bits_of(hn::Not(x.certain)), bits_of(hn::Not(y.certain)), bits_of(hn::Not(z.certain)),
-                                bits_of(hn::Not(value_certain))};
-  for (std::size_t lane = 0; lane < hn::Lanes(D()) && i + lane < job.size; ++lane) {
-    if (((left >> lane) & 1) == 0) continue;
+  const auto left_of = [hit](M certain_lanes) HWY_ATTR { return bits_of(hn::AndNot(certain_lanes, hit)); };
+  left = {true, bits_of(open), {left_of(x.certain), left_of(y.certain), left_of(z.certain), left_of(value_certain)}};
+}
+
+/// Puts what is left to the functions of one pair.
+inline void settle(Job& job, std::size_t i, const Left& left) {
+  const unsigned numbers = left.uncertain[0] | left.uncertain[1] | left.uncertain[2] | left.uncertain[3];
+  const std::size_t lanes = std::min(hn::Lanes(D()), job.size - i);
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    if ((((left.undecided | numbers) >> lane) & 1) == 0) continue;
     ++job.count.exact;
-    if (((undecided_lanes >> lane) & 1) == 0) {
-      unsigned numbers_left = ((uncertain[3] >> lane) & 1) << kValueNumber;
+    if (((left.undecided >> lane) & 1) == 0) {
+      unsigned numbers_left = ((left.uncertain[3] >> lane) & 1) << kValueNumber;
       for (unsigned axis = 0; axis < 3; ++axis)
-        numbers_left |= ((uncertain[axis] >> lane) & 1) * (kAxisNumbers << axis);
+        numbers_left |= ((left.uncertain[axis] >> lane) & 1) * (kAxisNumbers << axis);
       round_numbers(job.pairs, job.question, i + lane, numbers_left, job.out);
       continue;
     }
@@ -288,7 +302,7 @@ HWY_NOINLINE void finish_test(const SpherePairs& pairs, double alarm, std::size_
   const V d2 = squared_length(unit.x.high, unit.y.high, unit.z.high);
   M inside_filter;
   M outside_filter;
-  filter(d2, scaled_reach(in.ar, in.br, alarm, scale.down), inside_filter, outside_filter);
+  filter(d2, scaled_reach(in.ar, in.br, all(alarm), scale.down), inside_filter, outside_filter);
   const M coincident = coincide(d);
   const M usable = hn::And(hn::Lt(largest_component(d), all(bounds::kMost)), hn::Ge(d2, all(bounds::kLeast)));
   M hits = hn::Or(coincident, hn::And(usable, inside_filter));

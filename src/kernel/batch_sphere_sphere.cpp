@@ -6,6 +6,7 @@
 // batch_arithmetic-inl.h         its lanes, the filter, scales
 // batch_near_touching-inl.h      D - T^2 without cancellation
 // batch_finishing-inl.h          what the quick tests leave
+// batch_lifted-inl.h             pairs far from 1 in units of their own
 // here                           the quick tests, loops over columns, and the choice of an instruction set
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/batch_sphere_sphere.cpp"
@@ -19,6 +20,7 @@
 #include "contact/sphere_sphere.hpp"
 #include "kernel/batch.hpp"
 #include "kernel/batch_finishing-inl.h"
+#include "kernel/batch_lifted-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace contact::kernel {
@@ -28,10 +30,10 @@ namespace HWY_NAMESPACE {
 
 #if HWY_NATIVE_FMA
 
-/// The contacts of a vector of pairs. False, and nothing that counts written, where one needs to be scaled first.
-/// Without kExtent the second balls are points.
+/// The contacts of a vector of pairs, and what is left of them. False, and nothing that counts written, where one needs
+/// to be scaled first. Without kExtent the second balls are points.
 template <bool kScaled, bool kExtent>
-HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
+HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i, Left& left_over) {
   const Loaded in(job.pairs, i);
   const Delta d = delta_of(in);
   Delta unit = d;
@@ -43,8 +45,8 @@ HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
   const V d2 = squared_length(unit.x.high, unit.y.high, unit.z.high);
   Double2 radii{in.ar, all(0)};
   if constexpr (kExtent) radii = two_sum(in.ar, in.br);
-  const double alarm = job.question.distances.alarm;
-  V reach = hn::Add(radii.high, all(alarm));
+  const V alarm = kScaled ? hn::LoadU(D(), job.alarms) : all(job.question.distances.alarm);
+  V reach = hn::Add(radii.high, alarm);
   if constexpr (kScaled) reach = scaled_reach(in.ar, in.br, alarm, scale.down);
   M hit;
   M miss;
@@ -53,7 +55,7 @@ HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
   const Direction n(unit, d2);
   Double2 root = n.root;
   if constexpr (kScaled) root = scaled(root, scale.up);
-  const Less less(radii, all(job.question.distances.contact));
+  const Less less(radii, kScaled ? hn::LoadU(D(), job.contacts) : all(job.question.distances.contact));
   const V uncancelled = uncancelled_share(root, less);
 
   // Written as they come, and again where they do not hold: there are too few registers to keep them.
@@ -130,8 +132,38 @@ HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i) {
   stage.uncancelled = uncancelled;
   stage.axes_agree = axes_agree;
   stage.value_agrees = value_agrees;
-  finish<kScaled>(job, i, stage);
+  finish<kScaled>(job, i, stage, left_over);
   return true;
+}
+
+/// The same of pairs far from 1, in units of their own.
+template <bool kExtent>
+HWY_NOINLINE void contacts_of_lifted_vector(Job& job, std::size_t i) {
+  const Lifted lifted(job.pairs, i, job.question.distances);
+  HWY_ALIGN double numbers[ContactRows::kNumbers][kMostLanes];
+  batch::PairState states[kMostLanes];
+  ContactRows rows{};
+  for (std::size_t k = 0; k < ContactRows::kNumbers; ++k) rows.number[k] = numbers[k];
+  rows.state = states;
+  const std::size_t lanes = hn::Lanes(D());
+  Job own{lifted.pairs(), job.question, rows, kMostLanes, job.sign1, job.sign2};
+  std::copy_n(lifted.number[8], lanes, own.alarms);
+  std::copy_n(lifted.number[9], lanes, own.contacts);
+  Left left;
+  contacts_of_vector<true, kExtent>(own, 0, left);
+  job.count.hits += own.count.hits;
+
+  left.any = true;
+  left.undecided |= lifted.left;
+  for (std::size_t k = 0; k < ContactRows::kNumbers; ++k) {
+    if (k >= kPointNumber) {
+      const unsigned outside = lifted.lower(numbers[k]);
+      left.uncertain[k < kValueNumber ? k % 3 : 3] |= outside;
+    }
+    std::copy_n(numbers[k], lanes, job.out.number[k] + i);
+  }
+  std::copy_n(states, lanes, job.out.state + i);
+  settle(job, i, left);
 }
 
 /// How many pairs go unscaled again before a pair that had to be scaled is forgotten.
@@ -140,12 +172,21 @@ constexpr std::size_t kStrip = 256;
 template <bool kExtent>
 HWY_INLINE void contacts_of_whole_vectors(Job& job, std::size_t end) {
   const std::size_t lanes = hn::Lanes(D());
+  std::fill_n(job.alarms, kMostLanes, job.question.distances.alarm);
+  std::fill_n(job.contacts, kMostLanes, job.question.distances.contact);
   bool scale = false;
   for (std::size_t i = 0; i < end; i += lanes) {
     if (i % kStrip == 0) scale = false;
-    if (!scale && contacts_of_vector<false, kExtent>(job, i)) continue;
-    scale = true;
-    contacts_of_vector<true, kExtent>(job, i);
+    Left left;
+    if (scale || !contacts_of_vector<false, kExtent>(job, i, left)) {
+      scale = true;
+      if (Lifted::is_far_from_1(job.pairs, i, job.question.distances)) {
+        contacts_of_lifted_vector<kExtent>(job, i);
+        continue;
+      }
+      contacts_of_vector<true, kExtent>(job, i, left);
+    }
+    if (left.any) settle(job, i, left);
   }
 }
 
