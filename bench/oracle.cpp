@@ -105,14 +105,18 @@ struct File {
 void certify(benchmark::State& state, const std::vector<tool::Source>& sources, std::size_t most_threads) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, most_threads);
   std::uint64_t questions = 0;
-  for (const tool::Source& source : sources) questions += source.count;
+  std::uint64_t of_run = 0;
+  for (const tool::Source& source : sources) {
+    questions += source.count;
+    of_run += source.size();
+  }
   for ([[maybe_unused]] const auto run : state) {
     std::vector<tool::Subject> subjects;
     subjects.push_back({engines::make_built_in("production"), {}});
     subjects.front().report.engine = subjects.front().engine->info();
     tool::Stop never;
     tool::Oracles oracles;
-    for (const tool::Source& source : sources) tool::judge_source(source, subjects, never, oracles);
+    for (const tool::Source& source : sources) tool::judge_source(source, subjects, never, oracles, of_run);
     if (subjects.front().report.level() != oracle::Level::correctly_rounded)
       state.SkipWithError("an answer was not correctly rounded");
   }

@@ -47,7 +47,7 @@ COMPONENTS = {
                "src/kernel/sphere_sphere_one_vector.hpp", "src/kernel/sphere_sphere_scaled.hpp", "src/kernel/sum_of_two-inl.h"],
     "batch": ["src/kernel/batch.cpp", "src/kernel/batch.hpp", "src/kernel/batch_arithmetic-inl.h", "src/kernel/batch_columns-inl.h",
               "src/kernel/batch_capsule_capsule.cpp", "src/kernel/batch_cores-inl.h", "src/kernel/batch_sphere_capsule.cpp",
-              "src/kernel/batch_cube_cube.cpp", "src/kernel/batch_finishing-inl.h", "src/kernel/batch_near_touching-inl.h",
+              "src/kernel/batch_cube_cube.cpp", "src/kernel/batch_finishing-inl.h", "src/kernel/batch_lifted-inl.h", "src/kernel/batch_near_touching-inl.h",
               "src/kernel/batch_scalar.cpp", "src/kernel/batch_sphere_cube.cpp", "src/kernel/batch_sphere_sphere.cpp", "src/kernel/batch_strips.hpp",
               "src/kernel/batch_targets.cpp"],
     "oracle": ["oracle/truth/capsule_plane.cpp", "oracle/truth/capsule_plane_double_double.cpp",

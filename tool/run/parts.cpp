@@ -256,7 +256,9 @@ std::vector<Source> cut(std::vector<Source> sources, golden::Shard part) {
 }
 
 Part judge_part(const std::vector<Source>& sources, std::vector<Subject>& subjects, Stop& stop, Oracles& oracles) {
-  for (const Source& source : sources) judge_source(source, subjects, stop, oracles);
+  std::uint64_t run = 0;
+  for (const Source& source : sources) run += source.size();
+  for (const Source& source : sources) judge_source(source, subjects, stop, oracles, run);
   Part part;
   for (Subject& subject : subjects) {
     part.found.push_back(std::exchange(static_cast<Findings&>(subject.report), {}));

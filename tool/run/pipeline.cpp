@@ -19,7 +19,8 @@
 namespace contact::tool {
 namespace {
 
-constexpr std::size_t kSlice = 32;  // questions that one thread takes at a time
+constexpr std::size_t kSlice = 32;             // questions that one thread takes at a time
+constexpr std::uint64_t kLeastCompared = 256;  // right answers of a source that a diagnosis hears at least
 
 struct Item {
   const engines::Question& question;
@@ -176,16 +177,17 @@ Agreed agreed_truth(const Item& item, const Source& source, const std::vector<Sc
   return *std::move(agreed);
 }
 
-/// How much an answer counts in the diagnosis. What is wrong always counts. Of a large source every n-th right answer
-/// speaks for n: what a hypothesis says of it costs more than all the rest.
-std::uint64_t weight_of(std::uint64_t index, std::uint64_t size, Level level) {
-  const std::uint64_t n = std::max<std::uint64_t>(1, size / kWhole);
+/// How much an answer counts in the diagnosis. What is wrong always counts. Of a large source, and in a large run,
+/// every n-th right answer speaks for n: what a hypothesis says of it costs more than all the rest.
+std::uint64_t weight_of(std::uint64_t index, std::uint64_t size, std::uint64_t run, Level level) {
+  const std::uint64_t of_run = (run + oracle::Diagnosis::kPostponed - 1) / oracle::Diagnosis::kPostponed;
+  const std::uint64_t n = std::max({std::uint64_t{1}, size / kWhole, std::min(of_run, size / kLeastCompared)});
   if (level > Level::bounded) return 1;
   return index % n == 0 ? n : 0;
 }
 
 void judge_one(const Item& item, const std::optional<Agreed>& agreed, const Source& source, const Claim& claim,
-               const Subject& subject, const oracle::Declaration& declared, Findings& found) {
+               const Subject& subject, const oracle::Declaration& declared, std::uint64_t run, Findings& found) {
   const auto& [id, query, index] = item.question;
   const Report& report = subject.report;
   const Baseline* baseline = subject.baseline.get();
@@ -206,7 +208,7 @@ void judge_one(const Item& item, const std::optional<Agreed>& agreed, const Sour
   // What is right speaks against a hypothesis as what is wrong speaks for one.
   if (truth != nullptr && !accepted)
     found.why.add(golden::id_digits(id, 0, 16), query, *truth, claim, declared, verdict, rounded,
-                  weight_of(index, source.size(), level));
+                  weight_of(index, source.size(), run, level));
   if (verdict.answered_outside_domain && !accepted) found.why.add_outside_domain(query);
   if (!fails) {
     if (baseline != nullptr && baseline->lists(id)) found.gone.insert(id);
@@ -277,7 +279,8 @@ void Stop::check() const {
   if (late()) throw TimeUp{};
 }
 
-void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& stop, Oracles& oracles) {
+void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& stop, Oracles& oracles,
+                  std::uint64_t run) {
   std::vector<Subject*> judged;
   std::vector<Scalar> scalars{source.scalar};
   FamilyReport none;
@@ -340,7 +343,7 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
             {fmt::format("{}/{}", name(source.pair), source.family), std::string(why), count, none.source});
       const std::vector<Claim> claims = judged[s]->engine->answer(all ? slice.questions : asked);
       for (std::size_t k = 0; k < which.size(); ++k)
-        judge_one(slice.item(which[k]), truths[which[k]], source, claims[k], *judged[s], declared, slice.found[s]);
+        judge_one(slice.item(which[k]), truths[which[k]], source, claims[k], *judged[s], declared, run, slice.found[s]);
     }
     const auto is_new = [](const Failure& f) { return !f.accepted; };
     slice.failed = stop.at_first_failure && !judged.empty() && judged.front() == &subjects.front() &&

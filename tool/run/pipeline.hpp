@@ -88,8 +88,10 @@ struct Oracles {
 
 /// Judges every subject on every question of a source, until `stop` says otherwise: what is not reached then is
 /// missing. A disagreement between the oracles on a question that is asked of all is an OracleFault, one between them
-/// and a dataset's expectation an InputError.
-void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& stop, Oracles& oracles);
+/// and a dataset's expectation an InputError. `run` is how many questions all sources of the run have, so that the
+/// diagnosis hears no more right answers of many sources than of one.
+void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& stop, Oracles& oracles,
+                  std::uint64_t run = 0);
 
 /// Asks the exact and the interval oracle what a stage has answered: throws OracleFault where they say otherwise.
 void check_stage(const Query& query, const oracle::StagedAnswer& staged, Scalar scalar);
