@@ -17,7 +17,7 @@ namespace {
 using namespace contact;
 
 constexpr std::uint64_t kQuestions = 4096;
-constexpr std::uint64_t kCases = 200'000;  // of a file
+constexpr std::uint64_t kCases = 50'000;  // of a file
 constexpr std::uint64_t kSeed = 7;
 
 struct Asked {
@@ -78,28 +78,35 @@ BENCHMARK_CAPTURE(judged_in_stages, generic, "generic")->Unit(benchmark::kMillis
 BENCHMARK_CAPTURE(judged_in_stages, touching, "touching")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(judged_in_stages, near_touching, "near_touching")->Unit(benchmark::kMillisecond);
 
-/// A dataset that is written once and removed at the end.
-struct File {
-  explicit File(const char* extension)
-      : path(std::filesystem::temp_directory_path() / ("contact-oracle-bench" + std::string(extension))) {
+/// A dataset in every form that is measured, written once and removed at the end.
+struct Files {
+  Files() {
     golden::DatasetHeader header;
     header.family = "generic";
     header.seed = kSeed;
     header.count = kCases;
-    const auto writer = golden::create_dataset(path, header);
+    const auto text = golden::create_dataset(path(".jsonl"), header);
+    const auto columns = golden::create_dataset(path(".h5"), header);
     const golden::Family& generic = *golden::find_family(header.pair, header.family);
     for (std::uint64_t i = 0; i < kCases; ++i) {
       const golden::Case c =
           golden::make_case(golden::generate_query(header.pair, generic, header.scalar, kSeed, i), header.scalar);
-      writer->write(c, golden::to_line(c));
+      const std::string line = golden::to_line(c);
+      text->write(c, line);
+      columns->write(c, line);
     }
-    writer->commit();
+    text->commit();
+    columns->commit();
   }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-  ~File() { std::filesystem::remove(path); }
+  Files(const Files&) = delete;
+  Files& operator=(const Files&) = delete;
+  ~Files() {
+    for (const char* extension : {".jsonl", ".h5"}) std::filesystem::remove(path(extension));
+  }
 
-  std::filesystem::path path;
+  static std::filesystem::path path(const std::string& extension) {
+    return std::filesystem::temp_directory_path() / ("contact-oracle-bench" + extension);
+  }
 };
 
 void certify(benchmark::State& state, const std::vector<tool::Source>& sources, std::size_t most_threads) {
@@ -125,10 +132,9 @@ void certify(benchmark::State& state, const std::vector<tool::Source>& sources, 
 std::size_t threads_of(const benchmark::State& state) { return static_cast<std::size_t>(state.range(0)); }
 
 void certified_from(benchmark::State& state, const char* extension) {
-  static const File lines(".jsonl");
-  static const File columns(".h5");
-  const File& file = std::string_view(extension) == ".h5" ? columns : lines;
-  certify(state, {{Pair::sphere_sphere, Scalar::binary64, "generic", kCases, file.path}}, threads_of(state));
+  static const Files files;
+  certify(state, {{Pair::sphere_sphere, Scalar::binary64, "generic", kCases, Files::path(extension)}},
+          threads_of(state));
 }
 BENCHMARK_CAPTURE(certified_from, json_lines, ".jsonl")
     ->Arg(1)
