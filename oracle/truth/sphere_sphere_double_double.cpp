@@ -19,7 +19,8 @@ DoubleDouble of_whole(mpz_ptr n, int exponent) {
 
 /// In whole numbers. Nothing where a number is too small for a product of it.
 std::optional<Excess> excess_of(const Balls& balls, Distances distances) {
-  const auto& [a, b] = balls;
+  const Ball& a = balls.a;  // a lambda takes no part of a structured binding before clang 16
+  const Ball& b = balls.b;
   Scratch& s = scratch();
   const Grid grid{
       std::min({last_exponent(a.center), last_exponent(b.center), last_exponent(a.radius), last_exponent(b.radius),

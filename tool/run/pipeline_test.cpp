@@ -234,8 +234,8 @@ TEST(Verdict, SaysWhereOneAnswerWouldHaveBeenRightThroughout) {
       << report.sentence();
 }
 
-/// What plain double does wrong in generated questions of two families, from the given one on.
-oracle::Diagnosis diagnosis_of_plain_double(std::uint64_t first, std::uint64_t count) {
+/// What plain double does wrong in generated questions of two families, from the given one on, in a run of so many.
+oracle::Diagnosis diagnosis_of_plain_double(std::uint64_t first, std::uint64_t count, std::uint64_t run = 0) {
   std::vector<Subject> subjects;
   subjects.push_back({engines::make_built_in("plain-double"), {}});
   subjects.front().report.engine = subjects.front().engine->info();
@@ -244,8 +244,37 @@ oracle::Diagnosis diagnosis_of_plain_double(std::uint64_t first, std::uint64_t c
   for (const std::string_view family : {"near_touching", "coincident"})
     judge_source({Pair::sphere_sphere, Scalar::binary64, std::string(family), count, std::nullopt,
                   golden::find_family(Pair::sphere_sphere, family), 5, first},
-                 subjects, never, oracles);
+                 subjects, never, oracles, run);
   return std::move(subjects.front().report.why);
+}
+
+TEST(Certify, OfALargeRunAFewRightAnswersNameTheSameMistakes) {
+  const auto of_source = diagnosis_of_plain_double(0, 4000).findings();
+  const auto of_run = diagnosis_of_plain_double(0, 4000, 10'000'000).findings();
+  ASSERT_FALSE(of_run.empty());
+  ASSERT_EQ(of_run.size(), of_source.size());
+  for (std::size_t i = 0; i < of_run.size(); ++i) {
+    EXPECT_EQ(of_run[i].cause, of_source[i].cause);
+    EXPECT_EQ(of_run[i].explained, of_source[i].explained);
+  }
+}
+
+TEST(Certify, ALargeRunOfRightAnswersIsNotComparedWithMistakes) {
+  constexpr std::uint64_t kEach = 4200;
+  constexpr std::uint64_t kSources = 5;
+  static_assert(kEach * kSources > oracle::Diagnosis::kPostponed);
+  for (const std::uint64_t run : {std::uint64_t{0}, kEach * kSources}) {
+    std::vector<Subject> subjects;
+    subjects.push_back({engines::make_built_in("production"), {}});
+    subjects.front().report.engine = subjects.front().engine->info();
+    Stop never;
+    Oracles oracles;
+    for (std::uint64_t seed = 0; seed < kSources; ++seed)
+      judge_source({Pair::sphere_sphere, Scalar::binary64, "generic", kEach, std::nullopt,
+                    golden::find_family(Pair::sphere_sphere, "generic"), seed},
+                   subjects, never, oracles, run);
+    EXPECT_EQ(subjects.front().report.why.compares_at_once(), run == 0);
+  }
 }
 
 TEST(Certify, OfALargeRunASampleOfTheWrongClaimsNamesTheSameMistakes) {
