@@ -21,8 +21,19 @@ constexpr std::uint64_t kEvery = 5;
 constexpr std::uint64_t kEvery = 1;
 #endif
 
+/// How often a quick stage tells by how much a question is a hit, of those that it decides.
+struct Margins {
+  std::uint64_t asked = 0;
+  std::uint64_t told = 0;
+
+  void add(bool is_told) {
+    ++asked;
+    told += is_told ? 1 : 0;
+  }
+};
+
 /// What each stage says by itself is what the exact oracle says, where it says anything.
-void expect_stages_agree(const Query& query, Scalar scalar, oracle::StageCounts& decided) {
+void expect_stages_agree(const Query& query, Scalar scalar, oracle::StageCounts& decided, Margins& margins) {
   const oracle::Truth truth = oracle::truth_of(query);
   const oracle::RoundedAnswer exact = oracle::rounded_answer(truth, scalar);
   const oracle::Witness witness = oracle::witness(truth, scalar);
@@ -40,6 +51,7 @@ void expect_stages_agree(const Query& query, Scalar scalar, oracle::StageCounts&
   const oracle::StagedAnswer staged = oracle::staged_answer(query, scalar);
   ASSERT_EQ(first_difference(rounded_answer(staged), exact), std::nullopt) << query_line(query, scalar);
   decided.add(staged.stage);
+  if (query.has_distance() && staged.stage != Stage::exact) margins.add(staged.margin_ulps.has_value());
 }
 
 std::uint64_t count(const oracle::StageCounts& decided, Stage stage) {
@@ -48,31 +60,35 @@ std::uint64_t count(const oracle::StageCounts& decided, Stage stage) {
 
 TEST(Stages, agree_on_every_committed_case_in_both_scalars) {
   oracle::StageCounts decided;
+  Margins margins;
   std::uint64_t cases = 0;
   for (const auto& path : dataset_files({std::filesystem::path(CONTACT_SOURCE_DIR) / "golden"})) {
     DatasetReader reader(path);
     if (reader.header().family == kInvalidFamily) continue;
     while (const auto c = reader.next()) {
       if (++cases % kEvery != 0) continue;
-      for (const Scalar scalar : kScalars) ASSERT_NO_FATAL_FAILURE(expect_stages_agree(c->query, scalar, decided));
+      for (const Scalar scalar : kScalars)
+        ASSERT_NO_FATAL_FAILURE(expect_stages_agree(c->query, scalar, decided, margins));
     }
   }
   EXPECT_GT(cases, 10000U);
   EXPECT_GT(count(decided, Stage::double_double), cases / kEvery);
   EXPECT_GT(count(decided, Stage::interval), cases / kEvery / 10);
+  EXPECT_GT(5 * margins.told, 4 * margins.asked) << margins.told << " of " << margins.asked;
 }
 
 TEST(Stages, agree_on_fresh_questions_of_every_family) {
   constexpr std::uint64_t kQuestions = 60;
   constexpr std::uint64_t kSeed = 20240607;
   oracle::StageCounts decided;
+  Margins margins;
   for (const Pair pair : kPairs)
     for (const Family& family : families_of(pair)) {
       if (family.name == kInvalidFamily) continue;
       for (const Scalar scalar : kScalars)
         for (std::uint64_t index = 0; index < kQuestions; ++index)
           ASSERT_NO_FATAL_FAILURE(
-              expect_stages_agree(generate_query(pair, family, scalar, kSeed, index), scalar, decided));
+              expect_stages_agree(generate_query(pair, family, scalar, kSeed, index), scalar, decided, margins));
     }
   EXPECT_GT(count(decided, Stage::double_double), 1000U);
   EXPECT_GT(count(decided, Stage::interval), 100U);
@@ -82,6 +98,7 @@ TEST(Stages, whole_numbers_of_words_and_long_ones_say_the_same) {
   // Numbers whose first and last bits are so far apart that two words have just room for them, or just none.
   std::mt19937_64 random(5);
   oracle::StageCounts decided;
+  Margins margins;
   for (int spread = 0; spread < 16; ++spread)
     for (int i = 0; i < 200; ++i) {
       Query query = zero_query(Pair::sphere_sphere);
@@ -98,7 +115,7 @@ TEST(Stages, whole_numbers_of_words_and_long_ones_say_the_same) {
         b.center = a.center;
         b.center[i / 2 % 3] += a.radius + b.radius + query.distances.alarm;
       }
-      expect_stages_agree(query, Scalar::binary64, decided);
+      expect_stages_agree(query, Scalar::binary64, decided, margins);
       ASSERT_FALSE(HasFatalFailure());
     }
   EXPECT_GT(count(decided, Stage::double_double), 1600U);

@@ -1,6 +1,6 @@
 // Pairs whose numbers are far from 1, in units of their own: lengths times a power of two for each pair, changed by
 // their bits, and the answers' lengths back. Nothing is lost or rounded on either way. The arithmetic between sees no
-// subnormal number, for which some processors take a hundred times as long, and few squares out of the range.
+// subnormal number, for which some processors take many times as long, and few squares out of the range.
 #if defined(CONTACT_KERNEL_BATCH_LIFTED_INL_H) == defined(HWY_TARGET_TOGGLE)  // once a target
 #ifdef CONTACT_KERNEL_BATCH_LIFTED_INL_H
 #undef CONTACT_KERNEL_BATCH_LIFTED_INL_H
@@ -99,7 +99,8 @@ struct Lifted {
   }
 
   /// Lengths in the pairs' own units back in those of the question; the lanes of those that have no such number there.
-  /// Where a rounded length has one, which may be subnormal, what was rounded would be rounded to the same.
+  /// Where a rounded length has one, which may be subnormal, what was rounded would be rounded to the same. A length
+  /// that is certain is 0 or a normal number before: its terms are multiples of 2^-952.
   HWY_ATTR unsigned lower(double* column) const {
     const std::size_t lanes = hn::Lanes(D());
     std::uint64_t ordinary = 1;
