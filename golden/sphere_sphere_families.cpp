@@ -472,24 +472,27 @@ Spheres<Real> hard_value(int k, Random& random) {
 /// None is exactly in the middle: no normal has a component m / 2^s with m odd and s > 0 (docs/golden.md).
 template <class Real>
 Spheres<Real> hard_normal(Random& random) {
-  using boost::multiprecision::cpp_int;
+  // Room for 2 s + 2 kMore bits and a sign, without memory of their own.
+  using Backend = boost::multiprecision::cpp_int_backend<640, 640, boost::multiprecision::signed_magnitude,
+                                                         boost::multiprecision::unchecked, void>;
+  using Whole = boost::multiprecision::number<Backend, boost::multiprecision::et_off>;
   constexpr int kTries = 32;
   constexpr int kMore = 4 * kDigits<Real>;  // bits that the convergents do not see
   Integers delta{};
-  cpp_int closest = 0;
+  Whole closest = 0;
   for (int tries = 0; tries < kTries; ++tries) {
-    const cpp_int m = kTwoToDigits<Real> + 2 * random.between<std::int64_t>(0, kTwoToDigits<Real> / 2 - 1) + 1;
+    const Whole m = kTwoToDigits<Real> + 2 * random.between<std::int64_t>(0, kTwoToDigits<Real> / 2 - 1) + 1;
     const int s = kDigits<Real> + random.between(1, 3);
-    cpp_int over = boost::multiprecision::sqrt(cpp_int(((cpp_int(1) << 2 * s) - m * m) << 2 * kMore));
-    cpp_int under = m << kMore;
-    cpp_int y = 1;
-    cpp_int x = 0;
-    cpp_int last_y = 0;
-    cpp_int last_x = 1;
+    Whole over = sqrt(Whole(((Whole(1) << 2 * s) - m * m) << 2 * kMore));
+    Whole under = m << kMore;
+    Whole y = 1;
+    Whole x = 0;
+    Whole last_y = 0;
+    Whole last_x = 1;
     for (;;) {
-      const cpp_int quotient = over / under;
-      const cpp_int next_y = quotient * y + last_y;
-      const cpp_int next_x = quotient * x + last_x;
+      const Whole quotient = over / under;
+      const Whole next_y = quotient * y + last_y;
+      const Whole next_x = quotient * x + last_x;
       if (next_y >= kTwoToDigits<Real> || next_x >= kTwoToDigits<Real>) {
         if (x * next_x > closest) {  // it is off by less than 1 / (x next_x)
           closest = x * next_x;
@@ -499,7 +502,7 @@ Spheres<Real> hard_normal(Random& random) {
       }
       last_y = std::exchange(y, next_y);
       last_x = std::exchange(x, next_x);
-      over = std::exchange(under, cpp_int(over % under));
+      over = std::exchange(under, Whole(over % under));
     }
   }
   Spheres<Real> s = apart_by<Real>(delta, random);

@@ -25,10 +25,12 @@ constexpr std::uint64_t kEvery = 1;
 struct Margins {
   std::uint64_t asked = 0;
   std::uint64_t told = 0;
+  std::uint64_t of_known_size = 0;
 
-  void add(bool is_told) {
+  void add(const oracle::MarginBounds& margin) {
     ++asked;
-    told += is_told ? 1 : 0;
+    told += margin.rounded() ? 1 : 0;
+    of_known_size += margin.of_its_size() ? 1 : 0;
   }
 };
 
@@ -39,11 +41,11 @@ void expect_stages_agree(const Query& query, Scalar scalar, oracle::StageCounts&
   const oracle::Witness witness = oracle::witness(truth, scalar);
   if (const auto quick = oracle::double_double_answer(query, scalar)) {
     ASSERT_EQ(first_difference(*quick, exact), std::nullopt) << query_line(query, scalar);
-    ASSERT_EQ(quick->margin_ulps.value_or(witness.margin_ulps), witness.margin_ulps) << query_line(query, scalar);
+    ASSERT_TRUE(quick->margin.allows(witness.margin_ulps)) << query_line(query, scalar);
   }
   if (const auto interval = oracle::interval_answer_within(oracle::kMostBits, query, scalar)) {
     ASSERT_EQ(first_difference(*interval, exact), std::nullopt) << query_line(query, scalar);
-    ASSERT_EQ(interval->margin_ulps.value_or(witness.margin_ulps), witness.margin_ulps) << query_line(query, scalar);
+    ASSERT_TRUE(interval->margin.allows(witness.margin_ulps)) << query_line(query, scalar);
   }
   oracle::Witness texts = oracle::quick_witness(query);
   texts.margin_ulps = witness.margin_ulps;
@@ -51,7 +53,7 @@ void expect_stages_agree(const Query& query, Scalar scalar, oracle::StageCounts&
   const oracle::StagedAnswer staged = oracle::staged_answer(query, scalar);
   ASSERT_EQ(first_difference(rounded_answer(staged), exact), std::nullopt) << query_line(query, scalar);
   decided.add(staged.stage);
-  if (query.has_distance() && staged.stage != Stage::exact) margins.add(staged.margin_ulps.has_value());
+  if (query.has_distance() && staged.stage != Stage::exact) margins.add(staged.margin);
 }
 
 std::uint64_t count(const oracle::StageCounts& decided, Stage stage) {
@@ -75,6 +77,7 @@ TEST(Stages, agree_on_every_committed_case_in_both_scalars) {
   EXPECT_GT(count(decided, Stage::double_double), cases / kEvery);
   EXPECT_GT(count(decided, Stage::interval), cases / kEvery / 10);
   EXPECT_GT(5 * margins.told, 4 * margins.asked) << margins.told << " of " << margins.asked;
+  EXPECT_GT(20 * margins.of_known_size, 19 * margins.asked) << margins.of_known_size << " of " << margins.asked;
 }
 
 TEST(Stages, agree_on_fresh_questions_of_every_family) {

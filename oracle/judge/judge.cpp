@@ -72,8 +72,9 @@ class ContactJudge {
     if (!claim_.normal || !claims(Field::normal)) return std::nullopt;
     const Vector3& n = claimed_n_;
     if (!is_finite(n)) return FieldVerdict{Grade::not_finite, 0};
+    // The reference's direction is one of those that are right, wherever several are, unless none is asked for.
+    if (is_reference() && (!degenerate_ || conventions_.coincident != Coincident::zero_normal)) return FieldVerdict{};
     if (degenerate_) return exact().coincident() ? coincident_normal(n) : normal_out(n);
-    if (rounded_ != nullptr && conventions_.normal_unit && n == rounded_->normal) return FieldVerdict{};
     FieldVerdict verdict;
     for (int axis = 0; axis < 3; ++axis) verdict = worse(verdict, component(n, axis, exact().normal(axis)));
     verdict.off = verdict.grade == Grade::correctly_rounded ? Off{} : off_from(n, exact().along());
@@ -462,7 +463,7 @@ Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const 
                                     fields.value()};
   };
   // A false hit that a tolerance allows has numbers, which must be right too.
-  if (contact_expected && truth.contact_has_numbers())
+  if (contact_expected && (rounded != nullptr ? rounded->contact.has_value() : truth.contact_has_numbers()))
     add_off(verdict, verdict.fields = judged());
   else if (!contact_expected && truth.has_distance())
     add_off(verdict, judged());

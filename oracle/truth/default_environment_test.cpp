@@ -79,7 +79,8 @@ Said everything(const Query& query, const Claim& near) {
     const StagedAnswer staged = staged_answer(query, scalar);
     said(std::string(kStageNames[static_cast<std::size_t>(staged.stage)]));
     said(rounded_answer(staged));
-    if (staged.margin_ulps) said(*staged.margin_ulps);
+    said(staged.margin.low);
+    said(staged.margin.high);
     said(interval_answer(query, scalar));
     if (const auto quick = double_double_answer(query, scalar)) said(*quick);
     Declaration declared;

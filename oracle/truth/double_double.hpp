@@ -98,17 +98,23 @@ struct DoubleDouble {
   return {r.high, r.low, (carried + kRootError * r.high) * kRadiusRounding};
 }
 
+/// Two doubles with the rounding of the real number to binary64 between them.
+struct Bracket {
+  double low;
+  double high;
+};
+/// Domain: |x.high| < 2^1000.
+[[nodiscard]] inline Bracket bracket(const DoubleDouble& x) {
+  if (x.radius == 0) return {x.high, x.high};
+  // More than the radius by more than the rounding of low -+ off takes off it.
+  const double off = x.radius * (1 + 0x1p-49) + std::abs(x.low) * 0x1p-52;
+  return {x.high + (x.low - off), x.high + (x.low + off)};
+}
+
 /// x rounded once to the scalar, to nearest, ties to even, +0 for zero; nothing where the enclosure holds numbers that
 /// round differently. Domain: |x.high| < 2^1000.
 [[nodiscard]] inline std::optional<double> round_to_nearest(const DoubleDouble& x, Scalar scalar) {
-  double low = x.high;
-  double high = x.high;
-  if (x.radius != 0) {
-    // More than the radius by more than the rounding of low -+ off takes off it.
-    const double off = x.radius * (1 + 0x1p-49) + std::abs(x.low) * 0x1p-52;
-    low = x.high + (x.low - off);
-    high = x.high + (x.low + off);
-  }
+  auto [low, high] = bracket(x);
   if (scalar == Scalar::binary32) {
     // The ends have been rounded to binary64: the real number lies between the neighbours beyond them.
     if (x.radius != 0 || x.low != 0) {

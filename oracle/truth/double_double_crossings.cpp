@@ -41,7 +41,7 @@ std::optional<RoundedAnswer> case_of_crossing(const Vector3& from, const DoubleD
   }
   contact.q = contact.p;
   auto found = case_along(contact, 0, 0, {0, 0}, scalar);
-  if (found) found->margin_ulps.reset();  // there is no distance
+  if (found) found->margin = {};  // there is no distance
   return found;
 }
 

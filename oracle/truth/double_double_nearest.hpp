@@ -52,8 +52,8 @@ struct DoubleDoubleAlong {
   std::optional<DoubleDouble> past_reach{};
   std::optional<DoubleDouble> value{};
 };
-/// past / ulp(reach) in the scalar, rounded to binary64, where the stage can tell.
-[[nodiscard]] std::optional<double> margin_of(const DoubleDouble& past, const DoubleDouble& reach, Scalar scalar);
+/// past / ulp(reach) in the scalar. Domain: reach is 0, or its magnitude and the ulp of the scalar in_range of 500.
+[[nodiscard]] MarginBounds margin_of(const DoubleDouble& past, const DoubleDouble& reach, Scalar scalar);
 
 [[nodiscard]] std::optional<RoundedAnswer> case_along(const DoubleDoubleAlong& along, double radius1, double radius2,
                                                       Distances distances, Scalar scalar);

@@ -2,8 +2,10 @@
 #include "oracle/truth/double_double_oracle.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "oracle/truth/default_environment.hpp"
@@ -25,23 +27,40 @@ class Settled {
   bool all_ = true;
 };
 
+#if defined(__x86_64__) && !defined(__FMA__)
+/// Never inlined: the environment must be set before anything is computed.
+template <class Work>
+[[gnu::noinline, gnu::flatten, gnu::target("fma")]] auto by_fma(const Work& work) {
+  return work();
+}
+#endif
+/// What work() returns, std::fma being an instruction and no function where the processor has one: the same bits.
+template <class Work>
+auto with_fma(const Work& work) {
+#if defined(__x86_64__) && !defined(__FMA__)
+  if (__builtin_cpu_supports("fma")) return by_fma(work);
+#endif
+  return work();
+}
+
 }  // namespace
 
-std::optional<double> margin_of(const DoubleDouble& past, const DoubleDouble& reach, Scalar scalar) {
+MarginBounds margin_of(const DoubleDouble& past, const DoubleDouble& reach, Scalar scalar) {
   const Format format = format_of(scalar);
-  int exponent = format.min_exponent;
-  if (reach.high > 0) {
-    // No other double lies between high and the real number, so both have one exponent, but for a power of two that is
-    // approached from below.
-    exponent = std::ilogb(reach.high);
-    if (std::ldexp(1.0, exponent) == reach.high && (reach.low < 0 || reach.radius != 0)) return std::nullopt;
-    exponent = std::max(exponent, format.min_exponent);
-  }
   // The unit is a power of two and, as the answer, far from the ends of the range: scaling commutes with rounding.
-  const auto off = round_to_nearest(past, Scalar::binary64);
-  if (!off) return std::nullopt;
-  if (*off != 0 && std::abs(std::ilogb(*off)) > 500) return std::nullopt;
-  return std::ldexp(*off, format.precision - 1 - exponent);
+  const auto [low, high] = bracket(past);
+  if (!in_range(low, 500) || !in_range(high, 500)) return {};
+  if (reach.high == 0) {
+    const int power = format.precision - 1 - format.min_exponent;
+    return {std::ldexp(low, power), std::ldexp(high, power)};
+  }
+  // No other double lies between high and the real number, so both have one exponent, but for a power of two that is
+  // approached from below.
+  const auto bits = std::bit_cast<std::uint64_t>(reach.high);
+  if (bits << 12 == 0 && (reach.low < 0 || reach.radius != 0)) return {};
+  const int exponent = std::max(static_cast<int>(bits >> 52) - 1023, format.min_exponent);
+  const auto scale = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + format.precision - 1 - exponent) << 52);
+  return {low * scale, high * scale};
 }
 
 std::optional<RoundedAnswer> case_along(const DoubleDoubleAlong& along, double radius1, double radius2,
@@ -49,7 +68,7 @@ std::optional<RoundedAnswer> case_along(const DoubleDoubleAlong& along, double r
   const DoubleDouble radii = two_sum(radius1, radius2);
   RoundedAnswer found{along.at_alarm, along.at_zero, {along.at_alarm <= 0, std::nullopt}};
   const DoubleDouble reach = plus(radii, distances.alarm);
-  found.margin_ulps = margin_of(along.past_reach.value_or(along.distance - reach), reach, scalar);
+  found.margin = margin_of(along.past_reach.value_or(along.distance - reach), reach, scalar);
   if (!found.expected.hit) return found;
 
   Settled settled;
@@ -99,8 +118,11 @@ std::optional<RoundedAnswer> case_of_nearest(const DoubleDoubleNearest& nearest,
 
 std::optional<RoundedAnswer> double_double_answer(const Query& query, Scalar scalar) {
   const DefaultEnvironment environment;
-  return std::visit([&](const auto& shapes) { return double_double_answer(shapes, query.distances, scalar); },
-                    query.shapes);
+  return std::visit(
+      [&](const auto& shapes) {
+        return with_fma([&] { return double_double_answer(shapes, query.distances, scalar); });
+      },
+      query.shapes);
 }
 
 }  // namespace contact::oracle

@@ -78,6 +78,10 @@ class Interval {
     if (low != high) return std::nullopt;
     return low == 0 ? 0.0 : low;
   }
+  /// Both ends rounded to binary64: the rounding of the real number lies between them.
+  [[nodiscard]] MarginBounds ends() const {
+    return {to_nearest(&value_->left, Scalar::binary64), to_nearest(&value_->right, Scalar::binary64)};
+  }
 
  private:
   using Operation = int (*)(mpfi_ptr, mpfi_srcptr, mpfi_srcptr);
@@ -125,8 +129,8 @@ struct IntervalNearest {
 /// Two points, each its own core: where they are one, the direction is the first axis.
 [[nodiscard]] IntervalNearest nearest_of_points(const Triple& p, const Triple& q, mpfr_prec_t precision);
 
-/// off / ulp(reach) in the scalar, rounded to binary64, where that is settled.
-[[nodiscard]] std::optional<double> margin_of(const Interval& off, const Interval& reach, Scalar scalar);
+/// off / ulp(reach) in the scalar.
+[[nodiscard]] MarginBounds margin_of(const Interval& off, const Interval& reach, Scalar scalar);
 
 /// The answer for two cores blown up by r1 and r2.
 [[nodiscard]] RoundedAnswer answer_of_nearest(const IntervalNearest& nearest, const Interval& r1, const Interval& r2,

@@ -14,11 +14,11 @@ constexpr mpfr_prec_t kFirstPrecision = 192;
 
 }  // namespace
 
-std::optional<double> margin_of(const Interval& off, const Interval& reach, Scalar scalar) {
+MarginBounds margin_of(const Interval& off, const Interval& reach, Scalar scalar) {
   const Format format = format_of(scalar);
   const std::optional<long> exponent = reach.exponent();
-  if (!exponent) return std::nullopt;
-  return off.scaled(format.precision - 1 - std::max<long>(*exponent, format.min_exponent)).rounded(Scalar::binary64);
+  if (!exponent) return {};
+  return off.scaled(format.precision - 1 - std::max<long>(*exponent, format.min_exponent)).ends();
 }
 
 IntervalNearest nearest_of_points(const Triple& p, const Triple& q, mpfr_prec_t precision) {
@@ -34,7 +34,7 @@ RoundedAnswer answer_of_nearest(const IntervalNearest& nearest, const Interval& 
   const Interval reach = (Interval(precision, distances.alarm) + r1 + r2) * over;
 
   RoundedAnswer answer{settled((D - reach.squared()).sign()), settled((D - ((r1 + r2) * over).squared()).sign()), {}};
-  answer.margin_ulps = margin_of((D.root() - reach) / over, Interval(precision, distances.alarm) + r1 + r2, scalar);
+  answer.margin = margin_of((D.root() - reach) / over, Interval(precision, distances.alarm) + r1 + r2, scalar);
   answer.expected.hit = answer.at_alarm <= 0;
   if (!answer.expected.hit) return answer;
 

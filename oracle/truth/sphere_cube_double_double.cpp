@@ -55,10 +55,8 @@ std::optional<RoundedAnswer> inside(const Ball& ball, const Box& box, Distances 
     }
   const auto at = [&](double reach) { return *depth > 0 || reach > 0 ? -1 : 0; };
   const DoubleDouble reach = two_sum(ball.radius, distances.alarm);
-  return RoundedAnswer{at(ball.radius + distances.alarm),
-                       at(ball.radius),
-                       {true, contact},
-                       margin_of(-reach, reach, scalar)};
+  return RoundedAnswer{
+      at(ball.radius + distances.alarm), at(ball.radius), {true, contact}, margin_of(-reach, reach, scalar)};
 }
 
 }  // namespace

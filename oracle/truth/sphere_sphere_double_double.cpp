@@ -58,7 +58,7 @@ std::optional<RoundedAnswer> double_double_answer(const Balls& balls, Distances 
     return std::nullopt;
   const DoubleDoubleNearest nearest{exactly(a.center), exactly(b.center), difference(b.center, a.center)};
   auto found = case_of_nearest(nearest, a.radius, b.radius, distances, scalar);
-  if (found && found->margin_ulps) return found;
+  if (found && found->margin.rounded()) return found;
   const auto excess = excess_of(balls, distances);
   return excess ? case_of_nearest(nearest, a.radius, b.radius, distances, scalar, excess) : found;
 }

@@ -6,7 +6,7 @@ namespace {
 
 StagedAnswer with(const Query& query, RoundedAnswer&& answer, Stage stage) {
   return {truth_with(query, static_cast<Side>(answer.at_alarm), static_cast<Side>(answer.at_zero)),
-          std::move(answer.expected), stage, answer.margin_ulps};
+          std::move(answer.expected), stage, answer.margin};
 }
 
 }  // namespace
@@ -17,7 +17,7 @@ StagedAnswer staged_answer(const Query& query, Scalar scalar) {
     return with(query, *std::move(answer), Stage::interval);
   Truth truth = truth_of(query);
   Expectation expected = expectation(truth, scalar);
-  return {std::move(truth), std::move(expected), Stage::exact, std::nullopt};
+  return {std::move(truth), std::move(expected), Stage::exact, {}};
 }
 
 RoundedAnswer rounded_answer(const Truth& truth, Scalar scalar) {

@@ -14,16 +14,16 @@ namespace contact::oracle {
 enum class Stage { double_double, interval, exact };
 inline constexpr std::array<std::string_view, 3> kStageNames{"double-double", "interval", "exact"};
 
-/// Past so many bits the interval oracle passes a question on: cases this hard are ties in disguise, and the exact
-/// oracle, which needs no guess of a precision, is faster there.
-inline constexpr int kMostBits = 3072;
+/// Past so many bits the interval oracle passes a question on. Below, it is faster than the exact oracle even where
+/// numbers of all scales meet; above are ties that no precision settles.
+inline constexpr int kMostBits = 12288;
 
 /// The truth of a question, its exact numbers waiting until they are asked for, and its rounding.
 struct StagedAnswer {
   Truth truth;
   Expectation expected;
-  Stage stage;                        ///< which one decided
-  std::optional<double> margin_ulps;  ///< of a golden file's witness; nothing where no stage but the exact one can tell
+  Stage stage;          ///< which one decided
+  MarginBounds margin;  ///< what the stage knows of it: nothing where that is the exact one
 };
 
 /// Domain: every number of the question finite and inside the domain.

@@ -142,15 +142,16 @@ std::optional<MarginBin> margin_of(const oracle::StagedAnswer& staged, Scalar sc
   if (!staged.truth.has_distance()) return std::nullopt;
   const int side = static_cast<int>(staged.truth.at_alarm);
   if (side == 0) return MarginBin{};
-  const double ulps = staged.margin_ulps ? *staged.margin_ulps : oracle::margin_ulps(staged.truth, scalar);
-  return MarginBin{side, power_of(ulps)};
+  const std::optional<double> size = staged.margin.of_its_size();
+  return MarginBin{side, power_of(size ? *size : oracle::margin_ulps(staged.truth, scalar))};
 }
 
 /// A dataset's case against the stages; what they do not confirm is for the exact oracle to word.
 void check_expectation(const Item& item, const oracle::StagedAnswer& staged, Scalar scalar, const Slice& slice) {
-  if (staged.margin_ulps || !item.question.query.has_distance()) {
+  const std::optional<double> margin = staged.margin.rounded();
+  if (margin || !item.question.query.has_distance()) {
     oracle::Witness witness = oracle::quick_witness(item.question.query);
-    witness.margin_ulps = staged.margin_ulps.value_or(0);
+    witness.margin_ulps = margin.value_or(0);
     if (golden::says(*item.expected, staged.expected, witness)) return;
   }
   golden::check_case(*item.expected, scalar, oracle::truth_of(item.question.query), slice.where(item));
@@ -268,8 +269,8 @@ void check_stage(const Query& query, const oracle::StagedAnswer& staged, Scalar 
   require_agreement(query, truth, oracle::rounded_answer(staged), scalar, stage);
   const oracle::Witness exact = oracle::witness(truth, scalar);
   oracle::Witness quick = oracle::quick_witness(query);
-  quick.margin_ulps = staged.margin_ulps.value_or(exact.margin_ulps);
-  if (quick != exact)
+  quick.margin_ulps = exact.margin_ulps;
+  if (quick != exact || !staged.margin.allows(exact.margin_ulps))
     throw OracleFault(fmt::format("the exact oracle and the {} oracle differ in the witness ({})\n{}", stage,
                                   name(scalar), golden::query_line(query, scalar)));
 }
