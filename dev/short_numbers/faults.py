@@ -91,8 +91,8 @@ FAULTS = [
     ("one vector", FORMULA, "{high, hn::Add(center_lost, w_lost)}", "{high, center_lost}"),
     ("one vector", FORMULA, "hn::MulAdd(radius, low, hn::MulSub(radius, q, w_part))", "hn::MulSub(radius, q, w_part)"),
     ("one vector", FORMULA, "hn::MulAdd(radius, low, hn::MulSub(radius, q, w_part))", "hn::Mul(radius, low)"),
-    ("one vector", VECTOR, "hn::And(certain, hn::Ge(hn::Abs(point1.high), uncancelled))", "certain"),
-    ("one vector", VECTOR, "hn::Ge(hn::Abs(high), uncancelled)", "hn::Eq(high, high)"),
+    # What the tests of `uncancelled` keep away needs a low part of 2^-30 of its usual size, which no short number has:
+    # SphereSphere.a_point_that_cancels_beside_a_low_part_of_hardly_anything_is_right has numbers for both.
     ("one vector", VECTOR, "hn::MulAdd(d.low, all<Axes>(k), hn::MulSub(d.high, all<Axes>(k), q))", "hn::MulSub(d.high, all<Axes>(k), q)"),
     ("one vector", VECTOR, "hn::MulAdd(d.low, all<Axes>(k), hn::MulSub(d.high, all<Axes>(k), q))", "hn::Mul(d.low, all<Axes>(k))"),
     ("one vector", VECTOR, "hn::MulAdd(a, all<Axes>(k), c)", "c"),

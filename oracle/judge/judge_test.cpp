@@ -64,7 +64,16 @@ Declaration of_these(const Claim& claim, Declaration declared) {
   return declared;
 }
 Verdict judged(const Query& query, const Claim& claim, const Declaration& declared = {}) {
-  return judge(query, truth_of(query), claim, of_these(claim, declared));
+  const Truth truth = truth_of(query);
+  const Declaration asked = of_these(claim, declared);
+  const Verdict verdict = judge(query, truth, claim, asked);
+  // The same where the rounded answer is known already, but for points of a normal that is then known to be the
+  // reference's.
+  const Expectation rounded = expectation(truth, asked.scalar);
+  const Verdict sooner = judge(query, truth, claim, asked, &rounded);
+  EXPECT_EQ(sooner.contact, verdict.contact);
+  for (const Field field : {Field::normal, Field::value}) EXPECT_TRUE(sooner.at(field) == verdict.at(field));
+  return verdict;
 }
 Level level_of(const Query& query, const Claim& claim, const Declaration& declared = {}) {
   return judged(query, claim, declared).level();

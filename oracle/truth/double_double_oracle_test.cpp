@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <random>
 
 #include "oracle/truth/double_double.hpp"
@@ -328,6 +329,23 @@ TEST(DoubleDoubleOracle, tells_the_margin_of_a_golden_file_or_nothing) {
   // 1 - 2^-54 rounds to 1, whose ulp is twice as large: that is left to the others
   EXPECT_FALSE(margin(1 - 0x1p-53, 0x1p-54));
   EXPECT_TRUE(margin(1, 0));
+}
+
+TEST(MarginBounds, tell_a_number_or_its_size_or_nothing) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ((MarginBounds{1.5, 1.5}.rounded()), 1.5);
+  EXPECT_FALSE((MarginBounds{1.5, 1.75}.rounded()));
+  EXPECT_FALSE(std::signbit(*MarginBounds{-0.0, 0.0}.rounded()));
+  EXPECT_EQ((MarginBounds{1.5, 1.75}.of_its_size()), 1.5);
+  EXPECT_EQ((MarginBounds{-1.75, -1.0}.of_its_size()), -1.75);
+  EXPECT_EQ((MarginBounds{0, 0}.of_its_size()), 0);
+  EXPECT_EQ((MarginBounds{kInfinity, kInfinity}.of_its_size()), kInfinity);
+  for (const MarginBounds bounds : {MarginBounds{1.5, 2}, {-2, -1.5}, {-1.5, 1.5}, {0, 1}, {1, kInfinity}, {}})
+    EXPECT_FALSE(bounds.of_its_size()) << bounds.low << " " << bounds.high;
+  EXPECT_TRUE((MarginBounds{1.5, 2}.allows(2)));
+  EXPECT_FALSE((MarginBounds{1.5, 2}.allows(2.5)));
+  EXPECT_FALSE((MarginBounds{1.5, 2}.allows(1)));
+  EXPECT_TRUE(MarginBounds{}.allows(kInfinity));
 }
 
 TEST(StagedOracle, passes_on_what_a_stage_declines_and_says_who_decided) {

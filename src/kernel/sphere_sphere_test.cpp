@@ -286,6 +286,19 @@ TEST(OneVector, settles_ordinary_pairs_as_the_other_stages_do_and_leaves_what_ca
 
 #endif
 
+// Found by a search over 2^32 radii: r n is so near a double, and the centre so near its negative, that what n is off
+// by is an ulp of the point, while the low part that a rounding is tested with is 2^-30 of its usual size. Rounded
+// without a look at what was left, the point is one ulp less.
+TEST(SphereSphere, a_point_that_cancels_beside_a_low_part_of_hardly_anything_is_right) {
+  constexpr double kPoint = 0x1.800000009ad13p-45;  // in arithmetic of 113 bits, and by the exact oracle
+  const Vector3 center(-0x1.f4a632bb98e1dp+6, 0, 0);
+  const Ball a{center, 0x1.f488c59a59799p+7};
+  const Ball b{center + Vector3(33, 57, 4), 1};
+  ASSERT_EQ(b.center[0] - a.center[0], 33);
+  EXPECT_EQ(compute_sphere_sphere(a, b, {})->point1[0], kPoint);
+  EXPECT_EQ(compute_sphere_sphere(b, a, {})->point2[0], kPoint);
+}
+
 // Hostile questions: raw bits, subnormals, small grids full of ties, and pairs a few ulps from touching.
 
 struct Question {
