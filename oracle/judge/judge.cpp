@@ -261,7 +261,7 @@ Aspects missing_aspects(const Claim& claim, const Declaration& declared, bool ha
 /// What the fields are off, by what they are measured in.
 void add_off(Verdict& verdict, const std::array<std::optional<FieldVerdict>, kFields.size()>& fields) {
   for (const Field field : kFields)
-    if (const auto& found = fields[static_cast<std::size_t>(field)]) {
+    if (const auto& found = fields[static_cast<std::size_t>(field)]; found && found->grade != Grade::correctly_rounded) {
       verdict.off[static_cast<std::size_t>(measure_of(field))].merge(found->off);
       verdict.no_number_beside = verdict.no_number_beside || found->grade == Grade::not_finite;
     }

@@ -1,14 +1,17 @@
 // What an engine should have claimed: the truth under its conventions.
 #include "oracle/judge/right_claim.hpp"
 
+#include <bit>
+#include <cstdint>
+
 #include "oracle/truth/default_environment.hpp"
 #include "oracle/truth/exact_truth.hpp"
 
 namespace contact::oracle {
 
 bool expected_hit(const Query& query, const Truth& truth, Touching touching, Margin margin) {
-  const DefaultEnvironment environment;
-  if (margin == Margin::none || query.distances.alarm == 0)
+  // By the bits, for either zero: a comparison may take a subnormal number for 0.
+  if (margin == Margin::none || std::bit_cast<std::uint64_t>(query.distances.alarm) << 1 == 0)
     return touching == Touching::closed ? truth.at_zero != Side::beyond : truth.at_zero == Side::within;
   return margin == Margin::inclusive ? truth.at_alarm != Side::beyond : truth.at_alarm == Side::within;
 }

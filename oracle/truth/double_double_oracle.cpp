@@ -72,7 +72,7 @@ std::optional<RoundedAnswer> case_along(const DoubleDoubleAlong& along, double r
   if (!found.expected.hit) return found;
 
   Settled settled;
-  Contact& contact = found.expected.contact.emplace();
+  Contact contact;  // every member is set below: nothing is cleared before
   contact.degenerate = along.degenerate;
   contact.unique = along.unique;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -85,6 +85,7 @@ std::optional<RoundedAnswer> case_along(const DoubleDoubleAlong& along, double r
   const DoubleDouble value = along.value.value_or(along.distance - plus(radii, distances.contact));
   contact.value = settled(round_to_nearest(value, scalar));
   if (!settled.all()) return std::nullopt;
+  found.expected.contact = contact;
   return found;
 }
 
@@ -98,22 +99,26 @@ std::optional<RoundedAnswer> case_of_nearest(const DoubleDoubleNearest& nearest,
   const auto at_alarm = (excess ? excess->at_alarm : D - reach * reach).sign();
   const auto at_zero = (excess ? excess->at_zero : D - radii * radii).sign();
   if (!at_alarm || !at_zero) return std::nullopt;
-  DoubleDoubleAlong along{p, q, {{{1.0}, {0.0}, {0.0}}}, {}, *at_alarm, *at_zero, D.high == 0, true};
-  if (!along.degenerate) {
-    // Where they touch, the distance is a sum of lengths, which a root could only come near.
-    along.distance = *at_zero == 0 ? radii : *at_alarm == 0 ? reach : root(D);
-    const DoubleDouble inverse = reciprocal(along.distance);
-    for (std::size_t i = 0; i < 3; ++i) along.normal[i] = delta[i] * inverse;
-    if (excess && *at_zero != 0 && *at_alarm != 0) {
-      // s - T = (D - T^2) / (s + T)
-      const auto past = [&](const DoubleDouble& by, const DoubleDouble& length) {
-        return by * reciprocal(along.distance + length);
-      };
-      along.past_reach = past(excess->at_alarm, reach);
-      along.value = past(excess->at_contact, plus(radii, distances.contact));
-    }
+  if (D.high == 0) {
+    const DoubleDoubles agreed{{{1.0}, {0.0}, {0.0}}};
+    return case_along({p, q, agreed, {}, *at_alarm, *at_zero, true, true}, radius1, radius2, distances, scalar);
   }
-  return case_along(along, radius1, radius2, distances, scalar);
+  // Where they touch, the distance is a sum of lengths, which a root could only come near.
+  const DoubleDouble distance = *at_zero == 0 ? radii : *at_alarm == 0 ? reach : root(D);
+  const DoubleDouble inverse = reciprocal(distance);
+  const DoubleDoubles normal{delta[0] * inverse, delta[1] * inverse, delta[2] * inverse};
+  std::optional<DoubleDouble> past_reach;
+  std::optional<DoubleDouble> value;
+  if (excess && *at_zero != 0 && *at_alarm != 0) {
+    // s - T = (D - T^2) / (s + T)
+    const auto past = [&](const DoubleDouble& by, const DoubleDouble& length) {
+      return by * reciprocal(distance + length);
+    };
+    past_reach = past(excess->at_alarm, reach);
+    value = past(excess->at_contact, plus(radii, distances.contact));
+  }
+  return case_along({p, q, normal, distance, *at_alarm, *at_zero, false, true, past_reach, value}, radius1, radius2,
+                    distances, scalar);
 }
 
 std::optional<RoundedAnswer> double_double_answer(const Query& query, Scalar scalar) {
