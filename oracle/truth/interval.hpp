@@ -16,11 +16,20 @@ namespace contact::oracle {
 /// An interval that contains the real number it stands for. The operations round outward.
 class Interval {
  public:
-  explicit Interval(mpfr_prec_t precision) { mpfi_init2(value_, precision); }
+  explicit Interval(mpfr_prec_t precision) {
+    if (precision > kMostInside) {
+      mpfi_init2(value_, precision);
+      return;
+    }
+    mpfr_custom_init_set(&value_->left, MPFR_NAN_KIND, 0, precision, inside_[0].data());
+    mpfr_custom_init_set(&value_->right, MPFR_NAN_KIND, 0, precision, inside_[1].data());
+  }
   Interval(mpfr_prec_t precision, double exact) : Interval(precision) { mpfi_set_d(value_, exact); }
   Interval(const Interval& other) : Interval(mpfi_get_prec(other.value_)) { mpfi_set(value_, other.value_); }
   Interval& operator=(const Interval& other) = delete;
-  ~Interval() { mpfi_clear(value_); }
+  ~Interval() {
+    if (mpfi_get_prec(value_) > kMostInside) mpfi_clear(value_);
+  }
 
   friend Interval operator+(const Interval& x, const Interval& y) { return apply(mpfi_add, x, y); }
   friend Interval operator-(const Interval& x, const Interval& y) { return apply(mpfi_sub, x, y); }
@@ -94,7 +103,12 @@ class Interval {
     return scalar == Scalar::binary32 ? static_cast<double>(mpfr_get_flt(x, MPFR_RNDN)) : mpfr_get_d(x, MPFR_RNDN);
   }
 
+  /// The digits of the first precision lie in the object, and those of a root's square: a call of malloc for each end
+  /// costs more than most operations. MPFI and MPFR change the precision of no operand, so they leave them there.
+  static constexpr mpfr_prec_t kMostInside = 384;
+
   mpfi_t value_;
+  std::array<std::array<mp_limb_t, kMostInside / GMP_NUMB_BITS>, 2> inside_;
 };
 
 /// Thrown by `settled` to ask for more precision; never leaves this file.
