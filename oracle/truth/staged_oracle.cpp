@@ -29,7 +29,7 @@ RoundedAnswer rounded_answer(const StagedAnswer& staged) {
 }
 
 std::optional<std::string> first_difference(const RoundedAnswer& x, const RoundedAnswer& y) {
-  if (const auto field = contact::first_difference(x.expected, y.expected)) return field;
+  if (auto field = contact::first_difference(x.expected, y.expected)) return field;
   if (x.at_alarm != y.at_alarm || x.at_zero != y.at_zero) return "the decision";
   return std::nullopt;
 }
