@@ -478,6 +478,7 @@ Spheres<Real> hard_normal(Random& random) {
   using Whole = boost::multiprecision::number<Backend, boost::multiprecision::et_off>;
   constexpr int kTries = 32;
   constexpr int kMore = 4 * kDigits<Real>;  // bits that the convergents do not see
+  static_assert(2 * (kDigits<Real> + 3) + 2 * kMore <= 640);
   Integers delta{};
   Whole closest = 0;
   for (int tries = 0; tries < kTries; ++tries) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <random>
+#include <variant>
 
 #include "golden/dataset.hpp"
 #include "golden/families.hpp"
@@ -39,7 +40,15 @@ void expect_stages_agree(const Query& query, Scalar scalar, oracle::StageCounts&
   const oracle::Truth truth = oracle::truth_of(query);
   const oracle::RoundedAnswer exact = oracle::rounded_answer(truth, scalar);
   const oracle::Witness witness = oracle::witness(truth, scalar);
-  if (const auto quick = oracle::double_double_answer(query, scalar)) {
+  const auto quick = oracle::double_double_answer(query, scalar);
+  // As compiled for processors without fma.
+  const auto portable = std::visit(
+      [&](const auto& shapes) { return oracle::double_double_answer(shapes, query.distances, scalar); }, query.shapes);
+  ASSERT_EQ(quick.has_value(), portable.has_value()) << query_line(query, scalar);
+  if (quick) {
+    ASSERT_EQ(first_difference(*quick, *portable), std::nullopt) << query_line(query, scalar);
+    ASSERT_EQ(quick->margin.low, portable->margin.low) << query_line(query, scalar);
+    ASSERT_EQ(quick->margin.high, portable->margin.high) << query_line(query, scalar);
     ASSERT_EQ(first_difference(*quick, exact), std::nullopt) << query_line(query, scalar);
     ASSERT_TRUE(quick->margin.allows(witness.margin_ulps)) << query_line(query, scalar);
   }

@@ -52,7 +52,7 @@ struct DoubleDoubleAlong {
   std::optional<DoubleDouble> past_reach{};
   std::optional<DoubleDouble> value{};
 };
-/// past / ulp(reach) in the scalar. Domain: reach is 0, or its magnitude and the ulp of the scalar in_range of 500.
+/// past / ulp(reach) in the scalar. Domain: reach is in_range of 500.
 [[nodiscard]] MarginBounds margin_of(const DoubleDouble& past, const DoubleDouble& reach, Scalar scalar);
 
 [[nodiscard]] std::optional<RoundedAnswer> case_along(const DoubleDoubleAlong& along, double radius1, double radius2,

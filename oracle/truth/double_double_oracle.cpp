@@ -34,7 +34,8 @@ template <class Work>
   return work();
 }
 #endif
-/// What work() returns, std::fma being an instruction and no function where the processor has one: the same bits.
+/// What work() returns, std::fma being an instruction and no function where the processor has one: the same bits. As in
+/// production, with which an oracle shares no code.
 template <class Work>
 auto with_fma(const Work& work) {
 #if defined(__x86_64__) && !defined(__FMA__)
