@@ -718,6 +718,8 @@ class Broken(Case):
         for pair in ("sphere_plane", "ray_triangle"):
             self.file(f"{pair}.invalid.jsonl", (GOLDEN / pair / "invalid.jsonl").read_text().splitlines())
         self.accepted(self.folder)
+        files = sorted(self.folder.glob("*.jsonl"), key=lambda path: path.stat().st_size)
+        last = files[0]
         program = VERIFY.read_text()
         for right, wrong in (
                 ("D > reach * reach", "D >= reach * reach"), ("alarm + r1 + r2", "r1 + r2"), ("max(gap) <=", "max(gap) <"),
@@ -746,8 +748,10 @@ class Broken(Case):
                 self.assertEqual(program.count(right), 1)
                 broken = self.folder / "broken.py"
                 broken.write_text(program.replace(right, wrong))
-                done = verify(self.folder, program=broken)
-                self.assertEqual(done.returncode, 1, done.stderr)
+                # One file after another, until one is called wrong; the last that was often is again.
+                found = next((path for path in (last, *files) if verify(path, program=broken).returncode == 1), None)
+                self.assertIsNotNone(found, "it calls every file right")
+                last = found
 
 
 if __name__ == "__main__":

@@ -111,8 +111,9 @@ class Case(unittest.TestCase):
 
 
 class Holds(Case):
-    def test_production_on_the_committed_files(self):
-        certificate = self.certify(GOLDEN, "--engine", "production", "--level", "correctly-rounded")
+    def test_production_on_committed_files(self):
+        folders = [GOLDEN / pair for pair in ("cube_cube", "ray_triangle", "sphere_sphere")]
+        certificate = self.certify(*folders, "--engine", "production", "--level", "correctly-rounded")
         self.holds("CERTIFIED: production", "reaches correctly-rounded", args=("--level", "correctly-rounded"))
         found = certificate["found"]
         self.assertEqual((found["certified"], found["share_judged"]), (True, "100 %"))
@@ -122,10 +123,10 @@ class Holds(Case):
         self.assertEqual({field["grade"] for f in found["families"] for field in f["fields"].values()},
                          {"correctly-rounded"})
         manifest = {entry["path"]: entry["sha256"] for entry in json.loads((GOLDEN / "manifest.json").read_text())["files"]}
-        self.assertGreater(len(certificate["questions"]["sources"]), 50)
+        self.assertGreater(len(certificate["questions"]["sources"]), 30)
         for source in certificate["questions"]["sources"]:
             self.assertEqual(source["sha256"], manifest[source["file"]])
-        self.assertGreater(certificate["oracle"]["put_to_all_oracles"], 15000)
+        self.assertGreater(certificate["oracle"]["put_to_all_oracles"], 3000)
 
     def test_an_engine_in_a_process_of_its_own(self):
         certificate = self.certify("golden/sphere_sphere/generic.jsonl", "--engine-command", f"python3 {PLAIN}")

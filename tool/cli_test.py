@@ -413,7 +413,8 @@ class Certify(Case):
             answer["contact"]["normal"] = [2 * x for x in answer["contact"]["normal"]]
         results = ("--results", self.file("scaled.jsonl", scaled))
         ugliest = ("--family", "coincident,extreme_scale,generic,near_touching")
-        ugly = [("golden", *ugliest, "--engine", engine) for engine in ("plain-double", "plain-float", "mutant:rapier-coincident-nan")]
+        ugly = [(GOLDEN / "sphere_sphere", GOLDEN / "capsule_capsule", GOLDEN / "ray_triangle", *ugliest, "--engine", engine)
+                for engine in ("plain-double", "plain-float", "mutant:rapier-coincident-nan")]
         classes = dict.fromkeys(("errors", "not_finite", "bounded"), 0)
         for args in (*ugly, (GOLDEN / "sphere_sphere" / "coincident.jsonl", *results), ("golden", "--engine", "plain-double", "--family", "invalid")):
             with self.subTest(args):
