@@ -83,7 +83,7 @@ class ContactJudge {
       if (found->grade != Grade::beyond_bound || field == Field::value) continue;
       if (!claimed) claimed = claimed_contact();
       if (!claimed->is_finite) continue;
-      if (!near) near.emplace(query_, exact(), *claimed, tolerance());
+      if (!near) near.emplace(query_, exact(), *claimed, tolerance(), declared_.scalar);
       if (field == Field::normal)
         take_length(*found, near->normal());
       else

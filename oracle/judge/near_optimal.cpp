@@ -107,12 +107,13 @@ std::vector<WayOut> ways_out(const Point& c, const Box& box) {
 }  // namespace
 
 NearOptimal::NearOptimal(const Query& query, const DistanceTruth& truth, const ClaimedContact& claim,
-                         const std::optional<Tolerance>& tolerance)
+                         const std::optional<Tolerance>& tolerance, Scalar scalar)
     : query_(query),
       truth_(truth),
       claim_(claim),
       tolerance_(tolerance),
-      scale_(larger_of(truth.point_scale(0), truth.point_scale(1))) {
+      scale_(larger_of(truth.point_scale(0), truth.point_scale(1))),
+      noise_(scale_.scaled(Rational(8) * power_of_two(-format_of(scalar).precision))) {
   if (!truth.degenerate() || truth.coincident()) return;
   const Point& c = truth.cores().nearest[0];
   for (const WayOut& way : ways_out(c, std::get<BallAndBox>(query.shapes).b))
@@ -159,6 +160,8 @@ Off NearOptimal::positions_turn(const Point& n) const {
       truth_.degenerate() ? Exact(-truth_.meeting().depth) : Exact(Rational(0), Rational(1), truth_.distance2());
   Off off = length_off_sum(reaches, distance, scale_, tolerance_);
   if (!truth_.degenerate()) off.merge(turn(truth_.distance2(), truth_.along(), n));
+  const Exact apart(Rational(0), Rational(-1), truth_.distance2());
+  if (faces_.empty() && noise_.plus(apart).sign() != CGAL::NEGATIVE) off.take_lesser(length(noise_, scale_));
   if (faces_.empty()) return off;
   Off nearest = beyond_lengths(tolerance_);
   for (const Face& face : faces_) {

@@ -25,7 +25,7 @@ struct ClaimedContact {
 class NearOptimal {
  public:
   NearOptimal(const Query& query, const DistanceTruth& truth, const ClaimedContact& claim,
-              const std::optional<Tolerance>& tolerance);
+              const std::optional<Tolerance>& tolerance, Scalar scalar);
 
   /// Domain: there is one. The points that are claimed must go with it.
   [[nodiscard]] Off normal() const;
@@ -65,6 +65,7 @@ class NearOptimal {
   const ClaimedContact& claim_;
   const std::optional<Tolerance>& tolerance_;
   Exact scale_;              ///< the larger one of the two points
+  Exact noise_;              ///< 8 roundings of it: what is no longer has no direction
   std::vector<Face> faces_;  ///< where the cores are one in the other; of them only those that the normal speaks of
 };
 

@@ -4,7 +4,6 @@
 #include <mpfr.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -151,14 +150,8 @@ Off length_off_sum(const Exact& x, const Exact& y, const Exact& scale, const std
     const auto q = y.enclosure(bits);
     return Exact::Enclosure{p.low + q.low, p.high + q.high};
   };
-  const auto is_at_most = [&](const Tolerance& limit) { return allows(limit, enclosure, scale, Rational(0)); };
-  const auto [low, high] = enclosure(kLastBits / 8);
-  // The sum may be the lower end itself, and then it is no more.
-  Off off = of_most(std::max(low, Rational(0)), scale, !tolerance || is_at_most(*tolerance));
-  const Off upper = of_most(std::max(high, Rational(0)), scale, off.within);
-  if (!is_at_most({.length = off.most})) off.most = upper.most;
-  if (std::isfinite(off.relative) && !is_at_most({.relative = off.relative})) off.relative = upper.relative;
-  return off;
+  const Rational most = std::max(enclosure(kFirstBits).high, Rational(0));
+  return of_most(most, scale, !tolerance || allows(*tolerance, enclosure, scale, Rational(0)));
 }
 
 Off beyond_lengths(const std::optional<Tolerance>& tolerance) { return {kUnlimited, kUnlimited, !tolerance}; }
