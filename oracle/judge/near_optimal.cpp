@@ -85,10 +85,14 @@ Extent extent(const std::vector<Point>& vertices, const Point& n) {
   return all;
 }
 
-/// The triangle of a pair with a crossing.
+/// The triangle of a pair with a crossing, and the segment.
 const Triangle& triangle_of(const Query& query) {
   if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes)) return ray->b;
   return std::get<TriangleAndLine>(query.shapes).a;
+}
+Segment crossing_segment(const Query& query) {
+  if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes)) return core(ray->a);
+  return core(std::get<TriangleAndLine>(query.shapes).b);
 }
 
 /// The faces of a box from inside, and how deep a point lies below each.
@@ -114,6 +118,15 @@ NearOptimal::NearOptimal(const Query& query, const DistanceTruth& truth, const C
       tolerance_(tolerance),
       scale_(larger_of(truth.point_scale(0), truth.point_scale(1))),
       noise_(scale_.scaled(Rational(8) * power_of_two(-format_of(scalar).precision))) {
+  if (is_crossing(query.pair)) {
+    const Point& N = truth.along();
+    const Point v0 = point_of(triangle_of(query).vertices[0]);
+    const auto ends = crossing_segment(query).ends();
+    is_flat_ = std::all_of(ends.begin(), ends.end(), [&](const Point& end) {
+      const Rational height = dot(N, end - v0);
+      return is_noise(height * height / squared(N));
+    });
+  }
   if (!truth.degenerate() || truth.coincident()) return;
   const Point& c = truth.cores().nearest[0];
   for (const WayOut& way : ways_out(c, std::get<BallAndBox>(query.shapes).b))
@@ -129,6 +142,11 @@ NearOptimal::NearOptimal(const Query& query, const DistanceTruth& truth, const C
 Off NearOptimal::length(const Exact& error, const Exact& scale) const { return length_off(error, scale, tolerance_); }
 Off NearOptimal::root(const Rational& squared, const Exact& scale) const {
   return length({Rational(0), Rational(1), squared}, scale);
+}
+
+/// Whether a length is no more than what rounding makes.
+bool NearOptimal::is_noise(const Rational& squared) const {
+  return noise_.plus(Exact(Rational(0), Rational(-1), squared)).sign() != CGAL::NEGATIVE;
 }
 
 /// How far the tip of a vector of that direction and length must move to lie along another direction.
@@ -160,8 +178,7 @@ Off NearOptimal::positions_turn(const Point& n) const {
       truth_.degenerate() ? Exact(-truth_.meeting().depth) : Exact(Rational(0), Rational(1), truth_.distance2());
   Off off = length_off_sum(reaches, distance, scale_, tolerance_);
   if (!truth_.degenerate()) off.merge(turn(truth_.distance2(), truth_.along(), n));
-  const Exact apart(Rational(0), Rational(-1), truth_.distance2());
-  if (faces_.empty() && noise_.plus(apart).sign() != CGAL::NEGATIVE) off.take_lesser(length(noise_, scale_));
+  if (faces_.empty() && is_noise(truth_.distance2())) off.take_lesser(length(noise_, scale_));
   if (faces_.empty()) return off;
   Off nearest = beyond_lengths(tolerance_);
   for (const Face& face : faces_) {
@@ -178,6 +195,8 @@ Point NearOptimal::core_point(int shape, const Point& unit) const {
   return *claim_.points[index(shape)] - (outward(shape, claim_.on[index(shape)]) * truth_.radius(shape)) * unit;
 }
 Rational NearOptimal::squared_distance(int shape, const Point& x) const {
+  // Where such a segment crosses, rounding decides: all of it may be said to.
+  if (is_flat_ && (shape == 0) == (query_.pair == Pair::triangle_line)) return Rational(0);
   return std::visit(
       [&](const auto& shapes) {
         return shape == 0 ? squared_distance_from(shapes.a, x) : squared_distance_from(shapes.b, x);
@@ -211,7 +230,7 @@ Point NearOptimal::delta() const {
 
 std::vector<NearOptimal::Reading> NearOptimal::readings() const {
   std::vector<Reading> all;
-  if (!truth_.degenerate()) all.push_back({{}, unit(truth_.along()), delta()});
+  if (!truth_.degenerate()) all.push_back({is_flat_ ? length(noise_, scale_) : Off{}, unit(truth_.along()), delta()});
   for (const Face& face : faces_)
     all.push_back({length(face.depth - truth_.meeting().depth, scale_), face.way.direction,
                    face.way.nearest - truth_.cores().nearest[0]});

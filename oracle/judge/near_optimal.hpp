@@ -50,6 +50,7 @@ class NearOptimal {
 
   [[nodiscard]] Off length(const Exact& error, const Exact& scale) const;
   [[nodiscard]] Off root(const Rational& squared, const Exact& scale) const;
+  [[nodiscard]] bool is_noise(const Rational& squared) const;
   [[nodiscard]] Off turn(const Rational& length2, const Point& from, const Point& to) const;
   [[nodiscard]] Off positions_turn(const Point& n) const;
   [[nodiscard]] Off goes_with(int shape, const Point& unit) const;
@@ -66,6 +67,7 @@ class NearOptimal {
   const std::optional<Tolerance>& tolerance_;
   Exact scale_;              ///< the larger one of the two points
   Exact noise_;              ///< 8 roundings of it: what is no longer has no direction
+  bool is_flat_ = false;     ///< a segment all of which is no farther from the plane that it crosses
   std::vector<Face> faces_;  ///< where the cores are one in the other; of them only those that the normal speaks of
 };
 

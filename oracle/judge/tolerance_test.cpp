@@ -427,6 +427,20 @@ TEST(Jump, of_a_segment_nearly_along_a_triangle_any_crossing_will_do) {
   torn.point2 = Vector3(2, 1, kEps);
   EXPECT_FALSE(within(flat, says(torn), {.length = 0.5}));
 }
+TEST(Jump, a_segment_that_rounding_alone_lifts_off_a_plane_crosses_it_anywhere) {
+  // 8 roundings are 2^-48. From x = 0 to 4, through the triangle up to x = 3.
+  const auto crossing_at = [](const Vector3& x, double height) {
+    ContactClaim said;
+    said.point1 = said.point2 = x;
+    const Query flat{Pair::triangle_line, TriangleAndLine{kCorner, {{0, 1, -height}, {4, 1, height}}}, {0, 0}};
+    return [flat, said](double length) { return within(flat, says(said), {.length = length}); };
+  };
+  EXPECT_TRUE(crossing_at({4, 1, 0}, 0x1p-48)(0x1p-48));
+  EXPECT_FALSE(crossing_at({4, 1, 0}, 0x1p-48)(0x1p-49));
+  EXPECT_FALSE(crossing_at({4, 1, 0}, above(0x1p-48))(0.5));
+  EXPECT_FALSE(crossing_at({5, 1, 0}, 0x1p-48)(0.5));  // past its end
+  EXPECT_FALSE(crossing_at({4, 2, 0}, 0x1p-48)(0.5));  // beside it
+}
 TEST(Jump, a_sliver_has_a_normal_as_far_as_its_height_tells) {
   // 8 long and 5 * 2^-10 high
   const Triangle sliver{{Vector3(0, 0, 0), Vector3(8, 0, 0), Vector3(4, 5 * kEps, 0)}};
