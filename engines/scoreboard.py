@@ -109,6 +109,15 @@ def up(x):
     return text if float(text) >= x else f"{x + 10.0 ** (math.floor(math.log10(x)) - 1) / 2:.1e}"
 
 
+def said(fit, key, without=""):
+    """The same, but for what nobody would state: a length of some number's whole scale or more than any everyday number,
+    an angle beyond a right one."""
+    x, share = fit[without + key], fit[without + "relative_length"]
+    if key in ("length", "relative_length") and (1 <= share < math.inf or (key == "length" and x > 1e4)):
+        return "beyond"
+    return "beyond" if key == "angle" and x > math.pi / 2 else up(x)
+
+
 def number(n):
     return str(n) if n else "."
 
@@ -171,7 +180,7 @@ def main_table(engines):
         rows.append([f"`{e.name}`", e.report["engine"]["version"], e.scalar, e.report["total"]["level"],
                      str(e.report["total"]["decided"]["hits"]), str(e.report["total"]["decided"]["misses"]),
                      number(e.total["missed_hits"]), number(e.total["false_hits"]), number(e.total["incomplete"]),
-                     str(sum(f["judged"] for f in e.total["fields"].values())), number(wrong), number(e.total["not_finite"]), number(e.total["unanswered"]), up(fit["length"]), up(fit["angle"]), up(fit["decision"]), e.time,
+                     str(sum(f["judged"] for f in e.total["fields"].values())), number(wrong), number(e.total["not_finite"]), number(e.total["unanswered"]), said(fit, "length"), said(fit, "angle"), up(fit["decision"]), e.time,
                      f"`./run certify golden --engine {e.name}`"])
     return table(["engine", "version", "arithmetic", "level", "hits", "misses", "missed hits", "false hits", "missing fields",
                   "numbers", "wrong numbers", "not finite", "no answer", "lengths fit from",
@@ -198,8 +207,8 @@ def fitness_tables(engines):
                 if not f["answers"] or (measure and not claims_numbers(e, pair)):
                     cells.append("")
                     continue
-                beyond = "" if f[key] == f[f"beyond_{key}"] else f" ({up(f[f'beyond_{key}'])})"
-                cells.append(up(f[key]) + beyond + (f", but for {f['never']}" if f["never"] else ""))
+                beyond = "" if f[key] == f[f"beyond_{key}"] else f" ({said(f, key, 'beyond_')})"
+                cells.append(said(f, key) + beyond + (f", but for {f['never']}" if f["never"] else ""))
             if any(cells):
                 rows.append([f"`{e.name}`", *cells])
         text += f"{title}:\n\n" + table(["engine", *(PAIRS[p] for p in pairs)], rows)
@@ -381,7 +390,7 @@ def main(tool, *wanted):
     text += ("## What each is good for\n\nFrom which [tolerance](specification.md#tolerances) on an engine would pass, on questions whose "
              "numbers are 0 or from 1e-4 to 1e4. In brackets: from which it would, if answers are left out that are no worse than "
              "what the [inputs' last bit](specification.md#conditioning) does. `.` is any tolerance, *but for 3* three answers that "
-             "none allows, an empty cell was not asked or claims no number.\n\n") + fitness_tables(engines)
+             "none allows, *beyond* more than anybody would state, an empty cell was not asked or claims no number.\n\n") + fitness_tables(engines)
     text += ("## At the edges\n\nWhat each declares about spheres that touch, share their centre, or are as far apart as the alarm "
              "distance, and how many of the questions\nthere it decides wrongly: missed / false hits, `.` for none.\n\n") + edge_table(engines)
     text += ("## Decisions by family\n\nMissed / false hits; `.` is all right, an empty cell was not asked. A binary64 engine is asked "

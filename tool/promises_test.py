@@ -321,6 +321,77 @@ class Tolerance(Case):
         self.assertEqual(self.judged(self.answers(), *options, "--baseline", path)["total"]["accepted"], 0)
 
 
+class Jump(Case):
+    """Questions whose answer jumps: docs/specification.md#where-the-answer-jumps."""
+
+    def asked(self, question):
+        """A dataset of one question, and its id."""
+        path = self.folder / "d.jsonl"
+        self.holds("annotate", "-", "-o", path, input=line(question))
+        self.dataset = path
+        return json.loads(path.read_text().splitlines()[1])["id"]
+
+    def said(self, name, pair, contact):
+        return self.file("answers.jsonl", [{"format": "contact-oracle/results", "version": 1, "engine": {"name": "test", "version": "1"},
+                                            "scalar": "binary64", "pairs": [pair]}, {"id": name, "overlap": True, "contact": contact}])
+
+    def nearly_level(self, rise):
+        """A capsule over a plane whose normal is 3 long, 4 above it at its start and a third of 2 `rise` more at its end, which the
+        answer takes for the lower one; and the length that this needs, in fractions."""
+        start, end, radius, normal, offset = [3, 2, 1], [7, 0, 1 + rise], 0.5, [1, 2, 2], -3
+        name = self.asked({"pair": "capsule_plane", "a": {"start": start, "end": end, "radius": radius},
+                           "b": {"normal": normal, "offset": offset}, "alarm": 10, "contact": 0})
+        height = lambda x: (sum(Fraction(n) * c for n, c in zip(normal, x)) - offset) / 3
+        down = [Fraction(-n, 3) for n in normal]
+        point1 = [float(Fraction(x) + Fraction(radius) * n) for x, n in zip(end, down)]
+        point2 = [float(Fraction(x) + height(map(Fraction, end)) * n) for x, n in zip(end, down)]
+        results = self.said(name, "capsule_plane", {"normal": [float(n) for n in down], "point1": point1, "point2": point2, "value": 3.5})
+        # The points of the cores that the claimed ones stand for, and how far each is from where it should be.
+        p, q = [Fraction(x) - Fraction(radius) * n for x, n in zip(point1, down)], list(map(Fraction, point2))
+        along = [Fraction(y) - x for x, y in zip(start, end)]
+        t = min(Fraction(1), sum((x - s) * a for x, s, a in zip(p, start, along)) / sum(a * a for a in along))
+        squares = [sum((x - s - t * a) ** 2 for x, s, a in zip(p, start, along)), height(q) ** 2,
+                   sum((y - x - 4 * n) ** 2 for x, y, n in zip(p, q, down))]
+        return results, decimal(max(squares)).sqrt()
+
+    def test_an_end_that_is_nearly_the_lowest_needs_what_it_is_too_high(self):
+        results, need = self.nearly_level(2.0**-10)
+        self.assertLess(abs(need / (Decimal(2) / 3 / 1024) - 1), Decimal("1e-9"))
+        needs = self.judged(results, code=1)["total"]["fitness"]["needs"]
+        self.assertTrue(is_rounded_up(needs["length"]["from"], need), (needs, need))
+        Tolerance.passes_from(self, results, "length", needs["length"]["from"])
+        self.judged(results, "--profile", "game")
+
+    def test_what_is_two_thousandths_off_is_not_good_enough_for_a_game(self):
+        results, need = self.nearly_level(3 * 2.0**-10)  # 1.95e-3 too high
+        self.assertGreater(need, Decimal("1.9e-3"))
+        self.judged(results, "--profile", "game", code=1)
+        # A point or a normal beside the right one in a question that does not jump.
+        name = self.asked({"a": {"center": [0, 0, 0], "radius": 1}, "b": {"center": [0, 0, 2], "radius": 0.5}, "alarm": 1, "contact": 0})
+        right = {"normal": [0, 0, 1], "point1": [0, 0, 1], "point2": [0, 0, 1.5], "value": 0.5}
+        turn = math.radians(2)
+        self.judged(self.said(name, "sphere_sphere", right), "--profile", "game")
+        for wrong in ({"point1": [2e-3, 0, 1]}, {"point2": [0, 2e-3, 1.5]}, {"normal": [math.sin(turn), 0, math.cos(turn)]}):
+            with self.subTest(wrong):
+                self.judged(self.said(name, "sphere_sphere", {**right, **wrong}), "--profile", "game", code=1)
+        for gap, code in ((2e-3, 1), (5e-4, 0)):
+            name = self.asked({"a": {"center": [0, 0, 0], "radius": 1}, "b": {"center": [0, 0, 1.5 + gap], "radius": 0.5}, "alarm": 0, "contact": 0})
+            with self.subTest(gap):
+                self.judged(self.said(name, "sphere_sphere", {"normal": [0, 0, 1], "point1": [0, 0, 1], "point2": [0, 0, 1 + gap], "value": gap}),
+                            "--profile", "game", code=code)
+
+    def test_game_refuses_plain_doubles_for_nothing_but_what_is_no_number(self):
+        for pair, family in (("capsule_plane", "parallel"), ("ray_triangle", "along_plane"), ("triangle_line", "along_plane"), ("sphere_cube", "inside"),
+                             ("sphere_triangle", "on_triangle"), ("capsule_capsule", "on_axis"), ("capsule_capsule", "zero_length")):
+            with self.subTest(f"{pair}/{family}"):
+                # Ulps refute it, so that there is something to forgive; and the tolerance forgives it.
+                path = ROOT / "golden" / pair / f"{family}.jsonl"
+                self.refuted("certify", path, "--engine", "plain-double")
+                self.holds("certify", path, "--engine", "plain-double", "--profile", "game")
+        report = self.report(ROOT / "golden" / "sphere_sphere" / "coincident.jsonl", "--engine", "plain-double", "--profile", "game", code=1)
+        self.assertEqual({one["what"] for one in report["failures"]}, {"normal not finite"})
+
+
 class Fitness(Case):
     def fitness(self, *args, code=1):
         return self.ends(code, "certify", *args)
@@ -336,6 +407,7 @@ class Fitness(Case):
                 with self.subTest(tolerance):
                     self.assertIn("CERTIFIED within", self.holds("certify", *base, "--tolerance", tolerance))
         self.assertTrue(all("min=1e-4,max=1e4" in one for one in options["everyday numbers"]), options)
+        self.assertNotIn("length", "".join(options["all numbers"]))  # of numbers up to 1e18 a length says nothing
         # And the two figures are not too many: a tenth of them is too little.
         for tolerance in options["all numbers"]:
             less = re.sub(r"(length|relative)=([^,]+)", lambda m: f"{m[1]}={float(m[2]) / 10!r}", tolerance)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/judge/near_optimal.hpp"
 #include "oracle/judge/off.hpp"
 #include "oracle/judge/point_set.hpp"
 #include "oracle/judge/right_claim.hpp"
@@ -68,6 +69,31 @@ class ContactJudge {
       claimed_n_ = conventions_.normal == NormalDirection::first_to_second ? *claim.normal : -*claim.normal;
   }
 
+  using Fields = decltype(Verdict::fields);
+
+  /// Every field that is judged, and what it needs.
+  [[nodiscard]] Fields fields() const {
+    Fields all{normal(), point(0), point(1), midpoint(), value()};
+    std::optional<ClaimedContact> claimed;  // made where a number is neither right nor nearly so
+    std::optional<NearOptimal> near;
+    for (const Field field : kFields) {
+      auto& found = all[static_cast<std::size_t>(field)];
+      if (!found || found->grade == Grade::correctly_rounded || found->grade == Grade::not_finite) continue;
+      found->needs[static_cast<std::size_t>(measure_of(field))] = found->off;
+      if (found->grade != Grade::beyond_bound || field == Field::value) continue;
+      if (!claimed) claimed = claimed_contact();
+      if (!claimed->is_finite) continue;
+      if (!near) near.emplace(query_, exact(), *claimed, tolerance(), declared_.scalar);
+      if (field == Field::normal)
+        take_length(*found, near->normal());
+      else
+        found->needs[static_cast<std::size_t>(Measure::length)].take_lesser(
+            field == Field::point ? near->midpoint() : near->point(field == Field::point1 ? 0 : 1));
+    }
+    return all;
+  }
+
+ private:
   [[nodiscard]] std::optional<FieldVerdict> normal() const {
     if (!claim_.normal || !claims(Field::normal)) return std::nullopt;
     const Vector3& n = claimed_n_;
@@ -113,7 +139,6 @@ class ContactJudge {
     return grade(*claim_.value, x, {declared_.scalar, exact().value_scale(), declared_.bounds.value, tolerance()});
   }
 
- private:
   [[nodiscard]] const DistanceTruth& exact() const {
     return contact_expected_ ? *whole_.contact() : *whole_.distance();
   }
@@ -138,6 +163,46 @@ class ContactJudge {
     for (int axis = 0; axis < 3; ++axis)
       verdict = worse(verdict, grade(claimed[axis], set.middle[static_cast<std::size_t>(axis)], by));
     return verdict;
+  }
+
+  /// The same contact in real numbers, as far as it is judged.
+  [[nodiscard]] ClaimedContact claimed_contact() const {
+    ClaimedContact claimed;
+    const auto take = [&](std::optional<Point>& point, const Vector3& v) {
+      if (is_finite(v))
+        point = contact::oracle::point_of(v);
+      else
+        claimed.is_finite = false;
+    };
+    if (claim_.normal && claims(Field::normal)) take(claimed.normal, claimed_n_);
+    claimed.zero_where_cores_meet = conventions_.coincident == Coincident::zero_normal;
+    for (const int shape : {0, 1}) {
+      const auto& point = shape == 0 ? claim_.point1 : claim_.point2;
+      const std::optional<PointOn> on = point_of(conventions_, query_, shape);
+      if (!point || !on || !claims(shape == 0 ? Field::point1 : Field::point2)) continue;
+      take(claimed.points[static_cast<std::size_t>(shape)], *point);
+      claimed.on[static_cast<std::size_t>(shape)] = *on;
+    }
+    if (claim_.point && conventions_.points == Points::midpoint && claims(Field::point))
+      take(claimed.midpoint, *claim_.point);
+    return claimed;
+  }
+
+  /// A normal needs the angle to a right one, or a length that turns positions until it is right. The angle is said
+  /// unless the length is much less.
+  void take_length(FieldVerdict& normal, const Off& length) const {
+    constexpr double kMuchLess = 0x1p-10;  // of the scale, beside radians
+    Off unit;
+    if (conventions_.normal_unit && !is_zero(contact::oracle::point_of(claimed_n_)))
+      unit = unit_off(contact::oracle::point_of(claimed_n_), tolerance());
+    auto& angle = normal.needs[static_cast<std::size_t>(Measure::angle)];
+    const bool within = angle.within || (length.within && unit.within);
+    if (length.relative < kMuchLess * angle.most) {
+      normal.needs[static_cast<std::size_t>(Measure::length)] = length;
+      normal.needs[static_cast<std::size_t>(Measure::length)].within = true;
+      angle = unit;
+    }
+    angle.within = within;
   }
 
   /// A component of a claimed normal beside the exact one.
@@ -258,13 +323,14 @@ Aspects missing_aspects(const Claim& claim, const Declaration& declared, bool ha
   return declared.claimed().common(asked).without(claim.says());
 }
 
-/// What the fields are off, by what they are measured in.
-void add_off(Verdict& verdict, const std::array<std::optional<FieldVerdict>, kFields.size()>& fields) {
-  for (const Field field : kFields)
-    if (const auto& found = fields[static_cast<std::size_t>(field)]; found && found->grade != Grade::correctly_rounded) {
-      verdict.off[static_cast<std::size_t>(measure_of(field))].merge(found->off);
-      verdict.no_number_beside = verdict.no_number_beside || found->grade == Grade::not_finite;
-    }
+/// What the fields need, by what they are measured in.
+void add_needs(Verdict& verdict, const std::array<std::optional<FieldVerdict>, kFields.size()>& fields) {
+  for (const auto& found : fields) {
+    if (!found) continue;
+    for (std::size_t measure = 0; measure < kMeasures.size(); ++measure)
+      verdict.off[measure].merge(found->needs[measure]);
+    verdict.no_number_beside = verdict.no_number_beside || found->grade == Grade::not_finite;
+  }
 }
 
 bool is_number(const Rational& x, Scalar scalar) {
@@ -370,15 +436,21 @@ void Off::merge(const Off& other) {
   relative = std::max(relative, other.relative);
   within = within && other.within;
 }
+void Off::take_lesser(const Off& other) {
+  most = std::min(most, other.most);
+  relative = std::min(relative, other.relative);
+  within = within || other.within;
+}
 
 Off Verdict::beyond_last_bit(Measure measure) const {
   if (measure == Measure::decision) return decision_last_bit ? Off{} : at(measure);
   Off rest;
   bool any = false;
-  for (const Field field : kFields)
-    if (const auto& f = at(field); f && measure_of(field) == measure) {
-      any = any || f->last_bit;
-      if (!f->last_bit) rest.merge(f->off);
+  for (const auto& field : fields)
+    if (field) {
+      const Off& need = field->needs[static_cast<std::size_t>(measure)];
+      any = any || (field->last_bit && need.most > 0);
+      if (!field->last_bit) rest.merge(need);
     }
   return any ? rest : at(measure);
 }
@@ -451,22 +523,29 @@ Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const 
     verdict.contact = decide(claim.contact.has_value(), contact_expected);
     verdict.contact_expected = contact_expected;
   }
-  if (verdict.missed_hit() || verdict.false_hit())
-    verdict.off[static_cast<std::size_t>(Measure::decision)] =
-        decision_off(query, truth, conventions.margin != Margin::none, declared.tolerance);
+  const auto is_wrong = [](Decision decision) {
+    return decision == Decision::missed_hit || decision == Decision::false_hit;
+  };
+  if (is_wrong(verdict.overlap) || is_wrong(verdict.contact)) {
+    const bool by_alarm = conventions.margin != Margin::none;
+    Off off = decision_off(query, truth, by_alarm, declared.tolerance);
+    // Where centres that coincide have no contact, the answer changes there too.
+    if (!is_wrong(verdict.overlap) && conventions.coincident == Coincident::no_contact && truth.has_distance())
+      off.take_lesser(meeting_off(query, *truth.distance(), by_alarm, declared.tolerance));
+    verdict.off[static_cast<std::size_t>(Measure::decision)] = off;
+  }
   if (!says_contact) return verdict;
   if (!claim.contact) return verdict;
   const auto judged = [&] {
-    const ContactJudge fields(query, truth, contact_expected, *claim.contact, declared,
-                              rounded != nullptr && rounded->contact ? &*rounded->contact : nullptr);
-    return decltype(verdict.fields){fields.normal(), fields.point(0), fields.point(1), fields.midpoint(),
-                                    fields.value()};
+    return ContactJudge(query, truth, contact_expected, *claim.contact, declared,
+                        rounded != nullptr && rounded->contact ? &*rounded->contact : nullptr)
+        .fields();
   };
   // A false hit that a tolerance allows has numbers, which must be right too.
   if (contact_expected && (rounded != nullptr ? rounded->contact.has_value() : truth.contact_has_numbers()))
-    add_off(verdict, verdict.fields = judged());
+    add_needs(verdict, verdict.fields = judged());
   else if (!contact_expected && truth.has_distance())
-    add_off(verdict, judged());
+    add_needs(verdict, judged());
   return verdict;
 }
 

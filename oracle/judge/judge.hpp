@@ -60,6 +60,8 @@ struct Off {
   bool within = true;   ///< the declared tolerance allows it; true where none is declared
 
   void merge(const Off& other);
+  /// The lesser of what two ways need, either of which will do.
+  void take_lesser(const Off& other);
   friend bool operator==(const Off&, const Off&) = default;
 };
 
@@ -67,7 +69,10 @@ struct FieldVerdict {
   Grade grade = Grade::correctly_rounded;
   /// Upper bound of the error in ulps of the field's scale; 0 where correctly rounded (not measured there).
   double error = 0;
-  Off off{};
+  Off off{};  ///< beside the right answer, or the nearest of those that are
+  /// What a tolerance must allow by Measure: `off`, or less where the claim is as good as a right one. Of a normal that
+  /// is a length then, and what its own length is off.
+  std::array<Off, kMeasures.size()> needs{};
   bool last_bit = false;  ///< beyond the bound, and no worse than the inputs' last bit: mark_last_bit
 
   friend bool operator==(const FieldVerdict&, const FieldVerdict&) = default;
@@ -88,7 +93,7 @@ struct Verdict {
   bool decision_last_bit = false;  ///< a wrong decision is no worse than the inputs' last bit: mark_last_bit
   std::array<std::optional<FieldVerdict>, kFields.size()> fields;
   bool no_number_beside = false;  ///< a contact that should not be claimed has a number that is not finite
-  /// The worst by Measure: of the fields, also of a contact that should not be claimed, and of a wrong decision.
+  /// The worst need by Measure: of the fields, also of a contact that should not be claimed, and of a wrong decision.
   std::array<Off, kMeasures.size()> off;
 
   [[nodiscard]] const Off& at(Measure measure) const { return off[static_cast<std::size_t>(measure)]; }

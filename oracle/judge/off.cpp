@@ -93,27 +93,34 @@ class Angle {
   bool obtuse_;
 };
 
-/// error <= length + relative * scale + room. The two may have different square roots, so both are enclosed.
-bool allows(const Tolerance& tolerance, const Exact& error, const Exact& scale, const Rational& room) {
+/// error <= length + relative * scale + room, the error in an enclosure of so many bits. The two may have different
+/// square roots, so both are enclosed.
+template <class Enclosure>
+bool allows(const Tolerance& tolerance, const Enclosure& error, const Exact& scale, const Rational& room) {
   const Rational fixed = Rational(tolerance.length) + room;
   const Rational relative(tolerance.relative);
   for (int bits = kFirstBits;; bits *= 2) {
-    const auto e = error.enclosure(bits);
-    const auto s = scale.enclosure(bits);
+    const Exact::Enclosure e = error(bits);
+    const Exact::Enclosure s = scale.enclosure(bits);
     if (e.high <= fixed + relative * s.low || bits > kLastBits) return true;
     if (e.low > fixed + relative * s.high) return false;
   }
 }
 
-/// By how much the length of a vector differs from 1.
-Off unit_off(const Point& v, const std::optional<Tolerance>& tolerance) {
-  const Exact error = magnitude(Exact(Rational(-1), Rational(1), dot(v, v)));
-  return {error_in_units(Rational(0), error, Rational(1)), 0,
-          !tolerance || error.compare(Rational(tolerance->angle)) != CGAL::LARGER};
+/// What is so much in all, rounded up, and the share of a scale.
+Off of_most(const Exact& most, const Exact& scale, bool within) {
+  const Rational least = scale.enclosure(kFirstBits).low;
+  return {error_in_units(Rational(0), most, Rational(1)),
+          CGAL::sign(least) == CGAL::POSITIVE ? error_in_units(Rational(0), most, least) : kUnlimited, within};
 }
 
 Off off_by(const Angle& angle, const std::optional<Tolerance>& tolerance) {
   return {angle.upper(), 0, !tolerance || angle.at_most(tolerance->angle)};
+}
+
+/// The distance at which a decision changes.
+const Rational& limit_of(const Query& query, const DistanceTruth& distance, bool by_alarm) {
+  return by_alarm && query.distances.alarm != 0 ? distance.reach() : distance.radii();
 }
 
 /// The square of how far a question without a distance is from another answer.
@@ -132,11 +139,28 @@ Off length_off(const Exact& error, const Exact& scale, const std::optional<Toler
   const DefaultEnvironment environment;
   const Exact off = magnitude(error);
   if (off.compare(room) != CGAL::LARGER) return {};
-  const Exact beyond = off.plus(-room);
-  const Rational least = scale.enclosure(kFirstBits).low;
-  return {error_in_units(Rational(0), beyond, Rational(1)),
-          CGAL::sign(least) == CGAL::POSITIVE ? error_in_units(Rational(0), beyond, least) : kUnlimited,
-          !tolerance || allows(*tolerance, off, scale, room)};
+  const auto enclosure = [&](int bits) { return off.enclosure(bits); };
+  return of_most(off.plus(-room), scale, !tolerance || allows(*tolerance, enclosure, scale, room));
+}
+
+Off length_off_sum(const Exact& x, const Exact& y, const Exact& scale, const std::optional<Tolerance>& tolerance) {
+  const DefaultEnvironment environment;
+  const auto enclosure = [&](int bits) {
+    const auto p = x.enclosure(bits);
+    const auto q = y.enclosure(bits);
+    return Exact::Enclosure{p.low + q.low, p.high + q.high};
+  };
+  const Rational most = std::max(enclosure(kFirstBits).high, Rational(0));
+  return of_most(most, scale, !tolerance || allows(*tolerance, enclosure, scale, Rational(0)));
+}
+
+Off beyond_lengths(const std::optional<Tolerance>& tolerance) { return {kUnlimited, kUnlimited, !tolerance}; }
+
+Off unit_off(const Point& v, const std::optional<Tolerance>& tolerance) {
+  const DefaultEnvironment environment;
+  const Exact error = magnitude(Exact(Rational(-1), Rational(1), dot(v, v)));
+  return {error_in_units(Rational(0), error, Rational(1)), 0,
+          !tolerance || error.compare(Rational(tolerance->angle)) != CGAL::LARGER};
 }
 
 Off no_direction(const std::optional<Tolerance>& tolerance) {
@@ -162,11 +186,18 @@ Off angle_off(const Point& claimed, const std::vector<Point>& apart, bool unit,
   return off;
 }
 
+Off meeting_off(const Query& query, const DistanceTruth& distance, bool by_alarm,
+                const std::optional<Tolerance>& tolerance) {
+  const DefaultEnvironment environment;
+  if (has_plane(query.pair) || (distance.degenerate() && !distance.coincident())) return beyond_lengths(tolerance);
+  return length_off({Rational(0), Rational(1), distance.distance2()}, limit_of(query, distance, by_alarm), tolerance);
+}
+
 Off decision_off(const Query& query, const Truth& truth, bool by_alarm, const std::optional<Tolerance>& tolerance) {
   const DefaultEnvironment environment;
   const bool at_alarm = by_alarm && query.distances.alarm != 0;
   if (const DistanceTruth* distance = truth.distance()) {
-    const Rational& limit = at_alarm ? distance->reach() : distance->radii();
+    const Rational& limit = limit_of(query, *distance, by_alarm);
     return length_off(distance->beyond(limit), limit, tolerance);
   }
   if (const GapTruth* gaps = truth.gaps()) {

@@ -219,6 +219,255 @@ TEST(Tolerance, a_crossing_changes_at_the_boundary_or_the_plane) {
   EXPECT_FALSE(within(ray, says(true), {.length = below(0.25)}));
 }
 
+// ---- where the answer jumps: another answer is as good that is possible and nearly the best ----
+
+constexpr double kEps = 0x1p-10;
+const Conventions kAnyLength{.normal_unit = false};
+
+/// Passes from a length on: just enough allows it, and what is just below does not.
+void expect_from(double length, const Query& query, const Claim& claim, const Conventions& conventions = {}) {
+  EXPECT_TRUE(within(query, claim, {.length = length}, conventions));
+  EXPECT_FALSE(within(query, claim, {.length = below(length)}, conventions));
+  const Verdict verdict = judged(query, claim, {}, conventions);
+  const double need = std::max(verdict.at(Measure::length).most, verdict.at(Measure::decision).most);
+  EXPECT_GE(need, length);
+  EXPECT_LE(need, above(length));  // of a root, rounded up
+}
+/// The same where the length is a root: it lies between two numbers.
+void expect_between(double low, double high, const Query& query, const Claim& claim,
+                    const Conventions& conventions = {}) {
+  EXPECT_TRUE(within(query, claim, {.length = high}, conventions));
+  EXPECT_FALSE(within(query, claim, {.length = low}, conventions));
+}
+
+// The first axis along x, the second 2 above it and at its far end 2^-10 more: the nearest points are at x = 0.
+Query nearly_parallel() {
+  return {Pair::capsule_capsule, Capsules{{{0, 0, 0}, {8, 0, 0}, 0.5}, {{0, 0, 2}, {8, 0, 2 + kEps}, 0.5}}, {2, 0}};
+}
+ContactClaim at_the_far_end() {
+  return {Vector3(0, 0, 1), Vector3(8, 0, 0.5), Vector3(8, 0, 1.5 + kEps), std::nullopt, 1.0};
+}
+
+TEST(Jump, of_nearly_parallel_axes_any_points_will_do_whose_distance_is_nearly_the_least) {
+  expect_from(kEps, nearly_parallel(), says(at_the_far_end()));
+  EXPECT_EQ(judged(nearly_parallel(), says(at_the_far_end()), {}).at(Measure::angle).most, 0);
+  // A share of the scale, which is 8.
+  EXPECT_TRUE(within(nearly_parallel(), says(at_the_far_end()), {.relative = kEps / 8}));
+  EXPECT_FALSE(within(nearly_parallel(), says(at_the_far_end()), {.relative = below(kEps / 8)}));
+}
+TEST(Jump, both_points_must_be_of_one_answer) {
+  // The first point at the far end, the second at the near one: each is right, and they are 8 apart.
+  ContactClaim torn = at_the_far_end();
+  torn.point2 = Vector3(0, 0, 1.5);
+  EXPECT_FALSE(within(nearly_parallel(), says(torn), {.length = 1}));
+  torn.point1 = Vector3(0, 0, 0.5);
+  EXPECT_TRUE(within(nearly_parallel(), says(torn), {}));
+}
+TEST(Jump, points_must_lie_on_their_shapes) {
+  for (const Vector3& off : {Vector3(0.25, 0, 0), Vector3(0, 0.25, 0), Vector3(0, 0, 0.25), Vector3(0, 0, -0.25)}) {
+    // Both points move, so that they stay as far apart: past the end of the axis, beside it, above and below it.
+    ContactClaim moved = at_the_far_end();
+    *moved.point1 += off;
+    *moved.point2 += off;
+    EXPECT_FALSE(within(nearly_parallel(), says(moved), {.length = 0.125}));
+    EXPECT_TRUE(within(nearly_parallel(), says(moved), {.length = 0.5}));
+  }
+}
+TEST(Jump, one_point_alone_must_have_a_partner) {
+  ContactClaim first;
+  first.point1 = at_the_far_end().point1;
+  // 2^-10 over the second axis, whose slope makes the distance a little less.
+  const Conventions first_only{.points = Points::first_only};
+  expect_between(kEps * 0.999, kEps, nearly_parallel(), says(first), first_only);
+  ContactClaim second;
+  second.point2 = at_the_far_end().point2;
+  expect_from(kEps, nearly_parallel(), says(second), {.points = Points::second_only});
+  ContactClaim middle;
+  middle.point = Vector3(8, 0, 1 + kEps / 2);
+  expect_from(kEps / 2, nearly_parallel(), says(middle), {.points = Points::midpoint});
+  ContactClaim cores;
+  cores.point1 = Vector3(8, 0, 0);
+  cores.point2 = Vector3(8, 0, 2 + kEps);
+  expect_from(kEps, nearly_parallel(), says(cores), {.points = Points::center});
+  ContactClaim far = cores;
+  far.point1 = Vector3(8, 0, -0.5);
+  far.point2 = Vector3(8, 0, 2.5 + kEps);
+  expect_from(kEps, nearly_parallel(), says(far), {.points = Points::published});
+}
+
+TEST(Jump, a_nearly_level_axis_touches_a_plane_anywhere) {
+  // 1 above z = 0, and 2^-10 more at the far end, which is claimed
+  const Query level{Pair::capsule_plane, CapsuleAndPlane{{{0, 0, 1}, {8, 0, 1 + kEps}, 0.5}, {{0, 0, 3}, 0}}, {1, 0}};
+  ContactClaim end{Vector3(0, 0, -1), Vector3(8, 0, 0.5 + kEps), Vector3(8, 0, 0), std::nullopt, 0.5};
+  expect_from(kEps, level, says(end));
+  ContactClaim torn = end;
+  torn.point2 = Vector3(7.5, 0, 0);
+  EXPECT_FALSE(within(level, says(torn), {.length = 0.25}));
+  // The normal is the plane's, and nothing that moves turns it.
+  end.normal = Vector3(0, 0.5, -1);
+  EXPECT_FALSE(within(level, says(end), {.length = 100}, kAnyLength));
+}
+
+TEST(Jump, of_two_faces_that_are_nearly_as_near_either_will_do) {
+  // 1 below the face x = 4, 1 + 2^-10 below y = 4, which is claimed
+  const Query inside{Pair::sphere_cube, BallAndBox{{{3, 3 - kEps, 0}, 0.5}, {{-4, -4, -4}, {4, 4, 4}}}, {0, 0}};
+  const ContactClaim way{Vector3(0, -1, 0), Vector3(3, 2.5 - kEps, 0), Vector3(3, 4, 0), std::nullopt, -1.5};
+  expect_from(kEps, inside, says(way));
+  // The points of the one face and the normal of the other: 1 off.
+  ContactClaim torn = way;
+  torn.normal = Vector3(-1, 0, 0);
+  EXPECT_FALSE(within(inside, says(torn), {.length = 0.5}));
+  torn = {Vector3(0, -1, 0), Vector3(2.5, 3 - kEps, 0), Vector3(4, 3 - kEps, 0), std::nullopt, -1.5};
+  EXPECT_FALSE(within(inside, says(torn), {.length = 0.5}));
+  // Between two faces is none, and a third one is 3 farther.
+  EXPECT_FALSE(within(inside, normal_of({-1, -1, 0}), {.length = 0.5}, kAnyLength));
+  EXPECT_FALSE(within(inside, normal_of({0, 0, 1}), {.length = below(3)}));
+  EXPECT_TRUE(within(inside, normal_of({0, 0, 1}), {.length = 3}));
+}
+
+const Triangle kCorner{{Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(0, 4, 0)}};
+
+TEST(Jump, of_a_centre_that_nearly_lies_on_a_triangle_either_side_will_do) {
+  // 2^-10 above the face. The other side is right for a centre on it or below, so that -n.a + n.b is twice that more.
+  const Query over{Pair::sphere_triangle, BallAndTriangle{{{1, 1, kEps}, 0.5}, kCorner}, {0, 0}};
+  const ContactClaim other{Vector3(0, 0, 1), Vector3(1, 1, 0.5 + kEps), Vector3(1, 1, 0), std::nullopt, kEps - 0.5};
+  expect_from(2 * kEps, over, says(other));
+  // The point must be on the side that the normal says.
+  ContactClaim torn = other;
+  torn.point1 = Vector3(1, 1, kEps - 0.5);
+  EXPECT_FALSE(within(over, says(torn), {.length = 0.25}));
+  // Where no normal is said, either may be meant: the centre is 2^-10 from the triangle. So far off is no point.
+  const Conventions no_normal{.normal = NormalDirection::none};
+  ContactClaim points{std::nullopt, other.point1, other.point2, std::nullopt, std::nullopt};
+  expect_from(kEps, over, says(points), no_normal);
+  points.point1 = Vector3(1, 1, 0.75);
+  EXPECT_FALSE(within(over, says(points), {.length = 0.125}, no_normal));
+  // Across the face, as where the centre is a corner: the triangle reaches 3 beyond the centre.
+  EXPECT_FALSE(within(over, normal_of({-1, 0, 0}), {.length = below(3)}, kAnyLength));
+  EXPECT_TRUE(within(over, normal_of({-1, 0, 0}), {.length = 3 + kEps}, kAnyLength));
+}
+
+TEST(Jump, a_normal_turns_as_far_as_a_length_turns_the_way_between_the_cores) {
+  // Centres 5 * 2^-30 apart along x, and the normal (4,3,0): 3 * 2^-30 to the side.
+  constexpr double kUnit = 0x1p-30;
+  expect_from(3 * kUnit, spheres({{0, 0, 0}, 1}, {{5 * kUnit, 0, 0}, 1}), normal_of({4, 3, 0}), kAnyLength);
+  // Past a right angle, as far as they are apart, and what they overlap along it more: 4 + 5.
+  expect_from(9 * kUnit, spheres({{0, 0, 0}, 1}, {{5 * kUnit, 0, 0}, 1}), normal_of({-4, 3, 0}), kAnyLength);
+  // The report says a length where that is much less than the angle, else the angle.
+  const auto needs = [](double apart) {
+    return judged(spheres({{0, 0, 0}, 1}, {{5 * apart, 0, 0}, 1}), normal_of({4, 3, 0}), {}, kAnyLength);
+  };
+  EXPECT_NEAR(needs(kUnit).at(Measure::length).most, 3 * kUnit, 1e-20);
+  EXPECT_EQ(needs(kUnit).at(Measure::angle).most, 0);
+  EXPECT_EQ(needs(1).at(Measure::length).most, 0);
+  EXPECT_NEAR(needs(1).at(Measure::angle).most, std::atan2(3, 4), 1e-15);
+}
+
+TEST(Jump, a_normal_that_is_turned_must_still_separate) {
+  // 2^-10 above a face that reaches 1 to either side: turned by 3 in 5 a normal points 0.6 against a corner.
+  const Query over{Pair::sphere_triangle, BallAndTriangle{{{1, 1, kEps}, 0.5}, kCorner}, {0, 0}};
+  EXPECT_FALSE(within(over, normal_of({0, 3, -4}), {.length = 0.5}, kAnyLength));
+}
+
+TEST(Jump, a_normal_that_rounding_alone_makes_may_be_any) {
+  // On the face: plain doubles find a way of a few roundings there, and divide it by its length. The corners are up to
+  // 4 from 0, so that 8 roundings are 2^-48; what is farther apart has a direction.
+  for (const double height : {0.0, 0x1p-48}) {
+    const Query on{Pair::sphere_triangle, BallAndTriangle{{{1, 1, height}, 0.5}, kCorner}, {0, 0}};
+    expect_from(0x1p-48, on, normal_of({3, -4, 0}), kAnyLength);
+  }
+  const Query over{Pair::sphere_triangle, BallAndTriangle{{{1, 1, above(0x1p-48)}, 0.5}, kCorner}, {0, 0}};
+  EXPECT_FALSE(within(over, normal_of({3, -4, 0}), {.length = 0.5}, kAnyLength));
+  // The points go with it all the same.
+  const Query on{Pair::sphere_triangle, BallAndTriangle{{{1, 1, 0}, 0.5}, kCorner}, {0, 0}};
+  ContactClaim torn{Vector3(1, 0, 0), Vector3(0.5, 1, 0), Vector3(1, 1, 0), std::nullopt, -0.5};
+  EXPECT_FALSE(within(on, says(torn), {.length = 0.5}));
+  torn.point1 = Vector3(1.5, 1, 0);
+  EXPECT_TRUE(within(on, says(torn), {.length = 0x1p-48}));
+}
+
+TEST(Jump, what_is_wrong_in_a_question_that_does_not_jump_stays_wrong) {
+  const Tolerance game{1e-3, 1e-5, 1e-2};
+  const double turn = 2 * std::numbers::pi / 180;
+  const auto turned = [&](double x, double z) {  // about the y axis
+    return Vector3(std::cos(turn) * x + std::sin(turn) * z, 0, std::cos(turn) * z - std::sin(turn) * x);
+  };
+  EXPECT_FALSE(within(spheres({{0, 0, 0}, 1}, {{1, 0, 0}, 1}), normal_of(turned(1, 0)), game));
+  const Query face{Pair::sphere_triangle, BallAndTriangle{{{1, 1, 1}, 2}, kCorner}, {0, 0}};
+  EXPECT_FALSE(within(face, normal_of(turned(0, -1)), game));
+  const Query inside{Pair::sphere_cube, BallAndBox{{{3, 0, 0}, 0.5}, {{-4, -4, -4}, {4, 4, 4}}}, {0, 0}};
+  EXPECT_FALSE(within(inside, normal_of(turned(-1, 0)), game));
+  // 2 mm along the axis or across it, of crossing and of sloping axes.
+  const Query crossing{
+      Pair::capsule_capsule, Capsules{{{-1, 0, 0}, {1, 0, 0}, 0.25}, {{0, -1, 1}, {0, 1, 1}, 0.25}}, {1, 0}};
+  const Query slope{Pair::capsule_plane, CapsuleAndPlane{{{0, 0, 1}, {1, 0, 2}, 0.5}, {{0, 0, 1}, 0}}, {1, 0}};
+  for (const Vector3& off : {Vector3(2e-3, 0, 0), Vector3(0, 2e-3, 0), Vector3(0, 0, 2e-3)}) {
+    ContactClaim said{Vector3(0, 0, 1), Vector3(0, 0, 0.25) + off, Vector3(0, 0, 0.75), std::nullopt, std::nullopt};
+    EXPECT_FALSE(within(crossing, says(said), game));
+    *said.point2 += off;
+    EXPECT_FALSE(within(crossing, says(said), game));
+    said = {Vector3(0, 0, -1), Vector3(0, 0, 0.5) + off, Vector3(0, 0, 0) + off, std::nullopt, std::nullopt};
+    EXPECT_FALSE(within(slope, says(said), game));
+  }
+  // 2 mm beyond the limit, and half a one.
+  for (const auto& [gap, allowed] : {std::pair{2e-3, false}, {5e-4, true}})
+    EXPECT_EQ(within(spheres({{0, 0, 0}, 1}, {{2 + gap, 0, 0}, 1}), says(true), game), allowed);
+}
+
+TEST(Jump, of_a_segment_nearly_along_a_triangle_any_crossing_will_do) {
+  // From 2^-10 below the triangle at x = 0 to 2^-10 above it at x = 2: they cross at x = 1.
+  const Query flat{Pair::triangle_line, TriangleAndLine{kCorner, {{0, 1, -kEps}, {2, 1, kEps}}}, {0, 0}};
+  ContactClaim start;
+  start.point1 = start.point2 = Vector3(0, 1, -kEps);
+  expect_from(kEps, flat, says(start));
+  ContactClaim past = start;
+  past.point1 = past.point2 = Vector3(-0.25, 1, -kEps);  // of the line, and not of the segment
+  EXPECT_FALSE(within(flat, says(past), {.length = 0.125}));
+  ContactClaim torn = start;
+  torn.point2 = Vector3(2, 1, kEps);
+  EXPECT_FALSE(within(flat, says(torn), {.length = 0.5}));
+}
+TEST(Jump, a_segment_that_rounding_alone_lifts_off_a_plane_crosses_it_anywhere) {
+  // 8 roundings are 2^-48. From x = 0 to 4, through the triangle up to x = 3.
+  const auto crossing_at = [](const Vector3& x, double height) {
+    ContactClaim said;
+    said.point1 = said.point2 = x;
+    const Query flat{Pair::triangle_line, TriangleAndLine{kCorner, {{0, 1, -height}, {4, 1, height}}}, {0, 0}};
+    return [flat, said](double length) { return within(flat, says(said), {.length = length}); };
+  };
+  EXPECT_TRUE(crossing_at({4, 1, 0}, 0x1p-48)(0x1p-48));
+  EXPECT_FALSE(crossing_at({4, 1, 0}, 0x1p-48)(0x1p-49));
+  EXPECT_FALSE(crossing_at({4, 1, 0}, above(0x1p-48))(0.5));
+  EXPECT_FALSE(crossing_at({5, 1, 0}, 0x1p-48)(0.5));  // past its end
+  EXPECT_FALSE(crossing_at({4, 2, 0}, 0x1p-48)(0.5));  // beside it
+}
+TEST(Jump, a_sliver_has_a_normal_as_far_as_its_height_tells) {
+  // 8 long and 5 * 2^-10 high
+  const Triangle sliver{{Vector3(0, 0, 0), Vector3(8, 0, 0), Vector3(4, 5 * kEps, 0)}};
+  const Query through{Pair::triangle_line, TriangleAndLine{sliver, {{4, kEps, -1}, {4, kEps, 1}}}, {0, 0}};
+  expect_from(3 * kEps, through, normal_of({0, 3, 4}), kAnyLength);
+  expect_from(5 * kEps, through, normal_of({0, 0, -1}), kAnyLength);
+  EXPECT_FALSE(within(through, normal_of({3, 0, 4}), {.length = 1}, kAnyLength));  // along it
+  const Query wide{Pair::triangle_line, TriangleAndLine{kCorner, {{1, 1, -1}, {1, 1, 1}}}, {0, 0}};
+  EXPECT_FALSE(within(wide, normal_of({0, 0, -1}), {.length = 1}));
+}
+
+TEST(Jump, centres_that_nearly_coincide_may_be_said_to) {
+  const Query near = spheres({{0, 0, 0}, 1}, {{kEps, 0, 0}, 1});
+  const Conventions zero{.coincident = Coincident::zero_normal};
+  ContactClaim none{Vector3(0, 0, 0), Vector3(0, 0, 0), Vector3(kEps, 0, 0), std::nullopt, std::nullopt};
+  expect_from(kEps, near, says(none), zero);
+  EXPECT_FALSE(within(near, says(none), {.length = 0.5}));  // under another convention
+  // The other way: they coincide, and a direction is said.
+  ContactClaim some{Vector3(0, 1, 0), Vector3(0, 1, 0), Vector3(0, -1, 0), std::nullopt, std::nullopt};
+  EXPECT_TRUE(within(spheres({{0, 0, 0}, 1}, {{0, 0, 0}, 1}), says(some), {}, zero));
+  const Conventions no_contact{.coincident = Coincident::no_contact};
+  Claim nothing;
+  nothing.speaks_of_contact = true;
+  expect_from(kEps, near, nothing, no_contact);
+  EXPECT_FALSE(within(near, nothing, {.length = 0.5}));
+}
+
 TEST(Tolerance, its_scale_leaves_questions_out) {
   Declaration declared;
   declared.tolerance = Tolerance{.scale_min = 1, .scale_max = 4};

@@ -13,15 +13,14 @@ Rational square(const Rational& x) { return x * x; }
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 Side side_of(const Rational& off) { return static_cast<Side>(static_cast<int>(CGAL::sign(off))); }
 
-/// +1 where the contact point lies from the core along the normal, -1 against it, 0 on the core.
-Rational direction(int shape, PointOn on) {
-  if (on == PointOn::center) return Rational(0);
-  return (shape == 0) == (on == PointOn::nearest_surface) ? Rational(1) : Rational(-1);
-}
-
 Exact root(const Rational& x) { return {Rational(0), Rational(1), x}; }
 
 }  // namespace
+
+Rational outward(int shape, PointOn on) {
+  if (on == PointOn::center) return Rational(0);
+  return (shape == 0) == (on == PointOn::nearest_surface) ? Rational(1) : Rational(-1);
+}
 
 DistanceTruth::DistanceTruth(Cores cores, Distances distances)
     : cores_(std::move(cores)), contact_(distances.contact), distance2_(0) {
@@ -54,13 +53,13 @@ Side DistanceTruth::at_zero() const { return within(radii_); }
 Exact DistanceTruth::normal(int axis) const { return {Rational(0), along_[index(axis)] / along2_, along2_}; }
 
 Exact DistanceTruth::point(int shape, int axis, PointOn on) const {
-  const Rational radius = direction(shape, on) * cores_.radius[index(shape)];
+  const Rational radius = outward(shape, on) * cores_.radius[index(shape)];
   return {nearest(shape)[index(axis)], radius * along_[index(axis)] / along2_, along2_};
 }
 
 Rational DistanceTruth::point_for(int shape, int axis, PointOn on, const Vector3& normal) const {
   const DefaultEnvironment environment;
-  return foot(shape, normal)[index(axis)] + direction(shape, on) * cores_.radius[index(shape)] * Rational(normal[axis]);
+  return foot(shape, normal)[index(axis)] + outward(shape, on) * cores_.radius[index(shape)] * Rational(normal[axis]);
 }
 
 const Point& DistanceTruth::foot(int shape, const Vector3& normal) const {

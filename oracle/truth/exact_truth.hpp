@@ -25,6 +25,9 @@ using Point = std::array<Rational, 3>;
 }
 [[nodiscard]] inline bool is_zero(const Point& a) { return CGAL::is_zero(dot(a, a)); }
 
+/// +1 where a contact point lies from its core along the normal, -1 against it, 0 on the core.
+[[nodiscard]] Rational outward(int shape, PointOn on);
+
 /// A way to part two cores that meet: the second one moves along `direction`, or the first against it. `nearest` is
 /// where the second core's contact point lies then.
 struct WayOut {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <optional>
 
 #include "formats/json.hpp"
@@ -36,14 +37,23 @@ double length_of(const Fitness::Needs& needs, Largest Need::*kind) {
 
 constexpr double kMostAngle = 3.15;  // that --tolerance takes; a normal's length may be off by more
 
+/// Whether a length, or a share of the scale, is one that somebody may state: less than the field's own scale, by which
+/// nothing would be right as well, and than what any everyday number is.
+bool is_said(const Fitness::Needs& needs, Largest Need::*kind) {
+  const double share = of(needs, Measure::length).relative.off;
+  const bool beyond_its_scale = share >= 1 && std::isfinite(share);  // infinite where a scale is 0
+  const double length = length_of(needs, kind);
+  return std::isfinite(length) && !beyond_its_scale && (kind == &Need::relative || length <= kEverydayTo);
+}
+
 /// Half a turn with two figures would be more than the option takes. Domain: at most kMostAngle.
 std::string angle_text(double angle) { return angle > 3.1 ? "3.15" : rounded_up(angle); }
 
-/// The option that these needs ask for, with one kind of length; nothing where no such length is enough.
+/// The option that these needs ask for, with one kind of length; nothing where no such length that is said is enough.
 std::optional<std::string> option(const Fitness::Needs& needs, std::string_view key, Largest Need::*kind) {
   const double angle = of(needs, Measure::angle).absolute.off;
   const double length = length_of(needs, kind);
-  if (std::isinf(length) || angle > kMostAngle) return std::nullopt;
+  if (!is_said(needs, kind) || angle > kMostAngle) return std::nullopt;
   std::string text = length == 0 && angle != 0 ? "" : fmt::format("{}={}", key, rounded_up(length));
   if (angle != 0) text += fmt::format("{}angle={}", text.empty() ? "" : ",", angle_text(angle));
   return text;
@@ -54,7 +64,7 @@ std::string options(const Fitness::Needs& needs, std::string_view scale) {
   if (length_of(needs, &Need::absolute) == 0 && of(needs, Measure::angle).absolute.off == 0) return "any tolerance";
   const auto length = option(needs, "length", &Need::absolute);
   const auto relative = option(needs, "relative", &Need::relative);
-  if (!length && !relative) return "no length alone and no share of the scale alone";
+  if (!length && !relative) return "no length and no share of the scale that anybody would state";
   std::string text = fmt::format("--tolerance {}{}", length.value_or(relative.value_or("")), scale);
   if (length && relative && *length != *relative) text += fmt::format(", or {}{}", *relative, scale);
   return text;
@@ -171,10 +181,12 @@ Fit fit_of(const Fitness& fitness) {
   if (fitness.answers == 0) return {"-", "-", "-"};
   const double length = length_of(fitness.all, &Need::absolute);
   const double angle = of(fitness.all, Measure::angle).absolute.off;
-  return {length == 0 ? "." : rounded_up(length),
-          angle == 0           ? "."
-          : angle > kMostAngle ? "none"
-                               : angle_text(angle),
+  return {length == 0                             ? "."
+          : is_said(fitness.all, &Need::absolute) ? rounded_up(length)
+                                                  : std::string(kBeyond),
+          angle == 0                     ? "."
+          : angle > std::numbers::pi / 2 ? std::string(kBeyond)
+                                         : rounded_up(angle),
           fitness.never == 0 ? "." : std::to_string(fitness.never)};
 }
 

@@ -57,6 +57,9 @@ struct Fitness {
 /// What an engine would need on some questions, a line each. `scale`: how an option says that it is those alone.
 [[nodiscard]] std::vector<std::string> fitness_lines(std::string_view what, std::string_view scale,
                                                      const Fitness& fitness);
+/// In the place of a tolerance that nobody would state: a length beyond the scale or beyond everyday numbers, an angle
+/// beyond a right one.
+inline constexpr std::string_view kBeyond = "beyond";
 /// The least length and the least angle of it, two figures each, and how many answers no tolerance allows: "." for
 /// none.
 struct Fit {

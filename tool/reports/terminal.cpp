@@ -175,6 +175,7 @@ std::string scoreboard_text(const std::vector<Report>& reports, bool colour) {
       summary.text(colour ? style_of : Table::Style()) + "\n" + families.text(colour ? style_of : Table::Style()) +
       "\n.  none      -  not judged: the file holds numbers that the engine's scalar does not\n" +
       "fit from: the length, or the angle in radians, that --tolerance must allow for everyday numbers\n" +
+      fmt::format("{}: more than anybody would state\n", kBeyond) +
       fmt::format("and {} families with less that is wrong, {} with nothing; --report shows all\n\n", all_wrong - shown,
                   worst.size() - all_wrong);
   for (const Report& report : reports) {

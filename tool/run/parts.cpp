@@ -75,7 +75,7 @@ void serialize(Archive& archive, Off& off) {
 
 template <class Archive>
 void serialize(Archive& archive, FieldVerdict& v) {
-  archive(v.grade, v.error, v.off, v.last_bit);
+  archive(v.grade, v.error, v.off, v.needs, v.last_bit);
 }
 
 template <class Archive>
@@ -189,7 +189,7 @@ void serialize(Archive& archive, Part& p) {
 namespace {
 
 constexpr std::string_view kFormat = "contact-oracle/part";
-constexpr std::uint64_t kVersion = 4;
+constexpr std::uint64_t kVersion = 5;
 
 // Whether what a part tells is of kinds that there are, which become indices into their names.
 
