@@ -613,6 +613,21 @@ TEST(Laws, forgive_what_a_tolerance_forgives_and_nothing_beyond) {
   EXPECT_FALSE(violated(beyond).contains("decision")) << described(beyond);
 }
 
+// Not what a law says of the truth alone: where an answer may be any, it may be that.
+TEST(Laws, forgive_a_normal_that_points_back_where_a_tolerance_allows_any) {
+  engines::EngineInfo info = serving({Pair::sphere_sphere, Pair::sphere_capsule});
+  info.declared.tolerance = kMicrometre;
+  const Right::Edit reversed = [](const Query& q, Claim& c, const oracle::Declaration&) {
+    // Where the cores meet, the points go with the normal.
+    if (c.contact && !oracle::truth_of(q).degenerate()) *c.contact->normal *= -1;
+  };
+  EXPECT_FALSE(asked(std::make_unique<Right>(info, reversed), 20, false, {"direction", "span"}).holds());
+  info.declared.tolerance->angle = 3.15;
+  const RunResult any =
+      asked(std::make_unique<Right>(info, reversed), 20, false, {"direction", "span", "swap", "turn"});
+  EXPECT_TRUE(any.holds()) << described(any);
+}
+
 // What else such an engine has off, within its tolerance, hides no mistake and gives it no other name.
 TEST(Laws, of_a_tolerance_find_gross_mistakes_and_name_them_as_ever) {
   const std::vector<std::pair<const char*, Right::Edit>> mistakes{
