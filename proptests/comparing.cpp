@@ -8,10 +8,13 @@
 
 #include "formats/json.hpp"
 #include "oracle/diagnosis/nearest_in_reals.hpp"
+#include "oracle/judge/off.hpp"
 #include "oracle/truth/exact_truth.hpp"
 
 namespace contact::proptests {
 namespace {
+
+constexpr int kScaleBits = 64;
 
 /// | sqrt(D) - reach | within four times the value's bound: an engine may decide by squares, and square its reach.
 bool distance_undecided(const Case& c, const oracle::DistanceTruth& truth, bool alarm_counts) {
@@ -49,6 +52,24 @@ bool cubes_undecided(const Case& c, const oracle::GapTruth& truth, bool alarm_co
   return std::any_of(truth.gap().begin(), truth.gap().end(), [&](const Rational& gap) {
     return CGAL::abs(gap - (alarm_counts ? truth.alarm() : Rational(0))) <= most;
   });
+}
+
+/// The length whose ulp is the unit of a field's errors.
+oracle::Exact scale_of(const Case& c, std::size_t i, Field field) {
+  if (field == Field::normal) return Rational(1);
+  if (const oracle::DistanceTruth* truth = c.truth(i).distance())
+    return field == Field::value ? truth->value_scale()
+                                 : oracle::larger_of(truth->point_scale(0), truth->point_scale(1));
+  double largest = 0;  // of a crossing, which need not be one
+  for_each_number(c.queries[i], [&](const std::string&, double x) { largest = std::max(largest, std::abs(x)); });
+  return Rational(largest);
+}
+
+/// Domain: a normal only where there is no tolerance.
+Rational allowance_at(const Case& c, const oracle::Exact& scale, Field field) {
+  if (const auto& tolerance = c.subject.tolerance())
+    return Rational(tolerance->length) + Rational(tolerance->relative) * scale.enclosure(kScaleBits).high;
+  return Rational(c.subject.bound(field)) * oracle::ulp(scale, c.subject.info.declared.scalar);
 }
 
 struct Component {
@@ -91,6 +112,8 @@ bool undecided(const Case& c, std::size_t i) {
   if (c.subject.correctly_rounded) return false;
   const bool alarm_counts = c.subject.info.declared.conventions.margin != Margin::none;
   const oracle::Truth& truth = c.truth(i);
+  if (c.subject.tolerance())
+    return oracle::decision_off(c.queries[i], truth, alarm_counts, c.subject.tolerance()).within;
   if (truth.crossing() != nullptr) return crossing_undecided(c, i);
   return truth.has_distance() ? distance_undecided(c, *truth.distance(), alarm_counts)
                               : cubes_undecided(c, *truth.gaps(), alarm_counts, c.queries[i]);
@@ -129,11 +152,11 @@ std::optional<std::string> different_numbers(const Case& c, std::size_t i, std::
       if (!exactly) {
         if (!std::isfinite(x.got) || !std::isfinite(x.wanted)) continue;
         const Rational factor = oracle::power_of_two(scaled);
-        const Rational unit = std::max(unit_of(c, j, field), Rational(unit_of(c, i, field) * factor));
+        const Rational most = std::max(allowance(c, j, field), Rational(allowance(c, i, field) * factor));
         if (!std::isfinite(x.before)) continue;
         const Rational expected = scaled == 0 ? Rational(x.wanted) : Rational(Rational(x.before) * factor);
         const Rational off = CGAL::abs(Rational(x.got) - expected);
-        if (off <= Rational(2 * c.subject.bound(field)) * unit) continue;
+        if (off <= Rational(2) * most) continue;
       }
       return fmt::format("{} of question {} is {}, and question {} makes it {}", x.name, j + 1, text(x.got), i + 1,
                          text(x.wanted));
@@ -145,15 +168,20 @@ std::optional<std::string> different_numbers(const Case& c, std::size_t i, std::
 bool coincident(const Case& c, std::size_t i) { return c.truth(i).degenerate(); }
 
 Rational unit_of(const Case& c, std::size_t i, Field field) {
-  const Scalar scalar = c.subject.info.declared.scalar;
-  if (field == Field::normal) return oracle::ulp(Rational(1), scalar);
-  if (const oracle::DistanceTruth* truth = c.truth(i).distance()) {
-    if (field == Field::value) return oracle::ulp(truth->value_scale(), scalar);
-    return oracle::ulp(oracle::larger_of(truth->point_scale(0), truth->point_scale(1)), scalar);
+  return oracle::ulp(scale_of(c, i, field), c.subject.info.declared.scalar);
+}
+
+Rational allowance(const Case& c, std::size_t i, Field field) {
+  if (const auto& tolerance = c.subject.tolerance(); tolerance && field == Field::normal) {
+    // Turned by the angle, and longer or shorter by as much.
+    const Rational angle(tolerance->angle);
+    return (Rational(2) + angle) * angle;
   }
-  double largest = 0;  // of a crossing, which need not be one
-  for_each_number(c.queries[i], [&](const std::string&, double x) { largest = std::max(largest, std::abs(x)); });
-  return oracle::ulp(Rational(largest), scalar);
+  return allowance_at(c, scale_of(c, i, field), field);
+}
+
+Rational point_allowance(const Case& c, std::size_t i, int shape) {
+  return allowance_at(c, c.truth(i).distance()->point_scale(shape), Field::point1);
 }
 
 Vector3 first_to_second(const Conventions& conventions, const Vector3& normal) {

@@ -1,4 +1,5 @@
-// Two answers held against each other as an engine's declaration allows: bit for bit, or within twice its bounds.
+// Two answers held against each other as an engine's declaration allows: bit for bit, within twice its bounds, or
+// within twice its tolerance.
 #pragma once
 
 #include <initializer_list>
@@ -13,9 +14,9 @@ namespace contact::proptests {
 using oracle::Field;
 using oracle::Rational;
 
-/// Whether the engine's rounding may decide question i either way: it is not held to correct rounding, and the exact
-/// margin is within four times its bound for a value. `decision` asks for these all the same; the laws that compare
-/// leave them out.
+/// Whether question i may be decided either way: the tolerance says so, or the engine's rounding may, which is not held
+/// to correct rounding, and the exact margin is within four times its bound for a value. The laws that compare leave
+/// these out; `decision` leaves out what a tolerance allows, and no rounding.
 [[nodiscard]] bool undecided(const Case& c, std::size_t i);
 
 /// What differs between the two decisions of questions i and j, which must be the same; nothing where either is
@@ -23,7 +24,7 @@ using oracle::Rational;
 [[nodiscard]] std::optional<std::string> different_decisions(const Case& c, std::size_t i, std::size_t j);
 
 /// The first number of question j's contact that is not what question i's contact, carried over, makes it. Bit for bit
-/// where held to correct rounding, else within twice the bound at the larger scale. `exponent` says that lengths were
+/// where held to correct rounding, else within twice the larger `allowance`. `exponent` says that lengths were
 /// multiplied by 2^exponent, which leaves out numbers that are subnormal before or after.
 [[nodiscard]] std::optional<std::string> different_numbers(const Case& c, std::size_t i, std::size_t j,
                                                            const ContactClaim& wanted,
@@ -34,6 +35,10 @@ using oracle::Rational;
 
 /// The size of one ulp of a field's scale, the larger of both spheres' for points.
 [[nodiscard]] Rational unit_of(const Case& c, std::size_t i, Field field);
+/// How far question i's number may be off the exact one, in each component: by the tolerance, or by the bound.
+[[nodiscard]] Rational allowance(const Case& c, std::size_t i, Field field);
+/// The same for one point, at the scale of its own shape.
+[[nodiscard]] Rational point_allowance(const Case& c, std::size_t i, int shape);
 
 using oracle::point_of;
 /// The claimed normal turned to point from the first to the second.

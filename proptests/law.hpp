@@ -1,6 +1,7 @@
 // Laws: what must be true of any engine's answers, each a plain declaration. The one list is in laws.cpp.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <span>
@@ -14,17 +15,25 @@
 
 namespace contact::proptests {
 
-/// The engine that laws are asked of, and what it is held to.
+/// The engine that laws are asked of, as it declares itself for one pair, and what it is held to.
 struct Subject {
   engines::EngineInfo info;
-  bool correctly_rounded = false;  ///< held to correct rounding, else to its declared bounds
-  Range range;                     ///< the numbers that it claims to serve
+  Pair pair;
+  bool correctly_rounded;   ///< held to correct rounding, else to its tolerance, or its declared bounds
+  std::vector<Pair> alike;  ///< the pairs that it serves, and whose answers mean the same: this one too
+  Range range;              ///< the numbers that it claims to serve
 
-  explicit Subject(engines::EngineInfo engine, bool held_to_correct_rounding);
+  Subject(const engines::EngineInfo& engine, Pair of, bool held_to_correct_rounding);
   /// The bound of a field that an answer is held to, in ulps of the field's scale; 1 where held to correct rounding.
   [[nodiscard]] double bound(oracle::Field field) const;
-  /// Whether the engine declares a field.
-  [[nodiscard]] bool claims(oracle::Field field) const { return info.declared.claimed().has(aspect(field)); }
+  /// What it is held to in the place of the bounds, if anything.
+  [[nodiscard]] const std::optional<Tolerance>& tolerance() const { return info.declared.tolerance; }
+  /// Whether the engine declares an aspect.
+  [[nodiscard]] bool claims(Aspect aspect) const { return info.declared.claimed().has(aspect); }
+  [[nodiscard]] bool claims(oracle::Field field) const { return claims(aspect(field)); }
+  [[nodiscard]] bool serves_alike(Pair other) const {
+    return std::find(alike.begin(), alike.end(), other) != alike.end();
+  }
 };
 
 /// One trial of a law: the questions asked and what the engine said.
@@ -94,7 +103,7 @@ struct Law {
   About about;
   bool only_when_named;
   Asking asking;
-  /// Why the law is not asked of an engine, or nothing.
+  /// Why the law is not asked of an engine about a pair, or nothing: by what the engine declares it has nothing to ask.
   std::optional<std::string> (*skip)(const Subject& subject);
   rc::Gen<Query> (*draw)(Pair pair, const Range& range);
   /// The questions to ask; none where the trial does not suit the law.

@@ -36,6 +36,8 @@ Questions at_the_alarm_distance(const Trial& trial, const Subject& subject);
 Questions each_axis_alone(const Trial& trial, const Subject& subject);
 Questions one_inside_the_other(const Trial& trial, const Subject& subject);
 Questions alarm_grown(const Trial& trial, const Subject& subject);
+/// Whether a shape of a pair has a size of its own: all but a triangle and a line.
+bool can_grow(Pair pair);
 Questions size_grown(const Trial& trial, const Subject& subject);
 Outcome check_decisions(const Case& c);
 Outcome check_touching(const Case& c);
@@ -73,6 +75,8 @@ Questions scaled(const Trial& trial, const Subject& subject);
 Questions point_box(const Trial& trial, const Subject& subject);
 Questions half_of_box(const Trial& trial, const Subject& subject);
 Questions corners_exchanged(const Trial& trial, const Subject& subject);
+/// The pair that a pair is where its capsules, triangles and rays have no length: itself where there are none.
+Pair pair_without_length(Pair pair);
 Questions without_length(const Trial& trial, const Subject& subject);
 Questions other_sphere_kinds(const Trial& trial, const Subject& subject);
 Outcome check_swapped(const Case& c);

@@ -15,49 +15,95 @@ using Info = const Conventions&;
 
 Info conventions(const Subject& s) { return s.info.declared.conventions; }
 
-// Why a law is not asked of an engine.
+// Why a law is not asked of an engine about a pair: what it declares leaves the law nothing to ask.
 Reason never(const Subject&) { return std::nullopt; }
 Reason without_margin(const Subject& s) {
   if (conventions(s).margin == Margin::none)
     return "the engine declares margin none: it does not look at the alarm distance";
   return std::nullopt;
 }
-Reason without_value(const Subject& s) {
-  if (conventions(s).value == ValueKind::none) return "the engine declares no value";
+/// The first reason that there is.
+template <Reason (*... reasons)(const Subject&)>
+Reason any_of(const Subject& s) {
+  Reason found;
+  static_cast<void>(((found = reasons(s)).has_value() || ...));
+  return found;
+}
+/// It takes every one of these aspects.
+template <Aspect... aspects>
+Reason without(const Subject& s) {
+  for (const Aspect aspect : {aspects...})
+    if (!s.claims(aspect)) return fmt::format("the engine claims no {}", Aspects{aspect}.names().front());
   return std::nullopt;
 }
+/// It takes one of these.
+template <Aspect... aspects>
+Reason without_any(const Subject& s) {
+  if ((s.claims(aspects) || ...)) return std::nullopt;
+  return fmt::format("the engine claims neither {}", fmt::join(Aspects{aspects...}.names(), " nor "));
+}
+constexpr auto without_value = without<Aspect::value>;
+constexpr auto without_both_decisions = without<Aspect::overlap, Aspect::contact>;
+constexpr auto without_numbers =
+    without_any<Aspect::normal, Aspect::point1, Aspect::point2, Aspect::point, Aspect::value>;
+constexpr auto without_place = without_any<Aspect::point1, Aspect::point2, Aspect::value>;
 Reason without_unit_normal(const Subject& s) {
   if (!conventions(s).normal_unit) return "the engine declares normals that are not unit";
-  return std::nullopt;
+  return without<Aspect::normal>(s);
 }
-Reason without_surface_points(const Subject& s) {
-  if (conventions(s).points == Points::midpoint || conventions(s).points == Points::none)
-    return fmt::format("the engine declares points {}", kPointsNames[static_cast<std::size_t>(conventions(s).points)]);
-  return std::nullopt;
+Reason without_coincidence(const Subject& s) {
+  // That there is no contact is something to ask for too.
+  return conventions(s).coincident == Coincident::no_contact ? without<Aspect::contact>(s) : without_numbers(s);
 }
+/// A point that lies on a shape of the pair as `lies` wants it.
+template <bool (*lies)(PointOn on, bool is_round)>
+Reason without_point(const Subject& s) {
+  Query query = zero_query(s.pair);
+  for (const int shape : {0, 1}) {
+    const auto on = oracle::point_of(conventions(s), query, shape);
+    const bool is_round = std::visit(
+        [&](const auto& shapes) {
+          const auto has_radius = [](const auto& one) {
+            return requires { one.radius; };
+          };
+          return shape == 0 ? has_radius(shapes.a) : has_radius(shapes.b);
+        },
+        query.shapes);
+    if (on && lies(*on, is_round) && s.claims(shape == 0 ? Aspect::point1 : Aspect::point2)) return std::nullopt;
+  }
+  return fmt::format("the engine, with points {}, claims no such point of a {}",
+                     kPointsNames[static_cast<std::size_t>(conventions(s).points)], name(s.pair));
+}
+bool lies_anywhere(PointOn /*on*/, bool /*is_round*/) { return true; }
+/// A point in the middle is on no side, nor is one of a shape without radius.
+bool lies_on_a_side(PointOn on, bool is_round) { return is_round && on != PointOn::center; }
+constexpr auto without_surface_points = without_point<lies_anywhere>;
+constexpr auto without_near_side = without_point<lies_on_a_side>;
 Reason without_span(const Subject& s) {
-  if (auto why = without_value(s)) return why;
   if (auto why = without_unit_normal(s)) return why;
-  if (conventions(s).points > Points::published) return "the engine does not declare two points";
-  return std::nullopt;
+  return without<Aspect::point1, Aspect::point2, Aspect::value>(s);
+}
+/// A law that asks about another pair too: one that means the same there.
+Reason without_pair(const Subject& s, Pair other) {
+  if (s.serves_alike(other)) return std::nullopt;
+  if (s.info.serves(other)) return fmt::format("what the engine says of a {} means something else", name(other));
+  return fmt::format("the law asks about a {} too, which the engine does not serve", name(other));
 }
 Reason without_several_sphere_kinds(const Subject& s) {
-  if (std::count_if(kPairs.begin(), kPairs.end(),
-                    [&](Pair p) { return kind_of(p) == kind_of(Pair::sphere_sphere) && s.info.serves(p); }) < 2)
-    return "the engine serves one kind of sphere pair";
+  if (std::count_if(s.alike.begin(), s.alike.end(),
+                    [&](Pair p) { return kind_of(p) == kind_of(Pair::sphere_sphere); }) < 2)
+    return "the engine serves one kind of sphere pair, or means something else by each";
   return std::nullopt;
 }
-Reason without_spheres(const Subject& s) {
-  if (!s.info.serves(Pair::sphere_sphere)) return "the engine serves no sphere_sphere";
-  return std::nullopt;
-}
+Reason without_spheres(const Subject& s) { return without_pair(s, Pair::sphere_sphere); }
+Reason without_simpler_pair(const Subject& s) { return without_pair(s, pair_without_length(s.pair)); }
 Reason without_correct_rounding(const Subject& s) {
   if (!s.correctly_rounded) return "not asked for: --level correctly-rounded";
-  return std::nullopt;
+  return without_numbers(s);
 }
 Reason with_correct_rounding(const Subject& s) {
   if (s.correctly_rounded) return "held to correct rounding instead";
-  return std::nullopt;
+  return without_numbers(s);
 }
 
 template <Pair... of>
@@ -130,8 +176,8 @@ constexpr About kCorners{"a capsule, a triangle or a line", [](Pair pair) {
                                description(pair).zeros());
                          }};
 constexpr About kLong{"a capsule, a triangle or a ray, and a distance",
-                      is_one_of<Pair::sphere_capsule, Pair::capsule_capsule, Pair::sphere_triangle, Pair::ray_sphere,
-                                Pair::capsule_plane>};
+                      [](Pair pair) { return has_distance(pair) && pair_without_length(pair) != pair; }};
+constexpr About kGrowing{"any shapes but a triangle and a line", can_grow};
 constexpr About kSpheres{"spheres", is_one_of<Pair::sphere_sphere>};
 constexpr About kCubes{"cubes", is_one_of<Pair::cube_cube>};
 constexpr About kSphereCube{"a sphere and a cube", is_one_of<Pair::sphere_cube>};
@@ -166,12 +212,12 @@ constexpr std::array kLaws{
     Law{"coincident",
         "Coincident centres, or a centre on the surface of a box, give an answer without NaN, its normal as declared.",
         "D = 0: abs(n.n - 1) <= 8u and n points against no part of the box, or n = 0, or no contact; no number is NaN",
-        "0/0 is the best known mistake of all: SOFA answers NaN", kReals, kBeforeSphere, kNo, kTogether, never,
-        coincident_shapes, itself_if_coincident, check_coincident},
+        "0/0 is the best known mistake of all: SOFA answers NaN", kReals, kBeforeSphere, kNo, kTogether,
+        without_coincidence, coincident_shapes, itself_if_coincident, check_coincident},
     Law{"finite", "Where the truth is finite, so is the answer.",
         "D > 0, or a centre inside: no NaN, and no infinity but a rounded one",
-        "squares overflow from 2^512 and vanish below 2^-537", kReals, kDistance, kNo, kTogether, never, queries,
-        itself, check_finite},
+        "squares overflow from 2^512 and vanish below 2^-537", kReals, kDistance, kNo, kTogether, without_numbers,
+        queries, itself, check_finite},
     Law{"nested", "A box strictly inside another overlaps it, flat or not.", "a.min < b.min <= b.max < a.max: hit",
         "tests by corners or faces miss a box that is wholly inside", kReals, kCubes, kNo, kTogether, never,
         nested_boxes, one_inside_the_other, check_decisions},
@@ -208,7 +254,7 @@ constexpr std::array kLaws{
         "radius.",
         "same contact as with the sphere; allowances as for `swap`",
         "two functions that meet in one question must agree there; catches divisions by a length", kBits, kLong, kNo,
-        kTogether, never, queries, without_length, check_same_contact},
+        kTogether, without_simpler_pair, queries, without_length, check_same_contact},
     Law{"turn", "Axes permuted and reflected permute and reflect the answer.",
         "answer(P q) = P answer(q), P a signed permutation; allowances as for `swap`",
         "no direction in space is special; catches a component mistyped", kBits, kAll, kNo, kTogether, never, queries,
@@ -238,19 +284,19 @@ constexpr std::array kLaws{
     Law{"test_agrees", "There is a contact exactly where there is an overlap.",
         "overlap = contact exists, as declared; left out within the bound unless held to correct rounding",
         "testIntersection and computeIntersection are two functions, and callers trust that they agree", kBits,
-        kDistance, kNo, kTogether, never, queries, itself, check_test_agrees},
+        kDistance, kNo, kTogether, without_both_decisions, queries, itself, check_test_agrees},
     Law{"alarm_growth", "A hit stays a hit when the alarm distance grows.",
         "alarm <= alarm': hit(q) implies hit(q'); left out within the bound unless held to correct rounding",
         "a larger alarm distance asks for more, never for less", kReals, kAll, kNo, kTogether, without_margin, queries,
         alarm_grown, check_grown},
     Law{"size_growth", "A hit stays a hit when a radius or a box grows.",
         "a' contains a: hit(a, b) implies hit(a', b); allowance as for `alarm_growth`", "more matter touches no less",
-        kReals, kAll, kNo, kTogether, never, queries, size_grown, check_grown},
+        kReals, kGrowing, kNo, kTogether, never, queries, size_grown, check_grown},
     Law{"alarm_changes_no_number",
         "The alarm distance decides whether there is a contact, and changes no number of it.",
         "alarm to alarm', both hits: same contact; within twice the bound unless held to correct rounding",
-        "the alarm distance is a threshold, not part of the geometry", kBits, kDistance, kNo, kTogether, without_margin,
-        queries, other_alarm, check_other_alarm},
+        "the alarm distance is a threshold, not part of the geometry", kBits, kDistance, kNo, kTogether,
+        any_of<without_margin, without_numbers>, queries, other_alarm, check_other_alarm},
     Law{"value_grows_with_distance", "The value never falls when the shapes move apart.",
         "D <= D': value <= value', to the bounds of both unless held to correct rounding",
         "penetration is negative: catches a value without its sign", kReals, kBeforeSphere, kNo, kTogether,
@@ -261,11 +307,11 @@ constexpr std::array kLaws{
         kDistance, kNo, kTogether, without_value, with_depths, size_grown, check_lower_value},
     Law{"contact_distance", "The contact distance changes the value alone, by as much as it changes.",
         "value' - value = contact - contact' (0 where declared so) to the bounds of both; hit, normal and points same",
-        "counted twice or not at all it moves every rest position", kReals, kDistance, kNo, kTogether, never, queries,
-        other_contact, check_other_contact},
+        "counted twice or not at all it moves every rest position", kReals, kDistance, kNo, kTogether, without_numbers,
+        queries, other_contact, check_other_contact},
     Law{"direction", "The normal points from the first shape to the second, or as declared.",
         "n . delta > 0, delta from core to core", "a normal that points back pulls together what it should push apart",
-        kReals, kDistance, kNo, kTogether, never, queries, itself, check_direction},
+        kReals, kDistance, kNo, kTogether, without<Aspect::normal>, queries, itself, check_direction},
     Law{"own_surface", "Each contact point lies a radius from its own core, or on it as declared.",
         "abs(abs(point_i - p_i) - r_i) <= 2 bound ulp(scale), p_i nearest in the core",
         "exchanged points give torques about the wrong body", kReals, kDistance, kNo, kTogether, without_surface_points,
@@ -273,11 +319,11 @@ constexpr std::array kLaws{
     Law{"near_side", "Each contact point lies on the side of its shape that faces the other, or as declared.",
         "(point1 - p1) . delta > 0, (point2 - p2) . delta < 0; a radius of 0 left out",
         "the published formula has a sign lost: its points lie on the far sides", kReals, kDistance, kNo, kTogether,
-        without_surface_points, queries, itself, check_near_side},
+        without_near_side, queries, itself, check_near_side},
     Law{"radius", "A larger radius lowers the value by as much, and leaves the normal and the other shape's point.",
         "value' - value = r - r' to the bounds of both; allowances as for `swap`",
-        "a radius counts once, and is a length", kReals, kDistance, kNo, kTogether, never, queries, radius_grown,
-        check_larger_radius},
+        "a radius counts once, and is a length", kReals, kDistance, kNo, kTogether, without_numbers, queries,
+        radius_grown, check_larger_radius},
     Law{"way_out", "A centre inside a box leaves it by the nearest face.",
         "value = -(r + the least of c - min and max - c) - contact, to the bound",
         "by any other face a sphere is thrown through the box", kReals, kSphereCube, kNo, kTogether, without_value,
@@ -287,8 +333,8 @@ constexpr std::array kLaws{
         "0.",
         "point1 = point2, each coordinate between the least and the largest of the segment, and of the triangle; value "
         "= 0; to the bounds",
-        "a point that one shape alone has is not where they meet", kReals, kCrossing, kNo, kTogether, never, queries,
-        itself, check_crossing},
+        "a point that one shape alone has is not where they meet", kReals, kCrossing, kNo, kTogether, without_place,
+        queries, itself, check_crossing},
     Law{"span",
         "The way from the first point to the second is the value, without the contact distance, along the normal.",
         "point2 - point1 = (value + contact) n to the bounds of all four; radii added where points are not the nearest",
@@ -311,10 +357,16 @@ constexpr std::array kLaws{
 
 }  // namespace
 
-Subject::Subject(engines::EngineInfo engine, bool held_to_correct_rounding)
-    : info(std::move(engine)),
-      correctly_rounded(held_to_correct_rounding),
-      range(info.declared.scalar, info.declared.conventions.scale_min, info.declared.conventions.scale_max) {}
+Subject::Subject(const engines::EngineInfo& engine, Pair of, bool held_to_correct_rounding)
+    : info(engine), pair(of), correctly_rounded(held_to_correct_rounding) {
+  info.declared = engine.declared_for(pair);
+  for (const Pair other : engine.pairs)
+    if (engine.declared_for(other) == info.declared) alike.push_back(other);
+  const Conventions& own = info.declared.conventions;
+  const Tolerance promised = info.declared.tolerance.value_or(Tolerance{});
+  range = Range(info.declared.scalar, std::max(own.scale_min, promised.scale_min),
+                std::min(own.scale_max, promised.scale_max));
+}
 
 double Subject::bound(oracle::Field field) const {
   if (correctly_rounded) return 1;

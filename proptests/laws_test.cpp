@@ -1,13 +1,17 @@
 // The laws against engines that obey them, and against engines with one line broken.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <set>
 #include <string>
 
 #include "engines/engine.hpp"
+#include "oracle/judge/off.hpp"
+#include "oracle/judge/right_claim.hpp"
 #include "oracle/truth/clamped.hpp"
 #include "proptests/run.hpp"
 
@@ -238,6 +242,7 @@ class Honest final : public Engine {
 RunResult asked(std::unique_ptr<Engine> engine, std::uint64_t cases, bool correctly_rounded = false,
                 std::vector<std::string> names = {}) {
   RunOptions options;
+  options.tolerance = engine->info().declared.tolerance;
   options.seed = 20;
   options.cases = cases;
   options.correctly_rounded = correctly_rounded;
@@ -382,6 +387,280 @@ TEST(Laws, that_an_engine_does_not_claim_are_skipped_visibly) {
                                             "value_grows_with_distance", "sphere_kinds", "point_box", "halves",
                                             "size_lowers_value", "way_out", "crossing", "own_surface", "near_side",
                                             "span", "correctly_rounded"}));
+}
+
+/// What is right under its declaration, edited.
+class Right : public Engine {
+ public:
+  using Edit = void (*)(const Query& query, Claim& claim, const oracle::Declaration& declared);
+  explicit Right(const engines::EngineInfo& info, Edit edit = nullptr) : Engine(info), edit_(edit) {}
+
+  std::vector<Claim> answer(std::span<const Question> questions) override {
+    std::vector<Claim> claims;
+    for (const Question& q : questions) {
+      if (const auto error = outside_domain(q.query)) {
+        claims.push_back(engines::rejection(*error));
+        continue;
+      }
+      const oracle::Declaration declared = info().declared_for(q.query.pair);
+      claims.push_back(oracle::right_claim(q.query, oracle::truth_of(q.query), declared));
+      if (edit_ != nullptr) edit_(q.query, claims.back(), declared);
+    }
+    return claims;
+  }
+
+ private:
+  Edit edit_;
+};
+
+engines::EngineInfo serving(std::vector<Pair> pairs) {
+  engines::EngineInfo info;
+  info.name = "right";
+  info.version = "test";
+  info.pairs = std::move(pairs);
+  return info;
+}
+
+const LawResult& result_of(const RunResult& result, std::string_view law) {
+  return *std::find_if(result.laws.begin(), result.laws.end(), [&](const LawResult& r) { return r.law->name == law; });
+}
+
+TEST(Laws, hold_for_an_engine_of_each_pair_alone_that_is_right_and_not_for_one_that_is_wrong) {
+  for (const Pair pair : kPairs) {
+    const RunResult right = asked(std::make_unique<Right>(serving({pair})), 5);
+    EXPECT_TRUE(right.holds()) << name(pair) << "\n" << described(right);
+    EXPECT_GE(right.laws.size() - right.skipped(), 11U) << name(pair);
+    // Of no pair is a law asked about another.
+    for (const char* law : {"sphere_kinds", "point_box", "without_length"})
+      EXPECT_TRUE(result_of(right, law).skipped) << name(pair) << " " << law;
+    const RunResult wrong = asked(
+        std::make_unique<Right>(serving({pair}), [](const Query&, Claim& claim,
+                                                    const oracle::Declaration&) { claim.overlap = !*claim.overlap; }),
+        5);
+    EXPECT_FALSE(wrong.holds()) << name(pair);
+    EXPECT_NE(result_of(wrong, "decision").violation, std::nullopt) << name(pair);
+  }
+  const RunResult both = asked(std::make_unique<Right>(serving({Pair::capsule_plane, Pair::sphere_plane})), 5);
+  EXPECT_TRUE(both.holds()) << described(both);
+  EXPECT_EQ(result_of(both, "without_length").tested, 5U);
+}
+
+TEST(Laws, of_which_none_can_be_asked_hold_for_no_engine) {
+  const RunResult none = asked(std::make_unique<Right>(serving({})), 5);
+  EXPECT_FALSE(none.holds());
+  EXPECT_EQ(none.skipped(), none.laws.size());
+  EXPECT_FALSE(asked(std::make_unique<Right>(serving({Pair::sphere_triangle})), 5, false, {"without_length"}).holds());
+}
+
+// Only questions can leave a law nothing to ask, not answers.
+TEST(Laws, are_given_up_where_an_engine_misses_every_hit) {
+  const RunResult result = asked(std::make_unique<Right>(serving({Pair::sphere_capsule}),
+                                                         [](const Query&, Claim& claim, const oracle::Declaration&) {
+                                                           claim.overlap = false;
+                                                           claim.contact.reset();
+                                                         }),
+                                 5, false, {"unit_normal", "span"});
+  EXPECT_FALSE(result.holds());
+  for (const LawResult& r : result.laws) EXPECT_TRUE(r.given_up) << r.law->name;
+}
+
+TEST(Laws, that_a_declaration_leaves_nothing_to_ask_are_not_asked) {
+  struct Declared {
+    const char* what;
+    void (*declare)(engines::EngineInfo& info);
+    Pair pair;
+    std::set<std::string> skipped;  ///< some of those that are
+  };
+  const std::vector<Declared> all{
+      {"overlaps alone",
+       [](engines::EngineInfo& info) { info.declared.claims = Aspects{Aspect::overlap}; },
+       Pair::sphere_sphere,
+       {"coincident", "finite", "unit_normal", "test_agrees", "alarm_changes_no_number", "value_grows_with_distance",
+        "contact_distance", "direction", "own_surface", "near_side", "radius", "span", "bounds"}},
+      {"values alone",
+       [](engines::EngineInfo& info) {
+         info.declared.claims = Aspects{Aspect::contact, Aspect::value};
+       },
+       Pair::ray_sphere,
+       {"unit_normal", "test_agrees", "direction", "own_surface", "near_side", "span"}},
+      {"normals alone",
+       [](engines::EngineInfo& info) {
+         info.declared.claims = Aspects{Aspect::contact, Aspect::normal};
+       },
+       Pair::ray_triangle,
+       {"crossing"}},
+      {"no normals",
+       [](engines::EngineInfo& info) { info.declared.conventions.normal = NormalDirection::none; },
+       Pair::sphere_plane,
+       {"unit_normal", "direction", "span"}},
+      {"centres of spheres",
+       [](engines::EngineInfo& info) { info.declared.conventions.points = Points::center; },
+       Pair::sphere_sphere,
+       {"near_side"}},
+      {"points on rays",
+       [](engines::EngineInfo& info) { info.declared.conventions.points = Points::first_only; },
+       Pair::ray_sphere,
+       {"near_side", "span"}},
+      {"no contact where centres coincide",
+       [](engines::EngineInfo& info) { info.declared.conventions.coincident = Coincident::no_contact; },
+       Pair::sphere_cube,
+       {}},
+      {"numbers from 1 to 2",
+       [](engines::EngineInfo& info) {
+         info.declared.conventions.scale_min = 1;
+         info.declared.conventions.scale_max = 2;
+       },
+       Pair::cube_cube,
+       {"scale", "touching", "alarm_edge"}},
+      {"shapes by their centres",
+       [](engines::EngineInfo& info) { info.declared.conventions.shapes = ShapesAs::centered; },
+       Pair::capsule_capsule,
+       {}},
+      {"all but the defaults",
+       [](engines::EngineInfo& info) {
+         Conventions& c = info.declared.conventions;
+         c.normal = NormalDirection::second_to_first;
+         c.value = ValueKind::depth;
+         c.value_less_contact = false;
+         c.touching_overlap = c.touching_contact = Touching::open;
+         c.margin = Margin::exclusive;
+         c.coincident = Coincident::zero_normal;
+       },
+       Pair::sphere_sphere,
+       {}},
+  };
+  for (const Declared& one : all) {
+    engines::EngineInfo info = serving({one.pair});
+    one.declare(info);
+    const RunResult result = asked(std::make_unique<Right>(info), 10);
+    EXPECT_TRUE(result.holds()) << one.what << "\n" << described(result);
+    for (const std::string& law : one.skipped) EXPECT_TRUE(result_of(result, law).skipped) << one.what << ": " << law;
+  }
+}
+
+// What is said of one pair says nothing of another where it means something else.
+TEST(Laws, about_two_pairs_are_not_asked_where_answers_mean_something_else) {
+  engines::EngineInfo info = serving({Pair::sphere_sphere, Pair::rigid_sphere_rigid_sphere, Pair::sphere_cube,
+                                      Pair::sphere_triangle, Pair::sphere_capsule});
+  Conventions other;
+  other.normal = NormalDirection::second_to_first;
+  info.pair_conventions = {
+      {Pair::rigid_sphere_rigid_sphere, other}, {Pair::sphere_cube, other}, {Pair::sphere_triangle, other}};
+  const RunResult result =
+      asked(std::make_unique<Right>(info), 20, false, {"sphere_kinds", "point_box", "without_length"});
+  EXPECT_TRUE(result.holds()) << described(result);
+  EXPECT_TRUE(result_of(result, "sphere_kinds").skipped);
+  EXPECT_TRUE(result_of(result, "point_box").skipped);
+  EXPECT_EQ(result_of(result, "without_length").tested, 20U) << "of a sphere and a capsule";
+}
+
+/// From -1 to 1, from the bits of a number of the question.
+double noise(const Query& query, int which) {
+  std::uint64_t bits = 0x9e3779b97f4a7c15U * static_cast<std::uint64_t>(which + 1);
+  for_each_number(query, [&](const std::string&, double x) {
+    bits = (bits ^ std::bit_cast<std::uint64_t>(x)) * 0xff51afd7ed558ccdU;
+    bits ^= bits >> 33;
+  });
+  return std::ldexp(static_cast<double>(static_cast<std::int64_t>(bits)), -63);
+}
+
+/// Every number nearly as far off as `times` the tolerance allows, one way or the other, and half of the decisions that
+/// it allows either way.
+void blur(const Query& query, Claim& claim, const oracle::Declaration& declared, double times) {
+  const Tolerance& t = *declared.tolerance;
+  const oracle::Truth truth = oracle::truth_of(query);
+  if (noise(query, 0) > 0 && oracle::decision_off(query, truth, true, t).within) {
+    claim.overlap = !*claim.overlap;
+    claim.contact.reset();
+    if (*claim.overlap && truth.has_distance()) {
+      Query surely = query;
+      surely.distances.alarm += 1;
+      claim.contact = oracle::right_claim(surely, oracle::truth_of(surely), declared).contact;
+    } else if (*claim.overlap && truth.has_numbers()) {
+      claim.contact.emplace();  // a crossing that is none has no numbers
+    }
+  }
+  if (!claim.contact) return;
+  const auto off = [&](int which) { return times * t.length * (noise(query, which) > 0 ? 0.99 : -0.99); };
+  if (claim.contact->value) *claim.contact->value += off(1);
+  for (auto* point : {&claim.contact->point1, &claim.contact->point2})
+    if (*point) (**point)[1] += off(2);
+  // Where the cores meet, the points go with the normal.
+  if (!claim.contact->normal || truth.degenerate()) return;
+  Vector3& n = *claim.contact->normal;
+  const Vector3 across = n.cross(std::abs(n[0]) < 0.5 ? Vector3::UnitX() : Vector3::UnitY()).normalized();
+  n = (n + times * 0.9 * t.angle * across).normalized();
+}
+
+constexpr Tolerance kMicrometre{1e-6, 1e-9, 1e-5, 1e-2, 1e2};
+
+TEST(Laws, forgive_what_a_tolerance_forgives_and_nothing_beyond) {
+  engines::EngineInfo info = serving({kPairs.begin(), kPairs.end()});
+  info.declared.tolerance = kMicrometre;
+  const Right::Edit blurred = [](const Query& q, Claim& c, const oracle::Declaration& d) { blur(q, c, d, 1); };
+  const RunResult within = asked(std::make_unique<Right>(info, blurred), 60);
+  EXPECT_TRUE(within.holds()) << described(within);
+  // By its bounds in ulps the same engine would be wrong.
+  RunOptions strict;
+  strict.seed = 20;
+  strict.cases = 10;
+  std::unique_ptr<Engine> engine = std::make_unique<Right>(info, blurred);
+  EXPECT_GT(violated(run_laws(engine, strict)).size(), 10U);
+  const RunResult beyond = asked(
+      std::make_unique<Right>(info, [](const Query& q, Claim& c, const oracle::Declaration& d) { blur(q, c, d, 2); }),
+      60, false, {"bounds", "decision"});
+  EXPECT_TRUE(violated(beyond).contains("bounds")) << described(beyond);
+  EXPECT_FALSE(violated(beyond).contains("decision")) << described(beyond);
+}
+
+// Not what a law says of the truth alone: where an answer may be any, it may be that.
+TEST(Laws, forgive_a_normal_that_points_back_where_a_tolerance_allows_any) {
+  engines::EngineInfo info = serving({Pair::sphere_sphere, Pair::sphere_capsule});
+  info.declared.tolerance = kMicrometre;
+  const Right::Edit reversed = [](const Query& q, Claim& c, const oracle::Declaration&) {
+    // Where the cores meet, the points go with the normal.
+    if (c.contact && !oracle::truth_of(q).degenerate()) *c.contact->normal *= -1;
+  };
+  EXPECT_FALSE(asked(std::make_unique<Right>(info, reversed), 20, false, {"direction", "span"}).holds());
+  info.declared.tolerance->angle = 3.15;
+  const RunResult any =
+      asked(std::make_unique<Right>(info, reversed), 20, false, {"direction", "span", "swap", "turn"});
+  EXPECT_TRUE(any.holds()) << described(any);
+}
+
+// What else such an engine has off, within its tolerance, hides no mistake and gives it no other name.
+TEST(Laws, of_a_tolerance_find_gross_mistakes_and_name_them_as_ever) {
+  const std::vector<std::pair<const char*, Right::Edit>> mistakes{
+      {"direction",
+       [](const Query& q, Claim& c, const oracle::Declaration& d) {
+         blur(q, c, d, 1);
+         if (c.contact) *c.contact->normal *= -1;
+       }},
+      {"contact_distance",
+       [](const Query& q, Claim& c, const oracle::Declaration& d) {
+         blur(q, c, d, 1);
+         if (c.contact) *c.contact->value -= q.distances.contact;
+       }},
+      {"own_surface",
+       [](const Query& q, Claim& c, const oracle::Declaration& d) {
+         blur(q, c, d, 1);
+         if (c.contact) std::swap(c.contact->point1, c.contact->point2);
+       }},
+      {"decision",
+       [](const Query& q, Claim& c, const oracle::Declaration& d) {
+         Query without = q;
+         without.distances.alarm = 0;
+         c = oracle::right_claim(without, oracle::truth_of(without), d);
+         blur(without, c, d, 1);
+       }},
+  };
+  engines::EngineInfo info = serving({Pair::sphere_sphere});
+  info.declared.tolerance = kMicrometre;
+  for (const auto& [law, mistake] : mistakes) {
+    const RunResult result = asked(std::make_unique<Right>(info, mistake), 30);
+    ASSERT_NE(result.first_violated(), nullptr) << law;
+    EXPECT_EQ(result.first_violated()->law->name, law) << described(result);
+  }
 }
 
 TEST(Shrinking, makes_every_step_easier_and_stays_in_the_range) {

@@ -18,6 +18,8 @@ struct RunOptions {
   std::uint64_t seed = 0;
   std::uint64_t cases = 1000;      ///< a law
   bool correctly_rounded = false;  ///< hold the engine to correct rounding instead of its bounds
+  /// Hold it to this instead of its bounds. Domain: nothing where held to correct rounding.
+  std::optional<Tolerance> tolerance;
   std::vector<std::string> names;  ///< only these laws
   Case::TruthOf truth = oracle::truth_of;
   /// Called after each case; what it throws ends the run.
@@ -38,9 +40,9 @@ struct Violation {
 struct LawResult {
   const Law* law;
   std::uint64_t tested = 0;
-  std::optional<std::string> skipped;  ///< why
+  std::optional<std::string> skipped;  ///< why it was not asked
   std::optional<Violation> violation;
-  bool given_up = false;  ///< too few trials suited the law
+  bool given_up = false;  ///< a right engine would have been tested on many more
 
   [[nodiscard]] bool holds() const { return !skipped && !violation && !given_up; }
 };
@@ -72,6 +74,8 @@ struct RunResult {
   bool ever_answered = false;
 
   [[nodiscard]] const LawResult* first_violated() const;
+  /// How many laws were not asked.
+  [[nodiscard]] std::size_t skipped() const;
   /// Whether some law was tested and none is violated or given up.
   [[nodiscard]] bool holds() const;
 };

@@ -182,7 +182,7 @@ Outcome check_translated(const Case& c) {
   const Vector3 to = first_vector(c.queries[1]);
   const auto check = [&](const std::optional<Vector3>& before, const std::optional<Vector3>& after, Field field) {
     if (!c.subject.claims(field) || !before || !after || !before->allFinite() || !after->allFinite()) return Outcome{};
-    const Rational error = Rational(c.subject.bound(field)) * (unit_of(c, 0, field) + unit_of(c, 1, field));
+    const Rational error = allowance(c, 0, field) + allowance(c, 1, field);
     for (int axis = 0; axis < 3; ++axis) {
       const Rational shift = Rational(to[axis]) - Rational(from[axis]);
       if (CGAL::abs(Rational((*after)[axis]) - Rational((*before)[axis]) - shift) > error)
@@ -264,7 +264,27 @@ void shrink_to_a_point(Ray& ray) { ray.length = 0; }
 template <class Shape>
 void shrink_to_a_point(Shape& /*shape*/) {}
 
+/// A question of shapes without length, asked of the spheres that these are.
+Query of_spheres(const Query& point) {
+  Query simpler = point;
+  std::visit(
+      [&](const auto& shapes) {
+        if constexpr (requires { as_ball(shapes.a), as_ball(shapes.b); }) {
+          simpler = {Pair::sphere_sphere, Balls{as_ball(shapes.a), as_ball(shapes.b)}, point.distances};
+        } else if constexpr (requires { as_ball(shapes.a), shapes.b.normal; }) {
+          simpler = {Pair::sphere_plane, BallAndPlane{as_ball(shapes.a), shapes.b}, point.distances};
+        }
+      },
+      point.shapes);
+  return simpler;
+}
+
 }  // namespace
+
+Pair pair_without_length(Pair pair) {
+  const Pair simpler = of_spheres(zero_query(pair)).pair;
+  return kind_of(simpler) == kind_of(pair) ? pair : simpler;
+}
 
 Questions corners_exchanged(const Trial& trial, const Subject&) {
   Query other = trial.query;
@@ -288,22 +308,10 @@ Outcome check_corners(const Case& c) {
   return compared(c, &wanted, {Field::normal, Field::value, Field::point1, Field::point2, Field::point});
 }
 
-Questions without_length(const Trial& trial, const Subject& subject) {
+Questions without_length(const Trial& trial, const Subject&) {
   Query point = trial.query;
   std::visit([](auto& shapes) { shrink_to_a_point(shapes.a), shrink_to_a_point(shapes.b); }, point.shapes);
-  Query simpler = point;
-  std::visit(
-      [&](auto& shapes) {
-        if constexpr (requires { as_ball(shapes.a), as_ball(shapes.b); }) {
-          simpler = {Pair::sphere_sphere, Balls{as_ball(shapes.a), as_ball(shapes.b)}, point.distances};
-        } else if constexpr (requires { as_ball(shapes.a), shapes.b.normal; }) {
-          simpler = {Pair::sphere_plane, BallAndPlane{as_ball(shapes.a), shapes.b}, point.distances};
-        }
-      },
-      point.shapes);
-  const auto conventions = [&](const Query& query) { return subject.info.declared_for(query.pair).conventions; };
-  if (!subject.info.serves(simpler.pair) || conventions(point) != conventions(simpler)) return {};
-  return {point, simpler};
+  return {point, of_spheres(point)};
 }
 
 Questions half_of_box(const Trial& trial, const Subject&) {
@@ -324,7 +332,7 @@ Outcome check_same_contact(const Case& c) {
 Questions other_sphere_kinds(const Trial& trial, const Subject& subject) {
   Questions questions;
   for (const Pair pair : kPairs) {
-    if (kind_of(pair) != kind_of(Pair::sphere_sphere) || !subject.info.serves(pair)) continue;
+    if (kind_of(pair) != kind_of(Pair::sphere_sphere) || !subject.serves_alike(pair)) continue;
     questions.push_back(trial.query);
     questions.back().pair = pair;
   }

@@ -47,6 +47,15 @@ for line in sys.stdin:
         claim = {"overlap": True, "contact": None} if asked == 1 else {}
         print(json.dumps({"op": "answer", "seq": message["seq"], **claim}), flush=True)
 """
+# What `serve` says, but for the pairs of its hello.
+ONLY = """import json, subprocess, sys
+serve = subprocess.Popen([sys.argv[1], "serve"], stdout=subprocess.PIPE)
+hello = json.loads(serve.stdout.readline())
+print(json.dumps({**hello, "pairs": sys.argv[2:]}), flush=True)
+while data := serve.stdout.read1():
+    sys.stdout.buffer.write(data)
+    sys.stdout.buffer.flush()
+"""
 SPHERES_ID, CUBES_ID = "7827fbcb904c1b0d7baa72b0", "39f8ccec244e593cfa1b7ad5"
 SPHERES_EXPECT = ('"expect":{"hit":true,"degenerate":false,"normal":[0.3333333333333333,0.6666666666666666,'
                   '0.6666666666666666],"point1":[0.5,1,1],"point2":[0.5,1,1],"value":-0.25},'
@@ -1802,7 +1811,47 @@ class Properties(Case):
         self.assertEqual(block(done.stdout), block(out))
         # Every option that help shows is repeated, stated anew, or one that says where this run writes or what it lists.
         shown = set(re.findall(r"(?m)^  (--[a-z-]+)", self.holds("properties", "--help")))
-        self.assertEqual(shown - set(words), {"--engine", "--engine-library", "--points", "--law", "--save", "--junit", "--json", "--list"})
+        self.assertEqual(shown - set(words), {"--engine", "--engine-library", "--points", "--law", "--save", "--junit", "--json", "--list",
+                                              "--tolerance", "--profile"})
+
+    def only(self, pairs):
+        """An engine that serves no other pairs than these, and answers as production does."""
+        engine = self.file("only.py", ONLY)
+        return shlex.join([sys.executable, str(engine), str(TOOL), *pairs])
+
+    def test_a_law_that_the_declared_pairs_leave_nothing_to_ask_is_counted_as_skipped(self):
+        xml, report = self.folder / "laws.xml", self.folder / "laws.json"
+        out = self.holds("properties", "--engine-command", self.only(["capsule_plane"]), "--cases", 5, "--seed", 1, "--junit", xml, "--json", report)
+        why = "the law asks about a sphere_plane too, which the engine does not serve"
+        self.assertRegex(out, rf"(?m)^without_length +skipped: {why}$")
+        read = json.loads(report.read_text())
+        skipped = [law["law"] for law in read["laws"] if law["verdict"] == "skipped"]
+        self.assertEqual((read["asked"], read["not_asked"]), (len(read["laws"]) - len(skipped), len(skipped)))
+        self.assertIn(f"{read['asked']} of {len(read['laws'])} laws were asked, the others skipped\n", out)
+        suite = ElementTree.parse(xml).getroot().find("testsuite")
+        self.assertEqual([case.get("name") for case in suite if case.find("skipped") is not None], skipped)
+        self.assertEqual((suite.get("failures"), suite.get("skipped")), ("0", str(len(skipped))))
+
+    def test_no_law_asked_is_no_pass(self):
+        for pairs, *law in ([], ), (["sphere_capsule"], "--law", "without_length"):
+            done = run("properties", "--engine-command", self.only(pairs), "--cases", 5, *law)
+            self.assertEqual(done.returncode, 3, done.stdout)
+            self.assertIn("nothing can be said: no law was asked", done.stdout)
+
+    def test_a_tolerance_that_is_given_or_declared_is_what_laws_hold_an_engine_to(self):
+        args = ("properties", "--cases", 100, "--seed", 42, "--law", "decision,bounds")
+        plain = ("--engine-command", f"{sys.executable} {PLAIN}")
+        tolerance = "length=1e-6,relative=1e-9,angle=1e-6,min=1e-3,max=1e3"
+        self.assertIn("1 of 2 laws violated", self.violated(*args[1:], *plain))
+        out = self.holds(*args, *plain, "--tolerance", tolerance)
+        self.assertIn(", within length 1e-06, relative 1e-09, angle 1e-06, for numbers from 0.001 to 1000\n", out)
+        self.holds(*args, *plain, "--profile", "game")
+        declared = {"length": 1e-6, "relative": 1e-9, "angle": 1e-6, "scale": {"min": 1e-3, "max": 1e3}}
+        engine = self.file("declares.py", PLAIN.read_text().replace('"op": "hello"', f'"op": "hello", "tolerance": {declared!r}', 1))
+        command = ("--engine-command", f"{sys.executable} {engine}")
+        self.assertIn(", within length 1e-06", self.holds(*args, *command))
+        self.assertNotIn(", within", self.violated(*args[1:], *command, "--level", "bounded"))
+        self.refused((*args, "--level", "bounded", "--tolerance", tolerance), "--tolerance", one_line=False)
 
     def test_an_engine_that_falls_silent_has_its_report(self):
         engine = self.file("silent.py", SILENT)

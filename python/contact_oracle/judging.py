@@ -127,11 +127,17 @@ class LawReport:
     def violated(self) -> list[dict[str, Any]]:
         return [law for law in self.laws if law["verdict"] == "violated"]
 
+    @property
+    def skipped(self) -> list[dict[str, Any]]:
+        """The laws that were not asked, each with ``why``: what the engine declares leaves them nothing to ask."""
+        return [law for law in self.laws if law["verdict"] == "skipped"]
+
     def __str__(self) -> str:
         return str(self._judged["text"]).rstrip("\n")
 
     def __repr__(self) -> str:
-        return f"<LawReport: {len(self.violated)} of {len(self.laws)} laws violated, seed {self.seed}>"
+        return f"<LawReport: {len(self.violated)} of {len(self.laws) - len(self.skipped)} laws violated, " \
+            f"{len(self.skipped)} not asked, seed {self.seed}>"
 
     def __bool__(self) -> bool:
         return self.holds
@@ -280,18 +286,24 @@ def properties(engine: Engine | Mapping[str, Engine], pairs: str | Iterable[str]
                cases: int = 1000, seed: int | None = None, scalar: str = "binary64", level: str = "bounded",
                conventions: Mapping[str, Any] | None = None, pair_conventions: Mapping[str, Any] | None = None,
                bounds: Mapping[str, float] | None = None, claims: Iterable[str] | None = None, name: str | None = None,
-               version: str = "1") -> LawReport:
+               version: str = "1", tolerance: Mapping[str, Any] | None = None, profile: str | None = None) -> LawReport:
     """Asks an engine every law of the command, or the named ones, and shrinks what violates them: docs/properties.md.
 
     The command ``contact-oracle`` asks, so it must be installed; the engine answers in this process. Arguments as of `certify`;
-    `cases` are per law, and `level` is bounded or correctly-rounded.
+    `cases` are per law, and `level` is bounded or correctly-rounded; a `tolerance` or a `profile` holds in its place.
     """
+    if tolerance is not None and profile is not None:
+        raise InputError("cannot stand beside a profile", "tolerance")
     asked_engine, served = by_pair(engine)
     named = pairs_of(pairs, served)
     if claims is None:
         claims = claims_of(Asking(asked_engine), named, scalar_named(scalar))
     declared = json.loads(_declared(_name_of(engine, name), version, scalar, named, conventions, pair_conventions, bounds, claims))
-    options = ["--cases", str(cases), "--seed", str(secrets.randbits(32) if seed is None else seed), "--level", level]
+    options = ["--cases", str(cases), "--seed", str(secrets.randbits(32) if seed is None else seed)]
+    if tolerance is not None:
+        declared["tolerance"] = tolerance
+    else:
+        options += ["--level", level] if profile is None else ["--profile", profile]
     for law in () if laws is None else (laws,) if isinstance(laws, str) else laws:
         options += ["--law", law]
     judged = ask_command("properties", options, asked_engine, declared, scalar)

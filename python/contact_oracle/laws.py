@@ -7,7 +7,8 @@
 Each takes an engine, as `certify` does, and a question. It raises an AssertionError with a line for ``explain`` where the law is
 violated, and asks Hypothesis for another question where this one does not suit it. Numbers may differ by `ulps` ulps of their scale
 for each of the answers that are compared; with ``ulps=0`` they must have the same bits, and hits are compared however near they are to
-their edge. `LAWS` is the list of all, with the questions that each is asked; `check` asks them. The command knows more laws:
+their edge. With a `tolerance`, a dict as `certify` takes it, that holds in the place of `ulps`: whatever it allows each answer to be, it
+allows here, and `conventions` say what the answers mean. `LAWS` is the list of all, with the questions that each is asked; `check` asks them. The command knows more laws:
 docs/properties.md.
 """
 from __future__ import annotations
@@ -15,7 +16,7 @@ from __future__ import annotations
 import itertools
 import json
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, fields, replace
 from fractions import Fraction
 from typing import Any
@@ -25,8 +26,9 @@ import numpy as np
 from hypothesis import assume
 from hypothesis import strategies as st
 
-from . import strategies
-from .engines import Engine, answers_of, by_pair
+from . import _core, strategies
+from .engines import NUMBERS, Engine, answers_of, by_pair
+from .errors import errors_of_core
 from .pairs import number_of, pair_named
 from .serving import lines_of
 from .shapes import Plane, Question, Ray, Sphere
@@ -38,6 +40,8 @@ VECTORS = ("normal", "point1", "point2", "point")
 # Numbers whose squares neither overflow nor underflow in either scalar: what a law asks of an engine that declares no scale.
 SMALLEST, LARGEST = 1e-4, 1e4
 SCALES = 6
+# What an engine states in the words of `certify`.
+Stated = Mapping[str, Any] | None
 # What `scale` scales by at most: a question must be one that the engine serves afterwards too.
 LARGEST_EXPONENT = 8
 
@@ -62,8 +66,58 @@ class Answer:
     def __str__(self) -> str:
         return json.dumps(lines_of(self._arrays)[0], separators=(",", ":"))
 
+    def is_within(self, held: Held, left_out: Collection[str] = ()) -> bool:
+        """Whether the tolerance allows this answer but for some numbers, by the judge that golden cases are judged by."""
+        line = str(self)
+        claims = [name for name in ("overlap", "contact") if name in json.loads(line)] + \
+            [name for name in NUMBERS if name in self._arrays and name not in left_out]
+        # One point can only be the middle.
+        conventions = {**({"points": "midpoint"} if "point" in claims else {}), **(held.conventions or {})}
+        declared = {"scalar": self.question.scalar, "conventions": conventions, "claims": claims, "tolerance": held.tolerance}
+        with errors_of_core():
+            return _core.is_within(json.dumps(declared), str(self.question), line)
 
-def _violated(law: str, why: str, *answers: Answer) -> None:
+
+@dataclass(frozen=True)
+class Held:
+    """What answers are held to: a bound in ulps, or a tolerance in its place; and what they mean."""
+
+    ulps: float
+    tolerance: Mapping[str, Any] | None = None
+    conventions: Mapping[str, Any] | None = None
+
+    def exactly(self) -> Held:
+        """Held to the same bits, where no tolerance says otherwise."""
+        return replace(self, ulps=0.0)
+
+    def rounded(self) -> Held:
+        """The same of numbers that are rounded once more, so that no ulps are one."""
+        return replace(self, ulps=max(self.ulps, 1.0))
+
+    def length(self, scale: float) -> float:
+        """How far the tolerance allows a length to be off."""
+        allowed = self.tolerance or {}
+        return float(allowed.get("length", 0.0)) + float(allowed.get("relative", 0.0)) * scale
+
+    def apart(self, name: str, scale: float, scalar: str) -> float:
+        """How far two answers may be from each other, in each component."""
+        if self.tolerance is None:
+            return 2 * self.ulps * _ulp(scale, scalar)
+        if name != "normal":
+            return 2 * self.length(scale)
+        # Each may be turned by the angle, and be longer or shorter by as much.
+        angle = float(self.tolerance.get("angle", 0.0))
+        return 2 * (2 + angle) * angle
+
+
+# Whether an engine answers alike, and with numbers, is no question of a tolerance.
+EXACTLY = Held(0.0)
+
+
+def _violated(law: str, why: str, held: Held, *answers: Answer) -> None:
+    """Raises, unless a tolerance allows every one of the answers, and with them whatever they have to do with each other."""
+    if held.tolerance is not None and all(answer.is_within(held) for answer in answers):
+        return
     lines = [f"{law}: {why}"]
     for at, answer in enumerate(answers, 1):
         expect = json.dumps(answer.question.exact().expect, separators=(",", ":"))
@@ -86,18 +140,21 @@ def _every_number(question: Question) -> list[float]:
         [question.alarm, question.contact]
 
 
-def _is_clear(question: Question, ulps: float) -> bool:
-    """Whether a right engine of this bound must decide as the exact numbers do. A crossing has no margin, so none is clear but to the bit."""
-    if ulps == 0:
+def _is_clear(question: Question, held: Held) -> bool:
+    """Whether a right engine held to this must decide as the exact numbers do. In ulps a crossing has no margin, so none is clear but to the
+    bit; of a tolerance the judge says so."""
+    if held.tolerance is None and held.ulps == 0:
         return True
     exact = question.exact()
     if exact.gap is not None:
-        margin = float(max(exact.gap) - Fraction(question.alarm))
+        margin, reach = float(max(exact.gap) - Fraction(question.alarm)), question.alarm
     elif exact.distance2 is not None:
-        margin = float(exact.margin(17))
+        margin, reach = float(exact.margin(17)), float(exact.reach or 0)
     else:
-        return False
-    return abs(margin) > MARGIN * ulps * _ulp(_scale("value", question), question.scalar)
+        return held.tolerance is not None
+    if held.tolerance is not None:
+        return abs(margin) > held.length(reach)
+    return abs(margin) > MARGIN * held.ulps * _ulp(_scale("value", question), question.scalar)
 
 
 def _scale(name: str, question: Question) -> float:
@@ -116,18 +173,16 @@ def _ulp(scale: float, scalar: str) -> float:
     return float(np.spacing(np.float32(scale)) if scalar == "binary32" else np.spacing(scale))
 
 
-def _same(law: str, name: str, one: Any, other: Any, ulps: float, scale: float, *answers: Answer) -> None:
+def _same(law: str, name: str, one: Any, other: Any, held: Held, scale: float, *answers: Answer) -> None:
     one, other = np.asarray(one, float), np.asarray(other, float)
-    same = (one == other) | (np.isnan(one) & np.isnan(other))
-    if ulps > 0:
-        same |= np.abs(one - other) <= 2 * ulps * _ulp(scale, answers[0].question.scalar)
+    same = (one == other) | (np.isnan(one) & np.isnan(other)) | (np.abs(one - other) <= held.apart(name, scale, answers[0].question.scalar))
     if not same.all():
-        _violated(law, f"{name} is {one.tolist()}, and {other.tolist()}", *answers)
+        _violated(law, f"{name} is {one.tolist()}, and {other.tolist()}", held, *answers)
 
 
-def _same_hit(law: str, one: Answer, other: Answer, ulps: float) -> None:
-    if one.hit != other.hit and _is_clear(one.question, ulps) and _is_clear(other.question, ulps):
-        _violated(law, f"{'a hit' if one.hit else 'a miss'}, and {'a hit' if other.hit else 'a miss'}", one, other)
+def _same_hit(law: str, one: Answer, other: Answer, held: Held) -> None:
+    if one.hit != other.hit and _is_clear(one.question, held) and _is_clear(other.question, held):
+        _violated(law, f"{'a hit' if one.hit else 'a miss'}, and {'a hit' if other.hit else 'a miss'}", held, one, other)
 
 
 def _agreed(question: Question) -> set[str]:
@@ -138,50 +193,57 @@ def _agreed(question: Question) -> set[str]:
     return set() if exact.unique else {"point1", "point2", "point"}
 
 
-def _compare(law: str, engine: Engine, question: Question, changed: Question, ulps: float, back: Callable[[str, Any], Any]) -> None:
+def _compare(law: str, engine: Engine, question: Question, changed: Question, held: Held, back: Callable[[str, Any], Any]) -> None:
     """Both answers are the same once `back` has undone the change of the question."""
     one, other = Answer(engine, question), Answer(engine, changed)
-    _same_hit(law, one, other, ulps)
+    _same_hit(law, one, other, held)
     for name in sorted(one.numbers.keys() & other.numbers.keys() - _agreed(question)):
-        _same(law, name, one.numbers[name], back(name, other.numbers[name]), ulps, _scale(name, question), one, other)
+        _same(law, name, one.numbers[name], back(name, other.numbers[name]), held, _scale(name, question), one, other)
 
 
-def decision(engine: Engine, question: Question, *, ulps: float = 0.0) -> None:
+def decision(engine: Engine, question: Question, *, ulps: float = 0.0, tolerance: Stated = None, conventions: Stated = None) -> None:
     """Every hit and every miss is the exact decision; with `ulps` those near the edge are left out."""
+    to = Held(ulps, tolerance, conventions)
     answer, exact = Answer(engine, question), question.exact()
-    if _is_clear(question, ulps) and answer.hit != exact.hit:
-        _violated("decision", f"{'a hit' if exact.hit else 'a miss'} is right", answer)
+    if _is_clear(question, to) and answer.hit != exact.hit:
+        _violated("decision", f"{'a hit' if exact.hit else 'a miss'} is right", to, answer)
 
 
-def bounds(engine: Engine, question: Question, *, ulps: float = ULPS) -> None:
+def bounds(engine: Engine, question: Question, *, ulps: float = ULPS, tolerance: Stated = None, conventions: Stated = None) -> None:
     """Every number of a hit is the right one, to `ulps` of its scale; those that are an agreement are left out."""
+    to = Held(ulps, tolerance, conventions)
     exact = question.exact()
     assume(exact.hit)
     answer = Answer(engine, question)
+    if to.tolerance is not None:
+        if answer.hit and not answer.is_within(to, _agreed(question)):
+            _violated("bounds", "a number is beyond the tolerance", EXACTLY, answer)
+        return
     for name in sorted(answer.numbers.keys() & exact.expect.keys() - _agreed(question)):
         right = np.array([float(part) for part in np.ravel(exact.expect[name])]).reshape(np.shape(answer.numbers[name]))
-        _same("bounds", name, answer.numbers[name], right, ulps / 2, _scale(name, question), answer)
+        _same("bounds", name, answer.numbers[name], right, Held(ulps / 2), _scale(name, question), answer)
 
 
 def repeatable(engine: Engine, question: Question) -> None:
     """The same question gets the same bits again."""
     one, other = Answer(engine, question), Answer(engine, question)
     if one.hit != other.hit:
-        _violated("repeatable", "another decision", one, other)
+        _violated("repeatable", "another decision", EXACTLY, one, other)
     for name, number in one.numbers.items():
-        _same("repeatable", name, number, other.numbers[name], 0, 1, one, other)
+        _same("repeatable", name, number, other.numbers[name], EXACTLY, 1, one, other)
 
 
-def swap(engine: Engine, question: Question, *, ulps: float = ULPS) -> None:
+def swap(engine: Engine, question: Question, *, ulps: float = ULPS, tolerance: Stated = None, conventions: Stated = None) -> None:
     """Two shapes of one kind that change places: same hit and value, the normal turned round, the points exchanged."""
     assume(_has_two_alike(question.pair))
     one, other = Answer(engine, question), Answer(engine, replace(question, a=question.b, b=question.a))
-    _same_hit("swap", one, other, ulps)
+    to = Held(ulps, tolerance, conventions)
+    _same_hit("swap", one, other, to)
     partner = {"point1": "point2", "point2": "point1"}
     for name in sorted(one.numbers.keys() - _agreed(question)):
         found = other.numbers.get(partner.get(name, name))
         if found is not None:
-            _same("swap", name, one.numbers[name], -found if name == "normal" else found, ulps, _scale(name, question), one, other)
+            _same("swap", name, one.numbers[name], -found if name == "normal" else found, to, _scale(name, question), one, other)
 
 
 def _has_two_alike(pair: str) -> bool:
@@ -198,13 +260,14 @@ def _of_lengths(shape: Any, change: Callable[[float], float]) -> Any:
     return replace(shape, **{field.name: changed(getattr(shape, field.name)) for field in fields(shape) if field.name != left})
 
 
-def scale(engine: Engine, question: Question, exponent: int = 1, *, ulps: float = ULPS) -> None:
+def scale(engine: Engine, question: Question, exponent: int = 1, *, ulps: float = ULPS, tolerance: Stated = None, conventions: Stated = None) -> None:
     """A power of two scales points and value, and changes nothing else."""
     factor = 2.0**exponent
     scaled = replace(question, a=_of_lengths(question.a, lambda x: x * factor), b=_of_lengths(question.b, lambda x: x * factor),
                      alarm=question.alarm * factor, contact=question.contact * factor)
     assume(_is_in_scalar(question) and _is_in_scalar(scaled))
-    _compare("scale", engine, question, scaled, ulps, lambda name, number: number if name == "normal" else number / factor)
+    _compare("scale", engine, question, scaled, Held(ulps, tolerance, conventions),
+             lambda name, number: number if name == "normal" else number / factor)
 
 
 def _moved(shape: Any, by: tuple[float, float, float]) -> Any:
@@ -221,25 +284,25 @@ def _moved(shape: Any, by: tuple[float, float, float]) -> Any:
     return replace(shape, **{name: moved(getattr(shape, name)) for name in names})
 
 
-def translate(engine: Engine, question: Question, by: tuple[float, float, float] = (1.0, 0.0, 0.0), *, ulps: float = ULPS) -> None:
+def translate(engine: Engine, question: Question, by: tuple[float, float, float] = (1.0, 0.0, 0.0), *, ulps: float = ULPS, tolerance: Stated = None, conventions: Stated = None) -> None:
     """A translation leaves hit, value and normal, and moves the points along. Planes, and translations that would round, do not suit it."""
     assume(not isinstance(question.b, Plane))
     there = replace(question, a=_moved(question.a, by), b=_moved(question.b, by))
     assume(_is_in_scalar(question) and _is_in_scalar(there))
     one, other = Answer(engine, question), Answer(engine, there)
-    _same_hit("translate", one, other, ulps)
+    to = Held(ulps, tolerance, conventions)
+    _same_hit("translate", one, other, to)
     for name in sorted(one.numbers.keys() & other.numbers.keys() - _agreed(question)):
         length = max(_scale(name, question), _scale(name, there))
         if name in ("normal", "value"):
-            _same("translate", name, one.numbers[name], other.numbers[name], ulps, length, one, other)
+            _same("translate", name, one.numbers[name], other.numbers[name], to, length, one, other)
         else:
             # The moved points are rounded elsewhere, so they agree to an ulp of their scale at best.
             moved = np.asarray(one.numbers[name], float) + np.array(by)
-            _same("translate", name, moved, other.numbers[name], max(ulps, 1), length, one, other)
+            _same("translate", name, moved, other.numbers[name], to.rounded(), length, one, other)
 
 
-def turn(engine: Engine, question: Question, axes: tuple[int, int, int] = (1, 2, 0), signs: tuple[int, int, int] = (1, 1, 1), *,
-         ulps: float = ULPS) -> None:
+def turn(engine: Engine, question: Question, axes: tuple[int, int, int] = (1, 2, 0), signs: tuple[int, int, int] = (1, 1, 1), *, ulps: float = ULPS, tolerance: Stated = None, conventions: Stated = None) -> None:
     """Axes permuted and reflected permute and reflect the answer. A crossing's normal goes by the order of vertices: it is left out."""
     def turned(value: tuple[float, ...]) -> tuple[float, ...]:
         return tuple(value[axis] * sign for axis, sign in zip(axes, signs))
@@ -265,7 +328,7 @@ def turn(engine: Engine, question: Question, axes: tuple[int, int, int] = (1, 2,
     changed = replace(question, a=shape_turned(question.a), b=shape_turned(question.b))
     crossing = pair_named(question.pair).numbers == "crossing"
     wrapped = _without_normal(engine) if crossing else engine
-    _compare("turn", wrapped, question, changed, ulps, back)
+    _compare("turn", wrapped, question, changed, Held(ulps, tolerance, conventions), back)
 
 
 def _without_normal(engine: Engine) -> Engine:
@@ -276,13 +339,15 @@ def _without_normal(engine: Engine) -> Engine:
     return asked
 
 
-def unit_normal(engine: Engine, question: Question, *, ulps: float = ULPS) -> None:
+def unit_normal(engine: Engine, question: Question, *, ulps: float = ULPS, tolerance: Stated = None, conventions: Stated = None) -> None:
     """The normal has unit length."""
     answer = Answer(engine, question)
     assume("normal" in answer.numbers)
+    to = Held(ulps, tolerance, conventions)
     normal = np.asarray(answer.numbers["normal"], float)
-    if not abs(float(normal @ normal) - 1) <= 4 * max(ulps, 1) * _ulp(1.0, question.scalar):
-        _violated("unit_normal", f"the normal is {normal.tolist()}", answer)
+    most = 4 * max(ulps, 1) * _ulp(1.0, question.scalar) if tolerance is None else to.apart("normal", 1.0, question.scalar) / 2
+    if not abs(float(normal @ normal) - 1) <= most:
+        _violated("unit_normal", f"the normal is {normal.tolist()}", to, answer)
 
 
 def finite(engine: Engine, question: Question) -> None:
@@ -292,27 +357,27 @@ def finite(engine: Engine, question: Question) -> None:
     for name, number in answer.numbers.items():
         right = np.array([float(part) for part in np.ravel(expect.get(name, 0.0))])
         if np.isfinite(right).all() and not np.isfinite(number).all():
-            _violated("finite", f"{name} is {np.asarray(number).tolist()}", answer)
+            _violated("finite", f"{name} is {np.asarray(number).tolist()}", EXACTLY, answer)
 
 
-def _still_a_hit(law: str, engine: Engine, question: Question, larger: Question, ulps: float) -> None:
+def _still_a_hit(law: str, engine: Engine, question: Question, larger: Question, held: Held) -> None:
     one, other = Answer(engine, question), Answer(engine, larger)
     assume(one.hit)
-    if not other.hit and _is_clear(question, ulps) and _is_clear(larger, ulps):
-        _violated(law, "a hit, and a miss", one, other)
+    if not other.hit and _is_clear(question, held) and _is_clear(larger, held):
+        _violated(law, "a hit, and a miss", held, one, other)
 
 
-def alarm_growth(engine: Engine, question: Question, growth: float, *, ulps: float = ULPS) -> None:
+def alarm_growth(engine: Engine, question: Question, growth: float, *, ulps: float = ULPS, tolerance: Stated = None, conventions: Stated = None) -> None:
     """A hit stays a hit when the alarm distance grows."""
     wider = _with_growth(question, alarm=question.alarm + growth)
-    _still_a_hit("alarm_growth", engine, question, wider, ulps)
+    _still_a_hit("alarm_growth", engine, question, wider, Held(ulps, tolerance, conventions))
 
 
-def size_growth(engine: Engine, question: Question, growth: float, *, ulps: float = ULPS) -> None:
+def size_growth(engine: Engine, question: Question, growth: float, *, ulps: float = ULPS, tolerance: Stated = None, conventions: Stated = None) -> None:
     """A hit stays a hit when the first sphere grows."""
     assume(isinstance(question.a, Sphere))
     grown = _with_growth(question, a=replace(question.a, radius=question.a.radius + growth))
-    _still_a_hit("size_growth", engine, question, grown, ulps)
+    _still_a_hit("size_growth", engine, question, grown, Held(ulps, tolerance, conventions))
 
 
 def _with_growth(question: Question, **changes: Any) -> Question:
@@ -321,27 +386,31 @@ def _with_growth(question: Question, **changes: Any) -> Question:
     return grown
 
 
-def alarm_changes_no_number(engine: Engine, question: Question, growth: float, *, ulps: float = ULPS) -> None:
+def alarm_changes_no_number(engine: Engine, question: Question, growth: float, *, ulps: float = ULPS, tolerance: Stated = None, conventions: Stated = None) -> None:
     """The alarm distance decides whether there is a contact, and changes no number of it."""
     one, other = Answer(engine, question), Answer(engine, _with_growth(question, alarm=question.alarm + growth))
     assume(one.hit and other.hit)
+    to = Held(ulps, tolerance, conventions)
     for name, number in one.numbers.items():
-        _same("alarm_changes_no_number", name, number, other.numbers[name], ulps, _scale(name, question), one, other)
+        _same("alarm_changes_no_number", name, number, other.numbers[name], to, _scale(name, question), one, other)
 
 
-def contact_distance(engine: Engine, question: Question, growth: float, *, ulps: float = ULPS) -> None:
+def contact_distance(engine: Engine, question: Question, growth: float, *, ulps: float = ULPS, tolerance: Stated = None, conventions: Stated = None) -> None:
     """The contact distance changes the value alone, by as much as it changes."""
     changed = _with_growth(question, contact=question.contact + growth)
     one, other = Answer(engine, question), Answer(engine, changed)
     assume(one.hit)
+    to = Held(ulps, tolerance, conventions)
     if not other.hit:
-        _violated("contact_distance", "a hit, and a miss", one, other)
+        _violated("contact_distance", "a hit, and a miss", to, one, other)
+        return
     for name, number in one.numbers.items():
         if name != "value":
-            _same("contact_distance", name, number, other.numbers[name], 0, 1, one, other)
+            _same("contact_distance", name, number, other.numbers[name], to.exactly(), _scale(name, question), one, other)
         elif pair_named(question.pair).numbers == "distance":
             both = float(number) + question.contact, float(other.numbers[name]) + changed.contact
-            _same("contact_distance", "value + contact", *both, max(ulps, 1), max(_scale(name, question), _scale(name, changed)), one, other)
+            _same("contact_distance", "value + contact", *both, to.rounded(),
+                  max(_scale(name, question), _scale(name, changed)), one, other)
 
 
 @dataclass(frozen=True)
@@ -416,7 +485,7 @@ class _IsServed:
 
 
 def check(name: str, engine: Engine, pairs: tuple[str, ...], *, scalar: str = "binary64", examples: int = 100, seed: int | None = None,
-          conventions: Mapping[str, Any] | None = None, ulps: float | None = None) -> None:
+          conventions: Mapping[str, Any] | None = None, ulps: float | None = None, tolerance: Mapping[str, Any] | None = None) -> None:
     """Asks a law of random questions about these pairs. Raises what the shrunk question raises, or NotAsked with the reason."""
     law = LAWS[name]
     declared = dict(conventions or {})
@@ -426,18 +495,22 @@ def check(name: str, engine: Engine, pairs: tuple[str, ...], *, scalar: str = "b
     concerned = [pair for pair in pairs if law.concerns(pair)]
     if not concerned:
         raise NotAsked(f"it is about none of {', '.join(pairs)}")
-    magnitudes = declared.get("scale") or {}
+    scales = [stated["scale"] for stated in (declared, tolerance or {}) if stated.get("scale")]
     beyond = 2.0**LARGEST_EXPONENT
-    smallest = float(magnitudes["min"]) * beyond if "min" in magnitudes else SMALLEST
-    largest = float(magnitudes["max"]) / beyond if "max" in magnitudes else LARGEST
+    smallest = max((float(scale["min"]) * beyond for scale in scales if "min" in scale), default=SMALLEST)
+    largest = min((float(scale["max"]) / beyond for scale in scales if "max" in scale), default=LARGEST)
     asked = st.one_of([questions_for(pair, scalar, smallest, largest) for pair in concerned])
-    bound = {} if ulps is None or name in ("repeatable", "finite") else {"ulps": ulps}
+    held: dict[str, Any] = {} if ulps is None else {"ulps": ulps}
+    if tolerance is not None:
+        held |= {"tolerance": tolerance, "conventions": conventions}
+    if name in ("repeatable", "finite"):
+        held = {}
 
     @hypothesis.settings(max_examples=examples, deadline=None, database=None, report_multiple_bugs=False,
                          suppress_health_check=list(hypothesis.HealthCheck))
     @hypothesis.given(asked, st.fixed_dictionaries(dict(law.draws or {})))
     def run(question: Question, drawn: dict[str, Any]) -> None:
-        law.check(engine, question, **drawn, **bound)
+        law.check(engine, question, **drawn, **held)
 
     try:
         (run if seed is None else hypothesis.seed(seed)(run))()

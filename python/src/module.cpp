@@ -433,6 +433,7 @@ PYBIND11_MODULE(_core, m) {
   m.def("write_dataset", &write_dataset, "path"_a, "pair"_a, "scalar"_a, "family"_a, "columns"_a, "alarm"_a,
         "contact"_a);
   m.def("certify", &certify, "ask"_a, "engine"_a, "sources"_a, "options"_a);
+  m.def("is_within", &is_within, "engine"_a, "question"_a, "answer"_a);
 }
 
 }  // namespace contact::python

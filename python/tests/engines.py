@@ -23,14 +23,14 @@ def plain_spheres_or_first_axis(questions):
     """The same, with a normal where the centres coincide."""
     answers = plain_spheres(questions)
     coincident = (questions.center1 == questions.center2).all(axis=1)
-    for name in ("normal", "point1", "point2"):
-        answers[name] = np.where(coincident[:, np.newaxis], {"normal": (1.0, 0.0, 0.0)}.get(name, questions.center1), answers[name])
-    return answers
+    normal = np.where(coincident[:, np.newaxis], np.array((1.0, 0.0, 0.0), answers["normal"].dtype), answers["normal"])
+    return answers | {"normal": normal, "point1": questions.center1 + questions.radius1[:, np.newaxis] * normal,
+                      "point2": questions.center2 - questions.radius2[:, np.newaxis] * normal}
 
 
 def strict_spheres(questions):
     """Touching is a miss."""
-    answers = plain_spheres(questions)
+    answers = plain_spheres_or_first_axis(questions)
     delta = questions.center2 - questions.center1
     answers["hit"] = np.sqrt((delta * delta).sum(axis=1)) < questions.radius1 + questions.radius2 + questions.alarm
     return answers
@@ -39,6 +39,19 @@ def strict_spheres(questions):
 def reversed_normal(questions):
     answers = plain_spheres(questions)
     answers["normal"] = -answers["normal"]
+    return answers
+
+
+def twice_the_tolerance_off(questions):
+    """Of a tolerance of 1e-9."""
+    answers = plain_spheres_or_first_axis(questions)
+    answers["value"] = answers["value"] + 2e-9
+    return answers
+
+
+def forgets_a_radius(questions):
+    answers = plain_spheres_or_first_axis(questions)
+    answers["hit"] &= answers["value"] + questions.contact + questions.radius2 <= questions.alarm
     return answers
 
 

@@ -101,6 +101,29 @@ def contact_tolerance():
     run("reversed_normal", '"sphere_sphere", "generic", "bounds"').assert_outcomes(failed=2)
 
 
+TOLERANCE = """
+@pytest.fixture(scope="session")
+def contact_tolerance():
+    return {"length": 1e-9, "relative": 1e-12, "angle": 1e-6}
+"""
+
+
+def test_laws_forgive_what_the_tolerance_forgives_in_golden_cases(run):
+    arguments = '"sphere_sphere", ["generic", "touching"], ["decision", "alarm_growth", "bounds"], count=20'
+    options = ("--contact-seed", "3", "--contact-max-examples", "30")
+    run("strict_spheres", arguments, *options, more=TOLERANCE).assert_outcomes(passed=5)
+    run("strict_spheres", arguments, *options).stdout.fnmatch_lines(["FAILED *law-decision*"])
+
+
+@pytest.mark.parametrize("engine, laws", [("reversed_normal", ["bounds"]), ("twice_the_tolerance_off", ["bounds"]), ("forgets_a_radius", ["decision"])])
+def test_what_a_tolerance_does_not_forgive_fails_and_is_shown_once(run, engine, laws):
+    result = run(engine, f'"sphere_sphere", "generic", {laws!r}, count=20', "--contact-seed", "3", "--contact-max-examples", "50", more=TOLERANCE)
+    result.stdout.fnmatch_lines([f"FAILED *law-{laws[0]}*"])
+    text = result.stdout.str()
+    assert "During handling of the above exception" not in text and "direct cause" not in text, text
+    assert text.split("short test summary")[0].count(f"{laws[0]}: ") == 1, text
+
+
 def test_an_engine_that_raises_shows_its_own_trace(run):
     result = run("raises", '"sphere_sphere", "generic", "swap"')
     result.assert_outcomes(failed=2)

@@ -9,7 +9,7 @@ from hypothesis import HealthCheck, find, given, settings
 from hypothesis import strategies as st
 
 import contact_oracle
-from contact_oracle import InputError, Question, Sphere, laws, strategies
+from contact_oracle import InputError, Question, Questions, Sphere, laws, strategies
 from contact_oracle.pairs import PAIRS
 from contact_oracle.shapes import SHAPES
 
@@ -121,6 +121,39 @@ def test_a_right_engine_obeys_bit_for_bit(name):
 @pytest.mark.parametrize("name", [name for name in laws.LAWS if name != "decision"])
 def test_plain_arithmetic_obeys_all_but_the_decisions(name):
     laws.check(name, engines.plain_spheres_or_first_axis, ("sphere_sphere",), examples=300, seed=3)
+
+
+TOLERANCE = {"length": 1e-9, "relative": 1e-12, "angle": 1e-6}
+
+
+def off_by(times):
+    """Every number nearly as far off as `times` the tolerance allows, one way or the other; half of the decisions that it allows either way."""
+    def engine(questions):
+        side = np.where(np.sin(1e3 * sum(questions[name].reshape(len(questions), -1).sum(axis=1) for name in questions.keys())) > 0, 1.0, -1.0)
+        farther = Questions(questions.pair, {**questions, "alarm": questions.alarm + np.maximum(side, 0) * 0.9e-9}, questions.scalar)
+        right = farther.answer()
+        if right.value is None:
+            return {"hit": right.hit}
+        off = side * times * 0.99e-9
+        return {"hit": right.hit, "normal": right.normal, "value": right.value + off,
+                **{name: getattr(right, name) + off[:, np.newaxis] * (0, 1, 0) for name in ("point1", "point2")}}
+
+    return engine
+
+
+@pytest.mark.parametrize("name", laws.LAWS)
+def test_laws_forgive_what_a_tolerance_forgives(name):
+    laws.check(name, off_by(1), tuple(PAIRS), examples=60, seed=4, tolerance=TOLERANCE)
+
+
+def test_laws_forgive_nothing_beyond_a_tolerance():
+    with pytest.raises(AssertionError, match="bounds: a number is beyond the tolerance"):
+        laws.check("bounds", off_by(2), tuple(PAIRS), examples=60, seed=4, tolerance=TOLERANCE)
+    with pytest.raises(AssertionError, match="bounds: "):
+        laws.check("bounds", off_by(1), tuple(PAIRS), examples=60, seed=4)
+    for name in ("swap", "turn", "contact_distance"):
+        with pytest.raises(AssertionError, match=f"^{name}: "):
+            laws.check(name, MISTAKES[name], ("sphere_sphere",), examples=100, seed=1, tolerance=TOLERANCE)
 
 
 def worse(**changes):

@@ -52,12 +52,12 @@ Tolerance read_tolerance(const std::string& text) {
 
 }  // namespace
 
-void add_demand_options(CLI::App& command, DemandOptions& options) {
+void add_demand_options(CLI::App& command, DemandOptions& options, std::span<const std::string_view> levels,
+                        const std::string& about_levels) {
   options.parsed = &command;
   const Heading heading(command, "What passes");
-  auto* level = command.add_option("--level", options.level, "Required level")
-                    ->capture_default_str()
-                    ->check(CLI::IsMember(kRequiredLevels));
+  auto* level =
+      command.add_option("--level", options.level, about_levels)->capture_default_str()->check(CLI::IsMember(levels));
   auto* tolerance = command
                         .add_option("--tolerance", options.tolerance,
                                     "Instead of a level: length=L,relative=R,angle=A. A number may be off by L and R "
@@ -70,13 +70,17 @@ void add_demand_options(CLI::App& command, DemandOptions& options) {
       ->excludes(tolerance);
 }
 
+std::optional<Tolerance> demanded_tolerance(const DemandOptions& options, const std::optional<Tolerance>& declared,
+                                            const std::string& profile) {
+  if (options.parsed->count("--tolerance") != 0) return read_tolerance(options.tolerance);
+  if (!options.profile.empty()) return profile_of(options.profile).tolerance;
+  if (options.parsed->count("--level") != 0) return std::nullopt;
+  return profile.empty() ? declared : profile_of(profile).tolerance;
+}
+
 void set_demand(const DemandOptions& options, Report& report, const std::string& profile) {
   report.required = static_cast<Level>(index_of(oracle::kLevelNames, options.level, "level"));
-  std::optional<Tolerance>& tolerance = report.engine.declared.tolerance;
-  if (!profile.empty()) tolerance = profile_of(profile).tolerance;
-  if (options.parsed->count("--level") != 0) tolerance.reset();
-  if (options.parsed->count("--tolerance") != 0) tolerance = read_tolerance(options.tolerance);
-  if (!options.profile.empty()) tolerance = profile_of(options.profile).tolerance;
+  report.engine.declared.tolerance = demanded_tolerance(options, report.engine.declared.tolerance, profile);
 }
 
 }  // namespace contact::tool

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <optional>
+#include <span>
 #include <string>
 
+#include "tool/commands/engine_options.hpp"
 #include "tool/reports/report.hpp"
 
 namespace contact::tool {
@@ -15,7 +18,14 @@ struct DemandOptions {
   const CLI::App* parsed = nullptr;  ///< the command that they were given to
 };
 
-void add_demand_options(CLI::App& command, DemandOptions& options);
+void add_demand_options(CLI::App& command, DemandOptions& options,
+                        std::span<const std::string_view> levels = kRequiredLevels,
+                        const std::string& about_levels = "Required level");
+/// A tolerance that is given, else that of `profile` where it is not empty, else the `declared` one; none where a level
+/// is given.
+[[nodiscard]] std::optional<Tolerance> demanded_tolerance(const DemandOptions& options,
+                                                          const std::optional<Tolerance>& declared,
+                                                          const std::string& profile = "");
 /// What a report demands: a tolerance that is given, else that of `profile` where it is not empty, else the one that
 /// the engine declares, and where a level is given or there is none of these, the level.
 void set_demand(const DemandOptions& options, Report& report, const std::string& profile = "");

@@ -13,6 +13,7 @@
 #include "golden/dataset_writer.hpp"
 #include "golden/query_id.hpp"
 #include "tool/commands/commands.hpp"
+#include "tool/commands/demand.hpp"
 #include "tool/commands/engine_options.hpp"
 #include "tool/commands/json_output.hpp"
 #include "tool/reports/law_report.hpp"
@@ -27,7 +28,7 @@ namespace fs = std::filesystem;
 
 struct PropertiesOptions {
   EngineOptions engine;
-  std::string level = std::string(name(Level::bounded));
+  DemandOptions demand;
   std::vector<std::string> laws;
   std::optional<std::uint64_t> seed;
   std::uint64_t cases = 1000;
@@ -39,6 +40,7 @@ struct PropertiesOptions {
 };
 
 constexpr std::string_view kRegression = "regression";
+constexpr std::array kLawLevels{name(Level::bounded), name(Level::correctly_rounded)};
 
 /// The command that repeats a run: every option that was given, but for those that it states itself, the law, which
 /// each violation adds, and the files that this run writes.
@@ -137,7 +139,7 @@ int properties(const CLI::App& command, const PropertiesOptions& o) {
   for (const proptests::Law& law : proptests::laws()) names.push_back(law.name);
   for (const std::string& law : o.laws) static_cast<void>(index_of(names, law, "law"));
   proptests::RunOptions run;
-  run.correctly_rounded = o.level == name(Level::correctly_rounded);
+  run.correctly_rounded = o.demand.level == name(Level::correctly_rounded);
   run.seed = seed_or_fresh(o.seed);
   run.cases = o.cases;
   run.names = o.laws;
@@ -151,6 +153,7 @@ int properties(const CLI::App& command, const PropertiesOptions& o) {
 
   auto engine = make_engine(o.engine);
   const Scalar scalar = engine->info().declared.scalar;
+  run.tolerance = demanded_tolerance(o.demand, engine->info().declared.tolerance);
   run.truth = [scalar](const Query& query) {
     oracle::Truth truth = oracle::truth_of(query);
     require_agreement(query, truth, oracle::interval_answer(query, scalar), scalar);
@@ -181,9 +184,8 @@ void add_properties(CLI::App& app, int& exit) {
                                      "person can read.");
   auto options = std::make_shared<PropertiesOptions>();
   add_engine_options(*command, options->engine, false);
-  command->add_option("--level", options->level, "Held to its declared bounds, or to correct rounding, bit for bit")
-      ->capture_default_str()
-      ->check(CLI::IsMember(names_of(std::array{Level::bounded, Level::correctly_rounded})));
+  add_demand_options(*command, options->demand, kLawLevels,
+                     "Held to its declared bounds, or to correct rounding, bit for bit");
   command->add_option("--law", options->laws, "Only these laws; --list shows them")->delimiter(',');
   command->add_option("--seed", options->seed, "The seed (default: random, printed)")->check(kFromZero);
   command->add_option("--cases", options->cases, "Cases a law")->capture_default_str()->check(kFromOne);

@@ -9,6 +9,7 @@
 
 #include "formats/json.hpp"
 #include "golden/dataset.hpp"
+#include "tool/reports/fitness.hpp"
 
 namespace contact::tool {
 namespace {
@@ -43,8 +44,10 @@ std::string details(const LawRun& run, const LawResult& r) {
 }  // namespace
 
 std::string terminal_text(const LawRun& run) {
-  std::string text = fmt::format("{} {} ({}), seed {}\n\n", run.result.engine.name, run.result.engine.version,
-                                 name(run.result.engine.declared.scalar), run.seed);
+  const oracle::Declaration& declared = run.result.engine.declared;
+  std::string text =
+      fmt::format("{} {} ({}), seed {}{}\n\n", run.result.engine.name, run.result.engine.version, name(declared.scalar),
+                  run.seed, declared.tolerance ? ", within " + tolerance_text(*declared.tolerance) : "");
   std::size_t width = 0;
   for (const LawResult& r : run.result.laws) width = std::max(width, r.law->name.size());
   for (const LawResult& r : run.result.laws) text += fmt::format("{:<{}}  {}\n", r.law->name, width, verdict(r));
@@ -60,13 +63,17 @@ std::string terminal_text(const LawRun& run) {
       text += fmt::format("  {:5.1f} %  {}\n", run.result.shares.percent(static_cast<proptests::Class>(i)),
                           proptests::kClassNames[i]);
   }
+  const std::size_t asked = run.result.laws.size() - run.result.skipped();
+  text += fmt::format("\n{} of {} laws were asked{}\n", asked, run.result.laws.size(),
+                      asked == run.result.laws.size() ? "" : ", the others skipped");
   if (violated != 0)
-    return text + fmt::format("\n{}: {} of {} laws violated; the first names the mistake best: {}\n",
+    return text + fmt::format("{}: {} of {} laws violated; the first names the mistake best: {}\n",
                               run.result.engine.name, violated, run.result.laws.size(),
                               run.result.first_violated()->law->name);
-  return text +
-         fmt::format("\n{}: {}\n", run.result.engine.name,
-                     run.result.holds() ? "every law asked holds" : "nothing can be said: too few cases were tested");
+  return text + fmt::format("{}: {}\n", run.result.engine.name,
+                            run.result.holds() ? "every law asked holds"
+                            : asked == 0       ? "nothing can be said: no law was asked"
+                                               : "nothing can be said: too few cases were tested");
 }
 
 std::string junit_text(const LawRun& run) {
@@ -125,10 +132,10 @@ std::string json_text(const LawRun& run) {
     shares +=
         fmt::format("{}{}:{}", i == 0 ? "" : ",", json_string(proptests::kClassNames[i]), run.result.shares.counts[i]);
   return fmt::format(
-      R"({{"format":"contact-oracle/properties","version":1,{},"seed":{},"cases":{},"holds":{},"laws":[{}],"questions":{},"classes":{{{}}}}})"
+      R"({{"format":"contact-oracle/properties","version":1,{},"seed":{},"cases":{},"holds":{},"asked":{},"not_asked":{},"laws":[{}],"questions":{},"classes":{{{}}}}})"
       "\n",
-      engines::engine_text(run.result.engine), run.seed, run.cases, run.result.holds(), laws,
-      run.result.shares.questions, shares);
+      engines::engine_text(run.result.engine), run.seed, run.cases, run.result.holds(),
+      run.result.laws.size() - run.result.skipped(), run.result.skipped(), laws, run.result.shares.questions, shares);
 }
 
 }  // namespace contact::tool
