@@ -171,6 +171,12 @@ def contact_level() -> str:
 
 
 @pytest.fixture(scope="session")
+def contact_least_judged() -> Any:
+    """How many cases of a family must be judged, hits and misses, as of `certify`; None: 10 for the level conservative, else any number."""
+    return None
+
+
+@pytest.fixture(scope="session")
 def contact_bounds() -> Any:
     """The bounds of value, normal and point in ulps."""
     return None

@@ -68,6 +68,16 @@ void add_demand_options(CLI::App& command, DemandOptions& options) {
       ->check(CLI::IsMember(kProfileNames))
       ->excludes(level)
       ->excludes(tolerance);
+  command
+      .add_option("--within", options.within,
+                  "With --level conservative: how far from where the answer changes a miss may be that is called a hit")
+      ->check(kLength);
+  command
+      .add_option("--least-judged", options.least_judged,
+                  "How many judged cases a certificate rests on at least, or half of those given where these are "
+                  "fewer, with hits and misses among them where the questions have both. 0: as few as there are")
+      ->capture_default_str()
+      ->check(kFromZero);
 }
 
 void set_demand(const DemandOptions& options, Report& report, const std::string& profile) {
@@ -77,6 +87,12 @@ void set_demand(const DemandOptions& options, Report& report, const std::string&
   if (options.parsed->count("--level") != 0) tolerance.reset();
   if (options.parsed->count("--tolerance") != 0) tolerance = read_tolerance(options.tolerance);
   if (!options.profile.empty()) tolerance = profile_of(options.profile).tolerance;
+  report.least_judged = options.least_judged;
+  if (options.within && (tolerance || report.required != Level::conservative))
+    throw formats::InputError(
+        {"command line", 0}, "--within",
+        fmt::format("is of --level conservative, which forgives false hits, and {} is required", report.demand()));
+  report.within = options.within;
 }
 
 }  // namespace contact::tool

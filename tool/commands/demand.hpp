@@ -1,7 +1,9 @@
-// The options that say what an engine must reach: a level, a tolerance, or a profile's.
+// The options that say what an engine must reach: a level, a tolerance, or a profile's; and on how much.
 #pragma once
 
 #include <CLI/App.hpp>
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "tool/reports/report.hpp"
@@ -12,6 +14,8 @@ struct DemandOptions {
   std::string level = std::string(name(Level::bounded));
   std::string tolerance;
   std::string profile;
+  std::optional<double> within;
+  std::uint64_t least_judged = kLeastJudged;
   const CLI::App* parsed = nullptr;  ///< the command that they were given to
 };
 

@@ -31,6 +31,7 @@ struct Source {
   std::uint64_t first = 0;  ///< questions before those
   std::uint64_t whole = 0;  ///< questions of the source that this is a part of; 0: of this one
   std::shared_ptr<const std::vector<Query>> listed = nullptr;
+  bool fresh = false;  ///< new questions, beside those of datasets: tool/run/fresh.hpp
 
   [[nodiscard]] std::uint64_t size() const { return whole != 0 ? whole : count; }
 };
