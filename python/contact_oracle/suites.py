@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     import pytest
 
 GOLDEN_COUNT = 200
+GOLDEN_SEED = 42
+FRESH = 50
 SHOWN = 3
 
 
@@ -81,7 +83,7 @@ def _test_golden(case: Case, engine: Any, declared: Mapping[str, Any], tolerance
     if least_judged is None:
         least_judged = LEAST_JUDGED if level == "conservative" else 0
     report = certify_sources(engine, case.pairs, [dict(case.source or {})], scalar=case.suite.scalar, level=level,
-                             tolerance=tolerance, least_judged=least_judged, **declared)
+                             fresh=FRESH, seed=GOLDEN_SEED, tolerance=tolerance, least_judged=least_judged, **declared)
     if report.certified:
         return
     lines = [report.verdict, *report.diagnosis]

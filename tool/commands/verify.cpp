@@ -102,7 +102,7 @@ class Certificate {
         found.push_back({pair, golden::read_scalar(source.at("scalar")), family, source.at("count").count(),
                          std::nullopt, generator, source.at("seed").count()});
         if (const auto fresh = source.find("fresh"); fresh && fresh->boolean()) {
-          asked = AskedFresh{found.back().count, found.back().seed};
+          if (!asked) asked = AskedFresh{found.back().count, found.back().seed};
           found.pop_back();
         }
       }

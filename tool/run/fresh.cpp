@@ -16,8 +16,7 @@ std::vector<Source> fresh_beside(const std::vector<Source>& published, const Ask
   if (asked.each == 0) return sources;
   for (const Source& source : published) {
     const golden::Family* family = golden::find_family(source.pair, source.family);
-    if (!source.dataset || family == nullptr || !taken.emplace(source.pair, source.scalar, source.family).second)
-      continue;
+    if (source.fresh || family == nullptr || !taken.emplace(source.pair, source.scalar, source.family).second) continue;
     Source fresh{source.pair, source.scalar, source.family, asked.each, std::nullopt, family, asked.seed, kFreshFrom};
     fresh.fresh = true;
     sources.push_back(std::move(fresh));
@@ -30,12 +29,12 @@ std::optional<Fresh> fresh_of(const std::vector<Source>& sources, bool recorded)
   bool published = false;
   bool made = false;  // of any family here
   for (const Source& source : sources) {
+    published = published || source.fresh || source.dataset;
     if (source.fresh) {
       fresh.each = source.size();
       fresh.seed = source.seed;
     }
     if (!source.dataset) continue;
-    published = true;
     if (golden::find_family(source.pair, source.family) != nullptr)
       made = true;
     else if (std::find(fresh.unmade.begin(), fresh.unmade.end(), source.family) == fresh.unmade.end())

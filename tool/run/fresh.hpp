@@ -19,7 +19,8 @@ inline constexpr std::uint64_t kFreshOfScoreboard = 10;
 /// seed brings back what a dataset of the same seed holds.
 inline constexpr std::uint64_t kFreshFrom = std::uint64_t{1} << 32;
 
-/// The fresh questions beside datasets: of each pair, scalar and family once, where a generator makes that family.
+/// The fresh questions beside datasets, or beside what everybody may generate: of each pair, scalar and family once,
+/// where a generator makes that family.
 [[nodiscard]] std::vector<Source> fresh_beside(const std::vector<Source>& published, const AskedFresh& asked);
 
 /// What a run on these sources says of fresh questions. `recorded`: its answers were recorded before.

@@ -167,7 +167,7 @@ Agreed agreed_truth(const Item& item, const Source& source, const std::vector<Sc
     oracle::StagedAnswer staged = oracle::staged_answer(query, scalar);
     slice.decided.add(staged.stage);
     if (item.expected && scalar == source.scalar) check_expectation(item, staged, scalar, slice);
-    if (is_checked(check, source.size(), item.question.id, staged.stage)) {
+    if (is_checked(check, source.fresh ? kWhole + 1 : source.size(), item.question.id, staged.stage)) {
       check_stage(query, staged, scalar);
       ++slice.checked;
     }
