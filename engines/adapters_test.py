@@ -12,6 +12,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tool"))
+from published import published  # noqa: E402
+
 TOOL = sys.argv[1]
 # Their own tolerances are larger than 8 ulps: these are held to their decisions alone.
 TOLERANT = {"bullet-gjk", "bullet-gjk-float", "libccd", "libccd-gjk", "havok", "jolt", "physx"}
@@ -30,7 +33,7 @@ NAMES = {"fcl", "bullet", "ode", "libccd", "mujoco"}
 
 
 def run(*arguments, stdin=None, tool=TOOL, **options):
-    return subprocess.run([tool, *map(str, arguments)], input=stdin, capture_output=True, text=True, timeout=300, **options)
+    return subprocess.run([tool, *published(arguments)], input=stdin, capture_output=True, text=True, timeout=300, **options)
 
 
 def listed(tool=TOOL):

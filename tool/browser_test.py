@@ -15,6 +15,8 @@ import time
 import unittest
 from pathlib import Path
 
+from published import published
+
 TOOL = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
 ROOT = Path(__file__).resolve().parent.parent
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome", "chrome"))), None)
@@ -146,7 +148,7 @@ class Browser:
 def page_of(folder, *args):
     """The page of a run."""
     page = Path(folder) / "report.html"
-    done = subprocess.run([TOOL, "certify", *map(str, args), "--report", page], cwd=ROOT, capture_output=True, text=True)
+    done = subprocess.run([TOOL, *published(["certify", *args, "--report", page])], cwd=ROOT, capture_output=True, text=True)
     if done.returncode not in (0, 1):
         raise RuntimeError(done.stderr)
     return page

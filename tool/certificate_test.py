@@ -15,6 +15,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from published import published
+
 TOOL = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
 ROOT = Path(__file__).resolve().parent.parent
 GOLDEN = ROOT / "golden"
@@ -25,7 +27,7 @@ PAST, FUTURE = "1600000000", "2999-12-31"  # 2020-09-13
 
 def run(*args, **options):
     options = {"capture_output": True, "text": True, "timeout": 600, "cwd": ROOT, **options}
-    return subprocess.run([TOOL, *map(str, args)], **options)
+    return subprocess.run([TOOL, *published(args)], **options)
 
 
 def issued_in_the_past():
@@ -516,6 +518,74 @@ class Accepted(Case):
         done = run("certify", *self.ARGS, "--baseline", self.known, "--accept-until", "2027-13-01")
         self.assertEqual(done.returncode, 2)
         self.assertIn("YYYY-MM-DD", done.stderr)
+
+
+class Fresh(Case):
+    """A certificate that tells of fresh questions too."""
+
+    def fresh(self, *args, code=0):
+        return self.certify("golden/sphere_sphere/generic.jsonl", "golden/sphere_sphere/touching.jsonl", "--fresh", 15, "--seed", 7, *args, code=code)
+
+    def test_the_answers_to_fresh_questions_are_judged_again_and_a_seed_repeats_the_bytes(self):
+        certificate = self.fresh()
+        first = self.path.read_bytes(), self.answers.read_bytes()
+        sources = certificate["questions"]["sources"]
+        self.assertEqual([(s["family"], s["count"], s.get("seed"), s.get("fresh")) for s in sources],
+                         [("generic", 210, None, None), ("touching", 210, None, None), ("generic", 15, 7, True), ("touching", 15, 7, True)])
+        found = certificate["found"]
+        self.assertEqual((found["total"]["judged"], found["given"]), (420, 420))
+        self.assertEqual([found["fresh"][key] for key in ("each", "seed", "given")], [15, 7, 30])
+        self.assertEqual(found["fresh"]["total"]["judged"], 30)
+        self.holds("the questions of 2 sources, 30 fresh ones and 450 recorded answers", "and on all 30 fresh ones (seed 7)")
+        self.fresh()
+        self.assertEqual((self.path.read_bytes(), self.answers.read_bytes()), first)
+        moved = self.folder / "moved.jsonl"
+        shutil.copy("golden/sphere_sphere/generic.jsonl", moved)
+        self.certify(moved, "--fresh", 15, "--seed", 7)
+        self.holds(args=["--dataset", moved])
+
+    def test_what_was_changed_is_found_whatever_digest_it_has(self):
+        certificate = self.fresh("--engine", "plain-double", code=1)
+        self.holds()
+        table = [(("questions", "sources", 3, "seed"), 8, "/questions/sources/3/seed"),
+                 (("questions", "sources", 3, "count"), 14, "/questions/sources/3/count"),
+                 (("questions", "sources", 2, "questions"), "0" * 64, "/questions/sources/2/questions"),
+                 (("found", "fresh", "seed"), 8, "/found/fresh/seed"), (("found", "fresh", "each"), 14, "/found/fresh/each"),
+                 (("found", "fresh", "total", "missed_hits"), 0, "/found/fresh/total/missed_hits"),
+                 (("found", "fresh"), None, "/found/fresh")]
+        for keys, value, where in table:
+            with self.subTest(keys):
+                self.put(certificate, keys, value)
+                self.refuted(where)
+        for key, value in (("seed", 8), ("count", 14)):
+            changed = copy.deepcopy(certificate)
+            changed["found"]["fresh"]["each" if key == "count" else key] = value
+            for source in changed["questions"]["sources"][2:]:
+                source[key] = value
+            self.path.write_text(sealed(layout(changed, whole=True)))
+            self.refuted("/questions/sources/2/questions")
+        # A family where it fails cannot be left out.
+        changed = copy.deepcopy(certificate)
+        del changed["questions"]["sources"][3]
+        self.path.write_text(sealed(layout(changed, whole=True)))
+        self.refuted("/questions/sources/-\n  stated   nothing")
+        # Nor can an answer be mended, or taken away.
+        ids = {json.loads(answer)["id"] for answer in self.answers.read_text().splitlines()[1:]}
+        for file in ("generic", "touching"):
+            ids -= {json.loads(case)["id"] for case in (GOLDEN / "sphere_sphere" / f"{file}.jsonl").read_text().splitlines()[1:]}
+        self.assertEqual(len(ids), 30)
+        lines = [answer for answer in self.answers.read_text().splitlines(True) if json.loads(answer).get("id") not in sorted(ids)[:1]]
+        self.answers.write_text("".join(lines))
+        changed = copy.deepcopy(certificate)
+        changed["answers"]["sha256"] = hashlib.sha256("".join(lines).encode()).hexdigest()
+        changed["answers"]["count"] -= 1
+        self.path.write_text(sealed(layout(changed, whole=True)))
+        self.refuted("/found/fresh/total/answers/missing")
+
+    def test_without_them_it_says_so(self):
+        certificate = self.certify("golden/sphere_sphere/touching.jsonl")
+        self.assertEqual(certificate["found"]["fresh"], {"each": 0, "none": "--fresh 0 left fresh ones out"})
+        self.holds("On published questions alone: --fresh 0 left fresh ones out.")
 
 
 class NotWritten(Case):

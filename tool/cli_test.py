@@ -22,6 +22,8 @@ import xml.etree.ElementTree as ElementTree
 from fractions import Fraction
 from pathlib import Path
 
+from published import published
+
 TOOL = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
 ROOT = Path(__file__).resolve().parent.parent
 GOLDEN = ROOT / "golden"
@@ -64,7 +66,7 @@ SPHERES_EXPECT = ('"expect":{"hit":true,"degenerate":false,"normal":[0.333333333
 
 def run(*args, stdin="", **options):
     options = {"input": stdin, "capture_output": True, "text": True, "timeout": 600, "cwd": ROOT, **options}
-    return subprocess.run([TOOL, *map(str, args)], **options)
+    return subprocess.run([TOOL, *published(args)], **options)
 
 
 def wait_until_signals_are_caught(process):
@@ -488,7 +490,7 @@ class Certify(Case):
             except OSError as error:
                 self.skipTest(f"no terminal can be made here: {error}")
             environment = {key: value for key, value in os.environ.items() if key != "NO_COLOR"}
-            process = subprocess.Popen([TOOL, *map(str, args)], stdout=slave, stderr=subprocess.DEVNULL, cwd=ROOT,
+            process = subprocess.Popen([TOOL, *published(args)], stdout=slave, stderr=subprocess.DEVNULL, cwd=ROOT,
                                        env={**environment, "TERM": "xterm", **variables})
             os.close(slave)
             said = b""
@@ -738,6 +740,117 @@ class KnownFailures(Case):
         for option in ("--max-time", "--start-limit", "--answer-limit"):
             for seconds in ("0", "-1", "nan", "1e300", "soon"):
                 self.refused(("certify", option, seconds), option, f"got '{seconds}'", one_line=False)
+
+
+CHEATING = ROOT / "engines" / "hosts" / "cheating_engine.py"
+
+
+def cheating(*words):
+    return "--engine-command", shlex.join([sys.executable, str(CHEATING), *map(str, words)])
+
+
+class RestsOnEnough(Case):
+    """What is right and yet no certificate: docs/specification.md#what-a-verdict-rests-on."""
+
+    FILES = [GOLDEN / "sphere_sphere" / f"{family}.jsonl" for family in ("generic", "alarm_edge")]
+
+    def test_who_knows_published_answers_alone_is_refuted(self):
+        looks_up = ("certify", *self.FILES, *cheating("lookup", *self.FILES))
+        out = self.holds(*looks_up, "--fresh", 0)
+        self.assertRegex(out, "CERTIFIED: .* on all 420 judged cases .* On published questions alone: --fresh 0 left fresh ones out.\n")
+        forms = {form: self.folder / f"out.{form}" for form in ("json", "junit", "markdown", "report")}
+        out = self.refuted(*looks_up, "--seed", 5, *[word for form in forms.items() for word in (f"--{form[0]}", form[1])])
+        self.assertIn("fresh questions: 100 of each family, seed 5\n", out)
+        report = json.loads(forms["json"].read_text())
+        asked = report["fresh"]
+        self.assertEqual((asked["each"], asked["seed"], asked["given"], asked["total"]["cases"]), (100, 5, 200, 200))
+        self.assertEqual((report["total"]["level"], report["failure_count"], report["failures"]), ("correctly-rounded", 0, []))
+        self.assertEqual(asked["failure_count"], asked["total"]["missed_hits"])
+        self.assertEqual(len(asked["failures"]), asked["total"]["hits"])
+        self.assertEqual([family["cases"] for family in report["families"] + asked["families"]], [210, 210, 100, 100])
+        says = (f"is right on published questions alone: on 420 judged cases (100 % of those given) it reaches correctly-rounded, and does not "
+                f"reach bounded on 200 fresh ones (seed 5): {asked['failure_count']} missed hits, no number was judged.")
+        for form, path in forms.items():
+            self.assertTrue(says in path.read_text(), form)
+        # What failed can be asked again, and explained.
+        self.refuted("certify", *cheating("lookup"), "--failures-of", forms["json"])
+        self.holds("certify", "--failures-of", forms["json"], "--level", "correctly-rounded")
+        self.holds("explain", asked["failures"][0]["id"], "--in", forms["json"])
+
+    def test_who_answers_nothing_else_is_not_certified(self):
+        out = self.refuted("certify", *self.FILES, *cheating("unsupported", *self.FILES), "--allow-unsupported", "--seed", 5)
+        self.assertIn("TOO LITTLE JUDGED", out)
+        self.assertIn("it answers 0 of 200 fresh questions, and 420 of 420 published ones", out)
+
+    def test_a_new_seed_is_drawn_and_printed_and_repeats_the_report(self):
+        command = ("certify", GOLDEN / "sphere_sphere" / "generic.f32.jsonl", "--engine", "plain-float", "--fresh", 30, "--json", self.folder / "r.json")
+        seeds, reports = [], []
+        for _ in range(2):
+            out = run(*command).stdout
+            seeds.append(re.search(r"^fresh questions: 30 of each family, seed (\d+)$", out, re.M)[1])
+            reports.append((self.folder / "r.json").read_text())
+        self.assertNotEqual(*seeds)
+        self.assertNotEqual(*reports)
+        run(*command, "--seed", seeds[0])
+        self.assertEqual((self.folder / "r.json").read_text(), reports[0])
+
+    def test_with_a_baseline_the_questions_are_those_of_the_baseline(self):
+        command = ("certify", *self.FILES, "--engine", "plain-double")
+        known = self.folder / "known.json"
+        self.refuted(*command, "--fresh", 50, "--seed", 11, "--json", known)
+        fresh = json.loads(known.read_text())["fresh"]
+        self.assertGreater(fresh["failure_count"], 0)
+        report = self.folder / "r.json"
+        done = subprocess.run([TOOL, *map(str, command), "--baseline", known, "--json", report], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertEqual([json.loads(report.read_text())["fresh"][key] for key in ("each", "seed", "failure_count")],
+                         [50, 11, fresh["failure_count"]])
+        self.refuted(*command, "--baseline", known, "--seed", 12)
+
+    def test_who_always_says_hit_is_not_conservative(self):
+        always = ("certify", *self.FILES, "--level", "conservative", "--fresh", 0, *cheating("hit"))
+        out = self.refuted(*always, "--json", self.folder / "r.json")
+        self.assertIn("That is no certificate: its overlap is hit every time; its contact is hit every time. --least-judged 0 asks for less.", out)
+        total = json.loads((self.folder / "r.json").read_text())["total"]
+        self.assertIn(f"It rests on {total['decided']['hits']} hits and {total['decided']['misses']} misses, and on no number. "
+                      f"{total['false_hits']} of {total['decided']['misses']} misses were called hits, the farthest ", out)
+        self.assertIn("\nCERTIFIED: ", self.holds(*always, "--least-judged", 0))
+        # Of questions that are all hits, every right answer is one.
+        hits = committed("sphere_sphere/generic.jsonl", 0, 210)
+        hits = [hits[0]] + [case for case in hits[1:] if case["expect"]["hit"]]
+        hits[0]["count"] = len(hits) - 1
+        self.holds("certify", self.file("hits.jsonl", hits), "--level", "conservative", *cheating("hit"))
+
+    def test_a_conservative_engine_says_how_far_it_goes_and_may_be_bounded(self):
+        report = self.folder / "r.json"
+        careful = ("certify", self.FILES[0], "--level", "conservative", *cheating("conservative"), "--json", report, "--seed", 3)
+        self.holds(*careful)
+        said = json.loads(report.read_text())
+        farthest = max((said["total"]["farthest_false_hit"], said["fresh"]["total"]["farthest_false_hit"]), key=lambda one: one["from"])
+        self.assertIn("misses were called hits, and ", said["verdict"])
+        self.holds("explain", "-", stdin=line(farthest["query"]))
+        self.assertIn(" was allowed.", self.holds(*careful, "--within", repr(farthest["from"])))
+        out = self.refuted(*careful, "--within", repr(math.nextafter(farthest["from"], 0)))
+        self.assertEqual(json.loads(report.read_text())["failure_count"] + json.loads(report.read_text())["fresh"]["failure_count"], 1, out)
+
+    def test_what_does_not_go_together_is_refused(self):
+        one, known = self.FILES[0], self.folder / "known.json"
+        run("certify", one, "--engine", "plain-double", "--fresh", 0, "--json", known)
+        for words, why in (((one, "--fresh", 0, "--seed", 1), "--seed is of fresh questions, and none is asked: --fresh is 0"),
+                           ((one, "--engine", "plain-double", "--baseline", known, "--seed", 1), "the baseline was made with none"),
+                           (("--generate", 10, "--fresh", 10), "--generate asks nothing but such"),
+                           (("--failures-of", known, "--fresh", 10), "--failures-of asks what failed before and nothing else"),
+                           (("--failures-of", known, "--seed", 10), "--failures-of asks what failed before"),
+                           ((one, "--results", RECORDED / "sphere_sphere.jsonl", "--fresh", 10), "recorded answers cannot be asked anything new"),
+                           ((one, "--results", RECORDED / "sphere_sphere.jsonl", "--seed", 10), "none is asked of recorded answers"),
+                           ((one, "--fresh", 10, "--parts", self.folder / "p"), "fresh questions in parts need --seed"),
+                           ((one, "--fresh", 0, "--within", 1), "--within: is of --level conservative, which forgives false hits, and bounded is required"),
+                           ((one, "--fresh", 0, "--level", "conservative", "--within", "-1"), "expected a length, a number from 0, got '-1'"),
+                           ((one, "--fresh", 0, "--level", "conservative", "--within", "nan"), "expected a length")):
+            with self.subTest(words):
+                done = run("certify", *words)
+                self.assertEqual(done.returncode, 2, done.stdout)
+                self.assertIn(why, done.stderr)
 
 
 class Results(Case):

@@ -12,6 +12,8 @@ import xml.etree.ElementTree as ElementTree
 from html.parser import HTMLParser
 from pathlib import Path
 
+from published import published
+
 TOOL = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
 ROOT = Path(__file__).resolve().parent.parent
 GOLDEN = ROOT / "golden"
@@ -20,7 +22,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 
 def run(*args, **options):
-    return subprocess.run([TOOL, *map(str, args)], **{"capture_output": True, "text": True, "timeout": 600, "cwd": ROOT, **options})
+    return subprocess.run([TOOL, *published(args)], **{"capture_output": True, "text": True, "timeout": 600, "cwd": ROOT, **options})
 
 
 def line(value):

@@ -11,12 +11,14 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from published import published
+
 BUILD = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
 ROOT = Path(__file__).resolve().parent.parent
 
 
 def run(*command, **options):
-    return subprocess.run([str(word) for word in command], **{"capture_output": True, "text": True, "timeout": 600, **options})
+    return subprocess.run(published(command), **{"capture_output": True, "text": True, "timeout": 600, **options})
 
 
 class Installed(unittest.TestCase):

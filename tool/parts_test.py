@@ -18,6 +18,7 @@ import unittest
 from pathlib import Path
 
 from cluster import after_a_death
+from published import published
 
 TOOL = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
 MPIRUN = shlex.split(os.environ.get("CONTACT_MPIRUN", ""))
@@ -31,7 +32,7 @@ FRESH = ["certify", "--engine", "plain-double", "--pair", "sphere_sphere", "--se
 
 def run(*args, by=(), **options):
     options = {"capture_output": True, "text": True, "timeout": 600, "cwd": ROOT, **options}
-    return subprocess.run([*by, TOOL, *map(str, args)], **options)
+    return subprocess.run([*by, TOOL, *published(args)], **options)
 
 
 class Case(unittest.TestCase):
@@ -117,7 +118,7 @@ class Parts(Case):
         folder = self.folder / "parts"
         args = [*FRESH, "--generate", "4000", "--family", "generic,touching"]
         for stop in (signal.SIGINT, signal.SIGKILL):
-            process = subprocess.Popen([TOOL, *args, "--parts", folder], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            process = subprocess.Popen([TOOL, *published(args), "--parts", folder], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
             before = len(list(folder.glob("*.part"))) if folder.exists() else 0
             deadline = time.monotonic() + 60
             while not folder.exists() or len(list(folder.glob("*.part"))) < before + 8:
@@ -250,7 +251,7 @@ class Cluster(Case):
     def test_the_death_of_a_process_is_told_and_nothing_is_taken_for_whole(self):
         folder, path = self.folder / "parts", self.folder / "report.json"
         args = [*FRESH, "--generate", "4000", "--family", "generic,touching"]
-        process = subprocess.Popen([*MPIRUN, TOOL, *args, "--parts", folder, "--json", path], cwd=ROOT, text=True,
+        process = subprocess.Popen([*MPIRUN, TOOL, *published(args), "--parts", folder, "--json", path], cwd=ROOT, text=True,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         deadline = time.monotonic() + 60
         while not folder.exists() or len(list(folder.glob("*.part"))) < 8:

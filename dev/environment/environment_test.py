@@ -15,6 +15,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tool"))
+from published import published  # noqa: E402
+
 BUILD = Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 else sys.exit(__doc__)
 WHOLE = "--whole" in sys.argv and not sys.argv.remove("--whole")
 ROOT = Path(__file__).resolve().parents[2]
@@ -49,7 +52,7 @@ def run(program, *args, environment=None, **options):
     variables = {**os.environ, "SOURCE_DATE_EPOCH": "1700000000"}
     if environment:
         variables |= {"LD_PRELOAD": str(PRELOADED), "CONTACT_ENVIRONMENT": environment}
-    return subprocess.run([program, *map(str, args)], capture_output=True, text=True, cwd=ROOT, timeout=3000, **{"env": variables, **options})
+    return subprocess.run([program, *published(args)], capture_output=True, text=True, cwd=ROOT, timeout=3000, **{"env": variables, **options})
 
 
 class Environment(unittest.TestCase):

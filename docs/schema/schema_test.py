@@ -10,6 +10,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tool"))
+from published import published  # noqa: E402
+
 try:
     from jsonschema import Draft202012Validator
 except ImportError:
@@ -42,7 +45,7 @@ def validator(reference):
 
 
 def run(*args, **options):
-    return subprocess.run([TOOL, *map(str, args)], capture_output=True, text=True, timeout=600, cwd=ROOT, **options)
+    return subprocess.run([TOOL, *published(args)], capture_output=True, text=True, timeout=600, cwd=ROOT, **options)
 
 
 def refuted(*args):

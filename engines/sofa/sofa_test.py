@@ -13,6 +13,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tool"))
+from published import published  # noqa: E402
+
 TOOL = sys.argv[1]
 ROOT = Path(__file__).resolve().parents[2]
 RECORDED = ROOT / "golden/recorded/sofa-2a278d8"
@@ -20,7 +23,7 @@ PAIRS = ("sphere_sphere", "rigid_sphere_rigid_sphere", "sphere_rigid_sphere", "c
 
 
 def run(*arguments, stdin=None, **options):
-    return subprocess.run([TOOL, *map(str, arguments)], input=stdin, capture_output=True, text=True, timeout=600, check=False, **options)
+    return subprocess.run([TOOL, *published(arguments)], input=stdin, capture_output=True, text=True, timeout=600, check=False, **options)
 
 
 def bits(x):

@@ -6,6 +6,9 @@
 #   CONTACT_ENGINE_COMMAND, CONTACT_ENGINE_LIBRARY, CONTACT_RESULTS    the engine: one of the three
 #   CONTACT_DATASETS    files and folders, one a line; the golden files of the program if there are none
 #   CONTACT_FAMILY, CONTACT_LEVEL, CONTACT_TOLERANCE, CONTACT_PROFILE, CONTACT_BASELINE    the options of certify
+#   CONTACT_FRESH       how many fresh questions of each family; 0 for none
+#   CONTACT_SEED        the seed of fresh questions and of laws; 42 if empty, so that a build does not become red by chance. With CONTACT_BASELINE the
+#                       fresh questions are those that it was made with, and CONTACT_RESULTS has no answers to any
 #   CONTACT_ARGUMENTS   more words for certify, one a line
 #   CONTACT_LAWS        how many questions for each law; none if empty
 #   CONTACT_REPORTS     the folder of the reports (contact-oracle-reports)
@@ -80,6 +83,12 @@ one options --profile "${CONTACT_PROFILE:-}"
 one options --baseline "${CONTACT_BASELINE:-}"
 while read -r line; do [ -z "$line" ] || datasets+=("$line"); done <<<"${CONTACT_DATASETS:-}"
 while read -r line; do [ -z "$line" ] || arguments+=("$line"); done <<<"${CONTACT_ARGUMENTS:-}"
+seed=${CONTACT_SEED:-}
+chosen='^--(seed|fresh|generate|failures-of)(=.*)?$'
+for word in "${arguments[@]}"; do [[ ! $word =~ $chosen ]] || seed=none; done
+if [ -z "$seed" ] && [ -z "${CONTACT_RESULTS:-}${CONTACT_BASELINE:-}" ] && [ "${CONTACT_FRESH:-}" != 0 ]; then seed=42; fi
+one options --fresh "${CONTACT_FRESH:-}"
+[ "$seed" = none ] || one options --seed "$seed"
 
 if [ -n "${CONTACT_PACKAGE:-}" ] || ! command -v contact-oracle >/dev/null; then
   package=${CONTACT_PACKAGE:-$(address)}
@@ -93,7 +102,7 @@ status=0
 contact-oracle certify "${datasets[@]}" "${engine[@]}" "${options[@]}" --report "$reports/contacts.html" --junit "$reports/contacts.xml" \
   --markdown "$reports/contacts.md" --json "$reports/contacts.json" "${arguments[@]}" || status=$?
 if [ -n "${CONTACT_LAWS:-}" ]; then
-  contact-oracle properties "${engine[@]}" --cases "$CONTACT_LAWS" --seed 42 --junit "$reports/laws.xml" || status=$(($? > status ? $? : status))
+  contact-oracle properties "${engine[@]}" --cases "$CONTACT_LAWS" --seed "${CONTACT_SEED:-42}" --junit "$reports/laws.xml" || status=$(($? > status ? $? : status))
 fi
 if [ -n "${GITHUB_STEP_SUMMARY:-}" ]; then
   if [ -f "$reports/contacts.md" ]; then

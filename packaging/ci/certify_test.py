@@ -136,9 +136,18 @@ class Words(Script):
                         reports="the reports")
         reports = ["--report", "the reports/contacts.html", "--junit", "the reports/contacts.xml", "--markdown", "the reports/contacts.md",
                    "--json", "the reports/contacts.json"]
-        self.assertEqual(self.words(), [["certify", hostile, "two words", "--engine-command", hostile, "--level", hostile, *reports, "--jobs",
+        self.assertEqual(self.words(), [["certify", hostile, "two words", "--engine-command", hostile, "--level", hostile, "--seed", "42", *reports, "--jobs",
                                          "$(touch gone)"]])
         self.assertFalse((self.folder / "gone").exists())
+
+    def test_the_seed_is_always_the_same_where_any_is_of_use(self):
+        for variables, fresh in (({}, ["--seed", "42"]), ({"seed": 7, "fresh": 20}, ["--fresh", "20", "--seed", "7"]), ({"fresh": 0}, ["--fresh", "0"]),
+                                 ({"baseline": "b"}, []), ({"arguments": "--seed=3"}, []), ({"arguments": "--fresh\n0"}, [])):
+            self.run_script(0, engine_command="x", **variables)
+            words = self.words()[-1]
+            self.assertEqual([word for word in words[words.index("x") + 1:words.index("--report")] if word not in ("--baseline", "b")], fresh, variables)
+        self.run_script(0, results="x")
+        self.assertNotIn("--seed", self.words()[-1])
 
     def test_no_engine_or_two_engines_are_refused_and_nothing_is_judged(self):
         for engines in ({}, {"engine_command": ""}, {"engine_command": "x", "results": "y"}):

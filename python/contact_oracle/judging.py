@@ -18,7 +18,10 @@ from .errors import EngineError, InputError, OracleDisagreement, errors_of_core
 from .pairs import PAIRS, pair_named, scalar_named
 
 LEVELS = ("correctly-rounded", "faithful", "bounded", "decisions", "conservative")
+_REACHED = (*LEVELS, "none")
 COUNT = 200
+FRESH = 100
+LEAST_JUDGED = 10
 
 
 class Report:
@@ -30,7 +33,7 @@ class Report:
     failures   the questions that were answered wrongly: dicts with ``what`` is wrong and the ``line`` for ``explain``
     diagnosis  what the wrong answers have in common, in sentences
     fitness    the tolerance from which on the engine would pass, for ``all`` numbers and for ``everyday`` ones
-    seed       what generated the questions; None where files were judged
+    seed       what generated the questions, of files the fresh ones; None where none were generated
     data       the whole report as `docs/formats.md#reports` describes it
     """
 
@@ -39,18 +42,20 @@ class Report:
         self.seed = seed
         self.data: dict[str, Any] = json.loads(judged["json"])
         self.certified: bool = judged["exit"] == 0
-        self.level: str = self.data["total"]["level"]
+        fresh = (self.data["fresh"] or {}).get("total")
+        self.level: str = max(self.data["total"]["level"], *([fresh["level"]] if fresh and fresh["judged"] else []), key=_REACHED.index)
         self.verdict: str = self.data["verdict"]
         self.diagnosis: list[str] = self.data["diagnosis"]
 
     @functools.cached_property
     def failures(self) -> list[dict[str, Any]]:
+        fresh = (self.data["fresh"] or {}).get("failures", [])
         return [{**failure, "line": json.dumps({key: failure[key] for key in ("id", "pair", "scalar", "a", "b", "alarm", "contact")
-                                                if key in failure}, separators=(",", ":"))} for failure in self.data["failures"]]
+                                                if key in failure}, separators=(",", ":"))} for failure in [*self.data["failures"], *fresh]]
 
     @property
     def failure_count(self) -> int:
-        return int(self.data["failure_count"])
+        return int(self.data["failure_count"]) + int((self.data["fresh"] or {}).get("failure_count", 0))
 
     @property
     def worst(self) -> list[dict[str, Any]]:
@@ -66,7 +71,7 @@ class Report:
         return list(self.data["families"])
 
     def __str__(self) -> str:
-        seed = "" if self.seed is None else f"\nGenerated from seed {self.seed}."
+        seed = "" if self.seed is None or self.data["fresh"] else f"\nGenerated from seed {self.seed}."
         return str(self._judged["text"]).rstrip("\n") + seed
 
     def __repr__(self) -> str:
@@ -200,7 +205,7 @@ def _name_of(engine: Any, name: str | None) -> str:
 
 def certify(engine: Engine | Mapping[str, Engine], pairs: str | Iterable[str] | None = None, families: str | Iterable[str] | None = None,
             datasets: str | os.PathLike[str] | Iterable[str | os.PathLike[str]] | None = None, *, count: int = COUNT, seed: int | None = None,
-            scalar: str = "binary64", level: str = "bounded", tolerance: Mapping[str, Any] | None = None, profile: str | None = None,
+            fresh: int = FRESH, within: float | None = None, least_judged: int = LEAST_JUDGED, scalar: str = "binary64", level: str = "bounded", tolerance: Mapping[str, Any] | None = None, profile: str | None = None,
             conventions: Mapping[str, Any] | None = None, pair_conventions: Mapping[str, Any] | None = None,
             bounds: Mapping[str, float] | None = None, claims: Iterable[str] | None = None, allow_unsupported: bool = False,
             check: str = "sample", determinism: bool = False, isolated: bool = False, time_limit: float | None = None,
@@ -212,6 +217,9 @@ def certify(engine: Engine | Mapping[str, Engine], pairs: str | Iterable[str] | 
     pairs, families   what is asked; all pairs (of a dict: its own), and all families of them that lie in the domain
     datasets          files or folders of golden files, in the place of generated questions
     count, seed       how many questions of each family, and from which seed: a random one where it is None; the report says it
+    fresh             with datasets: how many new questions of each of their families are asked besides, from that seed
+    within            with the level conservative: how far from where the answer changes a miss may be that is called a hit
+    least_judged      how many judged cases a certificate rests on at least, hits and misses: docs/specification.md#what-a-verdict-rests-on
     scalar            binary64 or binary32: what the engine computes in; the truth is rounded to it
     level             correctly-rounded, faithful, bounded, decisions or conservative
     tolerance         in the place of a level: a dict of length, relative and angle, and scale: a dict of min and max
@@ -235,16 +243,19 @@ def certify(engine: Engine | Mapping[str, Engine], pairs: str | Iterable[str] | 
         seed = secrets.randbits(32) if seed is None else seed
         sources = generated_sources(named, families, scalar, seed, count)
     else:
-        seed = None
         sources = golden_sources(datasets, named, families, scalar)
-    return certify_sources(engine, named, sources, seed=seed, scalar=scalar, level=level, tolerance=tolerance, profile=profile,
+        if not fresh and seed is not None:
+            raise InputError("is of fresh questions, and fresh=0 asks none", "seed")
+        if fresh:
+            seed = secrets.randbits(32) if seed is None else seed
+    return certify_sources(engine, named, sources, seed=seed, fresh=0 if datasets is None else fresh, within=within, least_judged=least_judged, scalar=scalar, level=level, tolerance=tolerance, profile=profile,
                            conventions=conventions, pair_conventions=pair_conventions, bounds=bounds, claims=claims,
                            allow_unsupported=allow_unsupported, check=check, determinism=determinism, isolated=isolated,
                            time_limit=time_limit, name=name, version=version)
 
 
 def certify_sources(engine: Engine | Mapping[str, Engine], pairs: Iterable[str], sources: list[dict[str, Any]], *, seed: int | None = None,
-                    scalar: str = "binary64", level: str = "bounded", tolerance: Mapping[str, Any] | None = None, profile: str | None = None,
+                    fresh: int = 0, within: float | None = None, least_judged: int = LEAST_JUDGED, scalar: str = "binary64", level: str = "bounded", tolerance: Mapping[str, Any] | None = None, profile: str | None = None,
                     conventions: Mapping[str, Any] | None = None, pair_conventions: Mapping[str, Any] | None = None,
                     bounds: Mapping[str, float] | None = None, claims: Iterable[str] | None = None, allow_unsupported: bool = False,
                     check: str = "sample", determinism: bool = False, isolated: bool = False, time_limit: float | None = None,
@@ -254,11 +265,14 @@ def certify_sources(engine: Engine | Mapping[str, Engine], pairs: Iterable[str],
         raise InputError(f"must be one of {', '.join(LEVELS)}", "level", value=repr(level))
     if tolerance is not None and profile is not None:
         raise InputError("cannot stand beside a profile", "tolerance")
+    if within is not None and (level != "conservative" or tolerance is not None or profile is not None):
+        raise InputError("is of the level conservative, which forgives false hits", "within")
     if not sources:
         raise InputError("no question to judge: no file or family is of these pairs and this scalar")
     # A tolerance takes the place of a level, and the core is given one of the two.
     options = {"level": None if tolerance is not None or profile is not None else level, "tolerance": tolerance, "profile": profile,
-               "allow_unsupported": allow_unsupported, "check": check, "determinism": determinism}
+               "allow_unsupported": allow_unsupported, "check": check, "determinism": determinism, "within": within,
+               "least_judged": least_judged, "fresh": {"each": fresh, "seed": seed} if fresh else None}
     pairs = tuple(pairs)
     with _asking(by_pair(engine)[0], isolated, time_limit) as ask, errors_of_core():
         if claims is None:

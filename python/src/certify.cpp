@@ -13,6 +13,7 @@
 #include "python/src/columns.hpp"
 #include "tool/reports/report.hpp"
 #include "tool/run/determinism.hpp"
+#include "tool/run/fresh.hpp"
 #include "tool/run/parts.hpp"
 #include "tool/run/process.hpp"
 #include "tool/run/profiles.hpp"
@@ -166,8 +167,12 @@ py::dict certify(const py::function& ask, const std::string& engine, const std::
   const formats::Location where{"options", 0};
   const json all = formats::parse_object(options, where);
   const Node o(all, where);
-  o.allow_only({"level", "tolerance", "profile", "allow_unsupported", "check", "determinism"});
-  const std::vector<Source> sources = sources_of(sources_text);
+  o.allow_only({"level", "tolerance", "profile", "allow_unsupported", "check", "determinism", "within", "least_judged",
+                "fresh"});
+  std::vector<Source> sources = sources_of(sources_text);
+  if (const auto fresh = o.find("fresh"))
+    for (Source& source : tool::fresh_beside(sources, {fresh->at("each").count(), fresh->at("seed").count()}))
+      sources.push_back(std::move(source));
   auto owned = std::make_unique<CallableEngine>(ask, engine, info_of(engine));
   CallableEngine& callable = *owned;
   std::vector<tool::Subject> subjects;
@@ -190,12 +195,15 @@ py::dict certify(const py::function& ask, const std::string& engine, const std::
     if (const auto profile = o.find("profile"))
       report.engine.declared.tolerance = tool::kProfiles[profile->one_of(tool::kProfileNames)].tolerance;
     if (const auto allow = o.find("allow_unsupported")) report.allow_unsupported = allow->boolean();
+    if (const auto within = o.find("within")) report.within = within->number();
+    if (const auto least = o.find("least_judged")) report.least_judged = least->count();
+    report.fresh = tool::fresh_of(sources, false);
     tool::Stop stop;
     reports.push_back(report);
     merge(reports, judge_part(sources, subjects, stop, oracles), true);
     if (const auto again = o.find("determinism"); again && again->boolean()) {
       callable.forget();
-      reports.front().repeats = tool::ask_again(sources, callable, reports.front().engine, {});
+      reports.front().repeats = tool::ask_again(tool::published_of(sources), callable, reports.front().engine, {});
     }
   }
   const tool::Report& report = reports.front();

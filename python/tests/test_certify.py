@@ -82,11 +82,41 @@ def test_no_answer_is_unsupported(answer):
     assert contact_oracle.certify(half, ["cube_cube", "sphere_sphere"], "generic", count=10, seed=1, allow_unsupported=True, level="decisions").certified
 
 
+def test_published_answers_alone_do_not_certify(golden):
+    published = golden / "sphere_sphere" / "generic.jsonl"
+    known = {json.loads(line)["id"] for line in published.read_text().splitlines()[1:]}
+
+    def looks_up(questions):
+        right = questions.answer()
+        ids = np.isin(questions.id, list(known))
+        return {"hit": right.hit & ids, "normal": right.normal, "point1": right.point1, "point2": right.point2, "value": right.value}
+
+    assert contact_oracle.certify(looks_up, "sphere_sphere", datasets=published, fresh=0)
+    report = contact_oracle.certify(looks_up, "sphere_sphere", datasets=published, seed=1)
+    assert not report.certified and report.level == "none" and "is right on published questions alone" in report.verdict
+    assert report.failure_count == len(report.failures) == report.data["fresh"]["total"]["hits"]
+
+
+def test_who_always_says_hit_is_not_conservative():
+    always = lambda questions: {"hit": np.ones(len(questions), bool)}
+    asked = {"pairs": "sphere_sphere", "families": "generic", "seed": 1, "level": "conservative", "claims": ["overlap"]}
+    report = contact_oracle.certify(always, **asked)
+    assert not report.certified and report.data["falls_short"] == ["its overlap is hit every time"]
+    assert contact_oracle.certify(always, **asked, least_judged=0)
+    assert not contact_oracle.certify(always, **asked, least_judged=0, within=1e-3)
+    with pytest.raises(InputError, match="within: is of the level conservative"):
+        contact_oracle.certify(always, "sphere_sphere", within=1)
+
+
 def test_golden_files_are_judged(golden):
-    report = contact_oracle.certify(engines.right, "sphere_sphere", datasets=golden, scalar="binary64")
+    report = contact_oracle.certify(engines.right, "sphere_sphere", datasets=golden, scalar="binary64", fresh=0)
     assert report.certified and report.seed is None and report.data["total"]["cases"] > 1000
-    one = contact_oracle.certify(engines.plain_spheres, "sphere_sphere", datasets=golden / "sphere_sphere" / "generic.jsonl")
+    assert report.verdict.endswith("On published questions alone: --fresh 0 left fresh ones out.")
+    one = contact_oracle.certify(engines.plain_spheres, "sphere_sphere", datasets=golden / "sphere_sphere" / "generic.jsonl", seed=1)
     assert one.certified and one.data["total"]["cases"] == 210
+    assert (one.seed, one.data["fresh"]["seed"], one.data["fresh"]["total"]["cases"]) == (1, 1, 100)
+    with pytest.raises(InputError, match="seed: is of fresh questions"):
+        contact_oracle.certify(engines.right, datasets=golden, fresh=0, seed=1)
     with pytest.raises(InputError, match="datasets: is not there"):
         contact_oracle.certify(engines.right, datasets="nowhere")
     with pytest.raises(InputError, match="no question to judge"):

@@ -90,7 +90,8 @@ struct Says {
 
 Says says(const formats::Node& certificate) {
   const formats::Node found = certificate.at("found");
-  if (!found.at("certified").boolean()) return {"refuted", kLevelColours.back()};
+  if (!found.at("certified").boolean())
+    return {found.at("falls_short").items().empty() ? "refuted" : "too little judged", kLevelColours.back()};
   const std::size_t level = found.at("level_but_accepted").one_of(oracle::kLevelNames);
   const auto tolerance = found.find("tolerance");
   const std::size_t accepted = certificate.at("accepted").items().size();
@@ -100,6 +101,14 @@ Says says(const formats::Node& certificate) {
                       : accepted == 1 ? " but for 1 failure"
                                       : fmt::format(" but for {} failures", accepted)),
           tolerance ? kToleranceColour : kLevelColours[level]};
+}
+
+/// What the fresh questions add; nothing where no published one was asked.
+std::string beside(const formats::Node& found) {
+  const formats::Node fresh = found.at("fresh");
+  if (fresh.is_null()) return "";
+  if (fresh.at("each").count() == 0) return ", published questions alone";
+  return fmt::format(", and {} fresh ones", fresh.at("total").at("judged").count());
 }
 
 void put_text(pugi::xml_node group, const std::string& text, int x) {
@@ -153,10 +162,10 @@ void write_badge(const BadgeOptions& options) {
   const Says right = says(root);
   const std::string label = for_xml(options.label);
   const std::string title =
-      fmt::format("{}: {}. {} {}, issued {}; {} cases, {} of those given; certificate {}", label, right.text,
+      fmt::format("{}: {}. {} {}, issued {}; {} cases, {} of those given{}; certificate {}", label, right.text,
                   for_xml(engine.at("name").text()), for_xml(engine.at("version").text()),
                   for_xml(root.at("issued").text()), found.at("total").at("judged").count(),
-                  for_xml(found.at("share_judged").text()), root.at("sha256").text().substr(0, 12));
+                  for_xml(found.at("share_judged").text()), beside(found), root.at("sha256").text().substr(0, 12));
   file.write(svg(label, right, title));
   file.commit();
   fmt::print(words(), "Badge: {}, which says \"{}: {}\"\n", options.output, label, right.text);

@@ -6,6 +6,7 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <set>
@@ -17,6 +18,7 @@
 #include "tool/reports/report_files.hpp"
 #include "tool/run/cluster.hpp"
 #include "tool/run/date.hpp"
+#include "tool/run/fresh.hpp"
 #include "tool/run/parts.hpp"
 #include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
@@ -33,6 +35,7 @@ struct CertifyOptions {
   bool allow_unsupported = false;
   std::uint64_t generate = 0;
   std::vector<std::string> pairs;
+  std::optional<std::uint64_t> fresh;
   std::optional<std::uint64_t> seed;
   ReportOptions reports;
   std::string baseline;
@@ -146,6 +149,33 @@ std::vector<Source> failed_before(const CertifyOptions& options) {
     fmt::print(words(), "asked again: {} of the {} failures in {}, and nothing else\n", taken.size(),
                report.failure_count, options.failures_of);
   return sources;
+}
+
+/// How many fresh questions of each family are asked beside datasets, and from which seed. With a baseline they are
+/// those that it was made with, as the failures that it accepts are failures on them.
+AskedFresh fresh_to_ask(const CertifyOptions& options, bool scoreboard) {
+  std::optional<AskedFresh> before;
+  if (!options.baseline.empty()) before = read_report(options.baseline).fresh;
+  const bool recorded = !options.engine.results.empty();
+  const std::uint64_t usual = recorded                    ? 0
+                              : !options.baseline.empty() ? (before ? before->each : 0)
+                              : scoreboard                ? kFreshOfScoreboard
+                                                          : kFreshEach;
+  const std::uint64_t each = options.fresh.value_or(usual);
+  if (each == 0) {
+    if (options.seed)
+      refuse(fmt::format("--seed is of fresh questions, and none is asked{}",
+                         options.fresh ? ": --fresh is 0"
+                         : recorded    ? " of recorded answers"
+                                       : ": the baseline was made with none; --fresh asks some"));
+    return {0, 0};
+  }
+  if (recorded && !options.seed)
+    refuse("recorded answers cannot be asked anything new: give --fresh the --seed that they were recorded with, or 0");
+  const bool cut = !options.parts.empty() || Cluster::size() > 1;
+  if (cut && !options.seed && !before)
+    refuse("fresh questions in parts need --seed: every part has the same; --fresh 0 leaves them out");
+  return {each, options.seed ? *options.seed : before ? before->seed : seed_or_fresh(std::nullopt)};
 }
 
 /// The failures to accept; what has expired of them is said on standard error.
@@ -278,7 +308,7 @@ class Kept {
 void print_stats(const std::vector<Report>& reports, std::chrono::steady_clock::duration taken,
                  const Oracles& oracles) {
   const double seconds = std::chrono::duration<double>(taken).count();
-  const auto cases = static_cast<double>(reports.front().total().cases);
+  const auto cases = static_cast<double>(reports.front().all().cases);
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
   const auto cpu = [](const timeval& t) {
@@ -293,9 +323,9 @@ void print_stats(const std::vector<Report>& reports, std::chrono::steady_clock::
 }
 
 int certify(const CLI::App& command, const CertifyOptions& options) {
-  const bool fresh = options.generate != 0;
+  const bool made = options.generate != 0;
   const bool again = !options.failures_of.empty();
-  const bool scoreboard = options.engine.none() && options.paths.empty() && !fresh && !again;
+  const bool scoreboard = options.engine.none() && options.paths.empty() && !made && !again;
   require_used(command, options, scoreboard);
   const tbb::global_control threads(
       tbb::global_control::max_allowed_parallelism,
@@ -306,16 +336,30 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
   require_whole(options, scoreboard);
   CertificateFiles certificate(options.certificate, options.engine);
   std::vector<Source> sources;
-  if (fresh) {
+  std::optional<Fresh> fresh;
+  if (options.fresh && (made || again))
+    refuse(fmt::format(
+        "--fresh asks new questions beside those of datasets, and {}",
+        made ? "--generate asks nothing but such" : "--failures-of asks what failed before and nothing else"));
+  if (options.seed && again) refuse("--seed is of new questions, and --failures-of asks what failed before");
+  if (made) {
     if (!options.seed && (!options.parts.empty() || Cluster::size() > 1))
       refuse("--generate in parts needs --seed: every part has the same");
     const std::uint64_t seed = seed_or_fresh(options.seed);
     if (Cluster::is_first()) fmt::print(words(), "seed {}\n", seed);
     sources = generated(options, seed);
+  } else if (again) {
+    sources = failed_before(options);
   } else {
-    sources = again ? failed_before(options) : datasets(options);
+    sources = datasets(options);
+    std::vector<Source> beside = fresh_beside(sources, fresh_to_ask(options, scoreboard));
+    if (!beside.empty() && Cluster::is_first())
+      fmt::print(words(), "fresh questions: {} of each family, seed {}\n", beside.front().count, beside.front().seed);
+    sources.insert(sources.end(), std::make_move_iterator(beside.begin()), std::make_move_iterator(beside.end()));
+    fresh = fresh_of(sources, !options.engine.results.empty());
   }
   std::vector<Subject> judged = subjects(options, scoreboard, rows_of(sources), stop, certificate);
+  for (Subject& subject : judged) subject.report.fresh = fresh;
   if (stop.at_first_failure && (!options.parts.empty() || Cluster::size() > 1))
     refuse("--fail-fast ends one run; parts are judged each for itself");
   if (!options.parts.empty() && scoreboard) refuse("--parts keeps what one engine did: give the engine");
@@ -326,7 +370,7 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
   oracles.check = static_cast<Check>(index_of(kCheckNames, options.check, "check"));
   if (options.engine.none() && !scoreboard && Cluster::is_first())
     fmt::print(words(), "no engine is named: production is judged\n");
-  if (options.paths.empty() && !fresh && !again) static_cast<void>(chosen_folder(""));
+  if (options.paths.empty() && !made && !again) static_cast<void>(chosen_folder(""));
   const auto judged_part = [&](golden::Shard part) { return judge_part(cut(sources, part), judged, stop, oracles); };
   const auto judge = [&](golden::Shard part) {
     if (auto bytes = kept.find(part)) return *std::move(bytes);
@@ -343,9 +387,11 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
     merge(reports, unpack(judge(part)), true);
     if (options.stats) print_stats(reports, std::chrono::steady_clock::now() - begin, oracles);
     const Report& found = reports.front();
-    const bool wrong = found.judged() != 0 && !found.certified();
+    const std::uint64_t questions = found.judged() + found.fresh_judged();
+    // What is enough to certify is asked of the whole.
+    const bool wrong = questions != 0 && found.failure_count + found.unreached != found.all().accepted;
     fmt::print(words(), "part {} of {}: {} questions judged, {}; the verdict is that of `merge`\n", part.index, part.of,
-               found.judged(), wrong ? "and not all is right" : "and nothing is wrong");
+               questions, wrong ? "and not all is right" : "and nothing is wrong");
     return wrong ? kRefuted : kCertified;
   }
   if (options.determinism) require_askable(options, scoreboard);
@@ -365,8 +411,8 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
   for (Report& report : reports)
     if (report.unreached != 0) report.unknown_answers.clear();
   if (options.determinism && stop.why.empty())
-    reports.front().repeats = ask_again(sources, certificate.unwatched(*judged.front().engine), reports.front().engine,
-                                        other_hosts(options.engine, [&stop] { stop.check(); }));
+    reports.front().repeats = ask_again(published_of(sources), certificate.unwatched(*judged.front().engine),
+                                        reports.front().engine, other_hosts(options.engine, [&stop] { stop.check(); }));
   if (options.stats) print_stats(reports, std::chrono::steady_clock::now() - begin, oracles);
   const int exit = files->write(reports, scoreboard);
   if (exit == kCertified || exit == kRefuted)
@@ -401,9 +447,16 @@ void add_certify(CLI::App& app, int& exit) {
       ->delimiter(',')
       ->needs(generate)
       ->check(CLI::IsMember(names_of(kPairs)));
-  command->add_option("--seed", options->seed, "With --generate: the seed (default: random, printed)")
-      ->check(kFromZero)
-      ->needs(generate);
+  command
+      ->add_option(
+          "--fresh", options->fresh,
+          fmt::format("Beside golden files: this many new questions of each of their families, so that to know "
+                      "published answers is not enough; 0: none (default: {}; {} on the scoreboard; with a "
+                      "baseline those that it was made with)",
+                      kFreshEach, kFreshOfScoreboard))
+      ->check(kFromZero);
+  command->add_option("--seed", options->seed, "The seed of new questions (default: random, printed)")
+      ->check(kFromZero);
   command
       ->add_option("--check", options->check,
                    "Which questions all oracles are asked: of a source of more than 4096 a sample, or all")

@@ -7,6 +7,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -93,6 +94,14 @@ const CLI::Validator kSeconds(
       return good ? std::string() : fmt::format("expected seconds, more than 0 and at most 1e9, got '{}'", text);
     },
     "SECONDS");
+const CLI::Validator kLength(
+    [](const std::string& text) {
+      char* end = nullptr;
+      const double length = std::strtod(text.c_str(), &end);
+      const bool good = !text.empty() && end == text.c_str() + text.size() && length >= 0 && std::isfinite(length);
+      return good ? std::string() : fmt::format("expected a length, a number from 0, got '{}'", text);
+    },
+    "LENGTH");
 
 namespace {
 

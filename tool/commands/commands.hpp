@@ -50,6 +50,8 @@ extern const CLI::Validator kFromZero;
 extern const CLI::Validator kFromOne;
 /// For seconds: above 0. CLI11's own message spells out the largest double.
 extern const CLI::Validator kSeconds;
+/// For a distance: from 0.
+extern const CLI::Validator kLength;
 
 /// The seed that was given, or one that nobody chose; a command prints it, so that a run can be repeated.
 [[nodiscard]] std::uint64_t seed_or_fresh(std::optional<std::uint64_t> given);

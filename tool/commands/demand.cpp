@@ -68,6 +68,16 @@ void add_demand_options(CLI::App& command, DemandOptions& options, std::span<con
       ->check(CLI::IsMember(kProfileNames))
       ->excludes(level)
       ->excludes(tolerance);
+  command
+      .add_option("--within", options.within,
+                  "With --level conservative: how far from where the answer changes a miss may be that is called a hit")
+      ->check(kLength);
+  command
+      .add_option("--least-judged", options.least_judged,
+                  "How many judged cases a certificate rests on at least, or half of those given where these are "
+                  "fewer, with hits and misses among them where the questions have both. 0: as few as there are")
+      ->capture_default_str()
+      ->check(kFromZero);
 }
 
 std::optional<Tolerance> demanded_tolerance(const DemandOptions& options, const std::optional<Tolerance>& declared,
@@ -81,6 +91,12 @@ std::optional<Tolerance> demanded_tolerance(const DemandOptions& options, const 
 void set_demand(const DemandOptions& options, Report& report, const std::string& profile) {
   report.required = static_cast<Level>(index_of(oracle::kLevelNames, options.level, "level"));
   report.engine.declared.tolerance = demanded_tolerance(options, report.engine.declared.tolerance, profile);
+  report.least_judged = options.least_judged;
+  if (options.within && (tolerance || report.required != Level::conservative))
+    throw formats::InputError(
+        {"command line", 0}, "--within",
+        fmt::format("is of --level conservative, which forgives false hits, and {} is required", report.demand()));
+  report.within = options.within;
 }
 
 }  // namespace contact::tool

@@ -1,7 +1,8 @@
-// The options that say what an engine must reach: a level, a tolerance, or a profile's.
+// The options that say what an engine must reach: a level, a tolerance, or a profile's; and on how much.
 #pragma once
 
 #include <CLI/App.hpp>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,6 +16,8 @@ struct DemandOptions {
   std::string level = std::string(name(Level::bounded));
   std::string tolerance;
   std::string profile;
+  std::optional<double> within;
+  std::uint64_t least_judged = kLeastJudged;
   const CLI::App* parsed = nullptr;  ///< the command that they were given to
 };
 

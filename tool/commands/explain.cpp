@@ -107,7 +107,9 @@ class Lookup {
   void look_into(const std::filesystem::path& path) {
     if (!std::filesystem::is_directory(path) && !golden::names_dataset(path)) {
       const SavedReport report = read_report(path);
-      for (const Failure& f : report.failures)
+      std::vector<Failure> failures = report.failures;
+      failures.insert(failures.end(), report.fresh_failures.begin(), report.fresh_failures.end());
+      for (const Failure& f : failures)
         if (f.question)
           add(f.id, *f.question, f.scalar,
               fmt::format("{}, failures of {}", path.string(), family_title(f.pair, f.family, f.scalar)));

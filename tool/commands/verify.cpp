@@ -13,6 +13,7 @@
 #include "tool/run/date.hpp"
 #include "tool/run/determinism.hpp"
 #include "tool/run/exam.hpp"
+#include "tool/run/fresh.hpp"
 #include "tool/run/parts.hpp"
 #include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
@@ -86,9 +87,11 @@ class Certificate {
   [[nodiscard]] std::vector<Source> sources() const {
     std::vector<Source> found;
     const auto stated = node().at("questions").at("sources").items();
+    const std::size_t files = datasets(stated);
+    std::optional<AskedFresh> asked;
     for (const Node& source : stated) {
       if (const auto file = source.find("file")) {
-        const std::filesystem::path path = dataset(file->text(), stated.size());
+        const std::filesystem::path path = dataset(file->text(), files);
         const golden::DatasetHeader h = golden::DatasetReader(path).header();
         found.push_back({h.pair, h.scalar, h.family, h.count, path});
       } else {
@@ -98,8 +101,15 @@ class Certificate {
         if (generator == nullptr) source.at("family").refuse("this program has no such generator");
         found.push_back({pair, golden::read_scalar(source.at("scalar")), family, source.at("count").count(),
                          std::nullopt, generator, source.at("seed").count()});
+        if (const auto fresh = source.find("fresh"); fresh && fresh->boolean()) {
+          if (!asked) asked = AskedFresh{found.back().count, found.back().seed};
+          found.pop_back();
+        }
       }
     }
+    // All that a run asks with this seed: a certificate may leave out none of it.
+    if (asked)
+      for (Source& source : fresh_beside(found, *asked)) found.push_back(std::move(source));
     if (!options_.dataset.empty() &&
         std::none_of(found.begin(), found.end(), [](const Source& source) { return source.dataset.has_value(); }))
       throw formats::InputError({options_.certificate, 0}, "--dataset",
@@ -120,10 +130,10 @@ class Certificate {
         found.push_back({pointer, stated.text(), fmt::format("{}, of {}", digest, path.string())});
     };
     const auto sources = node().at("questions").at("sources").items();
+    const std::size_t files = datasets(sources);
     for (std::size_t i = 0; i < sources.size(); ++i)
       if (const auto file = sources[i].find("file"))
-        compare(fmt::format("/questions/sources/{}/sha256", i), sources[i].at("sha256"),
-                dataset(file->text(), sources.size()));
+        compare(fmt::format("/questions/sources/{}/sha256", i), sources[i].at("sha256"), dataset(file->text(), files));
     if (!options_.exam.empty()) {
       const Exam exam = read_exam(options_.exam);
       const auto stated = node().find("exam");
@@ -178,13 +188,21 @@ class Certificate {
   [[nodiscard]] const std::vector<std::string>& not_checked() const { return not_checked_; }
   [[nodiscard]] std::size_t engine_files() const { return engine_files_; }
 
+  /// Whether its answers were recorded before it was made.
+  [[nodiscard]] bool recorded() const { return node().at("engine").at("kind").text() == "recorded"; }
+
  private:
+  [[nodiscard]] static std::size_t datasets(const std::vector<Node>& sources) {
+    return static_cast<std::size_t>(std::count_if(sources.begin(), sources.end(),
+                                                  [](const Node& source) { return source.find("file").has_value(); }));
+  }
+
   [[nodiscard]] std::filesystem::path folder() const { return folder_of(options_.certificate); }
 
-  [[nodiscard]] std::filesystem::path dataset(const std::string& name, std::size_t sources) const {
+  [[nodiscard]] std::filesystem::path dataset(const std::string& name, std::size_t files) const {
     if (options_.dataset.empty())
       return (folder() / node().at("questions").at("folder").text() / name).lexically_normal();
-    if (sources == 1 && !std::filesystem::is_directory(options_.dataset)) return options_.dataset;
+    if (files == 1 && !std::filesystem::is_directory(options_.dataset)) return options_.dataset;
     return std::filesystem::path(options_.dataset) / name;
   }
 
@@ -219,6 +237,9 @@ Report judge_again(const Certificate& certificate, const std::vector<Source>& so
   report.engine = subjects.front().engine->info();
   report.required = static_cast<Level>(found.at("required").one_of(oracle::kLevelNames));
   report.allow_unsupported = found.at("allow_unsupported").boolean();
+  if (const Node within = found.at("within"); !within.is_null()) report.within = within.number();
+  report.least_judged = found.at("least_judged").count();
+  report.fresh = fresh_of(sources, certificate.recorded());
   report.engine.declared.tolerance.reset();
   if (const auto tolerance = found.find("tolerance"))
     report.engine.declared.tolerance = engines::read_tolerance(*tolerance);
@@ -228,7 +249,7 @@ Report judge_again(const Certificate& certificate, const std::vector<Source>& so
   merge(reports, judge_part(sources, subjects, stop, oracles), true);
   if (const auto same = found.find("same_bits")) {
     // That it gave the same bits cannot be asked of a file; that these are the bits can, where they are the same.
-    Repeats repeats = ask_once(sources, *subjects.front().engine, report.engine);
+    Repeats repeats = ask_once(published_of(sources), *subjects.front().engine, report.engine);
     if (!same->boolean()) repeats.sha256 = found.at("answers_again").text();
     repeats.ways.assign(std::max<std::uint64_t>(found.at("ways").count(), 1), Way{});
     repeats.ways.back().differ = same->boolean() ? 0 : 1;
@@ -246,9 +267,11 @@ std::vector<Difference> in_judgement(Certificate& certificate, std::optional<Rep
   Oracles oracles;
   report = judge_again(certificate, sources, oracles, baseline,
                        engines::make_recorded(certificate.answers(), rows_of(sources)));
+  Stated not_derived = certificate.not_derived();
+  not_derived.names.resize(sources.size());
   json derived = statement({*report, sources, oracles, baseline.get(), digest_of_file(certificate.answers()),
                             engines::count_recorded(certificate.answers())},
-                           certificate.not_derived());
+                           not_derived);
   json stated = certificate.stated();
   stated.erase("sha256");
   std::vector<Difference> found = differences(stated, derived);
@@ -287,9 +310,11 @@ int verify(const VerifyOptions& options) {
   }
   for (const std::string& line : certificate.not_checked()) fmt::print(words(), "stated, not checked: {}\n", line);
   const Level level = report->level_but_accepted();
-  const std::size_t sources = certificate.node().at("questions").at("sources").items().size();
-  fmt::print(words(), "checked: the certificate itself; the questions of {} {} and {} recorded answers, judged again",
-             sources, sources == 1 ? "source" : "sources", certificate.node().at("answers").at("count").count());
+  const std::size_t sources = published_of(certificate.sources()).size();
+  const std::uint64_t fresh = report->fresh_total().cases;
+  fmt::print(words(), "checked: the certificate itself; the questions of {} {}{} and {} recorded answers, judged again",
+             sources, sources == 1 ? "source" : "sources", fresh == 0 ? "" : fmt::format(", {} fresh ones", fresh),
+             certificate.node().at("answers").at("count").count());
   if (certificate.engine_files() != 0) fmt::print(words(), "; {} of the engine's files", certificate.engine_files());
   fmt::print(words(), "\n\nHOLDS: {} states what is so:\n  {}\n", options.certificate, report->sentence());
   if (!demanded || level <= *demanded) return kCertified;

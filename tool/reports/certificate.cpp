@@ -44,6 +44,7 @@ json source_json(const Source& source, const std::string& file) {
               {"family", source.family},
               {"count", source.count},
               {"questions", questions_digest(source)}};
+  if (source.fresh) stated["fresh"] = true;
   if (source.dataset) {
     stated["file"] = file;
     stated["sha256"] = digest_of_file(*source.dataset);
@@ -85,6 +86,8 @@ json missing_json(const FamilyReport& family) {
   return missing;
 }
 
+json length_json(double length) { return std::isfinite(length) ? json(length) : json("Infinity"); }
+
 json counts_json(const FamilyReport& f, bool allow_unsupported) {
   using Status = Claim::Status;
   return {{"cases", f.cases},
@@ -93,6 +96,8 @@ json counts_json(const FamilyReport& f, bool allow_unsupported) {
           {"hits", f.hits},
           {"missed_hits", f.missed_hits},
           {"false_hits", f.false_hits},
+          {"farthest_false_hit",
+           f.farthest_false_hit.question.empty() ? json(nullptr) : length_json(f.farthest_false_hit.off)},
           {"outside_domain", f.outside_domain},
           {"refused", f.refused},
           {"decided", {{"hits", f.decided.hits}, {"misses", f.decided.misses}}},
@@ -120,7 +125,19 @@ json found_json(const Report& report) {
   }
   json skipped = json::array();
   for (const Skipped& s : report.skipped) skipped.push_back({{"source", s.source}, {"why", s.why}, {"cases", s.cases}});
+  json fresh = nullptr;
+  if (report.fresh && !report.fresh->none.empty())
+    fresh = {{"each", 0}, {"none", report.fresh->none}};
+  else if (report.fresh)
+    fresh = {{"each", report.fresh->each},
+             {"seed", report.fresh->seed},
+             {"given", report.fresh_total().cases + report.skipped_cases(true)},
+             {"total", counts_json(report.fresh_total(), report.allow_unsupported)}};
   json found{{"required", name(report.required)},
+             {"within", report.within ? json(*report.within) : json(nullptr)},
+             {"least_judged", report.least_judged},
+             {"falls_short", report.right() ? json(report.falls_short()) : json::array()},
+             {"fresh", std::move(fresh)},
              {"allow_unsupported", report.allow_unsupported},
              {"certified", report.certified()},
              {"claims", report.engine.declared.claimed().names()},
@@ -140,7 +157,7 @@ json found_json(const Report& report) {
   }
   if (report.tolerance()) {
     found["tolerance"] = json::parse(engines::tolerance_object(*report.tolerance()));
-    found["beyond_tolerance"] = all.fitness.beyond;
+    found["beyond_tolerance"] = report.all().fitness.beyond;
   }
   return found;
 }

@@ -23,7 +23,8 @@ std::string cell(std::uint64_t n) { return n == 0 ? "<td>.</td>" : fmt::format("
 std::string bad_cell(std::uint64_t n) { return n == 0 ? "<td>.</td>" : fmt::format("<td class=bad>{}</td>", n); }
 
 std::string verdict_mark(const Report& report) {
-  return report.certified() ? "<span class=ok>✓ certified</span>" : "<span class=bad>✕ refuted</span>";
+  if (report.certified()) return "<span class=ok>✓ certified</span>";
+  return report.right() ? "<span class=bad>✕ too little judged</span>" : "<span class=bad>✕ refuted</span>";
 }
 
 std::string row(const FamilyReport& f, bool allow_unsupported) {
@@ -40,16 +41,17 @@ std::string summary(const std::vector<Report>& reports) {
   std::string html =
       "<div class=wide tabindex=0><table class=board><thead><tr><th>engine<th>verdict<th>level reached<th>hits"
       "<th>misses<th>missed hits<th>false hits<th>missing fields<th>not finite<th>numbers<th>correctly "
-      "rounded<th>beyond bound<th>lengths fit from<th>normals fit from</tr></thead><tbody>\n";
+      "rounded<th>beyond bound<th>lengths fit from<th>normals fit from<th>fresh<th>fresh wrong</tr></thead><tbody>\n";
   for (const Report& report : reports) {
     const FamilyReport all = report.total();
     const FieldCount fields = all.all_fields();
     html += fmt::format("<tr><th scope=row><a href=\"#{0}\">{0}</a></th><td>{1}</td><td>{2}</td>",
-                        for_html(report.engine.name), verdict_mark(report), name(report.level())) +
+                        for_html(report.engine.name), verdict_mark(report), name(all.level(report.allow_unsupported))) +
             cell(all.decided.hits) + cell(all.decided.misses) + bad_cell(all.missed_hits) + bad_cell(all.false_hits) +
             bad_cell(all.incomplete) + bad_cell(all.not_finite) + cell(fields.judged()) +
             cell(fields.at(Grade::correctly_rounded)) + bad_cell(fields.at(Grade::beyond_bound)) +
-            fmt::format("<td>{}</td><td>{}</td></tr>\n", fit_of(all.everyday).length, fit_of(all.everyday).angle);
+            fmt::format("<td>{}</td><td>{}</td>", fit_of(all.everyday).length, fit_of(all.everyday).angle) +
+            cell(report.fresh_judged()) + bad_cell(report.fresh_failures) + "</tr>\n";
   }
   return html + "</tbody></table></div>\n";
 }
@@ -100,6 +102,7 @@ std::string matrix(const Report& report) {
   using Row = std::map<Scalar, FamilyReport>;
   std::map<Pair, std::vector<std::pair<std::string, Row>>> pairs;
   for (const FamilyReport& f : report.families) {
+    if (f.fresh) continue;
     auto& rows = pairs[f.pair];
     auto at = std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r.first == f.family; });
     if (at == rows.end()) at = rows.insert(at, {f.family, {}});
@@ -155,8 +158,13 @@ std::string counts(const Report& report) {
       "<th>cases<th>hits<th>missed<th>false<th>no answer<th>missing fields<th>not finite<th>correctly "
       "rounded<th>faithful<th>bounded"
       "<th>beyond bound<th>worst (ulps)<th>level</tr></thead><tbody>\n";
-  for (const FamilyReport& f : report.families) html += row(f, report.allow_unsupported);
-  return html + row(report.total(), report.allow_unsupported) +
+  for (const bool fresh : {false, true}) {
+    const FamilyReport sum = fresh ? report.fresh_total() : report.total();
+    for (const FamilyReport& f : report.families)
+      if (f.fresh == fresh) html += row(f, report.allow_unsupported);
+    if (!fresh || sum.cases != 0) html += row(sum, report.allow_unsupported);
+  }
+  return html +
          "</tbody></table></div><p>The columns from <em>correctly rounded</em> to <em>beyond bound</em> count fields: "
          "normal, point1, point2 and value of every contact.</p></details>\n";
 }
@@ -287,7 +295,7 @@ std::string section(const Report& report) {
   html += listed("Diagnosis", report.diagnosis()) + fitness(report);
   html += "<h3>Families and fields</h3>\n" + matrix(report) + counts(report);
   html += "<div class=charts></div>\n";
-  if (!report.certified() && !report.worst.empty()) {
+  if (!report.right() && !report.worst.empty()) {
     html += "<h3>The worst cases</h3>\n";
     for (std::size_t i = 0; i < report.worst.size(); ++i)
       html += worst_case(report.worst[i], i, report.engine.declared_for(report.worst[i].query.pair));

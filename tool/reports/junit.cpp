@@ -21,7 +21,7 @@ std::string junit_text(const Report& report) {
   for (const FamilyReport& f : report.families) {
     auto test = suite.append_child("testcase");
     test.append_attribute("classname") = fmt::format("{}.{}", name(f.pair), name(f.scalar)).c_str();
-    test.append_attribute("name") = f.family.c_str();
+    test.append_attribute("name") = (f.family + (f.fresh ? ", fresh" : "")).c_str();
     if (f.judged(report.allow_unsupported) == f.accepted ||
         (report.tolerance() ? f.within_tolerance(report.allow_unsupported)
                             : f.reaches(report.required, report.allow_unsupported)))
@@ -39,7 +39,7 @@ std::string junit_text(const Report& report) {
   for (const Skipped& s : report.skipped) {
     auto test = suite.append_child("testcase");
     test.append_attribute("classname") = "skipped";
-    test.append_attribute("name") = s.what.c_str();
+    test.append_attribute("name") = (s.what + (s.fresh ? ", fresh" : "")).c_str();
     test.append_child("skipped").append_attribute("message") = s.why.c_str();
   }
   auto verdict = suite.append_child("testcase");

@@ -47,13 +47,16 @@ std::string markdown_text(const Report& report) {
         or_nothing(all.at(Grade::beyond_bound)), all.worst_id.empty() ? "" : fmt::format("{:.3g}", all.worst),
         name(f.level(report.allow_unsupported)));
   };
-  for (const FamilyReport& f : report.families) row(f);
-  row(report.total());
+  for (const bool fresh : {false, true}) {
+    for (const FamilyReport& f : report.families)
+      if (f.fresh == fresh) row(f);
+    if (!fresh || report.fresh_total().cases != 0) row(fresh ? report.fresh_total() : report.total());
+  }
   listed("Fitness", report.fitness());
   if (report.repeats) listed("Asked again", report.repeats->lines());
   listed("Not judged", report.left_out());
   listed("Baseline", report.baseline_lines());
-  if (!report.certified() && !report.worst.empty()) {
+  if (!report.right() && !report.worst.empty()) {
     text += "\nThe worst cases, as lines for `contact-oracle explain`:\n\n```\n";
     for (const WorstCase& w : report.worst)
       text += fmt::format("# {}\n{}\n", w.what(), golden::query_line(w.query, w.scalar));

@@ -62,8 +62,8 @@ void FieldCount::merge(const FieldCount& other) {
 }
 
 std::string FamilyReport::title() const {
-  if (family == "total") return family;
-  return family_title(pair, family, scalar);
+  if (family == "total") return fresh ? "fresh questions" : family;
+  return family_title(pair, family, scalar) + (fresh ? ", fresh" : "");
 }
 
 FieldCount FamilyReport::all_fields() const {
@@ -107,7 +107,7 @@ std::optional<std::string_view> FamilyReport::one_answer() const {
   return all.hits != 0 ? "hit" : "miss";
 }
 
-void FamilyReport::add(const Verdict& verdict, const std::string& id, bool hit,
+void FamilyReport::add(const Verdict& verdict, Level level, const std::string& id, bool hit,
                        const std::optional<MarginBin>& margin) {
   ++cases;
   hits += hit ? 1 : 0;
@@ -121,12 +121,17 @@ void FamilyReport::add(const Verdict& verdict, const std::string& id, bool hit,
     if (verdict.fields[i]) fields[i].add(*verdict.fields[i], id);
   const std::array expected{verdict.overlap_expected, verdict.contact_expected};
   if (expected[0] || expected[1]) decided.add(expected[0].value_or(false) || expected[1].value_or(false));
-  for (std::size_t i = 0; i < decisions.size(); ++i)
-    if (expected[i]) decisions[i].add(*expected[i]);
+  const std::array judged{verdict.overlap, verdict.contact};
+  for (std::size_t i = 0; i < decisions.size(); ++i) {
+    if (!expected[i]) continue;
+    decisions[i].add(*expected[i]);
+    if (judged[i] != oracle::Decision::unclaimed)
+      said[i].add(judged[i] == oracle::Decision::right ? *expected[i] : !*expected[i]);
+  }
   with_numbers += verdict.has_numbers ? 1 : 0;
   incomplete += verdict.missing.empty() ? 0 : 1;
   for (std::size_t i = 0; i < missing.size(); ++i) missing[i] += verdict.missing.has(static_cast<Aspect>(i)) ? 1 : 0;
-  ++levels[static_cast<std::size_t>(verdict.level())];
+  ++levels[static_cast<std::size_t>(level)];
   if (!margin || (verdict.overlap == oracle::Decision::unclaimed && verdict.contact == oracle::Decision::unclaimed))
     return;
   Decisions& there = margins[*margin];
@@ -143,6 +148,9 @@ bool FamilyReport::within_tolerance(bool allow_unsupported) const {
 void FamilyReport::add_fitness(const Verdict& verdict, const Query& query) {
   fitness.add(verdict, query, scalar);
   if (is_everyday(query)) everyday.add(verdict, query, scalar);
+  if (const double off = verdict.at(oracle::Measure::decision).most;
+      verdict.false_hit() && off > farthest_false_hit.off)
+    farthest_false_hit = {off, golden::query_line(query, scalar)};
 }
 
 void FamilyReport::accept(Level level) {
@@ -163,6 +171,7 @@ void FamilyReport::merge(const FamilyReport& other) {
   hits += other.hits;
   missed_hits += other.missed_hits;
   false_hits += other.false_hits;
+  farthest_false_hit.merge(other.farthest_false_hit);
   not_finite += other.not_finite;
   outside_domain += other.outside_domain;
   refused += other.refused;
@@ -170,7 +179,11 @@ void FamilyReport::merge(const FamilyReport& other) {
   for (std::size_t i = 0; i < statuses.size(); ++i) statuses[i] += other.statuses[i];
   for (std::size_t i = 0; i < fields.size(); ++i) fields[i].merge(other.fields[i]);
   decided.merge(other.decided);
-  for (std::size_t i = 0; i < decisions.size(); ++i) decisions[i].merge(other.decisions[i]);
+  for (std::size_t i = 0; i < decisions.size(); ++i) {
+    decisions[i].merge(other.decisions[i]);
+    said[i].merge(other.said[i]);
+  }
+  askable.merge(other.askable);
   with_numbers += other.with_numbers;
   incomplete += other.incomplete;
   for (std::size_t i = 0; i < missing.size(); ++i) missing[i] += other.missing[i];
@@ -247,6 +260,7 @@ void Findings::add(const WorstCase& c) {
 
 void Findings::add(Failure failure) {
   ++failure_count;
+  fresh_failures += failure.fresh ? 1 : 0;
   if (failures.size() < kMostFailures) failures.push_back(std::move(failure));
 }
 
@@ -271,6 +285,7 @@ void Findings::merge(const Findings& later) {
       [](Skipped& s, const Skipped& more) { s.cases += more.cases; });
   for (const WorstCase& w : later.worst) add(w);
   failure_count += later.failure_count;
+  fresh_failures += later.fresh_failures;
   const std::size_t room = std::min(kMostFailures - failures.size(), later.failures.size());
   failures.insert(failures.end(), later.failures.begin(), later.failures.begin() + static_cast<std::ptrdiff_t>(room));
   gone.insert(later.gone.begin(), later.gone.end());
@@ -279,20 +294,39 @@ void Findings::merge(const Findings& later) {
   why.merge(later.why);
 }
 
-FamilyReport Report::total() const {
+FamilyReport Report::total_of(bool published, bool fresh_ones) const {
   FamilyReport all;
   all.family = "total";
-  for (const FamilyReport& family : families) all.merge(family);
+  all.fresh = !published;
+  for (const FamilyReport& family : families)
+    if (family.fresh ? fresh_ones : published) all.merge(family);
   return all;
 }
 
-std::uint64_t Report::skipped_cases() const {
+FamilyReport Report::total() const { return total_of(true, false); }
+FamilyReport Report::fresh_total() const { return total_of(false, true); }
+FamilyReport Report::all() const { return total_of(true, true); }
+
+std::uint64_t Report::skipped_cases(bool fresh_ones) const {
   return std::accumulate(skipped.begin(), skipped.end(), std::uint64_t{0},
-                         [](auto n, const Skipped& s) { return n + s.cases; });
+                         [&](auto n, const Skipped& s) { return n + (s.fresh == fresh_ones ? s.cases : 0); });
+}
+
+Level Report::level() const {
+  const Level published = total().level(allow_unsupported);
+  return fresh_judged() == 0 ? published : std::max(published, fresh_total().level(allow_unsupported));
+}
+
+Level Report::level_but_accepted() const {
+  const Level published = total().level_but_accepted(allow_unsupported);
+  const FamilyReport asked = fresh_total();
+  return asked.judged(allow_unsupported) == asked.accepted
+             ? published
+             : std::max(published, asked.level_but_accepted(allow_unsupported));
 }
 
 bool Report::harness_invalid() const {
-  const FamilyReport all = total();
+  const FamilyReport all = this->all();
   return all.cases > unreached &&
          all.with(Claim::Status::answered) + all.with(Claim::Status::rejected) + all.with(Claim::Status::unsupported) ==
              0;
@@ -305,7 +339,7 @@ std::string Report::who() const {
 Aspects Report::not_claimed() const {
   const Conventions& conventions = engine.declared.conventions;
   Aspects all{Aspect::overlap, Aspect::contact};
-  if (total().with_numbers != 0) {
+  if (this->all().with_numbers != 0) {
     all.add(Aspect::normal);
     all.add(Aspect::value);
     if (conventions.points != Points::midpoint) {
@@ -318,39 +352,100 @@ Aspects Report::not_claimed() const {
 
 std::string Report::rests_on() const {
   const FamilyReport all = total();
+  const FamilyReport asked = fresh_total();
+  // Levels beyond bounded judge no number, whatever the answers hold.
+  const bool by_numbers = tolerance() || (right() ? level_but_accepted() : required) <= Level::bounded;
   std::vector<std::string> numbers;
   for (const Field field : oracle::kFields)
-    if (const auto n = all.fields[static_cast<std::size_t>(field)].judged(); n != 0)
+    if (const auto n = all.fields[static_cast<std::size_t>(field)].judged(); n != 0 && by_numbers)
       numbers.push_back(fmt::format("{} {}", n, name(field)));
-  std::string text =
-      fmt::format("It rests on {} and {}{}, {}.", count(all.decided.hits, "hit", "hits"),
-                  count(all.decided.misses, "miss", "misses"),
-                  all.refused == 0 ? "" : fmt::format(" decided, on {}", count(all.refused, "refusal", "refusals")),
-                  numbers.empty() ? "and on no number" : fmt::format("and on numbers: {}", fmt::join(numbers, ", ")));
+  std::string text = fmt::format(
+      "It rests on {} and {}{}, {}{}.", count(all.decided.hits, "hit", "hits"),
+      count(all.decided.misses, "miss", "misses"),
+      all.refused == 0 ? "" : fmt::format(" decided, on {}", count(all.refused, "refusal", "refusals")),
+      numbers.empty() ? "and on no number" : fmt::format("and on numbers: {}", fmt::join(numbers, ", ")),
+      asked.cases == 0 ? ""
+                       : fmt::format("; of fresh questions on {} and {}", count(asked.decided.hits, "hit", "hits"),
+                                     count(asked.decided.misses, "miss", "misses")));
+  if (!tolerance() && required == Level::conservative && all.false_hits + asked.false_hits != 0) {
+    const double farthest = std::max(all.farthest_false_hit.off, asked.farthest_false_hit.off);
+    text += fmt::format(
+        " {} of {} called hits{}, the farthest {} from where the answer changes{}.", all.false_hits,
+        count(all.decided.misses, "miss was", "misses were"),
+        asked.cases == 0 ? "" : fmt::format(", and {} of {} fresh ones", asked.false_hits, asked.decided.misses),
+        rounded_up(farthest), within ? fmt::format("; {} was allowed", *within) : "");
+  }
   if (const Aspects left = not_claimed(); !left.empty())
     text += fmt::format(" Not claimed, so not judged: {}.", fmt::join(left.names(), ", "));
   if (repeats && repeats->same())
     text += fmt::format(" Asked in {} more ways, it gave the same bits.", repeats->ways.size());
   if (const auto one = all.one_answer())
     text += fmt::format(" An engine that always says {} decides all of it right.", *one);
+  if (fresh && !fresh->none.empty() && right()) text += fmt::format(" On published questions alone: {}.", fresh->none);
   return text;
 }
 
-bool Report::certified() const {
+bool Report::meets(const FamilyReport& family) const {
+  return tolerance() ? family.within_tolerance(allow_unsupported) : family.reaches(required, allow_unsupported);
+}
+
+bool Report::right() const {
   if (repeats && !repeats->same()) return false;
-  return tolerance() ? total().within_tolerance(allow_unsupported) : total().reaches(required, allow_unsupported);
+  const FamilyReport asked = fresh_total();
+  return meets(total()) && (asked.judged(allow_unsupported) == asked.accepted || meets(asked));
+}
+
+std::vector<std::string> Report::falls_short() const {
+  std::vector<std::string> found;
+  if (least_judged == 0) return found;
+  const FamilyReport all = total();
+  const FamilyReport asked = fresh_total();
+  const std::uint64_t given = all.cases + skipped_cases();
+  const std::uint64_t least = std::min(least_judged, given / 2 + given % 2);
+  if (judged() < least)
+    found.push_back(fmt::format("{} of {} given are fewer than {}", count(judged(), "judged case", "judged cases"),
+                                given, least_judged));
+  if (const auto one = all.one_answer(); one && all.askable.both())
+    found.push_back(fmt::format("{} is right in all of them, and the questions have hits and misses",
+                                *one == "the same" ? std::string("one answer") : fmt::format("always {}", *one)));
+  if (!tolerance() && required == Level::conservative && level_but_accepted() == Level::conservative) {
+    const FamilyReport both = this->all();
+    for (std::size_t i = 0; i < both.said.size(); ++i)
+      if (const Sides& said = both.said[i]; said.hits + said.misses != 0 && !said.both())
+        found.push_back(fmt::format("its {} is {} every time", kAspectNames[i], said.hits != 0 ? "hit" : "miss"));
+  }
+  // Who answers what is published and calls the rest unsupported. Of an honest engine the shares are alike: less than
+  // half, by more than ten questions, is no chance.
+  if (allow_unsupported && all.cases != 0 && asked.cases != 0) {
+    const double expected =
+        static_cast<double>(judged()) / static_cast<double>(all.cases) * static_cast<double>(asked.cases);
+    if (2 * (static_cast<double>(fresh_judged()) + 10) < expected)
+      found.push_back(fmt::format("it answers {} of {} fresh questions, and {} of {} published ones", fresh_judged(),
+                                  asked.cases, judged(), all.cases));
+  }
+  return found;
+}
+
+std::string_view Report::outcome() const {
+  if (!right()) return "REFUTED";
+  return certified() ? "certified" : "too little";
+}
+
+Level Report::level_of(const Verdict& verdict) const {
+  if (within && verdict.false_hit() && verdict.at(oracle::Measure::decision).most > *within) return Level::none;
+  return verdict.level();
 }
 
 bool Report::fails(const Verdict& verdict) const {
-  return tolerance() ? !verdict.within() : verdict.level() > required;
+  return tolerance() ? !verdict.within() : level_of(verdict) > required;
 }
 
 std::vector<std::string> Report::diagnosis() const {
-  return tolerance() && certified() ? std::vector<std::string>() : why.lines();
+  return tolerance() && right() ? std::vector<std::string>() : why.lines();
 }
 
 std::vector<std::string> Report::fitness() const {
-  const FamilyReport all = total();
+  const FamilyReport all = this->all();
   std::vector<std::string> lines;
   if (all.with_numbers != 0 && all.all_fields().judged() == 0)
     lines.emplace_back("no number was judged, so no tolerance certifies it: what follows is of its decisions");
@@ -364,80 +459,120 @@ std::vector<std::string> Report::fitness() const {
 }
 
 std::vector<InTheWay> Report::in_the_way() const {
-  const FamilyReport all = total();
+  const FamilyReport all = this->all();
   std::vector<InTheWay> found = tool::in_the_way(all.everyday);
   return found.empty() ? tool::in_the_way(all.fitness) : found;
 }
 
 std::string Report::demand() const {
-  return tolerance() ? "within " + tolerance_text(*tolerance()) : std::string(name(required));
+  if (tolerance()) return "within " + tolerance_text(*tolerance());
+  return fmt::format("{}{}", name(required), within ? fmt::format(" within {}", *within) : "");
 }
 
-std::string Report::sentence() const {
-  const FamilyReport all = total();
-  if (all.cases == 0) return fmt::format("NOTHING JUDGED: no case was left for {}.", who());
-  const double share = 100.0 * static_cast<double>(judged()) / static_cast<double>(all.cases + skipped_cases());
-  const std::string of =
-      fmt::format("{} ({:.3g} % of those given)", count(judged(), "judged case", "judged cases"), share);
-  const auto but_for = [&](std::string_view what) {
-    return all.accepted == 0 ? std::string() : fmt::format("{}", what);
-  };
-  if (certified() && tolerance())
-    return fmt::format("CERTIFIED {}{}: {}, on all {}{}. {}", demand(),
-                       but_for(fmt::format(" but for {}", count(all.accepted, "failure", "failures"))), who(), of,
-                       but_for(" but those that the baseline accepts"), rests_on());
-  if (certified())
-    return fmt::format("CERTIFIED{}: {} reaches {} on all {}{}; {} was required{}. {}",
-                       but_for(fmt::format(" but for {}", count(all.accepted, "failure", "failures"))), who(),
-                       name(level_but_accepted()), of, but_for(" but those that the baseline accepts"), name(required),
-                       level_but_accepted() > required ? ", and these questions have no numbers" : "", rests_on());
-  if (harness_invalid())
-    return fmt::format("HARNESS INVALID: {} never gave an answer that claims something, on {}.", who(), of);
-  std::vector<std::string> reasons;
-  if (all.missed_hits != 0) reasons.push_back(count(all.missed_hits, "missed hit", "missed hits"));
-  if (all.false_hits != 0) reasons.push_back(count(all.false_hits, "false hit", "false hits"));
+std::vector<std::string> Report::reasons(const FamilyReport& all) const {
+  if (tolerance()) {
+    std::vector<std::string> found;
+    if (all.fitness.beyond != 0) found.push_back(count(all.fitness.beyond, "answer beyond it", "answers beyond it"));
+    if (all.with_numbers != 0 && all.all_fields().judged() == 0) found.emplace_back("no number was judged");
+    return found;
+  }
+  std::vector<std::string> found;
+  if (all.missed_hits != 0) found.push_back(count(all.missed_hits, "missed hit", "missed hits"));
+  if (all.false_hits != 0) found.push_back(count(all.false_hits, "false hit", "false hits"));
   for (std::size_t i = 1; i < kStatusNames.size(); ++i)
     if (all.statuses[i] != 0 && !(allow_unsupported && i == static_cast<std::size_t>(Claim::Status::unsupported)))
-      reasons.push_back(count(all.statuses[i], kStatusNames[i], kStatusPlurals[i]));
+      found.push_back(count(all.statuses[i], kStatusNames[i], kStatusPlurals[i]));
   if (all.incomplete != 0) {
     std::vector<std::string> lacking;
     for (std::size_t i = 0; i < all.missing.size(); ++i)
       if (all.missing[i] != 0) lacking.push_back(fmt::format("{} {}", all.missing[i], kAspectNames[i]));
-    reasons.push_back(
+    found.push_back(
         fmt::format("{} ({})", count(sum(all.missing), "missing field", "missing fields"), fmt::join(lacking, ", ")));
   }
   if (all.outside_domain != 0)
-    reasons.push_back(count(all.outside_domain, "answer outside the domain", "answers outside the domain"));
-  if (all.not_finite != 0) reasons.push_back(count(all.not_finite, "answer not finite", "answers not finite"));
+    found.push_back(count(all.outside_domain, "answer outside the domain", "answers outside the domain"));
+  if (required > Level::bounded) return found;  // which judges no number
+  if (all.not_finite != 0) found.push_back(count(all.not_finite, "answer not finite", "answers not finite"));
   for (const Field field : oracle::kFields) {
     const FieldCount& c = all.fields[static_cast<std::size_t>(field)];
     // Grades and levels begin alike: a grade below the required level is what the field lacks.
     for (const Grade grade : {Grade::beyond_bound, Grade::bounded, Grade::faithful})
-      if (c.at(grade) != 0 && static_cast<int>(grade) > static_cast<int>(std::min(required, Level::bounded)))
-        reasons.push_back(
+      if (c.at(grade) != 0 && static_cast<int>(grade) > static_cast<int>(required))
+        found.push_back(
             fmt::format("{} {} {}", c.at(grade), name(field),
                         grade == Grade::beyond_bound ? "beyond the bound" : fmt::format("only {}", name(grade))));
   }
-  if (tolerance()) reasons = {count(all.fitness.beyond, "answer beyond it", "answers beyond it")};
-  if ((tolerance() || required < Level::decisions) && all.with_numbers != 0 && all.all_fields().judged() == 0)
-    reasons.emplace_back("no number was judged");
-  if (repeats && !repeats->same()) reasons.emplace_back("other answers when it was asked again");
+  if (all.with_numbers != 0 && all.all_fields().judged() == 0) found.emplace_back("no number was judged");
+  return found;
+}
+
+std::string Report::sentence() const {
+  const FamilyReport published = total();
+  if (published.cases == 0) return fmt::format("NOTHING JUDGED: no case was left for {}.", who());
+  const FamilyReport asked = fresh_total();
+  const std::uint64_t accepted_here = published.accepted + asked.accepted;
+  const double share = 100.0 * static_cast<double>(judged()) / static_cast<double>(published.cases + skipped_cases());
+  const std::string of =
+      fmt::format("{} ({:.3g} % of those given)", count(judged(), "judged case", "judged cases"), share);
+  const auto but_for = [&](std::string_view what) {
+    return accepted_here == 0 ? std::string() : fmt::format("{}", what);
+  };
+  const auto fresh_ones = [&] {
+    std::string text = fmt::format("{} (seed {}", count(fresh_judged(), "fresh one", "fresh ones"), fresh->seed);
+    if (const std::uint64_t given = asked.cases + skipped_cases(true); given != fresh_judged())
+      text += fmt::format("; of {} given", given);
+    if (!fresh->unmade.empty()) text += fmt::format("; no generator makes {}", fmt::join(fresh->unmade, ", "));
+    return text + ")";
+  };
+  const bool any_fresh = fresh && fresh->each != 0;
+  const std::string and_fresh =
+      !any_fresh ? "" : fmt::format(" and on {}{}", fresh_judged() == 0 ? "" : "all ", fresh_ones());
+  if (right()) {
+    const std::vector<std::string> lacks = falls_short();
+    const std::string last = lacks.empty() ? ""
+                                           : fmt::format(" That is no certificate: {}. --least-judged 0 asks for less.",
+                                                         fmt::join(lacks, "; "));
+    const std::string excused = but_for(fmt::format(" but for {}", count(accepted_here, "failure", "failures")));
+    const std::string_view certificate = lacks.empty() ? "CERTIFIED" : "TOO LITTLE JUDGED";
+    if (tolerance())
+      return fmt::format("{} {}{}: {}, on all {}{}{}.{} {}", certificate, demand(), excused, who(), of, and_fresh,
+                         but_for(" but those that the baseline accepts"), last, rests_on());
+    return fmt::format("{}{}: {} reaches {} on all {}{}{}; {} was required{}.{} {}", certificate, excused, who(),
+                       name(level_but_accepted()), of, and_fresh, but_for(" but those that the baseline accepts"),
+                       demand(), level_but_accepted() > required ? ", and these questions have no numbers" : "", last,
+                       rests_on());
+  }
+  if (harness_invalid())
+    return fmt::format("HARNESS INVALID: {} never gave an answer that claims something, on {}.", who(), of);
+  const std::string is_short = tolerance() ? "is not " + demand() + "," : fmt::format("does not reach {}", demand());
+  const bool published_right = meets(published);
+  const bool fresh_right = asked.judged(allow_unsupported) == asked.accepted || meets(asked);
+  const std::string same = repeats && !repeats->same() ? "other answers when it was asked again" : "";
+  if (published_right && !fresh_right)
+    return fmt::format("REFUTED: {} is right on published questions alone: on {} it {} {}, and {} on {}: {}{}. {}",
+                       who(), of, tolerance() ? "is" : "reaches",
+                       tolerance() ? demand() : std::string(name(published.level_but_accepted(allow_unsupported))),
+                       is_short, fresh_ones(), fmt::join(reasons(asked), ", "), same.empty() ? "" : "; " + same,
+                       rests_on());
+  std::vector<std::string> wrong = published_right ? std::vector<std::string>() : reasons(published);
+  if (!same.empty()) wrong.push_back(same);
   const std::string beyond =
       !accepted ? ""
                 : fmt::format(", {} more than the {} that the baseline accepts",
-                              count(failure_count + unreached - all.accepted, "failure", "failures"), all.accepted);
-  const bool meets = tolerance() ? all.within_tolerance(allow_unsupported) : all.reaches(required, allow_unsupported);
-  const std::string is_short =
-      tolerance() ? "is not " + demand() + "," : fmt::format("does not reach {}", name(required));
-  return fmt::format("REFUTED: {} {} on {}{}: {}. {}", who(), meets ? "is not deterministic" : is_short, of, beyond,
-                     fmt::join(reasons, ", "), rests_on());
+                              count(failure_count + unreached - accepted_here, "failure", "failures"), accepted_here);
+  const std::string there =
+      !any_fresh    ? ""
+      : fresh_right ? fmt::format("; {} on {}", fresh_judged() == 0 ? "it was judged" : "it is right", fresh_ones())
+                    : fmt::format("; on {}: {}", fresh_ones(), fmt::join(reasons(asked), ", "));
+  return fmt::format("REFUTED: {} {} on {}{}: {}{}. {}", who(), published_right ? "is not deterministic" : is_short, of,
+                     beyond, fmt::join(wrong, ", "), there, rests_on());
 }
 
 std::vector<std::string> Report::baseline_lines() const {
   if (!accepted) return {};
   constexpr std::size_t kShown = 20;
   std::vector<std::string> lines{fmt::format("{} accepts {}; {} met again, {} gone", accepted->path,
-                                             count(accepted->failures, "failure", "failures"), total().accepted,
+                                             count(accepted->failures, "failure", "failures"), all().accepted,
                                              gone.size())};
   std::size_t shown = 0;
   for (const std::string& id : gone)
@@ -454,15 +589,17 @@ std::vector<std::string> Report::left_out() const {
   // One line a reason: an engine that does not serve a pair would have one a file.
   std::vector<std::string_view> told;
   for (const Skipped& first : skipped) {
-    if (std::find(told.begin(), told.end(), first.why) != told.end()) continue;
+    if (first.fresh || std::find(told.begin(), told.end(), first.why) != told.end()) continue;
     told.push_back(first.why);
     std::uint64_t alike = 0;
     std::uint64_t cases = 0;
     for (const Skipped& s : skipped)
-      if (s.why == first.why) ++alike, cases += s.cases;
+      if (s.why == first.why && !s.fresh) ++alike, cases += s.cases;
     const std::string more = alike == 1 ? "" : fmt::format(" and {} more", alike - 1);
     lines.push_back(fmt::format("{}{} ({} cases): {}", first.what, more, cases, first.why));
   }
+  if (const std::uint64_t n = skipped_cases(true); n != 0)
+    lines.push_back(fmt::format("{}, for the same reasons", count(n, "fresh question", "fresh questions")));
   if (unreached != 0)
     lines.push_back(
         fmt::format("{} not reached, and missing: {}", count(unreached, "case was", "cases were"), stopped));
@@ -505,21 +642,29 @@ std::string json_text(const Report& report, bool with_failures) {
       if (f.missing[i] != 0)
         missing += fmt::format("{}\"{}\":{}", missing.empty() ? "" : ",", kAspectNames[i], f.missing[i]);
     const auto one = f.one_answer();
+    const std::string farthest = f.farthest_false_hit.question.empty()
+                                     ? "null"
+                                     : fmt::format(R"({{"from":{},"query":{}}})", number(f.farthest_false_hit.off),
+                                                   f.farthest_false_hit.question);
     return fmt::format(
-        R"("cases":{},"judged":{},"accepted":{},"hits":{},"decided":{{"hits":{},"misses":{}}},"one_answer":{},"missed_hits":{},"false_hits":{},"outside_domain":{},"refused":{},"not_finite":{},"incomplete":{},"missing_fields":{{{}}},"level":"{}","answers":{{{}}},"fields":{{{}}},"margins":[{}],{})",
+        R"("cases":{},"judged":{},"accepted":{},"hits":{},"decided":{{"hits":{},"misses":{}}},"one_answer":{},"missed_hits":{},"false_hits":{},"farthest_false_hit":{},"outside_domain":{},"refused":{},"not_finite":{},"incomplete":{},"missing_fields":{{{}}},"level":"{}","answers":{{{}}},"fields":{{{}}},"margins":[{}],{})",
         f.cases, f.judged(report.allow_unsupported), f.accepted, f.hits, f.decided.hits, f.decided.misses,
-        one ? json_string(*one) : "null", f.missed_hits, f.false_hits, f.outside_domain, f.refused, f.not_finite,
-        f.incomplete, missing, name(f.level(report.allow_unsupported)), statuses, fields, margins,
+        one ? json_string(*one) : "null", f.missed_hits, f.false_hits, farthest, f.outside_domain, f.refused,
+        f.not_finite, f.incomplete, missing, name(f.level(report.allow_unsupported)), statuses, fields, margins,
         fitness_json("fitness", f.fitness) + "," + fitness_json("everyday", f.everyday));
   };
   std::string families;
-  for (const FamilyReport& f : report.families)
-    families += fmt::format("{}{{\"pair\":\"{}\",\"scalar\":\"{}\",\"family\":{},{}}}", families.empty() ? "" : ",\n",
-                            name(f.pair), name(f.scalar), json_string(f.family), family_text(f));
+  std::string fresh_families;
+  for (const FamilyReport& f : report.families) {
+    std::string& list = f.fresh ? fresh_families : families;
+    list += fmt::format("{}{{\"pair\":\"{}\",\"scalar\":\"{}\",\"family\":{},{}}}", list.empty() ? "" : ",\n",
+                        name(f.pair), name(f.scalar), json_string(f.family), family_text(f));
+  }
   std::string skipped;
   for (const Skipped& s : report.skipped)
-    skipped += fmt::format("{}{{\"what\":{},\"why\":{},\"cases\":{}}}", skipped.empty() ? "" : ",", json_string(s.what),
-                           json_string(s.why), s.cases);
+    if (!s.fresh)
+      skipped += fmt::format("{}{{\"what\":{},\"why\":{},\"cases\":{}}}", skipped.empty() ? "" : ",",
+                             json_string(s.what), json_string(s.why), s.cases);
   std::string unknown;
   for (const std::string& id : report.unknown_answers)
     unknown += fmt::format("{}\"{}\"", unknown.empty() ? "" : ",", id);
@@ -533,19 +678,21 @@ std::string json_text(const Report& report, bool with_failures) {
     standing += fmt::format(R"({}{{"what":{},"query":{}}})", standing.empty() ? "" : ",\n", json_string(one.what),
                             one.question);
   std::string failures;
-  for (const Failure& f : std::span(report.failures).first(with_failures ? report.failures.size() : 0))
-    failures +=
-        fmt::format(R"({}{{"id":"{}","pair":"{}","scalar":"{}","family":{},"level":"{}","what":{}{}{}}})",
-                    failures.empty() ? "" : ",\n", f.id, name(f.pair), name(f.scalar), json_string(f.family),
-                    name(f.level), json_string(f.what), f.question ? "," + golden::inputs_text(*f.question) : "",
-                    f.accepted ? R"(,"accepted":true)" : "");
+  std::string fresh_failures;
+  for (const Failure& f : std::span(report.failures).first(with_failures ? report.failures.size() : 0)) {
+    std::string& list = f.fresh ? fresh_failures : failures;
+    list += fmt::format(R"({}{{"id":"{}","pair":"{}","scalar":"{}","family":{},"level":"{}","what":{}{}{}}})",
+                        list.empty() ? "" : ",\n", f.id, name(f.pair), name(f.scalar), json_string(f.family),
+                        name(f.level), json_string(f.what), f.question ? "," + golden::inputs_text(*f.question) : "",
+                        f.accepted ? R"(,"accepted":true)" : "");
+  }
   std::string baseline;
   if (report.accepted) {
     std::string gone;
     for (const std::string& id : report.gone) gone += fmt::format("{}\"{}\"", gone.empty() ? "" : ",", id);
     baseline =
         fmt::format(R"("baseline":{{"file":{},"accepts":{},"met":{},"gone":[{}]}},{})",
-                    json_string(report.accepted->path), report.accepted->failures, report.total().accepted, gone, "\n");
+                    json_string(report.accepted->path), report.accepted->failures, report.all().accepted, gone, "\n");
   }
   std::string diagnosis;
   for (const std::string& d : report.why.lines()) diagnosis += (diagnosis.empty() ? "" : ",") + json_string(d);
@@ -559,21 +706,39 @@ std::string json_text(const Report& report, bool with_failures) {
     for (const std::string_view aspect : aspects.names()) quoted.push_back(json_string(aspect));
     return fmt::format("{}", fmt::join(quoted, ","));
   };
+  const auto quoted = [](const std::vector<std::string>& texts) {
+    std::string list;
+    for (const std::string& text : texts) list += (list.empty() ? "" : ",") + json_string(text);
+    return list;
+  };
+  std::string fresh = "null";
+  if (report.fresh && !report.fresh->none.empty())
+    fresh = fmt::format(R"({{"each":0,"none":{},"unmade":[{}]}})", json_string(report.fresh->none),
+                        quoted(report.fresh->unmade));
+  else if (report.fresh)
+    fresh = fmt::format(
+        R"({{"each":{},"seed":{},"unmade":[{}],"given":{},"failure_count":{},"total":{{{}}},"families":[{}],"failures":[{}]}})",
+        report.fresh->each, report.fresh->seed, quoted(report.fresh->unmade),
+        report.fresh_total().cases + report.skipped_cases(true), report.fresh_failures,
+        family_text(report.fresh_total()), fresh_families, fresh_failures);
   return fmt::format(
       "{{\"format\":\"contact-oracle/"
       "report\",\"version\":1,\"engine\":{{\"name\":{},\"version\":{}}},\"scalar\":\"{}\",\"conventions\":{},"
       "{}\"bounds\":{{\"value\":{},\"normal\":{},\"point\":{}}},\"claims\":[{}],\"not_claimed\":[{}],"
-      "\"required\":\"{}\",\"tolerance\":{},\"certified\":{},\"verdict\":{},"
+      "\"required\":\"{}\",\"within\":{},\"least_judged\":{},\"tolerance\":{},\"certified\":{},"
+      "\"falls_short\":[{}],\"verdict\":{},"
       "\"diagnosis\":[{}],\"causes\":[{}],\n\"total\":{{{}}},"
-      "\n\"families\":[\n{}],\n\"skipped\":[{}],\n\"unknown_answers\":[{}],\n\"not_reached\":{},\n{}\"worst\":[{}],"
+      "\n\"families\":[\n{}],\n\"fresh\":{},\n\"skipped\":[{}],\n\"unknown_answers\":[{}],\n\"not_reached\":{},\n{}"
+      "\"worst\":[{}],"
       "\n\"in_the_way\":[{}],\n\"failure_count\":{},\"failures\":[\n{}]{}}}\n",
       json_string(report.engine.name), json_string(report.engine.version), name(report.engine.declared.scalar),
       engines::conventions_text(report.engine.declared.conventions), engines::pair_conventions_text(report.engine),
       number(bounds.value), number(bounds.normal), number(bounds.point), names(report.engine.declared.claimed()),
-      names(report.not_claimed()), name(report.required),
-      report.tolerance() ? engines::tolerance_object(*report.tolerance()) : "null", report.certified(),
-      json_string(report.sentence()), diagnosis, causes, family_text(report.total()), families, skipped, unknown,
-      report.unreached, baseline, worst, standing, report.failure_count, failures,
+      names(report.not_claimed()), name(report.required), report.within ? number(*report.within) : "null",
+      report.least_judged, report.tolerance() ? engines::tolerance_object(*report.tolerance()) : "null",
+      report.certified(), report.right() ? quoted(report.falls_short()) : "", json_string(report.sentence()), diagnosis,
+      causes, family_text(report.total()), families, fresh, skipped, unknown, report.unreached, baseline, worst,
+      standing, report.failure_count - report.fresh_failures, failures,
       report.repeats ? ",\n\"determinism\":" + report.repeats->json() : "");
 }
 

@@ -72,9 +72,18 @@ struct FieldCount {
   void merge(const FieldCount& other);
 };
 
+/// The fresh questions of a run on published ones: docs/specification.md#fresh-questions.
+struct Fresh {
+  std::uint64_t each = 0;  ///< how many of every family that a generator makes; 0: none was asked
+  std::uint64_t seed = 0;
+  std::vector<std::string> unmade{};  ///< families that no generator makes, and of which none could be asked
+  std::string none{};                 ///< why none was asked
+};
+
 /// One dataset, or one generated family.
 struct FamilyReport {
   std::size_t source = 0;  ///< which source of the run, from 0
+  bool fresh = false;      ///< its questions are new, beside those of a dataset
   Pair pair = Pair::sphere_sphere;
   Scalar scalar = Scalar::binary64;
   std::string family;
@@ -82,6 +91,7 @@ struct FamilyReport {
   std::uint64_t hits = 0;  ///< by the exact answer
   std::uint64_t missed_hits = 0;
   std::uint64_t false_hits = 0;
+  Largest farthest_false_hit;               ///< how far from where the answer changes
   std::uint64_t outside_domain = 0;         ///< answers where there is no question
   std::uint64_t refused = 0;                ///< refusals there
   std::uint64_t not_finite = 0;             ///< cases with a field that is not finite where the truth is
@@ -90,6 +100,8 @@ struct FamilyReport {
   std::array<FieldCount, oracle::kFields.size()> fields;
   Sides decided;                                                   ///< cases with a decision that was judged
   std::array<Sides, 2> decisions;                                  ///< these decisions: overlap, contact
+  std::array<Sides, 2> said;                                       ///< what the engine said where these were judged
+  Sides askable;                                                   ///< questions, those that it does not serve included
   std::uint64_t with_numbers = 0;                                  ///< cases whose right answer has numbers
   std::uint64_t incomplete = 0;                                    ///< answers to hits that lack a declared field
   std::array<std::uint64_t, kAspectNames.size()> missing{};        ///< these fields
@@ -116,8 +128,9 @@ struct FamilyReport {
   [[nodiscard]] bool within_tolerance(bool allow_unsupported) const;
   /// The one answer, "hit" or "miss", that would have been right in every decision judged, or "the same".
   [[nodiscard]] std::optional<std::string_view> one_answer() const;
-  /// `margin`: of a question whose decisions depend on it.
-  void add(const Verdict& verdict, const std::string& id, bool hit, const std::optional<MarginBin>& margin);
+  /// `level`: what the answer reaches. `margin`: of a question whose decisions depend on it.
+  void add(const Verdict& verdict, Level level, const std::string& id, bool hit,
+           const std::optional<MarginBin>& margin);
   /// The same answer in the question's own units.
   void add_fitness(const Verdict& verdict, const Query& query);
   /// A case already added is a failure that the baseline accepts.
@@ -149,6 +162,7 @@ struct Skipped {
   std::string why;
   std::uint64_t cases;
   std::size_t source = 0;  ///< which source of the run, from 0
+  bool fresh = false;
 };
 
 /// What a run found, or a part of one. Parts merged in the order of their questions give what the whole run finds, to
@@ -160,6 +174,7 @@ struct Findings {
   std::vector<WorstCase> worst;        ///< at most kWorstOfAKind of each kind, the worst first; none that is accepted
   std::vector<Failure> failures;       ///< the first kMostFailures
   std::uint64_t failure_count = 0;     ///< of all, accepted or not
+  std::uint64_t fresh_failures = 0;    ///< those of them on fresh questions
   std::set<std::string> gone;          ///< ids of accepted failures that fail no longer
   std::uint64_t unreached = 0;         ///< cases that the run ended before; counted as missing
   std::string stopped;                 ///< why it ended before them
@@ -171,23 +186,45 @@ struct Findings {
   void merge(const Findings& later);
 };
 
+/// A verdict rests on at least so many judged cases, or on half of those given where these are fewer: who tosses a coin
+/// decides ten cases right once in a thousand times.
+inline constexpr std::uint64_t kLeastJudged = 10;
+
 struct Report : Findings {
   engines::EngineInfo engine;
   Level required = Level::bounded;
   bool allow_unsupported = false;
-  std::optional<Accepted> accepted;          ///< what the baseline is, where one is given
-  std::optional<Repeats> repeats;            ///< where the engine was asked again
-  std::vector<std::string> unknown_answers;  ///< ids of recorded answers to questions that were not asked
+  std::optional<double> within;               ///< where a false hit may be no farther from the limit: a length
+  std::uint64_t least_judged = kLeastJudged;  ///< 0: a verdict may rest on as little as there is
+  std::optional<Fresh> fresh;                 ///< nothing where no published question was asked
+  std::optional<Accepted> accepted;           ///< what the baseline is, where one is given
+  std::optional<Repeats> repeats;             ///< where the engine was asked again
+  std::vector<std::string> unknown_answers;   ///< ids of recorded answers to questions that were not asked
 
+  /// Of all questions but the fresh ones.
   [[nodiscard]] FamilyReport total() const;
+  [[nodiscard]] FamilyReport fresh_total() const;
+  /// Of both.
+  [[nodiscard]] FamilyReport all() const;
   [[nodiscard]] std::uint64_t judged() const { return total().judged(allow_unsupported); }
-  [[nodiscard]] std::uint64_t skipped_cases() const;
-  [[nodiscard]] Level level() const { return total().level(allow_unsupported); }
-  [[nodiscard]] Level level_but_accepted() const { return total().level_but_accepted(allow_unsupported); }
-  /// Nothing left to judge reaches no level, and is not certified.
-  [[nodiscard]] bool certified() const;
+  [[nodiscard]] std::uint64_t fresh_judged() const { return fresh_total().judged(allow_unsupported); }
+  [[nodiscard]] std::uint64_t skipped_cases(bool fresh = false) const;
+  /// That both reach.
+  [[nodiscard]] Level level() const;
+  [[nodiscard]] Level level_but_accepted() const;
+  /// Every judged answer is as required, and they are enough to certify anything.
+  [[nodiscard]] bool certified() const { return right() && falls_short().empty(); }
+  /// Every judged answer is as required. Nothing left to judge reaches no level, and is not right.
+  [[nodiscard]] bool right() const;
+  /// Why right answers are no certificate: too few, or such as say nothing.
+  /// docs/specification.md#what-a-verdict-rests-on
+  [[nodiscard]] std::vector<std::string> falls_short() const;
+  /// "certified", "REFUTED", or "too little".
+  [[nodiscard]] std::string_view outcome() const;
   /// What the engine is judged by, where that is no level.
   [[nodiscard]] const std::optional<Tolerance>& tolerance() const { return engine.declared.tolerance; }
+  /// The level that an answer reaches: none where it is a false hit farther from the limit than `within`.
+  [[nodiscard]] Level level_of(const Verdict& verdict) const;
   /// Whether an answer fails.
   [[nodiscard]] bool fails(const Verdict& verdict) const;
   /// Why answers are wrong; nothing where the tolerance allows them all, so that none is.
@@ -213,6 +250,11 @@ struct Report : Findings {
   [[nodiscard]] std::vector<std::string> baseline_lines() const;
   /// Which cases were not judged, and why: those skipped and those not reached, a line each.
   [[nodiscard]] std::vector<std::string> left_out() const;
+
+ private:
+  [[nodiscard]] FamilyReport total_of(bool published, bool fresh) const;
+  [[nodiscard]] bool meets(const FamilyReport& family) const;
+  [[nodiscard]] std::vector<std::string> reasons(const FamilyReport& family) const;
 };
 
 inline constexpr std::size_t kWorstOfAKind = 2;

@@ -125,21 +125,34 @@ SavedReport read_report(const std::filesystem::path& path) {
   Failure of_all{};
   read_acceptance(report, of_all);
   for (const Node& other : report.at("failures").items()) failures.push_back(read_failure(other));  // that is no object
-  for (Failure& failure : failures) {
-    if (failure.reason.empty()) failure.reason = of_all.reason;
-    if (failure.expires.empty()) failure.expires = of_all.expires;
+  if (const auto fresh = report.find("fresh"); fresh && !fresh->is_null()) {
+    if (const std::uint64_t each = fresh->at("each").count(); each != 0) {
+      saved.fresh = AskedFresh{each, fresh->at("seed").count()};
+      saved.fresh_failure_count = fresh->at("failure_count").count();
+      for (const Node& failure : fresh->at("failures").items()) {
+        saved.fresh_failures.push_back(read_failure(failure));
+        saved.fresh_failures.back().fresh = true;
+      }
+    }
   }
+  for (std::vector<Failure>* list : {&failures, &saved.fresh_failures})
+    for (Failure& failure : *list) {
+      if (failure.reason.empty()) failure.reason = of_all.reason;
+      if (failure.expires.empty()) failure.expires = of_all.expires;
+    }
   saved.failures = std::move(failures);
   return saved;
 }
 
 Baseline::Baseline(const SavedReport& report, const std::string& today)
     : path_(report.path.string()), engine_(report.engine) {
-  if (report.failure_count != report.failures.size())
+  const std::uint64_t count = report.failure_count + report.fresh_failure_count;
+  std::vector<Failure> all = report.failures;
+  all.insert(all.end(), report.fresh_failures.begin(), report.fresh_failures.end());
+  if (count != all.size())
     throw formats::InputError({path_, 0}, "failures",
-                              fmt::format("lists {} of {} failures: too many to accept one by one",
-                                          report.failures.size(), report.failure_count));
-  for (const Failure& f : report.failures) {
+                              fmt::format("lists {} of {} failures: too many to accept one by one", all.size(), count));
+  for (const Failure& f : all) {
     if (!f.expires.empty() && f.expires < today) {
       expired_.push_back(
           fmt::format("{} was accepted until {}{}{}", f.id, f.expires, f.reason.empty() ? "" : ": ", f.reason));

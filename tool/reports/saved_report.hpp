@@ -26,6 +26,7 @@ struct Failure {
   std::string reason{};                          ///< why it may be accepted, where the report says so
   std::string expires{};                         ///< the last day on which it may be, YYYY-MM-DD; empty: none was named
   std::optional<Query> question = std::nullopt;  ///< what was asked; reports of older versions do not say
+  bool fresh = false;                            ///< of a fresh question
 };
 
 /// pair/family, with .f32 for questions in binary32.
@@ -62,6 +63,12 @@ struct SavedAnswers {
   std::string each;  ///< an id and 8 digits of the answer's digest for each
 };
 
+/// The fresh questions of a run: how many of each family, and their seed.
+struct AskedFresh {
+  std::uint64_t each;
+  std::uint64_t seed;
+};
+
 struct SavedReport {
   std::filesystem::path path;
   std::string engine;  ///< its name
@@ -69,11 +76,14 @@ struct SavedReport {
   oracle::Level required;
   std::string verdict;  ///< the sentence
   std::vector<SavedFamily> families;
-  std::vector<Failure> failures;
-  std::uint64_t failure_count;  ///< more than are listed, perhaps
+  std::vector<Failure> failures;  ///< on published questions
+  std::uint64_t failure_count;    ///< more than are listed, perhaps
   std::vector<SavedAnswers> answers{};
   SavedFamily total{};
   std::optional<Tolerance> tolerance = std::nullopt;  ///< what it was judged by instead of the required level
+  std::optional<AskedFresh> fresh = std::nullopt;     ///< where any were asked
+  std::vector<Failure> fresh_failures{};              ///< on those
+  std::uint64_t fresh_failure_count = 0;
 
   /// Its name and its version.
   [[nodiscard]] std::string who() const { return engine + " " + version; }

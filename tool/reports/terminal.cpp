@@ -27,7 +27,7 @@ std::string styled(const fmt::text_style& style, const std::string& text, bool c
 fmt::text_style style_of(const std::string& head, const std::string& cell) {
   if (head == cell) return kHead;
   if (cell == "certified") return kGood;
-  if (cell == "REFUTED") return kBad;
+  if (cell == "REFUTED" || cell == "too little") return kBad;
   const bool counts_wrong = head.starts_with("missed") || head.starts_with("false") || head.starts_with("beyond") ||
                             head == "no answer" || head == "missing fields" || head == "not finite";
   return counts_wrong && cell != "." ? kBad : fmt::text_style();
@@ -41,15 +41,18 @@ std::uint64_t wrong(const FamilyReport& f) {
 /// Families that fall short, the worst first, as many as there is room for, then the others added up by pair. A few
 /// families all have their row.
 std::vector<std::pair<std::string, FamilyReport>> rows_of(const Report& report) {
-  std::vector<FamilyReport> families = report.families;
+  std::vector<FamilyReport> families;
+  std::vector<FamilyReport> fresh;
+  for (const FamilyReport& f : report.families) (f.fresh ? fresh : families).push_back(f);
   const auto level = [&](const FamilyReport& f) { return f.level(report.allow_unsupported); };
   const auto short_of = [&](const FamilyReport& f) {
     if (report.tolerance()) return f.fitness.answers != 0 && !f.within_tolerance(report.allow_unsupported);
     return level(f) > (f.with_numbers == 0 ? std::max(report.required, Level::decisions) : report.required);
   };
-  std::stable_sort(families.begin(), families.end(), [&](const FamilyReport& x, const FamilyReport& y) {
+  const auto worse = [&](const FamilyReport& x, const FamilyReport& y) {
     return std::tuple(short_of(x), level(x), wrong(x)) > std::tuple(short_of(y), level(y), wrong(y));
-  });
+  };
+  std::stable_sort(families.begin(), families.end(), worse);
   const std::size_t shown =
       families.size() <= kMostRows
           ? families.size()
@@ -65,6 +68,15 @@ std::vector<std::pair<std::string, FamilyReport>> rows_of(const Report& report) 
   for (const auto& [pair, sum] : others)
     rows.emplace_back(fmt::format("{} ({} {})", name(pair), sum.first, shown == 0 ? "families" : "others"), sum.second);
   if (rows.size() > 1) rows.emplace_back("total", report.total());
+  // Of fresh questions those families that fall short where only they do; of one family its own row says it.
+  std::stable_sort(fresh.begin(), fresh.end(), worse);
+  if (fresh.size() > 1)
+    for (std::size_t i = 0; i < std::min(kMostRows, fresh.size()) && short_of(fresh[i]); ++i)
+      if (std::none_of(families.begin(), families.end(), [&](const FamilyReport& f) {
+            return short_of(f) && f.pair == fresh[i].pair && f.scalar == fresh[i].scalar && f.family == fresh[i].family;
+          }))
+        rows.emplace_back(fresh[i].title(), fresh[i]);
+  if (!fresh.empty()) rows.emplace_back("fresh questions", report.fresh_total());
   return rows;
 }
 
@@ -90,7 +102,7 @@ std::string terminal_text(const Report& report, bool colour) {
              fmt::format("{} ({}), required: {}", report.who(), name(report.engine.declared.scalar), report.demand()),
              colour) +
       "\n\n" + table.text(colour ? style_of : Table::Style());
-  const FamilyReport all = report.total();
+  const FamilyReport all = report.all();
   std::string levels;
   for (const Field field : oracle::kFields) {
     const FieldCount& c = all.fields[static_cast<std::size_t>(field)];
@@ -115,7 +127,7 @@ std::string terminal_text(const Report& report, bool colour) {
   }
   if (report.repeats) listed("Asked again", report.repeats->lines());
   listed("Not judged", report.left_out());
-  if (!report.certified() && !report.worst.empty()) {
+  if (!report.right() && !report.worst.empty()) {
     text += "\n" + styled(kHead, "The worst cases, as lines for `contact-oracle explain`:", colour) + "\n";
     for (const WorstCase& w : report.worst)
       text += fmt::format("  # {}\n  {}\n", styled(kBad, w.what(), colour), golden::query_line(w.query, w.scalar));
@@ -128,7 +140,8 @@ std::string terminal_text(const Report& report, bool colour) {
 std::string scoreboard_text(const std::vector<Report>& reports, bool colour) {
   Table summary;
   summary.row({"engine", "verdict", "level reached", "hits", "misses", "missed hits", "false hits", "missing fields",
-               "not finite", "numbers", "correctly rounded", "beyond bound", "lengths fit from", "normals fit from"});
+               "not finite", "numbers", "correctly rounded", "beyond bound", "lengths fit from", "normals fit from",
+               "fresh", "fresh wrong"});
   for (const Report& report : reports) {
     const FamilyReport all = report.total();
     const FieldCount fields = all.all_fields();
@@ -136,10 +149,12 @@ std::string scoreboard_text(const std::vector<Report>& reports, bool colour) {
                                               : 100.0 * static_cast<double>(fields.at(Grade::correctly_rounded)) /
                                                     static_cast<double>(fields.judged());
     const Fit fit = fit_of(all.everyday);
-    summary.row({report.engine.name, report.certified() ? "certified" : "REFUTED", std::string(name(report.level())),
-                 or_dot(all.decided.hits), or_dot(all.decided.misses), or_dot(all.missed_hits), or_dot(all.false_hits),
-                 or_dot(all.incomplete), or_dot(all.not_finite), or_dot(fields.judged()),
-                 fmt::format("{:.1f} %", share), or_dot(fields.at(Grade::beyond_bound)), fit.length, fit.angle});
+    summary.row({report.engine.name, std::string(report.outcome()),
+                 std::string(name(all.level(report.allow_unsupported))), or_dot(all.decided.hits),
+                 or_dot(all.decided.misses), or_dot(all.missed_hits), or_dot(all.false_hits), or_dot(all.incomplete),
+                 or_dot(all.not_finite), or_dot(fields.judged()), fmt::format("{:.1f} %", share),
+                 or_dot(fields.at(Grade::beyond_bound)), fit.length, fit.angle, or_dot(report.fresh_judged()),
+                 or_dot(report.fresh_failures)});
   }
   // Family by family: those where most is wrong, of all engines together, come first.
   struct Row {
@@ -149,6 +164,7 @@ std::string scoreboard_text(const std::vector<Report>& reports, bool colour) {
   std::map<std::string, Row> rows;
   for (std::size_t i = 0; i < reports.size(); ++i)
     for (const FamilyReport& f : reports[i].families) {
+      if (f.fresh) continue;
       Row& row = rows[f.title()];
       if (row.cells.empty()) row.cells.assign(reports.size(), "-");
       const std::uint64_t here = f.missed_hits + f.false_hits + f.incomplete + f.not_finite;

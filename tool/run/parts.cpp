@@ -128,12 +128,13 @@ template <class Archive>
 void serialize(Archive& archive, FamilyReport& f) {
   archive(f.source, f.pair, f.scalar, f.family, f.cases, f.hits, f.missed_hits, f.false_hits, f.outside_domain,
           f.refused, f.not_finite, f.accepted, f.statuses, f.fields, f.decided, f.decisions, f.with_numbers,
-          f.incomplete, f.missing, f.levels, f.accepted_levels, f.margins, f.fitness, f.everyday);
+          f.incomplete, f.missing, f.levels, f.accepted_levels, f.margins, f.fitness, f.everyday, f.fresh,
+          f.farthest_false_hit, f.said, f.askable);
 }
 
 template <class Archive>
 void serialize(Archive& archive, Skipped& s) {
-  archive(s.what, s.why, s.cases, s.source);
+  archive(s.what, s.why, s.cases, s.source, s.fresh);
 }
 
 /// A question is made for its pair, so that the pair is looked at before the rest.
@@ -144,13 +145,13 @@ inline void refuse_unknown(Pair pair) {
 /// Numbers and not text, as there may be a hundred thousand of them.
 template <class Archive>
 void save(Archive& archive, const Failure& f) {
-  archive(f.id, f.pair, f.scalar, f.family, f.level, f.what, f.accepted);
+  archive(f.id, f.pair, f.scalar, f.family, f.level, f.what, f.accepted, f.fresh);
   for_each_number(*f.question, [&](const std::string&, double x) { archive(x); });
 }
 
 template <class Archive>
 void load(Archive& archive, Failure& f) {
-  archive(f.id, f.pair, f.scalar, f.family, f.level, f.what, f.accepted);
+  archive(f.id, f.pair, f.scalar, f.family, f.level, f.what, f.accepted, f.fresh);
   refuse_unknown(f.pair);
   f.question = zero_query(f.pair);
   for_each_number(*f.question, [&](const std::string&, double& x) { archive(x); });
@@ -177,8 +178,8 @@ void load(Archive& archive, WorstCase& w) {
 
 template <class Archive>
 void serialize(Archive& archive, Findings& f) {
-  archive(f.sources, f.families, f.skipped, f.worst, f.failures, f.failure_count, f.gone, f.unreached, f.stopped,
-          f.why);
+  archive(f.sources, f.families, f.skipped, f.worst, f.failures, f.failure_count, f.fresh_failures, f.gone, f.unreached,
+          f.stopped, f.why);
 }
 
 template <class Archive>
@@ -304,18 +305,28 @@ std::string run_text(const std::vector<Source>& sources, const Report& report) {
   std::string list;
   for (const Source& s : sources)
     list += fmt::format(
-        R"({}{{"pair":"{}","scalar":"{}","family":{},"count":{},{}}})", list.empty() ? "" : ",", name(s.pair),
-        name(s.scalar), formats::json_string(s.family), s.count,
+        R"({}{{"pair":"{}","scalar":"{}","family":{},"count":{},{}{}}})", list.empty() ? "" : ",", name(s.pair),
+        name(s.scalar), formats::json_string(s.family), s.count, s.fresh ? R"("fresh":true,)" : "",
         s.dataset ? fmt::format(R"("dataset":{},"sha256":"{}")", formats::json_string(s.dataset->string()),
                                 digest_of_file(*s.dataset))
                   : fmt::format(R"("generator":{},"seed":{})", formats::json_string(golden::kGenerator), s.seed));
-  return fmt::format(R"({{{},"required":"{}","allow_unsupported":{}{},"sources":[{}]}})",
-                     engines::engine_text(report.engine), name(report.required), report.allow_unsupported,
-                     report.accepted ? fmt::format(R"(,"baseline":{{"file":{},"accepts":{},"sha256":"{}"}})",
-                                                   formats::json_string(report.accepted->path),
-                                                   report.accepted->failures, digest_of_file(report.accepted->path))
-                                     : "",
-                     list);
+  std::string fresh;
+  if (report.fresh) {
+    std::string unmade;
+    for (const std::string& family : report.fresh->unmade)
+      unmade += (unmade.empty() ? "" : ",") + formats::json_string(family);
+    fresh = fmt::format(R"(,"fresh":{{"each":{},"seed":{},"unmade":[{}],"none":{}}})", report.fresh->each,
+                        report.fresh->seed, unmade, formats::json_string(report.fresh->none));
+  }
+  return fmt::format(
+      R"({{{},"required":"{}","within":{},"least_judged":{},"allow_unsupported":{}{}{},"sources":[{}]}})",
+      engines::engine_text(report.engine), name(report.required),
+      report.within ? formats::number(*report.within) : "null", report.least_judged, report.allow_unsupported, fresh,
+      report.accepted ? fmt::format(R"(,"baseline":{{"file":{},"accepts":{},"sha256":"{}"}})",
+                                    formats::json_string(report.accepted->path), report.accepted->failures,
+                                    digest_of_file(report.accepted->path))
+                      : "",
+      list);
 }
 
 std::filesystem::path part_name(golden::Shard part) { return fmt::format("part-{}-of-{}.part", part.index, part.of); }
@@ -386,9 +397,16 @@ Report report_of(const PartFile& file) {
   const auto json = formats::parse_object(file.run, where);
   const formats::Node run(json, where);
   Report report;
-  report.engine = engines::read_engine_info(run, {"required", "allow_unsupported", "baseline", "sources"});
+  report.engine = engines::read_engine_info(
+      run, {"required", "within", "least_judged", "allow_unsupported", "fresh", "baseline", "sources"});
   report.required = static_cast<Level>(run.at("required").one_of(oracle::kLevelNames));
   report.allow_unsupported = run.at("allow_unsupported").boolean();
+  if (const formats::Node within = run.at("within"); !within.is_null()) report.within = within.number();
+  report.least_judged = run.at("least_judged").count();
+  if (const auto fresh = run.find("fresh")) {
+    report.fresh = Fresh{fresh->at("each").count(), fresh->at("seed").count(), {}, fresh->at("none").text()};
+    for (const formats::Node& family : fresh->at("unmade").items()) report.fresh->unmade.push_back(family.text());
+  }
   if (const auto baseline = run.find("baseline"))
     report.accepted = Accepted{baseline->at("file").text(), baseline->at("accepts").count()};
   return report;

@@ -167,7 +167,7 @@ Agreed agreed_truth(const Item& item, const Source& source, const std::vector<Sc
     oracle::StagedAnswer staged = oracle::staged_answer(query, scalar);
     slice.decided.add(staged.stage);
     if (item.expected && scalar == source.scalar) check_expectation(item, staged, scalar, slice);
-    if (is_checked(check, source.size(), item.question.id, staged.stage)) {
+    if (is_checked(check, source.fresh ? kWhole + 1 : source.size(), item.question.id, staged.stage)) {
       check_stage(query, staged, scalar);
       ++slice.checked;
     }
@@ -198,10 +198,10 @@ void judge_one(const Item& item, const std::optional<Agreed>& agreed, const Sour
   Verdict verdict =
       agreed ? oracle::judge(query, *truth, claim, declared, rounded) : oracle::judge_outside_domain(claim);
   if (agreed) oracle::mark_last_bit(query, *truth, declared, verdict);
-  const Level level = verdict.level();
+  const Level level = report.level_of(verdict);
   // An engine that knows no alarm distance decides at another margin.
   const bool decides_there = declared.conventions.margin != Margin::none || query.distances.alarm == 0;
-  found.families.front().add(verdict, id, truth != nullptr && truth->hit(),
+  found.families.front().add(verdict, level, id, truth != nullptr && truth->hit(),
                              agreed && decides_there ? in_scalar->margin : std::nullopt);
   found.families.front().add_fitness(verdict, query);
   const bool fails = report.fails(verdict);
@@ -217,7 +217,8 @@ void judge_one(const Item& item, const std::optional<Agreed>& agreed, const Sour
   }
   if (report.allow_unsupported && verdict.status == Claim::Status::unsupported) return;
   const WorstCase worst{query, source.scalar, claim, verdict};
-  found.add(Failure{id, query.pair, source.scalar, source.family, level, worst.what(), accepted, "", "", query});
+  found.add(Failure{id, query.pair, source.scalar, source.family, level, worst.what(), accepted, "", "", query,
+                    source.fresh});
   if (accepted)
     found.families.front().accept(level);
   else
@@ -288,13 +289,14 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
   none.pair = source.pair;
   none.scalar = source.scalar;
   none.family = source.family;
+  none.fresh = source.fresh;
   for (Subject& subject : subjects) {
     const engines::EngineInfo& engine = subject.engine->info();
     none.source = subject.report.sources++;
     if (const auto why = excluded(source.pair, source.scalar, engine)) {
       const std::string what =
           source.dataset ? source.dataset->string() : fmt::format("{}/{}", name(source.pair), source.family);
-      subject.report.skipped.push_back({what, *why, source.count, none.source});
+      subject.report.skipped.push_back({what, *why, source.count, none.source, source.fresh});
       continue;
     }
     judged.push_back(&subject);
@@ -329,6 +331,7 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
       std::vector<std::size_t> which;
       std::map<std::string_view, std::uint64_t> left_out;
       for (std::size_t i = 0; i < slice.questions.size(); ++i) {
+        if (truths[i]) slice.found[s].families.front().askable.add(truths[i]->truth.hit());
         if (const auto why = oracle::not_served(slice.questions[i].query, declared)) {
           ++left_out[*why];
           judged[s]->engine->pass_over(slice.questions[i]);
@@ -340,8 +343,8 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
       if (!all)
         for (const std::size_t i : which) asked.push_back(slice.questions[i]);
       for (const auto& [why, count] : left_out)
-        slice.found[s].skipped.push_back(
-            {fmt::format("{}/{}", name(source.pair), source.family), std::string(why), count, none.source});
+        slice.found[s].skipped.push_back({fmt::format("{}/{}", name(source.pair), source.family), std::string(why),
+                                          count, none.source, source.fresh});
       const std::vector<Claim> claims = judged[s]->engine->answer(all ? slice.questions : asked);
       for (std::size_t k = 0; k < which.size(); ++k)
         judge_one(slice.item(which[k]), truths[which[k]], source, claims[k], *judged[s], declared, run, slice.found[s]);

@@ -31,6 +31,7 @@ struct Source {
   std::uint64_t first = 0;  ///< questions before those
   std::uint64_t whole = 0;  ///< questions of the source that this is a part of; 0: of this one
   std::shared_ptr<const std::vector<Query>> listed = nullptr;
+  bool fresh = false;  ///< new questions, beside those of datasets: tool/run/fresh.hpp
 
   [[nodiscard]] std::uint64_t size() const { return whole != 0 ? whole : count; }
 };
@@ -72,8 +73,8 @@ struct Stop {
 enum class Check { sample, all };
 inline constexpr std::array<std::string_view, 2> kCheckNames{"sample", "all"};
 
-// A sample has every question of a source of up to kWhole; of a larger one those whose id, which is a digest, says so:
-// one in kOneIn of what the first stage decided, one in kHardOneIn of what it passed on.
+// A sample has every question of a source of up to kWhole; of a larger one, and of fresh questions, those whose id,
+// which is a digest, says so: one in kOneIn of what the first stage decided, one in kHardOneIn of what it passed on.
 inline constexpr std::uint64_t kWhole = 4096;
 inline constexpr unsigned kOneIn = 1024;
 inline constexpr unsigned kHardOneIn = 16;

@@ -14,11 +14,14 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <set>
 #include <thread>
 
 #include "contact/cube_cube.hpp"
 #include "contact/sphere_sphere.hpp"
 #include "golden/query_id.hpp"
+#include "tool/run/fresh.hpp"
+#include "tool/run/parts.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
@@ -167,6 +170,249 @@ TEST(Verdict, BoxesHaveNoNumberSoDecisionsAreAllThatIsAsked) {
   Report wrong = judged(Pair::cube_cube, [](const Query&, Claim& claim) { claim.overlap = true; });
   EXPECT_EQ(wrong.level(), Level::conservative);
   EXPECT_FALSE(wrong.certified());
+}
+
+// Whether it rests on enough.
+
+/// Answers decisions alone.
+oracle::Declaration decisions_alone() {
+  oracle::Declaration declared;
+  declared.claims = Aspects{Aspect::overlap};
+  return declared;
+}
+
+TEST(Verdict, WhoAlwaysSaysHitIsNotConservativeAndNoNumberOfItsIsWhatItRestsOn) {
+  oracle::Declaration declared;
+  declared.claims = Aspects{Aspect::overlap, Aspect::contact, Aspect::normal, Aspect::point2, Aspect::value};
+  Report report = judged(
+      Pair::sphere_sphere,
+      [](const Query&, Claim& claim) {
+        claim.overlap = true;
+        claim.speaks_of_contact = true;
+        claim.contact = ContactClaim{};
+        claim.contact->normal = claim.contact->point1 = claim.contact->point2 = Vector3{0, 0, 0};
+        claim.contact->value = 0;
+      },
+      declared);
+  report.required = Level::conservative;
+  EXPECT_TRUE(report.right());
+  EXPECT_FALSE(report.certified());
+  EXPECT_EQ(report.outcome(), "too little");
+  const FamilyReport all = report.total();
+  const std::string sentence = report.sentence();
+  EXPECT_TRUE(sentence.starts_with("TOO LITTLE JUDGED: ")) << sentence;
+  EXPECT_NE(sentence.find("its overlap is hit every time; its contact is hit every time"), std::string::npos)
+      << sentence;
+  EXPECT_NE(sentence.find(fmt::format("{} misses, and on no number. {} of {} misses were called hits, the farthest ",
+                                      all.decided.misses, all.decided.misses, all.decided.misses)),
+            std::string::npos)
+      << sentence;
+  report.least_judged = 0;
+  EXPECT_TRUE(report.certified());
+}
+
+TEST(Verdict, AConservativeEngineIsCertifiedAndMayBeBoundedByALength) {
+  // A bounding sphere: hit up to an eighth beyond the reach. Squares of everyday numbers are all in range.
+  oracle::Declaration declared = decisions_alone();
+  declared.conventions.scale_min = 1e-4;
+  declared.conventions.scale_max = 1e4;
+  const auto generous = [](const Query& query, Claim& claim) {
+    const auto [a, b] = *query.balls();
+    const double reach = query.distances.alarm + a.radius + b.radius;
+    const Vector3 delta = b.center - a.center;
+    claim.overlap = std::sqrt(delta[0] * delta[0] + delta[1] * delta[1] + delta[2] * delta[2]) <= 1.125 * reach;
+  };
+  const auto at_most = [&](std::optional<double> within) {
+    std::vector<Subject> subjects;
+    subjects.push_back({std::make_unique<Broken>(generous, declared), {}});
+    Report& report = subjects.front().report;
+    report.engine = subjects.front().engine->info();
+    report.required = Level::conservative;
+    report.within = within;
+    Stop never;
+    Oracles oracles;
+    const golden::Family& family = *golden::find_family(Pair::sphere_sphere, "generic");
+    judge_source({Pair::sphere_sphere, Scalar::binary64, "generic", 2000, std::nullopt, &family, 1}, subjects, never,
+                 oracles);
+    return std::move(report);
+  };
+  const Report free = at_most(std::nullopt);
+  ASSERT_GT(free.total().false_hits, 0U);
+  ASSERT_LT(free.total().false_hits, free.total().decided.misses);
+  EXPECT_TRUE(free.certified()) << free.sentence();
+  EXPECT_EQ(free.level(), Level::conservative);
+  const double farthest = free.total().farthest_false_hit.off;
+  EXPECT_NE(
+      free.sentence().find(fmt::format("{} of {} misses were called hits, the farthest {} from where",
+                                       free.total().false_hits, free.total().decided.misses, rounded_up(farthest))),
+      std::string::npos)
+      << free.sentence();
+  EXPECT_TRUE(at_most(farthest).certified());
+  const Report bounded = at_most(std::nextafter(farthest, 0));
+  EXPECT_FALSE(bounded.right());
+  EXPECT_EQ(bounded.failure_count, 1U);
+  EXPECT_EQ(bounded.level(), Level::none);
+}
+
+TEST(Verdict, TooFewJudgedCasesAreNoCertificate) {
+  // Of 210 questions those with no number above the limit, fewer with each.
+  std::uint64_t enough = 0;
+  for (double most = 1e-3; most < 1e12; most *= 4) {
+    oracle::Declaration declared;
+    declared.conventions.scale_max = most;
+    std::vector<Subject> subjects;
+    subjects.push_back({std::make_unique<Broken>([](const Query&, Claim&) {}, declared), {}});
+    Report& report = subjects.front().report;
+    report.engine = subjects.front().engine->info();
+    Stop never;
+    Oracles oracles;
+    const auto path = std::filesystem::path(CONTACT_SOURCE_DIR) / "golden/sphere_sphere/generic.jsonl";
+    judge_source({Pair::sphere_sphere, Scalar::binary64, "generic", 210, path}, subjects, never, oracles);
+    const FamilyReport all = report.total();
+    if (all.cases == 0) continue;
+    EXPECT_EQ(report.certified(), all.cases >= kLeastJudged && all.decided.both()) << report.sentence();
+    enough += report.certified() ? 1 : 0;
+    if (all.cases >= kLeastJudged) continue;
+    EXPECT_NE(report.sentence().find("of 210 given are fewer than 10"), std::string::npos) << report.sentence();
+    report.least_judged = 1;
+    EXPECT_EQ(report.certified(), all.decided.both());
+    report.least_judged = 0;
+    EXPECT_TRUE(report.certified());
+  }
+  EXPECT_GT(enough, 0U);
+}
+
+// Fresh questions.
+
+/// A golden file in binary64 as a source.
+Source committed(Pair pair, const std::string& family) {
+  const auto path =
+      std::filesystem::path(CONTACT_SOURCE_DIR) / "golden" / std::string(name(pair)) / (family + ".jsonl");
+  const golden::DatasetHeader header = golden::DatasetReader(path).header();
+  return {header.pair, header.scalar, header.family, header.count, path};
+}
+
+/// An engine that answers as production does where it knows the question, and else as it is told.
+class Knowing final : public engines::Engine {
+ public:
+  Knowing(const std::vector<Source>& sources, Claim otherwise)
+      : Engine({"knowing", "1", {kPairs.begin(), kPairs.end()}, {}, {}}),
+        production_(engines::make_built_in("production")),
+        otherwise_(std::move(otherwise)) {
+    for (const Source& source : sources)
+      for_each_question(source, [&](const engines::Question& question) { known_.insert(question.id); });
+  }
+
+  std::vector<Claim> answer(std::span<const engines::Question> questions) override {
+    std::vector<Claim> claims = production_->answer(questions);
+    for (std::size_t i = 0; i < questions.size(); ++i)
+      if (!known_.contains(questions[i].id)) claims[i] = otherwise_;
+    return claims;
+  }
+
+ private:
+  std::unique_ptr<engines::Engine> production_;
+  Claim otherwise_;
+  std::set<std::string> known_;
+};
+
+Report judged_with_fresh(std::unique_ptr<engines::Engine> engine, std::vector<Source> sources, const AskedFresh& asked,
+                         bool allow_unsupported = false, std::uint64_t cut_into = 1) {
+  for (Source& source : fresh_beside(sources, asked)) sources.push_back(std::move(source));
+  std::vector<Subject> subjects;
+  subjects.push_back({std::move(engine), {}});
+  Report& report = subjects.front().report;
+  report.engine = subjects.front().engine->info();
+  report.allow_unsupported = allow_unsupported;
+  report.fresh = fresh_of(sources, false);
+  std::vector<Report> reports{report};
+  Stop never;
+  Oracles oracles;
+  for (std::uint64_t i = 0; i < cut_into; ++i)
+    merge(reports, unpack(pack(judge_part(cut(sources, {i, cut_into}), subjects, never, oracles))), i == 0);
+  return std::move(reports.front());
+}
+
+const std::vector<Source>& published() {
+  static const std::vector<Source> files{committed(Pair::sphere_sphere, "generic"),
+                                         committed(Pair::sphere_sphere, "touching"),
+                                         committed(Pair::sphere_sphere, "upstream")};
+  return files;
+}
+constexpr AskedFresh kFortyTwo{60, golden::kCommittedSeed};  // the seed of the files themselves
+
+TEST(Fresh, WhoKnowsPublishedAnswersAloneIsRefutedAndTheSentenceSaysSo) {
+  Claim miss;
+  miss.overlap = false;
+  miss.speaks_of_contact = true;
+  const auto cheat = [&] { return std::make_unique<Knowing>(published(), miss); };
+  const Report alone = judged_with_fresh(cheat(), published(), {0, 0});
+  EXPECT_TRUE(alone.certified());
+  EXPECT_TRUE(alone.sentence().ends_with(" On published questions alone: --fresh 0 left fresh ones out."))
+      << alone.sentence();
+  const Report report = judged_with_fresh(cheat(), published(), kFortyTwo);
+  EXPECT_FALSE(report.certified());
+  EXPECT_EQ(report.total().missed_hits, 0U);
+  EXPECT_EQ(report.total().cases, 210U + 210U + 891U);
+  EXPECT_EQ(report.fresh_total().cases, 120U);  // upstream was recorded, and no generator makes it
+  EXPECT_EQ(report.fresh_total().missed_hits, report.fresh_total().hits);
+  EXPECT_EQ(report.fresh_failures, report.fresh_total().hits);
+  EXPECT_EQ(report.level(), Level::none);
+  EXPECT_EQ(report.total().level(false), Level::correctly_rounded);
+  EXPECT_TRUE(
+      report.sentence().starts_with(fmt::format("REFUTED: knowing 1 is right on published questions alone: on 1311 "
+                                                "judged cases (100 % of those given) it reaches "
+                                                "correctly-rounded, and does not reach bounded on 120 fresh ones (seed "
+                                                "42; no generator makes upstream): {} missed "
+                                                "hits. It rests on ",
+                                                report.fresh_total().hits)))
+      << report.sentence();
+}
+
+TEST(Fresh, WhoIsRightOnBothIsCertified) {
+  const Report report = judged_with_fresh(engines::make_built_in("production"), published(), kFortyTwo);
+  EXPECT_TRUE(report.certified());
+  EXPECT_NE(
+      report.sentence().find("on all 1311 judged cases (100 % of those given) and on all 120 fresh ones (seed 42; no "
+                             "generator makes upstream); bounded was required."),
+      std::string::npos)
+      << report.sentence();
+  EXPECT_NE(report.sentence().find(fmt::format("value; of fresh questions on {} hits and {} misses.",
+                                               report.fresh_total().hits, 120 - report.fresh_total().hits)),
+            std::string::npos)
+      << report.sentence();
+}
+
+TEST(Fresh, WhoCallsUnsupportedWhatIsNotPublishedIsNotCertified) {
+  Claim unsupported;
+  unsupported.status = Claim::Status::unsupported;
+  unsupported.text = "not in my files";
+  const Report report =
+      judged_with_fresh(std::make_unique<Knowing>(published(), unsupported), published(), kFortyTwo, true);
+  EXPECT_TRUE(report.right());
+  EXPECT_FALSE(report.certified());
+  EXPECT_NE(report.sentence().find("it answers 0 of 120 fresh questions, and 1311 of 1311 published ones"),
+            std::string::npos)
+      << report.sentence();
+}
+
+TEST(Fresh, NoSeedBringsBackWhatAFileHolds) {
+  std::set<std::string> known;
+  for (const Source& source : published())
+    for_each_question(source, [&](const engines::Question& question) { known.insert(question.id); });
+  const std::vector<Source> fresh = fresh_beside(published(), kFortyTwo);
+  ASSERT_EQ(fresh.size(), 2U);
+  for (const Source& source : fresh)
+    for_each_question(source, [&](const engines::Question& question) { EXPECT_FALSE(known.contains(question.id)); });
+}
+
+TEST(Fresh, ARunInPartsGivesTheSameBytes) {
+  const auto report = [](std::uint64_t of) {
+    return json_text(judged_with_fresh(engines::make_built_in("plain-double"), published(), {25, 7}, false, of));
+  };
+  const std::string whole = report(1);
+  EXPECT_EQ(report(3), whole);
+  EXPECT_EQ(report(64), whole);
 }
 
 TEST(Certify, APairIsJudgedByItsOwnConventions) {

@@ -16,6 +16,9 @@ import unittest
 import uuid
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "tool"))
+from published import published  # noqa: E402
+
 TOOL, BUILT = (Path(word).resolve() for word in sys.argv[1:3]) if len(sys.argv) > 2 else sys.exit(__doc__)
 ROOT = Path(__file__).resolve().parents[3]
 SOURCES = ROOT / "docs/examples/engines"
@@ -70,7 +73,7 @@ class Run:
         with tempfile.TemporaryDirectory() as folder:
             report = Path(folder) / "report.json"
             start = time.monotonic()
-            process = subprocess.Popen([TOOL, "certify", *map(str, args), "--json", report], stdout=subprocess.PIPE,
+            process = subprocess.Popen([TOOL, *published(["certify", *args]), "--json", report], stdout=subprocess.PIPE,
                                        stderr=subprocess.PIPE, cwd=ROOT, env=marked_environment(environment))
             self.zombies, before = set(), set()
             while True:
@@ -361,7 +364,7 @@ class Misbehaving(NothingIsLeft):
     def test_an_interruption_ends_the_run_and_the_engine(self):
         def interrupted(jobs):
             command = shlex.join([sys.executable, str(ROOT / "engines/hosts/misbehaving_engine.py"), "always hangs"])
-            process = subprocess.Popen([TOOL, "certify", *self.data, "--engine-command", command, "--jobs", str(jobs)],
+            process = subprocess.Popen([TOOL, "certify", *self.data, "--fresh", "0", "--engine-command", command, "--jobs", str(jobs)],
                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT,
                                        env=marked_environment())
             time.sleep(1.5)
