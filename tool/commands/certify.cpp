@@ -143,8 +143,8 @@ std::vector<Source> failed_before(const CertifyOptions& options) {
                       : fmt::format("lists none of the family {}{}", fmt::join(options.families, " or "),
                                     options.paths.empty() ? "" : " that stands in these datasets"));
   if (Cluster::is_first())
-    fmt::print(words(), "asked again: {} of the {} failures in {}, and nothing else\n", taken.size(),
-               report.failure_count, options.failures_of);
+    say("asked again: {} of the {} failures in {}, and nothing else\n", taken.size(), report.failure_count,
+        options.failures_of);
   return sources;
 }
 
@@ -163,8 +163,8 @@ std::shared_ptr<const Baseline> read_baseline(const CertifyOptions& options) {
   const auto& expired = baseline->expired();
   if (Cluster::is_first())
     for (std::size_t i = 0; i < expired.size() && i <= kShown; ++i)
-      fmt::print(stderr, "{}: {}\n", options.baseline,
-                 i < kShown ? expired[i] : fmt::format("and {} more have expired", expired.size() - kShown));
+      say_error("{}: {}\n", options.baseline,
+                i < kShown ? expired[i] : fmt::format("and {} more have expired", expired.size() - kShown));
   if (const auto id = baseline->unexplained(); id && !options.certificate.certificate.empty())
     throw formats::InputError(
         {options.baseline, 0}, "failures",
@@ -284,12 +284,13 @@ void print_stats(const std::vector<Report>& reports, std::chrono::steady_clock::
   const auto cpu = [](const timeval& t) {
     return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
   };
-  fmt::print(stderr, "{:.0f} questions in {:.1f} s, {:.0f} a second of processor time; {:.0f} MB at most\n", cases,
-             seconds, cases / (cpu(used.ru_utime) + cpu(used.ru_stime)), static_cast<double>(used.ru_maxrss) / 1024);
+  say_error("{:.0f} questions in {:.1f} s, {:.0f} a second of processor time; {:.0f} MB at most\n", cases, seconds,
+            cases / (cpu(used.ru_utime) + cpu(used.ru_stime)), static_cast<double>(used.ru_maxrss) / 1024);
   std::vector<std::string> stages;
   for (std::size_t i = 0; i < oracle::kStageNames.size(); ++i)
     stages.push_back(fmt::format("{} {}", oracle::kStageNames[i], oracles.decided.answers[i]));
-  fmt::print(stderr, "decided by stage: {}; {} of them put to all oracles\n", fmt::join(stages, ", "), oracles.checked);
+  say_error("decided by stage: {}; {} of them put to all oracles\n", fmt::format("{}", fmt::join(stages, ", ")),
+            oracles.checked);
 }
 
 int certify(const CLI::App& command, const CertifyOptions& options) {
@@ -310,7 +311,7 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
     if (!options.seed && (!options.parts.empty() || Cluster::size() > 1))
       refuse("--generate in parts needs --seed: every part has the same");
     const std::uint64_t seed = seed_or_fresh(options.seed);
-    if (Cluster::is_first()) fmt::print(words(), "seed {}\n", seed);
+    if (Cluster::is_first()) say("seed {}\n", seed);
     sources = generated(options, seed);
   } else {
     sources = again ? failed_before(options) : datasets(options);
@@ -324,8 +325,7 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
     stop.deadline = Stop::Clock::now() + std::chrono::milliseconds(static_cast<std::int64_t>(options.max_time * 1000));
   Oracles oracles;
   oracles.check = static_cast<Check>(index_of(kCheckNames, options.check, "check"));
-  if (options.engine.none() && !scoreboard && Cluster::is_first())
-    fmt::print(words(), "no engine is named: production is judged\n");
+  if (options.engine.none() && !scoreboard && Cluster::is_first()) say("no engine is named: production is judged\n");
   if (options.paths.empty() && !fresh && !again) static_cast<void>(chosen_folder(""));
   const auto judged_part = [&](golden::Shard part) { return judge_part(cut(sources, part), judged, stop, oracles); };
   const auto judge = [&](golden::Shard part) {
@@ -344,8 +344,8 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
     if (options.stats) print_stats(reports, std::chrono::steady_clock::now() - begin, oracles);
     const Report& found = reports.front();
     const bool wrong = found.judged() != 0 && !found.certified();
-    fmt::print(words(), "part {} of {}: {} questions judged, {}; the verdict is that of `merge`\n", part.index, part.of,
-               found.judged(), wrong ? "and not all is right" : "and nothing is wrong");
+    say("part {} of {}: {} questions judged, {}; the verdict is that of `merge`\n", part.index, part.of, found.judged(),
+        wrong ? "and not all is right" : "and nothing is wrong");
     return wrong ? kRefuted : kCertified;
   }
   if (options.determinism) require_askable(options, scoreboard);
