@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <vector>
+
+#include "formats/visible.hpp"
 
 namespace contact::formats {
 
@@ -21,11 +24,21 @@ struct Location {
   }
 };
 
-/// Input that the reader refuses. what() is the whole message: `file:line: field: problem`.
+/// Input that the reader refuses. what() is the whole message: `file:line: field: problem`, which is one visible line
+/// whatever the file has in it, and what `below` has to say, a line each.
 class InputError : public std::runtime_error {
  public:
-  InputError(const Location& where, const std::string& field, const std::string& problem)
-      : std::runtime_error(fmt::format("{}: {}{}", where.text(), field.empty() ? "" : field + ": ", problem)) {}
+  InputError(const Location& where, const std::string& field, const std::string& problem,
+             const std::vector<std::string>& below = {})
+      : std::runtime_error(message(where, field, problem, below)) {}
+
+ private:
+  static std::string message(const Location& where, const std::string& field, const std::string& problem,
+                             const std::vector<std::string>& below) {
+    std::string text = visible(fmt::format("{}: {}{}", where.text(), field.empty() ? "" : field + ": ", problem));
+    for (const std::string& line : below) text += "\n" + visible(line);
+    return text;
+  }
 };
 
 }  // namespace contact::formats

@@ -210,12 +210,7 @@ nlohmann::json parse_object(std::string_view line, const Location& where, const 
     const std::string text = shortened(
         error.what(), kLongestProblem);  // "[json.exception.parse_error.101] parse error at ...": the tag is noise
     const auto tag = text.find("] ");
-    // What was read last is quoted as it came, and that need not be UTF-8.
-    std::string shown;
-    for (const char c : std::string_view(text).substr(tag == std::string::npos ? 0 : tag + 2))
-      shown += static_cast<unsigned char>(c) < 0x80 ? std::string(1, c)
-                                                    : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-    throw InputError(where, "", "malformed JSON: " + shown);
+    throw InputError(where, "", "malformed JSON: " + text.substr(tag == std::string::npos ? 0 : tag + 2));
   }
 }
 
@@ -276,9 +271,11 @@ bool Node::boolean() const {
   return json_->get<bool>();
 }
 
-std::string Node::text() const {
+std::string Node::text() const { return visible(raw_text()); }
+
+const std::string& Node::raw_text() const {
   if (!json_->is_string()) refuse("expected a string");
-  return json_->get<std::string>();
+  return json_->get_ref<const std::string&>();
 }
 
 std::uint64_t Node::count() const {

@@ -47,7 +47,9 @@ class Node {
   [[nodiscard]] Vector3 vector() const;
   [[nodiscard]] std::array<Vector3, 3> three_vectors() const;
   [[nodiscard]] bool boolean() const;
+  /// What a file or an engine calls something, made visible: nothing in it commands a terminal or breaks a line.
   [[nodiscard]] std::string text() const;
+  [[nodiscard]] const std::string& raw_text() const;  ///< as it stands, such as the name of a file to open
   [[nodiscard]] std::uint64_t count() const;
   [[nodiscard]] std::vector<Node> items() const;
   /// An array of rows of `width` finite numbers each; of plain numbers where `width` is 1.

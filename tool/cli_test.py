@@ -903,13 +903,13 @@ class Results(Case):
         answers = put(self.answers, ["engine", "name"], name, 0)
         out = self.refuted(*self.args(answers[:-1], *self.reports()))
         self.assertNotIn("<b>", (self.folder / "out.report").read_text())
-        self.assertEqual(json.loads((self.folder / "out.json").read_text())["engine"]["name"], name)
+        self.assertEqual(json.loads((self.folder / "out.json").read_text())["engine"]["name"], "<b>&\"' \\x1b[31m\\x01")
         with self.subTest("JUnit is well-formed XML"):
             ElementTree.parse(self.folder / "out.junit")
         with self.subTest("no escape sequence reaches the terminal"):
             self.assertNotIn("\x1b", out)
         with self.subTest("Markdown has no markup of it"):
-            self.assertIn("\\<b\\>&", (self.folder / "out.markdown").read_text())
+            self.assertIn("\\<b\\>\\&", (self.folder / "out.markdown").read_text())
 
     def test_a_folder_may_hold_answers_as_any_program_writes_them(self):
         folder = self.folder / "both"

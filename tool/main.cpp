@@ -1,9 +1,8 @@
 // contact-oracle: the command line.
-#include <fmt/format.h>
-
 #include <cfenv>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <new>
 #include <optional>
 
@@ -11,10 +10,14 @@
 #include "formats/input_error.hpp"
 #include "tool/commands/commands.hpp"
 #include "tool/run/cluster.hpp"
+#include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
 namespace {
+
+/// What is visible already, and may have several lines.
+void tell(std::string_view message) { std::cerr << "contact-oracle: " << message << "\n"; }
 
 /// Everything from the command line to the exit code, with whatever goes wrong told on standard error.
 int guarded(int argc, char** argv) {
@@ -24,22 +27,22 @@ int guarded(int argc, char** argv) {
       throw formats::InputError({"standard output", 0}, "", "cannot write");
     return exit;
   } catch (const formats::InputError& error) {
-    fmt::print(stderr, "contact-oracle: {}\n", error.what());
+    tell(error.what());
     return kBadInput;
   } catch (const OracleFault& error) {
-    fmt::print(stderr, "contact-oracle: ORACLE FAULT: {}\n", error.what());
+    tell(fmt::format("ORACLE FAULT: {}", error.what()));
     return kOracleFault;
   } catch (const engines::HarnessInvalid& error) {
-    fmt::print(stderr, "contact-oracle: harness invalid: {}\n", error.what());
+    say_error("contact-oracle: harness invalid: {}\n", error.what());
     return kHarnessInvalid;
   } catch (const Interrupted& error) {
-    fmt::print(stderr, "contact-oracle: {}\n", error.what());
+    say_error("contact-oracle: {}\n", error.what());
     return kInterrupted;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "contact-oracle: not enough memory\n");
+    tell("not enough memory");
     return kBadInput;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "contact-oracle: {}\n", error.what());
+    say_error("contact-oracle: {}\n", error.what());
     return kBadInput;
   }
 }
@@ -52,11 +55,12 @@ int main(int argc, char** argv) {
   // Before main only others can have changed it, such as a library that was built with -ffast-math. Threads inherit it.
   std::fesetenv(FE_DFL_ENV);
   tool::catch_signals();
+  tool::guard_output();
   std::optional<tool::Cluster> cluster;
   try {
     cluster.emplace(argc, argv);
   } catch (const formats::InputError& error) {
-    fmt::print(stderr, "contact-oracle: {}\n", error.what());
+    tool::tell(error.what());
     return tool::kBadInput;
   }
   const int exit = tool::guarded(argc, argv);

@@ -26,14 +26,9 @@ constexpr std::string_view kMalformed = "malformed ";
 
 bool malformed(const Claim& claim) { return claim.status == Status::error && claim.text.starts_with(kMalformed); }
 
-/// What an engine wrote, fit for a message: short, and no control characters.
+/// What an engine wrote, fit for a message: short and visible.
 std::string excerpt(std::string_view text, std::size_t longest = kLongestQuote) {
-  std::string shown;
-  for (const char c : text.substr(0, longest)) {
-    const auto byte = static_cast<unsigned char>(c);
-    shown += byte < 0x20 || byte >= 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
-  }
-  return fmt::format("'{}{}'", shown, text.size() > longest ? "..." : "");
+  return fmt::format("'{}{}'", formats::visible(text.substr(0, longest)), text.size() > longest ? "..." : "");
 }
 
 /// A conversation that cannot go on: the engine's stream ended, stalled or lost its thread.

@@ -15,7 +15,7 @@ namespace contact::engines {
 
 /// The engine did not start, did not say hello, or could not say what it serves: there is nothing to judge.
 struct HarnessInvalid : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit HarnessInvalid(const std::string& what) : std::runtime_error(formats::visible(what)) {}
 };
 
 struct SubprocessOptions {

@@ -76,6 +76,8 @@ one engine --engine-command "${CONTACT_ENGINE_COMMAND:-}"
 one engine --engine-library "${CONTACT_ENGINE_LIBRARY:-}"
 one engine --results "${CONTACT_RESULTS:-}"
 [ ${#engine[@]} -eq 2 ] || refuse "name one engine: engine-command, engine-library or results"
+reports=${CONTACT_REPORTS:-contact-oracle-reports}
+[[ $reports != *$'\n'* ]] || refuse "reports: the name of a folder here has no line feed, which would be another output of the job"
 one options --family "${CONTACT_FAMILY:-}"
 one options --level "${CONTACT_LEVEL:-}"
 one options --tolerance "${CONTACT_TOLERANCE:-}"
@@ -95,7 +97,6 @@ if [ -n "${CONTACT_PACKAGE:-}" ] || ! command -v contact-oracle >/dev/null; then
   install_program "$package"
 fi
 
-reports=${CONTACT_REPORTS:-contact-oracle-reports}
 mkdir -p "$reports"
 rm -f "$reports"/contacts.{html,xml,md,json} "$reports/laws.xml"
 status=0

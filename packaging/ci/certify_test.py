@@ -149,6 +149,10 @@ class Words(Script):
         self.run_script(0, results="x")
         self.assertNotIn("--seed", self.words()[-1])
 
+    def test_a_folder_of_reports_is_no_second_output(self):
+        self.assertIn("line feed", self.run_script(2, engine_command="x", reports="reports\nstatus=0").stderr)
+        self.assertFalse((self.folder / "output").exists())
+
     def test_no_engine_or_two_engines_are_refused_and_nothing_is_judged(self):
         for engines in ({}, {"engine_command": ""}, {"engine_command": "x", "results": "y"}):
             done = self.run_script(2, **engines)

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "engines/protocol/result_columns.hpp"
+#include "formats/visible.hpp"
 #include "golden/dataset.hpp"
 #include "golden/families.hpp"
 #include "python/src/columns.hpp"
@@ -15,6 +16,7 @@
 #include "tool/run/determinism.hpp"
 #include "tool/run/fresh.hpp"
 #include "tool/run/parts.hpp"
+#include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
 #include "tool/run/profiles.hpp"
 
@@ -145,7 +147,7 @@ std::vector<Source> sources_of(const std::string& text) {
   std::vector<Source> sources;
   for (const Node& one : Node(all, where).items()) {
     if (const auto dataset = one.find("dataset")) {
-      const std::filesystem::path path = dataset->text();
+      const std::filesystem::path path = dataset->raw_text();
       const golden::DatasetHeader h = golden::DatasetReader(path).header();
       sources.push_back({h.pair, h.scalar, h.family, h.count, path});
       continue;
@@ -213,9 +215,9 @@ py::dict certify(const py::function& ask, const std::string& engine, const std::
   found["exit"] = static_cast<int>(report.harness_invalid() ? tool::kHarnessInvalid
                                    : report.certified()     ? tool::kCertified
                                                             : tool::kRefuted);
-  found["json"] = json_text(report);
+  found["json"] = formats::visible_json(json_text(report));
   found["html"] = html_text(reports);
-  found["text"] = terminal_text(report, false);
+  found["text"] = tool::guarded_text(terminal_text(report, false));
   found["junit"] = junit_text(report);
   found["markdown"] = markdown_text(report);
   return found;

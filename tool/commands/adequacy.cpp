@@ -281,13 +281,13 @@ bool adequacy(const std::filesystem::path& folder, bool to_write) {
   const KillMatrix matrix = kill_matrix(folder, golden::dataset_files({folder}));
   const QuickFiles quick = quick_files(matrix);
   const std::string text = adequacy_text(matrix, quick);
-  fmt::print(words(), "{}", table_of(matrix, quick));
+  words() << table_of(matrix, quick);
   if (to_write)
     write(folder, quick, text);
   else
     check(folder, quick, text);
   const auto wrong = complaints(matrix);
-  for (const std::string& sentence : wrong) fmt::print(words(), "NOT ADEQUATE: {}\n", sentence);
+  for (const std::string& sentence : wrong) say("NOT ADEQUATE: {}\n", sentence);
   return wrong.empty();
 }
 

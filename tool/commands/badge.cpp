@@ -55,18 +55,6 @@ int width_of(std::string_view text) {
   return static_cast<int>(std::ceil(width * kFontSize / 1000));
 }
 
-/// Text as XML can hold it: no control characters, nor the two that are no characters, and UTF-8 throughout.
-std::string for_xml(std::string_view text) {
-  const std::string quoted = formats::json_string(text);  // puts U+FFFD in the place of what is not UTF-8
-  std::string out = nlohmann::json::parse(quoted).get<std::string>();
-  for (char& c : out)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  for (const std::string_view none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})
-    for (std::size_t at = out.find(none); at != std::string::npos; at = out.find(none))
-      out.replace(at, 3, "\xEF\xBF\xBD");
-  return out;
-}
-
 /// "length 0.001, angle 0.01 rad": what of a tolerance allows anything.
 std::string short_text(const Tolerance& t) {
   std::string text;
@@ -160,15 +148,14 @@ void write_badge(const BadgeOptions& options) {
   const formats::Node engine = root.at("engine");
   const formats::Node found = root.at("found");
   const Says right = says(root);
-  const std::string label = for_xml(options.label);
+  const std::string label = formats::visible(options.label);
   const std::string title =
       fmt::format("{}: {}. {} {}, issued {}; {} cases, {} of those given{}; certificate {}", label, right.text,
-                  for_xml(engine.at("name").text()), for_xml(engine.at("version").text()),
-                  for_xml(root.at("issued").text()), found.at("total").at("judged").count(),
-                  for_xml(found.at("share_judged").text()), beside(found), root.at("sha256").text().substr(0, 12));
+                  engine.at("name").text(), engine.at("version").text(), root.at("issued").text(), found.at("total").at("judged").count(),
+                  found.at("share_judged").text(), beside(found), root.at("sha256").text().substr(0, 12));
   file.write(svg(label, right, title));
   file.commit();
-  fmt::print(words(), "Badge: {}, which says \"{}: {}\"\n", options.output, label, right.text);
+  say("Badge: {}, which says \"{}: {}\"\n", options.output, label, right.text);
 }
 
 }  // namespace

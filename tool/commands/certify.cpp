@@ -146,8 +146,8 @@ std::vector<Source> failed_before(const CertifyOptions& options) {
                       : fmt::format("lists none of the family {}{}", fmt::join(options.families, " or "),
                                     options.paths.empty() ? "" : " that stands in these datasets"));
   if (Cluster::is_first())
-    fmt::print(words(), "asked again: {} of the {} failures in {}, and nothing else\n", taken.size(),
-               report.failure_count, options.failures_of);
+    say("asked again: {} of the {} failures in {}, and nothing else\n", taken.size(), report.failure_count,
+        options.failures_of);
   return sources;
 }
 
@@ -193,8 +193,8 @@ std::shared_ptr<const Baseline> read_baseline(const CertifyOptions& options) {
   const auto& expired = baseline->expired();
   if (Cluster::is_first())
     for (std::size_t i = 0; i < expired.size() && i <= kShown; ++i)
-      fmt::print(stderr, "{}: {}\n", options.baseline,
-                 i < kShown ? expired[i] : fmt::format("and {} more have expired", expired.size() - kShown));
+      say_error("{}: {}\n", options.baseline,
+                i < kShown ? expired[i] : fmt::format("and {} more have expired", expired.size() - kShown));
   if (const auto id = baseline->unexplained(); id && !options.certificate.certificate.empty())
     throw formats::InputError(
         {options.baseline, 0}, "failures",
@@ -314,12 +314,13 @@ void print_stats(const std::vector<Report>& reports, std::chrono::steady_clock::
   const auto cpu = [](const timeval& t) {
     return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
   };
-  fmt::print(stderr, "{:.0f} questions in {:.1f} s, {:.0f} a second of processor time; {:.0f} MB at most\n", cases,
-             seconds, cases / (cpu(used.ru_utime) + cpu(used.ru_stime)), static_cast<double>(used.ru_maxrss) / 1024);
+  say_error("{:.0f} questions in {:.1f} s, {:.0f} a second of processor time; {:.0f} MB at most\n", cases, seconds,
+            cases / (cpu(used.ru_utime) + cpu(used.ru_stime)), static_cast<double>(used.ru_maxrss) / 1024);
   std::vector<std::string> stages;
   for (std::size_t i = 0; i < oracle::kStageNames.size(); ++i)
     stages.push_back(fmt::format("{} {}", oracle::kStageNames[i], oracles.decided.answers[i]));
-  fmt::print(stderr, "decided by stage: {}; {} of them put to all oracles\n", fmt::join(stages, ", "), oracles.checked);
+  say_error("decided by stage: {}; {} of them put to all oracles\n", fmt::format("{}", fmt::join(stages, ", ")),
+            oracles.checked);
 }
 
 int certify(const CLI::App& command, const CertifyOptions& options) {
@@ -346,7 +347,7 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
     if (!options.seed && (!options.parts.empty() || Cluster::size() > 1))
       refuse("--generate in parts needs --seed: every part has the same");
     const std::uint64_t seed = seed_or_fresh(options.seed);
-    if (Cluster::is_first()) fmt::print(words(), "seed {}\n", seed);
+    if (Cluster::is_first()) say("seed {}\n", seed);
     sources = generated(options, seed);
   } else if (again) {
     sources = failed_before(options);
@@ -354,7 +355,7 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
     sources = datasets(options);
     std::vector<Source> beside = fresh_beside(sources, fresh_to_ask(options, scoreboard));
     if (!beside.empty() && Cluster::is_first())
-      fmt::print(words(), "fresh questions: {} of each family, seed {}\n", beside.front().count, beside.front().seed);
+      say("fresh questions: {} of each family, seed {}\n", beside.front().count, beside.front().seed);
     sources.insert(sources.end(), std::make_move_iterator(beside.begin()), std::make_move_iterator(beside.end()));
     fresh = fresh_of(sources, !options.engine.results.empty());
   }
@@ -369,7 +370,7 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
   Oracles oracles;
   oracles.check = static_cast<Check>(index_of(kCheckNames, options.check, "check"));
   if (options.engine.none() && !scoreboard && Cluster::is_first())
-    fmt::print(words(), "no engine is named: production is judged\n");
+    say("no engine is named: production is judged\n");
   if (options.paths.empty() && !made && !again) static_cast<void>(chosen_folder(""));
   const auto judged_part = [&](golden::Shard part) { return judge_part(cut(sources, part), judged, stop, oracles); };
   const auto judge = [&](golden::Shard part) {
@@ -390,7 +391,7 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
     const std::uint64_t questions = found.judged() + found.fresh_judged();
     // What is enough to certify is asked of the whole.
     const bool wrong = questions != 0 && found.failure_count + found.unreached != found.all().accepted;
-    fmt::print(words(), "part {} of {}: {} questions judged, {}; the verdict is that of `merge`\n", part.index, part.of,
+    say("part {} of {}: {} questions judged, {}; the verdict is that of `merge`\n", part.index, part.of,
                questions, wrong ? "and not all is right" : "and nothing is wrong");
     return wrong ? kRefuted : kCertified;
   }

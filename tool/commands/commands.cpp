@@ -32,7 +32,7 @@ std::string golden_folder() {
 
 std::string chosen_folder(const std::string& given) {
   if (!given.empty()) return given;
-  if (Cluster::is_first()) fmt::print(words(), "golden files: {}\n", golden_folder());
+  if (Cluster::is_first()) say("golden files: {}\n", golden_folder());
   return golden_folder();
 }
 
@@ -174,6 +174,11 @@ int run_command(int argc, const char* const* argv) {
   add_under("Maintain the committed golden files", app, exit, add_regenerate, add_adequacy, add_digests);
   add_under("Help", app, exit, add_help, add_completion, add_man);
   app.set_help_all_flag("--help-all", "Print every command and exit");  // of the program alone: it comes last
+  app.failure_message([](const CLI::App* command, const CLI::Error& error) {
+    // CLI11's message begins with the error, which quotes the command line.
+    const std::string what = error.what();
+    return formats::visible(what) + CLI::FailureMessage::simple(command, error).substr(what.size());
+  });
   refuse_empty_values(app);
   const std::vector<std::string> words(argv + 1, argv + argc);
   if (!words.empty() && words.front() != kCompleteName) refuse_options_that_end_in_an_equals_sign(words);
@@ -182,8 +187,7 @@ int run_command(int argc, const char* const* argv) {
   } catch (const CLI::RequiredError& error) {
     const std::vector<std::string> unknown = app.remaining();
     if (app.get_subcommands().empty() && !unknown.empty()) {
-      fmt::print(stderr, "contact-oracle: unknown command '{}'; `contact-oracle help all` lists them\n",
-                 unknown.front());
+      say_error("contact-oracle: unknown command '{}'; `contact-oracle help all` lists them\n", unknown.front());
       return kBadInput;
     }
     app.exit(error);

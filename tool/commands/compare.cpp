@@ -35,16 +35,16 @@ int compare_reports(const CompareOptions& options) {
     throw_if_interrupted();
     reports.push_back(read_report(path));
   }
-  if (reports.size() == 2) fmt::print(words(), "old  {}\nnew  {}\n\n", reports.front().verdict, reports.back().verdict);
+  if (reports.size() == 2) say("old  {}\nnew  {}\n\n", reports.front().verdict, reports.back().verdict);
   const History history(std::move(reports));
   if (page) {
     page->write(history.html());
     page->commit();
   }
-  fmt::print(words(), "{}", history.steps().size() == 1 ? history.steps().front().text() : history.text());
+  words() << (history.steps().size() == 1 ? history.steps().front().text() : history.text());
   const bool other_bits = options.same_bits && !history.same_bits();
-  if (other_bits) fmt::print(words(), "REFUTED: --same-bits, and that is not shown.\n");
-  if (page) fmt::print(words(), "\nReport: {}\n", options.page);
+  if (other_bits) say("REFUTED: --same-bits, and that is not shown.\n");
+  if (page) say("\nReport: {}\n", options.page);
   return history.steps().back().worse() || other_bits ? kRefuted : kCertified;
 }
 

@@ -183,7 +183,7 @@ void run_detect(const DetectOptions& options) {
     IntersectorFactory::getInstance().registerCreator("SolidCube", creator_of<SolidCubeDiscreteIntersection>());
   for (const std::string& plugin : options.plugins) load_plugin(plugin);
   const Scene scene = read_scene(options.scenes, ModelFactory::getInstance());
-  for (const std::string& what : scene.left_out) fmt::print(stderr, "{}\n", what);
+  for (const std::string& what : scene.left_out) say_error("{}\n", what);
   const Distances distances{options.alarm.value_or(scene.alarm.value_or(0)),
                             options.contact.value_or(scene.contact.value_or(0))};
   const auto& names = engines::kComputedPointsNames;
@@ -199,7 +199,7 @@ void run_detect(const DetectOptions& options) {
   contacts.write(header_line(all, intersection, options.points));
   detect_all(all, intersection, contacts, !json.alone());
   for (JsonOutput* to : wanted) to->commit();
-  if (!json.alone()) fmt::print(words(), "{}", table(all, scene.models.size(), intersection, options.points));
+  if (!json.alone()) words() << table(all, scene.models.size(), intersection, options.points);
 }
 
 /// A distance on the command line.

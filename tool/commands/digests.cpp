@@ -42,7 +42,7 @@ void write(const DigestsOptions& o) {
   } catch (const Interrupted&) {
     throw Interrupted(fmt::format("interrupted; {} files are done, and will not be done again", written));
   }
-  fmt::print(words(), "{}: digests of {} generators' answers\n", o.folder, written);
+  say("{}: digests of {} generators' answers\n", o.folder, written);
 }
 
 /// Whether every recorded digest is what the answers give, and that of many answers is recorded.
@@ -64,7 +64,7 @@ bool check(const DigestsOptions& o) {
       }
       // That of the most answers is made where there is time for it.
       if (count < golden::kMostAnswers) ++wrong;
-      fmt::print(words(), "{}: no digest of {} answers\n", stream.path(), count);
+      say("{}: no digest of {} answers\n", stream.path(), count);
     }
     if (counts.empty()) continue;
     const auto found =
@@ -73,11 +73,11 @@ bool check(const DigestsOptions& o) {
       const bool same = digests.at(counts[i]) == found[i];
       ++(same ? right : wrong);
       if (!same)
-        fmt::print(words(), "{}: the manifest says {} for {} answers, {} gives {}\n", stream.path(),
-                   digests.at(counts[i]), counts[i], o.production ? "production" : "the oracle", found[i]);
+        say("{}: the manifest says {} for {} answers, {} gives {}\n", stream.path(), digests.at(counts[i]), counts[i],
+            o.production ? "production" : "the oracle", found[i]);
     }
   }
-  fmt::print(words(), "{} digests right, {} wrong or missing\n", right, wrong);
+  say("{} digests right, {} wrong or missing\n", right, wrong);
   return wrong == 0;
 }
 

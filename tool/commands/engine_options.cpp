@@ -81,11 +81,10 @@ void add_engine_options(CLI::App& command, EngineOptions& options, bool recorded
                                   "An engine in any language: a program that speaks the engine protocol, with its "
                                   "arguments; split as a shell splits words, without a shell")
                       ->type_name("\"CMD ARGS\"");
-  auto* library =
-      command
-          .add_option("--engine-library", options.library,
-                      "An engine as a shared library with the interface of contact/contact_engine.h")
-          ->type_name("FILE");
+  auto* library = command
+                      .add_option("--engine-library", options.library,
+                                  "An engine as a shared library with the interface of contact/contact_engine.h")
+                      ->type_name("FILE");
   std::vector<CLI::Option*> choices{engine, program, library};
   if (recorded)
     choices.push_back(

@@ -90,9 +90,8 @@ void make_new(const NewOptions& o) {
   // The key first: questions without one could not be judged.
   key_file.commit();
   exam.commit();
-  fmt::print(words(),
-             "{}: {} questions of {} families\n{}: keep it to yourself until the exam is closed\ncommitment {}\n",
-             o.output, questions.count, key.sources.size(), o.key, commitment);
+  say("{}: {} questions of {} families\n{}: keep it to yourself until the exam is closed\ncommitment {}\n", o.output,
+      questions.count, key.sources.size(), o.key, commitment);
 }
 
 struct TakeOptions {
@@ -126,8 +125,8 @@ void take(const TakeOptions& o) {
   }
   answers.write(engine.results());
   answers.commit();
-  fmt::print(words(), "{}: {} of {} questions answered by {} {}\n", o.output, engine.answers(), exam.all.size(),
-             info.name, info.version);
+  say("{}: {} of {} questions answered by {} {}\n", o.output, engine.answers(), exam.all.size(), info.name,
+      info.version);
 }
 
 struct CloseOptions {
@@ -171,7 +170,7 @@ int close(const CloseOptions& o) {
   if (unknown != 0 && unknown == engines::count_recorded(o.engine.results))
     throw InputError({o.engine.results, 0}, "", "answers no question of this exam");
   if (reports.front().harness_invalid()) {
-    fmt::print(words(), "{} stays as it is: no answer claims anything\n", o.key);
+    say("{} stays as it is: no answer claims anything\n", o.key);
     return files.write(reports, false);
   }
   // Used before anybody has seen what came of it.
@@ -183,8 +182,8 @@ int close(const CloseOptions& o) {
   const int exit = files.write(reports, false);
   if (exit == kCertified || exit == kRefuted)
     certificate.write(reports.front(), key.sources, oracles, nullptr, key.nonce);
-  fmt::print(words(), "{} is used, and its seed {}\n", o.key,
-             o.certificate.certificate.empty() ? "is in it" : "stands in the certificate");
+  say("{} is used, and its seed {}\n", o.key,
+      o.certificate.certificate.empty() ? "is in it" : "stands in the certificate");
   return exit;
 }
 

@@ -58,7 +58,7 @@ class Explained {
  private:
   void print(const Query& query, Scalar scalar, const std::string& said) {
     if (json_.wanted()) json_.write(golden::answer_line(golden::make_case(query, scalar)) + "\n");
-    if (!json_.alone()) fmt::print("{}{}", any_ ? "\n" : "", said);
+    if (!json_.alone()) std::cout << (any_ ? "\n" : "") << said;
     any_ = true;
   }
 
@@ -168,7 +168,7 @@ class Lookup {
               ids_.size() > kShownIds ? ", ..." : ""));
     Explained explained(json);
     for (const Found& f : found_) {
-      if (!is_quiet()) fmt::print(stderr, "found in {}\n", f.where);
+      if (!is_quiet()) say_error("found in {}\n", f.where);
       explained.add(f.query, f.scalar);
     }
     explained.commit();

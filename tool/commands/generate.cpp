@@ -76,8 +76,8 @@ std::string write_dataset(const golden::DatasetHeader& header, const std::string
 
 /// What is printed at the end of a command whose work processes share: once.
 template <class... Args>
-void say(fmt::format_string<Args...> format, Args&&... args) {
-  if (Cluster::is_first()) fmt::print(words(), format, std::forward<Args>(args)...);
+void say_once(fmt::format_string<const Args&...> format, const Args&... args) {
+  if (Cluster::is_first()) say(format, args...);
 }
 
 void check_output(const std::string& command, const std::string& path) {
@@ -147,7 +147,7 @@ void generate_one(const GenerateOptions& o) {
   const bool kept = o.resume && std::filesystem::exists(o.output);
   const std::string digest =
       kept ? check_finished(header, o.output, question, progress) : write_dataset(header, o.output, question, progress);
-  say("{}: {} cases{}\n", o.output, header.count, kept ? ", kept as they stand there" : "");
+  say_once("{}: {} cases{}\n", o.output, header.count, kept ? ", kept as they stand there" : "");
   if (o.digest && Cluster::is_first()) fmt::print("{}\n", digest);
 }
 
@@ -192,8 +192,8 @@ void write_set(const std::string& folder, const std::vector<golden::CommittedFil
     make_folder(path.parent_path());
     static_cast<void>(write_dataset(header, path.string(), question, progress));
   }
-  say("{}: {} files of {} cases{}\n", folder, files.size(), count,
-      kept == 0 ? "" : fmt::format(", {} of them kept as they stand there", kept));
+  say_once("{}: {} files of {} cases{}\n", folder, files.size(), count,
+           kept == 0 ? "" : fmt::format(", {} of them kept as they stand there", kept));
 }
 
 /// Every family of every pair, in both scalars.
@@ -227,7 +227,7 @@ void annotate(const AnnotateOptions& o) {
                      fmt::format("'{}' is a family of the generator's: choose another name", o.family));
   InputLines lines(o.input);
   golden::DatasetHeader header;
-  header.family = o.family;
+  header.family = formats::visible(o.family);
   std::vector<Query> queries;
   std::unordered_set<std::string> ids;
   while (lines.next()) {
@@ -252,7 +252,7 @@ void annotate(const AnnotateOptions& o) {
   Progress progress = progress_of(o.output, header.count);
   static_cast<void>(write_dataset(
       header, o.output, [&](std::uint64_t i) { return queries[i]; }, progress));
-  say("{}: {} cases\n", o.output, header.count);
+  say_once("{}: {} cases\n", o.output, header.count);
 }
 
 struct ConvertOptions {
@@ -316,7 +316,7 @@ void convert(ConvertOptions o) {
     }
   }
   writer->commit();
-  say("{}: {} cases\n", o.output, header.count);
+  say_once("{}: {} cases\n", o.output, header.count);
 }
 
 }  // namespace

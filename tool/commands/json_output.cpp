@@ -44,8 +44,9 @@ JsonOutput::JsonOutput(const std::string& where) : alone_(where == kPrinted) {
 }
 
 void JsonOutput::write(std::string_view text) {
-  if (alone_) fmt::print("{}", text);
-  if (file_) file_->write(text);
+  const std::string shown = formats::visible_json(std::string(text));
+  if (alone_) fmt::print("{}", shown);
+  if (file_) file_->write(shown);
 }
 
 void JsonOutput::commit() {

@@ -85,7 +85,7 @@ void lint(const LintOptions& o) {
       golden::check_manifest(path, entries);
     }
   }
-  fmt::print(words(), "{} cases in {} files: well formed, canonical, every expectation right\n", cases, files);
+  say("{} cases in {} files: well formed, canonical, every expectation right\n", cases, files);
 }
 
 }  // namespace

@@ -42,6 +42,17 @@ struct PropertiesOptions {
 constexpr std::string_view kRegression = "regression";
 constexpr std::array kLawLevels{name(Level::bounded), name(Level::correctly_rounded)};
 
+/// A word as a shell reads it back, on one visible line: $'\x1b' where it must be.
+std::string shell_word(const std::string& word) {
+  if (formats::visible(word) == word) return engines::quoted_word(word);
+  std::string text = "$'";
+  for (const char c : word)
+    text += c == '\'' || c == '\\' ? fmt::format("\\{}", c)
+            : c >= ' ' && c <= '~' ? std::string(1, c)
+                                   : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+  return text + "'";
+}
+
 /// The command that repeats a run: every option that was given, but for those that it states itself, the law, which
 /// each violation adds, and the files that this run writes.
 std::string command_again(const CLI::App& command, const PropertiesOptions& o, std::uint64_t seed) {
@@ -50,7 +61,7 @@ std::string command_again(const CLI::App& command, const PropertiesOptions& o, s
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();
     if (std::find(kOwn.begin(), kOwn.end(), name) != kOwn.end()) continue;
-    for (const std::string& value : option->results()) text += fmt::format(" {}={}", name, engines::quoted_word(value));
+    for (const std::string& value : option->results()) text += fmt::format(" {}={}", name, shell_word(value));
   }
   return text + fmt::format(" --cases={} --seed={}", o.cases, seed);
 }
@@ -113,7 +124,7 @@ void save(const std::string& path, const proptests::RunResult& result) {
     const auto output = golden::create_dataset(file, regression->header);
     for (const golden::Case& c : regression->cases) output->write(c, golden::to_line(c));
     output->commit();
-    fmt::print(words(), "Saved {} new cases in {}, which holds {}\n", added, file.string(), regression->cases.size());
+    say("Saved {} new cases in {}, which holds {}\n", added, file.string(), regression->cases.size());
   }
 }
 
@@ -169,7 +180,7 @@ int properties(const CLI::App& command, const PropertiesOptions& o) {
   json.write(json_text(done));
   json.commit();
   write(junit, junit_text(done));
-  if (!json.alone()) fmt::print(words(), "{}", terminal_text(done));
+  if (!json.alone()) words() << terminal_text(done);
   if (!o.save.empty()) save(o.save, done.result);
   if (done.result.holds()) return kCertified;
   return done.result.ever_answered ? kRefuted : kHarnessInvalid;

@@ -12,6 +12,7 @@
 #include "engines/protocol/protocol.hpp"
 #include "tool/commands/commands.hpp"
 #include "tool/commands/engine_options.hpp"
+#include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
@@ -65,6 +66,7 @@ class Asked {
 
 void serve(engines::Engine& engine, std::size_t threads) {
   std::ios::sync_with_stdio(false);
+  guard_output();  // which that has taken away
   InputLines lines("-");
   Asked asked(engine, threads);
   while (lines.next()) {

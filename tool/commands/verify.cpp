@@ -47,7 +47,18 @@ std::string text_at(const json& whole, const std::string& pointer) {
   return whole.contains(at) ? shown(whole.at(at)) : "nothing";
 }
 
-std::vector<Difference> differences(const json& stated, const json& derived) {
+/// With every text made visible, as what is derived from files has them.
+json visible(const json& value) {
+  if (value.is_string()) return formats::visible(value.get_ref<const std::string&>());
+  if (!value.is_structured()) return value;
+  json shown = value;
+  for (json& part : shown) part = visible(part);
+  return shown;
+}
+
+std::vector<Difference> differences(const json& all_stated, const json& all_derived) {
+  const json stated = visible(all_stated);
+  const json derived = visible(all_derived);
   std::vector<Difference> found;
   for (const json& step : json::diff(stated, derived)) {
     const auto pointer = step.at("path").get<std::string>();
@@ -66,11 +77,11 @@ void print(std::vector<Difference> found) {
   for (std::size_t i = 0; i < found.size();) {
     const std::string name = part(found[i]);
     for (std::size_t shown = 0; i < found.size() && part(found[i]) == name && shown < kShown; ++i, ++shown)
-      fmt::print(words(), "{}\n  stated   {}\n  derived  {}\n", name.empty() ? "(the whole)" : found[i].pointer,
-                 found[i].stated, found[i].derived);
+      say("{}\n  stated   {}\n  derived  {}\n", name.empty() ? "(the whole)" : found[i].pointer, found[i].stated,
+          found[i].derived);
     std::size_t more = 0;
     for (; i < found.size() && part(found[i]) == name; ++i) ++more;
-    if (more != 0) fmt::print(words(), "and {} more in {}\n", more, name);
+    if (more != 0) say("and {} more in {}\n", more, name);
   }
 }
 
@@ -91,7 +102,7 @@ class Certificate {
     std::optional<AskedFresh> asked;
     for (const Node& source : stated) {
       if (const auto file = source.find("file")) {
-        const std::filesystem::path path = dataset(file->text(), files);
+        const std::filesystem::path path = dataset(file->raw_text(), files);
         const golden::DatasetHeader h = golden::DatasetReader(path).header();
         found.push_back({h.pair, h.scalar, h.family, h.count, path});
       } else {
@@ -118,7 +129,7 @@ class Certificate {
   }
 
   [[nodiscard]] std::filesystem::path answers() const {
-    return options_.results.empty() ? (folder() / node().at("answers").at("file").text()).lexically_normal()
+    return options_.results.empty() ? (folder() / node().at("answers").at("file").raw_text()).lexically_normal()
                                     : std::filesystem::path(options_.results);
   }
 
@@ -133,7 +144,7 @@ class Certificate {
     const std::size_t files = datasets(sources);
     for (std::size_t i = 0; i < sources.size(); ++i)
       if (const auto file = sources[i].find("file"))
-        compare(fmt::format("/questions/sources/{}/sha256", i), sources[i].at("sha256"), dataset(file->text(), files));
+        compare(fmt::format("/questions/sources/{}/sha256", i), sources[i].at("sha256"), dataset(file->raw_text(), files));
     if (!options_.exam.empty()) {
       const Exam exam = read_exam(options_.exam);
       const auto stated = node().find("exam");
@@ -201,7 +212,7 @@ class Certificate {
 
   [[nodiscard]] std::filesystem::path dataset(const std::string& name, std::size_t files) const {
     if (options_.dataset.empty())
-      return (folder() / node().at("questions").at("folder").text() / name).lexically_normal();
+      return (folder() / node().at("questions").at("folder").raw_text() / name).lexically_normal();
     if (files == 1 && !std::filesystem::is_directory(options_.dataset)) return options_.dataset;
     return std::filesystem::path(options_.dataset) / name;
   }
@@ -212,7 +223,7 @@ class Certificate {
       not_checked_.push_back(fmt::format("the engine's program {}: known by its name alone", program->text()));
       return {{"program", program->text()}, {"sha256", digest}};
     }
-    const std::string name = stated.at("file").text();
+    const std::string name = stated.at("file").raw_text();
     const bool there = std::filesystem::is_regular_file(folder() / name);
     if (!there) not_checked_.push_back(fmt::format("the engine's file {}: not here", name));
     engine_files_ += there ? 1 : 0;
@@ -302,23 +313,23 @@ int verify(const VerifyOptions& options) {
     unfinished = error.what();
   }
   print(found);
-  if (!unfinished.empty()) fmt::print(words(), "{}\n", unfinished);
+  if (!unfinished.empty()) words() << unfinished << "\n";
   if (!found.empty()) {
-    fmt::print(words(), "\nREFUTED: {} does not hold: {} {}.\n", options.certificate, found.size(),
-               found.size() == 1 ? "statement differs" : "statements differ");
+    say("\nREFUTED: {} does not hold: {} {}.\n", options.certificate, found.size(),
+        found.size() == 1 ? "statement differs" : "statements differ");
     return kRefuted;
   }
-  for (const std::string& line : certificate.not_checked()) fmt::print(words(), "stated, not checked: {}\n", line);
+  for (const std::string& line : certificate.not_checked()) say("stated, not checked: {}\n", line);
   const Level level = report->level_but_accepted();
   const std::size_t sources = published_of(certificate.sources()).size();
   const std::uint64_t fresh = report->fresh_total().cases;
-  fmt::print(words(), "checked: the certificate itself; the questions of {} {}{} and {} recorded answers, judged again",
+  say("checked: the certificate itself; the questions of {} {}{} and {} recorded answers, judged again",
              sources, sources == 1 ? "source" : "sources", fresh == 0 ? "" : fmt::format(", {} fresh ones", fresh),
              certificate.node().at("answers").at("count").count());
-  if (certificate.engine_files() != 0) fmt::print(words(), "; {} of the engine's files", certificate.engine_files());
-  fmt::print(words(), "\n\nHOLDS: {} states what is so:\n  {}\n", options.certificate, report->sentence());
+  if (certificate.engine_files() != 0) say("; {} of the engine's files", certificate.engine_files());
+  say("\n\nHOLDS: {} states what is so:\n  {}\n", options.certificate, report->sentence());
   if (!demanded || level <= *demanded) return kCertified;
-  fmt::print(words(), "REFUTED: {} was asked for, and {} is what it certifies.\n", options.level, name(level));
+  say("REFUTED: {} was asked for, and {} is what it certifies.\n", options.level, name(level));
   return kRefuted;
 }
 

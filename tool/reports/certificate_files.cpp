@@ -80,9 +80,9 @@ void CertificateFiles::write(const Report& report, const std::vector<Source>& so
   if (certificate_ != nullptr) {
     certificate_->write(certificate);
     certificate_->commit();
-    fmt::print(words(), "\nCertificate: {}, of the answers in {}\n", options_.certificate, results);
+    say("\nCertificate: {}, of the answers in {}\n", options_.certificate, results);
   } else if (answers_ != nullptr) {
-    fmt::print(words(), "\nAnswers: {}\n", results);
+    say("\nAnswers: {}\n", results);
   }
 }
 

@@ -45,8 +45,8 @@ Comparison::Comparison(const SavedReport& older, const SavedReport& newer) {
                                  name(newer.required)));
   for (const SavedReport* report : {&older, &newer})
     if (report->failure_count != report->failures.size())
-      not_listed_.push_back(fmt::format("{} lists {} of its {} failures: the others are not compared.",
-                                        report->path.string(), report->failures.size(), report->failure_count));
+      not_listed_.push_back(fmt::format("{} lists {} of its {} failures: the others are not compared.", report->file(),
+                                        report->failures.size(), report->failure_count));
 }
 
 std::string_view Comparison::word() const {
@@ -80,8 +80,8 @@ std::string Comparison::text() const {
 void Comparison::compare_bits(const SavedReport& older, const SavedReport& newer) {
   for (const SavedReport* report : {&older, &newer})
     if (report->answers.empty() && !(older.answers.empty() && newer.answers.empty()))
-      notes_.push_back(fmt::format("{} does not say what the bits of its answers are: certify --determinism does.",
-                                   report->path.string()));
+      notes_.push_back(
+          fmt::format("{} does not say what the bits of its answers are: certify --determinism does.", report->file()));
   if (older.answers.empty() || newer.answers.empty()) return;
   std::map<std::string, const SavedAnswers*> before;
   for (const SavedAnswers& one : older.answers) before.emplace(one.title, &one);

@@ -46,13 +46,13 @@ std::vector<std::string> labels_of(const std::vector<SavedReport>& reports) {
   };
   const auto who = [](const SavedReport& r) { return r.who(); };
   const auto with_file = [](const SavedReport& r) {
-    return fmt::format("{} ({})", r.who(), r.path.filename().string());
+    return fmt::format("{} ({})", r.who(), formats::visible(r.path.filename().string()));
   };
   for (const SavedReport& r : reports)
     labels.push_back(fmt::format("{} {}", labels.size() + 1,
                                  !several(who, r)         ? who(r)
                                  : !several(with_file, r) ? with_file(r)
-                                                          : fmt::format("{} ({})", r.who(), r.path.string())));
+                                                          : fmt::format("{} ({})", r.who(), r.file())));
   return labels;
 }
 
@@ -300,8 +300,8 @@ std::string History::html() const {
   for (std::size_t i = 1; i < lines.size(); ++i) body += html_row(lines[i]);
   std::string said;
   for (std::size_t i = 0; i < reports_.size(); ++i)
-    said += fmt::format("<div><dt>{}, {}</dt><dd>{}</dd></div>\n", for_html(labels_[i]),
-                        for_html(reports_[i].path.string()), for_html(reports_[i].verdict));
+    said += fmt::format("<div><dt>{}, {}</dt><dd>{}</dd></div>\n", for_html(labels_[i]), for_html(reports_[i].file()),
+                        for_html(reports_[i].verdict));
   return page::whole(title,
                      fmt::format("<p>Each report held against the one before it.</p>\n<h2>{}</h2>\n", for_html(title)) +
                          html_table("board", lines.front(), body) + html_list(notes()) +

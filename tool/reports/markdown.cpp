@@ -9,12 +9,24 @@
 namespace contact::tool {
 namespace {
 
-/// Text for a line of Markdown: what an engine or a file is called must not become markup.
+/// Whether `text` begins with the rest of :name:, which GitHub shows as a picture.
+bool ends_a_picture(std::string_view text) {
+  const auto end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_+-");
+  return end != 0 && end != std::string_view::npos && text[end] == ':';
+}
+
+/// Text for a line of Markdown: what an engine or a file is called must not become markup, a link, a picture or a call
+/// to somebody. Those that no backslash prevents a space without a width does.
 std::string for_markdown(std::string_view text) {
+  constexpr std::string_view kNoWidth = "&#8203;";
   std::string out;
-  for (const char c : text) {
-    if (std::string_view("\\`*_{}[]<>#|~").find(c) != std::string_view::npos) out += '\\';
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const std::string_view rest = text.substr(i + 1);
+    const bool is_address = (c == ':' && rest.starts_with("//")) || (c == '.' && text.substr(0, i).ends_with("www"));
+    if (is_address || std::string_view("\\`*_{}[]<>#|~&$!").find(c) != std::string_view::npos) out += '\\';
     out += c;
+    if (c == '@' || (c == ':' && ends_a_picture(rest))) out += kNoWidth;
   }
   return out;
 }

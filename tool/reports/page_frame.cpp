@@ -1,13 +1,14 @@
 // What stands around every HTML page: it fetches nothing from anywhere.
 #include <fmt/format.h>
 
+#include "formats/visible.hpp"
 #include "tool/reports/page.hpp"
 
 namespace contact::tool::page {
 
 std::string for_html(std::string_view text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : formats::visible_lines(text)) {
     if (c == '<')
       out += "&lt;";
     else if (c == '>')
@@ -16,6 +17,8 @@ std::string for_html(std::string_view text) {
       out += "&amp;";
     else if (c == '"')
       out += "&quot;";
+    else if (c == '\'')
+      out += "&#39;";
     else
       out += c;
   }
@@ -24,7 +27,7 @@ std::string for_html(std::string_view text) {
 
 std::string inside_script(std::string_view text) {
   std::string out;
-  for (const char c : text)
+  for (const char c : formats::visible_json(std::string(text)))
     if (c == '<')
       out += "\\u003c";
     else

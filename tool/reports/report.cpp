@@ -24,13 +24,6 @@ std::string count(std::uint64_t n, std::string_view one, std::string_view many) 
   return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
-/// Text that an engine chose, without what would command a terminal or is no XML.
-std::string printable(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  return text;
-}
-
 std::uint64_t sum(const auto& counts) { return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}); }
 
 }  // namespace
@@ -201,7 +194,8 @@ void FamilyReport::merge(const FamilyReport& other) {
 
 std::string WorstCase::what() const {
   if (verdict.status != Claim::Status::answered)
-    return fmt::format("{}: {}", kStatusNames[static_cast<std::size_t>(verdict.status)], printable(verdict.text));
+    return fmt::format("{}: {}", kStatusNames[static_cast<std::size_t>(verdict.status)],
+                       formats::visible(verdict.text));
   if (verdict.answered_outside_domain) return "an answer outside the domain";
   if (verdict.missed_hit() || verdict.false_hit()) {
     const oracle::Off& off = verdict.at(oracle::Measure::decision);
@@ -333,7 +327,7 @@ bool Report::harness_invalid() const {
 }
 
 std::string Report::who() const {
-  return printable(engine.version.empty() ? engine.name : engine.name + " " + engine.version);
+  return formats::visible(engine.version.empty() ? engine.name : engine.name + " " + engine.version);
 }
 
 Aspects Report::not_claimed() const {
@@ -571,7 +565,7 @@ std::string Report::sentence() const {
 std::vector<std::string> Report::baseline_lines() const {
   if (!accepted) return {};
   constexpr std::size_t kShown = 20;
-  std::vector<std::string> lines{fmt::format("{} accepts {}; {} met again, {} gone", accepted->path,
+  std::vector<std::string> lines{fmt::format("{} accepts {}; {} met again, {} gone", formats::visible(accepted->path),
                                              count(accepted->failures, "failure", "failures"), all().accepted,
                                              gone.size())};
   std::size_t shown = 0;

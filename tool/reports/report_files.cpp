@@ -62,9 +62,9 @@ int ReportFiles::write(const std::vector<Report>& reports, bool scoreboard) {
   json_.write(json_text(first));
   json_.commit();
   const bool colour = wants_colour();
-  if (!json_.alone())
-    fmt::print(words(), "{}", scoreboard ? scoreboard_text(reports, colour) : terminal_text(first, colour));
-  if (!html_path_.empty()) fmt::print(words(), "\nReport: {}\n", html_path_);
+  if (colour) let_colours_through();
+  if (!json_.alone()) words() << (scoreboard ? scoreboard_text(reports, colour) : terminal_text(first, colour));
+  if (!html_path_.empty()) say("\nReport: {}\n", html_path_);
   if (first.judged() == 0)
     throw formats::InputError({"certify", 0}, "", "no case was judged: see what was skipped, and why");
   if (first.harness_invalid()) return kHarnessInvalid;

@@ -87,6 +87,7 @@ struct SavedReport {
 
   /// Its name and its version.
   [[nodiscard]] std::string who() const { return engine + " " + version; }
+  [[nodiscard]] std::string file() const { return formats::visible(path.string()); }
   /// What the verdict says first: "REFUTED", "CERTIFIED but for 3 failures".
   [[nodiscard]] std::string_view outcome() const { return std::string_view(verdict).substr(0, verdict.find(':')); }
   /// What it was judged by: a level, or a tolerance.

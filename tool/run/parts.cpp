@@ -221,6 +221,15 @@ bool is_sound(const Findings& found) {
          });
 }
 
+/// The texts of a part, which are those of datasets and engines.
+void make_visible(Findings& found) {
+  const auto show = [](auto&... texts) { ((texts = formats::visible(texts)), ...); };
+  for (FamilyReport& f : found.families) show(f.family);
+  for (Skipped& s : found.skipped) show(s.what, s.why);
+  for (WorstCase& w : found.worst) show(w.verdict.text);
+  for (Failure& f : found.failures) show(f.id, f.family, f.what);
+}
+
 std::string digest_of(golden::Shard part, const std::string& run, const std::string& bytes) {
   return formats::Sha256().add(fmt::format("{}/{}", part.index, part.of)).add(run).add(bytes).hex();
 }
@@ -297,6 +306,7 @@ Part unpack(const std::string& bytes) {
   if (part.found.size() != part.unasked.size() ||
       !std::all_of(part.found.begin(), part.found.end(), [](const Findings& f) { return is_sound(f); }))
     throw cereal::Exception("it tells of what there is not");
+  for (Findings& found : part.found) make_visible(found);
   if (stream.peek() != std::istringstream::traits_type::eof()) throw cereal::Exception("more than a part");
   return part;
 }

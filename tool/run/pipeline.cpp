@@ -294,8 +294,8 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
     const engines::EngineInfo& engine = subject.engine->info();
     none.source = subject.report.sources++;
     if (const auto why = excluded(source.pair, source.scalar, engine)) {
-      const std::string what =
-          source.dataset ? source.dataset->string() : fmt::format("{}/{}", name(source.pair), source.family);
+      const std::string what = source.dataset ? formats::visible(source.dataset->string())
+                                              : fmt::format("{}/{}", name(source.pair), source.family);
       subject.report.skipped.push_back({what, *why, source.count, none.source, source.fresh});
       continue;
     }

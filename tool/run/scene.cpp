@@ -44,9 +44,7 @@ void read_header(const Node& header, Scene& scene) {
 /// A name is printed in tables and messages as it stands.
 std::string read_name(const Node& name) {
   std::string text = name.text();
-  const auto control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
-  if (text.empty() || std::any_of(text.begin(), text.end(), control))
-    name.refuse("expected a name without control characters");
+  if (text.empty() || text != name.raw_text()) name.refuse("expected a name without control characters");
   return text;
 }
 
@@ -120,10 +118,9 @@ Scene read_scene(const std::vector<std::string>& paths, const ModelFactory& fact
     if (lines.where().line == 0) throw formats::InputError(lines.where(), "", "empty: a scene begins with its header");
   }
   if (scene.models.empty())
-    throw formats::InputError({fmt::format("{}", fmt::join(paths, ", ")), 0}, "",
-                              scene.left_out.empty()
-                                  ? "the scene holds no model"
-                                  : fmt::format("no model is read:\n{}", fmt::join(scene.left_out, "\n")));
+    throw formats::InputError(
+        {fmt::format("{}", fmt::join(paths, ", ")), 0}, "",
+        scene.left_out.empty() ? "the scene holds no model" : "no model is read:", scene.left_out);
   return scene;
 }
 

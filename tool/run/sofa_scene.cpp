@@ -94,8 +94,8 @@ class Reader {
 
   void tell(const xml_node& element, const std::string& what) {
     const std::string_view name = element.attribute("name").value();
-    scene_.left_out.push_back(fmt::format("{}: {}{} {}", where(element).text(), element.name(),
-                                          name.empty() ? "" : fmt::format(" '{}'", name), what));
+    scene_.left_out.push_back(formats::visible(fmt::format("{}: {}{} {}", where(element).text(), element.name(),
+                                                           name.empty() ? "" : fmt::format(" '{}'", name), what)));
   }
   void leave_out(const xml_node& element, const std::string& why) { tell(element, "is not read: " + why); }
 
@@ -429,7 +429,7 @@ class Reader {
         turns.row(i) = (*at.orientations)[static_cast<std::size_t>(i)].coeffs().transpose();
       columns["orientations"] = turns;
     }
-    std::string name = node + "/" + name_of(spheres);
+    std::string name = formats::visible(node + "/" + name_of(spheres));
     MeetingRules rules{.node = node + "/",
                        .groups = {},
                        .simulated = truth(spheres, "simulated", true),
