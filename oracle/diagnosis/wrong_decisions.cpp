@@ -65,13 +65,16 @@ std::vector<Cause> wrong_decisions() {
                })),
       decision("large-missed", "hits of spheres with a radius of 10000 and more missed",
                of_distance([](F f) { return missed_where(std::max(f.radius[0], f.radius[1]) >= 10000, f); })),
-      decision("tolerance-of-coordinates", "a tolerance of a millionth of the largest coordinate widens the test",
-               [](F f) {
-                 Real most = 0;
-                 for (const auto* vectors : {&f.nearest, &f.min, &f.max})
-                   for (const Numbers& v : *vectors) most = std::max(most, largest_of(v));
-                 return within(f, f.alarm + 1e-6L * most);
-               }),
+      {.id = "tolerance-of-coordinates",
+       .sentence = "a tolerance of a millionth of the largest coordinate widens the test",
+       .hit =
+           [](F f) {
+             Real most = 0;
+             for (const auto* vectors : {&f.nearest, &f.min, &f.max})
+               for (const Numbers& v : *vectors) most = std::max(most, largest_of(v));
+             return within(f, f.alarm + 1e-6L * most);
+           },
+       .weight = 0.92},  // near decisions are rounded first
       decision("inverted", "hit and miss exchanged", [](F f) { return Said::hit(!f.truth->hit()); }),
       decision("always-hit", "always answers hit", [](F) { return Said::hit(true); }),
       decision("never-hit", "never answers hit", [](F) { return Said::hit(false); }),
