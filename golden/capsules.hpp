@@ -60,8 +60,10 @@ struct TwoSegments {
 template <Pair kPair>
 inline constexpr bool kHasSphere = kPair != Pair::capsule_capsule;
 
-/// Whether the second shape has no radius of its own.
-constexpr bool has_one_radius(Pair pair) { return pair >= Pair::sphere_triangle; }
+/// Whether one of the two shapes alone has a radius, or neither has.
+constexpr bool has_one_radius(Pair pair) {
+  return of_shapes(pair, []<class A, class B>() { return !(kHasRadius<A> && kHasRadius<B>); });
+}
 
 /// Of a pair with one radius it takes both.
 template <Pair kPair, class Shapes>

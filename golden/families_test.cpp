@@ -150,6 +150,56 @@ TEST(Families, TouchingShapesTouchExactlyButForSomeThatAreOneUlpApart) {
   });
 }
 
+/// How often a ray from the centre along an axis crosses the mesh of a box, two triangles a face with their edges. All
+/// numbers are on a grid that doubles hold with their products.
+int crossed(const BallAndBox& shapes, int along) {
+  const auto& [ball, box] = shapes;
+  const int y = (along + 1) % 3;
+  const int z = (along + 2) % 3;
+  const Vector3 w = ball.center - box.min;
+  const Vector3 size = box.max - box.min;
+  if (w[y] < 0 || w[z] < 0 || w[y] > size[y] || w[z] > size[z]) return 0;
+  const int triangles = w[y] * size[z] == w[z] * size[y] ? 2 : 1;
+  return triangles * ((w[along] < 0 ? 1 : 0) + (w[along] < size[along] ? 1 : 0));
+}
+/// How often a ray in the plane, from the foot of the centre along an axis, crosses an edge with its ends; seen along the
+/// largest component of the normal.
+int crossed(const BallAndTriangle& shapes) {
+  const auto& v = shapes.b.vertices;
+  const Vector3 n = (v[1] - v[0]).cross(v[2] - v[0]);
+  const Vector3 foot = shapes.a.center - n * (n.dot(shapes.a.center - v[0]) / n.squaredNorm());
+  Eigen::Index dropped = 0;
+  n.cwiseAbs().maxCoeff(&dropped);
+  const Eigen::Index x = dropped == 0 ? 1 : 0;
+  const Eigen::Index y = dropped == 2 ? 1 : 2;
+  int count = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3 p = v[k] - foot;
+    const Vector3 q = v[(k + 1) % 3] - foot;
+    if (p[y] == q[y] || std::min(p[y], q[y]) > 0 || std::max(p[y], q[y]) < 0) continue;
+    // Where the edge is at the height of the foot, times its rise.
+    const double rise = q[y] - p[y];
+    count += (p[x] * rise - p[y] * (q[x] - p[x])) * rise > 0 ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(Families, AlignedIsDecidedWronglyByWhoCountsWhatARayCrosses) {
+  for_each_file("aligned", [](const CommittedFile& file) {
+    const auto wrong = count_if(file, [](const Query& q, const oracle::Truth& t) {
+      if (const auto* box = std::get_if<BallAndBox>(&q.shapes)) return (crossed(*box, 0) % 2 == 1) != t.degenerate();
+      const auto& shapes = std::get<BallAndTriangle>(q.shapes);
+      const auto& v = shapes.b.vertices;
+      const Vector3 n = (v[1] - v[0]).cross(v[2] - v[0]);
+      const auto ahead = [&](std::size_t k) {
+        return (v[(k + 1) % 3] - v[k]).cross(shapes.a.center - v[k]).dot(n) > 0;
+      };
+      return !n.isZero() && (crossed(shapes) % 2 == 1) != (ahead(0) && ahead(1) && ahead(2));
+    });
+    EXPECT_GE(wrong, kCommittedCount / 10) << title(file);
+  });
+}
+
 /// Whether a question that misses would hit if one of its numbers were the next of the scalar, up or down.
 bool is_one_step_from_a_hit(const Query& query, Scalar scalar) {
   bool found = false;

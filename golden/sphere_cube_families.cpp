@@ -240,6 +240,59 @@ SphereAndBox<Real> on_boundary(Random& random) {
   return s;
 }
 
+/// In line with an edge or a corner of the box, or with the diagonal of a face, along an axis or a diagonal of space: who
+/// counts the faces that a ray crosses counts two or none of them there. On a grid, half of the centres inside.
+template <class Real>
+SphereAndBox<Real> aligned(Random& random) {
+  const int kind = random.turn(6);
+  const bool inside = kind < 3;
+  SphereAndBox<Real> s;
+  const std::size_t first = random.index(3);
+  const auto part = static_cast<Real>(random.between(1, 7));    // in eighths of a side
+  const auto steps = static_cast<Real>(random.between(1, 12));  // in eighths
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (first + k) % 3;
+    // All of them a number of eighths.
+    const auto side = static_cast<Real>(random.between(1, 9));
+    const Real low = static_cast<Real>(random.between(-80, 80)) / Real{8};
+    s.min[i] = low;
+    s.max[i] = low + (inside ? Real{4} + side : side);
+    const bool at_min = random.chance(2);
+    const Real size = s.max[i] - low;
+    const Real on_diagonal = low + size * (at_min ? part : 8 - part) / Real{8};
+    const Real anywhere = low + size * static_cast<Real>(random.between(1, 7)) / Real{8};
+    const auto beyond = [&](Real by) { return at_min ? low - by : s.max[i] + by; };
+    switch (kind) {
+      case 0:  // on a diagonal of the box, and so of every face that an axis leads to
+        s.c[i] = on_diagonal;
+        break;
+      case 1:  // in front of the diagonal of two faces, within
+        s.c[i] = k == 0 ? anywhere : on_diagonal;
+        break;
+      case 2:  // as far from two faces or three: a diagonal of space leads to their edge or corner
+        s.c[i] = k == 0 && random.chance(2) ? anywhere : beyond(-steps / Real{8});
+        break;
+      case 3:  // the same from outside
+        s.c[i] = k == 0 && random.chance(2) ? anywhere : beyond(steps / Real{8});
+        break;
+      case 4:  // before a face, in line with its diagonal
+        s.c[i] = k == 0 ? beyond(steps / Real{8}) : on_diagonal;
+        break;
+      default:  // in the plane of a face or two, which the ray grazes
+        s.c[i] = k == 0 ? beyond(steps / Real{8}) : k == 1 || random.chance(2) ? beyond(Real{0}) : anywhere;
+        break;
+    }
+  }
+  if (inside)
+    s.r = random.turn(2, 6) == 0 ? Real{0} : random.uniform(Real{0}, Real{2});
+  else
+    s.r = s.distance() *
+          (random.turn(2, 6) == 0 ? random.uniform(Real{0.5}, Real{0.9375}) : random.uniform(Real{1}, Real{2}));
+  random_distances(s, random);
+  if (random.turn(2, 6) == 0) s.alarm = 0;
+  return s;
+}
+
 /// Boxes without thickness on one, two or three axes.
 template <class Real>
 SphereAndBox<Real> flat(Random& random) {
@@ -345,6 +398,11 @@ constexpr std::array kFamilies{
     Family{"on_boundary", "the centre on a face, an edge or a corner: no distance, and a choice of directions",
            "no direction: what an engine does instead, under whichever convention it declares",
            made<on_boundary<double>, on_boundary<float>>, false, false, "a distance of 0 is within every reach"},
+    Family{"aligned",
+           "the centre in line with an edge or a corner of the box, or with the diagonal of a face, along an axis or a "
+           "diagonal; half of them inside",
+           "who counts the faces that a ray crosses, to tell inside from outside, counts two or none on an edge",
+           made<aligned<double>, aligned<float>>, false},
     Family{"flat", "boxes without thickness on one, two or three axes: rectangles, segments and points",
            "a box without thickness is a rectangle, a segment or a point, which overlap tests by volume miss",
            made<flat<double>, flat<float>>, false},

@@ -245,6 +245,72 @@ SphereTriangle<Real> region_edge_of_triangle(Random& random) {
   return s;
 }
 
+/// The foot on the plane in line with a vertex, or with an edge, along an axis or a diagonal: who counts the edges that a
+/// ray in the plane crosses counts two or none of them there. On a grid.
+template <class Real>
+SphereTriangle<Real> aligned_triangle(Random& random) {
+  const int kind = random.turn(6);
+  // Along `ahead` there is a vertex; one axis, or two of them.
+  Triple<std::int64_t> ahead{};
+  const std::size_t axis = random.index(3);
+  ahead[axis] = random.with_sign(std::int64_t{1});
+  if (random.turn(3, 6) == 0) ahead[(axis + 1) % 3] = random.with_sign(std::int64_t{1});
+  Triple<std::int64_t> beside{};
+  Triple<std::int64_t> normal{};
+  while (normal == Triple<std::int64_t>{}) {
+    for (std::int64_t& x : beside) x = random.between<std::int64_t>(-2, 2);
+    normal = cross(ahead, beside);
+  }
+  const auto steps = [&] { return random.between<std::int64_t>(1, 6); };
+  const auto any = [&] { return random.between<std::int64_t>(-6, 6); };
+  // The vertices from the foot, in steps along `ahead` and `beside`.
+  const std::int64_t distance = steps();
+  std::array<std::array<std::int64_t, 2>, 3> at{{{distance, 0}, {0, 0}, {0, 0}}};
+  const std::int64_t first = steps();
+  const std::int64_t second = steps();
+  const std::int64_t up = steps();
+  const std::int64_t down = steps();
+  switch (kind) {
+    case 0:  // the foot inside, a vertex ahead
+    case 1:  // or behind
+      if (kind == 1) at[0][0] = -distance;
+      at[1] = {kind == 1 ? first : -first, up};
+      at[2] = {kind == 1 ? second : -second, -down};
+      break;
+    case 2:  // before a vertex, behind which is the inside
+      at[1] = {distance + first, up};
+      at[2] = {distance + second, -down};
+      break;
+    case 3:  // before an edge
+      at[1] = {distance + first, 0};
+      at[2] = {any(), up};
+      break;
+    case 4:  // before a vertex, and all else to one side
+      at[1] = {any(), up};
+      at[2] = {any(), up + down};
+      break;
+    default:  // inside, in the middle between a vertex and the edge behind it
+      at[1] = {-distance, up};
+      at[2] = {-distance, -up};
+      break;
+  }
+  const auto placed = [](const Triple<std::int64_t>& v) {
+    return Triple<Real>{static_cast<Real>(v[0]), static_cast<Real>(v[1]), static_cast<Real>(v[2])};
+  };
+  Triple<std::int64_t> foot{};
+  for (std::int64_t& x : foot) x = random.between<std::int64_t>(-200, 200);
+  Vertices<Real> made;
+  for (std::size_t k = 0; k < 3; ++k) made[k] = placed(moved(moved(foot, at[k][0], ahead), at[k][1], beside));
+  SphereTriangle<Real> s;
+  s.vertices = numbered(random, random.index(3), made);
+  const std::int64_t height = random.between<std::int64_t>(1, 3);
+  const std::int64_t side = random.with_sign(height);
+  s.center = placed(moved(foot, side, normal));
+  reach_or_not(s, random);
+  settle_radii<kOfTriangle>(s);
+  return s;
+}
+
 /// Slivers an ulp wide, three points on a line, and triangles that are one or two points.
 template <class Real>
 SphereTriangle<Real> thin_triangle(Random& random) {

@@ -157,24 +157,21 @@ rc::Gen<Query> nested_boxes(Pair pair, const Range& range) {
   });
 }
 
-template <class Shape, class... Shapes>
-constexpr bool is_any_of = (std::same_as<Shape, Shapes> || ...);
+/// Whether one of the two shapes of a pair is one of these.
+template <class... Shapes>
+bool has_one_of(Pair pair) {
+  return of_shapes(pair, []<class A, class B>() { return kIsOneOf<A, Shapes...> || kIsOneOf<B, Shapes...>; });
+}
 
 bool are_alike(Pair pair) {
-  return std::visit([]<class A, class B>(const Two<A, B>&) { return std::same_as<A, B>; }, description(pair).zeros());
+  return of_shapes(pair, []<class A, class B>() { return std::same_as<A, B>; });
 }
 // A new pair has the laws of `kAll`, and those of `kDistance` and `kAlike` if they concern it.
 constexpr About kAll{"any shapes", [](Pair) { return true; }};
 constexpr About kDistance{"shapes with a distance", has_distance};
 constexpr About kAlike{"two alike", are_alike};
 constexpr About kCrossing{"a segment and a triangle", is_crossing};
-constexpr About kCorners{"a capsule, a triangle or a line", [](Pair pair) {
-                           return std::visit(
-                               []<class A, class B>(const Two<A, B>&) {
-                                 return is_any_of<A, Capsule, Triangle, Line> || is_any_of<B, Capsule, Triangle, Line>;
-                               },
-                               description(pair).zeros());
-                         }};
+constexpr About kCorners{"a capsule, a triangle or a line", has_one_of<Capsule, Triangle, Line>};
 constexpr About kLong{"a capsule, a triangle or a ray, and a distance",
                       [](Pair pair) { return has_distance(pair) && pair_without_length(pair) != pair; }};
 constexpr About kGrowing{"any shapes but a triangle and a line", can_grow};

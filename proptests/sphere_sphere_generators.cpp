@@ -74,8 +74,7 @@ rc::Gen<Query> spheres_on_a_quadruple(const Range& range) {
       [range](const std::tuple<Apart, int, int>& parts) {
         auto [made, ulps, lengths] = parts;
         auto& [a, b, distance, k, unit] = made;
-        // The distance is shared out to both radii, or to one radius and the alarm; the last part
-        // moves by ulps.
+        // The distance is shared out to both radii, or to one radius and the alarm; the last part moves by ulps.
         const int first = std::abs(k[6]) % (distance + 1);
         const double last = std::max(0.0, range.moved((distance - first) * unit, ulps));
         a.radius = lengths == 2 ? 0 : first * unit;

@@ -34,15 +34,15 @@ ESTIMATE = "batch, by an estimate"
 # What is asked, the file, what stands there, and what is put in its place.
 FAULTS = [
     # The filter of one pair.
-    ("one pair", FILTER, "kGap = 24 * kUnit", "kGap = 0.5 * kUnit"),
+    ("one pair", FILTER, "kGap = 32 * kUnit", "kGap = 0.5 * kUnit"),
     ("one pair", FILTER, " + dz * dz", ""),
     ("one pair", FILTER, "b.center[1] - a.center[1]", "b.center[1] + a.center[1]"),
     ("one pair", FILTER, "(a.radius + b.radius) + alarm", "(a.radius + b.radius)"),
-    ("one pair", FILTER, "return difference < 0 ?", "return difference > 0 ?"),
-    ("one pair", FILTER, "!(abs(difference) > margin)", "!(abs(difference) >= 0)"),
-    ("filter, rounding up", FILTER, "kGap = 24 * kUnit", "kGap = 1 * kUnit"),
-    ("filter, rounding down", FILTER, "kGap = 24 * kUnit", "kGap = 1 * kUnit"),
-    ("filter, rounding to zero", FILTER, "kGap = 24 * kUnit", "kGap = 1 * kUnit"),
+    ("one pair", FILTER, "hit = D < reach2", "hit = D > reach2"),
+    ("one pair", FILTER, "+ Bounds<Real>::kFloor) < more", "+ Bounds<Real>::kFloor) < 2 * more"),
+    ("filter, rounding up", FILTER, "kGap = 32 * kUnit", "kGap = 1 * kUnit"),
+    ("filter, rounding down", FILTER, "kGap = 32 * kUnit", "kGap = 1 * kUnit"),
+    ("filter, rounding to zero", FILTER, "kGap = 32 * kUnit", "kGap = 1 * kUnit"),
     # The fast stage of one pair.
     ("one pair", DOUBLE_DOUBLE, "hn::Add(hn::Sub(a, hn::Sub(high, b_part)), hn::Sub(b, b_part))", "hn::Sub(a, hn::Sub(high, b_part))"),
     ("one pair", DOUBLE_DOUBLE, "hn::Add(hn::Sub(a, hn::Sub(high, b_part)), hn::Sub(b, b_part))", "hn::Sub(hn::Sub(a, hn::Sub(high, b_part)), hn::Sub(b, b_part))"),

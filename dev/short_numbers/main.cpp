@@ -55,8 +55,10 @@ bool right(const NamedKernel& kernel, bool whole) {
     if (count == 0) print("never", kernel.name, kernel.bits, what);
     all = all && count != 0;
   };
-  if (kernel.bits > 5) happens("hit", total.decided[0]);  // 32 u is 1 there, and the filter of one pair sees no hit
-  happens("miss", total.decided[1]);
+  if (kernel.bits > 5) {  // 32 u is 1 there, and the filter of one pair decides nothing
+    happens("hit", total.decided[0]);
+    happens("miss", total.decided[1]);
+  }
   happens("no decision", total.decided[2]);
   for (std::size_t k = 0; k < kNumbers && kernel.computes; ++k) {
     happens("number " + std::to_string(k) + " settled", total.settled[k]);

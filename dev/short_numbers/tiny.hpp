@@ -11,10 +11,10 @@ namespace contact::kernel::tiny {
 enum class Rounding { to_nearest, up, down, to_zero };
 
 /// A double whose significand has `kBits` bits, and the exponents of double. Each operation rounds the exact result
-/// once, to nearest with ties to even or as kRounding says. Domain      2 <= kBits <= 25; results are 0 or at least
-/// 2^-900 in magnitude, or what they lose is not looked at. Source      2 kBits + 2 <= 53: rounding + - * / sqrt to 53
-/// bits first changes nothing (Figueroa, 1995). Elsewhere the
-///             exact result, high + low, is first rounded to odd (Boldo and Melquiond, 2008).
+/// once, to nearest with ties to even or as kRounding says.
+/// Domain      2 <= kBits <= 25; results are 0 or at least 2^-900 in magnitude, or what they lose is not looked at.
+/// Source      2 kBits + 2 <= 53: rounding + - * / sqrt to 53 bits first changes nothing (Figueroa, 1995). Elsewhere
+///             the exact result, high + low, is first rounded to odd (Boldo and Melquiond, 2008).
 /// Evidence    tiny_test.cpp, all operations on all operands of 3 and 4 bits against rationals.
 template <int kBits, Rounding kRounding = Rounding::to_nearest>
 class Tiny {

@@ -1,5 +1,5 @@
-// Bullet: btGjkPairDetector, with its EPA for penetrations, on btSphereShape, btBoxShape,
-// btCapsuleShape and btTriangleShape.
+// Bullet: btGjkPairDetector, with its EPA for penetrations, on btSphereShape, btBoxShape, btCapsuleShape and
+// btTriangleShape.
 #include "engines/adapters/bullet.hpp"
 
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>

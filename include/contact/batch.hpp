@@ -109,7 +109,8 @@ CONTACT_BATCH_PAIRS(CONTACT_TEST)
 //
 // compute_sphere_sphere_hits, compute_sphere_cube_hits and so on: the hits alone, in the order of the pairs. Row k of
 // `out` is the contact of pair index[k], for every k below Count::hits. The contents of the rows after these are not
-// specified. Domain      fewer than 2^32 pairs; `index` is as long as the columns.
+// specified.
+// Domain      fewer than 2^32 pairs; `index` is as long as the columns.
 #define CONTACT_COMPUTE(name, A, B)                                                                              \
   Count compute_##name(const A##Columns& a, const B##Columns& b, Distances distances, const ContactColumns& out, \
                        ContactPoints points = {});                                                               \

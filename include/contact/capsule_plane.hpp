@@ -30,8 +30,7 @@ namespace contact::inline CONTACT_ABI {
 /// Error       every number is the exact real rounded once to nearest, ties to even (0.5 ulp); beyond the largest
 ///             finite number it is infinite, as IEEE 754 rounds. Every zero is +0.
 /// Unique      not where the capsule is parallel to the plane and its length above 0: every point of the axis is as
-/// low,
-///             and p is the middle, (a.start + a.end) / 2, which is not rounded.
+///             low, and p is the middle, (a.start + a.end) / 2, which is not rounded.
 /// Degenerate  never: on the plane and below it the normal and the formulas are the same.
 /// Points      `center` puts the first at p, `far_surface` on the far side of the capsule; the second stays.
 /// Environment as test_capsule_plane.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <string_view>
 #include <variant>
@@ -105,15 +106,43 @@ inline constexpr PairDescription kPairTable[] = {CONTACT_PAIRS(CONTACT_PAIR)};
 [[nodiscard]] constexpr bool has_distance(Pair pair) { return description(pair).numbers == Numbers::distance; }
 /// Whether one shape crosses the other or does not: no distance counts.
 [[nodiscard]] constexpr bool is_crossing(Pair pair) { return description(pair).numbers == Numbers::crossing; }
-/// Whether SOFA's DiscreteIntersection has the pair; the others join at run time there.
-[[nodiscard]] constexpr bool is_discrete_intersections(Pair pair) { return pair <= Pair::cube_cube; }
-/// Whether more than one pair of points of the cores may be nearest.
-[[nodiscard]] constexpr bool may_have_many_nearest(Pair pair) {
-  return pair == Pair::capsule_capsule || pair == Pair::capsule_plane;
+/// ask.operator()<A, B>() of the two shapes of a pair: what follows from the shapes is asked of them, so that a new
+/// pair needs no line for it.
+#define CONTACT_ASK(name, A, B, ...) \
+  case Pair::name:                   \
+    return ask.template operator()<A, B>();
+template <class Ask>
+[[nodiscard]] constexpr bool of_shapes(Pair pair, Ask ask) {
+  switch (pair) { CONTACT_PAIRS(CONTACT_ASK) }
+  return false;
 }
-/// Whether the second shape is a half-space, so that distances are signed and D = 0 is no exception.
-[[nodiscard]] constexpr bool has_plane(Pair pair) { return pair == Pair::sphere_plane || pair == Pair::capsule_plane; }
-/// Whether the nearest points may be quotients of what is given, so that D is no dyadic.
-[[nodiscard]] constexpr bool has_quotients(Pair pair) { return pair >= Pair::sphere_capsule; }
+#undef CONTACT_ASK
+
+template <class Shape, class... Shapes>
+inline constexpr bool kIsOneOf = (std::same_as<Shape, Shapes> || ...);
+/// Whether a shape is a core blown up by a radius.
+template <class Shape>
+inline constexpr bool kHasRadius = requires(Shape shape) {
+  shape.radius;
+};
+
+/// Whether SOFA's DiscreteIntersection has the pair, of two spheres or of two cubes; the others join at run time there.
+[[nodiscard]] constexpr bool is_discrete_intersections(Pair pair) {
+  return of_shapes(pair, []<class A, class B>() { return std::same_as<A, B> && kIsOneOf<A, Ball, Box>; });
+}
+/// Whether more than one pair of points of the cores may be nearest: a ball's core is one point, which has one nearest.
+[[nodiscard]] constexpr bool may_have_many_nearest(Pair pair) {
+  return has_distance(pair) &&
+         of_shapes(pair, []<class A, class B>() { return !std::same_as<A, Ball> && !std::same_as<B, Ball>; });
+}
+/// Whether distances are measured to a half-space, the second shape, so that they are signed and D = 0 is no exception.
+[[nodiscard]] constexpr bool has_plane(Pair pair) {
+  return has_distance(pair) && of_shapes(pair, []<class A, class B>() { return std::same_as<B, Plane>; });
+}
+/// Whether the nearest points may be quotients of what is given, so that D is no dyadic. Those of balls and boxes have
+/// coordinates that are given.
+[[nodiscard]] constexpr bool has_quotients(Pair pair) {
+  return of_shapes(pair, []<class A, class B>() { return !(kIsOneOf<A, Ball, Box> && kIsOneOf<B, Ball, Box>); });
+}
 
 }  // namespace contact::inline CONTACT_ABI

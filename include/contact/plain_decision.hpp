@@ -54,11 +54,10 @@ enum class Filtered { hit, miss, undecided };
 template <class Real>
 struct Bounds {
   static constexpr double kUnit = static_cast<double>(std::numeric_limits<Real>::epsilon()) / 2;  // u
-  /// |D - reach^2| decides beyond this share of D + reach^2. To nearest, D and reach^2 are each within 5.0001 u of the
-  /// reals; a directed mode doubles that. Where the sum ends at the largest number instead of at infinity, this is as
-  /// little as 12 u of it.
-  static constexpr double kGap = 24 * kUnit;
-  /// And beyond this: squares that underflow or are flushed lose less.
+  /// The lesser of D and reach^2 is the lesser where it would be so with this share of the other added. To nearest, each
+  /// is within 5.0001 u of the reals; a directed mode doubles that.
+  static constexpr double kGap = 32 * kUnit;
+  /// And with this: squares that underflow or are flushed lose less.
   static constexpr double kFloor = 0x1p-900;
   /// A sum of two lengths less a third decides beyond this, which is more than what is flushed.
   static constexpr double kLeastRoom = 0x1p-1000;
@@ -74,17 +73,19 @@ CONTACT_PLAIN auto squared_distance(const First& a, const Second& b) {
 }
 
 /// Whether balls whose centres are sqrt(D) apart are within the alarm distance. D is squared_distance(a, b).
+/// Only sums of numbers that are not negative are compared. Had D ended at the largest number and a fused product been
+/// subtracted from that, the difference would have either sign; no sum below that number has such a part.
 /// Evidence    proofs, scalar_filter.g; docs/error-bounds.md#decisions-of-one-pair-kgap.
 template <class First, class Second, class Real>
 CONTACT_PLAIN Filtered filter(const First& a, const Second& b, Real D, Real alarm) {
   CONTACT_PLAIN_ARITHMETIC
-  using std::abs;
   const Real reach = (a.radius + b.radius) + alarm;
   const Real reach2 = reach * reach;
-  const Real difference = D - reach2;
-  const Real margin = Bounds<Real>::kGap * (D + reach2) + Bounds<Real>::kFloor;
-  if (!(abs(difference) > margin)) return Filtered::undecided;
-  return difference < 0 ? Filtered::hit : Filtered::miss;
+  const bool hit = D < reach2;
+  const Real less = D < reach2 ? D : reach2;
+  const Real more = D > reach2 ? D : reach2;
+  if (!(less + (Bounds<Real>::kGap * more + Bounds<Real>::kFloor) < more)) return Filtered::undecided;
+  return hit ? Filtered::hit : Filtered::miss;
 }
 
 /// Whether two boxes are within `alarm` of each other: by the axis and side where there is least room.

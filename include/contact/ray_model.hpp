@@ -9,8 +9,7 @@ namespace contact::inline CONTACT_ABI {
 /// Rays: segments from an origin along a direction.
 /// Units       one length unit for the origins; a length counts directions, which need not be of length 1.
 /// Domain      finite origins; finite directions other than 0; finite lengths >= 0; as many of each. Anything else
-/// throws
-///             InvalidModel and does not change the model.
+///             throws InvalidModel and does not change the model.
 /// Contacts    RayDiscreteIntersection of contact/shape_intersectors.hpp, which every program with such a model has in
 ///             its factory.
 class RayCollisionModel : public ModelOf<RayCollisionModel> {

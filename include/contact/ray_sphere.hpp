@@ -12,8 +12,7 @@ namespace contact::inline CONTACT_ABI {
 ///   p = the point nearest to b.center of the segment from a.origin to a.origin + a.length a.direction
 ///   D = |b.center - p|^2     reach = alarm + b.radius
 /// Units       one length unit for a.origin, the sphere and the distances; a.length counts directions, which need not
-/// be
-///             of length 1.
+///             be of length 1.
 /// Domain      finite; the direction not zero; length, radius and alarm >= 0. Subnormals and the largest finite numbers
 ///             are included: the ray's end need not be a number.
 /// Decision    D <= reach^2, exactly: touching counts. The end of the ray is not rounded.

@@ -12,8 +12,7 @@ namespace contact::inline CONTACT_ABI {
 ///   N = (v1 - v0) x (v2 - v0)     crossing where N . a.direction is not 0, the ends and the boundary included
 /// Units       any one length unit; a.length counts directions.
 /// Domain      finite; the direction not zero, and of any length; a.length >= 0. Triangles without an inside and rays
-/// of
-///             length 0 are included, subnormals and the largest finite numbers too.
+///             of length 0 are included, subnormals and the largest finite numbers too.
 /// Decision    exact. A ray along the plane of the triangle does not cross it, nor does one of length 0; a triangle
 ///             without an inside is not crossed. Alarm and contact distances have no say.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.

@@ -31,9 +31,8 @@ namespace contact::inline CONTACT_ABI {
 /// Error       every number is the exact real rounded once to nearest, ties to even (0.5 ulp); beyond the largest
 ///             finite number it is infinite, as IEEE 754 rounds. Every zero is +0.
 /// Degenerate  D = 0, the centre in the box or on it: the sphere leaves through the nearest face, x before y before z
-/// and
-///             min before max. The normal points from that face into the box, point2 is the foot of the centre on the
-///             face, and value = -(a.radius + depth) - distances.contact, depth being the distance to the face.
+///             and min before max. The normal points from that face into the box, point2 is the foot of the centre on
+///             the face, and value = -(a.radius + depth) - distances.contact, depth being the distance to the face.
 /// Points      `center` puts point1 at the centre, `far_surface` on the far side; point2 stays.
 /// Environment as test_sphere_cube.
 /// Source      docs/specification.md#sphere-cube-pairs.

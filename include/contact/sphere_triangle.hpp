@@ -12,8 +12,7 @@ namespace contact::inline CONTACT_ABI {
 ///   q = the point of the triangle nearest to a.center     D = |q - a.center|^2     reach = alarm + a.radius
 /// Units       one length unit throughout.
 /// Domain      finite; radius and alarm >= 0. Triangles whose vertices lie on a line or on one point, subnormals and
-/// the
-///             largest finite numbers are included.
+///             the largest finite numbers are included.
 /// Decision    D <= reach^2, exactly: touching counts.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
 /// Source      docs/specification.md#triangles.

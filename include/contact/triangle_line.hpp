@@ -13,8 +13,7 @@ namespace contact::inline CONTACT_ABI {
 ///   N = (v1 - v0) x (v2 - v0)     crossing where N . (b.end - b.start) is not 0, the ends and the boundary included
 /// Units       any one length unit.
 /// Domain      finite. Triangles without an inside and lines of length 0 are included, subnormals and the largest
-/// finite
-///             numbers too.
+///             finite numbers too.
 /// Decision    exact. A line along the plane of the triangle does not cross it, nor does one of length 0; a triangle
 ///             without an inside is not crossed. Alarm and contact distances have no say.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.

@@ -129,9 +129,8 @@ struct Declaration {
 };
 
 /// Why an engine that declares this cannot be asked a question, or nothing: a number beyond its scale or its
-/// tolerance's, or a box,
-/// capsule, plane or ray whose centre, size, direction or end is no number of its scalar, so that whoever asks would
-/// have to round. NaN and infinities do not count.
+/// tolerance's, or a box, capsule, plane or ray whose centre, size, direction or end is no number of its scalar, so
+/// that whoever asks would have to round. NaN and infinities do not count.
 [[nodiscard]] std::optional<std::string_view> not_served(const Query& query, const Declaration& declared);
 
 /// Where the contact point of a sphere (0 or 1) should lie; nothing where the conventions claim none.

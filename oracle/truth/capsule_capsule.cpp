@@ -1,5 +1,4 @@
 // Two capsules: two segments, exactly.
-#include "oracle/truth/double_double_segments.hpp"
 #include "oracle/truth/segments.hpp"
 
 namespace contact::oracle {
@@ -10,8 +9,11 @@ ExactTruth exact_truth(const Capsules& shapes, Distances distances) {
 
 Meet cores_meet(const Capsules& shapes) {
   const auto& [a, b] = shapes;
-  if (!boxes_meet({a.start, a.end}, {b.start, b.end}) || surely_apart({a.start, a.end}, {b.start, b.end}))
+  if (!boxes_meet({a.start, a.end}, {b.start, b.end}) || surely_off_plane(a.start, a.end, b.start, b.end))
     return Meet::no;
+  // A capsule that is a ball lies in a plane with every other.
+  if (a.start == a.end && surely_off_line(a.start, b.start, b.end)) return Meet::no;
+  if (b.start == b.end && surely_off_line(b.start, a.start, a.end)) return Meet::no;
   return segments_meet(segment_of(a), segment_of(b));
 }
 

@@ -33,19 +33,6 @@ struct DoubleDoubleSegment {
 /// Puts the nearer one of two into `best`; false where it is not certain which that is.
 [[nodiscard]] bool keep_nearer(std::optional<DoubleDoubleNearest>& best, const DoubleDoubleNearest& other);
 
-/// Where this is true, the segments have no point in common; else they may have one. By the volume that they span, and
-/// where one of them is a point, by the area.
-[[nodiscard]] inline bool surely_apart(const Ends& first, const Ends& second) {
-  if (!in_short_range(first) || !in_short_range(second)) return false;
-  const DoubleDoubles u = difference(first[1], first[0]);
-  const DoubleDoubles v = difference(second[1], second[0]);
-  const DoubleDoubles w = difference(second[0], first[0]);
-  const auto is_not_zero = [](const DoubleDouble& x) { return x.sign().value_or(0) != 0; };
-  if (first[0] != first[1] && second[0] != second[1]) return is_not_zero(dot(w, cross(u, v)));
-  const DoubleDoubles area = cross(w, first[0] != first[1] ? u : v);
-  return is_not_zero(area[0]) || is_not_zero(area[1]) || is_not_zero(area[2]);
-}
-
 /// The answer at nearest points that are apart, as double_double_answer has it; nothing where there are none.
 [[nodiscard]] std::optional<RoundedAnswer> case_of_apart(const std::optional<DoubleDoubleNearest>& nearest,
                                                          double radius1, double radius2, Distances distances,

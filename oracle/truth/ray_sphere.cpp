@@ -1,5 +1,4 @@
 // A ray and a sphere: a segment, whose end is a product, and a point, exactly.
-#include "oracle/truth/double_double_segments.hpp"
 #include "oracle/truth/segments.hpp"
 
 namespace contact::oracle {
@@ -11,11 +10,7 @@ ExactTruth exact_truth(const RayAndBall& shapes, Distances distances) {
 Meet cores_meet(const RayAndBall& shapes) {
   const auto& [a, b] = shapes;
   // Beside the line of the direction, wherever the ray ends.
-  if (a.length != 0 && in_short_range({a.origin, b.center}) && in_range(a.direction, 80)) {
-    const DoubleDoubles area = cross(difference(b.center, a.origin), exactly(a.direction));
-    for (const DoubleDouble& x : area)
-      if (x.sign().value_or(0) != 0) return Meet::no;
-  }
+  if (surely_beside_line(b.center, a.origin, a.direction)) return Meet::no;
   return segments_meet(segment_of(a), segment_of(b));
 }
 

@@ -3,6 +3,9 @@
 // tried, and nobody asks which face each other.
 #include "oracle/truth/segments.hpp"
 
+#include <CGAL/FPU.h>
+#include <CGAL/Interval_nt.h>
+
 #include <algorithm>
 
 namespace contact::oracle {
@@ -34,6 +37,22 @@ std::vector<NearestPair> candidates(const Segment& first, const Segment& second)
       all.push_back({first.from + s * first.along, second.from + t * second.along});
   }
   return all;
+}
+
+// In intervals of doubles, which are right while the processor rounds upward.
+using Interval = CGAL::Interval_nt<false>;
+using RoundUpward = CGAL::Protect_FPU_rounding<true>;
+using Intervals = std::array<Interval, 3>;
+
+Intervals difference(const Vector3& b, const Vector3& a) {
+  return {Interval(b[0]) - a[0], Interval(b[1]) - a[1], Interval(b[2]) - a[2]};
+}
+Intervals cross(const Intervals& x, const Intervals& y) {
+  return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+}
+bool is_surely_not_zero(const Interval& x) { return x.inf() > 0 || x.sup() < 0; }
+bool is_surely_not_zero(const Intervals& v) {
+  return std::any_of(v.begin(), v.end(), [](const Interval& x) { return is_surely_not_zero(x); });
 }
 
 }  // namespace
@@ -114,6 +133,21 @@ bool boxes_meet(std::initializer_list<Vector3> first, std::initializer_list<Vect
     if (less(high1, low2) || less(high2, low1)) return false;
   }
   return true;
+}
+
+bool surely_off_plane(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d) {
+  const RoundUpward mode;
+  const Intervals w = difference(b, a);
+  const Intervals area = cross(difference(c, a), difference(d, a));
+  return is_surely_not_zero(w[0] * area[0] + w[1] * area[1] + w[2] * area[2]);
+}
+bool surely_off_line(const Vector3& a, const Vector3& b, const Vector3& c) {
+  const RoundUpward mode;
+  return is_surely_not_zero(cross(difference(b, a), difference(c, a)));
+}
+bool surely_beside_line(const Vector3& a, const Vector3& b, const Vector3& direction) {
+  const RoundUpward mode;
+  return is_surely_not_zero(cross(difference(b, a), {direction[0], direction[1], direction[2]}));
 }
 
 Meet segments_meet(const Segment& first, const Segment& second) {

@@ -25,6 +25,12 @@ struct Segment {
 [[nodiscard]] Meet segments_meet(const Segment& first, const Segment& second);
 /// Whether the box around some points and that around others have a point in common.
 [[nodiscard]] bool boxes_meet(std::initializer_list<Vector3> first, std::initializer_list<Vector3> second);
+// Whether points are surely not in one plane, or not on one line; else they may be. Quick: CGAL's intervals of doubles
+// tell, unless they are, or nearly so.
+[[nodiscard]] bool surely_off_plane(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d);
+[[nodiscard]] bool surely_off_line(const Vector3& a, const Vector3& b, const Vector3& c);
+/// The same of a point, and the line through another along a direction.
+[[nodiscard]] bool surely_beside_line(const Vector3& a, const Vector3& b, const Vector3& direction);
 
 /// The foot of a point on a line, where it lies on the segment.
 [[nodiscard]] std::optional<Point> foot(const Point& c, const Segment& segment);

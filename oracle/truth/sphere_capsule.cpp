@@ -1,5 +1,4 @@
 // A sphere and a capsule: a point and a segment, exactly.
-#include "oracle/truth/double_double_segments.hpp"
 #include "oracle/truth/segments.hpp"
 
 namespace contact::oracle {
@@ -10,8 +9,7 @@ ExactTruth exact_truth(const BallAndCapsule& shapes, Distances distances) {
 
 Meet cores_meet(const BallAndCapsule& shapes) {
   const auto& [a, b] = shapes;
-  if (!boxes_meet({a.center}, {b.start, b.end}) || surely_apart({a.center, a.center}, {b.start, b.end}))
-    return Meet::no;
+  if (!boxes_meet({a.center}, {b.start, b.end}) || surely_off_line(a.center, b.start, b.end)) return Meet::no;
   return segments_meet(segment_of(a), segment_of(b));
 }
 

@@ -1,7 +1,7 @@
 // A sphere and a triangle, exactly: the centre, and the point of the triangle that is nearest to it.
 #include <algorithm>
 
-#include "oracle/truth/double_double_segments.hpp"
+#include "oracle/truth/segments.hpp"
 #include "oracle/truth/triangles.hpp"
 
 namespace contact::oracle {
@@ -27,11 +27,7 @@ ExactTruth exact_truth(const BallAndTriangle& shapes, Distances distances) {
 Meet cores_meet(const BallAndTriangle& shapes) {
   const Vector3& c = shapes.a.center;
   const auto& [v0, v1, v2] = shapes.b.vertices;
-  if (!boxes_meet({c}, {v0, v1, v2})) return Meet::no;
-  if (in_short_range({c, v0}) && in_short_range({v1, v2})) {
-    const DoubleDouble volume = dot(difference(v0, c), cross(difference(v1, v0), difference(v2, v0)));
-    if (volume.sign().value_or(0) != 0) return Meet::no;
-  }
+  if (!boxes_meet({c}, {v0, v1, v2}) || surely_off_plane(v0, v1, v2, c)) return Meet::no;
   const ExactTruth truth = exact_truth(shapes, {0, 0});
   return std::get<DistanceTruth>(truth.numbers).degenerate() ? Meet::touching : Meet::no;
 }

@@ -1,8 +1,8 @@
 // A sphere and a triangle in intervals, by active sets: the nearest point of the line or plane through some of the
-// vertices is the triangle's where it is no farther than them along any edge (Karush, Kuhn and Tucker; the problem is
-// convex).
-//   w_k = v_k - c     p = sum of l_k w_k / over, l_k >= 0     nearest where p.(w_k - w_i) >= 0 for all k, i of those
-//   used
+// vertices is the triangle's where it is no farther than them along any edge (Karush, Kuhn and Tucker; the problem
+// is convex).
+//   w_k = v_k - c     p = sum of l_k w_k / over, l_k >= 0
+//   nearest where p.(w_k - w_i) >= 0 for all k, i of those used
 #include <cstddef>
 #include <vector>
 

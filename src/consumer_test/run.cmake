@@ -1,5 +1,6 @@
 # Somebody else's program against the installed library, built with the flags of VARIANT; and with `plain` flags, so that
-# either kind of program loads either kind of plug-in. VARIANT install: nothing but installs.
+# either kind of program loads either kind of plug-in. VARIANT install: nothing but installs. With INLINE_DECISIONS it is the
+# program that asks of the decisions that are inline.
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -40,6 +41,11 @@ if(NOT EXISTS ${folder}/build.ninja)
   list(JOIN variants "," variants)
   run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${folder} -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/installed
       -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DEXAMPLES=${EXAMPLES} -DVARIANTS=${variants} ${settings})
+endif()
+if(INLINE_DECISIONS)
+  run(${CMAKE_COMMAND} --build ${folder} --target inline_decisions_${VARIANT})
+  run(${folder}/inline_decisions_${VARIANT})
+  return()
 endif()
 run(${CMAKE_COMMAND} --build ${folder} --target consumer_plain capsule_plain consumer_${VARIANT} capsule_${VARIANT})
 run(${folder}/consumer_${VARIANT} ${folder}/capsule_${VARIANT}.so)

@@ -1,8 +1,7 @@
 // Many pairs of a sphere and a cube at once, strip by strip.
 //
 //   beside an edge or a corner   two balls, the second the nearest point of the box, whose coordinates are numbers of
-//   the
-//                                question: such points are written to columns, and the kernel of two balls answers
+//                                the question: such points are written to columns, and the kernel of two balls answers
 //   before a face, and inside    along an axis every number of the contact is a sum of numbers of the question, which
 //                                two numbers hold: another pass over the strip writes them
 #undef HWY_TARGET_INCLUDE

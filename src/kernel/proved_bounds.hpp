@@ -5,7 +5,7 @@ namespace contact::kernel::proved {
 
 inline constexpr double kFilterGap = 0x1.400348p-51;              // 5.0002 u
 inline constexpr double kFilterFloor = 0x1p-951;                  // 2^-951
-inline constexpr double kScalarGap = 0x1.401064p-50;              // 10.002 u
+inline constexpr double kScalarGap = 0x1.600832p-49;              // 22.002 u
 inline constexpr double kScalarFloor = 0x1p-1000;                 // 2^-1000
 inline constexpr double kLeastRoom = 0x1p-1010;                   // 2^-1010
 inline constexpr double kLeast = 0x1p-900;                        // 2^-900

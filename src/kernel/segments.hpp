@@ -60,8 +60,8 @@ struct ExactSegment {
 /// The decision of two segments in plain arithmetic, where its bounds allow. Any points of them that are within reach
 /// prove a hit, and any direction along which they are farther apart a miss, so how near to the nearest points the feet
 /// below are does not matter. With L = |w| + |u| + |v| (the sums of their components), in units of u:
-///   delta  w, u and v are rounded (1 each), products (1 + 1) and sums (2 + 2)           12 L a component, 21 L its
-///   length gap    as much for w, u and v along delta, with three products and sums (4), a sum (2)   8 |delta| L
+///   delta  w, u and v are rounded (1 each), products (1 + 1) and sums (2 + 2)   12 L a component, 21 L its length
+///   gap    as much for w, u and v along delta, with three products and sums (4), a sum (2)              8 |delta| L
 /// Domain: to nearest, numbers in_short_range.
 [[gnu::always_inline]] inline Filtered plain_filtered(const Vector3& from, const Vector3& u, const Vector3& second,
                                                       const Vector3& v, const Lengths& lengths) {

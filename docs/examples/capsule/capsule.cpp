@@ -33,8 +33,7 @@ namespace {
 /// Points      the convention of the DiscreteIntersection; a capsule is deformable, its centre the nearest point of its
 ///             axis.
 /// Degenerate  the sphere's centre lies on the axis: the normal is the one that compute_sphere_capsule takes, at a
-/// right
-///             angle to the axis.
+///             right angle to the axis.
 class SphereCapsuleIntersector : public BaseIntersector {
  public:
   static constexpr std::string_view kName = "SphereCapsuleIntersector";
