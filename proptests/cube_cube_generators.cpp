@@ -56,8 +56,9 @@ Query boxes_of(const std::vector<double>& x) {
 rc::Gen<Query> boxes_from(rc::Gen<double> number) { return rc::gen::map(numbers(13, std::move(number)), boxes_of); }
 
 rc::Gen<Query> boxes_touching(const Range& range, bool by_alarm) {
-  // Corners and the alarm on one grid of integers, so that their sums are exact: below 2^50, or 2^20 in binary32.
-  const int digits = range.scalar == Scalar::binary32 ? 18 : 48;
+  // Corners and the alarm on one grid of integers, so that their sums are exact: below 2^50, or 2^20 in binary32, and
+  // no wider than the range.
+  const int digits = std::clamp(range.top - range.bottom - 3, 1, range.scalar == Scalar::binary32 ? 18 : 48);
   const int most = std::max(range.bottom, std::min(range.top, format_of(range.scalar).max_exponent) - digits - 4);
   const auto whole = full_size(rc::gen::inRange<std::int64_t>(-(std::int64_t{1} << digits), std::int64_t{1} << digits));
   return rc::gen::map(rc::gen::tuple(rc::gen::container<std::vector<std::int64_t>>(8, whole),

@@ -15,8 +15,8 @@ namespace py = pybind11;
 [[nodiscard]] py::dict certify(const py::function& ask, const std::string& engine, const std::string& sources,
                                const std::string& options);
 
-/// Whether the tolerance that an engine declares allows an answer: an engine as in the header of a results file, a question
-/// as `explain` reads it, and an answer as in a line of a results file. All three are JSON.
+/// Whether the tolerance that an engine declares allows an answer: an engine as in the header of a results file, a
+/// question as `explain` reads it, and an answer as in a line of a results file. All three are JSON.
 [[nodiscard]] bool is_within(const std::string& engine, const std::string& question, const std::string& answer);
 
 }  // namespace contact::python
