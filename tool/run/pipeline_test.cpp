@@ -364,7 +364,7 @@ TEST(Fresh, WhoKnowsPublishedAnswersAloneIsRefutedAndTheSentenceSaysSo) {
                                                 "judged cases (100 % of those given) it reaches "
                                                 "correctly-rounded, and does not reach bounded on 120 fresh ones (seed "
                                                 "42; no generator makes upstream): {} missed "
-                                                "hits. It rests on ",
+                                                "hits, no number was judged. It rests on ",
                                                 report.fresh_total().hits)))
       << report.sentence();
 }
@@ -408,7 +408,8 @@ TEST(Fresh, NoSeedBringsBackWhatAFileHolds) {
 
 TEST(Fresh, ARunInPartsGivesTheSameBytes) {
   const auto report = [](std::uint64_t of) {
-    return json_text(judged_with_fresh(engines::make_built_in("plain-double"), published(), {25, 7}, false, of));
+    return json_text(judged_with_fresh(engines::make_built_in("plain-double"), {published()[0], published()[1]},
+                                       {25, 7}, false, of));
   };
   const std::string whole = report(1);
   EXPECT_EQ(report(3), whole);
@@ -459,10 +460,10 @@ TEST(Verdict, SaysWhereOneAnswerWouldHaveBeenRightThroughout) {
   Verdict miss = hit;
   miss.overlap_expected = false;
   EXPECT_FALSE(family.one_answer());
-  family.add(hit, "a", true, std::nullopt);
+  family.add(hit, hit.level(), "a", true, std::nullopt);
   EXPECT_EQ(family.one_answer(), "hit");
   FamilyReport other;
-  other.add(miss, "b", false, std::nullopt);
+  other.add(miss, miss.level(), "b", false, std::nullopt);
   EXPECT_EQ(other.one_answer(), "miss");
   other.merge(family);
   EXPECT_FALSE(other.one_answer());
@@ -470,7 +471,7 @@ TEST(Verdict, SaysWhereOneAnswerWouldHaveBeenRightThroughout) {
   FamilyReport mixed;
   hit.contact = oracle::Decision::right;
   hit.contact_expected = false;
-  mixed.add(hit, "c", true, std::nullopt);
+  mixed.add(hit, hit.level(), "c", true, std::nullopt);
   EXPECT_EQ(mixed.one_answer(), "the same");
 
   Report report;
