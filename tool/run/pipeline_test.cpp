@@ -181,11 +181,22 @@ oracle::Declaration decisions_alone() {
   return declared;
 }
 
+/// The report on the generic questions of spheres.
+Report on_generic(Broken::Change change, const oracle::Declaration& declared) {
+  std::vector<Subject> subjects;
+  subjects.push_back({std::make_unique<Broken>(std::move(change), declared), {}});
+  subjects.front().report.engine = subjects.front().engine->info();
+  Stop never;
+  Oracles oracles;
+  const auto path = std::filesystem::path(CONTACT_SOURCE_DIR) / "golden/sphere_sphere/generic.jsonl";
+  judge_source({Pair::sphere_sphere, Scalar::binary64, "generic", 210, path}, subjects, never, oracles);
+  return std::move(subjects.front().report);
+}
+
 TEST(Verdict, WhoAlwaysSaysHitIsNotConservativeAndNoNumberOfItsIsWhatItRestsOn) {
   oracle::Declaration declared;
   declared.claims = Aspects{Aspect::overlap, Aspect::contact, Aspect::normal, Aspect::point2, Aspect::value};
-  Report report = judged(
-      Pair::sphere_sphere,
+  Report report = on_generic(
       [](const Query&, Claim& claim) {
         claim.overlap = true;
         claim.speaks_of_contact = true;
@@ -260,14 +271,7 @@ TEST(Verdict, TooFewJudgedCasesAreNoCertificate) {
   for (double most = 1e-3; most < 1e12; most *= 4) {
     oracle::Declaration declared;
     declared.conventions.scale_max = most;
-    std::vector<Subject> subjects;
-    subjects.push_back({std::make_unique<Broken>([](const Query&, Claim&) {}, declared), {}});
-    Report& report = subjects.front().report;
-    report.engine = subjects.front().engine->info();
-    Stop never;
-    Oracles oracles;
-    const auto path = std::filesystem::path(CONTACT_SOURCE_DIR) / "golden/sphere_sphere/generic.jsonl";
-    judge_source({Pair::sphere_sphere, Scalar::binary64, "generic", 210, path}, subjects, never, oracles);
+    Report report = on_generic([](const Query&, Claim&) {}, declared);
     const FamilyReport all = report.total();
     if (all.cases == 0) continue;
     EXPECT_EQ(report.certified(), all.cases >= kLeastJudged && all.decided.both()) << report.sentence();
