@@ -101,7 +101,9 @@ std::vector<Source> generated(const CertifyOptions& options, std::uint64_t seed)
 
 /// The questions of a report's failures, as one source a family; with datasets those of them that stand there.
 std::vector<Source> failed_before(const CertifyOptions& options) {
-  const SavedReport report = read_report(options.failures_of);
+  SavedReport report = read_report(options.failures_of);
+  report.failures.insert(report.failures.end(), report.fresh_failures.begin(), report.fresh_failures.end());
+  report.failure_count += report.fresh_failure_count;
   const auto refuse_report = [&](const std::string& problem) {
     throw formats::InputError({options.failures_of, 0}, "failures", problem);
   };

@@ -181,11 +181,22 @@ oracle::Declaration decisions_alone() {
   return declared;
 }
 
+/// The report on the generic questions of spheres.
+Report on_generic(Broken::Change change, const oracle::Declaration& declared) {
+  std::vector<Subject> subjects;
+  subjects.push_back({std::make_unique<Broken>(std::move(change), declared), {}});
+  subjects.front().report.engine = subjects.front().engine->info();
+  Stop never;
+  Oracles oracles;
+  const auto path = std::filesystem::path(CONTACT_SOURCE_DIR) / "golden/sphere_sphere/generic.jsonl";
+  judge_source({Pair::sphere_sphere, Scalar::binary64, "generic", 210, path}, subjects, never, oracles);
+  return std::move(subjects.front().report);
+}
+
 TEST(Verdict, WhoAlwaysSaysHitIsNotConservativeAndNoNumberOfItsIsWhatItRestsOn) {
   oracle::Declaration declared;
   declared.claims = Aspects{Aspect::overlap, Aspect::contact, Aspect::normal, Aspect::point2, Aspect::value};
-  Report report = judged(
-      Pair::sphere_sphere,
+  Report report = on_generic(
       [](const Query&, Claim& claim) {
         claim.overlap = true;
         claim.speaks_of_contact = true;
@@ -260,14 +271,7 @@ TEST(Verdict, TooFewJudgedCasesAreNoCertificate) {
   for (double most = 1e-3; most < 1e12; most *= 4) {
     oracle::Declaration declared;
     declared.conventions.scale_max = most;
-    std::vector<Subject> subjects;
-    subjects.push_back({std::make_unique<Broken>([](const Query&, Claim&) {}, declared), {}});
-    Report& report = subjects.front().report;
-    report.engine = subjects.front().engine->info();
-    Stop never;
-    Oracles oracles;
-    const auto path = std::filesystem::path(CONTACT_SOURCE_DIR) / "golden/sphere_sphere/generic.jsonl";
-    judge_source({Pair::sphere_sphere, Scalar::binary64, "generic", 210, path}, subjects, never, oracles);
+    Report report = on_generic([](const Query&, Claim&) {}, declared);
     const FamilyReport all = report.total();
     if (all.cases == 0) continue;
     EXPECT_EQ(report.certified(), all.cases >= kLeastJudged && all.decided.both()) << report.sentence();
@@ -364,7 +368,7 @@ TEST(Fresh, WhoKnowsPublishedAnswersAloneIsRefutedAndTheSentenceSaysSo) {
                                                 "judged cases (100 % of those given) it reaches "
                                                 "correctly-rounded, and does not reach bounded on 120 fresh ones (seed "
                                                 "42; no generator makes upstream): {} missed "
-                                                "hits. It rests on ",
+                                                "hits, no number was judged. It rests on ",
                                                 report.fresh_total().hits)))
       << report.sentence();
 }
@@ -408,7 +412,8 @@ TEST(Fresh, NoSeedBringsBackWhatAFileHolds) {
 
 TEST(Fresh, ARunInPartsGivesTheSameBytes) {
   const auto report = [](std::uint64_t of) {
-    return json_text(judged_with_fresh(engines::make_built_in("plain-double"), published(), {25, 7}, false, of));
+    return json_text(judged_with_fresh(engines::make_built_in("plain-double"), {published()[0], published()[1]},
+                                       {25, 7}, false, of));
   };
   const std::string whole = report(1);
   EXPECT_EQ(report(3), whole);
@@ -459,10 +464,10 @@ TEST(Verdict, SaysWhereOneAnswerWouldHaveBeenRightThroughout) {
   Verdict miss = hit;
   miss.overlap_expected = false;
   EXPECT_FALSE(family.one_answer());
-  family.add(hit, "a", true, std::nullopt);
+  family.add(hit, hit.level(), "a", true, std::nullopt);
   EXPECT_EQ(family.one_answer(), "hit");
   FamilyReport other;
-  other.add(miss, "b", false, std::nullopt);
+  other.add(miss, miss.level(), "b", false, std::nullopt);
   EXPECT_EQ(other.one_answer(), "miss");
   other.merge(family);
   EXPECT_FALSE(other.one_answer());
@@ -470,7 +475,7 @@ TEST(Verdict, SaysWhereOneAnswerWouldHaveBeenRightThroughout) {
   FamilyReport mixed;
   hit.contact = oracle::Decision::right;
   hit.contact_expected = false;
-  mixed.add(hit, "c", true, std::nullopt);
+  mixed.add(hit, hit.level(), "c", true, std::nullopt);
   EXPECT_EQ(mixed.one_answer(), "the same");
 
   Report report;
