@@ -17,7 +17,7 @@ namespace contact::tool {
 namespace {
 
 /// What is visible already, and may have several lines.
-void tell(std::string_view message) { std::cerr << "contact-oracle: " << message << "\n"; }
+void tell(std::string_view message) { std::cerr << "contact-oracle: " << cut(message) << "\n"; }
 
 /// Everything from the command line to the exit code, with whatever goes wrong told on standard error.
 int guarded(int argc, char** argv) {
@@ -33,17 +33,20 @@ int guarded(int argc, char** argv) {
     tell(fmt::format("ORACLE FAULT: {}", error.what()));
     return kOracleFault;
   } catch (const engines::HarnessInvalid& error) {
-    say_error("contact-oracle: harness invalid: {}\n", error.what());
+    tell(fmt::format("harness invalid: {}", error.what()));
     return kHarnessInvalid;
   } catch (const Interrupted& error) {
-    say_error("contact-oracle: {}\n", error.what());
+    tell(error.what());
     return kInterrupted;
   } catch (const std::bad_alloc&) {
     tell("not enough memory");
     return kBadInput;
   } catch (const std::exception& error) {
-    say_error("contact-oracle: {}\n", error.what());
+    tell(error.what());
     return kBadInput;
+  } catch (...) {  // nothing of ours: a library's or a plug-in's
+    tell("harness invalid: a library threw what is no std::exception");
+    return kHarnessInvalid;
   }
 }
 

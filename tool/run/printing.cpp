@@ -116,6 +116,15 @@ std::ostream& words() {
   return printing().output_is_data ? std::cerr : std::cout;
 }
 
+std::string cut(std::string_view message) {
+  constexpr std::size_t kMost = 4096;
+  if (message.size() <= kMost) return std::string(message);
+  std::size_t end = kMost;
+  const auto continues = [&](std::size_t i) { return (static_cast<unsigned char>(message[i]) & 0xc0) == 0x80; };
+  while (end > kMost - 4 && continues(end)) --end;
+  return fmt::format("{}... ({} bytes)", message.substr(0, end), message.size());
+}
+
 void choose_colour(Colour colour) { printing().colour = colour; }
 Colour chosen_colour() { return printing().colour; }
 void let_colours_through() { printing().colours = true; }

@@ -53,6 +53,9 @@ void say_error(fmt::format_string<const Args&...> format, const Args&... args) {
   say_on(std::cerr, format, args...);
 }
 
+/// A message as it is told: what quotes a whole file is cut, not within a character.
+[[nodiscard]] std::string cut(std::string_view message);
+
 enum class Colour { automatic, always, never };
 inline constexpr std::array<std::string_view, 3> kColourNames{"auto", "always", "never"};
 void choose_colour(Colour colour);
