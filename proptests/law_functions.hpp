@@ -37,6 +37,8 @@ Questions each_axis_alone(const Trial& trial, const Subject& subject);
 Questions one_inside_the_other(const Trial& trial, const Subject& subject);
 Questions alarm_grown(const Trial& trial, const Subject& subject);
 Questions size_grown(const Trial& trial, const Subject& subject);
+Questions across_a_common_edge(const Trial& trial, const Subject& subject);
+Outcome check_common_edge(const Case& c);
 Outcome check_decisions(const Case& c);
 Outcome check_touching(const Case& c);
 Outcome check_test_agrees(const Case& c);
@@ -73,6 +75,8 @@ Questions scaled(const Trial& trial, const Subject& subject);
 Questions point_box(const Trial& trial, const Subject& subject);
 Questions half_of_box(const Trial& trial, const Subject& subject);
 Questions corners_exchanged(const Trial& trial, const Subject& subject);
+Questions direction_lengthened(const Trial& trial, const Subject& subject);
+Questions there_and_back(const Trial& trial, const Subject& subject);
 Questions without_length(const Trial& trial, const Subject& subject);
 Questions other_sphere_kinds(const Trial& trial, const Subject& subject);
 Outcome check_swapped(const Case& c);
@@ -81,6 +85,8 @@ Outcome check_translated(const Case& c);
 Outcome check_scaled(const Case& c);
 Outcome check_same_contact(const Case& c);
 Outcome check_corners(const Case& c);
+Outcome check_direction_lengthened(const Case& c);
+Outcome check_there_and_back(const Case& c);
 Outcome check_sphere_kinds(const Case& c);
 
 }  // namespace contact::proptests

@@ -67,6 +67,7 @@ struct Facts {
   bool crosses = false;
   Real slack = 0;  ///< CrossingInReals::slack
   Real sine = 1;   ///< CrossingInReals::sine
+  Real t = 0;      ///< of a ray that is cast, where it hits
 
   [[nodiscard]] bool has_distance() const { return query.has_distance(); }
   [[nodiscard]] bool has_numbers() const { return query.has_numbers(); }
