@@ -100,8 +100,9 @@ function(contact_test name)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 120 PROPERTIES LABELS ${ARG_LABEL})
 endfunction()
 
-# The kinds of pairs that have files of their own on every floor; include/contact/pairs.hpp lists what they are.
-set(CONTACT_PAIRS capsule_capsule capsule_plane cube_cube ray_sphere ray_triangle sphere_capsule sphere_cube sphere_plane sphere_sphere
+# The kinds of pairs that have files of their own on every floor; include/contact/pairs.hpp lists what they are. All rays
+# that are cast share theirs.
+set(CONTACT_PAIRS capsule_capsule capsule_plane casts cube_cube ray_sphere ray_triangle sphere_capsule sphere_cube sphere_plane sphere_sphere
                   sphere_triangle triangle_line)
 
 # contact_pair_files(result pattern..): each pattern once for each kind of pairs, its name for @.

@@ -26,7 +26,8 @@ GRADES = ("not_finite", "beyond_bound", "bounded", "faithful", "correctly_rounde
 PAIRS = {"sphere_sphere": "spheres", "cube_cube": "boxes", "sphere_cube": "a sphere and a box",
          "sphere_capsule": "a sphere and a capsule", "capsule_capsule": "capsules", "sphere_triangle": "a sphere and a triangle",
          "ray_sphere": "a ray and a sphere", "sphere_plane": "a sphere and a plane", "capsule_plane": "a capsule and a plane",
-         "ray_triangle": "a ray and a triangle", "triangle_line": "a triangle and a line"}
+         "ray_triangle": "a ray and a triangle", "triangle_line": "a triangle and a line",
+         **{f"cast_{shape}": f"a ray cast at a {shape}" for shape in ("sphere", "cube", "capsule", "triangle", "plane")}}
 FIELDS = ("normal", "point1", "point2", "point", "value")
 # What the others are seen beside: this project's own, and the formulas as everybody computes them.
 REFERENCES = ("production", "plain-double", "plain-float")

@@ -64,11 +64,11 @@ inline bool read(Result<value> node, Vector3& v) {
   return read_array(node, [&](Result<value> each) { return axis < 3 && read(each, v[axis++]); }) && axis == 3;
 }
 
-/// Three of something: vectors, or texts.
-template <class Element>
-bool read(Result<value> node, std::array<Element, 3>& three) {
+/// So many of something: vectors, or texts.
+template <class Element, std::size_t N>
+bool read(Result<value> node, std::array<Element, N>& all) {
   std::size_t i = 0;
-  return read_array(node, [&](Result<value> each) { return i < 3 && read(each, three[i++]); }) && i == 3;
+  return read_array(node, [&](Result<value> each) { return i < N && read(each, all[i++]); }) && i == N;
 }
 
 inline bool read(Result<value> node, std::vector<std::string>& texts) {

@@ -55,6 +55,7 @@ struct Row {
   explicit Row(const DatasetHeader& h) : c{{}, zero_query(h.pair), {}, {}, {}, {}} {
     if (h.family == kInvalidFamily) c.rejected = "";
     if (is_crossing(h.pair)) c.exact.crossing.emplace();
+    if (is_cast(h.pair)) c.exact.cast.emplace();
     clear_contact();
   }
   void clear_contact() {
@@ -86,6 +87,7 @@ void for_each_column(const DatasetHeader& h, Row& row, Visit&& visit) {
   visit("expect/point1", c.expect.contact->point1, 0);
   visit("expect/point2", c.expect.contact->point2, 0);
   visit("expect/value", c.expect.contact->value, 0);
+  if (is_cast(h.pair)) return visit("exact/t", *c.exact.cast, longest_cast(h.scalar));
   if (is_crossing(h.pair)) return visit("exact/crossing", *c.exact.crossing, longest_distance2(h.pair, h.scalar));
   visit("exact/distance2", c.exact.distance2, longest_distance2(h.pair, h.scalar));
   if (has_plane(h.pair)) visit("exact/below", c.exact.below, 0);
@@ -115,9 +117,10 @@ Type type_of(const std::uint32_t& /*value*/, std::size_t /*width*/) { return {{K
 Type type_of(const std::string& /*value*/, std::size_t width) {
   return {{Kind::text, std::min(width, kFirstWidth)}, width};
 }
-Type type_of(const std::array<std::string, 3>& v, std::size_t width) {
+template <std::size_t N>
+Type type_of(const std::array<std::string, N>& v, std::size_t width) {
   Type type = type_of(v[0], width);
-  type.array.row = {3};
+  type.array.row = {N};
   return type;
 }
 
@@ -174,7 +177,8 @@ class Encoder {
   void operator()(std::string_view, const bool& x, std::size_t) { next_++->rows.push_back(x ? 1 : 0); }
   void operator()(std::string_view, const std::uint32_t& x, std::size_t) { append(&x, sizeof x), ++next_; }
   void operator()(std::string_view, const std::string& text, std::size_t) { put(text), ++next_; }
-  void operator()(std::string_view, const std::array<std::string, 3>& texts, std::size_t) {
+  template <std::size_t N>
+  void operator()(std::string_view, const std::array<std::string, N>& texts, std::size_t) {
     for (const std::string& text : texts) put(text);
     ++next_;
   }
@@ -224,8 +228,9 @@ class Decoder {
   }
   void operator()(std::string_view, std::uint32_t& x, std::size_t) { std::memcpy(&x, bytes(0), sizeof x), ++next_; }
   void operator()(std::string_view, std::string& text, std::size_t) { text = text_at(0), ++next_; }
-  void operator()(std::string_view, std::array<std::string, 3>& texts, std::size_t) {
-    for (std::size_t axis = 0; axis < 3; ++axis) texts[axis] = text_at(axis);
+  template <std::size_t N>
+  void operator()(std::string_view, std::array<std::string, N>& texts, std::size_t) {
+    for (std::size_t i = 0; i < N; ++i) texts[i] = text_at(i);
     ++next_;
   }
 
@@ -283,6 +288,7 @@ class ColumnsWriter : public DatasetWriter {
     row.c = c;
     if (!c.expect.contact) row.clear_contact();
     if (is_crossing(header_.pair) && !c.exact.crossing) row.c.exact.crossing.emplace();
+    if (is_cast(header_.pair) && !c.exact.cast) row.c.exact.cast.emplace();
     row.flags = bits(c);
     for_each_column(header_, row, Encoder(columns_, path_, rows_));
     hash_.add(line).add("\n");
@@ -386,9 +392,13 @@ class RowBlock final : public CaseBlock {
     none("/expect/point2", k.point2.array().isNaN().all());
     none("/expect/value", std::isnan(k.value));
     c.expect.contact.reset();
-    if (!c.exact.crossing) return;
-    none("/exact/crossing", *c.exact.crossing == std::array<std::string, 3>{});
-    c.exact.crossing.reset();
+    const auto reset = [&](const char* field, auto& texts) {
+      if (!texts) return;
+      none(field, *texts == std::remove_cvref_t<decltype(*texts)>{});
+      texts.reset();
+    };
+    reset("/exact/crossing", c.exact.crossing);
+    reset("/exact/t", c.exact.cast);
   }
 
   std::shared_ptr<const Loaded> loaded_;

@@ -52,5 +52,8 @@ struct QuestionColumns {
   if (!has_quotients(pair)) return longest_exact(2, scalar);
   return longest_exact(6, scalar) + 1 + longest_exact(4, scalar) + 1;
 }
+/// That of t's two numbers where a ray is cast: B / A and (B^2 - A C) / A^2 with A = |u x d|^2, of degree 4, and below
+/// 2^4 times what the numbers of an input allow; so both of the second are of degree 9 at most.
+[[nodiscard]] constexpr std::size_t longest_cast(Scalar scalar) { return 2 * (longest_exact(9, scalar) + 1); }
 
 }  // namespace contact::golden

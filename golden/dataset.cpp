@@ -88,6 +88,10 @@ void append_exact(std::string& text, const Case& c) {
     text += R"({"gap":[")" + w.gap[0] + R"(",")" + w.gap[1] + R"(",")" + w.gap[2] + R"("]})";
     return;
   }
+  if (is_cast(c.query.pair)) {
+    text += w.cast ? R"({"t":[")" + (*w.cast)[0] + R"(",")" + (*w.cast)[1] + R"("]})" : R"({"t":null})";
+    return;
+  }
   if (is_crossing(c.query.pair)) {
     if (w.crossing) {
       const auto& [x, y, z] = *w.crossing;
@@ -168,17 +172,21 @@ Expectation read_expectation(const formats::Node& node, Pair pair) {
 
 oracle::Witness read_witness(const formats::Node& node, Pair pair) {
   oracle::Witness w;
-  const auto read_three = [&](std::string_view key, std::array<std::string, 3>& to) {
+  const auto read_all = [&](std::string_view key, auto& to) {
     const auto numbers = node.at(key).items();
-    if (numbers.size() != 3) node.at(key).refuse("expected three exact numbers");
-    for (std::size_t axis = 0; axis < 3; ++axis) to[axis] = numbers[axis].text();
+    if (numbers.size() != to.size())
+      node.at(key).refuse(to.size() == 3 ? "expected three exact numbers" : "expected two exact numbers");
+    for (std::size_t i = 0; i < to.size(); ++i) to[i] = numbers[i].text();
   };
   if (!has_numbers(pair)) {
     node.allow_only({"gap"});
-    read_three("gap", w.gap);
+    read_all("gap", w.gap);
+  } else if (is_cast(pair)) {
+    node.allow_only({"t"});
+    if (!node.at("t").is_null()) read_all("t", w.cast.emplace());
   } else if (is_crossing(pair)) {
     node.allow_only({"crossing"});
-    if (!node.at("crossing").is_null()) read_three("crossing", w.crossing.emplace());
+    if (!node.at("crossing").is_null()) read_all("crossing", w.crossing.emplace());
   } else {
     if (has_plane(pair))
       node.allow_only({"distance2", "below", "reach", "margin_ulps"});
@@ -380,6 +388,10 @@ void check_sound(const Case& c, Scalar scalar, const formats::Location& where) {
     for (std::size_t axis = 0; c.exact.crossing && axis < 3; ++axis)
       if (c.expect.hit || !(*c.exact.crossing)[axis].empty())  // a column has empty texts for a miss
         exact(fmt::format("crossing[{}]", axis), (*c.exact.crossing)[axis]);
+  } else if (is_cast(c.query.pair)) {
+    for (std::size_t i = 0; c.exact.cast && i < 2; ++i)
+      if (c.expect.hit || !(*c.exact.cast)[i].empty())  // as above
+        exact(fmt::format("t[{}]", i), (*c.exact.cast)[i]);
   } else if (c.query.has_numbers()) {
     exact("distance2", c.exact.distance2);
     exact("reach", c.exact.reach);

@@ -92,7 +92,9 @@ TEST(Families, InvalidSpoilsEveryFieldInEveryWay) {
       {Pair::sphere_sphere, 10 * 3 + 4},  {Pair::cube_cube, 14 * 3 + 6 + 2},   {Pair::sphere_cube, 12 * 3 + 3 + 3},
       {Pair::sphere_capsule, 13 * 3 + 4}, {Pair::capsule_capsule, 16 * 3 + 4}, {Pair::sphere_triangle, 15 * 3 + 3},
       {Pair::ray_sphere, 13 * 3 + 5},     {Pair::sphere_plane, 10 * 3 + 4},    {Pair::capsule_plane, 13 * 3 + 4},
-      {Pair::ray_triangle, 18 * 3 + 4},   {Pair::triangle_line, 17 * 3 + 2}};
+      {Pair::ray_triangle, 18 * 3 + 4},   {Pair::triangle_line, 17 * 3 + 2},   {Pair::cast_sphere, 13 * 3 + 5},
+      {Pair::cast_cube, 15 * 3 + 4 + 3},  {Pair::cast_capsule, 16 * 3 + 5},    {Pair::cast_triangle, 18 * 3 + 4},
+      {Pair::cast_plane, 13 * 3 + 5}};
   for (const Pair pair : pairs_of_kinds()) {
     std::set<std::string> spoiled;
     for (std::uint64_t i = 0; i < kCommittedCount; ++i) {
@@ -461,8 +463,9 @@ TEST(Families, SearchFindsWhatPlainArithmeticDecidesWrongly) {
   for (const CommittedFile& file : committed_files()) {
     const auto it = least_percent.find(file.family->name);
     if (it == least_percent.end() || (file.pair == Pair::cube_cube && file.family->name == "touching")) continue;
-    if (is_crossing(file.pair) && it->first == "far_from_origin")
-      continue;  // differences are short, and products exact
+    if ((is_crossing(file.pair) || is_cast(file.pair)) && it->first == "far_from_origin")
+      continue;                                                        // differences are short, and products exact
+    if (is_cast(file.pair) && it->first == "extreme_scale") continue;  // slabs multiply nothing
     const auto wrong = count_if(
         file, [&](const Query& q, const oracle::Truth& t) { return plain_overlap(q, file.scalar) != t.hit(); });
     EXPECT_GT(wrong * 100, kCommittedCount * it->second) << title(file);

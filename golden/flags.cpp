@@ -67,6 +67,27 @@ Rational crossing_size(const Query& query) {
   return size;
 }
 
+/// The largest size of a shape that a ray is cast at; 0 of a half-space.
+Rational target_size(const Query& query) {
+  Rational size(0);
+  std::visit(
+      [&](const auto& shapes) {
+        std::optional<Vector3> from;
+        for_each_field(shapes.b, [&](const auto& field, const auto& value) {
+          if (field.kind == FieldKind::length)
+            for_each_number_in(value, [&](double r) { size = std::max(size, Rational(r)); });
+          if (field.kind != FieldKind::point) return;
+          for_each_vector(value, [&](const Vector3& to) {
+            if (!from) from = to;
+            for (int axis = 0; axis < 3; ++axis)
+              size = std::max(size, Rational(CGAL::abs(Rational(to[axis]) - Rational((*from)[axis]))));
+          });
+        });
+      },
+      query.shapes);
+  return size;
+}
+
 /// Whether one of the coordinates of a crossing is 0 or 1, exactly.
 bool at_boundary(const Query& query) {
   const auto is_at = [](const Point& start, const Point& along, const Triangle& triangle) {
@@ -89,7 +110,7 @@ bool at_boundary(const Query& query) {
 
 bool near_boundary(const Query& query, const Truth& truth, Scalar scalar) {
   if (truth.at_alarm == oracle::Side::at) return false;
-  if (truth.crossing() != nullptr) return false;
+  if (truth.crossing() != nullptr || truth.cast() != nullptr) return false;
   if (truth.has_distance())
     return oracle::is_within(Rational(0), truth.distance()->margin(scalar), Rational(kNearUlps));
   const Rational off = largest_gap(truth) - truth.gaps()->alarm();
@@ -194,10 +215,36 @@ const std::array kFlags{
     Flag{"CrossingEdge", "a segment ends on a triangle, or crosses it in its boundary",
          "strict bounds, and bounds with a tolerance; an edge that two triangles share and neither has",
          [](const Query& q, const Truth& t, Scalar) { return t.crossing() != nullptr && t.hit() && at_boundary(q); }},
+    Flag{"FromInside", "a ray begins in the shape that it is cast at, or on it",
+         "a hit from inside taken for a miss; the way out taken for the way in",
+         [](const Query&, const Truth& t, Scalar) { return t.cast() != nullptr && t.degenerate(); }},
+    Flag{"Grazing", "a ray touches a sphere or the side of a capsule, and goes by",
+         "a discriminant of 0, which rounding makes negative; strict comparisons with it",
+         [](const Query& q, const Truth& t, Scalar) {
+           return t.cast() != nullptr && t.hit() && !t.degenerate() && CGAL::is_zero(t.cast()->entry()->half2) &&
+                  (std::holds_alternative<CastAt<Ball>>(q.shapes) || std::holds_alternative<CastAt<Capsule>>(q.shapes));
+         }},
+    Flag{"ManyNormals", "a ray hits an edge or a corner, where more than one normal is right",
+         "an edge that two triangles share and neither has; 0/0 in a slab",
+         [](const Query&, const Truth& t, Scalar) {
+           return t.cast() != nullptr && t.hit() && t.contact()->cast()->against.has_value();
+         }},
+    Flag{"EndsAtSurface", "a ray ends where it first hits",
+         "strict comparisons with the length, and lengths that are counted in another unit than t",
+         [](const Query& q, const Truth& t, Scalar) {
+           if (t.cast() == nullptr || !t.hit()) return false;
+           double length = 0;
+           std::visit(
+               [&]<class A, class B>(const Two<A, B>& shapes) {
+                 if constexpr (std::same_as<A, Cast>) length = shapes.a.length;
+               },
+               q.shapes);
+           return t.cast()->entry()->first().compare(Rational(length)) == CGAL::EQUAL;
+         }},
     Flag{"Containment", "one shape lies inside the other", "depth from the wrong side; boundaries taken for solids",
          [](const Query& q, const Truth& t, Scalar) {
            if (const Boxes* b = q.boxes()) return contained(b->a, b->b) || contained(b->b, b->a);
-           if (t.crossing() != nullptr) return false;
+           if (t.crossing() != nullptr || t.cast() != nullptr) return false;
            if (q.balls() == nullptr) return t.degenerate() && !t.coincident();
            return t.distance()->distance2() <= square(Rational(q.balls()->a.radius) - Rational(q.balls()->b.radius));
          }},
@@ -223,8 +270,10 @@ const std::array kFlags{
     Flag{"FarFromOrigin", "coordinates 2^8 times the reach (of a box: its distances) and more",
          "coordinates stored in a smaller format; tolerances that grow with the coordinates",
          [](const Query& q, const Truth& t, Scalar) {
-           if (t.crossing() != nullptr)
-             return largest_coordinate(q) >= power_of_two(8) * crossing_size(q) && !CGAL::is_zero(crossing_size(q));
+           if (t.crossing() != nullptr || t.cast() != nullptr) {
+             const Rational size = t.cast() != nullptr ? target_size(q) : crossing_size(q);
+             return largest_coordinate(q) >= power_of_two(8) * size && !CGAL::is_zero(size);
+           }
            if (t.has_distance())
              return largest_coordinate(q) >= power_of_two(8) * t.distance()->reach() &&
                     !CGAL::is_zero(t.distance()->reach());

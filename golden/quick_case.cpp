@@ -34,6 +34,7 @@ constexpr std::string_view kBelow = "below";
 constexpr std::array<std::string_view, 3> kSphereWitnessKeys{"distance2", "reach", "margin_ulps"};
 constexpr std::array<std::string_view, 1> kCubeWitnessKeys{"gap"};
 constexpr std::array<std::string_view, 1> kCrossingKeys{"crossing"};
+constexpr std::array<std::string_view, 1> kCastKeys{"t"};
 constexpr std::array<std::string_view, 8> kCaseKeys{"id", "a", "b", "alarm", "contact", "flags", "expect", "exact"};
 
 template <DescribedShape Shape>
@@ -80,6 +81,12 @@ bool read(Result<value> node, Expectation& expect, Pair pair) {
 bool read(Result<value> node, oracle::Witness& exact, Pair pair) {
   if (!has_numbers(pair))
     return read_object(node, kCubeWitnessKeys, [&](std::size_t, Result<value> x) { return read(x, exact.gap); }) == 1;
+  if (is_cast(pair))
+    return read_object(node, kCastKeys, [&](std::size_t, Result<value> x) {
+             bool is_null = false;
+             if (x.is_null().get(is_null) != simdjson::SUCCESS) return false;
+             return is_null || read(x, exact.cast.emplace());
+           }) == 1;
   if (is_crossing(pair))
     return read_object(node, kCrossingKeys, [&](std::size_t, Result<value> x) {
              bool is_null = false;

@@ -22,7 +22,9 @@ INPUTS = {"sphere_sphere": BALLS, "rigid_sphere_rigid_sphere": BALLS, "sphere_ri
           "sphere_triangle": BALLS[:4] + TRIANGLE + BALLS[-2:], "ray_sphere": RAY + BALLS[4:],
           "ray_triangle": RAY + TRIANGLE + BALLS[-2:],
           "triangle_line": [x.replace("b", "a", 1) for x in TRIANGLE] + CAPSULES[7:13] + BALLS[-2:],
-          "sphere_plane": BALLS[:4] + PLANE, "capsule_plane": CAPSULES[:7] + PLANE}
+          "sphere_plane": BALLS[:4] + PLANE, "capsule_plane": CAPSULES[:7] + PLANE,
+          "cast_sphere": RAY + BALLS[4:], "cast_cube": RAY + BOXES[6:], "cast_capsule": RAY + CAPSULES[7:],
+          "cast_triangle": RAY + TRIANGLE + BALLS[-2:], "cast_plane": RAY + PLANE}
 Written = type("Written", (str,), {})  # a number as it is spelt in the file
 
 
@@ -174,6 +176,130 @@ def crossing(start, way, corners, sign, scalar):
     return {"expect.hit": False, "exact.crossing": None}
 
 
+def away(ways):
+    """Of the directions along none of some ways, each divided by the sum of the sizes of its components, the greatest."""
+    planes = [*ways, *([Fraction(i == k) for i in range(3)] for k in range(3))]
+    products = [n for v in planes for w in planes if any(n := cross(v, w)) and all(dot(n, way) <= 0 for way in ways)]
+    return max([x / sum(map(abs, n)) for x in n] for n in products)
+
+
+def enters(o, d, parts, r):
+    """Where a ray comes within r of the first of some parts of an axis, each a start, a way and the ends along it that it has:
+    the square of the distance is a parabola, which three values tell. t = m - sqrt(h), and where along the part that is."""
+    for start, u, low, high in parts:
+        uu = dot(u, u)
+        level = lambda x: dot(at(x, start, -1), u) / (uu or 1)
+        f, g, k = (dot(*[at(at(x, start, -1), u, -level(x))] * 2) - r * r for x in (at(o, d, Fraction(t)) for t in (-1, 0, 1)))
+        if a := (f + k) / 2 - g:
+            m = (f - k) / (4 * a)
+            if (h := m * m - g / a) >= 0:
+                # low <= along m - slope sqrt(h) <= high
+                along, slope = level(at(o, d, m)), level(at(o, d, m)) - level(at(o, d, m - 1))
+                if all(end is None or sign_of(side * (along - end), -side * slope, h) >= 0 for side, end in ((1, low), (-1, high))):
+                    return m, h, (start, u, along, slope)
+    return None
+
+
+def sign_of(a, b, D):
+    """Of a + b sqrt(D): that of the difference of two numbers is that of their squares' with signs."""
+    x = a * abs(a) + b * abs(b) * D
+    return (x > 0) - (x < 0)
+
+
+def hit_at(o, d, length, t, normal, scalar):
+    """A ray at t = m - sqrt(h); `normal` of three (a, b) for a + b sqrt(D), and D. None: it begins there."""
+    if t is None or sign_of(t[0], -1, t[1]) < 0 or sign_of(t[0] - length, -1, t[1]) > 0:
+        return {"expect.hit": False, "exact.t": None}
+    m, h = t
+    parts, D = normal()
+    right = {f"expect.normal[{i}]": rounded(*part, D, scalar) for i, part in enumerate(parts)}
+    right |= {f"expect.{name}[{i}]": rounded(o[i] + m * d[i], -d[i], h, scalar) for name in ("point1", "point2") for i in range(3)}
+    return {"expect.hit": True, "expect.degenerate": False, **right, "expect.value": rounded(m, -1, h, scalar),
+            "exact.t[0]": exactly(m), "exact.t[1]": exactly(h)}
+
+
+def begins(o, d, length, scalar):
+    right = hit_at(o, d, length, (Fraction(0), Fraction(0)), lambda: ([(0, -x / dot(d, d)) for x in d], dot(d, d)), scalar)
+    return right | {"expect.degenerate": True}
+
+
+def unit(n):
+    return [(0, x / dot(n, n)) for x in n], dot(n, n)
+
+
+def cast_round(o, d, length, start, end, r, scalar):
+    """At a sphere or a capsule: beside the axis, before it, past it."""
+    u = at(end, start, -1)
+    inside = min(max(dot(at(o, start, -1), u) / (dot(u, u) or 1), Fraction(0)), Fraction(1))
+    w = at(at(o, start, -1), u, -inside)
+    if dot(w, w) <= r * r:
+        return begins(o, d, length, scalar)
+    zero = [Fraction(0)] * 3
+    parts = [(start, u, 0, 1)] * any(u) + [(start, zero, None, None), (end, zero, None, None)]
+    found = [enters(o, d, [part], r) for part in parts]
+    # Of what it enters, the first: beside the axis where it does so at all.
+    found = [x for x in found if x]
+    first = found[0] if found else None
+    for other in found[1:] if found and not any(found[0][2][1]) else []:
+        if before(other, first):
+            first = other
+
+    def normal():
+        m, h, (origin, way, along, slope) = first
+        if r == 0:
+            x = at(o, d, m)
+            return unit(away([at(start, x, -1), at(end, x, -1)]))
+        return [((o[i] + m * d[i] - origin[i] - along * way[i]) / r, (slope * way[i] - d[i]) / r) for i in range(3)], h
+
+    return hit_at(o, d, length, first and first[:2], normal, scalar)
+
+
+def before(x, y):
+    """m - sqrt(h) is less than another: sqrt(other h) is less than a number with a root."""
+    (m, h), (n, k) = x[:2], y[:2]
+    return sign_of(m - n, 1, k) < 0 or sign_of((m - n) ** 2 + k - h, 2 * (m - n), k) < 0
+
+
+def cast_flat(o, d, length, corners, inside, tries, scalar):
+    """At what has corners: the first of some places that is in it."""
+    if inside(o):
+        return begins(o, d, length, scalar)
+    first = min((t for t in tries if inside(at(o, d, t))), default=None)
+    normal = lambda: unit(away([at(corner, at(o, d, first), -1) for corner in corners]))
+    return hit_at(o, d, length, None if first is None else (first, Fraction(0)), normal, scalar)
+
+
+def cast_cube(o, d, length, low, high, scalar):
+    tries = [(side[i] - o[i]) / d[i] for side in (low, high) for i in range(3) if d[i]]
+    corners = [[(low, high)[k >> i & 1][i] for i in range(3)] for k in range(8)]
+    return cast_flat(o, d, length, corners, lambda x: all(a <= b <= c for a, b, c in zip(low, x, high)), tries, scalar)
+
+
+def cast_triangle(o, d, length, corners, scalar):
+    """A point is in it where it is a sum of corners with weights from 0: the areas of three triangles add up to the whole's."""
+    n = cross(at(corners[1], corners[0], -1), at(corners[2], corners[0], -1))
+    edges = [(corners[k - 1], corners[k]) for k in range(3)]
+
+    def inside(x):
+        on_edge = lambda a, b: not any(cross(at(b, a, -1), at(x, a, -1))) and dot(at(a, x, -1), at(b, x, -1)) <= 0
+        within = any(n) and dot(n, at(x, corners[0], -1)) == 0 and all(dot(n, cross(at(b, a, -1), at(x, a, -1))) >= 0 for a, b in edges)
+        return within or any(on_edge(a, b) for a, b in edges)
+
+    tries = [dot(at(corner, o, -1), d) / dot(d, d) for corner in corners]
+    tries += [dot(n, at(corners[0], o, -1)) / dot(n, d)] * (dot(n, d) != 0)
+    for a, b in edges:
+        if any(q := cross(d, at(b, a, -1))):
+            tries.append(dot(cross(at(a, o, -1), at(b, a, -1)), q) / dot(q, q))
+    return cast_flat(o, d, length, corners, inside, tries, scalar)
+
+
+def cast_plane(o, d, length, n, offset, scalar):
+    if (height := dot(n, o) - offset) <= 0:
+        return begins(o, d, length, scalar)
+    t = (-height / dot(n, d), Fraction(0)) if dot(n, d) < 0 else None
+    return hit_at(o, d, length, t, lambda: unit(n), scalar)
+
+
 def sphere_cube(c, r, low, high, alarm, contact, scalar):
     """Outside: the sphere and the nearest point of the box, on each axis the middle one of three numbers."""
     q = [sorted(three)[1] for three in zip(c, low, high)]
@@ -223,6 +349,14 @@ def right_case(found, pair, scalar):
         return case | over_plane(x[0:3], x[3:6], *x[6:11], alarm=x[11], contact=x[12], scalar=scalar)
     if pair == "sphere_cube":
         return case | sphere_cube(x[0:3], x[3], x[4:7], x[7:10], x[10], x[11], scalar)
+    if pair.startswith("cast"):
+        ray, b = (x[0:3], x[3:6], x[6]), x[7:]
+        shape = {"cast_sphere": lambda: cast_round(*ray, b[0:3], b[0:3], b[3], scalar),
+                 "cast_capsule": lambda: cast_round(*ray, b[0:3], b[3:6], b[6], scalar),
+                 "cast_cube": lambda: cast_cube(*ray, b[0:3], b[3:6], scalar),
+                 "cast_triangle": lambda: cast_triangle(*ray, [b[0:3], b[3:6], b[6:9]], scalar),
+                 "cast_plane": lambda: cast_plane(*ray, b[0:3], b[3], scalar)}
+        return case | shape[pair]()
     if pair != "cube_cube":
         return case | spheres(x[0:3], x[3], x[4:7], x[7], x[8], x[9], scalar)
     gap = [max(x[i] - x[9 + i], x[6 + i] - x[3 + i]) for i in range(3)]  # max(min1 - max2, min2 - max1)

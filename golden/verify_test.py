@@ -711,7 +711,9 @@ class Broken(Case):
         self.file("rays.jsonl", self.annotated(*{json.dumps(ray): ray for ray in rays}.values()))
         self.file("rays.invalid.jsonl", (GOLDEN / "ray_sphere" / "invalid.jsonl").read_text().splitlines())
         for name in ("sphere_plane/below_plane", "capsule_plane/parallel", "capsule_plane/generic", "ray_triangle/generic",
-                     "ray_triangle/through_boundary", "ray_triangle/end_on_triangle", "triangle_line/through_boundary"):
+                     "ray_triangle/through_boundary", "ray_triangle/end_on_triangle", "triangle_line/through_boundary",
+                     "cast_sphere/grazing", "cast_cube/through_edge", "cast_capsule/through_edge", "cast_capsule/from_inside",
+                     "cast_triangle/thin", "cast_triangle/through_edge", "cast_plane/ends_at_surface"):
             pair, *asked = (json.loads(line) for line in (GOLDEN / f"{name}.jsonl").read_text().splitlines()[:25])
             self.file(f"{name.replace('/', '.')}.jsonl", self.annotated(*(
                 {"pair": pair["pair"], **{x: case[x] for x in ("a", "b", "alarm", "contact")}} for case in asked)))
@@ -743,6 +745,10 @@ class Broken(Case):
                 ("if times < 0 else", "if times <= 0 else"), ("(dot(n, a) - offset)", "(dot(n, a) + offset)"), ("len(lowest) == 1,", "True,"),
                 ("normals[a] == min(", "normals[a] >= min("), ("[-x for x in n], min", "n, min"), ("0 <= part <= 1", "0 < part <= 1"),
                 ("0 <= part <= 1", "0 <= part < 1"), ("min(sides) >= 0", "min(sides) > 0"), ("sign * k / dot", "k / dot"),
+                ("sign_of(t[0] - length, -1, t[1]) > 0", "sign_of(t[0] - length, -1, t[1]) >= 0"), ("h := m * m - g / a) >= 0", "h := m * m - g / a) > 0"),
+                ("dot(w, w) <= r * r:", "dot(w, w) < r * r:"), ("dot(n, way) <= 0 for way", "dot(n, way) < 0 for way"),
+                ("[(0, -x / dot(d, d)) for x in d]", "[(0, x / dot(d, d)) for x in d]"), ("(slope * way[i] - d[i]) / r)", "-d[i] / r)"),
+                ("] * any(u) + [(start", "] * 0 + [(start"), ("right | {\"expect.degenerate\": True}", "right"),
                 ("corners[1:] + corners[:1]", "corners[1:]"), ("[x[6] * d for d in x[3:6]]", "x[3:6]")):
             with self.subTest(right, becomes=wrong):
                 self.assertEqual(program.count(right), 1)

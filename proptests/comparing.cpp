@@ -9,6 +9,7 @@
 #include "formats/json.hpp"
 #include "oracle/diagnosis/nearest_in_reals.hpp"
 #include "oracle/judge/off.hpp"
+#include "oracle/truth/casts.hpp"
 #include "oracle/truth/exact_truth.hpp"
 
 namespace contact::proptests {
@@ -41,6 +42,44 @@ bool crossing_undecided(const Case& c, std::size_t i) {
   return is_near(oracle::CrossingInReals(std::get<TriangleAndLine>(c.queries[i].shapes)));
 }
 
+/// Whether a ray that is cast comes so near to the other decision that the roundings of an engine may tell otherwise:
+/// sixty-four times the value's bound, more where a small shape is far away, a triangle slanted or thin.
+bool cast_undecided(const Case& c, std::size_t i) {
+  double scale = 0;
+  for_each_field(c.queries[i], [&](const std::string&, const auto& value, FieldKind kind) {
+    if (kind == FieldKind::point) for_each_number_in(value, [&](double x) { scale = std::max(scale, std::abs(x)); });
+  });
+  return std::visit(
+      [&]<class A, class B>(const Two<A, B>& shapes) {
+        if constexpr (std::same_as<A, Cast>) {
+          double times = 1;
+          if constexpr (requires { shapes.b.radius; }) {
+            scale = std::max(scale, shapes.b.radius);
+            times += scale / shapes.b.radius;
+          }
+          if constexpr (std::same_as<B, Triangle>) {
+            const oracle::CrossingInReals x(RayAndTriangle{shapes.a, shapes.b});
+            times /= static_cast<double>(x.sine * std::abs(x.through()) / x.along.stableNorm());
+          }
+          if constexpr (std::same_as<B, Plane>)
+            times += std::abs(shapes.b.offset) / (scale * shapes.b.normal.stableNorm());
+          if (!std::isfinite(times)) return true;
+          const oracle::Exact off = oracle::distance_to_change(shapes, c.truth(i).hit());
+          const Rational unit = oracle::ulp(Rational(scale), c.subject.info.declared.scalar);
+          return oracle::is_within(Rational(0), off, Rational(64 * c.subject.bound(Field::value) * times) * unit);
+        }
+        return false;
+      },
+      c.queries[i].shapes);
+}
+
+/// Whether more than one normal is right where a ray hits.
+bool has_many_normals(const Case& c, std::size_t i) {
+  const oracle::CastHit* hit =
+      c.truth(i).cast() != nullptr && c.truth(i).contact() != nullptr ? c.truth(i).contact()->cast() : nullptr;
+  return hit != nullptr && (hit->inside || hit->either_side || hit->against);
+}
+
 /// On some axis | gap - alarm | within the value's bound, at the largest number that it is computed from.
 bool cubes_undecided(const Case& c, const oracle::GapTruth& truth, bool alarm_counts, const Query& query) {
   const Boxes& boxes = *query.boxes();
@@ -57,10 +96,11 @@ bool cubes_undecided(const Case& c, const oracle::GapTruth& truth, bool alarm_co
 /// The length whose ulp is the unit of a field's errors.
 oracle::Exact scale_of(const Case& c, std::size_t i, Field field) {
   if (field == Field::normal) return Rational(1);
-  if (const oracle::DistanceTruth* truth = c.truth(i).distance())
+  const oracle::DistanceTruth* truth = c.truth(i).cast() != nullptr ? c.truth(i).contact() : c.truth(i).distance();
+  if (truth != nullptr)
     return field == Field::value ? truth->value_scale()
                                  : oracle::larger_of(truth->point_scale(0), truth->point_scale(1));
-  double largest = 0;  // of a crossing, which need not be one
+  double largest = 0;  // of a crossing or a cast, which need not be one
   for_each_number(c.queries[i], [&](const std::string&, double x) { largest = std::max(largest, std::abs(x)); });
   return Rational(largest);
 }
@@ -115,6 +155,7 @@ bool undecided(const Case& c, std::size_t i) {
   if (c.subject.tolerance())
     return oracle::decision_off(c.queries[i], truth, alarm_counts, c.subject.tolerance()).within;
   if (truth.crossing() != nullptr) return crossing_undecided(c, i);
+  if (truth.cast() != nullptr) return cast_undecided(c, i);
   return truth.has_distance() ? distance_undecided(c, *truth.distance(), alarm_counts)
                               : cubes_undecided(c, *truth.gaps(), alarm_counts, c.queries[i]);
 }
@@ -140,6 +181,7 @@ std::optional<std::string> different_numbers(const Case& c, std::size_t i, std::
   for (const Field field : fields) {
     if (!c.subject.claims(field)) continue;
     const bool is_point = field != Field::normal && field != Field::value;
+    if (field == Field::normal && (has_many_normals(c, i) || has_many_normals(c, j))) continue;
     // Of many nearest points each question may be answered with another.
     if (!exactly && is_point && c.truth(i).has_distance() && c.truth(i).distance()->spread()) continue;
     const int scaled = field == Field::normal ? 0 : exponent;

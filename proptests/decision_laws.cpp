@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/diagnosis/nearest_in_reals.hpp"
 #include "proptests/law_functions.hpp"
 
 namespace contact::proptests {
@@ -116,7 +117,7 @@ Questions size_grown(const Trial& trial, const Subject& subject) {
         shape.min[axis] = std::min(subject.range.moved(shape.min[axis], -1), -length);
       else
         shape.max[axis] = std::max(subject.range.moved(shape.max[axis], 1), length);
-    } else if constexpr (std::same_as<Shape, Ray>) {
+    } else if constexpr (std::derived_from<Shape, Ray>) {
       shape.length = std::max(subject.range.moved(shape.length, 1), length);
     } else if constexpr (std::same_as<Shape, Plane>) {
       shape.offset = std::max(subject.range.moved(shape.offset, 1), length);
@@ -133,6 +134,39 @@ Questions size_grown(const Trial& trial, const Subject& subject) {
       },
       grown.shapes);
   return {trial.query, grown};
+}
+
+Questions across_a_common_edge(const Trial& trial, const Subject& subject) {
+  const auto& [drawn, one] = std::get<CastAt<Triangle>>(trial.query.shapes);
+  const auto& v = one.vertices;
+  const auto in_range = [&](const Vector3& x) -> Vector3 {
+    return x.unaryExpr([&](double y) { return std::isfinite(y) ? subject.range.rounded(y) : 0.0; });
+  };
+  // The other triangle lies opposite; the ray goes through the edge, as near as it can.
+  const Triangle other{{v[1], v[0], in_range(v[0] + v[1] - v[2])}};
+  Cast ray = drawn;
+  ray.direction = in_range(v[0] + (1 + trial.change.choice % 7) / 8.0 * (v[1] - v[0]) - ray.origin);
+  ray.length = 2;
+  // Thin triangles, and rays along them, have no room on either side of the edge.
+  for (const Triangle& triangle : {one, other}) {
+    const oracle::CrossingInReals x(RayAndTriangle{ray, triangle});
+    const oracle::Real size = std::max((x.v[1] - x.v[0]).stableNorm(), (x.v[2] - x.v[0]).stableNorm());
+    const oracle::Real least = std::min((x.v[1] - x.v[0]).stableNorm(), (x.v[2] - x.v[0]).stableNorm());
+    if (!(x.sine > 0.125L) || !(least > size / 16) || !(x.along.stableNorm() < 16 * size)) return {};
+    if (!(std::abs(x.through()) > 0.125L * x.along.stableNorm())) return {};
+    for (const Vector3& p : triangle.vertices)  // nor has an edge of a few ulps
+      if (!(p.cwiseAbs().maxCoeff() < 1024 * size)) return {};
+  }
+  const auto asked = [&](const Triangle& triangle) {
+    return Query{Pair::cast_triangle, CastAt<Triangle>{ray, triangle}, trial.query.distances};
+  };
+  return {asked(one), asked(other)};
+}
+
+Outcome check_common_edge(const Case& c) {
+  if (!c.truth(0).hit() && !c.truth(1).hit()) return Outcome::vacuous();
+  if (holds(c.claims[0]) || holds(c.claims[1])) return {};
+  return Outcome::violated("the ray goes through between two triangles that have an edge in common");
 }
 
 Outcome check_decisions(const Case& c) {

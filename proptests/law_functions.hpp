@@ -39,6 +39,8 @@ Questions alarm_grown(const Trial& trial, const Subject& subject);
 /// Whether a shape of a pair has a size of its own: all but a triangle and a line.
 bool can_grow(Pair pair);
 Questions size_grown(const Trial& trial, const Subject& subject);
+Questions across_a_common_edge(const Trial& trial, const Subject& subject);
+Outcome check_common_edge(const Case& c);
 Outcome check_decisions(const Case& c);
 Outcome check_touching(const Case& c);
 Outcome check_test_agrees(const Case& c);
@@ -77,6 +79,8 @@ Questions half_of_box(const Trial& trial, const Subject& subject);
 Questions corners_exchanged(const Trial& trial, const Subject& subject);
 /// The pair that a pair is where its capsules, triangles and rays have no length: itself where there are none.
 Pair pair_without_length(Pair pair);
+Questions direction_lengthened(const Trial& trial, const Subject& subject);
+Questions there_and_back(const Trial& trial, const Subject& subject);
 Questions without_length(const Trial& trial, const Subject& subject);
 Questions other_sphere_kinds(const Trial& trial, const Subject& subject);
 Outcome check_swapped(const Case& c);
@@ -85,6 +89,8 @@ Outcome check_translated(const Case& c);
 Outcome check_scaled(const Case& c);
 Outcome check_same_contact(const Case& c);
 Outcome check_corners(const Case& c);
+Outcome check_direction_lengthened(const Case& c);
+Outcome check_there_and_back(const Case& c);
 Outcome check_sphere_kinds(const Case& c);
 
 }  // namespace contact::proptests

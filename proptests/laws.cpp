@@ -170,6 +170,10 @@ bool are_alike(Pair pair) {
 constexpr About kAll{"any shapes", [](Pair) { return true; }};
 constexpr About kDistance{"shapes with a distance", has_distance};
 constexpr About kAlike{"two alike", are_alike};
+constexpr About kHits{"shapes with a distance, or a ray that is cast",
+                      [](Pair pair) { return has_distance(pair) || is_cast(pair); }};
+constexpr About kCast{"a ray that is cast", is_cast};
+constexpr About kCastAtTriangle{"a ray that is cast at a triangle", is_one_of<Pair::cast_triangle>};
 constexpr About kCrossing{"a segment and a triangle", is_crossing};
 constexpr About kCorners{"a capsule, a triangle or a line", has_one_of<Capsule, Triangle, Line>};
 constexpr About kLong{"a capsule, a triangle or a ray, and a distance",
@@ -213,8 +217,8 @@ constexpr std::array kLaws{
         without_coincidence, coincident_shapes, itself_if_coincident, check_coincident},
     Law{"finite", "Where the truth is finite, so is the answer.",
         "D > 0, or a centre inside: no NaN, and no infinity but a rounded one",
-        "squares overflow from 2^512 and vanish below 2^-537", kReals, kDistance, kNo, kTogether, without_numbers,
-        queries, itself, check_finite},
+        "squares overflow from 2^512 and vanish below 2^-537", kReals, kHits, kNo, kTogether, without_numbers, queries,
+        itself, check_finite},
     Law{"nested", "A box strictly inside another overlaps it, flat or not.", "a.min < b.min <= b.max < a.max: hit",
         "tests by corners or faces miss a box that is wholly inside", kReals, kCubes, kNo, kTogether, never,
         nested_boxes, one_inside_the_other, check_decisions},
@@ -258,8 +262,8 @@ constexpr std::array kLaws{
         turned, check_turned},
     Law{"unit_normal", "The normal has unit length.",
         "abs(n.n - 1) <= 4 bound ulp(1), the bound 1 where held to correct rounding",
-        "a normal of another length scales every force", kReals, kDistance, kNo, kTogether, without_unit_normal,
-        queries, itself, check_unit_normal},
+        "a normal of another length scales every force", kReals, kHits, kNo, kTogether, without_unit_normal, queries,
+        itself, check_unit_normal},
     Law{"scale", "A power of two scales points and value and changes nothing else.",
         "answer(2^k q) = 2^k answer(q), the normal same; subnormal numbers left out; allowances as for `swap`",
         "a metre is no better than a millimetre: catches absolute tolerances and lengths compared with squares", kBits,
@@ -280,8 +284,8 @@ constexpr std::array kLaws{
         without_margin, touching_shapes<true>, at_the_alarm_distance, check_touching},
     Law{"test_agrees", "There is a contact exactly where there is an overlap.",
         "overlap = contact exists, as declared; left out within the bound unless held to correct rounding",
-        "testIntersection and computeIntersection are two functions, and callers trust that they agree", kBits,
-        kDistance, kNo, kTogether, without_both_decisions, queries, itself, check_test_agrees},
+        "testIntersection and computeIntersection are two functions, and callers trust that they agree", kBits, kHits,
+        kNo, kTogether, without_both_decisions, queries, itself, check_test_agrees},
     Law{"alarm_growth", "A hit stays a hit when the alarm distance grows.",
         "alarm <= alarm': hit(q) implies hit(q'); left out within the bound unless held to correct rounding",
         "a larger alarm distance asks for more, never for less", kReals, kAll, kNo, kTogether, without_margin, queries,
@@ -332,6 +336,19 @@ constexpr std::array kLaws{
         "= 0; to the bounds",
         "a point that one shape alone has is not where they meet", kReals, kCrossing, kNo, kTogether, without_place,
         queries, itself, check_crossing},
+    Law{"common_edge", "A ray through an edge that two triangles have in common hits at least one of them.",
+        "v and w on either side of an edge, the ray as near to a point of it as its numbers allow: hit(v) or hit(w)",
+        "between two triangles of a mesh nothing falls through: catches strict bounds, and bounds with a tolerance",
+        kReals, kCastAtTriangle, kNo, kTogether, never, queries, across_a_common_edge, check_common_edge},
+    Law{"direction_length", "A direction 2^k times as long makes t 2^-k of it, and changes nothing else.",
+        "answer(o, 2^k d, 2^-k l): same hit, normal and points, 2^-k value; allowances as for `swap`",
+        "a direction need not be a unit vector, and t and the length count it: catches t as a distance", kBits, kCast,
+        kNo, kTogether, never, queries, direction_lengthened, check_direction_lengthened},
+    Law{"there_and_back", "A ray that comes back from its end hits what it hit.",
+        "hit(o, d, l) = hit(o + l d, -d, l), where the end is exact; left out within the bound unless held to correct "
+        "rounding",
+        "a ray is a segment: catches rays from inside that miss, and sides that are not seen", kBits, kCast, kNo,
+        kTogether, never, queries, there_and_back, check_there_and_back},
     Law{"span",
         "The way from the first point to the second is the value, without the contact distance, along the normal.",
         "point2 - point1 = (value + contact) n to the bounds of all four; radii added where points are not the nearest",
@@ -344,11 +361,11 @@ constexpr std::array kLaws{
         kTogether, never, queries, itself, check_decisions},
     Law{"correctly_rounded", "Every number is the exact real rounded once.",
         "equal to the exact real rounded to nearest, ties to even; only with --level correctly-rounded",
-        "then there is one right answer, and golden files compare bit for bit", kBits, kDistance, kNo, kTogether,
+        "then there is one right answer, and golden files compare bit for bit", kBits, kHits, kNo, kTogether,
         without_correct_rounding, queries, itself, check_correctly_rounded},
     Law{"bounds", "Every number is within the engine's declared bounds.",
         "abs(claim - exact) <= bound ulp(scale); docs/specification.md#scales-and-ulps",
-        "what an engine declares is what its users count on", kReals, kDistance, kNo, kTogether, with_correct_rounding,
+        "what an engine declares is what its users count on", kReals, kHits, kNo, kTogether, with_correct_rounding,
         queries, itself, check_bounds},
 };
 

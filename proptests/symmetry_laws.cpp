@@ -308,6 +308,63 @@ Outcome check_corners(const Case& c) {
   return compared(c, &wanted, {Field::normal, Field::value, Field::point1, Field::point2, Field::point});
 }
 
+namespace {
+
+/// The ray of a question about one that is cast.
+Cast& cast_of(Query& query) {
+  return std::visit(
+      []<class A, class B>(Two<A, B>& shapes) -> Cast& {
+        if constexpr (std::same_as<A, Cast>) return shapes.a;
+        throw std::logic_error("no ray is cast");
+      },
+      query.shapes);
+}
+int lengthened_by(const Change& change) { return 1 + std::abs(change.exponent) % 40; }
+
+}  // namespace
+
+Questions direction_lengthened(const Trial& trial, const Subject& subject) {
+  Query other = trial.query;
+  Cast& ray = cast_of(other);
+  const int exponent = lengthened_by(trial.change);
+  bool exact = true;
+  const auto by = [&](double& x, int power) {
+    const double before = x;
+    x = std::ldexp(x, power);
+    exact = exact && subject.range.contains(x) && std::ldexp(x, -power) == before;
+  };
+  for (int axis = 0; axis < 3; ++axis) by(ray.direction[axis], exponent);
+  by(ray.length, -exponent);
+  return exact ? Questions{trial.query, other} : Questions{};
+}
+
+Outcome check_direction_lengthened(const Case& c) {
+  if (c.contact(0) == nullptr || coincident(c, 0)) return compared(c, nullptr, {});
+  const int exponent = -lengthened_by(c.trial.change);
+  ContactClaim wanted = *c.contact(0);
+  if (wanted.value) wanted.value = std::ldexp(*wanted.value, exponent);
+  const Outcome outcome = compared(c, &wanted, {Field::normal, Field::point1, Field::point2, Field::point});
+  if (outcome.kind != Outcome::Kind::holds || c.contact(1) == nullptr) return outcome;
+  if (auto why = different_numbers(c, 0, 1, wanted, {Field::value}, exponent)) return Outcome::violated(*why);
+  return outcome;
+}
+
+Questions there_and_back(const Trial& trial, const Subject& subject) {
+  Query other = trial.query;
+  Cast& ray = cast_of(other);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double way = ray.length * ray.direction[axis];
+    if (std::fma(ray.length, ray.direction[axis], -way) != 0 || (way != 0 && std::abs(way) < 0x1p-900)) return {};
+    const auto end = exact_sum(subject.range, ray.origin[axis], way);
+    if (!end) return {};
+    ray.origin[axis] = *end;
+  }
+  ray.direction = -ray.direction;
+  return {trial.query, other};
+}
+
+Outcome check_there_and_back(const Case& c) { return compared(c, nullptr, {}); }
+
 Questions without_length(const Trial& trial, const Subject&) {
   Query point = trial.query;
   std::visit([](auto& shapes) { shrink_to_a_point(shapes.a), shrink_to_a_point(shapes.b); }, point.shapes);

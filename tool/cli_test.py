@@ -31,7 +31,7 @@ RECORDED = GOLDEN / "recorded" / "sofa-2a278d8"
 LEVELS = ["correctly-rounded", "faithful", "bounded", "decisions", "conservative", "none"]
 PAIRS = ("sphere_sphere", "rigid_sphere_rigid_sphere", "sphere_rigid_sphere", "cube_cube", "sphere_cube", "sphere_capsule",
          "capsule_capsule", "sphere_triangle", "ray_sphere", "sphere_plane", "capsule_plane", "ray_triangle",
-         "triangle_line")
+         "triangle_line", "cast_sphere", "cast_cube", "cast_capsule", "cast_triangle", "cast_plane")
 SOFA_PAIRS = PAIRS[:4]  # of DiscreteIntersection
 SPHERES = {"a": {"center": [0, 0, 0], "radius": 1.5}, "b": {"center": [1, 2, 2], "radius": 1.5}, "alarm": 0, "contact": 0.25}
 CUBES = {"a": {"min": [0, 0, 0], "max": [1, 1, 1]}, "b": {"min": [1, 0, 0], "max": [2, 1, 1]}, "alarm": 0.5, "contact": 0}
@@ -1522,7 +1522,8 @@ class Generate(Case):
                       "capsule_capsule": "capsules", "sphere_triangle": "sphere and triangle",
                       "ray_sphere": "ray and sphere",
                       "sphere_plane": "sphere and plane", "capsule_plane": "capsule and plane",
-                      "ray_triangle": "ray and triangle", "triangle_line": "triangle and line"}.get(pair, "spheres")
+                      "ray_triangle": "ray and triangle", "triangle_line": "triangle and line",
+                      **{f"cast_{shape}": f"cast ray and {shape}" for shape in ("sphere", "cube", "capsule", "triangle", "plane")}}.get(pair, "spheres")
             for family in (one["family"] for one in listed if one.get("shapes") == shapes):
                 self.make(f"{pair}.{family}.jsonl", pair=pair, family=family, count=5, seed=2**64 - 1)
         self.holds("lint", "--generated", self.folder)

@@ -29,7 +29,8 @@ SHAPES = {"spheres": "sphere_rigid_sphere", "cubes": "cube_cube", "sphere and cu
           "sphere and capsule": "sphere_capsule", "capsules": "capsule_capsule",
           "sphere and triangle": "sphere_triangle", "ray and sphere": "ray_sphere",
           "sphere and plane": "sphere_plane", "capsule and plane": "capsule_plane",
-          "ray and triangle": "ray_triangle", "triangle and line": "triangle_line"}
+          "ray and triangle": "ray_triangle", "triangle and line": "triangle_line",
+          **{f"cast ray and {shape}": f"cast_{shape}" for shape in ("sphere", "cube", "capsule", "triangle", "plane")}}
 COMMON = json.loads((SCHEMAS / "common.json").read_text())["$defs"]
 
 

@@ -29,7 +29,12 @@ static_assert(static_cast<int>(Pair::sphere_sphere) == CONTACT_SPHERE_SPHERE &&
               static_cast<int>(Pair::sphere_plane) == CONTACT_SPHERE_PLANE &&
               static_cast<int>(Pair::capsule_plane) == CONTACT_CAPSULE_PLANE &&
               static_cast<int>(Pair::ray_triangle) == CONTACT_RAY_TRIANGLE &&
-              static_cast<int>(Pair::triangle_line) == CONTACT_TRIANGLE_LINE);
+              static_cast<int>(Pair::triangle_line) == CONTACT_TRIANGLE_LINE &&
+              static_cast<int>(Pair::cast_sphere) == CONTACT_CAST_SPHERE &&
+              static_cast<int>(Pair::cast_cube) == CONTACT_CAST_CUBE &&
+              static_cast<int>(Pair::cast_capsule) == CONTACT_CAST_CAPSULE &&
+              static_cast<int>(Pair::cast_triangle) == CONTACT_CAST_TRIANGLE &&
+              static_cast<int>(Pair::cast_plane) == CONTACT_CAST_PLANE);
 
 /// Questions of one pair as the arrays that the library reads, and its answers.
 struct Arrays {

@@ -22,6 +22,7 @@ std::span<const Mutant> mutants() {
     append(plane_mutants(), Origin::own);
     append(crossing_mutants(), Origin::own);
     append(reported_mutants(), Origin::own);
+    append(cast_mutants(), Origin::own);
     append(own_mutants(), Origin::own);
     append(precision_mutants(), Origin::precision);
     return list;
@@ -57,6 +58,16 @@ void cross_anyway(const Query& query, Claim& claim) {
   if (const auto* line = std::get_if<TriangleAndLine>(&query.shapes)) cross(oracle::CrossingInReals(*line));
 }
 
+/// The contact of a ray that misses: where its line enters the shape, or where it begins.
+void cast_anyway(const Query& query, Claim& claim) {
+  claim.contact = oracle::of_cast(query.shapes, [](const auto& cast) -> std::optional<ContactClaim> {
+    const Wide t = cast.first().value_or(0);
+    const auto vector = [](const auto& v) { return Wide3(v[0], v[1], v[2]).template cast<double>().eval(); };
+    const Vector3 at = vector(cast.at(t));
+    return ContactClaim{vector(cast.normal(t)), at, at, std::nullopt, rounded(t)};
+  });
+}
+
 }  // namespace
 
 void decide(const Query& query, Claim& claim, bool hit) {
@@ -65,6 +76,7 @@ void decide(const Query& query, Claim& claim, bool hit) {
   if (!hit) claim.contact.reset();
   if (!hit || claim.contact) return;
   if (is_crossing(query.pair)) return cross_anyway(query, claim);
+  if (is_cast(query.pair)) return cast_anyway(query, claim);
   Query surely = query;
   surely.distances.alarm = std::numeric_limits<double>::max();
   claim.contact = production_answer(surely, PointConvention::nearest_surface).contact;

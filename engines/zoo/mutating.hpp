@@ -10,6 +10,7 @@
 
 #include "contact/sphere_sphere.hpp"
 #include "engines/zoo/mutants.hpp"
+#include "oracle/diagnosis/casts_in_reals.hpp"
 #include "oracle/diagnosis/nearest_in_reals.hpp"
 #include "oracle/truth/clamped.hpp"
 #include "oracle/truth/truth.hpp"
@@ -42,6 +43,14 @@ inline WideBalls at_nearest(const TriangleAndLine& shapes) {
   const Wide3 x = oracle::CrossingInReals(shapes).at_vector();
   return {WideBall{x, 0}, WideBall{x, 0}};
 }
+/// Of a ray that is cast both are the point that it hits first, or begins at.
+template <class Target>
+WideBalls at_nearest(const CastAt<Target>& shapes) {
+  const oracle::CastInPlain<Wide, Target> cast(shapes);
+  const auto t = cast.begins_inside() ? std::nullopt : cast.first();
+  const auto [x, y, z] = cast.at(t.value_or(0));
+  return {WideBall{{x, y, z}, 0}, WideBall{{x, y, z}, 0}};
+}
 inline WideBalls at_nearest(const BallAndBox& shapes) { return at_nearest(at_clamped(shapes)); }
 template <class A, class B>
 WideBalls at_nearest(const Two<A, B>& shapes) {
@@ -62,7 +71,7 @@ inline Wide depth_of_cores(const BallAndBox& shapes) {
   return std::max(Wide{0}, depth);
 }
 template <class A>
-Wide depth_of_cores(const Two<A, Plane>& shapes) {
+requires(!std::same_as<A, Cast>) Wide depth_of_cores(const Two<A, Plane>& shapes) {
   return std::max(Wide{0}, -oracle::PlaneInReals(shapes.b).height(oracle::nearest_in_reals(shapes)[0]));
 }
 
@@ -276,6 +285,7 @@ void leave_by(const Query& q, Claim& claim, Choose choose) {
 [[nodiscard]] std::span<const Mutant> plane_mutants();
 [[nodiscard]] std::span<const Mutant> crossing_mutants();
 [[nodiscard]] std::span<const Mutant> reported_mutants();
+[[nodiscard]] std::span<const Mutant> cast_mutants();
 [[nodiscard]] std::span<const Mutant> own_mutants();
 [[nodiscard]] std::span<const Mutant> precision_mutants();
 

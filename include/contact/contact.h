@@ -86,7 +86,8 @@ enum contact_status {
    `count`. One pair is an array of one. `hits` may be NULL; else it becomes the number of pairs within the alarm
    distance. test     hit[i] = 1 where the two are within `alarm` of each other, else 0 compute  row i of `out` is their
    contact; `points` is one of enum contact_points Units       one length unit throughout; normals are unit vectors.
-   Where a ray or a line crosses a triangle there is no distance, and neither `alarm` nor `contact` has a say. Domain
+   Where a ray or a line crosses a triangle, and where a ray is cast, there is no distance, and neither `alarm` nor
+   `contact` has a say. Domain
    finite; `alarm` and `contact` >= 0, and what stands beside the shapes above. Subnormals and the largest finite
    numbers are included. All of it is checked before anything is written: CONTACT_OUTSIDE_DOMAIN, and
    contact_last_error() names the row. Arrays that are written overlap neither each other nor what is read. Decision
@@ -115,6 +116,11 @@ CONTACT_C_PAIR(sphere_plane, contact_sphere, contact_plane)
 CONTACT_C_PAIR(capsule_plane, contact_capsule, contact_plane)
 CONTACT_C_PAIR(ray_triangle, contact_ray, contact_triangle)
 CONTACT_C_PAIR(triangle_line, contact_triangle, contact_line)
+CONTACT_C_PAIR(cast_sphere, contact_ray, contact_sphere) /* where a ray first hits: the value counts its directions */
+CONTACT_C_PAIR(cast_cube, contact_ray, contact_cube)
+CONTACT_C_PAIR(cast_capsule, contact_ray, contact_capsule)
+CONTACT_C_PAIR(cast_triangle, contact_ray, contact_triangle)
+CONTACT_C_PAIR(cast_plane, contact_ray, contact_plane)
 #undef CONTACT_C_TEST
 #undef CONTACT_C_PAIR
 

@@ -27,22 +27,28 @@ enum contact_pair {
   CONTACT_SPHERE_PLANE = 9,
   CONTACT_CAPSULE_PLANE = 10,
   CONTACT_RAY_TRIANGLE = 11,
-  CONTACT_TRIANGLE_LINE = 12
+  CONTACT_TRIANGLE_LINE = 12,
+  CONTACT_CAST_SPHERE = 13, /* a is a ray that is cast, here and below */
+  CONTACT_CAST_CUBE = 14,
+  CONTACT_CAST_CAPSULE = 15,
+  CONTACT_CAST_TRIANGLE = 16,
+  CONTACT_CAST_PLANE = 17
 };
 
 /* Questions of one pair kind, as arrays with one row a question. */
 typedef struct contact_questions {
   size_t count;
-  int32_t pair;          /* enum contact_pair */
-  int32_t width;         /* numbers of a shape of a: 4 for spheres and planes, 6 for cubes and lines, 7 for capsules and rays, 9 for triangles; b is as wide as its own */
-  const double* a;       /* count rows: centre and radius; min and max; or start, end and radius */
+  int32_t pair;  /* enum contact_pair */
+  int32_t width; /* numbers of a shape of a: 4 for spheres and planes, 6 for cubes and lines, 7 for capsules and rays, 9
+                    for triangles; b is as wide as its own */
+  const double* a; /* count rows: centre and radius; min and max; or start, end and radius */
   const double* b;
   const double* alarm;   /* count */
   const double* contact; /* count */
 } contact_questions;
 
-/* What an answer says: a sum of these. A field that the declaration claims and that an answer to a hit does not say is a
-   missing field, which refutes the engine. */
+/* What an answer says: a sum of these. A field that the declaration claims and that an answer to a hit does not say is
+   a missing field, which refutes the engine. */
 enum contact_said {
   CONTACT_SAYS_OVERLAP = 1, /* whether the pair is within the alarm distance ... */
   CONTACT_OVERLAPS = 2,     /* ... it is */
@@ -72,7 +78,8 @@ int32_t contact_engine_interface(void);
 
 /* What the engine declares, as the hello message of the protocol without "op" and "protocol":
    {"engine":{"name":"mine","version":"1"},"scalar":"binary64","pairs":["sphere_sphere"]}
-   "claims":["overlap","contact","value"] in it says which fields the engine gives; without it, all of its conventions. */
+   "claims":["overlap","contact","value"] in it says which fields the engine gives; without it, all of its conventions.
+ */
 const char* contact_engine_declaration(void);
 
 /* Fills in one answer a question. 0, or anything else for an error of all of them. */

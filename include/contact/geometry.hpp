@@ -54,6 +54,10 @@ struct Ray {
   double length;
 };
 
+/// A ray that is cast: asked where it first hits a shape. It is a type of its own, because the types of two shapes say
+/// what is asked of them.
+struct Cast : Ray {};
+
 /// The segment between two points, which may be one.
 struct Line {
   Vector3 start;

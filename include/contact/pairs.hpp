@@ -32,11 +32,16 @@ struct Two {
   X(Ball, Plane)         \
   X(Capsule, Plane)      \
   X(Ray, Triangle)       \
-  X(Triangle, Line)
+  X(Triangle, Line)      \
+  X(Cast, Ball)          \
+  X(Cast, Box)           \
+  X(Cast, Capsule)       \
+  X(Cast, Triangle)      \
+  X(Cast, Plane)
 
-/// What the contacts of a pair have: no numbers, those of a point where one shape crosses the other, or those of a
-/// distance.
-enum class Numbers { none, crossing, distance };
+/// What the contacts of a pair have: no numbers, those of a point where one shape crosses the other, those of a
+/// distance, or those of the first point of a ray that lies in a shape.
+enum class Numbers { none, crossing, distance, cast };
 
 /// The pairs: X(name, first shape, second shape, what its contacts have, the first is rigid, the second is rigid).
 /// Under upstream's convention a rigid sphere reports its nearest surface point, a deformable one its centre.
@@ -53,7 +58,12 @@ enum class Numbers { none, crossing, distance };
   X(sphere_plane, Ball, Plane, distance, false, false)           \
   X(capsule_plane, Capsule, Plane, distance, false, false)       \
   X(ray_triangle, Ray, Triangle, crossing, false, false)         \
-  X(triangle_line, Triangle, Line, crossing, false, false)
+  X(triangle_line, Triangle, Line, crossing, false, false)       \
+  X(cast_sphere, Cast, Ball, cast, false, false)                 \
+  X(cast_cube, Cast, Box, cast, false, false)                    \
+  X(cast_capsule, Cast, Capsule, cast, false, false)             \
+  X(cast_triangle, Cast, Triangle, cast, false, false)           \
+  X(cast_plane, Cast, Plane, cast, false, false)
 
 #define CONTACT_NAME(name, ...) name,
 enum class Pair { CONTACT_PAIRS(CONTACT_NAME) };
@@ -81,6 +91,8 @@ using BallAndPlane = Two<Ball, Plane>;
 using CapsuleAndPlane = Two<Capsule, Plane>;
 using RayAndTriangle = Two<Ray, Triangle>;
 using TriangleAndLine = Two<Triangle, Line>;
+template <class Target>
+using CastAt = Two<Cast, Target>;
 
 struct PairDescription {
   Pair pair;
@@ -106,6 +118,8 @@ inline constexpr PairDescription kPairTable[] = {CONTACT_PAIRS(CONTACT_PAIR)};
 [[nodiscard]] constexpr bool has_distance(Pair pair) { return description(pair).numbers == Numbers::distance; }
 /// Whether one shape crosses the other or does not: no distance counts.
 [[nodiscard]] constexpr bool is_crossing(Pair pair) { return description(pair).numbers == Numbers::crossing; }
+/// Whether a ray is cast at a shape: no distance counts here either.
+[[nodiscard]] constexpr bool is_cast(Pair pair) { return description(pair).numbers == Numbers::cast; }
 /// ask.operator()<A, B>() of the two shapes of a pair: what follows from the shapes is asked of them, so that a new
 /// pair needs no line for it.
 #define CONTACT_ASK(name, A, B, ...) \

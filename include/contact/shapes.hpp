@@ -126,6 +126,18 @@ struct ShapeDescription<Ray> : AnyNumbers<Ray> {
   }
 };
 
+/// A ray, in a type of its own.
+template <>
+struct ShapeDescription<Cast> : AnyNumbers<Cast> {
+  static constexpr std::string_view kName = ShapeDescription<Ray>::kName;
+  static constexpr std::tuple kFields{ShapeField<Cast, Vector3>{"origin", &Ray::origin, FieldKind::point},
+                                      ShapeField<Cast, Vector3>{"direction", &Ray::direction, FieldKind::direction},
+                                      ShapeField<Cast, double>{"length", &Ray::length, FieldKind::length}};
+  static void break_a_rule(Cast& cast, int number, double amount) {
+    ShapeDescription<Ray>::break_a_rule(cast, number, amount);
+  }
+};
+
 template <>
 struct ShapeDescription<Line> : AnyNumbers<Line> {
   static constexpr std::string_view kName = "line";

@@ -36,11 +36,11 @@ inline std::size_t other(std::size_t shape) { return 1 - shape; }
 inline Real side(std::size_t shape) { return shape == 0 ? 1 : -1; }
 inline Numbers surface(F f, std::size_t shape) { return along(f.nearest[shape], side(shape) * f.radius[shape], f.n); }
 inline Real signed_distance(F f) { return f.distance - f.radii(); }
-inline Real right_value(F f) { return signed_distance(f) - f.contact; }
+inline Real right_value(F f) { return is_cast(f.query.pair) ? f.t : signed_distance(f) - f.contact; }
 
 /// Whether the shapes are within `alarm` of each other: boxes are if the gap of each axis is.
 inline Said within(F f, Real alarm) {
-  if (is_crossing(f.query.pair)) return Said::hit(f.crosses);
+  if (is_crossing(f.query.pair) || is_cast(f.query.pair)) return Said::hit(f.crosses);
   return f.has_distance() ? Said::at_most(f.distance, f.radii() + alarm) : Said::at_most(f.widest_gap(), alarm);
 }
 inline Said right_decision(F f) { return Said::hit(f.truth->hit()); }
@@ -91,6 +91,7 @@ inline constexpr Numbers kNotFinite{kNaN, kNaN, kNaN};
 [[nodiscard]] std::vector<Cause> wrong_features();
 [[nodiscard]] std::vector<Cause> wrong_planes();
 [[nodiscard]] std::vector<Cause> wrong_crossings();
+[[nodiscard]] std::vector<Cause> wrong_casts();
 [[nodiscard]] std::vector<Cause> wrong_normals();
 [[nodiscard]] std::vector<Cause> wrong_points();
 [[nodiscard]] std::vector<Cause> wrong_values();

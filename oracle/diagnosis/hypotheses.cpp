@@ -127,7 +127,17 @@ void Facts::read(const Truth& of_query) {
     scale[i] = static_cast<Real>(round_to_nearest(exact->point_scale(shape), Scalar::binary64));
   }
   depth = 0;
+  t = 0;
   inward.reset();
+  if (const CastHit* cast = exact->cast()) {
+    // A contact without a distance, as of a crossing; where many normals are right, the engine's is.
+    t = static_cast<Real>(round_to_nearest(cast->t, Scalar::binary64));
+    const Numbers normal = real(cast->along);
+    const Numbers reference = formulas::times(1 / std::sqrt(formulas::dot(normal, normal)), normal);
+    inward = cast->inside || cast->against ? said_normal.value_or(reference) : reference;
+    if (cast->either_side && said_normal && formulas::dot(*said_normal, reference) < 0)
+      inward = formulas::times(-1, reference);
+  }
   if (cores.half_space) {
     const Numbers direction = real(cores.half_space->inward);
     const Real size = formulas::largest_of(direction);  // the square of a long normal may leave the range
@@ -135,7 +145,7 @@ void Facts::read(const Truth& of_query) {
     inward = formulas::times(1 / std::sqrt(formulas::dot(shorter, shorter)), shorter);
   }
   settle();
-  if (!exact->degenerate() || exact->coincident()) return;
+  if (!exact->degenerate() || exact->coincident() || exact->cast() != nullptr) return;
   // Of several ways out that are as short, an engine takes the one that its normal comes nearest to.
   depth = real(exact->meeting().depth);
   distance = -depth;
@@ -152,7 +162,7 @@ void Facts::read(const Truth& of_query) {
 }
 
 void Facts::read_crossing(bool hit) {
-  if (!is_crossing(query.pair)) return;
+  if (!is_crossing(query.pair) && !is_cast(query.pair)) return;
   alarm = 0;
   contact = 0;
   crosses = hit;
@@ -210,8 +220,8 @@ std::span<const Cause> causes() {
           },
           description(pair).zeros());
     for (const auto table :
-         {formulas::wrong_features, formulas::wrong_planes, formulas::wrong_crossings, formulas::wrong_normals,
-          formulas::wrong_points, formulas::wrong_values, formulas::wrong_arithmetic})
+         {formulas::wrong_features, formulas::wrong_planes, formulas::wrong_crossings, formulas::wrong_casts,
+          formulas::wrong_normals, formulas::wrong_points, formulas::wrong_values, formulas::wrong_arithmetic})
       append(table(), kEveryKind);
     if (made.size() > kMostCauses) throw std::length_error("more causes than kMostCauses");
     return made;

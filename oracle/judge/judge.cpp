@@ -59,7 +59,7 @@ class ContactJudge {
       : query_(query),
         whole_(truth),
         contact_expected_(contact_expected),
-        degenerate_(rounded != nullptr ? rounded->degenerate : exact().degenerate()),
+        degenerate_(!is_cast(query.pair) && (rounded != nullptr ? rounded->degenerate : exact().degenerate())),
         claim_(claim),
         declared_(declared),
         conventions_(declared.conventions),
@@ -80,7 +80,7 @@ class ContactJudge {
       auto& found = all[static_cast<std::size_t>(field)];
       if (!found || found->grade == Grade::correctly_rounded || found->grade == Grade::not_finite) continue;
       found->needs[static_cast<std::size_t>(measure_of(field))] = found->off;
-      if (found->grade != Grade::beyond_bound || field == Field::value) continue;
+      if (found->grade != Grade::beyond_bound || field == Field::value || is_cast(query_.pair)) continue;
       if (!claimed) claimed = claimed_contact();
       if (!claimed->is_finite) continue;
       if (!near) near.emplace(query_, exact(), *claimed, tolerance(), declared_.scalar);
@@ -101,10 +101,11 @@ class ContactJudge {
     // The reference's direction is one of those that are right, wherever several are, unless none is asked for.
     if (is_reference() && (!degenerate_ || conventions_.coincident != Coincident::zero_normal)) return FieldVerdict{};
     if (degenerate_) return exact().coincident() ? coincident_normal(n) : normal_out(n);
-    FieldVerdict verdict;
-    for (int axis = 0; axis < 3; ++axis) verdict = worse(verdict, component(n, axis, exact().normal(axis)));
-    verdict.off = verdict.grade == Grade::correctly_rounded ? Off{} : off_from(n, exact().along());
-    return verdict;
+    const CastHit* cast = exact().cast();
+    if (cast == nullptr) return normal_beside(n);
+    if (cast->inside || cast->against) return separating_normal(n);
+    const bool is_other_side = cast->either_side && dot(contact::oracle::point_of(n), cast->along) < Rational(0);
+    return normal_beside(is_other_side ? Vector3(-n) : n);
   }
 
   /// The contact point of sphere 0 or 1.
@@ -131,11 +132,13 @@ class ContactJudge {
 
   [[nodiscard]] std::optional<FieldVerdict> value() const {
     if (!claim_.value || conventions_.value == ValueKind::none || !claims(Field::value)) return std::nullopt;
-    if (rounded_ != nullptr && conventions_.value == ValueKind::signed_distance && conventions_.value_less_contact &&
+    if (rounded_ != nullptr &&
+        ((conventions_.value == ValueKind::signed_distance && conventions_.value_less_contact) ||
+         is_cast(query_.pair)) &&
         *claim_.value == rounded_->value)
       return FieldVerdict{};
     Exact x = exact().value(conventions_.value_less_contact);
-    if (conventions_.value == ValueKind::depth) x = x.scaled(Rational(-1));
+    if (conventions_.value == ValueKind::depth && !is_cast(query_.pair)) x = x.scaled(Rational(-1));
     return grade(*claim_.value, x, {declared_.scalar, exact().value_scale(), declared_.bounds.value, tolerance()});
   }
 
@@ -205,6 +208,14 @@ class ContactJudge {
     angle.within = within;
   }
 
+  /// A claimed normal beside the exact one.
+  [[nodiscard]] FieldVerdict normal_beside(const Vector3& n) const {
+    FieldVerdict verdict;
+    for (int axis = 0; axis < 3; ++axis) verdict = worse(verdict, component(n, axis, exact().normal(axis)));
+    verdict.off = verdict.grade == Grade::correctly_rounded ? Off{} : off_from(n, exact().along());
+    return verdict;
+  }
+
   /// A component of a claimed normal beside the exact one.
   [[nodiscard]] FieldVerdict component(const Vector3& n, int axis, const Exact& x) const {
     if (conventions_.normal_unit)
@@ -263,6 +274,11 @@ class ContactJudge {
       return CGAL::is_zero(length2)
                  ? FieldVerdict{}
                  : FieldVerdict{Grade::beyond_bound, error_from_unit(length2), no_direction(tolerance())};
+    return separating_normal(n);
+  }
+  /// Any finite unit normal that points against nothing: of cores that meet, of a ray that hits an edge or a corner.
+  [[nodiscard]] FieldVerdict separating_normal(const Vector3& n) const {
+    const Rational length2 = squared_length(n);
     const bool right = separates(n) && (conventions_.normal_unit ? CGAL::abs(length2 - Rational(1)) <= roundings()
                                                                  : !CGAL::is_zero(length2));
     const Grade best = conventions_.normal_unit ? Grade::correctly_rounded : Grade::bounded;

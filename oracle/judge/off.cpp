@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "oracle/truth/casts.hpp"
 #include "oracle/truth/crossings.hpp"
 #include "oracle/truth/default_environment.hpp"
 
@@ -204,6 +205,14 @@ Off decision_off(const Query& query, const Truth& truth, bool by_alarm, const st
     const Rational limit = at_alarm ? gaps->alarm() : Rational(0);
     return length_off(gaps->widest_gap() - limit, limit, tolerance);
   }
+  if (truth.cast() != nullptr)
+    return std::visit(
+        [&]<class A, class B>(const Two<A, B>& shapes) {
+          if constexpr (std::same_as<A, Cast>)
+            return length_off(distance_to_change(shapes, truth.hit()), Rational(0), tolerance);
+          return Off{};
+        },
+        query.shapes);
   return length_off(Exact(Rational(0), Rational(1), crossing_change2(query)), Rational(0), tolerance);
 }
 

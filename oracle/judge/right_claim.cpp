@@ -50,8 +50,9 @@ Claim right_claim(const Query& query, const Truth& truth, const Declaration& dec
     contact.normal = Vector3::Zero() - normal;  // +0 where a zero is negated
   const Exact value = pair.value(conventions.value_less_contact);
   if (conventions.value != ValueKind::none)
-    contact.value =
-        round_to_nearest(conventions.value == ValueKind::depth ? value.scaled(Rational(-1)) : value, declared.scalar);
+    contact.value = round_to_nearest(
+        conventions.value == ValueKind::depth && !is_cast(query.pair) ? value.scaled(Rational(-1)) : value,
+        declared.scalar);
   return claim;
 }
 

@@ -13,6 +13,8 @@ Rational square(const Rational& x) { return x * x; }
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 Side side_of(const Rational& off) { return static_cast<Side>(static_cast<int>(CGAL::sign(off))); }
 
+constexpr int kEnoughBits = 128;  // of numbers that are not judged
+
 Exact root(const Rational& x) { return {Rational(0), Rational(1), x}; }
 
 }  // namespace
@@ -32,7 +34,10 @@ DistanceTruth::DistanceTruth(Cores cores, Distances distances)
   reach_ = Rational(distances.alarm) + radii_;
   if (degenerate() && !cores_.meeting)
     cores_.meeting = Meeting{Rational(0), {{{Rational(1), Rational(0), Rational(0)}, cores_.nearest[1]}}, {}};
-  along_ = cores_.half_space ? cores_.half_space->inward : degenerate() ? meeting().ways.front().direction : delta_;
+  along_ = cores_.cast         ? cores_.cast->along
+           : cores_.half_space ? cores_.half_space->inward
+           : degenerate()      ? meeting().ways.front().direction
+                               : delta_;
   along2_ = square(along_[0]) + square(along_[1]) + square(along_[2]);
 }
 
@@ -50,9 +55,13 @@ Side DistanceTruth::within(const Rational& reach) const {
 Side DistanceTruth::at_alarm() const { return within(reach_); }
 Side DistanceTruth::at_zero() const { return within(radii_); }
 
-Exact DistanceTruth::normal(int axis) const { return {Rational(0), along_[index(axis)] / along2_, along2_}; }
+Exact DistanceTruth::normal(int axis) const {
+  if (cores_.cast) return cores_.cast->normal[index(axis)];
+  return {Rational(0), along_[index(axis)] / along2_, along2_};
+}
 
 Exact DistanceTruth::point(int shape, int axis, PointOn on) const {
+  if (cores_.cast) return cores_.cast->at[index(axis)];
   const Rational radius = outward(shape, on) * cores_.radius[index(shape)];
   return {nearest(shape)[index(axis)], radius * along_[index(axis)] / along2_, along2_};
 }
@@ -76,12 +85,14 @@ const Point& DistanceTruth::foot(int shape, const Vector3& normal) const {
 }
 
 Exact DistanceTruth::midpoint(int axis) const {
+  if (cores_.cast) return cores_.cast->at[index(axis)];
   const Rational sum = nearest(0)[index(axis)] + nearest(1)[index(axis)];
   const Rational radii = cores_.radius[0] - cores_.radius[1];
   return {sum / Rational(2), radii * along_[index(axis)] / along2_ / Rational(2), along2_};
 }
 
 Exact DistanceTruth::value(bool less_contact) const {
+  if (cores_.cast) return cores_.cast->t;
   const Rational inward = degenerate() ? radii_ + meeting().depth : radii_;
   return signed_distance().plus(less_contact ? -inward - contact_ : -inward);
 }
@@ -89,12 +100,14 @@ Exact DistanceTruth::value(bool less_contact) const {
 Exact DistanceTruth::margin(Scalar scalar) const { return beyond(reach_).scaled(Rational(1) / ulp(reach_, scalar)); }
 
 Exact DistanceTruth::value_scale() const {
+  if (cores_.cast) return cores_.cast->value_scale;
   Rational larger = std::max({radii_, contact_, degenerate() ? meeting().depth : Rational(0)});
   if (cores_.half_space) larger = std::max({larger, cores_.farthest[0], cores_.farthest[1]});
   return larger_of(larger, root(cores_.half_space ? std::max(distance2_, cores_.half_space->offset2) : distance2_));
 }
 
 Exact DistanceTruth::point_scale(int shape) const {
+  if (cores_.cast) return cores_.cast->point_scale;
   const Rational larger = std::max(cores_.radius[index(shape)], cores_.farthest[index(shape)]);
   return cores_.half_space ? larger_of(larger, root(cores_.half_space->offset2)) : Exact(larger);
 }
@@ -102,6 +115,18 @@ Exact DistanceTruth::point_scale(int shape) const {
 CrossingTruth::CrossingTruth(const Point& at, const Point& normal, const Rational& farthest) : at_(at) {
   Cores cores{{at, at}, {Rational(0), Rational(0)}, {farthest, farthest}};
   cores.half_space = HalfSpace{normal, Rational(0)};
+  contact_.emplace(std::move(cores), Distances{0, 0});
+}
+
+CastTruth::CastTruth(const LineEnd& entry, const std::optional<LineEnd>& exit, CastHit hit)
+    : entry_(entry), exit_(exit) {
+  Point near;
+  for (std::size_t axis = 0; axis < 3; ++axis) near[axis] = hit.at[axis].enclosure(kEnoughBits).low;
+  Cores cores{{near, near}, {Rational(0), Rational(0)}, {Rational(0), Rational(0)}};
+  cores.meeting = Meeting{Rational(0), {{hit.along, near}}, {}};
+  if (hit.against)
+    for (const Point& way : *hit.against) cores.meeting->apart.push_back(Rational(-1) * way);
+  cores.cast = std::move(hit);
   contact_.emplace(std::move(cores), Distances{0, 0});
 }
 

@@ -51,6 +51,20 @@ struct HalfSpace {
   Rational offset2;  ///< the square of the plane's distance from the origin
 };
 
+/// The first point of a ray that lies in a shape.
+struct CastHit {
+  Exact t;
+  std::array<Exact, 3> at;
+  std::array<Exact, 3> normal;  ///< the reference's
+  Point along;                  ///< of its direction, which a 2^-100th of it may miss where that is not rational
+  bool inside = false;          ///< the origin lies in the shape: any normal is right
+  bool either_side = false;     ///< the normal turned round is as right
+  /// Where more are right: those that point along none of these.
+  std::optional<std::vector<Point>> against = {};
+  Exact point_scale;
+  Exact value_scale;
+};
+
 /// Two convex shapes as two cores, each blown up by a radius, and the nearest points p and q of the cores; of a
 /// half-space q is the foot of the first one's lowest point p on the plane, also where p is below it.
 struct Cores {
@@ -61,6 +75,7 @@ struct Cores {
   /// Where many points are nearest: p + k spread and q + k spread for all |k| <= 1.
   std::optional<Point> spread = {};
   std::optional<HalfSpace> half_space = {};
+  std::optional<CastHit> cast = {};  ///< it says all numbers; both nearest points are near to its own
 };
 
 /// What is exactly true of two shapes with a distance.
@@ -71,11 +86,15 @@ class DistanceTruth {
   DistanceTruth(Cores cores, Distances distances);
 
   /// D = 0, and no plane says in which direction.
-  [[nodiscard]] bool degenerate() const { return CGAL::is_zero(distance2_) && !cores_.half_space; }
+  [[nodiscard]] bool degenerate() const {
+    return cores_.cast ? cores_.cast->inside : CGAL::is_zero(distance2_) && !cores_.half_space;
+  }
+  /// Where a ray is cast: what it hits, and how. nullptr for other pairs.
+  [[nodiscard]] const CastHit* cast() const { return cores_.cast ? &*cores_.cast : nullptr; }
   /// p lies below the plane of a half-space.
   [[nodiscard]] bool below() const;
   /// D = 0, and nothing is inside anything: the direction is by agreement.
-  [[nodiscard]] bool coincident() const { return degenerate() && CGAL::is_zero(cores_.meeting->depth); }
+  [[nodiscard]] bool coincident() const { return !cores_.cast && degenerate() && CGAL::is_zero(cores_.meeting->depth); }
   [[nodiscard]] const Cores& cores() const { return cores_; }
   /// Domain: D = 0.
   [[nodiscard]] const Meeting& meeting() const { return *cores_.meeting; }
@@ -165,9 +184,40 @@ class CrossingTruth {
   std::optional<DistanceTruth> contact_;
 };
 
+/// Where on a ray's line a shape begins or ends: at middle - sqrt(half2), or middle + sqrt(half2).
+struct LineEnd {
+  Rational middle;
+  Rational half2;
+
+  [[nodiscard]] Exact first() const { return {middle, Rational(-1), half2}; }
+  [[nodiscard]] Exact last() const { return {middle, Rational(1), half2}; }
+};
+
+/// What is exactly true of a ray that is cast at a shape.
+class CastTruth {
+ public:
+  CastTruth() = default;
+  /// It hits the shape, and leaves it at `exit` if it does.
+  CastTruth(const LineEnd& entry, const std::optional<LineEnd>& exit, CastHit hit);
+
+  /// Where it hits; of an origin in the shape, 0.
+  [[nodiscard]] const std::optional<LineEnd>& entry() const { return entry_; }
+  [[nodiscard]] const std::optional<LineEnd>& exit() const { return exit_; }
+  /// The numbers of the contact. Domain: a hit.
+  [[nodiscard]] const DistanceTruth& contact() const { return *contact_; }
+  /// No distance makes a hit or prevents it.
+  [[nodiscard]] Side at_alarm() const { return entry_ ? Side::within : Side::beyond; }
+  [[nodiscard]] Side at_zero() const { return at_alarm(); }
+
+ private:
+  std::optional<LineEnd> entry_;
+  std::optional<LineEnd> exit_;
+  std::optional<DistanceTruth> contact_;
+};
+
 /// One of them, by what the contacts of the pair have.
 struct ExactTruth {
-  std::variant<DistanceTruth, GapTruth, CrossingTruth> numbers;
+  std::variant<DistanceTruth, GapTruth, CrossingTruth, CastTruth> numbers;
 };
 
 /// How two cores meet: not at all, in their boundaries, or with one inside the other.

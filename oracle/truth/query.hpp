@@ -36,11 +36,12 @@ inline constexpr auto kPairNames = [] {
   for (std::size_t i = kPairs.size(); i-- > 0;) first[kind_of(kPairs[i])] = kPairs[i];
   return first;
 }
-/// What a pair's shapes are called together: "spheres" where both are the same, else "sphere and point".
+/// What a pair's shapes are called together: "spheres" where both are the same, else "sphere and point". A ray that is
+/// cast is called so.
 [[nodiscard]] inline std::string shapes_of(Pair pair) {
   return std::visit(
       []<class A, class B>(const Two<A, B>&) {
-        const std::string first(ShapeDescription<A>::kName);
+        const std::string first = (std::same_as<A, Cast> ? "cast " : "") + std::string(ShapeDescription<A>::kName);
         return std::same_as<A, B> ? first + "s" : first + " and " + std::string(ShapeDescription<B>::kName);
       },
       description(pair).zeros());

@@ -1,6 +1,7 @@
 // The exact answer to a question, and its correct rounding.
 #include "oracle/truth/truth.hpp"
 
+#include "oracle/truth/casts.hpp"
 #include "oracle/truth/crossings.hpp"
 #include "oracle/truth/default_environment.hpp"
 #include "oracle/truth/exact_truth.hpp"
@@ -47,8 +48,12 @@ const GapTruth* Truth::gaps() const {
 const CrossingTruth* Truth::crossing() const {
   return is_crossing(query_.pair) ? std::get_if<CrossingTruth>(&made(query_, exact_).numbers) : nullptr;
 }
+const CastTruth* Truth::cast() const {
+  return is_cast(query_.pair) ? std::get_if<CastTruth>(&made(query_, exact_).numbers) : nullptr;
+}
 const DistanceTruth* Truth::contact() const {
   if (!hit()) return nullptr;
+  if (const CastTruth* c = cast()) return c->entry() ? &c->contact() : nullptr;  // a hit that is presumed
   const CrossingTruth* crossed = crossing();
   if (crossed == nullptr) return distance();
   return crossed->at() ? &crossed->contact() : nullptr;  // a hit that is presumed
@@ -107,6 +112,8 @@ Witness witness(const Truth& truth, Scalar scalar) {
     w.below = distance->below();
   } else if (const CrossingTruth* crossing = truth.crossing()) {
     return witness_of(*crossing);
+  } else if (const CastTruth* cast = truth.cast()) {
+    return witness_of(*cast);
   } else {
     for (std::size_t axis = 0; axis < 3; ++axis) w.gap[axis] = exact_string(truth.gaps()->gap()[axis]);
   }

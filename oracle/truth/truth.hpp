@@ -18,6 +18,7 @@ namespace contact::oracle {
 class DistanceTruth;
 class GapTruth;
 class CrossingTruth;
+class CastTruth;
 struct ExactTruth;
 
 /// Where a pair lies against a limit of its distance.
@@ -46,10 +47,12 @@ class Truth {
   /// They meet, and neither is inside the other: the normal is by agreement.
   [[nodiscard]] bool coincident() const;
 
-  /// The exact numbers of a pair with a distance, of one without numbers, and of a crossing; nullptr for the others.
+  /// The exact numbers of a pair with a distance, of one without numbers, of a crossing, and of a ray that is
+  /// cast; nullptr for the others.
   [[nodiscard]] const DistanceTruth* distance() const;
   [[nodiscard]] const GapTruth* gaps() const;
   [[nodiscard]] const CrossingTruth* crossing() const;
+  [[nodiscard]] const CastTruth* cast() const;
   /// Those of the contact; nullptr where there is none, or it has no numbers.
   [[nodiscard]] const DistanceTruth* contact() const;
   /// Whether contact() gives some. Of a pair with a distance no exact number is made.
@@ -79,6 +82,8 @@ struct Witness {
   std::array<std::string, 3> gap;                           ///< of a pair without numbers
   bool below = false;                                       ///< the distance is signed, and negative
   std::optional<std::array<std::string, 3>> crossing = {};  ///< where one shape crosses the other
+  /// Where a ray hits: a and h, t being a - sqrt(h).
+  std::optional<std::array<std::string, 2>> cast = {};
 
   friend bool operator==(const Witness&, const Witness&) = default;
 };

@@ -55,13 +55,16 @@ _KINDS = {"point": "a point", "points": "three points", "length": "a length, 0 o
           "number": "how far along the normal, in lengths of the normal", "offset": "how far along the normal, in lengths of the normal"}
 _DECISIONS = {"distance": "a contact where the distance of the cores is at most alarm + both radii, decided exactly; touching counts",
               "crossing": "a contact where the segment and the triangle have a point in common, decided exactly; ends and edges count",
+              "cast": "a contact where a point of the ray lies in the shape, decided exactly; touching and ends count",
               "none": "a hit where the gap on each axis is at most alarm, decided exactly; touching counts"}
 _DEGENERATE = {"distance": "where the cores meet the normal is an agreement, and `degenerate` says so",
                "crossing": "never; a segment along the triangle's plane does not cross it",
+               "cast": "an origin in the shape: the value is 0, any normal is right, and `degenerate` says so",
                "none": "flat boxes and boxes that are points are boxes"}
 _SECTIONS = {"sphere_cube": "sphere-cube-pairs", "cube_cube": "cube-pairs", "sphere_capsule": "capsule-pairs", "capsule_capsule": "capsule-pairs",
              "sphere_triangle": "triangles", "ray_sphere": "rays", "sphere_plane": "planes", "capsule_plane": "planes",
-             "ray_triangle": "crossings", "triangle_line": "crossings"}
+             "ray_triangle": "crossings", "triangle_line": "crossings",
+             **{f"cast_{shape}": "ray-casts" for shape in ("sphere", "cube", "capsule", "triangle", "plane")}}
 
 
 def documentation_of(pair: Pair) -> str:

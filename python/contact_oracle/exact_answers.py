@@ -69,12 +69,13 @@ class Exact:
 
     question     the question, id its id, flags what is true of it
     expect       the right answer, a dict as in a dataset
-    distance2    D, the squared distance of the cores; None for two boxes and for crossings
+    distance2    D, the squared distance of the cores; None for two boxes, crossings and casts
     reach        alarm + r1 + r2; None where D is
     below        whether a plane's distance is below 0
     margin_ulps  sqrt(D) - reach in ulps of reach, rounded to a float
     gap          of two boxes: how far apart they are on each axis
     crossing     of a segment and a triangle: the point that they have in common, None on a miss
+    t            of a ray that is cast: a and h, where it hits at a - sqrt(h); None on a miss
     """
 
     question: Question
@@ -87,6 +88,7 @@ class Exact:
     margin_ulps: float | None = None
     gap: tuple[Fraction, Fraction, Fraction] | None = None
     crossing: tuple[Fraction, Fraction, Fraction] | None = None
+    t: tuple[Fraction, Fraction] | None = None
 
     @property
     def hit(self) -> bool:
@@ -140,7 +142,7 @@ def _exact(line: str, pair: str, scalar: str) -> Exact:
                  fraction(numbers["reach"]) if "reach" in numbers else None,
                  bool(numbers.get("below", False)),
                  float(numbers["margin_ulps"]) if "margin_ulps" in numbers else None,
-                 _fractions(numbers.get("gap")), _fractions(numbers.get("crossing")))
+                 _fractions(numbers.get("gap")), _fractions(numbers.get("crossing")), _fractions(numbers.get("t")))
 
 
 def exact_of(question: Asked) -> list[Exact]:

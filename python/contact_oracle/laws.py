@@ -141,7 +141,7 @@ def _every_number(question: Question) -> list[float]:
 
 
 def _is_clear(question: Question, held: Held) -> bool:
-    """Whether a right engine held to this must decide as the exact numbers do. In ulps a crossing has no margin, so none is clear but to the
+    """Whether a right engine held to this must decide as the exact numbers do. In ulps crossings and casts have no margin, so none is clear but to the
     bit; of a tolerance the judge says so."""
     if held.tolerance is None and held.ulps == 0:
         return True
@@ -166,6 +166,8 @@ def _scale(name: str, question: Question) -> float:
         lengths.append(abs(question.b.offset) / math.hypot(*question.b.normal))
     if isinstance(question.a, Ray):
         lengths.append(question.a.length * math.hypot(*question.a.direction))
+    if name == "value" and pair_named(question.pair).numbers == "cast":
+        return 4.0 * max(question.a.length, max(lengths) / max(map(abs, question.a.direction)))
     return 4.0 * max(lengths)
 
 
@@ -186,7 +188,10 @@ def _same_hit(law: str, one: Answer, other: Answer, held: Held) -> None:
 
 
 def _agreed(question: Question) -> set[str]:
-    """The numbers that are an agreement: a direction where cores meet, and points where many are nearest."""
+    """The numbers that are an agreement: a direction where cores meet, and points where many are nearest. Where a ray hits, more than one
+    normal may be right."""
+    if pair_named(question.pair).numbers == "cast":
+        return {"normal"}
     exact = question.exact()
     if exact.degenerate:
         return set(VECTORS)
@@ -454,7 +459,7 @@ LAWS: dict[str, Law] = {law.name: law for law in (
     Law(unit_normal, _has_numbers, unfit=("normal", "normal_unit", "coincident")),
     Law(scale, draws={"exponent": st.integers(-LARGEST_EXPONENT, LARGEST_EXPONENT)}),
     Law(translate, lambda pair: "plane" not in pair_named(pair).shapes, draws=_STEP),
-    Law(alarm_growth, lambda pair: pair_named(pair).numbers != "crossing", draws=_GROWTH),
+    Law(alarm_growth, lambda pair: pair_named(pair).has_edge, draws=_GROWTH),
     Law(size_growth, lambda pair: pair_named(pair).shapes[0] == "sphere", draws=_GROWTH),
     Law(alarm_changes_no_number, _has_numbers, draws=_GROWTH),
     Law(contact_distance, _has_numbers, draws=_GROWTH, unfit=("value", "value_less_contact")),
@@ -470,7 +475,7 @@ class NotAsked(Exception):
 def questions_for(pair: str, scalar: str, smallest: float, largest: float) -> st.SearchStrategy[Question]:
     """What laws ask: questions of any numbers, of small whole ones, and such that touch or nearly do."""
     near = strategies.touching(pair, scalar, scales=SCALES)
-    if pair_named(pair).numbers != "crossing":
+    if pair_named(pair).has_edge:
         near |= strategies.near_touching(pair, scalar, scales=SCALES)
     return near.filter(_IsServed(smallest, largest)) | strategies.questions(pair, scalar, largest, smallest)
 

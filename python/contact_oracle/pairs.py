@@ -34,12 +34,17 @@ class Field:
 
 @dataclass(frozen=True)
 class Pair:
-    """Two kinds of shape. ``numbers`` says whether a contact has a distance, is a crossing, or has no numbers."""
+    """Two kinds of shape. ``numbers`` says whether a contact has a distance, is a crossing, is where a ray hits, or has no numbers."""
 
     name: str
     numbers: str
     shapes: tuple[str, str]
     fields: tuple[Field, ...]
+
+    @property
+    def has_edge(self) -> bool:
+        """Whether a length decides, as an alarm distance does: not of crossings, nor of rays that are cast."""
+        return self.numbers not in ("crossing", "cast")
 
     @property
     def arguments(self) -> tuple[str, ...]:

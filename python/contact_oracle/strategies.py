@@ -239,6 +239,34 @@ def _touching_crossing(pair: str, scalar: str, origin: tuple[int, int, int], edg
     return Question(pair, Ray(_point(start, scale), _point(way, scale), 1.0 if inside else 2.0), triangle, 0.0, 0.0, scalar)
 
 
+def _touching_cast(pair: str, scalar: str, origin: tuple[int, int, int], parts: tuple[int, int, int, int], which: int, length: int,
+                   exponent: int) -> Question:
+    """A ray that ends on a shape, at right angles to its surface; every second one is a tangent instead, or goes along a face."""
+    scale = 2.0**exponent
+    delta, radius = _quadruple(*parts)
+    u, v = _beside(delta, which)
+    # The shape is on the far side of the point, seen along delta; the ray comes from there, or goes by.
+    at = np.array(origin) + delta
+    way = u if which % 2 and pair != "cast_plane" else -delta
+    ray = Ray(_point(at - length * way, scale), _point(way, scale), float(length))
+    kind = pair_named(pair).shapes[1]
+    if kind == "sphere":
+        return Question(pair, ray, Sphere(_point(origin, scale), radius * scale), 0.0, 0.0, scalar)
+    if kind == "capsule":
+        return Question(pair, ray, Capsule(_point(origin, scale), _point(np.array(origin) + u, scale), radius * scale), 0.0, 0.0, scalar)
+    if kind == "plane":
+        return Question(pair, ray, Plane(_point(delta, 1.0), float(delta @ at) * scale), 0.0, 0.0, scalar)
+    if kind == "triangle":
+        return Question(pair, ray, Triangle((_point(at - u, scale), _point(at + u, scale), _point(at + v, scale))), 0.0, 0.0, scalar)
+    low, high = _box_beside(at, -delta, (1, 1))
+    # Along a face, which has a normal of its own.
+    if which % 2:
+        axis = int(np.flatnonzero(delta)[0])
+        along = np.eye(3, dtype=int)[(axis + 1) % 3]
+        ray = Ray(_point(at - length * along, scale), _point(along, scale), float(length))
+    return Question(pair, ray, Cube(_point(low, scale), _point(high, scale)), 0.0, 0.0, scalar)
+
+
 def _stepped(question: Question, steps: int) -> Question:
     """The question with one length some numbers larger or smaller: no longer touching, by as little as there is."""
     if steps == 0:
@@ -281,13 +309,15 @@ def touching(pair: str, scalar: str = "binary64", *, steps: SearchStrategy[int] 
         return st.builds(_touching_crossing, st.just(pair), st.just(scalar), origin, st.tuples(origin, origin), origin, which, exponent)
     part = st.integers(-2, 2)
     parts = st.tuples(part, part, part, part).filter(any)
+    if description.numbers == "cast":
+        return st.builds(_touching_cast, st.just(pair), st.just(scalar), origin, parts, which, st.integers(1, 4), exponent)
     share = st.integers(0, LARGEST_SHARE)
     return st.builds(_touching, st.just(pair), st.just(scalar), parts, origin, st.tuples(share, share), sizes, which, exponent, size, step)
 
 
 def near_touching(pair: str, scalar: str = "binary64", largest_step: int = 4, *, scales: int = SCALES) -> SearchStrategy[Question]:
     """Touching questions with one length up to `largest_step` numbers away, and those that are exactly touching."""
-    if pair_named(pair).numbers == "crossing":
+    if not pair_named(pair).has_edge:
         raise InputError("has no length that decides", "pair", value=repr(pair))
     return touching(pair, scalar, steps=st.integers(-largest_step, largest_step), scales=scales)
 

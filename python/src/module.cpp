@@ -256,7 +256,7 @@ py::list pairs() {
     const Query zeros = zero_query(pair);
     py::dict one;
     one["name"] = std::string(name(pair));
-    one["numbers"] = has_distance(pair) ? "distance" : is_crossing(pair) ? "crossing" : "none";
+    one["numbers"] = has_distance(pair) ? "distance" : is_crossing(pair) ? "crossing" : is_cast(pair) ? "cast" : "none";
     std::visit([&](const auto& shapes) { one["a"] = shape(shapes.a), one["b"] = shape(shapes.b); }, zeros.shapes);
     all.append(one);
   }

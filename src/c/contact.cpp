@@ -33,6 +33,7 @@ CONTACT_SHAPE(Capsule, contact_capsule)
 CONTACT_SHAPE(Triangle, contact_triangle)
 CONTACT_SHAPE(Plane, contact_plane)
 CONTACT_SHAPE(Ray, contact_ray)
+CONTACT_SHAPE(Cast, contact_ray)
 CONTACT_SHAPE(Line, contact_line)
 #undef CONTACT_SHAPE
 template <class Shape>
@@ -265,6 +266,7 @@ extern "C" {
     return compute<A, B>(count, a, b, {alarm, contact}, points, first_is_rigid, second_is_rigid, out, hits); \
   }
 #define CONTACT_COMPUTE_crossing CONTACT_COMPUTE_distance
+#define CONTACT_COMPUTE_cast CONTACT_COMPUTE_distance
 #define CONTACT_BOTH(name, A, B, numbers, first_is_rigid, second_is_rigid) \
   CONTACT_TEST(name, A, B)                                                 \
   CONTACT_COMPUTE_##numbers(name, A, B, first_is_rigid, second_is_rigid)

@@ -164,19 +164,21 @@ void require_own(const std::filesystem::path& path, golden::DatasetHeader own) {
 /// Writes every one of these files below a folder: a whole set, laid out as the committed one. A file is there whole or
 /// not at all, and with `resume` one that is there is kept.
 void write_set(const std::string& folder, const std::vector<golden::CommittedFile>& files, std::uint64_t seed,
-               std::uint64_t count, bool resume) {
+               const std::function<std::uint64_t(Pair)>& count, bool resume) {
+  std::uint64_t all = 0;
+  for (const golden::CommittedFile& file : files) all += count(file.pair);
   const auto header_of = [&](const golden::CommittedFile& file) {
     golden::DatasetHeader header;
     header.pair = file.pair;
     header.scalar = file.scalar;
     header.family = file.family->name;
     header.seed = seed;
-    header.count = count;
+    header.count = count(file.pair);
     return header;
   };
   const auto path_of = [&](const golden::CommittedFile& file) { return std::filesystem::path(folder) / file.path(); };
   for (const golden::CommittedFile& file : files) require_own(path_of(file), header_of(file));
-  Progress progress = progress_of(folder, count * files.size());
+  Progress progress = progress_of(folder, all);
   std::size_t kept = 0;
   for (const golden::CommittedFile& file : files) {
     const std::filesystem::path path = path_of(file);
@@ -209,7 +211,8 @@ void generate(const GenerateOptions& o) {
   if (o.all.empty())
     generate_one(o);
   else
-    write_set(o.all, every_file(), o.seed, o.count, o.resume);
+    write_set(
+        o.all, every_file(), o.seed, [&](Pair) { return o.count; }, o.resume);
 }
 
 struct AnnotateOptions {
@@ -373,7 +376,7 @@ void add_regenerate(CLI::App& app, int& exit) {
   auto folder = std::make_shared<std::string>();
   command->add_option("folder", *folder, "The folder of golden files that is written")->type_name("FOLDER")->required();
   command->callback([folder, &exit] {
-    write_set(*folder, golden::committed_files(), golden::kCommittedSeed, golden::kCommittedCount, false);
+    write_set(*folder, golden::committed_files(), golden::kCommittedSeed, golden::committed_count, false);
     exit = kCertified;
   });
 }

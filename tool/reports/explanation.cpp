@@ -177,6 +177,37 @@ std::string crossing_text(const Query& query, const oracle::Truth& truth, Scalar
   return text + numbers_text(query, *truth.contact(), *oracle::expectation(truth, scalar).contact, scalar);
 }
 
+/// The numbers of a ray that is cast.
+std::string cast_text(const Query& query, const oracle::Truth& truth, Scalar scalar) {
+  std::string text = shapes_text(query) + "\n";
+  if (!truth.hit())
+    return text +
+           "  No point of the ray lies in the shape: it passes by, ends before it, or begins behind it.  MISS\n" +
+           plain_double_says(query, false);
+  const oracle::CastHit& hit = *truth.contact()->cast();
+  const auto end = [&](const oracle::LineEnd& at, char sign) {
+    return CGAL::is_zero(at.half2)
+               ? exactly(at.middle)
+               : fmt::format("= m {} sqrt(h), m {}, h {}", sign, exactly(at.middle), exactly(at.half2));
+  };
+  const auto rounded = [](const Exact& x) { return number(oracle::round_to_nearest(x, Scalar::binary64)); };
+  if (!hit.inside) text += fmt::format("  t         {}\n", end(*truth.cast()->entry(), '-'));
+  if (const auto& exit = truth.cast()->exit())
+    text += fmt::format("  The line leaves the shape at t ~ {}  ({})\n", rounded(exit->last()), end(*exit, '+'));
+  else
+    text += "  The line does not leave the shape.\n";
+  text += fmt::format("\n  {}  HIT\n", hit.inside ? "The origin lies in the shape."
+                                                  : "o + t d is the first point of the ray in the shape.");
+  text += plain_double_says(query, true);
+  if (hit.inside)
+    text += "  The normal is against the direction by agreement, and any unit normal is right for another engine.\n";
+  else if (hit.either_side)
+    text += "  The normal turned round is as right.\n";
+  else if (hit.against)
+    text += "  It hits an edge or a corner: any normal that points away from the shape is right for another engine.\n";
+  return text + numbers_text(query, *truth.contact(), *oracle::expectation(truth, scalar).contact, scalar);
+}
+
 std::string gaps_text(const Query& query, const oracle::Truth& truth) {
   std::string text = shapes_text(query);
   text += fmt::format("  alarm     {}\n\n", number(query.distances.alarm));
@@ -196,9 +227,10 @@ std::string gaps_text(const Query& query, const oracle::Truth& truth) {
 
 std::string explanation(const Query& query, const oracle::Truth& truth, Scalar scalar) {
   return fmt::format("{} {}\n{}", name(query.pair), golden::query_id(query),
-                     is_crossing(query.pair) ? crossing_text(query, truth, scalar)
-                     : truth.has_distance()  ? distance_text(query, truth, scalar)
-                                             : gaps_text(query, truth));
+                     is_cast(query.pair)       ? cast_text(query, truth, scalar)
+                     : is_crossing(query.pair) ? crossing_text(query, truth, scalar)
+                     : truth.has_distance()    ? distance_text(query, truth, scalar)
+                                               : gaps_text(query, truth));
 }
 
 }  // namespace contact::tool
