@@ -368,6 +368,7 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
     reports.front().repeats = ask_again(sources, certificate.unwatched(*judged.front().engine), reports.front().engine,
                                         other_hosts(options.engine, [&stop] { stop.check(); }));
   if (options.stats) print_stats(reports, std::chrono::steady_clock::now() - begin, oracles);
+  for (const Subject& subject : judged) say_decimals(subject.engine->decimals(), "the answers");
   const int exit = files->write(reports, scoreboard);
   if (exit == kCertified || exit == kRefuted)
     certificate.write(reports.front(), sources, oracles, judged.front().baseline.get());

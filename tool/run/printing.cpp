@@ -1,6 +1,8 @@
 // What the program prints for people.
 #include "tool/run/printing.hpp"
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <system_error>
 
@@ -29,6 +31,14 @@ std::FILE* words() {
   static std::FILE* const nowhere = std::fopen("/dev/null", "w");
   if (nowhere == nullptr) throw std::system_error(errno, std::generic_category(), "/dev/null");
   return nowhere;
+}
+
+void say_decimals(std::uint64_t count, std::string_view whose) {
+  if (count == 0 || is_quiet()) return;
+  fmt::print(stderr,
+             "{} number{} of {} {} written with fewer digits than a binary32 number has, as 14.831459 is for "
+             "14.831459045410156: taken as the nearest binary32 number\n",
+             count, count == 1 ? "" : "s", whose, count == 1 ? "is" : "are");
 }
 
 void choose_colour(Colour colour) { printing().colour = colour; }

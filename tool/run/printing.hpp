@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <string_view>
 
@@ -14,6 +15,8 @@ void be_quiet();
 void keep_output_for_data();
 /// Where words for people go.
 [[nodiscard]] std::FILE* words();
+/// Says on standard error how many numbers were written as decimals of binary32 numbers, of which there may be none.
+void say_decimals(std::uint64_t count, std::string_view whose);
 
 enum class Colour { automatic, always, never };
 inline constexpr std::array<std::string_view, 3> kColourNames{"auto", "always", "never"};
