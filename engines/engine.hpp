@@ -39,6 +39,8 @@ class Engine {
   virtual void pass_over(const Question& /*question*/) {}
   /// The ids of recorded answers that no question has asked for, in their order.
   [[nodiscard]] virtual std::vector<std::string> unasked() const { return {}; }
+  /// How many numbers it wrote as decimals of binary32 numbers, and is judged by these.
+  [[nodiscard]] virtual std::uint64_t decimals() const { return 0; }
 
  protected:
   /// For engines that say who they are only after they have been started.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -75,6 +76,27 @@ std::string number(const Vector3& v) {
   std::string text;
   append_number(text, v);
   return text;
+}
+
+std::optional<double> written_for_binary32(double x) {
+  constexpr double kFirstThatRoundsToInfinity = 0x1.ffffffp127;
+  if (!(std::abs(x) < kFirstThatRoundsToInfinity)) return std::nullopt;
+  const auto nearest = static_cast<double>(static_cast<float>(x));
+  if (nearest == x) return std::nullopt;
+  std::array<char, 32> text;
+  const auto write = [&](double number, auto... digits) {
+    return std::string_view(
+        text.data(),
+        std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::scientific, digits...).ptr);
+  };
+  const std::string_view shortest = write(x);
+  const std::string_view significand = shortest.substr(0, shortest.find('e'));
+  const auto digits =
+      std::count_if(significand.begin(), significand.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const std::string_view written = write(nearest, static_cast<int>(digits) - 1);
+  double read = 0;
+  std::from_chars(written.data(), written.data() + written.size(), read);
+  return read == x ? std::optional(nearest) : std::nullopt;
 }
 
 std::string json_string(std::string_view text) {

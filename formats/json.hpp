@@ -24,6 +24,10 @@ namespace contact::formats {
 void append_number(std::string& text, double x);
 void append_number(std::string& text, const Vector3& v);
 void append_number(std::string& text, const std::array<Vector3, 3>& all);
+/// The binary32 number that a decimal was written for, as C++ and JavaScript write one: to as many digits as the decimal
+/// has it is the decimal. 14.831459 was written for 14.831459045410156. Nothing where x is itself a binary32 number, or
+/// was written for none.
+[[nodiscard]] std::optional<double> written_for_binary32(double x);
 /// A JSON string, quoted and escaped.
 [[nodiscard]] std::string json_string(std::string_view text);
 

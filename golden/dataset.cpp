@@ -323,7 +323,17 @@ ReadQuery read_query(const formats::Node& line, const DatasetHeader* file) {
                                           : file != nullptr ? file->scalar
                                                             : Scalar::binary64};
   check_domain(read.query, line.where());
-  if (read.scalar == Scalar::binary32) check_representable(read.query, line.where());
+  if (read.scalar == Scalar::binary32) {
+    // A dataset's numbers are written as binary64, so that every reader reads the same; a person's as whoever wrote it did.
+    if (file == nullptr)
+      for_each_number(read.query, [&](const std::string&, double& x) {
+        if (const auto meant = formats::written_for_binary32(x)) {
+          x = *meant;
+          ++read.decimals;
+        }
+      });
+    check_representable(read.query, line.where());
+  }
   if (const auto id = line.find("id")) check_id(read.query, id->text(), line.where());
   return read;
 }

@@ -71,6 +71,8 @@ struct Case {
 struct ReadQuery {
   Query query;
   Scalar scalar;
+  /// Numbers of a binary32 question that were written as decimals of binary32 numbers: the question has these.
+  std::uint64_t decimals = 0;
 };
 /// A pair or a scalar by its name.
 [[nodiscard]] Pair read_pair(const formats::Node& node);

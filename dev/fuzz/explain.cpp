@@ -12,7 +12,7 @@ void try_input(Bytes bytes) {
   const formats::Location where{"question", 1};
   try {
     const auto json = formats::parse_object(text_of(bytes), where);
-    const auto [query, scalar] = golden::read_query(formats::Node(json, where));
+    const auto [query, scalar, decimals] = golden::read_query(formats::Node(json, where));
     const oracle::Truth truth = oracle::truth_of(query);
     tool::require_agreement(query, truth, oracle::interval_answer(query, scalar), scalar);
     tool::check_stage(query, oracle::staged_answer(query, scalar), scalar);

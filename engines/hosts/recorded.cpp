@@ -1,7 +1,6 @@
 // An engine that answers from a results file.
 #include <algorithm>
 #include <atomic>
-
 #include <mutex>
 
 #include "engines/engine.hpp"
@@ -12,7 +11,7 @@ namespace {
 
 class RecordedEngine final : public Engine {
  public:
-  explicit RecordedEngine(engines::Results results) : Engine(std::move(results.engine)) {
+  explicit RecordedEngine(engines::Results results) : Engine(std::move(results.engine)), decimals_(results.decimals) {
     for (auto& [id, claim] : results.claims) recorded_.try_emplace(id, std::move(claim));
   }
 
@@ -44,6 +43,7 @@ class RecordedEngine final : public Engine {
     std::sort(ids.begin(), ids.end());
     return ids;
   }
+  [[nodiscard]] std::uint64_t decimals() const override { return decimals_; }
 
  private:
   struct Recorded {
@@ -52,6 +52,7 @@ class RecordedEngine final : public Engine {
     std::atomic<bool> asked = false;
   };
   std::unordered_map<std::string, Recorded> recorded_;
+  std::uint64_t decimals_;
 };
 
 /// Row i of the columns answers question i of the dataset.

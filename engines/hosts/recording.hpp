@@ -20,6 +20,7 @@ class Recording final : public Engine {
 
   [[nodiscard]] std::vector<Claim> answer(std::span<const Question> questions) override;
   [[nodiscard]] std::vector<std::string> unasked() const override { return engine_->unasked(); }
+  [[nodiscard]] std::uint64_t decimals() const override { return engine_->decimals(); }
 
   /// The other engine.
   [[nodiscard]] Engine& recorded() { return *engine_; }

@@ -265,8 +265,10 @@ class Subprocess final : public Engine {
         }
       }
     }
+    for (Claim& claim : claims) decimals_ += settle_decimals(claim, info().declared.scalar);
     return claims;
   }
+  [[nodiscard]] std::uint64_t decimals() const override { return decimals_; }
 
  private:
   /// A conversation that nobody else has, given back at the end.
@@ -300,6 +302,7 @@ class Subprocess final : public Engine {
   std::vector<std::unique_ptr<Conversation>> free_;
   std::atomic<int> failures_ = 0;
   std::atomic<bool> dead_ = false;
+  std::atomic<std::uint64_t> decimals_ = 0;
 };
 
 }  // namespace

@@ -177,6 +177,23 @@ std::string to_line(const EngineInfo& engine) {
   return fmt::format(R"({{"format":"{}","version":{},{}}})", kResultsFormat, kResultsVersion, engine_text(engine));
 }
 
+std::uint64_t settle_decimals(Claim& claim, Scalar scalar) {
+  std::uint64_t settled = 0;
+  if (scalar != Scalar::binary32 || !claim.contact) return settled;
+  const auto settle = [&](double& x) {
+    if (const auto meant = formats::written_for_binary32(x)) {
+      x = *meant;
+      ++settled;
+    }
+  };
+  for (std::optional<Vector3>* v :
+       {&claim.contact->normal, &claim.contact->point1, &claim.contact->point2, &claim.contact->point})
+    if (*v)
+      for (double& x : **v) settle(x);
+  if (claim.contact->value) settle(*claim.contact->value);
+  return settled;
+}
+
 Claim read_claim(const formats::Node& node) {
   Claim claim;
   for (const auto& [key, status] : {std::pair{"unsupported", Claim::Status::unsupported},
@@ -288,7 +305,9 @@ Results read_results(const std::filesystem::path& path) {
     const formats::Node id = node.at("id");
     if (!golden::is_query_id(id.text()))
       id.refuse(fmt::format("expected the {} hexadecimal digits of a question's id", golden::kIdLength));
-    if (!results.claims.emplace(id.text(), read_claim(node)).second) id.refuse("this question is answered twice");
+    Claim claim = read_claim(node);
+    results.decimals += settle_decimals(claim, results.engine.declared.scalar);
+    if (!results.claims.emplace(id.text(), std::move(claim)).second) id.refuse("this question is answered twice");
   }
   if (where.line == 0) throw formats::InputError(where, "", "empty: a results file begins with its header");
   return results;

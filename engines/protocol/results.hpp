@@ -1,6 +1,7 @@
 // What engines say on paper: claims and declarations in JSON, and the results file that records them.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -39,6 +40,9 @@ struct EngineInfo {
 [[nodiscard]] std::string engine_text(const EngineInfo& engine);
 [[nodiscard]] std::string to_line(const EngineInfo& engine);
 
+/// Puts the binary32 numbers in the place of decimals that were written for them, where the scalar is binary32; how many
+/// there were.
+std::uint64_t settle_decimals(Claim& claim, Scalar scalar);
 /// The claim of an answer or of a results line; keys other than the claim's own are the caller's to check.
 [[nodiscard]] Claim read_claim(const formats::Node& node);
 /// ,"overlap":...,"contact":... of a claim, and one line of a results file.
@@ -56,6 +60,7 @@ void check_results_format(const formats::Node& header);
 struct Results {
   EngineInfo engine;
   std::unordered_map<std::string, Claim> claims;
+  std::uint64_t decimals = 0;  ///< settle_decimals of all
 };
 [[nodiscard]] Results read_results(const std::filesystem::path& path);
 

@@ -21,6 +21,19 @@ Claim claim_of(const std::string& text) {
   return read_claim(formats::Node(json, where));
 }
 
+TEST(Claim, ADecimalOfABinary32NumberIsThisNumberAndNoOtherNumberIsChanged) {
+  const std::string text =
+      R"({"contact":{"normal":[0.1,0.5,14.8314590],"point":[1e-45,3.4028235e38,0.10000000149],"value":14.83145901234}})";
+  Claim claim = claim_of(text);
+  EXPECT_EQ(settle_decimals(claim, Scalar::binary64), 0);
+  EXPECT_EQ(claim.contact->value, 14.83145901234);
+  EXPECT_EQ(settle_decimals(claim, Scalar::binary32), 5);
+  EXPECT_EQ(*claim.contact->normal, Vector3(0x1.99999ap-4, 0.5, 0x1.da9b5p+3));
+  EXPECT_EQ(*claim.contact->point, Vector3(0x1p-149, 0x1.fffffep127, 0x1.99999ap-4));
+  EXPECT_EQ(claim.contact->value, 14.83145901234);  // a binary32 number has other digits there
+  EXPECT_EQ(settle_decimals(claim, Scalar::binary32), 0);
+}
+
 TEST(EngineInfo, EveryConventionSurvivesWritingAndReading) {
   EngineInfo info;
   info.name = "an \"engine\"";

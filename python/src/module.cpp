@@ -227,7 +227,7 @@ std::vector<std::string> cases(const std::string& pair, const py::list& columns,
 std::string explain(const std::string& line) {
   const formats::Location where{"question", 0};
   const auto json = formats::parse_object(line, where);
-  const auto [query, scalar] = golden::read_query(formats::Node(json, where));
+  const auto [query, scalar, decimals] = golden::read_query(formats::Node(json, where));
   if (const auto error = outside_domain(query)) throw OutsideDomain{error->field, 0, error->value, error->rule};
   return tool::explanation(query, oracle::truth_of(query), scalar);
 }

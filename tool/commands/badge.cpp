@@ -151,8 +151,9 @@ void write_badge(const BadgeOptions& options) {
   const std::string label = formats::visible(options.label);
   const std::string title =
       fmt::format("{}: {}. {} {}, issued {}; {} cases, {} of those given{}; certificate {}", label, right.text,
-                  engine.at("name").text(), engine.at("version").text(), root.at("issued").text(), found.at("total").at("judged").count(),
-                  found.at("share_judged").text(), beside(found), root.at("sha256").text().substr(0, 12));
+                  engine.at("name").text(), engine.at("version").text(), root.at("issued").text(),
+                  found.at("total").at("judged").count(), found.at("share_judged").text(), beside(found),
+                  root.at("sha256").text().substr(0, 12));
   file.write(svg(label, right, title));
   file.commit();
   say("Badge: {}, which says \"{}: {}\"\n", options.output, label, right.text);

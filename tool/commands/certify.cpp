@@ -371,8 +371,7 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
     stop.deadline = Stop::Clock::now() + std::chrono::milliseconds(static_cast<std::int64_t>(options.max_time * 1000));
   Oracles oracles;
   oracles.check = static_cast<Check>(index_of(kCheckNames, options.check, "check"));
-  if (options.engine.none() && !scoreboard && Cluster::is_first())
-    say("no engine is named: production is judged\n");
+  if (options.engine.none() && !scoreboard && Cluster::is_first()) say("no engine is named: production is judged\n");
   if (options.paths.empty() && !made && !again) static_cast<void>(chosen_folder(""));
   const auto judged_part = [&](golden::Shard part) { return judge_part(cut(sources, part), judged, stop, oracles); };
   const auto judge = [&](golden::Shard part) {
@@ -393,8 +392,8 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
     const std::uint64_t questions = found.judged() + found.fresh_judged();
     // What is enough to certify is asked of the whole.
     const bool wrong = questions != 0 && found.failure_count + found.unreached != found.all().accepted;
-    say("part {} of {}: {} questions judged, {}; the verdict is that of `merge`\n", part.index, part.of,
-               questions, wrong ? "and not all is right" : "and nothing is wrong");
+    say("part {} of {}: {} questions judged, {}; the verdict is that of `merge`\n", part.index, part.of, questions,
+        wrong ? "and not all is right" : "and nothing is wrong");
     return wrong ? kRefuted : kCertified;
   }
   if (options.determinism) require_askable(options, scoreboard);
@@ -417,6 +416,7 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
     reports.front().repeats = ask_again(published_of(sources), certificate.unwatched(*judged.front().engine),
                                         reports.front().engine, other_hosts(options.engine, [&stop] { stop.check(); }));
   if (options.stats) print_stats(reports, std::chrono::steady_clock::now() - begin, oracles);
+  for (const Subject& subject : judged) say_decimals(subject.engine->decimals(), "the answers");
   const int exit = files->write(reports, scoreboard);
   if (exit == kCertified || exit == kRefuted)
     certificate.write(reports.front(), sources, oracles, judged.front().baseline.get());

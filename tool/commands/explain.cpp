@@ -50,14 +50,21 @@ class Explained {
     }
     const oracle::Truth truth = oracle::truth_of(query);
     require_agreement(query, truth, oracle::interval_answer(query, scalar), scalar);
-    print(query, scalar, json_.alone() ? "" : explanation(query, truth, scalar));
+    print(query, scalar, json_.alone() ? "" : explanation(query, truth, scalar), distance(truth, scalar));
   }
   [[nodiscard]] bool any() const { return any_; }
   void commit() { json_.commit(); }
 
  private:
-  void print(const Query& query, Scalar scalar, const std::string& said) {
-    if (json_.wanted()) json_.write(golden::answer_line(golden::make_case(query, scalar)) + "\n");
+  void print(const Query& query, Scalar scalar, const std::string& said, std::optional<double> distance = {}) {
+    if (json_.wanted()) {
+      std::string line = golden::answer_line(golden::make_case(query, scalar));
+      if (distance) {
+        line.pop_back();
+        line += fmt::format(R"(,"distance":{}}})", formats::number(*distance));
+      }
+      json_.write(line + "\n");
+    }
     if (!json_.alone()) std::cout << (any_ ? "\n" : "") << said;
     any_ = true;
   }
@@ -70,6 +77,7 @@ void explain_lines(const ExplainOptions& o) {
   InputLines lines(o.input);
   std::optional<golden::DatasetHeader> header;
   Explained explained(o.json);
+  std::uint64_t decimals = 0;
   while (lines.next()) {
     const auto parsed = formats::parse_object(lines.text(), lines.where());
     const formats::Node node(parsed, lines.where());
@@ -77,11 +85,13 @@ void explain_lines(const ExplainOptions& o) {
       header = golden::read_header(node);
       continue;
     }
-    const auto [query, scalar] = golden::read_query(node, header ? &*header : nullptr);
-    explained.add(query, scalar);
+    const golden::ReadQuery read = golden::read_query(node, header ? &*header : nullptr);
+    explained.add(read.query, read.scalar);
+    decimals += read.decimals;
   }
   if (!explained.any()) throw formats::InputError(lines.where(), "", "no question given: expected JSON lines");
   explained.commit();
+  say_decimals(decimals, "the questions");
 }
 
 bool begins_an_id(const std::string& text) {

@@ -233,6 +233,7 @@ void annotate(const AnnotateOptions& o) {
   header.family = formats::visible(o.family);
   std::vector<Query> queries;
   std::unordered_set<std::string> ids;
+  std::uint64_t decimals = 0;
   while (lines.next()) {
     const formats::Location& where = lines.where();
     const auto json = formats::parse_object(lines.text(), where);
@@ -249,6 +250,7 @@ void annotate(const AnnotateOptions& o) {
     if (!ids.insert(golden::query_line(read.query, read.scalar)).second)
       throw InputError(where, "id", "the same question stands in this file twice");
     queries.push_back(read.query);
+    decimals += read.decimals;
   }
   if (queries.empty()) throw InputError(lines.where(), "", "no question in this file");
   header.count = queries.size();
@@ -256,6 +258,7 @@ void annotate(const AnnotateOptions& o) {
   static_cast<void>(write_dataset(
       header, o.output, [&](std::uint64_t i) { return queries[i]; }, progress));
   say_once("{}: {} cases\n", o.output, header.count);
+  say_decimals(decimals, "the questions");
 }
 
 struct ConvertOptions {

@@ -181,6 +181,7 @@ int properties(const CLI::App& command, const PropertiesOptions& o) {
   json.commit();
   write(junit, junit_text(done));
   if (!json.alone()) words() << terminal_text(done);
+  say_decimals(engine->decimals(), "the answers");
   if (!o.save.empty()) save(o.save, done.result);
   if (done.result.holds()) return kCertified;
   return done.result.ever_answered ? kRefuted : kHarnessInvalid;

@@ -32,6 +32,13 @@ std::string exactly(const Rational& x) {
                      dyadic.size() <= kLongestExact ? fmt::format("  (exactly {})", dyadic) : "");
 }
 
+/// The same of a number that may have no dyadic string.
+std::string roughly(const Exact& x) {
+  const double rounded = oracle::round_to_nearest(x, Scalar::binary64);
+  if (!std::isfinite(rounded)) return "~ beyond the range of binary64";
+  return fmt::format("{} {}", x.compare(Rational(rounded)) == CGAL::EQUAL ? "=" : "~", number(rounded));
+}
+
 /// Where the exact real lies beside its rounding.
 std::string neighbourhood(const Exact& x, double rounded, Scalar scalar) {
   if (!std::isfinite(rounded)) return "beyond the largest finite number";
@@ -143,6 +150,7 @@ std::string distance_text(const Query& query, const oracle::Truth& truth, Scalar
   if (over_plane)
     text += fmt::format("  s         signed distance  {}sqrt(D){}\n", t.below() ? "-" : "",
                         t.below() ? ", since p is below the plane" : "");
+  text += fmt::format("  distance  {:<15}  {}\n", over_plane ? "s - r1" : "sqrt(D) - r1 - r2", roughly(t.value(false)));
   text += fmt::format("  reach     alarm + r1 + r2  {}\n", exactly(t.reach()));
   text += fmt::format("  reach^2                    {}\n", exactly(t.reach() * t.reach()));
   text += fmt::format("  margin    {:<7} - reach  {} ulps of reach ({})\n\n", over_plane ? "s" : "sqrt(D)",
@@ -169,7 +177,8 @@ std::string crossing_text(const Query& query, const oracle::Truth& truth, Scalar
   std::string text = shapes_text(query) + "\n";
   if (!truth.hit())
     return text +
-           "  The segment does not cross the triangle: it passes by, ends before it, or goes along its plane.  MISS\n" +
+           "  The segment does not cross the triangle: it passes by, ends before it, or goes along its plane.  MISS\n"
+           "  A crossing is decided without a distance: there is none to tell.\n" +
            plain_double_says(query, false);
   const auto& at = *truth.crossing()->at();
   for (std::size_t axis = 0; axis < 3; ++axis) text += fmt::format("  X[{}]      {}\n", axis, exactly(at[axis]));
@@ -224,6 +233,11 @@ std::string gaps_text(const Query& query, const oracle::Truth& truth) {
 }
 
 }  // namespace
+
+std::optional<double> distance(const oracle::Truth& truth, Scalar scalar) {
+  if (!truth.has_distance()) return std::nullopt;
+  return oracle::round_to_nearest(truth.distance()->value(false), scalar);
+}
 
 std::string explanation(const Query& query, const oracle::Truth& truth, Scalar scalar) {
   return fmt::format("{} {}\n{}", name(query.pair), golden::query_id(query),

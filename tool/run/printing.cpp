@@ -125,6 +125,14 @@ std::string cut(std::string_view message) {
   return fmt::format("{}... ({} bytes)", message.substr(0, end), message.size());
 }
 
+void say_decimals(std::uint64_t count, std::string_view whose) {
+  if (count == 0 || is_quiet()) return;
+  say_error(
+      "{} number{} of {} {} written with fewer digits than a binary32 number has, as 14.831459 is for "
+      "14.831459045410156: taken as the nearest binary32 number\n",
+      count, count == 1 ? "" : "s", whose, count == 1 ? "is" : "are");
+}
+
 void choose_colour(Colour colour) { printing().colour = colour; }
 Colour chosen_colour() { return printing().colour; }
 void let_colours_through() { printing().colours = true; }

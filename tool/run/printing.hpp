@@ -5,6 +5,7 @@
 
 #include <array>
 #include <concepts>
+#include <cstdint>
 #include <iostream>
 #include <string>
 #include <string_view>
@@ -55,6 +56,8 @@ void say_error(fmt::format_string<const Args&...> format, const Args&... args) {
 
 /// A message as it is told: what quotes a whole file is cut, not within a character.
 [[nodiscard]] std::string cut(std::string_view message);
+/// Says on standard error how many numbers were written as decimals of binary32 numbers, of which there may be none.
+void say_decimals(std::uint64_t count, std::string_view whose);
 
 enum class Colour { automatic, always, never };
 inline constexpr std::array<std::string_view, 3> kColourNames{"auto", "always", "never"};
