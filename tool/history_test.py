@@ -366,8 +366,8 @@ class Badge(Case):
         left, right, title, _ = self.badge(path)
         stated = json.loads(path.read_text())
         self.assertEqual((left, right), ("contact-oracle", "certified: correctly-rounded"))
-        self.assertEqual(title, f"{left}: {right}. known 7, issued {stated['issued']}; 60 cases, 100 % of those given; "
-                                f"certificate {stated['sha256'][:12]}")
+        self.assertEqual(title, f"{left}: {right}. known 7, issued {stated['issued']}; 60 cases, 100 % of those given, "
+                                f"published questions alone; certificate {stated['sha256'][:12]}")
 
     def test_what_is_refuted_is_refuted_in_another_colour(self):
         certified = self.badge(self.certificate())
@@ -378,7 +378,8 @@ class Badge(Case):
     def test_a_tolerance_is_said_in_short(self):
         for tolerance, words in (("length=0.001,angle=0.01", "certified: length 0.001, angle 0.01 rad"),
                                  ("relative=1e-6,min=1e-4,max=1e4", "certified: relative 1e-06, numbers 0.0001 to 10000")):
-            self.assertEqual(self.badge(self.certificate("--tolerance", tolerance))[1], words)
+            self.assertEqual(self.badge(self.certificate("--tolerance", tolerance, "--least-judged", 0))[1], words)
+        self.assertEqual(self.badge(self.certificate("--tolerance", tolerance, code=1))[1], "too little judged")
 
     def test_accepted_failures_are_counted(self):
         for wrong, words in (([3], "certified: correctly-rounded but for 1 failure"), ([3, 4], "certified: correctly-rounded but for 2 failures")):

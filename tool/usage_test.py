@@ -217,7 +217,7 @@ class Colour(Case):
 
 # What is typed, and what may come next: all of it, or with more behind.
 TYPED = [
-    (["cer"], ["certify"]), (["exam", ""], ["new", "take", "close"]), (["certify", "--le"], ["--level"]),
+    (["cer"], ["certify"]), (["exam", ""], ["new", "take", "close"]), (["certify", "--le"], ["--level", "--least-judged"]),
     (["certify", "--level", "con"], ["conservative"]), (["certify", "--level=con"], ["--level=conservative"]),
     (["generate", "--pair", "sphere_c"], ["sphere_cube", "sphere_capsule"]), (["certify", "--generate", "5", "--pair", "cube_cube,ray_s"], ["cube_cube,ray_sphere"]),
     (["generate", "--family", "touching_no"], []), (["certify", "--family", "touching,flat_t", ], []),

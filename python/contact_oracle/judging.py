@@ -205,7 +205,8 @@ def _name_of(engine: Any, name: str | None) -> str:
 
 def certify(engine: Engine | Mapping[str, Engine], pairs: str | Iterable[str] | None = None, families: str | Iterable[str] | None = None,
             datasets: str | os.PathLike[str] | Iterable[str | os.PathLike[str]] | None = None, *, count: int = COUNT, seed: int | None = None,
-            fresh: int = FRESH, within: float | None = None, least_judged: int = LEAST_JUDGED, scalar: str = "binary64", level: str = "bounded", tolerance: Mapping[str, Any] | None = None, profile: str | None = None,
+            fresh: int = FRESH, within: float | None = None, least_judged: int = LEAST_JUDGED, scalar: str = "binary64",
+            level: str = "bounded", tolerance: Mapping[str, Any] | None = None, profile: str | None = None,
             conventions: Mapping[str, Any] | None = None, pair_conventions: Mapping[str, Any] | None = None,
             bounds: Mapping[str, float] | None = None, claims: Iterable[str] | None = None, allow_unsupported: bool = False,
             check: str = "sample", determinism: bool = False, isolated: bool = False, time_limit: float | None = None,
@@ -248,14 +249,16 @@ def certify(engine: Engine | Mapping[str, Engine], pairs: str | Iterable[str] | 
             raise InputError("is of fresh questions, and fresh=0 asks none", "seed")
         if fresh:
             seed = secrets.randbits(32) if seed is None else seed
-    return certify_sources(engine, named, sources, seed=seed, fresh=0 if datasets is None else fresh, within=within, least_judged=least_judged, scalar=scalar, level=level, tolerance=tolerance, profile=profile,
+    return certify_sources(engine, named, sources, seed=seed, fresh=0 if datasets is None else fresh, within=within,
+                           least_judged=least_judged, scalar=scalar, level=level, tolerance=tolerance, profile=profile,
                            conventions=conventions, pair_conventions=pair_conventions, bounds=bounds, claims=claims,
                            allow_unsupported=allow_unsupported, check=check, determinism=determinism, isolated=isolated,
                            time_limit=time_limit, name=name, version=version)
 
 
 def certify_sources(engine: Engine | Mapping[str, Engine], pairs: Iterable[str], sources: list[dict[str, Any]], *, seed: int | None = None,
-                    fresh: int = 0, within: float | None = None, least_judged: int = LEAST_JUDGED, scalar: str = "binary64", level: str = "bounded", tolerance: Mapping[str, Any] | None = None, profile: str | None = None,
+                    fresh: int = 0, within: float | None = None, least_judged: int = LEAST_JUDGED, scalar: str = "binary64",
+                    level: str = "bounded", tolerance: Mapping[str, Any] | None = None, profile: str | None = None,
                     conventions: Mapping[str, Any] | None = None, pair_conventions: Mapping[str, Any] | None = None,
                     bounds: Mapping[str, float] | None = None, claims: Iterable[str] | None = None, allow_unsupported: bool = False,
                     check: str = "sample", determinism: bool = False, isolated: bool = False, time_limit: float | None = None,
