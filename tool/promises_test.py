@@ -10,6 +10,7 @@ import math
 import os
 import re
 import shlex
+import subprocess
 import sys
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -693,7 +694,7 @@ class Exams(Case):
         self.exam, self.key = self.folder / f"exam{name}.jsonl", self.folder / f"key{name}.json"
         seeds = [] if seed is None else ["--seed", seed]
         return self.holds("exam", "new", "-o", self.exam, "--key", self.key, "--pair", "sphere_sphere", "--family", families, "--count", 6,
-                          *seeds, *options)
+                          *seeds, *options, env=PAST)
 
     def take(self, *engine, exam=None):
         self.taken = self.folder / "taken.jsonl"
@@ -772,7 +773,8 @@ class Exams(Case):
         self.take()
         self.close()
         certificate = json.loads(self.certificate.read_text())
-        self.assertEqual(certificate["exam"], {name: self.key_json()[name] for name in ("commitment", "nonce", "questions")})
+        self.assertEqual(certificate["exam"], {**{name: self.key_json()[name] for name in ("commitment", "issued", "nonce", "profile", "questions")},
+                                               "published": None})
         made = set()
         for source in certificate["questions"]["sources"]:
             path = self.folder / "made.jsonl"
@@ -1027,7 +1029,7 @@ class Exams(Case):
                     one["contact"]["value"] += off
             self.file("taken.jsonl", [header, *said])
             printed = self.close(code=code)
-            self.assertIn("within length 0.001, relative 1e-05, angle 0.01, for numbers from 0.0001 to 10000", printed.splitlines()[-4])
+            self.assertIn("within length 0.001, relative 1e-05, angle 0.01, for numbers from 0.0001 to 10000", printed.splitlines()[-5])
             self.assertEqual(json.loads(self.certificate.read_text())["found"]["tolerance"]["length"], 1e-3)
             self.assertIn("HOLDS", self.holds("verify", self.certificate, "--exam", self.exam))
 

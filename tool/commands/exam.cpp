@@ -192,6 +192,8 @@ int close(const CloseOptions& o) {
     throw InputError({o.key, 0}, "used",
                      fmt::format("this key was used on {}, for the answers with SHA-256 {}: an exam is closed once",
                                  key.used_on, key.used_for));
+  if (const std::string day = issue_date(); day < key.terms.issued)
+    throw InputError({o.key, 0}, "issued", fmt::format("a day to come: today is {}, got {}", day, key.terms.issued));
   if (!o.exam.empty()) require_same(o.exam, key);
   ReportFiles files(o.reports);
   CertificateFiles certificate(o.certificate, o.engine);
