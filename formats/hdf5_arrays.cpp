@@ -270,7 +270,9 @@ class Hdf5File final : public ArraysFile {
     std::vector<hsize_t> chunk(type.row.size() + 1);
     checked(H5Pget_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
     hsize_t bytes = type.size;
-    for (const hsize_t size : chunk) bytes = size > kLargestChunk ? kLargestChunk + 1 : bytes * size;
+    // No product of two numbers up to the largest chunk overflows.
+    for (const hsize_t size : chunk)
+      bytes = std::min<hsize_t>(size, kLargestChunk + 1) * std::min<hsize_t>(bytes, kLargestChunk + 1);
     if (bytes > kLargestChunk)
       refuse(fmt::format("chunks of ({}), and of more than {} bytes", fmt::join(chunk, ", "), kLargestChunk));
     return chunk;

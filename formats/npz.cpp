@@ -7,14 +7,13 @@
 #include <algorithm>
 #include <bit>
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <cstring>
-#include <regex>
 
 #include "formats/arrays.hpp"
 #include "formats/input_error.hpp"
 #include "formats/json.hpp"
+#include "formats/whole_number.hpp"
 
 namespace contact::formats {
 namespace {
@@ -98,6 +97,91 @@ struct Npy {
   std::size_t rows_at = 0;  ///< where they begin in the file
 };
 
+/// The header of an .npy file: a dictionary of Python's of three entries, in any order. Its length is a file's, so it
+/// is read from its beginning to its end, with nothing to come back to.
+///   {'descr': '<f8', 'fortran_order': False, 'shape': (3, 3), }
+class HeaderText {
+ public:
+  struct Stated {
+    std::string_view descr;
+    bool by_columns = false;
+    std::vector<std::string_view> shape;  ///< digits
+  };
+
+  explicit HeaderText(std::string_view text) : rest_(text) {}
+
+  /// Nothing where it is of another form.
+  std::optional<Stated> read() {
+    Stated stated;
+    std::set<std::string_view> keys;
+    if (!take("{")) return std::nullopt;
+    while (!take("}")) {
+      const auto key = quoted();
+      if (!key || !keys.insert(*key).second || !take(":")) return std::nullopt;
+      if (*key == "descr") {
+        const auto descr = quoted();
+        if (!descr) return std::nullopt;
+        stated.descr = *descr;
+      } else if (*key == "fortran_order") {
+        stated.by_columns = take("True");
+        if (!stated.by_columns && !take("False")) return std::nullopt;
+      } else if (*key != "shape" || !read_shape(stated.shape)) {
+        return std::nullopt;
+      }
+      if (take(",")) continue;
+      if (!take("}")) return std::nullopt;
+      break;
+    }
+    skip_space();
+    return rest_.empty() && keys.size() == 3 ? std::optional(stated) : std::nullopt;
+  }
+
+ private:
+  void skip_space() { rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\n\r"), rest_.size())); }
+  bool take(std::string_view word) {
+    skip_space();
+    if (!rest_.starts_with(word)) return false;
+    rest_.remove_prefix(word.size());
+    return true;
+  }
+  std::string_view before(std::size_t end) {
+    const std::string_view text = rest_.substr(0, end);
+    rest_.remove_prefix(text.size());
+    return text;
+  }
+  std::optional<std::string_view> quoted() {
+    const char quote = take("'") ? '\'' : take("\"") ? '"' : '\0';
+    const std::size_t end = rest_.find(quote);
+    if (quote == '\0' || end == std::string_view::npos) return std::nullopt;
+    const std::string_view text = before(end);
+    rest_.remove_prefix(1);
+    return text;
+  }
+  bool read_shape(std::vector<std::string_view>& shape) {
+    if (!take("(")) return false;
+    while (!take(")")) {
+      skip_space();
+      shape.push_back(before(rest_.find_first_not_of("0123456789")));
+      if (shape.back().empty()) return false;
+      static_cast<void>(take("L"));  // as Python 2 wrote it
+      if (take(",")) continue;
+      return take(")");
+    }
+    return true;
+  }
+
+  std::string_view rest_;
+};
+
+/// The length of texts of NumPy's kinds S and U: |S24, <U24.
+std::optional<std::size_t> characters(std::string_view descr) {
+  constexpr std::size_t kMostDigits = 7;
+  if (descr.size() < 3 || descr.size() > 2 + kMostDigits || (descr[0] != '|' && descr[0] != '<') ||
+      (descr[1] != 'S' && descr[1] != 'U'))
+    return std::nullopt;
+  return formats::whole_number<std::size_t>(descr.substr(2));
+}
+
 /// A member that is read from its beginning to its end.
 class Stream {
  public:
@@ -166,21 +250,15 @@ class Stream {
   }
 
   Npy parsed(const std::string& text) const {
-    const auto part = [&](const char* pattern) {
-      std::smatch found;
-      if (!std::regex_search(text, found, std::regex(pattern))) refuse("has a header that is not NumPy's");
-      return found[1].str();
-    };
-    const std::string descr = part(R"('descr':\s*'([^']*)')");
-    const bool by_columns = part(R"('fortran_order':\s*(True|False))") == "True";
-    const std::string shape = part(R"('shape':\s*\(([0-9, L]*)\))");
+    const std::optional<HeaderText::Stated> stated = HeaderText(text).read();
+    if (!stated) refuse("has a header that is not NumPy's");
+    const std::string_view descr = stated->descr;
+    const bool by_columns = stated->by_columns;
     Npy npy;
-    for (const char* next = shape.data(); next < shape.data() + shape.size();) {
-      std::uint64_t n = 0;
-      const auto [end, error] = std::from_chars(next, shape.data() + shape.size(), n);
-      if (error == std::errc()) npy.shape.push_back(n);
-      if (error == std::errc::result_out_of_range) refuse("has a shape beyond any memory");
-      next = error == std::errc() ? end : next + 1;
+    for (const std::string_view digits : stated->shape) {
+      const auto n = formats::whole_number<std::uint64_t>(digits);
+      if (!n) refuse("has a shape beyond any memory");
+      npy.shape.push_back(*n);
     }
     if (by_columns && npy.shape.size() > 1)
       refuse("is stored by columns (Fortran order): numpy.ascontiguousarray stores it by rows");
@@ -194,10 +272,10 @@ class Stream {
     } else if (descr == "<u4") {
       npy.type.kind = Kind::bits;
       npy.type.size = sizeof(std::uint32_t);
-    } else if (std::smatch found; std::regex_match(descr, found, std::regex(R"([|<]([SU])([0-9]{1,7}))"))) {
+    } else if (const auto size = characters(descr)) {
       npy.type.kind = Kind::text;
-      npy.is_wide = found[1] == "U";
-      npy.type.size = std::stoul(found[2]);
+      npy.is_wide = descr[1] == 'U';
+      npy.type.size = *size;
       if (npy.type.size == 0) refuse("has texts of no length");
     } else {
       refuse(

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "formats/whole_number.hpp"
 #include "golden/columns.hpp"
 #include "golden/dataset_writer.hpp"
 #include "golden/families.hpp"
@@ -241,14 +241,14 @@ Case make_case(const Query& query, Scalar scalar) {
 }
 
 Shard read_shard(const std::string& text, const formats::Location& where, const std::string& option) {
-  Shard shard{};
-  char slash = 0;
-  std::istringstream stream(text);
-  stream >> shard.index >> slash >> shard.of;
-  if (!stream || slash != '/' || !stream.eof() || text.find('-') != std::string::npos || shard.of == 0 ||
-      shard.index >= shard.of)
+  const std::size_t slash = text.find('/');
+  const auto index = formats::whole_number<std::uint64_t>(std::string_view(text).substr(0, slash));
+  const auto of = slash == std::string::npos
+                      ? std::nullopt
+                      : formats::whole_number<std::uint64_t>(std::string_view(text).substr(slash + 1));
+  if (!index || !of || *index >= *of)
     throw formats::InputError(where, option, fmt::format("expected I/N with I below N, got '{}'", text));
-  return shard;
+  return {*index, *of};
 }
 
 std::string to_line(const DatasetHeader& h) {
