@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <mutex>
@@ -49,7 +51,31 @@ class Places {
   std::set<std::filesystem::path> places_;
 } places;
 
+/// The names of temporary files, for the handler of a signal. What finds no room here may be left behind.
+class Unfinished {
+ public:
+  void add(const char* name) { exchange(nullptr, name); }
+  void remove(const char* name) { exchange(name, nullptr); }
+  void unlink_all() noexcept {
+    for (std::atomic<const char*>& one : names_)
+      if (const char* name = one.load()) ::unlink(name);
+  }
+
+ private:
+  void exchange(const char* from, const char* to) {
+    for (std::atomic<const char*>& one : names_) {
+      const char* expected = from;
+      if (one.compare_exchange_strong(expected, to)) return;
+    }
+  }
+
+  static_assert(std::atomic<const char*>::is_always_lock_free);
+  std::array<std::atomic<const char*>, 64> names_{};
+} unfinished;
+
 }  // namespace
+
+void remove_unfinished() noexcept { unfinished.unlink_all(); }
 
 PendingFile::PendingFile(const std::filesystem::path& path) : path_(path), temporary_(path) {
   std::error_code error;
@@ -67,7 +93,10 @@ PendingFile::PendingFile(const std::filesystem::path& path) : path_(path), tempo
     temporary_ = fmt::format("{}.{:08x}.unfinished", path_.string(), std::random_device{}());
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   } while (descriptor_ < 0 && errno == EEXIST);
-  if (descriptor_ >= 0) return;
+  if (descriptor_ >= 0) {
+    unfinished.add(temporary_.c_str());
+    return;
+  }
   const std::string why = std::strerror(errno);
   places.remove(path_);
   fail(why);
@@ -76,6 +105,7 @@ PendingFile::PendingFile(const std::filesystem::path& path) : path_(path), tempo
 PendingFile::~PendingFile() {
   if (descriptor_ < 0) return;
   ::unlink(temporary_.c_str());
+  unfinished.remove(temporary_.c_str());
   ::close(descriptor_);
   places.remove(path_);
 }
@@ -83,6 +113,7 @@ PendingFile::~PendingFile() {
 void PendingFile::commit() {
   if (descriptor_ < 0) return;
   if (::fsync(descriptor_) != 0 || std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(std::strerror(errno));
+  unfinished.remove(temporary_.c_str());
   ::close(std::exchange(descriptor_, -1));
   places.remove(path_);
 }

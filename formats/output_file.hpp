@@ -32,6 +32,10 @@ class PendingFile {
   int descriptor_ = -1;  ///< of the temporary; -1 where there is none
 };
 
+/// Removes what has not been committed, in the handler of a signal that ends the process: it calls nothing that such a
+/// handler may not.
+void remove_unfinished() noexcept;
+
 /// Text that is written as a whole or not at all.
 class OutputFile {
  public:

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <csignal>
 #include <cstring>
 #include <deque>
@@ -20,7 +21,31 @@ constexpr std::size_t kMostWords = 4096;  // bytes of standard error that are re
 constexpr std::uint64_t kCheckEveryMs = 100;
 constexpr std::chrono::milliseconds kLastMoment{500};
 
+/// The process groups of the children, for the handler of a signal. What finds no room here ends when its input does.
+class Children {
+ public:
+  void add(pid_t group) { exchange(0, group); }
+  void remove(pid_t group) { exchange(group, 0); }
+  void kill_all() noexcept {
+    for (std::atomic<pid_t>& one : groups_)
+      if (const pid_t group = one.load(); group > 0) ::kill(-group, SIGKILL);
+  }
+
+ private:
+  void exchange(pid_t from, pid_t to) {
+    for (std::atomic<pid_t>& one : groups_) {
+      pid_t expected = from;
+      if (one.compare_exchange_strong(expected, to)) return;
+    }
+  }
+
+  static_assert(std::atomic<pid_t>::is_always_lock_free);
+  std::array<std::atomic<pid_t>, 256> groups_{};
+} children;
+
 }  // namespace
+
+void kill_children() noexcept { children.kill_all(); }
 
 struct ChildProcess::State {
   uv_loop_t loop{};
@@ -61,6 +86,7 @@ struct ChildProcess::State {
   State& operator=(const State&) = delete;
   ~State() {
     if (process.pid > 0) {
+      children.remove(process.pid);
       ::kill(-process.pid, SIGKILL);
       check = nullptr;
       run_until(Clock::now() + kLastMoment * 10, [&] { return exited; });
@@ -184,6 +210,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, std::size_t 
     s.process.pid = 0;
     throw std::runtime_error(fmt::format("cannot start '{}': {}", command.front(), uv_strerror(error)));
   }
+  children.add(s.process.pid);
   s.start_reading();
   s.read_errors();
 }

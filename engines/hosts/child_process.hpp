@@ -48,4 +48,8 @@ class ChildProcess {
   std::unique_ptr<State> state_;
 };
 
+/// Ends every child process, in the handler of a signal that ends this one: it calls nothing that such a handler may
+/// not.
+void kill_children() noexcept;
+
 }  // namespace contact::engines

@@ -2,6 +2,7 @@
 #include "tool/run/process.hpp"
 
 #include <fmt/format.h>
+#include <sys/time.h>
 #include <tbb/parallel_for.h>
 #include <unistd.h>
 
@@ -9,13 +10,40 @@
 #include <cstdio>
 #include <iostream>
 
+#include "engines/hosts/child_process.hpp"
 #include "formats/json.hpp"
+#include "formats/output_file.hpp"
 #include "tool/run/printing.hpp"
 
 namespace contact::tool {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t looks = 0;  ///< how often the command was looked after since
+
+// A command that is told to end has this long to do it by itself: some places look seldom, or wait for a pipe.
+constexpr int kLookEveryMicroseconds = 200'000;
+constexpr int kLastLook = 4;
+
+/// The command goes on all the same: it is ended from here, as it would have ended, with nothing half-written.
+[[noreturn]] void end_now() {
+  formats::remove_unfinished();
+  engines::kill_children();
+  constexpr std::string_view kSaid = "contact-oracle: interrupted\n";
+  static_cast<void>(!::write(STDERR_FILENO, kSaid.data(), kSaid.size()));
+  ::_exit(kInterrupted);
+}
+
+void on_signal(int signal) {
+  if (signal == SIGALRM) {
+    looks = looks + 1;
+    if (looks >= kLastLook) end_now();
+    return;  // a read that began just after somebody had looked comes back
+  }
+  interrupted = 1;
+  const itimerval often{{0, kLookEveryMicroseconds}, {0, kLookEveryMicroseconds}};
+  ::setitimer(ITIMER_REAL, &often, nullptr);
+}
 
 constexpr int kBarWidth = 30;
 constexpr std::chrono::milliseconds kRedraw{100};
@@ -25,10 +53,7 @@ constexpr std::chrono::milliseconds kRedraw{100};
 void catch_signals() {
   // Without SA_RESTART, so that a command waiting for its input ends too.
   struct sigaction action {};
-  action.sa_handler = [](int) {
-    interrupted = 1;
-    alarm(1);  // once more, for a read that began just after somebody had looked
-  };
+  action.sa_handler = on_signal;
   sigaction(SIGALRM, &action, nullptr);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction before {};

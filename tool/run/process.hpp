@@ -26,6 +26,8 @@ struct OracleFault : std::runtime_error {
 struct Interrupted : std::runtime_error {
   explicit Interrupted(const std::string& what = "interrupted; nothing was written") : std::runtime_error(what) {}
 };
+/// A command that a signal does not stop within a second, because it looks nowhere or waits for a pipe, is ended: what
+/// it has not committed is removed, and its child processes are ended.
 void catch_signals();
 /// Throws Interrupted, or InputError where standard output could not be written.
 void throw_if_interrupted();
