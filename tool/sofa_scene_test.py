@@ -4,6 +4,8 @@
     sofa_scene_test.py contact-oracle"""
 import json
 import math
+import os
+import resource
 import subprocess
 import sys
 import tempfile
@@ -178,6 +180,96 @@ class SofaScene(unittest.TestCase):
         self.refused("no model is read", "RigidMapping has the attribute initialPoints",
                      lines=['<MechanicalObject template="Rigid3"/>', '<Node><MechanicalObject/><SphereCollisionModel/><RigidMapping initialPoints="1 0 0"/></Node>'])
 
+    def test_what_is_not_read_is_told_a_hundred_times_and_then_counted(self):
+        _, _, said = self.contacts(self.scene(self.state(""), *["<TriangleCollisionModel/>"] * 100))
+        self.assertEqual((len(said.splitlines()), said.splitlines()[-1].split(":")[1]), (100, "102"))
+        other = self.scene(self.state("").replace('"a"', '"b"'), *["<LineCollisionModel/>"] * 50, name="o.scn")
+        done = self.detect(self.scene(self.state(""), *["<TriangleCollisionModel/>"] * 90), other)
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (0, 101))
+        self.assertIn("o.scn:12: LineCollisionModel", done.stderr.splitlines()[99])
+        self.assertEqual(done.stderr.splitlines()[100], "and 40 more that are not read as they stand")
+
+    def test_a_number_that_is_no_integer_of_sofas_is_refused(self):
+        for text in ("3000000000", "-2147483649", "1e300", "1.5", "1 2 4000000000"):
+            self.refused("s.scn:3: group: expected a whole number from -2147483648 to 2147483647, got ",
+                         lines=[self.state("", 'group="2147483647 -2147483648 1e3"'), self.state("", f'group="{text}"').replace('"a"', '"b"')])
+        for text in ("3000000000 1 1", "1 0 1", "1 1.5 1", "1e300 1 1"):
+            self.refused("s.scn:2: n: expected a whole number from 1 to 10000000, got ",
+                         lines=[f'<Node><RegularGridTopology n="{text}"/><MechanicalObject/><SphereCollisionModel/></Node>'])
+        self.refused("s.scn:2: n: expected at most 10000000 points, got 100000000",
+                     lines=['<Node><RegularGridTopology n="10000 10000 1"/><MechanicalObject/><SphereCollisionModel/></Node>'])
+        far = '<Node><MechanicalObject position="@[-{}].position"/><SphereCollisionModel/></Node>'
+        for back in ("99999999999999999999", "4294967297", "x"):
+            self.refused("no model is read", "the link leads to no component of this file", lines=[far.format(back)])
+
+    def test_what_stands_too_deep_is_refused(self):
+        # The root is one, the state in the last node one more.
+        nest = lambda nodes: ["<Node>" * nodes + "<MechanicalObject/><SphereCollisionModel/>" + "</Node>" * nodes]
+        self.assertEqual(self.detect(self.scene(*nest(99))).returncode, 0)
+        for nodes in (100, 7000, 200_000):
+            self.refused("s.scn:2: elements stand more than 100 deep in each other", lines=nest(nodes))
+        self.refused("more than 100 deep", lines=["<x>" * 7000 + "</x>" * 7000])
+
+    def test_a_mesh_that_is_a_pipe_or_a_device_is_refused(self):
+        os.mkfifo(self.folder / "pipe")
+        for name in ("pipe", "/dev/zero", "."):
+            self.refused(f"s.scn:2: filename: is no regular file, got '{name}'",
+                         lines=[f'<Node><SphereLoader filename="{name}"/><MechanicalObject position="@[-1].position"/><SphereCollisionModel/></Node>'])
+
+    def test_a_long_value_is_cut_where_it_is_told(self):
+        done = self.detect(self.scene(self.state(f'position="{"x" * 900_000}"')))
+        self.assertEqual(done.returncode, 2)
+        self.assertLess(len(done.stderr), 1000)
+
+    def test_many_models_have_the_contacts_of_their_definition(self):
+        # Spheres on a grid of eighths, so that squares of distances are exact in Python too; some of several in a node, some in
+        # groups, some that are not simulated. More models than are listed pair by pair.
+        models, lines, turn = [], [], 7
+        def chance(n):
+            nonlocal turn
+            turn = turn * 1103515245 % 2**31 + 12345
+            return (turn >> 16) % n
+        for node in range(60):
+            center = [chance(40) / 8 for _ in range(3)]
+            group, simulated, own = chance(4), chance(5) != 0, chance(3) == 0
+            lines.append(f'<Node name="n{node}"><MechanicalObject position="{center[0]} {center[1]} {center[2]}"/>')
+            for k in range(1 + chance(3)):
+                radius = (1 + chance(6)) / 8
+                models.append((f"/n{node}/s{k}", node, center, radius, group, simulated, own))
+                lines.append(f'<SphereCollisionModel name="s{k}" radius="{radius}" simulated="{int(simulated)}" selfCollision="{int(own)}"'
+                             + (f' group="{group}"' if group else "") + "/>")
+            lines.append("</Node>")
+        self.assertGreater(len(models), 64)
+        expected = []
+        for i, (name, node, center, radius, group, simulated, own) in enumerate(models):
+            for other in models[i + 1:]:
+                apart = sum((x - y) ** 2 for x, y in zip(center, other[2])) > (radius + other[3] + 0.25) ** 2
+                meet = (simulated or other[5]) and ((own and other[6]) if node == other[1] else not (group and group == other[4]))
+                if meet and not apart:
+                    expected.append((name, other[0]))
+        self.assertGreater(len(expected), 50)
+        scene = self.scene('<MinProximityIntersection alarmDistance="0.25" contactDistance="0"/>', *lines)
+        _, found, _ = self.contacts(scene)
+        self.assertEqual([(c["first"]["model"], c["second"]["model"]) for c in found], expected)
+        table = self.detect(scene).stdout.splitlines()
+        self.assertEqual([tuple(row.split()[:2]) for row in table[3:-1]], expected)
+        self.assertEqual(table[-1], f"{len(models)} models; no other two of them meet in SOFA and have a contact")
+
+    def test_a_large_scene_takes_little_time_and_memory(self):
+        # Each of these took a minute of processor time or more, or gigabytes, where something was done for each pair of elements.
+        def limits():
+            resource.setrlimit(resource.RLIMIT_CPU, (30, 30))
+            resource.setrlimit(resource.RLIMIT_DATA, (1 << 30, 1 << 30))
+        one = '<SphereCollisionModel radius="0.25" {}/>'
+        apart = '<Node><MechanicalObject position="{} 0 0"/><SphereCollisionModel/></Node>'
+        for name, lines, models in (("in one node", ["<MechanicalObject/>", *[one.format("")] * 30_000], 30_000),
+                                    ("linked", ["<MechanicalObject/>", *[one.format('listRadius="@gone.x"')] * 30_000, self.state("")], 1),
+                                    ("not read", [self.state(""), *["<TriangleCollisionModel/>"] * 60_000], 1),
+                                    ("apart", [apart.format(10 * i) for i in range(20_000)], 20_000)):
+            done = subprocess.run([TOOL, "detect", self.scene(*lines), "--jobs", "2"], capture_output=True, text=True, check=False, preexec_fn=limits)
+            self.assertEqual(done.returncode, 0, (name, done.stderr[-300:]))
+            self.assertIn(f"{models} models, and no pair" if models > 1 else "one model", done.stdout, name)
+
     def test_what_is_wrong_is_refused_with_file_line_field_and_value(self):
         self.refused("s.scn:2: position: 4 numbers are no rows of 3", lines=[self.state('position="0 0 0 1"')])
         self.refused("s.scn:3: position: expected finite numbers, got '0-1'", lines=["", self.state('position="0 0-1 0"')])
@@ -192,7 +284,7 @@ class SofaScene(unittest.TestCase):
                      lines=['<SphereLoader filename="two.sph"/>', '<MechanicalObject position="@[-1].position"/>', "<SphereCollisionModel/>"])
         done = self.detect(self.folder / "gone.scn")
         self.assertEqual((done.returncode, done.stdout), (2, ""))
-        self.assertIn("gone.scn: cannot be read", done.stderr)
+        self.assertIn("gone.scn: cannot read: no such file", done.stderr)
 
     def test_scenes_of_both_kinds_are_one(self):
         other = self.folder / "o.jsonl"

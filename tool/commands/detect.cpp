@@ -17,6 +17,7 @@
 #include "formats/json.hpp"
 #include "tool/commands/commands.hpp"
 #include "tool/commands/json_output.hpp"
+#include "tool/run/near_models.hpp"
 #include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
 #include "tool/run/scene.hpp"
@@ -42,38 +43,30 @@ struct DetectOptions {
 
 /// Two models, and what the table says of their contacts.
 struct Meeting {
-  const CollisionModel& first;
-  const CollisionModel& second;
-  bool has_intersector = false;
+  struct Deepest {
+    Index first;
+    Index second;
+    double value;
+  };
+
+  ModelPair models;
   std::uint64_t contacts = 0;
   std::uint64_t overlapping = 0;
-  std::optional<DetectionOutput> deepest{};
+  std::optional<Deepest> deepest{};
 };
 
-std::vector<Meeting> meetings(const Scene& scene, const Intersection& intersection, bool self) {
-  std::vector<Meeting> all;
-  for (std::size_t i = 0; i < scene.models.size(); ++i)
-    for (std::size_t j = i; j < scene.models.size(); ++j) {
-      if (i == j ? !(self || scene.rules[i].self_collision) : !may_meet(scene.rules[i], scene.rules[j])) continue;
-      const CollisionModel& first = *scene.models[i];
-      const CollisionModel& second = *scene.models[j];
-      bool swap = false;
-      all.push_back({first, second, intersection.findIntersector(first, second, swap) != nullptr});
-    }
-  return all;
-}
-
-std::string header_line(const std::vector<Meeting>& all, const ProximityIntersection& intersection,
+std::string header_line(const Scene& scene, const NearModels& pairs, const ProximityIntersection& intersection,
                         const std::string& points) {
   std::string without;
-  for (const Meeting& m : all)
-    if (!m.has_intersector)
-      without += fmt::format("{}[{},{}]", without.empty() ? "" : ",", json_string(m.first.getName()),
-                             json_string(m.second.getName()));
-  return fmt::format(R"({{"format":"contact-oracle/contacts","version":1,"alarm":{},"contact":{},"points":"{}"{}}})"
+  for (const auto& [first, second] : pairs.without)
+    without += fmt::format("{}[{},{}]", without.empty() ? "" : ",", json_string(scene.models[first]->getName()),
+                           json_string(scene.models[second]->getName()));
+  const std::uint64_t more = pairs.without_all - pairs.without.size();
+  return fmt::format(R"({{"format":"contact-oracle/contacts","version":1,"alarm":{},"contact":{},"points":"{}"{}{}}})"
                      "\n",
                      number(intersection.getAlarmDistance()), number(intersection.getContactDistance()), points,
-                     without.empty() ? "" : fmt::format(R"(,"no_intersector":[{}])", without));
+                     without.empty() ? "" : fmt::format(R"(,"no_intersector":[{}])", without),
+                     more == 0 ? "" : fmt::format(R"(,"no_intersector_more":{})", more));
 }
 
 std::string element(const CollisionElement& e) {
@@ -103,7 +96,8 @@ class Contacts {
       for (const DetectionOutput& c : contacts) {
         ++meeting.contacts;
         meeting.overlapping += c.value + contact_distance_ < 0 ? 1 : 0;
-        if (!meeting.deepest || c.value < meeting.deepest->value) meeting.deepest = c;
+        if (!meeting.deepest || c.value < meeting.deepest->value)
+          meeting.deepest = {c.elem.first.getIndex(), c.elem.second.getIndex(), c.value};
       }
     if (outputs_.empty()) return;
     // Digits take longer than the contacts themselves: they are worked out on every thread.
@@ -121,56 +115,90 @@ class Contacts {
   std::vector<std::string> lines_;
 };
 
-/// Detects between all models, and shows how far it is where nothing else is printed meanwhile.
-void detect_all(std::vector<Meeting>& all, const Intersection& intersection, Contacts& contacts, bool shows_progress) {
+/// Detects between the models that are near each other, and shows how far it is where nothing else is printed
+/// meanwhile. The pairs that are listed, and what came of each.
+std::vector<Meeting> detect_all(const Scene& scene, const NearModels& pairs, const Intersection& intersection,
+                                Contacts& contacts, bool shows_progress) {
+  const auto model = [&](std::uint32_t i) -> const CollisionModel& { return *scene.models[i]; };
   std::uint64_t elements = 0;
-  for (const Meeting& m : all)
-    if (shows_progress && m.has_intersector) elements += static_cast<std::uint64_t>(m.first.getSize());
+  for (const ModelPair& pair : pairs.near)
+    if (shows_progress) elements += static_cast<std::uint64_t>(model(pair.first).getSize());
   Progress progress("detect", elements);
-  for (Meeting& m : all) {
-    std::uint64_t done = 0;
-    const auto reached = [&](std::uint64_t element) {
-      progress.add(element - done);
-      done = element;
-    };
-    const auto take = [&](std::span<const OutputVector> some) {
-      contacts.take(some, m);
-      for (const OutputVector& run : some)
-        if (!run.empty()) reached(std::max(done, static_cast<std::uint64_t>(run.back().elem.first.getIndex())));
-    };
-    detect_streamed(intersection, m.first, m.second, take, in_parallel);
-    reached(static_cast<std::uint64_t>(m.first.getSize()));
+  const bool lists_all = scene.models.size() <= NearModels::kFew;
+  std::vector<Meeting> all;
+  auto near = pairs.near.begin();
+  for (const ModelPair& pair : pairs.listed) {
+    throw_if_interrupted();
+    Meeting m{pair};
+    if (near != pairs.near.end() && *near == pair) {
+      ++near;
+      std::uint64_t done = 0;
+      const auto reached = [&](std::uint64_t element) {
+        progress.add(element - done);
+        done = element;
+      };
+      const auto take = [&](std::span<const OutputVector> some) {
+        contacts.take(some, m);
+        for (const OutputVector& run : some)
+          if (!run.empty()) reached(std::max(done, static_cast<std::uint64_t>(run.back().elem.first.getIndex())));
+      };
+      detect_streamed(intersection, model(pair.first), model(pair.second), take, in_parallel);
+      reached(static_cast<std::uint64_t>(model(pair.first).getSize()));
+    }
+    if (lists_all || m.contacts != 0) all.push_back(m);
   }
+  return all;
 }
 
-std::string table(const std::vector<Meeting>& all, std::size_t models, const ProximityIntersection& intersection,
-                  const std::string& points) {
-  std::string text = fmt::format("alarm {}, contact {}, points {}\n", number(intersection.getAlarmDistance()),
-                                 number(intersection.getContactDistance()), points);
-  if (all.empty() && models > 1)
-    return text + fmt::format("\n{} models, and no pair of them meets in SOFA: see docs/sofa.md#scenes-without-sofa\n",
-                              models);
-  if (all.empty()) return text + "\none model, and no pair: --self detects inside a model\n";
+/// A row for each pair that is listed, and a line for all others.
+void print_table(const Scene& scene, const NearModels& pairs, const std::vector<Meeting>& all,
+                 const ProximityIntersection& intersection, const std::string& points) {
+  const auto name = [&](std::uint32_t i) -> const std::string& { return scene.models[i]->getName(); };
+  const std::size_t models = scene.models.size();
+  fmt::print(words(), "alarm {}, contact {}, points {}\n", number(intersection.getAlarmDistance()),
+             number(intersection.getContactDistance()), points);
+  const bool lists_all = models <= NearModels::kFew;
+  if (all.empty() && pairs.without.empty()) {
+    if (models == 1)
+      fmt::print(words(), "\none model, and no pair: --self detects inside a model\n");
+    else
+      fmt::print(words(), "\n{} models, and no pair of them {}: see docs/sofa.md#scenes-without-sofa\n", models,
+                 lists_all ? "meets in SOFA" : "meets in SOFA and has a contact");
+    return;
+  }
   std::size_t first = std::string_view("first").size();
   std::size_t second = std::string_view("second").size();
-  for (const Meeting& m : all) {
-    first = std::max(first, m.first.getName().size());
-    second = std::max(second, m.second.getName().size());
-  }
-  text += fmt::format("\n{:<{}}  {:<{}}  contacts  overlapping  deepest\n", "first", first, "second", second);
-  for (const Meeting& m : all) {
-    text += fmt::format("{:<{}}  {:<{}}  ", m.first.getName(), first, m.second.getName(), second);
-    if (!m.has_intersector) {
-      text += "no intersector\n";
-      continue;
+  const auto widen = [&](const ModelPair& pair) {
+    first = std::max(first, name(pair.first).size());
+    second = std::max(second, name(pair.second).size());
+  };
+  for (const Meeting& m : all) widen(m.models);
+  for (const ModelPair& pair : pairs.without) widen(pair);
+  fmt::print(words(), "\n{:<{}}  {:<{}}  contacts  overlapping  deepest\n", "first", first, "second", second);
+  const auto begin_row = [&](const ModelPair& pair) {
+    throw_if_interrupted();
+    fmt::print(words(), "{:<{}}  {:<{}}  ", name(pair.first), first, name(pair.second), second);
+  };
+  auto without = pairs.without.begin();
+  const auto print_without = [&](const ModelPair* before) {
+    for (; without != pairs.without.end() && (before == nullptr || *without < *before); ++without) {
+      begin_row(*without);
+      fmt::print(words(), "no intersector\n");
     }
-    text += fmt::format("{:>8}  {:>11}", m.contacts, m.overlapping);
+  };
+  for (const Meeting& m : all) {
+    print_without(&m.models);
+    begin_row(m.models);
+    fmt::print(words(), "{:>8}  {:>11}", m.contacts, m.overlapping);
     if (m.deepest)
-      text += fmt::format("  {}[{}] {}[{}] value {}", m.first.getName(), m.deepest->elem.first.getIndex(),
-                          m.second.getName(), m.deepest->elem.second.getIndex(), number(m.deepest->value));
-    text += "\n";
+      fmt::print(words(), "  {}[{}] {}[{}] value {}", name(m.models.first), m.deepest->first, name(m.models.second),
+                 m.deepest->second, number(m.deepest->value));
+    fmt::print(words(), "\n");
   }
-  return text;
+  print_without(nullptr);
+  if (const std::uint64_t more = pairs.without_all - pairs.without.size(); more != 0)
+    fmt::print(words(), "and {} more pairs without an intersector\n", more);
+  if (!lists_all) fmt::print(words(), "{} models; no other two of them meet in SOFA and have a contact\n", models);
 }
 
 void run_detect(const DetectOptions& options) {
@@ -183,7 +211,7 @@ void run_detect(const DetectOptions& options) {
     IntersectorFactory::getInstance().registerCreator("SolidCube", creator_of<SolidCubeDiscreteIntersection>());
   for (const std::string& plugin : options.plugins) load_plugin(plugin);
   const Scene scene = read_scene(options.scenes, ModelFactory::getInstance());
-  for (const std::string& what : scene.left_out) fmt::print(stderr, "{}\n", what);
+  if (scene.left_out.all != 0) fmt::print(stderr, "{}\n", scene.left_out.text());
   const Distances distances{options.alarm.value_or(scene.alarm.value_or(0)),
                             options.contact.value_or(scene.contact.value_or(0))};
   const auto& names = engines::kComputedPointsNames;
@@ -191,15 +219,15 @@ void run_detect(const DetectOptions& options) {
       static_cast<PointConvention>(std::find(names.begin(), names.end(), options.points) - names.begin());
   const ProximityIntersection intersection(distances, points);
 
-  std::vector<Meeting> all = meetings(scene, intersection, options.self);
+  const NearModels pairs = near_models(scene, intersection, options.self);
   std::vector<JsonOutput*> wanted;
   for (JsonOutput* to : {&output, &json})
     if (to->wanted()) wanted.push_back(to);
   Contacts contacts(wanted, distances.contact);
-  contacts.write(header_line(all, intersection, options.points));
-  detect_all(all, intersection, contacts, !json.alone());
+  contacts.write(header_line(scene, pairs, intersection, options.points));
+  const std::vector<Meeting> all = detect_all(scene, pairs, intersection, contacts, !json.alone());
   for (JsonOutput* to : wanted) to->commit();
-  if (!json.alone()) fmt::print(words(), "{}", table(all, scene.models.size(), intersection, options.points));
+  if (!json.alone()) print_table(scene, pairs, all, intersection, options.points);
 }
 
 /// A distance on the command line.

@@ -50,8 +50,8 @@ std::string read_name(const Node& name) {
   return text;
 }
 
-std::unique_ptr<CollisionModel> read_model(const Node& line, const ModelFactory& factory) {
-  const std::vector<ModelMaker> makers = factory.makers();
+std::unique_ptr<CollisionModel> read_model(const Node& line, const ModelFactory& factory,
+                                           const std::vector<ModelMaker>& makers) {
   std::vector<std::string_view> types;
   types.reserve(makers.size());
   for (const ModelMaker& maker : makers) types.push_back(maker.type);
@@ -89,7 +89,7 @@ void add_sofa_scene(const std::string& path, const ModelFactory& factory, Scene&
     scene.models.push_back(std::move(of.model));
     scene.rules.push_back(std::move(of.rules));
   }
-  scene.left_out.insert(scene.left_out.end(), read.left_out.begin(), read.left_out.end());
+  scene.left_out.add(read.left_out);
 }
 
 }  // namespace
@@ -97,6 +97,7 @@ void add_sofa_scene(const std::string& path, const ModelFactory& factory, Scene&
 Scene read_scene(const std::vector<std::string>& paths, const ModelFactory& factory) {
   Scene scene;
   std::map<std::string, std::string> named;  // where each name was given
+  const std::vector<ModelMaker> makers = factory.makers();
   for (const std::string& path : paths) {
     if (is_sofa_scene(path)) {
       add_sofa_scene(path, factory, scene, named);
@@ -110,7 +111,7 @@ Scene read_scene(const std::vector<std::string>& paths, const ModelFactory& fact
         read_header(node, scene);
         continue;
       }
-      auto model = read_model(node, factory);
+      auto model = read_model(node, factory, makers);
       const auto [other, is_new] =
           named.emplace(model->getName(), fmt::format("{}:{}", lines.where().file, lines.where().line));
       if (!is_new) node.at("name").refuse(fmt::format("the model at {} has this name", other->second));
@@ -120,10 +121,9 @@ Scene read_scene(const std::vector<std::string>& paths, const ModelFactory& fact
     if (lines.where().line == 0) throw formats::InputError(lines.where(), "", "empty: a scene begins with its header");
   }
   if (scene.models.empty())
-    throw formats::InputError({fmt::format("{}", fmt::join(paths, ", ")), 0}, "",
-                              scene.left_out.empty()
-                                  ? "the scene holds no model"
-                                  : fmt::format("no model is read:\n{}", fmt::join(scene.left_out, "\n")));
+    throw formats::InputError(
+        {fmt::format("{}", fmt::join(paths, ", ")), 0}, "",
+        scene.left_out.all == 0 ? "the scene holds no model" : "no model is read:\n" + scene.left_out.text());
   return scene;
 }
 

@@ -15,8 +15,8 @@ struct Scene {
   std::optional<double> alarm;    ///< absent where no header gives one
   std::optional<double> contact;  ///< likewise
   std::vector<std::unique_ptr<const CollisionModel>> models;
-  std::vector<MeetingRules> rules;    ///< one a model; those of other files have none
-  std::vector<std::string> left_out;  ///< of scenes of SOFA, with file and line
+  std::vector<MeetingRules> rules;  ///< one a model; those of other files have none
+  LeftOut left_out;                 ///< of scenes of SOFA, with file and line
 };
 
 /// Reads scene files ("-" for standard input; a .scn file is a scene of SOFA) into one scene, the models in the order

@@ -7,14 +7,17 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <pugixml.hpp>
 #include <sstream>
+#include <unordered_map>
 #include <variant>
 
 #include "formats/input_error.hpp"
+#include "formats/json.hpp"
+#include "formats/whole_number.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
@@ -26,6 +29,11 @@ using formats::Location;
 using pugi::xml_node;
 
 using Quaternions = std::vector<Eigen::Quaterniond>;
+using Pipelines = std::shared_ptr<const std::set<std::string>>;
+
+constexpr std::size_t kDeepest = 100;  // scenes of SOFA nest some ten deep
+constexpr std::size_t kMostSpheres =
+    10'000'000;  // of a file: a model takes all positions of its state, which may be a grid's
 
 /// What SOFA's loaders and states hold before the first step.
 struct Positions {
@@ -51,12 +59,10 @@ const Unread* unread(const Read<T>& read) {
 bool is_node(const xml_node& element) { return std::string_view(element.name()) == "Node"; }
 bool is(const xml_node& element, std::string_view type) { return element.name() == type; }
 
-std::string whole_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (file) text << file.rdbuf();
-  if (!file) throw InputError({path, 0}, "", "cannot be read");
-  return text.str();
+/// A value as a message has it: its beginning.
+std::string excerpt(std::string_view text) {
+  constexpr std::size_t kMost = 60;
+  return text.size() <= kMost ? std::string(text) : fmt::format("{}...", text.substr(0, kMost));
 }
 
 /// From Euler angles in degrees, about x, then y, then z.
@@ -71,7 +77,10 @@ Eigen::Quaterniond turn(const Vector3& degrees) {
 class Reader {
  public:
   Reader(const std::string& path, const ModelFactory& factory)
-      : path_(path), text_(whole_file(path)), factory_(factory) {}
+      : path_(path), text_(formats::read_text(path)), factory_(factory) {
+    for (std::size_t at = text_.find('\n'); at != std::string::npos; at = text_.find('\n', at + 1))
+      feeds_.push_back(at);
+  }
 
   SofaScene read() {
     const auto parsed = document_.load_buffer(text_.data(), text_.size());
@@ -79,23 +88,44 @@ class Reader {
       throw InputError(at_offset(parsed.offset), "", std::string("not well-formed XML: ") + parsed.description());
     const xml_node root = document_.child("Node");
     if (!root) throw InputError({path_, 0}, "", "a scene of SOFA is a <Node>, and here is none");
+    require_shallow();
     read_distances(root);
     find_pipelines(root);
-    read_node(root, "");
+    read_node(root, "", pipelines_.empty() ? nullptr : std::make_shared<const std::set<std::string>>());
     return std::move(scene_);
   }
 
  private:
   [[nodiscard]] Location at_offset(std::ptrdiff_t offset) const {
-    const auto end = text_.begin() + std::clamp<std::ptrdiff_t>(offset, 0, static_cast<std::ptrdiff_t>(text_.size()));
-    return {path_, 1 + static_cast<std::size_t>(std::count(text_.begin(), end, '\n'))};
+    const std::size_t at = formats::whole_number<std::size_t>(offset).value_or(0);
+    return {path_, 1 + static_cast<std::size_t>(std::lower_bound(feeds_.begin(), feeds_.end(), at) - feeds_.begin())};
   }
   [[nodiscard]] Location where(const xml_node& element) const { return at_offset(element.offset_debug()); }
 
-  void tell(const xml_node& element, const std::string& what) {
+  /// What follows calls itself once for each element that another stands in.
+  void require_shallow() const {
+    std::size_t depth = 0;
+    for (xml_node at = document_.first_child(); at;) {
+      if (const xml_node below = at.first_child()) {
+        if (++depth > kDeepest)
+          throw InputError(where(at), "", fmt::format("elements stand more than {} deep in each other", kDeepest));
+        at = below;
+        continue;
+      }
+      for (; at && !at.next_sibling(); --depth) {
+        at = at.parent();
+        if (depth == 0) return;
+      }
+      at = at.next_sibling();
+    }
+  }
+
+  void tell(const xml_node& element, std::string_view what) {
+    ++scene_.left_out.all;
+    if (scene_.left_out.is_full()) return;
     const std::string_view name = element.attribute("name").value();
-    scene_.left_out.push_back(fmt::format("{}: {}{} {}", where(element).text(), element.name(),
-                                          name.empty() ? "" : fmt::format(" '{}'", name), what));
+    scene_.left_out.first.push_back(fmt::format("{}: {}{} {}", where(element).text(), excerpt(element.name()),
+                                                name.empty() ? "" : fmt::format(" '{}'", excerpt(name)), what));
   }
   void leave_out(const xml_node& element, const std::string& why) { tell(element, "is not read: " + why); }
 
@@ -115,8 +145,7 @@ class Reader {
       const char* digits = *at == '+' ? at + 1 : at;
       const auto [stop, error] = std::from_chars(digits, end, x);
       if (error != std::errc() || stop != end || !std::isfinite(x))
-        throw InputError(where(element), key,
-                         fmt::format("expected finite numbers, got '{}'", std::string_view(at, end)));
+        throw InputError(where(element), key, fmt::format("expected finite numbers, got '{}'", excerpt({at, end})));
       all.push_back(x);
       at = end;
     }
@@ -126,7 +155,8 @@ class Reader {
     if (!element.attribute(key)) return otherwise;
     const auto all = numbers(element, key);
     if (all.size() != 1)
-      throw InputError(where(element), key, fmt::format("expected a number, got '{}'", element.attribute(key).value()));
+      throw InputError(where(element), key,
+                       fmt::format("expected a number, got '{}'", excerpt(element.attribute(key).value())));
     return all.front();
   }
   /// SOFA reads these attributes as single precision, and as no more than their first number.
@@ -139,7 +169,7 @@ class Reader {
     const auto all = numbers(element, key);
     if (all.size() != 3)
       throw InputError(where(element), key,
-                       fmt::format("expected 3 numbers, got '{}'", element.attribute(key).value()));
+                       fmt::format("expected 3 numbers, got '{}'", excerpt(element.attribute(key).value())));
     return {all[0], all[1], all[2]};
   }
   [[nodiscard]] bool truth(const xml_node& element, const char* key, bool otherwise) const {
@@ -147,7 +177,7 @@ class Reader {
     if (text.empty()) return otherwise;
     if (text == "1" || text == "true" || text == "True" || text == "TRUE") return true;
     if (text == "0" || text == "false" || text == "False" || text == "FALSE") return false;
-    throw InputError(where(element), key, fmt::format("expected 0, 1, true or false, got '{}'", text));
+    throw InputError(where(element), key, fmt::format("expected 0, 1, true or false, got '{}'", excerpt(text)));
   }
   [[nodiscard]] double distance(const xml_node& element, const char* key, double otherwise) const {
     const double x = number(element, key, otherwise);
@@ -158,22 +188,42 @@ class Reader {
 
   // The component that a link names: @[-2].position, @name.position, @../node/name.position.
 
-  [[nodiscard]] static xml_node named(const xml_node& node, std::string_view name, bool is_child) {
-    for (const xml_node& element : node.children())
-      if (is_node(element) == is_child && element.attribute("name").value() == name) return element;
-    return {};
+  /// What stands in a node, by name and in order. Where names are given twice, the first counts.
+  struct Inside {
+    std::unordered_map<std::string_view, xml_node> nodes;
+    std::unordered_map<std::string_view, xml_node> named;
+    std::vector<xml_node> components;
+    std::unordered_map<const void*, std::size_t> place;  ///< of a component
+  };
+  static const void* key(const xml_node& node) { return node.internal_object(); }
+  [[nodiscard]] const Inside& inside(const xml_node& node) {
+    const auto [found, is_new] = inside_.try_emplace(key(node));
+    if (!is_new) return found->second;
+    for (const xml_node& element : node.children()) {
+      if (element.type() != pugi::node_element) continue;
+      const std::string_view name = element.attribute("name").value();
+      if (is_node(element)) {
+        found->second.nodes.emplace(name, element);
+        continue;
+      }
+      found->second.named.emplace(name, element);
+      found->second.place.emplace(key(element), found->second.components.size());
+      found->second.components.push_back(element);
+    }
+    return found->second;
   }
-  [[nodiscard]] xml_node component(const xml_node& from, std::string_view path) const {
+  static xml_node at(const std::unordered_map<std::string_view, xml_node>& all, std::string_view name) {
+    const auto found = all.find(name);
+    return found == all.end() ? xml_node() : found->second;
+  }
+  [[nodiscard]] xml_node component(const xml_node& from, std::string_view path) {
     xml_node node = from.parent();
     if (path.starts_with("[-")) {
-      int back = 0;
-      std::from_chars(path.data() + 2, path.data() + path.size(), back);
-      xml_node element = from;
-      while (back > 0 && element) {
-        element = element.previous_sibling();
-        if (element.type() == pugi::node_element && !is_node(element)) --back;
-      }
-      return element;
+      const Inside& beside = inside(node);
+      const auto back = formats::whole_number<std::size_t>(path.substr(2, path.find(']') - 2));
+      const auto own = beside.place.find(key(from));
+      if (!back || own == beside.place.end() || *back > own->second) return {};
+      return beside.components[own->second - *back];
     }
     if (path.starts_with('/')) {
       node = document_.child("Node");
@@ -186,10 +236,10 @@ class Reader {
       if (part == "..")
         node = node.parent();
       else if (part != ".")
-        node = named(node, part, true);
+        node = at(inside(node).nodes, part);
     }
     for (xml_node in = node; in; in = in.parent()) {
-      if (const xml_node found = named(in, path, false)) return found;
+      if (const xml_node found = at(inside(in).named, path)) return found;
       if (!upwards) break;
     }
     return {};
@@ -199,7 +249,7 @@ class Reader {
     std::string data;
   };
   /// Nothing where the attribute is no link.
-  [[nodiscard]] std::optional<Link> link(const xml_node& element, const char* key) const {
+  [[nodiscard]] std::optional<Link> link(const xml_node& element, const char* key) {
     std::string_view text = element.attribute(key).value();
     if (!text.starts_with('@')) return std::nullopt;
     text.remove_prefix(1);
@@ -222,12 +272,22 @@ class Reader {
         if (fs::exists(above / share / name, error)) return above / share / name;
     return std::nullopt;
   }
-  [[nodiscard]] Read<Spheres> spheres_of(const xml_node& loader) const {
+  /// As the loader has them: read once, whoever asks.
+  [[nodiscard]] const Read<Spheres>& spheres_of(const xml_node& loader) {
+    const auto [found, is_new] = spheres_.try_emplace(key(loader));
+    if (is_new) found->second = loaded(loader);
+    return found->second;
+  }
+  [[nodiscard]] Read<Spheres> loaded(const xml_node& loader) const {
     if (!loader) return Unread{"the link leads to no component of this file"};
-    if (!is(loader, "SphereLoader")) return Unread{fmt::format("it takes data of a {}", loader.name())};
+    if (!is(loader, "SphereLoader")) return Unread{fmt::format("it takes data of a {}", excerpt(loader.name()))};
     const std::string name = loader.attribute("filename").value();
     const auto file = found(name);
-    if (!file) return Unread{fmt::format("'{}' is neither beside the scene nor in a folder share above it", name)};
+    if (!file)
+      return Unread{fmt::format("'{}' is neither beside the scene nor in a folder share above it", excerpt(name))};
+    // What waits, as a pipe does, and what has no end, as a device may, are no meshes.
+    if (std::error_code error; !fs::is_regular_file(*file, error))
+      throw InputError(where(loader), "filename", fmt::format("is no regular file, got '{}'", excerpt(name)));
     Spheres spheres;
     InputLines lines(file->string());
     while (lines.next()) {
@@ -239,7 +299,8 @@ class Reader {
       Vector3 center;
       double radius = 0;
       if (!(words >> index >> center[0] >> center[1] >> center[2] >> radius))
-        throw InputError(lines.where(), "sphe", fmt::format("expected an index and 4 numbers, got '{}'", lines.text()));
+        throw InputError(lines.where(), "sphe",
+                         fmt::format("expected an index and 4 numbers, got '{}'", excerpt(lines.text())));
       spheres.centers.push_back(center);
       spheres.radii.push_back(radius);
     }
@@ -255,9 +316,12 @@ class Reader {
     if (grid.attribute("n")) n = vector(grid, "n", {2, 2, 2}).array();
     if (grid.attribute("nx") && grid.attribute("ny") && grid.attribute("nz"))
       n = {number(grid, "nx", 2), number(grid, "ny", 2), number(grid, "nz", 2)};
-    constexpr double kMost = 1e7;
-    if (!(n >= 1).all() || n.prod() > kMost || (n != n.round()).any())
-      throw InputError(where(grid), "n", fmt::format("expected 3 counts from 1 and at most {} points", kMost));
+    std::array<int, 3> counts{};
+    for (std::size_t i = 0; i < 3; ++i)
+      counts[i] = formats::require_whole_number<int>(n[static_cast<Index>(i)], where(grid), "n", 1,
+                                                     static_cast<int>(kMostSpheres));
+    if (n.prod() > static_cast<double>(kMostSpheres))
+      throw InputError(where(grid), "n", fmt::format("expected at most {} points, got {:.0f}", kMostSpheres, n.prod()));
     if (grid.attribute("cellWidth") || grid.attribute("p0")) return Unread{"its grid has a cellWidth or a p0"};
     Vector3 least = vector(grid, "min", {0, 0, 0});
     Vector3 most = vector(grid, "max", {1, 1, 1});
@@ -278,9 +342,9 @@ class Reader {
       if (n[i] == 1 && i < 2) first[i] = (most[i] + least[i]) / 2;
     }
     Positions points;
-    for (int z = 0; z < n[2]; ++z)
-      for (int y = 0; y < n[1]; ++y)
-        for (int x = 0; x < n[0]; ++x)
+    for (int z = 0; z < counts[2]; ++z)
+      for (int y = 0; y < counts[1]; ++y)
+        for (int x = 0; x < counts[0]; ++x)
           points.centers.emplace_back(first[0] + step[0] * x, first[1] + step[1] * y, first[2] + step[2] * z);
     return points;
   }
@@ -288,25 +352,25 @@ class Reader {
   // States.
 
   /// The positions that a state is given, before they are moved.
-  [[nodiscard]] Read<Positions> given(const xml_node& state) const {
+  [[nodiscard]] Read<Positions> given(const xml_node& state) {
     const bool rigid = std::string_view(state.attribute("template").value()).starts_with("Rigid");
     Positions positions;
     if (const auto from = link(state, "position")) {
       if (from->data != "position" && from->data != "sphere_centers")
-        return Unread{fmt::format("its positions are '{}'", state.attribute("position").value())};
-      auto spheres = spheres_of(from->to);
+        return Unread{fmt::format("its positions are '{}'", excerpt(state.attribute("position").value()))};
+      const auto& spheres = spheres_of(from->to);
       if (const Unread* why = unread(spheres)) return *why;
-      positions.centers = std::get<Spheres>(std::move(spheres)).centers;
+      positions.centers = std::get<Spheres>(spheres).centers;
       return positions;
     }
     if (const auto from = link(state, "src")) {
-      auto spheres = spheres_of(from->to);
+      const auto& spheres = spheres_of(from->to);
       if (const Unread* why = unread(spheres)) return *why;
-      positions.centers = std::get<Spheres>(std::move(spheres)).centers;
+      positions.centers = std::get<Spheres>(spheres).centers;
       return positions;
     }
     const char* key = state.attribute("position") ? "position" : "rest_position";
-    if (link(state, key)) return Unread{fmt::format("its positions are '{}'", state.attribute(key).value())};
+    if (link(state, key)) return Unread{fmt::format("its positions are '{}'", excerpt(state.attribute(key).value()))};
     const auto all = numbers(state, key);
     const std::size_t width = rigid ? 7 : 3;
     if (all.size() % width != 0)
@@ -321,7 +385,7 @@ class Reader {
         if (is(beside, "RegularGridTopology") || is(beside, "RegularGrid")) return grid_of(beside);
         const std::string_view type = beside.name();
         if (type.ends_with("Topology") || type.ends_with("TopologyContainer"))
-          return Unread{fmt::format("its positions are those of a {}", type)};
+          return Unread{fmt::format("its positions are those of a {}", excerpt(type))};
       }
     }
     if (positions.centers.empty()) {  // a state that is told nothing has one point
@@ -355,16 +419,24 @@ class Reader {
     }
   }
   /// The state of a node, or of the nearest one above it.
-  [[nodiscard]] static xml_node state_of(xml_node node) {
-    for (; node && is_node(node); node = node.parent())
-      if (const xml_node state = node.child("MechanicalObject")) return state;
+  [[nodiscard]] xml_node state_of(xml_node node) {
+    for (; node && is_node(node); node = node.parent()) {
+      const auto [found, is_new] = states_.try_emplace(key(node));
+      if (is_new) found->second = node.child("MechanicalObject");
+      if (found->second) return found->second;
+    }
     return {};
   }
-  [[nodiscard]] Read<Positions> positions_of(const xml_node& state) const {
+  /// Worked out once, however many models take them.
+  [[nodiscard]] const Read<Positions>& positions_of(const xml_node& state) {
+    if (const auto found = positions_.find(key(state)); found != positions_.end()) return found->second;
+    return positions_.emplace(key(state), moved(state)).first->second;
+  }
+  [[nodiscard]] Read<Positions> moved(const xml_node& state) {
     if (!state) return Unread{"no MechanicalObject is in its node or above it"};
     const std::string_view kind = state.attribute("template").value();
     if (!kind.empty() && !kind.starts_with("Vec3") && !kind.starts_with("Rigid3") && kind != "Rigid")
-      return Unread{fmt::format("its state is a MechanicalObject of {}", kind)};
+      return Unread{fmt::format("its state is a MechanicalObject of {}", excerpt(kind))};
     const xml_node node = state.parent();
     xml_node mapping;
     for (const xml_node& element : node.children())
@@ -375,10 +447,11 @@ class Reader {
     auto& own = std::get<Positions>(positions);
     move(state, own);
     if (!mapping || is(mapping, "BarycentricMapping")) return positions;  // which leaves them where they are
-    if (!is(mapping, "RigidMapping")) return Unread{fmt::format("its positions come from a {}", mapping.name())};
+    if (!is(mapping, "RigidMapping"))
+      return Unread{fmt::format("its positions come from a {}", excerpt(mapping.name()))};
     for (const char* key : {"initialPoints", "rigidIndexPerPoint", "filename", "globalToLocalCoords", "index"})
       if (mapping.attribute(key)) return Unread{fmt::format("its RigidMapping has the attribute {}", key)};
-    auto above = positions_of(state_of(node.parent()));
+    const auto& above = positions_of(state_of(node.parent()));
     if (unread(above)) return above;
     const auto& frames = std::get<Positions>(above);
     if (!frames.orientations) return Unread{"its RigidMapping has no rigid state above it"};
@@ -388,33 +461,28 @@ class Reader {
 
   // Models.
 
-  [[nodiscard]] Read<std::vector<double>> radii_of(const xml_node& spheres, std::size_t count) const {
+  [[nodiscard]] Read<std::vector<double>> radii_of(const xml_node& spheres, std::size_t count) {
     std::vector<double> radii;
     if (const auto from = link(spheres, "listRadius")) {
-      auto loaded = spheres_of(from->to);
+      const auto& loaded = spheres_of(from->to);
       if (const Unread* why = unread(loaded)) return Unread{"listRadius: " + why->why};
-      radii = std::get<Spheres>(std::move(loaded)).radii;
+      radii = std::get<Spheres>(loaded).radii;
     } else {
       radii = numbers(spheres, "listRadius");
     }
-    if (link(spheres, "radius")) return Unread{fmt::format("its radius is '{}'", spheres.attribute("radius").value())};
+    if (link(spheres, "radius"))
+      return Unread{fmt::format("its radius is '{}'", excerpt(spheres.attribute("radius").value()))};
     radii.resize(count, number(spheres, "radius", 1));
     return radii;
   }
-  /// As SOFA names what has no name: by its type, numbered from 1 within its node.
-  [[nodiscard]] static std::string name_of(const xml_node& element) {
-    const std::string_view given = element.attribute("name").value();
-    if (!given.empty()) return std::string(given);
-    std::size_t number = 1;
-    for (xml_node before = element; (before = before.previous_sibling(element.name()));)
-      if (std::string_view(before.attribute("name").value()).empty()) ++number;
-    return element.name() + std::to_string(number);
-  }
-  void read_spheres(const xml_node& spheres, const std::string& node) {
+  void read_spheres(const xml_node& spheres, std::string name, const std::string& node, const Pipelines& pipelines) {
     if (!truth(spheres, "active", true)) return leave_out(spheres, "active=\"0\"");
-    auto positions = positions_of(state_of(spheres.parent()));
+    const auto& positions = positions_of(state_of(spheres.parent()));
     if (const Unread* why = unread(positions)) return leave_out(spheres, why->why);
     const auto& at = std::get<Positions>(positions);
+    if (at.centers.size() > kMostSpheres - all_spheres_)
+      throw InputError(where(spheres), "", fmt::format("more than {} spheres in one scene", kMostSpheres));
+    all_spheres_ += at.centers.size();
     auto radii = radii_of(spheres, at.centers.size());
     if (const Unread* why = unread(radii)) return leave_out(spheres, why->why);
     const auto count = static_cast<Index>(at.centers.size());
@@ -429,13 +497,13 @@ class Reader {
         turns.row(i) = (*at.orientations)[static_cast<std::size_t>(i)].coeffs().transpose();
       columns["orientations"] = turns;
     }
-    std::string name = node + "/" + name_of(spheres);
     MeetingRules rules{.node = node + "/",
                        .groups = {},
                        .simulated = truth(spheres, "simulated", true),
                        .self_collision = truth(spheres, "selfCollision", false),
-                       .pipelines = pipelines_of(spheres)};
-    for (const double group : numbers(spheres, "group")) rules.groups.insert(static_cast<int>(group));
+                       .pipelines = with_named(spheres, pipelines)};
+    for (const double group : numbers(spheres, "group"))
+      rules.groups.insert(formats::require_whole_number<int>(group, where(spheres), "group"));
     try {
       scene_.models.push_back(
           {factory_.make(at.orientations ? "RigidSphereModel" : "SphereCollisionModel", std::move(name), columns),
@@ -445,58 +513,76 @@ class Reader {
     }
   }
 
-  void read_node(const xml_node& node, const std::string& path) {
-    std::size_t unnamed = 0;
+  void read_node(const xml_node& node, const std::string& path, const Pipelines& above) {
+    const Pipelines pipelines = with_own(node, above);
+    std::size_t nodes = 0;
+    std::size_t spheres = 0;
+    // As SOFA names what has no name: by its type, numbered from 1 within its node.
+    const auto named = [&](const xml_node& element, std::size_t& unnamed, const char* type) {
+      const std::string_view name = element.attribute("name").value();
+      return path + "/" + (name.empty() ? fmt::format("{}{}", type, ++unnamed) : std::string(name));
+    };
     for (const xml_node& element : node.children()) {
       if (element.type() != pugi::node_element) continue;
+      throw_if_interrupted();
       const std::string_view type = element.name();
       if (is_node(element)) {
-        const std::string_view name = element.attribute("name").value();
-        read_node(element, path + "/" + (name.empty() ? fmt::format("Node{}", ++unnamed) : std::string(name)));
+        read_node(element, named(element, nodes, "Node"), pipelines);
       } else if (type == "SphereCollisionModel") {
-        read_spheres(element, path);
+        read_spheres(element, named(element, spheres, "SphereCollisionModel"), path, pipelines);
       } else if (type == "CubeCollisionModel") {
         leave_out(element, "SOFA makes its boxes around other models, and reads none from a scene");
       } else if (type.ends_with("CollisionModel")) {
         leave_out(element, "only spheres are");
       } else if (type == "include") {
-        leave_out(element, fmt::format("give '{}' too", element.attribute("href").value()));
+        leave_out(element, fmt::format("give '{}' too", excerpt(element.attribute("href").value())));
       }
     }
   }
 
-  // Pipelines: a CollisionPipeline has the models below its node, a SubCollisionPipeline those that it names.
+  // Pipelines: a CollisionPipeline has the models below its node, a SubCollisionPipeline those that it names. Several
+  // of a node have the same models, and count as one.
 
   void find_pipelines(const xml_node& node) {
     for (const xml_node& element : node.children()) {
+      throw_if_interrupted();
       const std::string_view type = element.name();
       if (is_node(element)) find_pipelines(element);
-      if (type == "CollisionPipeline" || type == "DefaultPipeline" || type == "SubCollisionPipeline")
-        pipelines_.push_back(element);
-    }
-  }
-  [[nodiscard]] bool has(const xml_node& pipeline, const xml_node& model) const {
-    if (!is(pipeline, "SubCollisionPipeline")) {
-      xml_node node = model.parent();
-      while (node && node != pipeline.parent()) node = node.parent();
-      return !node.empty();
-    }
-    std::istringstream links(pipeline.attribute("collisionModels").value());
-    for (std::string name; links >> name;)
-      if (component(pipeline, std::string_view(name).substr(name.starts_with('@') ? 1 : 0)) == model) return true;
-    return false;
-  }
-  [[nodiscard]] std::optional<std::set<std::string>> pipelines_of(const xml_node& model) const {
-    if (pipelines_.empty()) return std::nullopt;
-    std::set<std::string> all;
-    for (std::size_t i = 0; i < pipelines_.size(); ++i)
-      if (has(pipelines_[i], model)) {
-        // The roots of several files are one root.
-        const bool of_root =
-            pipelines_[i].parent() == document_.child("Node") && !is(pipelines_[i], "SubCollisionPipeline");
-        all.insert(of_root ? "root" : fmt::format("{}#{}", path_, i));
+      const bool names_models = type == "SubCollisionPipeline";
+      if (!names_models && type != "CollisionPipeline" && type != "DefaultPipeline") continue;
+      // The roots of several files are one root.
+      const bool of_root = node == document_.child("Node") && !names_models;
+      const std::string id = of_root ? "root" : fmt::format("{}#{}", path_, ++pipelines_count_);
+      if (!names_models) {
+        pipelines_.try_emplace(key(node), id);
+        continue;
       }
-    return all;
+      pipelines_.try_emplace(key(element), id);
+      std::istringstream links(element.attribute("collisionModels").value());
+      for (std::string name; links >> name;)
+        if (const xml_node model = component(element, std::string_view(name).substr(name.starts_with('@') ? 1 : 0)))
+          naming_[key(model)].insert(id);
+    }
+  }
+  /// The pipelines of what stands in a node, from those of the node above.
+  [[nodiscard]] Pipelines with_own(const xml_node& node, const Pipelines& above) {
+    const auto own = pipelines_.find(key(node));
+    if (own == pipelines_.end() || above->contains(own->second)) return above;
+    std::set<std::string> all = *above;
+    all.insert(own->second);
+    return shared(std::move(all));
+  }
+  [[nodiscard]] Pipelines with_named(const xml_node& model, const Pipelines& of_node) {
+    const auto naming = naming_.find(key(model));
+    if (naming == naming_.end()) return of_node;
+    std::set<std::string> all = *of_node;
+    all.insert(naming->second.begin(), naming->second.end());
+    return shared(std::move(all));
+  }
+  [[nodiscard]] Pipelines shared(std::set<std::string> all) {
+    Pipelines& one = sets_[all];
+    if (!one) one = std::make_shared<const std::set<std::string>>(std::move(all));
+    return one;
   }
 
   /// Those of the first intersection component, down the tree: the one that SOFA's pipeline takes.
@@ -517,8 +603,17 @@ class Reader {
   std::string path_;
   std::string text_;
   const ModelFactory& factory_;
+  std::vector<std::size_t> feeds_;  ///< where the line feeds are
   pugi::xml_document document_;
-  std::vector<xml_node> pipelines_;
+  std::unordered_map<const void*, Inside> inside_;
+  std::unordered_map<const void*, Read<Spheres>> spheres_;      ///< of loaders
+  std::unordered_map<const void*, xml_node> states_;            ///< of nodes, their own
+  std::unordered_map<const void*, Read<Positions>> positions_;  ///< of states
+  std::unordered_map<const void*, std::string> pipelines_;      ///< by the node that they stand in, or by themselves
+  std::size_t pipelines_count_ = 0;
+  std::unordered_map<const void*, std::set<std::string>> naming_;  ///< the pipelines that name a model
+  std::map<std::set<std::string>, Pipelines> sets_;
+  std::size_t all_spheres_ = 0;
   SofaScene scene_;
 };
 
@@ -533,6 +628,18 @@ bool may_meet(const MeetingRules& first, const MeetingRules& second) {
   if (!first.node.empty() && first.node == second.node) return first.self_collision && second.self_collision;
   return std::none_of(first.groups.begin(), first.groups.end(),
                       [&](int group) { return second.groups.contains(group); });
+}
+
+void LeftOut::add(const LeftOut& more) {
+  all += more.all;
+  for (const std::string& one : more.first)
+    if (!is_full()) first.push_back(one);
+}
+
+std::string LeftOut::text() const {
+  std::string text = fmt::format("{}", fmt::join(first, "\n"));
+  if (all > first.size()) text += fmt::format("\nand {} more that are not read as they stand", all - first.size());
+  return text;
 }
 
 bool is_sofa_scene(std::string_view path) { return path.ends_with(".scn"); }
