@@ -386,6 +386,17 @@ class Resealed(Case):
         self.put(certificate, ("environment", "processor"), "abacus")
         self.holds("stated, not checked: the environment and the day of issue")
 
+    def test_what_cannot_be_derived_has_its_form(self):
+        certificate = self.small()
+        for keys, value, words in ((("issued",), "2020-13-01", "issued: expected a day"), (("issued",), "9999-12-31", "issued: a day to come"),
+                                   (("engine", "kind"), "oracle", "engine.kind: expected one of adapter, built-in, command"),
+                                   (("engine", "kind"), "library", "engine.kind: a command line belongs to"),
+                                   (("engine", "files", 0, "sha256"), "0" * 63, "sha256: expected 64 hexadecimal digits"),
+                                   (("engine", "files", 0, "sha256"), "G" * 64, "sha256: expected 64 hexadecimal digits")):
+            with self.subTest(keys=keys, value=value):
+                self.put(certificate, keys, value)
+                self.refused(words)
+
     def test_the_engines_file_is_checked_where_it_is(self):
         self.small()
         self.engine.write_text(self.engine.read_text() + "# changed\n")

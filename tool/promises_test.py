@@ -10,6 +10,7 @@ import math
 import os
 import re
 import shlex
+import subprocess
 import sys
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -611,12 +612,15 @@ class Determinism(Case):
         self.refused("--threads", args=["serve", "--threads", 0])
 
 
+COMMITTED = ("issued", "profile", "published", "generator", "seed", "nonce", "sources")  # of a key, in this order
+
+
 class Exams(Case):
     def set_exam(self, *options, name="", families="generic,touching", seed=340174611297):
         self.exam, self.key = self.folder / f"exam{name}.jsonl", self.folder / f"key{name}.json"
         seeds = [] if seed is None else ["--seed", seed]
         return self.holds("exam", "new", "-o", self.exam, "--key", self.key, "--pair", "sphere_sphere", "--family", families, "--count", 6,
-                          *seeds, *options)
+                          *seeds, *options, env=PAST)
 
     def take(self, *engine, exam=None):
         self.taken = self.folder / "taken.jsonl"
@@ -686,7 +690,7 @@ class Exams(Case):
     def test_the_commitment_is_the_digest_of_all_that_makes_the_questions(self):
         self.set_exam()
         key = self.key_json()
-        committed = {name: key[name] for name in ("generator", "seed", "nonce", "sources")}
+        committed = {name: key[name] for name in COMMITTED}
         self.assertEqual(key["commitment"], sha256(line(committed)))
         self.assertEqual(json.loads(self.exam.read_text().splitlines()[0])["commitment"], key["commitment"])
 
@@ -695,7 +699,8 @@ class Exams(Case):
         self.take()
         self.close()
         certificate = json.loads(self.certificate.read_text())
-        self.assertEqual(certificate["exam"], {name: self.key_json()[name] for name in ("commitment", "nonce", "questions")})
+        self.assertEqual(certificate["exam"], {**{name: self.key_json()[name] for name in ("commitment", "issued", "nonce", "profile", "questions")},
+                                               "published": None})
         made = set()
         for source in certificate["questions"]["sources"]:
             path = self.folder / "made.jsonl"
@@ -727,6 +732,74 @@ class Exams(Case):
         self.assertEqual(self.key_json()["used"], {"on": "2020-09-13", "answers": sha256(self.taken.read_text())})
         self.refused("2020-09-13", sha256(self.taken.read_text()), "an exam is closed once", args=self.closing())
 
+    def test_of_several_that_close_an_exam_at_once_one_does(self):
+        self.set_exam(families="generic,touching,near_touching")
+        self.take()
+        for attempt in range(3):
+            key = json.loads(self.key.read_text())
+            closing = [subprocess.Popen([TOOL, *map(str, self.closing("--certificate", self.folder / f"c{i}.json"))], stdout=subprocess.PIPE,
+                                        stderr=subprocess.PIPE, text=True) for i in range(4)]
+            done = [(*process.communicate(timeout=120), process.returncode) for process in closing]
+            self.assertEqual(sorted(code for _, _, code in done), [0, 2, 2, 2], done)
+            self.assertTrue(all("an exam is closed once" in said for _, said, code in done if code == 2), done)
+            self.assertEqual(len(list(self.folder.glob("c?.json"))), 1)
+            self.file(self.key.name, line({**key, "used": None}))  # a copy from before: no file can forbid it
+            for path in self.folder.glob("c?.json"):
+                path.unlink()
+
+    def test_an_exam_is_held_against_the_line_that_was_published(self):
+        done = run("exam", "new", "-o", self.folder / "exam.jsonl", "--key", self.folder / "key.json", "--pair", "sphere_sphere",
+                   "--family", "generic", "--count", 6, "--commit", env=PAST)
+        self.assertEqual(done.returncode, 0)
+        self.exam, self.key = self.folder / "exam.jsonl", self.folder / "key.json"
+        [said] = done.stdout.splitlines()  # nothing else, so that a tag's message can be made of it
+        header = json.loads(self.exam.read_text().splitlines()[0])
+        self.assertEqual(said, f"contact-oracle exam: commitment {header['commitment']} questions {header['questions']}")
+        self.take()
+        self.assertIn(f"the line to hold it against: {said}", self.close())
+        self.assertEqual({name: json.loads(self.certificate.read_text())["exam"][name] for name in ("issued", "profile", "published")},
+                         {"issued": "2020-09-13", "profile": None, "published": said})
+        self.assertIn("when the line was published", self.holds("verify", self.certificate, "--commitment", said + "\n"))
+        self.assertIn("whether the line that the exam commits by was published", self.holds("verify", self.certificate))
+        for place, name in ((said.index("commitment ") + 11, "commitment"), (len(said) - 1, "questions")):
+            other = said[:place] + ("0" if said[place] != "0" else "1") + said[place + 1:]
+            self.assertIn(f"/exam/{name}", self.refuted("verify", self.certificate, "--commitment", other))
+        for other in ("", "x", said[:-1], said + " x", said.upper()):
+            self.refused("--commitment", args=["verify", self.certificate, "--commitment", other])
+        # What it states of its key is what it commits to.
+        for old, new in (('"issued":"2020-09-13","nonce"', '"issued":"2020-09-12","nonce"'), ('"profile":null', '"profile":"game"'),
+                         (f'"published":"{said}"', '"published":null')):
+            with self.subTest(new):
+                self.reseal(lambda text: text.replace(old, new))
+                self.assertIn("/exam/commitment", self.refuted("verify", self.certificate))
+                self.reseal(lambda text: text.replace(new, old))
+        self.reseal(lambda text: text.replace('"issued":"2020-09-13","nonce"', '"issued":"2020-09-14","nonce"'))
+        self.refused("exam.issued: it was closed on 2020-09-13", args=["verify", self.certificate])
+
+    def test_where_nothing_was_published_the_certificate_says_so(self):
+        self.set_exam()
+        self.take()
+        self.assertIn("nothing was published before the answers", self.close())
+        self.assertIsNone(json.loads(self.certificate.read_text())["exam"]["published"])
+        self.assertIn("not checked: that the exam was set before its answers: nothing was published", self.holds("verify", self.certificate))
+        self.certificate = self.folder / "other.json"
+        self.holds("certify", GENERIC, "--engine", "production", "--certificate", self.certificate)
+        self.refused("is a certificate of no exam", args=["verify", self.certificate, "--commitment",
+                                                         f"contact-oracle exam: commitment {'0' * 64} questions {'0' * 64}"])
+
+    def test_a_key_of_the_first_version_is_closed_as_ever(self):
+        self.set_exam()
+        self.take()
+        key = {name: value for name, value in self.key_json().items() if name != "published"}
+        key["commitment"] = sha256(line({name: key[name] for name in ("generator", "seed", "nonce", "sources")}))
+        self.file(self.key.name, line({**key, "version": 1}))
+        header, *questions = self.exam.read_text().splitlines(True)
+        self.file(self.exam.name, header.replace(json.loads(header)["commitment"], key["commitment"]) + "".join(questions))
+        self.close()
+        self.assertEqual(sorted(json.loads(self.certificate.read_text())["exam"]), ["commitment", "nonce", "questions"])
+        self.assertEqual(self.key_json(), {**key, "version": 1, "used": {"on": "2020-09-13", "answers": sha256(self.taken.read_text())}})
+        self.holds("verify", self.certificate, "--exam", self.exam)
+
     def test_a_key_is_never_written_over(self):
         self.set_exam()
         self.refused(self.key, "is there already", args=["exam", "new", "-o", self.folder / "other.jsonl", "--key", self.key,
@@ -744,17 +817,19 @@ class Exams(Case):
         key = json.loads(whole)
         other = "0" * 64
         more = [{**key["sources"][0], "count": 5}, key["sources"][1]]
-        changes = {"seed": key["seed"] ^ 1, "nonce": other, "sources": more, "commitment": other, "questions": other,
-                   "generator": "contact-oracle 0.0.0", "version": 2, "format": "contact-oracle/exam", "used": {"on": "2020-09-13"},
-                   "issued": "today"}
+        changes = {"issued": "2020-09-12", "profile": "game", "published": not key["published"], "seed": key["seed"] ^ 1, "nonce": other, "sources": more, "commitment": other, "questions": other,
+                   "generator": "contact-oracle 0.0.0", "version": 3, "format": "contact-oracle/exam", "used": {"on": "2020-09-13"}}
         for name, value in changes.items():
             with self.subTest(name):
                 self.file(self.key.name, line({**key, name: value}))
                 # What the digest is of says only that it is another.
-                self.refused(self.key.name, "commitment" if name in ("seed", "nonce", "sources") else name, args=self.closing())
+                self.refused(self.key.name, "commitment" if name in ("issued", "profile", "published", "seed", "nonce", "sources") else name,
+                             args=self.closing())
+        self.file(self.key.name, line({**key, "issued": "today"}))
+        self.refused("issued: expected a day", args=self.closing())
         # Bound anew, it is the key of other questions, and not of this exam.
         again = {**key, "seed": key["seed"] ^ 1}
-        again["commitment"] = sha256(line({name: again[name] for name in ("generator", "seed", "nonce", "sources")}))
+        again["commitment"] = sha256(line({name: again[name] for name in COMMITTED}))
         self.file(self.key.name, line(again))
         self.refused("questions", "the key was changed", args=self.closing())
         for length in (0, 1, len(whole) // 2, len(whole) - 2):
@@ -880,7 +955,7 @@ class Exams(Case):
                     one["contact"]["value"] += off
             self.file("taken.jsonl", [header, *said])
             printed = self.close(code=code)
-            self.assertIn("within length 0.001, relative 1e-05, angle 0.01, for numbers from 0.0001 to 10000", printed.splitlines()[-4])
+            self.assertIn("within length 0.001, relative 1e-05, angle 0.01, for numbers from 0.0001 to 10000", printed.splitlines()[-5])
             self.assertEqual(json.loads(self.certificate.read_text())["found"]["tolerance"]["length"], 1e-3)
             self.assertIn("HOLDS", self.holds("verify", self.certificate, "--exam", self.exam))
 

@@ -34,6 +34,7 @@ struct NewOptions {
   std::uint64_t count = 0;
   std::string scalar;
   std::optional<std::uint64_t> seed;
+  bool commit = false;
 };
 
 constexpr std::uint64_t kQuestionsOfAFamily = 100;
@@ -78,21 +79,22 @@ void make_new(const NewOptions& o) {
   ExamFile exam(o.output);
   formats::OutputFile key_file(o.key);
   ExamKey key;
-  key.issued = issue_date();
-  key.profile = o.profile;
-  key.nonce = chance(64);
+  key.terms = {chance(64), issue_date(), o.profile, o.commit};
   key.sources = sources_of(o, seed_or_fresh(o.seed));
-  const ExamDigest questions = exam_digest(key.sources, key.nonce);
+  const ExamDigest questions = exam_digest(key.sources, key.terms.nonce);
   key.questions = questions.sha256;
-  const std::string commitment = commitment_of(key.sources, key.nonce);
+  const std::string commitment = commitment_of(key.sources, key.terms);
   exam.write(key, questions);
   key_file.write(key_text(key));
   // The key first: questions without one could not be judged.
   key_file.commit();
   exam.commit();
+  // The line is data, for a tag or a mail.
+  if (o.commit) keep_output_for_data();
   fmt::print(words(),
              "{}: {} questions of {} families\n{}: keep it to yourself until the exam is closed\ncommitment {}\n",
              o.output, questions.count, key.sources.size(), o.key, commitment);
+  if (o.commit) fmt::print("{}\n", published_line(commitment, questions.sha256));
 }
 
 struct TakeOptions {
@@ -140,21 +142,60 @@ struct CloseOptions {
   CertificateOptions certificate;
 };
 
+void require_same(const std::string& file, const ExamKey& key) {
+  const Exam exam = read_exam(file);
+  if (exam.commitment != commitment_of(key.sources, key.terms))
+    throw InputError({file, 1}, "commitment", "is not that of the key: another exam, or it was changed");
+  if (exam.questions != key.questions)
+    throw InputError({file, 1}, "questions", "are not those of the key: the exam was changed");
+}
+
+void write_key(const std::string& path, const std::string& text) {
+  formats::OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+/// Marks a key as used. Where nothing comes of it, not even a verdict that somebody could have seen, it is as it was.
+class Use {
+ public:
+  Use(std::string path, const ExamKey& key, const std::string& answers)
+      : path_(std::move(path)), before_(formats::read_text(path_)) {
+    ExamKey used = key;
+    used.used_on = issue_date();
+    used.used_for = answers;
+    write_key(path_, key_text(used));
+  }
+  Use(const Use&) = delete;
+  Use& operator=(const Use&) = delete;
+  ~Use() {
+    if (stands_) return;
+    try {
+      write_key(path_, before_);
+    } catch (const std::exception& error) {
+      fmt::print(stderr, "contact-oracle: {}\n", error.what());
+    }
+  }
+  void let_stand() { stands_ = true; }
+
+ private:
+  std::string path_;
+  std::string before_;
+  bool stands_ = false;
+};
+
 int close(const CloseOptions& o) {
   require_apart({o.reports.html, o.reports.json, o.reports.junit, o.reports.markdown, o.certificate.certificate},
                 {o.key, o.exam, o.engine.results});
-  ExamKey key = read_key(o.key);
+  const HeldKey held(o.key);
+  const ExamKey key = read_key(o.key);
   if (!key.used_on.empty())
     throw InputError({o.key, 0}, "used",
                      fmt::format("this key was used on {}, for the answers with SHA-256 {}: an exam is closed once",
                                  key.used_on, key.used_for));
-  if (!o.exam.empty()) {
-    const Exam exam = read_exam(o.exam);
-    if (exam.commitment != commitment_of(key.sources, key.nonce))
-      throw InputError({o.exam, 1}, "commitment", "is not that of the key: another exam, or it was changed");
-    if (exam.questions != key.questions)
-      throw InputError({o.exam, 1}, "questions", "are not those of the key: the exam was changed");
-  }
+  if (const std::string day = issue_date(); day < key.terms.issued)
+    throw InputError({o.key, 0}, "issued", fmt::format("a day to come: today is {}, got {}", day, key.terms.issued));
+  if (!o.exam.empty()) require_same(o.exam, key);
   ReportFiles files(o.reports);
   CertificateFiles certificate(o.certificate, o.engine);
   std::vector<Subject> subjects;
@@ -162,29 +203,31 @@ int close(const CloseOptions& o) {
   Report& report = subjects.front().report;
   report.engine = subjects.front().engine->info();
   report.allow_unsupported = o.allow_unsupported;
-  set_demand(o.demand, report, key.profile);
+  set_demand(o.demand, report, key.terms.profile);
   Stop stop;
   Oracles oracles;
   std::vector<Report> reports{report};
-  merge(reports, judge_part(key.sources, subjects, stop, oracles), true);
-  const std::size_t unknown = reports.front().unknown_answers.size();
-  if (unknown != 0 && unknown == engines::count_recorded(o.engine.results))
-    throw InputError({o.engine.results, 0}, "", "answers no question of this exam");
+  {
+    Use use(o.key, key, digest_of_file(o.engine.results));
+    merge(reports, judge_part(key.sources, subjects, stop, oracles), true);
+    const std::size_t unknown = reports.front().unknown_answers.size();
+    if (unknown != 0 && unknown == engines::count_recorded(o.engine.results))
+      throw InputError({o.engine.results, 0}, "", "answers no question of this exam");
+    if (!reports.front().harness_invalid()) use.let_stand();
+  }
   if (reports.front().harness_invalid()) {
     fmt::print(words(), "{} stays as it is: no answer claims anything\n", o.key);
     return files.write(reports, false);
   }
-  // Used before anybody has seen what came of it.
-  formats::OutputFile used(o.key);
-  key.used_on = issue_date();
-  key.used_for = digest_of_file(o.engine.results);
-  used.write(key_text(key));
-  used.commit();
   const int exit = files.write(reports, false);
   if (exit == kCertified || exit == kRefuted)
-    certificate.write(reports.front(), key.sources, oracles, nullptr, key.nonce);
-  fmt::print(words(), "{} is used, and its seed {}\n", o.key,
-             o.certificate.certificate.empty() ? "is in it" : "stands in the certificate");
+    certificate.write(reports.front(), key.sources, oracles, nullptr, key.terms);
+  fmt::print(words(), "{} is used, and its seed {}\n{}\n", o.key,
+             o.certificate.certificate.empty() ? "is in it" : "stands in the certificate",
+             key.terms.asked_for_line
+                 ? fmt::format("the line to hold it against: {}",
+                               published_line(commitment_of(key.sources, key.terms), key.questions))
+                 : "nothing was published before the answers: `exam new --commit` prints a line for that");
   return exit;
 }
 
@@ -208,6 +251,10 @@ void add_exam(CLI::App& app, int& exit) {
   set->add_option("--scalar", o->scalar, "The questions' number format (default: the profile's, or binary64)")
       ->check(CLI::IsMember(names_of(kScalars)));
   set->add_option("--seed", o->seed, "The seed (default: random); there is chance besides")->check(kFromZero);
+  set->add_flag(
+      "--commit", o->commit,
+      "Print one line to publish before there are answers, in a tag or a mail: `verify --commitment` holds the "
+      "certificate against it");
   set->callback([o, &exit] {
     make_new(*o);
     exit = kCertified;

@@ -3,11 +3,13 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "formats/whole_number.hpp"
 #include "tool/commands/commands.hpp"
 #include "tool/reports/certificate.hpp"
 #include "tool/run/date.hpp"
@@ -23,6 +25,7 @@ namespace {
 using formats::Node;
 using nlohmann::json;
 
+constexpr std::array<std::string_view, 5> kEngineKinds{"adapter", "built-in", "command", "library", "recorded"};
 constexpr std::size_t kShown = 8;  // differences that are printed of each part of a certificate
 
 struct VerifyOptions {
@@ -31,6 +34,7 @@ struct VerifyOptions {
   std::string results;
   std::string level;
   std::string exam;
+  std::string commitment;
 };
 
 /// A value as it is printed: its beginning, where it is long.
@@ -132,6 +136,14 @@ class Certificate {
         if (const std::string said = stated->at(key).text(); said != is)
           found.push_back({fmt::format("/exam/{}", key), said, fmt::format("{}, of {}", is, options_.exam)});
     }
+    if (!options_.commitment.empty()) {
+      const PublishedLine line = read_published_line(options_.commitment);
+      const auto stated = node().find("exam");
+      if (!stated) throw formats::InputError({options_.certificate, 0}, "exam", "is a certificate of no exam");
+      for (const auto& [key, is] : {std::pair("commitment", line.commitment), {"questions", line.questions}})
+        if (const std::string said = stated->at(key).text(); said != is)
+          found.push_back({fmt::format("/exam/{}", key), said, fmt::format("{}, of the line that was published", is)});
+    }
     compare("/answers/sha256", node().at("answers").at("sha256"), answers());
     return found;
   }
@@ -139,12 +151,18 @@ class Certificate {
   /// What cannot be derived again: copied, but for the digests of an engine's files that are there.
   [[nodiscard]] Stated not_derived() {
     Stated stated;
-    stated.issued = node().at("issued").text();
+    const Node issued = node().at("issued");
+    stated.issued = day_at(issued);
+    if (stated.issued > today()) issued.refuse("a day to come: today is " + today());
     static_cast<void>(node().at("environment"));
     stated.environment = text_.stated().at("environment");
     const Node engine = node().at("engine");
-    stated.engine = {{"kind", engine.at("kind").text()}, {"files", json::array()}};
-    if (const auto command = engine.find("command")) stated.engine["command"] = command->text();
+    const std::size_t kind = engine.at("kind").one_of(kEngineKinds);
+    stated.engine = {{"kind", kEngineKinds[kind]}, {"files", json::array()}};
+    const auto command = engine.find("command");
+    if (command.has_value() != (kEngineKinds[kind] == "command"))
+      engine.at("kind").refuse("a command line belongs to the kind \"command\", and to no other");
+    if (command) stated.engine["command"] = command->text();
     for (const Node& file : engine.at("files").items()) stated.engine["files"].push_back(engine_file(file));
     const Node questions = node().at("questions");
     if (const auto folder = questions.find("folder")) stated.folder = folder->text();
@@ -156,7 +174,7 @@ class Certificate {
     if (node().at("found").find("same_bits"))
       not_checked_.emplace_back("whether the engine gave the same bits when it was asked again");
     stated.answers = node().at("answers").at("file").text();
-    if (const auto exam = node().find("exam")) stated.nonce = exam->at("nonce").text();
+    if (const auto exam = node().find("exam")) stated.exam = terms_at(*exam, stated.issued);
     return stated;
   }
 
@@ -188,8 +206,35 @@ class Certificate {
     return std::filesystem::path(options_.dataset) / name;
   }
 
+  static std::string day_at(const Node& node) {
+    std::string day = node.text();
+    if (!is_date(day)) node.refuse("expected a day, YYYY-MM-DD");
+    return day;
+  }
+
+  /// What its commitment is derived from, and whether its line was published, which nothing here can say.
+  ExamTerms terms_at(const Node& exam, const std::string& closed) {
+    ExamTerms terms{digest_at(exam.at("nonce"))};
+    const auto issued = exam.find("issued");
+    terms.commits_to_nothing_else = !issued;
+    if (issued) {
+      terms.issued = day_at(*issued);
+      if (terms.issued > closed) issued->refuse("it was closed on " + closed);
+      if (const Node profile = exam.at("profile"); !profile.is_null()) terms.profile = profile.text();
+      terms.asked_for_line = !exam.at("published").is_null();
+    }
+    if (!options_.commitment.empty())
+      not_checked_.emplace_back("when the line was published that --commitment gives");
+    else if (terms.asked_for_line)
+      not_checked_.emplace_back("whether the line that the exam commits by was published: --commitment compares one");
+    else
+      not_checked_.emplace_back("that the exam was set before its answers: nothing was published");
+    not_checked_.emplace_back("that its key was closed once: a copy can be closed again, for other answers");
+    return terms;
+  }
+
   json engine_file(const Node& stated) {
-    const std::string digest = stated.at("sha256").text();
+    const std::string digest = digest_at(stated.at("sha256"));
     if (const auto program = stated.find("program")) {
       not_checked_.push_back(fmt::format("the engine's program {}: known by its name alone", program->text()));
       return {{"program", program->text()}, {"sha256", digest}};
@@ -204,7 +249,9 @@ class Certificate {
   VerifyOptions options_;
   CertificateText text_;
   std::size_t engine_files_ = 0;
-  std::vector<std::string> not_checked_{"the environment and the day of issue"};
+  std::vector<std::string> not_checked_{
+      "the environment and the day of issue",
+      "that the answers are those of the engine that is named, and its name, version and kind"};
 };
 
 /// Judges the recorded answers as the run did that the certificate tells of.
@@ -229,8 +276,11 @@ Report judge_again(const Certificate& certificate, const std::vector<Source>& so
   if (const auto same = found.find("same_bits")) {
     // That it gave the same bits cannot be asked of a file; that these are the bits can, where they are the same.
     Repeats repeats = ask_once(sources, *subjects.front().engine, report.engine);
-    if (!same->boolean()) repeats.sha256 = found.at("answers_again").text();
-    repeats.ways.assign(std::max<std::uint64_t>(found.at("ways").count(), 1), Way{});
+    if (!same->boolean()) repeats.sha256 = digest_at(found.at("answers_again"));
+    constexpr std::size_t kMostWays = 64;  // of asking, more than there are
+    const Node ways = found.at("ways");
+    repeats.ways.assign(
+        formats::require_whole_number<std::size_t>(ways.count(), ways.where(), "found.ways", 1, kMostWays), Way{});
     repeats.ways.back().differ = same->boolean() ? 0 : 1;
     reports.front().repeats = std::move(repeats);
   }
@@ -313,6 +363,10 @@ void add_verify(CLI::App& app, int& exit) {
       ->type_name("FILE");
   command->add_option("--exam", options->exam, "The exam that it should be of: what it commits to, and its questions")
       ->type_name("FILE");
+  command
+      ->add_option("--commitment", options->commitment,
+                   "The line that `exam new --commit` printed and somebody published: that the exam is this one")
+      ->type_name("LINE");
   command->add_option("--level", options->level, "Demand that it certifies this level, accepted failures left out")
       ->check(CLI::IsMember(kRequiredLevels));
   command->callback([options, &exit] { exit = verify(*options); });

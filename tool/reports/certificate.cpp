@@ -18,7 +18,6 @@
 #include "formats/sha256.hpp"
 #include "golden/dataset.hpp"
 #include "golden/query_id.hpp"
-#include "tool/run/exam.hpp"
 #include "tool/run/parts.hpp"
 
 namespace contact::tool {
@@ -232,10 +231,15 @@ json statement(const Judged& judged, const Stated& stated) {
                {"to_no_question", report.unknown_answers.size()}}},
              {"found", found_json(report)},
              {"accepted", accepted_json(report, judged.baseline)}};
-  if (!stated.nonce.empty())
-    whole["exam"] = {{"nonce", stated.nonce},
-                     {"commitment", commitment_of(judged.sources, stated.nonce)},
-                     {"questions", exam_digest(judged.sources, stated.nonce).sha256}};
+  if (const ExamTerms& exam = stated.exam; !exam.nonce.empty()) {
+    const std::string commitment = commitment_of(judged.sources, exam);
+    const std::string asked = exam_digest(judged.sources, exam.nonce).sha256;
+    whole["exam"] = {{"nonce", exam.nonce}, {"commitment", commitment}, {"questions", asked}};
+    if (!exam.commits_to_nothing_else)
+      whole["exam"].update({{"issued", exam.issued},
+                            {"profile", exam.profile.empty() ? json() : json(exam.profile)},
+                            {"published", exam.asked_for_line ? json(published_line(commitment, asked)) : json()}});
+  }
   return whole;
 }
 

@@ -9,6 +9,7 @@
 
 #include "formats/json.hpp"
 #include "tool/commands/engine_options.hpp"
+#include "tool/run/exam.hpp"
 #include "tool/run/pipeline.hpp"
 
 namespace contact::tool {
@@ -21,7 +22,7 @@ struct Stated {        // NOLINT(bugprone-exception-escape): the destructor of J
   std::string folder;              ///< that the names of the datasets begin in, seen from the certificate's
   std::vector<std::string> names;  ///< of the datasets, in the order of the sources; empty for a generated one
   std::string answers;             ///< the results file, seen from the certificate's folder
-  std::string nonce{};             ///< of an exam's key; empty where the questions are of no exam
+  ExamTerms exam{};                ///< without a nonce where the questions are of no exam
 };
 
 /// What a run did, whether the engine was asked or its answers were read.

@@ -53,7 +53,7 @@ engines::Engine& CertificateFiles::unwatched(engines::Engine& engine) const {
 }
 
 void CertificateFiles::write(const Report& report, const std::vector<Source>& sources, const Oracles& oracles,
-                             const Baseline* baseline, const std::string& nonce) {
+                             const Baseline* baseline, const ExamTerms& exam) {
   const std::string& results = answers_ != nullptr ? options_.record : engine_.results;
   const std::string text = answers_ != nullptr ? recording_->results() : "";
   std::string certificate;
@@ -64,7 +64,7 @@ void CertificateFiles::write(const Report& report, const std::vector<Source>& so
                                             report.failure_count, report.failures.size()));
     const std::filesystem::path folder = folder_of(options_.certificate);
     const std::filesystem::path common = common_folder(sources);
-    Stated stated{issued_, environment(), provenance(engine_, folder), "", {}, seen_from(folder, results), nonce};
+    Stated stated{issued_, environment(), provenance(engine_, folder), "", {}, seen_from(folder, results), exam};
     if (!common.empty()) stated.folder = seen_from(folder, common);
     for (const Source& source : sources)
       stated.names.push_back(source.dataset ? seen_from(common, *source.dataset) : "");

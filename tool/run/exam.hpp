@@ -12,19 +12,39 @@
 
 namespace contact::tool {
 
+/// What an exam commits to beside its sources; its certificate has it too.
+struct ExamTerms {
+  std::string nonce{};                   ///< 64 hexadecimal digits of chance: the seed alone could be guessed
+  std::string issued{};                  ///< a day
+  std::string profile{};                 ///< empty: none
+  bool asked_for_line = false;           ///< its line was asked for, to be published
+  bool commits_to_nothing_else = false;  ///< as version 1 of keys: to generator, seed, nonce and sources alone
+};
+
 /// What an exam's questions come from, all of it kept by whoever sets the exam until it is closed.
 struct ExamKey {
-  std::string issued;           ///< a day
-  std::string profile;          ///< empty: none
-  std::string nonce;            ///< 64 hexadecimal digits of chance: the seed alone could be guessed
+  ExamTerms terms;
   std::vector<Source> sources;  ///< generated ones, of one seed
   std::string questions;        ///< SHA-256 of the exam's lines behind the header
   std::string used_on;          ///< a day; empty: not yet
   std::string used_for;         ///< SHA-256 of the answers
 };
 
-/// SHA-256 of the text that says all of the questions: generator, seed, nonce, and the families with their counts.
-[[nodiscard]] std::string commitment_of(const std::vector<Source>& sources, const std::string& nonce);
+/// The text of a SHA-256 in lower case; refused where it is none.
+[[nodiscard]] std::string digest_at(const formats::Node& node);
+
+/// SHA-256 of the text that says all of the questions: generator, seed, nonce, and the families with their counts; and
+/// the terms.
+[[nodiscard]] std::string commitment_of(const std::vector<Source>& sources, const ExamTerms& terms);
+
+/// The one line that an examiner publishes before there are answers. Whoever has it can hold a certificate against it.
+[[nodiscard]] std::string published_line(const std::string& commitment, const std::string& questions);
+/// What such a line says. Throws formats::InputError where it is none.
+struct PublishedLine {
+  std::string commitment;
+  std::string questions;
+};
+[[nodiscard]] PublishedLine read_published_line(std::string_view line);
 
 /// Calls visit for every question of an exam once, in an order in which families cannot be seen: that of the SHA-256 of
 /// nonce and id.
@@ -53,6 +73,19 @@ class ExamFile {
 /// it commits to.
 [[nodiscard]] std::string key_text(const ExamKey& key);
 [[nodiscard]] ExamKey read_key(const std::filesystem::path& path);
+
+/// A key while it is put to use: nobody else can hold the same file meanwhile. Throws formats::InputError where
+/// somebody does, or the file cannot be opened. It says nothing of copies.
+class HeldKey {
+ public:
+  explicit HeldKey(const std::filesystem::path& path);
+  HeldKey(const HeldKey&) = delete;
+  HeldKey& operator=(const HeldKey&) = delete;
+  ~HeldKey();
+
+ private:
+  int descriptor_ = -1;
+};
 
 /// The questions of an exam's file with their scalars, in its order. Throws formats::InputError where it is malformed,
 /// or not what its header says.
