@@ -1327,6 +1327,46 @@ class Outputs(Case):
         process.send_signal(signal.SIGINT)
         self.assertEqual(process.wait(timeout=30), 130)
 
+    def test_an_interruption_ends_a_command_that_looks_nowhere_and_leaves_no_file(self):
+        # A pipe that somebody holds open and writes nothing into: the read does not come back by itself.
+        fifo, target = self.folder / "fifo", self.file("x.jsonl", "old\n")
+        os.mkfifo(fifo)
+        writer = os.open(fifo, os.O_RDWR)
+        self.addCleanup(os.close, writer)
+        for args in (["detect", fifo, "-o", target], ["explain", fifo], ["serve"], ["annotate", fifo, "-o", target]):
+            for name in ("SIGINT", "SIGTERM"):
+                with self.subTest(args=args[0], signal=name):
+                    process = subprocess.Popen([TOOL, *map(str, args)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                    self.addCleanup(process.communicate)
+                    self.addCleanup(process.kill)
+                    wait_until_signals_are_caught(process)
+                    time.sleep(0.1)
+                    process.send_signal(getattr(signal, name))
+                    self.assertEqual(process.wait(timeout=30), 130)
+                    self.assertEqual((sorted(self.folder.iterdir()), target.read_text()), ([fifo, target], "old\n"))
+
+    @unittest.skipUnless(os.environ.get("CONTACT_THROWING_LIBRARY"), "CONTACT_THROWING_LIBRARY names no library")
+    def test_a_library_that_declares_nothing_or_throws_is_a_harness_failure_and_no_crash(self):
+        library = os.environ["CONTACT_THROWING_LIBRARY"]
+        asked = "".join(line({"op": "query", "seq": seq, "pair": "sphere_sphere", **SPHERES}) + "\n" for seq in (1, 2))
+        for how, words in (("null", "returned NULL"), ("int", "contact_engine_declaration threw"), ("exception", "contact_engine_declaration threw an exception: no"),
+                           ("interface", "contact_engine_interface threw")):
+            for args in (["serve"], ["certify", GOLDEN / "sphere_sphere/upstream.jsonl"]):
+                done = run(*args, "--engine-library", library, stdin=asked, env={**os.environ, "CONTACT_THROWS": how})
+                self.assertEqual(done.returncode, 3, (how, args, done.stderr))
+                self.assertIn(words, done.stderr)
+        for how in ("answer", "answer-int"):
+            for threads in ("1", "1000000000"):
+                done = run("serve", "--engine-library", library, "--threads", threads, stdin=asked, env={**os.environ, "CONTACT_THROWS": how})
+                self.assertEqual((done.returncode, done.stdout.count('"error":"contact_engine_answer threw an exception')), (0, 2), done.stderr)
+
+    def test_a_message_that_quotes_much_is_cut(self):
+        for args in (["certify", "--engine", "x" * 100_000], ["x" * 100_000], ["certify", "--" + "x" * 100_000], ["generate", "--seed", "9" * 100_000]):
+            done = run(*args)
+            self.assertEqual(done.returncode, 2)
+            self.assertLess(len(done.stderr), 6000)
+        self.assertIn("from 0 to 2^64 - 1, got '18446744073709551616'", run("generate", "--seed", 2**64).stderr)
+
 
 class Generate(Case):
     def make(self, name, *more, pair="sphere_sphere", family="near_touching", count=50, seed=42):

@@ -11,6 +11,7 @@
 #include "formats/input_error.hpp"
 #include "tool/commands/commands.hpp"
 #include "tool/run/cluster.hpp"
+#include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
 
 namespace contact::tool {
@@ -24,23 +25,26 @@ int guarded(int argc, char** argv) {
       throw formats::InputError({"standard output", 0}, "", "cannot write");
     return exit;
   } catch (const formats::InputError& error) {
-    fmt::print(stderr, "contact-oracle: {}\n", error.what());
+    fmt::print(stderr, "contact-oracle: {}\n", cut(error.what()));
     return kBadInput;
   } catch (const OracleFault& error) {
-    fmt::print(stderr, "contact-oracle: ORACLE FAULT: {}\n", error.what());
+    fmt::print(stderr, "contact-oracle: ORACLE FAULT: {}\n", cut(error.what()));
     return kOracleFault;
   } catch (const engines::HarnessInvalid& error) {
-    fmt::print(stderr, "contact-oracle: harness invalid: {}\n", error.what());
+    fmt::print(stderr, "contact-oracle: harness invalid: {}\n", cut(error.what()));
     return kHarnessInvalid;
   } catch (const Interrupted& error) {
-    fmt::print(stderr, "contact-oracle: {}\n", error.what());
+    fmt::print(stderr, "contact-oracle: {}\n", cut(error.what()));
     return kInterrupted;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "contact-oracle: not enough memory\n");
     return kBadInput;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "contact-oracle: {}\n", error.what());
+    fmt::print(stderr, "contact-oracle: {}\n", cut(error.what()));
     return kBadInput;
+  } catch (...) {  // nothing of ours: a library's or a plug-in's
+    fmt::print(stderr, "contact-oracle: harness invalid: a library threw what is no std::exception\n");
+    return kHarnessInvalid;
   }
 }
 
@@ -56,7 +60,7 @@ int main(int argc, char** argv) {
   try {
     cluster.emplace(argc, argv);
   } catch (const formats::InputError& error) {
-    fmt::print(stderr, "contact-oracle: {}\n", error.what());
+    fmt::print(stderr, "contact-oracle: {}\n", tool::cut(error.what()));
     return tool::kBadInput;
   }
   const int exit = tool::guarded(argc, argv);

@@ -6,6 +6,7 @@
 
 #include <boost/dll/shared_library.hpp>
 #include <cfenv>
+#include <cstdlib>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -137,14 +138,27 @@ class Library final : public Engine {
     }
     for (const char* function : {"contact_engine_interface", "contact_engine_declaration", "contact_engine_answer"})
       if (!library_.has(function)) refuse(fmt::format("is no engine: it exports no {}", function));
-    if (const auto built = theirs_(library_.get<std::int32_t()>("contact_engine_interface"));
+    // A library in C++ may throw, anything at all: that must not end the process that called it.
+    const auto call = [&](const char* function, const auto& called) {
+      try {
+        return theirs_(called);
+      } catch (const std::exception& error) {
+        refuse(fmt::format("{} threw an exception: {}", function, error.what()));
+      } catch (...) {
+        refuse(fmt::format("{} threw an exception", function));
+      }
+      std::abort();  // refuse throws
+    };
+    if (const auto built = call("contact_engine_interface", library_.get<std::int32_t()>("contact_engine_interface"));
         built != CONTACT_ENGINE_INTERFACE)
       refuse(fmt::format("was built for engine interface {}, this is {}", built, CONTACT_ENGINE_INTERFACE));
     answer_ = library_.get<std::int32_t(const contact_questions*, contact_answers*)>("contact_engine_answer");
     const formats::Location where{file.string() + ": declaration", 0};
+    const char* declaration =
+        call("contact_engine_declaration", library_.get<const char*()>("contact_engine_declaration"));
+    if (declaration == nullptr) refuse("contact_engine_declaration returned NULL");
     try {
-      const auto json =
-          formats::parse_object(theirs_(library_.get<const char*()>("contact_engine_declaration")), where);
+      const auto json = formats::parse_object(declaration, where);
       const formats::Node node(json, where);
       set_info(engines::read_engine_info(node, {}));
     } catch (const formats::InputError& error) {
@@ -167,13 +181,21 @@ class Library final : public Engine {
                                     arrays.contact.data()};
       contact_answers answers{arrays.said.data(), arrays.normal.data(), arrays.point1.data(), arrays.point2.data(),
                               arrays.value.data()};
-      const std::int32_t error = theirs_([&] { return answer_(&asked, &answers); });
+      std::string error;
+      try {
+        if (const std::int32_t returned = theirs_([&] { return answer_(&asked, &answers); }); returned != 0)
+          error = fmt::format("contact_engine_answer returned {}", returned);
+      } catch (const std::exception& thrown) {
+        error = fmt::format("contact_engine_answer threw an exception: {}", thrown.what());
+      } catch (...) {
+        error = "contact_engine_answer threw an exception";
+      }
       for (std::size_t i = 0; i < run; ++i) {
         claims.push_back(arrays.claim(i));
-        if (error == 0) continue;
+        if (error.empty()) continue;
         claims.back() = {};
         claims.back().status = Claim::Status::error;
-        claims.back().text = fmt::format("contact_engine_answer returned {}", error);
+        claims.back().text = error;
       }
       questions = questions.subspan(run);
     }

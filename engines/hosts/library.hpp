@@ -9,8 +9,8 @@
 namespace contact::engines {
 
 /// Loads the library. Throws HarnessInvalid where it cannot be loaded, lacks a function, was built for another
-/// interface, or declares something malformed. A crash of the library is a crash of this process: `serve` calls it,
-/// and a subprocess engine asks `serve`.
+/// interface, or declares nothing or something malformed. What it throws while it answers is an error of these answers.
+/// A crash of the library is a crash of this process: `serve` calls it, and a subprocess engine asks `serve`.
 [[nodiscard]] std::unique_ptr<Engine> make_library(const std::filesystem::path& file);
 
 }  // namespace contact::engines

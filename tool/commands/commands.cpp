@@ -11,9 +11,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <random>
+#include <sstream>
 
 #include "formats/input_error.hpp"
 #include "formats/program.hpp"
+#include "formats/whole_number.hpp"
 #include "tool/commands/help.hpp"
 #include "tool/run/cluster.hpp"
 #include "tool/run/printing.hpp"
@@ -73,10 +75,9 @@ namespace {
 CLI::Validator whole_number(std::string name, bool zero_allowed) {
   return CLI::Validator(
       [zero_allowed](const std::string& text) {
-        const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-        const bool zero = text.find_first_not_of('0') == std::string::npos;
-        if (digits && (zero_allowed || !zero)) return std::string();
-        return fmt::format("expected a whole number from {}, got '{}'", zero_allowed ? 0 : 1, text);
+        const auto number = formats::whole_number<std::uint64_t>(text);
+        if (number && (zero_allowed || *number != 0)) return std::string();
+        return fmt::format("expected a whole number from {} to 2^64 - 1, got '{}'", zero_allowed ? 0 : 1, text);
       },
       std::move(name));
 }
@@ -168,19 +169,28 @@ int run_command(int argc, const char* const* argv) {
   refuse_empty_values(app);
   const std::vector<std::string> words(argv + 1, argv + argc);
   if (!words.empty() && words.front() != kCompleteName) refuse_options_that_end_in_an_equals_sign(words);
+  // What CLI11 says quotes the words, which may be long.
+  const auto told = [&](const CLI::Error& error) {
+    std::ostringstream output;
+    std::ostringstream errors;
+    const int status = app.exit(error, output, errors);
+    fmt::print("{}", output.str());
+    fmt::print(stderr, "{}", errors.str().empty() ? "" : cut(errors.str()));
+    return status;
+  };
   try {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {
     const std::vector<std::string> unknown = app.remaining();
     if (app.get_subcommands().empty() && !unknown.empty()) {
       fmt::print(stderr, "contact-oracle: unknown command '{}'; `contact-oracle help all` lists them\n",
-                 unknown.front());
+                 cut(unknown.front()));
       return kBadInput;
     }
-    app.exit(error);
+    told(error);
     return kBadInput;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kCertified : kBadInput;
+    return told(error) == 0 ? kCertified : kBadInput;
   }
   return exit;
 }

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
+#include <algorithm>
+#include <exception>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -44,16 +46,24 @@ class Asked {
   }
 
  private:
-  /// Each thread answers every so many-th question.
+  /// Each thread answers every so many-th question. What one throws comes back when all are done.
   [[nodiscard]] std::vector<Claim> answer_by_threads() {
     std::vector<Claim> claims(questions_.size());
+    const std::size_t count = std::min(threads_, questions_.size());
+    std::vector<std::exception_ptr> thrown(count);
     std::vector<std::thread> threads;
-    for (std::size_t t = 0; t < threads_; ++t)
+    for (std::size_t t = 0; t < count; ++t)
       threads.emplace_back([&, t] {
-        for (std::size_t i = t; i < questions_.size(); i += threads_)
-          claims[i] = engine_.answer(std::span(questions_).subspan(i, 1)).front();
+        try {
+          for (std::size_t i = t; i < questions_.size(); i += count)
+            claims[i] = engine_.answer(std::span(questions_).subspan(i, 1)).front();
+        } catch (...) {
+          thrown[t] = std::current_exception();
+        }
       });
     for (std::thread& thread : threads) thread.join();
+    for (const std::exception_ptr& one : thrown)
+      if (one) std::rethrow_exception(one);
     return claims;
   }
 

@@ -1,6 +1,8 @@
 // What the program prints for people.
 #include "tool/run/printing.hpp"
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <system_error>
 
@@ -29,6 +31,15 @@ std::FILE* words() {
   static std::FILE* const nowhere = std::fopen("/dev/null", "w");
   if (nowhere == nullptr) throw std::system_error(errno, std::generic_category(), "/dev/null");
   return nowhere;
+}
+
+std::string cut(std::string_view message) {
+  constexpr std::size_t kMost = 4096;
+  if (message.size() <= kMost) return std::string(message);
+  std::size_t end = kMost;
+  const auto continues = [&](std::size_t i) { return (static_cast<unsigned char>(message[i]) & 0xc0) == 0x80; };
+  while (end > kMost - 4 && continues(end)) --end;
+  return fmt::format("{}... ({} bytes)", message.substr(0, end), message.size());
 }
 
 void choose_colour(Colour colour) { printing().colour = colour; }

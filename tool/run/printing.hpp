@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdio>
+#include <string>
 #include <string_view>
 
 namespace contact::tool {
@@ -14,6 +15,9 @@ void be_quiet();
 void keep_output_for_data();
 /// Where words for people go.
 [[nodiscard]] std::FILE* words();
+
+/// A message as it is told: what quotes a whole file is cut, not within a character.
+[[nodiscard]] std::string cut(std::string_view message);
 
 enum class Colour { automatic, always, never };
 inline constexpr std::array<std::string_view, 3> kColourNames{"auto", "always", "never"};
