@@ -76,7 +76,7 @@ def fuzz(build, target, seconds):
         # Where memory was got is not needed while nothing fails: walking the stack at every request takes a tenth of the time.
         process = subprocess.Popen(
             [build / "dev/fuzz" / f"fuzz_{target}", f"-max_total_time={seconds:.0f}", "-rss_limit_mb=4096", "-timeout=60",
-             "-print_final_stats=1", *MORE.get(target, []), f"-artifact_prefix={crashes}/{target}-",
+             "-max_len=131072", "-print_final_stats=1", *MORE.get(target, []), f"-artifact_prefix={crashes}/{target}-",
              corpus, CORPUS / target, Path(scratch, "found")],
             stdout=subprocess.DEVNULL, stderr=out, env={"ASAN_OPTIONS": "malloc_context_size=2"} | os.environ | {"TMPDIR": scratch})
         _, status, usage = os.wait4(process.pid, 0)

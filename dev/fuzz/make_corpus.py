@@ -68,6 +68,15 @@ def main():
     put("manifest", "of-none", f'{{"format":"contact-oracle/manifest","version":1,"generator":"{entry["generator"]}","files":[\n]}}\n')
     adequacy = json.loads((ROOT / "golden/adequacy.json").read_text())
     put("manifest", "adequacy", json.dumps({k: (v[:2] if isinstance(v, list) else v) for k, v in adequacy.items()})[:4000])
+    for path in sorted((ROOT / "docs/examples/scenes").iterdir()):
+        put("scene", path.name.replace(".", "-"), path.read_text())
+    node = '<Node name="n"><MechanicalObject position="0 0 {}"/><SphereCollisionModel group="{}"/></Node>'
+    put("scene", "groups", "<Node>" + "".join(node.format(i, g) for i, g in enumerate((1, "1 2", -2147483648, 3000000000, 1e300, 0.5))) + "</Node>")
+    put("scene", "links", '<Node><SphereLoader name="l" filename="/dev/zero"/><MechanicalObject position="@[-1].position"/>'
+                          '<SphereCollisionModel listRadius="@l.listRadius"/><SubCollisionPipeline collisionModels="@[-1] @/l @../x"/></Node>')
+    put("scene", "grid", '<Node><RegularGridTopology n="3 3 3"/><MechanicalObject/><SphereCollisionModel radius="0.25" selfCollision="1"/></Node>')
+    put("scene", "mapped-and-nested", '<Node><MechanicalObject template="Rigid3"/>' + '<Node><MechanicalObject/><IdentityMapping/>' * 40
+                                      + '<SphereCollisionModel/>' + '</Node>' * 41)
     for change in ([0, 0, 0], [0, 40, 7], [9, 3, 8], [4, 100, 200], [1, 1, 6, 30, 20, 9]):
         put("certificate", "-".join(map(str, change)), bytes(change))
     put("certificate", "text", '{"format":"contact-oracle/certificate","version":1,"sha256":"' + "0" * 64 + '"}\n')
@@ -81,6 +90,9 @@ def main():
                                ("rows-beyond-memory", (0, 4), npy("<f4", "(4611686018427387904, 3)", b"")),
                                ("rows-of-a-true-array", (0, 4), b"+" + bytes(72)),
                                ("no-array", (0, 1), b"PK"),
+                               ("header-of-another-order", (0, 0), b"*{'shape': (3, 3), 'fortran_order': False, 'descr': '<f8'}"),
+                               ("long-kind", (0, 0), b"*{'descr': '" + b"<" * 28000 + b"'}"),
+                               ("long-shape", (0, 0), b"*{'descr': '<f8', 'fortran_order': False, 'shape': (" + b"1, " * 9000 + b"), }"),
                                ("version-two", (0, 2), b"\x93NUMPY\x02\x00\x20\x00\x00\x00{'descr': '<u4', 'shape': (1,)  }")):
         put("arrays", name, bytes(which) + array)
 
