@@ -522,9 +522,10 @@ TEST(LastBit, tells_a_hard_question_from_a_wrong_answer) {
   EXPECT_EQ(hard.at(Field::normal)->grade, Grade::beyond_bound);
   EXPECT_TRUE(hard.at(Field::normal)->last_bit);
   EXPECT_EQ(hard.beyond_last_bit(Measure::angle).most, 0);
+  EXPECT_EQ(hard.beyond_last_bit(Measure::length).most, 0);
   const Verdict wrong = marked(near, normal_of({1, 0x1p-6, 0}));
   EXPECT_FALSE(wrong.at(Field::normal)->last_bit);
-  EXPECT_GT(wrong.beyond_last_bit(Measure::angle).most, 0x1p-7);
+  EXPECT_GT(wrong.beyond_last_bit(Measure::length).most, 0x1p-47);  // a centre moves aside by 2^-6 of 2^-40
   const Verdict easy = marked(apart(), normal_of({0.6, 0.8, 0x1p-14}));
   EXPECT_FALSE(easy.at(Field::normal)->last_bit);
 }
