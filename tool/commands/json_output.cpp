@@ -44,9 +44,10 @@ JsonOutput::JsonOutput(const std::string& where) : alone_(where == kPrinted) {
 }
 
 void JsonOutput::write(std::string_view text) {
-  const std::string shown = formats::visible_json(std::string(text));
-  if (alone_) fmt::print("{}", shown);
-  if (file_) file_->write(shown);
+  // Memory that is written to for the first time takes longer than what is looked for: the last write's is used again.
+  shown_ = formats::visible_json(std::move(shown_.assign(text)));
+  if (alone_) fmt::print("{}", shown_);
+  if (file_) file_->write(shown_);
 }
 
 void JsonOutput::commit() {

@@ -34,6 +34,7 @@ class JsonOutput {
  private:
   bool alone_;
   std::optional<formats::OutputFile> file_;
+  std::string shown_;  ///< what was written last
 };
 
 }  // namespace contact::tool
