@@ -23,6 +23,15 @@ bool products_out_of_range(F f) {
             return lost(n[axis] * n[axis]) || lost(n[axis] * f.nearest[0][axis]);
           });
         }
+        if constexpr (std::same_as<A, Ball> && std::same_as<B, Triangle>) {
+          const auto edge = [&](std::size_t k) {
+            return along(numbers_of(shapes.b.vertices[(k + 1) % 3]), -1, numbers_of(shapes.b.vertices[k]));
+          };
+          const Numbers u = edge(0);
+          const Numbers v = edge(1);
+          const Numbers n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+          return lost(dot(n, n)) || lost(dot(u, u)) || lost(dot(v, v));
+        }
         if constexpr (std::same_as<Two<A, B>, RayAndTriangle> || std::same_as<Two<A, B>, TriangleAndLine>) {
           const CrossingInReals crossing(shapes);
           const CrossingInReals::Vector n = (crossing.v[1] - crossing.v[0]).cross(crossing.v[2] - crossing.v[0]);
@@ -85,7 +94,7 @@ Real largest_in(F f) {
 }
 
 /// A normal of length 1, as engines make it that divide.
-bool is_unit(const std::optional<Numbers>& n) { return n && std::abs(dot(*n, *n) - 1) < 1e-6L; }
+bool is_unit(const std::optional<Numbers>& n) { return n && std::abs(dot(*n, *n) - 1) < 1e-5L; }
 
 /// Numbers rounded to `bits` bits, which are all of the engine's format where it is its `own`. Errors have a size:
 /// what roundings to the engine's own format do they explain themselves, and an arithmetic of few bits makes hardly any
@@ -128,8 +137,10 @@ Real turned(F f, int bits) {
   return f.D > 0 ? loss(f, bits) * f.condition / std::abs(f.distance) : 0;
 }
 Real apart(F f, int bits) {
-  // Points that stray along axes that are nearly parallel stay as far from each other.
-  return loss(f, bits) * (std::holds_alternative<Capsules>(f.query.shapes) ? 1 : f.condition);
+  // Points that stray along axes that are nearly parallel do so by the condition, and the way between them by as much
+  // as the sine of the axes' angle is less.
+  const bool axes = std::holds_alternative<Capsules>(f.query.shapes);
+  return loss(f, bits) * (axes ? std::sqrt(f.condition) : f.condition);
 }
 Real from_edge(F f) {
   if (is_crossing(f.query.pair)) return f.slack;

@@ -143,9 +143,11 @@ Parameters with_terms(const Axes& x, Real sign_in_s, Real sign_in_t) {
 }
 /// The nearest points of two segments as Brax, MJX, Newton and MuJoCo Warp find them: of the lines, from the middles
 /// of the segments, and then of one on the other. Each division has 1e-6 in its denominator.
-Parameters with_a_millionth(const Axes& x) {
+void with_a_millionth(Facts& f) {
   constexpr Real kMillionth = 1e-6L;
-  if (!x.both) return std::nullopt;
+  const auto axes = axes_of(f);
+  if (!axes || !axes->both) return;
+  const Axes& x = *axes;
   const Real lengths[2] = {std::sqrt(x.A), std::sqrt(x.E)};
   const Numbers u = x.A > 0 ? times(1 / lengths[0], x.first.along) : Numbers{};
   const Numbers v = x.E > 0 ? times(1 / lengths[1], x.second.along) : Numbers{};
@@ -153,21 +155,27 @@ Parameters with_a_millionth(const Axes& x) {
   const Real uv = dot(u, v);
   const Real sine2 = x.A > 0 && x.E > 0 ? x.determinant / (x.A * x.E) : 1;
   const Real s = (uv * dot(v, w) - dot(u, w)) / (sine2 + kMillionth);
-  const Real t = dot(v, w) + s * uv;
   const auto on = [](Real part, Real length) { return length > 0 ? clamped(part / length + 0.5L) : Real{0}; };
-  const std::array first{on(s, lengths[0]), on(t, lengths[1])};
+  const Numbers on_first = x.first.at(on(s, lengths[0]));
+  const Numbers on_second = x.second.at(on(dot(v, w) + s * uv, lengths[1]));
   const auto foot = [](const AxisInReals& axis, const Numbers& point) {
-    return clamped(dot(along(point, -1, axis.from), axis.along) / (dot(axis.along, axis.along) + kMillionth));
+    return axis.at(clamped(dot(along(point, -1, axis.from), axis.along) / (dot(axis.along, axis.along) + kMillionth)));
   };
-  const auto apart = [](const Numbers& p, const Numbers& q) {
-    const Numbers d = along(p, -1, q);
-    return dot(d, d);
-  };
-  const Real other_s = foot(x.first, x.second.at(first[1]));
-  const Real other_t = foot(x.second, x.first.at(first[0]));
-  const bool first_moves =
-      apart(x.first.at(other_s), x.second.at(first[1])) < apart(x.second.at(other_t), x.first.at(first[0]));
-  return first_moves ? Parameters({{other_s, first[1]}}) : Parameters({{first[0], other_t}});
+  using Points = std::array<Numbers, 2>;
+  const std::array ways{Points{foot(x.first, on_second), on_second}, Points{on_first, foot(x.second, on_first)}};
+  std::array<Real, 2> apart{};
+  std::array<Real, 2> turned{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Numbers d = along(ways[i][1], -1, ways[i][0]);
+    apart[i] = dot(d, d);
+    const Numbers from_said = along(times(1 / std::sqrt(apart[i]), d), -1, f.said_normal.value_or(Numbers{}));
+    turned[i] = dot(from_said, from_said);
+  }
+  // Both are as far, but for roundings, where no end is nearest: then an engine takes the one that its normal is of.
+  constexpr Real kAlike = 1e-5L;
+  const bool alike = f.said_normal && std::abs(apart[0] - apart[1]) <= kAlike * std::max(apart[0], apart[1]);
+  f.nearest = ways[(alike ? turned[0] < turned[1] : apart[0] < apart[1]) ? 0 : 1];
+  f.settle();
 }
 
 /// The distance of a sphere from a capsule by Pythagoras with a clamped t, squared.
@@ -196,9 +204,9 @@ Parameters parallel_below(const Axes& x, Real limit) {
 
 std::vector<Cause> wrong_features() {
   return {
-      on_axes("segments-plus-1e-6",
-              "1e-6 added to both denominators of the nearest points of segments, 1 - (u.v)^2 and |u|^2",
-              with_a_millionth),
+      edit("segments-plus-1e-6",
+           "1e-6 added to both denominators of the nearest points of segments, 1 - (u.v)^2 and |u|^2",
+           with_a_millionth),
       on_axes("segments-offset-reversed", "the difference of the segments' starts with the other sign in every product",
               [](const Axes& x) { return by_products(x, x.C, x.F); }),
       on_axes("segments-first-term-sign", "one sign wrong in the first parameter of two segments: b f + c e",

@@ -16,7 +16,7 @@ std::function<Said(F)> reordered(std::size_t x, std::size_t y, std::size_t z) {
   return [=](F f) { return Numbers{f.n[x], f.n[y], f.n[z]}; };
 }
 /// A normal whose length is so many ulps from 1 has unit length.
-constexpr Real kUnitUlps = 8;
+constexpr Real kUnitUlps = 64;
 /// The surface point, `by` outside its sphere.
 Numbers lifted(F f, std::size_t sphere, Real by) {
   return along(f.nearest[sphere], side(sphere) * (f.radius[sphere] + by), f.n);
