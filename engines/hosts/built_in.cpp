@@ -93,6 +93,7 @@ std::unique_ptr<Engine> make_built_in(std::string_view name, PointConvention poi
         engines::EngineInfo info;
         info.name = name;
         info.version = formats::version();
+        info.declared.scalar = mutant.scalar;
         return std::make_unique<MutantEngine>(mutant, std::move(info));
       }
     return nullptr;

@@ -38,7 +38,8 @@ void in_crossing(const Query& q, Claim& claim, Change change) {
 
 const std::array kCrossings{
     Mutant{"crossing-infinite-line", "a segment is the line through it", "crossing-without-ends", nullptr,
-           [](const Query& q, Claim& claim) { also_crossing(q, claim, is_crossed_inside); }},
+           [](const Query& q, Claim& claim) { also_crossing(q, claim, is_crossed_inside); },
+           "https://github.com/g-truc/glm/issues/998"},
     Mutant{"crossing-without-end", "a segment has a start and no end", "crossing-without-end", nullptr,
            [](const Query& q, Claim& claim) {
              also_crossing(q, claim, [](const Crossing& x) { return is_crossed_inside(x) && x.part() >= 0; });
@@ -71,7 +72,8 @@ const std::array kCrossings{
            "crossing-determinant-1e-6", nullptr,
            [](const Query& q, Claim& claim) {
              not_crossing(q, claim, [](const Crossing& x) { return std::abs(x.determinant()) < 1e-6L; });
-           }},
+           },
+           "https://github.com/jbikker/tinybvh/pull/283"},
     Mutant{"crossing-open", "a segment that ends on the triangle, or goes through its boundary, does not cross it",
            "crossing-open", nullptr,
            [](const Query& q, Claim& claim) {

@@ -6,26 +6,6 @@
 namespace contact::engines {
 namespace {
 
-/// The answer for two spheres at other points, in wide arithmetic; the right answer where these are the right points.
-void answer_at(const Query& q, Claim& claim, const Wide3& p, const Wide3& r) {
-  const std::array<WideBall, 2> right = wide_balls(q);
-  const WideBall& a = right[0];
-  const WideBall& b = right[1];
-  const Wide moved = (p - a.center).norm() + (r - b.center).norm();
-  if (moved <= 1e-17L * (a.center.norm() + b.center.norm())) return;
-  const Wide r2 = b.radius;
-  const Wide3 d = r - p;
-  const Wide distance = d.norm();
-  decide(q, claim, distance <= a.radius + r2 + static_cast<Wide>(q.distances.alarm));
-  in_contact(claim, [&](ContactClaim& c) {
-    if (distance > 0) c.normal = Vector3((d / distance).cast<double>());
-    const Wide3 n = c.normal->cast<Wide>();
-    c.point1 = Vector3((p + a.radius * n).cast<double>());
-    c.point2 = Vector3((r - r2 * n).cast<double>());
-    c.value = rounded(distance - a.radius - r2 - static_cast<Wide>(q.distances.contact));
-  });
-}
-
 /// An axis, from + t along.
 struct Axis {
   Wide3 from;
@@ -93,16 +73,6 @@ void parallel_below(const Query& q, Claim& claim, Wide limit) {
   });
 }
 
-/// Changes the capsules of a question, one after the other.
-template <class Change>
-void each_capsule(Query& q, Change change) {
-  std::visit(
-      [&]<class A, class B>(Two<A, B>& shapes) {
-        if constexpr (std::same_as<A, Capsule>) change(shapes.a);
-        if constexpr (std::same_as<B, Capsule>) change(shapes.b);
-      },
-      q.shapes);
-}
 /// An axis `factor` times as long, around its middle.
 void stretch(Capsule& capsule, double factor) {
   const Vector3 middle = capsule.start / 2 + capsule.end / 2;

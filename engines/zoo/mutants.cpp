@@ -21,6 +21,7 @@ std::span<const Mutant> mutants() {
     append(feature_mutants(), Origin::own);
     append(plane_mutants(), Origin::own);
     append(crossing_mutants(), Origin::own);
+    append(reported_mutants(), Origin::own);
     append(own_mutants(), Origin::own);
     append(precision_mutants(), Origin::precision);
     return list;
@@ -72,6 +73,25 @@ void decide(const Query& query, Claim& claim, bool hit) {
   const oracle::Truth as_a_hit = oracle::truth_with(query, oracle::Side::within, oracle::Side::within);
   const Contact right = oracle::expectation(as_a_hit, Scalar::binary64).contact.value();
   claim.contact = ContactClaim{right.normal, right.point1, right.point2, std::nullopt, right.value};
+}
+
+void answer_at(const Query& q, Claim& claim, const Wide3& p, const Wide3& r) {
+  const std::array<WideBall, 2> right = wide_balls(q);
+  const WideBall& a = right[0];
+  const WideBall& b = right[1];
+  const Wide moved = (p - a.center).norm() + (r - b.center).norm();
+  if (moved <= 1e-17L * (a.center.norm() + b.center.norm())) return;
+  const Wide r2 = b.radius;
+  const Wide3 d = r - p;
+  const Wide distance = d.norm();
+  decide(q, claim, distance <= a.radius + r2 + static_cast<Wide>(q.distances.alarm));
+  in_contact(claim, [&](ContactClaim& c) {
+    if (distance > 0) c.normal = Vector3((d / distance).cast<double>());
+    const Wide3 n = c.normal->cast<Wide>();
+    c.point1 = Vector3((p + a.radius * n).cast<double>());
+    c.point2 = Vector3((r - r2 * n).cast<double>());
+    c.value = rounded(distance - a.radius - r2 - static_cast<Wide>(q.distances.contact));
+  });
 }
 
 }  // namespace contact::engines

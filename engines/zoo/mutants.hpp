@@ -23,7 +23,8 @@ struct Mutant {
   void (*change)(const Query&, Claim&) = nullptr;  ///< what becomes of its answer
   std::string_view source{};                       ///< where the mistake was made, for real ones
   Origin origin = Origin::real;
-  bool outside_domain = false;  ///< shows in the family `invalid` alone
+  bool outside_domain = false;       ///< shows in the family `invalid` alone
+  Scalar scalar = Scalar::binary64;  ///< that it computes in, and declares
 };
 
 /// Before the id in the name of an engine.

@@ -158,7 +158,9 @@ void turn(const Query& q, Claim& claim, Change change) {
 
 /// Another decision for both claims, with the contact that the right formulas give.
 void decide(const Query& query, Claim& claim, bool hit);
-/// The same from a comparison in wide arithmetic, about shapes with a distance.
+/// The answer for two spheres at other points, in wide arithmetic; the right answer where these are the right points.
+void answer_at(const Query& q, Claim& claim, const Wide3& p, const Wide3& r);
+/// Another decision from a comparison in wide arithmetic, about shapes with a distance.
 template <class Compare>
 void decide_spheres(const Query& q, Claim& claim, Compare compare) {
   if (q.has_distance()) decide(q, claim, compare(WideSpheres(q)));
@@ -200,6 +202,17 @@ void for_each_radius(Query& q, Edit edit) {
     if constexpr (requires { shape.radius; }) edit(shape.radius, which);
   };
   std::visit([&](auto& shapes) { offer(shapes.a, 0), offer(shapes.b, 1); }, q.shapes);
+}
+
+/// Changes the capsules of a question, one after the other.
+template <class Change>
+void each_capsule(Query& q, Change change) {
+  std::visit(
+      [&]<class A, class B>(Two<A, B>& shapes) {
+        if constexpr (std::same_as<A, Capsule>) change(shapes.a);
+        if constexpr (std::same_as<B, Capsule>) change(shapes.b);
+      },
+      q.shapes);
 }
 
 // A sphere against a box.
@@ -262,6 +275,7 @@ void leave_by(const Query& q, Claim& claim, Choose choose) {
 [[nodiscard]] std::span<const Mutant> feature_mutants();
 [[nodiscard]] std::span<const Mutant> plane_mutants();
 [[nodiscard]] std::span<const Mutant> crossing_mutants();
+[[nodiscard]] std::span<const Mutant> reported_mutants();
 [[nodiscard]] std::span<const Mutant> own_mutants();
 [[nodiscard]] std::span<const Mutant> precision_mutants();
 

@@ -52,6 +52,8 @@ bool newly_wrong(const Verdict& before, const Verdict& now) {
                      [&](Field field) { return !is_wrong(before.at(field)) && is_wrong(now.at(field)); });
 }
 
+Numbers middle_of(const Numbers& x, const Numbers& y) { return formulas::times(0.5L, along(x, 1, y)); }
+
 /// A claim of one aspect as numbers, in the default conventions.
 struct Claimed {
   Aspect aspect;
@@ -59,7 +61,24 @@ struct Claimed {
   Numbers numbers{};
   Real scale = 0;  ///< the bound counts ulps of it; 0 for decisions
   Real bound = 0;
+  std::optional<Numbers> truth{};  ///< what is right; nothing for decisions, and where several directions are
+  Real noise = 0;                  ///< what roundings to the engine's own format may do to the numbers
 };
+
+Real largest_difference(const Numbers& x, const Numbers& y) {
+  Real most = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!std::isfinite(x[i] - y[i])) return formulas::kInfinity;
+    most = std::max(most, std::abs(x[i] - y[i]));
+  }
+  return most;
+}
+/// A formula is met by chance by whoever is off by as much as it. One that gives what was claimed is nearer to that
+/// than the truth is, so many times.
+constexpr Real kNearer = 4;
+/// An engine with a mistake rounds, too: where a mistake shows beyond roundings, so many times, its formula is met
+/// within them.
+constexpr Real kBeyondNoise = 4;
 
 enum class Match { no_opinion, agrees, differs };
 
@@ -70,7 +89,10 @@ Match match(const Said& said, const Claimed& claimed, Scalar scalar) {
   Real largest = claimed.scale;
   for (const Real x : said.numbers)
     if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
-  const Real tolerance = std::max(said.tolerance, claimed.bound * ulp_of(largest, scalar));
+  const bool shows = claimed.truth && said.least == 0 && said.tolerance == 0 &&
+                     largest_difference(said.numbers, *claimed.truth) >= kBeyondNoise * claimed.noise;
+  const Real tolerance =
+      std::max({said.tolerance, claimed.bound * ulp_of(largest, scalar), shows ? claimed.noise : Real{0}});
   const Real limit = std::ldexp(Real{1}, format_of(scalar).max_exponent + 1);
   bool same = true;
   bool any_not_finite = false;
@@ -86,7 +108,12 @@ Match match(const Said& said, const Claimed& claimed, Scalar scalar) {
       same = same && std::abs(said_i - claimed_i) <= tolerance;
   }
   if (wants_not_finite) return any_not_finite ? Match::agrees : Match::differs;
-  return same ? Match::agrees : Match::differs;
+  if (!same) return Match::differs;
+  if (claimed.right || any_not_finite) return Match::agrees;
+  const Real off = largest_difference(claimed.numbers, said.numbers);
+  if (said.tolerance > 0) return off >= said.least ? Match::agrees : Match::no_opinion;
+  const bool is_nearer = !claimed.truth || kNearer * off <= largest_difference(claimed.numbers, *claimed.truth);
+  return is_nearer ? Match::agrees : Match::no_opinion;
 }
 
 /// The claims of an answer that the judge has judged.
@@ -100,24 +127,36 @@ std::vector<Claimed> claimed_of(const Facts& f, const Claim& claim, const Declar
   decision(Aspect::contact, verdict.contact, claim.contact.has_value());
   if (!claim.contact) return all;
   const ContactClaim& said = *claim.contact;
-  const auto field = [&](Aspect aspect, Field which, const Numbers& numbers, Real scale, double bound) {
+  const auto field = [&](Aspect aspect, Field which, const Numbers& numbers, Real scale, double bound,
+                         const Numbers& truth, Real noise) {
     const auto& judged = verdict.at(which);
     // What the inputs' last bit may do has no other cause.
-    if (judged && !judged->last_bit) all.push_back({aspect, is_right(judged), numbers, scale, bound});
+    if (!judged || judged->last_bit) return;
+    all.push_back({aspect, is_right(judged), numbers, scale, bound, std::nullopt, noise});
+    if (f.has_direction() || aspect == Aspect::value) all.back().truth = truth;
   };
+  const Real turned = formulas::turned(f, 0);
+  const auto moved = [&](std::size_t shape) { return formulas::loss(f, 0) * f.condition + f.radius[shape] * turned; };
+  const std::array right{formulas::surface(f, 0), formulas::surface(f, 1)};
   constexpr Real kLeast = std::numeric_limits<Real>::min();  // a scale of 0 stands for a decision
   const std::array scales{std::max(f.scale[0], kLeast), std::max(f.scale[1], kLeast)};
-  if (f.said_normal) field(Aspect::normal, Field::normal, *f.said_normal, 1, declared.bounds.normal);
-  if (said.point1) field(Aspect::point1, Field::point1, numbers_of(*said.point1), scales[0], declared.bounds.point);
-  if (said.point2) field(Aspect::point2, Field::point2, numbers_of(*said.point2), scales[1], declared.bounds.point);
+  if (f.said_normal) field(Aspect::normal, Field::normal, *f.said_normal, 1, declared.bounds.normal, f.n, turned);
+  if (said.point1)
+    field(Aspect::point1, Field::point1, numbers_of(*said.point1), scales[0], declared.bounds.point, right[0],
+          moved(0));
+  if (said.point2)
+    field(Aspect::point2, Field::point2, numbers_of(*said.point2), scales[1], declared.bounds.point, right[1],
+          moved(1));
   if (said.point)
-    field(Aspect::point, Field::point, numbers_of(*said.point), std::max(scales[0], scales[1]), declared.bounds.point);
+    field(Aspect::point, Field::point, numbers_of(*said.point), std::max(scales[0], scales[1]), declared.bounds.point,
+          middle_of(right[0], right[1]), std::max(moved(0), moved(1)));
   if (said.value) {
     Real value = *said.value;
     if (declared.conventions.value == ValueKind::depth) value = -value;
     if (!declared.conventions.value_less_contact) value -= f.contact;
     const Real scale = std::max({std::abs(f.distance), f.radii(), f.contact, kLeast});
-    field(Aspect::value, Field::value, {value, 0, 0}, scale, declared.bounds.value);
+    field(Aspect::value, Field::value, {value, 0, 0}, scale, declared.bounds.value, {formulas::right_value(f), 0, 0},
+          formulas::apart(f, 0));
   }
   return all;
 }
@@ -137,14 +176,19 @@ const Said& said_of(const Predictions& said, Aspect aspect) {
     case Aspect::value:
       return said.value;
     case Aspect::point:
-      break;
+      return said.midpoint;
   }
   return nothing;
 }
 
-/// The contact point to which the claimed normal leads.
-Said following(const Facts& f, std::size_t shape) {
-  return along(f.nearest[shape], side(shape) * f.radius[shape], *f.said_normal);
+bool is_point(Aspect aspect) { return kPointAspects.has(aspect); }
+/// The contact point to which the claimed normal leads, or the midpoint.
+Said following(const Facts& f, Aspect aspect) {
+  const auto from = [&](std::size_t shape) {
+    return along(f.nearest[shape], side(shape) * f.radius[shape], *f.said_normal);
+  };
+  if (aspect == Aspect::point) return middle_of(from(0), from(1));
+  return from(aspect == Aspect::point1 ? 0 : 1);
 }
 
 /// The normal that an answer claims, first to second.
@@ -161,6 +205,13 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kOtherCau
      {"accepts-inverted", "accepts a box turned inside out, or a negative distance"},
      {"accepts-negative", "accepts a negative radius or distance"},
      {"no-answer", "gives no answer"}}};
+
+/// The causes that are the arithmetic of the engine's own format.
+std::bitset<kMostCauses> own_arithmetic() {
+  std::bitset<kMostCauses> own;
+  for (std::size_t c = 0; c < causes().size(); ++c) own[c] = causes()[c].arithmetic == Cause::Arithmetic::own;
+  return own;
+}
 
 std::uint64_t rounded(double n) { return static_cast<std::uint64_t>(std::llround(std::max(n, 0.0))); }
 
@@ -248,12 +299,18 @@ std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, c
 
 void Diagnosis::count(std::uint64_t key, const Place& place, bool right, const Set& agree, const Set& differ,
                       std::uint64_t weight) {
-  if (right) {
-    std::vector<std::uint64_t>& counts = contradicted_[place];
+  const auto add = [&](auto& all, const Set& of) {
+    std::vector<std::uint64_t>& counts = all[place];
     counts.resize(causes().size());
-    for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += differ[i] ? weight : 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += of[i] ? weight : 0;
+  };
+  const bool is_decision = place.aspect == Aspect::overlap || place.aspect == Aspect::contact;
+  if (right) {
+    add(contradicted_, differ);
+    if (is_decision) add(upheld_, agree);
     return;
   }
+  if (is_decision) add(denied_, differ);
   ++wrong_[std::string(name(place.aspect))];
   add_wrong({key, place, agree}, 1);
 }
@@ -270,14 +327,17 @@ bool Diagnosis::Place::is_sound() const {
 }
 
 bool Diagnosis::is_sound() const {
+  const std::array counts{&contradicted_, &upheld_, &denied_};
   return std::all_of(sample_.begin(), sample_.end(),
                      [&](const auto& entry) {
                        const auto& [place, by] = std::tie(entry.first.place, entry.first.by);
                        return place.is_sound() && (by >> causes().size()).none() &&
                               wrong_.contains(std::string(name(place.aspect)));
                      }) &&
-         std::all_of(contradicted_.begin(), contradicted_.end(), [](const auto& entry) {
-           return entry.first.is_sound() && entry.second.size() == causes().size();
+         std::all_of(counts.begin(), counts.end(), [](const auto* of) {
+           return std::all_of(of->begin(), of->end(), [](const auto& entry) {
+             return entry.first.is_sound() && entry.second.size() == causes().size();
+           });
          });
 }
 
@@ -363,8 +423,8 @@ void Diagnosis::compare(std::uint64_t key, const Query& query, const Truth& trut
   if (wrong_normal)
     for (std::size_t i = 0; i < claimed.size(); ++i) {
       const Aspect aspect = claimed[i].aspect;
-      if (claimed[i].right || (aspect != Aspect::point1 && aspect != Aspect::point2)) continue;
-      if (match(following(facts, aspect == Aspect::point1 ? 0 : 1), claimed[i], declared.scalar) == Match::agrees)
+      if (claimed[i].right || !is_point(aspect)) continue;
+      if (match(following(facts, aspect), claimed[i], declared.scalar) == Match::agrees)
         agree[i] |= agree[static_cast<std::size_t>(normal - claimed.begin())];
     }
   for (std::size_t i = 0; i < claimed.size(); ++i)
@@ -402,11 +462,16 @@ void Diagnosis::merge(const Diagnosis& other) {
   add_up(silent_, other.silent_);
   add_up(answered_, other.answered_);
   for (const auto& [wrong, n] : other.sample_) add_wrong(wrong, n);
-  for (const auto& [place, counts] : other.contradicted_) {
-    std::vector<std::uint64_t>& mine = contradicted_[place];
-    mine.resize(counts.size());
-    for (std::size_t i = 0; i < counts.size(); ++i) mine[i] += counts[i];
-  }
+  const auto add_counts = [](Counts& mine, const Counts& others) {
+    for (const auto& [place, counts] : others) {
+      std::vector<std::uint64_t>& all = mine[place];
+      all.resize(counts.size());
+      for (std::size_t i = 0; i < counts.size(); ++i) all[i] += counts[i];
+    }
+  };
+  add_counts(contradicted_, other.contradicted_);
+  add_counts(upheld_, other.upheld_);
+  add_counts(denied_, other.denied_);
   for (const Postponed& p : other.postponed_)
     if (compares_at_once())
       compare(p);
@@ -415,7 +480,34 @@ void Diagnosis::merge(const Diagnosis& other) {
   if (at_once_ || !wrong_.empty()) settle();
 }
 
-Gain Diagnosis::gain(std::size_t cause, std::span<const Alike> wrong, std::span<const std::size_t> left) const {
+double Diagnosis::beyond_chance(std::size_t cause, const Place& place, double explained) const {
+  const auto count = [&](const auto& all) {
+    const auto found = all.find(place);
+    return found == all.end() ? 0 : static_cast<double>(found->second[cause]);
+  };
+  // Numbers are not met by chance: see `match`. An arithmetic says of no decision which it is.
+  if (causes()[cause].arithmetic != Cause::Arithmetic::none) return explained;
+  if (place.aspect != Aspect::overlap && place.aspect != Aspect::contact) return explained;
+  // A formula that has nothing to do with the mistake turns right decisions over as often as wrong ones; where none are
+  // right, every other.
+  const double against = count(contradicted_);
+  const double rate = (against + 0.5) / (against + count(upheld_) + 1);
+  // Some claims are wrong by the mistake, and all of those explained; the others at that rate.
+  return (explained - rate * (explained + count(denied_))) / (1 - rate);
+}
+
+std::vector<std::map<Diagnosis::Place, double>> Diagnosis::shares(std::span<const Alike> wrong) const {
+  std::vector<std::map<Place, double>> explained(causes().size());
+  for (const Alike& w : wrong)
+    for (std::size_t c = 0; c < explained.size(); ++c)
+      if (w.by[c]) explained[c][w.place] += w.n;
+  for (std::size_t c = 0; c < explained.size(); ++c)
+    for (auto& [place, n] : explained[c]) n = std::max(0.0, beyond_chance(c, place, n)) / n;
+  return explained;
+}
+
+Gain Diagnosis::gain(std::size_t cause, std::span<const Alike> wrong, std::span<const std::size_t> left,
+                     const std::map<Place, double>& share) const {
   std::map<Place, double> explained;
   for (const std::size_t i : left)
     if (wrong[i].by[cause]) explained[wrong[i].place] += wrong[i].n;
@@ -426,13 +518,14 @@ Gain Diagnosis::gain(std::size_t cause, std::span<const Alike> wrong, std::span<
   for (const auto& [place, n] : explained) {
     const auto counts = contradicted_.find(place);
     const double against = counts == contradicted_.end() ? 0 : static_cast<double>(counts->second[cause]);
+    const double score = std::min(n - against, n * share.at(place));
     // A cause that says nothing of points explains those that follow a wrong normal, and these only with the normal.
-    const bool is_point = place.aspect == Aspect::point1 || place.aspect == Aspect::point2;
-    if (n <= against || (is_point && !says_points && !places.contains({Aspect::normal, place.pair, place.region})))
+    if (score <= 0 ||
+        (is_point(place.aspect) && !says_points && !places.contains({Aspect::normal, place.pair, place.region})))
       continue;
     places.insert(place);
     gain.covered += n;
-    gain.score += n - against;
+    gain.score += score;
   }
   if (places.empty()) return gain;
   double elsewhere = 0;
@@ -502,15 +595,36 @@ std::vector<Finding> Diagnosis::findings() const {
   std::uint64_t all = 0;
   for (const auto& [aspect, n] : wrong_) all += n;
   const std::vector<Alike> wrong = alike();
+  const auto share = shares(wrong);
+  // What roundings to the engine's own format may have done is no evidence for a formula. So the formulas come first
+  // that explain what these cannot; they explain the rest with it.
+  const Set own = own_arithmetic();
   auto rest = static_cast<double>(all);
-  for (const Choice& choice :
-       greedy_cover(wrong.size(), causes().size(),
-                    [&](std::size_t cause, std::span<const std::size_t> left) { return gain(cause, wrong, left); },
-                    {kMostFindings - std::min(found.size(), kMostFindings), rest, kOneInByChance})) {
-    found.push_back({std::string(causes()[choice.candidate].id),
-                     sentence(choice.candidate, wrong, choice.gain.elements), rounded(choice.gain.covered)});
-    rest -= choice.gain.covered;
-  }
+  std::vector<Alike> left = wrong;
+  const auto choose = [&](const GainOf& gain_of) {
+    const CoverLimits limits{kMostFindings - std::min(found.size(), kMostFindings), static_cast<double>(all),
+                             kOneInByChance};
+    std::vector<bool> taken(left.size());
+    for (const Choice& choice : greedy_cover(left.size(), causes().size(), gain_of, limits)) {
+      double covered = 0;
+      for (const std::size_t i : choice.gain.elements) covered += left[i].n, taken[i] = true;
+      found.push_back({std::string(causes()[choice.candidate].id),
+                       sentence(choice.candidate, left, choice.gain.elements), rounded(covered)});
+      rest -= covered;
+    }
+    std::size_t i = 0;
+    std::erase_if(left, [&](const Alike&) { return taken[i++]; });
+  };
+  choose([&](std::size_t cause, std::span<const std::size_t> among) -> Gain {
+    if (causes()[cause].arithmetic != Cause::Arithmetic::none) return {};
+    std::vector<std::size_t> evidence;
+    for (const std::size_t i : among)
+      if ((left[i].by & own).none()) evidence.push_back(i);
+    Gain by_evidence = gain(cause, left, evidence, share[cause]);
+    if (by_evidence.score > 0) by_evidence.elements = gain(cause, left, among, share[cause]).elements;
+    return by_evidence;
+  });
+  choose([&](std::size_t cause, std::span<const std::size_t> among) { return gain(cause, left, among, share[cause]); });
   if (const std::uint64_t n = rounded(rest); n * kOneInUnexplained > all)
     found.push_back({"",
                      (is_sampled() ? "about " : "") + std::to_string(n) + " of " + std::to_string(all) +

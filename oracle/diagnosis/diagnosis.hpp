@@ -89,7 +89,7 @@ class Diagnosis {
   template <class Archive>
   void serialize(Archive& archive) {
     settle();
-    archive(explanations_, wrong_, sample_, contradicted_, answered_, silent_, outside_, missing_);
+    archive(explanations_, wrong_, sample_, contradicted_, answered_, silent_, outside_, missing_, upheld_, denied_);
   }
   /// Whether every name and count in it exists: an archive may hold others.
   [[nodiscard]] bool is_sound() const;
@@ -125,6 +125,7 @@ class Diagnosis {
       return x.by.to_string() < y.by.to_string();
     }
   };
+  using Counts = std::map<Place, std::vector<std::uint64_t>>;  ///< for each cause
   /// Wrong claims of one place that the same causes explain. Their number is an estimate where only a sample is kept.
   struct Alike {
     Place place;
@@ -152,8 +153,13 @@ class Diagnosis {
   void add_wrong(const Wrong& wrong, std::uint64_t n);
   [[nodiscard]] std::vector<Alike> alike() const;
   [[nodiscard]] bool is_sampled() const;
+  /// How many of the wrong claims that a cause explains at a place are more than it would explain by chance.
+  [[nodiscard]] double beyond_chance(std::size_t cause, const Place& place, double explained) const;
+  /// For each cause and place that share of the explained claims.
+  [[nodiscard]] std::vector<std::map<Place, double>> shares(std::span<const Alike> wrong) const;
   /// What a cause explains of the wrong claims that are left.
-  [[nodiscard]] Gain gain(std::size_t cause, std::span<const Alike> wrong, std::span<const std::size_t> left) const;
+  [[nodiscard]] Gain gain(std::size_t cause, std::span<const Alike> wrong, std::span<const std::size_t> left,
+                          const std::map<Place, double>& share) const;
   /// The sentence of a finding: what is wrong, where, and how much of each aspect it explains.
   [[nodiscard]] std::string sentence(std::size_t cause, std::span<const Alike> wrong,
                                      std::span<const std::size_t> explained) const;
@@ -162,9 +168,11 @@ class Diagnosis {
   bool at_once_ = false;
   std::map<Explanation, std::uint64_t> explanations_;
   std::map<std::string, std::uint64_t> wrong_;
-  std::map<std::string, std::uint64_t> missing_;              ///< by field that is declared: answers to hits without it
-  std::map<Wrong, std::uint64_t> sample_;                     ///< how often each wrong claim was made
-  std::map<Place, std::vector<std::uint64_t>> contradicted_;  ///< for each cause: right claims against it
+  std::map<std::string, std::uint64_t> missing_;  ///< by field that is declared: answers to hits without it
+  std::map<Wrong, std::uint64_t> sample_;         ///< how often each wrong claim was made
+  Counts contradicted_;                           ///< right claims against it
+  Counts upheld_;                                 ///< right decisions for it
+  Counts denied_;                                 ///< wrong decisions that it says otherwise
   std::map<Pair, std::uint64_t> answered_;
   std::map<Pair, std::uint64_t> silent_;                       ///< questions without an answer
   std::map<std::string, std::uint64_t, std::less<>> outside_;  ///< by cause: answers outside the domain

@@ -74,6 +74,17 @@ inline Cause normal(std::string_view id, std::string_view sentence, std::functio
 /// A normal or a point that is NaN or infinite.
 inline constexpr Numbers kNotFinite{kNaN, kNaN, kNaN};
 
+// What roundings to so many bits do to the numbers of a question; 0 bits stand for the engine's own format. Defined in
+// wrong_arithmetic.cpp.
+/// By how much a coordinate is off.
+[[nodiscard]] Real loss(F f, int bits);
+/// A normal.
+[[nodiscard]] Real turned(F f, int bits);
+/// The distance of the shapes.
+[[nodiscard]] Real apart(F f, int bits);
+/// How far the pair is from the edge of the decision.
+[[nodiscard]] Real from_edge(F f);
+
 // The tables, in the order of `causes()`.
 [[nodiscard]] std::vector<Cause> wrong_inputs();
 [[nodiscard]] std::vector<Cause> wrong_decisions();

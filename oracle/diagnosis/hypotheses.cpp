@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -21,6 +22,37 @@ Real real(const Rational& x) {
   return std::isfinite(most) ? static_cast<Real>(most) + static_cast<Real>(CGAL::to_double(x - Rational(most))) : most;
 }
 Numbers real(const Point& p) { return {real(p[0]), real(p[1]), real(p[2])}; }
+
+/// What `Facts::condition` says of shapes.
+Real condition_of(const CrossingInReals& x) {
+  return x.direction.stableNorm() * (x.v[1] - x.v[0]).stableNorm() * (x.v[2] - x.v[0]).stableNorm() /
+         std::abs(x.determinant());
+}
+template <class A, class B>
+Real condition_of(const Two<A, B>& shapes) {
+  if constexpr (std::same_as<Two<A, B>, Capsules>) {
+    const Numbers u = AxisInReals(shapes.a).along;
+    const Numbers v = AxisInReals(shapes.b).along;
+    const Numbers n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    const Real size = formulas::dot(u, u) * formulas::dot(v, v);
+    return size > 0 ? size / formulas::dot(n, n) : 1;
+  } else if constexpr (std::same_as<B, Triangle> && std::same_as<A, Ball>) {
+    std::array<Numbers, 3> edge;
+    Real longest2 = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      edge[k] = formulas::along(formulas::numbers_of(shapes.b.vertices[(k + 1) % 3]), -1,
+                                formulas::numbers_of(shapes.b.vertices[k]));
+      longest2 = std::max(longest2, formulas::dot(edge[k], edge[k]));
+    }
+    const auto& [u, v, w] = edge;
+    const Numbers n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    return longest2 > 0 ? longest2 * longest2 / formulas::dot(n, n) : 1;
+  } else if constexpr (std::constructible_from<CrossingInReals, const Two<A, B>&>) {
+    return condition_of(CrossingInReals(shapes));
+  } else {
+    return 1;
+  }
+}
 
 /// The least box around the points of a shape, which is the box itself for a box.
 template <class Shape>
@@ -81,6 +113,9 @@ void Facts::read(const Truth& of_query) {
     max[shape] = formulas::numbers_of(box.max);
   };
   std::visit([&](const auto& shapes) { bound(0, bounds_of(shapes.a)), bound(1, bounds_of(shapes.b)); }, query.shapes);
+  // Nothing of an answer survives a larger one: 2^64 stands for infinity.
+  const Real grown = std::visit([](const auto& shapes) { return condition_of(shapes); }, query.shapes);
+  condition = grown >= 1 ? std::min(grown, std::ldexp(Real{1}, 64)) : std::isnan(grown) ? std::ldexp(Real{1}, 64) : 1;
   read_crossing(of_query.hit());
   const DistanceTruth* exact = of_query.contact() != nullptr ? of_query.contact() : of_query.distance();
   if (exact == nullptr) return;
@@ -191,7 +226,24 @@ std::size_t cause_index(std::string_view id) {
   return static_cast<std::size_t>(it - all.begin());
 }
 
-Predictions predict(const Cause& cause, const Facts& facts) {
+namespace {
+
+/// What follows for the midpoint from what is said of the contact points; of which nothing is said, that is right.
+Said midpoint_of(const Facts& facts, const std::array<Said, 2>& points) {
+  if (points[0].kind == Said::Kind::anything || points[1].kind == Said::Kind::anything) return Said::anything();
+  if (points[0].kind != Said::Kind::numbers && points[1].kind != Said::Kind::numbers) return std::nullopt;
+  Said middle = Numbers{};
+  for (const std::size_t shape : {0U, 1U}) {
+    const Said& point = points[shape];
+    const bool is_said = point.kind == Said::Kind::numbers;
+    middle.numbers = formulas::along(middle.numbers, 0.5L, is_said ? point.numbers : formulas::surface(facts, shape));
+    middle.tolerance = std::max(middle.tolerance, point.tolerance);
+    middle.least = std::max(middle.least, point.least / 2);
+  }
+  return middle;
+}
+
+Predictions predict_fields(const Cause& cause, const Facts& facts) {
   Predictions said;
   if (cause.kind != kEveryKind && cause.kind != facts.query.shapes.index()) return said;
   if (cause.edit) {
@@ -210,6 +262,14 @@ Predictions predict(const Cause& cause, const Facts& facts) {
   if (cause.normal) said.normal = cause.normal(facts);
   if (cause.point) said.point = {cause.point(facts, 0), cause.point(facts, 1)};
   if (cause.value) said.value = cause.value(facts);
+  return said;
+}
+
+}  // namespace
+
+Predictions predict(const Cause& cause, const Facts& facts) {
+  Predictions said = predict_fields(cause, facts);
+  said.midpoint = midpoint_of(facts, said.point);
   return said;
 }
 

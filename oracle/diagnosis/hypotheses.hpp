@@ -67,6 +67,9 @@ struct Facts {
   bool crosses = false;
   Real slack = 0;  ///< CrossingInReals::slack
   Real sine = 1;   ///< CrossingInReals::sine
+  /// How much the shapes may enlarge a rounding on its way into a nearest point, or a crossing: axes that are nearly
+  /// parallel, a triangle that is thin, a line that nearly goes along a plane. At least 1.
+  Real condition = 1;
 
   [[nodiscard]] bool has_distance() const { return query.has_distance(); }
   [[nodiscard]] bool has_numbers() const { return query.has_numbers(); }
@@ -88,7 +91,7 @@ struct Said {
   Said(std::nullopt_t) : kind(Kind::no_opinion) {}  // NOLINT(google-explicit-constructor)
   Said(Real x) : numbers{x, 0, 0} {}                // NOLINT(google-explicit-constructor)
   Said(const Numbers& v) : numbers(v) {}            // NOLINT(google-explicit-constructor)
-  Said(const Numbers& v, Real off) : numbers(v), tolerance(off) {}
+  Said(const Numbers& v, Real off, Real at_least = 0) : numbers(v), tolerance(off), least(at_least) {}
   static Said hit(bool yes) { return yes ? Real{1} : Real{0}; }
   /// Whether x <= y; no opinion where the last bits decide.
   static Said at_most(Real x, Real y);
@@ -101,6 +104,7 @@ struct Said {
   Kind kind = Kind::numbers;
   Numbers numbers{};   ///< decisions and values use the first; NaN stands for any number that is not finite
   Real tolerance = 0;  ///< of formulas that are vaguer than the engine's own bound
+  Real least = 0;      ///< an error below it is not explained: of an arithmetic, whose errors have a size
 };
 
 /// The `kind` of a cause that concerns shapes of every kind.
@@ -120,6 +124,10 @@ struct Cause {
   /// so that a formula that says what is off goes before it.
   double weight = 1;
   std::size_t kind = kEveryKind;  ///< of the two shapes that it can be made about; it has no opinion on others
+  /// It speaks of the arithmetic. `own` is that of the engine's own format, which every engine without a mistake has:
+  /// what it may do is no evidence for a formula.
+  enum class Arithmetic { none, own, coarse };
+  Arithmetic arithmetic = Arithmetic::none;
 };
 
 /// A set of causes has so many bits, in memory and in files.
@@ -136,6 +144,7 @@ struct Predictions {
   Said hit = std::nullopt;
   Said normal = std::nullopt;
   std::array<Said, 2> point{std::nullopt, std::nullopt};
+  Said midpoint = std::nullopt;  ///< of both contact points
   Said value = std::nullopt;
 };
 [[nodiscard]] Predictions predict(const Cause& cause, const Facts& facts);

@@ -123,6 +123,34 @@ Cause leaves_by(std::string_view id, std::string_view sentence, std::function<Fa
           .value = [=](F f) { return in_box(f, -f.radii() - choose(f).depth - f.contact); }};
 }
 
+/// Whether the centre is outside, and in the plane of a face that is not the nearest.
+bool in_plane_of_face(F f) {
+  return f.D > 0 && std::any_of(kAxes.begin(), kAxes.end(), [&](std::size_t axis) {
+           return center(f)[axis] == f.min[kBox][axis] || center(f)[axis] == f.max[kBox][axis];
+         });
+}
+/// The distance of the centre with the sign that a ray from it gives: less than 0 where it goes through an odd number
+/// of faces, (1, 1, 1) its direction. Through an edge it goes through two.
+Real by_parity(F f) {
+  int crossed = 0;
+  for (const std::size_t axis : kAxes)
+    for (const bool is_min : {true, false}) {
+      const Real t = (is_min ? f.min : f.max)[kBox][axis] - center(f)[axis];
+      if (t < 0) continue;
+      Numbers there = along(center(f), t, {1, 1, 1});
+      there[axis] = (is_min ? f.min : f.max)[kBox][axis];
+      crossed += within_box(f, there) ? 1 : 0;
+    }
+  return crossed % 2 == 0 ? std::abs(f.distance) : -std::abs(f.distance);
+}
+/// Decision and value by another distance.
+Cause by_distance(std::string_view id, std::string_view sentence, std::function<Real(F)> distance) {
+  return {.id = id,
+          .sentence = sentence,
+          .hit = [=](F f) { return Said::at_most(distance(f), reach(f)); },
+          .value = [=](F f) { return Said(distance(f) - f.radii() - f.contact); }};
+}
+
 }  // namespace
 
 bool one_inside_the_other(F f, const BallAndBox& /*shapes*/) {
@@ -165,6 +193,11 @@ std::vector<Cause> wrong_about(const BallAndBox* /*kind*/) {
        .point = [](F f, std::size_t) { return where(center(f) == middle(f), kNotFinite); }},
       points("sphere-box-point-in-box", "contact point of the box left at the centre of the sphere, inside",
              [](F f, std::size_t shape) { return where(shape == kBox && f.D == 0, center(f)); }),
+      by_distance("sphere-box-coplanar-face",
+                  "the sign of the distance taken from a face in whose plane the centre lies: a distance of 0",
+                  [](F f) { return in_plane_of_face(f) ? Real{0} : f.distance; }),
+      by_distance("sphere-box-sign-by-parity",
+                  "the sign of the distance taken from a ray along (1, 1, 1) that goes through an edge", by_parity),
       decision("sphere-box-inside-missed", "sphere wholly inside the box not counted as a hit",
                [](F f) { return missed_where(sphere_in_box(f), f); }),
       decision("sphere-box-middle-in-sphere", "centre in the box a hit only where the middle of the box is in reach",

@@ -137,6 +137,48 @@ std::vector<Cause> wrong_about(const BallAndTriangle* /*kind*/) {
                    for (Real& x : weights) x /= all;
                    return weights;
                  }),
+      at_weights("triangle-weights-rotated", "barycentric coordinates in another order: each with the next vertex",
+                 [](const Seen& seen) -> Weights {
+                   const auto weights = nearest_weights(seen.w);
+                   return {{weights[2], weights[0], weights[1]}};
+                 }),
+      at_weights(
+          "triangle-weight-negated", "one barycentric coordinate with the other sign",
+          [](const Seen& seen) -> Weights {
+            if (!(seen.length2 > 0)) return std::nullopt;
+            auto weights = seen.on_plane();
+            weights[1] = -weights[1];
+            weights[0] = 1 - weights[1] - weights[2];
+            if (std::min({weights[0], weights[1], weights[2]}) >= 0) return weights;
+            return seen.nearest_of(std::array{seen.on_edge(0, true), seen.on_edge(1, true), seen.on_edge(2, true)});
+          }),
+      at_weights("triangle-vertex-by-signs",
+                 "the vertex of the one positive barycentric coordinate taken, where an edge is nearer",
+                 [](const Seen& seen) -> Weights {
+                   if (!(seen.length2 > 0)) return std::nullopt;
+                   const auto weights = seen.on_plane();
+                   std::array<Real, 3> vertex{};
+                   int positive = 0;
+                   for (const std::size_t k : kAxes)
+                     if (weights[k] > 0) ++positive, vertex[k] = 1;
+                   return positive == 1 ? Weights(vertex) : std::nullopt;
+                 }),
+      at_weights(
+          "triangle-face-dropped-1e-6",
+          "the face of a triangle dropped where its doubled area is below 1e-6, whatever the units",
+          [](const Seen& seen) -> Weights {
+            if (!(seen.length2 < 1e-12L)) return std::nullopt;
+            return seen.nearest_of(std::array{seen.on_edge(0, true), seen.on_edge(1, true), seen.on_edge(2, true)});
+          }),
+      {.id = "triangle-flat-zero",
+       .sentence = "triangles without an inside answered with a distance of 0",
+       .hit = [](F f) { return Seen(f).length2 == 0 ? Said::hit(true) : right_decision(f); },
+       .value = [](F f) { return where(Seen(f).length2 == 0, Said(-f.radii() - f.contact)); }},
+      {.id = "triangle-flat-not-finite",
+       .sentence = "NaN or infinite numbers of triangles without an inside",
+       .normal = [](F f) { return where(Seen(f).length2 == 0, kNotFinite); },
+       .point = [](F f, std::size_t) { return where(Seen(f).length2 == 0, kNotFinite); },
+       .value = [](F f) { return where(Seen(f).length2 == 0, Said(kNaN)); }},
       at_weights("triangle-last-edge-forgotten", "the edge from the last vertex to the first never tried",
                  [](const Seen& seen) -> Weights {
                    if (seen.length2 > 0 && seen.least_over_edge() >= 0) return std::nullopt;

@@ -6,6 +6,8 @@ namespace {
 
 constexpr double kRangeWeight = 0.5;
 constexpr double kToleranceWeight = 0.95;
+/// A formula about near decisions has to explain nearly all of them, for what rounds explains all.
+constexpr double kOwnFormatWeight = 0.93;
 
 Real largest_number(F f) { return std::ldexp(Real{1}, format_of(f.scalar).max_exponent + 1); }
 
@@ -20,6 +22,15 @@ bool products_out_of_range(F f) {
           return std::any_of(kAxes.begin(), kAxes.end(), [&](std::size_t axis) {
             return lost(n[axis] * n[axis]) || lost(n[axis] * f.nearest[0][axis]);
           });
+        }
+        if constexpr (std::same_as<A, Ball> && std::same_as<B, Triangle>) {
+          const auto edge = [&](std::size_t k) {
+            return along(numbers_of(shapes.b.vertices[(k + 1) % 3]), -1, numbers_of(shapes.b.vertices[k]));
+          };
+          const Numbers u = edge(0);
+          const Numbers v = edge(1);
+          const Numbers n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+          return lost(dot(n, n)) || lost(dot(u, u)) || lost(dot(v, v));
         }
         if constexpr (std::same_as<Two<A, B>, RayAndTriangle> || std::same_as<Two<A, B>, TriangleAndLine>) {
           const CrossingInReals crossing(shapes);
@@ -69,48 +80,72 @@ Cause coincident_within(std::string_view id, std::string_view sentence, Real siz
   });
 }
 
-/// The error of an answer whose numbers are rounded to `bits` bits; 0 stands for the engine's own format. Inputs and
-/// intermediate results are rounded several times: eight roundings are the allowance.
+/// Inputs and intermediate results are rounded several times: eight roundings are the allowance.
 constexpr Real kRoundings = 8;
+/// An arithmetic is seldom right to so many bits more than it has.
+constexpr int kBitsByChance = 6;
 int kept(F f, int bits) { return bits == 0 ? format_of(f.scalar).precision - 1 : bits; }
-Real loss(F f, int bits) {
+/// The largest number that a question is computed with.
+Real largest_in(F f) {
   Real most = f.radii() + f.alarm + f.contact + std::abs(f.distance);
   for (const auto* vectors : {&f.nearest, &f.min, &f.max})
     for (const Numbers& v : *vectors) most = std::max(most, largest_of(v));
-  return kRoundings * std::ldexp(most, -kept(f, bits));
+  return most;
 }
-/// The same of a normal. A way out of a box lies along an axis, which rounding does not turn.
+
+/// A normal of length 1, as engines make it that divide.
+bool is_unit(const std::optional<Numbers>& n) { return n && std::abs(dot(*n, *n) - 1) < 1e-5L; }
+
+/// Numbers rounded to `bits` bits, which are all of the engine's format where it is its `own`. Errors have a size:
+/// what roundings to the engine's own format do they explain themselves, and an arithmetic of few bits makes hardly any
+/// error that is far smaller.
+Cause rounded(std::string_view id, std::string_view sentence, int bits, double weight, bool own = false) {
+  const auto serves = [=](F f) { return own ? bits == kept(f, 0) : bits < kept(f, 0); };
+  const auto least = [=](Real scale, Real own_format) {
+    return own ? Real{0} : std::max(own_format, std::ldexp(scale, -bits - 1 - kBitsByChance));
+  };
+  const auto moved = [](F f, std::size_t shape, int of_bits) {
+    return loss(f, of_bits) * f.condition + f.radius[shape] * turned(f, of_bits);
+  };
+  return {.id = id,
+          .sentence = sentence,
+          .hit = [=](F f) { return where(serves(f) && from_edge(f) <= apart(f, bits), Said::anything()); },
+          .normal = [=](F f) -> Said {
+            if (!serves(f)) return std::nullopt;
+            if (f.has_direction()) return {f.n, turned(f, bits), least(1, turned(f, 0))};
+            return where(own && is_unit(f.said_normal), Said::anything());  // a difference that should be 0, and is not
+          },
+          .point = [=](F f, std::size_t shape) -> Said {
+            if (!serves(f) || !f.has_direction()) return std::nullopt;
+            return {surface(f, shape), moved(f, shape, bits), least(f.scale[shape], moved(f, shape, 0))};
+          },
+          .value = [=](F f) -> Said {
+            if (!serves(f)) return std::nullopt;
+            const Real scale = std::max({std::abs(f.distance), f.radii(), f.contact});
+            return {{right_value(f), 0, 0}, apart(f, bits), least(scale, apart(f, 0))};
+          },
+          .weight = weight,
+          .arithmetic = own ? Cause::Arithmetic::own : Cause::Arithmetic::coarse};
+}
+
+}  // namespace
+
+Real loss(F f, int bits) { return kRoundings * std::ldexp(largest_in(f), -kept(f, bits)); }
 Real turned(F f, int bits) {
+  // The normal of a triangle does not depend on who crosses it; a way out of a box lies along an axis.
   if (is_crossing(f.query.pair)) return kRoundings * std::ldexp(1 / f.sine, -kept(f, bits));
-  return f.D > 0 ? loss(f, bits) / std::abs(f.distance) : 0;
+  return f.D > 0 ? loss(f, bits) * f.condition / std::abs(f.distance) : 0;
 }
-/// How far the pair is from the edge of the decision.
+Real apart(F f, int bits) {
+  // Points that stray along axes that are nearly parallel do so by the condition, and the way between them by as much
+  // as the sine of the axes' angle is less.
+  const bool axes = std::holds_alternative<Capsules>(f.query.shapes);
+  return loss(f, bits) * (axes ? std::sqrt(f.condition) : f.condition);
+}
 Real from_edge(F f) {
   if (is_crossing(f.query.pair)) return f.slack;
   return f.has_distance() ? std::abs(f.distance - (f.radii() + f.alarm)) : std::abs(f.widest_gap() - f.alarm);
 }
-
-/// An arithmetic whose numbers are rounded to `bits` bits.
-Cause rounded(std::string_view id, std::string_view sentence, int bits, double weight) {
-  return {.id = id,
-          .sentence = sentence,
-          .hit = [bits](F f) { return where(from_edge(f) <= loss(f, bits), Said::anything()); },
-          .normal = [bits](F f) -> Said {
-            if (!f.has_direction()) return std::nullopt;
-            return {f.n, turned(f, bits)};
-          },
-          .point = [bits](F f, std::size_t shape) -> Said {
-            if (!f.has_direction()) return std::nullopt;
-            return {surface(f, shape), loss(f, bits) + f.radius[shape] * turned(f, bits)};
-          },
-          .value =
-              [bits](F f) {
-                return Said({right_value(f), 0, 0}, loss(f, bits));
-              },
-          .weight = weight};
-}
-
-}  // namespace
 
 // Tolerances of the sizes that people choose. The smallest that explains an error is the one to name.
 #define CONTACT_TOLERANCE(size)                                                               \
@@ -126,11 +161,13 @@ std::vector<Cause> wrong_arithmetic() {
        .normal = lost_square,
        .point = lost_square,
        .value = lost_square,
-       .weight = kRangeWeight},
+       .weight = kRangeWeight,
+       .arithmetic = Cause::Arithmetic::own},
       {.id = "sum-range",
        .sentence = "a sum overflows",
        .hit = [](F f) { return where(sums_out_of_range(f), Said::anything()); },
-       .weight = kRangeWeight},
+       .weight = kRangeWeight,
+       .arithmetic = Cause::Arithmetic::own},
       CONTACT_TOLERANCE(1e-15),
       CONTACT_TOLERANCE(1e-14),
       CONTACT_TOLERANCE(1e-12),
@@ -149,7 +186,8 @@ std::vector<Cause> wrong_arithmetic() {
       coincident_within("centres-within-1e-9", "centres within an absolute 1e-9 taken for coincident", 1e-9L),
       coincident_within("centres-within-1e-6", "centres within an absolute 1e-6 taken for coincident", 1e-6L),
       coincident_within("centres-within-1e-3", "centres within an absolute 1e-3 taken for coincident", 1e-3L),
-      rounded("rounding", "intermediate results rounded: wrong in the last bits", 0, 0.7),
+      rounded("rounding", "intermediate results rounded: wrong in the last bits", 52, kOwnFormatWeight, true),
+      rounded("rounding-single", "computes in single precision: wrong in its last bits", 23, kOwnFormatWeight, true),
       rounded("single-precision", "computes in single precision", 23, 0.5),
       rounded("five-digits", "right to about five digits only", 18, 0.4),
       rounded("four-digits", "right to about four digits only, as an estimate of a reciprocal square root is", 15,

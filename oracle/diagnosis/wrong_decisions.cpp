@@ -44,17 +44,19 @@ std::vector<Cause> wrong_decisions() {
        .sentence = "equality not counted as a hit: < in place of <=",
        .hit = [](F f) { return missed_where(f.truth->at_alarm == Side::at, f); },
        .weight = 1.02},  // of those that explain the same the commonest
-      decision("single-decision", "decisions made in single precision",
-               [](F f) {
-                 if (is_crossing(f.query.pair)) return right_decision(f);
-                 if (f.has_distance()) return Said::hit(narrow(f.distance) <= narrow(f.radii() + f.alarm));
-                 bool hit = true;
-                 for (const std::size_t axis : kAxes)
-                   for (const std::size_t shape : {0U, 1U})
-                     hit = hit &&
-                           narrow(f.min[shape][axis]) <= narrow(narrow(f.max[other(shape)][axis]) + narrow(f.alarm));
-                 return Said::hit(hit);
-               }),
+      {.id = "single-decision",
+       .sentence = "decisions made in single precision",
+       .hit =
+           [](F f) {
+             if (is_crossing(f.query.pair)) return right_decision(f);
+             if (f.has_distance()) return Said::hit(narrow(f.distance) <= narrow(f.radii() + f.alarm));
+             bool hit = true;
+             for (const std::size_t axis : kAxes)
+               for (const std::size_t shape : {0U, 1U})
+                 hit = hit && narrow(f.min[shape][axis]) <= narrow(narrow(f.max[other(shape)][axis]) + narrow(f.alarm));
+             return Said::hit(hit);
+           },
+       .weight = 0.92},  // near decisions are rounded first
       decision("inside-missed", "a shape inside the other not counted as a hit",
                [](F f) { return missed_where(f.region == Region::inside, f); }),
       decision("radii-product", "squared distance compared with a product of radii", of_distance([](F f) {
@@ -65,13 +67,16 @@ std::vector<Cause> wrong_decisions() {
                })),
       decision("large-missed", "hits of spheres with a radius of 10000 and more missed",
                of_distance([](F f) { return missed_where(std::max(f.radius[0], f.radius[1]) >= 10000, f); })),
-      decision("tolerance-of-coordinates", "a tolerance of a millionth of the largest coordinate widens the test",
-               [](F f) {
-                 Real most = 0;
-                 for (const auto* vectors : {&f.nearest, &f.min, &f.max})
-                   for (const Numbers& v : *vectors) most = std::max(most, largest_of(v));
-                 return within(f, f.alarm + 1e-6L * most);
-               }),
+      {.id = "tolerance-of-coordinates",
+       .sentence = "a tolerance of a millionth of the largest coordinate widens the test",
+       .hit =
+           [](F f) {
+             Real most = 0;
+             for (const auto* vectors : {&f.nearest, &f.min, &f.max})
+               for (const Numbers& v : *vectors) most = std::max(most, largest_of(v));
+             return within(f, f.alarm + 1e-6L * most);
+           },
+       .weight = 0.92},  // near decisions are rounded first
       decision("inverted", "hit and miss exchanged", [](F f) { return Said::hit(!f.truth->hit()); }),
       decision("always-hit", "always answers hit", [](F) { return Said::hit(true); }),
       decision("never-hit", "never answers hit", [](F) { return Said::hit(false); }),

@@ -95,6 +95,89 @@ Cause with_axes(std::string_view id, std::string_view sentence, void (*change)(A
           }};
 }
 
+/// Other axes of the capsules: `change` makes them of the right ones and their radii.
+Cause with_capsules(std::string_view id, std::string_view sentence, void (*change)(AxisInReals&, Real radius)) {
+  return {.id = id, .sentence = sentence, .edit = [change](Facts& f) {
+            if (const auto* shapes = std::get_if<CapsuleAndPlane>(&f.query.shapes)) {
+              AxisInReals axis(shapes->a);
+              change(axis, f.radius[0]);
+              take_over_plane(f, *shapes, axis, lowest_parameter(axis, PlaneInReals(shapes->b)));
+            }
+            auto axes = axes_of(f);
+            if (!axes || axes->turned) return;
+            if (axes->both) change(axes->first, f.radius[0]);
+            change(axes->second, f.radius[1]);
+            const auto [s, t] = nearest_parameters(axes->first, axes->second);
+            axes->take(f, s, t);
+          }};
+}
+/// An axis that is longer by `by` at each end; one that would be shorter than nothing is its middle.
+void lengthen(AxisInReals& x, Real by) {
+  const Real length = std::sqrt(dot(x.along, x.along));
+  if (!(length > 0)) return;
+  const Real part = std::max(by / length, Real{-0.5});
+  x.from = x.at(-part);
+  x.along = times(1 + 2 * part, x.along);
+}
+
+/// The nearest points of two segments as Ericson finds them, from products with the difference of their starts: `c` of
+/// the first direction, `f` of the second. What is wrong about the products is wrong about the points.
+Parameters by_products(const Axes& x, Real c, Real f) {
+  if (!x.both || !(x.A > 0 && x.E > 0)) return std::nullopt;
+  Real s = x.determinant > 0 ? clamped((x.B * f - c * x.E) / x.determinant) : 0;
+  const Real t = (x.B * s + f) / x.E;
+  if (t < 0) s = clamped(-c / x.A);
+  if (t > 1) s = clamped((x.B - c) / x.A);
+  return {{s, clamped(t)}};
+}
+/// The same with right products, and `change` of s and t before they are clamped.
+Parameters with_terms(const Axes& x, Real sign_in_s, Real sign_in_t) {
+  if (!x.both || !(x.A > 0 && x.E > 0)) return std::nullopt;
+  const Real c = -x.C;
+  const Real f = -x.F;
+  Real s = x.determinant > 0 ? clamped((x.B * f - sign_in_s * c * x.E) / x.determinant) : 0;
+  const Real t = (x.B * s + sign_in_t * f) / x.E;
+  if (t < 0) s = clamped(-c / x.A);
+  if (t > 1) s = clamped((x.B - c) / x.A);
+  return {{s, clamped(t)}};
+}
+/// The nearest points of two segments as Brax, MJX, Newton and MuJoCo Warp find them: of the lines, from the middles
+/// of the segments, and then of one on the other. Each division has 1e-6 in its denominator.
+void with_a_millionth(Facts& f) {
+  constexpr Real kMillionth = 1e-6L;
+  const auto axes = axes_of(f);
+  if (!axes || !axes->both) return;
+  const Axes& x = *axes;
+  const Real lengths[2] = {std::sqrt(x.A), std::sqrt(x.E)};
+  const Numbers u = x.A > 0 ? times(1 / lengths[0], x.first.along) : Numbers{};
+  const Numbers v = x.E > 0 ? times(1 / lengths[1], x.second.along) : Numbers{};
+  const Numbers w = along(x.first.at(0.5L), -1, x.second.at(0.5L));
+  const Real uv = dot(u, v);
+  const Real sine2 = x.A > 0 && x.E > 0 ? x.determinant / (x.A * x.E) : 1;
+  const Real s = (uv * dot(v, w) - dot(u, w)) / (sine2 + kMillionth);
+  const auto on = [](Real part, Real length) { return length > 0 ? clamped(part / length + 0.5L) : Real{0}; };
+  const Numbers on_first = x.first.at(on(s, lengths[0]));
+  const Numbers on_second = x.second.at(on(dot(v, w) + s * uv, lengths[1]));
+  const auto foot = [](const AxisInReals& axis, const Numbers& point) {
+    return axis.at(clamped(dot(along(point, -1, axis.from), axis.along) / (dot(axis.along, axis.along) + kMillionth)));
+  };
+  using Points = std::array<Numbers, 2>;
+  const std::array ways{Points{foot(x.first, on_second), on_second}, Points{on_first, foot(x.second, on_first)}};
+  std::array<Real, 2> apart{};
+  std::array<Real, 2> turned{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Numbers d = along(ways[i][1], -1, ways[i][0]);
+    apart[i] = dot(d, d);
+    const Numbers from_said = along(times(1 / std::sqrt(apart[i]), d), -1, f.said_normal.value_or(Numbers{}));
+    turned[i] = dot(from_said, from_said);
+  }
+  // Both are as far, but for roundings, where no end is nearest: then an engine takes the one that its normal is of.
+  constexpr Real kAlike = 1e-5L;
+  const bool alike = f.said_normal && std::abs(apart[0] - apart[1]) <= kAlike * std::max(apart[0], apart[1]);
+  f.nearest = ways[(alike ? turned[0] < turned[1] : apart[0] < apart[1]) ? 0 : 1];
+  f.settle();
+}
+
 /// The distance of a sphere from a capsule by Pythagoras with a clamped t, squared.
 std::optional<Real> by_pythagoras(F f) {
   const auto axes = axes_of(f);
@@ -103,6 +186,11 @@ std::optional<Real> by_pythagoras(F f) {
   const Real length = std::sqrt(axes->E);
   const Real t = std::clamp(dot(w, axes->second.along) / length, Real{0}, length);
   return std::max(Real{0}, dot(w, w) - t * t);
+}
+
+bool are_parallel(F f) {
+  const auto axes = axes_of(f);
+  return axes && axes->both && axes->determinant == 0;
 }
 
 /// Segments whose determinant is below a limit are taken for parallel: s = 0.
@@ -116,6 +204,45 @@ Parameters parallel_below(const Axes& x, Real limit) {
 
 std::vector<Cause> wrong_features() {
   return {
+      edit("segments-plus-1e-6",
+           "1e-6 added to both denominators of the nearest points of segments, 1 - (u.v)^2 and |u|^2",
+           with_a_millionth),
+      on_axes("segments-offset-reversed", "the difference of the segments' starts with the other sign in every product",
+              [](const Axes& x) { return by_products(x, x.C, x.F); }),
+      on_axes("segments-first-term-sign", "one sign wrong in the first parameter of two segments: b f + c e",
+              [](const Axes& x) { return with_terms(x, -1, 1); }),
+      on_axes("segments-second-term-sign", "one sign wrong in the second parameter of two segments: b s - f",
+              [](const Axes& x) { return with_terms(x, 1, -1); }),
+      on_axes("segments-offset-of-first", "the start of the first segment taken for the difference of both",
+              [](const Axes& x) {
+                return by_products(x, dot(x.first.along, x.first.from), dot(x.second.along, x.first.from));
+              }),
+      on_axes("segments-offset-of-second", "the start of the second segment taken for the difference of both",
+              [](const Axes& x) {
+                return by_products(x, -dot(x.first.along, x.second.from), -dot(x.second.along, x.second.from));
+              }),
+      with_capsules("capsule-caps-in-length", "the caps of a capsule counted in its length: the axis is too short",
+                    [](AxisInReals& x, Real radius) { lengthen(x, -radius); }),
+      with_capsules("capsule-caps-added", "the caps of a capsule added to its length: the axis is too long",
+                    [](AxisInReals& x, Real radius) { lengthen(x, radius); }),
+      with_capsules("capsule-from-middle", "a capsule begins in its middle, and is not centred there",
+                    [](AxisInReals& x, Real) { x.from = x.at(0.5L); }),
+      with_capsules("capsule-around-start", "a capsule centred on the start of its axis",
+                    [](AxisInReals& x, Real) { x.from = x.at(-0.5L); }),
+      {.id = "ray-from-inside-missed",
+       .sentence = "a ray that starts inside the sphere never hits it",
+       .hit =
+           [](F f) {
+             const auto* shapes = std::get_if<RayAndBall>(&f.query.shapes);
+             if (shapes == nullptr) return right_decision(f);
+             const Numbers w = along(numbers_of(shapes->b.center), -1, numbers_of(shapes->a.origin));
+             return missed_where(dot(w, w) <= f.radius[1] * f.radius[1], f);
+           }},
+      {.id = "parallel-not-finite",
+       .sentence = "NaN or infinite numbers where segments are parallel, or a point",
+       .normal = [](F f) { return where(are_parallel(f), kNotFinite); },
+       .point = [](F f, std::size_t) { return where(are_parallel(f), kNotFinite); },
+       .value = [](F f) { return where(are_parallel(f), Said(kNaN)); }},
       on_axes("capsule-as-line", "capsules taken for infinite cylinders: the foot is not clamped to the axis",
               [](const Axes& x) -> Parameters {
                 if (!x.both) return x.E > 0 ? Parameters({{0, x.foot_of_first(0)}}) : std::nullopt;

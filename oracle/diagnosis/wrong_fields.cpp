@@ -15,6 +15,8 @@ std::function<Said(F)> always(const Numbers& said) {
 std::function<Said(F)> reordered(std::size_t x, std::size_t y, std::size_t z) {
   return [=](F f) { return Numbers{f.n[x], f.n[y], f.n[z]}; };
 }
+/// A normal whose length is so many ulps from 1 has unit length.
+constexpr Real kUnitUlps = 64;
 /// The surface point, `by` outside its sphere.
 Numbers lifted(F f, std::size_t sphere, Real by) {
   return along(f.nearest[sphere], side(sphere) * (f.radius[sphere] + by), f.n);
@@ -24,6 +26,11 @@ Numbers lifted(F f, std::size_t sphere, Real by) {
 
 std::vector<Cause> wrong_normals() {
   return {
+      {.id = "answer-not-finite",
+       .sentence = "normal, points and value are NaN or infinite",
+       .normal = always(kNotFinite),
+       .point = [](F, std::size_t) { return kNotFinite; },
+       .value = [](F) { return kNaN; }},
       {.id = "normal-not-finite", .sentence = "normal is NaN or infinite", .normal = always(kNotFinite)},
       {.id = "normal-zero", .sentence = "normal is zero", .normal = always({})},
       normal("normal-not-unit", "normal is the difference of the centres, not divided by its length",
@@ -77,6 +84,7 @@ std::vector<Cause> wrong_normals() {
          if (!f.said_normal) return std::nullopt;
          const Real length = std::sqrt(dot(*f.said_normal, *f.said_normal));
          if (!(length > 0 && std::isfinite(length))) return std::nullopt;
+         if (std::abs(length - 1) <= std::ldexp(kUnitUlps, -format_of(f.scalar).precision)) return std::nullopt;
          return f.region == Region::coincident ? *f.said_normal : times(length, f.n);
        }},
   };

@@ -23,6 +23,15 @@ void add_on(Facts& f, std::size_t axis) {
 
 std::vector<Cause> wrong_inputs() {
   return {
+      edit("capsule-radius-missing", "the radius of a capsule never read",
+           [](Facts& f) {
+             std::visit(
+                 [&]<class A, class B>(const Two<A, B>&) {
+                   if constexpr (std::same_as<A, Capsule>) f.radius[0] = 0;
+                   if constexpr (std::same_as<B, Capsule>) f.radius[1] = 0;
+                 },
+                 f.query.shapes);
+           }),
       edit("first-radius-for-both", "radius of the first sphere used for both",
            [](Facts& f) { f.radius[1] = f.radius[0]; }),
       edit("second-radius-for-both", "radius of the second sphere used for both",

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
+#include <set>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "engines/zoo/mutants.hpp"
 #include "tool/run/pipeline.hpp"
@@ -57,6 +61,138 @@ TEST(Mutants, the_first_diagnosis_of_at_least_95_in_100_names_the_mistake) {
   }
   EXPECT_GE(right * 100, engines::mutants().size() * 95);
   RecordProperty("right", std::to_string(right) + " of " + std::to_string(engines::mutants().size()));
+}
+
+/// Asks engines the first questions of a file.
+void ask(const golden::CommittedFile& file, std::uint64_t questions, std::vector<Subject>& engines) {
+  Stop never;
+  Oracles oracles;
+  judge_source({file.pair, file.scalar, std::string(file.family->name), questions, std::nullopt, file.family,
+                golden::kCommittedSeed},
+               engines, never, oracles);
+}
+Subject subject_of(std::unique_ptr<engines::Engine> engine) {
+  Subject subject{std::move(engine), {}};
+  subject.report.engine = subject.engine->info();
+  return subject;
+}
+
+/// A mistake that users of public engines reported, as an engine of one pair makes it.
+struct Planted {
+  std::string_view mutant;
+  Pair pair;
+  std::string_view cause;
+};
+const std::vector<Planted> kPlanted{
+    {"mujoco-in-box-depth", Pair::sphere_cube, "sphere-box-depth-missing"},
+    {"cglm-below-min-face", Pair::sphere_cube, "sphere-box-max-for-both"},
+    {"trimesh-coplanar-face", Pair::sphere_cube, "sphere-box-coplanar-face"},
+    {"open3d-ray-parity", Pair::sphere_cube, "sphere-box-sign-by-parity"},
+    {"cyclone-capsule-radius", Pair::sphere_capsule, "capsule-radius-missing"},
+    {"mjx-segment-1e-6", Pair::sphere_capsule, "parameter-divided-by-length-plus-1e-6"},
+    {"stride-caps-in-length", Pair::sphere_capsule, "capsule-caps-in-length"},
+    {"simple-collider-caps-added", Pair::capsule_capsule, "capsule-caps-added"},
+    {"fcl-capsule-origin", Pair::capsule_capsule, "capsule-from-middle"},
+    {"sceneview-segment-sign", Pair::capsule_capsule, "segments-offset-reversed"},
+    {"rdk-segment-sign", Pair::capsule_capsule, "segments-first-term-sign"},
+    {"line2point-sign", Pair::capsule_capsule, "segments-second-term-sign"},
+    {"segments-w-of-first", Pair::capsule_capsule, "segments-offset-of-first"},
+    {"segments-w-of-second", Pair::capsule_capsule, "segments-offset-of-second"},
+    {"meshes-jl-clamps-alone", Pair::capsule_capsule, "parameters-clamped-alone"},
+    {"godot-parallel-nan", Pair::capsule_capsule, "parallel-not-finite"},
+    {"mjx-capsule-capsule", Pair::capsule_capsule, "segments-plus-1e-6"},
+    {"newton-capsule-capsule", Pair::capsule_capsule, "segments-plus-1e-6"},
+    {"three-mesh-bvh-weights", Pair::sphere_triangle, "triangle-weights-rotated"},
+    {"sdf-barycentric-sign", Pair::sphere_triangle, "triangle-weight-negated"},
+    {"trimesh-obtuse-vertex", Pair::sphere_triangle, "triangle-vertex-by-signs"},
+    {"triangle-face-dropped", Pair::sphere_triangle, "triangle-face-dropped-1e-6"},
+    {"parry-flat-triangle-zero", Pair::sphere_triangle, "triangle-flat-zero"},
+    {"parry-flat-triangle-nan", Pair::sphere_triangle, "triangle-flat-not-finite"},
+    {"wicked-ray-from-inside", Pair::ray_sphere, "ray-from-inside-missed"},
+    {"collision-rs-ray-direction", Pair::ray_sphere, "ray-direction-unit"},
+    {"bevy-plane-not-divided", Pair::sphere_plane, "plane-decision-not-divided"},
+    {"byro-capsule-midpoint", Pair::capsule_plane, "capsule-around-start"},
+    {"crossing-determinant-1e-6", Pair::ray_triangle, "crossing-determinant-1e-6"},
+    {"crossing-infinite-line", Pair::triangle_line, "crossing-without-ends"},
+};
+
+/// An engine with one midpoint in the place of two points, where `midpoint` is set.
+class Pointing final : public engines::Engine {
+ public:
+  Pointing(std::unique_ptr<engines::Engine> engine, bool midpoint)
+      : Engine(declaring(engine->info(), midpoint)), engine_(std::move(engine)), midpoint_(midpoint) {}
+
+  std::vector<Claim> answer(std::span<const engines::Question> questions) override {
+    std::vector<Claim> claims = engine_->answer(questions);
+    for (Claim& claim : claims) {
+      if (!claim.contact || !midpoint_) continue;
+      claim.contact->point = Vector3(*claim.contact->point1 / 2 + *claim.contact->point2 / 2);
+      claim.contact->point1.reset();
+      claim.contact->point2.reset();
+    }
+    return claims;
+  }
+
+ private:
+  static engines::EngineInfo declaring(engines::EngineInfo info, bool midpoint) {
+    if (midpoint) info.declared.conventions.points = Points::midpoint;
+    return info;
+  }
+  std::unique_ptr<engines::Engine> engine_;
+  bool midpoint_;
+};
+
+TEST(Mutants, a_mistake_that_was_reported_is_named_in_the_first_line_of_the_pair_that_it_is_about) {
+  for (const Pair pair : kPairs) {
+    std::vector<Subject> subjects;
+    std::vector<Planted> planted;
+    for (const Planted& p : kPlanted)
+      for (const bool midpoint : {false, true}) {
+        if (p.pair != pair) continue;
+        auto engine = engines::make_built_in(std::string(engines::kMutantPrefix) + std::string(p.mutant));
+        ASSERT_NE(engine, nullptr) << p.mutant;
+        subjects.push_back(subject_of(std::make_unique<Pointing>(std::move(engine), midpoint)));
+        planted.push_back(p);
+      }
+    if (planted.empty()) continue;
+    for (const golden::CommittedFile& file : golden::committed_files())
+      if (file.pair == pair) ask(file, kQuestions, subjects);
+    for (std::size_t i = 0; i < planted.size(); ++i) {
+      const auto found = subjects[i].report.why.findings();
+      ASSERT_FALSE(found.empty()) << planted[i].mutant;
+      EXPECT_EQ(found.front().cause, planted[i].cause) << planted[i].mutant << ": " << found.front().sentence;
+    }
+  }
+}
+
+/// What is true of plain arithmetic, in any of the golden files.
+const std::set<std::string_view> kTrueOfPlainDouble{"rounding",          "square-range",      "sum-range",
+                                                    "normal-not-finite", "answer-not-finite", "points-not-finite",
+                                                    "value-not-finite"};
+const std::set<std::string_view> kTrueOfPlainFloat{"rounding-single",   "single-decision",   "square-range",
+                                                   "sum-range",         "normal-not-finite", "answer-not-finite",
+                                                   "points-not-finite", "value-not-finite"};
+
+TEST(Mutants, plain_arithmetic_is_never_told_of_a_mistake_that_it_does_not_make) {
+  std::size_t told = 0;
+  for (const golden::CommittedFile& file : golden::committed_files()) {
+    if (file.family->outside_domain) continue;
+    std::vector<Subject> subjects;
+    for (const char* name : {"plain-double", "plain-float"})
+      subjects.push_back(subject_of(engines::make_built_in(name)));
+    ask(file, std::min(2 * kQuestions, golden::kCommittedCount), subjects);
+    for (const Subject& subject : subjects) {
+      const auto found = subject.report.why.findings();
+      if (found.empty()) continue;
+      ++told;
+      const auto& allowed =
+          subject.report.engine.declared.scalar == Scalar::binary32 ? kTrueOfPlainFloat : kTrueOfPlainDouble;
+      EXPECT_TRUE(found.front().cause.empty() || allowed.contains(found.front().cause))
+          << subject.report.engine.name << " in " << contact::name(file.pair) << ' ' << file.family->name << ' '
+          << contact::name(file.scalar) << ": " << found.front().sentence;
+    }
+  }
+  EXPECT_GT(told, 100U);
 }
 
 }  // namespace

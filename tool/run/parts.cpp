@@ -189,7 +189,7 @@ void serialize(Archive& archive, Part& p) {
 namespace {
 
 constexpr std::string_view kFormat = "contact-oracle/part";
-constexpr std::uint64_t kVersion = 4;
+constexpr std::uint64_t kVersion = 5;
 
 // Whether what a part tells is of kinds that there are, which become indices into their names.
 
