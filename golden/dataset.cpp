@@ -249,11 +249,10 @@ Case make_case(const Query& query, Scalar scalar) {
 }
 
 Shard read_shard(const std::string& text, const formats::Location& where, const std::string& option) {
-  const std::size_t slash = text.find('/');
-  const auto index = formats::whole_number<std::uint64_t>(std::string_view(text).substr(0, slash));
-  const auto of = slash == std::string::npos
-                      ? std::nullopt
-                      : formats::whole_number<std::uint64_t>(std::string_view(text).substr(slash + 1));
+  const std::string_view words = text;
+  const std::size_t slash = std::min(words.find('/'), words.size());
+  const auto index = formats::whole_number<std::uint64_t>(words.substr(0, slash));
+  const auto of = formats::whole_number<std::uint64_t>(words.substr(std::min(slash + 1, words.size())));
   if (!index || !of || *index >= *of)
     throw formats::InputError(where, option, fmt::format("expected I/N with I below N, got '{}'", text));
   return {*index, *of};
