@@ -67,7 +67,9 @@ struct Facts {
   bool crosses = false;
   Real slack = 0;  ///< CrossingInReals::slack
   Real sine = 1;   ///< CrossingInReals::sine
-  Real t = 0;      ///< of a ray that is cast, where it hits
+  // Of a ray that is cast.
+  Real t = 0;           ///< where it hits
+  Real per_length = 1;  ///< how much of t a length is, along the ray
 
   [[nodiscard]] bool has_distance() const { return query.has_distance(); }
   [[nodiscard]] bool has_numbers() const { return query.has_numbers(); }
