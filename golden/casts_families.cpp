@@ -347,7 +347,7 @@ CastIn<Real> near_boundary(Random& random) {
   return s;
 }
 
-/// Shapes without a radius, an extent or an inside: through them exactly, a fifth one step beside.
+/// Shapes without a radius, an extent or an inside: hit exactly, a fifth one step beside.
 template <class Real, Pair kPair>
 CastIn<Real> thin_cast(Random& random) {
   auto made = on_surface<Real, kPair>(random, Part::face);
@@ -366,12 +366,12 @@ CastIn<Real> thin_cast(Random& random) {
     if (kind == 0 && random.chance(2)) s.v[1] = s.v[2] = s.v[0];
     std::swap(s.v[0], s.v[random.index(3)]);
   } else {
-    made.x = moved(made.x, std::int64_t{0}, made.n);
+    // A point, the end of a segment, a place between its ends.
+    s.size = 0;
     if (kPair == Pair::cast_capsule && kind == 0) s.v[1] = s.v[0];
-    if (kPair == Pair::cast_sphere || kind != 0) s.size = 0;
-    const std::size_t end = kind == 2 ? 1 : 0;
+    const Real part = kPair == Pair::cast_capsule && kind == 2 ? Real{1} : Real{0};
     for (std::size_t i = 0; i < 3; ++i)
-      made.x[i] = static_cast<std::int64_t>(s.v[kPair == Pair::cast_capsule ? end : 0][i]);
+      made.x[i] = static_cast<std::int64_t>(s.v[0][i] + part * ((s.v[1][i] - s.v[0][i]) / 3));
   }
   const auto before = random.between<std::int64_t>(1, 40);
   lay(made, direction(random, 6), before, before + random.between<std::int64_t>(0, 3));
@@ -410,8 +410,8 @@ CastIn<Real> ties_of_cast(Random& random) {
     case Pair::cast_cube:
       // A corner is a number: only t can be a tie.
       s.origin[i] = -sign * std::ldexp(Real{1}, kDigits);
-      s.v[0] = with(std::min(sign * odd, sign * (odd + 50)));
-      s.v[1] = with(std::max(sign * odd, sign * (odd + 50)));
+      s.v[0] = s.v[1] = with(sign * (odd + static_cast<Real>(2 * random.between(0, 4000))));
+      (sign > 0 ? s.v[1] : s.v[0])[i] += sign * 50;
       for (const std::size_t k : {(i + 1) % 3, (i + 2) % 3}) s.v[0][k] = -8, s.v[1][k] = 8;
       break;
     case Pair::cast_triangle:
@@ -511,10 +511,13 @@ std::vector<Family> table() {
                    "step off",
                    "a discriminant or a determinant of 0, and a slab that a ray lies in: 0/0",
                    made<grazing_cast<double, kPair>, grazing_cast<float, kPair>>, false});
-  if (kPair != Pair::cast_plane)
-    all.push_back({"thin",
-                   "without a radius, an extent or an inside, hit exactly, by integers; a fifth one step beside",
-                   "divisions by a radius or a length, and normals of length 0",
+  if (kIsRound<kPair>)
+    all.push_back({"zero_radius", "points and segments, hit exactly, by integers; a fifth one step beside",
+                   "divisions by a radius, and a discriminant that rounding makes negative",
+                   made<thin_cast<double, kPair>, thin_cast<float, kPair>>, false});
+  else if (kPair != Pair::cast_plane)
+    all.push_back({"thin", "without an extent or an inside, hit exactly, by integers; a fifth one step beside",
+                   "divisions by a length, and normals of length 0",
                    made<thin_cast<double, kPair>, thin_cast<float, kPair>>, false});
   if (kPair != Pair::cast_plane && kPair != Pair::cast_sphere)
     all.push_back({"through_edge",

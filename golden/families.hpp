@@ -67,7 +67,7 @@ struct CommittedFile {
 inline constexpr std::uint64_t kCommittedSeed = 42;
 inline constexpr std::uint64_t kCommittedCount = 210;  ///< a multiple of the classes that take turns, over 200
 /// How many of them are committed. Of rays that are cast there are five pairs whose exact numbers are long.
-[[nodiscard]] constexpr std::uint64_t committed_count(Pair pair) { return is_cast(pair) ? 45 : kCommittedCount; }
+[[nodiscard]] constexpr std::uint64_t committed_count(Pair pair) { return is_cast(pair) ? 30 : kCommittedCount; }
 
 /// Spoils one number of a question so that it lies outside the domain: the family `invalid`.
 void spoil(Query& query, Random& random);

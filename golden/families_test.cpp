@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <map>
 #include <set>
+#include <vector>
 
 #include "contact/sphere_sphere.hpp"
 #include "golden/dataset.hpp"
@@ -314,6 +315,7 @@ TEST(Families, OneAxisTakesEveryAxisAndDirection) {
 TEST(Families, ContainmentFlatNestedAndIdenticalAreWhatTheySay) {
   const auto share_of = [](std::string_view family, std::string_view flag, std::uint64_t percent) {
     for_each_file(family, [&](const CommittedFile& file) {
+      if (file.pair == Pair::cast_plane) return;  // a half-space has no size
       const auto n = count_if(file, [&](const Query& q, const oracle::Truth& t) {
         const auto names = flags_of(q, t, file.scalar);
         return std::find(names.begin(), names.end(), flag) != names.end();
@@ -374,7 +376,8 @@ TEST(Families, NormalsOfEveryLengthHoldThoseWhoseSquareIsBeyondTheRange) {
 
 TEST(Families, TiesAreTiesOrRightBesideOne) {
   for_each_file("ties", [](const CommittedFile& file) {
-    for (const char* flag : {"Tie", "HardToRound"})
+    // Where a ray hits what is flat, one number in a hundred is beside a tie.
+    for (const char* flag : is_cast(file.pair) ? std::vector{"Tie"} : std::vector{"Tie", "HardToRound"})
       EXPECT_GE(count_if(file, [&](const Query& q, const oracle::Truth&) { return has_flag(flag, q, file.scalar); }),
                 kCommittedCount / 5)
           << title(file) << " " << flag;
@@ -589,7 +592,7 @@ TEST(Families, ExtremeBoxesHoldSumsThatOverflowBesideAnAxisThatIsApart) {
 TEST(Families, MakeTheCommittedQuestionsWhateverTheCompiler) {
   for (const CommittedFile& file : committed_files()) {
     DatasetReader reader(std::filesystem::path(CONTACT_SOURCE_DIR) / "golden" / file.path());
-    for (std::uint64_t i = 0; i < 42; ++i) {
+    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(42, committed_count(file.pair)); ++i) {
       const Query query = generate_query(file.pair, *file.family, file.scalar, kCommittedSeed, i);
       if (!file.family->outside_domain) {
         ASSERT_EQ(query_id(reader.next().value().query), query_id(query)) << file.path();

@@ -286,7 +286,8 @@ def cast_triangle(o, d, length, corners, scalar):
         return within or any(on_edge(a, b) for a, b in edges)
 
     tries = [dot(at(corner, o, -1), d) / dot(d, d) for corner in corners]
-    tries += [dot(n, at(corners[0], o, -1)) / dot(n, d)] * (dot(n, d) != 0)
+    if through := dot(n, d):
+        tries.append(dot(n, at(corners[0], o, -1)) / through)
     for a, b in edges:
         if any(q := cross(d, at(b, a, -1))):
             tries.append(dot(cross(at(a, o, -1), at(b, a, -1)), q) / dot(q, q))

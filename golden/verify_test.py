@@ -713,7 +713,7 @@ class Broken(Case):
         for name in ("sphere_plane/below_plane", "capsule_plane/parallel", "capsule_plane/generic", "ray_triangle/generic",
                      "ray_triangle/through_boundary", "ray_triangle/end_on_triangle", "triangle_line/through_boundary",
                      "cast_sphere/grazing", "cast_cube/through_edge", "cast_capsule/through_edge", "cast_capsule/from_inside",
-                     "cast_triangle/thin", "cast_triangle/through_edge", "cast_plane/ends_at_surface"):
+                     "cast_triangle/thin", "cast_sphere/zero_radius", "cast_triangle/through_edge", "cast_plane/ends_at_surface"):
             pair, *asked = (json.loads(line) for line in (GOLDEN / f"{name}.jsonl").read_text().splitlines()[:25])
             self.file(f"{name.replace('/', '.')}.jsonl", self.annotated(*(
                 {"pair": pair["pair"], **{x: case[x] for x in ("a", "b", "alarm", "contact")}} for case in asked)))

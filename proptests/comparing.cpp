@@ -63,7 +63,7 @@ bool cast_undecided(const Case& c, std::size_t i) {
           }
           if constexpr (std::same_as<B, Plane>)
             times += std::abs(shapes.b.offset) / (scale * shapes.b.normal.stableNorm());
-          if (!std::isfinite(times)) return true;
+          if (!(times < 1e100)) return true;
           const oracle::Exact off = oracle::distance_to_change(shapes, c.truth(i).hit());
           const Rational unit = oracle::ulp(Rational(scale), c.subject.info.declared.scalar);
           return oracle::is_within(Rational(0), off, Rational(64 * c.subject.bound(Field::value) * times) * unit);

@@ -65,7 +65,8 @@ TEST(Component, SwappedModelsGiveTheMirroredContactsOfEveryGoldenPairBitForBit) 
   for (const auto& path : golden::dataset_files({std::filesystem::path(CONTACT_SOURCE_DIR) / "golden"})) {
     golden::DatasetReader reader(path);
     const Pair pair = reader.header().pair;
-    if (!has_numbers(pair) || reader.header().family == "invalid") continue;
+    // No model asks where a ray first hits.
+    if (!has_numbers(pair) || is_cast(pair) || reader.header().family == "invalid") continue;
     while (const auto c = reader.next()) {
       const auto [a, b] = std::visit(
           [&](const auto& two) {

@@ -38,9 +38,11 @@ inline Numbers surface(F f, std::size_t shape) { return along(f.nearest[shape], 
 inline Real signed_distance(F f) { return f.distance - f.radii(); }
 inline Real right_value(F f) { return is_cast(f.query.pair) ? f.t : signed_distance(f) - f.contact; }
 
+/// Whether no distance decides, but a point that both shapes have.
+inline bool is_decided_by_a_point(F f) { return is_crossing(f.query.pair) || is_cast(f.query.pair); }
 /// Whether the shapes are within `alarm` of each other: boxes are if the gap of each axis is.
 inline Said within(F f, Real alarm) {
-  if (is_crossing(f.query.pair) || is_cast(f.query.pair)) return Said::hit(f.crosses);
+  if (is_decided_by_a_point(f)) return Said::hit(f.crosses);
   return f.has_distance() ? Said::at_most(f.distance, f.radii() + alarm) : Said::at_most(f.widest_gap(), alarm);
 }
 inline Said right_decision(F f) { return Said::hit(f.truth->hit()); }
@@ -67,9 +69,12 @@ inline Cause value(std::string_view id, std::string_view sentence, std::function
 inline Cause edit(std::string_view id, std::string_view sentence, std::function<void(Facts&)> change) {
   return {.id = id, .sentence = sentence, .edit = std::move(change)};
 }
-/// A cause that changes the normal only, between cores that are apart: where they meet, there is no delta.
+/// A cause that changes the normal only, between cores that are apart: where they meet, there is no delta. A ray that
+/// is cast has a normal all the same.
 inline Cause normal(std::string_view id, std::string_view sentence, std::function<Said(F)> said) {
-  return {.id = id, .sentence = sentence, .normal = [said = std::move(said)](F f) { return where(f.D > 0, said(f)); }};
+  return {.id = id, .sentence = sentence, .normal = [said = std::move(said)](F f) {
+            return where(f.D > 0 || (is_cast(f.query.pair) && f.crosses), said(f));
+          }};
 }
 /// A normal or a point that is NaN or infinite.
 inline constexpr Numbers kNotFinite{kNaN, kNaN, kNaN};

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "oracle/diagnosis/formulas.hpp"
+#include "oracle/truth/casts.hpp"
 #include "oracle/truth/exact_truth.hpp"
 
 namespace contact::oracle {
@@ -93,11 +94,12 @@ void Facts::ask(Query other) {
   // What overflows stays the largest number: there is no truth about infinity.
   const double largest = std::numeric_limits<double>::max();
   for_each_number(other, [largest](const std::string&, double& x) { x = std::clamp(x, -largest, largest); });
-  // Nor about a plane whose normal has become 0.
+  // Nor about a plane whose normal has become 0, or about a ray that is cast without a direction.
   bool is_nothing = false;
   std::visit(
       [&]<class A, class B>(const Two<A, B>& shapes) {
         if constexpr (std::same_as<B, Plane>) is_nothing = shapes.b.normal.isZero(0);
+        if constexpr (std::same_as<A, Cast>) is_nothing = is_nothing || shapes.a.direction.isZero(0);
       },
       other.shapes);
   if (is_nothing) return;
@@ -132,6 +134,14 @@ void Facts::read(const Truth& of_query) {
   if (const CastHit* cast = exact->cast()) {
     // A contact without a distance, as of a crossing; where many normals are right, the engine's is.
     t = static_cast<Real>(round_to_nearest(cast->t, Scalar::binary64));
+    std::visit(
+        [&]<class A, class B>(const Two<A, B>& shapes) {
+          if constexpr (std::same_as<A, Cast>) {
+            const Numbers d = formulas::numbers_of(shapes.a.direction);
+            per_length = 1 / std::sqrt(formulas::dot(d, d));
+          }
+        },
+        query.shapes);
     const Numbers normal = real(cast->along);
     const Numbers reference = formulas::times(1 / std::sqrt(formulas::dot(normal, normal)), normal);
     inward = cast->inside || cast->against ? said_normal.value_or(reference) : reference;
@@ -163,13 +173,18 @@ void Facts::read(const Truth& of_query) {
 
 void Facts::read_crossing(bool hit) {
   if (!is_crossing(query.pair) && !is_cast(query.pair)) return;
-  alarm = 0;
-  contact = 0;
+  if (is_crossing(query.pair)) alarm = contact = 0;
   crosses = hit;
   const auto take = [&](const CrossingInReals& crossing) {
     slack = crossing.slack();
     sine = crossing.sine;
   };
+  std::visit(
+      [&]<class A, class B>(const Two<A, B>& shapes) {
+        if constexpr (std::same_as<A, Cast>)
+          slack = static_cast<Real>(round_to_nearest(distance_to_change(shapes, hit), Scalar::binary64));
+      },
+      query.shapes);
   if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes)) take(CrossingInReals(*ray));
   if (const auto* line = std::get_if<TriangleAndLine>(&query.shapes)) take(CrossingInReals(*line));
 }

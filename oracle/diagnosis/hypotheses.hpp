@@ -70,7 +70,9 @@ struct Facts {
   /// How much the shapes may enlarge a rounding on its way into a nearest point, or a crossing: axes that are nearly
   /// parallel, a triangle that is thin, a line that nearly goes along a plane. At least 1.
   Real condition = 1;
-  Real t = 0;  ///< of a ray that is cast, where it hits
+  // Of a ray that is cast.
+  Real t = 0;           ///< where it hits
+  Real per_length = 1;  ///< how much of t a length is, along the ray
 
   [[nodiscard]] bool has_distance() const { return query.has_distance(); }
   [[nodiscard]] bool has_numbers() const { return query.has_numbers(); }

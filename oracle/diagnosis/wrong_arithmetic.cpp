@@ -11,12 +11,21 @@ constexpr double kOwnFormatWeight = 0.93;
 
 Real largest_number(F f) { return std::ldexp(Real{1}, format_of(f.scalar).max_exponent + 1); }
 
-/// Whether a product of three differences does, of a crossing, or one of the normal with itself or a point, of a plane.
+/// Whether a product of three differences does, of a crossing, or one of squares, of a cast, or one of the normal with
+/// itself or a point, of a plane.
 bool products_out_of_range(F f) {
   const Real smallest = std::ldexp(Real{1}, format_of(f.scalar).min_exponent);
   const auto lost = [&](Real x) { return x != 0 && (std::abs(x) < smallest || std::abs(x) >= largest_number(f)); };
   return std::visit(
       [&]<class A, class B>(const Two<A, B>& shapes) {
+        if constexpr (std::same_as<A, Cast>) {
+          // d.d, w.d and w.w, and products of two of them.
+          const Numbers d = numbers_of(shapes.a.direction);
+          const Numbers w = along(f.nearest[0], -1, numbers_of(shapes.a.origin));
+          const Real dd = dot(d, d);
+          const Real ww = dot(w, w);
+          return lost(dd) || lost(ww) || lost(dd * ww) || lost(dd * dd * ww * ww);
+        }
         if constexpr (std::same_as<B, Plane>) {
           const Numbers n = numbers_of(shapes.b.normal);
           return std::any_of(kAxes.begin(), kAxes.end(), [&](std::size_t axis) {
@@ -122,7 +131,7 @@ Cause rounded(std::string_view id, std::string_view sentence, int bits, double w
           .value = [=](F f) -> Said {
             if (!serves(f)) return std::nullopt;
             const Real scale = std::max({std::abs(f.distance), f.radii(), f.contact});
-            return {{right_value(f), 0, 0}, apart(f, bits), least(scale, apart(f, 0))};
+            return {{right_value(f), 0, 0}, apart(f, bits) * f.per_length, least(scale, apart(f, 0) * f.per_length)};
           },
           .weight = weight,
           .arithmetic = own ? Cause::Arithmetic::own : Cause::Arithmetic::coarse};
@@ -133,7 +142,7 @@ Cause rounded(std::string_view id, std::string_view sentence, int bits, double w
 Real loss(F f, int bits) { return kRoundings * std::ldexp(largest_in(f), -kept(f, bits)); }
 Real turned(F f, int bits) {
   // The normal of a triangle does not depend on who crosses it; a way out of a box lies along an axis.
-  if (is_crossing(f.query.pair)) return kRoundings * std::ldexp(1 / f.sine, -kept(f, bits));
+  if (is_decided_by_a_point(f)) return kRoundings * std::ldexp(1 / f.sine, -kept(f, bits));
   return f.D > 0 ? loss(f, bits) * f.condition / std::abs(f.distance) : 0;
 }
 Real apart(F f, int bits) {
@@ -143,7 +152,7 @@ Real apart(F f, int bits) {
   return loss(f, bits) * (axes ? std::sqrt(f.condition) : f.condition);
 }
 Real from_edge(F f) {
-  if (is_crossing(f.query.pair)) return f.slack;
+  if (is_decided_by_a_point(f)) return f.slack;
   return f.has_distance() ? std::abs(f.distance - (f.radii() + f.alarm)) : std::abs(f.widest_gap() - f.alarm);
 }
 

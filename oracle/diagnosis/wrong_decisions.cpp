@@ -48,7 +48,7 @@ std::vector<Cause> wrong_decisions() {
        .sentence = "decisions made in single precision",
        .hit =
            [](F f) {
-             if (is_crossing(f.query.pair)) return right_decision(f);
+             if (is_decided_by_a_point(f)) return right_decision(f);
              if (f.has_distance()) return Said::hit(narrow(f.distance) <= narrow(f.radii() + f.alarm));
              bool hit = true;
              for (const std::size_t axis : kAxes)
@@ -90,7 +90,7 @@ std::vector<Cause> wrong_decisions() {
        .value = [](F f) { return largest_of(f.delta) - f.radii() - f.contact; }},
       decision("one-axis-enough", "one axis of overlap taken for all three",
                [](F f) {
-                 if (is_crossing(f.query.pair)) return right_decision(f);
+                 if (is_decided_by_a_point(f)) return right_decision(f);
                  Real least = kInfinity;
                  for (const std::size_t axis : kAxes)
                    least = std::min(least, f.has_distance() ? std::abs(f.delta[axis]) - f.radii() : f.gap(axis));

@@ -1307,5 +1307,39 @@ TEST(JudgeCrossings, have_one_point_and_the_normal_of_the_vertices_whatever_the_
   EXPECT_EQ(level_of(beside, normal_of({0, 0, 1})), Level::conservative);
 }
 
+TEST(JudgeCasts, have_t_the_point_and_each_normal_that_points_away_whatever_the_distances_and_conventions) {
+  const auto cast = [](const auto& shape, Pair pair, const Vector3& origin, const Vector3& direction) {
+    return Query{pair, CastAt<std::remove_cvref_t<decltype(shape)>>{{{origin, direction, 9}}, shape}, {3, 7}};
+  };
+  const Query ball = cast(Ball{{6, 0, 0}, 1}, Pair::cast_sphere, {0, 0, 0}, {2, 0, 0});
+  EXPECT_EQ(level_of(ball, value_of(2.5)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(ball, value_of(5)), Level::decisions);
+  EXPECT_EQ(level_of(ball, value_of(-4.5)), Level::decisions);
+  EXPECT_EQ(level_of(ball, points_of({5, 0, 0}, {5, 0, 0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(ball, points_of({5, 0, 0}, {7, 0, 0})), Level::decisions);
+  EXPECT_EQ(level_of(ball, normal_of({-1, 0, 0})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(ball, normal_of({1, 0, 0})), Level::decisions);
+  EXPECT_EQ(level_of(ball, no_contact()), Level::none);
+  // On an edge all that points away from both faces, and nothing else.
+  const Query edge = cast(Box{{2, 2, -1}, {3, 3, 1}}, Pair::cast_cube, {0, 0, 0}, {1, 1, 0});
+  for (const Vector3& n : {Vector3(-1, 0, 0), Vector3(0, -1, 0), Vector3(-0.6, -0.8, 0)})
+    EXPECT_EQ(level_of(edge, normal_of(n)), Level::correctly_rounded) << n;
+  for (const Vector3& n : {Vector3(0.6, -0.8, 0), Vector3(0, 0, -1), Vector3(0, -0.5, 0)})
+    EXPECT_EQ(level_of(edge, normal_of(n)), Level::decisions) << n;
+  // Inside a face one, of a triangle both.
+  const Query face = cast(Box{{2, -2, -1}, {3, 3, 1}}, Pair::cast_cube, {0, 0, 0}, {1, 1, 0});
+  EXPECT_EQ(level_of(face, normal_of({-0.6, -0.8, 0})), Level::decisions);
+  const Triangle triangle{{Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(0, 4, 0)}};
+  const Query through = cast(triangle, Pair::cast_triangle, {1, 1, 1}, {0, 0, -1});
+  for (const double side : {-1.0, 1.0}) EXPECT_EQ(level_of(through, normal_of({0, 0, side})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(through, normal_of({0, 0.6, 0.8})), Level::decisions);
+  // From inside any.
+  const Query inside = cast(Plane{{0, 0, 1}, 5}, Pair::cast_plane, {1, 1, 1}, {0, 0, -1});
+  EXPECT_EQ(level_of(inside, normal_of({0, 0.6, -0.8})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(inside, normal_of({0, 0.6, 0})), Level::decisions);
+  EXPECT_EQ(level_of(inside, value_of(0)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(inside, points_of({1, 1, 1}, {1, 1, 1})), Level::correctly_rounded);
+}
+
 }  // namespace
 }  // namespace contact::oracle

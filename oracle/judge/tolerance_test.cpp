@@ -468,6 +468,23 @@ TEST(Jump, centres_that_nearly_coincide_may_be_said_to) {
   EXPECT_FALSE(within(near, nothing, {.length = 0.5}));
 }
 
+TEST(Tolerance, a_cast_changes_where_the_shape_has_grown_or_shrunk_to_the_ray) {
+  const auto at_edge = [](const Query& query, bool wrong, double off) {
+    EXPECT_TRUE(within(query, says(wrong), {.length = off})) << off;
+    EXPECT_FALSE(within(query, says(wrong), {.length = below(off)})) << off;
+  };
+  const Cast ray{{{0, 0, 0}, {2, 0, 0}, 4}};
+  at_edge({Pair::cast_sphere, CastAt<Ball>{ray, {{4, 0, 1.5}, 1}}, {0, 0}}, true, 0.5);
+  at_edge({Pair::cast_sphere, CastAt<Ball>{ray, {{4, 0, 0.75}, 1}}, {0, 0}}, false, 0.25);
+  at_edge({Pair::cast_capsule, CastAt<Capsule>{ray, {{9, -4, 0}, {9, 4, 0}, 0.5}}, {0, 0}}, true, 0.5);
+  at_edge({Pair::cast_cube, CastAt<Box>{ray, {{8.75, -1, -1}, {9, 1, 1}}}, {0, 0}}, true, 0.75);
+  at_edge({Pair::cast_cube, CastAt<Box>{ray, {{4, -0.25, -1}, {6, 9, 1}}}, {0, 0}}, false, 0.25);
+  at_edge({Pair::cast_cube, CastAt<Box>{ray, {{4, -2, -1}, {4, 2, 1}}}, {0, 0}}, false, 1);
+  at_edge({Pair::cast_plane, CastAt<Plane>{ray, {{-2, 0, 0}, -17}}, {0, 0}}, true, 0.5);
+  const Triangle triangle{{Vector3(2, 0.25, -4), Vector3(2, 0.25, 4), Vector3(2, 9, 0)}};
+  at_edge({Pair::cast_triangle, CastAt<Triangle>{ray, triangle}, {0, 0}}, true, 0.25);
+}
+
 TEST(Tolerance, its_scale_leaves_questions_out) {
   Declaration declared;
   declared.tolerance = Tolerance{.scale_min = 1, .scale_max = 4};

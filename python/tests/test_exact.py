@@ -54,6 +54,9 @@ def test_exact_numbers_of_each_kind_of_pair():
     assert beside.distance2 == Fraction(2, 3)
     several = contact_oracle.exact("sphere_sphere", np.zeros((2, 3)), 1, (1, 1, 0), [1, 2])
     assert [answer.reach for answer in several] == [2, 3]
+    cast = contact_oracle.exact("cast_sphere", (0, 0, 0), (2, 0, 0), 5, (6, 0, 0), 1)
+    assert cast.hit and cast.t == (3, Fraction(1, 4)) and cast.distance2 is None
+    assert contact_oracle.exact("cast_sphere", (0, 0, 0), (2, 0, 0), 2, (6, 0, 0), 1).t is None
 
 
 @pytest.mark.parametrize("pair", [pair for pair in PAIRS if PAIRS[pair].numbers == "distance"])

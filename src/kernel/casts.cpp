@@ -246,10 +246,16 @@ Entry enter(const On<Triangle>& on) {
   if (!through.is_zero()) {
     const int sign = through.sign();
     if (sign * height.sign() < 0) return miss();
-    for (std::size_t k = 0; k < 3; ++k)
-      if (sign * dot(on.D, cross(w[k], w[(k + 1) % 3])).sign() < 0) return miss();
+    bool on_edge = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int beside = sign * dot(on.D, cross(w[k], w[(k + 1) % 3])).sign();
+      if (beside < 0) return miss();
+      on_edge = on_edge || beside == 0;
+    }
     if (height.is_zero()) return from_inside();
-    entry = at(sign * height, abs(through), kOrigin);
+    const Integer& first = n[0].is_zero() ? n[1].is_zero() ? n[2] : n[1] : n[0];
+    entry = at(sign * height, abs(through), first.sign() > 0 ? n : kOrigin - n);
+    if (!on_edge) return entry;
   } else {
     if (!height.is_zero()) return miss();
     bool inside = n != kOrigin;

@@ -194,7 +194,9 @@ void write_set(const std::string& folder, const std::vector<golden::CommittedFil
     make_folder(path.parent_path());
     static_cast<void>(write_dataset(header, path.string(), question, progress));
   }
-  say_once("{}: {} files of {} cases{}\n", folder, files.size(), count,
+  const std::uint64_t first = files.empty() ? 0 : count(files.front().pair);
+  const bool are_alike = all == first * files.size();
+  say_once("{}: {} files {} {} cases{}\n", folder, files.size(), are_alike ? "of" : "with", are_alike ? first : all,
            kept == 0 ? "" : fmt::format(", {} of them kept as they stand there", kept));
 }
 
