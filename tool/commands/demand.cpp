@@ -92,7 +92,7 @@ void set_demand(const DemandOptions& options, Report& report, const std::string&
   report.required = static_cast<Level>(index_of(oracle::kLevelNames, options.level, "level"));
   report.engine.declared.tolerance = demanded_tolerance(options, report.engine.declared.tolerance, profile);
   report.least_judged = options.least_judged;
-  if (options.within && (tolerance || report.required != Level::conservative))
+  if (options.within && (report.engine.declared.tolerance || report.required != Level::conservative))
     throw formats::InputError(
         {"command line", 0}, "--within",
         fmt::format("is of --level conservative, which forgives false hits, and {} is required", report.demand()));
