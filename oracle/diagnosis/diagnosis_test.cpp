@@ -968,18 +968,29 @@ TEST(Diagnosis, AFormulaIsMetWithinWhatRoundingsDoWhereItsMistakeShowsBeyondThem
 }
 
 TEST(Diagnosis, AFormulaThatIsHardlyNearerThanTheTruthExplainsNothing) {
-  // 1e-6 added to a distance of 7 takes 1.4e-7 of the normal's length.
-  const auto found = [](double part) {
+  // 1e-6 added to a distance of 2^29 takes 8.4 ulps of the normal's length, and the bound is 8.
+  const auto found = [](double ulps) {
     Campaign run;
-    run.says(seven_apart(2, 3, 8, 1), [part](Claim& claim) {
-      const Vector3 n = *claim.contact->normal * (7 / (7 + part * 1e-6));
+    run.says({Pair::sphere_sphere, Balls{{{0, 0, 0}, 0x1p28}, {{0x1p29, 0, 0}, 0x1p28}}, {0, 0}}, [ulps](Claim& claim) {
       claim.overlap.reset();
-      claim.contact.emplace().normal = n;
+      claim.contact.emplace().normal = Vector3(1 - ulps * 0x1p-52, 0, 0);
     });
     return run.diagnosis.findings().at(0).cause;
   };
-  EXPECT_EQ(found(1), "normal-plus-1e-6");
-  EXPECT_NE(found(0.5), "normal-plus-1e-6");
+  EXPECT_EQ(found(9), "normal-plus-1e-6");
+  EXPECT_EQ(found(15), "rounding") << "6.6 from the formula, and 15 from the truth";
+}
+
+TEST(Diagnosis, AFormulaThatExplainsEveryOtherDecisionExplainsNoneBeyondChance) {
+  // Without the first radius, five of ten missed hits are misses. Ten right hits are exactly at the edge without it, so
+  // that it says nothing of them; they contradict an engine that never hits.
+  Campaign run;
+  for (int i = 0; i < 5; ++i) {
+    run.says(seven_apart(7.5, 3 + 0.125 * i, 0), missed).says(seven_apart(1, 7.5 + 0.0625 * i, 0), missed);
+    run.right(seven_apart(1 + 0.125 * i, 7, 0)).right(seven_apart(2 + 0.125 * i, 7, 0));
+  }
+  for (const Finding& finding : run.diagnosis.findings())
+    EXPECT_NE(finding.cause, "first-radius-missing") << finding.sentence;
 }
 
 TEST(Diagnosis, NearDecisionsThatAFormulaMeetsEveryOtherTimeAreNoEvidenceForIt) {
