@@ -64,7 +64,7 @@ const std::array kReal{
            },
            "https://github.com/coal-library/coal/commit/68b13b7f067432debeafbac0a5cd161ebd822635"},
     Mutant{"phaser-circle-nan", "a division by a distance of 0 makes every number NaN where the centres coincide",
-           "normal-not-finite", nullptr,
+           "answer-not-finite", nullptr,
            [](const Query& q, Claim& claim) {
              if (!coincident(q)) return;
              in_contact(claim, [](ContactClaim& c) {

@@ -24,6 +24,8 @@ using formulas::side;
 constexpr double kElsewhere = 0.05;
 /// A cause that explains less than one in fifty of the wrong claims may agree with them by chance, so it is not named.
 constexpr double kOneInByChance = 50;
+/// One wrong answer, which is two claims, is no evidence for a formula.
+constexpr double kOneAnswer = 2;
 /// A tenth of the wrong claims may lack a cause without a finding that says so: few engines are explained to the last.
 constexpr std::uint64_t kOneInUnexplained = 10;
 /// A convention is named if half of the wrong fields are right under it, for an engine that follows it does so mostly.
@@ -621,6 +623,7 @@ std::vector<Finding> Diagnosis::findings() const {
     for (const std::size_t i : among)
       if ((left[i].by & own).none()) evidence.push_back(i);
     Gain by_evidence = gain(cause, left, evidence, share[cause]);
+    if (by_evidence.covered <= kOneAnswer) return {};
     if (by_evidence.score > 0) by_evidence.elements = gain(cause, left, among, share[cause]).elements;
     return by_evidence;
   });

@@ -5,14 +5,14 @@ namespace contact::oracle::formulas {
 namespace {
 
 constexpr double kRangeWeight = 0.5;
-constexpr double kToleranceWeight = 0.95;
+constexpr double kToleranceWeight = 0.92;
+constexpr double kSmallToleranceWeight = 0.95;
 /// A formula about near decisions has to explain nearly all of them, for what rounds explains all.
 constexpr double kOwnFormatWeight = 0.93;
 
 Real largest_number(F f) { return std::ldexp(Real{1}, format_of(f.scalar).max_exponent + 1); }
 
-/// Whether a product of three differences does, of a crossing, or one of squares, of a cast, or one of the normal with
-/// itself or a point, of a plane.
+/// Whether a product does that engines make of their shapes: of three differences, of squares, of the normal with a point.
 bool products_out_of_range(F f) {
   const Real smallest = std::ldexp(Real{1}, format_of(f.scalar).min_exponent);
   const auto lost = [&](Real x) { return x != 0 && (std::abs(x) < smallest || std::abs(x) >= largest_number(f)); };
@@ -31,6 +31,11 @@ bool products_out_of_range(F f) {
           return std::any_of(kAxes.begin(), kAxes.end(), [&](std::size_t axis) {
             return lost(n[axis] * n[axis]) || lost(n[axis] * f.nearest[0][axis]);
           });
+        }
+        if constexpr (std::same_as<A, Capsule> && std::same_as<B, Capsule>) {
+          const Numbers u = AxisInReals(shapes.a).along;
+          const Numbers v = AxisInReals(shapes.b).along;
+          return lost(dot(u, u) * dot(v, v)) || lost(dot(u, v) * dot(u, v));
         }
         if constexpr (std::same_as<A, Ball> && std::same_as<B, Triangle>) {
           const auto edge = [&](std::size_t k) {
@@ -69,15 +74,17 @@ bool sums_out_of_range(F f) {
   });
 }
 
+/// Near decisions are rounded first; only a tolerance that is no larger than roundings may show in them alone.
+double weight_of(Real tolerance) { return tolerance < 1e-13L ? kSmallToleranceWeight : kToleranceWeight; }
 Cause widened(std::string_view id, std::string_view sentence, Real by) {
   return {
-      .id = id, .sentence = sentence, .hit = [by](F f) { return within(f, f.alarm + by); }, .weight = kToleranceWeight};
+      .id = id, .sentence = sentence, .hit = [by](F f) { return within(f, f.alarm + by); }, .weight = weight_of(by)};
 }
 Cause narrowed(std::string_view id, std::string_view sentence, Real by) {
   return {.id = id,
           .sentence = sentence,
           .hit = [by](F f) { return f.truth->at_alarm == Side::at ? Said::hit(false) : within(f, f.alarm - by); },
-          .weight = kToleranceWeight};
+          .weight = weight_of(by)};
 }
 
 /// A normal along an axis, where the centres are so near. Engines differ in the axis, so the one that was said counts.

@@ -26,11 +26,6 @@ Numbers lifted(F f, std::size_t sphere, Real by) {
 
 std::vector<Cause> wrong_normals() {
   return {
-      {.id = "answer-not-finite",
-       .sentence = "normal, points and value are NaN or infinite",
-       .normal = always(kNotFinite),
-       .point = [](F, std::size_t) { return kNotFinite; },
-       .value = [](F) { return kNaN; }},
       {.id = "normal-not-finite", .sentence = "normal is NaN or infinite", .normal = always(kNotFinite)},
       {.id = "normal-zero", .sentence = "normal is zero", .normal = always({})},
       normal("normal-not-unit", "normal is the difference of the centres, not divided by its length",
@@ -192,6 +187,11 @@ std::vector<Cause> wrong_values() {
       value("value-not-finite", "value is NaN or infinite", [](F) { return kNaN; }),
       value("value-containment", "value of a sphere inside the other measured from its far side",
             [](F f) { return f.distance - std::abs(f.radius[0] - f.radius[1]) - f.contact; }),
+      {.id = "answer-not-finite",
+       .sentence = "normal, points and value are NaN or infinite",
+       .normal = always(kNotFinite),
+       .point = [](F, std::size_t) { return kNotFinite; },
+       .value = [](F) { return kNaN; }},
   };
 }
 

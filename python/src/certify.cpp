@@ -226,7 +226,7 @@ py::dict certify(const py::function& ask, const std::string& engine, const std::
 bool is_within(const std::string& engine, const std::string& question, const std::string& answer) {
   const formats::Location of_question{"question", 0};
   const json asked = formats::parse_object(question, of_question);
-  const auto [query, scalar] = golden::read_query(Node(asked, of_question));
+  const Query query = golden::read_query(Node(asked, of_question)).query;
   const formats::Location of_answer{"answer", 0};
   const json said = formats::parse_object(answer, of_answer);
   const oracle::Declaration declared = info_of(engine).declared_for(query.pair);
