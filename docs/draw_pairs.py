@@ -33,6 +33,15 @@ PANELS = [
      "the lower end; many where parallel", []),
     ("ray_triangle", {"origin": [-1.6, 2.4, 0.2], "direction": [1, -2.1, 0], "length": 2.2}, LYING, "a point that both have, or none", []),
     ("triangle_line", LYING, {"start": [2.2, 2.2, -0.6], "end": [-0.4, -2.4, 0.3]}, "the same, with the normal turned round", []),
+    ("cast_sphere", {"origin": [-3.6, -1.2, 0], "direction": [1, 0.25, 0], "length": 6}, {"center": [0.8, 0.4, 0], "radius": 1.6},
+     "the first hit of a ray, or none", []),
+    ("cast_cube", {"origin": [-3.6, -1.2, 0], "direction": [1, 0.25, 0], "length": 6}, {"min": [-0.8, -1.7, -1], "max": [2.6, 1.6, 1]},
+     "a face, an edge or a corner", []),
+    ("cast_capsule", {"origin": [-3.6, -1.6, 0], "direction": [1, 0.25, 0], "length": 6},
+     {"start": [-0.4, -1.2, 0], "end": [1.8, 1.4, 0], "radius": 0.8}, "the side, or the ball at an end", []),
+    ("cast_triangle", {"origin": [-1.6, 2.4, 0.2], "direction": [1, -2.1, 0], "length": 2.2}, LYING, "from either side", []),
+    ("cast_plane", {"origin": [-2.6, 2.2, 0], "direction": [1, -0.8, 0], "length": 5}, {"normal": [0.25, 1, 0], "offset": -0.4},
+     "from above, and at once from below", []),
 ]
 STYLE = """
 svg{font:12px system-ui,sans-serif}

@@ -45,6 +45,8 @@ inline bool read(Result<value> node, std::uint64_t& n) { return node.get_uint64(
 inline bool read(Result<value> node, std::string& text) {
   std::string_view view;
   if (node.get_string().get(view) != simdjson::SUCCESS) return false;
+  // Whether other characters are shown as they are, the careful reader knows.
+  if (!std::all_of(view.begin(), view.end(), [](char c) { return c >= 0x20 && c < 0x7f; })) return false;
   text = view;
   return true;
 }

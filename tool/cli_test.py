@@ -796,7 +796,7 @@ class RestsOnEnough(Case):
             reports.append((self.folder / "r.json").read_text())
         self.assertNotEqual(*seeds)
         self.assertNotEqual(*reports)
-        run(*command, "--seed", seeds[0])
+        self.refuted(*command, "--seed", seeds[0])
         self.assertEqual((self.folder / "r.json").read_text(), reports[0])
 
     def test_with_a_baseline_the_questions_are_those_of_the_baseline(self):
@@ -840,7 +840,7 @@ class RestsOnEnough(Case):
 
     def test_what_does_not_go_together_is_refused(self):
         one, known = self.FILES[0], self.folder / "known.json"
-        run("certify", one, "--engine", "plain-double", "--fresh", 0, "--json", known)
+        self.refuted("certify", one, "--engine", "plain-double", "--fresh", 0, "--json", known)
         for words, why in (((one, "--fresh", 0, "--seed", 1), "--seed is of fresh questions, and none is asked: --fresh is 0"),
                            ((one, "--engine", "plain-double", "--baseline", known, "--seed", 1), "the baseline was made with none"),
                            (("--generate", 10, "--fresh", 10), "--generate asks nothing but such"),
