@@ -265,7 +265,7 @@ class Documentation(Case):
         mutants, others = page.split("## What cannot happen here")
         real = re.findall(r"(?m)^\| `([a-z0-9-]+)` \| \[real\]\(https://", mutants)
         reasons = re.findall(r"(?m)^\| `([a-z0-9-]+)` \| \[[^|]*\]\(https://[^|]*\) \| [^|]{10,} \|$", others)
-        self.assertEqual((len(set(real + reasons)), len(real) + len(reasons)), (130, 130))
+        self.assertEqual((len(set(real + reasons)), len(real) + len(reasons)), (153, 153))
 
     def test_mutants_are_counted_listed_and_refused_with_the_names_near_by(self):
         self.assertRegex(self.holds("engines"), r"(?m)^mutant:ID +[0-9]{3} engines")
@@ -526,7 +526,7 @@ class Certify(Case):
         whole = json.loads(report.read_text())
         rows = out.split("\n\n")[1].splitlines()
         self.assertGreater(len(whole["families"]), 60)
-        self.assertLess(len(rows), 30)  # a line a pair, and little beside
+        self.assertLess(len(rows), 36)  # a line a pair, and little beside
         self.assertLess(max(map(len, rows)), 170)
         ranks = [LEVELS.index(row.split()[-1]) for row in rows[1:] if row.split()[1].isdigit() and "total" not in row]
         self.assertGreater(len(ranks), 5)
@@ -796,7 +796,7 @@ class RestsOnEnough(Case):
             reports.append((self.folder / "r.json").read_text())
         self.assertNotEqual(*seeds)
         self.assertNotEqual(*reports)
-        self.refuted(*command, "--seed", seeds[0])
+        self.holds(*command, "--seed", seeds[0])
         self.assertEqual((self.folder / "r.json").read_text(), reports[0])
 
     def test_with_a_baseline_the_questions_are_those_of_the_baseline(self):
@@ -840,7 +840,7 @@ class RestsOnEnough(Case):
 
     def test_what_does_not_go_together_is_refused(self):
         one, known = self.FILES[0], self.folder / "known.json"
-        self.refuted("certify", one, "--engine", "plain-double", "--fresh", 0, "--json", known)
+        self.holds("certify", one, "--engine", "plain-double", "--fresh", 0, "--json", known)
         for words, why in (((one, "--fresh", 0, "--seed", 1), "--seed is of fresh questions, and none is asked: --fresh is 0"),
                            ((one, "--engine", "plain-double", "--baseline", known, "--seed", 1), "the baseline was made with none"),
                            (("--generate", 10, "--fresh", 10), "--generate asks nothing but such"),
@@ -1372,7 +1372,7 @@ class Outputs(Case):
     def test_no_progress_is_written_where_standard_error_is_not_a_terminal_and_a_bar_where_it_is(self):
         upstream = GOLDEN / "sphere_sphere" / "upstream.jsonl"
         for args, total in ((("certify", upstream), 891), (("lint", upstream), 891),
-                            (("generate", "--all", self.folder / "set", "--seed", 1, "--count", 1), 320)):
+                            (("generate", "--all", self.folder / "set", "--seed", 1, "--count", 1), 436)):
             self.holds(*args)
             for quiet in (False, True):
                 try:
@@ -1600,7 +1600,8 @@ class Generate(Case):
     def families(self):
         """The families of each pair, as the list of them and completion say."""
         listed = [json.loads(one) for one in self.holds("families", "--json").splitlines()]
-        shapes = {one["pair"]: {one["a"]["shape"], one["b"]["shape"]} for one in map(json.loads, self.holds("pairs", "--json").splitlines())}
+        first = lambda one: "cast ray" if one["pair"].startswith("cast_") else one["a"]["shape"]
+        shapes = {one["pair"]: {first(one), one["b"]["shape"]} for one in map(json.loads, self.holds("pairs", "--json").splitlines())}
         plural = {"cubes": {"cube"}, "capsules": {"capsule"}, "spheres": {"sphere"}}
         of = lambda words: plural.get(words, set(words.split(" and ")))
         return {pair: [one["family"] for one in listed if "family" in one and of(one["shapes"]) == shapes[pair]] for pair in PAIRS}

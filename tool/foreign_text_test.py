@@ -240,11 +240,11 @@ for line in sys.stdin:
         self.said("certify", dataset, "--results", self.file("a.jsonl", answers_to(self.CASES)), "--certificate", certificate, shows=False, codes=(0,))
         stated = json.loads(certificate.read_text())
         stated["engine"]["files"] = [{"program": "python3", "sha256": "0" * 64}, {"file": "gone", "sha256": "0" * 64}]
-        stated["engine"]["command"] = "gone"
+        stated["engine"] |= {"command": "gone", "kind": "command"}
         used = ("format", "version", "sha256", "pair", "scalar", "level", "required", "id", "kind", "check", "level_but_accepted", "issued", "share_judged")
         everywhere, fields = put_everywhere(stated, TEXT, used)
         few = json.loads(json.dumps(stated))
-        few["engine"] |= {"command": TEXT, "files": [{"program": TEXT, "sha256": "0" * 64}, {"file": TEXT.replace("\0", ""), "sha256": "0" * 64}]}
+        few["engine"] |= {"kind": "command", "command": TEXT, "files": [{"program": TEXT, "sha256": "0" * 64}, {"file": TEXT.replace("\0", ""), "sha256": "0" * 64}]}
         few["environment"], more = put_everywhere(stated["environment"], TEXT)
         self.count("certificates", fields + more + 3 + 1 + 2)
         for name, content in (("everywhere", everywhere), ("not derived", few), ("an unknown key", stated | {TEXT: TEXT}),

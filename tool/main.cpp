@@ -33,16 +33,16 @@ int guarded(int argc, char** argv) {
     tell(fmt::format("ORACLE FAULT: {}", error.what()));
     return kOracleFault;
   } catch (const engines::HarnessInvalid& error) {
-    tell(fmt::format("harness invalid: {}", error.what()));
+    say_error("contact-oracle: harness invalid: {}\n", cut(error.what()));
     return kHarnessInvalid;
   } catch (const Interrupted& error) {
-    tell(error.what());
+    say_error("contact-oracle: {}\n", cut(error.what()));
     return kInterrupted;
   } catch (const std::bad_alloc&) {
     tell("not enough memory");
     return kBadInput;
   } catch (const std::exception& error) {
-    tell(error.what());
+    say_error("contact-oracle: {}\n", cut(error.what()));
     return kBadInput;
   } catch (...) {  // nothing of ours: a library's or a plug-in's
     tell("harness invalid: a library threw what is no std::exception");

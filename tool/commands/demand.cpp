@@ -68,6 +68,8 @@ void add_demand_options(CLI::App& command, DemandOptions& options, std::span<con
       ->check(CLI::IsMember(kProfileNames))
       ->excludes(level)
       ->excludes(tolerance);
+  if (std::find(levels.begin(), levels.end(), name(Level::conservative)) == levels.end())
+    return;  // no verdict rests on cases
   command
       .add_option("--within", options.within,
                   "With --level conservative: how far from where the answer changes a miss may be that is called a hit")
