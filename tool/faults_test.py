@@ -784,7 +784,8 @@ class Clocks(Case):
     def test_days_at_the_ends_of_time(self):
         for epoch, day in (("0", "1970-01-01"), ("2147483648", "2038-01-19"), ("253402300799", "9999-12-31")):
             self.assertEqual(self.certificate(SOURCE_DATE_EPOCH=epoch), day)
-            self.assertEqual(tool("verify", self.folder / "k.json", env={**os.environ, "SOURCE_DATE_EPOCH": epoch}).returncode, 0)
+            # A certificate that says a day to come is refused, whatever its day was taken from.
+            self.assertEqual(tool("verify", self.folder / "k.json").returncode, 0 if epoch == "0" else 2)
             TALLY["days at the ends of time"]["right"] += 1
         for epoch in ("", "-1", "253402300800", "1e9", "18446744073709551616", "x"):
             done = tool("certify", FLAT, "--certificate", self.folder / "no.json", env={**os.environ, "SOURCE_DATE_EPOCH": epoch})
