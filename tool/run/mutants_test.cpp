@@ -157,7 +157,7 @@ TEST(Mutants, a_mistake_that_was_reported_is_named_in_the_first_line_of_the_pair
       }
     if (planted.empty()) continue;
     for (const golden::CommittedFile& file : golden::committed_files())
-      if (file.pair == pair) ask(file, kQuestions, subjects);
+      if (file.pair == pair) ask(file, std::min(2 * kQuestions, golden::kCommittedCount), subjects);
     for (std::size_t i = 0; i < planted.size(); ++i) {
       const auto found = subjects[i].report.why.findings();
       ASSERT_FALSE(found.empty()) << planted[i].mutant;
