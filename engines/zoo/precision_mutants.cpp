@@ -15,6 +15,7 @@ template <auto hits>
 void rounded_decisions(const Query& q, Claim& claim) {
   if (!q.has_distance()) return;
   const WideSpheres s(q);
+  if (s.distance < 0) return;  // below a plane: squares have no sign, which is another mistake
   int exponent = 0;
   std::frexp(std::max({std::abs(s.d[0]), std::abs(s.d[1]), std::abs(s.d[2]), s.reach}), &exponent);
   const auto scaled = [&](Wide x) { return rounded(std::ldexp(x, -exponent)); };
@@ -24,10 +25,12 @@ void rounded_decisions(const Query& q, Claim& claim) {
 
 /// Everything that production is told, rounded to float first.
 void narrow_question(Query& q) {
+  const Query asked = q;
   for_each_number(q, [](const std::string&, double& x) {
     const double narrow = narrowed(x);
     x = std::isfinite(narrow) ? narrow : x;
   });
+  if (outside_domain(q)) q = asked;  // a direction that has become 0
 }
 
 Vector3 narrowed(const Vector3& v) {
@@ -68,7 +71,9 @@ Wide by_bits(Wide D) {
 
 /// The contact of production where the squares of the plain formulas stay in double's range; else what they give.
 void plain_squares(const Query& q, Claim& claim) {
-  if (!q.has_distance()) return;
+  const bool has_plane =
+      std::visit([]<class A, class B>(const Two<A, B>&) { return std::same_as<B, Plane>; }, q.shapes);
+  if (!q.has_distance() || has_plane) return;  // a distance from a plane is no root of a square
   const Vector3 d = balls(q).b.center - balls(q).a.center;
   const double D = d.squaredNorm();
   const double reach = balls(q).a.radius + balls(q).b.radius + q.distances.alarm;

@@ -374,11 +374,11 @@ const std::array kReported{
              });
            },
            "https://github.com/mikedh/trimesh/pull/310"},
-    Mutant{"triangle-face-dropped", "the face of a triangle counts for nothing where its doubled area is below 1e-6",
-           "triangle-face-dropped-1e-6", nullptr,
+    Mutant{"triangle-face-dropped", "the face of a triangle counts for nothing where its doubled area is below 1e-4",
+           "triangle-face-dropped-1e-4", nullptr,
            [](const Query& q, Claim& claim) {
              at_coordinates(q, claim, [](const Corners& x) -> Coordinates {
-               return x.n.norm() < 1e-6L ? Coordinates(x.on_edges()) : std::nullopt;
+               return x.n.norm() < 1e-4L ? Coordinates(x.on_edges()) : std::nullopt;
              });
            }},
     Mutant{"parry-flat-triangle-zero", "a triangle without an inside is 0 away, wherever the sphere is",

@@ -26,6 +26,8 @@ constexpr double kElsewhere = 0.05;
 constexpr double kOneInByChance = 50;
 /// One wrong answer, which is two claims, is no evidence for a formula.
 constexpr double kOneAnswer = 2;
+/// What comes before the engine's own arithmetic explains one in so many of the wrong claims alone.
+constexpr double kOneInByEvidence = 25;
 /// A tenth of the wrong claims may lack a cause without a finding that says so: few engines are explained to the last.
 constexpr std::uint64_t kOneInUnexplained = 10;
 /// A convention is named if half of the wrong fields are right under it, for an engine that follows it does so mostly.
@@ -598,14 +600,13 @@ std::vector<Finding> Diagnosis::findings() const {
   for (const auto& [aspect, n] : wrong_) all += n;
   const std::vector<Alike> wrong = alike();
   const auto share = shares(wrong);
-  // What roundings to the engine's own format may have done is no evidence for a formula. So the formulas come first
-  // that explain what these cannot; they explain the rest with it.
+  // What roundings to the engine's own format may have done is no evidence for anything else. So what explains more
+  // than that comes first, and explains the rest with it.
   const Set own = own_arithmetic();
   auto rest = static_cast<double>(all);
   std::vector<Alike> left = wrong;
-  const auto choose = [&](const GainOf& gain_of) {
-    const CoverLimits limits{kMostFindings - std::min(found.size(), kMostFindings), static_cast<double>(all),
-                             kOneInByChance};
+  const auto choose = [&](double one_in, const GainOf& gain_of) {
+    const CoverLimits limits{kMostFindings - std::min(found.size(), kMostFindings), static_cast<double>(all), one_in};
     std::vector<bool> taken(left.size());
     for (const Choice& choice : greedy_cover(left.size(), causes().size(), gain_of, limits)) {
       double covered = 0;
@@ -617,8 +618,8 @@ std::vector<Finding> Diagnosis::findings() const {
     std::size_t i = 0;
     std::erase_if(left, [&](const Alike&) { return taken[i++]; });
   };
-  choose([&](std::size_t cause, std::span<const std::size_t> among) -> Gain {
-    if (causes()[cause].arithmetic != Cause::Arithmetic::none) return {};
+  choose(kOneInByEvidence, [&](std::size_t cause, std::span<const std::size_t> among) -> Gain {
+    if (causes()[cause].arithmetic == Cause::Arithmetic::own) return {};
     std::vector<std::size_t> evidence;
     for (const std::size_t i : among)
       if ((left[i].by & own).none()) evidence.push_back(i);
@@ -627,7 +628,8 @@ std::vector<Finding> Diagnosis::findings() const {
     if (by_evidence.score > 0) by_evidence.elements = gain(cause, left, among, share[cause]).elements;
     return by_evidence;
   });
-  choose([&](std::size_t cause, std::span<const std::size_t> among) { return gain(cause, left, among, share[cause]); });
+  choose(kOneInByChance,
+         [&](std::size_t cause, std::span<const std::size_t> among) { return gain(cause, left, among, share[cause]); });
   if (const std::uint64_t n = rounded(rest); n * kOneInUnexplained > all)
     found.push_back({"",
                      (is_sampled() ? "about " : "") + std::to_string(n) + " of " + std::to_string(all) +

@@ -31,6 +31,11 @@ inline Real sum_of(const Numbers& v) { return std::abs(v[0]) + std::abs(v[1]) + 
 inline Real largest_of(const Numbers& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
 inline Real narrow(Real x) { return static_cast<Real>(static_cast<float>(x)); }
 
+/// Whether a nearest point was found again, but for roundings: between cores that meet they would make a direction.
+inline bool is_same_point(const Numbers& x, const Numbers& y) {
+  return largest_of(along(x, -1, y)) <= 1e-17L * std::max(largest_of(x), largest_of(y));
+}
+
 inline std::size_t other(std::size_t shape) { return 1 - shape; }
 /// The direction along the normal in which a contact point lies from the core of its shape.
 inline Real side(std::size_t shape) { return shape == 0 ? 1 : -1; }
@@ -43,7 +48,9 @@ inline bool is_decided_by_a_point(F f) { return is_crossing(f.query.pair) || is_
 /// Whether the shapes are within `alarm` of each other: boxes are if the gap of each axis is.
 inline Said within(F f, Real alarm) {
   if (is_decided_by_a_point(f)) return Said::hit(f.crosses);
-  return f.has_distance() ? Said::at_most(f.distance, f.radii() + alarm) : Said::at_most(f.widest_gap(), alarm);
+  if (!f.has_distance()) return Said::at_most(f.widest_gap(), alarm);
+  // The difference of large coordinates is as coarse as they are.
+  return Said::at_most(f.distance, f.radii() + alarm, std::max(largest_of(f.nearest[0]), largest_of(f.nearest[1])));
 }
 inline Said right_decision(F f) { return Said::hit(f.truth->hit()); }
 /// A miss in some places, and right elsewhere.

@@ -210,10 +210,11 @@ void Facts::settle_from_delta() {
 Real Facts::gap(std::size_t axis) const { return std::max(min[0][axis] - max[1][axis], min[1][axis] - max[0][axis]); }
 Real Facts::widest_gap() const { return std::max({gap(0), gap(1), gap(2)}); }
 
-Said Said::at_most(Real x, Real y) {
-  constexpr Real kLastBits =
-      16 * std::numeric_limits<Real>::epsilon();  // what roundings of a formula's steps can change
-  const Real near = kLastBits * std::max(std::abs(x), std::abs(y));
+Said Said::at_most(Real x, Real y, Real size) {
+  constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon();
+  constexpr Real kSteps = 16;  // what roundings of a formula's steps can change, and of the numbers that it begins with
+  constexpr Real kBeginnings = 2;
+  const Real near = kEpsilon * std::max(kSteps * std::max(std::abs(x), std::abs(y)), kBeginnings * size);
   if (!(std::abs(x - y) > near)) return std::nullopt;
   return hit(x < y);
 }

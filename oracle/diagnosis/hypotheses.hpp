@@ -96,8 +96,8 @@ struct Said {
   Said(const Numbers& v) : numbers(v) {}            // NOLINT(google-explicit-constructor)
   Said(const Numbers& v, Real off, Real at_least = 0) : numbers(v), tolerance(off), least(at_least) {}
   static Said hit(bool yes) { return yes ? Real{1} : Real{0}; }
-  /// Whether x <= y; no opinion where the last bits decide.
-  static Said at_most(Real x, Real y);
+  /// Whether x <= y; no opinion where the last bits decide of them, or of what they were made of, up to `size`.
+  static Said at_most(Real x, Real y, Real size = 0);
   static Said anything() {
     Said said(std::nullopt);
     said.kind = Kind::anything;

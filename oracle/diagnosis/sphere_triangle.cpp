@@ -58,10 +58,12 @@ struct Seen {
 Cause at_weights(std::string_view id, std::string_view sentence, Weights (*weights)(const Seen&)) {
   return edit(id, sentence, [weights](Facts& f) {
     const Seen seen(f);
-    if (const auto taken = weights(seen)) {
-      f.nearest[1] = along(f.nearest[0], 1, seen.at(*taken));
-      f.settle();
-    }
+    const auto taken = weights(seen);
+    if (!taken) return;
+    const Numbers point = along(f.nearest[0], 1, seen.at(*taken));
+    if (is_same_point(point, f.nearest[1])) return;
+    f.nearest[1] = point;
+    f.settle();
   });
 }
 /// A miss where the foot is on one of some features, or something else holds.
@@ -164,10 +166,10 @@ std::vector<Cause> wrong_about(const BallAndTriangle* /*kind*/) {
                    return positive == 1 ? Weights(vertex) : std::nullopt;
                  }),
       at_weights(
-          "triangle-face-dropped-1e-6",
-          "the face of a triangle dropped where its doubled area is below 1e-6, whatever the units",
+          "triangle-face-dropped-1e-4",
+          "the face of a triangle dropped where its doubled area is below 1e-4, whatever the units",
           [](const Seen& seen) -> Weights {
-            if (!(seen.length2 < 1e-12L)) return std::nullopt;
+            if (!(seen.length2 < 1e-8L)) return std::nullopt;
             return seen.nearest_of(std::array{seen.on_edge(0, true), seen.on_edge(1, true), seen.on_edge(2, true)});
           }),
       {.id = "triangle-flat-zero",

@@ -4,7 +4,6 @@
 namespace contact::oracle::formulas {
 namespace {
 
-constexpr double kRangeWeight = 0.5;
 constexpr double kToleranceWeight = 0.92;
 constexpr double kSmallToleranceWeight = 0.95;
 /// A formula about near decisions has to explain nearly all of them, for what rounds explains all.
@@ -177,12 +176,12 @@ std::vector<Cause> wrong_arithmetic() {
        .normal = lost_square,
        .point = lost_square,
        .value = lost_square,
-       .weight = kRangeWeight,
+       .weight = kOwnFormatWeight,
        .arithmetic = Cause::Arithmetic::own},
       {.id = "sum-range",
        .sentence = "a sum overflows",
        .hit = [](F f) { return where(sums_out_of_range(f), Said::anything()); },
-       .weight = kRangeWeight,
+       .weight = kOwnFormatWeight,
        .arithmetic = Cause::Arithmetic::own},
       CONTACT_TOLERANCE(1e-15),
       CONTACT_TOLERANCE(1e-14),

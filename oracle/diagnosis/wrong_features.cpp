@@ -36,8 +36,10 @@ struct Axes {
   [[nodiscard]] Real foot_of_first(Real s) const { return (B * s - F) / E; }
   [[nodiscard]] Real foot_of_second(Real t) const { return (B * t + C) / A; }
   void take(Facts& f, Real s, Real t) const {
-    f.nearest = {first.at(s), second.at(t)};
-    if (turned) std::swap(f.nearest[0], f.nearest[1]);
+    std::array points{first.at(s), second.at(t)};
+    if (turned) std::swap(points[0], points[1]);
+    if (is_same_point(points[0], f.nearest[0]) && is_same_point(points[1], f.nearest[1])) return;
+    f.nearest = points;
     f.settle();
   }
 };

@@ -81,7 +81,8 @@ std::vector<Cause> wrong_normals() {
          if (!(length > 0 && std::isfinite(length))) return std::nullopt;
          if (std::abs(length - 1) <= std::ldexp(kUnitUlps, -format_of(f.scalar).precision)) return std::nullopt;
          return f.region == Region::coincident ? *f.said_normal : times(length, f.n);
-       }},
+       },
+       .weight = 0.85},  // whatever the length is
   };
 }
 
@@ -165,8 +166,10 @@ std::vector<Cause> wrong_values() {
             [](F f) { return f.distance - f.radius[0] + f.radius[1] - f.contact; }),
       value("value-larger-radius", "only the larger radius subtracted from the value",
             [](F f) { return f.distance - std::max(f.radius[0], f.radius[1]) - f.contact; }),
-      value("value-contact-per-sphere", "contact distance subtracted once for each sphere",
-            [](F f) { return right_value(f) - f.contact; }),
+      {.id = "value-contact-per-sphere",
+       .sentence = "contact distance subtracted once for each sphere",
+       .value = [](F f) { return right_value(f) - f.contact; },
+       .weight = 0.98},  // of those that explain the same the rarer
       value("value-not-negative", "value cut off at zero: no depth",
             [](F f) { return std::max(Real{0}, right_value(f)); }),
       value("value-not-positive", "value cut off at zero: no gap",
