@@ -158,6 +158,7 @@ const std::map<std::string_view, std::string_view> kOtherwise{
     {"cyclone-capsule-radius", "the same"},
     {"stride-caps-in-length", "the same"},
     {"capsule-middle-only", "the same"},
+    {"plane-not-divided", "the same"},
     {"capsule-ends-only", "the same"},
     {"plane-offset-not-divided", "the same"},
     {"plane-offset-sign", "the same"},
