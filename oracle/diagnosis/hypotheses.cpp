@@ -55,6 +55,32 @@ Real condition_of(const Two<A, B>& shapes) {
   }
 }
 
+/// Nothing of an answer survives a larger one: 2^64 stands for infinity.
+Real limited(Real grown) {
+  const Real most = std::ldexp(Real{1}, 64);
+  return grown >= 1 ? std::min(grown, most) : std::isnan(grown) ? most : 1;
+}
+
+/// Of a ray that is cast, what its place grows by, and its normal. The quadratic formula loses L^2 in h, the square of
+/// half the way through what is round, so that t loses L (L / sqrt(h)), and sqrt(h) is r times the cosine of the angle
+/// at which the ray goes in; a normal is the way from the axis, r long. `cosine` is 1 where nothing is hit.
+struct CastCondition {
+  Real place = 1;
+  Real sine = 1;  ///< what Facts::sine is
+};
+template <class Target>
+CastCondition condition_of_cast(const CastAt<Target>& shapes, Real largest, Real cosine) {
+  if constexpr (requires { shapes.b.radius; }) {
+    const Real place = largest / (Real{shapes.b.radius} * cosine);
+    return {place, Real{shapes.b.radius} / (largest * place)};
+  } else if constexpr (std::same_as<Target, Triangle>) {
+    const CrossingInReals crossing(RayAndTriangle{shapes.a, shapes.b});
+    return {condition_of(crossing), crossing.sine};
+  } else {
+    return {1 / cosine, 1};
+  }
+}
+
 /// The least box around the points of a shape, which is the box itself for a box.
 template <class Shape>
 Box bounds_of(const Shape& shape) {
@@ -115,9 +141,8 @@ void Facts::read(const Truth& of_query) {
     max[shape] = formulas::numbers_of(box.max);
   };
   std::visit([&](const auto& shapes) { bound(0, bounds_of(shapes.a)), bound(1, bounds_of(shapes.b)); }, query.shapes);
-  // Nothing of an answer survives a larger one: 2^64 stands for infinity.
   const Real grown = std::visit([](const auto& shapes) { return condition_of(shapes); }, query.shapes);
-  condition = grown >= 1 ? std::min(grown, std::ldexp(Real{1}, 64)) : std::isnan(grown) ? std::ldexp(Real{1}, 64) : 1;
+  condition = limited(grown);
   read_crossing(of_query.hit());
   const DistanceTruth* exact = of_query.contact() != nullptr ? of_query.contact() : of_query.distance();
   if (exact == nullptr) return;
@@ -147,6 +172,12 @@ void Facts::read(const Truth& of_query) {
     inward = cast->inside || cast->against ? said_normal.value_or(reference) : reference;
     if (cast->either_side && said_normal && formulas::dot(*said_normal, reference) < 0)
       inward = formulas::times(-1, reference);
+    std::visit(
+        [&]<class A, class B>(const Two<A, B>& shapes) {
+          if constexpr (std::same_as<A, Cast>)
+            settle_cast(std::abs(formulas::dot(reference, formulas::numbers_of(shapes.a.direction))) * per_length);
+        },
+        query.shapes);
   }
   if (cores.half_space) {
     const Numbers direction = real(cores.half_space->inward);
@@ -185,8 +216,24 @@ void Facts::read_crossing(bool hit) {
           slack = static_cast<Real>(round_to_nearest(distance_to_change(shapes, hit), Scalar::binary64));
       },
       query.shapes);
+  settle_cast(1);
   if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes)) take(CrossingInReals(*ray));
   if (const auto* line = std::get_if<TriangleAndLine>(&query.shapes)) take(CrossingInReals(*line));
+}
+
+void Facts::settle_cast(Real cosine) {
+  std::visit(
+      [&]<class A, class B>(const Two<A, B>& shapes) {
+        if constexpr (std::same_as<A, Cast>) {
+          Real largest = 0;
+          for (const auto* vectors : {&min, &max})
+            for (const Numbers& v : *vectors) largest = std::max(largest, formulas::largest_of(v));
+          const CastCondition of = condition_of_cast(shapes, largest, cosine);
+          condition = limited(of.place);
+          sine = 1 / limited(1 / of.sine);
+        }
+      },
+      query.shapes);
 }
 
 void Facts::settle() {

@@ -86,6 +86,8 @@ struct Facts {
  private:
   void read(const Truth& of_query);
   void read_crossing(bool hit);
+  /// What a ray that is cast grows a rounding by, where it meets a surface at an angle of this cosine to its normal.
+  void settle_cast(Real cosine);
 };
 
 /// What an engine with a mistake would say about one aspect.

@@ -17,15 +17,24 @@ namespace {
 
 #ifdef CONTACT_EVERY_QUESTION
 constexpr std::uint64_t kQuestions = golden::kCommittedCount;
+constexpr std::size_t kStep = 1;
 #else
+constexpr std::size_t kStep = 6;          // of the mutants one: the campaign asks them all
 constexpr std::uint64_t kQuestions = 42;  // of a file: all classes take their turn in so many
 #endif
 
-/// Every mutant over the first questions of every generated file, in one pass.
+/// The mutants that are asked.
+std::vector<engines::Mutant> asked() {
+  std::vector<engines::Mutant> some;
+  for (std::size_t i = 0; i < engines::mutants().size(); i += kStep) some.push_back(engines::mutants()[i]);
+  return some;
+}
+
+/// Each of them over the first questions of every generated file, in one pass.
 const std::vector<Subject>& judged() {
   static const std::vector<Subject> all = [] {
     std::vector<Subject> subjects;
-    for (const engines::Mutant& m : engines::mutants()) {
+    for (const engines::Mutant& m : asked()) {
       subjects.push_back({engines::make_built_in(std::string(engines::kMutantPrefix) + std::string(m.id)), {}});
       subjects.back().report.engine = subjects.back().engine->info();
     }
@@ -51,8 +60,9 @@ const std::map<std::string_view, std::string_view> kOtherwiseDiagnosed{
 
 TEST(Mutants, the_first_diagnosis_of_at_least_95_in_100_names_the_mistake) {
   std::size_t right = 0;
-  for (std::size_t i = 0; i < engines::mutants().size(); ++i) {
-    const engines::Mutant& m = engines::mutants()[i];
+  const std::vector<engines::Mutant> mutants = asked();
+  for (std::size_t i = 0; i < mutants.size(); ++i) {
+    const engines::Mutant& m = mutants[i];
     const auto found = judged()[i].report.why.findings();
     const bool named = !found.empty() && found.front().cause == m.cause;
     right += named ? 1 : 0;
@@ -60,8 +70,8 @@ TEST(Mutants, the_first_diagnosis_of_at_least_95_in_100_names_the_mistake) {
       ADD_FAILURE() << m.id << " should be diagnosed as " << m.cause << ", and is as\n  "
                     << (found.empty() ? "nothing" : std::string(found.front().cause) + ": " + found.front().sentence);
   }
-  EXPECT_GE(right * 100, engines::mutants().size() * 95);
-  RecordProperty("right", std::to_string(right) + " of " + std::to_string(engines::mutants().size()));
+  EXPECT_GE(right * 100, mutants.size() * 95);
+  RecordProperty("right", std::to_string(right) + " of " + std::to_string(mutants.size()));
 }
 
 /// Asks engines the first questions of a file.
