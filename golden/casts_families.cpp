@@ -295,7 +295,8 @@ CastIn<Real> inside_cast(Random& random) {
     lay(made, d, 0, 8);
     return finished<Real, kPair>(made, random, false);
   }
-  lay(made, direction(random, 6), 0, random.between<std::int64_t>(0, 3));
+  const auto length = random.between<std::int64_t>(0, 3);  // drawn first: a call's arguments are in no order
+  lay(made, direction(random, 6), 0, length);
   return finished<Real, kPair>(made, random, false);
 }
 
@@ -374,7 +375,8 @@ CastIn<Real> thin_cast(Random& random) {
       made.x[i] = static_cast<std::int64_t>(s.v[0][i] + part * ((s.v[1][i] - s.v[0][i]) / 3));
   }
   const auto before = random.between<std::int64_t>(1, 40);
-  lay(made, direction(random, 6), before, before + random.between<std::int64_t>(0, 3));
+  const auto all = before + random.between<std::int64_t>(0, 3);  // drawn first, as above
+  lay(made, direction(random, 6), before, all);
   return finished<Real, kPair>(made, random, random.turn(5) == kMissing);
 }
 

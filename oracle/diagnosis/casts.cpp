@@ -34,7 +34,9 @@ Cause at_another_t(std::string_view id, std::string_view sentence, T t) {
           .sentence = sentence,
           .normal = of_hit([t](F f, const auto& cast) -> Said {
             const auto there = t(f, cast);
-            return there ? Said(numbers_of_cast(cast.normal(*there))) : Said(std::nullopt);
+            if (!there) return std::nullopt;
+            const Numbers n = numbers_of_cast(cast.normal(*there));
+            return std::isfinite(sum_of(n)) ? Said(n) : Said(std::nullopt);
           }),
           .point =
               [t](F f, std::size_t) {
@@ -50,6 +52,11 @@ Cause at_another_t(std::string_view id, std::string_view sentence, T t) {
 }
 
 bool begins_inside(F f) { return f.truth->degenerate(); }
+/// Whether so little decides that the formulas below, in Real, cannot tell.
+bool is_too_near(F f) {
+  constexpr int kBits = 57;
+  return f.slack <= loss(f, kBits) * f.condition;
+}
 
 }  // namespace
 
@@ -92,8 +99,9 @@ std::vector<Cause> wrong_casts() {
                   return in_plane;
                 }),
       decision("cast-without-length", "a ray taken for one without end: its length not looked at",
-               [](F f) {
+               [](F f) -> Said {
                  if (!is_cast(f.query.pair) || f.truth->hit()) return right_decision(f);
+                 if (is_too_near(f)) return std::nullopt;
                  const auto said = of_cast(f.query.shapes, [](const auto& cast) -> std::optional<bool> {
                    const auto t = cast.first();
                    return t && *t >= 0;
@@ -101,8 +109,9 @@ std::vector<Cause> wrong_casts() {
                  return Said::hit(said.value_or(false));
                }),
       decision("cast-length-as-distance", "a ray's length taken for a distance, where it counts directions",
-               [](F f) {
+               [](F f) -> Said {
                  if (!is_cast(f.query.pair) || begins_inside(f)) return right_decision(f);
+                 if (is_too_near(f)) return std::nullopt;
                  const auto said = of_cast(f.query.shapes, [](const auto& cast) -> std::optional<bool> {
                    const auto t = cast.first();
                    return t && *t >= 0 && *t * cast.speed() <= cast.length;
@@ -110,8 +119,9 @@ std::vector<Cause> wrong_casts() {
                  return Said::hit(said.value_or(false));
                }),
       decision("cast-behind", "what lies behind the origin counted as hit",
-               [](F f) {
+               [](F f) -> Said {
                  if (!is_cast(f.query.pair) || f.truth->hit()) return right_decision(f);
+                 if (is_too_near(f)) return std::nullopt;
                  const auto said = of_cast(f.query.shapes, [](const auto& cast) -> std::optional<bool> {
                    const auto t = cast.first();
                    return t && *t < 0;

@@ -190,9 +190,10 @@ struct CastInPlain {
 
 /// Calls work(cast in long double) of a question about one; else its result is nothing.
 template <class Work>
-auto of_cast(const Shapes& shapes, Work&& work) -> decltype(work(std::declval<CastInPlain<long double, Ball>>())) {
+auto of_cast(const Shapes& shapes, Work&& work) {
+  using Result = std::invoke_result_t<Work&, CastInPlain<long double, Ball>>;
   return std::visit(
-      [&]<class A, class B>(const Two<A, B>& two) -> decltype(work(std::declval<CastInPlain<long double, Ball>>())) {
+      [&]<class A, class B>(const Two<A, B>& two) -> Result {
         if constexpr (std::same_as<A, Cast>) return work(CastInPlain<long double, B>(two));
         return {};
       },

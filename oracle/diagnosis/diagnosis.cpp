@@ -531,6 +531,13 @@ Gain Diagnosis::gain(std::size_t cause, std::span<const Alike> wrong, std::span<
     gain.covered += n;
     gain.score += score;
   }
+  // An arithmetic shows in numbers: of an engine that gives some it explains no decisions alone.
+  const auto is_number = [](const Place& place) {
+    return place.aspect != Aspect::overlap && place.aspect != Aspect::contact;
+  };
+  if (formula.arithmetic == Cause::Arithmetic::coarse && std::none_of(places.begin(), places.end(), is_number) &&
+      std::any_of(contradicted_.begin(), contradicted_.end(), [&](const auto& of) { return is_number(of.first); }))
+    return {};
   if (places.empty()) return gain;
   double elsewhere = 0;
   double against = 0;

@@ -71,7 +71,14 @@ struct CastCondition {
 template <class Target>
 CastCondition condition_of_cast(const CastAt<Target>& shapes, Real largest, Real cosine) {
   if constexpr (requires { shapes.b.radius; }) {
-    const Real place = largest / (Real{shapes.b.radius} * cosine);
+    Real place = largest / (Real{shapes.b.radius} * cosine);
+    if constexpr (std::same_as<Target, Capsule>) {
+      // Nearly along the axis the quadratic formula divides by what is left of the direction across it.
+      const Numbers d = formulas::numbers_of(shapes.a.direction);
+      const Numbers u = AxisInReals(shapes.b).along;
+      const Numbers n{d[1] * u[2] - d[2] * u[1], d[2] * u[0] - d[0] * u[2], d[0] * u[1] - d[1] * u[0]};
+      if (formulas::dot(n, n) > 0) place *= formulas::dot(d, d) * formulas::dot(u, u) / formulas::dot(n, n);
+    }
     return {place, Real{shapes.b.radius} / (largest * place)};
   } else if constexpr (std::same_as<Target, Triangle>) {
     const CrossingInReals crossing(RayAndTriangle{shapes.a, shapes.b});
@@ -169,7 +176,8 @@ void Facts::read(const Truth& of_query) {
         query.shapes);
     const Numbers normal = real(cast->along);
     const Numbers reference = formulas::times(1 / std::sqrt(formulas::dot(normal, normal)), normal);
-    inward = cast->inside || cast->against ? said_normal.value_or(reference) : reference;
+    const bool is_said = said_normal && std::isfinite(formulas::sum_of(*said_normal));
+    inward = (cast->inside || cast->against) && is_said ? *said_normal : reference;
     if (cast->either_side && said_normal && formulas::dot(*said_normal, reference) < 0)
       inward = formulas::times(-1, reference);
     std::visit(

@@ -89,7 +89,7 @@ Cause narrowed(std::string_view id, std::string_view sentence, Real by) {
 /// A normal along an axis, where the centres are so near. Engines differ in the axis, so the one that was said counts.
 Cause coincident_within(std::string_view id, std::string_view sentence, Real size) {
   return normal(id, sentence, [size](F f) -> Said {
-    if (f.distance > size || !f.said_normal || f.depth > 0) return std::nullopt;
+    if (f.distance > size || !f.said_normal || f.depth > 0 || is_decided_by_a_point(f)) return std::nullopt;
     const Numbers& said = *f.said_normal;
     return largest_of(said) == 1 && sum_of(said) == 1 ? said : Numbers{1, 0, 0};
   });

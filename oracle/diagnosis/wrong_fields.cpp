@@ -72,7 +72,7 @@ std::vector<Cause> wrong_normals() {
       normal("normal-to-positive-x", "normal turned so that its x is positive, whichever sphere comes first",
              [](F f) { return f.n[kX] < 0 ? times(-1, f.n) : f.n; }),
       normal("normal-from-smaller", "normal points from the smaller sphere to the larger, whichever comes first",
-             [](F f) { return f.radius[0] > f.radius[1] ? times(-1, f.n) : f.n; }),
+             [](F f) { return where(f.has_distance(), f.radius[0] > f.radius[1] ? times(-1, f.n) : f.n); }),
       {.id = "normal-wrong-length",
        .sentence = "normal has the right direction and not unit length",
        .normal = [](F f) -> Said {

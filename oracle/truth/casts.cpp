@@ -78,10 +78,11 @@ Normals away_from(const Point& x, const std::vector<Point>& corners, bool is_box
       n = kOne / size * n;
       if (std::all_of(ways.begin(), ways.end(), [&](const Point& w) { return dot(n, w) <= kNone; })) right.push_back(n);
     }
-  const auto [least, greatest] = std::minmax_element(right.begin(), right.end());
-  Normals found = along(*greatest);
-  if (std::all_of(right.begin(), right.end(), [&](const Point& n) { return is_zero(cross(n, *greatest)); }))
-    found.either_side = *least != *greatest;
+  const auto ends = std::minmax_element(right.begin(), right.end());
+  const Point greatest = *ends.second;
+  Normals found = along(greatest);
+  if (std::all_of(right.begin(), right.end(), [&](const Point& n) { return is_zero(cross(n, greatest)); }))
+    found.either_side = *ends.first != greatest;
   else
     found.against = std::move(ways);
   return found;

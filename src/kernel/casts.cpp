@@ -318,18 +318,18 @@ Contact contact_at(const Entry& entry, const On<Shape>& on, const Ray& ray) {
     contact.value = 0;
     return contact;
   }
-  const auto& [p, q, a, along, base, turn, over, inside] = entry;
-  const Integer D = q.is_zero() ? Integer(1) : q;
+  const Integer& over = entry.over;
+  const Integer D = entry.q.is_zero() ? Integer(1) : entry.q;
   // (rational a + (p - sqrt(q)) factor) / (a over)
   const auto rounded = [&](const Integer& rational, const Integer& factor, int exponent, const Integer& under) {
-    return round_sum(rational * a + p * factor, -factor * q, D, exponent, a * under);
+    return round_sum(rational * entry.a + entry.p * factor, -factor * entry.q, D, exponent, entry.a * under);
   };
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
-    if (!over.is_zero()) contact.normal[axis] = rounded(base[i], turn[i], 0, over);
+    if (!over.is_zero()) contact.normal[axis] = rounded(entry.base[i], entry.turn[i], 0, over);
     contact.point1[axis] = rounded(on.o[i], on.D[i], on.grid.exponent(), 1);
   }
-  if (over.is_zero()) unit(along);
+  if (over.is_zero()) unit(entry.along);
   contact.point2 = contact.point1;
   contact.value = rounded(0, 1, on.grid.exponent() - on.direction.exponent(), 1);
   return contact;

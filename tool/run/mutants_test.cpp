@@ -198,7 +198,9 @@ TEST(Mutants, plain_arithmetic_is_never_told_of_a_mistake_that_it_does_not_make)
       ++told;
       const auto& allowed =
           subject.report.engine.declared.scalar == Scalar::binary32 ? kTrueOfPlainFloat : kTrueOfPlainDouble;
-      EXPECT_TRUE(found.front().cause.empty() || allowed.contains(found.front().cause))
+      // Of rays in a triangle's plane, where plain arithmetic divides by 0, it misses all.
+      const bool misses_all = found.front().cause == "never-hit" && file.pair == Pair::cast_triangle;
+      EXPECT_TRUE(found.front().cause.empty() || allowed.contains(found.front().cause) || misses_all)
           << subject.report.engine.name << " in " << contact::name(file.pair) << ' ' << file.family->name << ' '
           << contact::name(file.scalar) << ": " << found.front().sentence;
     }
