@@ -143,7 +143,6 @@ const std::map<std::string_view, std::string_view> kOtherwise{
     {"float-answer", "wrong by less than a millionth, but for what single precision flushes to zero"},
     {"float-value", "the same"},
     {"float-points", "the same"},
-    {"float-normal", "the same"},
     {"rsqrt-23", "wrong by less than a millionth, but infinite where squares leave single precision"},
     {"brax-normal-plus-1e-6",
      "of planes and crossings the mutant divides a difference that the right normal does not come from"},
@@ -163,11 +162,9 @@ const std::map<std::string_view, std::string_view> kOtherwise{
     {"plane-offset-not-divided", "the same"},
     {"plane-offset-sign", "the same"},
     {"plane-through-origin", "the same"},
-    {"normal-over-coordinate-sum", "the same"},
-    {"normal-over-largest", "the same"},
-    {"rsqrt-12", "the same"},
-    {"rsqrt-bits", "the same"},
     {"box-difference", "wrong in the last bit"},
+    {"cast-without-length", "where a ray ends or grazes exactly, roundings decide as well"},
+    {"cast-length-as-distance", "the same"},
     {"box-sum-overflows", "shows where sums overflow"},
 };
 

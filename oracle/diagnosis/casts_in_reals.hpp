@@ -51,7 +51,18 @@ struct CastInPlain {
     return t ? std::optional(-*t) : std::nullopt;
   }
   [[nodiscard]] bool begins_inside() const { return contains(shape); }
-  [[nodiscard]] Vector normal(Real t) const { return normal(shape, at(t)); }
+  [[nodiscard]] Vector normal(Real t) const {
+    if constexpr (std::same_as<Shape, Box>)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const bool upward = d[i] > 0;
+        if (d[i] != 0 && (in_plain(upward ? shape.min : shape.max)[i] - o[i]) / d[i] == t) {
+          Vector n{};
+          n[i] = upward ? Real{-1} : Real{1};
+          return n;
+        }
+      }
+    return normal(shape, at(t));
+  }
 
  private:
   /// The quadratic formula.
@@ -133,7 +144,7 @@ struct CastInPlain {
     for (std::size_t i = 0; i < 3; ++i) inside = inside && low[i] <= o[i] && o[i] <= high[i];
     return inside;
   }
-  /// Of the nearest face.
+  /// Of the nearest face, where the ray does not come in.
   static Vector normal(const Box& box, const Vector& x) {
     const Vector low = in_plain(box.min);
     const Vector high = in_plain(box.max);

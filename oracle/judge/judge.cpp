@@ -80,7 +80,11 @@ class ContactJudge {
       auto& found = all[static_cast<std::size_t>(field)];
       if (!found || found->grade == Grade::correctly_rounded || found->grade == Grade::not_finite) continue;
       found->needs[static_cast<std::size_t>(measure_of(field))] = found->off;
-      if (found->grade != Grade::beyond_bound || field == Field::value || is_cast(query_.pair)) continue;
+      if (found->grade != Grade::beyond_bound || field == Field::value) continue;
+      if (is_cast(query_.pair)) {
+        if (const auto length = beside_face(); length && field == Field::normal) take_length(*found, *length);
+        continue;
+      }
       if (!claimed) claimed = claimed_contact();
       if (!claimed->is_finite) continue;
       if (!near) near.emplace(query_, exact(), *claimed, tolerance(), declared_.scalar);
@@ -206,6 +210,20 @@ class ContactJudge {
       angle = unit;
     }
     angle.within = within;
+  }
+
+  /// How far a ray enters a box from another face, which it enters too and which the claimed normal belongs to.
+  [[nodiscard]] std::optional<Off> beside_face() const {
+    const auto* shapes = std::get_if<CastAt<Box>>(&query_.shapes);
+    const CastHit* cast = exact().cast();
+    Eigen::Index axis = 0;
+    if (shapes == nullptr || cast == nullptr || claimed_n_.cwiseAbs().maxCoeff(&axis) == 0) return std::nullopt;
+    const bool is_least = claimed_n_[axis] < 0;  // the normal of a cast leads out of the box
+    const double along = is_least ? shapes->a.direction[axis] : -shapes->a.direction[axis];
+    if ((claimed_n_.array() != 0).count() != 1 || along <= 0) return std::nullopt;
+    const double face = (is_least ? shapes->b.min : shapes->b.max)[axis];
+    const Exact apart = cast->at[static_cast<std::size_t>(axis)].plus(Rational(-face));
+    return length_off(magnitude(apart), cast->point_scale, tolerance());
   }
 
   /// A claimed normal beside the exact one.

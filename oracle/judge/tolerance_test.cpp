@@ -485,6 +485,17 @@ TEST(Tolerance, a_cast_changes_where_the_shape_has_grown_or_shrunk_to_the_ray) {
   at_edge({Pair::cast_triangle, CastAt<Triangle>{ray, triangle}, {0, 0}}, true, 0.25);
 }
 
+TEST(Tolerance, a_cast_near_an_edge_of_a_box_may_enter_by_either_face) {
+  // It enters by x = 4, 0.25 above y = -2, which it passes upward.
+  const Query query{Pair::cast_cube, CastAt<Box>{{{{0, -5.75, 0}, {1, 1, 0}, 9}}, {{4, -2, -1}, {6, 2, 1}}}, {0, 0}};
+  EXPECT_TRUE(within(query, normal_of({-1, 0, 0}), {}));
+  EXPECT_TRUE(within(query, normal_of({0, -1, 0}), {.length = 0.25}));
+  EXPECT_FALSE(within(query, normal_of({0, -1, 0}), {.length = below(0.25)}));
+  EXPECT_FALSE(within(query, normal_of({0, -0.9375, 0}), {.length = 0.25}));  // its length is an angle's matter
+  for (const Vector3& n : {Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, -1), Vector3(0, -0.8, 0.6)})
+    EXPECT_FALSE(within(query, normal_of(n), {.length = 1}));
+}
+
 TEST(Tolerance, its_scale_leaves_questions_out) {
   Declaration declared;
   declared.tolerance = Tolerance{.scale_min = 1, .scale_max = 4};
