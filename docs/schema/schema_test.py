@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Do the schemas say what the program reads and writes?  python3 docs/schema/schema_test.py PATH_TO_TOOL"""
 import copy
+import functools
 import json
 import os
 import re
@@ -34,6 +35,7 @@ SHAPES = {"spheres": "sphere_rigid_sphere", "cubes": "cube_cube", "sphere and cu
 COMMON = json.loads((SCHEMAS / "common.json").read_text())["$defs"]
 
 
+@functools.cache
 def validator(reference):
     """Of a schema, or of a part of it such as dataset.json#/$defs/header."""
     schema = {"$ref": f"{SCHEMAS.as_uri()}/{reference}"}
