@@ -97,7 +97,12 @@ function(contact_test name)
     add_dependencies(core_tests ${name})
     string(APPEND ARG_LABEL -core)  # one label: a list does not come through, and ctest -L looks for a part
   endif()
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 120 PROPERTIES LABELS ${ARG_LABEL})
+  # The same file may be a program for every day and, with other definitions, one for the campaign: a name is one test's.
+  set(prefix "")
+  if(ARG_LABEL STREQUAL "campaign")
+    set(prefix TEST_PREFIX campaign.)
+  endif()
+  gtest_discover_tests(${name} ${prefix} DISCOVERY_TIMEOUT 120 PROPERTIES LABELS ${ARG_LABEL})
 endfunction()
 
 # The kinds of pairs that have files of their own on every floor; include/contact/pairs.hpp lists what they are. All rays

@@ -71,20 +71,35 @@ project(toy NONE)
 enable_testing()
 set(Python3_EXECUTABLE "{python}")
 include({cmake}/ContactPythonTest.cmake)
-contact_python_test(toy_test.py EXCEPT left_out PROPERTIES LABELS "a;b")
+contact_python_test(toy_test.py EXCEPT LeftOut PROPERTIES LABELS "a;b")
 contact_python_test(toy_test.py NAME whole ARGS x)
 """
 TOY = """import sys, unittest
 class Alone(unittest.TestCase):
     def test_passes(self): pass
-    def test_fails(self): self.fail()
     def test_skips(self): self.skipTest("no moon here")
-    def test_left_out(self): self.fail()
     def test_skips_a_part(self):
         with self.subTest("part"): self.skipTest("no sun here")
-    def test_skips_and_fails(self):
+class Passes(unittest.TestCase):
+    def test_passes(self): pass
+class LeftOut(unittest.TestCase):
+    def test_fails(self): self.fail()
+class TooLongCampaign(LeftOut): pass
+class SkipsAndFails(unittest.TestCase):
+    def test_skips(self):
         with self.subTest("part"): self.skipTest("no sun here")
-        self.fail()
+    def test_fails(self): self.fail()
+class Speaks(unittest.TestCase):
+    def test_skips(self):
+        print("a word", file=sys.stderr)
+        self.skipTest("no cloud here")
+@unittest.skip("no comet here")
+class Whole(unittest.TestCase):
+    def test_one(self): pass
+class Unprepared(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls): raise unittest.SkipTest("no ring here")
+    def test_one(self): pass
 class Shared(unittest.TestCase):
     @classmethod
     def setUpClass(cls): pass
@@ -106,13 +121,21 @@ class Skips(unittest.TestCase):
         (cls.folder / "toy_test.py").write_text(TOY)
         subprocess.run(["cmake", "-S", cls.folder, "-B", cls.folder / "b"], check=True, capture_output=True)
         cls.report = cls.folder / "report.xml"
-        cls.said = subprocess.run(["ctest", "--test-dir", cls.folder / "b", "--output-junit", cls.report], capture_output=True, text=True).stdout
+        cls.said = subprocess.run(["ctest", "--test-dir", cls.folder / "b", "-LE", "campaign", "--output-junit", cls.report],
+                                  capture_output=True, text=True).stdout
 
-    def test_each_case_is_a_test_and_a_skip_is_no_pass(self):
+    def test_each_class_is_a_test_and_a_skip_is_no_pass(self):
         ends = dict(re.findall(r"Test +#\d+: (\S+) \.+ *\**(Passed|Failed|Skipped)", self.said))
-        self.assertEqual(ends, {"toy_test.Alone.test_passes": "Passed", "toy_test.Alone.test_fails": "Failed", "toy_test.Alone.test_skips": "Skipped",
-                                "toy_test.Alone.test_skips_a_part": "Skipped", "toy_test.Alone.test_skips_and_fails": "Failed",
+        self.assertEqual(ends, {"toy_test.Alone": "Skipped", "toy_test.Passes": "Passed", "toy_test.SkipsAndFails": "Failed",
+                                "toy_test.Speaks": "Skipped", "toy_test.Whole": "Skipped", "toy_test.Unprepared": "Skipped",
                                 "toy_test.Heir": "Skipped", "whole": "Failed"}, self.said)
+
+    def test_a_class_for_the_campaign_has_its_label_alone(self):
+        labelled = lambda label: re.findall(r"Test +#\d+: (\S+)", subprocess.run(
+            ["ctest", "--test-dir", self.folder / "b", "-N", "-L", label], capture_output=True, text=True).stdout)
+        self.assertEqual(labelled("campaign"), ["toy_test.TooLongCampaign"])
+        self.assertEqual(len(labelled("^a$")), 7)
+        self.assertNotIn("toy_test.TooLongCampaign", labelled("^a$"))
 
     def skips(self, *allowed):
         path = self.folder / "allowed"
@@ -121,11 +144,21 @@ class Skips(unittest.TestCase):
         self.assertEqual(done.stdout, "")
         return done.returncode, done.stderr
 
+    # The cases that are skipped, and why; what speaks between its name and its skip is named by its class.
+    SKIPPED = {"Alone.test_skips": "no moon here", "Alone.test_skips_a_part": "no sun here", "Speaks": "no cloud here",
+               "Whole.test_one": "no comet here", "Unprepared": "no ring here", "Heir.test_two": "no star here"}
+
     def test_a_skip_that_nobody_allowed_is_named_with_its_reason(self):
-        code, said = self.skips(r"toy_test\.Alone\.test_skips.*: there is no moon")
-        self.assertEqual((code, len(said.splitlines())), (1, 1), said)
-        self.assertRegex(said, "toy_test.Heir: 'no star here'")
-        self.assertEqual(self.skips(r"toy_test\.Alone\.test_skips.*: there is no moon", r"toy_test\.Heir: nor a star"), (0, ""))
+        for name, reason in self.SKIPPED.items():
+            allowed = [rf"toy_test\.{re.escape(other)}: it may be" for other in self.SKIPPED if other != name]
+            code, said = self.skips(*allowed)
+            self.assertEqual((code, len(said.splitlines())), (1, 1), said)
+            self.assertIn(f"toy_test.{name}: '{reason}'", said)
+            self.assertEqual(self.skips(*allowed, rf"toy_test\.{re.escape(name)}: this one too"), (0, ""))
+
+    def test_to_allow_a_class_is_to_allow_none_of_its_cases(self):
+        code, said = self.skips(r"toy_test\.\w+: all classes")
+        self.assertEqual((code, len(said.splitlines())), (1, 4), said)
 
     def test_a_line_that_allows_no_test_is_named(self):
         code, said = self.skips(r"toy_test\..*: all", "gone: it was there once")
@@ -134,7 +167,8 @@ class Skips(unittest.TestCase):
 
     def test_to_a_person_all_are_told(self):
         done = subprocess.run([sys.executable, ROOT / ".ci/skips.py", self.report], capture_output=True, text=True)
-        self.assertEqual((done.returncode, len(done.stdout.splitlines())), (0, 3), done.stdout)
+        self.assertEqual((done.returncode, sorted(done.stdout.splitlines())),
+                         (0, sorted(f"toy_test.{name}: '{reason}'" for name, reason in self.SKIPPED.items())), done.stdout)
 
 
 if __name__ == "__main__":

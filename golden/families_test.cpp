@@ -119,7 +119,7 @@ TEST(Families, GenericPairsHitInThirtyToSeventyPercent) {
 }
 
 TEST(Families, GiveBothAnswersOrSayWhyAllAreHits) {
-  constexpr std::uint64_t kQuestions = 500;
+  constexpr std::uint64_t kQuestions = 150;
   constexpr std::uint64_t kLeastPercent = 15;
   const auto hits_alone = families_of_hits_alone();
   for (const Pair pair : kPairs)

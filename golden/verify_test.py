@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Does verify.py accept what is right, and find each single thing that is wrong?  python3 golden/verify_test.py PATH_TO_TOOL"""
+import contextlib
 import hashlib
+import io
 import itertools
 import json
 import math
@@ -12,6 +14,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 from fractions import Fraction
 from pathlib import Path
 
@@ -35,8 +38,17 @@ def run(*command, **options):
     return subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=600, **options)
 
 
-def verify(*paths, program=VERIFY):
-    return run(sys.executable, program, *paths)
+CODE = compile(VERIFY.read_text(), VERIFY, "exec")
+
+
+def verify(*paths):
+    """What the program says and how it ends, in this process: to start another takes longer than most files."""
+    out, err = io.StringIO(), io.StringIO()
+    with unittest.mock.patch.object(sys, "argv", [VERIFY, *map(str, paths)]), contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        try:
+            exec(CODE, {"__name__": "__main__"})
+        except SystemExit as end:
+            return subprocess.CompletedProcess(paths, end.code, out.getvalue(), err.getvalue())
 
 
 def question(c1, r1, c2, r2, alarm=0, contact=0, **more):
@@ -145,8 +157,8 @@ class Case(unittest.TestCase):
         header = (GOLDEN / "sphere_sphere" / "invalid.jsonl").read_text().splitlines()[0].replace('"sphere_sphere"', f'"{pair}"')
         return [re.sub(r'"count":\d+', f'"count":{len(lines)}', header), *lines]
 
-    def accepted(self, *paths, **options):
-        done = verify(*paths, **options)
+    def accepted(self, *paths, verify=verify):
+        done = verify(*paths)
         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout[-1500:])
         self.assertRegex(done.stdout, r"\A[1-9]\d* cases: all right\n\Z")
 
@@ -170,9 +182,22 @@ class Case(unittest.TestCase):
         self.assertEqual(run(TOOL, "lint", path).returncode, 2)
 
 
-class Right(Case):
+class EveryCaseCampaign(Case):
+    """What `Right` sees of every file: the cases between those that it asks for, and the committed manifest."""
+
     def test_every_committed_file_and_the_manifest_are_accepted(self):
         self.accepted(GOLDEN)
+
+
+class Right(Case):
+    def test_every_sixteenth_case_of_every_committed_file_is_accepted(self):
+        for path in GOLDEN.rglob("*.jsonl"):
+            header, *cases = path.read_text().splitlines()
+            if "recorded" not in path.parts:
+                self.file("-".join(path.relative_to(GOLDEN).parts),
+                          [re.sub(r'"count":\d+', f'"count":{len(cases[::16])}', header), *cases[::16]])
+        self.assertGreater(len(list(self.folder.iterdir())), 250)
+        self.accepted(self.folder, verify=lambda folder: run(sys.executable, VERIFY, folder))
 
     def test_the_program_is_short_enough_to_be_read_and_the_page_about_it_shows_what_it_prints(self):
         self.assertLess(len(VERIFY.read_text().splitlines()), 420)
@@ -681,6 +706,16 @@ class Wrong(Case):
         self.assertEqual(verify(self.folder / "none").returncode, 2)
 
 
+def calls_wrong(program, path):
+    """Whether a program that was executed complains of a file, or stumbles over it; that it cannot read it is neither."""
+    try:
+        return bool(program["check"](path)[0])
+    except (OSError, ValueError, KeyError):
+        return False
+    except Exception:
+        return True
+
+
 class Broken(Case):
     def test_each_step_of_verify_matters_a_program_without_it_calls_right_files_wrong(self):
         least = {"binary64": 5e-324, "binary32": 2.0**-149}
@@ -700,15 +735,18 @@ class Broken(Case):
         self.file("spheres.invalid.jsonl", (GOLDEN / "sphere_sphere" / "invalid.jsonl").read_text().splitlines())
         # Axes level with an end, turned round, one beside a point or another; crossing, parallel, without length.
         points = ([0, 0, 0], [4, 0, 0], [1, 3, 1], [1, -2, 1], [6, 1, 2], [2, 0, 0], [-1, 2, 0], [3, 2, 0], [0, 0, 3])
-        self.file("capsules.jsonl", self.annotated(*(
-            capsules(a, b, 2, c, d, i % 7 / 4, i % 3, 0.5) for i, (a, b, c, d) in enumerate(itertools.product(points, repeat=4))
-            if i % 11 == 0)))
-        triangles = [{"pair": "sphere_triangle", "a": {"center": c, "radius": i % 5}, "b": {"vertices": v}, "alarm": 0, "contact": i % 3}
-                     for i, (c, *v) in enumerate(itertools.product(points, repeat=4)) if i % 13 == 0]
-        self.file("triangles.jsonl", self.annotated(*triangles))
-        rays = [{"pair": "ray_sphere", "a": {"origin": a, "direction": b if any(b) else [1, 0, 0], "length": i % 3},
-                 "b": {"center": c, "radius": i % 5}, "alarm": 0, "contact": 0} for i, (a, b, c) in enumerate(itertools.product(points, repeat=3))]
-        self.file("rays.jsonl", self.annotated(*{json.dumps(ray): ray for ray in rays}.values()))
+        asked = {
+            "capsules": [capsules(a, b, 2, c, d, i % 7 / 4, i % 3, 0.5) for i, (a, b, c, d) in enumerate(itertools.product(points, repeat=4))
+                         if i % 11 == 0],
+            "triangles": [{"pair": "sphere_triangle", "a": {"center": c, "radius": i % 5}, "b": {"vertices": v}, "alarm": 0, "contact": i % 3}
+                          for i, (c, *v) in enumerate(itertools.product(points, repeat=4)) if i % 13 == 0],
+            "rays": [{"pair": "ray_sphere", "a": {"origin": a, "direction": b if any(b) else [1, 0, 0], "length": i % 3},
+                      "b": {"center": c, "radius": i % 5}, "alarm": 0, "contact": 0}
+                     for i, (a, b, c) in enumerate(itertools.product(points, repeat=3))]}
+        for name, queries in asked.items():
+            queries = list({json.dumps(query): query for query in queries}.values())
+            for i in range(0, len(queries), 64):
+                self.file(f"{name}.{i}.jsonl", self.annotated(*queries[i:i + 64]))
         self.file("rays.invalid.jsonl", (GOLDEN / "ray_sphere" / "invalid.jsonl").read_text().splitlines())
         for name in ("sphere_plane/below_plane", "capsule_plane/parallel", "capsule_plane/generic", "ray_triangle/generic",
                      "ray_triangle/through_boundary", "ray_triangle/end_on_triangle", "triangle_line/through_boundary",
@@ -752,10 +790,10 @@ class Broken(Case):
                 ("corners[1:] + corners[:1]", "corners[1:]"), ("[x[6] * d for d in x[3:6]]", "x[3:6]")):
             with self.subTest(right, becomes=wrong):
                 self.assertEqual(program.count(right), 1)
-                broken = self.folder / "broken.py"
-                broken.write_text(program.replace(right, wrong))
+                broken = {"__name__": "broken"}
+                exec(compile(program.replace(right, wrong), "broken", "exec"), broken)
                 # One file after another, until one is called wrong; the last that was often is again.
-                found = next((path for path in (last, *files) if verify(path, program=broken).returncode == 1), None)
+                found = next((path for path in (last, *files) if calls_wrong(broken, path)), None)
                 self.assertIsNotNone(found, "it calls every file right")
                 last = found
 

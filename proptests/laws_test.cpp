@@ -615,6 +615,18 @@ TEST(Laws, forgive_what_a_tolerance_forgives_and_nothing_beyond) {
   EXPECT_FALSE(violated(beyond).contains("decision")) << described(beyond);
 }
 
+// Found by a seed that was drawn: a sphere in a half-space, whose value is more than twice the largest of its parts.
+TEST(Laws, allow_a_value_its_own_rounding_where_it_is_larger_than_its_scale) {
+  RunOptions options;
+  options.seed = 4274821466534818;
+  options.cases = 50;
+  options.correctly_rounded = true;
+  options.names = {"radius"};
+  std::unique_ptr<Engine> production = engines::make_built_in("production");
+  const RunResult result = run_laws(production, options);
+  EXPECT_TRUE(result.holds()) << described(result);
+}
+
 // Not what a law says of the truth alone: where an answer may be any, it may be that.
 TEST(Laws, forgive_a_normal_that_points_back_where_a_tolerance_allows_any) {
   engines::EngineInfo info = serving({Pair::sphere_sphere, Pair::sphere_capsule});

@@ -55,7 +55,15 @@ std::optional<double> finite_value(const Case& c, std::size_t i) {
   const auto& value = c.contact(i)->value;
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
-Rational value_error(const Case& c, std::size_t i) { return allowance(c, i, Field::value); }
+/// How far it may be off. Of shapes inside each other the parts of a value add up to more than the largest of them,
+/// which is its scale: half an ulp of the value, which rounding may take, is then more than half an ulp of the scale.
+Rational value_error(const Case& c, std::size_t i) {
+  const Rational error = allowance(c, i, Field::value);
+  const auto value = finite_value(c, i);
+  if (!value) return error;
+  const Rational rounding = oracle::ulp(Rational(std::abs(*value)), c.subject.info.declared.scalar) / Rational(2);
+  return std::max(error, rounding);
+}
 /// Whether a number is not as right as the engine must be.
 bool is_beyond(const Case& c, const oracle::FieldVerdict& verdict) {
   return c.subject.tolerance() ? !verdict.off.within || verdict.grade == Grade::not_finite

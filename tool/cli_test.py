@@ -58,6 +58,8 @@ while data := serve.stdout.read1():
     sys.stdout.buffer.write(data)
     sys.stdout.buffer.flush()
 """
+# A shell that runs this in its background ignores it, and so would every process that is started here.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 SPHERES_ID, CUBES_ID = "7827fbcb904c1b0d7baa72b0", "39f8ccec244e593cfa1b7ad5"
 SPHERES_EXPECT = ('"expect":{"hit":true,"degenerate":false,"normal":[0.3333333333333333,0.6666666666666666,'
                   '0.6666666666666666],"point1":[0.5,1,1],"point2":[0.5,1,1],"value":-0.25},'
@@ -346,9 +348,8 @@ class Certify(Case):
     def test_the_published_formula_is_refuted_and_the_diagnosis_names_its_convention(self):
         self.assertIn("points = published", self.refuted("certify", GOLDEN / "sphere_sphere" / "generic.jsonl", "--engine", "published"))
 
-    def test_the_published_formula_is_right_under_its_own_convention(self):
-        out = self.holds("certify", "golden", "--engine", "published", "--points", "published",
-                         "--level", "correctly-rounded")
+    def test_the_published_formula_is_right_under_its_own_convention(self, folder="golden/quick"):
+        out = self.holds("certify", folder, "--engine", "published", "--points", "published", "--level", "correctly-rounded")
         self.assertIn("\nCERTIFIED: published", out)
 
     def test_the_component_is_right_under_every_convention_that_it_computes(self):
@@ -428,8 +429,7 @@ class Certify(Case):
         for answer in scaled[1:]:
             answer["contact"]["normal"] = [2 * x for x in answer["contact"]["normal"]]
         results = ("--results", self.file("scaled.jsonl", scaled))
-        ugliest = ("--family", "coincident,extreme_scale,generic,near_touching")
-        ugly = [(GOLDEN / "sphere_sphere", GOLDEN / "capsule_capsule", GOLDEN / "ray_triangle", *ugliest, "--engine", engine)
+        ugly = [("golden/quick", GOLDEN / "sphere_sphere" / "coincident.jsonl", GOLDEN / "sphere_sphere" / "coincident.f32.jsonl", "--engine", engine)
                 for engine in ("plain-double", "plain-float", "mutant:rapier-coincident-nan")]
         classes = dict.fromkeys(("errors", "not_finite", "bounded"), 0)
         for args in (*ugly, (GOLDEN / "sphere_sphere" / "coincident.jsonl", *results), ("golden", "--engine", "plain-double", "--family", "invalid")):
@@ -521,7 +521,7 @@ class Certify(Case):
 
     def test_the_report_at_a_terminal_is_short_and_the_worst_comes_first(self):
         report = self.folder / "report.json"
-        fresh = ("--generate", 40, "--seed", 3)
+        fresh = ("--generate", 5, "--seed", 3)
         out = self.refuted("certify", *fresh, "--engine", "plain-double", "--json", report)
         whole = json.loads(report.read_text())
         rows = out.split("\n\n")[1].splitlines()
@@ -537,6 +537,16 @@ class Certify(Case):
         self.assertEqual(number(rows[-1]), whole["total"]["cases"])
         rows = self.holds("certify", *fresh, "--engine", "production").split("\n\n")[1].splitlines()
         self.assertEqual([row.split(" ")[0] for row in rows], ["family", *PAIRS, "total"])
+
+
+class WholeGoldenCampaign(Case):
+    """What golden/quick and the families' own digests leave out: every committed question."""
+
+    def test_the_published_formula_is_right_under_its_own_convention(self):
+        Certify.test_the_published_formula_is_right_under_its_own_convention(self, "golden")
+
+    def test_the_committed_files_pass_lint(self):
+        self.assertIn("every expectation right", self.holds("lint", "golden"))
 
 
 class KnownFailures(Case):
@@ -1114,7 +1124,7 @@ class BadDatasets(Case):
             "negative alarm": (identified(put(good, ["alarm"], -0.5)), f"{path}:2: alarm: ", "-0.5"),
             "min above max": (identified(put(self.cubes, ["a", "min", 2], 1e9)), f"{path}:2: a.min[2]: ", "1e"),
             "text for a number": (put(good, ["alarm"], "wide"), f"{path}:2: alarm: ", '"wide"'),
-            "no exact number": (put(good, ["exact", "reach"], "0x3\bp0"), f"{path}:2: exact.reach: ", r'got "0x3\bp0"'),
+            "no exact number": (put(good, ["exact", "reach"], "0x3\bp0"), f"{path}:2: exact.reach: ", r'got "0x3\\x08p0"'),
             "no gap": (put(self.cubes, ["exact", "gap", 2], "3"), f"{path}:2: exact.gap[2]: ", "exact number", '"3"'),
             "two coordinates": (put(good, ["b", "center"], [1, 2]), f"{path}:2: b.center: ", "[1,2]"),
             "number too large": ([good[0], re.sub(r'"alarm":[^,]+', '"alarm":1e999', line(good[1]))], f"{path}:2: ", "1e999"),
@@ -1439,8 +1449,8 @@ class Outputs(Case):
         self.assertEqual((list(self.folder.iterdir()), target.read_text()), ([target], "old\n"))
 
     def test_an_interrupted_lint_ends_before_its_file_does(self):
-        path = self.folder / "long.jsonl"
-        self.holds("generate", "--pair", "sphere_sphere", "--family", "generic", "--count", 2000, "--seed", 1, "-o", path)
+        path = self.folder / "long.jsonl"  # it would take many times as long as the signal, however busy the machine
+        self.holds("generate", "--pair", "sphere_sphere", "--family", "generic", "--count", 8000, "--seed", 1, "-o", path)
         process = subprocess.Popen([TOOL, "lint", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         wait_until_signals_are_caught(process)
         process.send_signal(signal.SIGINT)
@@ -1555,6 +1565,9 @@ class Generate(Case):
             content = (self.folder / path).read_bytes()
             self.assertEqual(content, (GOLDEN / path).read_bytes(), path)
             self.assertEqual(hashlib.sha256(content).hexdigest(), digests[str(path)], path)
+        others = [path for path in GOLDEN.rglob("*.jsonl") if path.relative_to(GOLDEN) not in made and "recorded" not in path.parts]
+        self.assertGreater(len(others), 20)
+        self.assertIn("every expectation right", self.holds("lint", *others))
 
     def test_regenerate_asks_for_its_folder_and_leaves_what_it_did_not_write(self):
         (self.folder / "golden").mkdir()
@@ -1611,8 +1624,7 @@ class Generate(Case):
             self.refused(("generate", "--all", self.folder / "set", "--seed", 1, "--count", 1, option, value), "--all", one_line=False)
         self.refused(("generate", "--seed", 1, "--count", 1, "--pair", "cube_cube", "-o", self.folder / "x.jsonl"), "--family", "--all")
 
-    def test_the_committed_files_pass_lint_and_the_manifest_lists_them_all(self):
-        self.assertIn("every expectation right", self.holds("lint", "golden"))
+    def test_the_manifest_lists_all_committed_files(self):
         listed = {one["path"] for one in json.loads((GOLDEN / "manifest.json").read_text())["files"]}
         files = {str(path.relative_to(GOLDEN)) for path in GOLDEN.rglob("*.jsonl")}
         self.assertEqual(listed, {path for path in files if not path.startswith("recorded/")})
@@ -1886,9 +1898,10 @@ class Explain(Case):
 
     def test_a_failure_of_a_report_is_explained_by_its_id(self):
         report = self.folder / "report.json"
-        self.refuted("certify", "golden", "--engine", "plain-double", "--family", "touching,invalid", "--json", report)
+        folders = [GOLDEN / pair for pair in ("sphere_sphere", "capsule_plane")]
+        self.refuted("certify", *folders, "--engine", "plain-double", "--family", "touching,invalid", "--json", report)
         failures = json.loads(report.read_text())["failures"]
-        cases = {(header["pair"], header["scalar"], case["id"]): case for path in GOLDEN.glob("*/*.jsonl")
+        cases = {(header["pair"], header["scalar"], case["id"]): case for folder in folders for path in folder.glob("*.jsonl")
                  for header, *cases in [list(map(json.loads, path.read_text().splitlines()))] for case in cases}
         shown = {family: next(f for f in failures if f["family"] == family and f["scalar"] == "binary64") for family in ("touching", "invalid")}
         for f in failures:
@@ -1976,15 +1989,14 @@ class Properties(Case):
 
     def test_production_and_the_component_obey_every_law_bit_for_bit(self):
         for engine in ("production", "component"):
-            out = self.holds("properties", "--engine", engine, "--level", "correctly-rounded", "--cases", 50)
-            self.assertRegex(out, r"seed \d+")
+            out = self.holds("properties", "--engine", engine, "--level", "correctly-rounded", "--cases", 50, "--seed", 3)
             self.assertIn("every law asked holds", out)
 
     def test_what_production_serves_over_the_protocol_obeys_them_too(self):
         self.holds("properties", "--engine-command", f"'{TOOL}' serve", "--cases", 20, "--seed", 3)
 
     def test_the_same_seed_says_the_same_and_a_law_alone_repeats_what_it_did_among_all(self):
-        args = ("--engine", "plain-double", "--cases", 50, "--seed", 7)
+        args = ("--engine", "plain-double", "--cases", 8, "--seed", 7)
         every = self.violated(*args)
         self.assertEqual(every, self.violated(*args))
         alone = self.violated(*args, "--law", "decision")
@@ -2043,7 +2055,7 @@ class Properties(Case):
 
     def test_no_law_asked_is_no_pass(self):
         for pairs, *law in ([], ), (["sphere_capsule"], "--law", "without_length"):
-            done = run("properties", "--engine-command", self.only(pairs), "--cases", 5, *law)
+            done = run("properties", "--engine-command", self.only(pairs), "--cases", 5, "--seed", 1, *law)
             self.assertEqual(done.returncode, 3, done.stdout)
             self.assertIn("nothing can be said: no law was asked", done.stdout)
 
@@ -2065,6 +2077,7 @@ class Properties(Case):
     def test_an_engine_that_falls_silent_has_its_report(self):
         engine = self.file("silent.py", SILENT)
         xml, report = self.folder / "laws.xml", self.folder / "laws.json"
+        # A seed is drawn, and no question that it makes is answered.
         done = run("properties", "--engine-command", f"{sys.executable} {engine}", "--cases", 20, "--junit", xml, "--json", report)
         self.assertIn(f" --seed={re.search('seed ([0-9]+)', done.stdout).group(1)} ", done.stdout)
         self.assertEqual((done.returncode, done.stderr), (3, ""))  # to no question of the run did it claim anything
@@ -2081,7 +2094,7 @@ class Properties(Case):
 
     def test_reports_have_one_entry_a_law(self):
         xml, report = self.folder / "laws.xml", self.folder / "laws.json"
-        self.violated("--engine", "plain-double", "--seed", 1, "--cases", 50, "--junit", xml, "--json", report)
+        self.violated("--engine", "plain-double", "--seed", 1, "--cases", 5, "--junit", xml, "--json", report)
         laws = [one.split()[0] for one in self.holds("properties", "--list").splitlines()]
         suite = ElementTree.parse(xml).getroot().find("testsuite")
         self.assertEqual([case.get("name") for case in suite], laws)
@@ -2125,14 +2138,14 @@ class Properties(Case):
 
     def test_bad_input_is_asked_about_only_when_named(self):
         self.assertIn("refuses_bad_input          skipped", self.holds("properties", "--cases", 5, "--seed", 1))
-        self.holds("properties", "--law", "refuses_bad_input", "--cases", 200)
-        self.assertIn("refuses_bad_input", self.violated("--engine", "plain-double", "--law", "refuses_bad_input"))
+        self.holds("properties", "--law", "refuses_bad_input", "--cases", 200, "--seed", 1)
+        self.assertIn("refuses_bad_input", self.violated("--engine", "plain-double", "--law", "refuses_bad_input", "--seed", 1))
 
     def test_an_interruption_ends_it_and_leaves_no_file(self):
         path = self.folder / "laws.json"
         process = subprocess.Popen([TOOL, "properties", "--cases", "1000000", "--json", str(path)], stdout=subprocess.DEVNULL,
                                    stderr=subprocess.PIPE)
-        time.sleep(0.5)
+        wait_until_signals_are_caught(process)
         process.send_signal(signal.SIGINT)
         self.assertIn(b"interrupted", process.communicate(timeout=30)[1])
         self.assertEqual(process.returncode, 130)

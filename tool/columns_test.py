@@ -6,6 +6,7 @@ import hashlib
 import json
 import math
 import os
+import random
 import resource
 import shutil
 import signal
@@ -25,6 +26,7 @@ from cli_test import GOLDEN, ROOT, SPHERES, TOOL, Case, line
 PAGE = {}
 exec((ROOT / "docs" / "formats.md").read_text().split("<!-- columns-digest:begin -->\n```python")[1].split("```")[0], PAGE)
 
+NOISE = random.Random(1).randbytes(5000)
 SPHERE_FAMILY = ("--pair", "sphere_sphere", "--family", "touching", "--seed", 7)
 CUBE_FAMILY = ("--pair", "cube_cube", "--family", "alarm_edge", "--seed", 7, "--scalar", "binary32")
 
@@ -119,11 +121,11 @@ class Form(Columns):
             self.assertEqual(len(column), len(cases), name)
 
     def test_all_forms_hold_the_same_to_the_byte_and_the_content_tells_them_apart(self):
-        # Texts of extreme numbers become wider than those before them.
-        for family, form in ((SPHERE_FAMILY, "h5"), (CUBE_FAMILY, "h5"), (SPHERE_FAMILY, "npz"), (CUBE_FAMILY, "npz"),
-                             (("--pair", "sphere_sphere", "--family", "extreme_scale", "--seed", 7), "npz")):
-            lines = self.generate("a.jsonl", family=family, count=5000)
-            columns = self.generate(f"a.{form}", family=family, count=5000)
+        # More than one chunk of rows, and fewer; texts of extreme numbers become wider than those before them.
+        for family, form, count in ((SPHERE_FAMILY, "h5", 5000), (CUBE_FAMILY, "h5", 500), (SPHERE_FAMILY, "npz", 500), (CUBE_FAMILY, "npz", 5000),
+                                    (("--pair", "sphere_sphere", "--family", "extreme_scale", "--seed", 7), "npz", 500)):
+            lines = self.generate("a.jsonl", family=family, count=count)
+            columns = self.generate(f"a.{form}", family=family, count=count)
             self.assertEqual(self.convert(lines, to=f"b.{form}").read_bytes(), columns.read_bytes())
             self.assertEqual(self.convert(columns, to="b.jsonl").read_bytes(), lines.read_bytes())
             self.assertLess(columns.stat().st_size, lines.stat().st_size / 2)
@@ -347,7 +349,7 @@ class Damage(Columns):
                     for name, content in (*members.items(), *also):
                         file.writestr(name, content)
 
-        for name, content, words in (("empty", b"", "no .npz file"), ("noise", os.urandom(5000), "no .npz file"), ("beginning", good[:100], "cannot read"),
+        for name, content, words in (("empty", b"", "no .npz file"), ("noise", NOISE, "no .npz file"), ("beginning", good[:100], "cannot read"),
                                      ("half", good[:len(good) // 2], "cannot read"), ("last byte", good[:-1], "cannot read"),
                                      ("a bit", good[:inside] + bytes([good[inside] ^ 1]) + good[inside + 1:], "")):
             with self.subTest(name):
@@ -406,6 +408,8 @@ class Damage(Columns):
                     "the sign of a zero": other("alarm", last, -0.0),
                     "a text": other("exact/reach", last, b"0x7p-3"), "a truth value": other("expect/degenerate", hits[-1], 1),
                     "flags": other("flags", last, good["flags"][last] ^ 1), "a pair of rows": swapped(3, last)}.items():
+                if count > 4096 and name not in ("a number", "flags", "a pair of rows"):
+                    continue  # what of a row is wrong matters where all rows are one chunk
                 with self.subTest(name, path=path.name):
                     target = change(changed)
                     # Nothing else is wrong in some, so that nothing but the digest can say so.
@@ -424,7 +428,7 @@ class Damage(Columns):
                 self.holds(*certify, target)
 
     def test_a_file_without_the_digest_of_its_columns_is_compared_with_that_of_its_lines(self):
-        for path in (self.generate("a.h5", count=4100), self.generate("a.npz", count=4100)):
+        for path in (self.generate(name, count=4100, family=CUBE_FAMILY) for name in ("a.h5", "a.npz")):
             lines = self.convert(path, to="a.jsonl").read_bytes()
 
             def told(**keys):
@@ -451,7 +455,7 @@ class Damage(Columns):
 
     def test_the_digest_of_the_lines_is_compared_where_that_is_asked_for(self):
         other = "0" * 64
-        for path in (self.generate("a.h5", count=4100), self.generate("a.npz", count=4100)):
+        for path in (self.generate(name, count=4100, family=CUBE_FAMILY) for name in ("a.h5", "a.npz")):
             with self.subTest(path.name):
                 if path.suffix == ".npz":
                     with numpy.load(path) as file:
@@ -468,7 +472,7 @@ class Damage(Columns):
     def test_what_is_no_hdf5_or_a_piece_of_it_is_refused(self):
         good = self.good.read_bytes()
         for name, content, words in (("empty", b"", "no HDF5 file"), ("lines", (GOLDEN / "cube_cube/flat.jsonl").read_bytes(), "no HDF5 file"),
-                                     ("noise", os.urandom(5000), "no HDF5 file"), ("beginning", good[:8], "cannot read"),
+                                     ("noise", NOISE, "no HDF5 file"), ("beginning", good[:8], "cannot read"),
                                      ("half", good[:len(good) // 2], "truncated"), ("last byte", good[:-1], "truncated"),
                                      ("zeros", good[:2000] + bytes(len(good) - 2000), "")):
             with self.subTest(name):

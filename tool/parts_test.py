@@ -35,6 +35,10 @@ def run(*args, by=(), **options):
     return subprocess.run([*by, TOOL, *published(args)], **options)
 
 
+# A shell that runs this in its background ignores it, and so would every process that is started here.
+signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
 class Case(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -84,9 +88,7 @@ class Parts(Case):
         for args in (FLOAT, ["certify", *GOLDEN, "--engine", "published", "--level", "correctly-rounded"],
                      ["certify", *GOLDEN, "--engine", "production"],
                      [*FRESH, "--generate", "200", "--family", "extreme_scale,touching"]):
-            for of in (1, 3, 64, 700):  # also parts of a question or none
-                if of == 700 and args != FLOAT:
-                    continue
+            for of in (1, 3, 64, 700) if args == FLOAT else (64,):  # also parts of a question or none
                 with self.subTest(args=args, of=of):
                     folder = self.folder / f"{of}{args[-1]}"
                     report = self.assert_same(args, [*args, "--parts", folder, "--shards", of], ["merge", folder])
@@ -120,7 +122,7 @@ class Parts(Case):
         for stop in (signal.SIGINT, signal.SIGKILL):
             process = subprocess.Popen([TOOL, *published(args), "--parts", folder], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
             before = len(list(folder.glob("*.part"))) if folder.exists() else 0
-            deadline = time.monotonic() + 60
+            deadline = time.monotonic() + 300
             while not folder.exists() or len(list(folder.glob("*.part"))) < before + 8:
                 self.assertLess(time.monotonic(), deadline)
                 time.sleep(0.01)
@@ -213,7 +215,7 @@ class Parts(Case):
             done = run(*FRESH, "--family", "touching", "--generate", count, "--stats")
             return int(re.search(r"(\d+) MB at most", done.stderr)[1])
         # Half of the answers fail here, and all failures are listed, but no more than 100,000.
-        self.assertLess(most(20000), most(2000) + 30)
+        self.assertLess(most(10000), most(1000) + 30)
 
 
 @unittest.skipUnless(MPIRUN, "no contact-oracle-mpi: Boost.MPI was not found")
@@ -253,7 +255,7 @@ class Cluster(Case):
         args = [*FRESH, "--generate", "4000", "--family", "generic,touching"]
         process = subprocess.Popen([*MPIRUN, TOOL, *published(args), "--parts", folder, "--json", path], cwd=ROOT, text=True,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        deadline = time.monotonic() + 60
+        deadline = time.monotonic() + 300
         while not folder.exists() or len(list(folder.glob("*.part"))) < 8:
             self.assertLess(time.monotonic(), deadline)
             time.sleep(0.01)

@@ -53,6 +53,8 @@ def largest(numbers, least=0):
             least = x
     return least
 '''
+# A shell that runs this in its background ignores it, and so would every process that is started here.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 class Python(unittest.TestCase):

@@ -17,7 +17,20 @@ def portability(*arguments):
                           capture_output=True, text=True)
 
 
-class OtherBits(unittest.TestCase):
+class NoPlatform(unittest.TestCase):
+    def test_a_platform_that_cannot_be_built_for_is_a_failure(self):
+        run = portability("--compilers", "no-such-compiler")
+        self.assertEqual(run.returncode, 1, run.stderr)
+        self.assertIn("no-such-compiler", run.stdout)
+        self.assertIn("cannot be told", run.stdout)
+
+    def test_no_platform_is_no_success(self):
+        self.assertEqual(portability("--only", "no such platform").returncode, 2)
+
+
+class OtherBitsCampaign(unittest.TestCase):
+    """The digests of a build that was made: production is built once more."""
+
     def test_wrong_and_missing_digests_are_named(self):
         files = {entry["path"]: entry for entry in MANIFEST["files"]}
         wrong = files["sphere_sphere/generic.jsonl"]["digests"]
@@ -33,15 +46,6 @@ class OtherBits(unittest.TestCase):
         self.assertIn(f"gives {right}", run.stdout)
         self.assertIn("cube_cube/flat.f32.jsonl: the manifest has no digest of 10000 answers", run.stdout)
         self.assertIn("2 WRONG", run.stdout)
-
-    def test_a_platform_that_cannot_be_built_for_is_a_failure(self):
-        run = portability("--compilers", "no-such-compiler")
-        self.assertEqual(run.returncode, 1, run.stderr)
-        self.assertIn("no-such-compiler", run.stdout)
-        self.assertIn("cannot be told", run.stdout)
-
-    def test_no_platform_is_no_success(self):
-        self.assertEqual(portability("--only", "no such platform").returncode, 2)
 
 
 if __name__ == "__main__":

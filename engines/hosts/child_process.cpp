@@ -165,8 +165,10 @@ struct ChildProcess::State {
       if (now >= deadline) return false;
       const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - now).count();
       const auto wait = std::min<std::uint64_t>(static_cast<std::uint64_t>(left), kCheckEveryMs);
+      // Again and again: the loop's clock may be so late that the timer goes off before the loop begins to wait, and
+      // with no other it would wait until the child says something.
       uv_timer_start(
-          &timer, [](uv_timer_t*) {}, wait, 0);
+          &timer, [](uv_timer_t*) {}, wait, wait);
       uv_run(&loop, UV_RUN_ONCE);
       if (check) check();
     }

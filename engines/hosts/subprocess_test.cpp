@@ -4,12 +4,16 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
+
+#include "engines/hosts/child_process.hpp"
 
 namespace contact::engines {
 namespace {
@@ -210,6 +214,15 @@ TEST(Subprocess, an_engine_that_stops_reading_blocks_nobody) {
   const auto claims = engine->answer(questions(5000));
   EXPECT_EQ(claims[0].status, Status::timeout);
   EXPECT_EQ(claims[4999].status, Status::missing);
+}
+
+TEST(ChildProcess, is_not_waited_for_beyond_a_deadline_however_long_nobody_looked_at_it) {
+  ChildProcess silent({"sleep", "60"}, 1000, {});
+  std::this_thread::sleep_for(milliseconds(300));  // as on a busy machine
+  ::alarm(30);                                     // ends this program, where it is waited for until it ends
+  std::string line;
+  EXPECT_EQ(silent.next_line(line, ChildProcess::Clock::now() + milliseconds(200)), ChildProcess::Event::timeout);
+  ::alarm(0);
 }
 
 TEST(Subprocess, waiting_can_be_interrupted) {

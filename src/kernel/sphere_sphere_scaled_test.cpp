@@ -131,7 +131,7 @@ bool is_nearest(double x, const Real& real) {
 }
 
 TEST(ScaledPair, settles_nothing_but_the_nearest_numbers_and_most_of_them) {
-  constexpr int kCount = 4000;
+  constexpr int kCount = 1200;
   std::map<std::string, std::array<int, 8>> settled;  // of a kind: decisions, normals, points, values; and how many
   Questions questions(26);
   for (int n = 0; n < kCount; ++n) {

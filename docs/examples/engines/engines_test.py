@@ -24,6 +24,7 @@ ROOT = Path(__file__).resolve().parents[3]
 SOURCES = ROOT / "docs/examples/engines"
 GOLDEN = ROOT / "golden"
 SPHERES = sorted((GOLDEN / "sphere_sphere").glob("*.jsonl"))
+EACH = 60  # of their questions: all kinds of a family take turns in fewer
 NODE = shutil.which("node")
 PLAIN_LIBRARY, BAD_LIBRARY = BUILT / "plain_library.so", BUILT / "misbehaving_library.so"
 # What to give certify, and what to start to talk to the engine without certify.
@@ -36,9 +37,12 @@ if NODE:
     ENGINES["plain.js"] = ("--engine-command", shlex.join([NODE, str(SOURCES / "plain.js")]))
 # Nothing that is started for a test may outlive it; this is how it is found.
 MARK = f"CONTACT_ENGINES_TEST={uuid.uuid4()}"
-LIMIT = 1  # seconds until an engine's answer, where it is to be missed
-START_LIMIT = 5  # until its hello: on a busy machine Python itself takes a second to start
+LIMIT = 2  # seconds until an engine's answer, where it is to be missed
+START_LIMIT = 5  # until its hello, where that is
+LONG = 300  # seconds that no engine takes which answers, however busy the machine
 UNTIL_DEAD = 3  # failures in a row
+# A shell that runs this in its background ignores it, and so would every process that is started here.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def marked():
@@ -84,9 +88,8 @@ class Run:
                     now = dead_children(process.pid)
                     self.zombies |= now & before
                     before = now
-                if time.monotonic() - start > 60:
+                if time.monotonic() - start > LONG:  # and no exit status is as expected
                     process.kill()
-            self.seconds = time.monotonic() - start
             self.code = process.returncode
             self.out, self.err = out.decode(), err.decode()  # always UTF-8, whatever an engine writes
             self.report = json.loads(report.read_text()) if report.exists() else None
@@ -156,12 +159,17 @@ class NothingIsLeft(unittest.TestCase):
 class Examples(NothingIsLeft):
     @classmethod
     def setUpClass(cls):
-        cls.questions = [(path.name, case) for path in SPHERES if not path.name.startswith("invalid") for case in cases(path)
-                         if in_scale(case)]
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        asked = [Path(folder.name) / path.name for path in SPHERES if not path.name.startswith("invalid")]
+        for path in asked:
+            header, *lines = (GOLDEN / "sphere_sphere" / path.name).read_text().splitlines()[:EACH + 1]
+            path.write_text("\n".join([json.dumps({**json.loads(header), "count": len(lines)}, separators=(",", ":")), *lines, ""]))
+        cls.questions = [(path.name, case) for path in asked for case in cases(path) if in_scale(case)]
         engines = list(ENGINES)
         said = in_pairs(lambda engine: answers(engine, [case for _, case in cls.questions]), engines)
         cls.said = dict(zip(engines, said))
-        runs = in_pairs(lambda options: Run(GOLDEN / "sphere_sphere", *options),
+        runs = in_pairs(lambda options: Run(folder.name, *options),
                         [*ENGINES.values(), ("--engine", "plain-double")])
         cls.runs = dict(zip([*engines, "plain-double"], runs))
 
@@ -176,7 +184,7 @@ class Examples(NothingIsLeft):
     def test_all_say_the_same(self):
         hello, first = self.said["plain.py"]
         self.assertEqual((hello["op"], [one["seq"] for one in first]), ("hello", list(range(1, len(self.questions) + 1))))
-        self.assertGreater(len(first), 5000)
+        self.assertGreater(len(first), 1000)
         for engine, (hello, said) in self.said.items():
             for (name, case), one, other in zip(self.questions, first, said, strict=True):
                 if one != other:  # not a subtest each: there are thousands
@@ -291,9 +299,10 @@ class Misbehaving(NothingIsLeft):
                     annotated(folder.name, "two.jsonl", [query(i, 1) for i in range(40)])]
         cls.bad, = (case["id"] for case in cases(cls.data[0]) if case["contact"] == 13)
 
-    def certify(self, mode, *more, start_limit=10):
+    def certify(self, mode, *more, start_limit=LONG):
         command = shlex.join([sys.executable, str(ROOT / "engines/hosts/misbehaving_engine.py"), mode])
-        return Run(*self.data, "--engine-command", command, "--start-limit", start_limit, "--answer-limit", LIMIT,
+        late = "timeout" in (self.AT_13.get(mode, ("",))[0], self.DEAD.get(mode))
+        return Run(*self.data, "--engine-command", command, "--start-limit", start_limit, "--answer-limit", LIMIT if late else LONG,
                    "--level", "decisions", *more)
 
     def judged(self, mode, run, **statuses):
@@ -319,8 +328,6 @@ class Misbehaving(NothingIsLeft):
                 self.assertIn(words, worst["what"])
                 self.assertIn(words, run.out)
                 self.assertRegex(run.out, rf"\nREFUTED: misbehaving {mode} .*: 1 {status}\. It rests on .*\n$")
-                # Once among others and once alone, and what it takes to start an engine.
-                self.assertLess(run.seconds, 2 * LIMIT + 30)
 
     def test_bad_manners_alone_are_no_failure(self):
         # "backwards" answers four at a time, after the first question; a second process would hold the last three for ever.
@@ -336,7 +343,6 @@ class Misbehaving(NothingIsLeft):
                 self.assertEqual(run.code, 3, run.out)
                 self.assertIn(f"\nHARNESS INVALID: misbehaving {mode} never gave an answer", run.out)
                 self.judged(mode, run, **{status: UNTIL_DEAD, "missing": 80 - UNTIL_DEAD})
-                self.assertLess(run.seconds, (UNTIL_DEAD + 1) * LIMIT + 30)
 
     def test_an_engine_that_dies_half_way_leaves_the_rest_missing_and_is_refuted(self):
         # Only the second file's questions make it fail: the first is answered, the second is not.
@@ -347,14 +353,13 @@ class Misbehaving(NothingIsLeft):
     def test_an_engine_that_does_not_start_is_told_at_once(self):
         def started(mode):
             hangs = self.NO_START[mode].startswith("no hello")
-            return self.certify(mode, start_limit=START_LIMIT if hangs else 10)
+            return self.certify(mode, start_limit=START_LIMIT if hangs else LONG)
         for mode, run in zip(self.NO_START, in_pairs(started, self.NO_START)):
             with self.subTest(mode):
                 self.assertEqual((run.code, run.out, run.report), (3, "", None), run.err)
                 self.assertTrue(run.err.startswith("contact-oracle: harness invalid: "), run.err)
                 self.assertIn(self.NO_START[mode], run.err)
                 self.assertEqual(len(run.err.splitlines()), 1)
-                self.assertLess(run.seconds, START_LIMIT + 30)
 
     def test_every_mode_is_tried(self):
         modes = set((ROOT / "engines/hosts/misbehaving_engine.py").read_text().split("mode == \"")[1:])
@@ -364,18 +369,17 @@ class Misbehaving(NothingIsLeft):
     def test_an_interruption_ends_the_run_and_the_engine(self):
         def interrupted(jobs):
             command = shlex.join([sys.executable, str(ROOT / "engines/hosts/misbehaving_engine.py"), "always hangs"])
-            process = subprocess.Popen([TOOL, "certify", *self.data, "--fresh", "0", "--engine-command", command, "--jobs", str(jobs)],
-                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT,
+            process = subprocess.Popen([TOOL, "certify", *self.data, "--fresh", "0", "--engine-command", command, "--jobs", str(jobs),
+                                        "--answer-limit", str(2 * LONG)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT,
                                        env=marked_environment())
-            time.sleep(1.5)
-            start = time.monotonic()
+            while not any("misbehaving_engine.py" in words and TOOL.name not in words for words in marked()):
+                self.assertIsNone(process.poll(), "ended before its engine began")
+                time.sleep(0.05)
             process.send_signal(signal.SIGINT)
-            out, err = process.communicate(timeout=30)
-            return process.returncode, out, err, time.monotonic() - start
-        for code, out, err, seconds in in_pairs(interrupted, (1, 2)):
+            return *process.communicate(timeout=LONG), process.returncode
+        for out, err, code in in_pairs(interrupted, (1, 2)):  # sooner than an answer's limit
             self.assertEqual((code, out), (130, ""), err)
             self.assertIn("interrupted", err)
-            self.assertLess(seconds, 8)  # below the limit of an answer, which is 10 s
 
 
 class Libraries(NothingIsLeft):
