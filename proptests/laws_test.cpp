@@ -726,5 +726,34 @@ TEST(Generators, make_numbers_of_the_range) {
     }
 }
 
+// What laws about touching, surfaces and depths are asked: nearly every question is of its kind.
+TEST(Generators, for_a_law_draw_what_it_is_about) {
+  const Range range;
+  const auto expect_share = [](const rc::Gen<Query>& gen, double least, double most,
+                               bool (*holds)(const oracle::Truth& truth)) {
+    int asked = 0;
+    int of_kind = 0;
+    for (const Query& query : sample(gen, 1000)) {
+      if (!Range().contains(query)) continue;
+      ++asked;
+      of_kind += holds(oracle::truth_of(query)) ? 1 : 0;
+    }
+    EXPECT_GT(asked, 500);
+    EXPECT_GT(100.0 * of_kind / asked, least);
+    EXPECT_LE(100.0 * of_kind / asked, most);
+  };
+  const auto hits = [](const oracle::Truth& truth) { return truth.hit(); };
+  const auto reaches = [](const oracle::Truth& truth) { return truth.at_alarm == oracle::Side::at; };
+  const auto meets = [](const oracle::Truth& truth) { return truth.coincident(); };
+  const auto is_inside = [](const oracle::Truth& truth) { return truth.degenerate() && !truth.coincident(); };
+  expect_share(spheres_near_touching(range, ordinary(range)), 30, 70, hits);
+  expect_share(spheres_near_touching(range, any_bits(range)), 30, 70, hits);
+  expect_share(spheres_on_a_quadruple(range), 30, 70, hits);
+  expect_share(sphere_touching_box(range, false), 95, 100, reaches);
+  expect_share(sphere_touching_box(range, true), 95, 100, reaches);
+  expect_share(sphere_on_box(range, any_number(range)), 95, 100, meets);
+  expect_share(sphere_in_box(range, any_number(range)), 95, 100, is_inside);
+}
+
 }  // namespace
 }  // namespace contact::proptests

@@ -16,7 +16,7 @@ namespace contact::inline CONTACT_ABI {
 /// Decision    D <= reach^2, exactly: touching counts.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
 /// Source      docs/specification.md#capsule-pairs.
-/// Evidence    src/kernel/capsule_test.cpp; proptests/capsule_capsule_properties.cpp.
+/// Evidence    src/kernel/capsule_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_capsule_capsule(const Capsule& a, const Capsule& b, double alarm);
 
 /// The contact of two capsules, or std::nullopt if they are farther apart than `distances.alarm`.
@@ -35,7 +35,7 @@ namespace contact::inline CONTACT_ABI {
 /// Points      `center` puts them at p and q, `far_surface` on the far side.
 /// Environment as test_capsule_capsule.
 /// Source      docs/specification.md#capsule-pairs.
-/// Evidence    src/kernel/capsule_test.cpp; proptests/capsule_capsule_properties.cpp; golden/capsule_capsule.
+/// Evidence    src/kernel/capsule_test.cpp; proptests/production_properties.cpp; golden/capsule_capsule.
 [[nodiscard]] std::optional<Contact> compute_capsule_capsule(const Capsule& a, const Capsule& b, Distances distances,
                                                              ContactPoints points = {});
 

@@ -18,7 +18,7 @@ namespace contact::inline CONTACT_ABI {
 ///             hits.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
 /// Source      docs/specification.md#planes.
-/// Evidence    src/kernel/plane_test.cpp; proptests/capsule_plane_properties.cpp.
+/// Evidence    src/kernel/plane_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_capsule_plane(const Capsule& a, const Plane& b, double alarm);
 
 /// The contact of a capsule with a plane, or std::nullopt if they are farther apart than `distances.alarm`.
@@ -35,7 +35,7 @@ namespace contact::inline CONTACT_ABI {
 /// Points      `center` puts the first at p, `far_surface` on the far side of the capsule; the second stays.
 /// Environment as test_capsule_plane.
 /// Source      docs/specification.md#planes.
-/// Evidence    src/kernel/plane_test.cpp; proptests/capsule_plane_properties.cpp; golden/capsule_plane.
+/// Evidence    src/kernel/plane_test.cpp; proptests/production_properties.cpp; golden/capsule_plane.
 [[nodiscard]] std::optional<Contact> compute_capsule_plane(const Capsule& a, const Plane& b, Distances distances,
                                                            ContactPoints points = {});
 

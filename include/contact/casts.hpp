@@ -17,7 +17,7 @@ namespace contact::inline CONTACT_ABI {
 ///             in the plane of a triangle hits its edge. Triangles have no side from which they are not seen.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
 /// Source      docs/specification.md#ray-casts.
-/// Evidence    proptests/casts_properties.cpp.
+/// Evidence    src/kernel/casts_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_cast_sphere(const Ray& a, const Ball& b);
 [[nodiscard]] bool test_cast_cube(const Ray& a, const Box& b);
 [[nodiscard]] bool test_cast_capsule(const Ray& a, const Capsule& b);
@@ -36,7 +36,7 @@ namespace contact::inline CONTACT_ABI {
 /// Degenerate  the origin lies in the shape: value 0, the points at the origin, the normal against the direction.
 /// Environment as the tests.
 /// Source      docs/specification.md#ray-casts.
-/// Evidence    proptests/casts_properties.cpp; golden/cast_sphere and its like.
+/// Evidence    src/kernel/casts_test.cpp; proptests/production_properties.cpp; golden/cast_sphere and its like.
 [[nodiscard]] std::optional<Contact> compute_cast_sphere(const Ray& a, const Ball& b);
 [[nodiscard]] std::optional<Contact> compute_cast_cube(const Ray& a, const Box& b);
 [[nodiscard]] std::optional<Contact> compute_cast_capsule(const Ray& a, const Capsule& b);

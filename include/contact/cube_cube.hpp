@@ -16,7 +16,7 @@ namespace contact::inline CONTACT_ABI {
 ///             raise none there is out_of_line.
 /// Source      seed.txt, testIntersection(Cube&, Cube&); docs/specification.md#cube-pairs. SOFA's computeIntersection
 ///             of two cubes writes no contact and returns 0, so there is nothing to compute beyond this decision.
-/// Evidence    src/kernel/cube_cube_test.cpp; proptests/cube_cube_properties.cpp.
+/// Evidence    src/kernel/cube_cube_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_cube_cube(const Box& a, const Box& b, double alarm);
 
 namespace out_of_line {

@@ -18,7 +18,7 @@ namespace contact::inline CONTACT_ABI {
 /// Decision    D <= reach^2, exactly: touching counts. The end of the ray is not rounded.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
 /// Source      docs/specification.md#rays.
-/// Evidence    src/kernel/ray_test.cpp; proptests/ray_sphere_properties.cpp.
+/// Evidence    src/kernel/ray_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_ray_sphere(const Ray& a, const Ball& b, double alarm);
 
 /// The contact of a ray with a sphere, or std::nullopt if they are farther apart than `distances.alarm`: that of a
@@ -34,7 +34,7 @@ namespace contact::inline CONTACT_ABI {
 /// Points      `center` puts them at p and b.center, `far_surface` on the far side of the sphere.
 /// Environment as test_ray_sphere.
 /// Source      docs/specification.md#rays.
-/// Evidence    src/kernel/ray_test.cpp; proptests/ray_sphere_properties.cpp; golden/ray_sphere.
+/// Evidence    src/kernel/ray_test.cpp; proptests/production_properties.cpp; golden/ray_sphere.
 [[nodiscard]] std::optional<Contact> compute_ray_sphere(const Ray& a, const Ball& b, Distances distances,
                                                         ContactPoints points = {});
 

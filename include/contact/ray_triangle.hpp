@@ -17,7 +17,7 @@ namespace contact::inline CONTACT_ABI {
 ///             without an inside is not crossed. Alarm and contact distances have no say.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
 /// Source      docs/specification.md#crossings.
-/// Evidence    src/kernel/crossing_test.cpp; proptests/ray_triangle_properties.cpp.
+/// Evidence    src/kernel/crossing_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_ray_triangle(const Ray& a, const Triangle& b);
 
 /// The contact of a ray and a triangle that it crosses, or std::nullopt.
@@ -29,7 +29,7 @@ namespace contact::inline CONTACT_ABI {
 /// Normal      by the order of the vertices, from whichever side the ray comes.
 /// Environment as test_ray_triangle.
 /// Source      docs/specification.md#crossings.
-/// Evidence    src/kernel/crossing_test.cpp; proptests/ray_triangle_properties.cpp; golden/ray_triangle.
+/// Evidence    src/kernel/crossing_test.cpp; proptests/production_properties.cpp; golden/ray_triangle.
 [[nodiscard]] std::optional<Contact> compute_ray_triangle(const Ray& a, const Triangle& b);
 
 }  // namespace contact::inline CONTACT_ABI

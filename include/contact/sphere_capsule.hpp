@@ -17,7 +17,7 @@ namespace contact::inline CONTACT_ABI {
 /// Decision    D <= reach^2, exactly: touching counts.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
 /// Source      docs/specification.md#capsule-pairs.
-/// Evidence    src/kernel/capsule_test.cpp; proptests/sphere_capsule_properties.cpp.
+/// Evidence    src/kernel/capsule_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_sphere_capsule(const Ball& a, const Capsule& b, double alarm);
 
 /// The contact of a sphere with a capsule, or std::nullopt if they are farther apart than `distances.alarm`.
@@ -33,7 +33,7 @@ namespace contact::inline CONTACT_ABI {
 /// Points      `center` puts them at a.center and q, `far_surface` on the far side.
 /// Environment as test_sphere_capsule.
 /// Source      docs/specification.md#capsule-pairs.
-/// Evidence    src/kernel/capsule_test.cpp; proptests/sphere_capsule_properties.cpp; golden/sphere_capsule.
+/// Evidence    src/kernel/capsule_test.cpp; proptests/production_properties.cpp; golden/sphere_capsule.
 [[nodiscard]] std::optional<Contact> compute_sphere_capsule(const Ball& a, const Capsule& b, Distances distances,
                                                             ContactPoints points = {});
 

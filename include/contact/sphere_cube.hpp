@@ -19,7 +19,7 @@ namespace contact::inline CONTACT_ABI {
 ///             What plain arithmetic decides inline may raise exceptions of the caller's, the inexact one mostly; to
 ///             raise none there is out_of_line.
 /// Source      docs/specification.md#sphere-cube-pairs.
-/// Evidence    src/kernel/sphere_cube_test.cpp; proptests/sphere_cube_properties.cpp.
+/// Evidence    src/kernel/sphere_cube_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_sphere_cube(const Ball& a, const Box& b, double alarm);
 
 /// The contact of a sphere with a box, or std::nullopt if they are farther apart than `distances.alarm`.
@@ -36,7 +36,7 @@ namespace contact::inline CONTACT_ABI {
 /// Points      `center` puts point1 at the centre, `far_surface` on the far side; point2 stays.
 /// Environment as test_sphere_cube.
 /// Source      docs/specification.md#sphere-cube-pairs.
-/// Evidence    src/kernel/sphere_cube_test.cpp; proptests/sphere_cube_properties.cpp; golden/sphere_cube.
+/// Evidence    src/kernel/sphere_cube_test.cpp; proptests/production_properties.cpp; golden/sphere_cube.
 [[nodiscard]] std::optional<Contact> compute_sphere_cube(const Ball& a, const Box& b, Distances distances,
                                                          ContactPoints points = {});
 

@@ -16,7 +16,7 @@ namespace contact::inline CONTACT_ABI {
 /// Decision    s <= reach, exactly: touching counts, and whatever is below the plane hits.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
 /// Source      docs/specification.md#planes.
-/// Evidence    src/kernel/plane_test.cpp; proptests/sphere_plane_properties.cpp.
+/// Evidence    src/kernel/plane_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_sphere_plane(const Ball& a, const Plane& b, double alarm);
 
 /// The contact of a sphere with a plane, or std::nullopt if they are farther apart than `distances.alarm`.
@@ -31,7 +31,7 @@ namespace contact::inline CONTACT_ABI {
 /// Points      `center` puts the first at a.center, `far_surface` on the far side of the sphere; the second stays.
 /// Environment as test_sphere_plane.
 /// Source      docs/specification.md#planes.
-/// Evidence    src/kernel/plane_test.cpp; proptests/sphere_plane_properties.cpp; golden/sphere_plane.
+/// Evidence    src/kernel/plane_test.cpp; proptests/production_properties.cpp; golden/sphere_plane.
 [[nodiscard]] std::optional<Contact> compute_sphere_plane(const Ball& a, const Plane& b, Distances distances,
                                                           ContactPoints points = {});
 

@@ -19,7 +19,7 @@ namespace contact::inline CONTACT_ABI {
 ///             What plain arithmetic decides inline may raise exceptions of the caller's, the inexact one mostly; to
 ///             raise none there is out_of_line.
 /// Source      seed.txt, testIntersectionSphere; docs/specification.md#sphere-pairs.
-/// Evidence    src/kernel/sphere_sphere_test.cpp; proptests/sphere_sphere_properties.cpp.
+/// Evidence    src/kernel/sphere_sphere_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm);
 
 /// The contact of `a` with `b`, or std::nullopt if they are farther apart than `distances.alarm`.
@@ -34,7 +34,7 @@ namespace contact::inline CONTACT_ABI {
 /// Degenerate  D = 0: normal (1,0,0), marked degenerate; points and value follow from it.
 /// Environment as test_sphere_sphere.
 /// Source      seed.txt, computeIntersectionSphere; docs/specification.md#sphere-pairs.
-/// Evidence    src/kernel/sphere_sphere_test.cpp; proptests/sphere_sphere_properties.cpp; every file in golden/.
+/// Evidence    src/kernel/sphere_sphere_test.cpp; proptests/production_properties.cpp; every file in golden/.
 [[nodiscard]] std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances,
                                                            ContactPoints points = {});
 

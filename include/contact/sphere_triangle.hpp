@@ -16,7 +16,7 @@ namespace contact::inline CONTACT_ABI {
 /// Decision    D <= reach^2, exactly: touching counts.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
 /// Source      docs/specification.md#triangles.
-/// Evidence    src/kernel/triangle_test.cpp; proptests/sphere_triangle_properties.cpp.
+/// Evidence    src/kernel/triangle_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_sphere_triangle(const Ball& a, const Triangle& b, double alarm);
 
 /// The contact of a sphere with a triangle, or std::nullopt if they are farther apart than `distances.alarm`.
@@ -34,7 +34,7 @@ namespace contact::inline CONTACT_ABI {
 /// Points      `center` puts them at a.center and q, `far_surface` on the far side of the sphere.
 /// Environment as test_sphere_triangle.
 /// Source      docs/specification.md#triangles.
-/// Evidence    src/kernel/triangle_test.cpp; proptests/sphere_triangle_properties.cpp; golden/sphere_triangle.
+/// Evidence    src/kernel/triangle_test.cpp; proptests/production_properties.cpp; golden/sphere_triangle.
 [[nodiscard]] std::optional<Contact> compute_sphere_triangle(const Ball& a, const Triangle& b, Distances distances,
                                                              ContactPoints points = {});
 

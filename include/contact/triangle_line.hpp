@@ -18,7 +18,7 @@ namespace contact::inline CONTACT_ABI {
 ///             without an inside is not crossed. Alarm and contact distances have no say.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
 /// Source      docs/specification.md#crossings.
-/// Evidence    src/kernel/crossing_test.cpp; proptests/triangle_line_properties.cpp.
+/// Evidence    src/kernel/crossing_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_triangle_line(const Triangle& a, const Line& b);
 
 /// The contact of a triangle and a segment that crosses it, or std::nullopt.
@@ -30,7 +30,7 @@ namespace contact::inline CONTACT_ABI {
 /// Normal      by the order of the vertices, from whichever side the line comes.
 /// Environment as test_triangle_line.
 /// Source      docs/specification.md#crossings.
-/// Evidence    src/kernel/crossing_test.cpp; proptests/triangle_line_properties.cpp; golden/triangle_line.
+/// Evidence    src/kernel/crossing_test.cpp; proptests/production_properties.cpp; golden/triangle_line.
 [[nodiscard]] std::optional<Contact> compute_triangle_line(const Triangle& a, const Line& b);
 
 }  // namespace contact::inline CONTACT_ABI
