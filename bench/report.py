@@ -1,4 +1,4 @@
-"""Writes what ./run bench measured to docs/performance.md, between its markers, and to docs/performance.svg.
+"""Writes what ./run bench measured to docs/performance.md, between its markers, to bench/measured.md and to docs/performance.svg.
 
 usage: report.py MEASURED.json      what Google Benchmark wrote, with repetitions
 """
@@ -91,19 +91,6 @@ def peers_table(m):
         rows.append([name, *cells])
     head = ["", "decide, L2", "contact, L2", "L3", "memory", "to ours, batch: L2", "L3", "memory", "wrong decisions",
             "wrong numbers"]
-    return table(head, rows)
-
-
-def scalar_table(m):
-    rows = []
-    for subject in SUBJECTS:
-        if subject in ("plain double, vectors", "ours, batch"):
-            continue
-        rows.append([subject] + [number(m.ratio(f"Peer/{subject}/{op}/{place}", f"Peer/{to}/{op}/{place}"))
-                                 for to in ("plain double", "ours, scalar")
-                                 for op, place in (("test", "L2"), ("compute", "L2"), ("compute", "memory"))])
-    head = ["", "to plain double: decide, L2", "contact, L2", "memory", "to ours, scalar: decide, L2", "contact, L2",
-            "memory"]
     return table(head, rows)
 
 
@@ -396,19 +383,22 @@ def main():
         "### At a glance", "Each figure beside what this project aims for; ratios are times, so less is faster.", speed_table(m),
         summary(m), "### Spheres, beside the peers",
         'Nanoseconds per pair; then the time of a contact as a multiple of the time of "ours, batch".', peers_table(m),
-        "The same times as ratios, for subjects that take one pair after the other.", scalar_table(m),
         "### Wrong decisions by family",
         f"Out of {wrong(m, 'FCL')['asked'] // len(FAMILIES)} questions in each family.", wrong_table(m),
+        "### Every pair, one after the other",
+        "Plain double is [the formula of the engine `plain-double`](../bench/peers/own.cpp), ours the function of one pair.", pairs_table(m),
+        "### Whole models, beside the peers",
+        "Every contact of a set of spheres with itself, without an alarm distance. FCL and Bullet build their broad phase anew, as ours does each time; "
+        '"again" leaves this out. Times of "ours, all threads" are by the wall clock.', models_table(m),
+        "Boxes, a sphere and a box, batches by instruction set and by family, detection and limits: [measured.md](../bench/measured.md)."])
+    more = "\n\n".join([
+        "# Measured too", "What `./run bench` measured beside the tables of [performance.md](../docs/performance.md), which says what is compared, on the same "
+        "machine.",
         "### Boxes, beside the peers", boxes_table(m),
         "### A sphere and a box, beside the peers",
         'Nanoseconds per pair; then the time of a contact as a multiple of plain double (of "plain double, vectors" for the '
         "subjects with vectors) and of ours.", sphere_cube_table(m),
-        "### Every pair, one after the other",
-        "Plain double is [the formula of the engine `plain-double`](../bench/peers/own.cpp), ours the function of one pair.", pairs_table(m),
         "### Batch, beside plain double with the same vectors", batch_table(m),
-        "### Whole models, beside the peers",
-        "Every contact of a set of spheres with itself, without an alarm distance. FCL and Bullet build their broad phase anew, as ours does each time; "
-        '"again" leaves this out. Times of "ours, all threads" are by the wall clock.', models_table(m),
         "### Detection between two models, one thread", detect_table(m),
         "### Contacts by family, batch, in L2", families_table(m), "### Limits", facts(m)])
     page = DOCS / "performance.md"
@@ -416,6 +406,7 @@ def main():
     head, rest = page.read_text().split(begin)
     page.write_text(head + begin + "\n" + block + "\n" + end + rest.split(end)[1])
     (DOCS / "performance.svg").write_text(plot(m))
+    (DOCS.parent / "bench/measured.md").write_text(more + "\n")
     print(f"wrote {page} and {DOCS / 'performance.svg'}")
 
 

@@ -157,7 +157,7 @@ class Pages(unittest.TestCase):
 
     def test_every_page_is_in_the_navigation_of_the_site_and_once(self):
         import build
-        placed = {build.place(ROOT / name).with_suffix("").as_posix() for name in TEXTS if not name.startswith(".github")}
+        placed = {build.place(ROOT / name).with_suffix("").as_posix() for name in TEXTS if not name.startswith(".github")} | build.TABLES.keys()
         named = [name for names in navigation().values() for name in names]
         self.assertEqual(sorted(named), sorted(placed - {"index"}))
 
@@ -165,6 +165,13 @@ class Pages(unittest.TestCase):
         readme = ROOT / "README.md"
         linked = {pages.name_of(pages.split(readme, link[1])[0]) for link in pages.links(TEXTS["README.md"]) if not pages.SCHEME.match(link[1])}
         self.assertEqual([name for name in TEXTS if name.startswith("docs/") and not name.startswith("docs/site/") and name not in linked], [])
+
+    def test_the_table_of_the_scoreboard_is_that_of_its_data(self):
+        import build
+        data = build.scoreboard.read()
+        shown = TEXTS["docs/scoreboard.md"].split(build.scoreboard.BEGIN)[1].split(build.scoreboard.END)[0]
+        self.assertEqual(shown.splitlines(), build.scoreboard.page_table(data).splitlines())
+        self.assertGreater(len(build.scoreboard.tables(data).splitlines()), 1000)
 
     def test_every_command_that_users_read_is_run_or_says_why_not(self):
         wrong = [f"{name}:\n{one}" for name in users() for one in unmarked(TEXTS[name])]

@@ -20,7 +20,7 @@ TOOL = sys.argv[1]
 TOLERANT = {"bullet-gjk", "bullet-gjk-float", "libccd", "libccd-gjk", "havok", "jolt", "physx"}
 # These claim no number, so decisions are all that they can show.
 DECIDING = {"cgal-epick", "eigen", "fcl-distance", "three"}
-# Wrong even here, as docs/scoreboard.md tells of each: held to their decisions, and known to be no better.
+# Wrong even here, as engines/findings.json tells of each: held to their decisions, and known to be no better.
 WRONG = {"sphere_beside_box": {"cannon"},
          "sphere_capsule": {"ammo"}, "capsule_capsule": {"fcl", "rapier"},
          "sphere_in_box": {"ammo", "bullet", "bullet-float", "dart", "mujoco", "ode", "oimo"},
@@ -148,7 +148,7 @@ class Adapters(unittest.TestCase):
         names = {engine["name"] for engine in listed()}
         without = {"sphere_sphere": {"cannon-aabb", "eigen"}, "sphere_cube": {"cannon-aabb", "simbody"},
                    "sphere_capsule": no_capsules, "capsule_capsule": no_capsules,
-                   # fcl-distance has a function, whose answer is a number that nobody set: docs/scoreboard.md.
+                   # fcl-distance has a function, which sets no distance where they penetrate: docs/scoreboard.md.
                    "sphere_triangle": names - {"bullet", "bullet-float", "bullet-gjk", "bullet-gjk-float", "cgal-epick", "fcl", "jolt",
                                                "libccd", "libccd-gjk", "ode", "rapier", "three"},
                    "sphere_plane": names - {"ammo", "bullet", "bullet-float", "cannon", "cgal-epick", "eigen", "fcl", "jolt", "mujoco",

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Certifies every engine that is here on the committed golden files, and writes the tables of docs/scoreboard.md, and the
-whole page once more as build/scoreboard.html.
+"""Certifies every engine that is here on the committed golden files, and writes what was found to engines/scoreboard.jsonl, a line
+an engine. From there come the table of docs/scoreboard.md and all tables: build/scoreboard.html, and a page of the site.
 
     python3 engines/scoreboard.py build/release/contact-oracle             every engine
     python3 engines/scoreboard.py build/release/contact-oracle fcl ode     these alone; their tables are printed, not written
-    python3 engines/scoreboard.py build/release/contact-oracle --html      the page as it is, as HTML
+    python3 engines/scoreboard.py build/release/contact-oracle --html      the page and the HTML from the data as they are
 
 What stands outside of the page's markers, and engines/findings.json, are written by people."""
 import json
@@ -17,10 +17,8 @@ import tempfile
 from collections import Counter
 from pathlib import Path
 
-import markdown
-
 ROOT = Path(__file__).resolve().parent.parent
-PAGE, HTML = ROOT / "docs/scoreboard.md", ROOT / "build/scoreboard.html"
+PAGE, HTML, DATA = ROOT / "docs/scoreboard.md", ROOT / "build/scoreboard.html", ROOT / "engines/scoreboard.jsonl"
 BEGIN, END = "<!-- engines:begin -->\n", "<!-- engines:end -->\n"
 GRADES = ("not_finite", "beyond_bound", "bounded", "faithful", "correctly_rounded")  # the worst first
 PAIRS = {"sphere_sphere": "spheres", "cube_cube": "boxes", "sphere_cube": "a sphere and a box",
@@ -73,38 +71,60 @@ def microseconds(command, boxes):
     return max(0, min(seconds(count) for _ in range(3)) - min(seconds(1) for _ in range(3))) / count * 1e6
 
 
-def added(families):
-    """Families as one: a binary64 engine is asked each in both scalars."""
-    sums = Counter()
-    fields = {}
+COUNTS = ("judged", "hits", "missed_hits", "false_hits", "incomplete", "not_finite", "unanswered")
+
+
+def of_report(families):
+    """Families of a report as one, since a binary64 engine is asked each in both scalars: COUNTS, and of each field the largest error and the
+    number of each grade, the best first; no list ends in zeros."""
+    def short(numbers):
+        while numbers and not numbers[-1]:
+            numbers.pop()
+        return numbers
+
+    counts, fields = Counter(), {}
     for f in families:
-        sums.update({key: f[key] for key in ("judged", "hits", "missed_hits", "false_hits", "incomplete", "not_finite")})
-        sums["unanswered"] += sum(n for how, n in f["answers"].items() if how != "answered")
+        counts.update({key: f[key] for key in COUNTS[:-1]})
+        counts["unanswered"] += sum(n for how, n in f["answers"].items() if how != "answered")
         for name, field in f["fields"].items():
-            if not field["judged"]:
-                continue
+            if field["judged"]:
+                worst, *grades = fields.get(name, [0.0] + [0] * len(GRADES))
+                fields[name] = [max(worst, float(f"{float(field['worst_ulps']):.2g}")), *(n + field[grade] for n, grade in zip(grades, reversed(GRADES)))]
+    return [short([counts[key] for key in COUNTS]), {name: short(field) for name, field in fields.items()}]
+
+
+def added(families):
+    """Families of the data as one, with names."""
+    sums, fields = Counter(dict.fromkeys(COUNTS, 0)), {}
+    for counts, of in families:
+        sums.update(dict(zip(COUNTS, counts)))
+        for name, (ulps, *grades) in of.items():
             to = fields.setdefault(name, Counter())
-            worst = max(float(to["worst_ulps"]), float(field["worst_ulps"]))
-            to.update({key: field[key] for key in ("judged", *GRADES)})
+            worst = max(to["worst_ulps"], ulps)
+            to.update({"judged": sum(grades), **dict(zip(reversed(GRADES), grades))})
             to["worst_ulps"] = worst
     return {**sums, "fields": fields}
 
 
-NEEDS = ("length", "relative_length", "angle", "decision", "relative_decision")
+NEEDS = ("length", "relative_length", "angle", "decision")
 
 
 def fitness_of(families):
-    """From which tolerance on an engine would pass questions whose numbers are everyday ones, of some families."""
+    """From which tolerance on an engine would pass questions whose numbers are everyday ones, of some families of a report."""
     fitness = [f["everyday"] for f in families]
     return {"answers": sum(f["answers"] for f in fitness), "never": sum(f["never"] for f in fitness),
-            "last_bit": sum(sum(f["no_worse_than_last_bit"].values()) for f in fitness),
-            **{key: max((float(f["needs"][key]["from"]) for f in fitness), default=0) for key in NEEDS},
-            **{f"beyond_{key}": max((float(f["needs_beyond_last_bit"][key]["from"]) for f in fitness), default=0) for key in NEEDS}}
+            **{key: largest(f["needs"][key]["from"] for f in fitness) for key in NEEDS},
+            **{f"beyond_{key}": largest(f["needs_beyond_last_bit"][key]["from"] for f in fitness) for key in NEEDS}}
+
+
+def largest(numbers):
+    """The largest of a report's numbers, which says "Infinity" as JSON cannot."""
+    return max(numbers, key=float, default=0)
 
 
 def up(x):
     """Two figures, rounded up, as the reports write them."""
-    if x in (0, float("inf")):
+    if x in (0, math.inf):
         return "." if x == 0 else "any share is too small"
     text = f"{x:.1e}"
     return text if float(text) >= x else f"{x + 10.0 ** (math.floor(math.log10(x)) - 1) / 2:.1e}"
@@ -151,37 +171,82 @@ def decisions(counts):
     return (f"{missed} / {false}" if missed or false else ".") + (f", {lost} unanswered" if lost else "")
 
 
-class Engine:
-    def __init__(self, listed, report, command):
-        self.name, self.about, self.report, self.command = listed["name"], listed["about"], report, command
-        self.scalar, self.conventions, self.total = report["scalar"], report["conventions"], added(report["families"])
-        pairs = {f["pair"] for f in report["families"]}
-        try:
-            self.time = f"{microseconds(command, 'sphere_sphere' not in pairs):.1f}"
-        except (subprocess.SubprocessError, OSError, ValueError):
-            self.time = "-"
+LEVELS = ("none", "conservative", "decisions", "bounded", "faithful", "correctly-rounded")  # the worst first
 
-    def fitness(self, pair):
-        return fitness_of([f for f in self.report["families"] if f["pair"] == pair])
+
+def of_engine(tool, listed, report):
+    """What the data say of an engine that was certified."""
+    families = [f for f in report["families"] if f["judged"]]
+    command = listed.get("command") or [tool, "serve", "--engine", listed["name"]]
+    try:
+        time = f"{microseconds(command, not any(f['pair'] == 'sphere_sphere' for f in families)):.1f}"
+    except (subprocess.SubprocessError, OSError, ValueError):
+        time = "-"
+    skipped = Counter()
+    for one in report["skipped"]:
+        skipped[one["why"]] += one["cases"]
+    pairs = {}
+    for pair in dict.fromkeys(f["pair"] for f in families):
+        of = [f for f in families if f["pair"] == pair]
+        pairs[pair] = {"level": min((f["level"] for f in of), key=LEVELS.index), "fitness": fitness_of(of),
+                       "families": {name: of_report([f for f in of if f["family"] == name]) for name in dict.fromkeys(f["family"] for f in of)}}
+    return {"engine": listed["name"], "about": listed["about"], "version": report["engine"]["version"], "scalar": report["scalar"],
+            "level": report["total"]["level"], **report["total"]["decided"], "microseconds": time, "claims": report["claims"],
+            "conventions": report["conventions"], "pair_conventions": report.get("pair_conventions", {}), "verdict": report["verdict"],
+            "diagnosis": report["diagnosis"], "not_asked": skipped, "pairs": pairs}
+
+
+class Engine:
+    """An engine of the data."""
+
+    def __init__(self, line):
+        self.name, self.scalar, self.conventions, self.line = line["engine"], line["scalar"], line["conventions"], line
+        self.total = added([f for pair in line["pairs"].values() for f in pair["families"].values()])
+
+    def fitness(self, *pairs):
+        """That of some pairs, or of all."""
+        of = [self.line["pairs"][pair]["fitness"] for pair in pairs or self.line["pairs"] if pair in self.line["pairs"]]
+        return {key: sum(f[key] for f in of) if key in ("answers", "never") else max(float(f[key]) for f in of)
+                for key in (of[0] if of else ())} or {"answers": 0}
 
     def families(self, pair):
         """The families of a pair, by name, in both scalars."""
+        return {name: added([f]) for name, f in self.line["pairs"].get(pair, {"families": {}})["families"].items()}
+
+    def reaches(self):
+        """The pairs whose decisions are all right, those with numbers that are right too first."""
         of = {}
-        for f in self.report["families"]:
-            if f["pair"] == pair and f["judged"]:
-                of.setdefault(f["family"], []).append(f)
-        return {name: added(parts) for name, parts in of.items()}
+        for pair, one in self.line["pairs"].items():
+            if LEVELS.index(one["level"]) >= LEVELS.index("decisions"):
+                of.setdefault(one["level"], []).append(f"`{pair}`")
+        if sum(map(len, of.values())) == len(self.line["pairs"]) > len(PAIRS):
+            return "all"
+        return ", ".join(pair for pairs in of.values() for pair in pairs) or "."
+
+
+def wrong_numbers(e):
+    return sum(f["beyond_bound"] + f["not_finite"] for f in e.total["fields"].values())
+
+
+def page_table(data):
+    """The table of the page."""
+    engines = [Engine(line) for line in data if "engine" in line]
+    rows = [[f"`{e.name}`", e.line["version"], e.scalar.removeprefix("binary"), e.line["level"], str(len(e.line["pairs"])), e.reaches(),
+             str(e.line["hits"] + e.line["misses"]), number(e.total["missed_hits"]), number(e.total["false_hits"]),
+             str(sum(f["judged"] for f in e.total["fields"].values())), number(wrong_numbers(e)), number(e.total["unanswered"] + e.total["incomplete"])]
+            for e in engines]
+    return table(["engine", "version", "bits", "level", "pairs", "all decisions right in", "decisions", "missed hits", "false hits", "numbers",
+                  "wrong numbers", "no answer"], rows)
 
 
 def main_table(engines):
     rows = []
     for e in engines:
-        wrong = sum(f["beyond_bound"] + f["not_finite"] for f in e.total["fields"].values())
-        fit = fitness_of(e.report["families"])
-        rows.append([f"`{e.name}`", e.report["engine"]["version"], e.scalar, e.report["total"]["level"],
-                     str(e.report["total"]["decided"]["hits"]), str(e.report["total"]["decided"]["misses"]),
+        fit = e.fitness()
+        rows.append([f"`{e.name}`", e.line["version"], e.scalar, e.line["level"], str(e.line["hits"]), str(e.line["misses"]),
                      number(e.total["missed_hits"]), number(e.total["false_hits"]), number(e.total["incomplete"]),
-                     str(sum(f["judged"] for f in e.total["fields"].values())), number(wrong), number(e.total["not_finite"]), number(e.total["unanswered"]), said(fit, "length"), said(fit, "angle"), up(fit["decision"]), e.time,
+                     str(sum(f["judged"] for f in e.total["fields"].values())), number(wrong_numbers(e)), number(e.total["not_finite"]),
+                     number(e.total["unanswered"]), said(fit, "length"), said(fit, "angle"), up(fit["decision"]), e.line["microseconds"],
                      f"`./run certify golden --engine {e.name}`"])
     return table(["engine", "version", "arithmetic", "level", "hits", "misses", "missed hits", "false hits", "missing fields",
                   "numbers", "wrong numbers", "not finite", "no answer", "lengths fit from",
@@ -189,7 +254,7 @@ def main_table(engines):
 
 
 def claims_numbers(e, pair):
-    return any(field in FIELDS for field in e.report["claims"]) and pair != "cube_cube"
+    return any(field in FIELDS for field in e.line["claims"]) and pair != "cube_cube"
 
 
 def fitness_tables(engines):
@@ -253,20 +318,18 @@ def family_tables(engines):
 
 
 def detail(e):
-    text = f"<details markdown=\"1\">\n<summary><code>{e.name}</code>: {e.about}</summary>\n\n"
+    text = f"<details markdown=\"1\">\n<summary><code>{e.name}</code>: {e.line['about']}</summary>\n\n"
+
     def declared(conventions):
         return ", ".join(f"{key} {json.dumps(value) if isinstance(value, (dict, bool)) else value}" for key, value in conventions)
 
     text += f"Declares {declared(e.conventions.items())}"
-    for pair, own in e.report.get("pair_conventions", {}).items():
+    for pair, own in e.line["pair_conventions"].items():
         text += f"; of {PAIRS[pair]} {declared((key, value) for key, value in own.items() if e.conventions.get(key) != value)}"
-    text += f"; claims {', '.join(e.report['claims'])}.\n\n{e.report['verdict']}\n\n"
-    left_out = Counter()
-    for skipped in e.report["skipped"]:
-        left_out[skipped["why"]] += skipped["cases"]
-    text += "".join(f"Not asked, {n} questions: {why}.\n\n" for why, n in left_out.items())
-    if e.report["diagnosis"]:
-        text += "What the report says of the wrong answers:\n\n" + "".join(f"- {line}\n" for line in e.report["diagnosis"]) + "\n"
+    text += f"; claims {', '.join(e.line['claims'])}.\n\n{e.line['verdict']}\n\n"
+    text += "".join(f"Not asked, {n} questions: {why}.\n\n" for why, n in e.line["not_asked"].items())
+    if e.line["diagnosis"]:
+        text += "What the report says of the wrong answers:\n\n" + "".join(f"- {line}\n" for line in e.line["diagnosis"]) + "\n"
     fields = [f for f in FIELDS if f in e.total["fields"]]
     rows = []
     for pair, title in PAIRS.items():
@@ -316,28 +379,56 @@ def asked_in(finding, committed):
             {"pair": header["pair"], **{key: case[key] for key in ("a", "b", "alarm", "contact")}})
 
 
-def finding_texts(tool, engines, findings):
-    text, committed = "", questions()
-    for finding in findings:
-        e = next((e for e in engines if e.name == finding["engine"]), None)
-        if e is None:
-            continue
-        where, query = asked_in(finding, committed)
-        try:
-            answer, = conversation(e.command, [query])
-        except (subprocess.SubprocessError, OSError, ValueError) as problem:
-            answer = {"error": str(problem)}
-        made = subprocess.run([tool, "explain"], input=json.dumps({"scalar": finding["scalar"], **query}) + "\n",
-                              capture_output=True, text=True, check=True)
-        lines = [line.strip() for line in made.stdout.splitlines() if line.strip()]
-        text += f"**`{e.name}`** {where}.\n{finding['about']}\n\n"
-        text += "```text\n" + "\n".join(lines[1:]) + f"\n{e.name} says: {shown(answer)}\n```\n\n"
-    return text
+def of_finding(tool, listed, finding, committed):
+    """What the data say of a finding: the question in words, and what the engine answers."""
+    where, query = asked_in(finding, committed)
+    try:
+        answer, = conversation(listed["command"], [query])
+    except (subprocess.SubprocessError, OSError, ValueError) as problem:
+        answer = {"error": str(problem)}
+    made = subprocess.run([tool, "explain"], input=json.dumps({"scalar": finding["scalar"], **query}) + "\n",
+                          capture_output=True, text=True, check=True)
+    lines = [line.strip() for line in made.stdout.splitlines() if line.strip()]
+    return {"finding": finding["engine"], "where": where, "about": finding["about"], "explained": lines[1:], "answer": shown(answer)}
 
 
-def html():
-    """The page as one self-contained HTML file."""
-    body = markdown.markdown(PAGE.read_text(), extensions=["tables", "fenced_code", "toc", "md_in_html"])
+def tables(data):
+    """All tables of the data, as Markdown."""
+    engines = [Engine(line) for line in data if "engine" in line]
+    text = "## All engines\n\n" + main_table(engines)
+    text += ("## What each is good for\n\nFrom which [tolerance](specification.md#tolerances) on an engine would pass, on questions whose "
+             "numbers are 0 or from 1e-4 to 1e4. In brackets: from which it would, if answers are left out that are no worse than "
+             "what the [inputs' last bit](specification.md#conditioning) does. `.` is any tolerance, *but for 3* three answers that "
+             "none allows, *beyond* more than anybody would state, an empty cell was not asked or claims no number.\n\n") + fitness_tables(engines)
+    text += ("## At the edges\n\nWhat each declares about spheres that touch, share their centre, or are as far apart as the alarm "
+             "distance, and how many of the questions\nthere it decides wrongly: missed / false hits, `.` for none.\n\n") + edge_table(engines)
+    text += ("## Decisions by family\n\nMissed / false hits; `.` is all right, an empty cell was not asked. A binary64 engine is asked "
+             "each family in both scalars.\n\n") + family_tables(engines)
+    text += ("## Each engine by family\n\nOf each field the worst grade, how many have it where it is a failure, and the largest error "
+             "in ulps of the field's scale.\n\n")
+    text += "".join(map(detail, engines))
+    text += ("## Findings looked at by hand\n\nSome of each engine: what `./run explain` says of the question, what the engine says, and "
+             "why, by its source or documentation.\n\n")
+    text += "".join(f"**`{f['finding']}`** {f['where']}.\n{f['about']}\n\n```text\n" + "\n".join(f["explained"]) + f"\n{f['finding']} says: {f['answer']}\n```\n\n"
+                    for f in data if "finding" in f)
+    return text + "## Not measured\n\n" + "".join(f"- {line['absent']}\n" for line in data if "absent" in line)
+
+
+def read():
+    return [json.loads(line) for line in DATA.read_text(encoding="utf-8").splitlines()]
+
+
+def write(data):
+    """The page's table, and all as one self-contained HTML file."""
+    page = PAGE.read_text(encoding="utf-8")
+    head, rest = page.split(BEGIN)
+    PAGE.write_text(head + BEGIN + page_table(data) + END + rest.split(END)[1], encoding="utf-8")
+    html(head + tables(data))
+
+
+def html(text):
+    import markdown  # the site needs none of it
+    body = markdown.markdown(text, extensions=["tables", "fenced_code", "toc", "md_in_html"])
     # Figures that are wrong stand out, and stay figures for those who do not see the colour.
     body = re.sub(r"<td>(\d+ / \d+.*?|(?:beyond|not finite): .*?)</td>", r'<td class="bad">\1</td>', body)
     body = re.sub(r"<td>(\.|correctly rounded)</td>", r'<td class="ok">\1</td>', body)
@@ -366,7 +457,7 @@ code{font-size:.87em}summary{cursor:pointer;margin:.4rem 0}"""
 def main(tool, *wanted):
     tool = str(Path(tool).resolve())
     if wanted == ("--html",):
-        return html()
+        return write(read())
     listed = [json.loads(line) for line in subprocess.run([tool, "engines", "--json"], capture_output=True, text=True,
                                                           check=True).stdout.splitlines()]
     names = {e["name"] for e in listed}
@@ -374,42 +465,27 @@ def main(tool, *wanted):
         print(f"no engine {', '.join(unknown)}; contact-oracle engines lists them", file=sys.stderr)
         sys.exit(2)
     listed = [e for e in listed if (e["name"] in wanted if wanted else "command" in e or e["name"] in REFERENCES)]
-    engines, absent = [], []
+    data, absent, asked = [], [], {}
     for engine in listed:
         name = engine["name"]
         if engine.get("command", "built in") is None:
-            absent.append(f"- `{name}` is not installed here; `./run engines` installs what it needs.")
+            absent.append({"absent": f"`{name}` is not installed here; `./run engines` installs what it needs."})
             continue
         print(name, file=sys.stderr, flush=True)
         report = certified(tool, name)
         if isinstance(report, str):
-            absent.append(f"- `{name}` could not be certified: {report}")
+            absent.append({"absent": f"`{name}` could not be certified: {report}"})
         else:
-            engines.append(Engine(engine, report, engine.get("command") or [tool, "serve", "--engine", name]))
-
-    text = "## All engines\n\n" + main_table(engines)
-    text += ("## What each is good for\n\nFrom which [tolerance](specification.md#tolerances) on an engine would pass, on questions whose "
-             "numbers are 0 or from 1e-4 to 1e4. In brackets: from which it would, if answers are left out that are no worse than "
-             "what the [inputs' last bit](specification.md#conditioning) does. `.` is any tolerance, *but for 3* three answers that "
-             "none allows, *beyond* more than anybody would state, an empty cell was not asked or claims no number.\n\n") + fitness_tables(engines)
-    text += ("## At the edges\n\nWhat each declares about spheres that touch, share their centre, or are as far apart as the alarm "
-             "distance, and how many of the questions\nthere it decides wrongly: missed / false hits, `.` for none.\n\n") + edge_table(engines)
-    text += ("## Decisions by family\n\nMissed / false hits; `.` is all right, an empty cell was not asked. A binary64 engine is asked "
-             "each family in both scalars.\n\n") + family_tables(engines)
-    text += ("## Each engine by family\n\nOf each field the worst grade, how many have it where it is a failure, and the largest error "
-             "in ulps of the field's scale.\n\n")
-    text += "".join(map(detail, engines))
-    findings = json.loads((ROOT / "engines/findings.json").read_text())
-    text += ("## Findings looked at by hand\n\nSome of each engine: what `./run explain` says of the question, what the engine says, and "
-             "why, by its source or documentation.\n\n") + finding_texts(tool, engines, findings)
-    text += "## Not measured\n\n" + "".join(line + "\n" for line in absent)
+            data.append(of_engine(tool, engine, report))
+            asked[name] = {**engine, "command": engine.get("command") or [tool, "serve", "--engine", name]}
+    committed = questions()
+    data += [of_finding(tool, asked[f["engine"]], f, committed)
+             for f in json.loads((ROOT / "engines/findings.json").read_text()) if f["engine"] in asked] + absent
     if wanted:
-        print(text)
-        return
-    page = PAGE.read_text()
-    head, rest = page.split(BEGIN)
-    PAGE.write_text(head + BEGIN + text + END + rest.split(END)[1])
-    html()
+        return print(tables(data))
+    DATA.write_text("".join(json.dumps(line, ensure_ascii=False, separators=(",", ":")) + "\n" for line in data),
+                    encoding="utf-8")
+    write(data)
 
 
 if __name__ == "__main__":

@@ -138,7 +138,7 @@ TEST(Stages, the_first_decides_whatever_is_generic) {
     for (std::uint64_t index = 0; index < 5000; ++index)
       decided.add(
           oracle::staged_answer(generate_query(pair, generic, Scalar::binary64, 1, index), Scalar::binary64).stage);
-    // Beside a face of a box a point is a sum of two numbers, which is often a tie: for the next stage.
+    // Beside a face of a box a point is a sum of two numbers, which is often a tie: for the interval stage.
     const std::uint64_t least = is_discrete_intersections(pair) ? 4999 : 4700;
     EXPECT_GE(count(decided, Stage::double_double), least) << name(pair);
   }

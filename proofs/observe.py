@@ -180,7 +180,7 @@ def near(worst, delta, sh, sl):
 
 
 def of_two(worst, x, y):
-    """The operations of the oracle's first stage."""
+    """The operations of the oracle's double-double stage."""
     (xh, xl), (yh, yl) = x, y
     p = rn(xh * yh)
     e = xh * yh - p

@@ -175,8 +175,9 @@ Outcome check_decisions(const Case& c) {
     if (c.subject.tolerance() && verdict.at(oracle::Measure::decision).within) continue;
     const auto wrong = [&](oracle::Decision decision, std::string_view what) -> std::optional<std::string> {
       if (decision == oracle::Decision::missed_hit)
-        return fmt::format("question {} is a hit, and got no {}", i + 1, what);
-      if (decision == oracle::Decision::false_hit) return fmt::format("question {} is none, and got {}", i + 1, what);
+        return fmt::format("question {} is a hit, and the engine says no {}", i + 1, what);
+      if (decision == oracle::Decision::false_hit)
+        return fmt::format("question {} is a miss, and the engine says {}", i + 1, what);
       return std::nullopt;
     };
     if (auto why = wrong(verdict.overlap, "overlap")) return Outcome::violated(*why);

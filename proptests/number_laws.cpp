@@ -185,7 +185,7 @@ Outcome check_own_surface(const Case& c) {
     const Rational most = radius + error;
     const Rational length2 = dot(arm, arm);
     if (length2 < least * least || length2 > most * most)
-      return Outcome::violated(fmt::format("point{} {} is {} from the nearest point {} of its core, and should be {}",
+      return Outcome::violated(fmt::format("point{} {} lies {} from the nearest point {} of its core, and not {}",
                                            sphere + 1, text(*p), text((*p - rounded(own)).stableNorm()),
                                            text(rounded(own)), text(CGAL::to_double(radius))));
   }

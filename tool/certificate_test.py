@@ -157,7 +157,7 @@ class Holds(Case):
         certificate = self.certify("golden/sphere_sphere/touching.jsonl", "--engine", "plain-double", code=1)
         self.assertFalse(certificate["found"]["certified"])
         self.holds("REFUTED: plain-double")
-        self.refuted("REFUTED: bounded was asked for, and none is", args=("--level", "bounded"))
+        self.refuted("REFUTED: bounded was required, and the certificate is of none", args=("--level", "bounded"))
 
     def test_recorded_answers_are_bound_where_they_are(self):
         results = GOLDEN / "recorded" / "sofa-2a278d8" / "sphere_sphere.jsonl"

@@ -45,7 +45,7 @@ int guarded(int argc, char** argv) {
     say_error("contact-oracle: {}\n", cut(error.what()));
     return kBadInput;
   } catch (...) {  // nothing of ours: a library's or a plug-in's
-    tell("harness invalid: a library threw what is no std::exception");
+    tell("harness invalid: a library threw something that is no std::exception");
     return kHarnessInvalid;
   }
 }

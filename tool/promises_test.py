@@ -429,7 +429,7 @@ class Fitness(Case):
     def test_a_right_engine_passes_with_any_tolerance(self):
         printed = self.fitness(GENERIC, "--engine", "production", code=0)
         self.assertIn("all numbers: would pass with any tolerance", printed)
-        self.assertNotIn("In the way", printed)
+        self.assertNotIn("need the largest tolerance", printed)
         self.holds("certify", GENERIC, "--engine", "production", "--tolerance", "length=0")
 
     def test_the_needs_of_whole_files_are_those_of_the_definition(self):
@@ -490,19 +490,18 @@ class Fitness(Case):
         results = self.wrong_value(1e-3)
         page, report = self.folder / "out.html", self.folder / "out.json"
         printed = self.refuted("certify", self.dataset, "--results", results, "--json", report, "--report", page)
-        what, asked = re.search(r"In the way of a smaller tolerance:\n  # (.*)\n  (\{.*\})\n", printed).groups()
+        what, asked = re.search(r"These questions need the largest tolerance:\n  # (.*)\n  (\{.*\})\n", printed).groups()
         self.assertRegex(what, r"^a value or coordinate off by 1\.[01]e-03$")  # two figures, rounded up
         self.assertIn(self.cases[1]["id"], self.holds("explain", "-", input=asked))
         self.assertEqual(json.loads(report.read_text())["in_the_way"][0], {"what": what, "query": json.loads(asked)})
-        self.assertIn("In the way of a smaller tolerance", page.read_text())
+        self.assertIn("These questions need the largest tolerance", page.read_text())
         self.assertIn("id=scales", page.read_text())
 
     def test_an_answer_that_no_tolerance_allows_is_counted_and_named(self):
         self.questions()
         results = self.answers(lambda contact: {**contact, "value": "NaN"})
         printed = self.fitness(self.dataset, "--results", results)
-        self.assertIn("all numbers: would pass with any tolerance, but for 1 answer without an answer, a field or a number, "
-                      "which no tolerance allows", printed)
+        self.assertIn("all numbers: would pass with any tolerance; no tolerance allows 1 more: an answer, a field or a number is missing", printed)
         self.assertIn("# no answer, a field missing, or no number\n", printed)
 
 
@@ -528,7 +527,7 @@ class Conditioning(Case):
         self.assertRegex(what[ids[1]], r"^false hit, 2\.[56]e-01 from where the answer changes$")
         self.file("answers.jsonl", [header, {"id": ids[0], "overlap": True}, {"id": ids[1], "overlap": False}])
         printed = self.refuted("certify", path, "--results", results)
-        self.assertIn("without what is wrong by no more than the inputs' last bit (0 lengths, 0 normals, 1 decisions): with any tolerance", printed)
+        self.assertIn("all numbers, ignoring 1 decision that the last bit of an input would flip: with any tolerance", printed)
 
     def test_a_normal_of_centres_that_nearly_coincide_is_excused_as_far_as_the_last_bit_turns_it(self):
         near = {"a": {"center": [1, 1, 1], "radius": 1}, "b": {"center": [1 + 2.0**-40, 1, 1], "radius": 1}, "alarm": 0, "contact": 0}
@@ -621,9 +620,9 @@ class Determinism(Case):
             paths[name] = self.folder / f"{name}.json"
             self.ends(code, "certify", TOUCHING, "--engine", engine, "--determinism", "--json", paths[name], "--record", self.folder / f"{name}.jsonl")
         printed = self.holds("compare", paths["production"], paths["again"], "--same-bits")
-        self.assertIn("The answers to what both were asked have the same bits.", printed)
+        self.assertIn("The reports have the same bits for every question that both were asked.", printed)
         printed = self.refuted("compare", paths["order"], paths["production"], "--same-bits")
-        self.assertIn("REFUTED: --same-bits, and that is not shown.", printed)
+        self.assertIn("REFUTED: --same-bits asks for the same bits, and the reports do not show them.", printed)
         self.holds("compare", paths["order"], paths["production"])
         # Which question is first says the report itself, in the order in which they were asked.
         each = [json.loads(paths[name].read_text())["determinism"]["sources"][0]["each"] for name in ("order", "production")]

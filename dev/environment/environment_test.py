@@ -39,7 +39,7 @@ NOT_ASKED = {
         "RoundRootLess.lies_between_its_rounding_boundaries_for_random_and_nearly_cancelling_differences": "the same"},
     "oracle/oracle_test": {
         "DefaultEnvironment.*": "sets all environments itself",
-        "DoubleDouble.*": "steps of the first stage, called beneath the guard that sets the environment",
+        "DoubleDouble.*": "steps of the double-double stage, called beneath the guard that sets the environment",
         "RoundToNearest.rounds_a_double_to_binary32_as_a_conversion_does": "the conversion is the environment's",
         "RoundToNearest.rounds_once_among_the_subnormals": "makes rationals of subnormal numbers, which flushing takes for 0",
         "Ulp.is_the_smallest_subnormal_from_zero_to_the_smallest_normal_numbers": "the same",

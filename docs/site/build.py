@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Builds the documentation's site, build/docs/html, offline:   build.py [--python FOLDER]
+"""Builds the documentation's site, build/docs/html, offline:   build.py [--python FOLDER] [--tool PROGRAM]
 
 Every page of the repository is laid out as it is, only its links are changed: a link to a page leads to its place on the site, and
 one to another file to a page that shows the file. Then Doxygen reads include/contact, Sphinx builds with warnings as errors, and
 every link of what it built is followed. FOLDER holds the built Python package; without it the functions of the pairs, which its
-core describes, are left out of the reference."""
+core describes, are left out of the reference. PROGRAM is contact-oracle; without it the tables that it prints are left out."""
 import argparse
 import os
 import re
@@ -16,7 +16,8 @@ from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path[:0] = [str(Path(__file__).resolve().parents[1]), str(Path(__file__).resolve().parents[2] / "engines")]
+import scoreboard  # noqa: E402
 from pages import ROOT, SCHEME, broken, links, name_of, pages, split  # noqa: E402
 
 SITE = ROOT / "docs/site"
@@ -26,6 +27,10 @@ LANGUAGES = {".hpp": "cpp", ".cpp": "cpp", ".h": "c", ".c": "c", ".py": "python"
              ".cff": "yaml", ".yml": "yaml", ".txt": "cmake"}
 PICTURES = {".png", ".svg"}
 LONGEST = 400_000  # bytes of a file that is shown
+# Pages of the site alone: the page beside which each stands, its title, and the commands that print it.
+TABLES = {"scoreboard-tables": ("docs/scoreboard.md", "All tables of the scoreboard", ()),
+          "mutants": ("docs/bug-zoo.md", "All mutants", (("engines", "--table"),)),
+          "families": ("docs/formats.md", "All families and flags", (("tables",), ("adequacy", "--table")))}
 
 
 def place(page):
@@ -36,7 +41,7 @@ def place(page):
 class Layout:
     """The pages as Sphinx reads them, and the files that they link to."""
 
-    def __init__(self):
+    def __init__(self, tool=None):
         self.placed = {page: place(page) for page in pages() if ".github" not in page.parts}
         if len(set(self.placed.values())) != len(self.placed):
             raise SystemExit(f"two pages have one place: {sorted(map(str, self.placed.values()))}")
@@ -46,6 +51,12 @@ class Layout:
             raise SystemExit("\n".join(wrong))
         for page, target in self.placed.items():
             self.write(target, self.with_links(page, texts[page], target))
+        for name, (page, title, commands) in TABLES.items():
+            text = "" if commands else scoreboard.tables(scoreboard.read())
+            for words in commands:
+                text += subprocess.run([tool, *words], text=True, capture_output=True, check=True).stdout + "\n" if tool else \
+                    f"`contact-oracle {' '.join(words)}` prints this.\n\n"
+            self.write(f"{name}.md", self.with_links(ROOT / page, f"# {title}\n\n{text}", Path(f"{name}.md")))
         for header in (file for file in (ROOT / "include/contact").iterdir() if file.suffix in (".h", ".hpp")):
             self.write(f"cpp/{header.name}.md", f"# `contact/{header.name}`\n\n```{{doxygenfile}} contact/{header.name}\n```\n")
 
@@ -175,10 +186,12 @@ def broken_links(folder):
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--python", metavar="FOLDER", type=Path, help="holds the built package contact_oracle")
-    built = options.parse_args().python
+    options.add_argument("--tool", metavar="PROGRAM", type=Path, help="contact-oracle, whose tables become pages")
+    given = options.parse_args()
+    built = given.python
     shutil.rmtree(OUT, ignore_errors=True)
     XML.mkdir(parents=True)
-    Layout()
+    Layout(given.tool and given.tool.resolve())
     version = re.search(r"project\(contact-oracle VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
     run("doxygen", "Doxyfile", CONTACT_HEADERS=ROOT / "include", CONTACT_DOXYGEN_XML=XML)
     arrange(XML)

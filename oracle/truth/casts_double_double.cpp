@@ -1,4 +1,4 @@
-// Rays that are cast: the first stage passes all of them on to the intervals.
+// Rays that are cast: the double-double stage passes all of them on to the intervals.
 #include "oracle/truth/double_double_oracle.hpp"
 
 namespace contact::oracle {

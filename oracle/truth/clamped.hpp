@@ -1,5 +1,5 @@
-// The clamped centre, for whatever the exact truth checks: the first stage, the witness, plain arithmetic, mutants. The
-// truth, the second oracle and production each find the nearest point in their own way.
+// The clamped centre, for whatever the exact truth checks: the double-double stage, the witness, plain arithmetic, mutants. The
+// truth, the interval oracle and production each find the nearest point in their own way.
 #pragma once
 
 #include "contact/pairs.hpp"

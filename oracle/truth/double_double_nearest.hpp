@@ -1,4 +1,4 @@
-// The first stage of every pair with a distance: the answer for two cores with known nearest points, in pairs of
+// The double-double stage of every pair with a distance: the answer for two cores with known nearest points, in pairs of
 // doubles.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The first stage: pairs of doubles with a radius of error. It proves an answer, or has none.
+// The double-double stage: pairs of doubles with a radius of error. It proves an answer, or has none.
 #include "oracle/truth/double_double_oracle.hpp"
 
 #include <algorithm>

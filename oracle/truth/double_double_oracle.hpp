@@ -1,4 +1,4 @@
-// The first stage: pairs of doubles with a radius of error. It proves an answer, or has none.
+// The double-double stage: pairs of doubles with a radius of error. It proves an answer, or has none.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace contact::oracle {
 ///
 /// Domain      every number of the question finite and inside the domain
 /// Error       none: the interval around the real number lies on one side of the boundary, or rounds to one number
-/// Source      docs/oracle-stages.md#the-first-stage
+/// Source      docs/oracle-stages.md#the-double-double-stage
 /// Evidence    oracle/truth/double_double_oracle_test.cpp
 [[nodiscard]] std::optional<RoundedAnswer> double_double_answer(const Query& query, Scalar scalar);
 

@@ -1,4 +1,4 @@
-// The first stage against both other oracles, its bounds against exact arithmetic from both sides, and where it
+// The double-double stage against both other oracles, its bounds against exact arithmetic from both sides, and where it
 // declines.
 #include "oracle/truth/double_double_oracle.hpp"
 
@@ -351,7 +351,7 @@ TEST(MarginBounds, tell_a_number_or_its_size_or_nothing) {
 TEST(StagedOracle, passes_on_what_a_stage_declines_and_says_who_decided) {
   const auto stage = [](const Query& query) { return staged_answer(query, Scalar::binary64).stage; };
   EXPECT_EQ(stage({Pair::sphere_sphere, Balls{{{0, 0, 0}, 1.5}, {{1, 2, 2}, 2}}, {0, 0.25}}), Stage::double_double);
-  // Half way between two doubles, and out of the first stage's range.
+  // Half way between two doubles, and out of this stage's range.
   EXPECT_EQ(stage({Pair::sphere_sphere, Balls{{{0, 0, 0}, 0x1p300}, {{0x1p300, 0, 0}, 1}}, {0, 0}}), Stage::interval);
   // Numbers of a hundred scales, products of six of which are compared: too near for kMostBits.
   const Capsule a{{3e177, -3e-281, -1e300}, {4e111, 2e100, -1e-148}, 9e21};

@@ -1,4 +1,4 @@
-// The second oracle: MPFR intervals with outward rounding.
+// The interval oracle: MPFR intervals with outward rounding.
 #include "oracle/truth/interval_oracle.hpp"
 
 #include <algorithm>

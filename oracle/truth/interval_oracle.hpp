@@ -1,4 +1,4 @@
-// The second oracle: MPFR intervals with outward rounding. It exists to check the first and shares only plain structs.
+// The interval oracle: MPFR intervals with outward rounding. It exists to check the exact one and shares only plain structs.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// The proved bounds of the oracle's first stage, from proofs/bounds.json: written by proofs/prove.py --write.
+// The proved bounds of the oracle's double-double stage, from proofs/bounds.json: written by proofs/prove.py --write.
 #pragma once
 
 namespace contact::oracle::proved {

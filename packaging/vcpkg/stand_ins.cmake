@@ -1,5 +1,5 @@
 # vcpkg's functions as far as the port uses them, in a few lines each, so that the port can be tried where vcpkg cannot be installed. What
-# is prepared here is what vcpkg prepares: docs/library.md#vcpkg says what this does not show.
+# is prepared here is what vcpkg prepares: docs/library.md#vcpkg-and-conan says what this does not show.
 function(run)
   execute_process(COMMAND ${ARGV} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endfunction()

@@ -115,7 +115,7 @@ def test_golden_files_are_judged(golden):
     one = contact_oracle.certify(engines.plain_spheres, "sphere_sphere", datasets=golden / "sphere_sphere" / "generic.jsonl", seed=1)
     assert one.certified and one.data["total"]["cases"] == 210
     assert (one.seed, one.data["fresh"]["seed"], one.data["fresh"]["total"]["cases"]) == (1, 1, 100)
-    with pytest.raises(InputError, match="seed: is of fresh questions"):
+    with pytest.raises(InputError, match="seed: chooses fresh questions"):
         contact_oracle.certify(engines.right, datasets=golden, fresh=0, seed=1)
     with pytest.raises(InputError, match="datasets: is not there"):
         contact_oracle.certify(engines.right, datasets="nowhere")

@@ -74,7 +74,7 @@ void the_readmes_example() {
   const Ball a{{0, 0, 0}, 1.5};
   const Ball b{{1, 2, 2}, 1.5};
   const auto contact = compute_sphere_sphere(a, b, {.alarm = 0, .contact = 0.25});
-  expect(contact && contact->value == -0.25, "the README's example");
+  expect(contact && contact->value == -0.25, "the example of docs/library.md");
   // 4 of the least apart, of which 2 are the radii. Flushed, they would coincide.
   const auto tiny =
       compute_sphere_sphere({{0, 0, 0}, kLeast}, {{2 * 0x1p-1073, 0, 0}, kLeast}, {.alarm = 1, .contact = 0});

@@ -1,4 +1,4 @@
-// The README's example as a program of its own.
+// The example of docs/library.md as a program of its own.
 #include <cstdio>
 
 #include "contact/sphere_sphere.hpp"

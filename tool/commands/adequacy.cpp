@@ -170,10 +170,10 @@ std::vector<std::string> complaints(const KillMatrix& matrix) {
       return kind_of(f.pair) == kind_of(h.pair) && f.family == h.family;
     });
     if (!file.mutants.contains(place_of(engines::kAlwaysMiss)))
-      found.push_back(fmt::format("{} has no hit: who always says miss is right about all of it", file.path));
+      found.push_back(fmt::format("{} has no hit: an engine that always says miss is right on all of it", file.path));
     if (!listed && !file.mutants.contains(place_of(engines::kAlwaysHit)))
       found.push_back(
-          fmt::format("{} has no miss: who always says hit is right about all of it, and golden/families.cpp "
+          fmt::format("{} has no miss: an engine that always says hit is right on all of it, and golden/families.cpp "
                       "gives no reason for it",
                       file.path));
     if (listed && file.mutants.contains(place_of(engines::kAlwaysHit)))

@@ -166,7 +166,7 @@ AskedFresh fresh_to_ask(const CertifyOptions& options, bool scoreboard) {
   const std::uint64_t each = options.fresh.value_or(usual);
   if (each == 0) {
     if (options.seed)
-      refuse(fmt::format("--seed is of fresh questions, and none is asked{}",
+      refuse(fmt::format("--seed chooses fresh questions, and none is asked{}",
                          options.fresh ? ": --fresh is 0"
                          : recorded    ? " of recorded answers"
                                        : ": the baseline was made with none; --fresh asks some"));
@@ -232,14 +232,13 @@ void require_used(const CLI::App& command, const CertifyOptions& options, bool s
 /// A certificate tells of one whole run in one process, from which all answers came.
 void require_whole(const CertifyOptions& options, bool scoreboard) {
   if (!options.failures_of.empty() && (!options.parts.empty() || !options.certificate.certificate.empty()))
-    refuse(
-        "--failures-of asks a few questions again: it has no use for --parts, and a certificate is of all questions");
+    refuse("--failures-of asks a few questions again: leave out --parts and --certificate");
   if (options.certificate.none()) return;
   if (scoreboard) refuse("--certificate and --record are one engine's: give the engine");
   if (!options.parts.empty() || Cluster::size() > 1)
     refuse(
-        "--certificate and --record are of one whole run: a run in parts keeps no answers. What recorded them can be "
-        "judged at once, by --results");
+        "--certificate and --record are of one whole run: a run in parts keeps no answers. Judge a results file in "
+        "one run, by --results");
   if (!options.certificate.certificate.empty() && (options.fail_fast || options.max_time > 0))
     refuse("--certificate is of a whole run, which --fail-fast and --max-time may end early");
 }
@@ -344,7 +343,7 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
     refuse(fmt::format(
         "--fresh asks new questions beside those of datasets, and {}",
         made ? "--generate asks nothing but such" : "--failures-of asks what failed before and nothing else"));
-  if (options.seed && again) refuse("--seed is of new questions, and --failures-of asks what failed before");
+  if (options.seed && again) refuse("--seed chooses new questions, and --failures-of asks those that failed before");
   if (made) {
     if (!options.seed && (!options.parts.empty() || Cluster::size() > 1))
       refuse("--generate in parts needs --seed: every part has the same");
@@ -392,7 +391,7 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
     const std::uint64_t questions = found.judged() + found.fresh_judged();
     // What is enough to certify is asked of the whole.
     const bool wrong = questions != 0 && found.failure_count + found.unreached != found.all().accepted;
-    say("part {} of {}: {} questions judged, {}; the verdict is that of `merge`\n", part.index, part.of, questions,
+    say("part {} of {}: {} questions judged, {}; `merge` gives the verdict\n", part.index, part.of, questions,
         wrong ? "and not all is right" : "and nothing is wrong");
     return wrong ? kRefuted : kCertified;
   }
@@ -453,8 +452,8 @@ void add_certify(CLI::App& app, int& exit) {
   command
       ->add_option(
           "--fresh", options->fresh,
-          fmt::format("Beside golden files: this many new questions of each of their families, so that to know "
-                      "published answers is not enough; 0: none (default: {}; {} on the scoreboard; with a "
+          fmt::format("Beside golden files: ask this many new questions of each of their families, because anybody "
+                      "can know published answers; 0: none (default: {}; {} on the scoreboard; with a "
                       "baseline those that it was made with)",
                       kFreshEach, kFreshOfScoreboard))
       ->check(kFromZero);
@@ -462,7 +461,7 @@ void add_certify(CLI::App& app, int& exit) {
       ->check(kFromZero);
   command
       ->add_option("--check", options->check,
-                   "Which questions all oracles are asked: of a source of more than 4096 a sample, or all")
+                   "Which questions are put to all oracles: a sample of each source of more than 4096, or all")
       ->capture_default_str()
       ->check(CLI::IsMember(kCheckNames));
   heading.reset();
@@ -478,12 +477,14 @@ void add_certify(CLI::App& app, int& exit) {
           ->add_option("--baseline", options->baseline,
                        "A JSON report of this engine: its failures are accepted, only new ones and worse ones fail")
           ->type_name("FILE");
-  command->add_option("--accept-reason", options->accept_reason, "Why, where the baseline does not say")
+  command
+      ->add_option("--accept-reason", options->accept_reason,
+                   "Why failures are accepted, where the baseline gives no reason")
       ->type_name("REASON")
       ->needs(baseline);
   command
       ->add_option("--accept-until", options->accept_until,
-                   "The last day on which, YYYY-MM-DD, where the baseline does not say")
+                   "The last day of the acceptance, YYYY-MM-DD, where the baseline names none")
       ->type_name("DAY")
       ->needs(baseline);
   heading.reset();

@@ -43,7 +43,7 @@ int compare_reports(const CompareOptions& options) {
   }
   words() << (history.steps().size() == 1 ? history.steps().front().text() : history.text());
   const bool other_bits = options.same_bits && !history.same_bits();
-  if (other_bits) say("REFUTED: --same-bits, and that is not shown.\n");
+  if (other_bits) say("REFUTED: --same-bits asks for the same bits, and the reports do not show them.\n");
   if (page) say("\nReport: {}\n", options.page);
   return history.steps().back().worse() || other_bits ? kRefuted : kCertified;
 }

@@ -61,8 +61,8 @@ void add_demand_options(CLI::App& command, DemandOptions& options, std::span<con
   auto* tolerance = command
                         .add_option("--tolerance", options.tolerance,
                                     "Instead of a level: length=L,relative=R,angle=A. A number may be off by L and R "
-                                    "times its scale, a normal by A radians, a decision wrong so near to where it "
-                                    "changes; min=,max= leave questions with other numbers out")
+                                    "times its scale, a normal by A radians; a decision may be wrong as near as "
+                                    "that to where it changes; min=,max= leave questions with other numbers out")
                         ->excludes(level);
   command.add_option("--profile", options.profile, "A tolerance by name, in metres and radians")
       ->check(CLI::IsMember(kProfileNames))
@@ -71,8 +71,9 @@ void add_demand_options(CLI::App& command, DemandOptions& options, std::span<con
   if (std::find(levels.begin(), levels.end(), name(Level::conservative)) == levels.end())
     return;  // no verdict rests on cases
   command
-      .add_option("--within", options.within,
-                  "With --level conservative: how far from where the answer changes a miss may be that is called a hit")
+      .add_option(
+          "--within", options.within,
+          "With --level conservative: refute a false hit that lies farther than this from where the answer changes")
       ->check(kLength);
   command
       .add_option("--least-judged", options.least_judged,

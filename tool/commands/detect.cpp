@@ -255,7 +255,9 @@ void add_detect(CLI::App& app, int& exit) {
       ->allow_extra_args(false);
   command->add_option("--alarm", options->alarm, "Pairs up to this far apart are contacts (default: the scene's, or 0)")
       ->check(not_a_distance);
-  command->add_option("--contact", options->contact, "What a value is less (default: the scene's, or 0)")
+  command
+      ->add_option("--contact", options->contact,
+                   "The contact distance, which each value is less (default: the scene's, or 0)")
       ->check(not_a_distance);
   command->add_option("--points", options->points, "Contact points")
       ->capture_default_str()

@@ -252,8 +252,8 @@ void add_exam(CLI::App& app, int& exit) {
   set->add_option("--seed", o->seed, "The seed (default: random); there is chance besides")->check(kFromZero);
   set->add_flag(
       "--commit", o->commit,
-      "Print one line to publish before there are answers, in a tag or a mail: `verify --commitment` holds the "
-      "certificate against it");
+      "Print one line to publish before there are answers, in a tag or a mail: `verify --commitment` compares "
+      "the certificate with it");
   set->callback([o, &exit] {
     make_new(*o);
     exit = kCertified;

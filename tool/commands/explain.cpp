@@ -222,7 +222,7 @@ void add_explain(CLI::App& app, int& exit) {
   auto o = std::make_shared<ExplainOptions>();
   command
       ->add_option("questions", o->input,
-                   "A file of questions, - for standard input, or the id of one, of which the first digits are enough")
+                   "A file of questions, - for standard input, or the id of a question: its first digits are enough")
       ->capture_default_str();
   command
       ->add_option("--in", o->in,

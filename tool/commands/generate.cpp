@@ -92,13 +92,15 @@ std::string check_finished(const golden::DatasetHeader& header, const std::strin
                            const std::function<Query(std::uint64_t)>& question, Progress& progress) {
   golden::DatasetReader reader(path);
   if (const auto found = to_line(reader.header()), expected = to_line(header); found != expected)
-    throw InputError({path, 0}, "",
-                     fmt::format("--resume met another dataset: its header is {}, to be made is {}", found, expected));
+    throw InputError(
+        {path, 0}, "",
+        fmt::format("--resume found another dataset: its header is {}, and the one to write has {}", found, expected));
   formats::Sha256 digest;
   for (std::uint64_t i = 0; const auto c = reader.next(); ++i) {
     throw_if_interrupted();
     if (c->id != golden::query_id(question(i)))
-      throw InputError(reader.where(), "id", fmt::format("--resume met a question that belongs elsewhere: {}", c->id));
+      throw InputError(reader.where(), "id",
+                       fmt::format("--resume found a question that does not belong there: {}", c->id));
     check_canonical(reader, to_line(*c));
     digest.add(golden::digest_bytes(*c));
     progress.add(1);

@@ -266,7 +266,7 @@ class Certificate {
   json engine_file(const Node& stated) {
     const std::string digest = digest_at(stated.at("sha256"));
     if (const auto program = stated.find("program")) {
-      not_checked_.push_back(fmt::format("the engine's program {}: known by its name alone", program->text()));
+      not_checked_.push_back(fmt::format("the engine's program {}, which is known by its name alone", program->text()));
       return {{"program", program->text()}, {"sha256", digest}};
     }
     const std::string name = stated.at("file").raw_text();
@@ -378,9 +378,9 @@ int verify(const VerifyOptions& options) {
       sources == 1 ? "source" : "sources", fresh == 0 ? "" : fmt::format(", {} fresh ones", fresh),
       certificate.node().at("answers").at("count").count());
   if (certificate.engine_files() != 0) say("; {} of the engine's files", certificate.engine_files());
-  say("\n\nHOLDS: {} states what is so:\n  {}\n", options.certificate, report->sentence());
+  say("\n\nHOLDS: every statement of {} is true:\n  {}\n", options.certificate, report->sentence());
   if (!demanded || level <= *demanded) return kCertified;
-  say("REFUTED: {} was asked for, and {} is what it certifies.\n", options.level, name(level));
+  say("REFUTED: {} was required, and the certificate is of {}.\n", options.level, name(level));
   return kRefuted;
 }
 

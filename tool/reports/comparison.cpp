@@ -96,7 +96,7 @@ void Comparison::compare_bits(const SavedReport& older, const SavedReport& newer
     same_bits_ = SameBits::differ;
   else if (older.answers.size() == newer.answers.size())
     same_bits_ = SameBits::same;
-  notes_.push_back(differ == 0 ? "The answers to what both were asked have the same bits."
+  notes_.push_back(differ == 0 ? "The reports have the same bits for every question that both were asked."
                                : fmt::format("The bits of the answers differ in {} {}, first in {}.", differ,
                                              differ == 1 ? "family" : "families", first));
 }

@@ -163,17 +163,31 @@ std::string tolerance_text(const Tolerance& t) {
   return text;
 }
 
+namespace {
+
+/// What the last bit of an input explains, "10 decisions that the last bit of an input would flip"; empty where that is nothing.
+std::string explained_by_last_bit(const Fitness& fitness) {
+  const auto [lengths, angles, decisions] = fitness.last_bit;
+  const auto count = [](std::uint64_t n, std::string_view one) {
+    return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s");
+  };
+  std::string text = lengths == 0 ? "" : count(lengths, "length");
+  if (angles != 0) text += (text.empty() ? "" : " and ") + count(angles, "normal");
+  if (!text.empty()) text += " that the last bit of an input would move as far";
+  if (decisions != 0)
+    text += (text.empty() ? "" : ", and ") + count(decisions, "decision") + " that the last bit of an input would flip";
+  return text;
+}
+
+}  // namespace
+
 std::vector<std::string> fitness_lines(std::string_view what, std::string_view scale, const Fitness& fitness) {
   std::vector<std::string> lines{fmt::format("{}: would pass with {}", what, options(fitness.all, scale))};
   if (fitness.never != 0)
-    lines.back() += fmt::format(", but for {} without an answer, a field or a number, which no tolerance allows",
-                                fitness.never == 1 ? "1 answer" : fmt::format("{} answers", fitness.never));
-  const auto [lengths, angles, decisions] = fitness.last_bit;
-  if (lengths + angles + decisions != 0)
-    lines.push_back(
-        fmt::format("{}, without what is wrong by no more than the inputs' last bit ({} lengths, {} "
-                    "normals, {} decisions): with {}",
-                    what, lengths, angles, decisions, options(fitness.beyond_last_bit, scale)));
+    lines.back() +=
+        fmt::format("; no tolerance allows {} more: an answer, a field or a number is missing", fitness.never);
+  if (const std::string ignored = explained_by_last_bit(fitness); !ignored.empty())
+    lines.push_back(fmt::format("{}, ignoring {}: with {}", what, ignored, options(fitness.beyond_last_bit, scale)));
   return lines;
 }
 
@@ -192,9 +206,11 @@ Fit fit_of(const Fitness& fitness) {
 
 std::vector<InTheWay> in_the_way(const Fitness& fitness) {
   constexpr std::array<std::string_view, oracle::kMeasures.size()> kWhat{
-      "a value or coordinate off by {}", "a normal off by {} radians", "a decision wrong {} from where it changes"};
+      "a value or coordinate off by {}", "a normal off by {} radians",
+      "a wrong decision, {} from where the answer changes"};
   constexpr std::array<std::string_view, oracle::kMeasures.size()> kShare{
-      "a value or coordinate off by {} of its scale", "", "a decision wrong by {} of the reach"};
+      "a value or coordinate off by {} of its scale", "",
+      "a wrong decision, {} of the reach from where the answer changes"};
   std::vector<InTheWay> all;
   if (!fitness.never_question.empty())
     all.push_back({"no answer, a field missing, or no number", fitness.never_question});

@@ -215,8 +215,8 @@ std::vector<std::string> History::notes() const {
     lines.emplace_back("These are reports of different engines, not of versions of one.");
   if (!differ([](const SavedReport& r) { return r.demand(); })) return lines;
   lines.emplace_back(
-      "The reports were judged by different demands: a question that fails in one need not fail in another for being "
-      "answered worse.");
+      "The reports were judged by different demands: a question may fail in one alone although both "
+      "answers are as good.");
   for (std::size_t i = 0; i < reports_.size(); ++i)
     lines.push_back(fmt::format("{} was judged by {}.", labels_[i], reports_[i].demand()));
   return lines;

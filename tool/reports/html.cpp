@@ -282,7 +282,7 @@ std::string fitness(const Report& report) {
   std::string html = listed("Fitness", report.fitness());
   const auto questions = report.in_the_way();
   if (questions.empty()) return html;
-  html += "<details><summary>In the way of a smaller tolerance</summary>\n";
+  html += "<details><summary>These questions need the largest tolerance</summary>\n";
   for (const InTheWay& one : questions)
     html += fmt::format("<p>{}</p>{}\n", for_html(one.what), page::command_to_copy(one.question));
   return html + "</details>\n";

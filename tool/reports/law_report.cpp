@@ -65,9 +65,9 @@ std::string terminal_text(const LawRun& run) {
   }
   const std::size_t asked = run.result.laws.size() - run.result.skipped();
   text += fmt::format("\n{} of {} laws were asked{}\n", asked, run.result.laws.size(),
-                      asked == run.result.laws.size() ? "" : ", the others skipped");
+                      asked == run.result.laws.size() ? "" : "; the others were skipped");
   if (violated != 0)
-    return text + fmt::format("{}: {} of {} laws violated; the first names the mistake best: {}\n",
+    return text + fmt::format("{} violates {} of {} laws; the first names the mistake best: {}\n",
                               run.result.engine.name, violated, run.result.laws.size(),
                               run.result.first_violated()->law->name);
   return text + fmt::format("{}: {}\n", run.result.engine.name,

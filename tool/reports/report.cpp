@@ -374,7 +374,7 @@ std::string Report::rests_on() const {
   if (repeats && repeats->same())
     text += fmt::format(" Asked in {} more ways, it gave the same bits.", repeats->ways.size());
   if (const auto one = all.one_answer())
-    text += fmt::format(" An engine that always says {} decides all of it right.", *one);
+    text += fmt::format(" An engine that always says {} decides every question right.", *one);
   if (fresh && !fresh->none.empty() && right()) text += fmt::format(" On published questions alone: {}.", fresh->none);
   return text;
 }
@@ -442,7 +442,7 @@ std::vector<std::string> Report::fitness() const {
   const FamilyReport all = this->all();
   std::vector<std::string> lines;
   if (all.with_numbers != 0 && all.all_fields().judged() == 0)
-    lines.emplace_back("no number was judged, so no tolerance certifies it: what follows is of its decisions");
+    lines.emplace_back("no number was judged, so no tolerance certifies it: the next lines are of its decisions alone");
   const auto add = [&](std::string_view what, std::string_view scale, const Fitness& of) {
     if (of.answers != 0)
       for (std::string& line : fitness_lines(what, scale, of)) lines.push_back(std::move(line));

@@ -122,7 +122,7 @@ std::string terminal_text(const Report& report, bool colour) {
   };
   listed("Fitness", report.fitness());
   if (const auto questions = report.in_the_way(); !questions.empty()) {
-    text += "\n" + styled(kHead, "In the way of a smaller tolerance:", colour) + "\n";
+    text += "\n" + styled(kHead, "These questions need the largest tolerance:", colour) + "\n";
     for (const InTheWay& one : questions) text += fmt::format("  # {}\n  {}\n", one.what, one.question);
   }
   if (report.repeats) listed("Asked again", report.repeats->lines());

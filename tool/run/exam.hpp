@@ -37,7 +37,7 @@ struct ExamKey {
 /// the terms.
 [[nodiscard]] std::string commitment_of(const std::vector<Source>& sources, const ExamTerms& terms);
 
-/// The one line that an examiner publishes before there are answers. Whoever has it can hold a certificate against it.
+/// The one line that an examiner publishes before there are answers. Anybody who has it can compare a certificate with it.
 [[nodiscard]] std::string published_line(const std::string& commitment, const std::string& questions);
 /// What such a line says. Throws formats::InputError where it is none.
 struct PublishedLine {

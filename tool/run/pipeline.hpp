@@ -69,12 +69,12 @@ struct Stop {
   void check() const;
 };
 
-/// Which questions are asked of all oracles, and not only of the first stage that can prove its answer.
+/// Which questions are asked of all oracles, and not only of the quickest stage that can prove its answer.
 enum class Check { sample, all };
 inline constexpr std::array<std::string_view, 2> kCheckNames{"sample", "all"};
 
 // A sample has every question of a source of up to kWhole; of a larger one, and of fresh questions, those whose id,
-// which is a digest, says so: one in kOneIn of what the first stage decided, one in kHardOneIn of what it passed on.
+// which is a digest, says so: one in kOneIn of what the double-double stage decided, one in kHardOneIn of what it passed on.
 inline constexpr std::uint64_t kWhole = 4096;
 inline constexpr unsigned kOneIn = 1024;
 inline constexpr unsigned kHardOneIn = 16;

@@ -485,7 +485,7 @@ TEST(Verdict, SaysWhereOneAnswerWouldHaveBeenRightThroughout) {
   Report report;
   family.cases = 1;
   report.families.push_back(family);
-  EXPECT_NE(report.sentence().find("An engine that always says hit decides all of it right."), std::string::npos)
+  EXPECT_NE(report.sentence().find("An engine that always says hit decides every question right."), std::string::npos)
       << report.sentence();
 }
 
