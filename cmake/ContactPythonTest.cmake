@@ -1,6 +1,6 @@
 # The tests written in Python, unittest's, and whatever else may be skipped.
 
-# One Python for all: the first on the path that has the packages of cmake/packages.txt. One that is not the system's does not see them.
+# One Python for all: the first on the path that has the packages of cmake/build-packages.txt. One that is not the system's does not see them.
 function(contact_has_packages result python)
   execute_process(COMMAND ${python} -c "import h5py, jsonschema, yaml" RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
   if(failed)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What ./run does before it installs packages, with an apt-get that only writes down what it is told:   packages_test.py"""
+"""What ./run does before it installs packages and before it builds, with programs that only write down what they are told:   packages_test.py"""
 import os
 import shutil
 import subprocess
@@ -28,6 +28,7 @@ class Packages(unittest.TestCase):
         shutil.copy(ROOT / "run", self.folder)
         (self.folder / "cmake").mkdir()
         (self.folder / "cmake" / "packages.txt").write_text("# the list\nalpha\nbeta  # why\n")
+        (self.folder / "cmake" / "build-packages.txt").write_text("# for tests\ngamma\n")
         (self.folder / "bin").mkdir()
         self.told = self.folder / "told.txt"
         self.program("apt-get", TOLD.format(told=self.told) + SIZES)
@@ -50,12 +51,39 @@ class Packages(unittest.TestCase):
     def test_what_is_missing_and_how_large_it_is_is_said_before_it_is_installed(self):
         said, told = self.prove(0)
         self.assertEqual(said.splitlines()[:4], [
-            "contact-oracle needs these packages: beta coq libcoq-flocq libcoq-gappa", "  12 newly installed",
+            "contact-oracle needs these packages: beta coq gappa libcoq-flocq libcoq-gappa", "  12 newly installed",
             "  Need to get 34.5 MB/40.1 MB of archives.", "  After this operation, 210 MB of additional disk space will be used."])
         self.assertEqual([next(word for word in one.split() if word in ("update", "--print-uris", "-qq")) for one in told],
                          ["update", "--print-uris", "-qq"])
         self.assertIn("install", told[2].split())
         self.assertNotIn("alpha", " ".join(told))
+
+    def built(self, command, units=40):
+        """What is installed, how CMake is called, and what is said, where ./run builds so many units."""
+        cache = 'echo "CONTACT_TESTS:BOOL=OFF" > build/release/CMakeCache.txt'
+        for name, text in {"id": "echo 0", "apt-get": f'echo "$@" >> "{self.told}"', "cmake": f'echo "cmake $@" >> "{self.told}"; {cache}',
+                           "ninja": f'for i in $(seq {units}); do echo "g++ -O1 -o $i.o -c $i.cpp"; done', "nproc": "echo 2"}.items():
+            self.program(name, f"#!/bin/sh\n{text}\n")
+        (self.folder / "build/release").mkdir(parents=True, exist_ok=True)
+        self.told.unlink(missing_ok=True)
+        done = subprocess.run([self.folder / "run", command], stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=60,
+                              env={**os.environ, "PATH": f"{self.folder / 'bin'}:/usr/bin:/bin"})
+        told = self.told.read_text().splitlines()
+        installed = next(line for line in told if line.startswith("install")).split()
+        return {name for name in ("beta", "gamma") if name in installed}, [line for line in told if line.startswith("cmake")], done.stderr
+
+    def test_the_program_alone_is_built_without_the_tests_and_what_these_need(self):
+        installed, cmake, said = self.built("certify")
+        self.assertEqual((installed, cmake), ({"beta"}, ["cmake --preset release -DCONTACT_TESTS=OFF"]))
+        self.assertRegex(said, r"(?m)^building contact-oracle: about 5 processor minutes, by the clock 3$")
+        # Once the program is built the tests are configured all the same.
+        (self.folder / "build/release/build.ninja").touch()
+        installed, cmake, said = self.built("build")
+        self.assertEqual((installed, cmake), ({"beta", "gamma"}, ["cmake --preset release -DCONTACT_TESTS=ON"]))
+        self.assertIn("building all: about 5 processor minutes", said)
+
+    def test_a_build_of_moments_is_not_announced(self):
+        self.assertNotIn("processor minutes", self.built("certify", 2)[2])
 
     def test_nothing_waits_for_an_answer(self):
         self.program("sudo", TOLD.format(told=self.told) + 'while [ "$1" != apt-get ] && [ $# -gt 0 ]; do shift; done\n[ $# -eq 0 ] || exec "$@"\n')
@@ -74,7 +102,7 @@ class Packages(unittest.TestCase):
         self.program("sudo", f'{TOLD.format(told=self.told)}exit 1\n')
         said, told = self.prove(1000)
         self.assertEqual(told, ["sudo -n true"])
-        self.assertIn("sudo apt-get install --no-install-recommends beta coq libcoq-flocq libcoq-gappa", said)
+        self.assertIn("sudo apt-get install --no-install-recommends beta coq gappa libcoq-flocq libcoq-gappa", said)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 #include "golden/capsules.hpp"
 
 namespace contact::golden {
+namespace capsule_capsule_families {
 namespace {
 
 constexpr Pair kPair = Pair::capsule_capsule;
@@ -95,7 +96,8 @@ constexpr std::array kFamilies{
 };
 
 }  // namespace
+}  // namespace capsule_capsule_families
 
-std::span<const Family> families_of(const Capsules* /*kind*/) { return kFamilies; }
+std::span<const Family> families_of(const Capsules* /*kind*/) { return capsule_capsule_families::kFamilies; }
 
 }  // namespace contact::golden

@@ -2,6 +2,7 @@
 #include "golden/planes.hpp"
 
 namespace contact::golden {
+namespace capsule_plane_families {
 namespace {
 
 constexpr Pair kPair = Pair::capsule_plane;
@@ -59,7 +60,8 @@ constexpr std::array kFamilies{
 };
 
 }  // namespace
+}  // namespace capsule_plane_families
 
-std::span<const Family> families_of(const CapsuleAndPlane* /*kind*/) { return kFamilies; }
+std::span<const Family> families_of(const CapsuleAndPlane* /*kind*/) { return capsule_plane_families::kFamilies; }
 
 }  // namespace contact::golden

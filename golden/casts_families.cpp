@@ -5,6 +5,7 @@
 #include "golden/segments.hpp"
 
 namespace contact::golden {
+namespace casts_families {
 namespace {
 
 using Integers = Triple<std::int64_t>;
@@ -541,11 +542,12 @@ std::span<const Family> families() {
 }
 
 }  // namespace
+}  // namespace casts_families
 
-std::span<const Family> families_of(const CastAt<Ball>* /*kind*/) { return families<Pair::cast_sphere>(); }
-std::span<const Family> families_of(const CastAt<Box>* /*kind*/) { return families<Pair::cast_cube>(); }
-std::span<const Family> families_of(const CastAt<Capsule>* /*kind*/) { return families<Pair::cast_capsule>(); }
-std::span<const Family> families_of(const CastAt<Triangle>* /*kind*/) { return families<Pair::cast_triangle>(); }
-std::span<const Family> families_of(const CastAt<Plane>* /*kind*/) { return families<Pair::cast_plane>(); }
+std::span<const Family> families_of(const CastAt<Ball>* /*kind*/) { return casts_families::families<Pair::cast_sphere>(); }
+std::span<const Family> families_of(const CastAt<Box>* /*kind*/) { return casts_families::families<Pair::cast_cube>(); }
+std::span<const Family> families_of(const CastAt<Capsule>* /*kind*/) { return casts_families::families<Pair::cast_capsule>(); }
+std::span<const Family> families_of(const CastAt<Triangle>* /*kind*/) { return casts_families::families<Pair::cast_triangle>(); }
+std::span<const Family> families_of(const CastAt<Plane>* /*kind*/) { return casts_families::families<Pair::cast_plane>(); }
 
 }  // namespace contact::golden

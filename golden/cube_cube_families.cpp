@@ -7,6 +7,7 @@
 #include "golden/making.hpp"
 
 namespace contact::golden {
+namespace cube_cube_families {
 namespace {
 
 /// A question in the file's scalar; widening it to double is exact.
@@ -286,7 +287,8 @@ constexpr std::array kFamilies{
 };
 
 }  // namespace
+}  // namespace cube_cube_families
 
-std::span<const Family> families_of(const Boxes* /*kind*/) { return kFamilies; }
+std::span<const Family> families_of(const Boxes* /*kind*/) { return cube_cube_families::kFamilies; }
 
 }  // namespace contact::golden

@@ -2,6 +2,7 @@
 #include "golden/capsules.hpp"
 
 namespace contact::golden {
+namespace ray_sphere_families {
 namespace {
 
 constexpr Pair kPair = Pair::ray_sphere;
@@ -52,7 +53,8 @@ constexpr std::array kFamilies{
 };
 
 }  // namespace
+}  // namespace ray_sphere_families
 
-std::span<const Family> families_of(const RayAndBall* /*kind*/) { return kFamilies; }
+std::span<const Family> families_of(const RayAndBall* /*kind*/) { return ray_sphere_families::kFamilies; }
 
 }  // namespace contact::golden

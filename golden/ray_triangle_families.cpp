@@ -2,6 +2,7 @@
 #include "golden/crossings.hpp"
 
 namespace contact::golden {
+namespace ray_triangle_families {
 namespace {
 
 constexpr Pair kPair = Pair::ray_triangle;
@@ -47,7 +48,8 @@ constexpr std::array kFamilies{
 };
 
 }  // namespace
+}  // namespace ray_triangle_families
 
-std::span<const Family> families_of(const RayAndTriangle* /*kind*/) { return kFamilies; }
+std::span<const Family> families_of(const RayAndTriangle* /*kind*/) { return ray_triangle_families::kFamilies; }
 
 }  // namespace contact::golden

@@ -2,6 +2,7 @@
 #include "golden/capsules.hpp"
 
 namespace contact::golden {
+namespace sphere_capsule_families {
 namespace {
 
 constexpr Pair kPair = Pair::sphere_capsule;
@@ -57,7 +58,8 @@ constexpr std::array kFamilies{
 };
 
 }  // namespace
+}  // namespace sphere_capsule_families
 
-std::span<const Family> families_of(const BallAndCapsule* /*kind*/) { return kFamilies; }
+std::span<const Family> families_of(const BallAndCapsule* /*kind*/) { return sphere_capsule_families::kFamilies; }
 
 }  // namespace contact::golden

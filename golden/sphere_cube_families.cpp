@@ -2,6 +2,7 @@
 #include "golden/making.hpp"
 
 namespace contact::golden {
+namespace sphere_cube_families {
 namespace {
 
 template <class Real>
@@ -420,7 +421,8 @@ constexpr std::array kFamilies{
 };
 
 }  // namespace
+}  // namespace sphere_cube_families
 
-std::span<const Family> families_of(const BallAndBox* /*kind*/) { return kFamilies; }
+std::span<const Family> families_of(const BallAndBox* /*kind*/) { return sphere_cube_families::kFamilies; }
 
 }  // namespace contact::golden

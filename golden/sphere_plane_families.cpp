@@ -2,6 +2,7 @@
 #include "golden/planes.hpp"
 
 namespace contact::golden {
+namespace sphere_plane_families {
 namespace {
 
 constexpr Pair kPair = Pair::sphere_plane;
@@ -47,7 +48,8 @@ constexpr std::array kFamilies{
 };
 
 }  // namespace
+}  // namespace sphere_plane_families
 
-std::span<const Family> families_of(const BallAndPlane* /*kind*/) { return kFamilies; }
+std::span<const Family> families_of(const BallAndPlane* /*kind*/) { return sphere_plane_families::kFamilies; }
 
 }  // namespace contact::golden

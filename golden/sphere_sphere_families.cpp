@@ -13,6 +13,7 @@
 #include "golden/making.hpp"
 
 namespace contact::golden {
+namespace sphere_sphere_families {
 namespace {
 
 /// A question in the file's scalar; widening it to double is exact. Only + - * / sqrt and scaling by powers of two make
@@ -702,7 +703,8 @@ constexpr std::array kFamilies{
 };
 
 }  // namespace
+}  // namespace sphere_sphere_families
 
-std::span<const Family> families_of(const Balls* /*kind*/) { return kFamilies; }
+std::span<const Family> families_of(const Balls* /*kind*/) { return sphere_sphere_families::kFamilies; }
 
 }  // namespace contact::golden

@@ -2,6 +2,7 @@
 #include "golden/triangles.hpp"
 
 namespace contact::golden {
+namespace sphere_triangle_families {
 namespace {
 
 constexpr std::array kFamilies{
@@ -51,7 +52,8 @@ constexpr std::array kFamilies{
 };
 
 }  // namespace
+}  // namespace sphere_triangle_families
 
-std::span<const Family> families_of(const BallAndTriangle* /*kind*/) { return kFamilies; }
+std::span<const Family> families_of(const BallAndTriangle* /*kind*/) { return sphere_triangle_families::kFamilies; }
 
 }  // namespace contact::golden

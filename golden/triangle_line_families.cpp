@@ -2,6 +2,7 @@
 #include "golden/crossings.hpp"
 
 namespace contact::golden {
+namespace triangle_line_families {
 namespace {
 
 constexpr Pair kPair = Pair::triangle_line;
@@ -46,7 +47,8 @@ constexpr std::array kFamilies{
 };
 
 }  // namespace
+}  // namespace triangle_line_families
 
-std::span<const Family> families_of(const TriangleAndLine* /*kind*/) { return kFamilies; }
+std::span<const Family> families_of(const TriangleAndLine* /*kind*/) { return triangle_line_families::kFamilies; }
 
 }  // namespace contact::golden

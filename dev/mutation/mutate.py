@@ -77,7 +77,7 @@ COMPONENTS = {
                "oracle/truth/double_double_oracle.cpp",
                "oracle/truth/exact.cpp", "oracle/truth/exact.hpp", "oracle/truth/exact_truth.cpp", "oracle/truth/exact_truth.hpp",
                "oracle/truth/expectation.hpp", "oracle/truth/grid.hpp", "oracle/truth/interval.hpp", "oracle/truth/interval_oracle.cpp",
-               "oracle/truth/query.hpp", "oracle/truth/quick_witness.cpp", "oracle/truth/sphere_cube.cpp",
+               "oracle/truth/query.cpp", "oracle/truth/query.hpp", "oracle/truth/quick_witness.cpp", "oracle/truth/sphere_cube.cpp",
                "oracle/truth/sphere_cube_double_double.cpp", "oracle/truth/sphere_cube_interval.cpp", "oracle/truth/sphere_cube_witness.cpp",
                "oracle/truth/sphere_sphere.cpp",
                "oracle/truth/sphere_sphere_double_double.cpp", "oracle/truth/sphere_sphere_interval.cpp",

@@ -13,7 +13,6 @@ namespace contact::oracle {
 namespace casts {
 namespace {
 
-int sign_of(const Interval& x) { return settled(x.sign()); }
 const RoundedAnswer kMiss{1, 1, {}};
 
 /// A ray, and how its answer is rounded.

@@ -119,6 +119,7 @@ T settled(const std::optional<T>& answer) {
   if (!answer) throw Undecided{};
   return *answer;
 }
+[[nodiscard]] inline int sign_of(const Interval& x) { return settled(x.sign()); }
 
 using Triple = std::array<Interval, 3>;
 

@@ -8,12 +8,6 @@
 #include <cstddef>
 
 namespace contact::oracle {
-namespace {
-
-int sign_of(const Interval& x) { return settled(x.sign()); }
-
-}  // namespace
-
 RoundedAnswer answer_of_crossing(const IntervalSegment& segment, const Triangle& triangle, int sign, Scalar scalar,
                                  mpfr_prec_t precision) {
   const RoundedAnswer miss{1, 1, {}};

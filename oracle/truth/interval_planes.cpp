@@ -8,12 +8,6 @@
 #include <vector>
 
 namespace contact::oracle {
-namespace {
-
-int sign(const Interval& x) { return settled(x.sign()); }
-
-}  // namespace
-
 RoundedAnswer answer_over_plane(std::initializer_list<Vector3> ends, double radius, const Plane& plane,
                                 Distances distances, Scalar scalar, mpfr_prec_t precision) {
   const auto number = [&](double x) { return Interval(precision, x); };
@@ -25,7 +19,7 @@ RoundedAnswer answer_over_plane(std::initializer_list<Vector3> ends, double radi
   std::vector<Vector3> lowest;
   for (const Vector3& end : ends) {
     const auto lies_above = [&](const Vector3& other) {
-      return sign(dot(n, triple(precision, end)) - dot(n, triple(precision, other))) > 0;
+      return sign_of(dot(n, triple(precision, end)) - dot(n, triple(precision, other))) > 0;
     };
     const auto is_same = [&](const Vector3& other) { return other == end; };
     if (std::none_of(ends.begin(), ends.end(), lies_above) && std::none_of(lowest.begin(), lowest.end(), is_same))
@@ -39,7 +33,7 @@ RoundedAnswer answer_over_plane(std::initializer_list<Vector3> ends, double radi
 
   const Interval height = dot(n, first) - offset;  // of all of them
   const Interval r = number(radius);
-  const auto side = [&](const Interval& reach) { return sign(height - reach * length); };
+  const auto side = [&](const Interval& reach) { return sign_of(height - reach * length); };
   const Interval reach = number(distances.alarm) + r;
   RoundedAnswer answer{side(reach), side(r), {}, margin_of(height / length - reach, reach, scalar)};
   answer.expected.hit = answer.at_alarm <= 0;

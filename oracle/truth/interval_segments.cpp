@@ -48,7 +48,6 @@ class Segments {
   static Triple along(const Triple& from, const Interval& t, const Triple& u, const Interval& over) {
     return {from[0] * over + t * u[0], from[1] * over + t * u[1], from[2] * over + t * u[2]};
   }
-  static int sign(const Interval& x) { return settled(x.sign()); }
   [[nodiscard]] Interval number(double x) const { return {precision_, x}; }
 
   enum class Held { at_0, at_1, free };
@@ -56,23 +55,23 @@ class Segments {
 
   /// Whether a parameter lies in 0 .. 1, and whether the gradient pushes it against the end that holds it.
   static bool is_optimal(Held held, const Interval& parameter, const Interval& over, const Interval& gradient) {
-    if (held == Held::free) return sign(parameter) >= 0 && sign(over - parameter) >= 0;
-    return held == Held::at_0 ? sign(gradient) >= 0 : sign(gradient) <= 0;
+    if (held == Held::free) return sign_of(parameter) >= 0 && sign_of(over - parameter) >= 0;
+    return held == Held::at_0 ? sign_of(gradient) >= 0 : sign_of(gradient) <= 0;
   }
 
   [[nodiscard]] std::optional<Parameters> solved(Held s, Held t) const {
     const auto at = [&](Held held) { return number(held == Held::at_1 ? 1 : 0); };
     if (s != Held::free && t != Held::free) return Parameters{at(s), at(t), number(1)};
     if (s != Held::free) {
-      if (sign(E_) == 0) return std::nullopt;
+      if (sign_of(E_) == 0) return std::nullopt;
       return Parameters{at(s) * E_, B_ * at(s) - F_, E_};
     }
     if (t != Held::free) {
-      if (sign(A_) == 0) return std::nullopt;
+      if (sign_of(A_) == 0) return std::nullopt;
       return Parameters{B_ * at(t) + C_, at(t) * A_, A_};
     }
     const Interval determinant = A_ * E_ - B_ * B_;
-    if (sign(determinant) == 0) return std::nullopt;
+    if (sign_of(determinant) == 0) return std::nullopt;
     return Parameters{C_ * E_ - B_ * F_, B_ * C_ - A_ * F_, determinant};
   }
 
@@ -88,8 +87,8 @@ class Segments {
         if (is_optimal(s, at->s, at->over, by_s) && is_optimal(t, at->t, at->over, by_t)) found.push_back(*at);
       }
     std::vector<Parameters> ends{found.front()};
-    if (sign(A_) == 0) return ends;
-    const auto order = [](const Parameters& x, const Parameters& y) { return sign(x.s * y.over - y.s * x.over); };
+    if (sign_of(A_) == 0) return ends;
+    const auto order = [](const Parameters& x, const Parameters& y) { return sign_of(x.s * y.over - y.s * x.over); };
     std::size_t low = 0;
     std::size_t high = 0;
     for (std::size_t i = 1; i < found.size(); ++i) {
@@ -100,7 +99,7 @@ class Segments {
     return {found[low], found[high]};
   }
 
-  [[nodiscard]] Triple agreed() const { return agreed_normal(cross(u_, v_), sign(A_) == 0 ? v_ : u_, precision_); }
+  [[nodiscard]] Triple agreed() const { return agreed_normal(cross(u_, v_), sign_of(A_) == 0 ? v_ : u_, precision_); }
 
   mpfr_prec_t precision_;
   Triple a_, b_, u_, v_, w_;
@@ -125,12 +124,11 @@ IntervalSegment segment_between(const Vector3& start, const Vector3& end, mpfr_p
 
 Triple agreed_normal(const Triple& across, const Triple& along, mpfr_prec_t precision) {
   const auto number = [&](double x) { return Interval(precision, x); };
-  const auto sign = [](const Interval& x) { return settled(x.sign()); };
   for (const Interval& x : across)
-    if (const int s = sign(x); s != 0) return {across[0] * number(s), across[1] * number(s), across[2] * number(s)};
+    if (const int s = sign_of(x); s != 0) return {across[0] * number(s), across[1] * number(s), across[2] * number(s)};
   const Interval length2 = dot(along, along);
-  if (sign(length2) == 0) return {number(1), number(0), number(0)};
-  if (sign(along[1]) == 0 && sign(along[2]) == 0) return {number(0), number(1), number(0)};
+  if (sign_of(length2) == 0) return {number(1), number(0), number(0)};
+  if (sign_of(along[1]) == 0 && sign_of(along[2]) == 0) return {number(0), number(1), number(0)};
   return {length2 - along[0].squared(), number(0) - along[0] * along[1], number(0) - along[0] * along[2]};
 }
 

@@ -38,14 +38,7 @@ inline constexpr auto kPairNames = [] {
 }
 /// What a pair's shapes are called together: "spheres" where both are the same, else "sphere and point". A ray that is
 /// cast is called so.
-[[nodiscard]] inline std::string shapes_of(Pair pair) {
-  return std::visit(
-      []<class A, class B>(const Two<A, B>&) {
-        const std::string first = (std::same_as<A, Cast> ? "cast " : "") + std::string(ShapeDescription<A>::kName);
-        return std::same_as<A, B> ? first + "s" : first + " and " + std::string(ShapeDescription<B>::kName);
-      },
-      description(pair).zeros());
-}
+[[nodiscard]] std::string shapes_of(Pair pair);
 
 /// The number format that answers are rounded to.
 enum class Scalar { binary32, binary64 };
@@ -82,37 +75,61 @@ struct Query {
 /// A question of a pair, every number 0: to be filled in.
 [[nodiscard]] inline Query zero_query(Pair pair) { return {pair, description(pair).zeros(), {0, 0}}; }
 
-/// Calls visit("a.center", value&, kind) for every field of a question in the canonical order: a, b, alarm, contact.
-template <class AnyQuery, class Visit>
-requires std::same_as<std::remove_const_t<AnyQuery>, Query>
-void for_each_field(AnyQuery& query, Visit&& visit) {
-  std::visit(
-      [&](auto& shapes) {
-        const auto shape = [&](const std::string& prefix, auto& s) {
-          for_each_field(
-              s, [&](const auto& field, auto& value) { visit(prefix + std::string(field.name), value, field.kind); });
-        };
-        shape("a.", shapes.a);
-        shape("b.", shapes.b);
-      },
-      query.shapes);
-  visit(std::string("alarm"), query.distances.alarm, FieldKind::length);
-  visit(std::string("contact"), query.distances.contact, FieldKind::length);
+/// A field of a question: "a." or "b." and its name, where its value stands, and what it is. Code that asks every field or number
+/// crosses here from the many kinds of shapes to three types of value, and so is compiled for these alone.
+struct QueryField {
+  std::string_view shape;
+  std::string_view name;
+  std::variant<double*, Vector3*, std::array<Vector3, 3>*> value;
+  FieldKind kind;
+};
+
+/// As many as a question can have, of which the first `size` are there.
+template <class Element, std::size_t kMost>
+struct UpTo {
+  std::array<Element, kMost> elements;
+  std::size_t size = 0;
+
+  void add(const Element& element) { elements[size++] = element; }
+  [[nodiscard]] const Element* begin() const { return elements.data(); }
+  [[nodiscard]] const Element* end() const { return elements.data() + size; }
+};
+
+/// The fields of a question in the canonical order: a, b, alarm, contact.
+[[nodiscard]] UpTo<QueryField, 8> fields_of(Query& query);
+/// Its numbers in that order.
+[[nodiscard]] UpTo<double*, 20> numbers_of(Query& query);
+
+template <class Value>
+concept AQuery = std::same_as<std::remove_const_t<Value>, Query>;
+
+/// Calls visit(field, value&) for every field of a question in the canonical order.
+template <AQuery AnyQuery, class Visit>
+void for_each_query_field(AnyQuery& query, Visit&& visit) {
+  for (const QueryField& field : fields_of(const_cast<Query&>(query)))
+    std::visit(
+        [&]<class Value>(Value* value) {
+          visit(field, static_cast<std::conditional_t<std::is_const_v<AnyQuery>, const Value&, Value&>>(*value));
+        },
+        field.value);
 }
 
-/// Calls visit(value&) for every field in that order: names take time to make.
-template <class Visit>
-void for_each_value(Query& query, Visit&& visit) {
-  const auto value_of = [&](const auto& /*field*/, auto& value) { visit(value); };
-  std::visit([&](auto& shapes) { for_each_field(shapes.a, value_of), for_each_field(shapes.b, value_of); },
-             query.shapes);
-  visit(query.distances.alarm);
-  visit(query.distances.contact);
+/// Calls visit("a.center", value&, kind) for every field.
+template <AQuery AnyQuery, class Visit>
+void for_each_field(AnyQuery& query, Visit&& visit) {
+  for_each_query_field(query, [&](const QueryField& field, auto& value) {
+    visit(std::string(field.shape) + std::string(field.name), value, field.kind);
+  });
+}
+
+/// Calls visit(value&) for every field: names take time to make.
+template <AQuery AnyQuery, class Visit>
+void for_each_value(AnyQuery& query, Visit&& visit) {
+  for_each_query_field(query, [&](const QueryField& /*field*/, auto& value) { visit(value); });
 }
 
 /// Calls visit("a.center[0]", number&) for every number of a question in that order.
-template <class AnyQuery, class Visit>
-requires std::same_as<std::remove_const_t<AnyQuery>, Query>
+template <AQuery AnyQuery, class Visit>
 void for_each_number(AnyQuery& query, Visit&& visit) {
   for_each_field(query, [&](const std::string& field, auto& value, FieldKind /*kind*/) {
     int k = 0;
@@ -121,32 +138,16 @@ void for_each_number(AnyQuery& query, Visit&& visit) {
 }
 
 /// The same without names, which take time to make.
-template <class Visit>
-void for_each_number_unnamed(const Query& query, Visit&& visit) {
-  std::visit([&](const auto& shapes) { for_each_number(shapes.a, visit), for_each_number(shapes.b, visit); },
-             query.shapes);
-  visit(query.distances.alarm);
-  visit(query.distances.contact);
+template <AQuery AnyQuery, class Visit>
+void for_each_number_unnamed(AnyQuery& query, Visit&& visit) {
+  for (double* number : numbers_of(const_cast<Query&>(query)))
+    visit(static_cast<std::conditional_t<std::is_const_v<AnyQuery>, const double&, double&>>(*number));
 }
 
 /// Whether every number of a question lies inside the domain.
-[[nodiscard]] inline bool inside_domain(const Query& query) {
-  const auto length = [](double x) { return is_finite_by_bits(x) && !is_less_by_bits(x, 0); };
-  return length(query.distances.alarm) && length(query.distances.contact) &&
-         std::visit([&](const auto& shapes) { return inside_domain(shapes.a) && inside_domain(shapes.b); },
-                    query.shapes);
-}
+[[nodiscard]] bool inside_domain(const Query& query);
 
 /// The first number of a question that lies outside the domain, or nothing.
-[[nodiscard]] inline std::optional<DomainError> outside_domain(const Query& query) {
-  if (inside_domain(query)) return std::nullopt;
-  return std::visit(
-      [&](const auto& shapes) -> std::optional<DomainError> {
-        if (auto error = outside_domain("a", shapes.a)) return error;
-        if (auto error = outside_domain("b", shapes.b)) return error;
-        return outside_domain(query.distances);
-      },
-      query.shapes);
-}
+[[nodiscard]] std::optional<DomainError> outside_domain(const Query& query);
 
 }  // namespace contact

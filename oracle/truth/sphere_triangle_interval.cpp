@@ -11,7 +11,6 @@
 namespace contact::oracle {
 namespace {
 
-int sign(const Interval& x) { return settled(x.sign()); }
 Triple scaled(const Interval& k, const Triple& x) { return {k * x[0], k * x[1], k * x[2]}; }
 Triple sum(const Triple& x, const Triple& y) { return {x[0] + y[0], x[1] + y[1], x[2] + y[2]}; }
 
@@ -35,7 +34,7 @@ class SeenTriangle {
         const Triple u = edge(0, 1);
         const Triple v = edge(0, 2);
         const Triple p = scaled(x.over, c_);
-        return {p, sum(p, x.p), x.over, agreed_normal(cross(u, v), sign(dot(u, u)) == 0 ? v : u, precision_), true};
+        return {p, sum(p, x.p), x.over, agreed_normal(cross(u, v), sign_of(dot(u, u)) == 0 ? v : u, precision_), true};
       }
     throw Undecided{};  // none of them is it: never with signs that are settled
   }
@@ -51,24 +50,24 @@ class SeenTriangle {
       const std::size_t next = (k + 1) % 3;
       const Triple u = edge(k, next);
       const Interval over = dot(u, u);
-      if (sign(over) == 0) continue;
+      if (sign_of(over) == 0) continue;
       const Interval towards_next = number(0) - dot(w_[k], u);
       const Interval towards_k = dot(w_[next], u);
-      if (sign(towards_next) >= 0 && sign(towards_k) >= 0)
+      if (sign_of(towards_next) >= 0 && sign_of(towards_k) >= 0)
         all.push_back({sum(scaled(towards_k, w_[k]), scaled(towards_next, w_[next])), over, k});
     }
     const Triple n = cross(edge(0, 1), edge(0, 2));
     const Interval over = dot(n, n);
-    if (sign(over) == 0) return all;
+    if (sign_of(over) == 0) return all;
     bool inside = true;
-    for (std::size_t k = 0; k < 3; ++k) inside = inside && sign(dot(n, cross(w_[k], w_[(k + 1) % 3]))) >= 0;
+    for (std::size_t k = 0; k < 3; ++k) inside = inside && sign_of(dot(n, cross(w_[k], w_[(k + 1) % 3]))) >= 0;
     if (inside) all.push_back({scaled(dot(n, w_[0]), n), over, 0});
     return all;
   }
 
   [[nodiscard]] bool is_nearest(const Candidate& x) const {
     for (std::size_t k = 0; k < 3; ++k)
-      if (sign(dot(x.p, w_[k]) - dot(x.p, w_[x.of])) < 0) return false;
+      if (sign_of(dot(x.p, w_[k]) - dot(x.p, w_[x.of])) < 0) return false;
     return true;
   }
 

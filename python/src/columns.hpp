@@ -25,19 +25,6 @@ struct OutsideDomain {
   std::string rule;
 };
 
-/// Calls visit(value&) for every field of a question in the canonical order, without their names, which take time.
-template <class AnyQuery, class Visit>
-void for_each_value(AnyQuery& query, Visit&& visit) {
-  std::visit(
-      [&](auto& shapes) {
-        for_each_field(shapes.a, [&](const auto&, auto& value) { visit(value); });
-        for_each_field(shapes.b, [&](const auto&, auto& value) { visit(value); });
-      },
-      query.shapes);
-  visit(query.distances.alarm);
-  visit(query.distances.contact);
-}
-
 /// Questions of one pair as float64 arrays of any strides: the fields of a, then of b, the alarm and the contact
 /// distance, with as many rows each. They are read in place.
 class QuestionArrays {
