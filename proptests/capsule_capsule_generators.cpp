@@ -1,31 +1,17 @@
-// Questions about two capsules, and about a sphere and a capsule.
+// Questions about two capsules; about a sphere and a capsule; and about a ray, which is such an axis, and a sphere.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "golden/segments.hpp"
 #include "proptests/generators.hpp"
 
 namespace contact::proptests {
 namespace {
 
-Query capsules_of(const std::vector<double>& x) {
-  return {Pair::capsule_capsule,
-          Capsules{{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, std::abs(x[6])},
-                   {{x[7], x[8], x[9]}, {x[10], x[11], x[12]}, std::abs(x[13])}},
-          {std::abs(x[14]), std::abs(x[15])}};
-}
-
-/// Sixteen numbers of one kind.
-rc::Gen<Query> capsules_from(rc::Gen<double> number) {
-  return rc::gen::map(numbers(16, std::move(number)), capsules_of);
-}
-
 /// The point of the range next to start + part (end - start) + off.
 Vector3 along(const Range& range, const Capsule& capsule, double part, const Vector3& off) {
-  const Vector3 point = capsule.start + part * (capsule.end - capsule.start) + off;
-  return point.unaryExpr([&](double x) { return std::isfinite(x) ? range.rounded(x) : 0.0; });
+  return range.rounded(capsule.start + part * (capsule.end - capsule.start) + off);
 }
 
 /// How the second capsule lies to the first, or the first one to a sphere that is its first end.
@@ -77,8 +63,8 @@ Query laid(const Range& range, Query query, Lying lying, int zeros, double part,
 }
 
 rc::Gen<Query> laid_out(const Range& range, rc::Gen<double> number) {
-  return rc::gen::map(rc::gen::tuple(capsules_from(std::move(number)), integer(0, 6), integer(0, 15), integer(-2, 6),
-                                     integer(1, 12), integer(-1, 1)),
+  return rc::gen::map(rc::gen::tuple(made_of(Pair::capsule_capsule, std::move(number)), integer(0, 6), integer(0, 15),
+                                     integer(-2, 6), integer(1, 12), integer(-1, 1)),
                       [range](const std::tuple<Query, int, int, int, int, int>& parts) {
                         const auto& [query, how, zeros, quarters, length, ulps] = parts;
                         return laid(range, query, static_cast<Lying>(how), zeros < 8 ? zeros : 0, quarters / 4.0,
@@ -90,25 +76,6 @@ Query as_asked(Query query, bool first_is_a_sphere) {
   if (!first_is_a_sphere) return query;
   const auto [a, b] = std::get<Capsules>(query.shapes);
   return {Pair::sphere_capsule, BallAndCapsule{{a.start, a.radius}, b}, query.distances};
-}
-
-/// The first radius is what is left of the distance as double computes it, up to 2 ulps off.
-rc::Gen<Query> nearly_touching(const Range& range, rc::Gen<double> number, bool first_is_a_sphere) {
-  return rc::gen::map(rc::gen::tuple(laid_out(range, std::move(number)), integer(-2, 2), integer(0, 2)),
-                      [range, first_is_a_sphere](const std::tuple<Query, int, int>& parts) {
-                        auto [query, ulps, second] = parts;
-                        auto& [a, b] = std::get<Capsules>(query.shapes);
-                        if (first_is_a_sphere) a.end = a.start;
-                        const auto nearest =
-                            golden::nearest_points(golden::segment_of<double>(a), golden::segment_of<double>(b));
-                        const Vector3 delta = golden::widened(nearest.q) - golden::widened(nearest.p);
-                        if (!delta.allFinite() || !std::isfinite(delta.stableNorm())) return query;
-                        const double distance = range.rounded(delta.stableNorm());
-                        b.radius = range.rounded(second * distance / 4);
-                        a.radius = std::max(0.0, range.moved(range.rounded(distance - b.radius), ulps));
-                        query.distances.alarm = 0;
-                        return query;
-                      });
 }
 
 /// Capsules that reach each other exactly, at alarm 0 or by an alarm distance: axes at right angles to a quadruple,
@@ -138,30 +105,46 @@ rc::Gen<Query> exactly_touching(const Range& range, bool first_is_a_sphere) {
       });
 }
 
-}  // namespace
-
-rc::Gen<Query> capsule_queries(const Range& range, bool first_is_a_sphere) {
-  const auto near = [&](rc::Gen<double> number) {
-    return nearly_touching(range, std::move(number), first_is_a_sphere);
-  };
-  const auto all = rc::gen::weightedOneOf<Query>({{1, capsules_from(any_number(range))},
-                                                  {1, capsules_from(any_bits(range))},
-                                                  {1, capsules_from(subnormal(range))},
-                                                  {1, capsules_from(extreme(range))},
-                                                  {1, capsules_from(huge(range))},
-                                                  {1, capsules_from(ordinary(range))},
-                                                  {2, capsules_from(small_dyadic(range))},
-                                                  {2, laid_out(range, any_number(range))},
-                                                  {2, laid_out(range, ordinary(range))},
-                                                  {4, laid_out(range, small_dyadic(range))},
-                                                  {1, near(any_bits(range))},
-                                                  {1, near(subnormal(range))},
-                                                  {2, exactly_touching(range, first_is_a_sphere)},
-                                                  {3, near(small_dyadic(range))},
-                                                  {3, near(ordinary(range))}});
-  return rc::gen::map(all, [first_is_a_sphere](const Query& query) { return as_asked(query, first_is_a_sphere); });
+/// `exponent` moves powers of two from the direction to the length.
+Query along_axis(const Range& range, const Query& query, int exponent) {
+  const auto& [ball, capsule] = std::get<BallAndCapsule>(query.shapes);
+  const double times = std::ldexp(1.0, exponent);
+  Vector3 direction = (capsule.end - capsule.start) / times;
+  for (double& x : direction) x = std::isfinite(x) ? range.rounded(x) : range.rounded(1);
+  const bool none = direction.isZero(0);
+  if (none) direction = Vector3(1, 2, -2);
+  const double radius = range.rounded(ball.radius + capsule.radius);
+  return {Pair::ray_sphere,
+          RayAndBall{{capsule.start, direction, none ? 0 : times}, {ball.center, std::isfinite(radius) ? radius : 1}},
+          query.distances};
 }
 
+/// Of two capsules, or of a sphere that is the first start and a capsule.
+rc::Gen<Query> capsule_queries(const Range& range, bool first_is_a_sphere) {
+  const auto asked = [&](rc::Gen<Query> gen) {
+    return rc::gen::map(std::move(gen),
+                        [first_is_a_sphere](const Query& query) { return as_asked(query, first_is_a_sphere); });
+  };
+  return at_every_scale(
+      first_is_a_sphere ? Pair::sphere_capsule : Pair::capsule_capsule, range,
+      [&](rc::Gen<double> number) { return asked(laid_out(range, std::move(number))); },
+      asked(exactly_touching(range, first_is_a_sphere)));
+}
+
+}  // namespace
+
 rc::Gen<Query> queries(const Capsules* /*kind*/, const Range& range) { return capsule_queries(range, false); }
+rc::Gen<Query> queries(const BallAndCapsule* /*kind*/, const Range& range) { return capsule_queries(range, true); }
+
+rc::Gen<Query> queries(const RayAndBall* /*kind*/, const Range& range) {
+  const auto of_axes = rc::gen::map(
+      rc::gen::pair(capsule_queries(range, true), integer(-3, 3)),
+      [range](const std::pair<Query, int>& parts) { return along_axis(range, parts.first, parts.second); });
+  return rc::gen::weightedOneOf<Query>({{8, of_axes},
+                                        {1, made_of(Pair::ray_sphere, any_number(range))},
+                                        {1, made_of(Pair::ray_sphere, any_bits(range))},
+                                        {1, made_of(Pair::ray_sphere, ordinary(range))},
+                                        {2, made_of(Pair::ray_sphere, small_dyadic(range))}});
+}
 
 }  // namespace contact::proptests

@@ -3,26 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "golden/plain_planes.hpp"
 #include "proptests/generators.hpp"
 
 namespace contact::proptests {
 namespace {
-
-Query any_over_plane(const std::vector<double>& x) {
-  Vector3 normal(x[7], x[8], x[9]);
-  if (normal.isZero(0)) normal[2] = 1;
-  return {Pair::capsule_plane,
-          CapsuleAndPlane{{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, std::abs(x[6])}, {normal, x[10]}},
-          {std::abs(x[11]), std::abs(x[12])}};
-}
-rc::Gen<Query> plane_from(rc::Gen<double> number) {
-  return rc::gen::map(numbers(13, std::move(number)), any_over_plane);
-}
-
-Vector3 finite_in(const Range& range, const Vector3& v) {
-  return v.unaryExpr([&](double x) { return std::isfinite(x) ? range.rounded(x) : 0.0; });
-}
 
 /// What is exact for small integers is nearly so for other numbers. The plane goes through the start of the axis, or
 /// is moved from there by a multiple of the normal's length as plain arithmetic has it; the axis goes along it or not.
@@ -35,7 +19,7 @@ Query laid_over(const Range& range, Query query, LyingOverPlane lying, int axis,
     b.normal[axis] = size == 0 ? 1 : size;
   }
   if (lying == LyingOverPlane::along || lying == LyingOverPlane::nearly_along) {
-    a.end = finite_in(range, a.start + finite_in(range, b.normal.cross(a.end)));
+    a.end = range.rounded(a.start + range.rounded(b.normal.cross(a.end)));
     if (axis < 3) a.end[axis] = a.start[axis];
   }
   if (lying == LyingOverPlane::nearly_along) a.end[ulps & 1] = range.moved(a.end[ulps & 1], ulps < 0 ? -1 : 1);
@@ -48,27 +32,13 @@ Query laid_over(const Range& range, Query query, LyingOverPlane lying, int axis,
   return query;
 }
 rc::Gen<Query> laid_over_plane(const Range& range, rc::Gen<double> number, bool is_a_sphere) {
-  return rc::gen::map(
-      rc::gen::tuple(plane_from(std::move(number)), integer(0, 3), integer(0, 5), integer(-4, 12), integer(-1, 1)),
-      [range, is_a_sphere](const std::tuple<Query, int, int, int, int>& parts) {
-        const auto& [query, how, axis, height, ulps] = parts;
-        const auto lying = is_a_sphere ? LyingOverPlane::without_length : static_cast<LyingOverPlane>(how);
-        return laid_over(range, query, lying, axis, height, ulps);
-      });
-}
-
-/// The radius is the height as double computes it, up to 2 ulps off.
-rc::Gen<Query> nearly_touching_plane(const Range& range, rc::Gen<double> number, bool is_a_sphere) {
-  return rc::gen::map(rc::gen::pair(laid_over_plane(range, std::move(number), is_a_sphere), integer(-2, 2)),
-                      [range, is_a_sphere](const std::pair<Query, int>& parts) {
-                        Query query = parts.first;
-                        auto& [a, b] = std::get<CapsuleAndPlane>(query.shapes);
-                        if (is_a_sphere) a.end = a.start;
-                        const double s = golden::OverPlainPlane<double>(golden::segment_of<double>(a), b).s;
-                        if (!std::isfinite(s)) return query;
-                        a.radius = std::max(0.0, range.moved(range.rounded(s), parts.second));
-                        query.distances.alarm = 0;
-                        return query;
+  return rc::gen::map(rc::gen::tuple(made_of(Pair::capsule_plane, std::move(number)), integer(0, 3), integer(0, 5),
+                                     integer(-3, 12), integer(-1, 1)),
+                      [range, is_a_sphere](const std::tuple<Query, int, int, int, int>& parts) {
+                        const auto& [query, how, axis, height, ulps] = parts;
+                        const auto lying =
+                            is_a_sphere ? LyingOverPlane::without_length : static_cast<LyingOverPlane>(how);
+                        return laid_over(range, query, lying, axis, height, ulps);
                       });
 }
 
@@ -101,30 +71,20 @@ Query as_asked_of_plane(Query query, bool is_a_sphere) {
   return {Pair::sphere_plane, BallAndPlane{{end_is_lower ? a.end : a.start, a.radius}, b}, query.distances};
 }
 
-}  // namespace
-
 rc::Gen<Query> plane_queries(const Range& range, bool is_a_sphere) {
-  const auto near = [&](rc::Gen<double> number) {
-    return nearly_touching_plane(range, std::move(number), is_a_sphere);
+  const auto asked = [&](rc::Gen<Query> gen) {
+    return rc::gen::map(std::move(gen),
+                        [is_a_sphere](const Query& query) { return as_asked_of_plane(query, is_a_sphere); });
   };
-  const auto all = rc::gen::weightedOneOf<Query>({{1, plane_from(any_number(range))},
-                                                  {1, plane_from(any_bits(range))},
-                                                  {1, plane_from(subnormal(range))},
-                                                  {1, plane_from(extreme(range))},
-                                                  {1, plane_from(huge(range))},
-                                                  {1, plane_from(ordinary(range))},
-                                                  {2, plane_from(small_dyadic(range))},
-                                                  {2, laid_over_plane(range, any_number(range), is_a_sphere)},
-                                                  {2, laid_over_plane(range, ordinary(range), is_a_sphere)},
-                                                  {4, laid_over_plane(range, small_dyadic(range), is_a_sphere)},
-                                                  {1, near(any_bits(range))},
-                                                  {1, near(subnormal(range))},
-                                                  {3, exactly_touching_plane(range)},
-                                                  {3, near(small_dyadic(range))},
-                                                  {3, near(ordinary(range))}});
-  return rc::gen::map(all, [is_a_sphere](const Query& query) { return as_asked_of_plane(query, is_a_sphere); });
+  return at_every_scale(
+      is_a_sphere ? Pair::sphere_plane : Pair::capsule_plane, range,
+      [&](rc::Gen<double> number) { return asked(laid_over_plane(range, std::move(number), is_a_sphere)); },
+      asked(exactly_touching_plane(range)));
 }
 
+}  // namespace
+
 rc::Gen<Query> queries(const CapsuleAndPlane* /*kind*/, const Range& range) { return plane_queries(range, false); }
+rc::Gen<Query> queries(const BallAndPlane* /*kind*/, const Range& range) { return plane_queries(range, true); }
 
 }  // namespace contact::proptests

@@ -139,13 +139,10 @@ Questions size_grown(const Trial& trial, const Subject& subject) {
 Questions across_a_common_edge(const Trial& trial, const Subject& subject) {
   const auto& [drawn, one] = std::get<CastAt<Triangle>>(trial.query.shapes);
   const auto& v = one.vertices;
-  const auto in_range = [&](const Vector3& x) -> Vector3 {
-    return x.unaryExpr([&](double y) { return std::isfinite(y) ? subject.range.rounded(y) : 0.0; });
-  };
   // The other triangle lies opposite; the ray goes through the edge, as near as it can.
-  const Triangle other{{v[1], v[0], in_range(v[0] + v[1] - v[2])}};
+  const Triangle other{{v[1], v[0], subject.range.rounded(v[0] + v[1] - v[2])}};
   Cast ray = drawn;
-  ray.direction = in_range(v[0] + (1 + trial.change.choice % 7) / 8.0 * (v[1] - v[0]) - ray.origin);
+  ray.direction = subject.range.rounded(v[0] + (1 + trial.change.choice % 7) / 8.0 * (v[1] - v[0]) - ray.origin);
   ray.length = 2;
   // Thin triangles, and rays along them, have no room on either side of the edge.
   for (const Triangle& triangle : {one, other}) {

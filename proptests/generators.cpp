@@ -9,6 +9,7 @@
 #include <string>
 #include <tuple>
 
+#include "contact/pair_functions.hpp"
 #include "golden/dataset.hpp"
 #include "golden/families.hpp"
 #include "oracle/truth/exact.hpp"
@@ -77,6 +78,10 @@ bool Range::contains(const Query& query) const {
 double Range::rounded(double x) const {
   const double finite = std::clamp(x, -largest(scalar), largest(scalar));
   return scalar == Scalar::binary32 ? static_cast<double>(static_cast<float>(finite)) : finite;
+}
+
+Vector3 Range::rounded(const Vector3& v) const {
+  return v.unaryExpr([&](double x) { return std::isfinite(x) ? rounded(x) : 0.0; });
 }
 
 double Range::fitted(double x) const {
@@ -165,6 +170,83 @@ rc::Gen<double> ordinary(const Range& range) {
 rc::Gen<double> any_number(const Range& range) {
   return rc::gen::oneOf(any_bits(range), subnormal(range), extreme(range), huge(range), small_dyadic(range),
                         beside_dyadic(range), ordinary(range));
+}
+
+Query query_of(Pair pair, const std::vector<double>& numbers) {
+  Query query = zero_query(pair);
+  std::size_t k = 0;
+  for_each_field(query, [&](const std::string& /*field*/, auto& value, FieldKind kind) {
+    for_each_number_in(value, [&](double& x) {
+      x = k < numbers.size() ? numbers[k++] : 0;
+      if (kind == FieldKind::length) x = std::abs(x);
+    });
+    for_each_vector(value, [&](Vector3& v) {
+      if (kind == FieldKind::direction && v.isZero(0)) v = Vector3(1, 2, -2);
+    });
+  });
+  const auto put_in_order = []<class Shape>(Shape& shape) {
+    if constexpr (std::same_as<Shape, Box>) shape = {shape.min.cwiseMin(shape.max), shape.min.cwiseMax(shape.max)};
+  };
+  std::visit([&](auto& shapes) { put_in_order(shapes.a), put_in_order(shapes.b); }, query.shapes);
+  return query;
+}
+
+rc::Gen<Query> made_of(Pair pair, rc::Gen<double> number) {
+  std::size_t count = 0;
+  const Query zeros = zero_query(pair);
+  for_each_number(zeros, [&](const std::string&, double) { ++count; });
+  if (!has_numbers(pair)) --count;  // no contact distance, which says nothing there
+  return rc::gen::map(numbers(count, std::move(number)),
+                      [pair](const std::vector<double>& drawn) { return query_of(pair, drawn); });
+}
+
+std::vector<double*> radii_of(Query& query) {
+  std::vector<double*> radii;
+  const auto add = [&](auto& shape) {
+    if constexpr (requires { shape.radius; }) radii.push_back(&shape.radius);
+  };
+  std::visit([&](auto& shapes) { add(shapes.a), add(shapes.b); }, query.shapes);
+  return radii;
+}
+
+rc::Gen<Query> nearly_touching(const Range& range, rc::Gen<Query> laid) {
+  return rc::gen::map(rc::gen::tuple(std::move(laid), integer(-2, 2), integer(0, 2), integer(0, 1)),
+                      [range](const std::tuple<Query, int, int, int>& parts) {
+                        auto [query, ulps, quarters, by_alarm] = parts;
+                        Query cores = query;
+                        for (double* radius : radii_of(cores)) *radius = 0;
+                        cores.distances = {std::numeric_limits<double>::max(), 0};
+                        const auto contact = std::visit(
+                            [&](const auto& shapes) { return contact_of(shapes, cores.distances); }, cores.shapes);
+                        if (!contact || !std::isfinite(contact->value)) return query;
+                        const double distance = range.rounded(std::max(0.0, contact->value));
+                        const double part = range.rounded(quarters * distance / 4);
+                        const std::vector<double*> radii = radii_of(query);
+                        query.distances.alarm = 0;
+                        *radii.back() = 0;
+                        (by_alarm == 1 || radii.size() == 1 ? query.distances.alarm : *radii.back()) = part;
+                        *radii.front() = std::max(0.0, range.moved(range.rounded(distance - part), ulps));
+                        return query;
+                      });
+}
+
+rc::Gen<Query> at_every_scale(Pair pair, const Range& range, const LaidOut& laid, rc::Gen<Query> touching) {
+  const auto near = [&](rc::Gen<double> number) { return nearly_touching(range, laid(std::move(number))); };
+  return rc::gen::weightedOneOf<Query>({{1, made_of(pair, any_number(range))},
+                                        {1, made_of(pair, any_bits(range))},
+                                        {1, made_of(pair, subnormal(range))},
+                                        {1, made_of(pair, extreme(range))},
+                                        {1, made_of(pair, huge(range))},
+                                        {1, made_of(pair, ordinary(range))},
+                                        {2, made_of(pair, small_dyadic(range))},
+                                        {2, laid(any_number(range))},
+                                        {2, laid(ordinary(range))},
+                                        {4, laid(small_dyadic(range))},
+                                        {1, near(any_bits(range))},
+                                        {1, near(subnormal(range))},
+                                        {2, std::move(touching)},
+                                        {3, near(small_dyadic(range))},
+                                        {3, near(ordinary(range))}});
 }
 
 rc::Gen<Query> queries(Pair pair, const Range& range) {

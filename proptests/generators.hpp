@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <iosfwd>
 #include <limits>
 #include <optional>
@@ -32,6 +33,8 @@ struct Range {
   [[nodiscard]] bool contains(const Query& query) const;
   /// x rounded to the scalar, at most the largest finite number.
   [[nodiscard]] double rounded(double x) const;
+  /// The same of every coordinate; 0 in the place of what is no number.
+  [[nodiscard]] Vector3 rounded(const Vector3& v) const;
   /// The same digits in a binade of the range, rounded.
   [[nodiscard]] double fitted(double x) const;
   /// x moved by a number of ulps, never past the largest finite number.
@@ -77,15 +80,26 @@ rc::Gen<T> full_size(rc::Gen<T> gen) {
 CONTACT_KINDS(CONTACT_DECLARE)
 #undef CONTACT_DECLARE
 
+/// A question of a pair from numbers in its order: a length takes their size, a direction of 0 becomes another, and the
+/// corners of a box are put in order. Numbers that are not there are 0.
+[[nodiscard]] Query query_of(Pair pair, const std::vector<double>& numbers);
+/// Numbers of one kind, whatever they make.
+[[nodiscard]] rc::Gen<Query> made_of(Pair pair, rc::Gen<double> number);
+/// Lengths that put shapes with a distance at touching as double computes it, and up to 2 ulps off: exact decisions part
+/// from rounded ones here. The first radius is what is left of the distance by the second one, or by the alarm distance.
+[[nodiscard]] rc::Gen<Query> nearly_touching(const Range& range, rc::Gen<Query> laid);
+/// Questions made of numbers of each kind, laid out by `laid` from such numbers, and of these nearly touching; and
+/// those that touch exactly.
+using LaidOut = std::function<rc::Gen<Query>(rc::Gen<double> number)>;
+[[nodiscard]] rc::Gen<Query> at_every_scale(Pair pair, const Range& range, const LaidOut& laid,
+                                            rc::Gen<Query> touching);
+/// The radii of the shapes that have one.
+[[nodiscard]] std::vector<double*> radii_of(Query& query);
+
 /// Integers x^2 + y^2 + z^2 = d^2.
 using Quadruple = std::array<int, 4>;
 inline const std::vector<Quadruple> kQuadruples{{1, 2, 2, 3}, {2, 3, 6, 7},  {3, 4, 0, 5},  {1, 4, 8, 9},
                                                 {0, 0, 1, 1}, {2, 6, 9, 11}, {8, 9, 12, 17}};
-/// Spheres at every scale, near touching, on Pythagorean quadruples, coincident.
-[[nodiscard]] rc::Gen<Query> sphere_queries(const Range& range);
-/// The alarm distance, or the second radius where the alarm is 0, puts the pair at touching as double computes it, and
-/// up to 2 ulps off: exact decisions part from rounded ones here.
-[[nodiscard]] rc::Gen<Query> spheres_near_touching(const Range& range, rc::Gen<double> number);
 /// Pythagorean quadruples at any scale: the distance is an integer, so touching is exact and one ulp less is a miss.
 [[nodiscard]] rc::Gen<Query> spheres_on_a_quadruple(const Range& range);
 /// Coincident centres; and, unless `exactly`, centres that differ by the smallest number on one axis.
@@ -93,20 +107,8 @@ inline const std::vector<Quadruple> kQuadruples{{1, 2, 2, 3}, {2, 3, 6, 7},  {3,
 /// Spheres that reach each other exactly, in small integers times a power of two, so that plain arithmetic is exact;
 /// at alarm 0, or by a positive alarm distance.
 [[nodiscard]] rc::Gen<Query> spheres_touching(const Range& range, bool by_alarm);
-/// Two boxes whose corners are twelve of the numbers, and the thirteenth's size as the alarm distance.
-[[nodiscard]] Query boxes_of(const std::vector<double>& thirteen);
-/// Thirteen numbers of one kind.
-[[nodiscard]] rc::Gen<Query> boxes_from(rc::Gen<double> number);
-/// Boxes at every scale, near touching, flat and nested.
-[[nodiscard]] rc::Gen<Query> box_queries(const Range& range);
 /// Boxes apart by exactly the alarm distance (0 unless `by_alarm`) on one axis, on one grid of integers.
 [[nodiscard]] rc::Gen<Query> boxes_touching(const Range& range, bool by_alarm);
-/// Two capsules at every scale: one beside a feature of the other, near touching, parallel, crossing, without length.
-/// `first_is_a_sphere` takes the first start for a centre: the pair sphere_capsule.
-[[nodiscard]] rc::Gen<Query> capsule_queries(const Range& range, bool first_is_a_sphere);
-/// A capsule over a plane at every scale: near touching, along it, on it and below, without length. `is_a_sphere` takes
-/// the start for a centre: the pair sphere_plane.
-[[nodiscard]] rc::Gen<Query> plane_queries(const Range& range, bool is_a_sphere);
 /// A sphere whose centre is on the surface of a box, or inside.
 [[nodiscard]] rc::Gen<Query> sphere_on_box(const Range& range, rc::Gen<double> number);
 [[nodiscard]] rc::Gen<Query> sphere_in_box(const Range& range, rc::Gen<double> number);

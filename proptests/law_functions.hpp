@@ -7,16 +7,6 @@ namespace contact::proptests {
 
 using Questions = std::vector<Query>;
 
-/// The radii of the shapes that have one.
-[[nodiscard]] inline std::vector<double*> radii_of(Query& query) {
-  std::vector<double*> radii;
-  const auto add = [&](auto& shape) {
-    if constexpr (requires { shape.radius; }) radii.push_back(&shape.radius);
-  };
-  std::visit([&](auto& shapes) { add(shapes.a), add(shapes.b); }, query.shapes);
-  return radii;
-}
-
 // asking_laws.cpp: whether and how an engine answers.
 Questions itself(const Trial& trial, const Subject& subject);
 Questions itself_if_coincident(const Trial& trial, const Subject& subject);

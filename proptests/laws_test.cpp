@@ -746,8 +746,8 @@ TEST(Generators, for_a_law_draw_what_it_is_about) {
   const auto reaches = [](const oracle::Truth& truth) { return truth.at_alarm == oracle::Side::at; };
   const auto meets = [](const oracle::Truth& truth) { return truth.coincident(); };
   const auto is_inside = [](const oracle::Truth& truth) { return truth.degenerate() && !truth.coincident(); };
-  expect_share(spheres_near_touching(range, ordinary(range)), 30, 70, hits);
-  expect_share(spheres_near_touching(range, any_bits(range)), 30, 70, hits);
+  expect_share(nearly_touching(range, made_of(Pair::sphere_sphere, ordinary(range))), 30, 70, hits);
+  expect_share(nearly_touching(range, made_of(Pair::sphere_sphere, any_bits(range))), 30, 70, hits);
   expect_share(spheres_on_a_quadruple(range), 30, 70, hits);
   expect_share(sphere_touching_box(range, false), 95, 100, reaches);
   expect_share(sphere_touching_box(range, true), 95, 100, reaches);

@@ -9,14 +9,7 @@
 namespace contact::proptests {
 namespace {
 
-Query spheres_of(const std::vector<double>& x) {
-  return {Pair::sphere_sphere,
-          Balls{{{x[0], x[1], x[2]}, std::abs(x[3])}, {{x[4], x[5], x[6]}, std::abs(x[7])}},
-          {std::abs(x[8]), std::abs(x[9])}};
-}
-
-/// Ten numbers of one kind.
-rc::Gen<Query> spheres_from(rc::Gen<double> number) { return rc::gen::map(numbers(10, std::move(number)), spheres_of); }
+rc::Gen<Query> spheres_from(rc::Gen<double> number) { return made_of(Pair::sphere_sphere, std::move(number)); }
 
 /// Two centres a quadruple apart, on integers below 32 times a power of two.
 struct Apart {
@@ -46,27 +39,6 @@ rc::Gen<Apart> apart(const Range& range, int highest) {
 }
 
 }  // namespace
-
-rc::Gen<Query> spheres_near_touching(const Range& range, rc::Gen<double> number) {
-  return rc::gen::map(rc::gen::tuple(spheres_from(std::move(number)), integer(-2, 2), integer(0, 1)),
-                      [range](const std::tuple<Query, int, int>& parts) {
-                        auto [query, ulps, by_alarm] = parts;
-                        auto& [a, b] = std::get<Balls>(query.shapes);
-                        const Vector3 delta = b.center - a.center;
-                        const double distance = range.rounded(delta.stableNorm());
-                        if (!delta.allFinite() || !std::isfinite(delta.stableNorm())) return query;
-                        if (a.radius > distance) a.radius = range.rounded(distance / 2);
-                        if (by_alarm == 0) {
-                          query.distances.alarm = 0;
-                          b.radius = std::max(0.0, range.moved(range.rounded(distance - a.radius), ulps));
-                        } else {
-                          b.radius = std::min(b.radius, range.rounded((distance - a.radius) / 2));
-                          query.distances.alarm =
-                              std::max(0.0, range.moved(range.rounded(distance - (a.radius + b.radius)), ulps));
-                        }
-                        return query;
-                      });
-}
 
 rc::Gen<Query> spheres_on_a_quadruple(const Range& range) {
   return rc::gen::map(
@@ -106,7 +78,8 @@ rc::Gen<Query> spheres_touching(const Range& range, bool by_alarm) {
   });
 }
 
-rc::Gen<Query> sphere_queries(const Range& range) {
+rc::Gen<Query> queries(const Balls* /*kind*/, const Range& range) {
+  const auto near = [&](rc::Gen<double> number) { return nearly_touching(range, spheres_from(std::move(number))); };
   return rc::gen::weightedOneOf<Query>({{2, spheres_from(any_number(range))},
                                         {2, spheres_from(any_bits(range))},
                                         {1, spheres_from(subnormal(range))},
@@ -115,14 +88,12 @@ rc::Gen<Query> sphere_queries(const Range& range) {
                                         {2, spheres_from(small_dyadic(range))},
                                         {1, spheres_from(beside_dyadic(range))},
                                         {2, spheres_from(ordinary(range))},
-                                        {4, spheres_near_touching(range, ordinary(range))},
-                                        {1, spheres_near_touching(range, any_bits(range))},
-                                        {1, spheres_near_touching(range, subnormal(range))},
+                                        {4, near(ordinary(range))},
+                                        {1, near(any_bits(range))},
+                                        {1, near(subnormal(range))},
                                         {5, spheres_on_a_quadruple(range)},
                                         {2, spheres_coincident(range, any_number(range), false)},
                                         {1, spheres_coincident(range, huge(range), false)}});
 }
-
-rc::Gen<Query> queries(const Balls* /*kind*/, const Range& range) { return sphere_queries(range); }
 
 }  // namespace contact::proptests

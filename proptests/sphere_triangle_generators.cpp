@@ -3,27 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "golden/plain_triangles.hpp"
 #include "proptests/generators.hpp"
 
 namespace contact::proptests {
 namespace {
-
-Query triangle_of(const std::vector<double>& x) {
-  return {Pair::sphere_triangle,
-          BallAndTriangle{{{x[0], x[1], x[2]}, std::abs(x[3])},
-                          {{Vector3(x[4], x[5], x[6]), Vector3(x[7], x[8], x[9]), Vector3(x[10], x[11], x[12])}}},
-          {std::abs(x[13]), std::abs(x[14])}};
-}
-
-/// Fifteen numbers of one kind.
-rc::Gen<Query> triangles_from(rc::Gen<double> number) {
-  return rc::gen::map(numbers(15, std::move(number)), triangle_of);
-}
-
-Vector3 in_the_range(const Range& range, const Vector3& v) {
-  return v.unaryExpr([&](double x) { return std::isfinite(x) ? range.rounded(x) : 0.0; });
-}
 
 /// How the centre lies to the triangle, or the triangle's vertices to each other.
 enum class TriangleLying {
@@ -47,21 +30,21 @@ Query laid_triangle(const Range& range, Query query, TriangleLying lying, double
   const double away = std::fmod(ball.center[0], 4);
   switch (lying) {
     case TriangleLying::over_the_face:
-      ball.center = in_the_range(range, v[0] + s * u + t * w + away * n);
+      ball.center = range.rounded(v[0] + s * u + t * w + away * n);
       break;
     case TriangleLying::over_an_edge:
-      ball.center = in_the_range(range, v[0] + s * u + away * n);
+      ball.center = range.rounded(v[0] + s * u + away * n);
       ball.center[0] = range.moved(ball.center[0], ulps);
       break;
     case TriangleLying::over_a_vertex:
-      ball.center = in_the_range(range, v[s < 0.5 ? 0 : 1] + away * n);
+      ball.center = range.rounded(v[s < 0.5 ? 0 : 1] + away * n);
       ball.center[1] = range.moved(ball.center[1], ulps);
       break;
     case TriangleLying::on_it:
-      ball.center = in_the_range(range, v[0] + s * u + (s + t > 1 ? 0 : t) * w);
+      ball.center = range.rounded(v[0] + s * u + (s + t > 1 ? 0 : t) * w);
       break;
     case TriangleLying::on_a_line:
-      v[2] = in_the_range(range, v[0] + 4 * (s - t) * u);
+      v[2] = range.rounded(v[0] + 4 * (s - t) * u);
       v[2][2] = range.moved(v[2][2], ulps);
       break;
     case TriangleLying::two_points:
@@ -81,29 +64,13 @@ Query laid_triangle(const Range& range, Query query, TriangleLying lying, double
 }
 
 rc::Gen<Query> triangles_laid_out(const Range& range, rc::Gen<double> number) {
-  return rc::gen::map(
-      rc::gen::tuple(triangles_from(std::move(number)), integer(0, 9), integer(-1, 5), integer(0, 4), integer(-1, 1)),
-      [range](const std::tuple<Query, int, int, int, int>& parts) {
-        const auto& [query, how, s, t, ulps] = parts;
-        // Those over the triangle are as many as all others.
-        return laid_triangle(range, query, static_cast<TriangleLying>(how < 8 ? how : how - 8), s / 4.0, t / 4.0, ulps);
-      });
-}
-
-/// The radius is the distance as double computes it, up to 2 ulps off.
-rc::Gen<Query> nearly_touching_triangles(const Range& range, rc::Gen<double> number) {
-  return rc::gen::map(rc::gen::tuple(triangles_laid_out(range, std::move(number)), integer(-2, 2), integer(0, 2)),
-                      [range](const std::tuple<Query, int, int>& parts) {
-                        auto [query, ulps, alarm] = parts;
-                        auto& [ball, triangle] = std::get<BallAndTriangle>(query.shapes);
-                        const auto q = golden::nearest_point(golden::in_scalar<double>(ball.center),
-                                                             golden::vertices_of<double>(triangle));
-                        const Vector3 delta = golden::widened(q) - ball.center;
-                        if (!delta.allFinite() || !std::isfinite(delta.stableNorm())) return query;
-                        const double distance = range.rounded(delta.stableNorm());
-                        query.distances.alarm = range.rounded(alarm * distance / 4);
-                        ball.radius = std::max(0.0, range.moved(range.rounded(distance - query.distances.alarm), ulps));
-                        return query;
+  return rc::gen::map(rc::gen::tuple(made_of(Pair::sphere_triangle, std::move(number)), integer(0, 9), integer(-1, 5),
+                                     integer(0, 4), integer(-1, 1)),
+                      [range](const std::tuple<Query, int, int, int, int>& parts) {
+                        const auto& [query, how, s, t, ulps] = parts;
+                        // Those over the triangle are as many as all others.
+                        return laid_triangle(range, query, static_cast<TriangleLying>(how < 8 ? how : how - 8), s / 4.0,
+                                             t / 4.0, ulps);
                       });
 }
 
@@ -135,21 +102,9 @@ rc::Gen<Query> touching_triangles(const Range& range) {
 }  // namespace
 
 rc::Gen<Query> queries(const BallAndTriangle* /*kind*/, const Range& range) {
-  return rc::gen::weightedOneOf<Query>({{1, triangles_from(any_number(range))},
-                                        {1, triangles_from(any_bits(range))},
-                                        {1, triangles_from(subnormal(range))},
-                                        {1, triangles_from(extreme(range))},
-                                        {1, triangles_from(huge(range))},
-                                        {1, triangles_from(ordinary(range))},
-                                        {2, triangles_from(small_dyadic(range))},
-                                        {2, triangles_laid_out(range, any_number(range))},
-                                        {2, triangles_laid_out(range, ordinary(range))},
-                                        {4, triangles_laid_out(range, small_dyadic(range))},
-                                        {1, nearly_touching_triangles(range, any_bits(range))},
-                                        {1, nearly_touching_triangles(range, subnormal(range))},
-                                        {2, touching_triangles(range)},
-                                        {3, nearly_touching_triangles(range, small_dyadic(range))},
-                                        {3, nearly_touching_triangles(range, ordinary(range))}});
+  return at_every_scale(
+      Pair::sphere_triangle, range,
+      [&](rc::Gen<double> number) { return triangles_laid_out(range, std::move(number)); }, touching_triangles(range));
 }
 
 }  // namespace contact::proptests

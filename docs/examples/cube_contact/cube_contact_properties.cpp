@@ -48,7 +48,7 @@ rc::Gen<Query> boxes_on_a_small_grid(int least_exponent, int most_exponent) {
                         const auto& [corners, exponent, kind] = parts;
                         std::vector<double> x;
                         for (const int corner : corners) x.push_back(std::ldexp(corner, exponent));
-                        Query query = boxes_of(x);
+                        Query query = query_of(Pair::cube_cube, x);
                         query.distances = {2 * std::abs(x[12]), std::abs(x[13])};
                         auto& [a, b] = std::get<Boxes>(query.shapes);
                         if (kind == 0) b = a;
@@ -80,20 +80,21 @@ rc::Gen<Query> boxes_far_apart() {
       });
 }
 rc::Gen<Query> questions() {
-  return rc::gen::weightedOneOf<Query>({{3, meeting(box_queries(kEvery), any_number(kEvery))},
-                                        {2, meeting(boxes_from(ordinary(kEvery)), ordinary(kEvery))},
-                                        {1, meeting(boxes_from(beside_dyadic(kEvery)), beside_dyadic(kEvery))},
-                                        {1, meeting(boxes_from(subnormal(kEvery)), subnormal(kEvery))},
-                                        {1, meeting(boxes_from(huge(kEvery)), huge(kEvery))},
-                                        {5, boxes_far_apart()},
-                                        {3, boxes_on_a_small_grid(-1074, 1020)},
-                                        {3, boxes_on_a_small_grid(-1074, -1072)}});
+  return rc::gen::weightedOneOf<Query>(
+      {{3, meeting(queries(Pair::cube_cube, kEvery), any_number(kEvery))},
+       {2, meeting(made_of(Pair::cube_cube, ordinary(kEvery)), ordinary(kEvery))},
+       {1, meeting(made_of(Pair::cube_cube, beside_dyadic(kEvery)), beside_dyadic(kEvery))},
+       {1, meeting(made_of(Pair::cube_cube, subnormal(kEvery)), subnormal(kEvery))},
+       {1, meeting(made_of(Pair::cube_cube, huge(kEvery)), huge(kEvery))},
+       {5, boxes_far_apart()},
+       {3, boxes_on_a_small_grid(-1074, 1020)},
+       {3, boxes_on_a_small_grid(-1074, -1072)}});
 }
 /// Questions whose numbers and answers stay away from both ends of the range.
 rc::Gen<Query> moderate_questions() {
-  return rc::gen::oneOf(meeting(boxes_from(ordinary(kModerate)), ordinary(kModerate)),
-                        meeting(boxes_from(small_dyadic(kModerate)), small_dyadic(kModerate)),
-                        meeting(boxes_from(beside_dyadic(kModerate)), beside_dyadic(kModerate)),
+  return rc::gen::oneOf(meeting(made_of(Pair::cube_cube, ordinary(kModerate)), ordinary(kModerate)),
+                        meeting(made_of(Pair::cube_cube, small_dyadic(kModerate)), small_dyadic(kModerate)),
+                        meeting(made_of(Pair::cube_cube, beside_dyadic(kModerate)), beside_dyadic(kModerate)),
                         boxes_on_a_small_grid(-20, 20));
 }
 
