@@ -28,10 +28,10 @@ using component::text;
 using component::upright;
 using oracle::Rational;
 
-const std::vector<Ball> kTwo{{{1, 2, 3}, 4}, {{5, 6, 7}, 8}};
+const std::vector<Ball> kTwoBalls{{{1, 2, 3}, 4}, {{5, 6, 7}, 8}};
 
 TEST(SphereModel, gives_back_what_it_was_given) {
-  const auto model = spheres("s", kTwo);
+  const auto model = spheres("s", kTwoBalls);
   EXPECT_EQ(model.getSize(), 2);
   EXPECT_EQ(model.getR(), Eigen::VectorXd(Eigen::Vector2d(4, 8)));
   EXPECT_EQ(model.getRadius(1), 8);
@@ -43,8 +43,8 @@ TEST(SphereModel, gives_back_what_it_was_given) {
 }
 
 TEST(SphereModel, stores_columns_one_after_the_other_and_takes_them_without_a_copy) {
-  Rows<3> centers = centers_of(kTwo);
-  Rows<1> radii = radii_of(kTwo);
+  Rows<3> centers = centers_of(kTwoBalls);
+  Rows<1> radii = radii_of(kTwoBalls);
   const double* const center_data = centers.data();
   const double* const radius_data = radii.data();
   const SphereCollisionModel model("s", std::move(centers), std::move(radii));
@@ -98,7 +98,7 @@ TEST(SphereModel, refuses_a_radius_that_is_negative_or_not_finite) {
 }
 
 TEST(SphereModel, refuses_columns_of_different_lengths) {
-  EXPECT_EQ(refusal([] { (void)SphereCollisionModel("m", centers_of(kTwo), Eigen::VectorXd::Ones(3)); }),
+  EXPECT_EQ(refusal([] { (void)SphereCollisionModel("m", centers_of(kTwoBalls), Eigen::VectorXd::Ones(3)); }),
             "SphereCollisionModel \"m\": number of radii = 3: must be that of centers, 2");
 }
 
@@ -110,14 +110,14 @@ TEST(SphereModel, names_the_first_wrong_number_row_by_row) {
 }
 
 TEST(SphereModel, moves_its_centres) {
-  auto model = spheres("s", kTwo);
+  auto model = spheres("s", kTwoBalls);
   model.setCenters(centers_of({{{-1, -2, -3}, 0}, {{-5, -6, -7}, 0}}));
   EXPECT_EQ(Sphere(model, 1).center(), Vector3(-5, -6, -7));
   EXPECT_EQ(Sphere(model, 1).r(), 8);
 }
 
 TEST(SphereModel, is_left_as_it_was_by_centres_that_it_refuses) {
-  auto model = spheres("s", kTwo);
+  auto model = spheres("s", kTwoBalls);
   EXPECT_EQ(refusal([&] {
               model.setCenters(centers_of({{{9, 9, 9}, 0}, {{0, kNaN, 0}, 0}}));
             }),
@@ -126,14 +126,14 @@ TEST(SphereModel, is_left_as_it_was_by_centres_that_it_refuses) {
             "SphereCollisionModel \"s\": number of centers = 3: must be that of radii, 2");
   EXPECT_EQ(refusal([&] { model.setCenters(Eigen::MatrixX3d::Zero(1, 3)); }),
             "SphereCollisionModel \"s\": number of centers = 1: must be that of radii, 2");
-  EXPECT_EQ(model.balls().centers, centers_of(kTwo));
-  EXPECT_EQ(model.balls().radii, radii_of(kTwo));
+  EXPECT_EQ(model.balls().centers, centers_of(kTwoBalls));
+  EXPECT_EQ(model.balls().radii, radii_of(kTwoBalls));
 }
 
 TEST(RigidSphereModel, gives_back_what_it_was_given_the_quaternion_in_the_order_x_y_z_w) {
   Eigen::MatrixX4d orientations(2, 4);
   orientations << 0, 0, 0, 1, 0.5, -0.5, 0.5, -0.5;
-  const RigidSphereModel model("r", centers_of(kTwo), orientations, radii_of(kTwo));
+  const RigidSphereModel model("r", centers_of(kTwoBalls), orientations, radii_of(kTwoBalls));
   EXPECT_EQ(model.getSize(), 2);
   EXPECT_EQ(model.getRadius(0), 4);
   EXPECT_EQ(model.getR(), Eigen::VectorXd(Eigen::Vector2d(4, 8)));
@@ -150,8 +150,8 @@ TEST(RigidSphereModel, gives_back_what_it_was_given_the_quaternion_in_the_order_
 }
 
 TEST(RigidSphereModel, stores_columns_and_takes_them_without_a_copy) {
-  Rows<3> positions = centers_of(kTwo);
-  Rows<1> radii = radii_of(kTwo);
+  Rows<3> positions = centers_of(kTwoBalls);
+  Rows<1> radii = radii_of(kTwoBalls);
   const double* const position_data = positions.data();
   const double* const radius_data = radii.data();
   const RigidSphereModel model("r", std::move(positions), upright(2), std::move(radii));
@@ -162,7 +162,7 @@ TEST(RigidSphereModel, stores_columns_and_takes_them_without_a_copy) {
 RigidSphereModel turned(double x, double y, double z, double w) {
   Eigen::MatrixX4d orientations = upright(2);
   orientations.row(1) << x, y, z, w;
-  return {"r", centers_of(kTwo), orientations, radii_of(kTwo)};
+  return {"r", centers_of(kTwoBalls), orientations, radii_of(kTwoBalls)};
 }
 
 TEST(RigidSphereModel, takes_unit_quaternions_up_to_the_tolerance_and_no_others) {
@@ -202,14 +202,14 @@ TEST(RigidSphereModel, refuses_what_is_not_finite_negative_or_too_few) {
             "RigidSphereModel \"r\": radii[0] = inf: must be finite");
   EXPECT_EQ(refusal([] { (void)turned(0, 0, kNaN, 1); }),
             "RigidSphereModel \"r\": orientations[1][2] = nan: must be finite");
-  EXPECT_EQ(refusal([] { (void)RigidSphereModel("r", centers_of(kTwo), upright(2), Eigen::VectorXd::Ones(1)); }),
+  EXPECT_EQ(refusal([] { (void)RigidSphereModel("r", centers_of(kTwoBalls), upright(2), Eigen::VectorXd::Ones(1)); }),
             "RigidSphereModel \"r\": number of radii = 1: must be that of positions, 2");
-  EXPECT_EQ(refusal([] { (void)RigidSphereModel("r", centers_of(kTwo), upright(3), radii_of(kTwo)); }),
+  EXPECT_EQ(refusal([] { (void)RigidSphereModel("r", centers_of(kTwoBalls), upright(3), radii_of(kTwoBalls)); }),
             "RigidSphereModel \"r\": number of orientations = 3: must be that of positions, 2");
 }
 
 TEST(RigidSphereModel, moves_its_frames) {
-  auto model = rigid_spheres("r", kTwo);
+  auto model = rigid_spheres("r", kTwoBalls);
   Eigen::MatrixX4d orientations = upright(2);
   orientations.row(1) << 0.6, 0, 0.8, 0;
   model.setFrames(centers_of({{{9, 8, 7}, 0}, {{6, 5, 4}, 0}}), orientations);
@@ -220,7 +220,7 @@ TEST(RigidSphereModel, moves_its_frames) {
 }
 
 TEST(RigidSphereModel, is_left_as_it_was_by_frames_that_it_refuses) {
-  auto model = rigid_spheres("r", kTwo);
+  auto model = rigid_spheres("r", kTwoBalls);
   const Eigen::MatrixX3d other = centers_of({{{9, 8, 7}, 0}, {{6, 5, 4}, 0}});
   Eigen::MatrixX3d not_finite = other;
   not_finite(0, 2) = -kInfinity;
@@ -234,7 +234,7 @@ TEST(RigidSphereModel, is_left_as_it_was_by_frames_that_it_refuses) {
             "RigidSphereModel \"r\": orientations[0] squared length = 4: must be 1, a unit quaternion");
   EXPECT_EQ(refusal([&] { model.setFrames(other, upright(2) * kNaN); }),
             "RigidSphereModel \"r\": orientations[0][0] = nan: must be finite");
-  EXPECT_EQ(model.balls().centers, centers_of(kTwo));
+  EXPECT_EQ(model.balls().centers, centers_of(kTwoBalls));
   EXPECT_EQ(RigidSphere(model, 0).rigidCenter().orientation.w(), 1);
 }
 
