@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "golden/making.hpp"
-#include "golden/segments.hpp"
+#include "golden/plain_segments.hpp"
 
 namespace contact::golden {
 

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "golden/making.hpp"
-#include "golden/segments.hpp"
+#include "golden/plain_segments.hpp"
 
 namespace contact::golden {
 namespace casts_families {

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/whole_number.hpp"
+#include "golden/answer_bytes.hpp"
 #include "golden/columns.hpp"
 #include "golden/dataset_writer.hpp"
 #include "golden/families.hpp"
@@ -285,6 +286,8 @@ std::string query_line(const Query& query, Scalar scalar) {
   return fmt::format(R"({{"id":"{}","pair":"{}","scalar":"{}",{}}})", query_id(query), name(query.pair), name(scalar),
                      inputs_text(query));
 }
+
+std::string digest_bytes(const Case& c) { return c.rejected ? *c.rejected + '\0' : digest_bytes(c.expect); }
 
 std::string answer_line(const Case& c) {
   std::string text = R"({"id":")" + c.id + R"(",)";

@@ -61,6 +61,8 @@ struct Case {
 [[nodiscard]] std::string query_line(const Query& query, Scalar scalar);
 /// {"id","expect","exact"}, what `explain --json` prints.
 [[nodiscard]] std::string answer_line(const Case& c);
+/// The bytes of its answer in a digest, golden/answer_bytes.hpp.
+[[nodiscard]] std::string digest_bytes(const Case& c);
 
 /// "a":...,"b":...,"alarm":...,"contact":... of a question, and the same read back, whatever its numbers are.
 [[nodiscard]] std::string inputs_text(const Query& query);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "golden/digest.hpp"
 #include "golden/flags.hpp"
 #include "golden/query_id.hpp"
 #include "oracle/truth/exact_truth.hpp"

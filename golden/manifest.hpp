@@ -15,7 +15,7 @@ namespace contact::golden {
 inline constexpr std::string_view kManifestName = "manifest.json";
 inline constexpr std::string_view kAdequacyName = "adequacy.json";
 
-/// For each number of questions the digest of the answers to so many, golden/digest.hpp.
+/// For each number of questions the digest of the answers to so many, golden/answer_bytes.hpp.
 using Digests = std::map<std::uint64_t, std::string>;
 /// Beside that of the file's own answers a generated file has those of its generator's first so many.
 inline constexpr std::uint64_t kManyAnswers = 10'000;

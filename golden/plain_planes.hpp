@@ -1,7 +1,7 @@
 // A point or a segment over a plane in plain arithmetic, as engines have it: the plane is normalised first.
 #pragma once
 
-#include "golden/segments.hpp"
+#include "golden/plain_segments.hpp"
 
 namespace contact::golden {
 

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "golden/segments.hpp"
+#include "golden/plain_segments.hpp"
 
 namespace contact::golden {
 

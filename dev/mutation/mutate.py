@@ -34,12 +34,12 @@ ENVIRONMENT = {"CONTACT_BATCH_QUESTIONS": "80"}
 KINDS = 4  # mutants a place, at most: mutant.hpp
 
 COMPONENTS = {
-    "kernel": ["src/kernel/capsule_plane.cpp", "src/kernel/planes.cpp", "src/kernel/planes.hpp",
-               "src/kernel/sphere_plane.cpp", "src/kernel/crossings.cpp", "src/kernel/crossings.hpp",
+    "kernel": ["src/kernel/capsule_plane.cpp", "src/kernel/plane_cores.cpp", "src/kernel/plane_cores.hpp",
+               "src/kernel/sphere_plane.cpp", "src/kernel/crossing_cores.cpp", "src/kernel/crossing_cores.hpp",
                "src/kernel/ray_triangle.cpp", "src/kernel/triangle_line.cpp", "src/kernel/casts.cpp",
                "src/kernel/capsule_capsule.cpp", "src/kernel/cores.cpp", "src/kernel/cores_double_double.hpp",
-               "src/kernel/cores_stages.hpp", "src/kernel/segments.cpp", "src/kernel/segments.hpp", "src/kernel/sphere_capsule.cpp",
-               "src/kernel/ray_sphere.cpp", "src/kernel/sphere_triangle.cpp", "src/kernel/triangles.cpp", "src/kernel/triangles.hpp",
+               "src/kernel/cores_stages.hpp", "src/kernel/segment_cores.cpp", "src/kernel/segment_cores.hpp", "src/kernel/sphere_capsule.cpp",
+               "src/kernel/ray_sphere.cpp", "src/kernel/sphere_triangle.cpp", "src/kernel/triangle_cores.cpp", "src/kernel/triangle_cores.hpp",
                "src/kernel/cube_cube.cpp", "src/kernel/exact.cpp", "src/kernel/exact.hpp", "src/kernel/exact_sum.cpp",
                "src/kernel/double_double-inl.h", "src/kernel/fixed_integer.hpp", "src/kernel/floating_point_environment.hpp",
                "src/kernel/sphere_cube.cpp", "src/kernel/sphere_sphere.cpp", "src/kernel/sphere_sphere_double_double.hpp", "include/contact/plain_decision.hpp",
@@ -83,7 +83,7 @@ COMPONENTS = {
                "oracle/truth/sphere_sphere_double_double.cpp", "oracle/truth/sphere_sphere_interval.cpp",
                "oracle/truth/sphere_sphere_witness.cpp", "oracle/truth/staged_oracle.cpp", "oracle/truth/staged_oracle.hpp",
                "oracle/truth/triangles.cpp", "oracle/truth/truth.cpp", "oracle/truth/truth.hpp"],
-    "judge": ["oracle/judge/conditioning.cpp", "oracle/judge/judge.cpp", "oracle/judge/judge.hpp", "oracle/judge/near_optimal.cpp", "oracle/judge/off.cpp", "oracle/judge/point_set.cpp", "oracle/judge/right_claim.cpp"],
+    "judge": ["oracle/judge/conditioning.cpp", "oracle/judge/declaration.hpp", "oracle/judge/judge.cpp", "oracle/judge/judge.hpp", "oracle/judge/near_optimal.cpp", "oracle/judge/off.cpp", "oracle/judge/point_set.cpp", "oracle/judge/right_claim.cpp", "oracle/judge/verdict.hpp"],
     "diagnosis": ["oracle/diagnosis/capsule_plane.cpp", "oracle/diagnosis/sphere_plane.cpp",
                   "oracle/diagnosis/wrong_planes.cpp", "oracle/diagnosis/wrong_crossings.cpp",
                   "oracle/diagnosis/ray_triangle.cpp", "oracle/diagnosis/triangle_line.cpp",

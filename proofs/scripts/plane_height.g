@@ -1,4 +1,4 @@
-# planes.hpp, height_of(), in units of T, the products and the offset: the residuals of the products are together all,
+# plane_cores.hpp, height_of(), in units of T, the products and the offset: the residuals of the products are together all,
 # the first two rs; the rests of the highs' three sums are l, the first two, and l3. The last two_sum is exact. T is
 # computed, and may be too small by k.
 residual = (all + rs * e1) * (1 + e2);

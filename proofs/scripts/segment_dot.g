@@ -1,4 +1,4 @@
-# segments.hpp, dot(), in units of |x1 y1| + |x2 y2| + |x3 y3|: what the axes lose (axis), and their sums. The residuals
+# segment_cores.hpp, dot(), in units of |x1 y1| + |x2 y2| + |x3 y3|: what the axes lose (axis), and their sums. The residuals
 # are together all, the first two rs; l is what the two rests of the highs' sum are together. (1 + k) is what the highs'
 # products are more than the products.
 residual = (all + rs * e1) * (1 + e2);

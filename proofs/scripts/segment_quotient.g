@@ -1,4 +1,4 @@
-# segments.hpp, quotient(), in units of q yh and of yh: xh = 1 + r, r being what fma(-q, yh, xh) is exactly; x = 1 + r + a,
+# segment_cores.hpp, quotient(), in units of q yh and of yh: xh = 1 + r, r being what fma(-q, yh, xh) is exactly; x = 1 + r + a,
 # y = 1 + b, relative to x / y. The last two_sum is exact.
 left = ((r + a) * (1 + e1) - b) * (1 + e2);
 low = left * (1 + e3) + h;

@@ -7,8 +7,11 @@
 #include <bit>
 #include <cstdint>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "contact/contact.hpp"
+#include "environment/floating_point_environments.hpp"
 #include "kernel/cores.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 
@@ -42,6 +45,27 @@ inline void expect_same(const std::optional<Contact>& actual, const std::optiona
   expect_same(numbers_of(*actual), numbers_of(*expected));
   EXPECT_EQ(actual->degenerate, expected->degenerate);
   EXPECT_EQ(actual->unique, expected->unique);
+}
+
+/// answer(question, whether exceptions trap) gives a contact and a decision, the same in every environment.
+template <class Question, class Answer>
+void expect_same_in_every_environment(const std::vector<Question>& asked, Answer answer) {
+  using Said = std::pair<std::optional<Contact>, bool>;
+  const auto answers = [&](bool traps) {
+    std::vector<Said> all;
+    for (const Question& question : asked) all.push_back(answer(question, traps));
+    return all;
+  };
+  const std::vector<Said> expected = answers(false);
+  for (const FloatingPointEnvironment& environment : floating_point_environments()) {
+    std::vector<Said> actual;
+    in_environment(environment, [&] { actual = answers(environment.traps); });
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      expect_same(actual[i].first, expected[i].first);
+      EXPECT_EQ(actual[i].second, expected[i].second);
+      ASSERT_FALSE(testing::Test::HasFailure()) << environment.name << " " << i;
+    }
+  }
 }
 
 /// The exact stage alone.

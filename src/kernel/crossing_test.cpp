@@ -11,7 +11,7 @@
 #include "environment/floating_point_environments.hpp"
 #include "extreme_numbers.hpp"
 #include "kernel/contacts_for_tests.hpp"
-#include "kernel/crossings.hpp"
+#include "kernel/crossing_cores.hpp"
 
 namespace contact {
 namespace {
@@ -147,20 +147,12 @@ TEST(Crossings, are_the_same_in_every_floating_point_environment) {
     small.line = {(small.line.start.array().round() * unit).matrix(), (small.line.end.array().round() * unit).matrix()};
     all.push_back(small);
   }
-  for (const Asked& asked : all) {
-    const auto of_line = compute_triangle_line(asked.triangle, asked.line);
-    const auto of_ray = compute_ray_triangle(asked.ray, asked.triangle);
-    for (const auto& environment : floating_point_environments()) {
-      std::optional<Contact> line_there;
-      std::optional<Contact> ray_there;
-      in_environment(environment, [&] {
-        line_there = compute_triangle_line(asked.triangle, asked.line);
-        ray_there = compute_ray_triangle(asked.ray, asked.triangle);
-      });
-      expect_same(line_there, of_line);
-      expect_same(ray_there, of_ray);
-    }
-  }
+  expect_same_in_every_environment(all, [](const Asked& asked, bool /*traps*/) {
+    return std::pair(compute_triangle_line(asked.triangle, asked.line), test_triangle_line(asked.triangle, asked.line));
+  });
+  expect_same_in_every_environment(all, [](const Asked& asked, bool /*traps*/) {
+    return std::pair(compute_ray_triangle(asked.ray, asked.triangle), test_ray_triangle(asked.ray, asked.triangle));
+  });
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include "contact/pair_functions.hpp"
 #include "kernel/cores_stages.hpp"
-#include "kernel/segments.hpp"
+#include "kernel/segment_cores.hpp"
 
 namespace contact::inline CONTACT_ABI {
 namespace {

@@ -11,7 +11,7 @@
 #include "environment/floating_point_environments.hpp"
 #include "extreme_numbers.hpp"
 #include "kernel/contacts_for_tests.hpp"
-#include "kernel/segments.hpp"
+#include "kernel/segment_cores.hpp"
 
 namespace contact {
 namespace {
@@ -112,23 +112,9 @@ TEST(RaySphere, the_fast_stage_says_what_the_exact_one_does) {
 }
 
 TEST(RaySphere, is_the_same_in_every_floating_point_environment) {
-  const std::vector<Question> asked = questions(600);
-  const auto answers = [&] {
-    std::vector<std::pair<std::optional<Contact>, bool>> all;
-    for (const Question& q : asked)
-      all.emplace_back(compute_ray_sphere(q.a, q.b, q.distances), test_ray_sphere(q.a, q.b, q.distances.alarm));
-    return all;
-  };
-  const auto expected = answers();
-  for (const FloatingPointEnvironment& environment : floating_point_environments()) {
-    std::vector<std::pair<std::optional<Contact>, bool>> actual;
-    in_environment(environment, [&] { actual = answers(); });
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-      expect_same(actual[i].first, expected[i].first);
-      EXPECT_EQ(actual[i].second, expected[i].second);
-      ASSERT_FALSE(HasFailure()) << environment.name << " " << i;
-    }
-  }
+  expect_same_in_every_environment(questions(600), [](const Question& q, bool /*traps*/) {
+    return std::pair(compute_ray_sphere(q.a, q.b, q.distances), test_ray_sphere(q.a, q.b, q.distances.alarm));
+  });
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include "contact/ray_triangle.hpp"
 
 #include "contact/pair_functions.hpp"
-#include "kernel/crossings.hpp"
+#include "kernel/crossing_cores.hpp"
 
 namespace contact::inline CONTACT_ABI {
 namespace {

@@ -5,33 +5,25 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <bit>
-#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "contact/sphere_sphere.hpp"
 #include "environment/floating_point_environments.hpp"
 #include "extreme_numbers.hpp"
+#include "kernel/contacts_for_tests.hpp"
 
 namespace contact {
 namespace {
 
 const Box kUnit{{0, 0, 0}, {1, 1, 1}};
 
-std::array<double, 10> numbers_of(const Contact& c) {
-  return {c.normal[0], c.normal[1], c.normal[2], c.point1[0], c.point1[1],
-          c.point1[2], c.point2[0], c.point2[1], c.point2[2], c.value};
-}
-
 /// Ten numbers, and that no zero is negative.
-void expect_contact(const Ball& a, const Box& b, Distances distances, const std::array<double, 10>& expected,
-                    bool degenerate) {
+void expect_contact(const Ball& a, const Box& b, Distances distances, const TenNumbers& expected, bool degenerate) {
   EXPECT_TRUE(test_sphere_cube(a, b, distances.alarm));
   const auto contact = compute_sphere_cube(a, b, distances);
   ASSERT_TRUE(contact);
-  for (std::size_t i = 0; i < expected.size(); ++i)
-    EXPECT_EQ(std::bit_cast<std::uint64_t>(numbers_of(*contact)[i]), std::bit_cast<std::uint64_t>(expected[i]))
-        << "number " << i << " is " << numbers_of(*contact)[i] << ", not " << expected[i];
+  expect_same(numbers_of(*contact), expected);
   EXPECT_EQ(contact->degenerate, degenerate);
 }
 
@@ -127,30 +119,11 @@ std::vector<Question> questions() {
 }
 
 TEST(SphereCube, is_the_same_in_every_floating_point_environment) {
-  const std::vector<Question> asked = questions();
-  std::vector<std::optional<Contact>> expected;
-  for (const Question& q : asked) expected.push_back(compute_sphere_cube(q.a, q.b, q.distances));
-  for (const FloatingPointEnvironment& environment : floating_point_environments()) {
-    std::vector<std::optional<Contact>> actual;
-    std::vector<bool> hits;
-    in_environment(environment, [&] {
-      for (const Question& q : asked) {
-        actual.push_back(environment.traps ? out_of_line::compute_sphere_cube(q.a, q.b, q.distances)
-                                           : compute_sphere_cube(q.a, q.b, q.distances));
-        hits.push_back(environment.traps ? out_of_line::test_sphere_cube(q.a, q.b, q.distances.alarm)
-                                         : test_sphere_cube(q.a, q.b, q.distances.alarm));
-      }
-    });
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-      ASSERT_EQ(actual[i].has_value(), expected[i].has_value()) << environment.name << " " << i;
-      ASSERT_EQ(hits[i], expected[i].has_value()) << environment.name << " " << i;
-      if (!actual[i]) continue;
-      for (std::size_t k = 0; k < 10; ++k)
-        ASSERT_EQ(std::bit_cast<std::uint64_t>(numbers_of(*actual[i])[k]),
-                  std::bit_cast<std::uint64_t>(numbers_of(*expected[i])[k]))
-            << environment.name << " " << i << " " << k;
-    }
-  }
+  expect_same_in_every_environment(questions(), [](const Question& q, bool traps) {
+    return traps ? std::pair(out_of_line::compute_sphere_cube(q.a, q.b, q.distances),
+                             out_of_line::test_sphere_cube(q.a, q.b, q.distances.alarm))
+                 : std::pair(compute_sphere_cube(q.a, q.b, q.distances), test_sphere_cube(q.a, q.b, q.distances.alarm));
+  });
 }
 
 }  // namespace

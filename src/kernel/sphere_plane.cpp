@@ -2,7 +2,7 @@
 #include "contact/sphere_plane.hpp"
 
 #include "contact/pair_functions.hpp"
-#include "kernel/planes.hpp"
+#include "kernel/plane_cores.hpp"
 
 namespace contact::inline CONTACT_ABI {
 

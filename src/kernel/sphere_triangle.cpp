@@ -3,7 +3,7 @@
 
 #include "contact/pair_functions.hpp"
 #include "kernel/cores_stages.hpp"
-#include "kernel/triangles.hpp"
+#include "kernel/triangle_cores.hpp"
 
 namespace contact::inline CONTACT_ABI {
 

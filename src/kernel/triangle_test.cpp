@@ -13,7 +13,7 @@
 #include "environment/floating_point_environments.hpp"
 #include "extreme_numbers.hpp"
 #include "kernel/contacts_for_tests.hpp"
-#include "kernel/triangles.hpp"
+#include "kernel/triangle_cores.hpp"
 
 namespace contact {
 namespace {
@@ -187,24 +187,9 @@ TEST(SphereTriangle, the_fast_stage_answers_ordinary_questions) {
 }
 
 TEST(SphereTriangle, is_the_same_in_every_floating_point_environment) {
-  const std::vector<Question> asked = questions(600);
-  const auto answers = [&] {
-    std::vector<std::pair<std::optional<Contact>, bool>> all;
-    for (const Question& q : asked)
-      all.emplace_back(compute_sphere_triangle(q.a, q.b, q.distances),
-                       test_sphere_triangle(q.a, q.b, q.distances.alarm));
-    return all;
-  };
-  const auto expected = answers();
-  for (const FloatingPointEnvironment& environment : floating_point_environments()) {
-    std::vector<std::pair<std::optional<Contact>, bool>> actual;
-    in_environment(environment, [&] { actual = answers(); });
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-      expect_same(actual[i].first, expected[i].first);
-      EXPECT_EQ(actual[i].second, expected[i].second);
-      ASSERT_FALSE(HasFailure()) << environment.name << " " << i;
-    }
-  }
+  expect_same_in_every_environment(questions(600), [](const Question& q, bool /*traps*/) {
+    return std::pair(compute_sphere_triangle(q.a, q.b, q.distances), test_sphere_triangle(q.a, q.b, q.distances.alarm));
+  });
 }
 
 }  // namespace

@@ -324,10 +324,49 @@ void print_stats(const std::vector<Report>& reports, std::chrono::steady_clock::
             oracles.checked);
 }
 
-int certify(const CLI::App& command, const CertifyOptions& options) {
+/// What is asked: questions that are made now, those that failed before, or datasets and fresh questions beside them.
+struct Asked {
+  std::vector<Source> sources;
+  std::optional<Fresh> fresh;
+};
+Asked asked(const CertifyOptions& options, bool scoreboard) {
   const bool made = options.generate != 0;
   const bool again = !options.failures_of.empty();
-  const bool scoreboard = options.engine.none() && options.paths.empty() && !made && !again;
+  if (options.fresh && (made || again))
+    refuse(fmt::format(
+        "--fresh asks new questions beside those of datasets, and {}",
+        made ? "--generate asks nothing but such" : "--failures-of asks what failed before and nothing else"));
+  if (options.seed && again) refuse("--seed chooses new questions, and --failures-of asks those that failed before");
+  if (again && !made) return {failed_before(options), {}};
+  if (made) {
+    if (!options.seed && (!options.parts.empty() || Cluster::size() > 1))
+      refuse("--generate in parts needs --seed: every part has the same");
+    const std::uint64_t seed = seed_or_fresh(options.seed);
+    if (Cluster::is_first()) say("seed {}\n", seed);
+    return {generated(options, seed), {}};
+  }
+  std::vector<Source> sources = datasets(options);
+  std::vector<Source> beside = fresh_beside(sources, fresh_to_ask(options, scoreboard));
+  if (!beside.empty() && Cluster::is_first())
+    say("fresh questions: {} of each family, seed {}\n", beside.front().count, beside.front().seed);
+  sources.insert(sources.end(), std::make_move_iterator(beside.begin()), std::make_move_iterator(beside.end()));
+  const std::optional<Fresh> fresh = fresh_of(sources, !options.engine.results.empty());
+  return {std::move(sources), fresh};
+}
+
+/// The verdict of one part alone.
+int say_part(const Report& found, golden::Shard part) {
+  const std::uint64_t questions = found.judged() + found.fresh_judged();
+  // What is enough to certify is asked of the whole.
+  const bool wrong = questions != 0 && found.failure_count + found.unreached != found.all().accepted;
+  say("part {} of {}: {} questions judged, {}; `merge` gives the verdict\n", part.index, part.of, questions,
+      wrong ? "and not all is right" : "and nothing is wrong");
+  return wrong ? kRefuted : kCertified;
+}
+
+int certify(const CLI::App& command, const CertifyOptions& options) {
+  const bool of_datasets = options.generate == 0 && options.failures_of.empty();
+  const bool scoreboard = options.engine.none() && options.paths.empty() && of_datasets;
   require_used(command, options, scoreboard);
   const tbb::global_control threads(
       tbb::global_control::max_allowed_parallelism,
@@ -337,33 +376,11 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
   stop.at_first_failure = options.fail_fast;
   require_whole(options, scoreboard);
   CertificateFiles certificate(options.certificate, options.engine);
-  std::vector<Source> sources;
-  std::optional<Fresh> fresh;
-  if (options.fresh && (made || again))
-    refuse(fmt::format(
-        "--fresh asks new questions beside those of datasets, and {}",
-        made ? "--generate asks nothing but such" : "--failures-of asks what failed before and nothing else"));
-  if (options.seed && again) refuse("--seed chooses new questions, and --failures-of asks those that failed before");
-  if (made) {
-    if (!options.seed && (!options.parts.empty() || Cluster::size() > 1))
-      refuse("--generate in parts needs --seed: every part has the same");
-    const std::uint64_t seed = seed_or_fresh(options.seed);
-    if (Cluster::is_first()) say("seed {}\n", seed);
-    sources = generated(options, seed);
-  } else if (again) {
-    sources = failed_before(options);
-  } else {
-    sources = datasets(options);
-    std::vector<Source> beside = fresh_beside(sources, fresh_to_ask(options, scoreboard));
-    if (!beside.empty() && Cluster::is_first())
-      say("fresh questions: {} of each family, seed {}\n", beside.front().count, beside.front().seed);
-    sources.insert(sources.end(), std::make_move_iterator(beside.begin()), std::make_move_iterator(beside.end()));
-    fresh = fresh_of(sources, !options.engine.results.empty());
-  }
+  const auto [sources, fresh] = asked(options, scoreboard);
   std::vector<Subject> judged = subjects(options, scoreboard, rows_of(sources), stop, certificate);
   for (Subject& subject : judged) subject.report.fresh = fresh;
-  if (stop.at_first_failure && (!options.parts.empty() || Cluster::size() > 1))
-    refuse("--fail-fast ends one run; parts are judged each for itself");
+  const bool in_parts = !options.parts.empty() || Cluster::size() > 1;
+  if (stop.at_first_failure && in_parts) refuse("--fail-fast ends one run; parts are judged each for itself");
   if (!options.parts.empty() && scoreboard) refuse("--parts keeps what one engine did: give the engine");
   const Kept kept(options.parts, sources, judged.front().report);
   if (options.max_time > 0)
@@ -371,8 +388,9 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
   Oracles oracles;
   oracles.check = static_cast<Check>(index_of(kCheckNames, options.check, "check"));
   if (options.engine.none() && !scoreboard && Cluster::is_first()) say("no engine is named: production is judged\n");
-  if (options.paths.empty() && !made && !again) static_cast<void>(chosen_folder(""));
-  const auto judged_part = [&](golden::Shard part) { return judge_part(cut(sources, part), judged, stop, oracles); };
+  if (options.paths.empty() && of_datasets) static_cast<void>(chosen_folder(""));
+  const std::vector<Source>& all = sources;
+  const auto judged_part = [&](golden::Shard part) { return judge_part(cut(all, part), judged, stop, oracles); };
   const auto judge = [&](golden::Shard part) {
     if (auto bytes = kept.find(part)) return *std::move(bytes);
     std::string bytes = pack(judged_part(part));
@@ -382,24 +400,21 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
   std::vector<Report> reports;
   for (const Subject& subject : judged) reports.push_back(subject.report);
   const auto begin = std::chrono::steady_clock::now();
+  const auto say_stats = [&] {
+    if (options.stats) print_stats(reports, std::chrono::steady_clock::now() - begin, oracles);
+  };
 
   if (!options.shard.empty()) {
     const golden::Shard part = golden::read_shard(options.shard, {"certify", 0}, "--shard");
     merge(reports, unpack(judge(part)), true);
-    if (options.stats) print_stats(reports, std::chrono::steady_clock::now() - begin, oracles);
-    const Report& found = reports.front();
-    const std::uint64_t questions = found.judged() + found.fresh_judged();
-    // What is enough to certify is asked of the whole.
-    const bool wrong = questions != 0 && found.failure_count + found.unreached != found.all().accepted;
-    say("part {} of {}: {} questions judged, {}; `merge` gives the verdict\n", part.index, part.of, questions,
-        wrong ? "and not all is right" : "and nothing is wrong");
-    return wrong ? kRefuted : kCertified;
+    say_stats();
+    return say_part(reports.front(), part);
   }
   if (options.determinism) require_askable(options, scoreboard);
   std::optional<ReportFiles> files;
   if (Cluster::is_first()) files.emplace(options.reports);
   // One process that keeps nothing has no use for parts.
-  if (options.parts.empty() && Cluster::size() == 1)
+  if (!in_parts)
     merge(reports, judged_part({0, 1}), true);
   else
     Cluster::in_order(
@@ -414,7 +429,7 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
   if (options.determinism && stop.why.empty())
     reports.front().repeats = ask_again(published_of(sources), certificate.unwatched(*judged.front().engine),
                                         reports.front().engine, other_hosts(options.engine, [&stop] { stop.check(); }));
-  if (options.stats) print_stats(reports, std::chrono::steady_clock::now() - begin, oracles);
+  say_stats();
   for (const Subject& subject : judged) say_decimals(subject.engine->decimals(), "the answers");
   const int exit = files->write(reports, scoreboard);
   if (exit == kCertified || exit == kRefuted)

@@ -11,8 +11,8 @@
 #include <unordered_set>
 
 #include "formats/sha256.hpp"
+#include "golden/dataset.hpp"
 #include "golden/dataset_writer.hpp"
-#include "golden/digest.hpp"
 #include "golden/families.hpp"
 #include "golden/lint.hpp"
 #include "golden/query_id.hpp"

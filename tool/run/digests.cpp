@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "formats/sha256.hpp"
-#include "golden/digest.hpp"
+#include "golden/answer_bytes.hpp"
 #include "golden/query_id.hpp"
 #include "tool/run/pipeline.hpp"
 #include "tool/run/process.hpp"

@@ -281,41 +281,101 @@ void Stop::check() const {
   if (late()) throw TimeUp{};
 }
 
-void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& stop, Oracles& oracles,
-                  std::uint64_t run) {
-  std::vector<Subject*> judged;
-  std::vector<Scalar> scalars{source.scalar};
-  FamilyReport none;
-  none.pair = source.pair;
-  none.scalar = source.scalar;
-  none.family = source.family;
-  none.fresh = source.fresh;
-  for (Subject& subject : subjects) {
-    const engines::EngineInfo& engine = subject.engine->info();
-    none.source = subject.report.sources++;
-    if (const auto why = excluded(source.pair, source.scalar, engine)) {
-      const std::string what = source.dataset ? formats::visible(source.dataset->string())
-                                              : fmt::format("{}/{}", name(source.pair), source.family);
-      subject.report.skipped.push_back({what, *why, source.count, none.source, source.fresh});
-      continue;
-    }
-    judged.push_back(&subject);
-    subject.report.families.push_back(none);
-    if (std::find(scalars.begin(), scalars.end(), engine.declared.scalar) == scalars.end())
-      scalars.push_back(engine.declared.scalar);
+namespace {
+
+/// A source on its way through the subjects that it concerns. Slices come to be merged in the order in which they were
+/// read, and the first that fails ends the run: those before it are all asked, and what is found in those behind it is
+/// left out, so that nothing depends on the threads.
+class Judging {
+ public:
+  Judging(const Source& source, std::vector<Subject>& subjects, Stop& stop, Oracles& oracles, std::uint64_t run)
+      : source_(source), stop_(stop), oracles_(oracles), run_(run), questions_(source, oracles.check) {
+    none_.pair = source.pair;
+    none_.scalar = source.scalar;
+    none_.family = source.family;
+    none_.fresh = source.fresh;
+    for (Subject& subject : subjects) take(subject);
+    compared_at_once_ = std::vector<std::atomic<bool>>(judged_.size());
+    for (std::size_t s = 0; s < judged_.size(); ++s) compared_at_once_[s] = judged_[s]->report.why.compares_at_once();
+    first_ends_the_run_ = stop.at_first_failure && !judged_.empty() && judged_.front() == &subjects.front();
   }
 
-  // Whether right answers are compared with the causes where they are judged: on any thread, not where all are merged.
-  std::vector<std::atomic<bool>> compared_at_once(judged.size());
-  for (std::size_t s = 0; s < judged.size(); ++s) compared_at_once[s] = judged[s]->report.why.compares_at_once();
+  void judge_all() {
+    // A few slices a thread, so that reading goes on while others are asked.
+    const std::size_t on_their_way =
+        4 * tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    using Way = std::shared_ptr<Slice>;
+    tbb::parallel_pipeline(
+        on_their_way,
+        tbb::make_filter<void, Way>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& flow) {
+          Way slice = read();
+          if (!slice) flow.stop();
+          return slice;
+        }) & tbb::make_filter<Way, Way>(tbb::filter_mode::parallel, [&](Way slice) {
+          judge(*slice);
+          return slice;
+        }) & tbb::make_filter<Way, void>(tbb::filter_mode::serial_in_order, [&](const Way& slice) { merge(*slice); }));
+    if (error_) std::rethrow_exception(error_);
+    if (stop_.why.empty()) questions_.accepted_all();
+    if (stop_.late() && stop_.why.empty()) stop_.why = "the time was up";
+    for (Subject* subject : judged_) {
+      subject->report.unreached += source_.count - reached_;
+      subject->report.families.back().add_unreached(source_.count - reached_);
+      subject->report.stopped = stop_.why;
+    }
+  }
 
-  const auto ask = [&](Slice& slice) {
-    make_items(source, slice);
+ private:
+  /// A subject is judged, or passes the whole source over.
+  void take(Subject& subject) {
+    const engines::EngineInfo& engine = subject.engine->info();
+    none_.source = subject.report.sources++;
+    if (const auto why = excluded(source_.pair, source_.scalar, engine)) {
+      const std::string what = source_.dataset ? formats::visible(source_.dataset->string()) : title();
+      subject.report.skipped.push_back({what, *why, source_.count, none_.source, source_.fresh});
+      return;
+    }
+    judged_.push_back(&subject);
+    subject.report.families.push_back(none_);
+    if (std::find(scalars_.begin(), scalars_.end(), engine.declared.scalar) == scalars_.end())
+      scalars_.push_back(engine.declared.scalar);
+  }
+  [[nodiscard]] std::string title() const { return fmt::format("{}/{}", name(source_.pair), source_.family); }
+
+  /// The next slice; nothing behind the last, or where no more are wanted.
+  std::shared_ptr<Slice> read() {
+    auto slice = all_read_ || over_ ? std::nullopt : questions_.next();
+    if (!slice) return nullptr;
+    all_read_ = slice->error != nullptr;
+    return std::make_shared<Slice>(*std::move(slice));
+  }
+
+  void judge(Slice& slice) {
+    if (slice.error || over_ || stop_.late()) return;
+    try {
+      throw_if_interrupted();
+      ask(slice);
+    } catch (const TimeUp&) {
+    } catch (...) {
+      slice.error = std::current_exception();
+    }
+  }
+
+  void ask(Slice& slice) {
+    make_items(source_, slice);
     Findings nothing;
-    nothing.families.push_back(none);
-    slice.found.assign(judged.size(), nothing);
-    for (std::size_t s = 0; s < judged.size(); ++s)
-      if (compared_at_once[s]) slice.found[s].why.compare_at_once();
+    nothing.families.push_back(none_);
+    slice.found.assign(judged_.size(), nothing);
+    const std::vector<std::optional<Agreed>> truths = truths_of(slice);
+    for (std::size_t s = 0; s < judged_.size(); ++s) ask_subject(*judged_[s], slice, truths, slice.found[s], s);
+    const auto is_new = [](const Failure& f) { return !f.accepted; };
+    slice.failed =
+        first_ends_the_run_ && std::any_of(slice.found[0].failures.begin(), slice.found[0].failures.end(), is_new);
+    slice.asked_all = true;
+  }
+
+  /// What is true of each question; nothing of those outside the domain.
+  std::vector<std::optional<Agreed>> truths_of(Slice& slice) {
     std::vector<std::optional<Agreed>> truths;
     truths.reserve(slice.questions.size());
     for (std::size_t i = 0; i < slice.questions.size(); ++i) {
@@ -323,106 +383,86 @@ void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& st
       const bool outside = !inside_domain(item.question.query);
       if (outside && item.expected) golden::check_rejection(*item.expected, slice.where(item));
       truths.push_back(outside ? std::nullopt
-                               : std::optional(agreed_truth(item, source, scalars, oracles.check, slice)));
+                               : std::optional(agreed_truth(item, source_, scalars_, oracles_.check, slice)));
     }
-    for (std::size_t s = 0; s < judged.size(); ++s) {
-      const oracle::Declaration declared = judged[s]->report.engine.declared_for(source.pair);
-      std::vector<engines::Question> asked;
-      std::vector<std::size_t> which;
-      std::map<std::string_view, std::uint64_t> left_out;
-      for (std::size_t i = 0; i < slice.questions.size(); ++i) {
-        if (truths[i]) slice.found[s].families.front().askable.add(truths[i]->truth.hit());
-        if (const auto why = oracle::not_served(slice.questions[i].query, declared)) {
-          ++left_out[*why];
-          judged[s]->engine->pass_over(slice.questions[i]);
-          continue;
-        }
-        which.push_back(i);
-      }
-      const bool all = which.size() == slice.questions.size();
-      if (!all)
-        for (const std::size_t i : which) asked.push_back(slice.questions[i]);
-      for (const auto& [why, count] : left_out)
-        slice.found[s].skipped.push_back({fmt::format("{}/{}", name(source.pair), source.family), std::string(why),
-                                          count, none.source, source.fresh});
-      const std::vector<Claim> claims = judged[s]->engine->answer(all ? slice.questions : asked);
-      for (std::size_t k = 0; k < which.size(); ++k)
-        judge_one(slice.item(which[k]), truths[which[k]], source, claims[k], *judged[s], declared, run, slice.found[s]);
-    }
-    const auto is_new = [](const Failure& f) { return !f.accepted; };
-    slice.failed = stop.at_first_failure && !judged.empty() && judged.front() == &subjects.front() &&
-                   std::any_of(slice.found[0].failures.begin(), slice.found[0].failures.end(), is_new);
-    slice.asked_all = true;
-  };
+    return truths;
+  }
 
-  Questions questions(source, oracles.check);
-  Progress progress(fmt::format("{}/{}", name(source.pair), source.family), source.count);
-  std::uint64_t reached = 0;
-  bool all_read = !stop.why.empty();
-  std::atomic<bool> over = false;  // nothing more is merged
-  std::exception_ptr error;  // thrown behind the pipeline, which loses what is on its way when one is thrown in it
-  // Slices come to be merged in the order in which they were read, and the first that fails ends the run: those before
-  // it are all asked, and what is found in those behind it is left out, so that nothing depends on the threads.
-  const auto read = [&](tbb::flow_control& flow) -> std::shared_ptr<Slice> {
-    auto slice = all_read || over ? std::nullopt : questions.next();
-    if (!slice) {
-      flow.stop();
-      return nullptr;
+  void ask_subject(Subject& subject, const Slice& slice, const std::vector<std::optional<Agreed>>& truths,
+                   Findings& found, std::size_t which) {
+    if (compared_at_once_[which]) found.why.compare_at_once();
+    const oracle::Declaration declared = subject.report.engine.declared_for(source_.pair);
+    std::vector<std::size_t> served;
+    std::map<std::string_view, std::uint64_t> left_out;
+    for (std::size_t i = 0; i < slice.questions.size(); ++i) {
+      if (truths[i]) found.families.front().askable.add(truths[i]->truth.hit());
+      if (const auto why = oracle::not_served(slice.questions[i].query, declared)) {
+        ++left_out[*why];
+        subject.engine->pass_over(slice.questions[i]);
+      } else {
+        served.push_back(i);
+      }
     }
-    all_read = slice->error != nullptr;
-    return std::make_shared<Slice>(*std::move(slice));
-  };
-  const auto judge = [&](std::shared_ptr<Slice> slice) {
-    if (slice->error || over || stop.late()) return slice;
+    for (const auto& [why, count] : left_out)
+      found.skipped.push_back({title(), std::string(why), count, none_.source, source_.fresh});
+    const bool all = served.size() == slice.questions.size();
+    std::vector<engines::Question> asked;
+    if (!all)
+      for (const std::size_t i : served) asked.push_back(slice.questions[i]);
+    const std::vector<Claim> claims = subject.engine->answer(all ? slice.questions : asked);
+    for (std::size_t k = 0; k < served.size(); ++k)
+      judge_one(slice.item(served[k]), truths[served[k]], source_, claims[k], subject, declared, run_, found);
+  }
+
+  void merge(Slice& slice) {
+    if (error_ || !stop_.why.empty()) return;
     try {
-      throw_if_interrupted();
-      ask(*slice);
-    } catch (const TimeUp&) {
+      questions_.accept(slice);
     } catch (...) {
-      slice->error = std::current_exception();
+      slice.error = std::current_exception();
     }
-    return slice;
-  };
-  const auto merge = [&](const std::shared_ptr<Slice>& slice) {
-    if (error || !stop.why.empty()) return;
-    try {
-      questions.accept(*slice);
-    } catch (...) {
-      slice->error = std::current_exception();
-    }
-    if (slice->error) {
-      error = slice->error;
-      over = true;
+    if (slice.error) {
+      error_ = slice.error;
+      over_ = true;
       return;
     }
-    progress.add(slice->count);
-    if (!slice->asked_all) return;
-    reached += slice->count;
-    for (std::size_t s = 0; s < judged.size(); ++s) {
-      judged[s]->report.merge(slice->found[s]);
-      compared_at_once[s] = judged[s]->report.why.compares_at_once();
+    progress_.add(slice.count);
+    if (!slice.asked_all) return;
+    reached_ += slice.count;
+    for (std::size_t s = 0; s < judged_.size(); ++s) {
+      judged_[s]->report.merge(slice.found[s]);
+      compared_at_once_[s] = judged_[s]->report.why.compares_at_once();
     }
-    oracles.decided.merge(slice->decided);
-    oracles.checked += slice->checked;
-    if (slice->failed) stop.why = "the first failure ended the run";
-    if (stop.late()) stop.why = "the time was up";
-    if (!stop.why.empty()) over = true;
-  };
-  // A few slices a thread, so that reading goes on while others are asked.
-  const std::size_t on_their_way = 4 * tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  tbb::parallel_pipeline(
-      on_their_way,
-      tbb::make_filter<void, std::shared_ptr<Slice>>(tbb::filter_mode::serial_in_order, read) &
-          tbb::make_filter<std::shared_ptr<Slice>, std::shared_ptr<Slice>>(tbb::filter_mode::parallel, judge) &
-          tbb::make_filter<std::shared_ptr<Slice>, void>(tbb::filter_mode::serial_in_order, merge));
-  if (error) std::rethrow_exception(error);
-  if (stop.why.empty()) questions.accepted_all();
-  if (stop.late() && stop.why.empty()) stop.why = "the time was up";
-  for (Subject* subject : judged) {
-    subject->report.unreached += source.count - reached;
-    subject->report.families.back().add_unreached(source.count - reached);
-    subject->report.stopped = stop.why;
+    oracles_.decided.merge(slice.decided);
+    oracles_.checked += slice.checked;
+    if (slice.failed) stop_.why = "the first failure ended the run";
+    if (stop_.late()) stop_.why = "the time was up";
+    if (!stop_.why.empty()) over_ = true;
   }
+
+  const Source& source_;
+  Stop& stop_;
+  Oracles& oracles_;
+  std::uint64_t run_;
+  Questions questions_;
+  Progress progress_{title(), source_.count};
+  FamilyReport none_;  ///< a report of this source in which nothing is judged yet
+  std::vector<Subject*> judged_;
+  std::vector<Scalar> scalars_{source_.scalar};
+  /// Whether right answers are compared with the causes where they are judged: on any thread, not where all are merged.
+  std::vector<std::atomic<bool>> compared_at_once_;
+  bool first_ends_the_run_ = false;
+  bool all_read_ = !stop_.why.empty();
+  std::atomic<bool> over_ = false;  ///< nothing more is merged
+  std::uint64_t reached_ = 0;
+  std::exception_ptr error_;  ///< thrown behind the pipeline, which loses what is on its way when one is thrown in it
+};
+
+}  // namespace
+
+void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& stop, Oracles& oracles,
+                  std::uint64_t run) {
+  Judging(source, subjects, stop, oracles, run).judge_all();
 }
 
 }  // namespace contact::tool

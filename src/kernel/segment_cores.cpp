@@ -1,5 +1,5 @@
 // The nearest points of two segments in integers: the foot on the one line, clamped, and from there on the other.
-#include "kernel/segments.hpp"
+#include "kernel/segment_cores.hpp"
 
 #include <algorithm>
 

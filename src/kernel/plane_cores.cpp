@@ -1,5 +1,5 @@
 // The lowest point of a point or a segment over a plane, and its contact, in integers.
-#include "kernel/planes.hpp"
+#include "kernel/plane_cores.hpp"
 
 namespace contact::kernel {
 

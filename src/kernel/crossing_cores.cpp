@@ -1,5 +1,5 @@
 // Where a segment crosses a triangle, and the contact there, in integers.
-#include "kernel/crossings.hpp"
+#include "kernel/crossing_cores.hpp"
 
 namespace contact::kernel {
 namespace {

@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "kernel/cores_stages.hpp"
-#include "kernel/segments.hpp"
+#include "kernel/segment_cores.hpp"
 
 namespace contact::kernel {
 
@@ -94,7 +94,7 @@ struct PlainHeight {
                         lengths);
 }
 
-// What follows computes to nearest, in numbers that are in_short_range. Errors are in units of u^2, as in segments.hpp.
+// What follows computes to nearest, in numbers that are in_short_range. Errors are in units of u^2, as in segment_cores.hpp.
 
 /// The lowest point, exactly, and h of it.
 struct ApproximateLowest {

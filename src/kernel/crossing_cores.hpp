@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "kernel/cores_stages.hpp"
-#include "kernel/triangles.hpp"
+#include "kernel/triangle_cores.hpp"
 
 namespace contact::kernel {
 
@@ -85,7 +85,7 @@ void round_exactly(const ExactCrossing& crossing, const Grid& grid, const Length
   return plain_crossing(segment.start, segment.length * segment.direction, triangle);
 }
 
-// What follows computes to nearest, in numbers that are in_short_range. Errors are in units of u^2, as in segments.hpp.
+// What follows computes to nearest, in numbers that are in_short_range. Errors are in units of u^2, as in segment_cores.hpp.
 
 /// X of a segment that surely crosses, or nearly, and n with the sign of the contact's normal.
 struct ApproximateCrossing {

@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-#include "kernel/segments.hpp"
+#include "kernel/segment_cores.hpp"
 
 namespace contact::kernel {
 

@@ -1,5 +1,5 @@
 // The point of a triangle nearest to a point, in integers.
-#include "kernel/triangles.hpp"
+#include "kernel/triangle_cores.hpp"
 
 namespace contact::kernel {
 
