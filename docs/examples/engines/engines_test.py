@@ -140,7 +140,7 @@ def answers(engine, questions):
     asked = [{"op": "query", "seq": seq, "pair": "sphere_sphere", **{key: case[key] for key in ("a", "b", "alarm", "contact")}}
              for seq, case in enumerate(questions, 1)]
     lines = [json.dumps(line, separators=(",", ":")) for line in [{"op": "hello", "protocol": 1}, *asked, {"op": "stop"}]]
-    done = subprocess.run(command, input="\n".join(lines) + "\n", text=True, capture_output=True, check=True, timeout=60)
+    done = subprocess.run(command, input="\n".join(lines) + "\n", text=True, capture_output=True, check=True, timeout=300)
     # JavaScript writes large numbers as integers, and they are doubles all the same.
     hello, *said = (json.loads(line, parse_int=float) for line in done.stdout.splitlines())
     return hello, said
