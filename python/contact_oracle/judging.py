@@ -43,7 +43,7 @@ class Report:
         self.data: dict[str, Any] = json.loads(judged["json"])
         self.certified: bool = judged["exit"] == 0
         fresh = (self.data["fresh"] or {}).get("total")
-        self.level: str = max(self.data["total"]["level"], *([fresh["level"]] if fresh and fresh["judged"] else []), key=_REACHED.index)
+        self.level: str = max([self.data["total"]["level"], *([fresh["level"]] if fresh and fresh["judged"] else [])], key=_REACHED.index)
         self.verdict: str = self.data["verdict"]
         self.diagnosis: list[str] = self.data["diagnosis"]
 
