@@ -167,7 +167,7 @@ def _scale(name: str, question: Question) -> float:
     if isinstance(question.a, Ray):
         lengths.append(question.a.length * math.hypot(*question.a.direction))
     if name == "value" and pair_named(question.pair).numbers == "cast":
-        return 4.0 * max(question.a.length, max(lengths) / max(map(abs, question.a.direction)))
+        return 4.0 * max(float(question.a.length), max(lengths) / max(math.fabs(x) for x in question.a.direction))
     return 4.0 * max(lengths)
 
 
