@@ -127,7 +127,7 @@ class Parts(Case):
                 self.assertLess(time.monotonic(), deadline)
                 time.sleep(0.01)
             process.send_signal(stop)
-            process.communicate(timeout=60)
+            process.communicate(timeout=300)
             self.assertEqual(process.returncode, 130 if stop == signal.SIGINT else -signal.SIGKILL)
         kept = {path: path.stat().st_mtime_ns for path in folder.glob("*.part")}
         self.assertLess(len(kept), 64)
@@ -288,7 +288,7 @@ class Cluster(Case):
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         time.sleep(2)
         process.send_signal(signal.SIGINT)
-        out, _ = process.communicate(timeout=30)
+        out, _ = process.communicate(timeout=300)
         self.assertEqual(process.returncode, 1)  # mpirun's own: what is printed and written tells that it is no verdict
         self.assertNotRegex(out, b"REFUTED|CERTIFIED")
         self.assertEqual(self.left(), [])

@@ -812,7 +812,7 @@ class Exams(Case):
             key = json.loads(self.key.read_text())
             closing = [subprocess.Popen([TOOL, *map(str, self.closing("--certificate", self.folder / f"c{i}.json"))], stdout=subprocess.PIPE,
                                         stderr=subprocess.PIPE, text=True) for i in range(4)]
-            done = [(*process.communicate(timeout=120), process.returncode) for process in closing]
+            done = [(*process.communicate(timeout=300), process.returncode) for process in closing]
             self.assertEqual(sorted(code for _, _, code in done), [0, 2, 2, 2], done)
             self.assertTrue(all("an exam is closed once" in said for _, said, code in done if code == 2), done)
             self.assertEqual(len(list(self.folder.glob("c?.json"))), 1)

@@ -28,7 +28,7 @@ class SofaScene(unittest.TestCase):
         return path
 
     def detect(self, *args):
-        return subprocess.run([TOOL, "detect", *map(str, args)], capture_output=True, text=True, timeout=120, check=False)
+        return subprocess.run([TOOL, "detect", *map(str, args)], capture_output=True, text=True, timeout=300, check=False)
 
     def contacts(self, *args):
         done = self.detect(*args, "--json")

@@ -273,7 +273,7 @@ class Completion(Case):
             pieces = [piece for word in ["contact-oracle", *words] for piece in cut(word)]
             done = subprocess.run(["bash", "--norc", "-c", 'source "$1"; shift; complete -p contact-oracle; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); '
                                    'COMP_WORDBREAKS=" =:"; _contact_oracle; for one in "${COMPREPLY[@]}"; do echo "$one"; done', "bash", script, *pieces],
-                                  capture_output=True, text=True, env=self.environment(), timeout=60)
+                                  capture_output=True, text=True, env=self.environment(), timeout=300)
             self.assertEqual((done.returncode, done.stderr), (0, ""), words)
             registered, *found = done.stdout.splitlines()
             self.assertEqual(registered, "complete -F _contact_oracle contact-oracle")
@@ -297,7 +297,7 @@ class Completion(Case):
 
         def wait_for(pattern):
             nonlocal said
-            deadline = time.monotonic() + 60
+            deadline = time.monotonic() + 300
             while not (found := re.search(pattern, said)):
                 self.assertLess(time.monotonic(), deadline, said)
                 if select.select([terminal], [], [], 1)[0]:
@@ -342,7 +342,7 @@ class Completion(Case):
         for words, right in [*TYPED, (["lint", "som"], ["some.jsonl", "someplace/"]), (["certify", "--parts", "som"], ["someplace/"]),
                              (["certify", "--report=some."], ["--report=some.jsonl"])]:
             done = subprocess.run(["fish", "--no-config", "-c", f"source {script}; complete -C 'contact-oracle {' '.join(words)}'"],
-                                  capture_output=True, text=True, env=self.environment(), timeout=60, cwd=self.folder)
+                                  capture_output=True, text=True, env=self.environment(), timeout=300, cwd=self.folder)
             self.assertEqual((done.returncode, done.stderr), (0, ""), words)
             found = [one.split("\t")[0] for one in done.stdout.splitlines()]
             self.assertEqual(sorted(found), sorted(right), words)
@@ -369,10 +369,10 @@ class Manual(Case):
                     for option in shown.split(","):
                         self.assertIn(rf"\fB{option}\fR".replace("-", r"\-"), page)
                 if shutil.which("mandoc"):
-                    done = subprocess.run(["mandoc", "-T", "lint", "-W", "warning"], input=page, capture_output=True, text=True, timeout=60)
+                    done = subprocess.run(["mandoc", "-T", "lint", "-W", "warning"], input=page, capture_output=True, text=True, timeout=300)
                     self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
                 if shutil.which("groff"):
-                    done = subprocess.run(["groff", "-man", "-T", "utf8", "-ww", "-z"], input=page, capture_output=True, text=True, timeout=60)
+                    done = subprocess.run(["groff", "-man", "-T", "utf8", "-ww", "-z"], input=page, capture_output=True, text=True, timeout=300)
                     self.assertEqual((done.returncode, done.stderr), (0, ""))
         if not shutil.which("mandoc") and not shutil.which("groff"):
             self.skipTest("neither mandoc nor groff here: Debian's package mandoc")

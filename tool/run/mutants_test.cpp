@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint64_t kQuestions = golden::kCommittedCount;
 constexpr std::size_t kStep = 1;
 #else
-constexpr std::size_t kStep = 30;         // of the mutants one: the campaign asks them all
+constexpr std::size_t kStep = 60;         // of the mutants one: the campaign asks them all
 constexpr std::uint64_t kQuestions = 42;  // of a file: all classes take their turn in so many
 #endif
 
