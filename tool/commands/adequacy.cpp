@@ -291,7 +291,7 @@ bool adequacy(const std::filesystem::path& folder, bool to_write) {
   return wrong.empty();
 }
 
-/// The table of docs/golden.md, which a test compares with this.
+/// The table of reasons, on a page of the site.
 void print_reasons() {
   fmt::print("<!-- reasons:begin -->\n| shapes | family | why it is there |\n|---|---|---|\n");
   for (const golden::FamilyNote& f : golden::families_kept())
@@ -312,7 +312,7 @@ void add_adequacy(CLI::App& app, int& exit) {
   command->add_option("folder", o->folder, fmt::format("A folder of golden files (default: {})", kCommitted))
       ->type_name("FOLDER");
   command->add_flag("--write", o->write, "Write adequacy.json and quick/ instead of checking them");
-  command->add_flag("--table", o->table, "The table of docs/golden.md")->group("");
+  command->add_flag("--table", o->table, "The table of reasons on the site")->group("");
   command->callback([o, command, &exit] {
     exit = kCertified;
     if (o->table) {

@@ -135,7 +135,7 @@ std::string table_cell(std::string_view text) {
   return cell;
 }
 
-/// The table of docs/bug-zoo.md, which a test compares with this.
+/// The table of mutants, a page of the site.
 void print_mutants() {
   fmt::print("| id | from | what is wrong | first line of the diagnosis |\n|---|---|---|---|\n");
   for (const engines::Mutant& m : engines::mutants())
@@ -165,7 +165,7 @@ void add_lists(CLI::App& app, int& exit) {
   add_json_option(*engines, *engines_json, "One JSON object a line, mutants included");
   engines->add_flag("--mutants", *every_mutant, "Also the engines with one mistake each");
   auto table = std::make_shared<bool>(false);
-  engines->add_flag("--table", *table, "The table of docs/bug-zoo.md")->group("");
+  engines->add_flag("--table", *table, "The table of mutants on the site")->group("");
   engines->callback([=, &exit] {
     if (*table) {
       require_alone(*engines, "--table");
@@ -179,7 +179,7 @@ void add_lists(CLI::App& app, int& exit) {
   });
   add("pairs", "The pairs of shapes that can be asked about", list_pairs);
   add("families", "The families of generated questions, and the flags of cases", list_families);
-  auto* tables = app.add_subcommand("tables", "The tables of families and flags in docs/formats.md");
+  auto* tables = app.add_subcommand("tables", "The tables of families, on the site, and of flags, in docs/formats.md");
   tables->group("");
   tables->callback([&exit] {
     print_tables();
