@@ -544,10 +544,18 @@ std::span<const Family> families() {
 }  // namespace
 }  // namespace casts_families
 
-std::span<const Family> families_of(const CastAt<Ball>* /*kind*/) { return casts_families::families<Pair::cast_sphere>(); }
+std::span<const Family> families_of(const CastAt<Ball>* /*kind*/) {
+  return casts_families::families<Pair::cast_sphere>();
+}
 std::span<const Family> families_of(const CastAt<Box>* /*kind*/) { return casts_families::families<Pair::cast_cube>(); }
-std::span<const Family> families_of(const CastAt<Capsule>* /*kind*/) { return casts_families::families<Pair::cast_capsule>(); }
-std::span<const Family> families_of(const CastAt<Triangle>* /*kind*/) { return casts_families::families<Pair::cast_triangle>(); }
-std::span<const Family> families_of(const CastAt<Plane>* /*kind*/) { return casts_families::families<Pair::cast_plane>(); }
+std::span<const Family> families_of(const CastAt<Capsule>* /*kind*/) {
+  return casts_families::families<Pair::cast_capsule>();
+}
+std::span<const Family> families_of(const CastAt<Triangle>* /*kind*/) {
+  return casts_families::families<Pair::cast_triangle>();
+}
+std::span<const Family> families_of(const CastAt<Plane>* /*kind*/) {
+  return casts_families::families<Pair::cast_plane>();
+}
 
 }  // namespace contact::golden

@@ -246,7 +246,7 @@ def certify(engine: Engine | Mapping[str, Engine], pairs: str | Iterable[str] | 
     else:
         sources = golden_sources(datasets, named, families, scalar)
         if not fresh and seed is not None:
-            raise InputError("is of fresh questions, and fresh=0 asks none", "seed")
+            raise InputError("chooses fresh questions, and fresh=0 asks none", "seed")
         if fresh:
             seed = secrets.randbits(32) if seed is None else seed
     return certify_sources(engine, named, sources, seed=seed, fresh=0 if datasets is None else fresh, within=within,

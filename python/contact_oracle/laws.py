@@ -266,13 +266,14 @@ def _of_lengths(shape: Any, change: Callable[[float], float]) -> Any:
 
 
 def scale(engine: Engine, question: Question, exponent: int = 1, *, ulps: float = ULPS, tolerance: Stated = None, conventions: Stated = None) -> None:
-    """A power of two scales points and value, and changes nothing else."""
+    """A power of two scales points and value, and changes nothing else: a cast's value counts directions, which are scaled too."""
     factor = 2.0**exponent
+    counts_directions = pair_named(question.pair).numbers == "cast"
     scaled = replace(question, a=_of_lengths(question.a, lambda x: x * factor), b=_of_lengths(question.b, lambda x: x * factor),
                      alarm=question.alarm * factor, contact=question.contact * factor)
     assume(_is_in_scalar(question) and _is_in_scalar(scaled))
     _compare("scale", engine, question, scaled, Held(ulps, tolerance, conventions),
-             lambda name, number: number if name == "normal" else number / factor)
+             lambda name, number: number if name == "normal" or (name == "value" and counts_directions) else number / factor)
 
 
 def _moved(shape: Any, by: tuple[float, float, float]) -> Any:

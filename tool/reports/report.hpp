@@ -253,6 +253,7 @@ struct Report : Findings {
 
  private:
   [[nodiscard]] FamilyReport total_of(bool published, bool fresh) const;
+  [[nodiscard]] bool fresh_right() const;
   [[nodiscard]] bool meets(const FamilyReport& family) const;
   [[nodiscard]] std::vector<std::string> reasons(const FamilyReport& family) const;
 };
