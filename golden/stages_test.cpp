@@ -39,8 +39,7 @@ void expect_stages_agree(const Query& query, Scalar scalar, oracle::StageCounts&
   const oracle::Witness witness = oracle::witness(truth, scalar);
   const auto quick = oracle::double_double_answer(query, scalar);
   // As compiled for processors without fma.
-  const auto portable = std::visit(
-      [&](const auto& shapes) { return oracle::double_double_answer(shapes, query.distances, scalar); }, query.shapes);
+  const auto portable = oracle::double_double_answer_without_fma(query, scalar);
   ASSERT_EQ(quick.has_value(), portable.has_value()) << query_line(query, scalar);
   if (quick) {
     ASSERT_EQ(first_difference(*quick, *portable), std::nullopt) << query_line(query, scalar);

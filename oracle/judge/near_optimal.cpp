@@ -5,15 +5,15 @@
 #include <cstddef>
 
 #include "oracle/judge/off.hpp"
+#include "oracle/truth/cores.hpp"
 #include "oracle/truth/default_environment.hpp"
-#include "oracle/truth/triangles.hpp"
 
 namespace contact::oracle {
 namespace {
 
 constexpr int kUnitBits = 200;  // of a normal that is made one of length 1
 
-std::size_t index(int shape) { return static_cast<std::size_t>(shape); }
+std::size_t place(int shape) { return static_cast<std::size_t>(shape); }
 Rational squared(const Point& v) { return dot(v, v); }
 
 Point unit(const Point& n) {
@@ -23,32 +23,10 @@ Point unit(const Point& n) {
 
 // ---- cores ----
 
-Segment core(const Ball& ball) { return segment_of(ball); }
-Segment core(const Capsule& capsule) { return segment_of(capsule); }
-Segment core(const Ray& ray) { return segment_of(ray); }
-Segment core(const Line& line) {
-  const Point start = point_of(line.start);
-  return {start, point_of(line.end) - start, 0};
-}
-
 /// The square of the distance of a point from a core; of a half-space, from its boundary.
 template <class Shape>
 Rational squared_distance_from(const Shape& shape, const Point& x) {
-  const Segment segment = core(shape);
-  if (const auto at = foot(x, segment)) return squared(x - *at);
-  const auto [start, end] = segment.ends();
-  return std::min(squared(x - start), squared(x - end));
-}
-Rational squared_distance_from(const Triangle& triangle, const Point& x) {
-  return squared(x - nearest_on_triangle(x, vertices_of(triangle)));
-}
-Rational squared_distance_from(const Box& box, const Point& x) {
-  Point nearest;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto i = static_cast<Eigen::Index>(axis);
-    nearest[axis] = std::max(Rational(box.min[i]), std::min(x[axis], Rational(box.max[i])));
-  }
-  return squared(x - nearest);
+  return squared_distance(exact_core({x}, features::kPoint), exact_core(shape));
 }
 Rational squared_distance_from(const Plane& plane, const Point& x) {
   const Point n = point_of(plane.normal);
@@ -58,19 +36,7 @@ Rational squared_distance_from(const Plane& plane, const Point& x) {
 
 template <class Shape>
 std::vector<Point> vertices(const Shape& shape) {
-  const auto ends = core(shape).ends();
-  return {ends.begin(), ends.end()};
-}
-std::vector<Point> vertices(const Triangle& triangle) {
-  const Vertices v = vertices_of(triangle);
-  return {v.begin(), v.end()};
-}
-std::vector<Point> vertices(const Box& box) {
-  std::vector<Point> all;
-  for (const double x : {box.min[0], box.max[0]})
-    for (const double y : {box.min[1], box.max[1]})
-      for (const double z : {box.min[2], box.max[2]}) all.push_back({Rational(x), Rational(y), Rational(z)});
-  return all;
+  return exact_core(shape).vertices;
 }
 std::vector<Point> vertices(const Plane& /*plane*/) { return {}; }
 
@@ -90,22 +56,9 @@ const Triangle& triangle_of(const Query& query) {
   if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes)) return ray->b;
   return std::get<TriangleAndLine>(query.shapes).a;
 }
-Segment crossing_segment(const Query& query) {
-  if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes)) return core(ray->a);
-  return core(std::get<TriangleAndLine>(query.shapes).b);
-}
-
-/// The faces of a box from inside, and how deep a point lies below each.
-std::vector<WayOut> ways_out(const Point& c, const Box& box) {
-  std::vector<WayOut> all;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const bool is_min : {true, false}) {
-      WayOut way{{Rational(0), Rational(0), Rational(0)}, c};
-      way.direction[axis] = Rational(is_min ? 1 : -1);
-      way.nearest[axis] = Rational((is_min ? box.min : box.max)[static_cast<Eigen::Index>(axis)]);
-      all.push_back(way);
-    }
-  return all;
+std::vector<Point> crossing_ends(const Query& query) {
+  if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes)) return vertices(ray->a);
+  return vertices(std::get<TriangleAndLine>(query.shapes).b);
 }
 
 }  // namespace
@@ -121,7 +74,7 @@ NearOptimal::NearOptimal(const Query& query, const DistanceTruth& truth, const C
   if (is_crossing(query.pair)) {
     const Point& N = truth.along();
     const Point v0 = point_of(triangle_of(query).vertices[0]);
-    const auto ends = crossing_segment(query).ends();
+    const auto ends = crossing_ends(query);
     is_flat_ = std::all_of(ends.begin(), ends.end(), [&](const Point& end) {
       const Rational height = dot(N, end - v0);
       return is_noise(height * height / squared(N));
@@ -129,7 +82,7 @@ NearOptimal::NearOptimal(const Query& query, const DistanceTruth& truth, const C
   }
   if (!truth.degenerate() || truth.coincident()) return;
   const Point& c = truth.cores().nearest[0];
-  for (const WayOut& way : ways_out(c, std::get<BallAndBox>(query.shapes).b))
+  for (const WayOut& way : ways_out(c, exact_core(std::get<BallAndBox>(query.shapes).b)))
     faces_.push_back({way, dot(c - way.nearest, way.direction)});
   if (!claim.normal) return;
   const auto along = [&](const Face& face) { return dot(face.way.direction, *claim.normal); };
@@ -161,11 +114,11 @@ Off NearOptimal::positions_turn(const Point& n) const {
   const Rational n2 = squared(n);
   if (is_crossing(query_.pair)) {
     // A triangle has no thickness along its normal, and turns over where a vertex comes to the opposite edge.
-    const Vertices v = vertices_of(triangle_of(query_));
+    const std::vector<Point> v = vertices(triangle_of(query_));
     const Point N = cross(v[1] - v[0], v[2] - v[0]);
     Rational longest(0);
     for (std::size_t i = 0; i < v.size(); ++i) longest = std::max(longest, squared(v[(i + 1) % v.size()] - v[i]));
-    const Extent along = extent({v.begin(), v.end()}, n);
+    const Extent along = extent(v, n);
     Off off = length({Rational(0), (along.most - along.least) / n2, n2}, scale_);
     off.merge(turn(squared(N) / longest, truth_.along(), n));
     return off;
@@ -192,7 +145,7 @@ Off NearOptimal::positions_turn(const Point& n) const {
 
 /// Where the core's point is that goes with a claimed point and a normal.
 Point NearOptimal::core_point(int shape, const Point& unit) const {
-  return *claim_.points[index(shape)] - (outward(shape, claim_.on[index(shape)]) * truth_.radius(shape)) * unit;
+  return *claim_.points[place(shape)] - (outward(shape, claim_.on[place(shape)]) * truth_.radius(shape)) * unit;
 }
 Rational NearOptimal::squared_distance(int shape, const Point& x) const {
   // Where such a segment crosses, rounding decides: all of it may be said to.
@@ -217,7 +170,7 @@ Off NearOptimal::normal() const {
                                                           : beyond_lengths(tolerance_);
   Off off = positions_turn(n);
   for (const int shape : {0, 1})
-    if (claim_.points[index(shape)] && !CGAL::is_zero(truth_.radius(shape))) off.merge(goes_with(shape, unit(n)));
+    if (claim_.points[place(shape)] && !CGAL::is_zero(truth_.radius(shape))) off.merge(goes_with(shape, unit(n)));
   if (claim_.midpoint && truth_.radius(0) != truth_.radius(1)) off.merge(middle_goes_with(unit(n), delta()));
   return off;
 }
@@ -260,13 +213,13 @@ Off NearOptimal::point(int shape) const {
   const int other = 1 - shape;
   const Exact scale = truth_.point_scale(shape);
   const Rational side(shape == 0 ? 1 : -1);
-  const Rational radius = CGAL::abs(outward(shape, claim_.on[index(shape)])) * truth_.radius(shape);
-  Off least = beside_cores(shape, *claim_.points[index(shape)], radius, scale);
+  const Rational radius = CGAL::abs(outward(shape, claim_.on[place(shape)])) * truth_.radius(shape);
+  Off least = beside_cores(shape, *claim_.points[place(shape)], radius, scale);
   for (const Reading& reading : readings()) {
     Off off = reading.need;
     off.merge(goes_with(shape, reading.normal));
     const Point there = core_point(shape, reading.normal) + side * reading.delta;  // where the other core's point is
-    if (claim_.points[index(other)]) {
+    if (claim_.points[place(other)]) {
       off.merge(goes_with(other, reading.normal));
       off.merge(root(squared(core_point(other, reading.normal) - there), scale_));
     } else {

@@ -127,10 +127,9 @@ const Rational& limit_of(const Query& query, const DistanceTruth& distance, bool
 /// The square of how far a question without a distance is from another answer.
 Rational crossing_change2(const Query& query) {
   if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes))
-    return distance2_to_change(segment_of(ray->a), ray->b);
+    return distance2_to_change(exact_core(ray->a), ray->b);
   const auto& line = std::get<TriangleAndLine>(query.shapes);
-  const Point start = point_of(line.b.start);
-  return distance2_to_change({start, point_of(line.b.end) - start, 0}, line.a);
+  return distance2_to_change(exact_core(line.b), line.a);
 }
 
 }  // namespace

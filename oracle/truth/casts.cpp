@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
+#include "oracle/truth/cores.hpp"
 #include "oracle/truth/crossings.hpp"
-#include "oracle/truth/segments.hpp"
 
 namespace contact::oracle {
 namespace casts {
@@ -126,45 +126,55 @@ Normals normals(const Ball& ball, const RayLine& line, const LineEnd& t) {
 }
 Rational largest(const Ball& ball) { return std::max(largest({ball.center}), Rational(ball.radius)); }
 
+/// The core of a capsule: a point, and the way from there to the other end.
+struct Segment {
+  Point from;
+  Point along;
+  [[nodiscard]] std::array<Point, 2> ends() const { return {from, from + along}; }
+};
+Segment axis_of(const Capsule& capsule) {
+  const Point start = point_of(capsule.start);
+  return {start, point_of(capsule.end) - start};
+}
 /// The point of a segment nearest to a point, as a part of it.
 Rational part_of(const Segment& axis, const Point& x) {
   const Rational length2 = dot(axis.along, axis.along);
   return CGAL::is_zero(length2) ? kNone : dot(x - axis.from, axis.along) / length2;
 }
 bool contains(const Capsule& capsule, const Point& x) {
-  const Segment axis = segment_of(capsule);
+  const Segment axis = axis_of(capsule);
   const Rational part = std::clamp(part_of(axis, x), kNone, kOne);
   return Round{axis.from + part * axis.along, capsule.radius}.contains(x);
 }
 /// Of the cylinder around the axis: the sphere in the plane across it. Nothing where the line goes along it, or enters
 /// beside an end.
 std::optional<LineEnd> enter_cylinder(const Capsule& capsule, const RayLine& line) {
-  const Segment axis = segment_of(capsule);
+  const Segment axis = axis_of(capsule);
   const auto across = [&](const Point& v) { return v - dot(v, axis.along) / dot(axis.along, axis.along) * axis.along; };
   if (is_zero(axis.along) || is_zero(across(line.d))) return std::nullopt;
   const RayLine flat{across(line.o - axis.from), across(line.d)};
   const auto t = Round{{}, capsule.radius}.enter(flat);
   if (!t) return std::nullopt;
-  const Exact part = moving(part_of(axis, line.o), part_of({{}, axis.along, 0}, line.d), *t);
+  const Exact part = moving(part_of(axis, line.o), part_of({{}, axis.along}, line.d), *t);
   const bool beside = part.sign() != CGAL::NEGATIVE && part.compare(kOne) != CGAL::LARGER;
   return beside ? t : std::nullopt;
 }
 std::optional<LineEnd> enter(const Capsule& capsule, const RayLine& line) {
   std::optional<LineEnd> first = enter_cylinder(capsule, line);
-  for (const Point& end : segment_of(capsule).ends())
+  for (const Point& end : axis_of(capsule).ends())
     if (const auto t = Round{end, capsule.radius}.enter(line); t && (!first || order(*t, *first) < 0)) first = t;
   return first;
 }
 Normals normals(const Capsule& capsule, const RayLine& line, const LineEnd& t) {
-  const Segment axis = segment_of(capsule);
+  const Segment axis = axis_of(capsule);
   const auto [start, end] = axis.ends();
   if (capsule.radius == 0) return away_from(line.at(t.middle), {start, end});
-  const Exact part = moving(part_of(axis, line.o), part_of({{}, axis.along, 0}, line.d), t);
+  const Exact part = moving(part_of(axis, line.o), part_of({{}, axis.along}, line.d), t);
   if (part.sign() == CGAL::NEGATIVE) return Round{start, capsule.radius}.normals(line, t);
   if (part.compare(kOne) == CGAL::LARGER) return Round{end, capsule.radius}.normals(line, t);
   const Rational r(capsule.radius);
   const Point from = line.o - start - part_of(axis, line.o) * axis.along;
-  const Point way = line.d - part_of({{}, axis.along, 0}, line.d) * axis.along;
+  const Point way = line.d - part_of({{}, axis.along}, line.d) * axis.along;
   const auto component = [&](std::size_t i) { return moving(from[i] / r, way[i] / r, t); };
   return rounded_along({component(0), component(1), component(2)});
 }
@@ -259,7 +269,7 @@ Rational largest(const Plane& plane) {
 }
 
 template <class Target>
-CastTruth truth_of_cast(const CastAt<Target>& shapes) {
+CastTruth truth_of(const CastAt<Target>& shapes) {
   const auto& [ray, shape] = shapes;
   const RayLine line{point_of(ray.origin), point_of(ray.direction)};
   const bool inside = contains(shape, line.o);
@@ -358,10 +368,7 @@ Rational depth(const Box& box, const RayLine& line, const Rational& length) {
 Exact root(const Rational& square) { return {kNone, kOne, square}; }
 template <class Solid>
 Exact to_surface(const Ray& ray, const Solid& shape) {
-  Segment core = segment_of(shape);
-  core.radius = 0;
-  const ExactTruth truth = truth_of_segments(segment_of(ray), core, {0, 0});
-  return root(std::get<DistanceTruth>(truth.numbers).distance2()).plus(Rational(-shape.radius));
+  return root(squared_distance(exact_core(ray), exact_core(shape))).plus(Rational(-shape.radius));
 }
 Exact to_change(const Ray& ray, const Ball& ball, bool /*is_hit*/) { return to_surface(ray, ball); }
 Exact to_change(const Ray& ray, const Capsule& capsule, bool /*is_hit*/) { return to_surface(ray, capsule); }
@@ -371,34 +378,35 @@ Exact to_change(const Ray& ray, const Box& box, bool is_hit) {
   return is_hit ? Exact(depth(box, line, length)) : root(distance2(box, line, length));
 }
 Exact to_change(const Ray& ray, const Triangle& triangle, bool /*is_hit*/) {
-  return root(distance2_to_change(segment_of(ray), triangle));
+  return root(distance2_to_change(exact_core(ray), triangle));
 }
 Exact to_change(const Ray& ray, const Plane& plane, bool /*is_hit*/) {
   const Point n = point_of(plane.normal);
-  const auto [start, end] = segment_of(ray).ends();
-  const Rational lowest = std::min(dot(n, start), dot(n, end)) - Rational(plane.offset);
+  const std::vector<Point> ends = exact_core(ray).vertices;
+  const Rational lowest = std::min(dot(n, ends[0]), dot(n, ends[1])) - Rational(plane.offset);
   return {kNone, lowest / dot(n, n), dot(n, n)};
 }
 
 }  // namespace
 }  // namespace casts
 
-Witness witness_of(const CastTruth& cast) {
-  Witness w;
-  if (cast.entry()) w.cast = {exact_string(cast.entry()->middle), exact_string(cast.entry()->half2)};
-  return w;
+template <class Target>
+Exact distance_to_change(const CastAt<Target>& shapes, bool is_hit) {
+  return magnitude(casts::to_change(shapes.a, shapes.b, is_hit));
+}
+template <class Target>
+CastTruth truth_of_cast(const CastAt<Target>& shapes) {
+  return casts::truth_of(shapes);
+}
+template <class Target>
+bool starts_inside(const CastAt<Target>& shapes) {
+  return casts::contains(shapes.b, point_of(shapes.a.origin));
 }
 
-#define CONTACT_CAST(Target)                                                               \
-  Exact distance_to_change(const CastAt<Target>& shapes, bool is_hit) {                    \
-    return magnitude(casts::to_change(shapes.a, shapes.b, is_hit));                        \
-  }                                                                                        \
-  ExactTruth exact_truth(const CastAt<Target>& shapes, Distances /*distances*/) {          \
-    return {casts::truth_of_cast(shapes)};                                                 \
-  }                                                                                        \
-  Meet cores_meet(const CastAt<Target>& shapes) {                                          \
-    return casts::contains(shapes.b, point_of(shapes.a.origin)) ? Meet::inside : Meet::no; \
-  }
+#define CONTACT_CAST(Target)                                      \
+  template Exact distance_to_change(const CastAt<Target>&, bool); \
+  template CastTruth truth_of_cast(const CastAt<Target>&);        \
+  template bool starts_inside(const CastAt<Target>&);
 CONTACT_CAST(Ball)
 CONTACT_CAST(Box)
 CONTACT_CAST(Capsule)

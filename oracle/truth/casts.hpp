@@ -5,15 +5,15 @@
 
 namespace contact::oracle {
 
-[[nodiscard]] Witness witness_of(const CastTruth& cast);
-
 /// How far a question is from the other answer, exactly: by how much its shape would have to grow, on every side, for
 /// the ray to hit it; or to shrink, for a miss. What has no inside to shrink is moved instead, past an end of the ray
 /// or off its line.
-[[nodiscard]] Exact distance_to_change(const CastAt<Ball>& shapes, bool is_hit);
-[[nodiscard]] Exact distance_to_change(const CastAt<Box>& shapes, bool is_hit);
-[[nodiscard]] Exact distance_to_change(const CastAt<Capsule>& shapes, bool is_hit);
-[[nodiscard]] Exact distance_to_change(const CastAt<Triangle>& shapes, bool is_hit);
-[[nodiscard]] Exact distance_to_change(const CastAt<Plane>& shapes, bool is_hit);
+template <class Target>
+[[nodiscard]] Exact distance_to_change(const CastAt<Target>& shapes, bool is_hit);
+template <class Target>
+[[nodiscard]] CastTruth truth_of_cast(const CastAt<Target>& shapes);
+/// Whether the ray begins in the shape.
+template <class Target>
+[[nodiscard]] bool starts_inside(const CastAt<Target>& shapes);
 
 }  // namespace contact::oracle

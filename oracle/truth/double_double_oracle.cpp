@@ -9,7 +9,8 @@
 #include <utility>
 
 #include "oracle/truth/default_environment.hpp"
-#include "oracle/truth/double_double_nearest.hpp"
+#include "oracle/truth/double_double_crossings.hpp"
+#include "oracle/truth/double_double_planes.hpp"
 
 namespace contact::oracle {
 namespace {
@@ -122,12 +123,74 @@ std::optional<RoundedAnswer> case_of_nearest(const DoubleDoubleNearest& nearest,
                     distances, scalar);
 }
 
+namespace {
+
+std::optional<RoundedAnswer> answer(const Boxes& boxes, Distances distances, Scalar /*scalar*/) {
+  const auto& [a, b] = boxes;
+  constexpr double kLargest =
+      0x1p1000;  // sums of three, which is all that boxes need, stay below the largest finite number
+  const auto most = [](const Vector3& v) { return v.array().abs().maxCoeff(); };
+  if (!(std::max({most(a.min), most(a.max), most(b.min), most(b.max), distances.alarm}) <= kLargest))
+    return std::nullopt;
+  RoundedAnswer found{-1, -1, {}};
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    for (const DoubleDouble& gap : {two_sum(a.min[axis], -b.max[axis]), two_sum(b.min[axis], -a.max[axis])}) {
+      const auto at_alarm = (gap - DoubleDouble{distances.alarm}).sign();
+      const auto at_zero = gap.sign();
+      if (!at_alarm || !at_zero) return std::nullopt;
+      found.at_alarm = std::max(found.at_alarm, *at_alarm);
+      found.at_zero = std::max(found.at_zero, *at_zero);
+    }
+  found.expected.hit = found.at_alarm <= 0;
+  return found;
+}
+
+Ends ends_of(const Ball& ball) { return {ball.center, ball.center}; }
+Ends ends_of(const Capsule& capsule) { return {capsule.start, capsule.end}; }
+
+std::optional<RoundedAnswer> answer(const RayAndBall& shapes, Distances distances, Scalar scalar) {
+  const auto& [a, b] = shapes;
+  if (!in_short_range({a.origin, b.center}) || !in_range_of_factors(a)) return std::nullopt;
+  DoubleDoubleSegment ray{a.origin, along(a), exactly(a.origin), a.length == 0};
+  for (std::size_t i = 0; i < 3; ++i) ray.end[i] = ray.end[i] + ray.along[i];
+  const auto nearest = foot(b.center, ray);
+  return case_of_apart(nearest ? std::optional(turned_round(*nearest)) : std::nullopt, 0, b.radius, distances, scalar);
+}
+std::optional<RoundedAnswer> answer(const RayAndTriangle& shapes, Distances /*distances*/, Scalar scalar) {
+  const auto& [a, b] = shapes;
+  if (!in_short_range({a.origin, a.origin}) || !in_range_of_factors(a)) return std::nullopt;
+  return case_of_crossing(a.origin, along(a), b, -1, scalar);
+}
+std::optional<RoundedAnswer> answer(const TriangleAndLine& shapes, Distances /*distances*/, Scalar scalar) {
+  const auto& [a, b] = shapes;
+  if (!in_short_range({b.start, b.end})) return std::nullopt;
+  return case_of_crossing(b.start, difference(b.end, b.start), a, 1, scalar);
+}
+
+template <class A, class B>
+std::optional<RoundedAnswer> answer(const Two<A, B>& shapes, Distances distances, Scalar scalar) {
+  const auto& [a, b] = shapes;
+  if constexpr (std::same_as<A, Cast>)
+    return std::nullopt;  // the intervals are asked
+  else if constexpr (std::same_as<B, Plane>)
+    return case_over_plane(ends_of(a), a.radius, b, distances, scalar);
+  else if constexpr (std::same_as<B, Capsule>)
+    return case_of_segments(ends_of(a), ends_of(b), a.radius, b.radius, distances, scalar);
+  else
+    return double_double_answer(shapes, distances, scalar);
+}
+
+}  // namespace
+
+std::optional<RoundedAnswer> double_double_answer_without_fma(const Query& query, Scalar scalar) {
+  const DefaultEnvironment environment;
+  return std::visit([&](const auto& shapes) { return answer(shapes, query.distances, scalar); }, query.shapes);
+}
+
 std::optional<RoundedAnswer> double_double_answer(const Query& query, Scalar scalar) {
   const DefaultEnvironment environment;
   return std::visit(
-      [&](const auto& shapes) {
-        return with_fma([&] { return double_double_answer(shapes, query.distances, scalar); });
-      },
+      [&](const auto& shapes) { return with_fma([&] { return answer(shapes, query.distances, scalar); }); },
       query.shapes);
 }
 

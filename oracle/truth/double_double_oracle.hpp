@@ -18,11 +18,14 @@ namespace contact::oracle {
 /// Evidence    oracle/truth/double_double_oracle_test.cpp
 [[nodiscard]] std::optional<RoundedAnswer> double_double_answer(const Query& query, Scalar scalar);
 
-// The same of each pair, in files of its own.
-#define CONTACT_DECLARE(A, B)                                                                                   \
-  [[nodiscard]] std::optional<RoundedAnswer> double_double_answer(const Two<A, B>& shapes, Distances distances, \
-                                                                  Scalar scalar);
-CONTACT_KINDS(CONTACT_DECLARE)
-#undef CONTACT_DECLARE
+/// The same, as on processors without fma.
+[[nodiscard]] std::optional<RoundedAnswer> double_double_answer_without_fma(const Query& query, Scalar scalar);
+
+// Of the pairs that have files of their own.
+[[nodiscard]] std::optional<RoundedAnswer> double_double_answer(const Balls& balls, Distances distances, Scalar scalar);
+[[nodiscard]] std::optional<RoundedAnswer> double_double_answer(const BallAndBox& shapes, Distances distances,
+                                                                Scalar scalar);
+[[nodiscard]] std::optional<RoundedAnswer> double_double_answer(const BallAndTriangle& shapes, Distances distances,
+                                                                Scalar scalar);
 
 }  // namespace contact::oracle

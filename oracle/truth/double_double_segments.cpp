@@ -29,10 +29,6 @@ bool same(const DoubleDoubles& x, const DoubleDoubles& y) {
   });
 }
 
-DoubleDoubleNearest turned_round(const DoubleDoubleNearest& x) {
-  return {x.q, x.p, {-x.delta[0], -x.delta[1], -x.delta[2]}};
-}
-
 /// The feet of two lines on each other, where they are not parallel and both feet lie within; `within` says whether.
 std::optional<DoubleDoubleNearest> feet(const Ends& first, const Ends& second, bool& within) {
   const DoubleDoubles u = difference(first[1], first[0]);

@@ -28,6 +28,21 @@ struct DoubleDoubleSegment {
 [[nodiscard]] inline DoubleDoubleSegment segment_between(const Vector3& start, const Vector3& end) {
   return {start, difference(end, start), exactly(end), start == end};
 }
+/// The way from a ray's origin to its end, a product.
+[[nodiscard]] inline DoubleDoubles along(const Ray& ray) {
+  DoubleDoubles along = exactly(ray.direction);
+  for (DoubleDouble& x : along) x = DoubleDouble{ray.length} * x;
+  return along;
+}
+/// Whether that is in_short_range.
+[[nodiscard]] inline bool in_range_of_factors(const Ray& ray) {
+  constexpr int kMost = 40;
+  return in_range(ray.direction, kMost) && in_range(ray.length, kMost);
+}
+/// The second point's nearest one instead of the first's.
+[[nodiscard]] inline DoubleDoubleNearest turned_round(const DoubleDoubleNearest& x) {
+  return {x.q, x.p, {-x.delta[0], -x.delta[1], -x.delta[2]}};
+}
 /// A point and its nearest one on a segment; nothing where an end may be it or not.
 [[nodiscard]] std::optional<DoubleDoubleNearest> foot(const Vector3& c, const DoubleDoubleSegment& segment);
 /// Puts the nearer one of two into `best`; false where it is not certain which that is.

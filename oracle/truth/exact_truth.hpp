@@ -1,7 +1,10 @@
 // The exact numbers of a truth, on CGAL.
 #pragma once
 
+#include <CGAL/Interval_nt.h>
+
 #include <array>
+#include <concepts>
 #include <optional>
 #include <string_view>
 #include <variant>
@@ -16,11 +19,29 @@ namespace contact::oracle {
 using Point = std::array<Rational, 3>;
 [[nodiscard]] inline Point point_of(const Vector3& v) { return {Rational(v[0]), Rational(v[1]), Rational(v[2])}; }
 
-[[nodiscard]] inline Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-[[nodiscard]] inline Point operator+(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-[[nodiscard]] inline Point operator*(const Rational& k, const Point& a) { return {k * a[0], k * a[1], k * a[2]}; }
-[[nodiscard]] inline Rational dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-[[nodiscard]] inline Point cross(const Point& a, const Point& b) {
+/// A real number of which an interval of doubles is known. It is right while the processor rounds upward.
+using Enclosed = CGAL::Interval_nt<false>;
+
+template <class Number>
+concept Coordinate = std::same_as<Number, Rational> || std::same_as<Number, Enclosed>;
+template <Coordinate Number>
+[[nodiscard]] std::array<Number, 3> operator-(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+template <Coordinate Number>
+[[nodiscard]] std::array<Number, 3> operator+(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+template <Coordinate Number>
+[[nodiscard]] std::array<Number, 3> operator*(const Number& k, const std::array<Number, 3>& a) {
+  return {k * a[0], k * a[1], k * a[2]};
+}
+template <Coordinate Number>
+[[nodiscard]] Number dot(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+template <Coordinate Number>
+[[nodiscard]] std::array<Number, 3> cross(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 [[nodiscard]] inline bool is_zero(const Point& a) { return CGAL::is_zero(dot(a, a)); }
@@ -220,16 +241,16 @@ struct ExactTruth {
   std::variant<DistanceTruth, GapTruth, CrossingTruth, CastTruth> numbers;
 };
 
+/// What a golden file records of it, but for the margin.
+[[nodiscard]] Witness witness_of(const ExactTruth& truth);
+
 /// How two cores meet: not at all, in their boundaries, or with one inside the other.
 enum class Meet { no, touching, inside };
 
-// What each pair says of itself, in files of its own: sphere_sphere.cpp, cube_cube.cpp.
-#define CONTACT_DECLARE(A, B)                                                                         \
-  [[nodiscard]] ExactTruth exact_truth(const Two<A, B>& shapes, Distances distances);                 \
-  /* Whether the cores meet; never for a pair without numbers. Needs no exact number that is slow. */ \
-  [[nodiscard]] Meet cores_meet(const Two<A, B>& shapes);
-CONTACT_KINDS(CONTACT_DECLARE)
-#undef CONTACT_DECLARE
+[[nodiscard]] ExactTruth exact_truth(const Shapes& shapes, Distances distances);
+/// Whether the cores meet; never for a pair without numbers. Exact numbers, which are slow, are made only where nothing
+/// quicker tells that they are apart.
+[[nodiscard]] Meet cores_meet(const Shapes& shapes);
 
 /// Every number of a contact, before it is rounded, with its field. Domain: a hit.
 struct FieldNumber {

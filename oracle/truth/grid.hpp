@@ -146,9 +146,4 @@ inline std::string text_of(mpz_ptr n, int exponent) {
   return text;
 }
 
-// What quick_witness says of each pair, in files of its own.
-#define CONTACT_DECLARE(A, B) [[nodiscard]] Witness quick_witness(const Two<A, B>& shapes, Distances distances);
-CONTACT_KINDS(CONTACT_DECLARE)
-#undef CONTACT_DECLARE
-
 }  // namespace contact::oracle

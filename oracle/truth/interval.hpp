@@ -1,4 +1,4 @@
-// Intervals of MPFI with outward rounding, and the answer of each pair in them.
+// Intervals of MPFI with outward rounding, and the answer for nearest points in them.
 #pragma once
 
 #include <mpfi.h>
@@ -26,7 +26,11 @@ class Interval {
   }
   Interval(mpfr_prec_t precision, double exact) : Interval(precision) { mpfi_set_d(value_, exact); }
   Interval(const Interval& other) : Interval(mpfi_get_prec(other.value_)) { mpfi_set(value_, other.value_); }
-  Interval& operator=(const Interval& other) = delete;
+  /// Domain: one precision.
+  Interval& operator=(const Interval& other) {
+    mpfi_set(value_, other.value_);
+    return *this;
+  }
   ~Interval() {
     if (mpfi_get_prec(value_) > kMostInside) mpfi_clear(value_);
   }
@@ -141,8 +145,6 @@ struct IntervalNearest {
   Triple agreed;  ///< the normal where they are one point, of any length above 0
   bool unique;
 };
-/// Two points, each its own core: where they are one, the direction is the first axis.
-[[nodiscard]] IntervalNearest nearest_of_points(const Triple& p, const Triple& q, mpfr_prec_t precision);
 
 /// off / ulp(reach) in the scalar.
 [[nodiscard]] MarginBounds margin_of(const Interval& off, const Interval& reach, Scalar scalar);
@@ -150,12 +152,5 @@ struct IntervalNearest {
 /// The answer for two cores blown up by r1 and r2.
 [[nodiscard]] RoundedAnswer answer_of_nearest(const IntervalNearest& nearest, const Interval& r1, const Interval& r2,
                                               Distances distances, Scalar scalar, mpfr_prec_t precision);
-
-// The answer of each pair at a precision, in files of its own. Throws Undecided where that is too low.
-#define CONTACT_DECLARE(A, B)                                                                              \
-  [[nodiscard]] RoundedAnswer interval_answer(const Two<A, B>& shapes, Distances distances, Scalar scalar, \
-                                              mpfr_prec_t precision);
-CONTACT_KINDS(CONTACT_DECLARE)
-#undef CONTACT_DECLARE
 
 }  // namespace contact::oracle

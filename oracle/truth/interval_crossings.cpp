@@ -8,22 +8,24 @@
 #include <cstddef>
 
 namespace contact::oracle {
-RoundedAnswer answer_of_crossing(const IntervalSegment& segment, const Triangle& triangle, int sign, Scalar scalar,
+RoundedAnswer answer_of_crossing(const IntervalCore& segment, const Triangle& triangle, int sign, Scalar scalar,
                                  mpfr_prec_t precision) {
   const RoundedAnswer miss{1, 1, {}};
+  const Triple& from = segment.vertices[0];
+  const Triple along = difference(segment.vertices[1], from);
   const auto vertex = [&](std::size_t k) { return triple(precision, triangle.vertices[k % 3]); };
   const Triple n = cross(difference(vertex(1), vertex(0)), difference(vertex(2), vertex(0)));
-  const Interval through = dot(n, segment.along);
+  const Interval through = dot(n, along);
   if (sign_of(through) == 0) return miss;
 
-  const Triple moment = cross(segment.from, segment.along);
+  const Triple moment = cross(from, along);
   for (std::size_t k = 0; k < 3; ++k) {
     const Triple edge = difference(vertex(k + 1), vertex(k));
-    const Interval side = dot(segment.along, cross(vertex(k), edge)) + dot(moment, edge);
+    const Interval side = dot(along, cross(vertex(k), edge)) + dot(moment, edge);
     if (sign_of(side) * sign_of(through) < 0) return miss;
   }
   const Interval offset = dot(n, vertex(0));
-  const Interval start = dot(n, segment.from) - offset;
+  const Interval start = dot(n, from) - offset;
   const Interval end = start + through;
   if (sign_of(start) * sign_of(end) > 0) return miss;
 
@@ -37,7 +39,7 @@ RoundedAnswer answer_of_crossing(const IntervalSegment& segment, const Triangle&
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
     contact.normal[axis] = settled((direction * n[i] / length).rounded(scalar));
-    contact.point1[axis] = settled(((turned[i] + offset * segment.along[i]) / through).rounded(scalar));
+    contact.point1[axis] = settled(((turned[i] + offset * along[i]) / through).rounded(scalar));
   }
   contact.point2 = contact.point1;
   contact.value = 0;

@@ -5,12 +5,49 @@
 #include <limits>
 
 #include "oracle/truth/default_environment.hpp"
-#include "oracle/truth/interval.hpp"
+#include "oracle/truth/interval_casts.hpp"
+#include "oracle/truth/interval_crossings.hpp"
 
 namespace contact::oracle {
 namespace {
 
 constexpr mpfr_prec_t kFirstPrecision = 192;
+
+// Of each pair at a precision; Undecided is thrown where that is too low.
+
+RoundedAnswer answer(const Boxes& boxes, Distances distances, Scalar /*scalar*/, mpfr_prec_t precision) {
+  const Triple min1 = triple(precision, boxes.a.min);
+  const Triple max1 = triple(precision, boxes.a.max);
+  const Triple min2 = triple(precision, boxes.b.min);
+  const Triple max2 = triple(precision, boxes.b.max);
+  const Interval alarm(precision, distances.alarm);
+  RoundedAnswer answer{-1, -1, {}};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const Interval& gap : {min1[axis] - max2[axis], min2[axis] - max1[axis]}) {
+      answer.at_alarm = std::max(answer.at_alarm, settled((gap - alarm).sign()));
+      answer.at_zero = std::max(answer.at_zero, settled(gap.sign()));
+    }
+  answer.expected.hit = answer.at_alarm <= 0;
+  return answer;
+}
+
+RoundedAnswer answer(const RayAndTriangle& shapes, Distances /*distances*/, Scalar scalar, mpfr_prec_t precision) {
+  return answer_of_crossing(interval_core(shapes.a, precision), shapes.b, -1, scalar, precision);
+}
+RoundedAnswer answer(const TriangleAndLine& shapes, Distances /*distances*/, Scalar scalar, mpfr_prec_t precision) {
+  return answer_of_crossing(interval_core(shapes.b, precision), shapes.a, 1, scalar, precision);
+}
+
+template <class A, class B>
+RoundedAnswer answer(const Two<A, B>& shapes, Distances distances, Scalar scalar, mpfr_prec_t precision) {
+  const auto& [a, b] = shapes;
+  if constexpr (std::same_as<A, Cast>)
+    return answer_of_cast(shapes, scalar, precision);
+  else if constexpr (std::same_as<B, Plane>)
+    return answer_of_cores(interval_core(a, precision), b, distances, scalar, precision);
+  else
+    return answer_of_cores(interval_core(a, precision), interval_core(b, precision), distances, scalar, precision);
+}
 
 }  // namespace
 
@@ -19,10 +56,6 @@ MarginBounds margin_of(const Interval& off, const Interval& reach, Scalar scalar
   const std::optional<long> exponent = reach.exponent();
   if (!exponent) return {};
   return off.scaled(format.precision - 1 - std::max<long>(*exponent, format.min_exponent)).ends();
-}
-
-IntervalNearest nearest_of_points(const Triple& p, const Triple& q, mpfr_prec_t precision) {
-  return {p, q, Interval(precision, 1), triple(precision, Vector3::UnitX()), true};
 }
 
 RoundedAnswer answer_of_nearest(const IntervalNearest& nearest, const Interval& r1, const Interval& r2,
@@ -61,7 +94,7 @@ std::optional<RoundedAnswer> interval_answer_within(int most, const Query& query
   const DefaultEnvironment environment;
   for (mpfr_prec_t precision = kFirstPrecision; precision <= most; precision *= 2) {
     try {
-      return std::visit([&](const auto& shapes) { return interval_answer(shapes, query.distances, scalar, precision); },
+      return std::visit([&](const auto& shapes) { return answer(shapes, query.distances, scalar, precision); },
                         query.shapes);
     } catch (const Undecided&) {
     }

@@ -1,8 +1,8 @@
 // The exact answer to a question, and its correct rounding.
 #include "oracle/truth/truth.hpp"
 
-#include "oracle/truth/casts.hpp"
-#include "oracle/truth/crossings.hpp"
+#include <algorithm>
+
 #include "oracle/truth/default_environment.hpp"
 #include "oracle/truth/exact_truth.hpp"
 
@@ -12,16 +12,14 @@ namespace {
 const ExactTruth& made(const Query& query, std::shared_ptr<ExactTruth>& exact) {
   if (!exact) {
     const DefaultEnvironment environment;
-    exact = std::visit(
-        [&](const auto& shapes) { return std::make_shared<ExactTruth>(exact_truth(shapes, query.distances)); },
-        query.shapes);
+    exact = std::make_shared<ExactTruth>(exact_truth(query.shapes, query.distances));
   }
   return *exact;
 }
 
 Meet meet(const Query& query) {
   const DefaultEnvironment environment;
-  return std::visit([](const auto& shapes) { return cores_meet(shapes); }, query.shapes);
+  return cores_meet(query.shapes);
 }
 
 }  // namespace
@@ -38,18 +36,16 @@ Truth::Truth(const Query& query) : at_alarm(Side::at), at_zero(Side::at), query_
 bool Truth::degenerate() const { return meet(query_) != Meet::no; }
 bool Truth::coincident() const { return meet(query_) == Meet::touching; }
 
+const ExactTruth& Truth::exact() const { return made(query_, exact_); }
 const DistanceTruth* Truth::distance() const {
-  return has_distance() ? std::get_if<DistanceTruth>(&made(query_, exact_).numbers) : nullptr;
+  return has_distance() ? std::get_if<DistanceTruth>(&exact().numbers) : nullptr;
 }
-const GapTruth* Truth::gaps() const {
-  return has_numbers() ? nullptr : std::get_if<GapTruth>(&made(query_, exact_).numbers);
-}
-
+const GapTruth* Truth::gaps() const { return has_numbers() ? nullptr : std::get_if<GapTruth>(&exact().numbers); }
 const CrossingTruth* Truth::crossing() const {
-  return is_crossing(query_.pair) ? std::get_if<CrossingTruth>(&made(query_, exact_).numbers) : nullptr;
+  return is_crossing(query_.pair) ? std::get_if<CrossingTruth>(&exact().numbers) : nullptr;
 }
 const CastTruth* Truth::cast() const {
-  return is_cast(query_.pair) ? std::get_if<CastTruth>(&made(query_, exact_).numbers) : nullptr;
+  return is_cast(query_.pair) ? std::get_if<CastTruth>(&exact().numbers) : nullptr;
 }
 const DistanceTruth* Truth::contact() const {
   if (!hit()) return nullptr;
@@ -103,20 +99,28 @@ std::vector<FieldDistance> rounding_distances(const Truth& truth, Scalar scalar)
   return least;
 }
 
-Witness witness(const Truth& truth, Scalar scalar) {
+Witness witness_of(const ExactTruth& truth) {
   Witness w;
-  if (const DistanceTruth* distance = truth.distance()) {
+  if (const auto* distance = std::get_if<DistanceTruth>(&truth.numbers)) {
     w.distance2 = exact_string(distance->distance2());
     w.reach = exact_string(distance->reach());
-    w.margin_ulps = margin_ulps(truth, scalar);
     w.below = distance->below();
-  } else if (const CrossingTruth* crossing = truth.crossing()) {
-    return witness_of(*crossing);
-  } else if (const CastTruth* cast = truth.cast()) {
-    return witness_of(*cast);
+  } else if (const auto* crossing = std::get_if<CrossingTruth>(&truth.numbers)) {
+    if (!crossing->at()) return w;
+    const auto& [x, y, z] = *crossing->at();
+    w.crossing = {exact_string(x), exact_string(y), exact_string(z)};
+  } else if (const auto* cast = std::get_if<CastTruth>(&truth.numbers)) {
+    if (cast->entry()) w.cast = {exact_string(cast->entry()->middle), exact_string(cast->entry()->half2)};
   } else {
-    for (std::size_t axis = 0; axis < 3; ++axis) w.gap[axis] = exact_string(truth.gaps()->gap()[axis]);
+    const auto& gap = std::get<GapTruth>(truth.numbers).gap();
+    std::transform(gap.begin(), gap.end(), w.gap.begin(), exact_string);
   }
+  return w;
+}
+
+Witness witness(const Truth& truth, Scalar scalar) {
+  Witness w = witness_of(truth.exact());
+  if (truth.has_distance()) w.margin_ulps = margin_ulps(truth, scalar);
   return w;
 }
 

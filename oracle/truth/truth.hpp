@@ -47,6 +47,7 @@ class Truth {
   /// They meet, and neither is inside the other: the normal is by agreement.
   [[nodiscard]] bool coincident() const;
 
+  [[nodiscard]] const ExactTruth& exact() const;
   /// The exact numbers of a pair with a distance, of one without numbers, of a crossing, and of a ray that is
   /// cast; nullptr for the others.
   [[nodiscard]] const DistanceTruth* distance() const;

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "oracle/truth/interval.hpp"
+#include "oracle/truth/interval_casts.hpp"
 
 namespace contact::oracle {
 namespace casts {
@@ -315,11 +315,12 @@ RoundedAnswer answer(const IntervalRay& ray, const Triangle& triangle) {
 }  // namespace
 }  // namespace casts
 
-#define CONTACT_CAST(Target)                                                                          \
-  RoundedAnswer interval_answer(const CastAt<Target>& shapes, Distances /*distances*/, Scalar scalar, \
-                                mpfr_prec_t precision) {                                              \
-    return casts::answer(casts::IntervalRay(shapes.a, scalar, precision), shapes.b);                  \
-  }
+template <class Target>
+RoundedAnswer answer_of_cast(const CastAt<Target>& shapes, Scalar scalar, mpfr_prec_t precision) {
+  return casts::answer(casts::IntervalRay(shapes.a, scalar, precision), shapes.b);
+}
+
+#define CONTACT_CAST(Target) template RoundedAnswer answer_of_cast(const CastAt<Target>&, Scalar, mpfr_prec_t);
 CONTACT_CAST(Ball)
 CONTACT_CAST(Box)
 CONTACT_CAST(Capsule)

@@ -1,0 +1,38 @@
+// The exact truth of two cores, whatever shapes they are of.
+#pragma once
+
+#include "oracle/truth/core.hpp"
+#include "oracle/truth/exact_truth.hpp"
+
+namespace contact::oracle {
+
+using EnclosedCore = Core<Enclosed>;
+template <class Shape>
+[[nodiscard]] EnclosedCore enclosed_core(const Shape& shape) {
+  const CGAL::Protect_FPU_rounding<true> upward;
+  return core_of([](double x) { return Enclosed(x); }, shape);
+}
+
+struct ExactCore : Core<Rational> {
+  EnclosedCore enclosed;
+};
+template <class Shape>
+[[nodiscard]] ExactCore exact_core(const Shape& shape) {
+  return {core_of([](double x) { return Rational(x); }, shape), enclosed_core(shape)};
+}
+[[nodiscard]] ExactCore exact_core(const std::vector<Point>& vertices, std::span<const Feature> features);
+
+[[nodiscard]] ExactTruth truth_of_cores(const ExactCore& first, const ExactCore& second, Distances distances);
+/// Over a half-space.
+[[nodiscard]] ExactTruth truth_of_cores(const ExactCore& first, const Plane& second, Distances distances);
+
+/// Whether intervals of doubles tell that two cores without an inside are apart.
+[[nodiscard]] bool are_surely_apart(const EnclosedCore& first, const EnclosedCore& second);
+/// The square of the distance of two cores, 0 where they meet.
+[[nodiscard]] Rational squared_distance(const ExactCore& first, const ExactCore& second);
+/// The largest coordinate of some points.
+[[nodiscard]] Rational largest_coordinate(const std::vector<Point>& points);
+/// How to leave a core with an inside through each of its faces, for a point of it.
+[[nodiscard]] std::vector<WayOut> ways_out(const Point& inside, const ExactCore& solid);
+
+}  // namespace contact::oracle

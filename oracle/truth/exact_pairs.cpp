@@ -1,0 +1,54 @@
+// Where the exact truth of each pair comes from.
+#include <algorithm>
+#include <cstddef>
+
+#include "oracle/truth/casts.hpp"
+#include "oracle/truth/cores.hpp"
+#include "oracle/truth/crossings.hpp"
+
+namespace contact::oracle {
+namespace {
+
+ExactTruth truth(const Balls& balls, Distances distances) {
+  const Vector3& a = balls.a.center;
+  const Vector3& b = balls.b.center;
+  Cores cores{{point_of(a), point_of(b)},
+              {Rational(balls.a.radius), Rational(balls.b.radius)},
+              {Rational(a.cwiseAbs().maxCoeff()), Rational(b.cwiseAbs().maxCoeff())}};
+  return {DistanceTruth(std::move(cores), distances)};
+}
+
+/// On each axis the gap max(min1 - max2, min2 - max1).
+ExactTruth truth(const Boxes& boxes, Distances distances) {
+  std::array<Rational, 3> gap;
+  for (int axis = 0; axis < 3; ++axis)
+    gap[static_cast<std::size_t>(axis)] = std::max(Rational(boxes.a.min[axis]) - Rational(boxes.b.max[axis]),
+                                                   Rational(boxes.b.min[axis]) - Rational(boxes.a.max[axis]));
+  return {GapTruth(std::move(gap), Rational(distances.alarm))};
+}
+
+ExactTruth truth(const RayAndTriangle& shapes, Distances /*distances*/) {
+  return {truth_of_crossing(exact_core(shapes.a), shapes.b, -1)};
+}
+ExactTruth truth(const TriangleAndLine& shapes, Distances /*distances*/) {
+  return {truth_of_crossing(exact_core(shapes.b), shapes.a, 1)};
+}
+
+template <class A, class B>
+ExactTruth truth(const Two<A, B>& shapes, Distances distances) {
+  const auto& [a, b] = shapes;
+  if constexpr (std::same_as<A, Cast>)
+    return {truth_of_cast(shapes)};
+  else if constexpr (std::same_as<B, Plane>)
+    return truth_of_cores(exact_core(a), b, distances);
+  else
+    return truth_of_cores(exact_core(a), exact_core(b), distances);
+}
+
+}  // namespace
+
+ExactTruth exact_truth(const Shapes& shapes, Distances distances) {
+  return std::visit([&](const auto& two) { return truth(two, distances); }, shapes);
+}
+
+}  // namespace contact::oracle

@@ -1,0 +1,266 @@
+// Two cores in intervals, by active sets: what is nearest of the lines or planes through a feature of each is nearest of the cores where
+// no vertex lies before it along the way between (Karush, Kuhn and Tucker; the problem is convex).
+//   p = a + sum of s_i u_i     q = b + sum of t_j v_j     (q - p).u_i = (q - p).v_j = 0
+// No quotient is formed before the last, so that what is exact stays exact.
+#include "oracle/truth/interval_cores.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace contact::oracle {
+namespace {
+
+Triple scaled(const Interval& k, const Triple& x) { return {k * x[0], k * x[1], k * x[2]}; }
+Triple sum(const Triple& x, const Triple& y) { return {x[0] + y[0], x[1] + y[1], x[2] + y[2]}; }
+bool is_zero(const Triple& x) { return sign_of(x[0]) == 0 && sign_of(x[1]) == 0 && sign_of(x[2]) == 0; }
+
+/// p / over and q / over, over > 0.
+struct Pair {
+  Triple p;
+  Triple q;
+  Interval over;
+};
+
+/// The lexicographic order of two points over denominators.
+int order(const Triple& x, const Interval& over_x, const Triple& y, const Interval& over_y) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (const int sign = sign_of(x[i] * over_y - y[i] * over_x); sign != 0) return sign;
+  return 0;
+}
+
+class TwoCores {
+ public:
+  /// Of the second one these features alone are tried.
+  TwoCores(const IntervalCore& a, const IntervalCore& b, std::vector<const Feature*> of_b, mpfr_prec_t precision)
+      : a_(a), b_(b), of_b_(std::move(of_b)), precision_(precision) {}
+
+  [[nodiscard]] IntervalNearest nearest() const {
+    const std::vector<Pair> found = optimal();
+    const Pair* low = &found.front();
+    const Pair* high = low;
+    for (const Pair& x : found) {
+      if (order(x.p, x.over, low->p, low->over) < 0) low = &x;
+      if (order(x.p, x.over, high->p, high->over) > 0) high = &x;
+    }
+    if (low == high || order(low->p, low->over, high->p, high->over) == 0)
+      return {low->p, low->q, low->over, agreed(), true};
+    const auto middle = [&](const Triple& x, const Triple& y) {
+      return sum(scaled(high->over, x), scaled(low->over, y));
+    };
+    return {middle(low->p, high->p), middle(low->q, high->q), number(2) * low->over * high->over, agreed(), false};
+  }
+
+ private:
+  [[nodiscard]] Interval number(double x) const { return {precision_, x}; }
+
+  /// Parts of each way, over a denominator, that lead to a point of a feature.
+  static bool contains(const Feature& feature, const std::vector<Interval>& parts, std::size_t first,
+                       const Interval& over) {
+    if (feature.dimension == 0) return true;
+    if (feature.dimension == 1 || feature.is_parallelogram()) {
+      for (std::size_t k = 0; k < feature.dimension; ++k)
+        if (sign_of(parts[first + k]) < 0 || sign_of(over - parts[first + k]) < 0) return false;
+      return true;
+    }
+    return sign_of(parts[first]) >= 0 && sign_of(parts[first + 1]) >= 0 &&
+           sign_of(over - (parts[first] + parts[first + 1])) >= 0;
+  }
+
+  /// Whether no vertex of a core lies farther along a way than a feature that is at right angles to it.
+  static bool is_extreme(const IntervalCore& core, const Feature& feature, const Triple& along) {
+    for (std::size_t k = 0; k < core.vertices.size(); ++k)
+      if (!feature.has(k) && sign_of(dot(along, difference(core.vertices[feature.corners[0]], core.vertices[k]))) < 0)
+        return false;
+    return true;
+  }
+
+  [[nodiscard]] std::optional<Pair> solved(const Feature& f, const Feature& g) const {
+    const Triple& a = a_.vertices[f.corners[0]];
+    const Triple& b = b_.vertices[g.corners[0]];
+    const Triple w = difference(b, a);
+    std::vector<Triple> ways;  // of p - q from a, then of q - p from b
+    for (std::size_t k = 1; k <= f.dimension; ++k) ways.push_back(difference(a_.vertices[f.corners[k]], a));
+    for (std::size_t k = 1; k <= g.dimension; ++k) ways.push_back(difference(b, b_.vertices[g.corners[k]]));
+    std::vector<Interval> parts;  // w = sum of parts[k] / over ways[k], and what is across them all
+    Interval over = number(1);
+    if (ways.size() == 1) {
+      parts.push_back(dot(w, ways[0]));
+      over = dot(ways[0], ways[0]);
+    } else if (ways.size() == 2) {
+      const Interval A = dot(ways[0], ways[0]);
+      const Interval B = dot(ways[0], ways[1]);
+      const Interval E = dot(ways[1], ways[1]);
+      const Interval C = dot(w, ways[0]);
+      const Interval F = dot(w, ways[1]);
+      parts.push_back(C * E - B * F);
+      parts.push_back(F * A - B * C);
+      over = A * E - B * B;
+    }
+    if (!ways.empty() && sign_of(over) == 0) return std::nullopt;
+    if (!contains(f, parts, 0, over) || !contains(g, parts, f.dimension, over)) return std::nullopt;
+    Pair at{scaled(over, a), scaled(over, b), over};
+    for (std::size_t k = 0; k < f.dimension; ++k) at.p = sum(at.p, scaled(parts[k], ways[k]));
+    for (std::size_t k = f.dimension; k < ways.size(); ++k) at.q = difference(at.q, scaled(parts[k], ways[k]));
+    const bool is_nearest = is_extreme(a_, f, difference(at.q, at.p)) && is_extreme(b_, g, difference(at.p, at.q));
+    return is_nearest ? std::optional(std::move(at)) : std::nullopt;
+  }
+
+  /// All that fulfil the conditions: one, unless many are nearest, and of these all ends.
+  [[nodiscard]] std::vector<Pair> optimal() const {
+    std::vector<Pair> found;
+    const bool one = a_.vertices.size() == 1 || b_.vertices.size() == 1;
+    for (std::size_t i = a_.features.size(); i-- > 0;)
+      for (std::size_t j = of_b_.size(); j-- > 0;) {
+        const Feature& f = a_.features[i];
+        const Feature& g = *of_b_[j];
+        if (f.dimension + g.dimension > 2) continue;
+        if (auto at = solved(f, g)) found.push_back(*std::move(at));
+        if (one && !found.empty()) return found;
+      }
+    if (found.empty()) throw Undecided{};  // never with signs that are settled
+    return found;
+  }
+
+  /// The normal of cores that touch.
+  [[nodiscard]] Triple agreed() const {
+    std::vector<Triple> ways;
+    for (const IntervalCore* core : {&a_, &b_})
+      for (const Triple& vertex : core->vertices)
+        if (Triple along = difference(vertex, core->vertices[0]); !is_zero(along)) ways.push_back(along);
+    for (std::size_t k = 1; k < ways.size(); ++k) {
+      const Triple n = cross(ways[0], ways[k]);
+      for (const Interval& x : n)
+        if (const int sign = sign_of(x); sign != 0) return scaled(number(sign), n);
+    }
+    if (ways.empty()) return triple(precision_, Vector3::UnitX());
+    const Triple& u = ways[0];
+    if (sign_of(u[1]) == 0 && sign_of(u[2]) == 0) return triple(precision_, Vector3::UnitY());
+    return {u[1].squared() + u[2].squared(), number(0) - u[0] * u[1], number(0) - u[0] * u[2]};
+  }
+
+  const IntervalCore& a_;
+  const IntervalCore& b_;
+  std::vector<const Feature*> of_b_;
+  mpfr_prec_t precision_;
+};
+
+/// A face of a core with an inside, and how far a point lies below it: height / sqrt(across2).
+struct Below {
+  const Feature* face;
+  const Triple* outward;
+  Interval height;
+  Interval across2;
+};
+std::vector<Below> below_faces(const Triple& c, const IntervalCore& solid) {
+  std::vector<Below> all;
+  const std::size_t first = solid.features.size() - solid.outward.size();
+  for (std::size_t k = 0; k < solid.outward.size(); ++k) {
+    const Feature& face = solid.features[first + k];
+    const Triple& n = solid.outward[k];
+    all.push_back({&face, &n, dot(n, difference(solid.vertices[face.corners[0]], c)), dot(n, n)});
+  }
+  return all;
+}
+
+/// The first of the nearest.
+const Below& nearest_of(const std::vector<Below>& faces) {
+  const Below* least = &faces.front();
+  for (const Below& face : faces)
+    if (sign_of(face.height.squared() * least->across2 - least->height.squared() * face.across2) < 0) least = &face;
+  return *least;
+}
+
+/// The answer for a ball whose centre lies in a core.
+RoundedAnswer answer_inside(const Triple& c, const Below& face, double radius, Distances distances, Scalar scalar,
+                            mpfr_prec_t precision) {
+  const auto number = [&](double x) { return Interval(precision, x); };
+  const auto rounded = [&](const Interval& x) { return settled(x.rounded(scalar)); };
+  const Interval r = number(radius);
+  const Interval reach = number(distances.alarm) + r;
+  const bool is_deep = sign_of(face.height) > 0;
+  RoundedAnswer answer{is_deep ? -1 : -sign_of(reach), is_deep ? -1 : -sign_of(r), {true, std::nullopt}};
+  answer.margin = margin_of(number(0) - reach, reach, scalar);
+  Contact contact{};
+  contact.degenerate = true;
+  contact.unique = true;
+  const Interval length = face.across2.root();
+  const Triple& n = *face.outward;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    contact.normal[axis] = rounded((number(0) - n[i]) / length);
+    contact.point1[axis] = rounded(c[i] - r * n[i] / length);
+    contact.point2[axis] = rounded((c[i] * face.across2 + face.height * n[i]) / face.across2);
+  }
+  contact.value = rounded(number(0) - r - face.height / length - number(distances.contact));
+  answer.expected.contact = contact;
+  return answer;
+}
+
+}  // namespace
+
+RoundedAnswer answer_of_cores(const IntervalCore& a, const IntervalCore& b, Distances distances, Scalar scalar,
+                              mpfr_prec_t precision) {
+  // Of a core with an inside, what is nearest to a point outside lies in a face that the point is above.
+  std::vector<Below> faces = below_faces(a.vertices[0], b);
+  std::erase_if(faces, [](const Below& face) { return sign_of(face.height) >= 0; });
+  if (!b.outward.empty() && faces.empty())
+    return answer_inside(a.vertices[0], nearest_of(below_faces(a.vertices[0], b)), a.radius, distances, scalar,
+                         precision);
+  std::vector<const Feature*> of_b;
+  for (const Feature& feature : b.features) {
+    const auto has_it = [&](const Below& below) {
+      return std::all_of(feature.corners.begin(), feature.corners.begin() + static_cast<std::ptrdiff_t>(feature.size),
+                         [&](std::size_t corner) { return below.face->has(corner); });
+    };
+    if (b.outward.empty() || std::any_of(faces.begin(), faces.end(), has_it)) of_b.push_back(&feature);
+  }
+  return answer_of_nearest(TwoCores(a, b, std::move(of_b), precision).nearest(), Interval(precision, a.radius),
+                           Interval(precision, b.radius), distances, scalar, precision);
+}
+
+// The length of the normal is a root. The foot of the lowest point comes without the distance, so that nothing cancels:
+//   foot_i = (o n_i + sum over j of n_j (n_j p_i - n_i p_j)) / N
+RoundedAnswer answer_of_cores(const IntervalCore& a, const Plane& plane, Distances distances, Scalar scalar,
+                              mpfr_prec_t precision) {
+  const auto number = [&](double x) { return Interval(precision, x); };
+  const Triple n = triple(precision, plane.normal);
+  const Interval offset = number(plane.offset);
+  const Interval N = dot(n, n);
+  const Interval length = N.root();
+
+  const Triple* low = nullptr;  // of the vertices that no other is below, the least and the greatest
+  const Triple* high = nullptr;
+  for (const Triple& x : a.vertices) {
+    const int above = low == nullptr ? -1 : sign_of(dot(n, difference(x, *low)));
+    if (above > 0) continue;
+    if (above < 0 || order(x, N, *low, N) < 0) low = &x;
+    if (above < 0 || order(x, N, *high, N) > 0) high = &x;
+  }
+  const Triple twice = sum(*low, *high);
+  const Interval two = number(2);
+
+  const Interval height = dot(n, *low) - offset;
+  const Interval r = number(a.radius);
+  const auto side = [&](const Interval& reach) { return sign_of(height - reach * length); };
+  const Interval reach = number(distances.alarm) + r;
+  RoundedAnswer answer{side(reach), side(r), {}, margin_of(height / length - reach, reach, scalar)};
+  answer.expected.hit = answer.at_alarm <= 0;
+  if (!answer.expected.hit) return answer;
+
+  Contact contact{};
+  contact.degenerate = false;
+  contact.unique = order(*low, N, *high, N) == 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    contact.normal[axis] = settled(((number(0) - n[i]) / length).rounded(scalar));
+    contact.point1[axis] = settled(((twice[i] - two * r * n[i] / length) / two).rounded(scalar));
+    const auto part = [&](std::size_t j) { return n[j] * (n[j] * twice[i] - n[i] * twice[j]); };
+    const Interval foot = two * offset * n[i] + (part((i + 1) % 3) + part((i + 2) % 3));
+    contact.point2[axis] = settled((foot / (two * N)).rounded(scalar));
+  }
+  contact.value = settled((height / length - (r + number(distances.contact))).rounded(scalar));
+  answer.expected.contact = contact;
+  return answer;
+}
+
+}  // namespace contact::oracle
