@@ -27,7 +27,7 @@ std::optional<Contact> plain_cast(const CastAt<Target>& shapes, Scalar scalar) {
 
 }  // namespace
 
-#define CONTACT_CAST(Target)                                                                                 \
+#define CONTACT_CAST(Cast, Target)                                                                           \
   bool plain_overlap(const CastAt<Target>& shapes, Distances /*distances*/, Scalar scalar) {                 \
     return plain_cast(shapes, scalar).has_value();                                                           \
   }                                                                                                          \
@@ -35,11 +35,7 @@ std::optional<Contact> plain_cast(const CastAt<Target>& shapes, Scalar scalar) {
                                        ContactPoints /*points*/) {                                           \
     return plain_cast(shapes, scalar);                                                                       \
   }
-CONTACT_CAST(Ball)
-CONTACT_CAST(Box)
-CONTACT_CAST(Capsule)
-CONTACT_CAST(Triangle)
-CONTACT_CAST(Plane)
+CONTACT_CASTS(CONTACT_CAST)
 #undef CONTACT_CAST
 
 }  // namespace contact::golden

@@ -20,6 +20,14 @@ struct Two {
   B b;
 };
 
+/// The rays that are cast: X(Cast, shape).
+#define CONTACT_CASTS(X) \
+  X(Cast, Ball)          \
+  X(Cast, Box)           \
+  X(Cast, Capsule)       \
+  X(Cast, Triangle)      \
+  X(Cast, Plane)
+
 /// The kinds of two shapes: X(first, second). Each floor declares what it has for each kind from this list.
 #define CONTACT_KINDS(X) \
   X(Ball, Ball)          \
@@ -33,11 +41,7 @@ struct Two {
   X(Capsule, Plane)      \
   X(Ray, Triangle)       \
   X(Triangle, Line)      \
-  X(Cast, Ball)          \
-  X(Cast, Box)           \
-  X(Cast, Capsule)       \
-  X(Cast, Triangle)      \
-  X(Cast, Plane)
+  CONTACT_CASTS(X)
 
 /// What the contacts of a pair have: no numbers, those of a point where one shape crosses the other, those of a
 /// distance, or those of the first point of a ray that lies in a shape.

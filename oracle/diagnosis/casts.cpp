@@ -60,14 +60,10 @@ bool is_too_near(F f) {
 
 }  // namespace
 
-#define CONTACT_CAST(Target)                                                             \
+#define CONTACT_CAST(Cast, Target)                                                       \
   bool one_inside_the_other(F /*f*/, const CastAt<Target>& /*shapes*/) { return false; } \
   std::vector<Cause> wrong_about(const CastAt<Target>* /*kind*/) { return {}; }
-CONTACT_CAST(Ball)
-CONTACT_CAST(Box)
-CONTACT_CAST(Capsule)
-CONTACT_CAST(Triangle)
-CONTACT_CAST(Plane)
+CONTACT_CASTS(CONTACT_CAST)
 #undef CONTACT_CAST
 
 std::vector<Cause> wrong_casts() {

@@ -182,26 +182,13 @@ Rational largest(const Capsule& capsule) {
   return std::max(largest({capsule.start, capsule.end}), Rational(capsule.radius));
 }
 
-std::vector<Point> corners_of(const Box& box) {
-  std::vector<Point> all;
-  for (int corner = 0; corner < 8; ++corner) {
-    Vector3 x = box.min;
-    for (int axis = 0; axis < 3; ++axis)
-      if ((corner >> axis & 1) != 0) x[axis] = box.max[axis];
-    all.push_back(point_of(x));
-  }
-  return all;
-}
-std::vector<Point> corners_of(const Triangle& triangle) {
-  return {point_of(triangle.vertices[0]), point_of(triangle.vertices[1]), point_of(triangle.vertices[2])};
-}
 bool contains(const Box& box, const Point& x) {
   const Point low = point_of(box.min);
   const Point high = point_of(box.max);
   return x[0] >= low[0] && x[1] >= low[1] && x[2] >= low[2] && x[0] <= high[0] && x[1] <= high[1] && x[2] <= high[2];
 }
 bool contains(const Triangle& triangle, const Point& x) {
-  const std::vector<Point> v = corners_of(triangle);
+  const std::vector<Point> v = exact_core(triangle).vertices;
   const Point n = cross(v[1] - v[0], v[2] - v[0]);
   bool inside = !is_zero(n) && CGAL::is_zero(dot(n, x - v[0]));
   for (std::size_t k = 0; k < 3; ++k) {
@@ -223,7 +210,7 @@ std::vector<Rational> tries(const Box& box, const RayLine& line) {
 }
 std::vector<Rational> tries(const Triangle& triangle, const RayLine& line) {
   std::vector<Rational> all;
-  const std::vector<Point> v = corners_of(triangle);
+  const std::vector<Point> v = exact_core(triangle).vertices;
   const Point n = cross(v[1] - v[0], v[2] - v[0]);
   if (const Rational through = dot(n, line.d); !CGAL::is_zero(through)) all.push_back(dot(n, v[0] - line.o) / through);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -235,17 +222,16 @@ std::vector<Rational> tries(const Triangle& triangle, const RayLine& line) {
   return all;
 }
 template <class Polytope>
-requires requires(const Polytope& p) { corners_of(p); }
-std::optional<LineEnd> enter(const Polytope& shape, const RayLine& line) {
+requires kIsOneOf<Polytope, Box, Triangle> std::optional<LineEnd> enter(const Polytope& shape, const RayLine& line) {
   std::optional<LineEnd> first;
   for (const Rational& t : tries(shape, line))
     if (contains(shape, line.at(t)) && (!first || t < first->middle)) first = LineEnd{t, kNone};
   return first;
 }
 template <class Polytope>
-requires requires(const Polytope& p) { corners_of(p); }
-Normals normals(const Polytope& shape, const RayLine& line, const LineEnd& t) {
-  return away_from(line.at(t.middle), corners_of(shape), std::same_as<Polytope, Box>);
+requires kIsOneOf<Polytope, Box, Triangle> Normals normals(const Polytope& shape, const RayLine& line,
+                                                           const LineEnd& t) {
+  return away_from(line.at(t.middle), exact_core(shape).vertices, std::same_as<Polytope, Box>);
 }
 Rational largest(const Box& box) { return largest({box.min, box.max}); }
 Rational largest(const Triangle& triangle) {
@@ -403,15 +389,11 @@ bool starts_inside(const CastAt<Target>& shapes) {
   return casts::contains(shapes.b, point_of(shapes.a.origin));
 }
 
-#define CONTACT_CAST(Target)                                      \
+#define CONTACT_CAST(Cast, Target)                                \
   template Exact distance_to_change(const CastAt<Target>&, bool); \
   template CastTruth truth_of_cast(const CastAt<Target>&);        \
   template bool starts_inside(const CastAt<Target>&);
-CONTACT_CAST(Ball)
-CONTACT_CAST(Box)
-CONTACT_CAST(Capsule)
-CONTACT_CAST(Triangle)
-CONTACT_CAST(Plane)
+CONTACT_CASTS(CONTACT_CAST)
 #undef CONTACT_CAST
 
 }  // namespace contact::oracle

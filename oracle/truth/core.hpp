@@ -1,9 +1,10 @@
-// A shape as every oracle sees it: its core, which is the convex hull of some points, blown up by a radius. Where the vertices of
+// A shape as the exact and the interval oracle see it: its core, which is the convex hull of some points, blown up by a radius. Where the vertices of
 // each shape are, and which of them an edge or a face lies between, is said here alone.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -16,14 +17,14 @@ namespace contact::oracle {
 /// A vertex, an edge or a face of a core, by the places of its corners among the core's vertices: one of them, those next to it, and of a
 /// parallelogram the one across.
 struct Feature {
-  std::size_t dimension;
   std::size_t size;
-  std::array<std::size_t, 4> corners;
+  std::array<std::size_t, 4> places;
 
+  [[nodiscard]] std::span<const std::size_t> corners() const { return std::span(places).first(size); }
+  [[nodiscard]] std::size_t dimension() const { return std::min<std::size_t>(size - 1, 2); }
   [[nodiscard]] bool is_parallelogram() const { return size == 4; }
   [[nodiscard]] bool has(std::size_t vertex) const {
-    return std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(size), vertex) !=
-           corners.begin() + static_cast<std::ptrdiff_t>(size);
+    return std::find(corners().begin(), corners().end(), vertex) != corners().end();
   }
 };
 
@@ -37,17 +38,26 @@ struct Core {
   double radius = 0;
   /// Of a core with an inside: a normal of each face that points out of it, of any length, in the order of `features`.
   std::vector<Vec> outward = {};
+
+  /// Those that `outward` has a normal of.
+  [[nodiscard]] std::span<const Feature> faces() const { return features.last(outward.size()); }
 };
+
+/// Whether the oracles answer for two cores: a point and anything, or two segments. Between others an edge can cross a face, and a depth
+/// can be a root.
+template <class A, class B>
+inline constexpr bool kCoresAreAnswered = std::same_as<A, Ball> ||
+                                          (kIsOneOf<A, Capsule, Ray, Line> && kIsOneOf<B, Ball, Capsule, Ray, Line>);
 
 namespace features {
 
-constexpr Feature vertex(std::size_t v) { return {0, 1, {v}}; }
-constexpr Feature edge(std::size_t v, std::size_t w) { return {1, 2, {v, w}}; }
+constexpr Feature vertex(std::size_t v) { return {1, {v}}; }
+constexpr Feature edge(std::size_t v, std::size_t w) { return {2, {v, w}}; }
 
 inline constexpr std::array kPoint{vertex(0)};
 inline constexpr std::array kSegment{vertex(0), vertex(1), edge(0, 1)};
 inline constexpr std::array kTriangle{
-    vertex(0), vertex(1), vertex(2), edge(0, 1), edge(1, 2), edge(2, 0), Feature{2, 3, {0, 1, 2}}};
+    vertex(0), vertex(1), vertex(2), edge(0, 1), edge(1, 2), edge(2, 0), Feature{3, {0, 1, 2}}};
 /// Bit i of a corner's place says whether it is at the upper end of axis i. Of the faces the lower one comes before the upper one.
 inline constexpr std::array kBox = [] {
   std::array<Feature, 26> all{};
@@ -60,7 +70,7 @@ inline constexpr std::array kBox = [] {
     const std::size_t u = axis == 1 ? 2 : 1;
     const std::size_t v = axis == 4 ? 2 : 4;
     for (const std::size_t corner : {std::size_t{0}, axis})
-      all[size++] = {2, 4, {corner, corner | u, corner | v, corner | u | v}};
+      all[size++] = {4, {corner, corner | u, corner | v, corner | u | v}};
   }
   return all;
 }();

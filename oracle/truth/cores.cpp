@@ -30,9 +30,9 @@ struct Spanned {
 };
 template <class Number>
 Spanned<Number> spanned(const Core<Number>& core, const Feature& feature) {
-  const auto& corner = core.vertices[feature.corners[0]];
+  const auto& corner = core.vertices[feature.places[0]];
   Spanned<Number> all{corner, {}, feature.is_parallelogram()};
-  for (std::size_t k = 1; k <= feature.dimension; ++k) all.ways.push_back(core.vertices[feature.corners[k]] - corner);
+  for (std::size_t k = 1; k <= feature.dimension(); ++k) all.ways.push_back(core.vertices[feature.places[k]] - corner);
   return all;
 }
 
@@ -113,11 +113,9 @@ std::optional<Feet<Number>> feet(const Spanned<Number>& f, const Spanned<Number>
 
 /// Whether a point lies in a core with an inside.
 bool contains(const ExactCore& solid, const Point& x) {
-  if (solid.outward.empty()) return false;
-  const auto first_face = solid.features.size() - solid.outward.size();
   for (std::size_t k = 0; k < solid.outward.size(); ++k)
-    if (dot(solid.outward[k], x - solid.vertices[solid.features[first_face + k].corners[0]]) > kNone) return false;
-  return true;
+    if (dot(solid.outward[k], x - solid.vertices[solid.faces()[k].places[0]]) > kNone) return false;
+  return !solid.outward.empty();
 }
 
 /// Two features of which what is nearest may be nearest of the cores.
@@ -136,7 +134,6 @@ std::vector<Try> tries(const EnclosedCore& a, const EnclosedCore& b) {
   for (const Feature& f : a.features) {
     const Spanned<Enclosed> of_a = spanned(a, f);
     for (std::size_t k = 0; k < of_b.size(); ++k) {
-      if (of_a.ways.size() + of_b[k].ways.size() > 3) continue;  // an edge that crosses a face has three
       const auto found = feet(of_a, of_b[k]);
       if (!found) continue;
       const Enclosed distance2 = dot(found->q - found->p, found->q - found->p);
@@ -148,13 +145,11 @@ std::vector<Try> tries(const EnclosedCore& a, const EnclosedCore& b) {
   return all;
 }
 
-/// Nearest pairs among which all vertices are of what is nearest.
+/// Nearest pairs among which all ends are of what is nearest.
 std::vector<NearestPair> candidates(const ExactCore& a, const ExactCore& b) {
   std::vector<NearestPair> all;
   for (const Point& x : a.vertices)
     if (contains(b, x)) all.push_back({x, x});
-  for (const Point& x : b.vertices)
-    if (contains(a, x)) all.push_back({x, x});
   for (const Try& x : tries(a.enclosed, b.enclosed))
     if (const auto found = feet(spanned<Rational>(a, *x.f), spanned<Rational>(b, *x.g)))
       all.push_back({found->p, found->q});
@@ -246,10 +241,9 @@ Rational squared_distance(const ExactCore& first, const ExactCore& second) {
 
 std::vector<WayOut> ways_out(const Point& inside, const ExactCore& solid) {
   std::vector<WayOut> all;
-  const auto first_face = solid.features.size() - solid.outward.size();
   for (std::size_t k = 0; k < solid.outward.size(); ++k) {
     const Point& n = solid.outward[k];
-    const Point& corner = solid.vertices[solid.features[first_face + k].corners[0]];
+    const Point& corner = solid.vertices[solid.faces()[k].places[0]];
     all.push_back({Rational(-1) * n, inside + (dot(n, corner - inside) / dot(n, n)) * n});
   }
   return all;

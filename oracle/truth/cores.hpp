@@ -1,4 +1,4 @@
-// The exact truth of two cores, whatever shapes they are of.
+// The exact truth of two cores, a point and any other or two segments: kCoresAreAnswered. The second one alone may have an inside.
 #pragma once
 
 #include "oracle/truth/core.hpp"

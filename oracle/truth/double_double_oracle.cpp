@@ -127,8 +127,7 @@ namespace {
 
 std::optional<RoundedAnswer> answer(const Boxes& boxes, Distances distances, Scalar /*scalar*/) {
   const auto& [a, b] = boxes;
-  constexpr double kLargest =
-      0x1p1000;  // sums of three, which is all that boxes need, stay below the largest finite number
+  constexpr double kLargest = 0x1p1000;  // sums of three, which is all that boxes need, stay finite
   const auto most = [](const Vector3& v) { return v.array().abs().maxCoeff(); };
   if (!(std::max({most(a.min), most(a.max), most(b.min), most(b.max), distances.alarm}) <= kLargest))
     return std::nullopt;

@@ -1,4 +1,4 @@
-// Where the exact truth of each pair comes from.
+// Where the exact truth of each pair comes from, and whether its cores meet.
 #include <algorithm>
 #include <cstddef>
 
@@ -37,18 +37,48 @@ ExactTruth truth(const TriangleAndLine& shapes, Distances /*distances*/) {
 template <class A, class B>
 ExactTruth truth(const Two<A, B>& shapes, Distances distances) {
   const auto& [a, b] = shapes;
-  if constexpr (std::same_as<A, Cast>)
+  if constexpr (std::same_as<A, Cast>) {
     return {truth_of_cast(shapes)};
-  else if constexpr (std::same_as<B, Plane>)
+  } else if constexpr (std::same_as<B, Plane>) {
     return truth_of_cores(exact_core(a), b, distances);
-  else
+  } else {
+    static_assert(kCoresAreAnswered<A, B>);
     return truth_of_cores(exact_core(a), exact_core(b), distances);
+  }
 }
+
+template <class A, class B>
+Meet meet(const Two<A, B>& shapes) {
+  const auto& [a, b] = shapes;
+  if constexpr (std::same_as<A, Cast>) {
+    return starts_inside(shapes) ? Meet::inside : Meet::no;
+  } else if constexpr (std::same_as<B, Plane>) {
+    return Meet::no;  // D = 0 is no exception there
+  } else {
+    if (are_surely_apart(enclosed_core(a), enclosed_core(b))) return Meet::no;
+    return CGAL::is_zero(squared_distance(exact_core(a), exact_core(b))) ? Meet::touching : Meet::no;
+  }
+}
+Meet meet(const Balls& balls) { return balls.a.center == balls.b.center ? Meet::touching : Meet::no; }
+Meet meet(const BallAndBox& shapes) {
+  const auto c = shapes.a.center.array();
+  const auto min = shapes.b.min.array();
+  const auto max = shapes.b.max.array();
+  if (!((min <= c).all() && (c <= max).all())) return Meet::no;
+  return (min < c).all() && (c < max).all() ? Meet::inside : Meet::touching;
+}
+Meet meet(const Boxes& /*boxes*/) { return Meet::no; }
+Meet meet(const RayAndTriangle& /*shapes*/) { return Meet::no; }
+Meet meet(const TriangleAndLine& /*shapes*/) { return Meet::no; }
 
 }  // namespace
 
 ExactTruth exact_truth(const Shapes& shapes, Distances distances) {
   return std::visit([&](const auto& two) { return truth(two, distances); }, shapes);
+}
+
+Meet cores_meet(const Shapes& shapes) {
+  return std::visit([](const auto& two) { return meet(two); }, shapes);
 }
 
 }  // namespace contact::oracle

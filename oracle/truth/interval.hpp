@@ -115,7 +115,7 @@ class Interval {
   std::array<std::array<mp_limb_t, kMostInside / GMP_NUMB_BITS>, 2> inside_;
 };
 
-/// Thrown by `settled` to ask for more precision; never leaves this file.
+/// Thrown by `settled` to ask for more precision; never leaves the interval oracle.
 struct Undecided {};
 
 template <class T>

@@ -320,12 +320,8 @@ RoundedAnswer answer_of_cast(const CastAt<Target>& shapes, Scalar scalar, mpfr_p
   return casts::answer(casts::IntervalRay(shapes.a, scalar, precision), shapes.b);
 }
 
-#define CONTACT_CAST(Target) template RoundedAnswer answer_of_cast(const CastAt<Target>&, Scalar, mpfr_prec_t);
-CONTACT_CAST(Ball)
-CONTACT_CAST(Box)
-CONTACT_CAST(Capsule)
-CONTACT_CAST(Triangle)
-CONTACT_CAST(Plane)
+#define CONTACT_CAST(Cast, Target) template RoundedAnswer answer_of_cast(const CastAt<Target>&, Scalar, mpfr_prec_t);
+CONTACT_CASTS(CONTACT_CAST)
 #undef CONTACT_CAST
 
 }  // namespace contact::oracle

@@ -4,6 +4,7 @@
 // No quotient is formed before the last, so that what is exact stays exact.
 #include "oracle/truth/interval_cores.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -56,31 +57,26 @@ class TwoCores {
   /// Parts of each way, over a denominator, that lead to a point of a feature.
   static bool contains(const Feature& feature, const std::vector<Interval>& parts, std::size_t first,
                        const Interval& over) {
-    if (feature.dimension == 0) return true;
-    if (feature.dimension == 1 || feature.is_parallelogram()) {
-      for (std::size_t k = 0; k < feature.dimension; ++k)
-        if (sign_of(parts[first + k]) < 0 || sign_of(over - parts[first + k]) < 0) return false;
-      return true;
-    }
-    return sign_of(parts[first]) >= 0 && sign_of(parts[first + 1]) >= 0 &&
-           sign_of(over - (parts[first] + parts[first + 1])) >= 0;
+    for (std::size_t k = first; k < first + feature.dimension(); ++k)
+      if (sign_of(parts[k]) < 0 || (feature.size != 3 && sign_of(over - parts[k]) < 0)) return false;
+    return feature.size != 3 || sign_of(over - (parts[first] + parts[first + 1])) >= 0;
   }
 
   /// Whether no vertex of a core lies farther along a way than a feature that is at right angles to it.
   static bool is_extreme(const IntervalCore& core, const Feature& feature, const Triple& along) {
     for (std::size_t k = 0; k < core.vertices.size(); ++k)
-      if (!feature.has(k) && sign_of(dot(along, difference(core.vertices[feature.corners[0]], core.vertices[k]))) < 0)
+      if (!feature.has(k) && sign_of(dot(along, difference(core.vertices[feature.places[0]], core.vertices[k]))) < 0)
         return false;
     return true;
   }
 
   [[nodiscard]] std::optional<Pair> solved(const Feature& f, const Feature& g) const {
-    const Triple& a = a_.vertices[f.corners[0]];
-    const Triple& b = b_.vertices[g.corners[0]];
+    const Triple& a = a_.vertices[f.places[0]];
+    const Triple& b = b_.vertices[g.places[0]];
     const Triple w = difference(b, a);
     std::vector<Triple> ways;  // of p - q from a, then of q - p from b
-    for (std::size_t k = 1; k <= f.dimension; ++k) ways.push_back(difference(a_.vertices[f.corners[k]], a));
-    for (std::size_t k = 1; k <= g.dimension; ++k) ways.push_back(difference(b, b_.vertices[g.corners[k]]));
+    for (std::size_t k = 1; k <= f.dimension(); ++k) ways.push_back(difference(a_.vertices[f.places[k]], a));
+    for (std::size_t k = 1; k <= g.dimension(); ++k) ways.push_back(difference(b, b_.vertices[g.places[k]]));
     std::vector<Interval> parts;  // w = sum of parts[k] / over ways[k], and what is across them all
     Interval over = number(1);
     if (ways.size() == 1) {
@@ -97,10 +93,10 @@ class TwoCores {
       over = A * E - B * B;
     }
     if (!ways.empty() && sign_of(over) == 0) return std::nullopt;
-    if (!contains(f, parts, 0, over) || !contains(g, parts, f.dimension, over)) return std::nullopt;
+    if (!contains(f, parts, 0, over) || !contains(g, parts, f.dimension(), over)) return std::nullopt;
     Pair at{scaled(over, a), scaled(over, b), over};
-    for (std::size_t k = 0; k < f.dimension; ++k) at.p = sum(at.p, scaled(parts[k], ways[k]));
-    for (std::size_t k = f.dimension; k < ways.size(); ++k) at.q = difference(at.q, scaled(parts[k], ways[k]));
+    for (std::size_t k = 0; k < f.dimension(); ++k) at.p = sum(at.p, scaled(parts[k], ways[k]));
+    for (std::size_t k = f.dimension(); k < ways.size(); ++k) at.q = difference(at.q, scaled(parts[k], ways[k]));
     const bool is_nearest = is_extreme(a_, f, difference(at.q, at.p)) && is_extreme(b_, g, difference(at.p, at.q));
     return is_nearest ? std::optional(std::move(at)) : std::nullopt;
   }
@@ -111,10 +107,7 @@ class TwoCores {
     const bool one = a_.vertices.size() == 1 || b_.vertices.size() == 1;
     for (std::size_t i = a_.features.size(); i-- > 0;)
       for (std::size_t j = of_b_.size(); j-- > 0;) {
-        const Feature& f = a_.features[i];
-        const Feature& g = *of_b_[j];
-        if (f.dimension + g.dimension > 2) continue;
-        if (auto at = solved(f, g)) found.push_back(*std::move(at));
+        if (auto at = solved(a_.features[i], *of_b_[j])) found.push_back(*std::move(at));
         if (one && !found.empty()) return found;
       }
     if (found.empty()) throw Undecided{};  // never with signs that are settled
@@ -153,11 +146,10 @@ struct Below {
 };
 std::vector<Below> below_faces(const Triple& c, const IntervalCore& solid) {
   std::vector<Below> all;
-  const std::size_t first = solid.features.size() - solid.outward.size();
   for (std::size_t k = 0; k < solid.outward.size(); ++k) {
-    const Feature& face = solid.features[first + k];
+    const Feature& face = solid.faces()[k];
     const Triple& n = solid.outward[k];
-    all.push_back({&face, &n, dot(n, difference(solid.vertices[face.corners[0]], c)), dot(n, n)});
+    all.push_back({&face, &n, dot(n, difference(solid.vertices[face.places[0]], c)), dot(n, n)});
   }
   return all;
 }
@@ -200,19 +192,19 @@ RoundedAnswer answer_inside(const Triple& c, const Below& face, double radius, D
 
 RoundedAnswer answer_of_cores(const IntervalCore& a, const IntervalCore& b, Distances distances, Scalar scalar,
                               mpfr_prec_t precision) {
-  // Of a core with an inside, what is nearest to a point outside lies in a face that the point is above.
   std::vector<Below> faces = below_faces(a.vertices[0], b);
-  std::erase_if(faces, [](const Below& face) { return sign_of(face.height) >= 0; });
-  if (!b.outward.empty() && faces.empty())
-    return answer_inside(a.vertices[0], nearest_of(below_faces(a.vertices[0], b)), a.radius, distances, scalar,
-                         precision);
+  const auto is_above = [](const Below& face) { return sign_of(face.height) < 0; };
+  if (!faces.empty() && std::none_of(faces.begin(), faces.end(), is_above))
+    return answer_inside(a.vertices[0], nearest_of(faces), a.radius, distances, scalar, precision);
+  // Of a core with an inside, what is nearest to a point outside lies in a face that the point is above.
+  std::erase_if(faces, [&](const Below& face) { return !is_above(face); });
   std::vector<const Feature*> of_b;
   for (const Feature& feature : b.features) {
     const auto has_it = [&](const Below& below) {
-      return std::all_of(feature.corners.begin(), feature.corners.begin() + static_cast<std::ptrdiff_t>(feature.size),
+      return std::all_of(feature.corners().begin(), feature.corners().end(),
                          [&](std::size_t corner) { return below.face->has(corner); });
     };
-    if (b.outward.empty() || std::any_of(faces.begin(), faces.end(), has_it)) of_b.push_back(&feature);
+    if (faces.empty() || std::any_of(faces.begin(), faces.end(), has_it)) of_b.push_back(&feature);
   }
   return answer_of_nearest(TwoCores(a, b, std::move(of_b), precision).nearest(), Interval(precision, a.radius),
                            Interval(precision, b.radius), distances, scalar, precision);

@@ -41,12 +41,14 @@ RoundedAnswer answer(const TriangleAndLine& shapes, Distances /*distances*/, Sca
 template <class A, class B>
 RoundedAnswer answer(const Two<A, B>& shapes, Distances distances, Scalar scalar, mpfr_prec_t precision) {
   const auto& [a, b] = shapes;
-  if constexpr (std::same_as<A, Cast>)
+  if constexpr (std::same_as<A, Cast>) {
     return answer_of_cast(shapes, scalar, precision);
-  else if constexpr (std::same_as<B, Plane>)
+  } else if constexpr (std::same_as<B, Plane>) {
     return answer_of_cores(interval_core(a, precision), b, distances, scalar, precision);
-  else
+  } else {
+    static_assert(kCoresAreAnswered<A, B>);
     return answer_of_cores(interval_core(a, precision), interval_core(b, precision), distances, scalar, precision);
+  }
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include <random>
 
 #include "extreme_numbers.hpp"
-#include "oracle/truth/exact_truth.hpp"
+#include "oracle/truth/cores.hpp"
 #include "oracle/truth/interval_oracle.hpp"
 
 namespace contact::oracle {
@@ -30,6 +30,51 @@ void expect_contact(const Query& query, Scalar scalar, const Contact& expected) 
   EXPECT_TRUE(actual.hit);
   EXPECT_EQ(first_difference(actual, {true, expected}), std::nullopt);
   EXPECT_EQ(first_difference(interval_answer(query, scalar).expected, {true, expected}), std::nullopt);
+}
+
+/// The exact and the interval oracle read one description of a shape, so that a mistake in it would be one of both.
+template <class Shape>
+void expect_sound_description(const Shape& shape, std::size_t vertices, std::size_t edges, std::size_t faces) {
+  const ExactCore core = exact_core(shape);
+  std::array<std::vector<Feature>, 3> of;
+  for (const Feature& feature : core.features) of[feature.dimension()].push_back(feature);
+  EXPECT_EQ(core.vertices.size(), vertices);
+  EXPECT_EQ(of[0].size(), vertices);
+  EXPECT_EQ(of[1].size(), edges);
+  EXPECT_EQ(of[2].size(), faces);
+  for (std::size_t v = 0; v < vertices; ++v) EXPECT_EQ(of[0][v].places[0], v);
+  for (const Feature& face : of[2]) {
+    const auto corner = [&](std::size_t k) { return core.vertices[face.places[k]]; };
+    if (face.is_parallelogram()) {
+      EXPECT_EQ(corner(3) - corner(1), corner(2) - corner(0));
+    }
+    // As many edges as corners, and every corner on two of them.
+    std::size_t inside = 0;
+    std::array<std::size_t, 8> met{};
+    for (const Feature& edge : of[1])
+      if (face.has(edge.places[0]) && face.has(edge.places[1])) ++inside, ++met[edge.places[0]], ++met[edge.places[1]];
+    EXPECT_EQ(inside, face.size);
+    for (const std::size_t v : face.corners()) EXPECT_EQ(met[v], 2U);
+  }
+  for (std::size_t k = 0; k < core.outward.size(); ++k)
+    for (std::size_t v = 0; v < vertices; ++v) {
+      const Point from_face = core.vertices[v] - core.vertices[core.faces()[k].places[0]];
+      EXPECT_EQ(CGAL::sign(dot(core.outward[k], from_face)), core.faces()[k].has(v) ? CGAL::ZERO : CGAL::NEGATIVE);
+    }
+}
+TEST(Cores, are_described_as_what_they_are) {
+  expect_sound_description(Ball{{1, 2, 3}, 4}, 1, 0, 0);
+  expect_sound_description(Capsule{{1, 2, 3}, {4, 6, 8}, 1}, 2, 1, 0);
+  expect_sound_description(Triangle{{Vector3{1, 2, 3}, Vector3{4, 6, 8}, Vector3{0, 1, 7}}}, 3, 3, 1);
+  const Box box{{1, 2, 3}, {4, 6, 8}};
+  expect_sound_description(box, 8, 12, 6);
+  EXPECT_EQ(exact_core(box).outward.size(), 6U);
+  for (const Point& corner : exact_core(box).vertices)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<Eigen::Index>(axis);
+      EXPECT_TRUE(corner[axis] == Rational(box.min[i]) || corner[axis] == Rational(box.max[i]));
+    }
+  EXPECT_EQ(exact_core(Ray{{1, 2, 3}, {1, 0, -1}, 2}).vertices[1], point_of({3, 2, 1}));
 }
 
 TEST(Truth, of_the_worked_example) {
