@@ -62,11 +62,12 @@ template <class Value>
   int k = 0;
   for_each_number_in(value, [&](const double& number) {
     if (!error && !is_finite_by_bits(number)) error = DomainError{path + place_in(value, k), number, "must be finite"};
-    if (!error && kind == FieldKind::length) error = outside_domain(path, number);
+    if (!error && kind == FieldKind::length) error = outside_domain(path + place_in(value, k), number);
     is_zero = is_zero && is_zero_by_bits(number);
     ++k;
   });
-  if (!error && kind == FieldKind::direction && is_zero) error = DomainError{path, 0, "must not be the zero vector"};
+  if (!error && has_free_length(kind) && is_zero)
+    error = DomainError{path, 0, kind == FieldKind::direction ? "must not be the zero vector" : "must not be all zero"};
   return error;
 }
 
@@ -98,9 +99,15 @@ template <DescribedShape Shape>
       inside = inside && is_finite_by_bits(x) && !(field.kind == FieldKind::length && is_less_by_bits(x, 0));
       is_zero = is_zero && is_zero_by_bits(x);
     });
-    inside = inside && !(field.kind == FieldKind::direction && is_zero);
+    inside = inside && !(has_free_length(field.kind) && is_zero);
   });
   return inside && !ShapeDescription<Shape>::broken_rule(shape, is_less_by_bits);
+}
+[[nodiscard]] inline std::optional<DomainError> outside_domain(const std::string& path, const Convex& convex) {
+  return std::visit([&](const auto& shape) { return outside_domain(path, shape); }, convex.shape);
+}
+[[nodiscard]] inline bool inside_domain(const Convex& convex) {
+  return std::visit([](const auto& shape) { return inside_domain(shape); }, convex.shape);
 }
 
 [[nodiscard]] inline std::optional<DomainError> outside_domain(Distances distances) {

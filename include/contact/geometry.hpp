@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <variant>
 
 #include "contact/version.h"
 
@@ -62,6 +63,22 @@ struct Cast : Ray {};
 struct Line {
   Vector3 start;
   Vector3 end;
+};
+
+/// A quaternion x, y, z, w, not zero, and of any length: it turns v to q v q* / |q|^2, which is exactly a rotation.
+using Quaternion = std::array<double, 4>;
+
+/// A box that is turned about its centre. `extents` >= 0 are half its lengths; 0 makes a flat one.
+struct Obb {
+  Vector3 center;
+  Quaternion orientation;
+  Vector3 extents;
+};
+
+/// A shape of a pair that asks no more of it than that it is a convex core blown up by a radius: which of them, the
+/// pair says.
+struct Convex {
+  std::variant<Ball, Capsule, Box, Obb, Triangle, Plane> shape;
 };
 
 /// The distances of SOFA's Intersection. Pairs up to `alarm` apart are reported. `contact` is subtracted from the value

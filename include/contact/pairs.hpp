@@ -41,11 +41,27 @@ struct Two {
   X(Capsule, Plane)      \
   X(Ray, Triangle)       \
   X(Triangle, Line)      \
-  CONTACT_CASTS(X)
+  CONTACT_CASTS(X)       \
+  X(Convex, Convex)
 
 /// What the contacts of a pair have: no numbers, those of a point where one shape crosses the other, those of a
 /// distance, or those of the first point of a ray that lies in a shape.
 enum class Numbers { none, crossing, distance, cast };
+
+/// Pairs of any two convex shapes, which are of one kind.
+#define CONTACT_CONVEX_PAIRS(X)                                    \
+  X(obb_obb, Obb, Obb, distance, false, false)                     \
+  X(sphere_obb, Ball, Obb, distance, false, false)                 \
+  X(capsule_cube, Capsule, Box, distance, false, false)            \
+  X(capsule_obb, Capsule, Obb, distance, false, false)             \
+  X(capsule_triangle, Capsule, Triangle, distance, false, false)   \
+  X(cube_obb, Box, Obb, distance, false, false)                    \
+  X(cube_triangle, Box, Triangle, distance, false, false)          \
+  X(obb_triangle, Obb, Triangle, distance, false, false)           \
+  X(triangle_triangle, Triangle, Triangle, distance, false, false) \
+  X(cube_plane, Box, Plane, distance, false, false)                \
+  X(obb_plane, Obb, Plane, distance, false, false)                 \
+  X(triangle_plane, Triangle, Plane, distance, false, false)
 
 /// The pairs: X(name, first shape, second shape, what its contacts have, the first is rigid, the second is rigid).
 /// Under upstream's convention a rigid sphere reports its nearest surface point, a deformable one its centre.
@@ -67,7 +83,8 @@ enum class Numbers { none, crossing, distance, cast };
   X(cast_cube, Cast, Box, cast, false, false)                    \
   X(cast_capsule, Cast, Capsule, cast, false, false)             \
   X(cast_triangle, Cast, Triangle, cast, false, false)           \
-  X(cast_plane, Cast, Plane, cast, false, false)
+  X(cast_plane, Cast, Plane, cast, false, false)                 \
+  CONTACT_CONVEX_PAIRS(X)
 
 #define CONTACT_NAME(name, ...) name,
 enum class Pair { CONTACT_PAIRS(CONTACT_NAME) };
@@ -98,6 +115,17 @@ using TriangleAndLine = Two<Triangle, Line>;
 template <class Target>
 using CastAt = Two<Cast, Target>;
 
+using Convexes = Two<Convex, Convex>;
+
+/// Two shapes in the type that questions about them have.
+template <class A, class B>
+[[nodiscard]] Shapes shapes_of_a_kind(const A& a, const B& b) {
+  if constexpr (std::constructible_from<Shapes, Two<A, B>> && !std::same_as<A, Convex>)
+    return Two<A, B>{a, b};
+  else
+    return Convexes{{a}, {b}};
+}
+
 struct PairDescription {
   Pair pair;
   std::string_view name;
@@ -108,7 +136,7 @@ struct PairDescription {
 };
 
 #define CONTACT_PAIR(name, A, B, numbers, first_is_rigid, second_is_rigid) \
-  PairDescription{Pair::name,       #name,          [] { return Shapes(Two<A, B>{zero_shape<A>(), zero_shape<B>()}); },                \
+  PairDescription{Pair::name,       #name,          [] { return shapes_of_a_kind(zero_shape<A>(), zero_shape<B>()); },                \
                   Numbers::numbers, first_is_rigid, second_is_rigid},
 inline constexpr PairDescription kPairTable[] = {CONTACT_PAIRS(CONTACT_PAIR)};
 #undef CONTACT_PAIR
@@ -157,6 +185,8 @@ inline constexpr bool kHasRadius = requires(Shape shape) {
 [[nodiscard]] constexpr bool has_plane(Pair pair) {
   return has_distance(pair) && of_shapes(pair, []<class A, class B>() { return std::same_as<B, Plane>; });
 }
+/// Whether the pair is one of any two convex shapes: where its cores overlap, that is an ordinary hit, with a depth.
+[[nodiscard]] constexpr bool is_convex(Pair pair) { return pair >= Pair::obb_obb; }
 /// Whether the nearest points may be quotients of what is given, so that D is no dyadic. Those of balls and boxes have
 /// coordinates that are given.
 [[nodiscard]] constexpr bool has_quotients(Pair pair) {

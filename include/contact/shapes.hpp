@@ -6,20 +6,28 @@
 #include <concepts>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "contact/geometry.hpp"
 
 namespace contact::inline CONTACT_ABI {
 
-/// What a field of a shape is: a place in space, or three of them; a length, which is >= 0; a direction, which is not
-/// zero and whose own length says nothing; or how far along a direction something lies, of either sign.
-enum class FieldKind { point, length, direction, offset };
-inline constexpr std::array<std::string_view, 4> kFieldKindNames{"point", "length", "direction", "offset"};
+/// What a field of a shape is: a place in space, or three of them; a length, or three, which are >= 0; a direction, which
+/// is not zero and whose own length says nothing; how far along a direction something lies, of either sign; or how a
+/// shape is turned, a quaternion, which is not zero and whose own length says nothing.
+enum class FieldKind { point, length, direction, offset, orientation };
+inline constexpr std::array<std::string_view, 5> kFieldKindNames{"point", "length", "direction", "offset",
+                                                                 "orientation"};
+/// Whether what a field says does not change with its length, and 0 says nothing.
+[[nodiscard]] constexpr bool has_free_length(FieldKind kind) {
+  return kind == FieldKind::direction || kind == FieldKind::orientation;
+}
 
 /// A field of a shape: its name in files, where it stands in the struct, and what it is.
 template <class Shape, class Value>
@@ -113,6 +121,20 @@ struct ShapeDescription<Triangle> : AnyNumbers<Triangle> {
 };
 
 template <>
+struct ShapeDescription<Obb> : AnyNumbers<Obb> {
+  static constexpr std::string_view kName = "obb";
+  static constexpr std::tuple kFields{ShapeField<Obb, Vector3>{"center", &Obb::center, FieldKind::point},
+                                      ShapeField<Obb, Quaternion>{"orientation", &Obb::orientation, FieldKind::orientation},
+                                      ShapeField<Obb, Vector3>{"extents", &Obb::extents, FieldKind::length}};
+  static void break_a_rule(Obb& obb, int number, double amount) {
+    if (number < 7)
+      obb.orientation.fill(0);
+    else
+      obb.extents[number - 7] = -amount;
+  }
+};
+
+template <>
 struct ShapeDescription<Ray> : AnyNumbers<Ray> {
   static constexpr std::string_view kName = "ray";
   static constexpr std::tuple kFields{ShapeField<Ray, Vector3>{"origin", &Ray::origin, FieldKind::point},
@@ -148,40 +170,40 @@ struct ShapeDescription<Line> : AnyNumbers<Line> {
   }
 };
 
-/// Calls visit(vector&) for every vector of a field: none of a number, one, or three.
-template <class Visit>
-constexpr void for_each_vector(const double& /*number*/, Visit&& /*visit*/) {}
-template <class Visit>
-constexpr void for_each_vector(Vector3& v, Visit&& visit) {
-  visit(v);
-}
-template <class Visit>
-constexpr void for_each_vector(const Vector3& v, Visit&& visit) {
-  visit(v);
-}
-template <class Vectors, class Visit>
-requires std::same_as<std::remove_const_t<Vectors>, std::array<Vector3, 3>>
-constexpr void for_each_vector(Vectors& all, Visit&& visit) {
-  for (auto& v : all) visit(v);
+/// Calls visit(vector&) for every vector of a field: none of a number or a quaternion, one, or three.
+template <class Value, class Visit>
+constexpr void for_each_vector(Value& value, Visit&& visit) {
+  using Plain = std::remove_const_t<Value>;
+  if constexpr (std::same_as<Plain, Vector3>)
+    visit(value);
+  else if constexpr (std::same_as<Plain, std::array<Vector3, 3>>)
+    for (auto& v : value) visit(v);
+  else
+    static_assert(std::same_as<Plain, double> || std::same_as<Plain, Quaternion>);
 }
 
 /// Calls visit(number&) for every number of a field.
 template <class Value, class Visit>
 constexpr void for_each_number_in(Value& value, Visit&& visit) {
-  if constexpr (std::same_as<std::remove_const_t<Value>, double>)
+  using Plain = std::remove_const_t<Value>;
+  if constexpr (std::same_as<Plain, double>) {
     visit(value);
-  else
+  } else if constexpr (std::same_as<Plain, Quaternion>) {
+    for (auto& x : value) visit(x);
+  } else {
     for_each_vector(value, [&](auto& v) {
       for (int axis = 0; axis < 3; ++axis) visit(v[axis]);
     });
+  }
 }
 
-/// Where the k-th number of a field stands in it: nothing for a number, [1] in a vector, [2][1] in three of them.
+/// Where the k-th number of a field stands in it: nothing for a number, [1] in a vector or a quaternion, [2][1] in three
+/// vectors.
 template <class Value>
 [[nodiscard]] std::string place_in(const Value& /*value*/, int k) {
   if constexpr (std::same_as<Value, double>)
     return "";
-  else if constexpr (std::same_as<Value, Vector3>)
+  else if constexpr (std::same_as<Value, Vector3> || std::same_as<Value, Quaternion>)
     return "[" + std::to_string(k) + "]";
   else
     return "[" + std::to_string(k / 3) + "][" + std::to_string(k % 3) + "]";
@@ -191,6 +213,11 @@ template <class Shape>
 concept DescribedShape = requires {
   ShapeDescription<std::remove_const_t<Shape>>::kFields;
 };
+/// One that the pair says the shape of.
+template <class Shape>
+concept AnyConvex = std::same_as<std::remove_const_t<Shape>, Convex>;
+template <class Shape>
+concept AShape = DescribedShape<Shape> || AnyConvex<Shape>;
 
 /// Calls visit(field, value&) for every field of a shape, in order.
 template <DescribedShape Shape, class Visit>
@@ -198,21 +225,34 @@ constexpr void for_each_field(Shape& shape, Visit&& visit) {
   std::apply([&](const auto&... field) { (visit(field, shape.*field.member), ...); },
              ShapeDescription<std::remove_const_t<Shape>>::kFields);
 }
+template <AnyConvex Shape, class Visit>
+constexpr void for_each_field(Shape& convex, Visit&& visit) {
+  std::visit([&](auto& shape) { for_each_field(shape, visit); }, convex.shape);
+}
 
 /// The names of a shape's fields, in order.
 template <class Shape>
 inline constexpr auto kFieldNames =
     std::apply([](const auto&... field) { return std::array<std::string_view, sizeof...(field)>{field.name...}; },
                ShapeDescription<Shape>::kFields);
+template <DescribedShape Shape>
+[[nodiscard]] constexpr std::span<const std::string_view> field_names_of(const Shape& /*shape*/) {
+  return kFieldNames<Shape>;
+}
+[[nodiscard]] constexpr std::span<const std::string_view> field_names_of(const Convex& convex) {
+  return std::visit([](const auto& shape) { return field_names_of(shape); }, convex.shape);
+}
 
-/// How many numbers a shape has.
+/// How many numbers a shape has; of one that the pair says, the most that it may have.
 template <class Shape>
 inline constexpr int kNumbersOf = std::apply(
     [](const auto&... field) { return (0 + ... + static_cast<int>(sizeof(Shape{}.*field.member) / sizeof(double))); },
     ShapeDescription<Shape>::kFields);
+template <>
+inline constexpr int kNumbersOf<Convex> = kNumbersOf<Obb>;
 
 /// Calls visit(number&) for every number of a shape, in the canonical order.
-template <DescribedShape Shape, class Visit>
+template <AShape Shape, class Visit>
 void for_each_number(Shape& shape, Visit&& visit) {
   for_each_field(shape, [&](const auto& /*field*/, auto& value) { for_each_number_in(value, visit); });
 }

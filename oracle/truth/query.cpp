@@ -7,18 +7,33 @@
 
 namespace contact {
 
+namespace {
+
+template <class Shape>
+AnyShape any(Shape& shape) {
+  return &shape;
+}
+AnyShape any(Convex& convex) {
+  return std::visit([](auto& shape) -> AnyShape { return &shape; }, convex.shape);
+}
+
+}  // namespace
+
+std::array<AnyShape, 2> two_shapes(Query& query) {
+  return std::visit([](auto& shapes) { return std::array{any(shapes.a), any(shapes.b)}; }, query.shapes);
+}
+
 std::string shapes_of(Pair pair) {
-  return std::visit(
-      []<class A, class B>(const Two<A, B>&) {
-        const std::string first = (std::same_as<A, Cast> ? "cast " : "") + std::string(ShapeDescription<A>::kName);
-        return std::same_as<A, B> ? first + "s" : first + " and " + std::string(ShapeDescription<B>::kName);
-      },
-      description(pair).zeros());
+  std::vector<std::string> names;
+  const Query zeros = zero_query(pair);
+  for_each_shape(zeros, [&]<class Shape>(const Shape&) {
+    names.push_back((std::same_as<Shape, Cast> ? "cast " : "") + std::string(ShapeDescription<Shape>::kName));
+  });
+  return names[0] == names[1] ? names[0] + "s" : names[0] + " and " + names[1];
 }
 
 #define CONTACT_HAS_ROOM(A, B)                                                    \
-  static_assert(std::size(kFieldNames<A>) + std::size(kFieldNames<B>) + 2 <= 8 && \
-                kNumbersOf<A> + kNumbersOf<B> + 2 <= 20);
+  static_assert(kNumbersOf<A> + kNumbersOf<B> + 2 <= 22);
 CONTACT_KINDS(CONTACT_HAS_ROOM)
 #undef CONTACT_HAS_ROOM
 
@@ -40,8 +55,8 @@ UpTo<QueryField, 8> fields_of(Query& query) {
   return fields;
 }
 
-UpTo<double*, 20> numbers_of(Query& query) {
-  UpTo<double*, 20> numbers;
+UpTo<double*, 22> numbers_of(Query& query) {
+  UpTo<double*, 22> numbers;
   const auto add = [&](double& number) { numbers.add(&number); };
   std::visit([&](auto& shapes) { for_each_number(shapes.a, add), for_each_number(shapes.b, add); }, query.shapes);
   add(query.distances.alarm);
