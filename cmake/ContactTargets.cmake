@@ -113,7 +113,7 @@ endfunction()
 
 # The kinds of pairs that have files of their own on every floor; include/contact/pairs.hpp lists what they are. All rays
 # that are cast share theirs.
-set(CONTACT_PAIRS capsule_capsule capsule_plane casts cube_cube ray_sphere ray_triangle sphere_capsule sphere_cube sphere_plane sphere_sphere
+set(CONTACT_PAIRS capsule_capsule capsule_plane casts convexes cube_cube ray_sphere ray_triangle sphere_capsule sphere_cube sphere_plane sphere_sphere
                   sphere_triangle triangle_line)
 
 # contact_pair_files(result pattern..): each pattern once for each kind of pairs, its name for @.

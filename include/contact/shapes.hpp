@@ -123,9 +123,10 @@ struct ShapeDescription<Triangle> : AnyNumbers<Triangle> {
 template <>
 struct ShapeDescription<Obb> : AnyNumbers<Obb> {
   static constexpr std::string_view kName = "obb";
-  static constexpr std::tuple kFields{ShapeField<Obb, Vector3>{"center", &Obb::center, FieldKind::point},
-                                      ShapeField<Obb, Quaternion>{"orientation", &Obb::orientation, FieldKind::orientation},
-                                      ShapeField<Obb, Vector3>{"extents", &Obb::extents, FieldKind::length}};
+  static constexpr std::tuple kFields{
+      ShapeField<Obb, Vector3>{"center", &Obb::center, FieldKind::point},
+      ShapeField<Obb, Quaternion>{"orientation", &Obb::orientation, FieldKind::orientation},
+      ShapeField<Obb, Vector3>{"extents", &Obb::extents, FieldKind::length}};
   static void break_a_rule(Obb& obb, int number, double amount) {
     if (number < 7)
       obb.orientation.fill(0);

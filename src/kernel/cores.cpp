@@ -36,7 +36,7 @@ void round_exactly(const ExactNearest& nearest, const Grid& grid, const Lengths&
   contact.degenerate = D.is_zero();
   contact.unique = nearest.unique;
   // The normal is along / |along|.
-  const IntegerVector& along = contact.degenerate ? nearest.agreed : delta;
+  const IntegerVector along = contact.degenerate ? nearest.agreed : nearest.overlap ? nearest.p - nearest.q : delta;
   const Integer length2 = contact.degenerate ? dot(along, along) : D;
   // sign radius over: what the normal is multiplied by in a point's numerator.
   const Integer out1 = grid(sign_of(points.first, 1) * lengths.radius1) * nearest.over;
@@ -51,6 +51,7 @@ void round_exactly(const ExactNearest& nearest, const Grid& grid, const Lengths&
   if (numbers >> kValueNumber & 1) {
     const Integer less = grid(lengths.radius1) + grid(lengths.radius2) + grid(lengths.contact);
     contact.value = contact.degenerate ? round_integer(-less, grid.exponent())
+                    : nearest.overlap  ? round_sum(-less * nearest.over, -D, D, grid.exponent(), nearest.over)
                                        : round_root_less(D, less * nearest.over, grid.exponent(), nearest.over);
   }
 }

@@ -28,6 +28,8 @@ struct ExactNearest {
   bool unique;
   /// Where p = q, the normal by agreement, of any length above 0. Domain of the others: not read.
   IntegerVector agreed;
+  /// The cores overlap: the normal leads from q to p, and the distance counts below 0.
+  bool overlap = false;
 };
 
 /// The lengths of a question.

@@ -1,0 +1,611 @@
+// Two convex cores, in integers.
+//
+// The vertices of both are integers on one grid, over one denominator: that of the rotations. Gilbert, Johnson and Keerthi's algorithm finds the
+// point v of B - A that is nearest to 0: in plain double first, which only proposes corners to begin with, then in integers, where each step is exact and the
+// distance falls, so that it ends, at
+//   v.(b - a) >= v.v     for all vertices a of A and b of B
+// which proves v. Where 0 lies in B - A, the depth is the least over the crosses N of two edges of max N.a - min N.b, over |N|.
+#include "contact/convexes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "contact/pair_functions.hpp"
+#include "kernel/cores.hpp"
+#include "kernel/floating_point_environment.hpp"
+#include "kernel/plane_cores.hpp"
+#include "kernel/sphere_sphere_numbers.hpp"
+
+namespace contact::inline CONTACT_ABI {
+namespace {
+
+using namespace kernel;
+
+const IntegerVector kOrigin{0, 0, 0};
+
+// ---- cores ----
+
+/// A core: its vertices over a denominator > 0, and an edge of each direction that its edges have.
+struct Polytope {
+  std::vector<IntegerVector> vertices;
+  std::vector<IntegerVector> ways;
+  Integer over = 1;
+};
+
+IntegerVector sum(const IntegerVector& x, const IntegerVector& y) { return combined(1, x, 1, y); }
+IntegerVector times(const Integer& k, const IntegerVector& x) { return {k * x[0], k * x[1], k * x[2]}; }
+
+/// The core of some points, and between each two of those that have an edge between them.
+Polytope of_points(std::vector<IntegerVector> points) {
+  Polytope core;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (points[i] != points[j]) core.ways.push_back(points[i] - points[j]);
+  core.vertices = std::move(points);
+  return core;
+}
+/// Every corner + what some of the ways add.
+void span(Polytope& core, const IntegerVector& corner) {
+  core.vertices = {corner};
+  for (const IntegerVector& way : core.ways)
+    for (std::size_t k = core.vertices.size(); k-- > 0;) core.vertices.push_back(sum(core.vertices[k], way));
+}
+
+Grid grid_of(const Ball& x) { return Grid{x.center[0], x.center[1], x.center[2], x.radius}; }
+Grid grid_of(const Capsule& x) {
+  return Grid{x.start[0], x.start[1], x.start[2], x.end[0], x.end[1], x.end[2], x.radius};
+}
+Grid grid_of(const Box& x) { return Grid{x.min[0], x.min[1], x.min[2], x.max[0], x.max[1], x.max[2]}; }
+Grid grid_of(const Obb& x) {
+  return Grid{x.center[0], x.center[1], x.center[2], x.extents[0], x.extents[1], x.extents[2]};
+}
+Grid grid_of(const Triangle& x) {
+  const auto& [u, v, w] = x.vertices;
+  return Grid{u[0], u[1], u[2], v[0], v[1], v[2], w[0], w[1], w[2]};
+}
+
+Polytope core_of(const Grid& grid, const Ball& ball) { return of_points({on_grid(grid, ball.center)}); }
+Polytope core_of(const Grid& grid, const Capsule& capsule) {
+  return of_points({on_grid(grid, capsule.start), on_grid(grid, capsule.end)});
+}
+Polytope core_of(const Grid& grid, const Triangle& triangle) {
+  const auto& [u, v, w] = triangle.vertices;
+  return of_points({on_grid(grid, u), on_grid(grid, v), on_grid(grid, w)});
+}
+Polytope core_of(const Grid& grid, const Box& box) {
+  const IntegerVector low = on_grid(grid, box.min);
+  const IntegerVector size = on_grid(grid, box.max) - low;
+  Polytope core;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    IntegerVector way = kOrigin;
+    way[axis] = size[axis];
+    if (way != kOrigin) core.ways.push_back(way);
+  }
+  span(core, low);
+  return core;
+}
+Polytope core_of(const Grid& grid, const Obb& box) {
+  const Quaternion& q = box.orientation;
+  const Grid of_rotation{q[0], q[1], q[2], q[3]};
+  const Integer x = of_rotation(q[0]);
+  const Integer y = of_rotation(q[1]);
+  const Integer z = of_rotation(q[2]);
+  const Integer w = of_rotation(q[3]);
+  // |q|^2 times the rotation's columns.
+  const std::array<IntegerVector, 3> columns{
+      IntegerVector{w * w + x * x - y * y - z * z, 2 * (x * y + w * z), 2 * (x * z - w * y)},
+      IntegerVector{2 * (x * y - w * z), w * w - x * x + y * y - z * z, 2 * (y * z + w * x)},
+      IntegerVector{2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z}};
+  Polytope core;
+  core.over = x * x + y * y + z * z + w * w;
+  IntegerVector corner = times(core.over, on_grid(grid, box.center));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const IntegerVector half = times(grid(box.extents[static_cast<Eigen::Index>(axis)]), columns[axis]);
+    if (half == kOrigin) continue;
+    corner = corner - half;
+    core.ways.push_back(times(2, half));
+  }
+  span(core, corner);
+  return core;
+}
+
+/// Two cores over one denominator, whose edges lose nothing but length.
+struct TwoCores {
+  Polytope a;
+  Polytope b;
+  [[nodiscard]] const Integer& over() const { return a.over; }
+};
+TwoCores over_one_denominator(Polytope a, Polytope b) {
+  const Integer by_a = b.over;
+  const Integer by_b = a.over;
+  for (IntegerVector& x : a.vertices) x = times(by_a, x);
+  for (IntegerVector& x : b.vertices) x = times(by_b, x);
+  a.over = b.over = by_a * by_b;
+  return {std::move(a), std::move(b)};
+}
+
+// ---- nearest points ----
+
+template <class Number>
+using Vector = std::array<Number, 3>;
+template <class Number>
+Number product(const Vector<Number>& x, const Vector<Number>& y) {
+  return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+}
+
+/// A corner of B - A, by the places of the vertices.
+struct Corner {
+  std::size_t a;
+  std::size_t b;
+  friend bool operator==(const Corner&, const Corner&) = default;
+};
+
+/// A point of a simplex: the sum of parts[k] / whole corners[k]; it is `at` / whole.
+template <class Number>
+struct PointOf {
+  std::vector<Corner> corners;
+  std::vector<Number> parts;  ///< > 0
+  Number whole;
+  Vector<Number> at;
+};
+
+/// The vertices of A and of B, as integers, or nearly.
+template <class Number>
+class Difference {
+ public:
+  Difference(const std::vector<Vector<Number>>& a, const std::vector<Vector<Number>>& b) : a_(a), b_(b) {}
+
+  [[nodiscard]] Vector<Number> operator()(const Corner& c) const {
+    return {b_[c.b][0] - a_[c.a][0], b_[c.b][1] - a_[c.a][1], b_[c.b][2] - a_[c.a][2]};
+  }
+  /// The corner that lies farthest against a direction.
+  [[nodiscard]] Corner farthest_against(const Vector<Number>& v) const {
+    const auto first = [&](const std::vector<Vector<Number>>& of, bool against) {
+      std::size_t best = 0;
+      Number most = product(v, of[0]);
+      for (std::size_t k = 1; k < of.size(); ++k)
+        if (Number along = product(v, of[k]); against ? along < most : most < along) best = k, most = std::move(along);
+      return best;
+    };
+    return {first(a_, false), first(b_, true)};
+  }
+
+  /// The point of a simplex of at most four corners that is nearest to 0: of the nearest points of the planes, lines
+  /// and corners that its parts lie in, those that are inside, the nearest.
+  [[nodiscard]] PointOf<Number> nearest_of(const std::vector<Corner>& simplex) const {
+    std::optional<PointOf<Number>> best;
+    Number best2{};
+    for (unsigned subset = 1; subset < 1U << simplex.size(); ++subset) {
+      PointOf<Number> found;
+      for (std::size_t k = 0; k < simplex.size(); ++k)
+        if (subset >> k & 1) found.corners.push_back(simplex[k]);
+      if (!solve(found)) continue;
+      Number square = product(found.at, found.at);
+      if (best && !(square * best->whole * best->whole < best2 * found.whole * found.whole)) continue;
+      best = std::move(found);
+      best2 = std::move(square);
+    }
+    return *std::move(best);
+  }
+
+ private:
+  /// Sets the parts; whether all are above 0.
+  [[nodiscard]] bool solve(PointOf<Number>& x) const {
+    const std::size_t n = x.corners.size();
+    const Vector<Number> y = (*this)(x.corners[0]);
+    std::array<Vector<Number>, 3> u;
+    for (std::size_t k = 1; k < n; ++k) {
+      const Vector<Number> other = (*this)(x.corners[k]);
+      u[k - 1] = {other[0] - y[0], other[1] - y[1], other[2] - y[2]};
+    }
+    x.parts.assign(n, Number(0));
+    const auto against = [&](const Vector<Number>& v) { return Number(0) - product(y, v); };
+    if (n == 1) {
+      x.whole = Number(1);
+    } else if (n == 2) {
+      x.whole = product(u[0], u[0]);
+      x.parts[1] = against(u[0]);
+    } else if (n == 3) {
+      const Number A = product(u[0], u[0]);
+      const Number B = product(u[0], u[1]);
+      const Number C = product(u[1], u[1]);
+      const Number r = against(u[0]);
+      const Number s = against(u[1]);
+      x.whole = A * C - B * B;
+      x.parts[1] = r * C - s * B;
+      x.parts[2] = s * A - r * B;
+    } else {
+      const auto across = [](const Vector<Number>& v, const Vector<Number>& w) {
+        return Vector<Number>{v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
+      };
+      for (std::size_t k = 0; k < 3; ++k) x.parts[k + 1] = against(across(u[(k + 1) % 3], u[(k + 2) % 3]));
+      x.whole = product(u[0], across(u[1], u[2]));
+      if (x.whole < 0) {
+        x.whole = Number(0) - x.whole;
+        for (Number& part : x.parts) part = Number(0) - part;
+      }
+    }
+    x.parts[0] = x.whole;
+    for (std::size_t k = 1; k < n; ++k) x.parts[0] -= x.parts[k];
+    if (!(x.whole > 0) || !std::all_of(x.parts.begin(), x.parts.end(), [](const Number& part) { return part > 0; }))
+      return false;
+    x.at = {Number(0), Number(0), Number(0)};
+    if (n < 4)
+      for (std::size_t k = 0; k < n; ++k) {
+        const Vector<Number> corner = (*this)(x.corners[k]);
+        for (std::size_t i = 0; i < 3; ++i) x.at[i] += x.parts[k] * corner[i];
+      }
+    return true;
+  }
+
+  const std::vector<Vector<Number>>& a_;
+  const std::vector<Vector<Number>>& b_;
+};
+
+/// The point of B - A nearest to 0, from some corners on.
+PointOf<Integer> nearest_from(std::vector<Corner> corners, const Difference<Integer>& difference) {
+  for (;;) {
+    PointOf<Integer> v = difference.nearest_of(corners);
+    if (v.at == kOrigin) return v;
+    const Corner next = difference.farthest_against(v.at);
+    if (product(v.at, difference(next)) * v.whole >= product(v.at, v.at)) return v;
+    corners = v.corners;
+    corners.push_back(next);
+  }
+}
+
+/// Corners that plain double takes for those of the nearest point.
+std::vector<Corner> proposed(const TwoCores& cores) {
+  using Nearly = std::vector<Vector<double>>;
+  std::size_t bits = 0;
+  for (const Polytope* core : {&cores.a, &cores.b})
+    for (const IntegerVector& x : core->vertices)
+      for (const Integer& each : x)
+        if (!each.is_zero()) bits = std::max<std::size_t>(bits, msb(abs(each)) + 1);
+  constexpr std::size_t kEnough = 50;  // products of many stay in the range of double
+  const auto drop = static_cast<unsigned>(bits > kEnough ? bits - kEnough : 0);
+  const auto nearly = [&](const Polytope& core) {
+    Nearly all;
+    for (const IntegerVector& x : core.vertices) {
+      const auto at = [&](std::size_t i) {
+        return (x[i].sign() < 0 ? -1 : 1) * Integer(abs(x[i]) >> drop).convert_to<double>();
+      };
+      all.push_back({at(0), at(1), at(2)});
+    }
+    return all;
+  };
+  const Nearly a = nearly(cores.a);
+  const Nearly b = nearly(cores.b);
+  const Difference<double> difference(a, b);
+  std::vector<Corner> corners{{0, 0}};
+  constexpr int kMostSteps = 32;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const PointOf<double> v = difference.nearest_of(corners);
+    const Corner next = difference.farthest_against(v.at);
+    const bool is_there = std::find(v.corners.begin(), v.corners.end(), next) != v.corners.end();
+    corners = v.corners;
+    if (is_there || corners.size() == 4 || !(product(v.at, difference(next)) * v.whole < product(v.at, v.at))) break;
+    corners.push_back(next);
+  }
+  return corners;
+}
+
+// ---- sets of nearest points ----
+
+/// A point over a denominator > 0.
+struct Quotient {
+  IntegerVector at;
+  Integer over;
+};
+bool is_less(const Quotient& x, const Quotient& y) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (const int order = Integer(x.at[i] * y.over).compare(y.at[i] * x.over)) return order < 0;
+  return false;
+}
+/// The middle between the lexicographically least and greatest of some points, and whether they are one.
+struct Middle {
+  Quotient at;
+  bool unique;
+};
+Middle middle_of(const std::vector<Quotient>& points) {
+  const auto [low, high] = std::minmax_element(points.begin(), points.end(), is_less);
+  if (!is_less(*low, *high)) return {*low, true};
+  return {{combined(high->over, low->at, low->over, high->at), 2 * low->over * high->over}, false};
+}
+
+/// What two sets of points in a plane span in common, as points between which it lies: their own that lie in the other, and
+/// where what is between two of one crosses what is between two of the other.
+class InPlane {
+ public:
+  InPlane(std::vector<IntegerVector> a, std::vector<IntegerVector> b, IntegerVector normal)
+      : a_(std::move(a)), b_(std::move(b)), n_(std::move(normal)) {}
+
+  [[nodiscard]] std::vector<Quotient> common() const {
+    std::vector<Quotient> all;
+    for (const IntegerVector& x : a_)
+      if (spans(b_, x)) all.push_back({x, 1});
+    for (const IntegerVector& x : b_)
+      if (spans(a_, x)) all.push_back({x, 1});
+    for (std::size_t i = 0; i < a_.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        for (std::size_t k = 0; k < b_.size(); ++k)
+          for (std::size_t l = 0; l < k; ++l) cross_at(a_[i], a_[j] - a_[i], b_[k], b_[l] - b_[k], all);
+    return all;
+  }
+
+ private:
+  [[nodiscard]] Integer turn(const IntegerVector& u, const IntegerVector& v) const { return dot(n_, cross(u, v)); }
+
+  /// Whether x lies between points: on one, between two, or in a triangle of three.
+  [[nodiscard]] bool spans(const std::vector<IntegerVector>& of, const IntegerVector& x) const {
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      if (of[i] == x) return true;
+      for (std::size_t j = 0; j < i; ++j) {
+        const int side = turn(of[i] - x, of[j] - x).sign();
+        if (side == 0 && dot(of[i] - x, of[j] - x).sign() <= 0) return true;
+        for (std::size_t k = 0; side != 0 && k < j; ++k)
+          if (turn(of[j] - x, of[k] - x).sign() == side && turn(of[k] - x, of[i] - x).sign() == side) return true;
+      }
+    }
+    return false;
+  }
+  void cross_at(const IntegerVector& a, const IntegerVector& u, const IntegerVector& b, const IntegerVector& w,
+                std::vector<Quotient>& all) const {
+    Integer whole = turn(u, w);
+    if (whole.is_zero()) return;
+    Integer of_u = turn(b - a, w);
+    Integer of_w = turn(b - a, u);
+    if (whole.sign() < 0) whole = -whole, of_u = -of_u, of_w = -of_w;
+    if (of_u.sign() < 0 || of_u > whole || of_w.sign() < 0 || of_w > whole) return;
+    all.push_back({combined(whole, a, of_u, u), whole});
+  }
+
+  std::vector<IntegerVector> a_;
+  std::vector<IntegerVector> b_;
+  IntegerVector n_;
+};
+
+/// The vertices that lie farthest along a direction.
+std::vector<IntegerVector> farthest(const std::vector<IntegerVector>& of, const IntegerVector& along) {
+  std::vector<IntegerVector> found;
+  Integer most;
+  for (const IntegerVector& x : of) {
+    Integer here = dot(along, x);
+    if (!found.empty() && here < most) continue;
+    if (!found.empty() && here > most) found.clear();
+    if (found.empty()) most = std::move(here);
+    found.push_back(x);
+  }
+  return found;
+}
+
+std::vector<IntegerVector> moved(std::vector<IntegerVector> points, const Integer& times_each,
+                                 const IntegerVector& way) {
+  for (IntegerVector& x : points) x = combined(times_each, x, 1, way);
+  return points;
+}
+
+/// The nearest points of cores that are apart.
+ExactNearest nearest_apart(const TwoCores& cores, const PointOf<Integer>& v) {
+  std::vector<IntegerVector> a = farthest(cores.a.vertices, v.at);
+  std::vector<IntegerVector> b = farthest(cores.b.vertices, kOrigin - v.at);
+  Middle middle{{kOrigin, 1}, true};
+  if (a.size() == 1) {
+    middle.at.at = times(v.whole, a[0]);
+  } else if (b.size() == 1) {
+    middle.at.at = times(v.whole, b[0]) - v.at;
+  } else {
+    middle = middle_of(
+        InPlane(moved(std::move(a), v.whole, kOrigin), moved(std::move(b), v.whole, kOrigin - v.at), v.at).common());
+  }
+  const auto& [p, over] = middle.at;
+  return {p, combined(1, p, over, v.at), over * v.whole * cores.over(), middle.unique, kOrigin};
+}
+
+// ---- cores that meet ----
+
+Integer sum_of_magnitudes(const IntegerVector& n) { return abs(n[0]) + abs(n[1]) + abs(n[2]); }
+/// Whether a normal comes before another of which both are right.
+bool is_preferred(const IntegerVector& n, const IntegerVector& to) {
+  const Integer size = sum_of_magnitudes(n);
+  const Integer other = sum_of_magnitudes(to);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (const int order = Integer(n[i] * other).compare(to[i] * size)) return order > 0;
+  return false;
+}
+
+/// A direction that a facet of A - B may face, and how far max N.a lies above min N.b.
+struct Facing {
+  IntegerVector normal;
+  Integer height;
+};
+Integer height_along(const TwoCores& cores, const IntegerVector& n) {
+  return dot(n, farthest(cores.a.vertices, n)[0]) - dot(n, farthest(cores.b.vertices, kOrigin - n)[0]);
+}
+/// Whether the face of A - B there is one, and no edge or corner.
+bool is_facet(const TwoCores& cores, const IntegerVector& n) {
+  std::vector<IntegerVector> ways;
+  for (const auto& [core, along] : {std::pair(&cores.a, n), std::pair(&cores.b, kOrigin - n)}) {
+    const std::vector<IntegerVector> face = farthest(core->vertices, along);
+    for (const IntegerVector& x : face)
+      if (x != face[0]) ways.push_back(x - face[0]);
+  }
+  return std::any_of(ways.begin(), ways.end(),
+                     [&](const IntegerVector& way) { return cross(ways[0], way) != kOrigin; });
+}
+
+/// The nearest points of cores that meet in a line that holds both.
+ExactNearest nearest_in_line(const TwoCores& cores) {
+  const auto [low_a, high_a] = std::minmax_element(cores.a.vertices.begin(), cores.a.vertices.end());
+  const auto [low_b, high_b] = std::minmax_element(cores.b.vertices.begin(), cores.b.vertices.end());
+  const auto [p, over] = middle_of({{std::max(*low_a, *low_b), 1}, {std::min(*high_a, *high_b), 1}}).at;
+  IntegerVector agreed{1, 0, 0};
+  for (const Polytope* core : {&cores.b, &cores.a})  // those of A count first
+    if (!core->ways.empty()) {
+      const IntegerVector& u = core->ways[0];
+      agreed = {u[1] * u[1] + u[2] * u[2], -u[0] * u[1], -u[0] * u[2]};
+      if (agreed == kOrigin) agreed = {0, 1, 0};
+    }
+  return {p, p, over * cores.over(), over == 1, agreed};
+}
+
+ExactNearest nearest_meeting(const TwoCores& cores) {
+  std::vector<IntegerVector> ways = cores.a.ways;
+  ways.insert(ways.end(), cores.b.ways.begin(), cores.b.ways.end());
+  std::optional<Facing> best;
+  const auto take = [&](const IntegerVector& n, Integer height) {
+    if (best) {
+      const int order =
+          Integer(height * height * dot(best->normal, best->normal)).compare(best->height * best->height * dot(n, n));
+      if (order > 0 || (order == 0 && !is_preferred(n, best->normal))) return;
+    }
+    best = {n, std::move(height)};
+  };
+  for (std::size_t i = 0; i < ways.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const IntegerVector n = cross(ways[i], ways[j]);
+      if (n == kOrigin) continue;
+      const std::array<Integer, 2> heights{height_along(cores, n), height_along(cores, kOrigin - n)};
+      const bool is_flat = heights[0].is_zero() && heights[1].is_zero();
+      for (const bool turned : {false, true}) {
+        const IntegerVector& facing = turned ? kOrigin - n : n;
+        // Below an inside every facet of the least depth is one; at 0 an edge or a corner may be as near.
+        if (heights[turned].is_zero() && !is_flat && !is_facet(cores, facing)) continue;
+        take(facing, heights[turned]);
+      }
+    }
+  if (!best) return nearest_in_line(cores);
+  const auto& [n, height] = *best;
+  const Integer N = dot(n, n);
+  // B, moved out: q + (height / N) n.
+  const auto [at, unique] = middle_of(InPlane(moved(farthest(cores.a.vertices, n), N, kOrigin),
+                                              moved(farthest(cores.b.vertices, kOrigin - n), N, times(height, n)), n)
+                                          .common());
+  ExactNearest nearest{at.at, combined(1, at.at, -at.over * height, n), at.over * N * cores.over(), unique, n};
+  nearest.overlap = !height.is_zero();
+  return nearest;
+}
+
+// ---- answers ----
+
+/// A question about two cores, on a grid of its points and lengths.
+struct Asked {
+  Grid grid;
+  Lengths lengths;
+  TwoCores cores;
+};
+template <class Shape>
+double radius_of(const Shape& shape) {
+  if constexpr (kHasRadius<Shape>) return shape.radius;
+  return 0;
+}
+template <class A, class B>
+Asked asked(const A& a, const B& b, Distances distances) {
+  const Grid grid({distances.alarm, distances.contact}, std::min(grid_of(a).exponent(), grid_of(b).exponent()));
+  return {grid,
+          {radius_of(a), radius_of(b), distances.alarm, distances.contact},
+          over_one_denominator(core_of(grid, a), core_of(grid, b))};
+}
+
+// Behind calls that are not inlined: what RoundToNearest sets must be set before anything is computed.
+template <class A, class B>
+[[gnu::noinline]] bool decide(const A& a, const B& b, double alarm) {
+  const Asked of = asked(a, b, {alarm, 0});
+  const PointOf<Integer> v =
+      nearest_from(proposed(of.cores), Difference<Integer>(of.cores.a.vertices, of.cores.b.vertices));
+  return is_hit({kOrigin, v.at, v.whole * of.cores.over(), true, kOrigin}, of.grid, of.lengths);
+}
+template <class A, class B>
+[[gnu::noinline]] std::optional<Contact> compute(const A& a, const B& b, Distances distances, ContactPoints points) {
+  const Asked of = asked(a, b, distances);
+  const PointOf<Integer> v =
+      nearest_from(proposed(of.cores), Difference<Integer>(of.cores.a.vertices, of.cores.b.vertices));
+  if (!is_hit({kOrigin, v.at, v.whole * of.cores.over(), true, kOrigin}, of.grid, of.lengths)) return std::nullopt;
+  Contact contact{};
+  round_exactly(v.at == kOrigin ? nearest_meeting(of.cores) : nearest_apart(of.cores, v), of.grid, of.lengths, points,
+                kAllNumbers, contact);
+  return contact;
+}
+
+/// The lowest point of a core over a plane.
+struct OverPlane {
+  PlaneGrids grids;
+  Lengths lengths;
+  ExactLowest lowest;
+};
+template <class A>
+OverPlane over_plane(const A& a, const Plane& plane, Distances distances) {
+  const Grid normal{plane.normal[0], plane.normal[1], plane.normal[2]};
+  const Grid of_offset{plane.offset};
+  const Grid points({distances.alarm, distances.contact},
+                    std::min(grid_of(a).exponent(), of_offset.exponent() - normal.exponent()));
+  const Polytope core = core_of(points, a);
+  const IntegerVector n = on_grid(normal, plane.normal);
+  std::vector<Quotient> lowest;
+  for (const IntegerVector& x : farthest(core.vertices, kOrigin - n)) lowest.push_back({x, 1});
+  auto [at, unique] = middle_of(lowest);
+  ExactLowest found{at.at, at.over * core.over, unique, n, 0};
+  const int finer = of_offset.exponent() - (points.exponent() + normal.exponent());
+  const Integer offset = of_offset(plane.offset) << static_cast<unsigned>(finer);
+  found.height = dot(n, found.p) - found.over * offset;
+  return {{points, normal}, {radius_of(a), 0, distances.alarm, distances.contact}, std::move(found)};
+}
+template <class A>
+[[gnu::noinline]] bool decide(const A& a, const Plane& b, double alarm) {
+  const OverPlane of = over_plane(a, b, {alarm, 0});
+  return is_hit(of.lowest, of.grids, of.lengths);
+}
+template <class A>
+[[gnu::noinline]] std::optional<Contact> compute(const A& a, const Plane& b, Distances distances,
+                                                 ContactPoints points) {
+  const OverPlane of = over_plane(a, b, distances);
+  if (!is_hit(of.lowest, of.grids, of.lengths)) return std::nullopt;
+  Contact contact{};
+  round_exactly(of.lowest, of.grids, of.lengths, points, kAllNumbers, contact);
+  return contact;
+}
+
+}  // namespace
+
+#define CONTACT_CONVEX(name, A, B, ...)                                                                      \
+  bool test_##name(const A& a, const B& b, double alarm) {                                                   \
+    const RoundToNearest environment;                                                                        \
+    return decide(a, b, alarm);                                                                              \
+  }                                                                                                          \
+  std::optional<Contact> compute_##name(const A& a, const B& b, Distances distances, ContactPoints points) { \
+    const RoundToNearest environment;                                                                        \
+    return compute(a, b, distances, points);                                                                 \
+  }
+CONTACT_CONVEX_PAIRS(CONTACT_CONVEX)
+#undef CONTACT_CONVEX
+
+namespace {
+
+/// Calls ask(test, compute, a, b) of the pair that two shapes are of.
+template <class Ask>
+auto of_pair(const Convexes& shapes, Ask ask) {
+#define CONTACT_ASK(name, A, B, ...)                   \
+  if (const auto* a = std::get_if<A>(&shapes.a.shape)) \
+    if (const auto* b = std::get_if<B>(&shapes.b.shape)) return ask(&test_##name, &compute_##name, *a, *b);
+  CONTACT_CONVEX_PAIRS(CONTACT_ASK)
+#undef CONTACT_ASK
+  __builtin_unreachable();  // no pair has such shapes
+}
+
+}  // namespace
+
+bool is_hit(const Convexes& shapes, Distances distances) {
+  return of_pair(
+      shapes, [&](auto test, auto /*compute*/, const auto& a, const auto& b) { return test(a, b, distances.alarm); });
+}
+std::optional<Contact> contact_of(const Convexes& shapes, Distances distances, ContactPoints points) {
+  return of_pair(shapes, [&](auto /*test*/, auto compute, const auto& a, const auto& b) {
+    return compute(a, b, distances, points);
+  });
+}
+
+}  // namespace contact::inline CONTACT_ABI
