@@ -6,6 +6,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -38,16 +39,25 @@ struct Core {
   double radius = 0;
   /// Of a core with an inside: a normal of each face that points out of it, of any length, in the order of `features`.
   std::vector<Vec> outward = {};
+  /// What the vertices are still to be divided by, if by something.
+  std::optional<Number> over = {};
 
   /// Those that `outward` has a normal of.
   [[nodiscard]] std::span<const Feature> faces() const { return features.last(outward.size()); }
+  /// An edge of each direction: those of a box at its first corner, or all.
+  [[nodiscard]] std::vector<Feature> directions() const {
+    std::vector<Feature> all;
+    for (const Feature& feature : features)
+      if (feature.dimension() == 1 && (!features.back().is_parallelogram() || feature.has(0))) all.push_back(feature);
+    return all;
+  }
 };
 
-/// Whether the oracles answer for two cores: a point and anything, or two segments. Between others an edge can cross a face, and a depth
-/// can be a root.
+/// Whether the rules of `docs/specification.md#any-two-convex-shapes` are not asked for: of a point and anything, or two segments.
+/// Between others an edge can cross a face, and a depth can be a root.
 template <class A, class B>
-inline constexpr bool kCoresAreAnswered = std::same_as<A, Ball> ||
-                                          (kIsOneOf<A, Capsule, Ray, Line> && kIsOneOf<B, Ball, Capsule, Ray, Line>);
+inline constexpr bool kCoresAreSimple = std::same_as<A, Ball> ||
+                                        (kIsOneOf<A, Capsule, Ray, Line> && kIsOneOf<B, Ball, Capsule, Ray, Line>);
 
 namespace features {
 
@@ -121,6 +131,38 @@ CoreBy<Make> core_of(const Make& make, const Box& box) {
   }
   for (Eigen::Index axis = 0; axis < 3; ++axis)
     for (const double side : {-1.0, 1.0}) core.outward.push_back(vec(make, Vector3::Unit(axis) * side));
+  return core;
+}
+
+/// |q|^2 times the matrix of a rotation: its columns; and |q|^2.
+template <class Make>
+CoreBy<Make> core_of(const Make& make, const Obb& box) {
+  using Number = NumberOf<Make>;
+  const Number x = make(box.orientation[0]);
+  const Number y = make(box.orientation[1]);
+  const Number z = make(box.orientation[2]);
+  const Number w = make(box.orientation[3]);
+  const Number two = make(2);
+  const std::array<typename CoreBy<Make>::Vec, 3> columns{{
+      {w * w + x * x - y * y - z * z, two * (x * y + w * z), two * (x * z - w * y)},
+      {two * (x * y - w * z), w * w - x * x + y * y - z * z, two * (y * z + w * x)},
+      {two * (x * z + w * y), two * (y * z - w * x), w * w - x * x - y * y + z * z},
+  }};
+  const Number over = w * w + x * x + y * y + z * z;
+  CoreBy<Make> core{{}, features::kBox};
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    auto at = vec(make, box.center);
+    for (std::size_t i = 0; i < 3; ++i) {
+      at[i] = over * at[i];
+      for (unsigned axis = 0; axis < 3; ++axis)
+        at[i] = at[i] + make((corner >> axis & 1U ? 1 : -1) * box.extents[axis]) * columns[axis][i];
+    }
+    core.vertices.push_back(at);
+  }
+  for (const auto& column : columns)
+    for (const double side : {-1.0, 1.0})
+      core.outward.push_back({make(side) * column[0], make(side) * column[1], make(side) * column[2]});
+  core.over = over;
   return core;
 }
 

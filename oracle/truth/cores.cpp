@@ -6,6 +6,7 @@
 #include <CGAL/FPU.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace contact::oracle {
@@ -21,37 +22,45 @@ struct NearestPair {
   [[nodiscard]] Rational distance2() const { return dot(q - p, q - p); }
 };
 
+constexpr std::size_t kMostWays = 3;  // of two features together: two faces of three dimensions depend on each other
+
 /// A feature as one of its corners, and the ways from there to those next to it.
 template <class Number>
 struct Spanned {
   std::array<Number, 3> corner;
-  std::vector<std::array<Number, 3>> ways;
+  std::array<std::array<Number, 3>, 2> ways;
+  std::size_t dimension;
   bool is_parallelogram;
 };
 template <class Number>
 Spanned<Number> spanned(const Core<Number>& core, const Feature& feature) {
   const auto& corner = core.vertices[feature.places[0]];
-  Spanned<Number> all{corner, {}, feature.is_parallelogram()};
-  for (std::size_t k = 1; k <= feature.dimension(); ++k) all.ways.push_back(core.vertices[feature.places[k]] - corner);
+  Spanned<Number> all{corner, {}, feature.dimension(), feature.is_parallelogram()};
+  for (std::size_t k = 0; k < all.dimension; ++k) all.ways[k] = core.vertices[feature.places[k + 1]] - corner;
   return all;
 }
 
 bool is_surely_zero(const Rational& x) { return CGAL::is_zero(x); }
 bool is_surely_zero(const Enclosed& /*x*/) { return false; }
 
+template <class Number>
+using Parts = std::array<Number, kMostWays>;
+
 /// What is nearest of the lines and planes through two features: how much of each way leads there, of f's before g's. Nothing where that is
 /// not unique.
 template <class Number>
-std::optional<std::vector<Number>> parts_of(const Spanned<Number>& f, const Spanned<Number>& g) {
-  std::vector<std::array<Number, 3>> ways = f.ways;  // of p - q
-  for (const auto& way : g.ways) ways.push_back(Number(-1) * way);
-  const std::size_t n = ways.size();
+std::optional<Parts<Number>> parts_of(const Spanned<Number>& f, const Spanned<Number>& g) {
+  const std::size_t n = f.dimension + g.dimension;
+  if (n > kMostWays) return std::nullopt;
+  std::array<std::array<Number, 3>, kMostWays> ways;  // of p - q
+  for (std::size_t k = 0; k < f.dimension; ++k) ways[k] = f.ways[k];
+  for (std::size_t k = 0; k < g.dimension; ++k) ways[f.dimension + k] = Number(-1) * g.ways[k];
   const auto w = g.corner - f.corner;
   // At right angles to every way. A Gram matrix has its pivots on the diagonal, or the ways depend on each other.
-  std::vector<std::vector<Number>> m(n);
+  std::array<std::array<Number, kMostWays + 1>, kMostWays> m;
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < n; ++k) m[i].push_back(k < i ? m[k][i] : dot(ways[i], ways[k]));
-    m[i].push_back(dot(ways[i], w));
+    for (std::size_t k = 0; k < n; ++k) m[i][k] = k < i ? m[k][i] : dot(ways[i], ways[k]);
+    m[i][n] = dot(ways[i], w);
   }
   for (std::size_t i = 0; i < n; ++i) {
     if (is_surely_zero(m[i][i])) return std::nullopt;
@@ -60,7 +69,7 @@ std::optional<std::vector<Number>> parts_of(const Spanned<Number>& f, const Span
       for (std::size_t column = i + 1; column <= n; ++column) m[row][column] -= by * m[i][column];
     }
   }
-  std::vector<Number> parts(n);
+  Parts<Number> parts;
   for (std::size_t i = n; i-- > 0;) {
     parts[i] = m[i][n];
     for (std::size_t column = i + 1; column < n; ++column) parts[i] -= m[i][column] * parts[column];
@@ -98,8 +107,8 @@ template <class Number>
 std::optional<Feet<Number>> feet(const Spanned<Number>& f, const Spanned<Number>& g) {
   const auto parts = parts_of(f, g);
   if (!parts) return std::nullopt;
-  const auto of_f = std::span(*parts).first(f.ways.size());
-  const auto of_g = std::span(*parts).subspan(f.ways.size());
+  const auto of_f = std::span(*parts).first(f.dimension);
+  const auto of_g = std::span(*parts).subspan(f.dimension, g.dimension);
   const int in_f = contains<Number>(f, of_f);
   const int in_g = in_f < 0 ? -1 : contains<Number>(g, of_g);
   if (in_g < 0) return std::nullopt;
@@ -150,9 +159,19 @@ std::vector<NearestPair> candidates(const ExactCore& a, const ExactCore& b) {
   std::vector<NearestPair> all;
   for (const Point& x : a.vertices)
     if (contains(b, x)) all.push_back({x, x});
+  for (const Point& x : b.vertices)
+    if (contains(a, x)) all.push_back({x, x});
   for (const Try& x : tries(a.enclosed, b.enclosed))
     if (const auto found = feet(spanned<Rational>(a, *x.f), spanned<Rational>(b, *x.g)))
       all.push_back({found->p, found->q});
+  return all;
+}
+
+/// b - a for all vertices.
+std::vector<Point> differences(const ExactCore& a, const ExactCore& b) {
+  std::vector<Point> all;
+  for (const Point& x : a.vertices)
+    for (const Point& y : b.vertices) all.push_back(y - x);
   return all;
 }
 
@@ -179,30 +198,191 @@ Point agreed_normal(const ExactCore& a, const ExactCore& b) {
 Meeting meeting_at(const Point& p, const ExactCore& a, const ExactCore& b) {
   Meeting found{kNone, {}, {}};
   if (b.outward.empty()) {
-    found.ways.push_back({agreed_normal(a, b), p});
+    found.ways.push_back({agreed_normal(a, b), p, p});
   } else {
-    const auto depth = [&](const WayOut& way) { return dot(p - way.nearest, way.direction); };
+    const auto depth2 = [&](const WayOut& way) { return dot(p - way.nearest, p - way.nearest); };
     found.ways = ways_out(p, b);
-    const auto least = [&](const WayOut& x, const WayOut& y) { return depth(x) < depth(y); };
-    found.depth = depth(*std::min_element(found.ways.begin(), found.ways.end(), least));
-    std::erase_if(found.ways, [&](const WayOut& way) { return depth(way) != found.depth; });
-    if (!CGAL::is_zero(found.depth)) return found;
+    const auto least = [&](const WayOut& x, const WayOut& y) { return depth2(x) < depth2(y); };
+    found.depth2 = depth2(*std::min_element(found.ways.begin(), found.ways.end(), least));
+    std::erase_if(found.ways, [&](const WayOut& way) { return depth2(way) != found.depth2; });
+    if (!CGAL::is_zero(found.depth2)) return found;
     found.ways.resize(1);
   }
-  for (const Point& x : a.vertices)
-    for (const Point& y : b.vertices) found.apart.push_back(y - x);
+  found.apart = differences(a, b);
   return found;
 }
 
-/// The middle between the lexicographically least and greatest of some points, and what leads from there to the greatest.
+/// The middle between the lexicographically least and greatest of some points, and what leads from there to each of them.
 struct Middle {
   Point at;
-  std::optional<Point> spread;
+  Spread spread;
 };
 Middle middle_of(const std::vector<Point>& points) {
   const auto [low, high] = std::minmax_element(points.begin(), points.end());
-  if (*low == *high) return {*low, std::nullopt};
-  return {kHalf * (*low + *high), kHalf * (*high - *low)};
+  if (*low == *high) return {*low, {}};
+  Middle middle{kHalf * (*low + *high), {}};
+  for (const Point& x : points) middle.spread.push_back(x - middle.at);
+  std::sort(middle.spread.begin(), middle.spread.end());
+  middle.spread.erase(std::unique(middle.spread.begin(), middle.spread.end()), middle.spread.end());
+  return middle;
+}
+
+// ---- any two cores that meet ----
+
+/// How far a core lies along a direction: the largest n.x, and whether each vertex is there.
+struct Support {
+  Rational most;
+  std::vector<bool> is_there;
+};
+Support support(const ExactCore& core, const Point& n) {
+  Support found{dot(n, core.vertices[0]), {}};
+  std::vector<Rational> along;
+  for (const Point& x : core.vertices) {
+    along.push_back(dot(n, x));
+    found.most = std::max(found.most, along.back());
+  }
+  for (const Rational& x : along) found.is_there.push_back(x == found.most);
+  return found;
+}
+
+/// The part of a core that is there, moved.
+struct Face {
+  std::vector<Feature> features;
+  ExactCore core;
+};
+Face face_of(const ExactCore& core, const Support& at, const Point& moved) {
+  Face face;
+  for (const Feature& feature : core.features)
+    if (std::all_of(feature.corners().begin(), feature.corners().end(), [&](std::size_t k) { return at.is_there[k]; }))
+      face.features.push_back(feature);
+  std::vector<Point> vertices;
+  for (const Point& x : core.vertices) vertices.push_back(x + moved);
+  face.core = exact_core(vertices, {});
+  return face;
+}
+
+/// A direction that a facet of A - B may face. The two cores overlap by height / |normal| along it.
+struct Facing {
+  Point normal;
+  Rational height;
+  Support of_a;
+  Support of_b;
+  [[nodiscard]] Rational depth2() const { return height * height / dot(normal, normal); }
+};
+Facing facing(const ExactCore& a, const ExactCore& b, const Point& n) {
+  Facing found{n, kNone, support(a, n), support(b, Rational(-1) * n)};
+  found.height = found.of_a.most + found.of_b.most;
+  return found;
+}
+/// Whether what lies farthest along it is a facet of A - B, and no edge or corner.
+bool is_facet(const ExactCore& a, const ExactCore& b, const Facing& along) {
+  std::vector<Point> ways;
+  for (const auto& [core, at] : {std::pair(&a, &along.of_a), std::pair(&b, &along.of_b)}) {
+    const Point* first = nullptr;
+    for (std::size_t k = 0; k < core->vertices.size(); ++k) {
+      if (!at->is_there[k]) continue;
+      if (first == nullptr) first = &core->vertices[k];
+      if (core->vertices[k] != *first) ways.push_back(core->vertices[k] - *first);
+    }
+  }
+  return std::any_of(ways.begin(), ways.end(), [&](const Point& way) { return !is_zero(cross(ways[0], way)); });
+}
+
+/// Whether a normal comes before another: each divided by the sum of the absolute values of its components.
+bool is_preferred(const Facing& x, const Facing& y) {
+  const auto size = [](const Point& n) { return CGAL::abs(n[0]) + CGAL::abs(n[1]) + CGAL::abs(n[2]); };
+  return size(y.normal) * x.normal > size(x.normal) * y.normal;
+}
+
+/// Across each two edges of both.
+template <class Number>
+std::vector<std::array<Number, 3>> across_edges(const Core<Number>& a, const Core<Number>& b) {
+  std::vector<std::array<Number, 3>> ways;
+  for (const auto* core : {&a, &b})
+    for (const Feature& edge : core->directions())
+      ways.push_back(core->vertices[edge.places[1]] - core->vertices[edge.places[0]]);
+  std::vector<std::array<Number, 3>> all;
+  for (std::size_t i = 0; i < ways.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) all.push_back(cross(ways[i], ways[j]));
+  return all;
+}
+
+/// Which of them, and of those turned round after them, may be of the least depth, as intervals of doubles tell.
+std::vector<bool> may_be_least(const EnclosedCore& a, const EnclosedCore& b) {
+  const CGAL::Protect_FPU_rounding<true> upward;
+  std::vector<double> least;
+  double most = std::numeric_limits<double>::infinity();
+  const auto extent = [](const EnclosedCore& core, const std::array<Enclosed, 3>& n) {
+    std::array<Enclosed, 2> found{dot(n, core.vertices[0]), dot(n, core.vertices[0])};
+    for (const auto& x : core.vertices) {
+      const Enclosed along = dot(n, x);
+      found[0] = {std::min(found[0].inf(), along.inf()), std::min(found[0].sup(), along.sup())};
+      found[1] = {std::max(found[1].inf(), along.inf()), std::max(found[1].sup(), along.sup())};
+    }
+    return found;
+  };
+  for (const auto& n : across_edges(a, b)) {
+    const auto of_a = extent(a, n);
+    const auto of_b = extent(b, n);
+    const Enclosed length2 = dot(n, n);
+    for (const Enclosed& height : {of_a[1] - of_b[0], of_b[1] - of_a[0]}) {
+      const bool is_sure = length2.inf() > 0 && height.inf() > 0;
+      const Enclosed depth2 =
+          is_sure ? CGAL::square(height) / length2 : Enclosed(0, std::numeric_limits<double>::infinity());
+      least.push_back(std::isnan(depth2.inf()) ? 0 : depth2.inf());
+      if (is_sure && depth2.sup() < most) most = depth2.sup();
+    }
+  }
+  std::vector<bool> may;
+  for (const double x : least) may.push_back(!(x > most));
+  return may;
+}
+
+/// What is true of any two cores with some points in common, those that all others lie between: a depth is an ordinary hit.
+Meeting meeting_of(const std::vector<Point>& common, const ExactCore& a, const ExactCore& b) {
+  const std::vector<bool> may = may_be_least(a.enclosed, b.enclosed);
+  const std::vector<Point> across = across_edges(a, b);
+  std::vector<Facing> least;
+  bool is_flat = false;
+  for (std::size_t i = 0; i < may.size() && !is_flat; ++i) {
+    if (!may[i]) continue;
+    const Point& n = across[i / 2];
+    if (is_zero(n)) continue;
+    Facing found = facing(a, b, Rational(i % 2 == 0 ? 1 : -1) * n);
+    if (CGAL::is_zero(found.height)) {
+      const Facing turned = facing(a, b, Rational(-1) * found.normal);
+      is_flat = CGAL::is_zero(turned.height);
+      if (is_flat) least = {turned};
+      if (!is_flat && !is_facet(a, b, found)) continue;
+    }
+    if (!is_flat && !least.empty()) {
+      const auto order = CGAL::compare(found.depth2(), least[0].depth2());
+      if (order == CGAL::LARGER) continue;
+      if (order == CGAL::SMALLER) least.clear();
+    }
+    const auto is_same = [&](const Facing& x) { return !is_preferred(x, found) && !is_preferred(found, x); };
+    if (std::none_of(least.begin(), least.end(), is_same)) least.push_back(std::move(found));
+  }
+  std::sort(least.begin(), least.end(), is_preferred);
+  if (least.empty() || CGAL::is_zero(least[0].height)) {
+    const Point p = middle_of(common).at;
+    return {kNone, {{least.empty() ? agreed_normal(a, b) : least[0].normal, p, p}}, differences(a, b)};
+  }
+  Meeting found{least[0].depth2(), {}, {}, true};
+  for (const Facing& way : least) {
+    // B is moved out, so that the faces that face each other have in common what is nearest.
+    const Point out = (way.height / dot(way.normal, way.normal)) * way.normal;
+    Face of_a = face_of(a, way.of_a, {kNone, kNone, kNone});
+    Face of_b = face_of(b, way.of_b, out);
+    of_a.core.features = of_a.core.enclosed.features = of_a.features;
+    of_b.core.features = of_b.core.enclosed.features = of_b.features;
+    std::vector<Point> points;
+    for (const NearestPair& pair : candidates(of_a.core, of_b.core))
+      if (pair.p == pair.q) points.push_back(pair.p);
+    auto [p, spread] = middle_of(points);
+    found.ways.push_back({way.normal, p, p - out, std::move(spread)});
+  }
+  return found;
 }
 
 }  // namespace
@@ -217,6 +397,15 @@ Rational largest_coordinate(const std::vector<Point>& points) {
     }
   return std::max(Rational(-*low), *high);
 }
+
+ExactCore exact_core(const Obb& box) {
+  auto core = core_of([](double x) { return Rational(x); }, box);
+  for (Point& x : core.vertices) x = (kOne / *core.over) * x;
+  ExactCore found = exact_core(core.vertices, core.features);
+  found.outward = std::move(core.outward);
+  return found;
+}
+EnclosedCore enclosed_core(const Obb& box) { return exact_core(box).enclosed; }
 
 ExactCore exact_core(const std::vector<Point>& vertices, std::span<const Feature> features) {
   ExactCore core{{vertices, features}, {{}, features}};
@@ -244,12 +433,12 @@ std::vector<WayOut> ways_out(const Point& inside, const ExactCore& solid) {
   for (std::size_t k = 0; k < solid.outward.size(); ++k) {
     const Point& n = solid.outward[k];
     const Point& corner = solid.vertices[solid.faces()[k].places[0]];
-    all.push_back({Rational(-1) * n, inside + (dot(n, corner - inside) / dot(n, n)) * n});
+    all.push_back({Rational(-1) * n, inside, inside + (dot(n, corner - inside) / dot(n, n)) * n});
   }
   return all;
 }
 
-ExactTruth truth_of_cores(const ExactCore& first, const ExactCore& second, Distances distances) {
+ExactTruth truth_of_cores(const ExactCore& first, const ExactCore& second, Distances distances, Rules rules) {
   const std::vector<NearestPair> all = candidates(first, second);
   Rational least = all.front().distance2();
   std::vector<Point> nearest;
@@ -262,11 +451,12 @@ ExactTruth truth_of_cores(const ExactCore& first, const ExactCore& second, Dista
     nearest.push_back(pair.p);
     delta = pair.q - pair.p;
   }
-  const auto [p, spread] = middle_of(nearest);
+  auto [p, spread] = middle_of(nearest);
   const Rational scale = std::max(largest_coordinate(first.vertices), largest_coordinate(second.vertices));
   Cores cores{{p, p + delta}, {Rational(first.radius), Rational(second.radius)}, {scale, scale}};
-  cores.spread = spread;
-  if (CGAL::is_zero(least)) cores.meeting = meeting_at(p, first, second);
+  cores.spread = std::move(spread);
+  if (CGAL::is_zero(least))
+    cores.meeting.emplace(rules == Rules::of_all ? meeting_of(nearest, first, second) : meeting_at(p, first, second));
   return {DistanceTruth(std::move(cores), distances)};
 }
 
@@ -280,12 +470,12 @@ ExactTruth truth_of_cores(const ExactCore& first, const Plane& second, Distances
     if (!lowest.empty() && dot(n, x) < dot(n, lowest[0])) lowest.clear();
     lowest.push_back(x);
   }
-  const auto [p, spread] = middle_of(lowest);
+  auto [p, spread] = middle_of(lowest);
   const Rational scale = largest_coordinate(first.vertices);
   const Rational height = (dot(n, p) - offset) / dot(n, n);  // in normals
   Cores cores{{p, p - height * n}, {Rational(first.radius), kNone}, {scale, scale}};
   cores.half_space = HalfSpace{Rational(-1) * n, offset * offset / dot(n, n)};
-  cores.spread = spread;
+  cores.spread = std::move(spread);
   return {DistanceTruth(std::move(cores), distances)};
 }
 

@@ -1,4 +1,4 @@
-// The exact truth of two cores, a point and any other or two segments: kCoresAreAnswered. The second one alone may have an inside.
+// The exact truth of two cores.
 #pragma once
 
 #include "oracle/truth/core.hpp"
@@ -20,9 +20,16 @@ template <class Shape>
 [[nodiscard]] ExactCore exact_core(const Shape& shape) {
   return {core_of([](double x) { return Rational(x); }, shape), enclosed_core(shape)};
 }
+// What is left to be divided by in a core of this shape is divided by here.
+[[nodiscard]] ExactCore exact_core(const Obb& box);
+[[nodiscard]] EnclosedCore enclosed_core(const Obb& box);
 [[nodiscard]] ExactCore exact_core(const std::vector<Point>& vertices, std::span<const Feature> features);
 
-[[nodiscard]] ExactTruth truth_of_cores(const ExactCore& first, const ExactCore& second, Distances distances);
+/// What is said of cores that meet: what the pair had agreed before there were rules for all, where the first core is a point, or both are
+/// segments; or those for any two convex shapes.
+enum class Rules { of_the_pair, of_all };
+[[nodiscard]] ExactTruth truth_of_cores(const ExactCore& first, const ExactCore& second, Distances distances,
+                                        Rules rules);
 /// Over a half-space.
 [[nodiscard]] ExactTruth truth_of_cores(const ExactCore& first, const Plane& second, Distances distances);
 

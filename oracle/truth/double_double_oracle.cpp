@@ -169,8 +169,8 @@ std::optional<RoundedAnswer> answer(const TriangleAndLine& shapes, Distances /*d
 template <class A, class B>
 std::optional<RoundedAnswer> answer(const Two<A, B>& shapes, Distances distances, Scalar scalar) {
   const auto& [a, b] = shapes;
-  if constexpr (std::same_as<A, Cast>)
-    return std::nullopt;  // the intervals are asked
+  if constexpr (kIsOneOf<A, Cast, Convex>)
+    return std::nullopt;  // other oracles are asked
   else if constexpr (std::same_as<B, Plane>)
     return case_over_plane(ends_of(a), a.radius, b, distances, scalar);
   else if constexpr (std::same_as<B, Capsule>)

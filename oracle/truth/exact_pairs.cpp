@@ -42,9 +42,24 @@ ExactTruth truth(const Two<A, B>& shapes, Distances distances) {
   } else if constexpr (std::same_as<B, Plane>) {
     return truth_of_cores(exact_core(a), b, distances);
   } else {
-    static_assert(kCoresAreAnswered<A, B>);
-    return truth_of_cores(exact_core(a), exact_core(b), distances);
+    static_assert(kCoresAreSimple<A, B>);
+    return truth_of_cores(exact_core(a), exact_core(b), distances, Rules::of_the_pair);
   }
+}
+
+ExactTruth truth(const Convexes& shapes, Distances distances) {
+  const auto core = [](const Convex& convex) {
+    return std::visit(
+        []<class Shape>(const Shape& shape) {
+          if constexpr (std::same_as<Shape, Plane>)
+            return ExactCore{};  // it is none
+          else
+            return exact_core(shape);
+        },
+        convex.shape);
+  };
+  if (const auto* plane = std::get_if<Plane>(&shapes.b.shape)) return truth_of_cores(core(shapes.a), *plane, distances);
+  return truth_of_cores(core(shapes.a), core(shapes.b), distances, Rules::of_all);
 }
 
 template <class A, class B>
@@ -58,6 +73,10 @@ Meet meet(const Two<A, B>& shapes) {
     if (are_surely_apart(enclosed_core(a), enclosed_core(b))) return Meet::no;
     return CGAL::is_zero(squared_distance(exact_core(a), exact_core(b))) ? Meet::touching : Meet::no;
   }
+}
+Meet meet(const Convexes& shapes) {
+  const ExactTruth exact = truth(shapes, {0, 0});
+  return std::get<DistanceTruth>(exact.numbers).degenerate() ? Meet::touching : Meet::no;
 }
 Meet meet(const Balls& balls) { return balls.a.center == balls.b.center ? Meet::touching : Meet::no; }
 Meet meet(const BallAndBox& shapes) {

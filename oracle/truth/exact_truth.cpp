@@ -32,25 +32,38 @@ DistanceTruth::DistanceTruth(Cores cores, Distances distances)
   }
   radii_ = cores_.radius[0] + cores_.radius[1];
   reach_ = Rational(distances.alarm) + radii_;
-  if (degenerate() && !cores_.meeting)
-    cores_.meeting = Meeting{Rational(0), {{{Rational(1), Rational(0), Rational(0)}, cores_.nearest[1]}}, {}};
+  if (meets() && !cores_.meeting)
+    cores_.meeting =
+        Meeting{Rational(0), {{{Rational(1), Rational(0), Rational(0)}, cores_.nearest[0], cores_.nearest[1]}}, {}};
+  settle_along();
+}
+
+void DistanceTruth::settle_along() {
   along_ = cores_.cast         ? cores_.cast->along
            : cores_.half_space ? cores_.half_space->inward
-           : degenerate()      ? meeting().ways.front().direction
+           : meets()           ? meeting().ways.front().direction
                                : delta_;
   along2_ = square(along_[0]) + square(along_[1]) + square(along_[2]);
+}
+
+DistanceTruth DistanceTruth::by_way(std::size_t way) const {
+  DistanceTruth other = *this;
+  std::swap(other.cores_.meeting->ways.front(), other.cores_.meeting->ways[way]);
+  other.settle_along();
+  return other;
 }
 
 bool DistanceTruth::below() const { return cores_.half_space && dot(delta_, along_) < Rational(0); }
 
 const Point& DistanceTruth::nearest(int shape) const {
-  return degenerate() && shape == 1 ? meeting().ways.front().nearest : cores_.nearest[index(shape)];
+  if (!meets()) return cores_.nearest[index(shape)];
+  return shape == 0 ? meeting().ways.front().first : meeting().ways.front().nearest;
 }
 
 // Both sides of sqrt(D) <= reach are >= 0, so their squares stand in the same order. What is inside or below is within
 // any reach.
 Side DistanceTruth::within(const Rational& reach) const {
-  return below() || (degenerate() && !coincident()) ? Side::within : side_of(distance2_ - square(reach));
+  return below() || (meets() && !coincident()) ? Side::within : side_of(distance2_ - square(reach));
 }
 Side DistanceTruth::at_alarm() const { return within(reach_); }
 Side DistanceTruth::at_zero() const { return within(radii_); }
@@ -93,15 +106,17 @@ Exact DistanceTruth::midpoint(int axis) const {
 
 Exact DistanceTruth::value(bool less_contact) const {
   if (cores_.cast) return cores_.cast->t;
-  const Rational inward = degenerate() ? radii_ + meeting().depth : radii_;
-  return signed_distance().plus(less_contact ? -inward - contact_ : -inward);
+  return core_distance().plus(less_contact ? -radii_ - contact_ : -radii_);
 }
+
+Exact DistanceTruth::core_distance() const { return meets() ? depth().scaled(Rational(-1)) : signed_distance(); }
 
 Exact DistanceTruth::margin(Scalar scalar) const { return beyond(reach_).scaled(Rational(1) / ulp(reach_, scalar)); }
 
 Exact DistanceTruth::value_scale() const {
   if (cores_.cast) return cores_.cast->value_scale;
-  Rational larger = std::max({radii_, contact_, degenerate() ? meeting().depth : Rational(0)});
+  Rational larger = std::max(radii_, contact_);
+  if (meets()) return larger_of(larger, depth());
   if (cores_.half_space) larger = std::max({larger, cores_.farthest[0], cores_.farthest[1]});
   return larger_of(larger, root(cores_.half_space ? std::max(distance2_, cores_.half_space->offset2) : distance2_));
 }
@@ -123,7 +138,7 @@ CastTruth::CastTruth(const LineEnd& entry, const std::optional<LineEnd>& exit, C
   Point near;
   for (std::size_t axis = 0; axis < 3; ++axis) near[axis] = hit.at[axis].enclosure(kEnoughBits).low;
   Cores cores{{near, near}, {Rational(0), Rational(0)}, {Rational(0), Rational(0)}};
-  cores.meeting = Meeting{Rational(0), {{hit.along, near}}, {}};
+  cores.meeting = Meeting{Rational(0), {{hit.along, near, near}}, {}};
   if (hit.against)
     for (const Point& way : *hit.against) cores.meeting->apart.push_back(Rational(-1) * way);
   cores.cast = std::move(hit);

@@ -49,20 +49,26 @@ template <Coordinate Number>
 /// +1 where a contact point lies from its core along the normal, -1 against it, 0 on the core.
 [[nodiscard]] Rational outward(int shape, PointOn on);
 
-/// A way to part two cores that meet: the second one moves along `direction`, or the first against it. `nearest` is
-/// where the second core's contact point lies then.
+/// Where a point may be anywhere between some, what leads from the reference's to each of these; else nothing.
+using Spread = std::vector<Point>;
+
+/// A way to part two cores that meet: the second one moves along `direction`, or the first against it. `first` and `nearest` are
+/// where the contact points of the two cores lie then.
 struct WayOut {
   Point direction;
+  Point first;
   Point nearest;
+  Spread spread = {};
 };
 
 /// What is true of cores that meet (D = 0): how deep they are in each other, and the shortest ways out.
 struct Meeting {
-  Rational depth;
+  Rational depth2;  ///< the square of the depth
   /// Where the depth is above 0: every one of that length, the reference's first. Else the reference's alone.
   std::vector<WayOut> ways;
   /// Where the depth is 0: b - a for all vertices a and b of the cores. A right normal points against none of them.
   std::vector<Point> apart;
+  bool is_overlap = false;  ///< the depth is above 0, and that is an ordinary hit
 };
 
 /// A second core that is a half-space, or one that is crossed: its boundary tells above from below, also where nothing
@@ -93,8 +99,7 @@ struct Cores {
   std::array<Rational, 2> radius;
   std::array<Rational, 2> farthest;     ///< the largest coordinate that each contact point is computed from
   std::optional<Meeting> meeting = {};  ///< where they meet; of two points that are one it need not be said
-  /// Where many points are nearest: p + k spread and q + k spread for all |k| <= 1.
-  std::optional<Point> spread = {};
+  Spread spread = {};                   ///< where many points are nearest, of both
   std::optional<HalfSpace> half_space = {};
   std::optional<CastHit> cast = {};  ///< it says all numbers; both nearest points are near to its own
 };
@@ -106,21 +111,31 @@ class DistanceTruth {
  public:
   DistanceTruth(Cores cores, Distances distances);
 
-  /// D = 0, and no plane says in which direction.
-  [[nodiscard]] bool degenerate() const {
+  /// The cores meet, D = 0, and no plane says in which direction.
+  [[nodiscard]] bool meets() const {
     return cores_.cast ? cores_.cast->inside : CGAL::is_zero(distance2_) && !cores_.half_space;
   }
+  /// They meet, and that is an ordinary hit: the depth is the distance, below 0.
+  [[nodiscard]] bool overlaps() const { return !cores_.cast && meets() && cores_.meeting->is_overlap; }
+  /// They meet otherwise.
+  [[nodiscard]] bool degenerate() const { return meets() && !overlaps(); }
   /// Where a ray is cast: what it hits, and how. nullptr for other pairs.
   [[nodiscard]] const CastHit* cast() const { return cores_.cast ? &*cores_.cast : nullptr; }
   /// p lies below the plane of a half-space.
   [[nodiscard]] bool below() const;
   /// D = 0, and nothing is inside anything: the direction is by agreement.
-  [[nodiscard]] bool coincident() const { return !cores_.cast && degenerate() && CGAL::is_zero(cores_.meeting->depth); }
+  [[nodiscard]] bool coincident() const { return !cores_.cast && meets() && CGAL::is_zero(cores_.meeting->depth2); }
   [[nodiscard]] const Cores& cores() const { return cores_; }
   /// Domain: D = 0.
   [[nodiscard]] const Meeting& meeting() const { return *cores_.meeting; }
-  /// Where the nearest points are not unique: the contact points move along this, from -1 to 1 times.
-  [[nodiscard]] const std::optional<Point>& spread() const { return cores_.spread; }
+  /// Where the nearest points are not unique: where the contact points may move to.
+  [[nodiscard]] const Spread& spread() const { return overlaps() ? meeting().ways.front().spread : cores_.spread; }
+  /// How deep cores that meet are in each other. Domain: they meet.
+  [[nodiscard]] Exact depth() const { return {Rational(0), Rational(1), meeting().depth2}; }
+  /// The distance of the cores; where they overlap, the depth below 0.
+  [[nodiscard]] Exact core_distance() const;
+  /// The same by another of the shortest ways out. Domain: they overlap.
+  [[nodiscard]] DistanceTruth by_way(std::size_t way) const;
   [[nodiscard]] const Rational& distance2() const { return distance2_; }
   [[nodiscard]] const Rational& reach() const { return reach_; }
   [[nodiscard]] const Rational& radii() const { return radii_; }
@@ -153,6 +168,7 @@ class DistanceTruth {
  private:
   [[nodiscard]] Side within(const Rational& reach) const;
   [[nodiscard]] Exact signed_distance() const { return {Rational(0), Rational(below() ? -1 : 1), distance2_}; }
+  void settle_along();
   /// Where a shape's contact point is measured from; and for a claimed normal, where D = 0.
   [[nodiscard]] const Point& nearest(int shape) const;
   [[nodiscard]] const Point& foot(int shape, const Vector3& normal) const;

@@ -35,20 +35,20 @@ class TwoCores {
   TwoCores(const IntervalCore& a, const IntervalCore& b, std::vector<const Feature*> of_b, mpfr_prec_t precision)
       : a_(a), b_(b), of_b_(std::move(of_b)), precision_(precision) {}
 
-  [[nodiscard]] IntervalNearest nearest() const {
-    const std::vector<Pair> found = optimal();
-    const Pair* low = &found.front();
-    const Pair* high = low;
-    for (const Pair& x : found) {
-      if (order(x.p, x.over, low->p, low->over) < 0) low = &x;
-      if (order(x.p, x.over, high->p, high->over) > 0) high = &x;
-    }
-    if (low == high || order(low->p, low->over, high->p, high->over) == 0)
-      return {low->p, low->q, low->over, agreed(), true};
-    const auto middle = [&](const Triple& x, const Triple& y) {
-      return sum(scaled(high->over, x), scaled(low->over, y));
-    };
-    return {middle(low->p, high->p), middle(low->q, high->q), number(2) * low->over * high->over, agreed(), false};
+  [[nodiscard]] IntervalNearest nearest() const { return middle_of(optimal()); }
+
+  /// Of features in one plane or line: the middle of what they have in common. Those of as many dimensions together as the plane has cross
+  /// in one point, or do not.
+  [[nodiscard]] IntervalCommon common(const std::vector<const Feature*>& of_a) const {
+    std::vector<Pair> found;
+    for (std::size_t dimensions = 3; found.empty() && dimensions-- > 0;)
+      for (const Feature* f : of_a)
+        for (const Feature* g : of_b_)
+          if (f->dimension() + g->dimension() == dimensions)
+            if (auto at = on_features(*f, *g)) found.push_back(*std::move(at));
+    if (found.empty()) throw Undecided{};  // never with signs that are settled
+    const IntervalNearest middle = middle_of(found);
+    return {middle.p, middle.over, middle.unique};
   }
 
  private:
@@ -70,7 +70,25 @@ class TwoCores {
     return true;
   }
 
-  [[nodiscard]] std::optional<Pair> solved(const Feature& f, const Feature& g) const {
+  /// The middle of those with the lexicographically least and greatest p.
+  [[nodiscard]] IntervalNearest middle_of(const std::vector<Pair>& found) const {
+    const Pair* low = &found.front();
+    const Pair* high = low;
+    for (const Pair& x : found) {
+      if (order(x.p, x.over, low->p, low->over) < 0) low = &x;
+      if (order(x.p, x.over, high->p, high->over) > 0) high = &x;
+    }
+    if (low == high || order(low->p, low->over, high->p, high->over) == 0)
+      return {low->p, low->q, low->over, agreed(), true};
+    const auto middle = [&](const Triple& x, const Triple& y) {
+      return sum(scaled(high->over, x), scaled(low->over, y));
+    };
+    return {middle(low->p, high->p), middle(low->q, high->q), number(2) * low->over * high->over, agreed(), false};
+  }
+
+  /// What is nearest of the lines or planes through two features, if that is one pair of points of these.
+  [[nodiscard]] std::optional<Pair> on_features(const Feature& f, const Feature& g) const {
+    if (f.dimension() + g.dimension() > 2) return std::nullopt;
     const Triple& a = a_.vertices[f.places[0]];
     const Triple& b = b_.vertices[g.places[0]];
     const Triple w = difference(b, a);
@@ -97,8 +115,13 @@ class TwoCores {
     Pair at{scaled(over, a), scaled(over, b), over};
     for (std::size_t k = 0; k < f.dimension(); ++k) at.p = sum(at.p, scaled(parts[k], ways[k]));
     for (std::size_t k = f.dimension(); k < ways.size(); ++k) at.q = difference(at.q, scaled(parts[k], ways[k]));
-    const bool is_nearest = is_extreme(a_, f, difference(at.q, at.p)) && is_extreme(b_, g, difference(at.p, at.q));
-    return is_nearest ? std::optional(std::move(at)) : std::nullopt;
+    return at;
+  }
+  /// The same where it is nearest of the cores.
+  [[nodiscard]] std::optional<Pair> solved(const Feature& f, const Feature& g) const {
+    auto at = on_features(f, g);
+    if (at && !(is_extreme(a_, f, difference(at->q, at->p)) && is_extreme(b_, g, difference(at->p, at->q)))) at.reset();
+    return at;
   }
 
   /// All that fulfil the conditions: one, unless many are nearest, and of these all ends.
@@ -190,6 +213,17 @@ RoundedAnswer answer_inside(const Triple& c, const Below& face, double radius, D
 
 }  // namespace
 
+IntervalNearest nearest_of_cores(const IntervalCore& a, const IntervalCore& b, mpfr_prec_t precision) {
+  std::vector<const Feature*> of_b;
+  for (const Feature& feature : b.features) of_b.push_back(&feature);
+  return TwoCores(a, b, std::move(of_b), precision).nearest();
+}
+
+IntervalCommon common_of_cores(const IntervalCore& a, const std::vector<const Feature*>& of_a, const IntervalCore& b,
+                               const std::vector<const Feature*>& of_b, mpfr_prec_t precision) {
+  return TwoCores(a, b, of_b, precision).common(of_a);
+}
+
 RoundedAnswer answer_of_cores(const IntervalCore& a, const IntervalCore& b, Distances distances, Scalar scalar,
                               mpfr_prec_t precision) {
   std::vector<Below> faces = below_faces(a.vertices[0], b);
@@ -229,13 +263,14 @@ RoundedAnswer answer_of_cores(const IntervalCore& a, const Plane& plane, Distanc
     if (above < 0 || order(x, N, *high, N) > 0) high = &x;
   }
   const Triple twice = sum(*low, *high);
-  const Interval two = number(2);
+  const Interval over = a.over.value_or(number(1));
+  const Interval two = number(2) * over;
 
-  const Interval height = dot(n, *low) - offset;
+  const Interval height = dot(n, *low) - offset * over;
   const Interval r = number(a.radius);
-  const auto side = [&](const Interval& reach) { return sign_of(height - reach * length); };
+  const auto side = [&](const Interval& reach) { return sign_of(height - reach * over * length); };
   const Interval reach = number(distances.alarm) + r;
-  RoundedAnswer answer{side(reach), side(r), {}, margin_of(height / length - reach, reach, scalar)};
+  RoundedAnswer answer{side(reach), side(r), {}, margin_of(height / (length * over) - reach, reach, scalar)};
   answer.expected.hit = answer.at_alarm <= 0;
   if (!answer.expected.hit) return answer;
 
@@ -250,7 +285,7 @@ RoundedAnswer answer_of_cores(const IntervalCore& a, const Plane& plane, Distanc
     const Interval foot = two * offset * n[i] + (part((i + 1) % 3) + part((i + 2) % 3));
     contact.point2[axis] = settled((foot / (two * N)).rounded(scalar));
   }
-  contact.value = settled((height / length - (r + number(distances.contact))).rounded(scalar));
+  contact.value = settled(((height / length - (r + number(distances.contact)) * over) / over).rounded(scalar));
   answer.expected.contact = contact;
   return answer;
 }

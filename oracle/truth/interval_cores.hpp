@@ -12,6 +12,21 @@ template <class Shape>
   return core_of([precision](double x) { return Interval(precision, x); }, shape);
 }
 
+/// The nearest points of two cores over one denominator, of which neither has a point in its inside that is the other's; what
+/// their own denominators are is not asked.
+[[nodiscard]] IntervalNearest nearest_of_cores(const IntervalCore& a, const IntervalCore& b, mpfr_prec_t precision);
+
+/// What two sets of points in one plane or line have in common, which is something: a point over a denominator, the middle between the lexicographically
+/// least and greatest vertex, and whether it is the only one. Each set is what some features of a core are together.
+struct IntervalCommon {
+  Triple p;
+  Interval over;
+  bool unique;
+};
+[[nodiscard]] IntervalCommon common_of_cores(const IntervalCore& a, const std::vector<const Feature*>& of_a,
+                                             const IntervalCore& b, const std::vector<const Feature*>& of_b,
+                                             mpfr_prec_t precision);
+
 [[nodiscard]] RoundedAnswer answer_of_cores(const IntervalCore& a, const IntervalCore& b, Distances distances,
                                             Scalar scalar, mpfr_prec_t precision);
 [[nodiscard]] RoundedAnswer answer_of_cores(const IntervalCore& a, const Plane& plane, Distances distances,

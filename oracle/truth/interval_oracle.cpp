@@ -6,6 +6,7 @@
 
 #include "oracle/truth/default_environment.hpp"
 #include "oracle/truth/interval_casts.hpp"
+#include "oracle/truth/interval_convexes.hpp"
 #include "oracle/truth/interval_crossings.hpp"
 
 namespace contact::oracle {
@@ -46,9 +47,26 @@ RoundedAnswer answer(const Two<A, B>& shapes, Distances distances, Scalar scalar
   } else if constexpr (std::same_as<B, Plane>) {
     return answer_of_cores(interval_core(a, precision), b, distances, scalar, precision);
   } else {
-    static_assert(kCoresAreAnswered<A, B>);
+    static_assert(kCoresAreSimple<A, B>);
     return answer_of_cores(interval_core(a, precision), interval_core(b, precision), distances, scalar, precision);
   }
+}
+
+RoundedAnswer answer(const Convexes& shapes, Distances distances, Scalar scalar, mpfr_prec_t precision) {
+  const auto core = [&](const Convex& convex) {
+    return std::visit(
+        [&]<class Shape>(const Shape& shape) {
+          if constexpr (std::same_as<Shape, Plane>)
+            return IntervalCore{};  // it is none
+          else
+            return interval_core(shape, precision);
+        },
+        convex.shape);
+  };
+  const IntervalCore a = core(shapes.a);
+  if (const auto* plane = std::get_if<Plane>(&shapes.b.shape))
+    return answer_of_cores(a, *plane, distances, scalar, precision);
+  return answer_of_convexes(a, core(shapes.b), distances, scalar, precision);
 }
 
 }  // namespace

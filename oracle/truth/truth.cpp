@@ -61,7 +61,7 @@ Expectation expectation(const Truth& truth, Scalar scalar) {
   const DistanceTruth& exact = *truth.contact();
   Contact contact{};
   contact.degenerate = exact.degenerate();
-  contact.unique = !exact.spread();
+  contact.unique = exact.spread().empty();
   for (int axis = 0; axis < 3; ++axis) {
     contact.normal[axis] = round_to_nearest(exact.normal(axis), scalar);
     contact.point1[axis] = round_to_nearest(exact.point(0, axis, PointOn::nearest_surface), scalar);
@@ -103,6 +103,7 @@ Witness witness_of(const ExactTruth& truth) {
   Witness w;
   if (const auto* distance = std::get_if<DistanceTruth>(&truth.numbers)) {
     w.distance2 = exact_string(distance->distance2());
+    if (distance->overlaps()) w.depth2 = exact_string(distance->meeting().depth2);
     w.reach = exact_string(distance->reach());
     w.below = distance->below();
   } else if (const auto* crossing = std::get_if<CrossingTruth>(&truth.numbers)) {

@@ -85,6 +85,7 @@ struct Witness {
   std::optional<std::array<std::string, 3>> crossing = {};  ///< where one shape crosses the other
   /// Where a ray hits: a and h, t being a - sqrt(h).
   std::optional<std::array<std::string, 2>> cast = {};
+  std::string depth2 = {};  ///< where cores overlap and that is an ordinary hit, else empty
 
   friend bool operator==(const Witness&, const Witness&) = default;
 };

@@ -1,0 +1,252 @@
+// Any two cores in intervals. A - B is what lies below its facets: 0 lies outside where it is above one, and else as deep as it is below the nearest.
+//
+// Of which vertices a facet consists is known from what it was made of, a face or two edges, and of the others by the sign of how far they are from it: in what is
+// in no special position no sign is that of 0, and few digits settle it.
+#include "oracle/truth/interval_convexes.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace contact::oracle {
+namespace {
+
+Triple scaled(const Interval& k, const Triple& x) { return {k * x[0], k * x[1], k * x[2]}; }
+Triple sum(const Triple& x, const Triple& y) { return {x[0] + y[0], x[1] + y[1], x[2] + y[2]}; }
+bool is_zero(const Triple& x) { return sign_of(x[0]) == 0 && sign_of(x[1]) == 0 && sign_of(x[2]) == 0; }
+
+/// The vertices of a core that lie farthest along a direction.
+using Places = std::vector<std::size_t>;
+bool has(const Places& places, std::size_t k) { return std::find(places.begin(), places.end(), k) != places.end(); }
+
+/// Those, if `known` are all at one height.
+Places farthest(const IntervalCore& core, const Triple& along, const Places& known) {
+  Places best = known.empty() ? Places{0} : known;
+  for (std::size_t k = 0; k < core.vertices.size(); ++k) {
+    if (has(known, k) || has(best, k)) continue;
+    const int order = sign_of(dot(along, difference(core.vertices[k], core.vertices[best[0]])));
+    if (order > 0) best = {k};
+    if (order == 0) best.push_back(k);
+  }
+  return best;
+}
+
+/// A direction that a facet of A - B may face, what lies farthest along it, and how far max N.a lies above min N.b.
+struct Facing {
+  Triple normal;
+  Places of_a;
+  Places of_b;
+  Interval height;
+};
+
+class AnyTwo {
+ public:
+  AnyTwo(const IntervalCore& a, const IntervalCore& b, mpfr_prec_t precision)
+      : a_(a), b_(b), precision_(precision), over_(number(1)) {
+    // Over one denominator.
+    const auto by = [](IntervalCore& core, const std::optional<Interval>& over) {
+      if (!over) return;
+      for (Triple& x : core.vertices) x = scaled(*over, x);
+    };
+    by(a_, b.over);
+    by(b_, a.over);
+    for (const auto* core : {&a, &b})
+      if (core->over) over_ = over_ * *core->over;
+    make_facings();
+  }
+
+  [[nodiscard]] RoundedAnswer answer(Distances distances, Scalar scalar) const {
+    const Facing* least = nullptr;
+    bool is_solid = false;
+    for (const Facing& facing : facings_) {
+      const int side = sign_of(facing.height);
+      if (side < 0) return answer_apart(distances, scalar);
+      if (!is_solid) is_solid = sign_of(height_along(turned(facing))) + side > 0;
+      if (is_solid && side == 0 && !is_facet(facing)) continue;
+      if (least == nullptr || is_before(facing, *least)) least = &facing;
+    }
+    if (is_solid) return answer_meeting(*least, sign_of(least->height) == 0, distances, scalar);
+    // In a plane or a line 0 may lie beside A - B.
+    const IntervalNearest nearest = nearest_of_cores(a_, b_, precision_);
+    if (!is_zero(difference(nearest.q, nearest.p))) return answer_of(nearest, distances, scalar);
+    const Facing in_line{nearest.agreed, all_of(a_), all_of(b_), number(0)};
+    return answer_meeting(least == nullptr ? in_line : *least, true, distances, scalar);
+  }
+
+ private:
+  [[nodiscard]] Interval number(double x) const { return {precision_, x}; }
+  static Places all_of(const IntervalCore& core) {
+    Places all(core.vertices.size());
+    for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
+    return all;
+  }
+  [[nodiscard]] Triple against(const Triple& n) const { return scaled(number(-1), n); }
+
+  [[nodiscard]] Facing facing(const Triple& n, const Places& in_a, const Places& in_b) const {
+    Facing found{n, farthest(a_, n, in_a), farthest(b_, against(n), in_b), number(0)};
+    found.height = height_along(found);
+    return found;
+  }
+  [[nodiscard]] Interval height_along(const Facing& facing) const {
+    return dot(facing.normal, difference(a_.vertices[facing.of_a[0]], b_.vertices[facing.of_b[0]]));
+  }
+  [[nodiscard]] Facing turned(const Facing& f) const {
+    // What was in one plane is in one plane still.
+    const Triple n = against(f.normal);
+    const auto other = [&](const IntervalCore& core, const Triple& along, const Places& known) {
+      const Places best = farthest(core, along, {});
+      return has(known, best[0]) ? known : best;
+    };
+    return {n, other(a_, n, f.of_a), other(b_, f.normal, f.of_b), number(0)};
+  }
+
+  /// Of the faces of each, and of each two edges.
+  void make_facings() {
+    const auto add = [&](const Triple& n, const Places& in_a, const Places& in_b) {
+      if (is_zero(n)) return;
+      facings_.push_back(facing(n, in_a, in_b));
+    };
+    const auto add_faces = [&](const IntervalCore& core, bool of_a) {
+      const auto add_face = [&](const Triple& n, const Feature& face) {
+        const Places corners(face.corners().begin(), face.corners().end());
+        of_a ? add(n, corners, {}) : add(against(n), {}, corners);
+      };
+      for (std::size_t k = 0; k < core.outward.size(); ++k) add_face(core.outward[k], core.faces()[k]);
+      if (!core.outward.empty()) return;
+      for (const Feature& face : core.features)
+        if (face.dimension() == 2) {
+          const auto way = [&](std::size_t k) {
+            return difference(core.vertices[face.places[k]], core.vertices[face.places[0]]);
+          };
+          const Triple n = cross(way(1), way(2));
+          add_face(n, face);
+          add_face(against(n), face);
+        }
+    };
+    add_faces(a_, true);
+    add_faces(b_, false);
+    const auto way = [](const IntervalCore& core, const Feature& edge) {
+      return difference(core.vertices[edge.places[1]], core.vertices[edge.places[0]]);
+    };
+    for (const Feature& e : a_.directions())
+      for (const Feature& f : b_.directions()) {
+        const Triple n = cross(way(a_, e), way(b_, f));
+        if (is_zero(n)) continue;
+        for (const Triple& along : {n, against(n)}) add(along, edge_at(a_, e, along), edge_at(b_, f, against(along)));
+      }
+  }
+  /// The corners of the edge of a direction that lies farthest along a normal to it.
+  [[nodiscard]] static Places edge_at(const IntervalCore& core, const Feature& edge, const Triple& along) {
+    if (core.outward.empty()) {  // the edges of a triangle have no other of their direction
+      Places corners(edge.corners().begin(), edge.corners().end());
+      for (std::size_t k = 0; k < core.vertices.size(); ++k)
+        if (!edge.has(k) && sign_of(dot(along, difference(core.vertices[k], core.vertices[corners[0]]))) > 0) return {};
+      return corners;
+    }
+    const std::size_t bit = edge.places[0] ^ edge.places[1];  // of a box: two corners that differ in it
+    std::size_t best = 0;
+    for (std::size_t k = 1; k < core.vertices.size(); ++k)
+      if ((k & bit) == 0 && sign_of(dot(along, difference(core.vertices[k], core.vertices[best]))) > 0) best = k;
+    return {best, best | bit};
+  }
+
+  /// Whether it is a facet, and no edge or corner.
+  [[nodiscard]] bool is_facet(const Facing& f) const {
+    std::vector<Triple> ways;
+    for (const auto& [core, places] : {std::pair(&a_, &f.of_a), std::pair(&b_, &f.of_b)})
+      for (const std::size_t k : *places)
+        if (Triple way = difference(core->vertices[k], core->vertices[(*places)[0]]);
+            k != (*places)[0] && !is_zero(way))
+          ways.push_back(std::move(way));
+    return std::any_of(ways.begin(), ways.end(), [&](const Triple& way) { return !is_zero(cross(ways[0], way)); });
+  }
+
+  /// Whether the depth along it is less, or where it is as deep, whether it comes before another.
+  [[nodiscard]] bool is_before(const Facing& x, const Facing& y) const {
+    const Interval N = dot(x.normal, x.normal);
+    const Interval M = dot(y.normal, y.normal);
+    if (const int order = sign_of(x.height.squared() * M - y.height.squared() * N); order != 0) return order < 0;
+    const auto size = [&](const Triple& n) {
+      Interval all = number(0);
+      for (const Interval& each : n) all = sign_of(each) < 0 ? all - each : all + each;
+      return all;
+    };
+    const Interval of_x = size(x.normal);
+    const Interval of_y = size(y.normal);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (const int order = sign_of(x.normal[i] * of_y - y.normal[i] * of_x); order != 0) return order > 0;
+    return false;
+  }
+
+  [[nodiscard]] RoundedAnswer answer_of(IntervalNearest nearest, Distances distances, Scalar scalar) const {
+    nearest.over = nearest.over * over_;
+    return answer_of_nearest(nearest, number(a_.radius), number(b_.radius), distances, scalar, precision_);
+  }
+  [[nodiscard]] RoundedAnswer answer_apart(Distances distances, Scalar scalar) const {
+    return answer_of(nearest_of_cores(a_, b_, precision_), distances, scalar);
+  }
+
+  /// What the faces have in common that face each other, B having been moved out by `out` / N: of features of as many
+  /// dimensions together as there are to share, so that in their plane or line they cross in one point.
+  [[nodiscard]] IntervalCommon common(const Facing& f, const Interval& N, const Triple& out) const {
+    IntervalCore a = a_;
+    IntervalCore b = b_;
+    for (Triple& x : a.vertices) x = scaled(N, x);
+    for (Triple& x : b.vertices) x = sum(scaled(N, x), out);
+    const auto parts = [](const IntervalCore& core, const Places& places) {
+      std::vector<const Feature*> all;
+      for (const Feature& feature : core.features)
+        if (std::all_of(feature.corners().begin(), feature.corners().end(),
+                        [&](std::size_t k) { return has(places, k); }))
+          all.push_back(&feature);
+      return all;
+    };
+    return common_of_cores(a, parts(a, f.of_a), b, parts(b, f.of_b), precision_);
+  }
+
+  [[nodiscard]] RoundedAnswer answer_meeting(const Facing& f, bool is_touching, Distances distances,
+                                             Scalar scalar) const {
+    const auto rounded = [&](const Interval& x) { return settled(x.rounded(scalar)); };
+    const Interval r1 = number(a_.radius);
+    const Interval r2 = number(b_.radius);
+    const Interval reach = number(distances.alarm) + r1 + r2;
+    RoundedAnswer found{is_touching ? -sign_of(reach) : -1, is_touching ? -sign_of(r1 + r2) : -1, {true, std::nullopt}};
+    found.margin = margin_of(number(0) - reach, reach, scalar);
+    const Interval N = dot(f.normal, f.normal);
+    const Interval length = N.root();
+    const auto [p, of_p, unique] =
+        common(f, N, is_touching ? Triple{number(0), number(0), number(0)} : scaled(f.height, f.normal));
+    const Interval over = of_p * N * over_;
+    Contact contact{};
+    contact.degenerate = is_touching;
+    contact.unique = unique;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto axis = static_cast<Eigen::Index>(i);
+      const Interval& n = f.normal[i];
+      const Interval q = is_touching ? p[i] : p[i] - of_p * f.height * n;
+      contact.normal[axis] = rounded(n / length);
+      contact.point1[axis] = rounded((p[i] + (r1 * over * n) / length) / over);
+      contact.point2[axis] = rounded((q - (r2 * over * n) / length) / over);
+    }
+    const Interval less = (r1 + r2 + number(distances.contact)) * over_;
+    contact.value = rounded(((is_touching ? number(0) : number(0) - f.height / length) - less) / over_);
+    found.expected.contact = contact;
+    return found;
+  }
+
+  IntervalCore a_;
+  IntervalCore b_;
+  mpfr_prec_t precision_;
+  Interval over_;
+  std::vector<Facing> facings_;
+};
+
+}  // namespace
+
+RoundedAnswer answer_of_convexes(const IntervalCore& a, const IntervalCore& b, Distances distances, Scalar scalar,
+                                 mpfr_prec_t precision) {
+  return AnyTwo(a, b, precision).answer(distances, scalar);
+}
+
+}  // namespace contact::oracle
