@@ -56,15 +56,23 @@ void append_number(std::string& text, const Vector3& v) {
   text += ']';
 }
 
-void append_number(std::string& text, const std::array<Vector3, 3>& all) {
+namespace {
+
+template <class Elements>
+void append_array(std::string& text, const Elements& all) {
   char before = '[';
-  for (const Vector3& v : all) {
+  for (const auto& each : all) {
     text += before;
-    append_number(text, v);
+    append_number(text, each);
     before = ',';
   }
   text += ']';
 }
+
+}  // namespace
+
+void append_number(std::string& text, const std::array<Vector3, 3>& all) { append_array(text, all); }
+void append_number(std::string& text, const Quaternion& q) { append_array(text, q); }
 
 std::string number(double x) {
   std::string text;
@@ -286,6 +294,12 @@ std::array<Vector3, 3> Node::three_vectors() const {
   if (!json_->is_array() || json_->size() != 3) refuse("expected three points of three numbers each");
   const auto parts = items();
   return {parts[0].vector(), parts[1].vector(), parts[2].vector()};
+}
+
+Quaternion Node::quaternion() const {
+  if (!json_->is_array() || json_->size() != 4) refuse("expected four numbers, a quaternion x, y, z, w");
+  const auto parts = items();
+  return {parts[0].number(), parts[1].number(), parts[2].number(), parts[3].number()};
 }
 
 bool Node::boolean() const {

@@ -90,7 +90,10 @@ void for_each_column(const DatasetHeader& h, Row& row, Visit&& visit) {
   if (is_cast(h.pair)) return visit("exact/t", *c.exact.cast, longest_cast(h.scalar));
   if (is_crossing(h.pair)) return visit("exact/crossing", *c.exact.crossing, longest_distance2(h.pair, h.scalar));
   visit("exact/distance2", c.exact.distance2, longest_distance2(h.pair, h.scalar));
-  if (has_plane(h.pair)) visit("exact/below", c.exact.below, 0);
+  if (has_plane(h.pair))
+    visit("exact/below", c.exact.below, 0);
+  else if (is_convex(h.pair))
+    visit("exact/depth2", c.exact.depth2, longest_distance2(h.pair, h.scalar));
   visit("exact/reach", c.exact.reach, longest_exact(1, h.scalar));
   visit("exact/margin_ulps", c.exact.margin_ulps, 0);
 }
@@ -112,6 +115,7 @@ Type type_of(const Vector3& /*value*/, std::size_t /*width*/) { return {{Kind::r
 Type type_of(const std::array<Vector3, 3>& /*value*/, std::size_t /*width*/) {
   return {{Kind::real, sizeof(double), {3, 3}}, 0};
 }
+Type type_of(const Quaternion& /*value*/, std::size_t /*width*/) { return {{Kind::real, sizeof(double), {4}}, 0}; }
 Type type_of(const bool& /*value*/, std::size_t /*width*/) { return {{Kind::byte, 1}, 0}; }
 Type type_of(const std::uint32_t& /*value*/, std::size_t /*width*/) { return {{Kind::bits, sizeof(std::uint32_t)}, 0}; }
 Type type_of(const std::string& /*value*/, std::size_t width) {

@@ -102,7 +102,7 @@ void append_exact(std::string& text, const Case& c) {
     }
     return;
   }
-  text += R"({"distance2":")" + w.distance2 + (w.below ? R"(","below":true,"reach":")" : R"(","reach":")") + w.reach +
+  text += R"({"distance2":")" + w.distance2 + (w.depth2.empty() ? "" : R"(","depth2":")" + w.depth2) + (w.below ? R"(","below":true,"reach":")" : R"(","reach":")") + w.reach +
           R"(","margin_ulps":)";
   formats::append_number(text, w.margin_ulps);
   text += '}';
@@ -119,14 +119,16 @@ void append_answer(std::string& text, const Case& c) {
   text += '}';
 }
 
-template <DescribedShape Shape>
+template <AShape Shape>
 void read(const formats::Node& node, Shape& shape) {
-  node.allow_only(kFieldNames<Shape>);
+  node.allow_only(field_names_of(shape));
   for_each_field(shape, [&](const auto& field, auto& value) {
     if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, double>)
       value = node.at(field.name).number();
     else if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, Vector3>)
       value = node.at(field.name).vector();
+    else if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, Quaternion>)
+      value = node.at(field.name).quaternion();
     else
       value = node.at(field.name).three_vectors();
   });
@@ -191,11 +193,14 @@ oracle::Witness read_witness(const formats::Node& node, Pair pair) {
   } else {
     if (has_plane(pair))
       node.allow_only({"distance2", "below", "reach", "margin_ulps"});
+    else if (is_convex(pair))
+      node.allow_only({"distance2", "depth2", "reach", "margin_ulps"});
     else
       node.allow_only({"distance2", "reach", "margin_ulps"});
     const auto below = node.find("below");
     if (below && !below->boolean()) below->refuse("only true stands here: without it nothing is below the plane");
     w = {node.at("distance2").text(), node.at("reach").text(), node.at("margin_ulps").number(), {}, below.has_value()};
+    if (const auto depth2 = node.find("depth2")) w.depth2 = depth2->text();
   }
   return w;
 }
@@ -303,7 +308,7 @@ Pair pair_by_fields(const formats::Node& line, Pair otherwise) {
   for (const Pair pair : kPairs)
     if (std::visit(
             [&](const auto& shapes) {
-              const auto names = kFieldNames<std::remove_cvref_t<decltype(shapes.a)>>;
+              const auto names = field_names_of(shapes.a);
               return std::any_of(names.begin(), names.end(),
                                  [&](auto name) { return line.at("a").find(name).has_value(); });
             },

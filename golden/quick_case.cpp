@@ -31,21 +31,23 @@ std::optional<std::size_t> read_object(Result<value> node, std::span<const std::
 constexpr std::array<std::string_view, 6> kExpectKeys{"hit", "degenerate", "normal", "point1", "point2", "value"};
 constexpr std::string_view kUnique = "unique";
 constexpr std::string_view kBelow = "below";
+constexpr std::string_view kDepth2 = "depth2";
 constexpr std::array<std::string_view, 3> kSphereWitnessKeys{"distance2", "reach", "margin_ulps"};
 constexpr std::array<std::string_view, 1> kCubeWitnessKeys{"gap"};
 constexpr std::array<std::string_view, 1> kCrossingKeys{"crossing"};
 constexpr std::array<std::string_view, 1> kCastKeys{"t"};
 constexpr std::array<std::string_view, 8> kCaseKeys{"id", "a", "b", "alarm", "contact", "flags", "expect", "exact"};
 
-template <DescribedShape Shape>
+template <AShape Shape>
 bool read(Result<value> node, Shape& shape) {
-  return read_object(node, kFieldNames<Shape>, [&](std::size_t key, Result<value> x) {
+  const auto names = field_names_of(shape);
+  return read_object(node, names, [&](std::size_t key, Result<value> x) {
            bool done = false;
            for_each_field(shape, [&](const auto& field, auto& to) {
-             if (field.name == kFieldNames<Shape>[key]) done = read(x, to);
+             if (field.name == names[key]) done = read(x, to);
            });
            return done;
-         }) == kFieldNames<Shape>.size();
+         }) == names.size();
 }
 
 bool read(Result<value> node, Expectation& expect, Pair pair) {
@@ -97,8 +99,10 @@ bool read(Result<value> node, oracle::Witness& exact, Pair pair) {
   const auto in_its_place = in_order(kSphereWitnessKeys, keys, [&](std::size_t key, Result<value> x) {
     return key == 2 ? read(x, exact.margin_ulps) : read(x, key == 0 ? exact.distance2 : exact.reach);
   });
-  // `below` stands between two others, and only where it is true.
+  // `below` and `depth2` stand between two others, and only where they say something.
   const auto member = [&](simdjson::ondemand::raw_json_string key, Result<value> x) {
+    if (keys == 1 && exact.depth2.empty() && is_convex(pair) && !has_plane(pair) && key == kDepth2)
+      return read(x, exact.depth2) && !exact.depth2.empty();
     if (keys != 1 || exact.below || !has_plane(pair) || key != kBelow) return in_its_place(key, x);
     return read(x, exact.below) && exact.below;
   };

@@ -33,8 +33,9 @@ Model model_of(const Ray& ray, bool) {
   return std::make_unique<RayCollisionModel>("rays", ray.origin.transpose(), ray.direction.transpose(),
                                              Eigen::VectorXd::Constant(1, ray.length));
 }
-/// No model asks where a ray first hits.
+/// No model asks where a ray first hits, and none is of rotated boxes.
 Model model_of(const Cast& /*ray*/, bool) { return nullptr; }
+Model model_of(const Convex& /*shape*/, bool) { return nullptr; }
 Model model_of(const Plane& plane, bool) {
   return std::make_unique<PlaneCollisionModel>("planes", plane.normal.transpose(),
                                                Eigen::VectorXd::Constant(1, plane.offset));

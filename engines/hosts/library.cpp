@@ -34,7 +34,19 @@ static_assert(static_cast<int>(Pair::sphere_sphere) == CONTACT_SPHERE_SPHERE &&
               static_cast<int>(Pair::cast_cube) == CONTACT_CAST_CUBE &&
               static_cast<int>(Pair::cast_capsule) == CONTACT_CAST_CAPSULE &&
               static_cast<int>(Pair::cast_triangle) == CONTACT_CAST_TRIANGLE &&
-              static_cast<int>(Pair::cast_plane) == CONTACT_CAST_PLANE);
+              static_cast<int>(Pair::cast_plane) == CONTACT_CAST_PLANE &&
+              static_cast<int>(Pair::obb_obb) == CONTACT_OBB_OBB &&
+              static_cast<int>(Pair::sphere_obb) == CONTACT_SPHERE_OBB &&
+              static_cast<int>(Pair::capsule_cube) == CONTACT_CAPSULE_CUBE &&
+              static_cast<int>(Pair::capsule_obb) == CONTACT_CAPSULE_OBB &&
+              static_cast<int>(Pair::capsule_triangle) == CONTACT_CAPSULE_TRIANGLE &&
+              static_cast<int>(Pair::cube_obb) == CONTACT_CUBE_OBB &&
+              static_cast<int>(Pair::cube_triangle) == CONTACT_CUBE_TRIANGLE &&
+              static_cast<int>(Pair::obb_triangle) == CONTACT_OBB_TRIANGLE &&
+              static_cast<int>(Pair::triangle_triangle) == CONTACT_TRIANGLE_TRIANGLE &&
+              static_cast<int>(Pair::cube_plane) == CONTACT_CUBE_PLANE &&
+              static_cast<int>(Pair::obb_plane) == CONTACT_OBB_PLANE &&
+              static_cast<int>(Pair::triangle_plane) == CONTACT_TRIANGLE_PLANE);
 
 /// Questions of one pair as the arrays that the library reads, and its answers.
 struct Arrays {

@@ -61,6 +61,9 @@ WideBalls at_nearest(const Two<A, B>& shapes) {
   const auto [p, q] = oracle::nearest_in_reals(shapes);
   return {WideBall{{p[0], p[1], p[2]}, radius(shapes.a)}, WideBall{{q[0], q[1], q[2]}, radius(shapes.b)}};
 }
+/// Of any two convex shapes: from the exact truth, of which an adapter's mistake is a change.
+WideBalls at_nearest(const Convexes& shapes);
+Wide depth_of_cores(const Convexes& shapes);
 template <class Kind>
 Wide depth_of_cores(const Kind& /*shapes*/) {
   return 0;
@@ -79,7 +82,7 @@ requires(!std::same_as<A, Cast>) Wide depth_of_cores(const Two<A, Plane>& shapes
   || (Numbers::numbers != Numbers::none && std::same_as<Kind, Two<A, B>>)
 /// Whether contacts of two such shapes have numbers.
 template <class Kind>
-inline constexpr bool kHasNumbers = false CONTACT_PAIRS(CONTACT_SAME_SHAPES);
+inline constexpr bool kHasNumbers = std::same_as<Kind, Convexes> CONTACT_PAIRS(CONTACT_SAME_SHAPES);
 #undef CONTACT_SAME_SHAPES
 
 /// The cores at their nearest points, as spheres. Domain: a pair with a distance.
@@ -207,21 +210,19 @@ inline const BallAndBox* ball_and_box_of(const Query& q) { return std::get_if<Ba
 /// Calls edit(radius, shape) for the radius of each shape that has one.
 template <class Edit>
 void for_each_radius(Query& q, Edit edit) {
-  const auto offer = [&](auto& shape, int which) {
+  int which = 0;
+  for_each_shape(q, [&](auto& shape) {
     if constexpr (requires { shape.radius; }) edit(shape.radius, which);
-  };
-  std::visit([&](auto& shapes) { offer(shapes.a, 0), offer(shapes.b, 1); }, q.shapes);
+    ++which;
+  });
 }
 
 /// Changes the capsules of a question, one after the other.
 template <class Change>
 void each_capsule(Query& q, Change change) {
-  std::visit(
-      [&]<class A, class B>(Two<A, B>& shapes) {
-        if constexpr (std::same_as<A, Capsule>) change(shapes.a);
-        if constexpr (std::same_as<B, Capsule>) change(shapes.b);
-      },
-      q.shapes);
+  for_each_shape(q, [&]<class Shape>(Shape& shape) {
+    if constexpr (std::same_as<Shape, Capsule>) change(shape);
+  });
 }
 
 // A sphere against a box.

@@ -41,6 +41,11 @@ typedef struct contact_ray { /* 7 doubles: the segment from origin to origin + l
   double direction[3]; /* not zero, of any length */
   double length;       /* >= 0, counts directions */
 } contact_ray;
+typedef struct contact_obb { /* 10 doubles: a box that is turned about its centre */
+  double center[3];
+  double orientation[4]; /* the quaternion x, y, z, w: not zero, of any length */
+  double extents[3];     /* >= 0: half its lengths */
+} contact_obb;
 typedef struct contact_line { /* 6 doubles: the segment between two points */
   double start[3];
   double end[3];
@@ -121,6 +126,18 @@ CONTACT_C_PAIR(cast_cube, contact_ray, contact_cube)
 CONTACT_C_PAIR(cast_capsule, contact_ray, contact_capsule)
 CONTACT_C_PAIR(cast_triangle, contact_ray, contact_triangle)
 CONTACT_C_PAIR(cast_plane, contact_ray, contact_plane)
+CONTACT_C_PAIR(obb_obb, contact_obb, contact_obb) /* any two convex shapes, from here on */
+CONTACT_C_PAIR(sphere_obb, contact_sphere, contact_obb)
+CONTACT_C_PAIR(capsule_cube, contact_capsule, contact_cube)
+CONTACT_C_PAIR(capsule_obb, contact_capsule, contact_obb)
+CONTACT_C_PAIR(capsule_triangle, contact_capsule, contact_triangle)
+CONTACT_C_PAIR(cube_obb, contact_cube, contact_obb)
+CONTACT_C_PAIR(cube_triangle, contact_cube, contact_triangle)
+CONTACT_C_PAIR(obb_triangle, contact_obb, contact_triangle)
+CONTACT_C_PAIR(triangle_triangle, contact_triangle, contact_triangle)
+CONTACT_C_PAIR(cube_plane, contact_cube, contact_plane)
+CONTACT_C_PAIR(obb_plane, contact_obb, contact_plane)
+CONTACT_C_PAIR(triangle_plane, contact_triangle, contact_plane)
 #undef CONTACT_C_TEST
 #undef CONTACT_C_PAIR
 

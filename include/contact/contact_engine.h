@@ -32,7 +32,19 @@ enum contact_pair {
   CONTACT_CAST_CUBE = 14,
   CONTACT_CAST_CAPSULE = 15,
   CONTACT_CAST_TRIANGLE = 16,
-  CONTACT_CAST_PLANE = 17
+  CONTACT_CAST_PLANE = 17,
+  CONTACT_OBB_OBB = 18,
+  CONTACT_SPHERE_OBB = 19,
+  CONTACT_CAPSULE_CUBE = 20,
+  CONTACT_CAPSULE_OBB = 21,
+  CONTACT_CAPSULE_TRIANGLE = 22,
+  CONTACT_CUBE_OBB = 23,
+  CONTACT_CUBE_TRIANGLE = 24,
+  CONTACT_OBB_TRIANGLE = 25,
+  CONTACT_TRIANGLE_TRIANGLE = 26,
+  CONTACT_CUBE_PLANE = 27,
+  CONTACT_OBB_PLANE = 28,
+  CONTACT_TRIANGLE_PLANE = 29
 };
 
 /* Questions of one pair kind, as arrays with one row a question. */
@@ -40,8 +52,8 @@ typedef struct contact_questions {
   size_t count;
   int32_t pair;  /* enum contact_pair */
   int32_t width; /* numbers of a shape of a: 4 for spheres and planes, 6 for cubes and lines, 7 for capsules and rays, 9
-                    for triangles; b is as wide as its own */
-  const double* a; /* count rows: centre and radius; min and max; or start, end and radius */
+                    for triangles, 10 for rotated boxes; b is as wide as its own */
+  const double* a; /* count rows: centre and radius; min and max; start, end and radius; centre, quaternion and extents */
   const double* b;
   const double* alarm;   /* count */
   const double* contact; /* count */

@@ -117,10 +117,14 @@ using CastAt = Two<Cast, Target>;
 
 using Convexes = Two<Convex, Convex>;
 
-/// Two shapes in the type that questions about them have.
+template <class Kind, class Variant>
+inline constexpr bool kIsAlternative = false;
+template <class Kind, class... Kinds>
+inline constexpr bool kIsAlternative<Kind, std::variant<Kinds...>> = (std::same_as<Kind, Kinds> || ...);
+/// Two shapes as the kind that questions about them are of.
 template <class A, class B>
-[[nodiscard]] Shapes shapes_of_a_kind(const A& a, const B& b) {
-  if constexpr (std::constructible_from<Shapes, Two<A, B>> && !std::same_as<A, Convex>)
+[[nodiscard]] auto of_a_kind(const A& a, const B& b) {
+  if constexpr (kIsAlternative<Two<A, B>, Shapes>)
     return Two<A, B>{a, b};
   else
     return Convexes{{a}, {b}};
@@ -136,7 +140,7 @@ struct PairDescription {
 };
 
 #define CONTACT_PAIR(name, A, B, numbers, first_is_rigid, second_is_rigid) \
-  PairDescription{Pair::name,       #name,          [] { return shapes_of_a_kind(zero_shape<A>(), zero_shape<B>()); },                \
+  PairDescription{Pair::name,       #name,          [] { return Shapes(of_a_kind(zero_shape<A>(), zero_shape<B>())); },                \
                   Numbers::numbers, first_is_rigid, second_is_rigid},
 inline constexpr PairDescription kPairTable[] = {CONTACT_PAIRS(CONTACT_PAIR)};
 #undef CONTACT_PAIR

@@ -112,17 +112,18 @@ class AnyTwo {
         const Places corners(face.corners().begin(), face.corners().end());
         of_a ? add(n, corners, {}) : add(against(n), {}, corners);
       };
-      for (std::size_t k = 0; k < core.outward.size(); ++k) add_face(core.outward[k], core.faces()[k]);
-      if (!core.outward.empty()) return;
-      for (const Feature& face : core.features)
-        if (face.dimension() == 2) {
-          const auto way = [&](std::size_t k) {
-            return difference(core.vertices[face.places[k]], core.vertices[face.places[0]]);
-          };
-          const Triple n = cross(way(1), way(2));
-          add_face(n, face);
-          add_face(against(n), face);
-        }
+      std::size_t k = 0;
+      for (const Feature& face : core.features) {
+        if (face.dimension() < 2) continue;
+        const auto way = [&](std::size_t corner) {
+          return difference(core.vertices[face.places[corner]], core.vertices[face.places[0]]);
+        };
+        const Triple n = cross(way(1), way(2));
+        const bool is_face = !is_zero(n);  // of a flat box some are none
+        if (is_face && core.outward.empty()) add_face(n, face), add_face(against(n), face);
+        if (is_face && !core.outward.empty()) add_face(core.outward[k], face);
+        ++k;
+      }
     };
     add_faces(a_, true);
     add_faces(b_, false);

@@ -35,6 +35,7 @@ CONTACT_SHAPE(Plane, contact_plane)
 CONTACT_SHAPE(Ray, contact_ray)
 CONTACT_SHAPE(Cast, contact_ray)
 CONTACT_SHAPE(Line, contact_line)
+CONTACT_SHAPE(Obb, contact_obb)
 #undef CONTACT_SHAPE
 template <class Shape>
 using In = decltype(in_c(std::declval<Shape>()));
@@ -166,7 +167,7 @@ std::int32_t test(std::size_t count, In<A> a, In<B> b, double alarm, std::uint8_
       });
     } else {
       for (std::size_t i = 0; i < count; ++i) {
-        hit[i] = is_hit(Two<A, B>{first[i], second[i]}, {alarm, 0}) ? 1 : 0;
+        hit[i] = is_hit(of_a_kind(first[i], second[i]), {alarm, 0}) ? 1 : 0;
         found += hit[i];
       }
     }
@@ -235,7 +236,7 @@ std::int32_t compute(std::size_t count, In<A> a, In<B> b, Distances distances, s
     } else {
       const Contact none{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, false};
       for (std::size_t i = 0; i < count; ++i) {
-        const auto contact = contact_of(Two<A, B>{first[i], second[i]}, distances, on);
+        const auto contact = contact_of(of_a_kind(first[i], second[i]), distances, on);
         write(*out, i, contact ? batch::state_of(*contact) : batch::PairState::miss, contact ? *contact : none);
         found += contact.has_value() ? 1 : 0;
       }

@@ -104,11 +104,11 @@ void list_pairs(Listed& list) {
       });
       return Json{{"shape", ShapeDescription<Shape>::kName}, {"fields", fields}};
     };
-    const auto [a, b] =
-        std::visit([&](const auto& shapes) { return std::pair(described(shapes.a), described(shapes.b)); },
-                   description(pair).zeros());
+    std::vector<Json> both;
+    const Query zeros = zero_query(pair);
+    for_each_shape(zeros, [&](const auto& shape) { both.push_back(described(shape)); });
     const bool numbers = has_numbers(pair);
-    list.json({{"pair", name(pair)}, {"a", a}, {"b", b}, {"numbers", numbers}});
+    list.json({{"pair", name(pair)}, {"a", both[0]}, {"b", both[1]}, {"numbers", numbers}});
     list.words("{:<27}{}{}\n", name(pair), shapes_of(pair), numbers ? "" : ", whose contacts have no numbers");
   }
 }
