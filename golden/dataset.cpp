@@ -32,7 +32,7 @@ constexpr std::size_t kMostFiles = 100'000;
 
 constexpr std::array<std::string_view, 2> kScalarNames{name(Scalar::binary32), name(Scalar::binary64)};
 
-template <DescribedShape Shape>
+template <AShape Shape>
 void append(std::string& text, const Shape& shape) {
   char before = '{';
   for_each_field(shape, [&](const auto& field, const auto& value) {
@@ -102,8 +102,8 @@ void append_exact(std::string& text, const Case& c) {
     }
     return;
   }
-  text += R"({"distance2":")" + w.distance2 + (w.depth2.empty() ? "" : R"(","depth2":")" + w.depth2) + (w.below ? R"(","below":true,"reach":")" : R"(","reach":")") + w.reach +
-          R"(","margin_ulps":)";
+  text += R"({"distance2":")" + w.distance2 + (w.depth2.empty() ? "" : R"(","depth2":")" + w.depth2) +
+          (w.below ? R"(","below":true,"reach":")" : R"(","reach":")") + w.reach + R"(","margin_ulps":)";
   formats::append_number(text, w.margin_ulps);
   text += '}';
 }

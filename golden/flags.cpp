@@ -67,25 +67,28 @@ Rational crossing_size(const Query& query) {
   return size;
 }
 
-/// The largest size of a shape that a ray is cast at; 0 of a half-space.
-Rational target_size(const Query& query) {
+/// The largest size of a shape; 0 of a half-space.
+template <class Shape>
+Rational size_of(const Shape& shape) {
   Rational size(0);
-  std::visit(
-      [&](const auto& shapes) {
-        std::optional<Vector3> from;
-        for_each_field(shapes.b, [&](const auto& field, const auto& value) {
-          if (field.kind == FieldKind::length)
-            for_each_number_in(value, [&](double r) { size = std::max(size, Rational(r)); });
-          if (field.kind != FieldKind::point) return;
-          for_each_vector(value, [&](const Vector3& to) {
-            if (!from) from = to;
-            for (int axis = 0; axis < 3; ++axis)
-              size = std::max(size, Rational(CGAL::abs(Rational(to[axis]) - Rational((*from)[axis]))));
-          });
-        });
-      },
-      query.shapes);
+  std::optional<Vector3> from;
+  for_each_field(shape, [&](const auto& field, const auto& value) {
+    if (field.kind == FieldKind::length)
+      for_each_number_in(value, [&](double r) { size = std::max(size, Rational(r)); });
+    if (field.kind != FieldKind::point) return;
+    for_each_vector(value, [&](const Vector3& to) {
+      if (!from) from = to;
+      for (int axis = 0; axis < 3; ++axis)
+        size = std::max(size, Rational(CGAL::abs(Rational(to[axis]) - Rational((*from)[axis]))));
+    });
+  });
   return size;
+}
+/// Of what a ray is cast at, or of both shapes.
+Rational size_of_shapes(const Query& query) {
+  std::vector<Rational> sizes;
+  for_each_shape(query, [&](const auto& shape) { sizes.push_back(size_of(shape)); });
+  return is_cast(query.pair) ? sizes[1] : std::max(sizes[0], sizes[1]);
 }
 
 /// Whether one of the coordinates of a crossing is 0 or 1, exactly.
@@ -169,6 +172,16 @@ bool is_point(const Line& /*line*/) { return false; }
 bool is_flat(const Ray& ray) { return ray.length == 0; }
 bool is_point(const Ray& /*ray*/) { return false; }
 
+bool is_flat(const Obb& box) { return (box.extents.array() == 0).any(); }
+bool is_point(const Obb& /*box*/) { return false; }
+
+template <class Predicate>
+bool any_shape(const Query& query, Predicate predicate) {
+  bool any = false;
+  for_each_shape(query, [&](const auto& shape) { any = any || predicate(shape); });
+  return any;
+}
+
 bool any_delta(const Query& query, auto&& predicate) {
   const Balls* balls = query.balls();
   if (balls == nullptr) return false;
@@ -245,22 +258,28 @@ const std::array kFlags{
          [](const Query& q, const Truth& t, Scalar) {
            if (const Boxes* b = q.boxes()) return contained(b->a, b->b) || contained(b->b, b->a);
            if (t.crossing() != nullptr || t.cast() != nullptr) return false;
+           if (is_convex(q.pair)) return false;
            if (q.balls() == nullptr) return t.degenerate() && !t.coincident();
            return t.distance()->distance2() <= square(Rational(q.balls()->a.radius) - Rational(q.balls()->b.radius));
          }},
+    Flag{"Overlap", "two cores overlap, and how deep is an answer like any other",
+         "axes of edges that are not tried; the depth along the first axis, or from the wrong side",
+         [](const Query& q, const Truth& t, Scalar) { return is_convex(q.pair) && t.distance()->overlaps(); }},
     Flag{"ZeroRadius", "a sphere or a capsule of radius 0", "divisions by a radius; strict overlap tests",
          [](const Query& q, const Truth&, Scalar) {
-           return std::visit([](const auto& shapes) { return is_point(shapes.a) || is_point(shapes.b); }, q.shapes);
+           return any_shape(q, [](const auto& shape) { return is_point(shape); });
          }},
     Flag{"Flat",
          "a box without thickness on an axis, a capsule or a ray without length, or a triangle without an inside",
          "overlap by volume; strict bounds; divisions by a squared length",
          [](const Query& q, const Truth&, Scalar) {
-           return std::visit([](const auto& shapes) { return is_flat(shapes.a) || is_flat(shapes.b); }, q.shapes);
+           return any_shape(q, [](const auto& shape) { return is_flat(shape); });
          }},
     Flag{"ManyNearest", "more than one pair of points is nearest, as of parallel capsules side by side",
          "determinants of 0 or nearly; a contact point that jumps from one end to the other",
-         [](const Query&, const Truth& t, Scalar) { return t.has_distance() && t.hit() && t.distance()->spread(); }},
+         [](const Query&, const Truth& t, Scalar) {
+           return t.has_distance() && t.hit() && !t.distance()->spread().empty();
+         }},
     Flag{"OneAxis", "the centres differ in one coordinate only", "zeros that are not zero; normals that are not exact",
          [](const Query& q, const Truth&, Scalar) {
            int apart = 0;
@@ -271,7 +290,11 @@ const std::array kFlags{
          "coordinates stored in a smaller format; tolerances that grow with the coordinates",
          [](const Query& q, const Truth& t, Scalar) {
            if (t.crossing() != nullptr || t.cast() != nullptr) {
-             const Rational size = t.cast() != nullptr ? target_size(q) : crossing_size(q);
+             const Rational size = t.cast() != nullptr ? size_of_shapes(q) : crossing_size(q);
+             return largest_coordinate(q) >= power_of_two(8) * size && !CGAL::is_zero(size);
+           }
+           if (is_convex(q.pair)) {
+             const Rational size = std::max(size_of_shapes(q), t.distance()->reach());
              return largest_coordinate(q) >= power_of_two(8) * size && !CGAL::is_zero(size);
            }
            if (t.has_distance())

@@ -183,7 +183,7 @@ std::optional<std::string> different_numbers(const Case& c, std::size_t i, std::
     const bool is_point = field != Field::normal && field != Field::value;
     if (field == Field::normal && (has_many_normals(c, i) || has_many_normals(c, j))) continue;
     // Of many nearest points each question may be answered with another.
-    if (!exactly && is_point && c.truth(i).has_distance() && c.truth(i).distance()->spread()) continue;
+    if (!exactly && is_point && c.truth(i).has_distance() && !c.truth(i).distance()->spread().empty()) continue;
     const int scaled = field == Field::normal ? 0 : exponent;
     for (const Component& x : components(field, *c.contact(j), wanted, *c.contact(i))) {
       if (x.got == x.wanted || std::isnan(x.got) || std::isnan(x.wanted)) continue;

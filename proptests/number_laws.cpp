@@ -169,7 +169,7 @@ Outcome check_direction(const Case& c) {
 
 Outcome check_own_surface(const Case& c) {
   // Where many points are nearest, nobody knows which of them an engine's point belongs to.
-  if (!has_distance(c, 0) || cores(c, 0).spread) return Outcome::vacuous();
+  if (!has_distance(c, 0) || !cores(c, 0).spread.empty()) return Outcome::vacuous();
   bool any = false;
   for (const int sphere : {0, 1}) {
     const auto on = point_of(c.subject.info.declared.conventions, c.queries[0], sphere);

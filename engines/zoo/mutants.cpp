@@ -23,6 +23,7 @@ std::span<const Mutant> mutants() {
     append(crossing_mutants(), Origin::own);
     append(reported_mutants(), Origin::own);
     append(cast_mutants(), Origin::own);
+    append(convex_mutants(), Origin::own);
     append(own_mutants(), Origin::own);
     append(precision_mutants(), Origin::precision);
     return list;

@@ -61,7 +61,7 @@ WideBalls at_nearest(const Two<A, B>& shapes) {
   const auto [p, q] = oracle::nearest_in_reals(shapes);
   return {WideBall{{p[0], p[1], p[2]}, radius(shapes.a)}, WideBall{{q[0], q[1], q[2]}, radius(shapes.b)}};
 }
-/// Of any two convex shapes: from the exact truth, of which an adapter's mistake is a change.
+// Of any two convex shapes both come from the exact truth, of which a mistake is a change: convex_mutants.cpp.
 WideBalls at_nearest(const Convexes& shapes);
 Wide depth_of_cores(const Convexes& shapes);
 template <class Kind>
@@ -120,6 +120,7 @@ struct WideSpheres {
     }
     D = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     const Wide depth = std::visit([](const auto& shapes) { return depth_of_cores(shapes); }, query.shapes);
+    if (depth > 0 && is_convex(query.pair) && !has_plane(query.pair)) D = 0;  // as of a centre in a box
     distance = depth > 0 ? -depth : std::sqrt(D);
     reach = alarm + r1 + r2;
   }
@@ -287,6 +288,7 @@ void leave_by(const Query& q, Claim& claim, Choose choose) {
 [[nodiscard]] std::span<const Mutant> crossing_mutants();
 [[nodiscard]] std::span<const Mutant> reported_mutants();
 [[nodiscard]] std::span<const Mutant> cast_mutants();
+[[nodiscard]] std::span<const Mutant> convex_mutants();
 [[nodiscard]] std::span<const Mutant> own_mutants();
 [[nodiscard]] std::span<const Mutant> precision_mutants();
 

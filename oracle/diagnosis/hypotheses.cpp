@@ -17,6 +17,8 @@ namespace contact::oracle {
 
 namespace {
 
+constexpr int kEnoughBits = 100;  // more than Real has
+
 /// The number as exactly as Real holds it.
 Real real(const Rational& x) {
   const double most = CGAL::to_double(x);
@@ -129,12 +131,11 @@ void Facts::ask(Query other) {
   for_each_number(other, [largest](const std::string&, double& x) { x = std::clamp(x, -largest, largest); });
   // Nor about a plane whose normal has become 0, or about a ray that is cast without a direction.
   bool is_nothing = false;
-  std::visit(
-      [&]<class A, class B>(const Two<A, B>& shapes) {
-        if constexpr (std::same_as<B, Plane>) is_nothing = shapes.b.normal.isZero(0);
-        if constexpr (std::same_as<A, Cast>) is_nothing = is_nothing || shapes.a.direction.isZero(0);
-      },
-      other.shapes);
+  for_each_field(other, [&](const std::string&, const auto& value, FieldKind kind) {
+    bool is_zero = has_free_length(kind);
+    for_each_number_in(value, [&](double x) { is_zero = is_zero && x == 0; });
+    is_nothing = is_nothing || is_zero;
+  });
   if (is_nothing) return;
   query = std::move(other);
   read(truth_of(query));
@@ -147,7 +148,8 @@ void Facts::read(const Truth& of_query) {
     min[shape] = formulas::numbers_of(box.min);
     max[shape] = formulas::numbers_of(box.max);
   };
-  std::visit([&](const auto& shapes) { bound(0, bounds_of(shapes.a)), bound(1, bounds_of(shapes.b)); }, query.shapes);
+  std::size_t which = 0;
+  for_each_shape(query, [&](const auto& shape) { bound(which++, bounds_of(shape)); });
   const Real grown = std::visit([](const auto& shapes) { return condition_of(shapes); }, query.shapes);
   condition = limited(grown);
   read_crossing(of_query.hit());
@@ -194,9 +196,9 @@ void Facts::read(const Truth& of_query) {
     inward = formulas::times(1 / std::sqrt(formulas::dot(shorter, shorter)), shorter);
   }
   settle();
-  if (!exact->degenerate() || exact->coincident() || exact->cast() != nullptr) return;
+  if (!exact->meets() || exact->coincident() || exact->cast() != nullptr) return;
   // Of several ways out that are as short, an engine takes the one that its normal comes nearest to.
-  depth = real(exact->meeting().depth);
+  depth = real(exact->depth().enclosure(kEnoughBits).low);
   distance = -depth;
   Real best = -formulas::kInfinity;
   for (const WayOut& way : exact->meeting().ways) {
@@ -206,7 +208,7 @@ void Facts::read(const Truth& of_query) {
     if (!(along > best) && best > -formulas::kInfinity) continue;
     best = std::isnan(along) ? Real{0} : along;
     n = unit;
-    nearest[1] = real(way.nearest);
+    nearest = {real(way.first), real(way.nearest)};
   }
 }
 

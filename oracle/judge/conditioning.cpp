@@ -46,10 +46,10 @@ std::optional<Answer> answer_of(const Query& query, const Declaration& declared)
   }
   if (contact.degenerate || !contact.unique)
     if (const DistanceTruth* exact = staged.truth.contact()) {
-      if (exact->spread())
+      for (const Point& far : exact->spread())
         for (int axis = 0; axis < 3; ++axis)
-          answer.spread[axis] =
-              std::abs(round_to_nearest((*exact->spread())[static_cast<std::size_t>(axis)], Scalar::binary64));
+          answer.spread[axis] = std::max(
+              answer.spread[axis], std::abs(round_to_nearest(far[static_cast<std::size_t>(axis)], Scalar::binary64)));
       if (exact->coincident())
         answer.any = {round_to_nearest(exact->radius(0), Scalar::binary64),
                       round_to_nearest(exact->radius(1), Scalar::binary64)};

@@ -71,8 +71,31 @@ class ContactJudge {
 
   using Fields = decltype(Verdict::fields);
 
-  /// Every field that is judged, and what it needs.
-  [[nodiscard]] Fields fields() const {
+  /// Every field that is judged, and what it needs. Of several ways out of an overlap that are as short, an engine may
+  /// have taken any: the best one counts.
+  [[nodiscard]] Fields fields() {
+    Fields best = fields_by_way();
+    if (degenerate_ || is_cast(query_.pair) || worst_of(best) == std::pair(Grade::correctly_rounded, 0.0)) return best;
+    const DistanceTruth& reference = exact();
+    if (!reference.overlaps()) return best;
+    rounded_ = nullptr;
+    for (std::size_t way = 1; way < reference.meeting().ways.size(); ++way) {
+      other_way_ = reference.by_way(way);
+      if (Fields other = fields_by_way(); worst_of(other) < worst_of(best)) best = std::move(other);
+    }
+    return best;
+  }
+
+ private:
+  /// The worst grade of the fields, and the largest error.
+  static std::pair<Grade, double> worst_of(const Fields& fields) {
+    std::pair<Grade, double> worst(Grade::correctly_rounded, 0);
+    for (const auto& field : fields)
+      if (field) worst = {std::max(worst.first, field->grade), std::max(worst.second, field->error)};
+    return worst;
+  }
+
+  [[nodiscard]] Fields fields_by_way() const {
     Fields all{normal(), point(0), point(1), midpoint(), value()};
     std::optional<ClaimedContact> claimed;  // made where a number is neither right nor nearly so
     std::optional<NearOptimal> near;
@@ -97,7 +120,6 @@ class ContactJudge {
     return all;
   }
 
- private:
   [[nodiscard]] std::optional<FieldVerdict> normal() const {
     if (!claim_.normal || !claims(Field::normal)) return std::nullopt;
     const Vector3& n = claimed_n_;
@@ -147,6 +169,7 @@ class ContactJudge {
   }
 
   [[nodiscard]] const DistanceTruth& exact() const {
+    if (other_way_) return *other_way_;
     return contact_expected_ ? *whole_.contact() : *whole_.distance();
   }
   [[nodiscard]] bool claims(Field field) const { return declared_.claimed().has(aspect(field)); }
@@ -162,10 +185,9 @@ class ContactJudge {
     const bool is_exact = is_reference() && squared_length(claimed_n_) == Rational(1);
     const bool is_claimed_normals = conventions_.normal_unit && degenerate_ && knows_coincident_normal() && !is_exact;
     const Rational room = is_claimed_normals ? roundings() * radius : Rational(0);
-    const PointSet set{
-        {right(0), right(1), right(2)}, exact().spread() ? *exact().spread() : point_of(Vector3::Zero()), room};
+    const PointSet set{{right(0), right(1), right(2)}, exact().spread(), room};
     const Yardstick by{declared_.scalar, scale, declared_.bounds.point, tolerance()};
-    if (exact().spread() || is_claimed_normals) return grade(claimed, set, by);
+    if (!exact().spread().empty() || is_claimed_normals) return grade(claimed, set, by);
     FieldVerdict verdict;
     for (int axis = 0; axis < 3; ++axis)
       verdict = worse(verdict, grade(claimed[axis], set.middle[static_cast<std::size_t>(axis)], by));
@@ -340,6 +362,7 @@ class ContactJudge {
   const Declaration& declared_;
   const Conventions& conventions_;
   const Contact* rounded_;  ///< the right answer, or nullptr
+  std::optional<DistanceTruth> other_way_ = {};
   Vector3 claimed_n_ = Vector3::Zero();
 };
 
@@ -409,6 +432,11 @@ bool has_center_and_size(const Ray& ray, Scalar scalar) {
 /// Triangles and lines are taken by their corners.
 bool has_center_and_size(const Line& /*line*/, Scalar /*scalar*/) { return true; }
 bool has_center_and_size(const Triangle& /*triangle*/, Scalar /*scalar*/) { return true; }
+/// A rotated box has both, and a rotation, which is exact where its quaternion is that of none.
+bool has_center_and_size(const Obb& box, Scalar /*scalar*/) {
+  const auto& [x, y, z, w] = box.orientation;
+  return x == 0 && y == 0 && z == 0 && w == 1;
+}
 
 }  // namespace
 
@@ -425,11 +453,11 @@ std::optional<std::string_view> not_served(const Query& query, const Declaration
   };
   if (!serves(c)) return "numbers outside the scale that the engine declares";
   if (declared.tolerance && !serves(*declared.tolerance)) return "numbers outside the scale of the tolerance";
-  const auto centered = [&](const auto& shapes) {
-    return has_center_and_size(shapes.a, declared.scalar) && has_center_and_size(shapes.b, declared.scalar);
-  };
-  if (c.shapes == ShapesAs::centered && !std::visit(centered, query.shapes))
-    return "shapes whose centre, size, direction or end is no number of the engine's scalar";
+  bool is_centered = true;
+  if (c.shapes == ShapesAs::centered)
+    for_each_shape(
+        query, [&](const auto& shape) { is_centered = is_centered && has_center_and_size(shape, declared.scalar); });
+  if (!is_centered) return "shapes whose centre, size, direction or end is no number of the engine's scalar";
   return std::nullopt;
 }
 

@@ -34,6 +34,10 @@ Rational squared_distance_from(const Plane& plane, const Point& x) {
   return height * height / squared(n);
 }
 
+Rational squared_distance_from(const Convex& convex, const Point& x) {
+  return std::visit([&](const auto& shape) { return squared_distance_from(shape, x); }, convex.shape);
+}
+
 template <class Shape>
 std::vector<Point> vertices(const Shape& shape) {
   return exact_core(shape).vertices;
@@ -80,7 +84,7 @@ NearOptimal::NearOptimal(const Query& query, const DistanceTruth& truth, const C
       return is_noise(height * height / squared(N));
     });
   }
-  if (!truth.degenerate() || truth.coincident()) return;
+  if (!truth.degenerate() || truth.coincident()) return;  // else a centre is in a box
   const Point& c = truth.cores().nearest[0];
   for (const WayOut& way : ways_out(c, exact_core(std::get<BallAndBox>(query.shapes).b)))
     faces_.push_back({way, dot(c - way.nearest, way.direction)});
@@ -127,15 +131,18 @@ Off NearOptimal::positions_turn(const Point& n) const {
       std::visit([](const auto& shapes) { return std::pair(vertices(shapes.a), vertices(shapes.b)); }, query_.shapes);
   // max n.a - min n.b, whose least is -d
   const Exact reaches(Rational(0), (extent(first, n).most - extent(second, n).least) / n2, n2);
-  const Exact distance =
-      truth_.degenerate() ? Exact(-truth_.meeting().depth) : Exact(Rational(0), Rational(1), truth_.distance2());
+  const Exact distance = truth_.meets() ? truth_.core_distance() : Exact(Rational(0), Rational(1), truth_.distance2());
   Off off = length_off_sum(reaches, distance, scale_, tolerance_);
+  if (truth_.overlaps()) {
+    if (is_noise(truth_.meeting().depth2)) off.take_lesser(length(noise_, scale_));
+    return off;
+  }
   if (!truth_.degenerate()) off.merge(turn(truth_.distance2(), truth_.along(), n));
   if (faces_.empty() && is_noise(truth_.distance2())) off.take_lesser(length(noise_, scale_));
   if (faces_.empty()) return off;
   Off nearest = beyond_lengths(tolerance_);
   for (const Face& face : faces_) {
-    Off to_face = length(face.depth - truth_.meeting().depth, scale_);
+    Off to_face = length_off_sum(face.depth, truth_.core_distance(), scale_, tolerance_);
     to_face.merge(turn(face.depth * face.depth, face.way.direction, n));
     nearest.take_lesser(to_face);
   }
@@ -177,20 +184,28 @@ Off NearOptimal::normal() const {
 
 /// From the first core's nearest point to the second's, or to the face that is left by.
 Point NearOptimal::delta() const {
+  if (truth_.overlaps()) return truth_.meeting().ways.front().nearest - truth_.meeting().ways.front().first;
   const auto& [p, q] = truth_.cores().nearest;
   return (faces_.empty() ? q : faces_.front().way.nearest) - p;
+}
+
+/// The same where cores overlap and are left along another normal.
+Point NearOptimal::out_along(const Point& n) const {
+  const auto [first, second] =
+      std::visit([](const auto& shapes) { return std::pair(vertices(shapes.a), vertices(shapes.b)); }, query_.shapes);
+  return ((extent(second, n).least - extent(first, n).most) / squared(n)) * n;
 }
 
 std::vector<NearOptimal::Reading> NearOptimal::readings() const {
   std::vector<Reading> all;
   if (!truth_.degenerate()) all.push_back({is_flat_ ? length(noise_, scale_) : Off{}, unit(truth_.along()), delta()});
   for (const Face& face : faces_)
-    all.push_back({length(face.depth - truth_.meeting().depth, scale_), face.way.direction,
+    all.push_back({length_off_sum(face.depth, truth_.core_distance(), scale_, tolerance_), face.way.direction,
                    face.way.nearest - truth_.cores().nearest[0]});
   if (!claim_.normal || has_plane(query_.pair) || is_crossing(query_.pair)) return all;
   const Point& n = *claim_.normal;
   if (!is_zero(n))
-    all.push_back({positions_turn(n), unit(n), delta()});
+    all.push_back({positions_turn(n), unit(n), truth_.overlaps() ? out_along(n) : delta()});
   else if (claim_.zero_where_cores_meet && faces_.empty())
     all.push_back({root(truth_.distance2(), scale_), n, delta()});
   return all;
@@ -199,7 +214,7 @@ std::vector<NearOptimal::Reading> NearOptimal::readings() const {
 /// Where no normal is claimed and the cores nearly meet, any may be meant: a point lies on its own shape, and no
 /// farther from the other core.
 Off NearOptimal::beside_cores(int shape, const Point& x, const Rational& radius, const Exact& scale) const {
-  if (claim_.normal || has_plane(query_.pair) || is_crossing(query_.pair) || !faces_.empty())
+  if (claim_.normal || has_plane(query_.pair) || is_crossing(query_.pair) || !faces_.empty() || truth_.overlaps())
     return beyond_lengths(tolerance_);
   Off off = root(truth_.distance2(), scale_);
   off.merge(length({-radius, Rational(1), squared_distance(shape, x)}, scale));

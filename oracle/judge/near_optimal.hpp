@@ -58,6 +58,7 @@ class NearOptimal {
   [[nodiscard]] Rational squared_distance(int shape, const Point& x) const;
   [[nodiscard]] Off middle_goes_with(const Point& unit, const Point& delta) const;
   [[nodiscard]] Point delta() const;
+  [[nodiscard]] Point out_along(const Point& n) const;
   [[nodiscard]] Off beside_cores(int shape, const Point& x, const Rational& radius, const Exact& scale) const;
   [[nodiscard]] std::vector<Reading> readings() const;
 

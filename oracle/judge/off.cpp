@@ -189,7 +189,7 @@ Off angle_off(const Point& claimed, const std::vector<Point>& apart, bool unit,
 Off meeting_off(const Query& query, const DistanceTruth& distance, bool by_alarm,
                 const std::optional<Tolerance>& tolerance) {
   const DefaultEnvironment environment;
-  if (has_plane(query.pair) || (distance.degenerate() && !distance.coincident())) return beyond_lengths(tolerance);
+  if (has_plane(query.pair) || (distance.meets() && !distance.coincident())) return beyond_lengths(tolerance);
   return length_off({Rational(0), Rational(1), distance.distance2()}, limit_of(query, distance, by_alarm), tolerance);
 }
 

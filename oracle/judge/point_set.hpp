@@ -8,11 +8,11 @@
 
 namespace contact::oracle {
 
-/// All middle + k spread with |k| <= 1: one point, or where the nearest points are not unique, a segment of them. Each
-/// coordinate may be `room` beside that. Domain: the coordinates of the middle are of one D.
+/// The middle; or where the nearest points are not unique, a segment or a polygon: all that lies between middle + each of
+/// the spread. Each coordinate may be `room` beside that. Domain: the coordinates of the middle are of one D.
 struct PointSet {
   std::array<Exact, 3> middle;
-  Point spread;
+  Spread spread;
   Rational room;
 };
 

@@ -406,6 +406,16 @@ ExactCore exact_core(const Obb& box) {
   return found;
 }
 EnclosedCore enclosed_core(const Obb& box) { return exact_core(box).enclosed; }
+ExactCore exact_core(const Convex& convex) {
+  return std::visit(
+      []<class Shape>(const Shape& shape) {
+        if constexpr (std::same_as<Shape, Plane>)
+          return ExactCore{};
+        else
+          return exact_core(shape);
+      },
+      convex.shape);
+}
 
 ExactCore exact_core(const std::vector<Point>& vertices, std::span<const Feature> features) {
   ExactCore core{{vertices, features}, {{}, features}};

@@ -23,6 +23,8 @@ template <class Shape>
 // What is left to be divided by in a core of this shape is divided by here.
 [[nodiscard]] ExactCore exact_core(const Obb& box);
 [[nodiscard]] EnclosedCore enclosed_core(const Obb& box);
+/// Domain: no half-space.
+[[nodiscard]] ExactCore exact_core(const Convex& convex);
 [[nodiscard]] ExactCore exact_core(const std::vector<Point>& vertices, std::span<const Feature> features);
 
 /// What is said of cores that meet: what the pair had agreed before there were rules for all, where the first core is a point, or both are

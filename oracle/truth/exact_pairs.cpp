@@ -48,18 +48,9 @@ ExactTruth truth(const Two<A, B>& shapes, Distances distances) {
 }
 
 ExactTruth truth(const Convexes& shapes, Distances distances) {
-  const auto core = [](const Convex& convex) {
-    return std::visit(
-        []<class Shape>(const Shape& shape) {
-          if constexpr (std::same_as<Shape, Plane>)
-            return ExactCore{};  // it is none
-          else
-            return exact_core(shape);
-        },
-        convex.shape);
-  };
-  if (const auto* plane = std::get_if<Plane>(&shapes.b.shape)) return truth_of_cores(core(shapes.a), *plane, distances);
-  return truth_of_cores(core(shapes.a), core(shapes.b), distances, Rules::of_all);
+  if (const auto* plane = std::get_if<Plane>(&shapes.b.shape))
+    return truth_of_cores(exact_core(shapes.a), *plane, distances);
+  return truth_of_cores(exact_core(shapes.a), exact_core(shapes.b), distances, Rules::of_all);
 }
 
 template <class A, class B>

@@ -144,8 +144,10 @@ class DistanceTruth {
   [[nodiscard]] Side at_alarm() const;
   [[nodiscard]] Side at_zero() const;
 
-  /// The signed distance less a limit of it.
-  [[nodiscard]] Exact beyond(const Rational& limit) const { return signed_distance().plus(-limit); }
+  /// The signed distance, below 0 also of cores that overlap, less a limit of it.
+  [[nodiscard]] Exact beyond(const Rational& limit) const {
+    return (overlaps() ? core_distance() : signed_distance()).plus(-limit);
+  }
   /// n, of any length; where D = 0, the reference's way out.
   [[nodiscard]] const Point& along() const { return along_; }
   /// One component of n; where D = 0, of the reference's way out.

@@ -213,9 +213,10 @@ class AnyTwo {
     const Interval r2 = number(b_.radius);
     const Interval reach = number(distances.alarm) + r1 + r2;
     RoundedAnswer found{is_touching ? -sign_of(reach) : -1, is_touching ? -sign_of(r1 + r2) : -1, {true, std::nullopt}};
-    found.margin = margin_of(number(0) - reach, reach, scalar);
     const Interval N = dot(f.normal, f.normal);
     const Interval length = N.root();
+    const Interval distance = is_touching ? number(0) : number(0) - f.height / (length * over_);
+    found.margin = margin_of(distance - reach, reach, scalar);
     const auto [p, of_p, unique] =
         common(f, N, is_touching ? Triple{number(0), number(0), number(0)} : scaled(f.height, f.normal));
     const Interval over = of_p * N * over_;

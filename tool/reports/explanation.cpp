@@ -68,7 +68,8 @@ std::string meeting_text(const Query& query, const oracle::DistanceTruth& truth)
            "engine.\n";
   if (truth.coincident()) {
     const auto [meet, part] =
-        query.pair == Pair::capsule_capsule   ? std::pair("The axes meet", "the axes")
+        is_convex(query.pair)                 ? std::pair("The cores touch", "them")
+        : query.pair == Pair::capsule_capsule ? std::pair("The axes meet", "the axes")
         : query.pair == Pair::sphere_capsule  ? std::pair("The centre lies on the axis", "the axis")
         : query.pair == Pair::ray_sphere      ? std::pair("The centre lies on the ray", "the ray")
         : query.pair == Pair::sphere_triangle ? std::pair("The centre lies on the triangle", "it")
@@ -77,10 +78,16 @@ std::string meeting_text(const Query& query, const oracle::DistanceTruth& truth)
         "  {}: the normal is by agreement, and any that points against no part of {} is right for another engine.\n",
         meet, part);
   }
-  return fmt::format(
-      "  The centre is inside, {} deep. The normal leads out through {}.\n", exactly(meeting.depth).substr(2),
-      meeting.ways.size() == 1 ? "the nearest face"
-                               : fmt::format("the first of {} nearest faces; each is right", meeting.ways.size()));
+  const std::string part = truth.overlaps() ? "facet of A - B" : "face";
+  const std::string way = fmt::format(
+      "  The normal leads out through {}.\n",
+      meeting.ways.size() == 1 ? fmt::format("the nearest {}", part)
+                               : fmt::format("the first of {} nearest of the {}; each is right", meeting.ways.size(),
+                                             truth.overlaps() ? "facets of A - B" : "faces"));
+  if (truth.overlaps()) return way;
+  Rational depth(0);  // along an axis
+  for (std::size_t i = 0; i < 3; ++i) depth += CGAL::abs(meeting.ways[0].first[i] - meeting.ways[0].nearest[i]);
+  return fmt::format("  The centre is inside, {} deep.", exactly(depth).substr(2)) + way.substr(1);
 }
 
 /// "  a         center (0, 0, 0), radius 1", and so for b.
@@ -92,6 +99,9 @@ std::string shapes_text(const Query& query) {
       fields += fmt::format("{}{} ", fields.empty() ? "" : ", ", field.name);
       if constexpr (std::same_as<std::remove_cvref_t<decltype(value)>, double>)
         fields += number(value);
+      else if constexpr (std::same_as<std::remove_cvref_t<decltype(value)>, Quaternion>)
+        fields +=
+            fmt::format("({}, {}, {}, {})", number(value[0]), number(value[1]), number(value[2]), number(value[3]));
       else {
         std::string_view between;
         for_each_vector(
@@ -100,7 +110,8 @@ std::string shapes_text(const Query& query) {
     });
     text += fmt::format("  {}         {}\n", label, fields);
   };
-  std::visit([&](const auto& shapes) { add('a', shapes.a), add('b', shapes.b); }, query.shapes);
+  char label = 'a';
+  for_each_shape(query, [&](const auto& shape) { add(label++, shape); });
   return text;
 }
 
@@ -150,25 +161,37 @@ std::string distance_text(const Query& query, const oracle::Truth& truth, Scalar
   if (over_plane)
     text += fmt::format("  s         signed distance  {}sqrt(D){}\n", t.below() ? "-" : "",
                         t.below() ? ", since p is below the plane" : "");
-  text += fmt::format("  distance  {:<15}  {}\n", over_plane ? "s - r1" : "sqrt(D) - r1 - r2", roughly(t.value(false)));
+  if (t.overlaps()) text += fmt::format("  d         depth            {}\n", roughly(t.depth()));
+  text += fmt::format("  distance  {:<15}  {}\n",
+                      over_plane     ? "s - r1"
+                      : t.overlaps() ? "-d - r1 - r2"
+                                     : "sqrt(D) - r1 - r2",
+                      roughly(t.value(false)));
   text += fmt::format("  reach     alarm + r1 + r2  {}\n", exactly(t.reach()));
   text += fmt::format("  reach^2                    {}\n", exactly(t.reach() * t.reach()));
-  text += fmt::format("  margin    {:<7} - reach  {} ulps of reach ({})\n\n", over_plane ? "s" : "sqrt(D)",
+  text += fmt::format("  margin    {:<7} - reach  {} ulps of reach ({})\n\n",
+                      over_plane     ? "s"
+                      : t.overlaps() ? "-d"
+                                     : "sqrt(D)",
                       number(oracle::round_to_nearest(t.margin(scalar), Scalar::binary64)), name(scalar));
   text += fmt::format(
       "  {}: {}.  {}\n",
       t.below() ? "s < 0 <= reach"
-                : fmt::format("D {} reach^2",
-                              "<=>"[static_cast<std::size_t>(CGAL::compare(t.distance2(), t.reach() * t.reach()) + 1)]),
+      : t.overlaps()
+          ? "D = 0, and the cores overlap"
+          : fmt::format("D {} reach^2",
+                        "<=>"[static_cast<std::size_t>(CGAL::compare(t.distance2(), t.reach() * t.reach()) + 1)]),
       relation(truth.at_alarm, query.distances.alarm), truth.hit() ? "HIT" : "MISS");
   text += plain_double_says(query, truth.hit());
   if (!truth.hit()) return text;
 
   const Contact c = *oracle::expectation(truth, scalar).contact;
-  if (c.degenerate) text += meeting_text(query, t);
+  if (c.degenerate || t.overlaps()) text += meeting_text(query, t);
   if (!c.unique)
     text += fmt::format("  {}, and more than one pair of points is nearest: the reference takes the middle.\n",
-                        over_plane ? "The axis goes along the plane" : "The axes are parallel");
+                        is_convex(query.pair) ? "An edge or a face lies along another"
+                        : over_plane          ? "The axis goes along the plane"
+                                              : "The axes are parallel");
   return text + numbers_text(query, t, c, scalar);
 }
 

@@ -1,0 +1,112 @@
+// Mistakes about any two convex shapes: how a box is turned, how large it is, and which axis parts two cores.
+#include <algorithm>
+#include <vector>
+
+#include "engines/zoo/mutating.hpp"
+#include "oracle/truth/default_environment.hpp"
+#include "oracle/truth/exact_truth.hpp"
+
+namespace contact::engines {
+
+namespace {
+
+oracle::DistanceTruth truth_of_cores(const Convexes& shapes) {
+  const oracle::DefaultEnvironment environment;
+  return std::get<oracle::DistanceTruth>(oracle::exact_truth(shapes, {0, 0}).numbers);
+}
+constexpr int kEnoughBits = 100;
+Wide wide(const oracle::Rational& x) {
+  const double most = CGAL::to_double(x);
+  return static_cast<Wide>(most) + static_cast<Wide>(CGAL::to_double(x - oracle::Rational(most)));
+}
+
+/// Changes the rotated boxes of a question.
+void each_box(Query& q, void (*change)(Obb&)) {
+  for_each_shape(q, [&]<class Shape>(Shape& shape) {
+    if constexpr (std::same_as<Shape, Obb>) change(shape);
+  });
+}
+
+/// An overlap is left by the axis that goes through the centres of the shapes' bounds, as by an engine that tries no other.
+void leave_by_centers(const Query& q, Claim& claim) {
+  if (!claim.contact || !is_convex(q.pair) || has_plane(q.pair) || WideSpheres(q).distance >= 0) return;
+  std::vector<std::vector<Wide3>> points;
+  for_each_shape(q, [&](const auto& shape) {
+    auto& of = points.emplace_back();
+    for_each_field(shape, [&](const auto& field, const auto& value) {
+      if (field.kind == FieldKind::point)
+        for_each_vector(value, [&](const Vector3& v) { of.push_back(v.template cast<Wide>()); });
+    });
+  });
+  const auto middle = [](const std::vector<Wide3>& of) {
+    Wide3 sum = Wide3::Zero();
+    for (const Wide3& x : of) sum += x / static_cast<Wide>(of.size());
+    return sum;
+  };
+  const Wide3 along = middle(points[1]) - middle(points[0]);
+  if (along.norm() > 0) claim.contact->normal = Vector3((along / along.norm()).cast<double>());
+}
+
+const std::array kConvexes{
+    Mutant{"obb-quaternion-not-normalised", "an orientation is taken for a unit quaternion",
+           "quaternion-not-normalised",
+           [](Query& q) {
+             each_box(q, [](Obb& box) {
+               const auto& [x, y, z, w] = box.orientation;
+               box.extents *= x * x + y * y + z * z + w * w;
+             });
+           }},
+    Mutant{"obb-turned-back", "a box is turned the other way", "quaternion-inverted",
+           [](Query& q) { each_box(q, [](Obb& box) { box.orientation[3] = -box.orientation[3]; }); }},
+    Mutant{"obb-w-first", "an orientation is read as w, x, y, z", "quaternion-w-first",
+           [](Query& q) {
+             each_box(q, [](Obb& box) {
+               const auto [w, x, y, z] = box.orientation;
+               box.orientation = {x, y, z, w};
+             });
+           }},
+    Mutant{"obb-not-turned", "a rotated box is taken for one that is not turned", "orientation-ignored",
+           [](Query& q) { each_box(q, [](Obb& box) {
+                            box.orientation = {0, 0, 0, 1};
+                          }); }},
+    Mutant{"obb-half-extents", "half lengths are taken for lengths", "extents-are-lengths",
+           [](Query& q) { each_box(q, [](Obb& box) { box.extents /= 2; }); }},
+    Mutant{"obb-double-extents", "lengths are given where half lengths are asked for", "extents-doubled",
+           [](Query& q) { each_box(q, [](Obb& box) { box.extents *= 2; }); }},
+    Mutant{"overlap-without-depth", "cores that overlap are said to touch", "depth-lost", nullptr,
+           [](const Query& q, Claim& claim) {
+             if (is_convex(q.pair) && !has_plane(q.pair))
+               revalue(q, claim,
+                       [](const WideSpheres& s) { return std::max(s.distance, Wide{0}) - s.r1 - s.r2 - s.contact; });
+           }},
+    Mutant{"depth-above-zero", "how deep cores overlap is said as a distance", "depth-unsigned", nullptr,
+           [](const Query& q, Claim& claim) {
+             if (is_convex(q.pair) && !has_plane(q.pair))
+               revalue(q, claim, [](const WideSpheres& s) { return std::abs(s.distance) - s.r1 - s.r2 - s.contact; });
+           }},
+    Mutant{"overlap-by-centres", "an overlap is left along the way between the centres", "normal-of-centres", nullptr,
+           [](const Query& q, Claim& claim) { leave_by_centers(q, claim); }},
+};
+
+}  // namespace
+
+WideBalls at_nearest(const Convexes& shapes) {
+  const oracle::DistanceTruth truth = truth_of_cores(shapes);
+  WideBalls balls;
+  for (const int shape : {0, 1}) {
+    auto& [center, radius] = balls[static_cast<std::size_t>(shape)];
+    for (int axis = 0; axis < 3; ++axis)
+      center[axis] = wide(truth.point(shape, axis, PointOn::center).enclosure(kEnoughBits).low);
+    radius = wide(truth.radius(shape));
+  }
+  return balls;
+}
+
+Wide depth_of_cores(const Convexes& shapes) {
+  const Wide distance = wide(truth_of_cores(shapes).core_distance().enclosure(kEnoughBits).low);
+  return std::max(-distance, Wide{0});
+}
+
+std::span<const Mutant> convex_mutants() { return kConvexes; }
+
+}  // namespace contact::engines

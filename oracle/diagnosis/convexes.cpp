@@ -1,0 +1,78 @@
+// Causes about any two convex shapes: a quaternion read otherwise, a box of another size, an axis that is not tried, a depth that is lost.
+#include <cmath>
+
+#include "oracle/diagnosis/formulas.hpp"
+
+namespace contact::oracle::formulas {
+namespace {
+
+/// Calls change(box) for the rotated boxes of a question, and asks it.
+Cause other_boxes(std::string_view id, std::string_view sentence, void (*change)(Obb&)) {
+  return edit(id, sentence, [change](Facts& f) {
+    Query other = f.query;
+    for_each_shape(other, [&]<class Shape>(Shape& shape) {
+      if constexpr (std::same_as<Shape, Obb>) change(shape);
+    });
+    f.ask(std::move(other));
+  });
+}
+
+/// The middle of the points that a shape is given by.
+template <class Shape>
+Numbers middle_of(const Shape& shape) {
+  Numbers sum{};
+  Real count = 0;
+  for_each_field(shape, [&](const auto& field, const auto& value) {
+    if (field.kind == FieldKind::point)
+      for_each_vector(value, [&](const Vector3& v) { sum = along(sum, 1, numbers_of(v)), ++count; });
+  });
+  return times(1 / std::max(count, Real{1}), sum);
+}
+
+double squared_length(const Quaternion& q) { return q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]; }
+
+/// What is said where the cores overlap, and nothing elsewhere.
+Said of_overlap(F f, Real value) { return where(f.depth > 0, Said(value)); }
+
+}  // namespace
+
+bool one_inside_the_other(F /*facts*/, const Convexes& /*shapes*/) { return false; }
+
+std::vector<Cause> wrong_about(const Convexes* /*kind*/) {
+  return {
+      other_boxes("quaternion-not-normalised",
+                  "takes an orientation for a unit quaternion: the box is scaled by its squared length",
+                  [](Obb& box) { box.extents *= squared_length(box.orientation); }),
+      other_boxes("quaternion-inverted", "turns a box the other way",
+                  [](Obb& box) { box.orientation[3] = -box.orientation[3]; }),
+      other_boxes("quaternion-w-first", "reads an orientation as w, x, y, z",
+                  [](Obb& box) {
+                    const auto [w, x, y, z] = box.orientation;
+                    box.orientation = {x, y, z, w};
+                  }),
+      other_boxes("orientation-ignored", "takes a rotated box for one that is not turned",
+                  [](Obb& box) {
+                    box.orientation = {0, 0, 0, 1};
+                  }),
+      other_boxes("extents-are-lengths", "takes half lengths for lengths: a box is half as large",
+                  [](Obb& box) { box.extents /= 2; }),
+      other_boxes("extents-doubled", "takes a box for twice as large", [](Obb& box) { box.extents *= 2; }),
+      {.id = "normal-of-centres",
+       .sentence = "leaves an overlap along the way between the centres of the shapes",
+       .normal =
+           [](F f) {
+             std::array<Numbers, 2> middle;
+             std::size_t which = 0;
+             for_each_shape(f.query, [&](const auto& shape) { middle[which++] = middle_of(shape); });
+             const Numbers way = along(middle[1], -1, middle[0]);
+             const Real length = std::sqrt(dot(way, way));
+             return where(f.depth > 0 && length > 0, Said(times(1 / length, way)));
+           }},
+      value("depth-lost", "says that cores that overlap are at distance 0",
+            [](F f) { return of_overlap(f, -f.radii() - f.contact); }),
+      value("depth-unsigned", "says the depth of cores that overlap as a distance above 0",
+            [](F f) { return of_overlap(f, f.depth - f.radii() - f.contact); }),
+  };
+}
+
+}  // namespace contact::oracle::formulas
