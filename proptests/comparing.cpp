@@ -183,7 +183,11 @@ std::optional<std::string> different_numbers(const Case& c, std::size_t i, std::
     const bool is_point = field != Field::normal && field != Field::value;
     if (field == Field::normal && (has_many_normals(c, i) || has_many_normals(c, j))) continue;
     // Of many nearest points each question may be answered with another.
-    if (!exactly && is_point && c.truth(i).has_distance() && !c.truth(i).distance()->spread().empty()) continue;
+    if (is_point && c.truth(i).has_distance()) {
+      const oracle::Spread& spread = c.truth(i).distance()->spread();
+      // The reference's middle of a polygon is another where axes change places; that of two ends is not.
+      if (exactly ? spread.size() > 2 : !spread.empty()) continue;
+    }
     const int scaled = field == Field::normal ? 0 : exponent;
     for (const Component& x : components(field, *c.contact(j), wanted, *c.contact(i))) {
       if (x.got == x.wanted || std::isnan(x.got) || std::isnan(x.wanted)) continue;
@@ -207,7 +211,13 @@ std::optional<std::string> different_numbers(const Case& c, std::size_t i, std::
   return std::nullopt;
 }
 
-bool coincident(const Case& c, std::size_t i) { return c.truth(i).degenerate(); }
+bool coincident(const Case& c, std::size_t i) {
+  if (c.truth(i).degenerate()) return true;
+  const oracle::DistanceTruth* distance = c.truth(i).distance();
+  // Of facets that are as near, or by rounding may seem so, each question may be answered with another.
+  return distance != nullptr && distance->overlaps() &&
+         (distance->meeting().ways.size() > 1 || !c.subject.correctly_rounded);
+}
 
 Rational unit_of(const Case& c, std::size_t i, Field field) {
   return oracle::ulp(scale_of(c, i, field), c.subject.info.declared.scalar);

@@ -102,8 +102,7 @@ constexpr bool kCanGrow = !std::same_as<Shape, Triangle> && !std::same_as<Shape,
 }  // namespace
 
 bool can_grow(Pair pair) {
-  return std::visit([]<class A, class B>(const Two<A, B>&) { return kCanGrow<A> || kCanGrow<B>; },
-                    description(pair).zeros());
+  return of_shapes(pair, []<class A, class B>() { return kCanGrow<A> || kCanGrow<B>; });
 }
 
 Questions size_grown(const Trial& trial, const Subject& subject) {
@@ -121,18 +120,17 @@ Questions size_grown(const Trial& trial, const Subject& subject) {
       shape.length = std::max(subject.range.moved(shape.length, 1), length);
     } else if constexpr (std::same_as<Shape, Plane>) {
       shape.offset = std::max(subject.range.moved(shape.offset, 1), length);
+    } else if constexpr (std::same_as<Shape, Obb>) {
+      const int axis = choice / 2 % 3;
+      shape.extents[axis] = std::max(subject.range.moved(shape.extents[axis], 1), length);
     } else if constexpr (requires { shape.radius; }) {
       shape.radius = std::max(subject.range.moved(shape.radius, 1), length);
     }
   };
-  std::visit(
-      [&]<class A, class B>(Two<A, B>& shapes) {
-        if (!kCanGrow<B> || (kCanGrow<A> && choice % 2 == 0))
-          grow(shapes.a);
-        else
-          grow(shapes.b);
-      },
-      grown.shapes);
+  const auto [a, b] = two_shapes(grown);
+  const auto can_grow_of = []<class Shape>(const Shape* /*shape*/) { return kCanGrow<Shape>; };
+  const bool first = !std::visit(can_grow_of, b) || (std::visit(can_grow_of, a) && choice % 2 == 0);
+  std::visit([&](auto* shape) { grow(*shape); }, first ? a : b);
   return {trial.query, grown};
 }
 

@@ -52,6 +52,7 @@ Outcome check_span(const Case& c);
 Outcome check_farther(const Case& c);
 Outcome check_lower_value(const Case& c);
 Outcome check_way_out(const Case& c);
+Outcome check_parts(const Case& c);
 Outcome check_crossing(const Case& c);
 Outcome check_larger_radius(const Case& c);
 Outcome check_other_alarm(const Case& c);

@@ -61,14 +61,10 @@ Reason without_point(const Subject& s) {
   Query query = zero_query(s.pair);
   for (const int shape : {0, 1}) {
     const auto on = oracle::point_of(conventions(s), query, shape);
-    const bool is_round = std::visit(
-        [&](const auto& shapes) {
-          const auto has_radius = [](const auto& one) {
-            return requires { one.radius; };
-          };
-          return shape == 0 ? has_radius(shapes.a) : has_radius(shapes.b);
-        },
-        query.shapes);
+    bool is_round = false;
+    int which = 0;
+    for_each_shape(query,
+                   [&]<class Shape>(const Shape&) { is_round = which++ == shape ? kHasRadius<Shape> : is_round; });
     if (on && lies(*on, is_round) && s.claims(shape == 0 ? Aspect::point1 : Aspect::point2)) return std::nullopt;
   }
   return fmt::format("the engine, with points {}, claims no such point of a {}",
@@ -174,6 +170,7 @@ constexpr About kHits{"shapes with a distance, or a ray that is cast",
                       [](Pair pair) { return has_distance(pair) || is_cast(pair); }};
 constexpr About kCast{"a ray that is cast", is_cast};
 constexpr About kCastAtTriangle{"a ray that is cast at a triangle", is_one_of<Pair::cast_triangle>};
+constexpr About kOverlapping{"any two convex shapes", [](Pair pair) { return is_convex(pair) && !has_plane(pair); }};
 constexpr About kCrossing{"a segment and a triangle", is_crossing};
 constexpr About kCorners{"a capsule, a triangle or a line", has_one_of<Capsule, Triangle, Line>};
 constexpr About kLong{"a capsule, a triangle or a ray, and a distance",
@@ -329,6 +326,13 @@ constexpr std::array kLaws{
         "value = -(r + the least of c - min and max - c) - contact, to the bound",
         "by any other face a sphere is thrown through the box", kReals, kSphereCube, kNo, kTogether, without_value,
         spheres_in_boxes, itself_if_inside, check_way_out},
+    Law{"parts", "Shapes that overlap are parted along the normal by what the value says.",
+        "max n.a - min n.b over the vertices <= depth abs(n), the depth -(value + contact + r1 + r2); to the bounds of "
+        "value and "
+        "normal",
+        "a normal that leads out somewhere else leaves them in each other: catches an axis of SAT that was not tried, "
+        "and EPA that ended early",
+        kReals, kOverlapping, kNo, kTogether, without_unit_normal, queries, itself, check_parts},
     Law{"crossing",
         "Where a segment crosses a triangle both points are one, which lies in the box around each, and the value is "
         "0.",

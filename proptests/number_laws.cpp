@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "oracle/truth/clamped.hpp"
+#include "oracle/truth/cores.hpp"
 #include "oracle/truth/exact_truth.hpp"
 #include "proptests/law_functions.hpp"
 
@@ -38,7 +39,7 @@ bool has_contact(const Case& c, std::size_t i) {
 }
 /// And no core is inside the other.
 bool has_distance(const Case& c, std::size_t i) {
-  return has_contact(c, i) && c.truth(i).has_distance() && !coincident(c, i);
+  return has_contact(c, i) && c.truth(i).has_distance() && !c.truth(i).distance()->meets();
 }
 
 /// A claimed value as a signed distance, without the contact distance.
@@ -279,6 +280,29 @@ Outcome check_way_out(const Case& c) {
   if (CGAL::abs(claimed - depth) <= value_error(c, 0)) return {};
   return Outcome::violated(fmt::format("the value {} says a depth of {}, and the nearest face is {} away", text(*value),
                                        text(CGAL::to_double(claimed)), text(CGAL::to_double(depth))));
+}
+
+Outcome check_parts(const Case& c) {
+  const auto value = finite_value(c, 0);
+  if (!value || !finite(c.contact(0)->normal) || !c.truth(0).distance()->overlaps()) return Outcome::vacuous();
+  const oracle::DistanceTruth& truth = *c.truth(0).distance();
+  const Vector n = exact(first_to_second(c.subject.info.declared.conventions, *c.contact(0)->normal));
+  if (oracle::is_zero(n)) return Outcome::violated("the normal of an overlap is 0");
+  const auto& shapes = std::get<Convexes>(c.queries[0].shapes);
+  const auto farthest = [&](const Convex& shape, const Vector& along) {
+    Rational most = dot(oracle::exact_core(shape).vertices[0], along);
+    for (const Vector& x : oracle::exact_core(shape).vertices) most = std::max(most, dot(x, along));
+    return most;
+  };
+  // The second core moved by so much along the normal does not overlap the first, and no less will do than the depth.
+  const Rational out = -signed_distance(c, 0, *value) - truth.radii();
+  const Rational along = farthest(shapes.a, n) + farthest(shapes.b, minus({Rational(0), Rational(0), Rational(0)}, n));
+  const Rational length2 = dot(n, n);
+  const Rational error =
+      Rational(2) * value_error(c, 0) + Rational(2) * allowance(c, 0, Field::normal) * CGAL::abs(out);
+  if (along <= Rational(0) || along * along <= (out + error) * (out + error) * length2) return {};
+  return Outcome::violated(fmt::format("moved apart by the depth {} along the normal {}, the shapes overlap still",
+                                       text(CGAL::to_double(out)), text(*c.contact(0)->normal)));
 }
 
 Outcome check_crossing(const Case& c) {

@@ -271,12 +271,12 @@ class Runner {
     add(Class::coincident, truth.degenerate());
     add(Class::subnormal, is_subnormal);
     add(Class::huge, is_huge);
-    const auto is_flat = []<class Shape>(const Shape& shape) {
-      if constexpr (std::same_as<Shape, Box>) return (shape.min.array() == shape.max.array()).any();
-      return false;
-    };
-    add(Class::flat,
-        std::visit([&](const auto& shapes) { return is_flat(shapes.a) || is_flat(shapes.b); }, c.queries[0].shapes));
+    bool is_flat = false;
+    for_each_shape(c.queries[0], [&]<class Shape>(const Shape& shape) {
+      if constexpr (std::same_as<Shape, Box>) is_flat = is_flat || (shape.min.array() == shape.max.array()).any();
+      if constexpr (std::same_as<Shape, Obb>) is_flat = is_flat || (shape.extents.array() == 0).any();
+    });
+    add(Class::flat, is_flat);
   }
 
   std::unique_ptr<engines::Engine>& engine_;

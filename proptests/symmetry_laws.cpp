@@ -13,7 +13,7 @@ namespace {
 template <class Edit>
 void for_each_point(Query& query, Edit edit, bool directions = false) {
   for_each_field(query, [&](const std::string&, auto& value, FieldKind kind) {
-    if (kind == FieldKind::point || directions) for_each_vector(value, edit);
+    if (kind == FieldKind::point || (directions && kind == FieldKind::direction)) for_each_vector(value, edit);
   });
 }
 
@@ -69,8 +69,11 @@ Questions swapped(const Trial& trial, const Subject&) {
   Query other = trial.query;
   const bool swappable = std::visit(
       []<class A, class B>(Two<A, B>& shapes) {
-        if constexpr (std::same_as<A, B>) std::swap(shapes.a, shapes.b);
-        return std::same_as<A, B>;
+        bool alike = std::same_as<A, B>;
+        if constexpr (std::same_as<A, Convex>) alike = shapes.a.shape.index() == shapes.b.shape.index();
+        if constexpr (std::same_as<A, B>)
+          if (alike) std::swap(shapes.a, shapes.b);
+        return alike;
       },
       other.shapes);
   if (!swappable) return {};
@@ -94,15 +97,54 @@ Outcome check_swapped(const Case& c) {
   return compared(c, &wanted, {Field::normal, Field::value, Field::point1, Field::point2, Field::point});
 }
 
-Questions turned(const Trial& trial, const Subject&) {
+namespace {
+
+/// Turns a quaternion by a change of axes, or where that reflects, by the change and a reflection in a point, in which boxes are the same. Whether
+/// its numbers are those of the range.
+bool turn(Quaternion& q, const Change& change, const Range& range) {
+  const auto product = []<class Number>(const std::array<Number, 4>& p, const std::array<Number, 4>& r) {
+    return std::array<Number, 4>{Number(p[3] * r[0] + p[0] * r[3] + p[1] * r[2] - p[2] * r[1]),
+                                 Number(p[3] * r[1] - p[0] * r[2] + p[1] * r[3] + p[2] * r[0]),
+                                 Number(p[3] * r[2] + p[0] * r[1] - p[1] * r[0] + p[2] * r[3]),
+                                 Number(p[3] * r[3] - p[0] * r[0] - p[1] * r[1] - p[2] * r[2])};
+  };
+  const Vector3 x = turned(change, Vector3::UnitX());
+  const Vector3 y = turned(change, Vector3::UnitY());
+  const double sign = x.cross(y).dot(turned(change, Vector3::UnitZ()));
+  // Of the quaternions with components -1, 0 and 1, one turns as the change does.
+  Quaternion by{};
+  for (int code = 0; code < 81; ++code) {
+    const Quaternion p{static_cast<double>(code % 3 - 1), static_cast<double>(code / 3 % 3 - 1),
+                       static_cast<double>(code / 9 % 3 - 1), static_cast<double>(code / 27 - 1)};
+    const double size = p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + p[3] * p[3];
+    const auto image = [&](const Vector3& v) {
+      const Quaternion r = product(product(p, {v[0], v[1], v[2], 0}), {-p[0], -p[1], -p[2], p[3]});
+      return Vector3(r[0], r[1], r[2]);
+    };
+    if (size > 0 && image(Vector3::UnitX()) == size * sign * x && image(Vector3::UnitY()) == size * sign * y) by = p;
+  }
+  const auto exactly = [](const Quaternion& p) {
+    return std::array<Rational, 4>{Rational(p[0]), Rational(p[1]), Rational(p[2]), Rational(p[3])};
+  };
+  const std::array<Rational, 4> right = product(exactly(by), exactly(q));
+  q = product(by, q);
+  bool exact = true;
+  for (std::size_t i = 0; i < 4; ++i) exact = exact && range.contains(q[i]) && Rational(q[i]) == right[i];
+  return exact;
+}
+
+}  // namespace
+
+Questions turned(const Trial& trial, const Subject& subject) {
   Query other = trial.query;
   for_each_point(
       other, [&](Vector3& v) { v = turned(trial.change, v); }, true);
-  const auto in_order = []<class Shape>(Shape& shape) {
+  bool exact = true;
+  for_each_shape(other, [&]<class Shape>(Shape& shape) {
     if constexpr (std::same_as<Shape, Box>) shape = {shape.min.cwiseMin(shape.max), shape.min.cwiseMax(shape.max)};
-  };
-  std::visit([&](auto& shapes) { in_order(shapes.a), in_order(shapes.b); }, other.shapes);
-  return {trial.query, other};
+    if constexpr (std::same_as<Shape, Obb>) exact = exact && turn(shape.orientation, trial.change, subject.range);
+  });
+  return exact ? Questions{trial.query, other} : Questions{};
 }
 
 namespace {
@@ -129,20 +171,18 @@ namespace {
 /// A plane moves by its offset; whether exactly.
 bool moved_planes(const Range& range, Query& query, int axis, double shift) {
   bool exact = true;
-  std::visit(
-      [&]<class A, class B>(Two<A, B>& shapes) {
-        if constexpr (std::same_as<B, Plane>) {
-          const double way = shapes.b.normal[axis] * shift;
-          if (shapes.b.normal[axis] == 0) return;
-          // What is so small may have lost digits that no double holds.
-          if (std::fma(shapes.b.normal[axis], shift, -way) != 0 || !range.contains(way) || std::abs(way) < 0x1p-900)
-            return void(exact = false);
-          const auto sum = exact_sum(range, shapes.b.offset, way);
-          exact = sum.has_value();
-          if (sum) shapes.b.offset = *sum;
-        }
-      },
-      query.shapes);
+  for_each_shape(query, [&]<class Shape>(Shape& shape) {
+    if constexpr (std::same_as<Shape, Plane>) {
+      const double way = shape.normal[axis] * shift;
+      if (shape.normal[axis] == 0) return;
+      // What is so small may have lost digits that no double holds.
+      if (std::fma(shape.normal[axis], shift, -way) != 0 || !range.contains(way) || std::abs(way) < 0x1p-900)
+        return void(exact = false);
+      const auto sum = exact_sum(range, shape.offset, way);
+      exact = sum.has_value();
+      if (sum) shape.offset = *sum;
+    }
+  });
   return exact;
 }
 
@@ -214,7 +254,7 @@ Questions scaled(const Trial& trial, const Subject& subject) {
   if (exponent == 0) return {};
   Query other = trial.query;
   for_each_field(other, [&](const std::string&, auto& value, FieldKind kind) {
-    if (kind != FieldKind::direction) for_each_number_in(value, [&](double& x) { x = std::ldexp(x, exponent); });
+    if (!has_free_length(kind)) for_each_number_in(value, [&](double& x) { x = std::ldexp(x, exponent); });
   });
   return {trial.query, other};
 }
@@ -295,7 +335,7 @@ Questions corners_exchanged(const Trial& trial, const Subject&) {
       for (std::size_t i = 0; i < 3; ++i) shape.vertices[i] = before.vertices[kOrders[order_of(trial.change)][i]];
     }
   };
-  std::visit([&](auto& shapes) { exchange(shapes.a), exchange(shapes.b); }, other.shapes);
+  for_each_shape(other, exchange);
   return {trial.query, other};
 }
 

@@ -214,15 +214,7 @@ class Easier {
     Query query = trial_.query;
     bool exact = true;
     const auto move = [&](double& x) { exact = subtract_exactly(x, origin) && exact; };
-    std::visit(
-        [&](auto& shapes) {
-          const auto points = [&](const auto& /*field*/, auto& value) {
-            for_each_vector(value, [&](Vector3& v) { move(v[axis]); });
-          };
-          for_each_field(shapes.a, points);
-          for_each_field(shapes.b, points);
-        },
-        query.shapes);
+    for_each_value(query, [&](auto& value) { for_each_vector(value, [&](Vector3& v) { move(v[axis]); }); });
     if (exact) add(query);
   }
 

@@ -61,6 +61,9 @@ class QuestionArrays {
   static void read_value(const char* at, const py::ssize_t* strides, Vector3& value) {
     for (int axis = 0; axis < 3; ++axis) std::memcpy(&value[axis], at + axis * strides[0], sizeof(double));
   }
+  static void read_value(const char* at, const py::ssize_t* strides, Quaternion& value) {
+    for (double& x : value) std::memcpy(&x, at, sizeof x), at += strides[0];
+  }
   static void read_value(const char* at, const py::ssize_t* strides, std::array<Vector3, 3>& value) {
     for (std::size_t i = 0; i < value.size(); ++i)
       read_value(at + static_cast<py::ssize_t>(i) * strides[0], strides + 1, value[i]);

@@ -240,6 +240,7 @@ py::list pairs() {
       for_each_field(s, [&](const auto& field, const auto& value) {
         py::tuple across(0);
         if (sizeof(value) == sizeof(Vector3)) across = py::make_tuple(3);
+        if (sizeof(value) == sizeof(Quaternion)) across = py::make_tuple(4);
         if (sizeof(value) == 3 * sizeof(Vector3)) across = py::make_tuple(3, 3);
         const std::string kind(kFieldKindNames[static_cast<std::size_t>(field.kind)]);
         py::dict one;
@@ -257,7 +258,8 @@ py::list pairs() {
     py::dict one;
     one["name"] = std::string(name(pair));
     one["numbers"] = has_distance(pair) ? "distance" : is_crossing(pair) ? "crossing" : is_cast(pair) ? "cast" : "none";
-    std::visit([&](const auto& shapes) { one["a"] = shape(shapes.a), one["b"] = shape(shapes.b); }, zeros.shapes);
+    const char* key = "a";
+    for_each_shape(zeros, [&](const auto& of) { one[std::exchange(key, "b")] = shape(of); });
     all.append(one);
   }
   return all;
