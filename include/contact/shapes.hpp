@@ -179,8 +179,6 @@ constexpr void for_each_vector(Value& value, Visit&& visit) {
     visit(value);
   else if constexpr (std::same_as<Plain, std::array<Vector3, 3>>)
     for (auto& v : value) visit(v);
-  else
-    static_assert(std::same_as<Plain, double> || std::same_as<Plain, Quaternion>);
 }
 
 /// Calls visit(number&) for every number of a field.

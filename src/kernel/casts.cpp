@@ -23,7 +23,6 @@ namespace {
 
 using namespace kernel;
 
-const IntegerVector kOrigin{0, 0, 0};
 const std::array<IntegerVector, 3> kAxes{IntegerVector{1, 0, 0}, IntegerVector{0, 1, 0}, IntegerVector{0, 0, 1}};
 
 /// Where a ray enters a shape.
@@ -74,28 +73,19 @@ struct On {
   [[nodiscard]] IntegerVector point(const Vector3& v) const { return on_grid(grid, v); }
 };
 
-Integer sum_of_magnitudes(const IntegerVector& n) { return abs(n[0]) + abs(n[1]) + abs(n[2]); }
-
 /// Of the directions that point along none of some vectors, each divided by the sum of the absolute values of its
 /// components, the lexicographically greatest. In an octant they are a cone with edges, each of which lies in two
 /// planes: across one of the vectors, or of the coordinates.
 IntegerVector greatest_against(std::span<const IntegerVector> vectors) {
   std::vector<IntegerVector> planes(kAxes.begin(), kAxes.end());
   planes.insert(planes.end(), vectors.begin(), vectors.end());
-  IntegerVector greatest = kOrigin;
-  const auto is_greater = [&](const IntegerVector& n) {
-    if (greatest == kOrigin) return true;
-    const Integer size = sum_of_magnitudes(n);
-    const Integer other = sum_of_magnitudes(greatest);
-    for (std::size_t i = 0; i < 3; ++i)
-      if (const int order = Integer(n[i] * other).compare(greatest[i] * size)) return order > 0;
-    return false;
-  };
+  IntegerVector greatest = kNowhere;
+  const auto is_greater = [&](const IntegerVector& n) { return greatest == kNowhere || is_preferred(n, greatest); };
   for (std::size_t i = 0; i < planes.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const IntegerVector n = cross(planes[i], planes[j]);
-      if (n == kOrigin) continue;
-      for (const IntegerVector& turned : {n, kOrigin - n}) {
+      if (n == kNowhere) continue;
+      for (const IntegerVector& turned : {n, kNowhere - n}) {
         bool is_right = true;
         for (const IntegerVector& w : vectors) is_right = is_right && dot(turned, w).sign() <= 0;
         if (is_right && is_greater(turned)) greatest = turned;
@@ -127,8 +117,8 @@ Entry enter_capsule(const IntegerVector& w, const IntegerVector& u, const Intege
   const Integer U = dot(u, u);
   const Integer level = dot(u, w);  // 0 beside the start, U beside the end
   const auto around_end = [&](bool at_end) {
-    const std::array<IntegerVector, 1> rest{at_end ? kOrigin - u : u};
-    const IntegerVector normal = r.is_zero() ? greatest_against(rest) : kOrigin;
+    const std::array<IntegerVector, 1> rest{at_end ? kNowhere - u : u};
+    const IntegerVector normal = r.is_zero() ? greatest_against(rest) : kNowhere;
     return enter_ball(at_end ? w - u : w, D, r, normal);
   };
   const IntegerVector across = cross(u, w);
@@ -161,7 +151,7 @@ Entry enter_capsule(const IntegerVector& w, const IntegerVector& u, const Intege
   entry.a = A;
   if (r.is_zero()) {
     std::vector<IntegerVector> rest;
-    if (beside_start > 0) rest.push_back(kOrigin - u);
+    if (beside_start > 0) rest.push_back(kNowhere - u);
     if (beside_end < 0) rest.push_back(u);
     entry.along = greatest_against(rest);
     return entry;
@@ -226,7 +216,7 @@ Entry enter(const On<Box>& on) {
   for (std::size_t i = 0; i < 3; ++i)
     if (is_on(i, high[i])) return at(in, in_over, kAxes[i]);
   for (std::size_t i = 3; i-- > 0;)
-    if (is_on(i, low[i])) return at(in, in_over, kOrigin - kAxes[i]);
+    if (is_on(i, low[i])) return at(in, in_over, kNowhere - kAxes[i]);
   return miss();  // not reached: the entry is on a face
 }
 
@@ -254,18 +244,18 @@ Entry enter(const On<Triangle>& on) {
     }
     if (height.is_zero()) return from_inside();
     const Integer& first = n[0].is_zero() ? n[1].is_zero() ? n[2] : n[1] : n[0];
-    entry = at(sign * height, abs(through), first.sign() > 0 ? n : kOrigin - n);
+    entry = at(sign * height, abs(through), first.sign() > 0 ? n : kNowhere - n);
     if (!on_edge) return entry;
   } else {
     if (!height.is_zero()) return miss();
-    bool inside = n != kOrigin;
+    bool inside = n != kNowhere;
     for (std::size_t k = 0; inside && k < 3; ++k) inside = dot(n, cross(w[k], w[(k + 1) % 3])).sign() >= 0;
     if (inside) return from_inside();
     for (std::size_t k = 0; k < 3; ++k) {
-      const Entry along = enter_capsule(kOrigin - w[k], w[(k + 1) % 3] - w[k], on.D, 0);
+      const Entry along = enter_capsule(kNowhere - w[k], w[(k + 1) % 3] - w[k], on.D, 0);
       if (along.inside) return along;
       if (!along.a.is_zero() && (entry.a.is_zero() || along.p * entry.a < entry.p * along.a))
-        entry = at(along.p, along.a, kOrigin);
+        entry = at(along.p, along.a, kNowhere);
     }
     if (entry.a.is_zero()) return entry;
   }
@@ -313,7 +303,7 @@ Contact contact_at(const Entry& entry, const On<Shape>& on, const Ray& ray) {
     for (std::size_t i = 0; i < 3; ++i) contact.normal[static_cast<Eigen::Index>(i)] = round_sum(0, n[i], square, 0);
   };
   if (entry.inside) {
-    unit(kOrigin - on.D);
+    unit(kNowhere - on.D);
     contact.point1 = contact.point2 = ray.origin.array() + 0.0;
     contact.value = 0;
     return contact;

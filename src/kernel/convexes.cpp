@@ -22,10 +22,9 @@
 
 namespace contact::inline CONTACT_ABI {
 namespace {
+namespace convexes {
 
 using namespace kernel;
-
-const IntegerVector kOrigin{0, 0, 0};
 
 // ---- cores ----
 
@@ -81,9 +80,9 @@ Polytope core_of(const Grid& grid, const Box& box) {
   const IntegerVector size = on_grid(grid, box.max) - low;
   Polytope core;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    IntegerVector way = kOrigin;
+    IntegerVector way = kNowhere;
     way[axis] = size[axis];
-    if (way != kOrigin) core.ways.push_back(way);
+    if (way != kNowhere) core.ways.push_back(way);
   }
   span(core, low);
   return core;
@@ -105,7 +104,7 @@ Polytope core_of(const Grid& grid, const Obb& box) {
   IntegerVector corner = times(core.over, on_grid(grid, box.center));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const IntegerVector half = times(grid(box.extents[static_cast<Eigen::Index>(axis)]), columns[axis]);
-    if (half == kOrigin) continue;
+    if (half == kNowhere) continue;
     corner = corner - half;
     core.ways.push_back(times(2, half));
   }
@@ -250,7 +249,7 @@ class Difference {
 PointOf<Integer> nearest_from(std::vector<Corner> corners, const Difference<Integer>& difference) {
   for (;;) {
     PointOf<Integer> v = difference.nearest_of(corners);
-    if (v.at == kOrigin) return v;
+    if (v.at == kNowhere) return v;
     const Corner next = difference.farthest_against(v.at);
     if (product(v.at, difference(next)) * v.whole >= product(v.at, v.at)) return v;
     corners = v.corners;
@@ -392,31 +391,21 @@ std::vector<IntegerVector> moved(std::vector<IntegerVector> points, const Intege
 /// The nearest points of cores that are apart.
 ExactNearest nearest_apart(const TwoCores& cores, const PointOf<Integer>& v) {
   std::vector<IntegerVector> a = farthest(cores.a.vertices, v.at);
-  std::vector<IntegerVector> b = farthest(cores.b.vertices, kOrigin - v.at);
-  Middle middle{{kOrigin, 1}, true};
+  std::vector<IntegerVector> b = farthest(cores.b.vertices, kNowhere - v.at);
+  Middle middle{{kNowhere, 1}, true};
   if (a.size() == 1) {
     middle.at.at = times(v.whole, a[0]);
   } else if (b.size() == 1) {
     middle.at.at = times(v.whole, b[0]) - v.at;
   } else {
     middle = middle_of(
-        InPlane(moved(std::move(a), v.whole, kOrigin), moved(std::move(b), v.whole, kOrigin - v.at), v.at).common());
+        InPlane(moved(std::move(a), v.whole, kNowhere), moved(std::move(b), v.whole, kNowhere - v.at), v.at).common());
   }
   const auto& [p, over] = middle.at;
-  return {p, combined(1, p, over, v.at), over * v.whole * cores.over(), middle.unique, kOrigin};
+  return {p, combined(1, p, over, v.at), over * v.whole * cores.over(), middle.unique, kNowhere};
 }
 
 // ---- cores that meet ----
-
-Integer sum_of_magnitudes(const IntegerVector& n) { return abs(n[0]) + abs(n[1]) + abs(n[2]); }
-/// Whether a normal comes before another of which both are right.
-bool is_preferred(const IntegerVector& n, const IntegerVector& to) {
-  const Integer size = sum_of_magnitudes(n);
-  const Integer other = sum_of_magnitudes(to);
-  for (std::size_t i = 0; i < 3; ++i)
-    if (const int order = Integer(n[i] * other).compare(to[i] * size)) return order > 0;
-  return false;
-}
 
 /// A direction that a facet of A - B may face, and how far max N.a lies above min N.b.
 struct Facing {
@@ -424,18 +413,18 @@ struct Facing {
   Integer height;
 };
 Integer height_along(const TwoCores& cores, const IntegerVector& n) {
-  return dot(n, farthest(cores.a.vertices, n)[0]) - dot(n, farthest(cores.b.vertices, kOrigin - n)[0]);
+  return dot(n, farthest(cores.a.vertices, n)[0]) - dot(n, farthest(cores.b.vertices, kNowhere - n)[0]);
 }
 /// Whether the face of A - B there is one, and no edge or corner.
 bool is_facet(const TwoCores& cores, const IntegerVector& n) {
   std::vector<IntegerVector> ways;
-  for (const auto& [core, along] : {std::pair(&cores.a, n), std::pair(&cores.b, kOrigin - n)}) {
+  for (const auto& [core, along] : {std::pair(&cores.a, n), std::pair(&cores.b, kNowhere - n)}) {
     const std::vector<IntegerVector> face = farthest(core->vertices, along);
     for (const IntegerVector& x : face)
       if (x != face[0]) ways.push_back(x - face[0]);
   }
   return std::any_of(ways.begin(), ways.end(),
-                     [&](const IntegerVector& way) { return cross(ways[0], way) != kOrigin; });
+                     [&](const IntegerVector& way) { return cross(ways[0], way) != kNowhere; });
 }
 
 /// The nearest points of cores that meet in a line that holds both.
@@ -448,7 +437,7 @@ ExactNearest nearest_in_line(const TwoCores& cores) {
     if (!core->ways.empty()) {
       const IntegerVector& u = core->ways[0];
       agreed = {u[1] * u[1] + u[2] * u[2], -u[0] * u[1], -u[0] * u[2]};
-      if (agreed == kOrigin) agreed = {0, 1, 0};
+      if (agreed == kNowhere) agreed = {0, 1, 0};
     }
   return {p, p, over * cores.over(), over == 1, agreed};
 }
@@ -468,11 +457,11 @@ ExactNearest nearest_meeting(const TwoCores& cores) {
   for (std::size_t i = 0; i < ways.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const IntegerVector n = cross(ways[i], ways[j]);
-      if (n == kOrigin) continue;
-      const std::array<Integer, 2> heights{height_along(cores, n), height_along(cores, kOrigin - n)};
+      if (n == kNowhere) continue;
+      const std::array<Integer, 2> heights{height_along(cores, n), height_along(cores, kNowhere - n)};
       const bool is_flat = heights[0].is_zero() && heights[1].is_zero();
       for (const bool turned : {false, true}) {
-        const IntegerVector& facing = turned ? kOrigin - n : n;
+        const IntegerVector& facing = turned ? kNowhere - n : n;
         // Below an inside every facet of the least depth is one; at 0 an edge or a corner may be as near.
         if (heights[turned].is_zero() && !is_flat && !is_facet(cores, facing)) continue;
         take(facing, heights[turned]);
@@ -482,8 +471,8 @@ ExactNearest nearest_meeting(const TwoCores& cores) {
   const auto& [n, height] = *best;
   const Integer N = dot(n, n);
   // B, moved out: q + (height / N) n.
-  const auto [at, unique] = middle_of(InPlane(moved(farthest(cores.a.vertices, n), N, kOrigin),
-                                              moved(farthest(cores.b.vertices, kOrigin - n), N, times(height, n)), n)
+  const auto [at, unique] = middle_of(InPlane(moved(farthest(cores.a.vertices, n), N, kNowhere),
+                                              moved(farthest(cores.b.vertices, kNowhere - n), N, times(height, n)), n)
                                           .common());
   ExactNearest nearest{at.at, combined(1, at.at, -at.over * height, n), at.over * N * cores.over(), unique, n};
   nearest.overlap = !height.is_zero();
@@ -517,16 +506,16 @@ template <class A, class B>
   const Asked of = asked(a, b, {alarm, 0});
   const PointOf<Integer> v =
       nearest_from(proposed(of.cores), Difference<Integer>(of.cores.a.vertices, of.cores.b.vertices));
-  return is_hit({kOrigin, v.at, v.whole * of.cores.over(), true, kOrigin}, of.grid, of.lengths);
+  return is_hit({kNowhere, v.at, v.whole * of.cores.over(), true, kNowhere}, of.grid, of.lengths);
 }
 template <class A, class B>
 [[gnu::noinline]] std::optional<Contact> compute(const A& a, const B& b, Distances distances, ContactPoints points) {
   const Asked of = asked(a, b, distances);
   const PointOf<Integer> v =
       nearest_from(proposed(of.cores), Difference<Integer>(of.cores.a.vertices, of.cores.b.vertices));
-  if (!is_hit({kOrigin, v.at, v.whole * of.cores.over(), true, kOrigin}, of.grid, of.lengths)) return std::nullopt;
+  if (!is_hit({kNowhere, v.at, v.whole * of.cores.over(), true, kNowhere}, of.grid, of.lengths)) return std::nullopt;
   Contact contact{};
-  round_exactly(v.at == kOrigin ? nearest_meeting(of.cores) : nearest_apart(of.cores, v), of.grid, of.lengths, points,
+  round_exactly(v.at == kNowhere ? nearest_meeting(of.cores) : nearest_apart(of.cores, v), of.grid, of.lengths, points,
                 kAllNumbers, contact);
   return contact;
 }
@@ -546,7 +535,7 @@ OverPlane over_plane(const A& a, const Plane& plane, Distances distances) {
   const Polytope core = core_of(points, a);
   const IntegerVector n = on_grid(normal, plane.normal);
   std::vector<Quotient> lowest;
-  for (const IntegerVector& x : farthest(core.vertices, kOrigin - n)) lowest.push_back({x, 1});
+  for (const IntegerVector& x : farthest(core.vertices, kNowhere - n)) lowest.push_back({x, 1});
   auto [at, unique] = middle_of(lowest);
   ExactLowest found{at.at, at.over * core.over, unique, n, 0};
   const int finer = of_offset.exponent() - (points.exponent() + normal.exponent());
@@ -569,16 +558,17 @@ template <class A>
   return contact;
 }
 
+}  // namespace convexes
 }  // namespace
 
 #define CONTACT_CONVEX(name, A, B, ...)                                                                      \
   bool test_##name(const A& a, const B& b, double alarm) {                                                   \
-    const RoundToNearest environment;                                                                        \
-    return decide(a, b, alarm);                                                                              \
+    const kernel::RoundToNearest environment;                                                                \
+    return convexes::decide(a, b, alarm);                                                                    \
   }                                                                                                          \
   std::optional<Contact> compute_##name(const A& a, const B& b, Distances distances, ContactPoints points) { \
-    const RoundToNearest environment;                                                                        \
-    return compute(a, b, distances, points);                                                                 \
+    const kernel::RoundToNearest environment;                                                                \
+    return convexes::compute(a, b, distances, points);                                                       \
   }
 CONTACT_CONVEX_PAIRS(CONTACT_CONVEX)
 #undef CONTACT_CONVEX

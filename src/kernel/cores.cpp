@@ -23,6 +23,15 @@ IntegerVector combined(const Integer& a, const IntegerVector& x, const Integer& 
 
 IntegerVector on_grid(const Grid& grid, const Vector3& v) { return {grid(v[0]), grid(v[1]), grid(v[2])}; }
 
+bool is_preferred(const IntegerVector& n, const IntegerVector& to) {
+  const auto size = [](const IntegerVector& v) { return Integer(abs(v[0]) + abs(v[1]) + abs(v[2])); };
+  const Integer of_n = size(n);
+  const Integer of_other = size(to);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (const int order = Integer(n[i] * of_other).compare(to[i] * of_n)) return order > 0;
+  return false;
+}
+
 bool is_hit(const ExactNearest& nearest, const Grid& grid, const Lengths& lengths) {
   const IntegerVector delta = nearest.q - nearest.p;
   const Integer reach = (grid(lengths.alarm) + grid(lengths.radius1) + grid(lengths.radius2)) * nearest.over;

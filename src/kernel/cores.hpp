@@ -20,6 +20,12 @@ using IntegerVector = std::array<Integer, 3>;
 /// A point or a direction on a grid.
 [[nodiscard]] IntegerVector on_grid(const Grid& grid, const Vector3& v);
 
+inline const IntegerVector kNowhere{0, 0, 0};
+
+/// Of two right normals the reference takes the one that is lexicographically greater, each divided by the sum of the absolute values of its
+/// components. Whether n is that. Domain: neither is 0.
+[[nodiscard]] bool is_preferred(const IntegerVector& n, const IntegerVector& to);
+
 /// The nearest points of two cores: p / over and q / over on a grid.
 struct ExactNearest {
   IntegerVector p;
