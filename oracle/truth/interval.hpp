@@ -132,6 +132,11 @@ inline Triple triple(mpfr_prec_t precision, const Vector3& v) {
 }
 
 inline Triple difference(const Triple& x, const Triple& y) { return {x[0] - y[0], x[1] - y[1], x[2] - y[2]}; }
+inline Triple sum(const Triple& x, const Triple& y) { return {x[0] + y[0], x[1] + y[1], x[2] + y[2]}; }
+inline Triple scaled(const Interval& k, const Triple& x) { return {k * x[0], k * x[1], k * x[2]}; }
+[[nodiscard]] inline bool is_zero(const Triple& x) {
+  return sign_of(x[0]) == 0 && sign_of(x[1]) == 0 && sign_of(x[2]) == 0;
+}
 inline Interval dot(const Triple& x, const Triple& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
 inline Triple cross(const Triple& x, const Triple& y) {
   return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};

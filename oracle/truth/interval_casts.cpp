@@ -36,7 +36,6 @@ struct IntervalRay {
 };
 
 Triple negative(const Triple& x) { return difference(difference(x, x), x); }
-bool is_zero(const Triple& x) { return sign_of(x[0]) == 0 && sign_of(x[1]) == 0 && sign_of(x[2]) == 0; }
 
 Vector3 rounded_unit(const IntervalRay& ray, const Triple& along) {
   const Interval length = (along[0].squared() + along[1].squared() + along[2].squared()).root();

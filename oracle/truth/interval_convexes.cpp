@@ -12,10 +12,6 @@
 namespace contact::oracle {
 namespace {
 
-Triple scaled(const Interval& k, const Triple& x) { return {k * x[0], k * x[1], k * x[2]}; }
-Triple sum(const Triple& x, const Triple& y) { return {x[0] + y[0], x[1] + y[1], x[2] + y[2]}; }
-bool is_zero(const Triple& x) { return sign_of(x[0]) == 0 && sign_of(x[1]) == 0 && sign_of(x[2]) == 0; }
-
 /// The vertices of a core that lie farthest along a direction.
 using Places = std::vector<std::size_t>;
 bool has(const Places& places, std::size_t k) { return std::find(places.begin(), places.end(), k) != places.end(); }
