@@ -58,7 +58,7 @@ class AnyTwo {
     for (const Facing& facing : facings_) {
       const int side = sign_of(facing.height);
       if (side < 0) return answer_apart(distances, scalar);
-      if (!is_solid) is_solid = sign_of(height_along(turned(facing))) + side > 0;
+      is_solid = is_solid || is_thick(facing);
       if (is_solid && side == 0 && !is_facet(facing)) continue;
       if (least == nullptr || is_before(facing, *least)) least = &facing;
     }
@@ -87,14 +87,9 @@ class AnyTwo {
   [[nodiscard]] Interval height_along(const Facing& facing) const {
     return dot(facing.normal, difference(a_.vertices[facing.of_a[0]], b_.vertices[facing.of_b[0]]));
   }
-  [[nodiscard]] Facing turned(const Facing& f) const {
-    // What was in one plane is in one plane still.
-    const Triple n = against(f.normal);
-    const auto other = [&](const IntervalCore& core, const Triple& along, const Places& known) {
-      const Places best = farthest(core, along, {});
-      return has(known, best[0]) ? known : best;
-    };
-    return {n, other(a_, n, f.of_a), other(b_, f.normal, f.of_b), number(0)};
+  /// Whether something of A - B lies below it.
+  [[nodiscard]] bool is_thick(const Facing& f) const {
+    return f.of_a.size() < a_.vertices.size() || f.of_b.size() < b_.vertices.size();
   }
 
   /// Of the faces of each, and of each two edges.

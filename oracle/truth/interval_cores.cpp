@@ -31,7 +31,10 @@ class TwoCores {
   TwoCores(const IntervalCore& a, const IntervalCore& b, std::vector<const Feature*> of_b, mpfr_prec_t precision)
       : a_(a), b_(b), of_b_(std::move(of_b)), precision_(precision) {}
 
-  [[nodiscard]] IntervalNearest nearest() const { return middle_of(optimal()); }
+  [[nodiscard]] IntervalNearest nearest() const {
+    auto [at, unique] = middle_of(optimal());
+    return {std::move(at.p), std::move(at.q), std::move(at.over), agreed(), unique};
+  }
 
   /// Of features in one plane or line: the middle of what they have in common. Those of as many dimensions together as the plane has cross
   /// in one point, or do not.
@@ -43,8 +46,8 @@ class TwoCores {
           if (f->dimension() + g->dimension() == dimensions)
             if (auto at = on_features(*f, *g)) found.push_back(*std::move(at));
     if (found.empty()) throw Undecided{};  // never with signs that are settled
-    const IntervalNearest middle = middle_of(found);
-    return {middle.p, middle.over, middle.unique};
+    auto [at, unique] = middle_of(found);
+    return {std::move(at.p), std::move(at.over), unique};
   }
 
  private:
@@ -67,19 +70,23 @@ class TwoCores {
   }
 
   /// The middle of those with the lexicographically least and greatest p.
-  [[nodiscard]] IntervalNearest middle_of(const std::vector<Pair>& found) const {
+  struct Middle {
+    Pair at;
+    bool unique;
+  };
+  [[nodiscard]] Middle middle_of(const std::vector<Pair>& found) const {
     const Pair* low = &found.front();
     const Pair* high = low;
     for (const Pair& x : found) {
-      if (order(x.p, x.over, low->p, low->over) < 0) low = &x;
-      if (order(x.p, x.over, high->p, high->over) > 0) high = &x;
+      // None is compared with itself: of what is not exact not even that is settled.
+      if (&x != low && order(x.p, x.over, low->p, low->over) < 0) low = &x;
+      if (&x != high && order(x.p, x.over, high->p, high->over) > 0) high = &x;
     }
-    if (low == high || order(low->p, low->over, high->p, high->over) == 0)
-      return {low->p, low->q, low->over, agreed(), true};
+    if (low == high || order(low->p, low->over, high->p, high->over) == 0) return {*low, true};
     const auto middle = [&](const Triple& x, const Triple& y) {
       return sum(scaled(high->over, x), scaled(low->over, y));
     };
-    return {middle(low->p, high->p), middle(low->q, high->q), number(2) * low->over * high->over, agreed(), false};
+    return {{middle(low->p, high->p), middle(low->q, high->q), number(2) * low->over * high->over}, false};
   }
 
   /// What is nearest of the lines or planes through two features, if that is one pair of points of these.
@@ -137,8 +144,8 @@ class TwoCores {
   [[nodiscard]] Triple agreed() const {
     std::vector<Triple> ways;
     for (const IntervalCore* core : {&a_, &b_})
-      for (const Triple& vertex : core->vertices)
-        if (Triple along = difference(vertex, core->vertices[0]); !is_zero(along)) ways.push_back(along);
+      for (std::size_t k = 1; k < core->vertices.size(); ++k)
+        if (Triple along = difference(core->vertices[k], core->vertices[0]); !is_zero(along)) ways.push_back(along);
     for (std::size_t k = 1; k < ways.size(); ++k) {
       const Triple n = cross(ways[0], ways[k]);
       for (const Interval& x : n)

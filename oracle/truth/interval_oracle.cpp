@@ -13,6 +13,7 @@ namespace contact::oracle {
 namespace {
 
 constexpr mpfr_prec_t kFirstPrecision = 192;
+constexpr mpfr_prec_t kFirstOfConvexes = 384;  // what turned boxes are made of has more digits
 
 // Of each pair at a precision; Undecided is thrown where that is too low.
 
@@ -112,7 +113,8 @@ RoundedAnswer answer_of_nearest(const IntervalNearest& nearest, const Interval& 
 
 std::optional<RoundedAnswer> interval_answer_within(int most, const Query& query, Scalar scalar) {
   const DefaultEnvironment environment;
-  for (mpfr_prec_t precision = kFirstPrecision; precision <= most; precision *= 2) {
+  for (mpfr_prec_t precision = is_convex(query.pair) ? kFirstOfConvexes : kFirstPrecision; precision <= most;
+       precision *= 2) {
     try {
       return std::visit([&](const auto& shapes) { return answer(shapes, query.distances, scalar, precision); },
                         query.shapes);
