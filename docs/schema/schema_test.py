@@ -253,9 +253,9 @@ class Names(Case):
         pairs = [json.loads(line) for line in run("pairs", "--json").stdout.splitlines()]
         self.assertEqual(COMMON["pair"]["enum"], [one["pair"] for one in pairs])
         kinds = {"point": "vector", "points": "three_vectors", "direction": "vector", "length": "length",
-                 "offset": "number"}
+                 "offset": "number", "orientation": "quaternion", "lengths": "lengths"}
         any_kinds = {"point": "any_vector", "points": "any_three_vectors", "direction": "any_vector", "length": "any_number",
-                     "offset": "any_number"}
+                     "offset": "any_number", "orientation": "any_quaternion", "lengths": "any_vector"}
         shapes = {shape["shape"]: shape["fields"] for one in pairs for shape in (one["a"], one["b"])}
         self.assertIn("sphere", shapes)
         for name, fields in shapes.items():

@@ -32,6 +32,8 @@ std::string shapes_of(Pair pair) {
   return names[0] == names[1] ? names[0] + "s" : names[0] + " and " + names[1];
 }
 
+std::string shapes_of_kind(Pair pair) { return is_convex(pair) ? "any two convex shapes" : shapes_of(pair); }
+
 #define CONTACT_HAS_ROOM(A, B) static_assert(kNumbersOf<A> + kNumbersOf<B> + 2 <= 22);
 CONTACT_KINDS(CONTACT_HAS_ROOM)
 #undef CONTACT_HAS_ROOM

@@ -39,6 +39,8 @@ inline constexpr auto kPairNames = [] {
 /// What a pair's shapes are called together: "spheres" where both are the same, else "sphere and point". A ray that is
 /// cast is called so.
 [[nodiscard]] std::string shapes_of(Pair pair);
+/// The same of all pairs of its kind.
+[[nodiscard]] std::string shapes_of_kind(Pair pair);
 
 /// The number format that answers are rounded to.
 enum class Scalar { binary32, binary64 };

@@ -77,9 +77,9 @@ void list_engines(Listed& list, bool every_mutant) {
 /// Families, then flags.
 void list_families(Listed& list) {
   for (const Pair pair : pairs_of_kinds()) {
-    list.words("{}{}\n", pair == kPairs.front() ? "" : "\n", shapes_of(pair));
+    list.words("{}{}\n", pair == kPairs.front() ? "" : "\n", shapes_of_kind(pair));
     for (const golden::Family& f : golden::families_of(pair)) {
-      Json line{{"family", f.name}, {"shapes", shapes_of(pair)}, {"reason", f.reason}};
+      Json line{{"family", f.name}, {"shapes", shapes_of_kind(pair)}, {"reason", f.reason}};
       if (!f.hits_alone.empty()) line["hits_alone"] = f.hits_alone;
       list.json(line);
       list.words("  {:<17}{}{}\n", f.name, f.reason,
@@ -99,8 +99,11 @@ void list_pairs(Listed& list) {
     const auto described = [&]<class Shape>(const Shape& shape) {
       Json fields = Json::object();
       for_each_field(shape, [&](const auto& field, const auto& value) {
-        const bool three = std::same_as<std::remove_cvref_t<decltype(value)>, std::array<Vector3, 3>>;
-        fields[std::string(field.name)] = three ? "points" : kFieldKindNames[static_cast<std::size_t>(field.kind)];
+        using Value = std::remove_cvref_t<decltype(value)>;
+        const bool many = std::same_as<Value, std::array<Vector3, 3>> ||
+                          (std::same_as<Value, Vector3> && field.kind == FieldKind::length);
+        fields[std::string(field.name)] =
+            std::string(kFieldKindNames[static_cast<std::size_t>(field.kind)]) + (many ? "s" : "");
       });
       return Json{{"shape", ShapeDescription<Shape>::kName}, {"fields", fields}};
     };
@@ -118,11 +121,11 @@ void print_tables() {
   fmt::print("<!-- families:begin -->\n| shapes | family | why it exists |\n|---|---|---|\n");
   for (const Pair pair : pairs_of_kinds())
     for (const golden::Family& f : golden::families_of(pair))
-      fmt::print("| {} | `{}` | {} |\n", shapes_of(pair), f.name, f.reason);
+      fmt::print("| {} | `{}` | {} |\n", shapes_of_kind(pair), f.name, f.reason);
   fmt::print(
       "<!-- families:end -->\n<!-- hits-alone:begin -->\n| shapes | family | why all are hits |\n|---|---|---|\n");
   for (const golden::FamilyNote& f : golden::families_of_hits_alone())
-    fmt::print("| {} | `{}` | {} |\n", shapes_of(f.pair), f.family, f.why);
+    fmt::print("| {} | `{}` | {} |\n", shapes_of_kind(f.pair), f.family, f.why);
   fmt::print("<!-- hits-alone:end -->\n<!-- flags:begin -->\n| flag | what is true | what breaks |\n|---|---|---|\n");
   for (const golden::Flag& f : golden::flags()) fmt::print("| `{}` | {} | {} |\n", f.name, f.meaning, f.breaks);
   fmt::print("<!-- flags:end -->\n");
