@@ -38,8 +38,8 @@ using Families = std::map<std::pair<std::string, std::string>, FamilyKills>;
 Families families_of(const KillMatrix& matrix) {
   Families families;
   for (const FileKills& file : matrix.files)
-    families[{shapes_of(file.header.pair), file.header.family}].mutants.insert(file.mutants.begin(),
-                                                                               file.mutants.end());
+    families[{shapes_of_kind(file.header.pair), file.header.family}].mutants.insert(file.mutants.begin(),
+                                                                                    file.mutants.end());
   std::map<std::size_t, int> killers;
   for (const auto& [name, family] : families)
     for (const std::size_t m : family.mutants) ++killers[m];
@@ -183,7 +183,7 @@ std::vector<std::string> complaints(const KillMatrix& matrix) {
   for (const auto& [key, family] : families_of(matrix)) {
     const auto& name = key;  // what a lambda may capture
     const bool reason = std::any_of(kept.begin(), kept.end(), [&](const golden::FamilyNote& note) {
-      return shapes_of(note.pair) == name.first && note.family == name.second;
+      return shapes_of_kind(note.pair) == name.first && note.family == name.second;
     });
     if (family.unique.empty() && !reason)
       found.push_back(
@@ -295,7 +295,7 @@ bool adequacy(const std::filesystem::path& folder, bool to_write) {
 void print_reasons() {
   fmt::print("<!-- reasons:begin -->\n| shapes | family | why it is there |\n|---|---|---|\n");
   for (const golden::FamilyNote& f : golden::families_kept())
-    fmt::print("| {} | `{}` | {} |\n", shapes_of(f.pair), f.family, f.why);
+    fmt::print("| {} | `{}` | {} |\n", shapes_of_kind(f.pair), f.family, f.why);
   fmt::print("<!-- reasons:end -->\n");
 }
 

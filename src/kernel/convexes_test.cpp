@@ -1,0 +1,108 @@
+// Any two convex shapes: answers that are known without arithmetic of ours.
+#include "contact/convexes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace contact {
+namespace {
+
+constexpr Distances kTouching{0, 0};
+const Quaternion kNotTurned{0, 0, 0, 1};
+const Quaternion kHalfTurn{0, 0, 0.5, 0};  // about z: any length will do
+
+Obb cube_at(double x, double y, double z, const Quaternion& orientation = kNotTurned) {
+  return {{x, y, z}, orientation, {1, 1, 1}};
+}
+Triangle flat_triangle(double z) { return {{Vector3{0, 0, z}, Vector3{4, 0, z}, Vector3{0, 4, z}}}; }
+
+void expect_contact(const std::optional<Contact>& found, const Vector3& normal, const Vector3& point1,
+                    const Vector3& point2, double value, bool degenerate, bool unique) {
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->normal, normal);
+  EXPECT_EQ(found->point1, point1);
+  EXPECT_EQ(found->point2, point2);
+  EXPECT_EQ(found->value, value);
+  EXPECT_EQ(found->degenerate, degenerate);
+  EXPECT_EQ(found->unique, unique);
+}
+
+TEST(Convexes, corners_edges_and_faces_face_each_other) {
+  const Obb a = cube_at(0, 0, 0);
+  // Faces: the middle of the common rectangle's least and greatest corner.
+  expect_contact(compute_obb_obb(a, cube_at(3, 0.5, 0), {1, 0.25}), {1, 0, 0}, {1, 0.25, 0}, {2, 0.25, 0}, 0.75, false,
+                 false);
+  // Corners, 3 apart.
+  expect_contact(compute_obb_obb(a, cube_at(3, 4, 4), {3, 0}), {1.0 / 3, 2.0 / 3, 2.0 / 3}, {1, 1, 1}, {2, 3, 3}, 3,
+                 false, true);
+  EXPECT_FALSE(compute_obb_obb(a, cube_at(3, 4, 4), {std::nextafter(3.0, 0.0), 0}));
+  EXPECT_TRUE(test_obb_obb(a, cube_at(3, 4, 4), 3));
+  EXPECT_FALSE(test_obb_obb(a, cube_at(3, 4, 4), std::nextafter(3.0, 0.0)));
+}
+
+TEST(Convexes, an_overlap_is_left_by_the_shortest_way) {
+  const Obb a = cube_at(0, 0, 0);
+  expect_contact(compute_obb_obb(a, cube_at(1, 1.5, 0), kTouching), {0, 1, 0}, {0.5, 1, 0}, {0.5, 0.5, 0}, -0.5, false,
+                 false);
+  // Six ways are as short: the preferred one.
+  expect_contact(compute_obb_obb(a, cube_at(0, 0, 0), kTouching), {1, 0, 0}, {1, 0, 0}, {-1, 0, 0}, -2, false, false);
+  // An edge of each, crosswise: the box is turned by an eighth about z, and the other by an eighth about y.
+  const double c = std::sqrt(0.5);
+  const auto found = compute_obb_obb({{0, 0, 0}, {0, 0, 1, 1 + std::sqrt(2.0)}, {1, 1, 1}},
+                                     {{2.7, 0, 0}, {0, 1, 0, 1 + std::sqrt(2.0)}, {1, 1, 1}}, kTouching);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->value, 2.7 - 4 * c, 1e-15);
+  EXPECT_NEAR(found->normal[0], 1, 1e-15);
+}
+
+TEST(Convexes, what_touches_is_degenerate_and_takes_a_facet_through_the_point) {
+  const Obb a = cube_at(0, 0, 0);
+  expect_contact(compute_obb_obb(a, cube_at(2, 0, 0), kTouching), {1, 0, 0}, {1, 0, 0}, {1, 0, 0}, 0, true, false);
+  expect_contact(compute_obb_obb(a, cube_at(2, 2, 2), kTouching), {1, 0, 0}, {1, 1, 1}, {1, 1, 1}, 0, true, true);
+  // Coplanar triangles: across their plane.
+  const Triangle low = flat_triangle(0);
+  expect_contact(compute_triangle_triangle(low, low, kTouching), {0, 0, 1}, {2, 0, 0}, {2, 0, 0}, 0, true, false);
+}
+
+TEST(Convexes, a_quaternion_may_have_any_length) {
+  for (const double size : {1.0, 0x1p-1074, 0x1p1022})
+    expect_contact(compute_obb_obb(cube_at(0, 0, 0), cube_at(3, 0, 0, {0, 0, size, size}), {1, 0}), {1, 0, 0},
+                   {1, 0, 0}, {2, 0, 0}, 1, false, false);
+  expect_contact(compute_sphere_obb({{0, 5, 0}, 1}, {{0, 0, 0}, {1, 1, 1, 1}, {1, 2, 3}}, {3, 0}), {0, -1, 0},
+                 {0, 4, 0}, {0, 1, 0}, 3, false, true);  // x goes to y
+}
+
+TEST(Convexes, flat_shapes_are_shapes) {
+  const Box sheet{{-1, -1, 0}, {1, 1, 0}};
+  expect_contact(compute_capsule_cube({{0, 0, 1}, {0, 0, 3}, 0.5}, sheet, {1, 0}), {0, 0, -1}, {0, 0, 0.5}, {0, 0, 0},
+                 0.5, false, true);
+  // An axis through the middle of the sheet, 1 below it: five ways are as short.
+  expect_contact(compute_capsule_cube({{0, 0, -1}, {0, 0, 2}, 0.5}, sheet, kTouching), {1, 0, 0}, {0.5, 0, 0},
+                 {-1, 0, 0}, -1.5, false, true);
+  const Triangle point{{Vector3{0, 0, 5}, Vector3{0, 0, 5}, Vector3{0, 0, 5}}};
+  expect_contact(compute_cube_triangle(sheet, point, {5, 0}), {0, 0, 1}, {0, 0, 0}, {0, 0, 5}, 5, false, true);
+}
+
+TEST(Convexes, planes_have_the_lowest_vertices) {
+  const Plane floor{{0, 0, 2}, 0};
+  expect_contact(compute_obb_plane(cube_at(5, 0, 2), floor, {1, 0}), {0, 0, -1}, {5, 0, 1}, {5, 0, 0}, 1, false, false);
+  expect_contact(compute_triangle_plane(flat_triangle(-1), floor, kTouching), {0, 0, -1}, {2, 0, -1}, {2, 0, 0}, -1,
+                 false, false);
+  EXPECT_FALSE(test_cube_plane({{0, 0, 1}, {1, 1, 2}}, floor, 0.5));
+}
+
+TEST(Convexes, the_range_has_no_end) {
+  const double large = 0x1p1023;
+  const auto far =
+      compute_obb_obb({{-large, 0, 0}, kHalfTurn, {1, 1, 1}}, {{large, 0, 0}, kHalfTurn, {1, 1, 1}}, {1.7e308, 0});
+  EXPECT_FALSE(far);
+  const double small = std::numeric_limits<double>::denorm_min();
+  expect_contact(compute_obb_obb({{0, 0, 0}, kNotTurned, {small, small, small}},
+                                 {{4 * small, 0, 0}, kNotTurned, {small, small, small}}, {1, 0}),
+                 {1, 0, 0}, {small, 0, 0}, {3 * small, 0, 0}, 2 * small, false, false);
+}
+
+}  // namespace
+}  // namespace contact
