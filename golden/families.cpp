@@ -66,7 +66,8 @@ std::vector<CommittedFile> committed_files() {
   for (const Pair pair : kPairs)
     for (const Family& family : families_of(pair))
       for (const Scalar scalar : kScalars)
-        if (pair == pairs_of_kinds()[kind_of(pair)] || family.every_pair) files.push_back({pair, scalar, &family});
+        if (committed_count(pair) > 0 && (pair == pairs_of_kinds()[kind_of(pair)] || family.every_pair))
+          files.push_back({pair, scalar, &family});
   return files;
 }
 
@@ -92,17 +93,16 @@ void spoil(Query& query, Random& random) {
       break;
   }
   const double amount = random.between(1, 8);
-  std::visit(
-      [&]<class A, class B>(Two<A, B>& shapes) {
-        const int number = static_cast<int>(which);
-        if (number < kNumbersOf<A>)
-          ShapeDescription<A>::break_a_rule(shapes.a, number, amount);
-        else if (number < kNumbersOf<A> + kNumbersOf<B>)
-          ShapeDescription<B>::break_a_rule(shapes.b, number - kNumbersOf<A>, amount);
-        else
-          x = -amount;
-      },
-      query.shapes);
+  int number = static_cast<int>(which);
+  bool is_in_a_shape = false;
+  for_each_shape(query, [&]<class Shape>(Shape& shape) {
+    if (number >= 0 && number < kNumbersOf<Shape>) {
+      ShapeDescription<Shape>::break_a_rule(shape, number, amount);
+      is_in_a_shape = true;
+    }
+    number -= kNumbersOf<Shape>;
+  });
+  if (!is_in_a_shape) x = -amount;
 }
 
 }  // namespace contact::golden

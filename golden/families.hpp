@@ -1,6 +1,8 @@
 // The families of generated questions: named, seeded, each with a reason to exist.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -66,8 +68,14 @@ struct CommittedFile {
 [[nodiscard]] std::vector<CommittedFile> committed_files();
 inline constexpr std::uint64_t kCommittedSeed = 42;
 inline constexpr std::uint64_t kCommittedCount = 210;  ///< a multiple of the classes that take turns, over 200
-/// How many of them are committed. Of rays that are cast there are five pairs whose exact numbers are long.
-[[nodiscard]] constexpr std::uint64_t committed_count(Pair pair) { return is_cast(pair) ? 30 : kCommittedCount; }
+/// How many of them are committed. Of rays that are cast there are five pairs, of any two convex shapes twelve, whose
+/// exact numbers are long; of these half have files, and the others the same families.
+[[nodiscard]] constexpr std::uint64_t committed_count(Pair pair) {
+  if (!is_convex(pair)) return is_cast(pair) ? 30 : kCommittedCount;
+  constexpr std::array kOnFile{Pair::obb_obb,          Pair::sphere_obb,        Pair::capsule_obb,
+                               Pair::capsule_triangle, Pair::triangle_triangle, Pair::obb_plane};
+  return std::find(kOnFile.begin(), kOnFile.end(), pair) != kOnFile.end() ? 20 : 0;
+}
 
 /// Spoils one number of a question so that it lies outside the domain: the family `invalid`.
 void spoil(Query& query, Random& random);

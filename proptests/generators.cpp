@@ -183,11 +183,12 @@ Query query_of(Pair pair, const std::vector<double>& numbers) {
     for_each_vector(value, [&](Vector3& v) {
       if (kind == FieldKind::direction && v.isZero(0)) v = Vector3(1, 2, -2);
     });
+    if constexpr (std::same_as<std::remove_cvref_t<decltype(value)>, Quaternion>)
+      if (std::all_of(value.begin(), value.end(), [](double x) { return x == 0; })) value = {0, 0, 0, 1};
   });
-  const auto put_in_order = []<class Shape>(Shape& shape) {
+  for_each_shape(query, []<class Shape>(Shape& shape) {
     if constexpr (std::same_as<Shape, Box>) shape = {shape.min.cwiseMin(shape.max), shape.min.cwiseMax(shape.max)};
-  };
-  std::visit([&](auto& shapes) { put_in_order(shapes.a), put_in_order(shapes.b); }, query.shapes);
+  });
   return query;
 }
 
@@ -202,10 +203,9 @@ rc::Gen<Query> made_of(Pair pair, rc::Gen<double> number) {
 
 std::vector<double*> radii_of(Query& query) {
   std::vector<double*> radii;
-  const auto add = [&](auto& shape) {
+  for_each_shape(query, [&](auto& shape) {
     if constexpr (requires { shape.radius; }) radii.push_back(&shape.radius);
-  };
-  std::visit([&](auto& shapes) { add(shapes.a), add(shapes.b); }, query.shapes);
+  });
   return radii;
 }
 
@@ -222,6 +222,10 @@ rc::Gen<Query> nearly_touching(const Range& range, rc::Gen<Query> laid) {
                         const double distance = range.rounded(std::max(0.0, contact->value));
                         const double part = range.rounded(quarters * distance / 4);
                         const std::vector<double*> radii = radii_of(query);
+                        if (radii.empty()) {
+                          query.distances.alarm = std::max(0.0, range.moved(distance, ulps));
+                          return query;
+                        }
                         query.distances.alarm = 0;
                         *radii.back() = 0;
                         (by_alarm == 1 || radii.size() == 1 ? query.distances.alarm : *radii.back()) = part;
@@ -250,9 +254,14 @@ rc::Gen<Query> at_every_scale(Pair pair, const Range& range, const LaidOut& laid
 }
 
 rc::Gen<Query> queries(Pair pair, const Range& range) {
-  const rc::Gen<Query> made =
-      std::visit([&](const auto& shapes) { return queries(static_cast<decltype(&shapes)>(nullptr), range); },
-                 description(pair).zeros());
+  const rc::Gen<Query> made = std::visit(
+      [&]<class Kind>(const Kind&) {
+        if constexpr (std::same_as<Kind, Convexes>)
+          return queries(pair, static_cast<const Kind*>(nullptr), range);
+        else
+          return queries(static_cast<const Kind*>(nullptr), range);
+      },
+      description(pair).zeros());
   return rc::gen::map(made, [pair](Query query) {
     query.pair = pair;
     return query;

@@ -79,6 +79,8 @@ rc::Gen<T> full_size(rc::Gen<T> gen) {
 #define CONTACT_DECLARE(A, B) [[nodiscard]] rc::Gen<Query> queries(const Two<A, B>* kind, const Range& range);
 CONTACT_KINDS(CONTACT_DECLARE)
 #undef CONTACT_DECLARE
+/// Of any two convex shapes the pair says which.
+[[nodiscard]] rc::Gen<Query> queries(Pair pair, const Convexes* kind, const Range& range);
 
 /// A question of a pair from numbers in its order: a length takes their size, a direction of 0 becomes another, and the
 /// corners of a box are put in order. Numbers that are not there are 0.
