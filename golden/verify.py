@@ -4,9 +4,10 @@
 This shares nothing with the program that wrote the files. Numbers are integers, fractions, and integer square roots with
 their remainders; a float is only ever a name for 64 or 32 bits, and none is added, multiplied or rounded.
 docs/formats.md says what the files mean. Why a case is there, its flags, is counted here and otherwise left to `lint`."""
-import hashlib, json, math, struct, sys
+import hashlib, itertools, json, math, struct, sys
 from decimal import Decimal
 from fractions import Fraction
+from operator import mul
 from pathlib import Path
 
 # Significand bits; exponent of the smallest subnormal; bit pattern of infinity; struct's names of the float and of its bits.
@@ -25,6 +26,12 @@ INPUTS = {"sphere_sphere": BALLS, "rigid_sphere_rigid_sphere": BALLS, "sphere_ri
           "sphere_plane": BALLS[:4] + PLANE, "capsule_plane": CAPSULES[:7] + PLANE,
           "cast_sphere": RAY + BALLS[4:], "cast_cube": RAY + BOXES[6:], "cast_capsule": RAY + CAPSULES[7:],
           "cast_triangle": RAY + TRIANGLE + BALLS[-2:], "cast_plane": RAY + PLANE}
+OBB = [f"a.{x}[{i}]" for x, many in (("center", 3), ("orientation", 4), ("extents", 3)) for i in range(many)]
+CORES = {"sphere": BALLS[:4], "capsule": CAPSULES[:7], "cube": BOXES[:6], "obb": OBB, "triangle": INPUTS["triangle_line"][:9]}
+CONVEXES = ("sphere_obb capsule_cube capsule_obb capsule_triangle cube_obb cube_triangle obb_obb obb_triangle triangle_triangle "
+            "cube_plane obb_plane triangle_plane").split()
+INPUTS |= {pair: CORES[a] + (PLANE if b == "plane" else [x.replace("a", "b", 1) for x in CORES[b]] + BALLS[-2:])
+           for pair in CONVEXES for a, b in [pair.split("_")]}
 Written = type("Written", (str,), {})  # a number as it is spelt in the file
 
 
@@ -71,13 +78,15 @@ def exactly(x):  # mantissa * 2^exponent / denominator, mantissa and denominator
     return f"{'-' * (x < 0)}{n:#x}p{up - down}" + f"/{d:#x}" * (d > 1)
 
 
-def apart(c1, r1, c2, r2, along, times, degenerate, unique, alarm, contact, scalar):
-    """Spheres around two points whose distance, with its sign, is so many times the length of a direction."""
+def apart(c1, r1, c2, r2, along, times, degenerate, unique, alarm, contact, scalar, deep=False):
+    """Spheres around two points whose distance, with its sign, is so many times the length of a direction; of cores with an
+    inside, in which they meet (`deep`), that is minus their depth."""
     # Every number is a + b sqrt(S). The normal is along / sqrt(S) = (along / S) sqrt(S).
     S, reach, (bits, least, *_) = sum(n * n for n in along), alarm + r1 + r2, SCALARS[scalar]
     ulp = Fraction(2) ** (least + max(int(reach * 2**-least).bit_length() - bits, 0))  # reach is a multiple of 2^least
-    exact = {"exact.distance2": exactly(D := times * times * S), **({"exact.below": True} if times < 0 else {}),
-             "exact.reach": exactly(reach), "exact.margin_ulps": rounded(-reach / ulp, times / ulp, S, "binary64")}
+    D, beyond = times * times * S, {"exact.depth2": exactly(times * times * S)} if deep else {"exact.below": True} if times < 0 else {}
+    exact = {"exact.distance2": exactly(Fraction(0) if deep else D), **beyond, "exact.reach": exactly(reach),
+             "exact.margin_ulps": rounded(-reach / ulp, times / ulp, S, "binary64")}
     if times > 0 and D > reach * reach:
         return {"expect.hit": False, **exact}
     fields = (("normal", [0, 0, 0], 1), ("point1", c1, r1), ("point2", c2, -r2))  # each is c + r normal
@@ -94,7 +103,7 @@ def spheres(c1, r1, c2, r2, alarm, contact, scalar, agreed=(1, 0, 0), unique=Tru
 
 
 def dot(x, y):
-    return sum(map(Fraction.__mul__, x, y))
+    return sum(map(mul, x, y))
 
 
 def cross(x, y):
@@ -151,12 +160,17 @@ def capsules(a1, a2, r1, b1, b2, r2, alarm, contact, scalar):
     return spheres(nearest((first + last) / 2), r1, q, r2, alarm, contact, scalar, n, unique)
 
 
-def over_plane(a1, a2, r, *plane, alarm, contact, scalar):
-    """How many normals an end is from the plane is linear along the axis: least at one end, or at both and between them."""
+def middle(points):
+    """Of a point, a segment or a polygon: half way from the least to the greatest of its corners, in the order of lexicons."""
+    return [Fraction(x + y) / 2 for x, y in zip(min(points), max(points))]
+
+
+def over_plane(corners, r, *plane, alarm, contact, scalar):
+    """How many normals a point is from the plane is linear: least at a corner, or at several and between them."""
     *n, offset = plane
-    normals = {tuple(a): (dot(n, a) - offset) / dot(n, n) for a in (a1, a2)}
+    normals = {tuple(a): (dot(n, a) - offset) / dot(n, n) for a in corners}
     lowest = [a for a in normals if normals[a] == min(normals.values())]
-    p = [sum(x) / len(lowest) for x in zip(*lowest)]
+    p = middle(lowest)
     return apart(p, r, at(p, n, -min(normals.values())), Fraction(0), [-x for x in n], min(normals.values()), False, len(lowest) == 1,
                  alarm, contact, scalar)
 
@@ -319,19 +333,138 @@ def sphere_cube(c, r, low, high, alarm, contact, scalar):
     return right
 
 
+def core_of(kind, x):
+    """The corners of a shape's core, those of a box by a bit for each axis, and its radius."""
+    if kind not in ("cube", "obb"):
+        return [x[i:i + 3] for i in range(0, len(x) // 3 * 3, 3)], sum(x[len(x) // 3 * 3:], Fraction(0))
+    axes = [[Fraction(i == k) for i in range(3)] for k in range(3)]
+    start, ways = x[0:3], [at([Fraction(0)] * 3, axis, x[3 + k] - x[k]) for k, axis in enumerate(axes)]
+    if kind == "obb":  # q v q* = (w w - u.u) v + 2 (u.v) u + 2 w u x v, for a quaternion of a vector u and a number w
+        u, w = x[3:6], x[6]
+        turned = [at(at([(w * w - dot(u, u)) * i for i in v], u, 2 * dot(u, v)), cross(u, v), 2 * w) for v in axes]
+        ways = [[2 * extent * i / (w * w + dot(u, u)) for i in v] for v, extent in zip(turned, x[7:10])]
+        start = at(start, [sum(i) for i in zip(*ways)], Fraction(-1, 2))
+    return [at(start, [sum(way[i] for j, way in enumerate(ways) if k >> j & 1) for i in range(3)], 1) for k in range(8)], Fraction(0)
+
+
+# What follows is of integers: corners in a unit that divides all their coordinates, directions of any length.
+def edges(corners):
+    ends = {1: [], 2: [(0, 1)], 3: [(0, 1), (0, 2), (1, 2)], 8: [(0, 1), (0, 2), (0, 4)]}[len(corners)]
+    ways = [at(corners[k], corners[i], -1) for i, k in ends]
+    return [[i // math.gcd(*way) for i in way] for way in ways if any(way)]
+
+
+def spanning(ways):
+    """The directions and, where they lie in a plane, its normal; on a line, two across it; of none, three axes."""
+    ways = ways or [[1, 0, 0]]
+    if not any(any(cross(ways[0], way)) for way in ways):
+        ways = [*ways, parting([0, 0, 0], ways[0])]
+    n = next(n for way in ways if any(n := cross(ways[0], way)))
+    return ways if any(dot(n, way) for way in ways) else [*ways, n]
+
+
+def sides(ways):
+    """The directions out of every facet of what has such edges, and perhaps more: a flat one has facets on either side, and
+    others across its edges."""
+    normals = [n for v, w in itertools.combinations(spanning(ways), 2) if any(n := cross(v, w))]
+    return {tuple(sign * i // math.gcd(*n) for i in n) for n in normals for sign in (1, -1)}
+
+
+def highest(n, corners):
+    """The corners farthest along a direction, each once, in their order around: of 4 of a box the bits say it."""
+    face = list(dict.fromkeys(p for p in corners if dot(n, p) == max(dot(n, q) for q in corners)))
+    return face if len(face) < 4 else [face[i] for i in (0, 1, 3, 2)]
+
+
+def held_by(planes, height):
+    """The point of some planes nearest to the origin, times a number above 0, and that number; None where a plane does not hold
+    it back: it is -(the sum of the planes' normals, each times a factor), and a factor is below 0."""
+    if len(ways := spanning(planes)) == 3:  # else the normals depend on each other, and fewer of them do
+        across = [cross(ways[i - 2], ways[i - 1]) for i in range(3)]
+        scale = dot(ways[0], across[0])
+        across = [[-i if scale < 0 else i for i in v] for v in across]
+        x = [sum(height[n] * v[i] for n, v in zip(planes, across)) for i in range(3)]
+        if all(dot(x, v) <= 0 for v in across):
+            return x, abs(scale)
+
+
+def nearest_within(height):
+    """Of all x with n.x <= height[n] for every n the one nearest to the origin, which at most three of these hold back. To those
+    that hold it so far comes one that it breaks, and so it goes farther out, until it breaks none."""
+    x, scale, holding = [0, 0, 0], 1, ()
+    while broken := {n: over for n in height if (over := dot(n, x) - height[n] * scale) > 0}:
+        some = (*holding, max(broken, key=lambda n: broken[n] ** 2 // dot(n, n)))
+        tries = ((planes, held_by(planes, height)) for k in (1, 2, 3) for planes in itertools.combinations(some, k))
+        holding, (x, scale) = next((planes, held) for planes, held in tries
+                                   if held and all(dot(n, held[0]) <= height[n] * held[1] for n in some))
+    return [Fraction(i, scale) for i in x]
+
+
+def way_out(height, a, b):
+    """Of cores that meet: the direction of the facet of all differences that is nearest to 0; if they touch, of one through 0."""
+    square = {n: Fraction(height[n] ** 2, dot(n, n)) for n in height}
+    normals = [n for n in height if square[n] == min(square.values())]
+    if min(square.values()) == 0:
+        faces = {n: (highest(n, a), highest([-i for i in n], b)) for n in normals}
+        ways = {n: [at(p, face[0], -1) for face in faces[n] for p in face] for n in normals}
+        normals = [n for n in normals if any(any(cross(v, w)) for v, w in itertools.combinations(ways[n], 2))]
+    return max(normals, key=lambda n: [Fraction(i, sum(map(abs, n))) for i in n], default=None)
+
+
+def clipped(polygon, n, height):
+    """What a half-space leaves of a polygon, a segment or a point."""
+    kept = []
+    for p, q in zip(polygon, polygon[1:] + polygon[:1]):
+        f, g = dot(n, p) - height, dot(n, q) - height
+        kept += [p] * (f <= 0)
+        kept += [tuple(at(p, at(q, p, -1), f / (f - g)))] if f * g < 0 else []
+    return kept
+
+
+def convexes(a, r1, b, r2, alarm, contact, scalar):
+    """The differences of points of two cores, of the first less of the second, are n.x <= height[n] for every n, and the cores
+    part by an x where that is the nearest to 0 outside them all, or on their surface. p is in the first core, and in the
+    second moved by x: a face of the first, clipped."""
+    unit = math.lcm(*(i.denominator for corner in a + b for i in corner))
+    a, b = ([tuple(int(i * unit) for i in corner) for corner in corners] for corners in (a, b))
+    ways = edges(a) + edges(b)
+    height = {n: max(dot(n, p) for p in a) - min(dot(n, q) for q in b) for n in sides(ways)}
+    if (lowest := min(height.values())) < 0:
+        x = nearest_within(height)
+        n, times = [-i for i in x], Fraction(1, unit)
+    else:
+        n = way_out(height, a, b) or parting([0, 0, 0], [*ways, [0, 0, 0]][0])  # none of a line or a point
+        out = Fraction(lowest and height[n], dot(n, n))
+        x, times = [out * i for i in n], -out / unit
+    polygon = highest(n, a)
+    for m in sides(edges(b)):
+        polygon = clipped(polygon, m, max(dot(m, q) for q in b) + dot(m, x))
+    p = [i / unit for i in middle(polygon)]
+    return apart(p, r1, at(p, x, Fraction(-1, unit)), r2, n, times, lowest == 0, min(polygon) == max(polygon), alarm, contact, scalar,
+                 deep=lowest > 0)
+
+
 def right_case(found, pair, scalar):
     """What should stand in a line: the leaves of its question, and of all that follows from the question."""
     inputs = {x: float(found[x]) or 0.0 for x in INPUTS[pair]}
     packed = b"".join(b"\x7f\xf8" + bytes(6) if x != x else struct.pack(">d", x) for x in inputs.values())
     case = {"id": hashlib.sha256(pair.encode() + b"\0" + packed).hexdigest()[:24]}
     case |= {x: rounded(Fraction(n), 0, 0, scalar) if math.isfinite(n) else n for x, n in inputs.items()}  # binary32 in its files
-    outside = [x for x in inputs if not math.isfinite(inputs[x]) or (inputs[x] < 0 and "[" not in x and "offset" not in x)]
-    outside += [x[:-3] for x in inputs if x[2:] in ("direction[0]", "normal[0]") and not any(inputs[f"{x[:-3]}[{i}]"] for i in range(3))]
+    below = [x for x in inputs if inputs[x] < 0 and (".extents" in x or ("[" not in x and "offset" not in x))]
+    ways = [x for x in inputs if x[2:] in ("direction[0]", "normal[0]", "orientation[0]")]
+    zero = [x for x in ways if not any(inputs[y] for y in inputs if y.startswith(x[:-2]))]
+    outside = [x[:-3] if x in zero else x for x in inputs if not math.isfinite(inputs[x]) or x in below + zero]
     outside += [x for x in inputs if ".min" in x and inputs[x] > inputs[x.replace("min", "max")]]
     if outside:  # The first is named: of a, of b, of the distances; of a box all numbers come before their order.
         return {**case, "flags[0]": "Invalid", "expect.rejected": min(outside, key=lambda x: (x[1] != ".", x[0]))}
     x = [Fraction(number) for number in inputs.values()]
     case |= {f"flags[{i}]": str(found[x]) for i, x in enumerate(x for x in found if x.startswith("flags["))} or {"flags": []}
+    if pair in CONVEXES:
+        first, second = pair.split("_")
+        (a, r1), b = core_of(first, x[:len(CORES[first])]), x[len(CORES[first]):-2]
+        if second == "plane":
+            return case | over_plane(a, r1, *b, alarm=x[-2], contact=x[-1], scalar=scalar)
+        return case | convexes(a, r1, *core_of(second, b), *x[-2:], scalar)
     if pair == "sphere_capsule":
         return case | capsules(x[0:3], x[0:3], x[3], x[4:7], x[7:10], x[10], x[11], x[12], scalar)
     if pair == "capsule_capsule":
@@ -345,9 +478,9 @@ def right_case(found, pair, scalar):
     if pair == "triangle_line":
         return case | crossing(x[9:12], at(x[12:15], x[9:12], -1), [x[0:3], x[3:6], x[6:9]], 1, scalar)
     if pair == "sphere_plane":
-        return case | over_plane(x[0:3], x[0:3], *x[3:8], alarm=x[8], contact=x[9], scalar=scalar)
+        return case | over_plane([x[0:3]], *x[3:8], alarm=x[8], contact=x[9], scalar=scalar)
     if pair == "capsule_plane":
-        return case | over_plane(x[0:3], x[3:6], *x[6:11], alarm=x[11], contact=x[12], scalar=scalar)
+        return case | over_plane([x[0:3], x[3:6]], *x[6:11], alarm=x[11], contact=x[12], scalar=scalar)
     if pair == "sphere_cube":
         return case | sphere_cube(x[0:3], x[3], x[4:7], x[7:10], x[10], x[11], scalar)
     if pair.startswith("cast"):

@@ -50,6 +50,7 @@ std::unique_ptr<CollisionModel> model(const Plane& plane, bool) {
   return std::make_unique<PlaneCollisionModel>("plane", plane.normal.transpose(),
                                                Eigen::VectorXd::Constant(1, plane.offset));
 }
+std::unique_ptr<CollisionModel> model(const Convex&, bool) { return nullptr; }
 
 // Left out: cores that meet in pairs of one type, whose normal is an agreement and does not turn round.
 TEST(Component, SwappedModelsGiveTheMirroredContactsOfEveryGoldenPairBitForBit) {
@@ -65,8 +66,8 @@ TEST(Component, SwappedModelsGiveTheMirroredContactsOfEveryGoldenPairBitForBit) 
   for (const auto& path : golden::dataset_files({std::filesystem::path(CONTACT_SOURCE_DIR) / "golden"})) {
     golden::DatasetReader reader(path);
     const Pair pair = reader.header().pair;
-    // No model asks where a ray first hits.
-    if (!has_numbers(pair) || is_cast(pair) || reader.header().family == "invalid") continue;
+    // No model asks where a ray first hits, and none is of rotated boxes.
+    if (!has_numbers(pair) || is_cast(pair) || is_convex(pair) || reader.header().family == "invalid") continue;
     while (const auto c = reader.next()) {
       const auto [a, b] = std::visit(
           [&](const auto& two) {
