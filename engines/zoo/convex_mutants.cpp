@@ -10,9 +10,18 @@ namespace contact::engines {
 
 namespace {
 
-oracle::DistanceTruth truth_of_cores(const Convexes& shapes) {
-  const oracle::DefaultEnvironment environment;
-  return std::get<oracle::DistanceTruth>(oracle::exact_truth(shapes, {0, 0}).numbers);
+/// Asked for again and again: many mutants are put to one question.
+const oracle::DistanceTruth& truth_of_cores(const Convexes& shapes) {
+  thread_local std::vector<double> last;
+  thread_local std::optional<oracle::DistanceTruth> truth;
+  std::vector<double> numbers{static_cast<double>(shapes.a.shape.index()), static_cast<double>(shapes.b.shape.index())};
+  for (const Convex* shape : {&shapes.a, &shapes.b}) for_each_number(*shape, [&](double x) { numbers.push_back(x); });
+  if (!truth || last != numbers) {
+    const oracle::DefaultEnvironment environment;
+    truth = std::get<oracle::DistanceTruth>(oracle::exact_truth(shapes, {0, 0}).numbers);
+    last = std::move(numbers);
+  }
+  return *truth;
 }
 constexpr int kEnoughBits = 100;
 Wide wide(const oracle::Rational& x) {
@@ -91,7 +100,7 @@ const std::array kConvexes{
 }  // namespace
 
 WideBalls at_nearest(const Convexes& shapes) {
-  const oracle::DistanceTruth truth = truth_of_cores(shapes);
+  const oracle::DistanceTruth& truth = truth_of_cores(shapes);
   WideBalls balls;
   for (const int shape : {0, 1}) {
     auto& [center, radius] = balls[static_cast<std::size_t>(shape)];

@@ -31,6 +31,25 @@ std::span<const Mutant> mutants() {
   return all;
 }
 
+namespace {
+
+/// Production's answer, which is asked for again and again: many mutants are put to one question.
+Claim production_again(const Query& query) {
+  thread_local std::vector<double> last;
+  thread_local Pair pair{};
+  thread_local Claim claim;
+  std::vector<double> numbers;
+  for_each_number_unnamed(query, [&](double x) { numbers.push_back(x); });
+  if (pair != query.pair || last != numbers) {
+    claim = production_answer(query, PointConvention::nearest_surface);
+    pair = query.pair;
+    last = std::move(numbers);
+  }
+  return claim;
+}
+
+}  // namespace
+
 Claim answer_of(const Mutant& mutant, const Query& query) {
   if (const auto error = outside_domain(query)) {
     Claim claim = rejection(*error);
@@ -42,7 +61,7 @@ Claim answer_of(const Mutant& mutant, const Query& query) {
   // What overflows in the mistake stays the largest number: production refuses infinities.
   const double largest = std::numeric_limits<double>::max();
   for_each_number(asked, [largest](const std::string&, double& x) { x = std::clamp(x, -largest, largest); });
-  Claim claim = production_answer(asked, PointConvention::nearest_surface);
+  Claim claim = production_again(asked);
   if (mutant.change != nullptr && !mutant.outside_domain) mutant.change(query, claim);
   return claim;
 }

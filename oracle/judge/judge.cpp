@@ -354,6 +354,7 @@ class ContactJudge {
     return {center, along / length2, length2};
   }
 
+  std::optional<DistanceTruth> other_way_ = {};  // before what asks exact()
   const Query& query_;
   const Truth& whole_;
   bool contact_expected_;
@@ -362,7 +363,6 @@ class ContactJudge {
   const Declaration& declared_;
   const Conventions& conventions_;
   const Contact* rounded_;  ///< the right answer, or nullptr
-  std::optional<DistanceTruth> other_way_ = {};
   Vector3 claimed_n_ = Vector3::Zero();
 };
 

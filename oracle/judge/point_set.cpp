@@ -155,7 +155,7 @@ class Polygon {
     // Each two with all others on one side are an edge.
     for (const Place& p : places)
       for (const Place& q : places) {
-        const Linear side{Exact(p[1] * q[0] - p[0] * q[1]), p[1] - q[1], q[0] - p[0]};
+        const Linear side{Exact(p[0] * q[1] - p[1] * q[0]), p[1] - q[1], q[0] - p[0]};
         const auto value = [&](const Place& x) { return p[0] * q[1] - p[1] * q[0] + side.y * x[0] + side.z * x[1]; };
         if (p != q &&
             std::none_of(places.begin(), places.end(), [&](const Place& x) { return value(x) < Rational(0); }))
