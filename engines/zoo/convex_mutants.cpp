@@ -10,19 +10,7 @@ namespace contact::engines {
 
 namespace {
 
-/// Asked for again and again: many mutants are put to one question.
-const oracle::DistanceTruth& truth_of_cores(const Convexes& shapes) {
-  thread_local std::vector<double> last;
-  thread_local std::optional<oracle::DistanceTruth> truth;
-  std::vector<double> numbers{static_cast<double>(shapes.a.shape.index()), static_cast<double>(shapes.b.shape.index())};
-  for (const Convex* shape : {&shapes.a, &shapes.b}) for_each_number(*shape, [&](double x) { numbers.push_back(x); });
-  if (!truth || last != numbers) {
-    const oracle::DefaultEnvironment environment;
-    truth = std::get<oracle::DistanceTruth>(oracle::exact_truth(shapes, {0, 0}).numbers);
-    last = std::move(numbers);
-  }
-  return *truth;
-}
+const oracle::DistanceTruth& truth_of_cores(const Query& q) { return *truth_again(q).distance(); }
 constexpr int kEnoughBits = 100;
 Wide wide(const oracle::Rational& x) {
   const double most = CGAL::to_double(x);
@@ -99,8 +87,8 @@ const std::array kConvexes{
 
 }  // namespace
 
-WideBalls at_nearest(const Convexes& shapes) {
-  const oracle::DistanceTruth& truth = truth_of_cores(shapes);
+WideBalls at_nearest_of_convexes(const Query& q) {
+  const oracle::DistanceTruth& truth = truth_of_cores(q);
   WideBalls balls;
   for (const int shape : {0, 1}) {
     auto& [center, radius] = balls[static_cast<std::size_t>(shape)];
@@ -111,10 +99,7 @@ WideBalls at_nearest(const Convexes& shapes) {
   return balls;
 }
 
-Wide depth_of_cores(const Convexes& shapes) {
-  const Wide distance = wide(truth_of_cores(shapes).core_distance().enclosure(kEnoughBits).low);
-  return std::max(-distance, Wide{0});
-}
+Wide distance_of_convexes(const Query& q) { return wide(truth_of_cores(q).core_distance().enclosure(kEnoughBits).low); }
 
 std::span<const Mutant> convex_mutants() { return kConvexes; }
 

@@ -33,22 +33,34 @@ std::span<const Mutant> mutants() {
 
 namespace {
 
-/// Production's answer, which is asked for again and again: many mutants are put to one question.
-Claim production_again(const Query& query) {
-  thread_local std::vector<double> last;
-  thread_local Pair pair{};
-  thread_local Claim claim;
-  std::vector<double> numbers;
-  for_each_number_unnamed(query, [&](double x) { numbers.push_back(x); });
-  if (pair != query.pair || last != numbers) {
-    claim = production_answer(query, PointConvention::nearest_surface);
-    pair = query.pair;
-    last = std::move(numbers);
+/// What is made of a question, kept for the next one to ask: many mutants are put to one question.
+template <class Made>
+class Kept {
+ public:
+  template <class Make>
+  const Made& of(const Query& query, Make make) {
+    std::vector<double> numbers;
+    for_each_number_unnamed(query, [&](double x) { numbers.push_back(x); });
+    if (!made_ || pair_ != query.pair || numbers_ != numbers) {
+      made_ = make(query);
+      pair_ = query.pair;
+      numbers_ = std::move(numbers);
+    }
+    return *made_;
   }
-  return claim;
-}
+
+ private:
+  std::optional<Made> made_;
+  Pair pair_{};
+  std::vector<double> numbers_;
+};
 
 }  // namespace
+
+const oracle::Truth& truth_again(const Query& q) {
+  thread_local Kept<oracle::Truth> kept;
+  return kept.of(q, [](const Query& query) { return oracle::truth_of(query); });
+}
 
 Claim answer_of(const Mutant& mutant, const Query& query) {
   if (const auto error = outside_domain(query)) {
@@ -61,7 +73,8 @@ Claim answer_of(const Mutant& mutant, const Query& query) {
   // What overflows in the mistake stays the largest number: production refuses infinities.
   const double largest = std::numeric_limits<double>::max();
   for_each_number(asked, [largest](const std::string&, double& x) { x = std::clamp(x, -largest, largest); });
-  Claim claim = production_again(asked);
+  thread_local Kept<Claim> kept;
+  Claim claim = kept.of(asked, [](const Query& q) { return production_answer(q, PointConvention::nearest_surface); });
   if (mutant.change != nullptr && !mutant.outside_domain) mutant.change(query, claim);
   return claim;
 }

@@ -61,9 +61,6 @@ WideBalls at_nearest(const Two<A, B>& shapes) {
   const auto [p, q] = oracle::nearest_in_reals(shapes);
   return {WideBall{{p[0], p[1], p[2]}, radius(shapes.a)}, WideBall{{q[0], q[1], q[2]}, radius(shapes.b)}};
 }
-// Of any two convex shapes both come from the exact truth, of which a mistake is a change: convex_mutants.cpp.
-WideBalls at_nearest(const Convexes& shapes);
-Wide depth_of_cores(const Convexes& shapes);
 template <class Kind>
 Wide depth_of_cores(const Kind& /*shapes*/) {
   return 0;
@@ -82,11 +79,17 @@ requires(!std::same_as<A, Cast>) Wide depth_of_cores(const Two<A, Plane>& shapes
   || (Numbers::numbers != Numbers::none && std::same_as<Kind, Two<A, B>>)
 /// Whether contacts of two such shapes have numbers.
 template <class Kind>
-inline constexpr bool kHasNumbers = std::same_as<Kind, Convexes> CONTACT_PAIRS(CONTACT_SAME_SHAPES);
+inline constexpr bool kHasNumbers = false CONTACT_PAIRS(CONTACT_SAME_SHAPES);
 #undef CONTACT_SAME_SHAPES
+
+/// Of any two convex shapes both come from the exact truth, of which a mistake is a change: the cores at their nearest
+/// points, and the distance of these, below 0 where they overlap.
+WideBalls at_nearest_of_convexes(const Query& q);
+Wide distance_of_convexes(const Query& q);
 
 /// The cores at their nearest points, as spheres. Domain: a pair with a distance.
 inline WideBalls wide_balls(const Query& q) {
+  if (is_convex(q.pair)) return at_nearest_of_convexes(q);
   return std::visit(
       []<class Kind>(const Kind& shapes) -> WideBalls {
         if constexpr (kHasNumbers<Kind>) return at_nearest(shapes);
@@ -102,10 +105,10 @@ inline Balls balls(const Query& q) {
   const auto [a, b] = wide_balls(q);
   return {narrow(a), narrow(b)};
 }
+/// The exact truth, which is asked for again and again: many mutants are put to one question.
+const oracle::Truth& truth_again(const Query& q);
 /// Whether the cores meet, which gives no direction.
-inline bool coincident(const Query& q) {
-  return q.has_numbers() && oracle::truth_with(q, oracle::Side::at, oracle::Side::at).degenerate();
-}
+inline bool coincident(const Query& q) { return q.has_numbers() && truth_again(q).degenerate(); }
 
 /// These cores in wide arithmetic.
 struct WideSpheres {
@@ -119,7 +122,9 @@ struct WideSpheres {
       d[i] = c2[i] - c1[i];
     }
     D = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-    const Wide depth = std::visit([](const auto& shapes) { return depth_of_cores(shapes); }, query.shapes);
+    const Wide depth = is_convex(query.pair)
+                           ? std::max(-distance_of_convexes(query), Wide{0})
+                           : std::visit([](const auto& shapes) { return depth_of_cores(shapes); }, query.shapes);
     if (depth > 0 && is_convex(query.pair) && !has_plane(query.pair)) D = 0;  // as of a centre in a box
     distance = depth > 0 ? -depth : std::sqrt(D);
     reach = alarm + r1 + r2;
@@ -132,8 +137,8 @@ struct WideSpheres {
 };
 
 /// Exactly: the surfaces overlap, or just touch.
-inline bool overlapping(const Query& q) { return oracle::truth_of(q).at_zero != oracle::Side::beyond; }
-inline bool at_edge(const Query& q) { return oracle::truth_of(q).at_alarm == oracle::Side::at; }
+inline bool overlapping(const Query& q) { return truth_again(q).at_zero != oracle::Side::beyond; }
+inline bool at_edge(const Query& q) { return truth_again(q).at_alarm == oracle::Side::at; }
 
 inline double rounded(Wide x) { return static_cast<double>(x); }
 inline float single(double x) {

@@ -33,8 +33,14 @@ Truth::Truth(const Query& query) : at_alarm(Side::at), at_zero(Side::at), query_
       made(query_, exact_).numbers);
 }
 
-bool Truth::degenerate() const { return meet(query_) != Meet::no; }
-bool Truth::coincident() const { return meet(query_) == Meet::touching; }
+bool Truth::degenerate() const {
+  if (exact_ && has_distance()) return distance()->degenerate();
+  return meet(query_) != Meet::no;
+}
+bool Truth::coincident() const {
+  if (exact_ && has_distance()) return distance()->coincident();
+  return meet(query_) == Meet::touching;
+}
 
 const ExactTruth& Truth::exact() const { return made(query_, exact_); }
 const DistanceTruth* Truth::distance() const {
