@@ -47,9 +47,11 @@ struct QuestionColumns {
 }
 /// That of D. As a quotient it is at most (w.n)^2 / n.n with n = u x v, each of w, u and v a difference: sums of degree
 /// 6 and 4, with three and two bits more than above; with a plane it is (n.p - o)^2 / n.n, of less, and a coordinate
-/// of a crossing is (n.d a + n.w d) / n.d, of degrees 4 and 3.
+/// of a crossing is (n.d a + n.w d) / n.d, of degrees 4 and 3. A corner of a rotated box is of degree 3 over one of 2, so
+/// that over one denominator w, u and v are of degree 5 over 4.
 [[nodiscard]] constexpr std::size_t longest_distance2(Pair pair, Scalar scalar) {
   if (!has_quotients(pair)) return longest_exact(2, scalar);
+  if (is_convex(pair) && !has_plane(pair)) return longest_exact(30, scalar) + 1 + longest_exact(28, scalar) + 1;
   return longest_exact(6, scalar) + 1 + longest_exact(4, scalar) + 1;
 }
 /// That of t's two numbers where a ray is cast: B / A and (B^2 - A C) / A^2 with A = |u x d|^2, of degree 4, and below

@@ -26,7 +26,7 @@ TOOL = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
 SCHEMAS = Path(__file__).resolve().parent
 ROOT = SCHEMAS.parent.parent
 GOLDEN = ROOT / "golden"
-SHAPES = {"spheres": "sphere_rigid_sphere", "cubes": "cube_cube", "sphere and cube": "sphere_cube",
+SHAPES = {"any two convex shapes": "convex", "spheres": "sphere_rigid_sphere", "cubes": "cube_cube", "sphere and cube": "sphere_cube",
           "sphere and capsule": "sphere_capsule", "capsules": "capsule_capsule",
           "sphere and triangle": "sphere_triangle", "ray and sphere": "ray_sphere",
           "sphere and plane": "sphere_plane", "capsule and plane": "capsule_plane",

@@ -1,5 +1,6 @@
 // Mistakes about any two convex shapes: how a box is turned, how large it is, and which axis parts two cores.
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "engines/zoo/mutating.hpp"
@@ -14,6 +15,7 @@ const oracle::DistanceTruth& truth_of_cores(const Query& q) { return *truth_agai
 constexpr int kEnoughBits = 100;
 Wide wide(const oracle::Rational& x) {
   const double most = CGAL::to_double(x);
+  if (!std::isfinite(most)) return static_cast<Wide>(most);
   return static_cast<Wide>(most) + static_cast<Wide>(CGAL::to_double(x - oracle::Rational(most)));
 }
 

@@ -1341,5 +1341,44 @@ TEST(JudgeCasts, have_t_the_point_and_each_normal_that_points_away_whatever_the_
   EXPECT_EQ(level_of(inside, points_of({1, 1, 1}, {1, 1, 1})), Level::correctly_rounded);
 }
 
+// ---- any two convex shapes ----
+
+Query boxes_turned(const Obb& a, const Obb& b) { return {Pair::obb_obb, Convexes{{a}, {b}}, {0, 0}}; }
+const Quaternion kNotTurned{0, 0, 0, 1};
+
+TEST(Judge, of_several_ways_out_each_is_right) {
+  // About one centre: six ways are as short. Each goes with points of its own.
+  const Query same = boxes_turned({{0, 0, 0}, kNotTurned, {1, 1, 1}}, {{0, 0, 0}, kNotTurned, {1, 1, 1}});
+  for (const double side : {1.0, -1.0})
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vector3 n = side * Vector3::Unit(axis);
+      EXPECT_EQ(level_of(same, claim(n, n, -n)), Level::correctly_rounded) << n.transpose();
+      EXPECT_EQ(level_of(same, points_of(n, -n)), Level::correctly_rounded) << n.transpose();
+      EXPECT_EQ(level_of(same, claim(n, -n, n)), Level::decisions) << n.transpose();
+    }
+  EXPECT_EQ(level_of(same, value_of(-2)), Level::correctly_rounded);
+  EXPECT_EQ(level_of(same, normal_of({0.6, 0.8, 0})), Level::decisions);
+}
+
+TEST(Judge, a_point_of_a_polygon_is_right) {
+  // Faces that share the square from (1,0,0) to (1,1,1), half a unit apart.
+  Query faces = boxes_turned({{0, 0, 0}, kNotTurned, {1, 1, 1}}, {{2.5, 1, 1}, kNotTurned, {1, 1, 1}});
+  faces.distances.alarm = 1;
+  const auto at = [](double y, double z) { return claim({1, 0, 0}, {1, y, z}, {1.5, y, z}); };
+  for (const double y : {0.0, 0.3, 1.0})
+    for (const double z : {0.0, 0.7, 1.0}) EXPECT_EQ(level_of(faces, at(y, z)), Level::correctly_rounded) << y << z;
+  EXPECT_EQ(level_of(faces, at(-0x1p-52, 0.5)), Level::bounded);
+  EXPECT_EQ(level_of(faces, at(1.25, 0.5)), Level::decisions);
+  EXPECT_EQ(level_of(faces, at(0.5, -0.25)), Level::decisions);
+  // A triangle's corner cuts the set: what lies between the bounds of its coordinates is not all of it.
+  const Triangle corner{{Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)}};
+  const Triangle above{{Vector3(0, 0, 2), Vector3(1, 0, 2), Vector3(0, 1, 2)}};
+  const Query triangles{Pair::triangle_triangle, Convexes{{corner}, {above}}, {2, 0}};
+  EXPECT_EQ(level_of(triangles, claim({0, 0, 1}, {0.25, 0.75, 0}, {0.5, 0.5, 2})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(triangles, claim({0, 0, 1}, {0.75, 0.75, 0}, {0.5, 0.5, 2})), Level::decisions);
+  EXPECT_EQ(judged(triangles, claim({0, 0, 1}, {0.75, 0.75, 0}, {0.5, 0.5, 2})).at(Field::point1)->error,
+            0.25 * 0x1p51);
+}
+
 }  // namespace
 }  // namespace contact::oracle
