@@ -1345,6 +1345,9 @@ TEST(JudgeCasts, have_t_the_point_and_each_normal_that_points_away_whatever_the_
 
 Query boxes_turned(const Obb& a, const Obb& b) { return {Pair::obb_obb, Convexes{{a}, {b}}, {0, 0}}; }
 const Quaternion kNotTurned{0, 0, 0, 1};
+Claim normal_and_points(const Vector3& n, const Vector3& p1, const Vector3& p2) {
+  return contact_of({.normal = n, .point1 = p1, .point2 = p2, .point = {}, .value = {}});
+}
 
 TEST(Judge, of_several_ways_out_each_is_right) {
   // About one centre: six ways are as short. Each goes with points of its own.
@@ -1352,9 +1355,9 @@ TEST(Judge, of_several_ways_out_each_is_right) {
   for (const double side : {1.0, -1.0})
     for (int axis = 0; axis < 3; ++axis) {
       const Vector3 n = side * Vector3::Unit(axis);
-      EXPECT_EQ(level_of(same, claim(n, n, -n)), Level::correctly_rounded) << n.transpose();
+      EXPECT_EQ(level_of(same, normal_and_points(n, n, -n)), Level::correctly_rounded) << n.transpose();
       EXPECT_EQ(level_of(same, points_of(n, -n)), Level::correctly_rounded) << n.transpose();
-      EXPECT_EQ(level_of(same, claim(n, -n, n)), Level::decisions) << n.transpose();
+      EXPECT_EQ(level_of(same, normal_and_points(n, -n, n)), Level::decisions) << n.transpose();
     }
   EXPECT_EQ(level_of(same, value_of(-2)), Level::correctly_rounded);
   EXPECT_EQ(level_of(same, normal_of({0.6, 0.8, 0})), Level::decisions);
@@ -1364,7 +1367,7 @@ TEST(Judge, a_point_of_a_polygon_is_right) {
   // Faces that share the square from (1,0,0) to (1,1,1), half a unit apart.
   Query faces = boxes_turned({{0, 0, 0}, kNotTurned, {1, 1, 1}}, {{2.5, 1, 1}, kNotTurned, {1, 1, 1}});
   faces.distances.alarm = 1;
-  const auto at = [](double y, double z) { return claim({1, 0, 0}, {1, y, z}, {1.5, y, z}); };
+  const auto at = [](double y, double z) { return normal_and_points({1, 0, 0}, {1, y, z}, {1.5, y, z}); };
   for (const double y : {0.0, 0.3, 1.0})
     for (const double z : {0.0, 0.7, 1.0}) EXPECT_EQ(level_of(faces, at(y, z)), Level::correctly_rounded) << y << z;
   EXPECT_EQ(level_of(faces, at(-0x1p-52, 0.5)), Level::bounded);
@@ -1374,9 +1377,10 @@ TEST(Judge, a_point_of_a_polygon_is_right) {
   const Triangle corner{{Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)}};
   const Triangle above{{Vector3(0, 0, 2), Vector3(1, 0, 2), Vector3(0, 1, 2)}};
   const Query triangles{Pair::triangle_triangle, Convexes{{corner}, {above}}, {2, 0}};
-  EXPECT_EQ(level_of(triangles, claim({0, 0, 1}, {0.25, 0.75, 0}, {0.5, 0.5, 2})), Level::correctly_rounded);
-  EXPECT_EQ(level_of(triangles, claim({0, 0, 1}, {0.75, 0.75, 0}, {0.5, 0.5, 2})), Level::decisions);
-  EXPECT_EQ(judged(triangles, claim({0, 0, 1}, {0.75, 0.75, 0}, {0.5, 0.5, 2})).at(Field::point1)->error,
+  EXPECT_EQ(level_of(triangles, normal_and_points({0, 0, 1}, {0.25, 0.75, 0}, {0.5, 0.5, 2})),
+            Level::correctly_rounded);
+  EXPECT_EQ(level_of(triangles, normal_and_points({0, 0, 1}, {0.75, 0.75, 0}, {0.5, 0.5, 2})), Level::decisions);
+  EXPECT_EQ(judged(triangles, normal_and_points({0, 0, 1}, {0.75, 0.75, 0}, {0.5, 0.5, 2})).at(Field::point1)->error,
             0.25 * 0x1p51);
 }
 
