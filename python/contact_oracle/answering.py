@@ -52,6 +52,7 @@ def bound(pair: Pair, arguments: tuple[Any, ...], named: dict[str, Any]) -> dict
 SIGNATURES = {name: signature_of(pair) for name, pair in PAIRS.items()}
 
 _KINDS = {"point": "a point", "points": "three points", "length": "a length, 0 or more", "direction": "a direction of any length but 0",
+          "orientation": "a quaternion x, y, z, w of any length but 0",
           "number": "how far along the normal, in lengths of the normal", "offset": "how far along the normal, in lengths of the normal"}
 _DECISIONS = {"distance": "a contact where the distance of the cores is at most alarm + both radii, decided exactly; touching counts",
               "crossing": "a contact where the segment and the triangle have a point in common, decided exactly; ends and edges count",
@@ -61,7 +62,8 @@ _DEGENERATE = {"distance": "where the cores meet the normal is an agreement, and
                "crossing": "never; a segment along the triangle's plane does not cross it",
                "cast": "an origin in the shape: the value is 0, any normal is right, and `degenerate` says so",
                "none": "flat boxes and boxes that are points are boxes"}
-_SECTIONS = {"sphere_cube": "sphere-cube-pairs", "cube_cube": "cube-pairs", "sphere_capsule": "capsule-pairs", "capsule_capsule": "capsule-pairs",
+_OVERLAPPING = "where cores touch and no deeper, the normal is an agreement, and `degenerate` says so; a depth is an ordinary hit"
+_SECTIONS = {**{pair: "sphere-pairs" for pair in ("sphere_sphere", "rigid_sphere_rigid_sphere", "sphere_rigid_sphere")}, "sphere_cube": "sphere-cube-pairs", "cube_cube": "cube-pairs", "sphere_capsule": "capsule-pairs", "capsule_capsule": "capsule-pairs",
              "sphere_triangle": "triangles", "ray_sphere": "rays", "sphere_plane": "planes", "capsule_plane": "planes",
              "ray_triangle": "crossings", "triangle_line": "crossings",
              **{f"cast_{shape}": "ray-casts" for shape in ("sphere", "cube", "capsule", "triangle", "plane")}}
@@ -83,8 +85,8 @@ def documentation_of(pair: Pair) -> str:
             f"Scalar      binary32 where all arrays are float32, else binary64\n"
             f"Decision    {_DECISIONS[pair.numbers]}\n"
             f"Error       {answers}\n"
-            f"Degenerate  {_DEGENERATE[pair.numbers]}\n"
-            f"Source      docs/specification.md#{_SECTIONS.get(pair.name, 'sphere-pairs')}\n")
+            f"Degenerate  {_DEGENERATE[pair.numbers] if pair.name in _SECTIONS else _OVERLAPPING}\n"
+            f"Source      docs/specification.md#{_SECTIONS.get(pair.name, 'any-two-convex-shapes')}\n")
 
 
 def function_of(pair: Pair) -> Callable[..., Contacts]:

@@ -70,9 +70,10 @@ class Exact:
     question     the question, id its id, flags what is true of it
     expect       the right answer, a dict as in a dataset
     distance2    D, the squared distance of the cores; None for two boxes, crossings and casts
+    depth2       of two convex shapes that overlap: the square of the least length that parts their cores; 0 where they touch
     reach        alarm + r1 + r2; None where D is
     below        whether a plane's distance is below 0
-    margin_ulps  sqrt(D) - reach in ulps of reach, rounded to a float
+    margin_ulps  the distance of the cores less reach in ulps of reach, rounded to a float
     gap          of two boxes: how far apart they are on each axis
     crossing     of a segment and a triangle: the point that they have in common, None on a miss
     t            of a ray that is cast: a and h, where it hits at a - sqrt(h); None on a miss
@@ -89,6 +90,7 @@ class Exact:
     gap: tuple[Fraction, Fraction, Fraction] | None = None
     crossing: tuple[Fraction, Fraction, Fraction] | None = None
     t: tuple[Fraction, Fraction] | None = None
+    depth2: Fraction | None = None
 
     @property
     def hit(self) -> bool:
@@ -105,14 +107,16 @@ class Exact:
     def _root_less(self, less: Fraction, digits: int) -> Decimal:
         if self.distance2 is None:
             raise AttributeError(f"{self.question.pair} has no distance")
+        if self.depth2 is not None:
+            return root_less(self.depth2, less, digits, -1)
         return root_less(self.distance2, less, digits, -1 if self.below else 1)
 
     def distance(self, digits: int = DIGITS) -> Decimal:
-        """sqrt(D), negative below a plane."""
+        """sqrt(D), negative below a plane; where cores overlap, how deep they do, negative."""
         return self._root_less(Fraction(0), digits)
 
     def margin(self, digits: int = DIGITS) -> Decimal:
-        """sqrt(D) - reach: how far the question is from where its answer changes."""
+        """distance - reach: how far the question is from where its answer changes."""
         return self._root_less(self.reach or Fraction(0), digits)
 
     def value(self, digits: int = DIGITS) -> Decimal:
@@ -142,7 +146,8 @@ def _exact(line: str, pair: str, scalar: str) -> Exact:
                  fraction(numbers["reach"]) if "reach" in numbers else None,
                  bool(numbers.get("below", False)),
                  float(numbers["margin_ulps"]) if "margin_ulps" in numbers else None,
-                 _fractions(numbers.get("gap")), _fractions(numbers.get("crossing")), _fractions(numbers.get("t")))
+                 _fractions(numbers.get("gap")), _fractions(numbers.get("crossing")), _fractions(numbers.get("t")),
+                 fraction(numbers["depth2"]) if "depth2" in numbers else None)
 
 
 def exact_of(question: Asked) -> list[Exact]:

@@ -31,7 +31,7 @@ from .engines import NUMBERS, Engine, answers_of, by_pair
 from .errors import errors_of_core
 from .pairs import number_of, pair_named
 from .serving import lines_of
-from .shapes import Plane, Question, Ray, Sphere
+from .shapes import Obb, Plane, Question, Ray, Sphere
 
 ULPS = 8.0
 # An engine may decide by squares, which doubles a relative error twice: docs/properties.md#what-is-fair.
@@ -140,6 +140,13 @@ def _every_number(question: Question) -> list[float]:
         [question.alarm, question.contact]
 
 
+def _lengths(question: Question) -> list[float]:
+    """Every number but those of quaternions, which may have any length."""
+    upright = (0.0, 0.0, 0.0, 0.0)
+    a, b = (replace(shape, orientation=upright) if isinstance(shape, Obb) else shape for shape in (question.a, question.b))
+    return [abs(part) for part in _every_number(replace(question, a=a, b=b))]
+
+
 def _is_clear(question: Question, held: Held) -> bool:
     """Whether a right engine held to this must decide as the exact numbers do. In ulps crossings and casts have no margin, so none is clear but to the
     bit; of a tolerance the judge says so."""
@@ -161,7 +168,7 @@ def _scale(name: str, question: Question) -> float:
     """The length whose ulp measures an error: docs/specification.md#scales-and-ulps. No smaller than it, so no law is too strict."""
     if name == "normal":
         return 1.0
-    lengths = [abs(part) for part in _every_number(question)]
+    lengths = _lengths(question)
     if isinstance(question.b, Plane):
         lengths.append(abs(question.b.offset) / math.hypot(*question.b.normal))
     if isinstance(question.a, Ray):
@@ -189,11 +196,11 @@ def _same_hit(law: str, one: Answer, other: Answer, held: Held) -> None:
 
 def _agreed(question: Question) -> set[str]:
     """The numbers that are an agreement: a direction where cores meet, and points where many are nearest. Where a ray hits, more than one
-    normal may be right."""
+    normal may be right; and where cores overlap, or by rounding may seem to: the depth is right for each."""
     if pair_named(question.pair).numbers == "cast":
         return {"normal"}
     exact = question.exact()
-    if exact.degenerate:
+    if exact.degenerate or exact.depth2 is not None:
         return set(VECTORS)
     return set() if exact.unique else {"point1", "point2", "point"}
 
@@ -257,11 +264,12 @@ def _has_two_alike(pair: str) -> bool:
 
 
 def _of_lengths(shape: Any, change: Callable[[float], float]) -> Any:
-    """The shape with every length changed. A ray's length counts directions, and a plane's offset normals, so one of the two is left."""
+    """The shape with every length changed. A ray's length counts directions, and a plane's offset normals, so one of the two is left; and so is
+    an orientation, which has none."""
     def changed(value: Any) -> Any:
         return tuple(map(changed, value)) if isinstance(value, tuple) else change(value)
 
-    left = "length" if isinstance(shape, Ray) else "normal" if isinstance(shape, Plane) else ""
+    left = {Ray: "length", Plane: "normal", Obb: "orientation"}.get(type(shape), "")
     return replace(shape, **{field.name: changed(getattr(shape, field.name)) for field in fields(shape) if field.name != left})
 
 
@@ -286,7 +294,7 @@ def _moved(shape: Any, by: tuple[float, float, float]) -> Any:
         return tuple(map(moved, value)) if isinstance(value[0], tuple) else tuple(map(step, value, by))
 
     names = {"Sphere": ("center",), "Cube": ("min", "max"), "Capsule": ("start", "end"), "Triangle": ("vertices",), "Ray": ("origin",),
-             "Line": ("start", "end")}[type(shape).__name__]
+             "Line": ("start", "end"), "Obb": ("center",)}[type(shape).__name__]
     return replace(shape, **{name: moved(getattr(shape, name)) for name in names})
 
 
@@ -313,7 +321,16 @@ def turn(engine: Engine, question: Question, axes: tuple[int, int, int] = (1, 2,
     def turned(value: tuple[float, ...]) -> tuple[float, ...]:
         return tuple(value[axis] * sign for axis, sign in zip(axes, signs))
 
+    mirrors = math.prod(signs) * (1 if axes in ((0, 1, 2), (1, 2, 0), (2, 0, 1)) else -1)
+
+    def box_turned(box: Obb) -> Obb:
+        """The box about axes that change places with those of space, so that its quaternion does so too, and nothing is rounded."""
+        x, y, z = (part * mirrors for part in turned(box.orientation[:3]))
+        return Obb(turned(box.center), (x, y, z, box.orientation[3]), tuple(map(abs, turned(box.extents))))
+
     def shape_turned(shape: Any) -> Any:
+        if isinstance(shape, Obb):
+            return box_turned(shape)
         changed = {field.name: getattr(shape, field.name) for field in fields(shape)}
         for name, value in changed.items():
             if isinstance(value, tuple):

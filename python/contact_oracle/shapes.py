@@ -75,9 +75,18 @@ class Line:
     end: Point
 
 
-Shape = Union[Sphere, Cube, Capsule, Triangle, Plane, Ray, Line]
+@dataclass(frozen=True)
+class Obb:
+    """A rotated box: `center` + R (`extents` * t), every t from -1 to 1. `orientation` is a quaternion x, y, z, w of any length but 0, and R its rotation."""
+
+    center: Point
+    orientation: tuple[float, float, float, float]
+    extents: Point
+
+
+Shape = Union[Sphere, Cube, Capsule, Triangle, Plane, Ray, Line, Obb]
 SHAPES: dict[str, type] = {"sphere": Sphere, "cube": Cube, "capsule": Capsule, "triangle": Triangle, "plane": Plane, "ray": Ray,
-                           "line": Line}
+                           "line": Line, "obb": Obb}
 
 
 def json_number(value: float) -> float | str:

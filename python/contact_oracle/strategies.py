@@ -15,7 +15,7 @@ from hypothesis.strategies import SearchStrategy
 from .datasets import family_named, generate
 from .errors import InputError
 from .pairs import PAIRS, Array, number_of, pair_named, scalar_named
-from .shapes import SHAPES, Capsule, Cube, Line, Plane, Point, Question, Ray, Sphere, Triangle
+from .shapes import SHAPES, Capsule, Cube, Line, Obb, Plane, Point, Question, Ray, Sphere, Triangle
 
 LARGEST = 1e4
 LARGEST_SHARE = 64
@@ -108,7 +108,13 @@ def lines(scalar: str = "binary64", largest: float | None = LARGEST, smallest: f
     return st.builds(Line, start=points(scalar, largest, smallest), end=points(scalar, largest, smallest))
 
 
-OF_SHAPE = {"sphere": spheres, "cube": cubes, "capsule": capsules, "triangle": triangles, "plane": planes, "ray": rays, "line": lines}
+def obbs(scalar: str = "binary64", largest: float | None = LARGEST, smallest: float = 0.0) -> SearchStrategy[Obb]:
+    number, length = numbers(scalar, largest, smallest), lengths(scalar, largest, smallest)
+    return st.builds(Obb, center=points(scalar, largest, smallest), orientation=st.tuples(number, number, number, number).filter(any),
+                     extents=st.tuples(length, length, length))
+
+
+OF_SHAPE = {"sphere": spheres, "cube": cubes, "capsule": capsules, "triangle": triangles, "plane": planes, "ray": rays, "line": lines, "obb": obbs}
 
 
 def shapes(kind: str, scalar: str = "binary64", largest: float | None = LARGEST, smallest: float = 0.0) -> SearchStrategy[Any]:
@@ -198,6 +204,11 @@ def _touching(pair: str, scalar: str, parts: tuple[int, int, int, int], origin: 
             return Triangle((_point(at - u - v, scale), _point(at + (1 + sizes[0]) * u, scale), _point(at + (1 + sizes[1]) * v, scale)))
         if kind == "plane":
             return Plane(_point(-delta, 1.0), float(-delta @ at) * scale)
+        if kind == "obb":
+            # Its first axis is turned along delta, so `at` is the middle of a face; the axis is as long as a whole number.
+            m, *axis = parts
+            return Obb(_point(at + sizes[0] * towards, scale), (*map(float, axis), float(m)),
+                       _point((sizes[0] * distance, sizes[1], sizes[0]), scale))
         low, high = _box_beside(at, towards, sizes)
         return Cube(_point(low, scale), _point(high, scale))
 

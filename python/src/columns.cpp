@@ -15,10 +15,8 @@ std::string path_of(std::string field) {
   return field;
 }
 
-template <class Value>
-std::vector<py::ssize_t> shape_of(const Value& /*value*/, std::size_t rows) {
-  std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(rows)};
-  for (std::size_t n = sizeof(Value) / sizeof(double); n > 1; n /= 3) shape.push_back(3);
+std::vector<py::ssize_t> with_rows(std::size_t rows, std::vector<py::ssize_t> shape) {
+  shape.insert(shape.begin(), static_cast<py::ssize_t>(rows));
   return shape;
 }
 
@@ -108,7 +106,7 @@ QuestionArrays::QuestionArrays(Pair pair, const py::list& columns, const py::arr
     if (!py::isinstance<py::array_t<double>>(array) || array.ndim() == 0)
       throw std::invalid_argument(fmt::format("{}: expected rows of float64", field));
     if (i == 1) size_ = static_cast<std::size_t>(array.shape(0));
-    const auto shape = shape_of(value, size_);
+    const auto shape = with_rows(size_, shape_of(value));
     if (!std::equal(shape.begin(), shape.end(), array.shape(), array.shape() + array.ndim()))
       throw std::invalid_argument(fmt::format("{}: expected a shape of ({}), got ({})", field, fmt::join(shape, ", "),
                                               fmt::join(array.shape(), array.shape() + array.ndim(), ", ")));
@@ -126,7 +124,7 @@ QuestionColumns::QuestionColumns(Pair pair, Scalar scalar, std::size_t size) : s
   const Query zeros = zero_query(pair);
   for_each_field(zeros, [&](const std::string& field, const auto& value, FieldKind) {
     const py::dtype type = scalar == Scalar::binary32 ? py::dtype::of<float>() : py::dtype::of<double>();
-    const py::array array(type, shape_of(value, size));
+    const py::array array(type, with_rows(size, shape_of(value)));
     columns_.push_back({static_cast<char*>(const_cast<void*>(array.data())), sizeof(value) / sizeof(double)});
     arrays_[py::str(path_of(field))] = array;
   });

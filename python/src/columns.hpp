@@ -17,6 +17,12 @@ namespace contact::python {
 
 namespace py = pybind11;
 
+/// The shape of a field's value in an array.
+inline std::vector<py::ssize_t> shape_of(double) { return {}; }
+inline std::vector<py::ssize_t> shape_of(const Vector3&) { return {3}; }
+inline std::vector<py::ssize_t> shape_of(const Quaternion&) { return {4}; }
+inline std::vector<py::ssize_t> shape_of(const std::array<Vector3, 3>&) { return {3, 3}; }
+
 /// A number outside the domain: what becomes the Python exception.
 struct OutsideDomain {
   std::string field;

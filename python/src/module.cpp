@@ -238,10 +238,7 @@ py::list pairs() {
     const auto shape = [](const auto& s) {
       py::list fields;
       for_each_field(s, [&](const auto& field, const auto& value) {
-        py::tuple across(0);
-        if (sizeof(value) == sizeof(Vector3)) across = py::make_tuple(3);
-        if (sizeof(value) == sizeof(Quaternion)) across = py::make_tuple(4);
-        if (sizeof(value) == 3 * sizeof(Vector3)) across = py::make_tuple(3, 3);
+        const py::tuple across = py::cast(shape_of(value));
         const std::string kind(kFieldKindNames[static_cast<std::size_t>(field.kind)]);
         py::dict one;
         one["name"] = std::string(field.name);

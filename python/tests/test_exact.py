@@ -52,6 +52,8 @@ def test_exact_numbers_of_each_kind_of_pair():
     assert inside.degenerate and inside.value() == -2
     beside = contact_oracle.exact("sphere_capsule", (0, 1, 0), 0, (0, 0, 0), (1, 1, 1), 0)
     assert beside.distance2 == Fraction(2, 3)
+    cut = contact_oracle.exact("triangle_triangle", ((0, 0, 0), (4, 0, 0), (0, 4, 0)), ((1, 1, -1), (1, 1, 2), (-1, -1, 5)))
+    assert cut.distance2 == 0 and cut.depth2 == 1 and cut.distance() == cut.value() == -1 and not cut.degenerate
     several = contact_oracle.exact("sphere_sphere", np.zeros((2, 3)), 1, (1, 1, 0), [1, 2])
     assert [answer.reach for answer in several] == [2, 3]
     cast = contact_oracle.exact("cast_sphere", (0, 0, 0), (2, 0, 0), 5, (6, 0, 0), 1)
