@@ -171,8 +171,15 @@ struct ShapeDescription<Line> : AnyNumbers<Line> {
   }
 };
 
+/// What a field may hold.
+template <class Value>
+concept FieldValue =
+    std::same_as<std::remove_const_t<Value>, double> || std::same_as<std::remove_const_t<Value>, Vector3> ||
+    std::same_as<std::remove_const_t<Value>, Quaternion> ||
+    std::same_as<std::remove_const_t<Value>, std::array<Vector3, 3>>;
+
 /// Calls visit(vector&) for every vector of a field: none of a number or a quaternion, one, or three.
-template <class Value, class Visit>
+template <FieldValue Value, class Visit>
 constexpr void for_each_vector(Value& value, Visit&& visit) {
   using Plain = std::remove_const_t<Value>;
   if constexpr (std::same_as<Plain, Vector3>)
@@ -182,7 +189,7 @@ constexpr void for_each_vector(Value& value, Visit&& visit) {
 }
 
 /// Calls visit(number&) for every number of a field.
-template <class Value, class Visit>
+template <FieldValue Value, class Visit>
 constexpr void for_each_number_in(Value& value, Visit&& visit) {
   using Plain = std::remove_const_t<Value>;
   if constexpr (std::same_as<Plain, double>) {
