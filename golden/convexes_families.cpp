@@ -119,6 +119,11 @@ Query apart(Pair pair, Random& random, double far, double size = 1) {
   return query;
 }
 
+/// How far from each other, or nearer where one is a triangle, which meets others seldom.
+double spread(Pair pair, double of_solids) {
+  return name(pair).find("triangle") == std::string_view::npos ? of_solids : of_solids / 2;
+}
+
 // ---- features that face each other, in integers ----
 
 /// The vertices of a core in integers, whose boxes are turned by a quaternion of kExactTurns: what is computed is exact.
@@ -226,7 +231,7 @@ void scale(Query& query, int exponent) {
 // ---- families ----
 
 Query generic(Pair pair, Scalar scalar, Random& random) {
-  Query query = apart(pair, random, random.turn(3) == 0 ? 0.5 : 2);
+  Query query = apart(pair, random, random.turn(3) == 0 ? 0.25 : spread(pair, 1.5));
   distances(query, random);
   if (random.turn(5) == kMissing) {
     move_second(query, has_plane_second(query)
@@ -237,63 +242,69 @@ Query generic(Pair pair, Scalar scalar, Random& random) {
   return settled(std::move(query), scalar);
 }
 
-/// At a distance of radii + alarm, or a little more.
-Query at_distance(Facing found, double alarm, Random& random, Scalar scalar) {
-  // The radii are part of the distance, or there are none.
-  double left = found.distance - alarm;
-  for_each_shape(found.query, [&]<class Shape>(Shape& shape) {
-    if constexpr (kHasRadius<Shape>) left -= (shape.radius = std::min(shape.radius, left));
-  });
-  found.query.distances.alarm = alarm + left;
-  found.query.distances.contact = random.chance(2) ? static_cast<double>(random.between(0, 3)) / 4 : 0;
-  if (random.turn(5) == kMissing) {
-    double& alarm_now = found.query.distances.alarm;
-    bool lessened = alarm_now > 0;
-    if (lessened) alarm_now = stepped(alarm_now, -1, scalar);
-    for_each_shape(found.query, [&]<class Shape>(Shape& shape) {
-      if constexpr (kHasRadius<Shape>)
-        if (!lessened && shape.radius > 0) shape.radius = stepped(shape.radius, -1, scalar), lessened = true;
-    });
-    if (!lessened) return settled(facing(found.query.pair, random, 1).query, scalar);
-  }
-  return settled(std::move(found.query), scalar);
+/// Takes what lies nearest of the second shape, seen along d, to the next number away from the first.
+void recede(Query& query, const Vector3& d, Scalar scalar) {
+  Eigen::Index axis = 0;
+  d.cwiseAbs().maxCoeff(&axis);
+  std::visit(
+      [&]<class Shape>(Shape* shape) {
+        if constexpr (std::same_as<Shape, Plane>) shape->offset = stepped(shape->offset, -1, scalar);
+        if constexpr (std::same_as<Shape, Box>) {
+          double& side = (d[axis] > 0 ? shape->min : shape->max)[axis];
+          side = stepped(side, d[axis] > 0 ? 1 : -1, scalar);
+        }
+        if constexpr (std::same_as<Shape, Triangle>) {
+          double least = std::numeric_limits<double>::infinity();
+          for (const Vector3& v : shape->vertices) least = std::min(least, d.dot(v));
+          for (Vector3& v : shape->vertices)
+            if (d.dot(v) == least) v[axis] = stepped(v[axis], d[axis] > 0 ? 1 : -1, scalar);
+        }
+        if constexpr (std::same_as<Shape, Obb>) {
+          // Shorter along the axis that leads to the first shape most.
+          const auto corner = vertices(*shape);
+          std::array<double, 3> along{};
+          for (std::size_t k = 0; k < 3; ++k)
+            along[k] = std::abs(d.dot(corner[std::size_t{1} << k] - corner[0])) /
+                       shape->extents[static_cast<Eigen::Index>(k)];
+          const auto most = std::max_element(along.begin(), along.end()) - along.begin();
+          shape->extents[most] = stepped(shape->extents[most], -1, scalar);
+        }
+      },
+      two_shapes(query)[1]);
 }
 
 Query touching(Pair pair, Scalar scalar, Random& random) {
   const bool are_round = sum_of_radii(facing(pair, random, 0).query) > 0;
   Facing found = facing(pair, random, are_round ? random.between(0, 3) : 0);
-  if (!are_round) {
-    found.query.distances = {random.turn(5) == kMissing ? 0.0 : 0.0, random.chance(2) ? 0.25 : 0.0};
-    return settled(random.turn(5) == kMissing ? facing(pair, random, 1).query : found.query, scalar);
-  }
-  Query query = found.query;
-  // The radii make up the distance: of two the second gets what is left.
+  // The radii make up the distance: the last one gets what is left.
   double left = found.distance;
-  std::vector<double*> radii;
-  for_each_shape(query, [&]<class Shape>(Shape& shape) {
-    if constexpr (kHasRadius<Shape>) radii.push_back(&shape.radius);
+  double* last = nullptr;
+  for_each_shape(found.query, [&]<class Shape>(Shape& shape) {
+    if constexpr (kHasRadius<Shape>) left -= (shape.radius = std::min(shape.radius, left)), last = &shape.radius;
   });
-  for (std::size_t k = 0; k < radii.size(); ++k) {
-    *radii[k] = k + 1 == radii.size() ? left : std::min(*radii[k], left);
-    left -= *radii[k];
-  }
-  query.distances.contact = random.chance(2) ? 0.25 : 0;
+  if (last != nullptr) *last += left;
+  found.query.distances.contact = random.chance(2) ? 0.25 : 0;
   if (random.turn(5) == kMissing) {
-    if (*radii.back() > 0)
-      *radii.back() = stepped(*radii.back(), -1, scalar);
+    if (last != nullptr && *last > 0)
+      *last = stepped(*last, -1, scalar);
     else
-      query = facing(pair, random, 1).query, scale(query, 0);
-    if (found.distance == 0)
-      for_each_shape(query, []<class Shape>(Shape& shape) {
-        if constexpr (kHasRadius<Shape>) shape.radius = std::min(shape.radius, 0.25);
-      });
+      recede(found.query, found.d, scalar);
   }
-  return settled(std::move(query), scalar);
+  return settled(std::move(found.query), scalar);
 }
 
+/// The alarm distance is what the radii leave of the distance, or a step less or more.
 Query alarm_edge(Pair pair, Scalar scalar, Random& random) {
   Facing found = facing(pair, random, random.between(1, 4));
-  return at_distance(std::move(found), static_cast<double>(random.between(1, 3)) / 4, random, scalar);
+  double left = found.distance - static_cast<double>(random.between(1, 3)) / 4;
+  for_each_shape(found.query, [&]<class Shape>(Shape& shape) {
+    if constexpr (kHasRadius<Shape>) left -= (shape.radius = std::min(shape.radius, left));
+  });
+  const double alarm = found.distance - sum_of_radii(found.query);
+  const auto turn = random.turn(5);
+  found.query.distances = {stepped(alarm, turn == kMissing ? -1 : turn == 0 ? 1 : 0, scalar),
+                           random.chance(2) ? static_cast<double>(random.between(0, 3)) / 4 : 0};
+  return settled(std::move(found.query), scalar);
 }
 
 /// Where the distance is what alarm and radii are together, as near as numbers can say.
@@ -372,7 +383,7 @@ Query parallel(Pair pair, Scalar scalar, Random& random) {
 }
 
 Query flat(Pair pair, Scalar scalar, Random& random) {
-  Query query = random.chance(2) ? facing(pair, random, random.between(-1, 1)).query : apart(pair, random, 1);
+  Query query = random.chance(2) ? facing(pair, random, random.between(-1, 0)).query : apart(pair, random, 0.5);
   for_each_shape(query, [&]<class Shape>(Shape& shape) {
     if (random.chance(4)) return;
     const auto axis = static_cast<Eigen::Index>(random.index(3));
@@ -423,7 +434,7 @@ Query nested(Pair pair, Scalar scalar, Random& random) {
 }
 
 Query orientations(Pair pair, Scalar scalar, Random& random) {
-  Query query = apart(pair, random, 1);
+  Query query = apart(pair, random, spread(pair, 1));
   const auto small = [&] {
     return std::ldexp(random.uniform(0.5, 1.0), -random.between(1, scalar == Scalar::binary32 ? 30 : 60));
   };
@@ -476,7 +487,13 @@ Query ties(Pair pair, Scalar scalar, Random& random) {
     if (kind == FieldKind::direction || kind == FieldKind::orientation) return;
     for_each_number_in(value, [&](double& x) { x *= 2; });
   });
-  for_each_shape(query, [&](auto& shape) { move(shape, by); });
+  for_each_shape(query, [&]<class Shape>(Shape& shape) {
+    move(shape, by);
+    // What is odd stands between two numbers there.
+    if constexpr (kHasRadius<Shape>) shape.radius = std::max(0.0, shape.radius - (random.chance(2) ? 1 : 0));
+    if constexpr (std::same_as<Shape, Obb>)
+      for (double& extent : shape.extents) extent -= random.chance(2) ? 1 : 0;
+  });
   query.distances = {static_cast<double>(random.between(0, 8)), static_cast<double>(random.between(0, 1)) / 2};
   if (random.turn(5) == kMissing) {
     query.distances.alarm = 0;

@@ -216,7 +216,8 @@ const std::array kFlags{
     Flag{"NearlyCoincident", "centres apart by less than a 2^20th of the radii, or by subnormal numbers",
          "an absolute epsilon below which the normal becomes a fixed axis; squares that underflow",
          [](const Query&, const Truth& t, Scalar s) {
-           if (!t.has_distance() || t.degenerate() || t.distance()->cores().half_space) return false;
+           if (!t.has_distance() || t.degenerate() || t.distance()->overlaps() || t.distance()->cores().half_space)
+             return false;
            return t.distance()->distance2() < square(t.distance()->radii() * power_of_two(-20)) ||
                   t.distance()->distance2() < square(smallest_normal(s));
          }},

@@ -298,8 +298,16 @@ Outcome check_parts(const Case& c) {
   const Rational out = -signed_distance(c, 0, *value) - truth.radii();
   const Rational along = farthest(shapes.a, n) + farthest(shapes.b, minus({Rational(0), Rational(0), Rational(0)}, n));
   const Rational length2 = dot(n, n);
-  const Rational error =
-      Rational(2) * value_error(c, 0) + Rational(2) * allowance(c, 0, Field::normal) * CGAL::abs(out);
+  // A normal that is turned a little reaches farther, by so much of how far points of the two lie from each other.
+  Rational across(0);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    Vector e{Rational(0), Rational(0), Rational(0)};
+    e[axis] = Rational(1);
+    const Vector back = minus({Rational(0), Rational(0), Rational(0)}, e);
+    across += std::max(Rational(farthest(shapes.a, e) + farthest(shapes.b, back)),
+                       Rational(farthest(shapes.a, back) + farthest(shapes.b, e)));
+  }
+  const Rational error = Rational(2) * value_error(c, 0) + Rational(2) * allowance(c, 0, Field::normal) * across;
   if (along <= Rational(0) || along * along <= (out + error) * (out + error) * length2) return {};
   return Outcome::violated(fmt::format("moved apart by the depth {} along the normal {}, the shapes overlap still",
                                        text(CGAL::to_double(out)), text(*c.contact(0)->normal)));

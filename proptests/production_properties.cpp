@@ -355,13 +355,26 @@ TEST(Production, counts_the_radii_and_the_alarm_distance_alike) {
   });
 }
 
+template <class Shapes>
+bool has_several_ways_out(const Shapes&) {
+  return false;
+}
+bool has_several_ways_out(const Convexes& shapes) {
+  const Truth truth = oracle::truth_of({Pair::obb_obb, shapes, {}});
+  return truth.distance()->overlaps() && truth.distance()->meeting().ways.size() > 1;
+}
+
 TEST(Production, says_the_same_whichever_shape_is_the_first) {
   expect_holds_for_every_kind([]<class A>(const Two<A, A>& shapes, Distances distances) {
     Expectation there = answer(shapes, distances);
     Expectation back = answer(Two<A, A>{shapes.b, shapes.a}, distances);
-    // Where they meet, the normal is the same for both orders, and the points do not follow from it.
+    // Where they meet, the normal is the same for both orders, and the points do not follow from it; of several ways
+    // out that are as near, each order may take another.
     if (there.contact && back.contact) {
-      if (there.contact->degenerate)
+      if (has_several_ways_out(shapes))
+        for (Contact* c : {&*there.contact, &*back.contact})
+          c->normal = c->point1 = c->point2 = Vector3::Zero(), c->unique = true;
+      else if (there.contact->degenerate)
         for (Contact* c : {&*there.contact, &*back.contact}) c->point1 = c->point2 = Vector3::Zero();
       else
         there.contact->normal *= -1;

@@ -331,7 +331,7 @@ class Refused(Case):
                 "positive sign": (["exact", "reach"], "0x1p+1"), "zero with an exponent": (["exact", "reach"], "0x0p1"),
                 "number for text": (["exact", "reach"], 3), "exact missing": (["exact"], None), "gap": (["exact", "gap"], []),
                 "unknown key": (["colour"], 7), "unknown inner key": (["a", "mass"], 7), "box before a ball": (["a"], {
-                    "min": [0, 0, 0], "max": [1, 1, 1]}),
+                    "min": [0, 0, 0], "max": [1, 1, 1]}), "half-space first": (["a"], {"normal": [0, 0, 1], "offset": 0}),
             })
         self.check("dataset.json", miss, {"a contact": (["expect", "value"], 1), "hit": (["expect", "hit"], True)})
         cubes = lines_of(GOLDEN / "cube_cube" / "touching.jsonl")[1]

@@ -353,13 +353,18 @@ TEST(StagedOracle, passes_on_what_a_stage_declines_and_says_who_decided) {
   EXPECT_EQ(stage({Pair::sphere_sphere, Balls{{{0, 0, 0}, 1.5}, {{1, 2, 2}, 2}}, {0, 0.25}}), Stage::double_double);
   // Half way between two doubles, and out of this stage's range.
   EXPECT_EQ(stage({Pair::sphere_sphere, Balls{{{0, 0, 0}, 0x1p300}, {{0x1p300, 0, 0}, 1}}, {0, 0}}), Stage::interval);
-  // Numbers of a hundred scales, products of six of which are compared: too near for kMostBits.
+  // Numbers of a hundred scales, products of six of which are compared.
   const Capsule a{{3e177, -3e-281, -1e300}, {4e111, 2e100, -1e-148}, 9e21};
   const Capsule b{{6e159, 8e-252, 2e-208}, {3e-133, -8e18, 6e-120}, 3e-162};
-  const Query hidden{Pair::capsule_capsule, Capsules{a, b}, {0, 0}};
-  EXPECT_EQ(stage(hidden), Stage::exact);
-  const StagedAnswer answer = staged_answer(hidden, Scalar::binary64);
-  EXPECT_EQ(first_difference(rounded_answer(answer), rounded_answer(truth_of(hidden), Scalar::binary64)), std::nullopt);
+  const Query near{Pair::capsule_capsule, Capsules{a, b}, {0, 0}};
+  EXPECT_EQ(stage(near), Stage::interval);
+  // The exact stage is faster than intervals are with any two convex shapes.
+  const Query boxes{Pair::obb_obb, Convexes{{Obb{{0, 0, 0}, {0, 0, 1, 1}, {1, 2, 3}}}, {Obb{{3, 0, 0}, {1, 2, 3, 4}, {2, 1, 1}}}}, {0, 0}};
+  EXPECT_EQ(stage(boxes), Stage::exact);
+  for (const Query& query : {near, boxes}) {
+    const StagedAnswer answer = staged_answer(query, Scalar::binary64);
+    EXPECT_EQ(first_difference(rounded_answer(answer), rounded_answer(truth_of(query), Scalar::binary64)), std::nullopt);
+  }
 }
 
 TEST(StagedOracle, a_difference_of_two_answers_has_a_name) {

@@ -47,7 +47,7 @@ TEST(Adequacy, the_quick_cases_kill_what_all_kill_and_are_few) {
   }
   EXPECT_EQ(killed, all);
   EXPECT_EQ(killed.size(), engines::mutants().size());
-  EXPECT_LT(matrix.cases.size(), 60U);
+  EXPECT_LT(matrix.cases.size(), 80U);
 }
 
 TEST(Adequacy, every_file_refutes_who_always_answers_alike_but_those_of_hits_alone) {
@@ -82,7 +82,8 @@ TEST(Adequacy, every_file_refutes_who_always_answers_alike_but_those_of_hits_alo
   }
   EXPECT_GT(files, 60U);
   EXPECT_EQ(met.size(), hits_alone.size()) << "what is listed must be there";
-  EXPECT_EQ(quick.size(), kPairs.size());
+  EXPECT_EQ(quick.size(),
+            std::count_if(kPairs.begin(), kPairs.end(), [](Pair pair) { return golden::committed_count(pair) > 0; }));
   for (const auto& [pair, kills] : quick)
     for (const std::string_view id : {engines::kAlwaysHit, engines::kAlwaysMiss})
       EXPECT_TRUE(kills.contains(std::string(id))) << "quick " << pair << " " << id;
