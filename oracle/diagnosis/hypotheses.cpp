@@ -11,6 +11,7 @@
 
 #include "oracle/diagnosis/formulas.hpp"
 #include "oracle/truth/casts.hpp"
+#include "oracle/truth/cores.hpp"
 #include "oracle/truth/exact_truth.hpp"
 
 namespace contact::oracle {
@@ -209,6 +210,14 @@ void Facts::read(const Truth& of_query) {
     best = std::isnan(along) ? Real{0} : along;
     n = unit;
     nearest = {real(way.first), real(way.nearest)};
+  }
+  if (const auto* shapes = std::get_if<Convexes>(&query.shapes); shapes != nullptr && said_normal && !has_plane(query.pair)) {
+    const auto farthest = [](const Convex& shape, const Numbers& way) {
+      Real most = -formulas::kInfinity;
+      for (const auto& x : exact_core(shape).vertices) most = std::max(most, formulas::dot(real(x), way));
+      return most;
+    };
+    detour = farthest(shapes->a, *said_normal) + farthest(shapes->b, formulas::times(-1, *said_normal)) - depth;
   }
 }
 

@@ -63,6 +63,8 @@ struct Facts {
   std::array<Numbers, 2> min{};
   std::array<Numbers, 2> max{};
   std::optional<Numbers> said_normal;  ///< first to second
+  /// Of any two convex shapes that overlap: how much longer the way out along the engine's normal is than the shortest.
+  Real detour = 0;
   // Of a shape that crosses another.
   bool crosses = false;
   Real slack = 0;  ///< CrossingInReals::slack

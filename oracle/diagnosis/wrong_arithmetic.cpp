@@ -15,8 +15,36 @@ Real largest_number(F f) { return std::ldexp(Real{1}, format_of(f.scalar).max_ex
 bool products_out_of_range(F f) {
   const Real smallest = std::ldexp(Real{1}, format_of(f.scalar).min_exponent);
   const auto lost = [&](Real x) { return x != 0 && (std::abs(x) < smallest || std::abs(x) >= largest_number(f)); };
+  const auto of_triangle = [&](const Triangle& t) {
+    const auto edge = [&](std::size_t k) {
+      return along(numbers_of(t.vertices[(k + 1) % 3]), -1, numbers_of(t.vertices[k]));
+    };
+    const Numbers u = edge(0);
+    const Numbers v = edge(1);
+    const Numbers n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    return lost(dot(n, n)) || lost(dot(u, u)) || lost(dot(v, v));
+  };
+  const auto of_plane = [&](const Plane& plane) {
+    const Numbers n = numbers_of(plane.normal);
+    return std::any_of(kAxes.begin(), kAxes.end(), [&](std::size_t axis) {
+      return lost(n[axis] * n[axis]) || lost(n[axis] * f.nearest[0][axis]);
+    });
+  };
+  const auto of_convex = [&]<class Shape>(const Shape& shape) {
+    if constexpr (std::same_as<Shape, Triangle>) return of_triangle(shape);
+    if constexpr (std::same_as<Shape, Plane>) return of_plane(shape);
+    // Of a rotated box the squares of its quaternion; of what a number has a square, its size: axes are crossed.
+    const auto lost_square = [&](double x) { return lost(Real{x} * Real{x}); };
+    bool found = false;
+    for_each_field(shape, [&](const auto& field, const auto& value) {
+      if (field.kind != FieldKind::point) for_each_number_in(value, [&](double x) { found = found || lost_square(x); });
+    });
+    return found;
+  };
   return std::visit(
       [&]<class A, class B>(const Two<A, B>& shapes) {
+        if constexpr (std::same_as<A, Convex>)
+          return std::visit(of_convex, shapes.a.shape) || std::visit(of_convex, shapes.b.shape);
         if constexpr (std::same_as<A, Cast>) {
           // d.d, w.d and w.w, and products of two of them.
           const Numbers d = numbers_of(shapes.a.direction);
@@ -25,26 +53,13 @@ bool products_out_of_range(F f) {
           const Real ww = dot(w, w);
           return lost(dd) || lost(ww) || lost(dd * ww) || lost(dd * dd * ww * ww);
         }
-        if constexpr (std::same_as<B, Plane>) {
-          const Numbers n = numbers_of(shapes.b.normal);
-          return std::any_of(kAxes.begin(), kAxes.end(), [&](std::size_t axis) {
-            return lost(n[axis] * n[axis]) || lost(n[axis] * f.nearest[0][axis]);
-          });
-        }
+        if constexpr (std::same_as<B, Plane>) return of_plane(shapes.b);
         if constexpr (std::same_as<A, Capsule> && std::same_as<B, Capsule>) {
           const Numbers u = AxisInReals(shapes.a).along;
           const Numbers v = AxisInReals(shapes.b).along;
           return lost(dot(u, u) * dot(v, v)) || lost(dot(u, v) * dot(u, v));
         }
-        if constexpr (std::same_as<A, Ball> && std::same_as<B, Triangle>) {
-          const auto edge = [&](std::size_t k) {
-            return along(numbers_of(shapes.b.vertices[(k + 1) % 3]), -1, numbers_of(shapes.b.vertices[k]));
-          };
-          const Numbers u = edge(0);
-          const Numbers v = edge(1);
-          const Numbers n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-          return lost(dot(n, n)) || lost(dot(u, u)) || lost(dot(v, v));
-        }
+        if constexpr (std::same_as<A, Ball> && std::same_as<B, Triangle>) return of_triangle(shapes.b);
         if constexpr (std::same_as<Two<A, B>, RayAndTriangle> || std::same_as<Two<A, B>, TriangleAndLine>) {
           const CrossingInReals crossing(shapes);
           const CrossingInReals::Vector n = (crossing.v[1] - crossing.v[0]).cross(crossing.v[2] - crossing.v[0]);
@@ -108,6 +123,11 @@ Real largest_in(F f) {
   return most;
 }
 
+/// Whether shapes that overlap are parted along the engine's normal as soon as along the best, but for roundings.
+bool takes_another_way(F f) { return f.depth > 0 && is_convex(f.query.pair) && f.detour <= loss(f, 0) * f.condition; }
+/// Whether faces of two convex shapes lie along each other: roundings take a point out of the polygon that they share.
+bool has_many_points(F f) { return is_convex(f.query.pair) && !f.truth->distance()->spread().empty(); }
+
 /// A normal of length 1, as engines make it that divide.
 bool is_unit(const std::optional<Numbers>& n) { return n && std::abs(dot(*n, *n) - 1) < 1e-5L; }
 
@@ -127,11 +147,13 @@ Cause rounded(std::string_view id, std::string_view sentence, int bits, double w
           .hit = [=](F f) { return where(serves(f) && from_edge(f) <= apart(f, bits), Said::anything()); },
           .normal = [=](F f) -> Said {
             if (!serves(f)) return std::nullopt;
+            if (own && takes_another_way(f)) return Said::anything();
             if (f.has_direction()) return {f.n, turned(f, bits), least(1, turned(f, 0))};
             return where(own && is_unit(f.said_normal), Said::anything());  // a difference that should be 0, and is not
           },
           .point = [=](F f, std::size_t shape) -> Said {
             if (!serves(f) || !f.has_direction()) return std::nullopt;
+            if (own && (takes_another_way(f) || has_many_points(f))) return Said::anything();
             return {surface(f, shape), moved(f, shape, bits), least(f.scale[shape], moved(f, shape, 0))};
           },
           .value = [=](F f) -> Said {

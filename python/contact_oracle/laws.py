@@ -326,7 +326,9 @@ def turn(engine: Engine, question: Question, axes: tuple[int, int, int] = (1, 2,
     def box_turned(box: Obb) -> Obb:
         """The box about axes that change places with those of space, so that its quaternion does so too, and nothing is rounded."""
         x, y, z = (part * mirrors for part in turned(box.orientation[:3]))
-        return Obb(turned(box.center), (x, y, z, box.orientation[3]), tuple(map(abs, turned(box.extents))))
+        center_x, center_y, center_z = turned(box.center)
+        along_x, along_y, along_z = (abs(part) for part in turned(box.extents))
+        return Obb((center_x, center_y, center_z), (x, y, z, box.orientation[3]), (along_x, along_y, along_z))
 
     def shape_turned(shape: Any) -> Any:
         if isinstance(shape, Obb):

@@ -206,8 +206,8 @@ def _touching(pair: str, scalar: str, parts: tuple[int, int, int, int], origin: 
             return Plane(_point(-delta, 1.0), float(-delta @ at) * scale)
         if kind == "obb":
             # Its first axis is turned along delta, so `at` is the middle of a face; the axis is as long as a whole number.
-            m, *axis = parts
-            return Obb(_point(at + sizes[0] * towards, scale), (*map(float, axis), float(m)),
+            m, x, y, z = map(float, parts)
+            return Obb(_point(at + sizes[0] * towards, scale), (x, y, z, m),
                        _point((sizes[0] * distance, sizes[1], sizes[0]), scale))
         low, high = _box_beside(at, towards, sizes)
         return Cube(_point(low, scale), _point(high, scale))
