@@ -1,6 +1,6 @@
 // Two convex cores, in integers.
 //
-// The vertices of both are integers on one grid, over one denominator: that of the rotations. Gilbert, Johnson and Keerthi's algorithm finds the
+// Most decisions are proved in plain double: convexes_filter.hpp. Else the vertices of both are integers on one grid, over one denominator: that of the rotations. Gilbert, Johnson and Keerthi's algorithm finds the
 // point v of B - A that is nearest to 0: in plain double first, which only proposes corners to begin with, then in integers, where each step is exact and the
 // distance falls, so that it ends, at
 //   v.(b - a) >= v.v     for all vertices a of A and b of B
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "contact/pair_functions.hpp"
+#include "kernel/convexes_filter.hpp"
 #include "kernel/cores.hpp"
 #include "kernel/floating_point_environment.hpp"
 #include "kernel/plane_cores.hpp"
@@ -500,9 +501,17 @@ Asked asked(const A& a, const B& b, Distances distances) {
           over_one_denominator(core_of(grid, a), core_of(grid, b))};
 }
 
+NearSide near_side_of(const Plane& b, const NearCore& a, double alarm) { return near_side(a, b, alarm); }
+template <class B>
+NearSide near_side_of(const B& b, const NearCore& a, double alarm) {
+  return near_side(a, near_core(b), alarm);
+}
+
 // Behind calls that are not inlined: what RoundToNearest sets must be set before anything is computed.
 template <class A, class B>
 [[gnu::noinline]] bool decide(const A& a, const B& b, double alarm) {
+  if (const NearSide side = near_side_of(b, near_core(a), alarm); side != NearSide::unknown)
+    return side == NearSide::hit;
   const Asked of = asked(a, b, {alarm, 0});
   const PointOf<Integer> v =
       nearest_from(proposed(of.cores), Difference<Integer>(of.cores.a.vertices, of.cores.b.vertices));
@@ -510,10 +519,14 @@ template <class A, class B>
 }
 template <class A, class B>
 [[gnu::noinline]] std::optional<Contact> compute(const A& a, const B& b, Distances distances, ContactPoints points) {
+  const NearSide side = near_side_of(b, near_core(a), distances.alarm);
+  if (side == NearSide::miss) return std::nullopt;
   const Asked of = asked(a, b, distances);
   const PointOf<Integer> v =
       nearest_from(proposed(of.cores), Difference<Integer>(of.cores.a.vertices, of.cores.b.vertices));
-  if (!is_hit({kNowhere, v.at, v.whole * of.cores.over(), true, kNowhere}, of.grid, of.lengths)) return std::nullopt;
+  if (side == NearSide::unknown &&
+      !is_hit({kNowhere, v.at, v.whole * of.cores.over(), true, kNowhere}, of.grid, of.lengths))
+    return std::nullopt;
   Contact contact{};
   round_exactly(v.at == kNowhere ? nearest_meeting(of.cores) : nearest_apart(of.cores, v), of.grid, of.lengths, points,
                 kAllNumbers, contact);
@@ -545,12 +558,15 @@ OverPlane over_plane(const A& a, const Plane& plane, Distances distances) {
 }
 template <class A>
 [[gnu::noinline]] bool decide(const A& a, const Plane& b, double alarm) {
+  if (const NearSide side = near_side_of(b, near_core(a), alarm); side != NearSide::unknown)
+    return side == NearSide::hit;
   const OverPlane of = over_plane(a, b, {alarm, 0});
   return is_hit(of.lowest, of.grids, of.lengths);
 }
 template <class A>
 [[gnu::noinline]] std::optional<Contact> compute(const A& a, const Plane& b, Distances distances,
                                                  ContactPoints points) {
+  if (near_side_of(b, near_core(a), distances.alarm) == NearSide::miss) return std::nullopt;
   const OverPlane of = over_plane(a, b, distances);
   if (!is_hit(of.lowest, of.grids, of.lengths)) return std::nullopt;
   Contact contact{};
