@@ -732,6 +732,8 @@ class Broken(Case):
         self.file("faults.jsonl", self.several_faults("sphere_sphere"))
         for name in ("touching.jsonl", "flat.jsonl", "invalid.jsonl"):
             self.file(f"cubes.{name}", (GOLDEN / "cube_cube" / name).read_text().splitlines())
+        # The committed ones of so few have no extent below 0.
+        run(TOOL, "generate", "--pair", "obb_plane", "--family", "invalid", "--seed", 1, "--count", 200, "-o", self.folder / "boxes.invalid.jsonl")
         self.file("spheres.invalid.jsonl", (GOLDEN / "sphere_sphere" / "invalid.jsonl").read_text().splitlines())
         # Axes level with an end, turned round, one beside a point or another; crossing, parallel, without length.
         points = ([0, 0, 0], [4, 0, 0], [1, 3, 1], [1, -2, 1], [6, 1, 2], [2, 0, 0], [-1, 2, 0], [3, 2, 0], [0, 0, 3])
@@ -790,12 +792,11 @@ class Broken(Case):
                 ("[(0, -x / dot(d, d)) for x in d]", "[(0, x / dot(d, d)) for x in d]"), ("(slope * way[i] - d[i]) / r)", "-d[i] / r)"),
                 ("] * any(u) + [(start", "] * 0 + [(start"), ("right | {\"expect.degenerate\": True}", "right"),
                 ("(w * w - dot(u, u)) * i", "(w * w + dot(u, u)) * i"), ("cross(u, v), 2 * w)", "cross(u, v), w)"), ("Fraction(-1, 2))", "Fraction(0))"),
-                ("(0, 1, 3, 2)", "(0, 1, 2, 3)"), ("if all(dot(x, v) <= 0 for v in across)", "if True"), ("in (1, 2, 3) for planes", "in (1, 2) for planes"),
-                ("normals = [n for n in height if square[n] == min(square.values())]", "normals = list(height)"), ("sum(map(abs, n))", "1"),
-                ("[p] * (f <= 0)", "[p] * (f < 0)"), ("f / (f - g)", "f / (f + g)"), ("for sign in (1, -1)}", "for sign in (1,)}"),
+                ("(0, 1, 3, 2)", "(0, 1, 2, 3)"), ("in (1, 2, 3) for planes", "in (1, 2) for planes"),
+                ("normals = [n for n in height if square[n] == min(square.values())]", "normals = list(height)"), ("Fraction(i, sum(map(abs, n))) for i in n], default", "Fraction(i) for i in n], default"),
+                ("f / (f - g)", "f / (f + g)"), ("for sign in (1, -1)}", "for sign in (1,)}"),
                 ("-out / unit", "out / unit"), ("deep=lowest > 0", "deep=False"), ("min(polygon) == max(polygon)", "True"),
-                ("for q in b) + dot(m, x)", "for q in b)"), ("8: [(0, 1), (0, 2), (0, 4)]", "8: [(0, 1), (0, 2)]"),
-                ("ways = edges(a) + edges(b)", "ways = edges(a)"), ("(lowest := min(height.values())) < 0", "(lowest := min(height.values())) <= 0"),
+                ("(lowest := min(height.values())) < 0", "(lowest := min(height.values())) <= 0"),
                 ("corners[1:] + corners[:1]", "corners[1:]"), ("[x[6] * d for d in x[3:6]]", "x[3:6]")):
             with self.subTest(right, becomes=wrong):
                 self.assertEqual(program.count(right), 1)

@@ -1,5 +1,6 @@
 // Any two convex shapes: answers that are known without arithmetic of ours.
 #include "contact/convexes.hpp"
+#include "kernel/convexes_filter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -102,6 +103,34 @@ TEST(Convexes, the_range_has_no_end) {
   expect_contact(compute_obb_obb({{0, 0, 0}, kNotTurned, {small, small, small}},
                                  {{4 * small, 0, 0}, kNotTurned, {small, small, small}}, {1, 0}),
                  {1, 0, 0}, {small, 0, 0}, {3 * small, 0, 0}, 2 * small, false, false);
+}
+
+TEST(ConvexesFilter, proves_what_is_clear_and_leaves_what_is_near_to_integers) {
+  using kernel::NearSide;
+  const Box first{{0, 0, 0}, {1, 1, 1}};
+  const auto beside = [](double gap) { return Obb{{2 + gap, 0.5, 0.5}, {0, 0, 3, 3}, {2, 1, 3}}; };
+  const auto side = [&](double gap, double alarm) {
+    return near_side(kernel::near_core(first), kernel::near_core(beside(gap)), alarm);
+  };
+  EXPECT_EQ(side(1, 1), NearSide::unknown);
+  EXPECT_EQ(side(0, 0), NearSide::unknown);
+  for (int k = 2; k < 53; ++k) {
+    const double step = std::ldexp(1.0, -k);
+    const auto expect = [&](NearSide right, NearSide found, int most) {
+      EXPECT_TRUE(found == right || (k > most && found == NearSide::unknown)) << k;
+    };
+    expect(NearSide::miss, side(1, 1 - step), 34);
+    expect(NearSide::hit, side(1, 1 + step), 34);
+    expect(NearSide::miss, side(step, 0), 24);  // a way of such a length has few digits that are right
+    EXPECT_NE(side(-step, 0), NearSide::miss) << k;
+  }
+  EXPECT_EQ(side(-0.25, 0), NearSide::hit);
+  // Where products leave the range, and of a quaternion whose square does, nothing is said.
+  EXPECT_EQ(near_side(kernel::near_core(Box{{0, 0, 0}, {1e300, 1, 1}}), kernel::near_core(first), 0), NearSide::unknown);
+  Obb tiny = beside(9);
+  for (double& x : tiny.orientation) x *= 0x1p-600;
+  EXPECT_EQ(near_side(kernel::near_core(first), kernel::near_core(tiny), 0), NearSide::unknown);
+  EXPECT_FALSE(test_cube_obb(first, tiny, 0));
 }
 
 }  // namespace
