@@ -110,6 +110,25 @@ class Adapters(unittest.TestCase):
         mixed["ray_triangle"] = [
             {"pair": "ray_triangle", "a": {"origin": start, "direction": [(y - x) / 2 for x, y in zip(start, end)], "length": 2},
              "b": triangle, "alarm": 0, "contact": 0} for start, end in lines]
+        # Boxes after quarter turns and thirds of a turn: 3 apart, and a quarter in each other where one way out is the shortest.
+        turns = ([0, 0, 0, 1], [1, 1, 1, 1], [0, 0, 2, 2], [-1, 0, 0, 1])
+        sizes = ([2, 4, 8], [8, 2, 4], [4, 2, 8], [2, 8, 4])  # half lengths along the axes of space of a box of 2, 4, 8
+        def rotated(i, center):
+            return {"center": center, "orientation": turns[i], "extents": [2, 4, 8]}
+
+        beside = [(i, j, axis, gap) for i in range(4) for j in range(4) for axis in range(3) for gap in (3, -0.25)]
+        mixed["obb_obb"] = [
+            {"pair": "obb_obb", "a": rotated(i, [1, 2, 3]), "alarm": alarm, "contact": 0.5,
+             "b": rotated(j, [x + (sizes[i][k] + sizes[j][k] + gap if k == axis else 0.5) for k, x in enumerate((1, 2, 3))])}
+            for i, j, axis, gap in beside for alarm in (0, 1)]
+        mixed["sphere_obb"] = [
+            {"pair": "sphere_obb", "a": {"center": [x + (sizes[i][k] + 3 if k == axis else 0.5) for k, x in enumerate((1, 2, 3))], "radius": r},
+             "alarm": alarm, "contact": 0.5, "b": rotated(i, [1, 2, 3])}
+            for i in range(4) for axis in range(3) for r in (1, 3.5) for alarm in (0, 1)]
+        mixed["obb_plane"] = [
+            {"pair": "obb_plane", "a": rotated(i, [1, 2, 3]), "alarm": alarm, "contact": 0.5,
+             "b": {"normal": turned([0, 0, 2], axis), "offset": 2 * ([1, 2, 3][(2 + axis) % 3] - sizes[i][(2 + axis) % 3] - gap)}}
+            for i in range(4) for axis in range(3) for gap in (3, -0.25) for alarm in (0, 1)]
         cls.files = {}
         for name, questions in {"spheres": spheres, "boxes": boxes, **mixed}.items():
             for scalar in ("binary64", "binary32"):
@@ -158,7 +177,10 @@ class Adapters(unittest.TestCase):
                    # Most others cast rays along a unit direction, which whoever asks would have to round.
                    "ray_sphere": names - {"bullet", "bullet-float", "cgal-epick", "jolt", "mujoco", "rapier"},
                    "ray_triangle": names - {"bullet", "bullet-float", "cgal-epick", "jolt", "rapier"},
-                   "triangle_line": names - {"bullet", "bullet-float", "cgal-epick", "jolt"}}
+                   "triangle_line": names - {"bullet", "bullet-float", "cgal-epick", "jolt"},
+                   "obb_obb": names - {"bullet", "bullet-float", "bullet-gjk", "bullet-gjk-float", "fcl", "libccd", "libccd-gjk", "ode"},
+                   "sphere_obb": names - {"bullet", "bullet-float", "bullet-gjk", "bullet-gjk-float", "fcl", "libccd", "libccd-gjk", "ode"},
+                   "obb_plane": names - {"bullet", "bullet-float", "fcl", "ode"}}
         for engine in listed():
             if not engine["command"]:
                 continue

@@ -10,7 +10,7 @@
 
 namespace contact::adapters {
 
-enum class Kind { sphere, box, capsule, triangle, ray, plane, line };
+enum class Kind { sphere, box, capsule, triangle, ray, plane, line, obb };
 
 /// A shape as contact_engine.h gives it, and as most engines take it: by centre, size and direction, a ray by its ends,
 /// a plane by a unit normal. Nothing is rounded: a declaration with the shapes `centered` keeps away those for which
@@ -27,6 +27,23 @@ struct Shape {
         if (kind == Kind::capsule && way != 0) axis = i;
       }
     }
+    if (kind == Kind::obb) {
+      for (int i = 0; i < 3; ++i) {
+        center[i] = x[i];
+        half[i] = x[7 + i];
+        size[i] = 2 * half[i];
+      }
+      const double* q = x + 3;
+      const double squares = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+      for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column) {
+          // |q|^2 R = (w^2 - v.v) + 2 v v^T + 2 w [v]
+          const int third = 3 - row - column;
+          const double across = row == column ? 0 : ((column - row + 3) % 3 == 1 ? -1 : 1) * q[third];
+          const double same = row == column ? q[3] * q[3] - (squares - q[3] * q[3]) : 0;
+          turn[row][column] = (same + 2 * (q[row] * q[column] + q[3] * across)) / squares;
+        }
+    }
     for (int i = 0; i < 3 && kind == Kind::ray; ++i) end[i] = x[i] + x[6] * x[3 + i];
     for (int i = 0; i < 3 && kind == Kind::line; ++i) end[i] = x[3 + i];
     for (int i = 0; i < 3 && kind == Kind::plane; ++i)
@@ -37,8 +54,11 @@ struct Shape {
         offset = x[3] / length;
       }
   }
-  /// The rotation that takes z to the axis, of which every number is 0 or 1; none where there is no axis.
-  [[nodiscard]] double rotation(int row, int column) const { return row == (column + axis + 1) % 3 ? 1 : 0; }
+  /// The rotation that takes z to the axis, of which every number is 0 or 1; none where there is no axis. Of a rotated
+  /// box its own.
+  [[nodiscard]] double rotation(int row, int column) const {
+    return kind == Kind::obb ? turn[row][column] : row == (column + axis + 1) % 3 ? 1 : 0;
+  }
   [[nodiscard]] double length() const { return size[axis]; }
   /// Where a ray or a line begins.
   [[nodiscard]] const double* start() const { return numbers; }
@@ -54,6 +74,7 @@ struct Shape {
   double end[3] = {};     ///< of a ray or a line
   double normal[3] = {};  ///< of a plane, which lies `offset` along it
   double offset = 0;
+  double turn[3][3] = {};  ///< of a rotated box
 };
 
 /// One question: two shapes of the kinds that the pair names, and the two distances.

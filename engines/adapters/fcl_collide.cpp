@@ -13,7 +13,7 @@ namespace contact::adapters {
 std::string declaration() {
   return R"({"engine":{"name":"fcl","version":")" FCL_VERSION
          R"("},"scalar":"binary64","pairs":["sphere_sphere","cube_cube","sphere_cube",)"
-         R"("sphere_capsule","capsule_capsule","sphere_triangle","sphere_plane","capsule_plane"],)"
+         R"("sphere_capsule","capsule_capsule","sphere_triangle","sphere_plane","capsule_plane","obb_obb","sphere_obb","obb_plane"],)"
          R"("conventions":{"points":"none",)"
          R"("value":"depth","value_less_contact":false,"margin":"none","coincident":"zero_normal"},)"
          R"("pair_conventions":{"sphere_cube":{"points":"midpoint","coincident":"any_unit_normal","shapes":"centered"},)"
@@ -21,7 +21,10 @@ std::string declaration() {
          R"("capsule_capsule":{"coincident":"any_unit_normal","shapes":"centered"},)"
          R"("sphere_triangle":{"normal":"second-to-first","value":"signed"},)"
          R"("sphere_plane":{"points":"midpoint","shapes":"centered"},)"
-         R"("capsule_plane":{"points":"midpoint","shapes":"centered"}}})";
+         R"("capsule_plane":{"points":"midpoint","shapes":"centered"},)"
+         R"("obb_obb":{"coincident":"any_unit_normal","shapes":"centered"},)"
+         R"("sphere_obb":{"coincident":"any_unit_normal","shapes":"centered"},)"
+         R"("obb_plane":{"shapes":"centered"}}})";
 }
 
 void answer(const Question& q, Answer& said) {

@@ -15,6 +15,15 @@ inline void ccd_support(const void* object, const ccd_vec3_t* direction, ccd_vec
     for (int i = 0; i < 3; ++i) point->v[i] = shape.center[i] + ccdSign(direction->v[i]) * shape.half[i];
     return;
   }
+  if (shape.kind == Kind::obb) {
+    ccdVec3Set(point, shape.center[0], shape.center[1], shape.center[2]);
+    for (int k = 0; k < 3; ++k) {
+      double along = 0;
+      for (int i = 0; i < 3; ++i) along += direction->v[i] * shape.turn[i][k];
+      for (int i = 0; i < 3; ++i) point->v[i] += ccdSign(along) * shape.half[k] * shape.turn[i][k];
+    }
+    return;
+  }
   // By its corners: one of a sphere, two of a capsule, three of a triangle.
   ccd_vec3_t end;
   ccdVec3Set(&end, x[0], x[1], x[2]);
@@ -52,9 +61,9 @@ inline ccd_t ccd_settings() {
 inline std::string ccd_declaration(const std::string& name, const std::string& scale) {
   return R"({"engine":{"name":")" + name +
          R"(","version":"2.1"},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube","sphere_capsule",)"
-         R"("capsule_capsule","sphere_triangle"],"conventions":{"points":"none",)"
+         R"("capsule_capsule","sphere_triangle","obb_obb","sphere_obb"],"conventions":{"points":"none",)"
          R"("value":"depth","value_less_contact":false,"margin":"none")" +
-         scale + R"(},"pair_conventions":{"sphere_cube":{"shapes":"centered"}}})";
+         scale + R"(},"pair_conventions":{"sphere_cube":{"shapes":"centered"},"obb_obb":{"shapes":"centered"},"sphere_obb":{"shapes":"centered"}}})";
 }
 
 /// Answers by ccdMPRPenetration or ccdGJKPenetration.

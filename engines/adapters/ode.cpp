@@ -43,10 +43,11 @@ std::string declaration() {
   return R"({"engine":{"name":"ode","version":")" dODE_VERSION R"("},"scalar":")" +
          std::string(sizeof(dReal) == sizeof(double) ? "binary64" : "binary32") +
          R"(","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule",)"
-         R"("sphere_triangle","sphere_plane","capsule_plane"],"conventions":{"normal":"second-to-first","points":"midpoint",)"
+         R"("sphere_triangle","sphere_plane","capsule_plane","obb_obb","sphere_obb","obb_plane"],"conventions":{"normal":"second-to-first","points":"midpoint",)"
          R"("value":"depth","value_less_contact":false,"margin":"none","shapes":"centered"},)"
          R"("pair_conventions":{"sphere_cube":{"points":"second_only"},"sphere_triangle":{"points":"second_only"},)"
-         R"("sphere_plane":{"points":"first_only"},"capsule_plane":{"points":"first_only"}}})";
+         R"("sphere_plane":{"points":"first_only"},"capsule_plane":{"points":"first_only"},)"
+         R"("obb_obb":{"points":"none"},"sphere_obb":{"points":"second_only"},"obb_plane":{"points":"first_only"}}})";
 }
 
 void answer(const Question& q, Answer& said) {
@@ -59,9 +60,10 @@ void answer(const Question& q, Answer& said) {
   static const auto second = made();
   const auto set = [](const auto& geoms, const Shape& x) {
     const auto real = [](double number) { return static_cast<dReal>(number); };
-    const dGeomID geom = geoms[static_cast<std::size_t>(x.kind)];
+    const bool is_box = x.kind == Kind::box || x.kind == Kind::obb;
+    const dGeomID geom = geoms[static_cast<std::size_t>(is_box ? Kind::box : x.kind)];
     if (x.kind == Kind::sphere) dGeomSphereSetRadius(geom, real(x.radius));
-    if (x.kind == Kind::box) dGeomBoxSetLengths(geom, real(x.size[0]), real(x.size[1]), real(x.size[2]));
+    if (is_box) dGeomBoxSetLengths(geom, real(x.size[0]), real(x.size[1]), real(x.size[2]));
     if (x.kind == Kind::capsule) dGeomCapsuleSetParams(geom, real(x.radius), real(x.length()));
     dMatrix3 upright{};
     for (int row = 0; row < 3; ++row)
@@ -76,7 +78,8 @@ void answer(const Question& q, Answer& said) {
   dGeomID b = plane;
   if (q.pair == CONTACT_SPHERE_TRIANGLE) {
     b = mesh.emplace(q.b).geom;
-  } else if (q.pair == CONTACT_SPHERE_PLANE || q.pair == CONTACT_CAPSULE_PLANE) {
+  } else if (q.pair == CONTACT_SPHERE_PLANE || q.pair == CONTACT_CAPSULE_PLANE ||
+             q.pair == CONTACT_OBB_PLANE) {
     const auto real = [](double number) { return static_cast<dReal>(number); };
     dGeomPlaneSetParams(plane, real(q.b.normal[0]), real(q.b.normal[1]), real(q.b.normal[2]), real(q.b.offset));
   } else {
@@ -87,11 +90,11 @@ void answer(const Question& q, Answer& said) {
   said.hit(hit);
   if (!hit) return;
   said.normal(contact.normal);
-  if (q.pair == CONTACT_SPHERE_CUBE || q.pair == CONTACT_SPHERE_TRIANGLE)
+  if (q.pair == CONTACT_SPHERE_CUBE || q.pair == CONTACT_SPHERE_TRIANGLE || q.pair == CONTACT_SPHERE_OBB)
     said.point2(contact.pos);
-  else if (q.pair == CONTACT_SPHERE_PLANE || q.pair == CONTACT_CAPSULE_PLANE)
+  else if (q.pair == CONTACT_SPHERE_PLANE || q.pair == CONTACT_CAPSULE_PLANE || q.pair == CONTACT_OBB_PLANE)
     said.point1(contact.pos);
-  else
+  else if (q.pair != CONTACT_OBB_OBB)
     said.midpoint(contact.pos);
   said.value(contact.depth);
 }

@@ -432,10 +432,25 @@ bool has_center_and_size(const Ray& ray, Scalar scalar) {
 /// Triangles and lines are taken by their corners.
 bool has_center_and_size(const Line& /*line*/, Scalar /*scalar*/) { return true; }
 bool has_center_and_size(const Triangle& /*triangle*/, Scalar /*scalar*/) { return true; }
-/// A rotated box has both, and a rotation, which is exact where its quaternion is that of none.
-bool has_center_and_size(const Obb& box, Scalar /*scalar*/) {
-  const auto& [x, y, z, w] = box.orientation;
-  return x == 0 && y == 0 && z == 0 && w == 1;
+/// A rotated box has a rotation, whose matrix is of numbers where it changes axes, as after quarter turns, and seldom else.
+bool has_center_and_size(const Obb& box, Scalar scalar) {
+  if (!std::all_of(box.orientation.begin(), box.orientation.end(), [](double x) { return std::isfinite(x); }))
+    return true;
+  if (!box.extents.allFinite()) return true;
+  std::array<Rational, 4> q;
+  std::copy(box.orientation.begin(), box.orientation.end(), q.begin());
+  const auto& [x, y, z, w] = q;
+  const Rational square = x * x + y * y + z * z + w * w;
+  if (CGAL::is_zero(square)) return true;
+  const std::array<Rational, 9> matrix{w * w + x * x - y * y - z * z, Rational(2) * (x * y - w * z),
+                                       Rational(2) * (x * z + w * y), Rational(2) * (x * y + w * z),
+                                       w * w - x * x + y * y - z * z, Rational(2) * (y * z - w * x),
+                                       Rational(2) * (x * z - w * y), Rational(2) * (y * z + w * x),
+                                       w * w - x * x - y * y + z * z};
+  const auto is_one = [&](const Rational& number) { return is_number(number, scalar); };
+  return std::all_of(matrix.begin(), matrix.end(), [&](const Rational& number) { return is_one(number / square); }) &&
+         std::all_of(box.extents.begin(), box.extents.end(),
+                     [&](double extent) { return is_one(Rational(2) * Rational(extent)); });
 }
 
 }  // namespace
