@@ -56,9 +56,12 @@ std::map<std::string, Recorded> recorded_digests(const std::filesystem::path& fo
   const auto json = formats::parse_object(formats::read_text(where.file), where);
   for (const formats::Node& file : formats::Node(json, where).at("files").items()) {
     Recorded& r = recorded[file.at("path").text()];
+    const std::string pair = file.at("pair").text();
+    const auto of = std::find_if(kPairs.begin(), kPairs.end(), [&](Pair p) { return name(p) == pair; });
+    const std::uint64_t many = of == kPairs.end() ? kManyAnswers : many_answers(*of);
     r.generator = file.at("generator").text();
     if (const auto digests = file.find("digests"))
-      for (const std::uint64_t count : {file.at("count").count(), kManyAnswers, kMostAnswers})
+      for (const std::uint64_t count : {file.at("count").count(), many, kMostAnswers})
         if (const auto digest = digests->find(std::to_string(count))) r.digests[count] = digest->text();
   }
   return recorded;

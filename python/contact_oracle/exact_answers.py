@@ -14,7 +14,7 @@ from .asked import Asked, asked
 from .errors import errors_of_core
 from .pairs import pair_named
 from .questions import Questions
-from .shapes import Cube, Question
+from .shapes import Question
 
 DIGITS = 50
 
@@ -127,7 +127,7 @@ class Exact:
     def _depth(self) -> Fraction:
         """How deep a centre is in a box, 0 where it is not."""
         box = self.question.b
-        if not isinstance(box, Cube) or self.distance2 != 0:
+        if self.question.pair != "sphere_cube" or self.distance2 != 0:
             return Fraction(0)
         return min(Fraction(inner) - Fraction(outer) for low, at, high in zip(box.min, self.question.a.center, box.max)
                    for inner, outer in ((at, low), (high, at)))

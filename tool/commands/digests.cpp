@@ -35,7 +35,7 @@ void write(const DigestsOptions& o) {
       if (file == recorded.end())
         throw formats::InputError({o.folder, 0}, "", fmt::format("the manifest does not list {}", stream.path()));
       golden::Digests digests = renewed_digests(stream, file->second, most);
-      digests.insert(file->second.digests.begin(), file->second.digests.lower_bound(golden::kManyAnswers));
+      digests.insert(file->second.digests.begin(), file->second.digests.lower_bound(golden::many_answers(stream.pair)));
       golden::record_digests(o.folder, stream.path(), digests);
       ++written;
     }
@@ -56,7 +56,7 @@ bool check(const DigestsOptions& o) {
     const auto file = recorded.find(stream.path());
     const golden::Digests none;
     const golden::Digests& digests = file == recorded.end() ? none : file->second.digests;
-    for (const std::uint64_t count : {golden::kManyAnswers, golden::kMostAnswers}) {
+    for (const std::uint64_t count : {golden::many_answers(stream.pair), golden::kMostAnswers}) {
       if (count > o.count) continue;
       if (digests.contains(count)) {
         counts.push_back(count);

@@ -45,15 +45,16 @@ std::string oracle_bytes(const Query& query, Scalar scalar) {
 }
 
 golden::Digests renewed_digests(const golden::CommittedFile& stream, const golden::Recorded& recorded, Most most) {
-  using golden::kManyAnswers, golden::kMostAnswers;
+  using golden::kMostAnswers;
+  const std::uint64_t many = golden::many_answers(stream.pair);
   const auto first = [&](const std::vector<std::uint64_t>& counts) {
     return digests_of(stream, golden::kCommittedSeed, 0, counts, oracle_bytes);
   };
-  golden::Digests digests{{kManyAnswers, first({kManyAnswers}).front()}};
-  const auto many = recorded.digests.find(kManyAnswers);
+  golden::Digests digests{{many, first({many}).front()}};
+  const auto before = recorded.digests.find(many);
   const auto kept = recorded.digests.find(kMostAnswers);
-  const bool same = recorded.generator == golden::kGenerator && many != recorded.digests.end() &&
-                    many->second == digests[kManyAnswers] && kept != recorded.digests.end();
+  const bool same = recorded.generator == golden::kGenerator && before != recorded.digests.end() &&
+                    before->second == digests[many] && kept != recorded.digests.end();
   if (same && most != Most::anew)
     digests.insert(*kept);
   else if (most != Most::keep)

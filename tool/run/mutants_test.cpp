@@ -18,10 +18,12 @@ namespace {
 
 #ifdef CONTACT_EVERY_QUESTION
 constexpr std::uint64_t kQuestions = golden::kCommittedCount;
+constexpr std::uint64_t kOfConvexes = 20;
 constexpr std::size_t kStep = 1;
 #else
 constexpr std::size_t kStep = 60;         // of the mutants one: the campaign asks them all
 constexpr std::uint64_t kQuestions = 42;  // of a file: all classes take their turn in so many
+constexpr std::uint64_t kOfConvexes = 3;  // of any two convex shapes, whose causes are asked of the exact truth
 #endif
 
 /// The mutants that are asked.
@@ -42,8 +44,8 @@ const std::vector<Subject>& judged() {
     Stop never;
     Oracles oracles;
     for (const golden::CommittedFile& file : golden::committed_files())
-      judge_source({file.pair, file.scalar, std::string(file.family->name), kQuestions, std::nullopt, file.family,
-                    golden::kCommittedSeed},
+      judge_source({file.pair, file.scalar, std::string(file.family->name), is_convex(file.pair) ? kOfConvexes : kQuestions,
+                    std::nullopt, file.family, golden::kCommittedSeed},
                    subjects, never, oracles);
     return subjects;
   }();
@@ -168,8 +170,7 @@ TEST(Mutants, a_mistake_that_was_reported_is_named_in_the_first_line_of_the_pair
       }
     if (planted.empty()) continue;
     for (const golden::CommittedFile& file : golden::committed_files())
-      if (file.pair == pair)
-        ask(file, is_convex(pair) ? golden::committed_count(pair) : golden::kCommittedCount, subjects);
+      if (file.pair == pair) ask(file, std::min(2 * kQuestions, golden::kCommittedCount), subjects);
     for (std::size_t i = 0; i < planted.size(); ++i) {
       const auto found = subjects[i].report.why.findings();
       ASSERT_FALSE(found.empty()) << planted[i].mutant;
@@ -200,7 +201,7 @@ TEST(Mutants, plain_arithmetic_is_never_told_of_a_mistake_that_it_does_not_make)
     for (const char* name : {"plain-double", "plain-float"})
       subjects.push_back(subject_of(engines::make_built_in(name)));
     for (const golden::CommittedFile& each : files)
-      ask(each, is_convex(each.pair) ? 10 : golden::kCommittedCount, subjects);
+      ask(each, is_convex(each.pair) ? 2 * kOfConvexes : golden::kCommittedCount, subjects);
     for (const Subject& subject : subjects) {
       const auto found = subject.report.why.findings();
       if (found.empty()) continue;
