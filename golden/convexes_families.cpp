@@ -264,8 +264,8 @@ void recede(Query& query, const Vector3& d, Scalar scalar) {
           const auto corner = vertices(*shape);
           std::array<double, 3> along{};
           for (std::size_t k = 0; k < 3; ++k)
-            along[k] = std::abs(d.dot(corner[std::size_t{1} << k] - corner[0])) /
-                       shape->extents[static_cast<Eigen::Index>(k)];
+            along[k] =
+                std::abs(d.dot(corner[std::size_t{1} << k] - corner[0])) / shape->extents[static_cast<Eigen::Index>(k)];
           const auto most = std::max_element(along.begin(), along.end()) - along.begin();
           shape->extents[most] = stepped(shape->extents[most], -1, scalar);
         }
@@ -302,7 +302,11 @@ Query alarm_edge(Pair pair, Scalar scalar, Random& random) {
   });
   const double alarm = found.distance - sum_of_radii(found.query);
   const auto turn = random.turn(5);
-  found.query.distances = {stepped(alarm, turn == kMissing ? -1 : turn == 0 ? 1 : 0, scalar),
+  found.query.distances = {stepped(alarm,
+                                   turn == kMissing ? -1
+                                   : turn == 0      ? 1
+                                                    : 0,
+                                   scalar),
                            random.chance(2) ? static_cast<double>(random.between(0, 3)) / 4 : 0};
   return settled(std::move(found.query), scalar);
 }

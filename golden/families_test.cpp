@@ -388,7 +388,8 @@ TEST(Families, TiesAreTiesOrRightBesideOne) {
     // Where two triangles face each other a nearest point is seldom half way between numbers.
     if (is_convex(file.pair) && !name(file.pair).ends_with("_obb")) return;
     // Where a ray hits what is flat, one number in a hundred is beside a tie.
-    for (const char* flag : is_cast(file.pair) || is_convex(file.pair) ? std::vector{"Tie"} : std::vector{"Tie", "HardToRound"})
+    for (const char* flag :
+         is_cast(file.pair) || is_convex(file.pair) ? std::vector{"Tie"} : std::vector{"Tie", "HardToRound"})
       EXPECT_GE(count_if(file, [&](const Query& q, const oracle::Truth&) { return has_flag(flag, q, file.scalar); }),
                 kCommittedCount / 5)
           << title(file) << " " << flag;
@@ -479,8 +480,8 @@ TEST(Families, SearchFindsWhatPlainArithmeticDecidesWrongly) {
     const auto it = least_percent.find(file.family->name);
     if (it == least_percent.end() || (file.pair == Pair::cube_cube && file.family->name == "touching")) continue;
     if ((is_crossing(file.pair) || is_cast(file.pair)) && it->first == "far_from_origin")
-      continue;                                                        // differences are short, and products exact
-    if (is_cast(file.pair) && it->first == "extreme_scale") continue;  // slabs multiply nothing
+      continue;                                                          // differences are short, and products exact
+    if (is_cast(file.pair) && it->first == "extreme_scale") continue;    // slabs multiply nothing
     if (is_convex(file.pair) && it->first != "near_touching") continue;  // integers, for other reasons than decisions
     const auto wrong = count_if(
         file, [&](const Query& q, const oracle::Truth& t) { return plain_overlap(q, file.scalar) != t.hit(); });

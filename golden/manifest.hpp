@@ -20,7 +20,9 @@ using Digests = std::map<std::uint64_t, std::string>;
 /// Beside that of the file's own answers a generated file has those of its generator's first so many.
 inline constexpr std::uint64_t kManyAnswers = 10'000;
 /// Of the answers of a pair; of any two convex shapes each takes ten times as long.
-[[nodiscard]] constexpr std::uint64_t many_answers(Pair pair) { return is_convex(pair) ? kManyAnswers / 10 : kManyAnswers; }
+[[nodiscard]] constexpr std::uint64_t many_answers(Pair pair) {
+  return is_convex(pair) ? kManyAnswers / 10 : kManyAnswers;
+}
 inline constexpr std::uint64_t kMostAnswers = 1'000'000;
 
 /// One entry of the manifest.

@@ -8,16 +8,16 @@ using namespace contact::adapters;
 
 /// The two shapes of each contact_pair.
 constexpr Kind kKinds[][2] = {
-    {Kind::sphere, Kind::sphere},   {Kind::sphere, Kind::sphere},   {Kind::sphere, Kind::sphere},
-    {Kind::box, Kind::box},         {Kind::sphere, Kind::box},      {Kind::sphere, Kind::capsule},
-    {Kind::capsule, Kind::capsule}, {Kind::sphere, Kind::triangle}, {Kind::ray, Kind::sphere},
-    {Kind::sphere, Kind::plane},    {Kind::capsule, Kind::plane},   {Kind::ray, Kind::triangle},
-    {Kind::triangle, Kind::line},   {Kind::ray, Kind::sphere},      {Kind::ray, Kind::box},
-    {Kind::ray, Kind::capsule},     {Kind::ray, Kind::triangle},    {Kind::ray, Kind::plane},
-    {Kind::obb, Kind::obb},         {Kind::sphere, Kind::obb},      {Kind::capsule, Kind::box},
+    {Kind::sphere, Kind::sphere},   {Kind::sphere, Kind::sphere},    {Kind::sphere, Kind::sphere},
+    {Kind::box, Kind::box},         {Kind::sphere, Kind::box},       {Kind::sphere, Kind::capsule},
+    {Kind::capsule, Kind::capsule}, {Kind::sphere, Kind::triangle},  {Kind::ray, Kind::sphere},
+    {Kind::sphere, Kind::plane},    {Kind::capsule, Kind::plane},    {Kind::ray, Kind::triangle},
+    {Kind::triangle, Kind::line},   {Kind::ray, Kind::sphere},       {Kind::ray, Kind::box},
+    {Kind::ray, Kind::capsule},     {Kind::ray, Kind::triangle},     {Kind::ray, Kind::plane},
+    {Kind::obb, Kind::obb},         {Kind::sphere, Kind::obb},       {Kind::capsule, Kind::box},
     {Kind::capsule, Kind::obb},     {Kind::capsule, Kind::triangle}, {Kind::box, Kind::obb},
-    {Kind::box, Kind::triangle},    {Kind::obb, Kind::triangle},    {Kind::triangle, Kind::triangle},
-    {Kind::box, Kind::plane},       {Kind::obb, Kind::plane},       {Kind::triangle, Kind::plane}};
+    {Kind::box, Kind::triangle},    {Kind::obb, Kind::triangle},     {Kind::triangle, Kind::triangle},
+    {Kind::box, Kind::plane},       {Kind::obb, Kind::plane},        {Kind::triangle, Kind::plane}};
 
 /// How many numbers each kind has.
 constexpr std::size_t kWidths[] = {4, 6, 7, 9, 7, 4, 6, 10};

@@ -31,8 +31,8 @@ struct BulletShape {
       shape = std::make_unique<btBoxShape>(bullet_vector(x.half));
       shape->setMargin(0);
       const auto turn = [&](int row, int column) { return static_cast<btScalar>(x.turn[row][column]); };
-      place.setBasis({turn(0, 0), turn(0, 1), turn(0, 2), turn(1, 0), turn(1, 1), turn(1, 2), turn(2, 0), turn(2, 1),
-                      turn(2, 2)});
+      place.setBasis(
+          {turn(0, 0), turn(0, 1), turn(0, 2), turn(1, 0), turn(1, 1), turn(1, 2), turn(2, 0), turn(2, 1), turn(2, 2)});
     } else if (x.kind == Kind::triangle) {
       shape = std::make_unique<btTriangleShape>(bullet_vector(x.vertex(0)), bullet_vector(x.vertex(1)),
                                                 bullet_vector(x.vertex(2)));

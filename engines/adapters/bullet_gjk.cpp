@@ -12,7 +12,8 @@ namespace contact::adapters {
 // The detector gives the point on the second shape; the other is for its user to derive.
 std::string declaration() {
   return bullet_declaration(
-      "-gjk", R"(["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule","sphere_triangle","obb_obb","sphere_obb"])",
+      "-gjk",
+      R"(["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule","sphere_triangle","obb_obb","sphere_obb"])",
       R"({"normal":"second-to-first","points":"second_only","value_less_contact":false,"shapes":"centered"})");
 }
 

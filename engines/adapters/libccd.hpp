@@ -63,7 +63,8 @@ inline std::string ccd_declaration(const std::string& name, const std::string& s
          R"(","version":"2.1"},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube","sphere_capsule",)"
          R"("capsule_capsule","sphere_triangle","obb_obb","sphere_obb"],"conventions":{"points":"none",)"
          R"("value":"depth","value_less_contact":false,"margin":"none")" +
-         scale + R"(},"pair_conventions":{"sphere_cube":{"shapes":"centered"},"obb_obb":{"shapes":"centered"},"sphere_obb":{"shapes":"centered"}}})";
+         scale +
+         R"(},"pair_conventions":{"sphere_cube":{"shapes":"centered"},"obb_obb":{"shapes":"centered"},"sphere_obb":{"shapes":"centered"}}})";
 }
 
 /// Answers by ccdMPRPenetration or ccdGJKPenetration.

@@ -78,8 +78,7 @@ void answer(const Question& q, Answer& said) {
   dGeomID b = plane;
   if (q.pair == CONTACT_SPHERE_TRIANGLE) {
     b = mesh.emplace(q.b).geom;
-  } else if (q.pair == CONTACT_SPHERE_PLANE || q.pair == CONTACT_CAPSULE_PLANE ||
-             q.pair == CONTACT_OBB_PLANE) {
+  } else if (q.pair == CONTACT_SPHERE_PLANE || q.pair == CONTACT_CAPSULE_PLANE || q.pair == CONTACT_OBB_PLANE) {
     const auto real = [](double number) { return static_cast<dReal>(number); };
     dGeomPlaneSetParams(plane, real(q.b.normal[0]), real(q.b.normal[1]), real(q.b.normal[2]), real(q.b.offset));
   } else {

@@ -51,7 +51,8 @@ const std::vector<Question>& questions() {
     std::vector<Question> made;
     for (const Pair pair : kPairs) {
       for (const golden::Family& family : golden::families_of(pair))
-        for (std::uint64_t i = 0; i < (is_convex(pair) ? 4U : 36U) && !family.outside_domain && family.name != "extreme_scale"; ++i) {
+        for (std::uint64_t i = 0;
+             i < (is_convex(pair) ? 4U : 36U) && !family.outside_domain && family.name != "extreme_scale"; ++i) {
           const Query query = golden::generate_query(pair, family, Scalar::binary64, golden::kCommittedSeed, i);
           oracle::Truth truth = oracle::truth_of(query);
           const Expectation right = oracle::expectation(truth, Scalar::binary64);
@@ -73,8 +74,9 @@ TEST(Mutants, that_always_answer_alike_are_right_in_everything_else) {
   for (const Pair pair : kPairs)
     for (const golden::Family& family : golden::families_of(pair))
       // A crossing or a cast cannot be presumed: there is no point.
-      for (std::uint64_t i = 0;
-           i < (is_convex(pair) ? 20 : golden::kCommittedCount) && !family.outside_domain && !is_crossing(pair) && !is_cast(pair); ++i) {
+      for (std::uint64_t i = 0; i < (is_convex(pair) ? 20 : golden::kCommittedCount) && !family.outside_domain &&
+                                !is_crossing(pair) && !is_cast(pair);
+           ++i) {
         const Query query = golden::generate_query(pair, family, Scalar::binary64, golden::kCommittedSeed, i);
         for (const auto& [mutant, sign] : {std::pair(hit, oracle::Side::within), {miss, oracle::Side::beyond}}) {
           const Claim claim = answer_of(mutant, query);
@@ -106,8 +108,8 @@ struct Count {
 /// What a mutant says that is wrong beyond all rounding, and how much of it the formula of its cause gives.
 Count explained_by_cause(const Mutant& mutant) {
   const oracle::Cause& cause = oracle::causes()[oracle::cause_index(mutant.cause)];
-  const bool is_of_convexes = std::any_of(convex_mutants().begin(), convex_mutants().end(),
-                                          [&](const Mutant& m) { return m.id == mutant.id; });
+  const bool is_of_convexes =
+      std::any_of(convex_mutants().begin(), convex_mutants().end(), [&](const Mutant& m) { return m.id == mutant.id; });
   Count count;
   for (const Question& q : questions()) {
     // Where cores overlap, a mistake about a direction meets no distance: mutants and causes of such pairs are about that.

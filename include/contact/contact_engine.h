@@ -53,7 +53,8 @@ typedef struct contact_questions {
   int32_t pair;  /* enum contact_pair */
   int32_t width; /* numbers of a shape of a: 4 for spheres and planes, 6 for cubes and lines, 7 for capsules and rays, 9
                     for triangles, 10 for rotated boxes; b is as wide as its own */
-  const double* a; /* count rows: centre and radius; min and max; start, end and radius; centre, quaternion and extents */
+  const double*
+      a; /* count rows: centre and radius; min and max; start, end and radius; centre, quaternion and extents */
   const double* b;
   const double* alarm;   /* count */
   const double* contact; /* count */

@@ -173,9 +173,8 @@ struct ShapeDescription<Line> : AnyNumbers<Line> {
 
 /// What a field may hold.
 template <class Value>
-concept FieldValue =
-    std::same_as<std::remove_const_t<Value>, double> || std::same_as<std::remove_const_t<Value>, Vector3> ||
-    std::same_as<std::remove_const_t<Value>, Quaternion> ||
+concept FieldValue = std::same_as < std::remove_const_t<Value>,
+double > || std::same_as<std::remove_const_t<Value>, Vector3> || std::same_as<std::remove_const_t<Value>, Quaternion> ||
     std::same_as<std::remove_const_t<Value>, std::array<Vector3, 3>>;
 
 /// Calls visit(vector&) for every vector of a field: none of a number or a quaternion, one, or three.

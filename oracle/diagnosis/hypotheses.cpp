@@ -211,7 +211,8 @@ void Facts::read(const Truth& of_query) {
     n = unit;
     nearest = {real(way.first), real(way.nearest)};
   }
-  if (const auto* shapes = std::get_if<Convexes>(&query.shapes); shapes != nullptr && said_normal && !has_plane(query.pair)) {
+  if (const auto* shapes = std::get_if<Convexes>(&query.shapes);
+      shapes != nullptr && said_normal && !has_plane(query.pair)) {
     const auto farthest = [](const Convex& shape, const Numbers& way) {
       Real most = -formulas::kInfinity;
       for (const auto& x : exact_core(shape).vertices) most = std::max(most, formulas::dot(real(x), way));

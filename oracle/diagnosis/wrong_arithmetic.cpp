@@ -26,9 +26,8 @@ bool products_out_of_range(F f) {
   };
   const auto of_plane = [&](const Plane& plane) {
     const Numbers n = numbers_of(plane.normal);
-    return std::any_of(kAxes.begin(), kAxes.end(), [&](std::size_t axis) {
-      return lost(n[axis] * n[axis]) || lost(n[axis] * f.nearest[0][axis]);
-    });
+    return std::any_of(kAxes.begin(), kAxes.end(),
+                       [&](std::size_t axis) { return lost(n[axis] * n[axis]) || lost(n[axis] * f.nearest[0][axis]); });
   };
   const auto of_convex = [&]<class Shape>(const Shape& shape) {
     if constexpr (std::same_as<Shape, Triangle>) return of_triangle(shape);

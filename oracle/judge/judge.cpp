@@ -442,11 +442,10 @@ bool has_center_and_size(const Obb& box, Scalar scalar) {
   const auto& [x, y, z, w] = q;
   const Rational square = x * x + y * y + z * z + w * w;
   if (CGAL::is_zero(square)) return true;
-  const std::array<Rational, 9> matrix{w * w + x * x - y * y - z * z, Rational(2) * (x * y - w * z),
-                                       Rational(2) * (x * z + w * y), Rational(2) * (x * y + w * z),
-                                       w * w - x * x + y * y - z * z, Rational(2) * (y * z - w * x),
-                                       Rational(2) * (x * z - w * y), Rational(2) * (y * z + w * x),
-                                       w * w - x * x - y * y + z * z};
+  const std::array<Rational, 9> matrix{
+      w * w + x * x - y * y - z * z, Rational(2) * (x * y - w * z), Rational(2) * (x * z + w * y),
+      Rational(2) * (x * y + w * z), w * w - x * x + y * y - z * z, Rational(2) * (y * z - w * x),
+      Rational(2) * (x * z - w * y), Rational(2) * (y * z + w * x), w * w - x * x - y * y + z * z};
   const auto is_one = [&](const Rational& number) { return is_number(number, scalar); };
   return std::all_of(matrix.begin(), matrix.end(), [&](const Rational& number) { return is_one(number / square); }) &&
          std::all_of(box.extents.begin(), box.extents.end(),

@@ -398,7 +398,15 @@ Rational largest_coordinate(const std::vector<Point>& points) {
   return std::max(Rational(-*low), *high);
 }
 
-ExactCore exact_core(const Obb& box) {
+ExactCore exact_core(const Obb& given) {
+  // A quaternion says the same at any length, and numbers near 1 are short.
+  Obb box = given;
+  double largest = 0;
+  for (const double x : given.orientation) largest = std::max(largest, std::abs(x));
+  const int exponent = std::ilogb(largest);
+  for (double& x : box.orientation) x = std::ldexp(x, -exponent);
+  for (std::size_t i = 0; i < 4; ++i)
+    if (std::ldexp(box.orientation[i], exponent) != given.orientation[i]) box.orientation = given.orientation;
   auto core = core_of([](double x) { return Rational(x); }, box);
   for (Point& x : core.vertices) x = (kOne / *core.over) * x;
   ExactCore found = exact_core(core.vertices, core.features);
@@ -424,6 +432,19 @@ ExactCore exact_core(const std::vector<Point>& vertices, std::span<const Feature
     core.enclosed.vertices.push_back({enclosed(0), enclosed(1), enclosed(2)});
   }
   return core;
+}
+
+void enclose_in_range(ExactCore& first, ExactCore& second) {
+  constexpr int kFar = 100;
+  const double largest =
+      CGAL::to_double(std::max(largest_coordinate(first.vertices), largest_coordinate(second.vertices)));
+  const int exponent = largest > 0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
+  if (std::abs(exponent) < kFar) return;
+  const Rational scale = power_of_two(-exponent);
+  for (ExactCore* core : {&first, &second})
+    for (std::size_t k = 0; k < core->vertices.size(); ++k)
+      for (std::size_t i = 0; i < 3; ++i)
+        core->enclosed.vertices[k][i] = Enclosed(CGAL::to_interval(scale * core->vertices[k][i]));
 }
 
 bool are_surely_apart(const EnclosedCore& first, const EnclosedCore& second) {

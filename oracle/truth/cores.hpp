@@ -27,6 +27,9 @@ template <class Shape>
 [[nodiscard]] ExactCore exact_core(const Convex& convex);
 [[nodiscard]] ExactCore exact_core(const std::vector<Point>& vertices, std::span<const Feature> features);
 
+/// Encloses two cores anew, on one scale on which products of doubles stay in their range: intervals only compare lengths of one question.
+void enclose_in_range(ExactCore& first, ExactCore& second);
+
 /// What is said of cores that meet: what the pair had agreed before there were rules for all, where the first core is a point, or both are
 /// segments; or those for any two convex shapes.
 enum class Rules { of_the_pair, of_all };

@@ -359,11 +359,14 @@ TEST(StagedOracle, passes_on_what_a_stage_declines_and_says_who_decided) {
   const Query near{Pair::capsule_capsule, Capsules{a, b}, {0, 0}};
   EXPECT_EQ(stage(near), Stage::interval);
   // The exact stage is faster than intervals are with any two convex shapes.
-  const Query boxes{Pair::obb_obb, Convexes{{Obb{{0, 0, 0}, {0, 0, 1, 1}, {1, 2, 3}}}, {Obb{{3, 0, 0}, {1, 2, 3, 4}, {2, 1, 1}}}}, {0, 0}};
+  const Query boxes{Pair::obb_obb,
+                    Convexes{{Obb{{0, 0, 0}, {0, 0, 1, 1}, {1, 2, 3}}}, {Obb{{3, 0, 0}, {1, 2, 3, 4}, {2, 1, 1}}}},
+                    {0, 0}};
   EXPECT_EQ(stage(boxes), Stage::exact);
   for (const Query& query : {near, boxes}) {
     const StagedAnswer answer = staged_answer(query, Scalar::binary64);
-    EXPECT_EQ(first_difference(rounded_answer(answer), rounded_answer(truth_of(query), Scalar::binary64)), std::nullopt);
+    EXPECT_EQ(first_difference(rounded_answer(answer), rounded_answer(truth_of(query), Scalar::binary64)),
+              std::nullopt);
   }
 }
 

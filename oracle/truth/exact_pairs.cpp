@@ -50,7 +50,10 @@ ExactTruth truth(const Two<A, B>& shapes, Distances distances) {
 ExactTruth truth(const Convexes& shapes, Distances distances) {
   if (const auto* plane = std::get_if<Plane>(&shapes.b.shape))
     return truth_of_cores(exact_core(shapes.a), *plane, distances);
-  return truth_of_cores(exact_core(shapes.a), exact_core(shapes.b), distances, Rules::of_all);
+  ExactCore a = exact_core(shapes.a);
+  ExactCore b = exact_core(shapes.b);
+  enclose_in_range(a, b);
+  return truth_of_cores(a, b, distances, Rules::of_all);
 }
 
 template <class A, class B>

@@ -126,7 +126,8 @@ TEST(ConvexesFilter, proves_what_is_clear_and_leaves_what_is_near_to_integers) {
   }
   EXPECT_EQ(side(-0.25, 0), NearSide::hit);
   // Where products leave the range, and of a quaternion whose square does, nothing is said.
-  EXPECT_EQ(near_side(kernel::near_core(Box{{0, 0, 0}, {1e300, 1, 1}}), kernel::near_core(first), 0), NearSide::unknown);
+  EXPECT_EQ(near_side(kernel::near_core(Box{{0, 0, 0}, {1e300, 1, 1}}), kernel::near_core(first), 0),
+            NearSide::unknown);
   Obb tiny = beside(9);
   for (double& x : tiny.orientation) x *= 0x1p-600;
   EXPECT_EQ(near_side(kernel::near_core(first), kernel::near_core(tiny), 0), NearSide::unknown);

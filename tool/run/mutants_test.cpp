@@ -44,8 +44,8 @@ const std::vector<Subject>& judged() {
     Stop never;
     Oracles oracles;
     for (const golden::CommittedFile& file : golden::committed_files())
-      judge_source({file.pair, file.scalar, std::string(file.family->name), is_convex(file.pair) ? kOfConvexes : kQuestions,
-                    std::nullopt, file.family, golden::kCommittedSeed},
+      judge_source({file.pair, file.scalar, std::string(file.family->name),
+                    is_convex(file.pair) ? kOfConvexes : kQuestions, std::nullopt, file.family, golden::kCommittedSeed},
                    subjects, never, oracles);
     return subjects;
   }();
