@@ -1,5 +1,6 @@
 // Causes that compute too coarsely. They stand last, and what the vague ones explain counts for less.
 #include "oracle/diagnosis/formulas.hpp"
+#include "oracle/truth/exact_truth.hpp"
 
 namespace contact::oracle::formulas {
 namespace {
