@@ -282,8 +282,8 @@ std::vector<Corner> proposed(const TwoCores& cores) {
   const Nearly b = nearly(cores.b);
   const Difference<double> difference(a, b);
   std::vector<Corner> corners{{0, 0}};
-  constexpr int kMostSteps = 32;
-  for (int step = 0; step < kMostSteps; ++step) {
+  constexpr int kMostGuessSteps = 32;
+  for (int step = 0; step < kMostGuessSteps; ++step) {
     const PointOf<double> v = difference.nearest_of(corners);
     const Corner next = difference.farthest_against(v.at);
     const bool is_there = std::find(v.corners.begin(), v.corners.end(), next) != v.corners.end();

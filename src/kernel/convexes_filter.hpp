@@ -221,8 +221,8 @@ constexpr double kLess = 1 - 0x1p-48;
   const Vector from = middle(a);
   const Vector to = middle(b);
   NearSimplex simplex(corner_against({to[0] - from[0], to[1] - from[1], to[2] - from[2]}));
-  constexpr int kMostSteps = 24;
-  for (int step = 0; step < kMostSteps; ++step) {
+  constexpr int kMostNearSteps = 24;
+  for (int step = 0; step < kMostNearSteps; ++step) {
     const Vector& v = simplex.at();
     const double square = NearSimplex::dot(v, v);
     const double length = std::sqrt(square);
