@@ -55,6 +55,13 @@ Quaternion quaternion(Random& random) {
   return q;
 }
 
+/// A number from `least` to 1, times 2^-from to 2^-to. (Two draws in the arguments of one call would come in the order
+/// of the compiler.)
+double small(Random& random, int from, int to, double least) {
+  const int exponent = -random.between(from, to);
+  return std::ldexp(random.uniform(least, 1.0), exponent);
+}
+
 /// How a shape is made: of ordinary numbers about a place, or of integers.
 struct Making {
   Random& random;
@@ -363,7 +370,7 @@ Query near_tied_depths(Pair pair, Scalar scalar, Random& random) {
 Query parallel(Pair pair, Scalar scalar, Random& random) {
   Query query = apart(pair, random, 0.75);
   distances(query, random);
-  const double off = random.chance(2) ? 0 : std::ldexp(random.uniform(0.0, 1.0), -random.between(4, 52));
+  const double off = random.chance(2) ? 0 : small(random, 4, 52, 0.0);
   Quaternion turn = random.chance(2) ? kExactTurns[random.index(kExactTurns.size())] : quaternion(random);
   Vector3 along = Vector3::Zero();
   along[static_cast<Eigen::Index>(random.index(3))] = 1;
@@ -439,9 +446,7 @@ Query nested(Pair pair, Scalar scalar, Random& random) {
 
 Query orientations(Pair pair, Scalar scalar, Random& random) {
   Query query = apart(pair, random, spread(pair, 1));
-  const auto small = [&] {
-    return std::ldexp(random.uniform(0.5, 1.0), -random.between(1, scalar == Scalar::binary32 ? 30 : 60));
-  };
+  const auto little = [&] { return small(random, 1, scalar == Scalar::binary32 ? 30 : 60, 0.5); };
   const int range = scalar == Scalar::binary32 ? 120 : 1000;
   for_each_shape(query, [&]<class Shape>(Shape& shape) {
     if constexpr (std::same_as<Shape, Obb>) {
@@ -451,10 +456,10 @@ Query orientations(Pair pair, Scalar scalar, Random& random) {
           q = kExactTurns[random.index(kExactTurns.size())];
           break;
         case 1:
-          q = {small(), -small(), small(), 1};  // nearly not turned
+          q = {little(), -little(), little(), 1};  // nearly not turned
           break;
         case 2:
-          q = {0, 0, 1, 1 + small()};  // nearly by a quarter
+          q = {0, 0, 1, 1 + little()};  // nearly by a quarter
           break;
         case 3:
           for (double& x : q) x = std::ldexp(x, -range);
@@ -485,8 +490,8 @@ Query ties(Pair pair, Scalar scalar, Random& random) {
   Facing found = facing(pair, random, random.between(-1, 2));
   Query query = found.query;
   const double far = std::ldexp(1.0, format_of(scalar).precision);
-  const Vector3 by(far * static_cast<double>(random.between(0, 2)), far * static_cast<double>(random.between(0, 2)),
-                   far);
+  Vector3 by = Vector3::Constant(far);
+  for (const int i : {1, 0}) by[i] *= static_cast<double>(random.between(0, 2));
   for_each_field(query, [&](const std::string&, auto& value, FieldKind kind) {
     if (kind == FieldKind::direction || kind == FieldKind::orientation) return;
     for_each_number_in(value, [&](double& x) { x *= 2; });
@@ -510,7 +515,8 @@ Query ties(Pair pair, Scalar scalar, Random& random) {
 
 Query far_from_origin(Pair pair, Scalar scalar, Random& random) {
   Query query = random.chance(2) ? generic(pair, scalar, random) : facing(pair, random, random.between(-1, 1)).query;
-  const Vector3 by = std::ldexp(1.0, random.between(9, scalar == Scalar::binary32 ? 20 : 44)) * vector(random, 1);
+  Vector3 by = vector(random, 1);
+  by *= std::ldexp(1.0, random.between(9, scalar == Scalar::binary32 ? 20 : 44));
   Vector3 whole;
   for (int i = 0; i < 3; ++i) whole[i] = rounded(by[i], Scalar::binary32);
   for_each_shape(query, [&](auto& shape) { move(shape, whole); });
