@@ -119,7 +119,6 @@ TEST(Families, GenericPairsHitInThirtyToSeventyPercent) {
 }
 
 TEST(Families, GiveBothAnswersOrSayWhyAllAreHits) {
-  constexpr std::uint64_t kQuestions = 150;
   constexpr std::uint64_t kLeastPercent = 15;
   const auto hits_alone = families_of_hits_alone();
   for (const Pair pair : kPairs)
@@ -127,16 +126,17 @@ TEST(Families, GiveBothAnswersOrSayWhyAllAreHits) {
       for (const Scalar scalar : kScalars) {
         if (family.outside_domain) continue;
         SCOPED_TRACE(std::string(name(pair)) + " " + std::string(family.name) + " " + std::string(name(scalar)));
+        const std::uint64_t questions = is_convex(pair) ? 50 : 150;  // the exact answer takes 10 to 100 times longer
         std::uint64_t hits = 0;
-        for (std::uint64_t i = 0; i < kQuestions; ++i)
+        for (std::uint64_t i = 0; i < questions; ++i)
           hits += oracle::truth_of(generate_query(pair, family, scalar, 5, i)).hit() ? 1 : 0;
         if (std::any_of(hits_alone.begin(), hits_alone.end(), [&](const FamilyNote& listed) {
               return kind_of(listed.pair) == kind_of(pair) && listed.family == family.name;
             })) {
-          EXPECT_EQ(hits, kQuestions) << "it has misses: take its reason out of the table";
+          EXPECT_EQ(hits, questions) << "it has misses: take its reason out of the table";
         } else {
-          EXPECT_GE(hits * 100, kQuestions * kLeastPercent);
-          EXPECT_GE((kQuestions - hits) * 100, kQuestions * kLeastPercent);
+          EXPECT_GE(hits * 100, questions * kLeastPercent);
+          EXPECT_GE((questions - hits) * 100, questions * kLeastPercent);
         }
       }
 }
@@ -318,6 +318,7 @@ TEST(Families, ContainmentFlatNestedAndIdenticalAreWhatTheySay) {
     for_each_file(family, [&](const CommittedFile& file) {
       if (file.pair == Pair::cast_plane) return;  // a half-space has no size
       if (is_convex(file.pair) != (percent == kOfConvexes)) return;
+      if (is_convex(file.pair) && file.scalar == Scalar::binary32) return;  // made alike, and long to answer
       const auto n = count_if(file, [&](const Query& q, const oracle::Truth& t) {
         const auto names = flags_of(q, t, file.scalar);
         return std::find(names.begin(), names.end(), flag) != names.end();
@@ -387,6 +388,7 @@ TEST(Families, TiesAreTiesOrRightBesideOne) {
   for_each_file("ties", [](const CommittedFile& file) {
     // Where two triangles face each other a nearest point is seldom half way between numbers.
     if (is_convex(file.pair) && !name(file.pair).ends_with("_obb")) return;
+    if (is_convex(file.pair) && file.scalar == Scalar::binary32) return;  // made alike, and long to answer
     // Where a ray hits what is flat, one number in a hundred is beside a tie.
     for (const char* flag :
          is_cast(file.pair) || is_convex(file.pair) ? std::vector{"Tie"} : std::vector{"Tie", "HardToRound"})
