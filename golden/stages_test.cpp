@@ -131,14 +131,14 @@ TEST(Stages, whole_numbers_of_words_and_long_ones_say_the_same) {
 
 TEST(Stages, the_first_decides_whatever_is_generic) {
   for (const Pair pair : kPairs) {
-    if (is_cast(pair) || is_convex(pair)) continue;  // they are left to the exact stage
+    if (is_cast(pair)) continue;  // they are left to the exact stage
     oracle::StageCounts decided;
     const Family& generic = *find_family(pair, "generic");
     for (std::uint64_t index = 0; index < 5000; ++index)
       decided.add(
           oracle::staged_answer(generate_query(pair, generic, Scalar::binary64, 1, index), Scalar::binary64).stage);
     // Beside a face of a box a point is a sum of two numbers, which is often a tie: for the interval stage.
-    const std::uint64_t least = is_discrete_intersections(pair) ? 4999 : 4700;
+    const std::uint64_t least = is_discrete_intersections(pair) ? 4999 : pair == Pair::capsule_cube ? 4000 : 4700;
     EXPECT_GE(count(decided, Stage::double_double), least) << name(pair);
   }
 }

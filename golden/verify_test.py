@@ -733,7 +733,8 @@ class Broken(Case):
         for name in ("touching.jsonl", "flat.jsonl", "invalid.jsonl"):
             self.file(f"cubes.{name}", (GOLDEN / "cube_cube" / name).read_text().splitlines())
         # The committed ones of so few have no extent below 0.
-        run(TOOL, "generate", "--pair", "obb_plane", "--family", "invalid", "--seed", 1, "--count", 200, "-o", self.folder / "boxes.invalid.jsonl")
+        made = run(TOOL, "generate", "--pair", "obb_plane", "--family", "invalid", "--seed", 1, "--count", 200, "-o", self.folder / "boxes.invalid.jsonl")
+        self.assertEqual(made.returncode, 0, made.stderr)
         self.file("spheres.invalid.jsonl", (GOLDEN / "sphere_sphere" / "invalid.jsonl").read_text().splitlines())
         # Axes level with an end, turned round, one beside a point or another; crossing, parallel, without length.
         points = ([0, 0, 0], [4, 0, 0], [1, 3, 1], [1, -2, 1], [6, 1, 2], [2, 0, 0], [-1, 2, 0], [3, 2, 0], [0, 0, 3])

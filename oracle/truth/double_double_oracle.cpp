@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "oracle/truth/default_environment.hpp"
+#include "oracle/truth/double_double_convexes.hpp"
 #include "oracle/truth/double_double_crossings.hpp"
 #include "oracle/truth/double_double_planes.hpp"
 
@@ -169,8 +170,10 @@ std::optional<RoundedAnswer> answer(const TriangleAndLine& shapes, Distances /*d
 template <class A, class B>
 std::optional<RoundedAnswer> answer(const Two<A, B>& shapes, Distances distances, Scalar scalar) {
   const auto& [a, b] = shapes;
-  if constexpr (kIsOneOf<A, Cast, Convex>)
+  if constexpr (std::same_as<A, Cast>)
     return std::nullopt;  // other oracles are asked
+  else if constexpr (std::same_as<A, Convex>)
+    return case_of_convexes(shapes, distances, scalar);
   else if constexpr (std::same_as<B, Plane>)
     return case_over_plane(ends_of(a), a.radius, b, distances, scalar);
   else if constexpr (std::same_as<B, Capsule>)

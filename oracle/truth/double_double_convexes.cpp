@@ -1,0 +1,479 @@
+// Any two convex cores in pairs of doubles. Plain double proposes which features are nearest, or which facet of A - B is; the proof asks nothing of it.
+//
+//   apart     p and q lie inside a feature of each, every other vertex of A lies before p and every other one of B behind q, along q - p
+//   overlap   0 lies below every facet of A - B, and nearest to one: facets are what faces and two edges make
+//
+// Where there are several nearest points or normals, and where something is not certain, there is no answer.
+#include "oracle/truth/double_double_convexes.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "oracle/truth/core.hpp"
+#include "oracle/truth/double_double_planes.hpp"
+
+namespace contact::oracle {
+namespace {
+
+constexpr int kMost = 80;  // what is of degree 10 in lengths stays in range
+using NearCore = Core<DoubleDouble>;
+using Plain = std::array<double, 3>;
+
+// ---- arithmetic ----
+
+/// x y, of which nothing is certain where its low parts might be lost.
+DoubleDouble times(const DoubleDouble& x, const DoubleDouble& y) {
+  const auto is_tiny = [](const DoubleDouble& z) { return z.high != 0 && std::abs(z.high) < 0x1p-300; };
+  DoubleDouble both = x * y;
+  if (is_tiny(x) || is_tiny(y)) both.radius = std::numeric_limits<double>::infinity();
+  return both;
+}
+DoubleDoubles times(const DoubleDouble& k, const DoubleDoubles& x) {
+  return {times(k, x[0]), times(k, x[1]), times(k, x[2])};
+}
+DoubleDoubles sum(const DoubleDoubles& x, const DoubleDoubles& y) { return {x[0] + y[0], x[1] + y[1], x[2] + y[2]}; }
+DoubleDoubles minus(const DoubleDoubles& x, const DoubleDoubles& y) { return {x[0] - y[0], x[1] - y[1], x[2] - y[2]}; }
+DoubleDouble product(const DoubleDoubles& x, const DoubleDoubles& y) {
+  return times(x[0], y[0]) + times(x[1], y[1]) + times(x[2], y[2]);
+}
+DoubleDoubles across(const DoubleDoubles& x, const DoubleDoubles& y) {
+  const auto at = [&](std::size_t i, std::size_t j) { return times(x[i], y[j]) - times(x[j], y[i]); };
+  return {at(1, 2), at(2, 0), at(0, 1)};
+}
+bool is_above(const DoubleDouble& x, double least) { return x.high > least && x.radius < x.high * 0x1p-20; }
+bool is_positive(const DoubleDouble& x) { return x.sign() == 1; }
+Plain plain(const DoubleDoubles& x) { return {x[0].high, x[1].high, x[2].high}; }
+double plain_dot(const Plain& x, const Plain& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
+
+// ---- cores ----
+
+bool is_in_range(const Ball& x) { return in_range(x.center, kMost) && in_range(x.radius, kMost); }
+bool is_in_range(const Capsule& x) {
+  return in_range(x.start, kMost) && in_range(x.end, kMost) && in_range(x.radius, kMost);
+}
+bool is_in_range(const Box& x) { return in_range(x.min, kMost) && in_range(x.max, kMost); }
+bool is_in_range(const Triangle& x) {
+  return std::all_of(x.vertices.begin(), x.vertices.end(), [](const Vector3& v) { return in_range(v, kMost); });
+}
+bool is_in_range(const Obb& x) {
+  return in_range(x.center, kMost) && in_range(x.extents, kMost) &&
+         std::all_of(x.orientation.begin(), x.orientation.end(), [](double c) { return in_range(c, kMost); });
+}
+
+/// A quaternion says the same at any length, and numbers near 1 stay in range.
+Obb of_unit_size(const Obb& given) {
+  Obb box = given;
+  double largest = 0;
+  for (const double x : given.orientation) largest = std::max(largest, std::abs(x));
+  const int exponent = std::ilogb(largest);
+  for (double& x : box.orientation) x = std::ldexp(x, -exponent);
+  for (std::size_t i = 0; i < 4; ++i)
+    if (std::ldexp(box.orientation[i], exponent) != given.orientation[i]) return given;
+  return box;
+}
+template <class Shape>
+const Shape& of_unit_size(const Shape& shape) {
+  return shape;
+}
+
+std::optional<NearCore> near_core(const Convex& convex) {
+  return std::visit(
+      []<class Shape>(const Shape& given) -> std::optional<NearCore> {
+        if constexpr (std::same_as<Shape, Plane>) {
+          return std::nullopt;
+        } else {
+          const Shape& shape = of_unit_size(given);
+          if (!is_in_range(shape)) return std::nullopt;
+          NearCore core = core_of([](double x) { return DoubleDouble{x}; }, shape);
+          if (core.over) {
+            if (!is_above(*core.over, 0)) return std::nullopt;
+            const DoubleDouble inverse = reciprocal(*core.over);
+            for (DoubleDoubles& x : core.vertices) x = times(inverse, x);
+          }
+          return core;
+        }
+      },
+      convex.shape);
+}
+
+/// The vertex that plain double finds farthest along a direction.
+std::size_t farthest(const NearCore& core, const Plain& way) {
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < core.vertices.size(); ++k)
+    if (plain_dot(way, plain(core.vertices[k])) > plain_dot(way, plain(core.vertices[best]))) best = k;
+  return best;
+}
+/// The feature of the vertices that plain double finds farthest, or nearly.
+const Feature* farthest_feature(const NearCore& core, const Plain& way) {
+  const Plain first = plain(core.vertices[farthest(core, way)]);
+  double size = 0;
+  for (const DoubleDoubles& x : core.vertices)
+    for (std::size_t i = 0; i < 3; ++i) size += std::abs(way[i] * (x[i].high - first[i]));
+  const double least = plain_dot(way, first) - 0x1p-30 * size;
+  const auto is_there = [&](std::size_t k) { return plain_dot(way, plain(core.vertices[k])) >= least; };
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < core.vertices.size(); ++k) count += is_there(k) ? 1 : 0;
+  for (const Feature& feature : core.features)
+    if (feature.size == count && std::all_of(feature.corners().begin(), feature.corners().end(), is_there))
+      return &feature;
+  return nullptr;
+}
+/// Whether every vertex outside a feature is surely before `from` along a direction.
+bool are_others_before(const NearCore& core, const Feature& feature, const DoubleDoubles& way,
+                       const DoubleDoubles& from) {
+  for (std::size_t k = 0; k < core.vertices.size(); ++k)
+    if (!feature.has(k) && !is_positive(product(way, minus(from, core.vertices[k])))) return false;
+  return true;
+}
+
+DoubleDoubles way_of(const NearCore& core, const Feature& feature, std::size_t corner) {
+  return minus(core.vertices[feature.places[corner]], core.vertices[feature.places[0]]);
+}
+DoubleDoubles normal_of(const NearCore& core, const Feature& face) {
+  return across(way_of(core, face, 1), way_of(core, face, 2));
+}
+
+/// Whether the foot of a point surely lies inside a face.
+bool is_over(const NearCore& core, const Feature& face, const DoubleDoubles& x) {
+  const DoubleDoubles u = way_of(core, face, 1);
+  const DoubleDoubles w = way_of(core, face, 2);
+  const DoubleDoubles r = minus(x, core.vertices[face.places[0]]);
+  const DoubleDouble A = product(u, u);
+  const DoubleDouble B = product(u, w);
+  const DoubleDouble C = product(w, w);
+  const DoubleDouble of_u = times(product(r, u), C) - times(product(r, w), B);
+  const DoubleDouble of_w = times(product(r, w), A) - times(product(r, u), B);
+  const DoubleDouble whole = times(A, C) - times(B, B);
+  if (!is_positive(of_u) || !is_positive(of_w)) return false;
+  return face.is_parallelogram() ? is_positive(whole - of_u) && is_positive(whole - of_w)
+                                 : is_positive(whole - (of_u + of_w));
+}
+
+/// Two edges that are not parallel.
+struct Crossing {
+  DoubleDoubles n;  ///< across both
+  DoubleDouble N;
+  DoubleDoubles on_a;  ///< what lies on the line of the first nearest to the other, surely inside of both
+  DoubleDoubles on_b;
+};
+std::optional<Crossing> crossing(const NearCore& a, const Feature& e, const NearCore& b, const Feature& f) {
+  const DoubleDoubles u = way_of(a, e, 1);
+  const DoubleDoubles w = way_of(b, f, 1);
+  const DoubleDoubles& a0 = a.vertices[e.places[0]];
+  const DoubleDoubles& b0 = b.vertices[f.places[0]];
+  const DoubleDoubles d = minus(b0, a0);
+  Crossing found{across(u, w), {}, {}, {}};
+  found.N = product(found.n, found.n);
+  if (!is_above(found.N, 0)) return std::nullopt;
+  const DoubleDouble s = product(across(d, w), found.n);
+  const DoubleDouble t = product(across(d, u), found.n);
+  for (const DoubleDouble& x : {s, t})
+    if (!is_positive(x) || !is_positive(found.N - x)) return std::nullopt;
+  const DoubleDouble inverse = reciprocal(found.N);
+  found.on_a = sum(a0, times(times(s, inverse), u));
+  found.on_b = sum(b0, times(times(t, inverse), w));
+  return found;
+}
+
+// ---- apart ----
+
+/// What is nearest of a point and a feature that its foot surely lies inside of.
+std::optional<DoubleDoubleNearest> from_point(const DoubleDoubles& p, const NearCore& b, const Feature& g) {
+  const DoubleDoubles& o = b.vertices[g.places[0]];
+  if (g.dimension() == 0) return DoubleDoubleNearest{p, o, minus(o, p)};
+  const DoubleDoubles r = minus(p, o);
+  if (g.dimension() == 1) {
+    const DoubleDoubles u = way_of(b, g, 1);
+    const DoubleDouble part = product(r, u);
+    const DoubleDouble whole = product(u, u);
+    if (!is_above(whole, 0) || !is_positive(part) || !is_positive(whole - part)) return std::nullopt;
+    const DoubleDoubles on = times(times(part, reciprocal(whole)), u);
+    return DoubleDoubleNearest{p, sum(o, on), minus(on, r)};
+  }
+  const DoubleDoubles n = normal_of(b, g);
+  const DoubleDouble N = product(n, n);
+  if (!is_above(N, 0) || !is_over(b, g, p)) return std::nullopt;
+  const DoubleDoubles delta = times(-times(product(r, n), reciprocal(N)), n);
+  return DoubleDoubleNearest{p, sum(p, delta), delta};
+}
+
+std::optional<DoubleDoubleNearest> nearest_of(const NearCore& a, const Feature& f, const NearCore& b,
+                                              const Feature& g) {
+  if (f.dimension() == 0) return from_point(a.vertices[f.places[0]], b, g);
+  if (g.dimension() == 0) {
+    auto found = from_point(b.vertices[g.places[0]], a, f);
+    if (!found) return std::nullopt;
+    return DoubleDoubleNearest{found->q, found->p, {-found->delta[0], -found->delta[1], -found->delta[2]}};
+  }
+  if (f.dimension() + g.dimension() > 2) return std::nullopt;
+  const auto found = crossing(a, f, b, g);
+  if (!found) return std::nullopt;
+  const DoubleDoubles d = minus(b.vertices[g.places[0]], a.vertices[f.places[0]]);
+  return DoubleDoubleNearest{found->on_a, found->on_b,
+                             times(times(product(d, found->n), reciprocal(found->N)), found->n)};
+}
+
+/// About the way from A to B that is shortest, by Gilbert, Johnson and Keerthi's algorithm in plain double; nothing where they seem to meet.
+class Guess {
+ public:
+  Guess(const NearCore& a, const NearCore& b) : a_(a), b_(b) {}
+
+  [[nodiscard]] std::optional<Plain> way() {
+    take({0, 0, 0});
+    constexpr int kMostSteps = 24;
+    for (int step = 0; step < kMostSteps; ++step) {
+      if (!nearest() || count_ == 4) return std::nullopt;
+      const Plain next = corner_against(v_);
+      const double square = plain_dot(v_, v_);
+      if (!(square > 0)) return std::nullopt;
+      if (!(square - plain_dot(v_, next) > 0x1p-46 * square) ||
+          std::find(y_.begin(), y_.begin() + count_, next) != y_.begin() + count_)
+        return v_;
+      y_[static_cast<std::size_t>(count_++)] = next;
+    }
+    return v_;
+  }
+
+ private:
+  [[nodiscard]] Plain corner_against(const Plain& v) const {
+    const Plain p = plain(a_.vertices[farthest(a_, v)]);
+    const Plain q = plain(b_.vertices[farthest(b_, {-v[0], -v[1], -v[2]})]);
+    return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+  }
+  void take(const Plain& way) { y_[static_cast<std::size_t>(count_++)] = corner_against(way); }
+
+  /// Sets v to the point of the simplex that is nearest to 0, and leaves the corners that it lies between.
+  bool nearest() {
+    double least = std::numeric_limits<double>::infinity();
+    unsigned best = 0;
+    for (unsigned subset = 1; subset < 1U << count_; ++subset) {
+      Plain found;
+      if (!foot_in(subset, found) || !(plain_dot(found, found) < least)) continue;
+      least = plain_dot(found, found);
+      v_ = found;
+      best = subset;
+    }
+    int left = 0;
+    for (int k = 0; k < count_; ++k)
+      if (best >> k & 1) y_[static_cast<std::size_t>(left++)] = y_[static_cast<std::size_t>(k)];
+    count_ = left;
+    return left > 0;
+  }
+  /// The foot of 0 on what some corners span, if it lies between them.
+  bool foot_in(unsigned subset, Plain& found) const {
+    std::array<Plain, 4> u{};
+    std::size_t n = 0;
+    for (int k = 0; k < count_; ++k)
+      if (subset >> k & 1) u[n++] = y_[static_cast<std::size_t>(k)];
+    const Plain y = u[--n];
+    std::array<std::array<double, 4>, 3> m{};
+    for (std::size_t i = 0; i < n; ++i) u[i] = {u[i][0] - y[0], u[i][1] - y[1], u[i][2] - y[2]};
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t k = 0; k < n; ++k) m[i][k] = plain_dot(u[i], u[k]);
+      m[i][n] = -plain_dot(u[i], y);
+    }
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t row = 0; row < n; ++row) {
+        if (row == i) continue;
+        if (!(m[i][i] > 0)) return false;
+        const double by = m[row][i] / m[i][i];
+        for (std::size_t k = i; k <= n; ++k) m[row][k] -= by * m[i][k];
+      }
+    double rest = 1;
+    found = y;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double part = m[i][n] / m[i][i];
+      if (!(part > 0)) return false;
+      rest -= part;
+      for (std::size_t k = 0; k < 3; ++k) found[k] += part * u[i][k];
+    }
+    return rest > 0;
+  }
+
+  const NearCore& a_;
+  const NearCore& b_;
+  std::array<Plain, 4> y_{};
+  int count_ = 0;
+  Plain v_{};
+};
+
+std::optional<RoundedAnswer> case_apart(const NearCore& a, const NearCore& b, const Plain& way, Distances distances,
+                                        Scalar scalar) {
+  const Feature* f = farthest_feature(a, way);
+  const Feature* g = farthest_feature(b, {-way[0], -way[1], -way[2]});
+  if (f == nullptr || g == nullptr) return std::nullopt;
+  const auto nearest = nearest_of(a, *f, b, *g);
+  if (!nearest || !is_positive(product(nearest->delta, nearest->delta))) return std::nullopt;
+  const DoubleDoubles back{-nearest->delta[0], -nearest->delta[1], -nearest->delta[2]};
+  if (!are_others_before(a, *f, nearest->delta, nearest->p) || !are_others_before(b, *g, back, nearest->q))
+    return std::nullopt;
+  return case_of_nearest(*nearest, a.radius, b.radius, distances, scalar);
+}
+
+// ---- overlap ----
+
+/// A direction that facets of A - B may face, this way or the other: across a face of one of them, or across an edge of each.
+struct Axis {
+  DoubleDoubles n;
+  DoubleDouble N;
+  const Feature* of_a;  ///< a face or an edge
+  const Feature* of_b;
+};
+/// All of them; nothing where one may be 0.
+std::optional<std::vector<Axis>> axes(const NearCore& a, const NearCore& b) {
+  std::vector<Axis> all;
+  bool are_sure = true;
+  const auto add = [&](const DoubleDoubles& n, const Feature* of_a, const Feature* of_b) {
+    all.push_back({n, product(n, n), of_a, of_b});
+    are_sure = are_sure && is_above(all.back().N, 0);
+  };
+  const auto faces = [](const NearCore& core) {
+    std::vector<const Feature*> found;  // of those of a box that are parallel, one
+    for (const Feature& feature : core.features)
+      if (feature.dimension() == 2 && feature.has(0)) found.push_back(&feature);
+    return found;
+  };
+  for (const Feature* face : faces(a)) add(normal_of(a, *face), face, nullptr);
+  for (const Feature* face : faces(b)) add(normal_of(b, *face), nullptr, face);
+  const auto edges = [](const NearCore& core) {
+    std::vector<const Feature*> found;
+    for (const Feature& feature : core.features)
+      if (feature.dimension() == 1 && (!core.features.back().is_parallelogram() || feature.has(0)))
+        found.push_back(&feature);
+    return found;
+  };
+  for (const Feature* e : edges(a))
+    for (const Feature* f : edges(b)) add(across(way_of(a, *e, 1), way_of(b, *f, 1)), e, f);
+  return are_sure ? std::optional(std::move(all)) : std::nullopt;
+}
+
+/// The least and the greatest n.x of a core.
+struct Extent {
+  DoubleDouble least;
+  DoubleDouble most;
+};
+Extent extent(const NearCore& core, const DoubleDoubles& n) {
+  // What is least of all midpoints is as near to the least of all as the widest radius says.
+  Extent found{product(n, core.vertices[0]), {}};
+  found.most = found.least;
+  double radius = found.least.radius;
+  const auto is_less = [](const DoubleDouble& x, const DoubleDouble& y) {
+    return x.high < y.high || (x.high == y.high && x.low < y.low);
+  };
+  for (std::size_t k = 1; k < core.vertices.size(); ++k) {
+    const DoubleDouble here = product(n, core.vertices[k]);
+    if (!(here.radius <= radius)) radius = here.radius;
+    if (is_less(here, found.least)) found.least = here;
+    if (is_less(found.most, here)) found.most = here;
+  }
+  found.least.radius = found.most.radius = radius;
+  return found;
+}
+
+/// The feature parallel to another that lies farthest along a direction, as plain double finds it.
+const Feature& farthest_like(const NearCore& core, const Feature& like, const Plain& way) {
+  const Feature* best = &like;
+  if (!core.features.back().is_parallelogram()) return like;
+  const std::size_t turned = farthest(core, way);  // a corner of it
+  const auto directions = [](const Feature& feature) {
+    std::size_t bits = 0;
+    for (const std::size_t corner : feature.corners()) bits |= corner ^ feature.places[0];
+    return bits;
+  };
+  for (const Feature& feature : core.features)
+    if (feature.size == like.size && directions(feature) == directions(like) && feature.has(turned)) best = &feature;
+  return *best;
+}
+
+std::optional<RoundedAnswer> case_meeting(const NearCore& a, const NearCore& b, Distances distances, Scalar scalar) {
+  const auto all = axes(a, b);
+  if (!all || all->empty()) return std::nullopt;
+  struct Facing {
+    const Axis* axis;
+    bool turned;
+    DoubleDouble height;
+  };
+  std::vector<Facing> facings;
+  for (const Axis& axis : *all) {
+    const Extent of_a = extent(a, axis.n);
+    const Extent of_b = extent(b, axis.n);
+    facings.push_back({&axis, false, of_a.most - of_b.least});
+    facings.push_back({&axis, true, of_b.most - of_a.least});
+  }
+  const auto is_nearer = [](const Facing& x, const Facing& y) {
+    return x.height.high * x.height.high * y.axis->N.high < y.height.high * y.height.high * x.axis->N.high;
+  };
+  const Facing& least = *std::min_element(facings.begin(), facings.end(), is_nearer);
+  const DoubleDouble least2 = times(least.height, least.height);
+  for (const Facing& other : facings) {
+    if (!is_positive(other.height)) return std::nullopt;
+    if (&other != &least &&
+        !is_positive(times(times(other.height, other.height), least.axis->N) - times(least2, other.axis->N)))
+      return std::nullopt;
+  }
+
+  const auto& [n, N, of_a, of_b] = *least.axis;
+  const DoubleDoubles m = least.turned ? DoubleDoubles{-n[0], -n[1], -n[2]} : n;
+  const DoubleDoubles back{-m[0], -m[1], -m[2]};
+  const DoubleDoubles out = times(times(least.height, reciprocal(N)), m);
+  DoubleDoubles p;
+  DoubleDoubles q;
+  constexpr auto kVertices = features::kBox;  // whose first features are vertices by their place
+  if (of_b == nullptr) {
+    const Feature& face = farthest_like(a, *of_a, plain(m));
+    const Feature& vertex = kVertices[farthest(b, plain(back))];
+    q = b.vertices[vertex.places[0]];
+    p = sum(q, out);
+    if (!are_others_before(a, face, m, a.vertices[face.places[0]]) || !are_others_before(b, vertex, back, q) ||
+        !is_over(a, face, q))
+      return std::nullopt;
+  } else if (of_a == nullptr) {
+    const Feature& face = farthest_like(b, *of_b, plain(back));
+    const Feature& vertex = kVertices[farthest(a, plain(m))];
+    p = a.vertices[vertex.places[0]];
+    q = minus(p, out);
+    if (!are_others_before(b, face, back, b.vertices[face.places[0]]) || !are_others_before(a, vertex, m, p) ||
+        !is_over(b, face, p))
+      return std::nullopt;
+  } else {
+    const Feature& e = farthest_like(a, *of_a, plain(m));
+    const Feature& f = farthest_like(b, *of_b, plain(back));
+    if (!are_others_before(a, e, m, a.vertices[e.places[0]]) || !are_others_before(b, f, back, b.vertices[f.places[0]]))
+      return std::nullopt;
+    const auto found = crossing(a, e, b, f);
+    if (!found) return std::nullopt;
+    p = found->on_a;
+    q = found->on_b;
+  }
+  const DoubleDouble inverse = reciprocal(root(N));
+  return case_along({p, q, times(inverse, m), -times(least.height, inverse), -1, -1, false, true}, a.radius, b.radius,
+                    distances, scalar);
+}
+
+}  // namespace
+
+// Not compiled again for processors with fma, where all of it would be one function twice: that takes longer than the time it saves.
+[[gnu::noinline]] std::optional<RoundedAnswer> case_of_convexes(const Convexes& shapes, Distances distances,
+                                                                Scalar scalar) {
+  if (!in_range(distances.alarm, kMost) || !in_range(distances.contact, kMost)) return std::nullopt;
+  const auto a = near_core(shapes.a);
+  if (!a) return std::nullopt;
+  if (const auto* plane = std::get_if<Plane>(&shapes.b.shape)) {
+    const DoubleDoubles n = exactly(plane->normal);
+    const DoubleDoubles down{-n[0], -n[1], -n[2]};
+    const std::size_t lowest = farthest(*a, plain(down));
+    const DoubleDoubles& p = a->vertices[lowest];
+    if (!in_range(plane->normal, kMost) || !are_others_before(*a, features::kBox[lowest], down, p)) return std::nullopt;
+    return case_over_plane({p, product(n, p), true}, a->radius, *plane, distances, scalar);
+  }
+  const auto b = near_core(shapes.b);
+  if (!b) return std::nullopt;
+  if (const auto way = Guess(*a, *b).way()) return case_apart(*a, *b, *way, distances, scalar);
+  return case_meeting(*a, *b, distances, scalar);
+}
+
+}  // namespace contact::oracle
