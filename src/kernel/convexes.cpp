@@ -1,6 +1,7 @@
 // Two convex cores, in integers.
 //
-// Most decisions are proved in plain double: convexes_filter.hpp. Else the vertices of both are integers on one grid, over one denominator: that of the rotations. Gilbert, Johnson and Keerthi's algorithm finds the
+// Most decisions are proved in plain double, convexes_filter.hpp, and most contacts rounded from numbers that bound their error, convexes_enclosed.hpp. Else the
+// vertices of both are integers on one grid, over one denominator: that of the rotations. Gilbert, Johnson and Keerthi's algorithm finds the
 // point v of B - A that is nearest to 0: in plain double first, which only proposes corners to begin with, then in integers, where each step is exact and the
 // distance falls, so that it ends, at
 //   v.(b - a) >= v.v     for all vertices a of A and b of B
@@ -15,7 +16,7 @@
 #include <vector>
 
 #include "contact/pair_functions.hpp"
-#include "kernel/convexes_filter.hpp"
+#include "kernel/convexes_enclosed.hpp"
 #include "kernel/cores.hpp"
 #include "kernel/floating_point_environment.hpp"
 #include "kernel/plane_cores.hpp"
@@ -480,7 +481,7 @@ ExactNearest nearest_meeting(const TwoCores& cores) {
   return nearest;
 }
 
-// ---- answers ----
+// ---- the exact stage ----
 
 /// A question about two cores, on a grid of its points and lengths.
 struct Asked {
@@ -501,36 +502,23 @@ Asked asked(const A& a, const B& b, Distances distances) {
           over_one_denominator(core_of(grid, a), core_of(grid, b))};
 }
 
-NearSide near_side_of(const Plane& b, const NearCore& a, double alarm) { return near_side(a, b, alarm); }
-template <class B>
-NearSide near_side_of(const B& b, const NearCore& a, double alarm) {
-  return near_side(a, near_core(b), alarm);
-}
-
-// Behind calls that are not inlined: what RoundToNearest sets must be set before anything is computed.
+/// The exact decision.
 template <class A, class B>
-[[gnu::noinline]] bool decide(const A& a, const B& b, double alarm) {
-  if (const NearSide side = near_side_of(b, near_core(a), alarm); side != NearSide::unknown)
-    return side == NearSide::hit;
+[[gnu::noinline]] bool is_hit_exactly(const A& a, const B& b, double alarm) {
   const Asked of = asked(a, b, {alarm, 0});
   const PointOf<Integer> v =
       nearest_from(proposed(of.cores), Difference<Integer>(of.cores.a.vertices, of.cores.b.vertices));
   return is_hit({kNowhere, v.at, v.whole * of.cores.over(), true, kNowhere}, of.grid, of.lengths);
 }
+/// The numbers that are open, exactly.
 template <class A, class B>
-[[gnu::noinline]] std::optional<Contact> compute(const A& a, const B& b, Distances distances, ContactPoints points) {
-  const NearSide side = near_side_of(b, near_core(a), distances.alarm);
-  if (side == NearSide::miss) return std::nullopt;
+[[gnu::noinline]] void round_open(const A& a, const B& b, Distances distances, ContactPoints points, unsigned open,
+                                  Contact& contact) {
   const Asked of = asked(a, b, distances);
   const PointOf<Integer> v =
       nearest_from(proposed(of.cores), Difference<Integer>(of.cores.a.vertices, of.cores.b.vertices));
-  if (side == NearSide::unknown &&
-      !is_hit({kNowhere, v.at, v.whole * of.cores.over(), true, kNowhere}, of.grid, of.lengths))
-    return std::nullopt;
-  Contact contact{};
   round_exactly(v.at == kNowhere ? nearest_meeting(of.cores) : nearest_apart(of.cores, v), of.grid, of.lengths, points,
-                kAllNumbers, contact);
-  return contact;
+                open, contact);
 }
 
 /// The lowest point of a core over a plane.
@@ -557,20 +545,98 @@ OverPlane over_plane(const A& a, const Plane& plane, Distances distances) {
   return {{points, normal}, {radius_of(a), 0, distances.alarm, distances.contact}, std::move(found)};
 }
 template <class A>
-[[gnu::noinline]] bool decide(const A& a, const Plane& b, double alarm) {
-  if (const NearSide side = near_side_of(b, near_core(a), alarm); side != NearSide::unknown)
-    return side == NearSide::hit;
+[[gnu::noinline]] bool is_hit_exactly(const A& a, const Plane& b, double alarm) {
   const OverPlane of = over_plane(a, b, {alarm, 0});
   return is_hit(of.lowest, of.grids, of.lengths);
 }
 template <class A>
-[[gnu::noinline]] std::optional<Contact> compute(const A& a, const Plane& b, Distances distances,
-                                                 ContactPoints points) {
-  if (near_side_of(b, near_core(a), distances.alarm) == NearSide::miss) return std::nullopt;
+[[gnu::noinline]] void round_open(const A& a, const Plane& b, Distances distances, ContactPoints points, unsigned open,
+                                  Contact& contact) {
   const OverPlane of = over_plane(a, b, distances);
-  if (!is_hit(of.lowest, of.grids, of.lengths)) return std::nullopt;
+  round_exactly(of.lowest, of.grids, of.lengths, points, open, contact);
+}
+
+// ---- answers ----
+
+NearAnswer near_answer_of(const NearCore& a, const NearCore& /*none*/, const Plane& b, double alarm,
+                          bool /*to_the_end*/) {
+  return {near_side(a, b, alarm)};
+}
+template <class B>
+NearAnswer near_answer_of(const NearCore& a, const NearCore& b, const B& /*shape*/, double alarm, bool to_the_end) {
+  return near_answer(a, b, alarm, to_the_end);
+}
+
+/// What is certain of a contact.
+struct Certain {
+  NearSide side;
+  unsigned open = kAllNumbers;
+};
+[[gnu::always_inline]] inline Certain certain(const std::optional<EnclosedContact>& found, const NearAnswer& near,
+                                              double alarm, const Lengths& lengths, ContactPoints points,
+                                              Contact& contact) {
+  if (!found) return {near.side};
+  const NearSide side = near.side == NearSide::unknown ? found->side(alarm) : near.side;
+  return {side, side == NearSide::hit ? round_certain(*found, lengths, points, contact) : kAllNumbers};
+}
+[[gnu::always_inline]] inline Certain certain_inline(CornersOf a, CornersOf b, const NearAnswer& near,
+                                                     const Lengths& lengths, ContactPoints points, Contact& contact) {
+  a.corners.turn();
+  b.corners.turn();
+  return certain(near.way ? contact_apart(a, b, *near.way, lengths) : contact_overlapping(a, b, lengths), near,
+                 lengths.alarm, lengths, points, contact);
+}
+[[gnu::always_inline]] inline Certain certain_inline(CornersOf a, const Plane& b, const NearAnswer& near,
+                                                     const Lengths& lengths, ContactPoints points, Contact& contact) {
+  a.corners.turn();
+  return certain(contact_over(a, b, lengths), near, lengths.alarm, lengths, points, contact);
+}
+#if defined(__x86_64__) && !defined(__FMA__)
+// The same bits: std::fma is an instruction here, and a call below.
+template <class B>
+[[gnu::noinline, gnu::flatten, gnu::target("fma")]] Certain certain_by_fma(const CornersOf& a, const B& b,
+                                                                           const NearAnswer& near,
+                                                                           const Lengths& lengths, ContactPoints points,
+                                                                           Contact& contact) {
+  return certain_inline(a, b, near, lengths, points, contact);
+}
+#endif
+template <class B>
+[[gnu::noinline]] Certain certain_of(const CornersOf& a, const B& b, const NearAnswer& near, const Lengths& lengths,
+                                     ContactPoints points, Contact& contact) {
+#if defined(__x86_64__) && !defined(__FMA__)
+  if (__builtin_cpu_supports("fma")) return certain_by_fma(a, b, near, lengths, points, contact);
+#endif
+  return certain_inline(a, b, near, lengths, points, contact);
+}
+
+const Plane& corners_of(const NearCore& /*core*/, const Plane& plane) { return plane; }
+template <class Shape>
+CornersOf corners_of(const NearCore& core, const Shape& shape) {
+  return {core, Corners(shape)};
+}
+
+// Behind calls that are not inlined: what RoundToNearest sets must be set before anything is computed.
+template <class A, class B>
+[[gnu::noinline]] bool decide(const A& a, const B& b, double alarm) {
+  const NearSide side = near_answer_of(near_core(a), near_core(b), b, alarm, false).side;
+  return side == NearSide::unknown ? is_hit_exactly(a, b, alarm) : side == NearSide::hit;
+}
+template <class A, class B>
+[[gnu::noinline]] std::optional<Contact> compute(const A& a, const B& b, Distances distances, ContactPoints points) {
+  const NearCore near_a = near_core(a);
+  const NearCore near_b = near_core(b);
+  const NearAnswer near = near_answer_of(near_a, near_b, b, distances.alarm, true);
+  if (near.side == NearSide::miss) return std::nullopt;
+  const Lengths lengths{radius_of(a), radius_of(b), distances.alarm, distances.contact};
   Contact contact{};
-  round_exactly(of.lowest, of.grids, of.lengths, points, kAllNumbers, contact);
+  Certain known{near.side};
+  if (in_short_range(a) && in_short_range(b) && in_short_range(lengths))
+    known = certain_of(CornersOf{near_a, Corners(a)}, corners_of(near_b, b), near, lengths, points, contact);
+  if (known.side == NearSide::unknown)
+    known.side = is_hit_exactly(a, b, distances.alarm) ? NearSide::hit : NearSide::miss;
+  if (known.side == NearSide::miss) return std::nullopt;
+  if (known.open != 0) round_open(a, b, distances, points, known.open, contact);
   return contact;
 }
 

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 #include "contact/geometry.hpp"
 
@@ -82,6 +83,8 @@ inline NearCore near_core(const Obb& box) {
     core.size = std::numeric_limits<double>::infinity();
   return core;
 }
+
+inline NearCore near_core(const Plane& /*plane*/) { return {}; }  // it has no corners
 
 enum class NearSide { miss, hit, unknown };
 
@@ -190,12 +193,17 @@ class NearSimplex {
 constexpr double kMore = 1 + 0x1p-48;
 constexpr double kLess = 1 - 0x1p-48;
 
-/// Whether two cores are within alarm + both radii, where plain double proves it.
-[[nodiscard]] inline NearSide near_side(const NearCore& a, const NearCore& b, double alarm) {
+/// What plain double says of two cores.
+struct NearAnswer {
+  NearSide side = NearSide::unknown;            ///< whether they are within alarm + both radii, where that is proved
+  std::optional<NearSimplex::Vector> way = {};  ///< about q - p; nothing where they seem to overlap
+};
+/// Until the side is proved, or `to_the_end`: until no corner leads nearer, or a miss is proved.
+[[nodiscard]] inline NearAnswer near_answer(const NearCore& a, const NearCore& b, double alarm, bool to_the_end) {
   using Vector = NearSimplex::Vector;
   const double size = std::max(a.size, b.size);
   const double reach = alarm + a.radius + b.radius;
-  if (!is_near_range(size) || !(reach < kLargestNear)) return NearSide::unknown;
+  if (!is_near_range(size) || !(reach < kLargestNear)) return {};
   const double error = a.error + b.error;
   const double off = 2 * error + 0x1p-48 * size;        // of a product with a direction, over |v|_1
   const double off_point = 4 * error + 0x1p-45 * size;  // of the length of a point
@@ -221,22 +229,25 @@ constexpr double kLess = 1 - 0x1p-48;
   const Vector from = middle(a);
   const Vector to = middle(b);
   NearSimplex simplex(corner_against({to[0] - from[0], to[1] - from[1], to[2] - from[2]}));
+  const double least_gain = to_the_end ? 0x1p-50 : 0x1p-40;
+  NearSide side = NearSide::unknown;
   constexpr int kMostNearSteps = 24;
   for (int step = 0; step < kMostNearSteps; ++step) {
     const Vector& v = simplex.at();
     const double square = NearSimplex::dot(v, v);
     const double length = std::sqrt(square);
-    if (length * kMore + off_point < reach * kLess) return NearSide::hit;
+    if (length * kMore + off_point < reach * kLess) side = NearSide::hit;
+    if (side == NearSide::hit && !to_the_end) return {side};
     const double sum = std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
-    if (!(sum > kSmallestNear * kSmallestNear)) return NearSide::unknown;
+    if (!(sum > kSmallestNear * kSmallestNear)) return {side};
     const Vector next = corner_against(v);
     const double low = NearSimplex::dot(v, next);
-    if (low - sum * off > reach * length * kMore) return NearSide::miss;
-    if (!(square - low > 0x1p-40 * square) || simplex.has(next)) return NearSide::unknown;
+    if (low - sum * off > reach * length * kMore) return {NearSide::miss};
+    if (!(square - low > least_gain * square) || simplex.has(next)) return {side, v};
     simplex.add(next);
-    if (simplex.is_whole()) return simplex.surrounds(off_volume) ? NearSide::hit : NearSide::unknown;
+    if (simplex.is_whole()) return {simplex.surrounds(off_volume) ? NearSide::hit : side};
   }
-  return NearSide::unknown;
+  return {side, simplex.at()};
 }
 
 /// The same of a core over a half-space.

@@ -1,11 +1,13 @@
 // Any two convex shapes: answers that are known without arithmetic of ours.
 #include "contact/convexes.hpp"
-#include "kernel/convexes_filter.hpp"
+#include "kernel/convexes_enclosed.hpp"
 
 #include <gtest/gtest.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace contact {
 namespace {
@@ -110,7 +112,7 @@ TEST(ConvexesFilter, proves_what_is_clear_and_leaves_what_is_near_to_integers) {
   const Box first{{0, 0, 0}, {1, 1, 1}};
   const auto beside = [](double gap) { return Obb{{2 + gap, 0.5, 0.5}, {0, 0, 3, 3}, {2, 1, 3}}; };
   const auto side = [&](double gap, double alarm) {
-    return near_side(kernel::near_core(first), kernel::near_core(beside(gap)), alarm);
+    return near_answer(kernel::near_core(first), kernel::near_core(beside(gap)), alarm, false).side;
   };
   EXPECT_EQ(side(1, 1), NearSide::unknown);
   EXPECT_EQ(side(0, 0), NearSide::unknown);
@@ -126,12 +128,99 @@ TEST(ConvexesFilter, proves_what_is_clear_and_leaves_what_is_near_to_integers) {
   }
   EXPECT_EQ(side(-0.25, 0), NearSide::hit);
   // Where products leave the range, and of a quaternion whose square does, nothing is said.
-  EXPECT_EQ(near_side(kernel::near_core(Box{{0, 0, 0}, {1e300, 1, 1}}), kernel::near_core(first), 0),
-            NearSide::unknown);
+  const auto said_of = [&](const auto& other) {
+    return near_answer(kernel::near_core(first), kernel::near_core(other), 0, false).side;
+  };
+  EXPECT_EQ(said_of(Box{{0, 0, 0}, {1e300, 1, 1}}), NearSide::unknown);
   Obb tiny = beside(9);
   for (double& x : tiny.orientation) x *= 0x1p-600;
-  EXPECT_EQ(near_side(kernel::near_core(first), kernel::near_core(tiny), 0), NearSide::unknown);
+  EXPECT_EQ(said_of(tiny), NearSide::unknown);
   EXPECT_FALSE(test_cube_obb(first, tiny, 0));
+}
+
+using kernel::Enclosure;
+using Rational = boost::multiprecision::cpp_rational;
+
+/// |high + low - exact|, over the radius.
+double share_of_radius(const Enclosure& found, const Rational& exact) {
+  const Rational off = abs(Rational(found.high) + Rational(found.low) - exact);
+  return off == 0 ? 0 : Rational(off / Rational(found.radius)).convert_to<double>();
+}
+
+TEST(Enclosure, holds_every_number_that_the_exact_result_may_be) {
+  std::mt19937_64 random(7);
+  const auto unit = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53); };
+  const auto any = [&](bool is_positive) {
+    const double high = std::ldexp(1 + unit(), static_cast<int>(random() % 40) - 20);
+    const double sign = is_positive || random() % 2 == 0 ? 1 : -1;
+    const auto sum = kernel::two_sum(sign * high, std::ldexp(high * (unit() - 0.5), -53));
+    return Enclosure(sum, random() % 2 == 0 ? 0 : std::ldexp(high, -90));
+  };
+  double worst = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Enclosure x = any(true);
+    const Enclosure y = any(i % 2 == 0);
+    // Both ends of one, and the middle of the other.
+    for (const double end : {-1.0, 0.0, 1.0}) {
+      const Rational of_x = Rational(x.high) + Rational(x.low) + Rational(end * x.radius);
+      const Rational of_y = Rational(y.high) + Rational(y.low) + Rational(end * y.radius);
+      const Enclosure root = kernel::root(x);
+      const Rational low = Rational(root.high) + Rational(root.low) - Rational(root.radius);
+      const Rational high = low + 2 * Rational(root.radius);
+      ASSERT_TRUE(low * low <= of_x && of_x <= high * high) << i;
+      for (const double share :
+           {share_of_radius(x + y, of_x + of_y), share_of_radius(x - y, of_x - of_y),
+            share_of_radius(x * y, of_x * of_y), share_of_radius(kernel::reciprocal(x), 1 / of_x)}) {
+        ASSERT_LE(share, 1) << i;
+        if (x.radius == 0 && y.radius == 0) worst = std::max(worst, share);
+      }
+    }
+  }
+  EXPECT_GT(worst, 1.0 / 12);  // no bound is needlessly wide
+  const Enclosure tiny(0x1p-400);
+  EXPECT_FALSE((tiny * Enclosure(1)).is_positive());
+}
+
+TEST(ConvexesEnclosed, settles_nearly_all_that_is_in_no_special_position_and_leaves_what_is) {
+  using namespace kernel;
+  std::mt19937_64 random(11);
+  const auto number = [&](double low, double high) {
+    return low + (high - low) * std::ldexp(static_cast<double>(random() >> 11), -53);
+  };
+  const auto box = [&](double size) {
+    Obb made;
+    for (Eigen::Index i = 0; i < 3; ++i) made.center[i] = number(-size, size), made.extents[i] = number(0.25, 1);
+    for (double& x : made.orientation) x = number(-1, 1);
+    return made;
+  };
+  const Lengths lengths{0, 0, 1, 0.25};
+  const auto fast = [&](const auto& a, const auto& b) -> std::optional<EnclosedContact> {
+    const NearCore near_a = near_core(a);
+    const NearCore near_b = near_core(b);
+    CornersOf of_a{near_a, Corners(a)};
+    CornersOf of_b{near_b, Corners(b)};
+    of_a.corners.turn();
+    of_b.corners.turn();
+    const NearAnswer near = near_answer(near_a, near_b, 10, true);
+    return near.way ? contact_apart(of_a, of_b, *near.way, lengths) : contact_overlapping(of_a, of_b, lengths);
+  };
+  int apart = 0;
+  int overlapping = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const auto found = fast(box(1.5), box(1.5));
+    if (!found) continue;
+    Contact contact;
+    if (round_certain(*found, lengths, {}, contact) != 0) continue;
+    ++(contact.value > -0.25 ? apart : overlapping);
+  }
+  EXPECT_GT(apart, 500);
+  EXPECT_GT(overlapping, 500);
+  EXPECT_GT(apart + overlapping, 1990);
+  // Faces along each other, a touch, and an edge without length.
+  EXPECT_FALSE(fast(cube_at(0, 0, 0), cube_at(3, 0.5, 0)));
+  EXPECT_FALSE(fast(cube_at(0, 0, 0), cube_at(1, 0.5, 0)));
+  EXPECT_FALSE(fast(cube_at(0, 0, 0), cube_at(2, 2, 2)));
+  EXPECT_FALSE(fast(cube_at(0, 0, 0), Capsule{{3, 4, 4}, {3, 4, 4}, 0}));
 }
 
 }  // namespace
