@@ -361,7 +361,8 @@ bool has_several_ways_out(const Shapes&) {
 }
 bool has_several_ways_out(const Convexes& shapes) {
   const Truth truth = oracle::truth_of({Pair::obb_obb, shapes, {}});
-  return truth.distance()->overlaps() && truth.distance()->meeting().ways.size() > 1;
+  const auto& distance = *truth.distance();
+  return distance.meets() && (!distance.overlaps() || distance.meeting().ways.size() > 1);
 }
 
 TEST(Production, says_the_same_whichever_shape_is_the_first) {

@@ -5,6 +5,7 @@
 #include "oracle/truth/interval_convexes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -16,12 +17,18 @@ namespace {
 using Places = std::vector<std::size_t>;
 bool has(const Places& places, std::size_t k) { return std::find(places.begin(), places.end(), k) != places.end(); }
 
-/// Those, if `known` are all at one height.
-Places farthest(const IntervalCore& core, const Triple& along, const Places& known) {
+/// A direction, and how far every vertex of both cores lies along it.
+struct Along {
+  Triple normal;
+  std::vector<Interval> a;
+  std::vector<Interval> b;
+};
+/// Those that lie farthest, or where `sign` is -1 least far, if `known` are all at one height.
+Places farthest(const std::vector<Interval>& heights, int sign, const Places& known) {
   Places best = known.empty() ? Places{0} : known;
-  for (std::size_t k = 0; k < core.vertices.size(); ++k) {
+  for (std::size_t k = 0; k < heights.size(); ++k) {
     if (has(known, k) || has(best, k)) continue;
-    const int order = sign_of(dot(along, difference(core.vertices[k], core.vertices[best[0]])));
+    const int order = sign * sign_of(heights[k] - heights[best[0]]);
     if (order > 0) best = {k};
     if (order == 0) best.push_back(k);
   }
@@ -57,14 +64,14 @@ class AnyTwo {
     bool is_solid = false;
     for (const Facing& facing : facings_) {
       const int side = sign_of(facing.height);
-      if (side < 0) return answer_apart(distances, scalar);
+      if (side < 0) return answer_of(nearest_of_cores(a_, b_, facing_each_other(), precision_), distances, scalar);
       is_solid = is_solid || is_thick(facing);
       if (is_solid && side == 0 && !is_facet(facing)) continue;
       if (least == nullptr || is_before(facing, *least)) least = &facing;
     }
     if (is_solid) return answer_meeting(*least, sign_of(least->height) == 0, distances, scalar);
     // In a plane or a line 0 may lie beside A - B.
-    const IntervalNearest nearest = nearest_of_cores(a_, b_, precision_);
+    const IntervalNearest nearest = nearest_of_cores(a_, b_, all_features(a_, b_), precision_);
     if (!is_zero(difference(nearest.q, nearest.p))) return answer_of(nearest, distances, scalar);
     const Facing in_line{nearest.agreed, all_of(a_), all_of(b_), number(0)};
     return answer_meeting(least == nullptr ? in_line : *least, true, distances, scalar);
@@ -79,13 +86,19 @@ class AnyTwo {
   }
   [[nodiscard]] Triple against(const Triple& n) const { return scaled(number(-1), n); }
 
-  [[nodiscard]] Facing facing(const Triple& n, const Places& in_a, const Places& in_b) const {
-    Facing found{n, farthest(a_, n, in_a), farthest(b_, against(n), in_b), number(0)};
-    found.height = height_along(found);
+  [[nodiscard]] Along along(const Triple& n) const {
+    Along found{n, {}, {}};
+    for (const Triple& x : a_.vertices) found.a.push_back(dot(n, x));
+    for (const Triple& x : b_.vertices) found.b.push_back(dot(n, x));
     return found;
   }
-  [[nodiscard]] Interval height_along(const Facing& facing) const {
-    return dot(facing.normal, difference(a_.vertices[facing.of_a[0]], b_.vertices[facing.of_b[0]]));
+  /// What faces the direction, or with -1 its opposite.
+  [[nodiscard]] Facing facing(const Along& along, int sign, const Places& in_a, const Places& in_b) const {
+    const Places of_a = farthest(along.a, sign, in_a);
+    const Places of_b = farthest(along.b, -sign, in_b);
+    const Interval& most = along.a[of_a[0]];
+    const Interval& least = along.b[of_b[0]];
+    return {sign > 0 ? along.normal : against(along.normal), of_a, of_b, sign > 0 ? most - least : least - most};
   }
   /// Whether something of A - B lies below it.
   [[nodiscard]] bool is_thick(const Facing& f) const {
@@ -95,8 +108,7 @@ class AnyTwo {
   /// Of the faces of each, and of each two edges.
   void make_facings() {
     const auto add = [&](const Triple& n, const Places& in_a, const Places& in_b) {
-      if (is_zero(n)) return;
-      facings_.push_back(facing(n, in_a, in_b));
+      if (!is_zero(n)) facings_.push_back(facing(along(n), 1, in_a, in_b));
     };
     const auto add_faces = [&](const IntervalCore& core, bool of_a) {
       const auto add_face = [&](const Triple& n, const Feature& face) {
@@ -125,21 +137,26 @@ class AnyTwo {
       for (const Feature& f : b_.directions()) {
         const Triple n = cross(way(a_, e), way(b_, f));
         if (is_zero(n)) continue;
-        for (const Triple& along : {n, against(n)}) add(along, edge_at(a_, e, along), edge_at(b_, f, against(along)));
+        const Along both = along(n);
+        for (const int sign : {1, -1})
+          facings_.push_back(facing(both, sign, edge_at(a_, e, both.a, sign), edge_at(b_, f, both.b, -sign)));
       }
   }
-  /// The corners of the edge of a direction that lies farthest along a normal to it.
-  [[nodiscard]] static Places edge_at(const IntervalCore& core, const Feature& edge, const Triple& along) {
+  /// The corners of the edge of a direction that lies farthest along a normal to it, or least far.
+  [[nodiscard]] static Places edge_at(const IntervalCore& core, const Feature& edge,
+                                      const std::vector<Interval>& heights, int sign) {
+    const auto lies_farther = [&](std::size_t k, std::size_t than) {
+      return sign * sign_of(heights[k] - heights[than]) > 0;
+    };
     if (core.outward.empty()) {  // the edges of a triangle have no other of their direction
-      Places corners(edge.corners().begin(), edge.corners().end());
       for (std::size_t k = 0; k < core.vertices.size(); ++k)
-        if (!edge.has(k) && sign_of(dot(along, difference(core.vertices[k], core.vertices[corners[0]]))) > 0) return {};
-      return corners;
+        if (!edge.has(k) && lies_farther(k, edge.places[0])) return {};
+      return {edge.corners().begin(), edge.corners().end()};
     }
     const std::size_t bit = edge.places[0] ^ edge.places[1];  // of a box: two corners that differ in it
     std::size_t best = 0;
     for (std::size_t k = 1; k < core.vertices.size(); ++k)
-      if ((k & bit) == 0 && sign_of(dot(along, difference(core.vertices[k], core.vertices[best]))) > 0) best = k;
+      if ((k & bit) == 0 && lies_farther(k, best)) best = k;
     return {best, best | bit};
   }
 
@@ -175,8 +192,33 @@ class AnyTwo {
     nearest.over = nearest.over * over_;
     return answer_of_nearest(nearest, number(a_.radius), number(b_.radius), distances, scalar, precision_);
   }
-  [[nodiscard]] RoundedAnswer answer_apart(Distances distances, Scalar scalar) const {
-    return answer_of(nearest_of_cores(a_, b_, precision_), distances, scalar);
+  /// The features of a core that lie between some of its vertices.
+  static std::vector<const Feature*> parts(const IntervalCore& core, const Places& places) {
+    std::vector<const Feature*> all;
+    for (const Feature& feature : core.features)
+      if (std::all_of(feature.corners().begin(), feature.corners().end(),
+                      [&](std::size_t k) { return has(places, k); }))
+        all.push_back(&feature);
+    return all;
+  }
+
+  /// What may be nearest where 0 lies outside A - B: what is nearest to it lies in a facet that it is above.
+  [[nodiscard]] std::vector<FeaturePair> facing_each_other() const {
+    if (std::none_of(facings_.begin(), facings_.end(), [&](const Facing& f) { return is_thick(f); }))
+      return all_features(a_, b_);  // it has no facets
+    // The ones that it is highest above come first: often what is nearest lies in them.
+    std::vector<std::pair<double, const Facing*>> above;
+    for (const Facing& f : facings_)
+      if (f.height.sign().value_or(-1) < 0)
+        above.emplace_back(f.height.ends().low / std::sqrt(dot(f.normal, f.normal).ends().low), &f);
+    std::sort(above.begin(), above.end());
+    std::vector<FeaturePair> found;
+    for (const auto& [height, facing] : above)
+      for (const Feature* f : parts(a_, facing->of_a))
+        for (const Feature* g : parts(b_, facing->of_b))
+          if (const FeaturePair pair(f, g); std::find(found.begin(), found.end(), pair) == found.end())
+            found.push_back(pair);
+    return found;
   }
 
   /// What the faces have in common that face each other, B having been moved out by `out` / N: of features of as many
@@ -186,14 +228,6 @@ class AnyTwo {
     IntervalCore b = b_;
     for (Triple& x : a.vertices) x = scaled(N, x);
     for (Triple& x : b.vertices) x = sum(scaled(N, x), out);
-    const auto parts = [](const IntervalCore& core, const Places& places) {
-      std::vector<const Feature*> all;
-      for (const Feature& feature : core.features)
-        if (std::all_of(feature.corners().begin(), feature.corners().end(),
-                        [&](std::size_t k) { return has(places, k); }))
-          all.push_back(&feature);
-      return all;
-    };
     return common_of_cores(a, parts(a, f.of_a), b, parts(b, f.of_b), precision_);
   }
 

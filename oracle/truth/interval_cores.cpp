@@ -27,22 +27,21 @@ int order(const Triple& x, const Interval& over_x, const Triple& y, const Interv
 
 class TwoCores {
  public:
-  /// Of the second one these features alone are tried.
-  TwoCores(const IntervalCore& a, const IntervalCore& b, std::vector<const Feature*> of_b, mpfr_prec_t precision)
-      : a_(a), b_(b), of_b_(std::move(of_b)), precision_(precision) {}
+  TwoCores(const IntervalCore& a, const IntervalCore& b, mpfr_prec_t precision) : a_(a), b_(b), precision_(precision) {}
 
-  [[nodiscard]] IntervalNearest nearest() const {
-    auto [at, unique] = middle_of(optimal());
+  [[nodiscard]] IntervalNearest nearest(const std::vector<FeaturePair>& tried) const {
+    auto [at, unique] = middle_of(optimal(tried));
     return {std::move(at.p), std::move(at.q), std::move(at.over), agreed(), unique};
   }
 
   /// Of features in one plane or line: the middle of what they have in common. Those of as many dimensions together as the plane has cross
   /// in one point, or do not.
-  [[nodiscard]] IntervalCommon common(const std::vector<const Feature*>& of_a) const {
+  [[nodiscard]] IntervalCommon common(const std::vector<const Feature*>& of_a,
+                                      const std::vector<const Feature*>& of_b) const {
     std::vector<Pair> found;
     for (std::size_t dimensions = 3; found.empty() && dimensions-- > 0;)
       for (const Feature* f : of_a)
-        for (const Feature* g : of_b_)
+        for (const Feature* g : of_b)
           if (f->dimension() + g->dimension() == dimensions)
             if (auto at = on_features(*f, *g)) found.push_back(*std::move(at));
     if (found.empty()) throw Undecided{};  // never with signs that are settled
@@ -61,12 +60,13 @@ class TwoCores {
     return feature.size != 3 || sign_of(over - (parts[first] + parts[first + 1])) >= 0;
   }
 
-  /// Whether no vertex of a core lies farther along a way than a feature that is at right angles to it.
-  static bool is_extreme(const IntervalCore& core, const Feature& feature, const Triple& along) {
-    for (std::size_t k = 0; k < core.vertices.size(); ++k)
-      if (!feature.has(k) && sign_of(dot(along, difference(core.vertices[feature.places[0]], core.vertices[k]))) < 0)
-        return false;
-    return true;
+  /// -1 where a vertex of a core lies farther along a way than a feature that is at right angles to it, 0 where one lies as far, else 1.
+  static int extreme(const IntervalCore& core, const Feature& feature, const Triple& along) {
+    int least = 1;
+    for (std::size_t k = 0; k < core.vertices.size() && least >= 0; ++k)
+      if (!feature.has(k))
+        least = std::min(least, sign_of(dot(along, difference(core.vertices[feature.places[0]], core.vertices[k]))));
+    return least;
   }
 
   /// The middle of those with the lexicographically least and greatest p.
@@ -120,22 +120,20 @@ class TwoCores {
     for (std::size_t k = f.dimension(); k < ways.size(); ++k) at.q = difference(at.q, scaled(parts[k], ways[k]));
     return at;
   }
-  /// The same where it is nearest of the cores.
-  [[nodiscard]] std::optional<Pair> solved(const Feature& f, const Feature& g) const {
-    auto at = on_features(f, g);
-    if (at && !(is_extreme(a_, f, difference(at->q, at->p)) && is_extreme(b_, g, difference(at->p, at->q)))) at.reset();
-    return at;
-  }
-
-  /// All that fulfil the conditions: one, unless many are nearest, and of these all ends.
-  [[nodiscard]] std::vector<Pair> optimal() const {
+  /// All that are nearest of the cores: one, unless many are, and of these all ends.
+  [[nodiscard]] std::vector<Pair> optimal(const std::vector<FeaturePair>& tried) const {
     std::vector<Pair> found;
-    const bool one = a_.vertices.size() == 1 || b_.vertices.size() == 1;
-    for (std::size_t i = a_.features.size(); i-- > 0;)
-      for (std::size_t j = of_b_.size(); j-- > 0;) {
-        if (auto at = solved(a_.features[i], *of_b_[j])) found.push_back(*std::move(at));
-        if (one && !found.empty()) return found;
-      }
+    for (const auto& [f, g] : tried) {
+      auto at = on_features(*f, *g);
+      if (!at) continue;
+      const Triple delta = difference(at->q, at->p);
+      const int of_a = extreme(a_, *f, delta);
+      const int of_b = of_a < 0 ? -1 : extreme(b_, *g, difference(at->p, at->q));
+      if (of_b < 0) continue;
+      found.push_back(*std::move(at));
+      // Where nothing else lies as far, nothing else is nearest; nor where one core is a point.
+      if ((of_a > 0 && of_b > 0) || a_.vertices.size() == 1 || b_.vertices.size() == 1) return {found.back()};
+    }
     if (found.empty()) throw Undecided{};  // never with signs that are settled
     return found;
   }
@@ -159,7 +157,6 @@ class TwoCores {
 
   const IntervalCore& a_;
   const IntervalCore& b_;
-  std::vector<const Feature*> of_b_;
   mpfr_prec_t precision_;
 };
 
@@ -216,15 +213,22 @@ RoundedAnswer answer_inside(const Triple& c, const Below& face, double radius, D
 
 }  // namespace
 
-IntervalNearest nearest_of_cores(const IntervalCore& a, const IntervalCore& b, mpfr_prec_t precision) {
-  std::vector<const Feature*> of_b;
-  for (const Feature& feature : b.features) of_b.push_back(&feature);
-  return TwoCores(a, b, std::move(of_b), precision).nearest();
+std::vector<FeaturePair> all_features(const IntervalCore& a, const IntervalCore& b) {
+  // Faces first: of one point and a core the first that is right is the only one.
+  std::vector<FeaturePair> all;
+  for (std::size_t i = a.features.size(); i-- > 0;)
+    for (std::size_t j = b.features.size(); j-- > 0;) all.emplace_back(&a.features[i], &b.features[j]);
+  return all;
+}
+
+IntervalNearest nearest_of_cores(const IntervalCore& a, const IntervalCore& b, const std::vector<FeaturePair>& tried,
+                                 mpfr_prec_t precision) {
+  return TwoCores(a, b, precision).nearest(tried);
 }
 
 IntervalCommon common_of_cores(const IntervalCore& a, const std::vector<const Feature*>& of_a, const IntervalCore& b,
                                const std::vector<const Feature*>& of_b, mpfr_prec_t precision) {
-  return TwoCores(a, b, of_b, precision).common(of_a);
+  return TwoCores(a, b, precision).common(of_a, of_b);
 }
 
 RoundedAnswer answer_of_cores(const IntervalCore& a, const IntervalCore& b, Distances distances, Scalar scalar,
@@ -235,15 +239,15 @@ RoundedAnswer answer_of_cores(const IntervalCore& a, const IntervalCore& b, Dist
     return answer_inside(a.vertices[0], nearest_of(faces), a.radius, distances, scalar, precision);
   // Of a core with an inside, what is nearest to a point outside lies in a face that the point is above.
   std::erase_if(faces, [&](const Below& face) { return !is_above(face); });
-  std::vector<const Feature*> of_b;
-  for (const Feature& feature : b.features) {
+  std::vector<FeaturePair> tried;
+  for (const FeaturePair& pair : all_features(a, b)) {
     const auto has_it = [&](const Below& below) {
-      return std::all_of(feature.corners().begin(), feature.corners().end(),
+      return std::all_of(pair.second->corners().begin(), pair.second->corners().end(),
                          [&](std::size_t corner) { return below.face->has(corner); });
     };
-    if (faces.empty() || std::any_of(faces.begin(), faces.end(), has_it)) of_b.push_back(&feature);
+    if (faces.empty() || std::any_of(faces.begin(), faces.end(), has_it)) tried.push_back(pair);
   }
-  return answer_of_nearest(TwoCores(a, b, std::move(of_b), precision).nearest(), Interval(precision, a.radius),
+  return answer_of_nearest(TwoCores(a, b, precision).nearest(tried), Interval(precision, a.radius),
                            Interval(precision, b.radius), distances, scalar, precision);
 }
 

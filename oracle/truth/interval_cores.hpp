@@ -12,9 +12,14 @@ template <class Shape>
   return core_of([precision](double x) { return Interval(precision, x); }, shape);
 }
 
+/// A feature of each of two cores.
+using FeaturePair = std::pair<const Feature*, const Feature*>;
 /// The nearest points of two cores over one denominator, of which neither has a point in its inside that is the other's; what
-/// their own denominators are is not asked.
-[[nodiscard]] IntervalNearest nearest_of_cores(const IntervalCore& a, const IntervalCore& b, mpfr_prec_t precision);
+/// their own denominators are is not asked. All ends of what is nearest lie in features of `tried`.
+[[nodiscard]] IntervalNearest nearest_of_cores(const IntervalCore& a, const IntervalCore& b,
+                                               const std::vector<FeaturePair>& tried, mpfr_prec_t precision);
+/// Every two of them.
+[[nodiscard]] std::vector<FeaturePair> all_features(const IntervalCore& a, const IntervalCore& b);
 
 /// What two sets of points in one plane or line have in common, which is something: a point over a denominator, the middle between the lexicographically
 /// least and greatest vertex, and whether it is the only one. Each set is what some features of a core are together.
