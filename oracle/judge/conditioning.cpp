@@ -170,8 +170,9 @@ bool last_bit_decides(const Query& query, const Truth& truth, const Declaration&
   std::optional<Exact::Enclosure> best;
   std::size_t number = 0;
   for_each_neighbour(query, declared.scalar, [&](const Query& neighbour, std::size_t i) {
+    if (decides) return;
     const Truth there = truth_of(neighbour);
-    decides = decides || hit(neighbour, there) != is_hit;
+    decides = hit(neighbour, there) != is_hit;
     if (!here) return;
     constexpr int kBits = 256;
     const auto moved = beyond(neighbour, there, declared)->enclosure(kBits);

@@ -385,6 +385,63 @@ Meeting meeting_of(const std::vector<Point>& common, const ExactCore& a, const E
   return found;
 }
 
+/// The least number that makes whole numbers of all coordinates.
+Rational common_denominator(std::initializer_list<const std::vector<Point>*> all) {
+  CGAL::Gmpz found(1);
+  for (const std::vector<Point>* points : all)
+    for (const Point& point : *points)
+      for (const Rational& x : point) mpz_lcm(found.mpz(), found.mpz(), mpq_denref(x.mpq()));
+  return Rational(found);
+}
+
+/// What is true of two cores, radii left out.
+Cores nearest_of(const ExactCore& first, const ExactCore& second, Rules rules) {
+  const std::vector<NearestPair> all = candidates(first, second);
+  Rational least = all.front().distance2();
+  std::vector<Point> nearest;
+  Point delta;
+  for (const NearestPair& pair : all) {
+    const Rational distance2 = pair.distance2();
+    if (distance2 > least) continue;
+    if (distance2 < least) nearest.clear();
+    least = distance2;
+    nearest.push_back(pair.p);
+    delta = pair.q - pair.p;
+  }
+  auto [p, spread] = middle_of(nearest);
+  const Rational scale = std::max(largest_coordinate(first.vertices), largest_coordinate(second.vertices));
+  Cores cores{{p, p + delta}, {kNone, kNone}, {scale, scale}};
+  cores.spread = std::move(spread);
+  if (CGAL::is_zero(least))
+    cores.meeting.emplace(rules == Rules::of_all ? meeting_of(nearest, first, second) : meeting_at(p, first, second));
+  return cores;
+}
+
+/// The same in whole numbers: of quotients most of the time would go into common divisors.
+Cores nearest_of_whole(ExactCore first, ExactCore second, Rules rules) {
+  const Rational times = common_denominator({&first.vertices, &second.vertices});
+  for (ExactCore* core : {&first, &second}) {
+    for (Point& x : core->vertices) x = times * x;
+    const Rational of_normals = common_denominator({&core->outward});
+    for (Point& n : core->outward) n = of_normals * n;
+  }
+  Cores cores = nearest_of(first, second, rules);
+  const Rational by = kOne / times;
+  const auto divide = [&](Point& x) { x = by * x; };
+  std::for_each(cores.nearest.begin(), cores.nearest.end(), divide);
+  std::for_each(cores.spread.begin(), cores.spread.end(), divide);
+  for (Rational& x : cores.farthest) x *= by;
+  if (cores.meeting) {
+    cores.meeting->depth2 *= by * by;
+    for (WayOut& way : cores.meeting->ways) {
+      divide(way.first);
+      divide(way.nearest);
+      std::for_each(way.spread.begin(), way.spread.end(), divide);
+    }
+  }
+  return cores;
+}
+
 }  // namespace
 
 Rational largest_coordinate(const std::vector<Point>& points) {
@@ -470,24 +527,8 @@ std::vector<WayOut> ways_out(const Point& inside, const ExactCore& solid) {
 }
 
 ExactTruth truth_of_cores(const ExactCore& first, const ExactCore& second, Distances distances, Rules rules) {
-  const std::vector<NearestPair> all = candidates(first, second);
-  Rational least = all.front().distance2();
-  std::vector<Point> nearest;
-  Point delta;
-  for (const NearestPair& pair : all) {
-    const Rational distance2 = pair.distance2();
-    if (distance2 > least) continue;
-    if (distance2 < least) nearest.clear();
-    least = distance2;
-    nearest.push_back(pair.p);
-    delta = pair.q - pair.p;
-  }
-  auto [p, spread] = middle_of(nearest);
-  const Rational scale = std::max(largest_coordinate(first.vertices), largest_coordinate(second.vertices));
-  Cores cores{{p, p + delta}, {Rational(first.radius), Rational(second.radius)}, {scale, scale}};
-  cores.spread = std::move(spread);
-  if (CGAL::is_zero(least))
-    cores.meeting.emplace(rules == Rules::of_all ? meeting_of(nearest, first, second) : meeting_at(p, first, second));
+  Cores cores = rules == Rules::of_all ? nearest_of_whole(first, second, rules) : nearest_of(first, second, rules);
+  cores.radius = {Rational(first.radius), Rational(second.radius)};
   return {DistanceTruth(std::move(cores), distances)};
 }
 

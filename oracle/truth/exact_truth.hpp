@@ -66,7 +66,7 @@ struct Meeting {
   Rational depth2;  ///< the square of the depth
   /// Where the depth is above 0: every one of that length, the reference's first. Else the reference's alone.
   std::vector<WayOut> ways;
-  /// Where the depth is 0: b - a for all vertices a and b of the cores. A right normal points against none of them.
+  /// Where the depth is 0: b - a for all vertices a and b of the cores, times some number above 0. A right normal points against none of them.
   std::vector<Point> apart;
   bool is_overlap = false;  ///< the depth is above 0, and that is an ordinary hit
 };

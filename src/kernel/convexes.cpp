@@ -259,7 +259,7 @@ PointOf<Integer> nearest_from(std::vector<Corner> corners, const Difference<Inte
   }
 }
 
-/// Corners that plain double takes for those of the nearest point.
+/// EnclosedCorners that plain double takes for those of the nearest point.
 std::vector<Corner> proposed(const TwoCores& cores) {
   using Nearly = std::vector<Vector<double>>;
   std::size_t bits = 0;
@@ -613,7 +613,7 @@ template <class B>
 const Plane& corners_of(const NearCore& /*core*/, const Plane& plane) { return plane; }
 template <class Shape>
 CornersOf corners_of(const NearCore& core, const Shape& shape) {
-  return {core, Corners(shape)};
+  return {core, EnclosedCorners(shape)};
 }
 
 // Behind calls that are not inlined: what RoundToNearest sets must be set before anything is computed.
@@ -632,7 +632,7 @@ template <class A, class B>
   Contact contact{};
   Certain known{near.side};
   if (in_short_range(a) && in_short_range(b) && in_short_range(lengths))
-    known = certain_of(CornersOf{near_a, Corners(a)}, corners_of(near_b, b), near, lengths, points, contact);
+    known = certain_of(CornersOf{near_a, EnclosedCorners(a)}, corners_of(near_b, b), near, lengths, points, contact);
   if (known.side == NearSide::unknown)
     known.side = is_hit_exactly(a, b, distances.alarm) ? NearSide::hit : NearSide::miss;
   if (known.side == NearSide::miss) return std::nullopt;

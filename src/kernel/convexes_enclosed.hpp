@@ -38,13 +38,13 @@ inline Enclosures enclosed(const Vector3& x) { return {Enclosure(x[0]), Enclosur
 }
 
 /// The vertices of a core, in the order of NearCore's.
-class Corners {
+class EnclosedCorners {
  public:
-  explicit Corners(const Ball& x) : given_{x.center} {}
-  explicit Corners(const Capsule& x) : given_{x.start, x.end} {}
-  explicit Corners(const Triangle& x) : given_{x.vertices[0], x.vertices[1], x.vertices[2]} {}
-  explicit Corners(const Box& x) : given_{x.min, x.max}, kind_(Kind::box) {}
-  explicit Corners(const Obb& x) : given_{x.center, x.extents}, orientation_(x.orientation), kind_(Kind::obb) {}
+  explicit EnclosedCorners(const Ball& x) : given_{x.center} {}
+  explicit EnclosedCorners(const Capsule& x) : given_{x.start, x.end} {}
+  explicit EnclosedCorners(const Triangle& x) : given_{x.vertices[0], x.vertices[1], x.vertices[2]} {}
+  explicit EnclosedCorners(const Box& x) : given_{x.min, x.max}, kind_(Kind::box) {}
+  explicit EnclosedCorners(const Obb& x) : given_{x.center, x.extents}, orientation_(x.orientation), kind_(Kind::obb) {}
 
   /// What is computed once. (Not in a constructor: it is compiled for processors with fma where its caller is.)
   void turn() {
@@ -85,7 +85,7 @@ class Corners {
 /// A core by its corners, nearly and in enclosures.
 struct CornersOf {
   const NearCore& near;
-  Corners corners;
+  EnclosedCorners corners;
 };
 
 /// A vertex, an edge, a triangle or a side of a box, by its corners: those next to the first one come before the one across.
@@ -97,7 +97,9 @@ struct CornerSet {
   [[nodiscard]] bool has(std::size_t k) const {
     return std::find(at.begin(), at.begin() + size, k) != at.begin() + size;
   }
-  [[nodiscard]] Enclosures way(const Corners& corners, std::size_t k) const { return corners(at[k]) - corners(at[0]); }
+  [[nodiscard]] Enclosures way(const EnclosedCorners& corners, std::size_t k) const {
+    return corners(at[k]) - corners(at[0]);
+  }
 };
 
 /// The corners that lie farthest along a direction, or nearly; nothing where they make no feature.
@@ -202,7 +204,8 @@ class EnclosedContact {
 /// A feature of each core, of which no other point is as near.
 class TwoSets {
  public:
-  TwoSets(const Corners& a, const CornerSet& f, const Corners& b, const CornerSet& g) : a_(a), f_(f), b_(b), g_(g) {}
+  TwoSets(const EnclosedCorners& a, const CornerSet& f, const EnclosedCorners& b, const CornerSet& g)
+      : a_(a), f_(f), b_(b), g_(g) {}
 
   /// Nearest points that surely lie inside both, and the way between.
   struct Nearest {
@@ -225,7 +228,7 @@ class TwoSets {
   }
   /// The deepest point of A that surely lies inside both, and that of B, if B is moved back by `out`. Domain: as above.
   [[nodiscard]] std::optional<Nearest> deepest(const Enclosures& out) const {
-    const auto is_inside = [](const Corners& corners, const CornerSet& face, const Enclosures& x) {
+    const auto is_inside = [](const EnclosedCorners& corners, const CornerSet& face, const Enclosures& x) {
       return is_over(face.way(corners, 1), face.way(corners, 2), face.size == 4, x - corners(face.at[0]));
     };
     if (f_.size > 2) {
@@ -240,7 +243,7 @@ class TwoSets {
   }
 
  private:
-  static std::optional<Nearest> of_point(const Enclosures& p, const Corners& corners, const CornerSet& set) {
+  static std::optional<Nearest> of_point(const Enclosures& p, const EnclosedCorners& corners, const CornerSet& set) {
     const Enclosures o = corners(set.at[0]);
     if (set.size == 1) return Nearest{p, o, o - p};
     const Enclosures r = p - o;
@@ -277,9 +280,9 @@ class TwoSets {
     return Nearest{from + (s * inverse) * u, to + (t * inverse) * w, (dot(d, n) * inverse) * n};
   }
 
-  const Corners& a_;
+  const EnclosedCorners& a_;
   const CornerSet& f_;
-  const Corners& b_;
+  const EnclosedCorners& b_;
   const CornerSet& g_;
 };
 

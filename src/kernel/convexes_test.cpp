@@ -197,8 +197,8 @@ TEST(ConvexesEnclosed, settles_nearly_all_that_is_in_no_special_position_and_lea
   const auto fast = [&](const auto& a, const auto& b) -> std::optional<EnclosedContact> {
     const NearCore near_a = near_core(a);
     const NearCore near_b = near_core(b);
-    CornersOf of_a{near_a, Corners(a)};
-    CornersOf of_b{near_b, Corners(b)};
+    CornersOf of_a{near_a, EnclosedCorners(a)};
+    CornersOf of_b{near_b, EnclosedCorners(b)};
     of_a.corners.turn();
     of_b.corners.turn();
     const NearAnswer near = near_answer(near_a, near_b, 10, true);
