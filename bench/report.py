@@ -119,7 +119,7 @@ def sphere_cube_table(m):
 
 
 PAIRS = {"sphere_sphere": "", "sphere_cube": "sphere_cube_", **{pair: pair + "_" for pair in (
-    "sphere_capsule", "capsule_capsule", "sphere_triangle", "ray_sphere", "sphere_plane", "capsule_plane", "ray_triangle", "triangle_line")}}
+    "sphere_capsule", "capsule_capsule", "sphere_triangle", "ray_sphere", "sphere_plane", "capsule_plane", "ray_triangle", "triangle_line", "obb_obb")}}
 
 
 def pairs_table(m):

@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "contact/pair_functions.hpp"
 #include "contact/sphere_sphere.hpp"
 #include "golden/dataset.hpp"
 #include "golden/flags.hpp"
@@ -16,7 +17,6 @@
 #include "golden/query_id.hpp"
 #include "oracle/truth/exact_truth.hpp"
 #include "oracle/truth/interval_oracle.hpp"
-#include "oracle/truth/staged_oracle.hpp"
 
 namespace contact::golden {
 namespace {
@@ -78,7 +78,7 @@ TEST(Random, EachQuestionStandsAlone) {
 
 TEST(Families, MakeQuestionsOfTheDomainInTheirScalarOrSpoiledOnes) {
   for (const CommittedFile& file : committed_files())
-    for (std::uint64_t i = 0; i < 1000; ++i) {
+    for (std::uint64_t i = 0; i < 300; ++i) {
       const Query query = generate_query(file.pair, *file.family, file.scalar, 7, i);
       EXPECT_EQ(outside_domain(query).has_value(), file.family->outside_domain) << title(file) << " " << i;
       for_each_number(query, [&](const std::string& field, double x) {
@@ -129,8 +129,11 @@ TEST(Families, GiveBothAnswersOrSayWhyAllAreHits) {
         if (family.outside_domain) continue;
         SCOPED_TRACE(std::string(name(pair)) + " " + std::string(family.name) + " " + std::string(name(scalar)));
         std::uint64_t hits = 0;
-        for (std::uint64_t i = 0; i < kQuestions; ++i)
-          hits += oracle::staged_answer(generate_query(pair, family, scalar, 5, i), scalar).truth.hit() ? 1 : 0;
+        for (std::uint64_t i = 0; i < kQuestions; ++i) {
+          const Query query = generate_query(pair, family, scalar, 5, i);
+          // Production decides faster, and others ask whether it is right.
+          hits += std::visit([&](const auto& shapes) { return is_hit(shapes, query.distances); }, query.shapes) ? 1 : 0;
+        }
         if (std::any_of(hits_alone.begin(), hits_alone.end(), [&](const FamilyNote& listed) {
               return kind_of(listed.pair) == kind_of(pair) && listed.family == family.name;
             })) {

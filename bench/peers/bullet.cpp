@@ -28,23 +28,37 @@ void set(btBoxShape& shape, btCollisionObject& object, const Box& box) {
   shape.setImplicitShapeDimensions(to_bullet(0.5 * (box.max - box.min)));
   object.getWorldTransform().setOrigin(to_bullet(0.5 * (box.min + box.max)));
 }
-/// A sphere, and another or a box, that are moved and resized from question to question.
+void set(btBoxShape& shape, btCollisionObject& object, const Obb& box) {
+  const auto& [x, y, z, w] = box.orientation;
+  shape.setImplicitShapeDimensions(to_bullet(box.extents));
+  object.getWorldTransform().setBasis(btMatrix3x3(btQuaternion(x, y, z, w)));
+  object.getWorldTransform().setOrigin(to_bullet(box.center));
+}
 template <class Shape>
+auto unit() {
+  if constexpr (std::same_as<Shape, btBoxShape>)
+    return btVector3(1, 1, 1);
+  else
+    return btScalar(1);
+}
+/// Two shapes that are moved and resized from question to question.
+template <class Shape, class First = btSphereShape>
 struct Objects {
-  btSphereShape shape_a{1};
+  First shape_a;
   Shape shape_b;
   btCollisionObject a;
   btCollisionObject b;
 
   template <class... Sizes>
-  explicit Objects(Sizes... sizes) : shape_b(sizes...) {
+  explicit Objects(Sizes... sizes) : shape_a(unit<First>()), shape_b(sizes...) {
     a.setCollisionShape(&shape_a);
     b.setCollisionShape(&shape_b);
     // A box's margin makes it smaller and rounder.
+    if constexpr (std::same_as<First, btBoxShape>) shape_a.setMargin(0);
     if constexpr (std::same_as<Shape, btBoxShape>) shape_b.setMargin(0);
   }
-  template <class Second>
-  void move(const Two<Ball, Second>& p) {
+  template <class A, class B>
+  void move(const Two<A, B>& p) {
     set(shape_a, a, p.a);
     set(shape_b, b, p.b);
   }
@@ -127,9 +141,10 @@ class World {
  public:
   bool test(const Balls& p) { return test(p, spheres_); }
   bool test(const BallAndBox& p) { return test(p, box_); }
-  template <class Second>
-  requires(std::same_as<Second, Ball> || std::same_as<Second, Box>) bool compute(const Two<Ball, Second>& p,
-                                                                                 Contact& out) {
+  bool test(const Convexes& p) { return test(obbs(p), rotated_); }
+  template <class Pair>
+  requires kIsOneOf<Pair, Balls, BallAndBox, Convexes>
+  bool compute(const Pair& p, Contact& out) {
     if (!test(p)) return false;
     out.normal = from_bullet(callback_.point.m_normalWorldOnB);
     out.point1 = from_bullet(callback_.point.getPositionWorldOnA());
@@ -149,8 +164,8 @@ class World {
     bool hit = false;
     btManifoldPoint point;
   };
-  template <class Second, class Shape>
-  bool test(const Two<Ball, Second>& p, Objects<Shape>& objects) {
+  template <class A, class B, class Made>
+  bool test(const Two<A, B>& p, Made& objects) {
     callback_.hit = false;
     objects.move(p);
     world_.contactPairTest(&objects.a, &objects.b, callback_);
@@ -159,6 +174,7 @@ class World {
 
   Objects<btSphereShape> spheres_{1.0};
   Objects<btBoxShape> box_{btVector3(1, 1, 1)};
+  Objects<btBoxShape, btBoxShape> rotated_{btVector3(1, 1, 1)};
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_{&configuration_};
   btDbvtBroadphase broadphase_;

@@ -1,6 +1,8 @@
 // libccd: Minkowski portal refinement and GJK on the support functions of a sphere and a box.
 #include <ccd/ccd.h>
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <concepts>
 
@@ -43,19 +45,46 @@ struct Support<Box> {
   }
 };
 
-template <class Shape>
+/// A rotated box by its axes, as its users keep it.
+struct Turned {
+  explicit Turned(const Obb& box) : center(box.center), half(box.extents) {
+    const auto& [x, y, z, w] = box.orientation;
+    axes = Eigen::Quaterniond(w, x, y, z).normalized().toRotationMatrix();
+  }
+  Vector3 center;
+  Vector3 half;
+  Eigen::Matrix3d axes;
+};
+template <>
+struct Support<Turned> {
+  static void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
+    const auto& box = *static_cast<const Turned*>(object);
+    Vector3 at = box.center;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double along = box.axes.col(axis).dot(Vector3(direction->v[0], direction->v[1], direction->v[2]));
+      at += (along < 0 ? -box.half[axis] : box.half[axis]) * box.axes.col(axis);
+    }
+    for (int k = 0; k < 3; ++k) point->v[k] = at[k];
+  }
+  static void center(const void* object, ccd_vec3_t* point) {
+    for (int k = 0; k < 3; ++k) point->v[k] = static_cast<const Turned*>(object)->center[k];
+  }
+};
+
+template <class Shape, class First = Ball>
 ccd_t settings() {
   ccd_t ccd;
   CCD_INIT(&ccd);
-  ccd.support1 = Support<Ball>::support;
+  ccd.support1 = Support<First>::support;
   ccd.support2 = Support<Shape>::support;
-  ccd.center1 = Support<Ball>::center;
+  ccd.center1 = Support<First>::center;
   ccd.center2 = Support<Shape>::center;
   ccd.max_iterations = 100;  // by default no limit, and then some questions are never answered
   return ccd;
 }
 template <class Shape>
 const ccd_t kSettings = settings<Shape>();
+const ccd_t kOfBoxes = settings<Turned, Turned>();
 
 struct Mpr {
   template <class Shape>
@@ -67,6 +96,23 @@ struct Mpr {
     ccd_vec3_t direction;
     ccd_vec3_t position;
     if (ccdMPRPenetration(&p.a, &p.b, &kSettings<Shape>, &out.value, &direction, &position) != 0) return false;
+    out.normal = {direction.v[0], direction.v[1], direction.v[2]};
+    out.point1 = {position.v[0], position.v[1], position.v[2]};
+    return true;
+  }
+  static bool test(const Convexes& p) {
+    const auto [a, b] = obbs(p);
+    const Turned first(a);
+    const Turned second(b);
+    return ccdMPRIntersect(&first, &second, &kOfBoxes) != 0;
+  }
+  static bool compute(const Convexes& p, Contact& out) {
+    const auto [a, b] = obbs(p);
+    const Turned first(a);
+    const Turned second(b);
+    ccd_vec3_t direction;
+    ccd_vec3_t position;
+    if (ccdMPRPenetration(&first, &second, &kOfBoxes, &out.value, &direction, &position) != 0) return false;
     out.normal = {direction.v[0], direction.v[1], direction.v[2]};
     out.point1 = {position.v[0], position.v[1], position.v[2]};
     return true;

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "golden/dataset.hpp"
+#include "golden/families.hpp"
 #include "oracle/judge/judge.hpp"
 #include "peers/peers.hpp"
 #include "places.hpp"
@@ -54,6 +55,29 @@ void register_times(const Subject<A, B>& subject, const Peer& peer, bool everywh
       at_place(name + subject.compute, place,
                [compute = loops.compute](std::size_t n) { compute(one_by_one<A, B>(n), answers(n).data()); });
   }
+}
+
+/// Rotated boxes as scenes have them, about half of which overlap.
+const std::vector<Convexes>& boxes(std::size_t size) {
+  static std::map<std::size_t, std::vector<Convexes>> made;
+  std::vector<Convexes>& all = made[size];
+  const golden::Family& generic = *golden::find_family(Pair::obb_obb, "generic");
+  while (all.size() < size)
+    all.push_back(
+        std::get<Convexes>(golden::generate_query(Pair::obb_obb, generic, Scalar::binary64, 1, all.size()).shapes));
+  return all;
+}
+void register_times_of_boxes(const Peer& peer) {
+  const Loops<Convexes>& loops = peer.of<Convexes>();
+  const std::string name = "Peer/" + peer.name + "/obb_obb_";
+  if (loops.test)
+    at_place(name + "test", kPlaces[0], [test = loops.test](std::size_t n) {
+      std::vector<std::uint8_t> hit(n);
+      test(boxes(n), hit.data());
+    });
+  if (loops.compute)
+    at_place(name + "compute", kPlaces[0],
+             [compute = loops.compute](std::size_t n) { compute(boxes(n), answers(n).data()); });
 }
 
 template <class A, class B>
@@ -165,6 +189,7 @@ void count_wrong_answers(benchmark::State& state, const Peer& peer, const std::s
     for (Peer& peer : peers()) {
       std::apply([&](const auto&... subject) { (register_times(subject, peer, true), ...); }, kSubjects);
       std::apply([&](const auto&... subject) { (register_times(subject, peer, false), ...); }, kOthers);
+      register_times_of_boxes(peer);
       all.push_back(std::move(peer));
     }
   all.push_back(make_peer("ours, batch", {}, false, std::make_shared<OneInBatch>()));

@@ -33,6 +33,13 @@ struct Placed {
     at.translation() = 0.5 * (bounds.min + bounds.max);
     return box;
   }
+  fcl::Boxd& set(const Obb& given) {
+    const auto& [x, y, z, w] = given.orientation;
+    box.side = 2 * given.extents;
+    at.linear() = Eigen::Quaterniond(w, x, y, z).normalized().toRotationMatrix();
+    at.translation() = given.center;
+    return box;
+  }
   fcl::Capsuled& set(const Capsule& given) {
     const Vector3 along = given.end - given.start;
     capsule.radius = given.radius;
@@ -66,6 +73,9 @@ class Fcl {
     out.value = contact.penetration_depth;
     return true;
   }
+  // Two rotated boxes.
+  bool test(const Convexes& p) { return test(obbs(p)); }
+  bool compute(const Convexes& p, Contact& out) { return compute(obbs(p), out); }
   static bool test(const Boxes& p) {
     fcl::AABBd a;
     a.min_ = p.a.min;

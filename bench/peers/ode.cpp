@@ -32,6 +32,14 @@ struct Geometries {
     dGeomSetPosition(box, center[0], center[1], center[2]);
     return box;
   }
+  [[nodiscard]] dGeomID set(const Obb& given) const {
+    const auto& [x, y, z, w] = given.orientation;
+    const dQuaternion turned{w, x, y, z};
+    dGeomBoxSetLengths(box, 2 * given.extents[0], 2 * given.extents[1], 2 * given.extents[2]);
+    dGeomSetQuaternion(box, turned);  // makes it a unit one
+    dGeomSetPosition(box, given.center[0], given.center[1], given.center[2]);
+    return box;
+  }
   [[nodiscard]] dGeomID set(const Capsule& given) const {
     const Vector3 along = given.end - given.start;
     const Vector3 center = 0.5 * (given.start + given.end);
@@ -63,6 +71,9 @@ class Ode {
     out.value = found_.depth;
     return true;
   }
+  // Two rotated boxes.
+  bool test(const Convexes& p) { return test(obbs(p)); }
+  bool compute(const Convexes& p, Contact& out) { return compute(obbs(p), out); }
 
  private:
   Geometries a_;

@@ -19,6 +19,11 @@
 
 namespace contact::bench {
 
+/// Of the pairs of any two convex shapes two rotated boxes alone are asked.
+inline Two<Obb, Obb> obbs(const Convexes& shapes) {
+  return {std::get<Obb>(shapes.a.shape), std::get<Obb>(shapes.b.shape)};
+}
+
 /// What a peer writes for a pair; a number that it does not give is left alone. `contact.point1` alone where the
 /// convention is one point.
 struct PeerAnswer {

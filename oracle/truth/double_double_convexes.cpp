@@ -19,7 +19,7 @@
 namespace contact::oracle {
 namespace {
 
-constexpr int kMost = 80;  // what is of degree 10 in lengths stays in range
+constexpr int kMostOfCores = 80;  // what is of degree 10 in lengths stays in range
 using NearCore = Core<DoubleDouble>;
 using Plain = std::array<double, 3>;
 
@@ -51,17 +51,17 @@ double plain_dot(const Plain& x, const Plain& y) { return x[0] * y[0] + x[1] * y
 
 // ---- cores ----
 
-bool is_in_range(const Ball& x) { return in_range(x.center, kMost) && in_range(x.radius, kMost); }
+bool is_in_range(const Ball& x) { return in_range(x.center, kMostOfCores) && in_range(x.radius, kMostOfCores); }
 bool is_in_range(const Capsule& x) {
-  return in_range(x.start, kMost) && in_range(x.end, kMost) && in_range(x.radius, kMost);
+  return in_range(x.start, kMostOfCores) && in_range(x.end, kMostOfCores) && in_range(x.radius, kMostOfCores);
 }
-bool is_in_range(const Box& x) { return in_range(x.min, kMost) && in_range(x.max, kMost); }
+bool is_in_range(const Box& x) { return in_range(x.min, kMostOfCores) && in_range(x.max, kMostOfCores); }
 bool is_in_range(const Triangle& x) {
-  return std::all_of(x.vertices.begin(), x.vertices.end(), [](const Vector3& v) { return in_range(v, kMost); });
+  return std::all_of(x.vertices.begin(), x.vertices.end(), [](const Vector3& v) { return in_range(v, kMostOfCores); });
 }
 bool is_in_range(const Obb& x) {
-  return in_range(x.center, kMost) && in_range(x.extents, kMost) &&
-         std::all_of(x.orientation.begin(), x.orientation.end(), [](double c) { return in_range(c, kMost); });
+  return in_range(x.center, kMostOfCores) && in_range(x.extents, kMostOfCores) &&
+         std::all_of(x.orientation.begin(), x.orientation.end(), [](double c) { return in_range(c, kMostOfCores); });
 }
 
 /// A quaternion says the same at any length, and numbers near 1 stay in range.
@@ -459,7 +459,7 @@ std::optional<RoundedAnswer> case_meeting(const NearCore& a, const NearCore& b, 
 // Not compiled again for processors with fma, where all of it would be one function twice: that takes longer than the time it saves.
 [[gnu::noinline]] std::optional<RoundedAnswer> case_of_convexes(const Convexes& shapes, Distances distances,
                                                                 Scalar scalar) {
-  if (!in_range(distances.alarm, kMost) || !in_range(distances.contact, kMost)) return std::nullopt;
+  if (!in_range(distances.alarm, kMostOfCores) || !in_range(distances.contact, kMostOfCores)) return std::nullopt;
   const auto a = near_core(shapes.a);
   if (!a) return std::nullopt;
   if (const auto* plane = std::get_if<Plane>(&shapes.b.shape)) {
@@ -467,7 +467,8 @@ std::optional<RoundedAnswer> case_meeting(const NearCore& a, const NearCore& b, 
     const DoubleDoubles down{-n[0], -n[1], -n[2]};
     const std::size_t lowest = farthest(*a, plain(down));
     const DoubleDoubles& p = a->vertices[lowest];
-    if (!in_range(plane->normal, kMost) || !are_others_before(*a, features::kBox[lowest], down, p)) return std::nullopt;
+    if (!in_range(plane->normal, kMostOfCores) || !are_others_before(*a, features::kBox[lowest], down, p))
+      return std::nullopt;
     return case_over_plane({p, product(n, p), true}, a->radius, *plane, distances, scalar);
   }
   const auto b = near_core(shapes.b);

@@ -358,12 +358,17 @@ TEST(StagedOracle, passes_on_what_a_stage_declines_and_says_who_decided) {
   const Capsule b{{6e159, 8e-252, 2e-208}, {3e-133, -8e18, 6e-120}, 3e-162};
   const Query near{Pair::capsule_capsule, Capsules{a, b}, {0, 0}};
   EXPECT_EQ(stage(near), Stage::interval);
-  // The exact stage is faster than intervals are with any two convex shapes.
-  const Query boxes{Pair::obb_obb,
-                    Convexes{{Obb{{0, 0, 0}, {0, 0, 1, 1}, {1, 2, 3}}}, {Obb{{3, 0, 0}, {1, 2, 3, 4}, {2, 1, 1}}}},
-                    {0, 0}};
-  EXPECT_EQ(stage(boxes), Stage::exact);
-  for (const Query& query : {near, boxes}) {
+  // Of any two convex shapes what is in no special position, and of faces along each other nothing: the exact stage is faster than intervals there.
+  const auto beside = [](const Quaternion& turned) {
+    return Query{Pair::obb_obb,
+                 Convexes{{Obb{{0, 0, 0}, {0, 0, 1, 1}, {1, 2, 3}}}, {Obb{{3, 0, 0}, turned, {2, 1, 1}}}},
+                 {0, 0}};
+  };
+  const Query askew = beside({1, 2, 3, 4});
+  const Query along = beside({0, 0, 1, 1});
+  EXPECT_EQ(stage(askew), Stage::double_double);
+  EXPECT_EQ(stage(along), Stage::exact);
+  for (const Query& query : {near, askew, along}) {
     const StagedAnswer answer = staged_answer(query, Scalar::binary64);
     EXPECT_EQ(first_difference(rounded_answer(answer), rounded_answer(truth_of(query), Scalar::binary64)),
               std::nullopt);
