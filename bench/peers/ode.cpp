@@ -1,6 +1,7 @@
 // ODE: dCollide on two geometries: spheres, boxes, capsules and planes.
 #include <ode/ode.h>
 
+#include <cmath>
 #include <concepts>
 
 #include "peers/peers.hpp"
@@ -34,9 +35,10 @@ struct Geometries {
   }
   [[nodiscard]] dGeomID set(const Obb& given) const {
     const auto& [x, y, z, w] = given.orientation;
-    const dQuaternion turned{w, x, y, z};
+    const double length = std::sqrt(x * x + y * y + z * z + w * w);
+    const dQuaternion turned{w / length, x / length, y / length, z / length};
     dGeomBoxSetLengths(box, 2 * given.extents[0], 2 * given.extents[1], 2 * given.extents[2]);
-    dGeomSetQuaternion(box, turned);  // makes it a unit one
+    dGeomSetQuaternion(box, turned);
     dGeomSetPosition(box, given.center[0], given.center[1], given.center[2]);
     return box;
   }
