@@ -82,10 +82,9 @@ Row without_signs_of_zeros(Row bits) {
 /// Pairs of a batch: every lane of a vector and some behind the last whole one.
 constexpr std::size_t kPairs = 11;
 
-/// What stands beside the pair that is asked about: the numbers 0, 1, 2 and so on.
+/// What stands beside the pair that is asked about: of the same shapes, with the numbers 0, 1, 2 and so on.
 template <class A, class B>
-Two<A, B> neighbour() {
-  Two<A, B> shapes;
+Two<A, B> neighbour(Two<A, B> shapes) {
   double next = 0;
   const auto count = [&](double& number) { number = next++; };
   for_each_number(shapes.a, count);
@@ -113,7 +112,7 @@ void try_production(const Two<A, B>& shapes, const Query& query, const Expectati
                     std::uint64_t chooser) {
   static const auto environments = floating_point_environments();
   const FloatingPointEnvironment& environment = environments[kind / 4 % environments.size()];
-  const Two<A, B> beside = neighbour<A, B>();
+  const Two<A, B> beside = neighbour(shapes);
   for (const std::string& set : chosen_sets(chooser)) {
     kernel::use_instruction_set(set);
     std::string differs;
