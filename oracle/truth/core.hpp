@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <optional>
@@ -132,6 +133,18 @@ CoreBy<Make> core_of(const Make& make, const Box& box) {
   for (Eigen::Index axis = 0; axis < 3; ++axis)
     for (const double side : {-1.0, 1.0}) core.outward.push_back(vec(make, Vector3::Unit(axis) * side));
   return core;
+}
+
+/// The same box, with a quaternion of numbers near 1 where none is lost by that: it says the same at any length.
+inline Obb with_short_orientation(const Obb& given) {
+  Obb box = given;
+  double largest = 0;
+  for (const double x : given.orientation) largest = std::max(largest, std::abs(x));
+  const int exponent = std::ilogb(largest);
+  for (double& x : box.orientation) x = std::ldexp(x, -exponent);
+  for (std::size_t i = 0; i < 4; ++i)
+    if (std::ldexp(box.orientation[i], exponent) != given.orientation[i]) return given;
+  return box;
 }
 
 /// |q|^2 times the matrix of a rotation: its columns; and |q|^2.

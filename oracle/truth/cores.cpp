@@ -455,16 +455,9 @@ Rational largest_coordinate(const std::vector<Point>& points) {
   return std::max(Rational(-*low), *high);
 }
 
-ExactCore exact_core(const Obb& given) {
-  // A quaternion says the same at any length, and numbers near 1 are short.
-  Obb box = given;
-  double largest = 0;
-  for (const double x : given.orientation) largest = std::max(largest, std::abs(x));
-  const int exponent = std::ilogb(largest);
-  for (double& x : box.orientation) x = std::ldexp(x, -exponent);
-  for (std::size_t i = 0; i < 4; ++i)
-    if (std::ldexp(box.orientation[i], exponent) != given.orientation[i]) box.orientation = given.orientation;
-  auto core = core_of([](double x) { return Rational(x); }, box);
+ExactCore exact_core(const Obb& box) {
+  // Numbers near 1 are short.
+  auto core = core_of([](double x) { return Rational(x); }, with_short_orientation(box));
   for (Point& x : core.vertices) x = (kOne / *core.over) * x;
   ExactCore found = exact_core(core.vertices, core.features);
   found.outward = std::move(core.outward);

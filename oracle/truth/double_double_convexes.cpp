@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <span>
 #include <variant>
 #include <vector>
 
@@ -44,7 +43,7 @@ DoubleDoubles across(const DoubleDoubles& x, const DoubleDoubles& y) {
   const auto at = [&](std::size_t i, std::size_t j) { return times(x[i], y[j]) - times(x[j], y[i]); };
   return {at(1, 2), at(2, 0), at(0, 1)};
 }
-bool is_above(const DoubleDouble& x, double least) { return x.high > least && x.radius < x.high * 0x1p-20; }
+bool is_clear(const DoubleDouble& x) { return x.radius < x.high * 0x1p-20; }  // above 0
 bool is_positive(const DoubleDouble& x) { return x.sign() == 1; }
 Plain plain(const DoubleDoubles& x) { return {x[0].high, x[1].high, x[2].high}; }
 double plain_dot(const Plain& x, const Plain& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
@@ -64,17 +63,8 @@ bool is_in_range(const Obb& x) {
          std::all_of(x.orientation.begin(), x.orientation.end(), [](double c) { return in_range(c, kMostOfCores); });
 }
 
-/// A quaternion says the same at any length, and numbers near 1 stay in range.
-Obb of_unit_size(const Obb& given) {
-  Obb box = given;
-  double largest = 0;
-  for (const double x : given.orientation) largest = std::max(largest, std::abs(x));
-  const int exponent = std::ilogb(largest);
-  for (double& x : box.orientation) x = std::ldexp(x, -exponent);
-  for (std::size_t i = 0; i < 4; ++i)
-    if (std::ldexp(box.orientation[i], exponent) != given.orientation[i]) return given;
-  return box;
-}
+/// A rotated box as with_short_orientation has it, so that more of them are in range.
+Obb of_unit_size(const Obb& box) { return with_short_orientation(box); }
 template <class Shape>
 const Shape& of_unit_size(const Shape& shape) {
   return shape;
@@ -90,7 +80,7 @@ std::optional<NearCore> near_core(const Convex& convex) {
           if (!is_in_range(shape)) return std::nullopt;
           NearCore core = core_of([](double x) { return DoubleDouble{x}; }, shape);
           if (core.over) {
-            if (!is_above(*core.over, 0)) return std::nullopt;
+            if (!is_clear(*core.over)) return std::nullopt;
             const DoubleDouble inverse = reciprocal(*core.over);
             for (DoubleDoubles& x : core.vertices) x = times(inverse, x);
           }
@@ -168,7 +158,7 @@ std::optional<Crossing> crossing(const NearCore& a, const Feature& e, const Near
   const DoubleDoubles d = minus(b0, a0);
   Crossing found{across(u, w), {}, {}, {}};
   found.N = product(found.n, found.n);
-  if (!is_above(found.N, 0)) return std::nullopt;
+  if (!is_clear(found.N)) return std::nullopt;
   const DoubleDouble s = product(across(d, w), found.n);
   const DoubleDouble t = product(across(d, u), found.n);
   for (const DoubleDouble& x : {s, t})
@@ -190,13 +180,13 @@ std::optional<DoubleDoubleNearest> from_point(const DoubleDoubles& p, const Near
     const DoubleDoubles u = way_of(b, g, 1);
     const DoubleDouble part = product(r, u);
     const DoubleDouble whole = product(u, u);
-    if (!is_above(whole, 0) || !is_positive(part) || !is_positive(whole - part)) return std::nullopt;
+    if (!is_clear(whole) || !is_positive(part) || !is_positive(whole - part)) return std::nullopt;
     const DoubleDoubles on = times(times(part, reciprocal(whole)), u);
     return DoubleDoubleNearest{p, sum(o, on), minus(on, r)};
   }
   const DoubleDoubles n = normal_of(b, g);
   const DoubleDouble N = product(n, n);
-  if (!is_above(N, 0) || !is_over(b, g, p)) return std::nullopt;
+  if (!is_clear(N) || !is_over(b, g, p)) return std::nullopt;
   const DoubleDoubles delta = times(-times(product(r, n), reciprocal(N)), n);
   return DoubleDoubleNearest{p, sum(p, delta), delta};
 }
@@ -223,7 +213,8 @@ class Guess {
   Guess(const NearCore& a, const NearCore& b) : a_(a), b_(b) {}
 
   [[nodiscard]] std::optional<Plain> way() {
-    take({0, 0, 0});
+    y_[0] = corner_against({0, 0, 0});
+    count_ = 1;
     constexpr int kMostSteps = 24;
     for (int step = 0; step < kMostSteps; ++step) {
       if (!nearest() || count_ == 4) return std::nullopt;
@@ -244,7 +235,6 @@ class Guess {
     const Plain q = plain(b_.vertices[farthest(b_, {-v[0], -v[1], -v[2]})]);
     return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
   }
-  void take(const Plain& way) { y_[static_cast<std::size_t>(count_++)] = corner_against(way); }
 
   /// Sets v to the point of the simplex that is nearest to 0, and leaves the corners that it lies between.
   bool nearest() {
@@ -329,7 +319,7 @@ std::optional<std::vector<Axis>> axes(const NearCore& a, const NearCore& b) {
   bool are_sure = true;
   const auto add = [&](const DoubleDoubles& n, const Feature* of_a, const Feature* of_b) {
     all.push_back({n, product(n, n), of_a, of_b});
-    are_sure = are_sure && is_above(all.back().N, 0);
+    are_sure = are_sure && is_clear(all.back().N);
   };
   const auto faces = [](const NearCore& core) {
     std::vector<const Feature*> found;  // of those of a box that are parallel, one
@@ -366,7 +356,8 @@ Extent extent(const NearCore& core, const DoubleDoubles& n) {
   };
   for (std::size_t k = 1; k < core.vertices.size(); ++k) {
     const DoubleDouble here = product(n, core.vertices[k]);
-    if (!(here.radius <= radius)) radius = here.radius;
+    // What is no number stays none.
+    if (!std::isnan(radius) && !(here.radius <= radius)) radius = here.radius;
     if (is_less(here, found.least)) found.least = here;
     if (is_less(found.most, here)) found.most = here;
   }

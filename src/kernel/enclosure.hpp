@@ -80,6 +80,5 @@ inline Enclosure dot(const Enclosures& x, const Enclosures& y) { return x[0] * y
 inline Enclosures cross(const Enclosures& x, const Enclosures& y) {
   return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
 }
-inline double widest(const Enclosures& x) { return std::max({x[0].radius, x[1].radius, x[2].radius}); }
 
 }  // namespace contact::kernel
