@@ -558,81 +558,54 @@ template <class A>
 
 // ---- answers ----
 
-NearAnswer near_answer_of(const NearCore& a, const NearCore& /*none*/, const Plane& b, double alarm,
-                          bool /*to_the_end*/) {
-  return {near_side(a, b, alarm)};
-}
-template <class B>
-NearAnswer near_answer_of(const NearCore& a, const NearCore& b, const B& /*shape*/, double alarm, bool to_the_end) {
-  return near_answer(a, b, alarm, to_the_end);
-}
-
-/// What is certain of a contact.
-struct Certain {
-  NearSide side;
-  unsigned open = kAllNumbers;
-};
-[[gnu::always_inline]] inline Certain certain(const std::optional<EnclosedContact>& found, const NearAnswer& near,
-                                              double alarm, const Lengths& lengths, ContactPoints points,
-                                              Contact& contact) {
-  if (!found) return {near.side};
-  const NearSide side = near.side == NearSide::unknown ? found->side(alarm) : near.side;
-  return {side, side == NearSide::hit ? round_certain(*found, lengths, points, contact) : kAllNumbers};
-}
-[[gnu::always_inline]] inline Certain certain_inline(CornersOf a, CornersOf b, const NearAnswer& near,
-                                                     const Lengths& lengths, ContactPoints points, Contact& contact) {
-  a.corners.turn();
-  b.corners.turn();
-  return certain(near.way ? contact_apart(a, b, *near.way, lengths) : contact_overlapping(a, b, lengths), near,
-                 lengths.alarm, lengths, points, contact);
-}
-[[gnu::always_inline]] inline Certain certain_inline(CornersOf a, const Plane& b, const NearAnswer& near,
-                                                     const Lengths& lengths, ContactPoints points, Contact& contact) {
-  a.corners.turn();
-  return certain(contact_over(a, b, lengths), near, lengths.alarm, lengths, points, contact);
-}
 #if defined(__x86_64__) && !defined(__FMA__)
-// The same bits: std::fma is an instruction here, and a call below.
-template <class B>
-[[gnu::noinline, gnu::flatten, gnu::target("fma")]] Certain certain_by_fma(const CornersOf& a, const B& b,
-                                                                           const NearAnswer& near,
-                                                                           const Lengths& lengths, ContactPoints points,
-                                                                           Contact& contact) {
-  return certain_inline(a, b, near, lengths, points, contact);
-}
+#define CONTACT_BY_FMA(ask) \
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return by_fma::ask
+#else
+#define CONTACT_BY_FMA(ask)
 #endif
-template <class B>
-[[gnu::noinline]] Certain certain_of(const CornersOf& a, const B& b, const NearAnswer& near, const Lengths& lengths,
-                                     ContactPoints points, Contact& contact) {
-#if defined(__x86_64__) && !defined(__FMA__)
-  if (__builtin_cpu_supports("fma")) return certain_by_fma(a, b, near, lengths, points, contact);
-#endif
-  return certain_inline(a, b, near, lengths, points, contact);
+template <class... Arguments>
+Certain certain_of(Arguments&&... arguments) {
+  CONTACT_BY_FMA(certain(arguments...));
+  return plain::certain(arguments...);
 }
+NearSide nearly(const NearCore& a, const NearCore& b, double alarm) {
+  CONTACT_BY_FMA(side_of(a, b, alarm));
+  return plain::side_of(a, b, alarm);
+}
+#undef CONTACT_BY_FMA
 
-const Plane& corners_of(const NearCore& /*core*/, const Plane& plane) { return plane; }
-template <class Shape>
-CornersOf corners_of(const NearCore& core, const Shape& shape) {
-  return {core, EnclosedCorners(shape)};
+template <class A>
+NearSide near_side_of(const A& a, const Plane& b, double alarm) {
+  return near_side(near_core(a), b, alarm);
+}
+template <class A, class B>
+NearSide near_side_of(const A& a, const B& b, double alarm) {
+  return nearly(near_core(a), near_core(b), alarm);
+}
+template <class A>
+Certain certain_contact(const A& a, const Plane& b, bool in_range, const Lengths& lengths, ContactPoints points,
+                        Contact& contact) {
+  return certain_of(near_core(a), GivenCorners(a), b, in_range, lengths, points, contact);
+}
+template <class A, class B>
+Certain certain_contact(const A& a, const B& b, bool in_range, const Lengths& lengths, ContactPoints points,
+                        Contact& contact) {
+  return certain_of(near_core(a), GivenCorners(a), near_core(b), GivenCorners(b), in_range, lengths, points, contact);
 }
 
 // Behind calls that are not inlined: what RoundToNearest sets must be set before anything is computed.
 template <class A, class B>
 [[gnu::noinline]] bool decide(const A& a, const B& b, double alarm) {
-  const NearSide side = near_answer_of(near_core(a), near_core(b), b, alarm, false).side;
+  const NearSide side = near_side_of(a, b, alarm);
   return side == NearSide::unknown ? is_hit_exactly(a, b, alarm) : side == NearSide::hit;
 }
 template <class A, class B>
 [[gnu::noinline]] std::optional<Contact> compute(const A& a, const B& b, Distances distances, ContactPoints points) {
-  const NearCore near_a = near_core(a);
-  const NearCore near_b = near_core(b);
-  const NearAnswer near = near_answer_of(near_a, near_b, b, distances.alarm, true);
-  if (near.side == NearSide::miss) return std::nullopt;
   const Lengths lengths{radius_of(a), radius_of(b), distances.alarm, distances.contact};
+  const bool in_range = in_short_range(a) && in_short_range(b) && in_short_range(lengths);
   Contact contact{};
-  Certain known{near.side};
-  if (in_short_range(a) && in_short_range(b) && in_short_range(lengths))
-    known = certain_of(CornersOf{near_a, EnclosedCorners(a)}, corners_of(near_b, b), near, lengths, points, contact);
+  Certain known = certain_contact(a, b, in_range, lengths, points, contact);
   if (known.side == NearSide::unknown)
     known.side = is_hit_exactly(a, b, distances.alarm) ? NearSide::hit : NearSide::miss;
   if (known.side == NearSide::miss) return std::nullopt;

@@ -1,8 +1,9 @@
 // Whether two convex cores are within reach of each other, in plain double, where it can prove so: most questions end here.
 //
-// A miss is proved by a direction along which every corner of B lies farther than the reach from every corner of A. A hit is proved by a point of each core,
-// sums of corners with parts >= 0, or by a tetrahedron of corners of B - A that 0 lies in. Which direction, and which corners, Gilbert, Johnson and Keerthi's
-// algorithm says; that it may say the wrong ones costs time, and no proof rests on it.
+// A miss is proved by a direction along which every corner of B lies farther than the reach from every corner of A. A hit is proved where 0 lies below every
+// facet of A - B, by a point of each core, sums of corners with parts >= 0, or by a tetrahedron of corners of B - A that 0 lies in. The directions of the facets
+// are tried first; then Gilbert, Johnson and Keerthi's algorithm says which direction and which corners; that it may say the wrong ones costs time, and no proof
+// rests on it.
 //
 // Bounds, with u = 2^-53, S the largest coordinate and e how far a coordinate may be off, of A and B together: a sum of three products of a direction v
 // is off by less than |v|_1 (e + 8 u S), a point of a simplex in each coordinate by less than e + 32 u S, a determinant of differences of corners by less
@@ -21,65 +22,110 @@
 
 namespace contact::kernel {
 
-/// A core by its corners, each coordinate within `error` of what it is.
+/// A core by its corners, each coordinate within `error` of what it is, and by ways between them. What is no triangle is the middle and any part of each
+/// way, forth or back: three of a box, one of a segment. A triangle is its first corner, and ways from this to the others and between these.
 struct NearCore {
-  std::array<std::array<double, 3>, 8> corners{};
+  using Vector = std::array<double, 3>;
+  std::array<Vector, 8> corners{};
   std::size_t count = 0;
+  Vector base{};
+  std::array<Vector, 3> ways{};
   double radius = 0;
   double size = 0;  ///< the largest coordinate, or infinity where a bound does not hold
   double error = 0;
 
-  void add(const Vector3& x) {
-    corners[count++] = {x[0], x[1], x[2]};
+  void add(const Vector& x) {
+    corners[count++] = x;
     size = std::max({size, std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
   }
+  [[nodiscard]] bool is_triangle() const { return count == 3; }
+  /// How many ways there are, each in a direction of its own.
+  [[nodiscard]] std::size_t directions() const { return count < 3 ? count - 1 : 3; }
 };
 /// Between these no product of three numbers leaves the range, nor is what underflows as large as a bound.
 constexpr double kLargestNear = 0x1p200;
 constexpr double kSmallestNear = 0x1p-200;
 inline bool is_near_range(double x) { return x > kSmallestNear && x < kLargestNear; }
 
+namespace near {
+
+using Vector = NearCore::Vector;
+[[gnu::always_inline]] inline Vector vector(const Vector3& x) { return {x[0], x[1], x[2]}; }
+[[gnu::always_inline]] inline Vector difference(const Vector& x, const Vector& y) {
+  return {x[0] - y[0], x[1] - y[1], x[2] - y[2]};
+}
+[[gnu::always_inline]] inline Vector cross(const Vector& x, const Vector& y) {
+  return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+}
+[[gnu::always_inline]] inline double dot(const Vector& x, const Vector& y) {
+  return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+}
+[[gnu::always_inline]] inline Vector middle(const Vector& x, const Vector& y) {
+  return {x[0] / 2 + y[0] / 2, x[1] / 2 + y[1] / 2, x[2] / 2 + y[2] / 2};
+}
+[[gnu::always_inline]] inline double largest(const Vector& x) {
+  return std::max({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
+}
+
+}  // namespace near
+
+// Middles and halves of what is given are rounded, corners then are not: no more than `error`, where they are used together.
+
 inline NearCore near_core(const Ball& ball) {
   NearCore core;
-  core.add(ball.center);
+  core.add(core.base = near::vector(ball.center));
   core.radius = ball.radius;
   return core;
 }
 inline NearCore near_core(const Capsule& capsule) {
   NearCore core;
-  core.add(capsule.start);
-  core.add(capsule.end);
+  core.add(near::vector(capsule.start));
+  core.add(near::vector(capsule.end));
+  core.base = near::middle(core.corners[0], core.corners[1]);
+  core.ways[0] = near::difference(core.corners[1], core.base);
   core.radius = capsule.radius;
+  core.error = 0x1p-52 * core.size;
   return core;
 }
 inline NearCore near_core(const Triangle& triangle) {
   NearCore core;
-  for (const Vector3& x : triangle.vertices) core.add(x);
+  for (const Vector3& x : triangle.vertices) core.add(near::vector(x));
+  core.base = core.corners[0];
+  core.ways = {near::difference(core.corners[1], core.base), near::difference(core.corners[2], core.base),
+               near::difference(core.corners[2], core.corners[1])};
   return core;
 }
 inline NearCore near_core(const Box& box) {
   NearCore core;
   for (int k = 0; k < 8; ++k)
     core.add({(k & 1 ? box.max : box.min)[0], (k & 2 ? box.max : box.min)[1], (k & 4 ? box.max : box.min)[2]});
+  core.base = near::middle(core.corners[0], core.corners[7]);
+  for (std::size_t axis = 0; axis < 3; ++axis) core.ways[axis][axis] = core.corners[7][axis] - core.base[axis];
+  core.error = 0x1p-52 * core.size;
   return core;
 }
 inline NearCore near_core(const Obb& box) {
   NearCore core;
   const auto& [x, y, z, w] = box.orientation;
   const double N = x * x + y * y + z * z + w * w;
-  // Each number of the rotation is off by less than 9 u, each corner by 14 u (|c| + the sum of the extents).
-  const std::array<Vector3, 3> columns{
-      Vector3((w * w + x * x - y * y - z * z) / N, 2 * (x * y + w * z) / N, 2 * (x * z - w * y) / N),
-      Vector3(2 * (x * y - w * z) / N, (w * w - x * x + y * y - z * z) / N, 2 * (y * z + w * x) / N),
-      Vector3(2 * (x * z + w * y) / N, 2 * (y * z - w * x) / N, (w * w - x * x - y * y + z * z) / N)};
-  for (int k = 0; k < 8; ++k) {
-    Vector3 corner = box.center;
-    for (int axis = 0; axis < 3; ++axis)
-      corner += (k >> axis & 1 ? box.extents[axis] : -box.extents[axis]) * columns[static_cast<std::size_t>(axis)];
+  const double inverse = 1 / N;
+  // Each number of the rotation is off by less than 10 u, each corner by 15 u (|c| + the sum of the extents).
+  const std::array<near::Vector, 3> columns{
+      {{(w * w + x * x - y * y - z * z) * inverse, 2 * (x * y + w * z) * inverse, 2 * (x * z - w * y) * inverse},
+       {2 * (x * y - w * z) * inverse, (w * w - x * x + y * y - z * z) * inverse, 2 * (y * z + w * x) * inverse},
+       {2 * (x * z + w * y) * inverse, 2 * (y * z - w * x) * inverse, (w * w - x * x - y * y + z * z) * inverse}}};
+  core.base = near::vector(box.center);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t i = 0; i < 3; ++i)
+      core.ways[axis][i] = box.extents[static_cast<Eigen::Index>(axis)] * columns[axis][i];
+  for (unsigned k = 0; k < 8; ++k) {
+    near::Vector corner = core.base;
+    for (unsigned axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < 3; ++i) corner[i] += k >> axis & 1 ? core.ways[axis][i] : -core.ways[axis][i];
     core.add(corner);
   }
-  core.error = 0x1p-48 * (box.center.cwiseAbs().maxCoeff() + box.extents[0] + box.extents[1] + box.extents[2]);
-  if (!is_near_range(std::max({std::abs(x), std::abs(y), std::abs(z), std::abs(w)})))
+  core.error = 0x1p-48 * (near::largest(core.base) + box.extents[0] + box.extents[1] + box.extents[2]);
+  if (!is_near_range(near::largest({std::abs(x), std::abs(y), std::max(std::abs(z), std::abs(w))})))
     core.size = std::numeric_limits<double>::infinity();
   return core;
 }
@@ -91,7 +137,7 @@ enum class NearSide { miss, hit, unknown };
 /// The point of a simplex of corners of B - A that is nearest to 0, as plain double finds it.
 class NearSimplex {
  public:
-  using Vector = std::array<double, 3>;
+  using Vector = NearCore::Vector;
   explicit NearSimplex(const Vector& corner) : corners_{corner}, count_(1), at_(corner) {}
 
   /// A point of the simplex, a sum of corners with parts > 0.
@@ -126,14 +172,7 @@ class NearSimplex {
     count_ = left;
   }
 
-  static double dot(const Vector& x, const Vector& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
-
  private:
-  static Vector difference(const Vector& x, const Vector& y) { return {x[0] - y[0], x[1] - y[1], x[2] - y[2]}; }
-  static Vector cross(const Vector& x, const Vector& y) {
-    return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
-  }
-
   /// The nearest point of the flat through some corners; whether it lies between them.
   [[nodiscard]] bool solve(unsigned subset, Vector& found) {
     std::array<const Vector*, 4> y{};
@@ -143,23 +182,25 @@ class NearSimplex {
     std::array<double, 4> part{1, 0, 0, 0};
     double whole = 1;
     if (n == 2) {
-      const Vector u = difference(*y[1], *y[0]);
-      whole = dot(u, u);
-      part[1] = -dot(*y[0], u);
+      const Vector u = near::difference(*y[1], *y[0]);
+      whole = near::dot(u, u);
+      part[1] = -near::dot(*y[0], u);
     } else if (n == 3) {
-      const Vector u = difference(*y[1], *y[0]);
-      const Vector v = difference(*y[2], *y[0]);
-      const double A = dot(u, u);
-      const double B = dot(u, v);
-      const double C = dot(v, v);
-      const double r = -dot(*y[0], u);
-      const double s = -dot(*y[0], v);
+      const Vector u = near::difference(*y[1], *y[0]);
+      const Vector v = near::difference(*y[2], *y[0]);
+      const double A = near::dot(u, u);
+      const double B = near::dot(u, v);
+      const double C = near::dot(v, v);
+      const double r = -near::dot(*y[0], u);
+      const double s = -near::dot(*y[0], v);
       whole = A * C - B * B;
       part[1] = r * C - s * B;
       part[2] = s * A - r * B;
     } else if (n == 4) {
       // Each part is the volume that 0 spans with a side.
-      const auto volume = [](const Vector& a, const Vector& b, const Vector& c) { return dot(a, cross(b, c)); };
+      const auto volume = [](const Vector& a, const Vector& b, const Vector& c) {
+        return near::dot(a, near::cross(b, c));
+      };
       part = {volume(*y[1], *y[2], *y[3]), -volume(*y[0], *y[2], *y[3]), volume(*y[0], *y[1], *y[3]),
               -volume(*y[0], *y[1], *y[2])};
       if (part[0] < 0)
@@ -193,61 +234,205 @@ class NearSimplex {
 constexpr double kMore = 1 + 0x1p-48;
 constexpr double kLess = 1 - 0x1p-48;
 
+/// What two cores are asked about, in plain double: how far a number may be off, and how near is a hit.
+struct NearScale {
+  double size;
+  double error;
+  double reach;
+
+  NearScale(const NearCore& a, const NearCore& b, double alarm)
+      : size(std::max(a.size, b.size)), error(a.error + b.error), reach(alarm + a.radius + b.radius) {}
+  /// Whether the bounds hold.
+  [[nodiscard]] bool holds() const { return is_near_range(size) && reach < kLargestNear; }
+};
+
+/// A direction that facets of A - B may face: across two ways, both of one core, which span a face of it, or one of each. `a` and `b`: which ways, and those
+/// of the faces of a box leave out its third.
+struct NearAxis {
+  bool of_a;
+  bool of_b;
+  std::size_t u;  ///< a way of A, where it has a part in it
+  std::size_t w;
+};
+
+/// How deep two cores overlap along each direction that a facet of A - B may face, one way and the other, and how far that may be off; and which is least.
+///   Each way is off by e' = 4 e + 2^-50 S in each coordinate, N = u x w by d = 4 (|u| + |w|) e', n = N / |N| by 4 d / |N|, what is farthest along n by
+///   16 d S / |N|, and sums of products with n by 14 e + 150 u S. What is used is wider.
+class NearDepths {
+ public:
+  [[gnu::always_inline]] NearDepths(const NearCore& a, const NearCore& b, const NearScale& scale) {
+    add_faces(a, true);
+    add_faces(b, false);
+    for (std::size_t i = 0; i < a.directions(); ++i)
+      for (std::size_t j = 0; j < b.directions(); ++j) add({true, true, i, j}, a.ways[i], b.ways[j]);
+    const std::size_t padded = (count_ + 3) / 4 * 4;  // whole vectors; what is computed too much is read by nobody
+    const Vector between = near::difference(b.base, a.base);
+    std::array<double, kMost> low_a;
+    std::array<double, kMost> high_a;
+    std::array<double, kMost> low_b;
+    std::array<double, kMost> high_b;
+    extents(a, padded, low_a, high_a);
+    extents(b, padded, low_b, high_b);
+    const double off_way = 4 * scale.error + 0x1p-50 * scale.size;
+    const double off_sums = 16 * (scale.error + 0x1p-48 * scale.size);
+    // Loops that the compiler makes vectors of: none of a root, none of what a number decides.
+    std::array<double, kMost> lengths;
+    for (std::size_t k = 0; k < padded; ++k) lengths[k] = along(k, {x_[k], y_[k], z_[k]});
+    for (std::size_t k = 0; k < padded; ++k) lengths[k] = std::sqrt(lengths[k]);
+    for (std::size_t k = 0; k < padded; ++k) {
+      const double inverse = 1 / lengths[k];
+      const double apart = along(k, between);
+      const double off_normal = 4 * ways_[k] * off_way;
+      forth_[k] = (high_a[k] - low_b[k] - apart) * inverse;
+      back_[k] = (high_b[k] - low_a[k] + apart) * inverse;
+      off_[k] = 32 * off_normal * scale.size * inverse + off_sums;
+      excess_[k] = lengths[k] - 0x1p10 * off_normal;
+    }
+    for (std::size_t k = 0; k < padded; ++k)
+      off_[k] = excess_[k] > 0 ? off_[k] : std::numeric_limits<double>::infinity();
+  }
+
+  /// Whether the cores are proved to overlap, or to be farther apart than the reach.
+  [[nodiscard, gnu::always_inline]] NearSide side(double reach) const {
+    bool may_meet = true;
+    bool surely_meet = count_ > 0;
+    for (std::size_t k = 0; k < count_; ++k) {
+      const double least = std::min(forth_[k], back_[k]);
+      may_meet &= !(least + off_[k] < -reach * kMore);
+      surely_meet &= least - off_[k] > 0;
+    }
+    return !may_meet ? NearSide::miss : surely_meet ? NearSide::hit : NearSide::unknown;
+  }
+
+  /// A facet of A - B: its axis, and its normal of any length.
+  struct Facet {
+    NearAxis axis;
+    bool is_back;
+    NearCore::Vector normal;
+  };
+  /// The facet that 0 is nearest to; nothing where another may be as near. Domain: side() is a hit.
+  [[nodiscard, gnu::always_inline]] std::optional<Facet> least() const {
+    std::size_t best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < count_; ++k)
+      if (const double depth = std::min(forth_[k], back_[k]); depth < least) best = k, least = depth;
+    const double most = least + off_[best];
+    std::size_t as_near = 0;
+    for (std::size_t k = 0; k < count_; ++k) {
+      as_near += forth_[k] - off_[k] > most ? 0 : 1;
+      as_near += back_[k] - off_[k] > most ? 0 : 1;
+    }
+    if (as_near != 1) return std::nullopt;
+    const bool is_back = back_[best] < forth_[best];
+    const double sign = is_back ? -1 : 1;
+    return Facet{axes_[best], is_back, {sign * x_[best], sign * y_[best], sign * z_[best]}};
+  }
+
+ private:
+  using Vector = NearCore::Vector;
+  static constexpr std::size_t kMost = 16;
+
+  [[gnu::always_inline]] void add(const NearAxis& axis, const Vector& u, const Vector& w) {
+    axes_[count_] = axis;
+    x_[count_] = u[1] * w[2] - u[2] * w[1];
+    y_[count_] = u[2] * w[0] - u[0] * w[2];
+    z_[count_] = u[0] * w[1] - u[1] * w[0];
+    ways_[count_++] = near::largest(u) + near::largest(w);
+  }
+  [[gnu::always_inline]] void add_faces(const NearCore& core, bool is_a) {
+    if (core.count < 3) return;
+    add({is_a, !is_a, 0, 1}, core.ways[0], core.ways[1]);
+    if (core.is_triangle()) return;
+    add({is_a, !is_a, 1, 2}, core.ways[1], core.ways[2]);
+    add({is_a, !is_a, 2, 0}, core.ways[2], core.ways[0]);
+  }
+  [[nodiscard]] double along(std::size_t k, const Vector& x) const {
+    return x_[k] * x[0] + y_[k] * x[1] + z_[k] * x[2];
+  }
+  /// How far a core reaches along each axis from its base.
+  [[gnu::always_inline]] void extents(const NearCore& core, std::size_t padded, std::array<double, kMost>& low,
+                                      std::array<double, kMost>& high) const {
+    if (core.is_triangle())
+      for (std::size_t k = 0; k < padded; ++k) {
+        const double u = along(k, core.ways[0]);
+        const double w = along(k, core.ways[1]);
+        low[k] = std::min(0.0, std::min(u, w));
+        high[k] = std::max(0.0, std::max(u, w));
+      }
+    else
+      for (std::size_t k = 0; k < padded; ++k) {
+        high[k] =
+            std::abs(along(k, core.ways[0])) + std::abs(along(k, core.ways[1])) + std::abs(along(k, core.ways[2]));
+        low[k] = -high[k];
+      }
+  }
+
+  std::array<NearAxis, kMost> axes_;
+  std::size_t count_ = 0;
+  std::array<double, kMost> x_{};
+  std::array<double, kMost> y_{};
+  std::array<double, kMost> z_{};
+  std::array<double, kMost> ways_{};
+  std::array<double, kMost> forth_;
+  std::array<double, kMost> back_;
+  std::array<double, kMost> off_;
+  std::array<double, kMost> excess_;  ///< of the length of a normal over what its direction needs
+};
+
 /// What plain double says of two cores.
 struct NearAnswer {
   NearSide side = NearSide::unknown;            ///< whether they are within alarm + both radii, where that is proved
   std::optional<NearSimplex::Vector> way = {};  ///< about q - p; nothing where they seem to overlap
 };
-/// Until the side is proved, or `to_the_end`: until no corner leads nearer, or a miss is proved.
-[[nodiscard]] inline NearAnswer near_answer(const NearCore& a, const NearCore& b, double alarm, bool to_the_end) {
+/// Gilbert, Johnson and Keerthi's algorithm, until the side is proved, or `to_the_end`: until no corner leads nearer, or a miss is proved. Domain: the scale
+/// holds.
+[[nodiscard, gnu::noinline]] inline NearAnswer walk(const NearCore& a, const NearCore& b, const NearScale& scale,
+                                                    bool to_the_end) {
   using Vector = NearSimplex::Vector;
-  const double size = std::max(a.size, b.size);
-  const double reach = alarm + a.radius + b.radius;
-  if (!is_near_range(size) || !(reach < kLargestNear)) return {};
-  const double error = a.error + b.error;
+  const auto& [size, error, reach] = scale;
   const double off = 2 * error + 0x1p-48 * size;        // of a product with a direction, over |v|_1
   const double off_point = 4 * error + 0x1p-45 * size;  // of the length of a point
   const double off_volume = 160 * size * size * (error + 0x1p-51 * size) + 0x1p-43 * size * size * size;
   const auto farthest = [](const NearCore& core, const Vector& v, double sign) {
     const Vector* best = &core.corners[0];
-    double most = sign * NearSimplex::dot(v, *best);
+    double most = sign * near::dot(v, *best);
     for (std::size_t k = 1; k < core.count; ++k)
-      if (const double along = sign * NearSimplex::dot(v, core.corners[k]); along > most)
+      if (const double along = sign * near::dot(v, core.corners[k]); along > most)
         best = &core.corners[k], most = along;
     return *best;
   };
   const auto corner_against = [&](const Vector& v) {
     const Vector p = farthest(a, v, 1);
-    const Vector q = farthest(b, v, -1);
-    return Vector{q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+    return near::difference(farthest(b, v, -1), p);
   };
-  const auto middle = [](const NearCore& core) {
-    const Vector& first = core.corners[0];
-    const Vector& last = core.corners[core.count - 1];
-    return Vector{first[0] / 2 + last[0] / 2, first[1] / 2 + last[1] / 2, first[2] / 2 + last[2] / 2};
-  };
-  const Vector from = middle(a);
-  const Vector to = middle(b);
-  NearSimplex simplex(corner_against({to[0] - from[0], to[1] - from[1], to[2] - from[2]}));
+  NearSimplex simplex(corner_against(near::difference(b.base, a.base)));
   const double least_gain = to_the_end ? 0x1p-50 : 0x1p-40;
   NearSide side = NearSide::unknown;
   constexpr int kMostNearSteps = 24;
   for (int step = 0; step < kMostNearSteps; ++step) {
     const Vector& v = simplex.at();
-    const double square = NearSimplex::dot(v, v);
+    const double square = near::dot(v, v);
     const double length = std::sqrt(square);
     if (length * kMore + off_point < reach * kLess) side = NearSide::hit;
     if (side == NearSide::hit && !to_the_end) return {side};
     const double sum = std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
     if (!(sum > kSmallestNear * kSmallestNear)) return {side};
     const Vector next = corner_against(v);
-    const double low = NearSimplex::dot(v, next);
+    const double low = near::dot(v, next);
     if (low - sum * off > reach * length * kMore) return {NearSide::miss};
     if (!(square - low > least_gain * square) || simplex.has(next)) return {side, v};
     simplex.add(next);
     if (simplex.is_whole()) return {simplex.surrounds(off_volume) ? NearSide::hit : side};
   }
   return {side, simplex.at()};
+}
+
+[[nodiscard, gnu::always_inline]] inline NearAnswer near_answer(const NearCore& a, const NearCore& b, double alarm,
+                                                                bool to_the_end) {
+  const NearScale scale(a, b, alarm);
+  if (!scale.holds()) return {};
+  const NearSide side = NearDepths(a, b, scale).side(scale.reach);
+  return side == NearSide::unknown ? walk(a, b, scale, to_the_end) : NearAnswer{side};
 }
 
 /// The same of a core over a half-space.
@@ -258,12 +443,12 @@ struct NearAnswer {
       !(std::abs(plane.offset) < kLargestNear))
     return NearSide::unknown;
   const NearSimplex::Vector v{n[0], n[1], n[2]};
-  double lowest = NearSimplex::dot(v, a.corners[0]);
-  for (std::size_t k = 1; k < a.count; ++k) lowest = std::min(lowest, NearSimplex::dot(v, a.corners[k]));
+  double lowest = near::dot(v, a.corners[0]);
+  for (std::size_t k = 1; k < a.count; ++k) lowest = std::min(lowest, near::dot(v, a.corners[k]));
   const double off = (std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2])) * (2 * a.error + 0x1p-48 * a.size) +
                      0x1p-48 * std::abs(plane.offset);
   const double height = lowest - plane.offset;
-  const double most = reach * std::sqrt(NearSimplex::dot(v, v));
+  const double most = reach * std::sqrt(near::dot(v, v));
   if (height - off > most * kMore) return NearSide::miss;
   if (height + off < most * kLess) return NearSide::hit;
   return NearSide::unknown;

@@ -138,7 +138,30 @@ TEST(ConvexesFilter, proves_what_is_clear_and_leaves_what_is_near_to_integers) {
   EXPECT_FALSE(test_cube_obb(first, tiny, 0));
 }
 
-using kernel::Enclosure;
+TEST(ConvexesFilter, leaves_to_integers_what_touches_or_ties_but_for_rounding) {
+  using namespace kernel;
+  std::mt19937_64 random(5);
+  const auto number = [&] { return std::ldexp(static_cast<double>(random() >> 11), -52) - 1; };
+  for (int i = 0; i < 200; ++i) {
+    Obb cube = cube_at(0.5, 0.25, 3);
+    for (double& x : cube.orientation) x = number();
+    const NearCore core = near_core(cube);
+    // In the middle of a face.
+    Ball ball{cube.center, 0};
+    for (Eigen::Index axis = 0; axis < 3; ++axis) ball.center[axis] += core.ways[0][static_cast<std::size_t>(axis)];
+    EXPECT_EQ(near_answer(near_core(ball), core, 0, false).side, NearSide::unknown) << i;
+    // In the middle of all: six ways out.
+    ball.center = cube.center;
+    Contact contact;
+    EXPECT_EQ(
+        plain::certain(near_core(ball), GivenCorners(ball), core, GivenCorners(cube), true, {0, 0, 0, 0}, {}, contact)
+            .open,
+        kAllNumbers)
+        << i;
+  }
+}
+
+using kernel::plain::Enclosure;
 using Rational = boost::multiprecision::cpp_rational;
 
 /// |high + low - exact|, over the radius.
@@ -164,21 +187,27 @@ TEST(Enclosure, holds_every_number_that_the_exact_result_may_be) {
     for (const double end : {-1.0, 0.0, 1.0}) {
       const Rational of_x = Rational(x.high) + Rational(x.low) + Rational(end * x.radius);
       const Rational of_y = Rational(y.high) + Rational(y.low) + Rational(end * y.radius);
-      const Enclosure root = kernel::root(x);
+      const Enclosure root = kernel::plain::root(x);
       const Rational low = Rational(root.high) + Rational(root.low) - Rational(root.radius);
       const Rational high = low + 2 * Rational(root.radius);
       ASSERT_TRUE(low * low <= of_x && of_x <= high * high) << i;
       for (const double share :
            {share_of_radius(x + y, of_x + of_y), share_of_radius(x - y, of_x - of_y),
-            share_of_radius(x * y, of_x * of_y), share_of_radius(kernel::reciprocal(x), 1 / of_x)}) {
+            share_of_radius(x * y, of_x * of_y), share_of_radius(y.high * x, of_x * Rational(y.high)),
+            share_of_radius(kernel::plain::sum_of<4>({x, y, x, -y}), 2 * of_x),
+            share_of_radius(kernel::plain::sum_of_products<3>({x, y, x}, {y, x, x}), (2 * of_y + of_x) * of_x),
+            share_of_radius(kernel::plain::product(x.high, y.high), Rational(x.high) * Rational(y.high)),
+            share_of_radius(kernel::plain::reciprocal(x), 1 / of_x)}) {
         ASSERT_LE(share, 1) << i;
         if (x.radius == 0 && y.radius == 0) worst = std::max(worst, share);
       }
     }
   }
   EXPECT_GT(worst, 1.0 / 12);  // no bound is needlessly wide
-  const Enclosure tiny(0x1p-400);
-  EXPECT_FALSE((tiny * Enclosure(1)).is_positive());
+  // What is lost below the range is inside, and a factor of 0 loses nothing.
+  const Enclosure lost = Enclosure(0x1p-540) * Enclosure(0x1p-540);
+  EXPECT_GE(lost.radius, 0x1p-1074);
+  EXPECT_EQ((Enclosure(0) * Enclosure(3)).radius, 0);
 }
 
 TEST(ConvexesEnclosed, settles_nearly_all_that_is_in_no_special_position_and_leaves_what_is) {
@@ -194,33 +223,48 @@ TEST(ConvexesEnclosed, settles_nearly_all_that_is_in_no_special_position_and_lea
     return made;
   };
   const Lengths lengths{0, 0, 1, 0.25};
-  const auto fast = [&](const auto& a, const auto& b) -> std::optional<EnclosedContact> {
-    const NearCore near_a = near_core(a);
-    const NearCore near_b = near_core(b);
-    CornersOf of_a{near_a, EnclosedCorners(a)};
-    CornersOf of_b{near_b, EnclosedCorners(b)};
-    of_a.corners.turn();
-    of_b.corners.turn();
-    const NearAnswer near = near_answer(near_a, near_b, 10, true);
-    return near.way ? contact_apart(of_a, of_b, *near.way, lengths) : contact_overlapping(of_a, of_b, lengths);
+  // What is left open, of all ten numbers; or nothing of a miss.
+  Contact contact;
+  const auto open = [&](const auto& a, const auto& b) {
+    const Certain found =
+        plain::certain(near_core(a), GivenCorners(a), near_core(b), GivenCorners(b), true, lengths, {}, contact);
+    return found.side == NearSide::miss ? 0U : found.open;
   };
   int apart = 0;
   int overlapping = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const auto found = fast(box(1.5), box(1.5));
-    if (!found) continue;
-    Contact contact;
-    if (round_certain(*found, lengths, {}, contact) != 0) continue;
-    ++(contact.value > -0.25 ? apart : overlapping);
+  int left = 0;
+  const auto ask = [&](const auto& a, const auto& b) {
+    contact.value = 10;
+    if (open(a, b) != 0)
+      ++left;
+    else if (contact.value <= lengths.alarm)
+      ++(contact.value > -0.25 ? apart : overlapping);
+  };
+  const auto capsule = [&] {
+    const auto end = [&] { return number(-1.5, 1.5); };
+    Capsule made{{0, 0, 0}, {0, 0, 0}, 0};
+    for (Vector3* point : {&made.start, &made.end})
+      for (Eigen::Index i = 0; i < 3; ++i) (*point)[i] = end();
+    return made;
+  };
+  for (int i = 0; i < 1000; ++i) {
+    const Obb a = box(1.5);
+    const Obb b = box(1.5);
+    ask(a, b);
+    const Capsule of_segment = capsule();
+    ask(of_segment, b);
+    const Capsule side = capsule();
+    const Capsule corner = capsule();
+    ask(of_segment, Triangle{{side.start, side.end, corner.start}});
   }
   EXPECT_GT(apart, 500);
   EXPECT_GT(overlapping, 500);
-  EXPECT_GT(apart + overlapping, 1990);
-  // Faces along each other, a touch, and an edge without length.
-  EXPECT_FALSE(fast(cube_at(0, 0, 0), cube_at(3, 0.5, 0)));
-  EXPECT_FALSE(fast(cube_at(0, 0, 0), cube_at(1, 0.5, 0)));
-  EXPECT_FALSE(fast(cube_at(0, 0, 0), cube_at(2, 2, 2)));
-  EXPECT_FALSE(fast(cube_at(0, 0, 0), Capsule{{3, 4, 4}, {3, 4, 4}, 0}));
+  EXPECT_LT(left, 10);
+  // Faces along each other, a touch, and a segment without length inside.
+  EXPECT_NE(open(cube_at(0, 0, 0), cube_at(3, 0.5, 0)), 0U);
+  EXPECT_NE(open(cube_at(0, 0, 0), cube_at(1, 0.5, 0)), 0U);
+  EXPECT_NE(open(cube_at(0, 0, 0), cube_at(2, 2, 2)), 0U);
+  EXPECT_NE(open(cube_at(0, 0, 0), Capsule{{0.5, 0.5, 0.25}, {0.5, 0.5, 0.25}, 0}), 0U);
 }
 
 }  // namespace
