@@ -150,8 +150,12 @@ TEST(ConvexesFilter, leaves_to_integers_what_touches_or_ties_but_for_rounding) {
     Ball ball{cube.center, 0};
     for (Eigen::Index axis = 0; axis < 3; ++axis) ball.center[axis] += core.ways[0][static_cast<std::size_t>(axis)];
     EXPECT_EQ(near_answer(near_core(ball), core, 0, false).side, NearSide::unknown) << i;
-    // In the middle of all: six ways out.
+    // As near to one face as to another.
     ball.center = cube.center;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const auto k = static_cast<std::size_t>(axis);
+      ball.center[axis] += 0.25 * (core.ways[0][k] + core.ways[1][k]);
+    }
     Contact contact;
     EXPECT_EQ(
         plain::certain(near_core(ball), GivenCorners(ball), core, GivenCorners(cube), true, {0, 0, 0, 0}, {}, contact)
