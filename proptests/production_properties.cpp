@@ -52,16 +52,18 @@ void expect_holds(Pair pair, const std::function<void(const Query&)>& law, int p
   if (!result.is<rc::detail::SuccessResult>()) rc::detail::printResultMessage(result, said);
   EXPECT_EQ(said.str(), "") << name(pair);
 }
-/// The same of every kind of pair whose shapes the law takes.
+/// The same of every kind of pair whose shapes the law takes; of any two convex shapes one in `part_of_convexes`.
 template <class Law>
-void expect_holds_for_every_kind(Law law) {
+void expect_holds_for_every_kind(Law law, int part_of_convexes = 1) {
   int kinds = 0;
   for (const Pair pair : pairs_of_kinds())
     std::visit(
         [&]<class Shapes>(const Shapes&) {
           if constexpr (std::invocable<Law, const Shapes&, Distances>) {
             ++kinds;
-            expect_holds(pair, [&](const Query& query) { law(std::get<Shapes>(query.shapes), query.distances); });
+            expect_holds(
+                pair, [&](const Query& query) { law(std::get<Shapes>(query.shapes), query.distances); },
+                is_convex(pair) ? part_of_convexes : 1);
           }
         },
         description(pair).zeros());
@@ -366,23 +368,26 @@ bool has_several_ways_out(const Convexes& shapes) {
 }
 
 TEST(Production, says_the_same_whichever_shape_is_the_first) {
-  expect_holds_for_every_kind([]<class A>(const Two<A, A>& shapes, Distances distances) {
-    Expectation there = answer(shapes, distances);
-    Expectation back = answer(Two<A, A>{shapes.b, shapes.a}, distances);
-    // Where they meet, the normal is the same for both orders, and the points do not follow from it; of several ways
-    // out that are as near, each order may take another.
-    if (there.contact && back.contact) {
-      if (has_several_ways_out(shapes))
-        for (Contact* c : {&*there.contact, &*back.contact})
-          c->normal = c->point1 = c->point2 = Vector3::Zero(), c->unique = true;
-      else if (there.contact->degenerate)
-        for (Contact* c : {&*there.contact, &*back.contact}) c->point1 = c->point2 = Vector3::Zero();
-      else
-        there.contact->normal *= -1;
-      std::swap(there.contact->point1, there.contact->point2);
-    }
-    expect_same(there, back);
-  });
+  // Two turned boxes of any numbers take milliseconds where all others take microseconds: the campaign asks ten times as many.
+  expect_holds_for_every_kind(
+      []<class A>(const Two<A, A>& shapes, Distances distances) {
+        Expectation there = answer(shapes, distances);
+        Expectation back = answer(Two<A, A>{shapes.b, shapes.a}, distances);
+        // Where they meet, the normal is the same for both orders, and the points do not follow from it; of several ways
+        // out that are as near, each order may take another.
+        if (there.contact && back.contact) {
+          if (has_several_ways_out(shapes))
+            for (Contact* c : {&*there.contact, &*back.contact})
+              c->normal = c->point1 = c->point2 = Vector3::Zero(), c->unique = true;
+          else if (there.contact->degenerate)
+            for (Contact* c : {&*there.contact, &*back.contact}) c->point1 = c->point2 = Vector3::Zero();
+          else
+            there.contact->normal *= -1;
+          std::swap(there.contact->point1, there.contact->point2);
+        }
+        expect_same(there, back);
+      },
+      10);
 }
 
 TEST(Production, says_the_same_whichever_corner_is_the_first) {

@@ -175,22 +175,27 @@ class Difference {
     return {first(a_, false), first(b_, true)};
   }
 
-  /// The point of a simplex of at most four corners that is nearest to 0: of the nearest points of the planes, lines
-  /// and corners that its parts lie in, those that are inside, the nearest.
+  /// The point of a simplex of at most four corners that is nearest to 0: the one inside a part of it that is nearest to 0 in the
+  /// part's space, plane, line or corner, where no other corner lies nearer along it. The largest part that has such a point
+  /// answers; in plain double maybe none has, and a corner does.
   [[nodiscard]] PointOf<Number> nearest_of(const std::vector<Corner>& simplex) const {
-    std::optional<PointOf<Number>> best;
-    Number best2{};
-    for (unsigned subset = 1; subset < 1U << simplex.size(); ++subset) {
-      PointOf<Number> found;
+    PointOf<Number> found;
+    constexpr std::array<unsigned, 15> kLargestFirst{15, 14, 13, 11, 7, 12, 10, 9, 6, 5, 3, 8, 4, 2, 1};
+    for (const unsigned part : kLargestFirst) {
+      if (part >> simplex.size() != 0) continue;
+      found.corners.clear();
       for (std::size_t k = 0; k < simplex.size(); ++k)
-        if (subset >> k & 1) found.corners.push_back(simplex[k]);
+        if (part >> k & 1) found.corners.push_back(simplex[k]);
       if (!solve(found)) continue;
-      Number square = product(found.at, found.at);
-      if (best && !(square * best->whole * best->whole < best2 * found.whole * found.whole)) continue;
-      best = std::move(found);
-      best2 = std::move(square);
+      if (std::none_of(simplex.begin(), simplex.end(), [&](const Corner& c) { return is_nearer_along(found, c); }))
+        break;
     }
-    return *std::move(best);
+    return found;
+  }
+  /// Whether a corner lies nearer to 0 along v than v: all corners of v lie where it does.
+  [[nodiscard]] bool is_nearer_along(const PointOf<Number>& v, const Corner& c) const {
+    return std::find(v.corners.begin(), v.corners.end(), c) == v.corners.end() &&
+           product(v.at, (*this)(c)) < product(v.at, (*this)(v.corners[0]));
   }
 
  private:
@@ -253,7 +258,7 @@ PointOf<Integer> nearest_from(std::vector<Corner> corners, const Difference<Inte
     PointOf<Integer> v = difference.nearest_of(corners);
     if (v.at == kNowhere) return v;
     const Corner next = difference.farthest_against(v.at);
-    if (product(v.at, difference(next)) * v.whole >= product(v.at, v.at)) return v;
+    if (!difference.is_nearer_along(v, next)) return v;
     corners = v.corners;
     corners.push_back(next);
   }
@@ -287,9 +292,8 @@ std::vector<Corner> proposed(const TwoCores& cores) {
   for (int step = 0; step < kMostGuessSteps; ++step) {
     const PointOf<double> v = difference.nearest_of(corners);
     const Corner next = difference.farthest_against(v.at);
-    const bool is_there = std::find(v.corners.begin(), v.corners.end(), next) != v.corners.end();
     corners = v.corners;
-    if (is_there || corners.size() == 4 || !(product(v.at, difference(next)) * v.whole < product(v.at, v.at))) break;
+    if (corners.size() == 4 || !difference.is_nearer_along(v, next)) break;
     corners.push_back(next);
   }
   return corners;
@@ -502,23 +506,26 @@ Asked asked(const A& a, const B& b, Distances distances) {
           over_one_denominator(core_of(grid, a), core_of(grid, b))};
 }
 
-/// The exact decision.
+/// A question about two cores, and the point of B - A that is nearest to 0.
+struct ExactCores {
+  Asked asked;
+  PointOf<Integer> v;
+};
 template <class A, class B>
-[[gnu::noinline]] bool is_hit_exactly(const A& a, const B& b, double alarm) {
-  const Asked of = asked(a, b, {alarm, 0});
-  const PointOf<Integer> v =
-      nearest_from(proposed(of.cores), Difference<Integer>(of.cores.a.vertices, of.cores.b.vertices));
-  return is_hit({kNowhere, v.at, v.whole * of.cores.over(), true, kNowhere}, of.grid, of.lengths);
+[[gnu::noinline]] ExactCores exactly(const A& a, const B& b, Distances distances) {
+  Asked of = asked(a, b, distances);
+  PointOf<Integer> v = nearest_from(proposed(of.cores), Difference<Integer>(of.cores.a.vertices, of.cores.b.vertices));
+  return {std::move(of), std::move(v)};
+}
+bool is_hit(const ExactCores& of) {
+  return is_hit({kNowhere, of.v.at, of.v.whole * of.asked.cores.over(), true, kNowhere}, of.asked.grid,
+                of.asked.lengths);
 }
 /// The numbers that are open, exactly.
-template <class A, class B>
-[[gnu::noinline]] void round_open(const A& a, const B& b, Distances distances, ContactPoints points, unsigned open,
-                                  Contact& contact) {
-  const Asked of = asked(a, b, distances);
-  const PointOf<Integer> v =
-      nearest_from(proposed(of.cores), Difference<Integer>(of.cores.a.vertices, of.cores.b.vertices));
-  round_exactly(v.at == kNowhere ? nearest_meeting(of.cores) : nearest_apart(of.cores, v), of.grid, of.lengths, points,
-                open, contact);
+void round_open(const ExactCores& of, ContactPoints points, unsigned open, Contact& contact) {
+  const auto& [grid, lengths, cores] = of.asked;
+  round_exactly(of.v.at == kNowhere ? nearest_meeting(cores) : nearest_apart(cores, of.v), grid, lengths, points, open,
+                contact);
 }
 
 /// The lowest point of a core over a plane.
@@ -528,7 +535,7 @@ struct OverPlane {
   ExactLowest lowest;
 };
 template <class A>
-OverPlane over_plane(const A& a, const Plane& plane, Distances distances) {
+[[gnu::noinline]] OverPlane exactly(const A& a, const Plane& plane, Distances distances) {
   const Grid normal{plane.normal[0], plane.normal[1], plane.normal[2]};
   const Grid of_offset{plane.offset};
   const Grid points({distances.alarm, distances.contact},
@@ -544,15 +551,8 @@ OverPlane over_plane(const A& a, const Plane& plane, Distances distances) {
   found.height = dot(n, found.p) - found.over * offset;
   return {{points, normal}, {radius_of(a), 0, distances.alarm, distances.contact}, std::move(found)};
 }
-template <class A>
-[[gnu::noinline]] bool is_hit_exactly(const A& a, const Plane& b, double alarm) {
-  const OverPlane of = over_plane(a, b, {alarm, 0});
-  return is_hit(of.lowest, of.grids, of.lengths);
-}
-template <class A>
-[[gnu::noinline]] void round_open(const A& a, const Plane& b, Distances distances, ContactPoints points, unsigned open,
-                                  Contact& contact) {
-  const OverPlane of = over_plane(a, b, distances);
+bool is_hit(const OverPlane& of) { return is_hit(of.lowest, of.grids, of.lengths); }
+void round_open(const OverPlane& of, ContactPoints points, unsigned open, Contact& contact) {
   round_exactly(of.lowest, of.grids, of.lengths, points, open, contact);
 }
 
@@ -598,18 +598,20 @@ Certain certain_contact(const A& a, const B& b, bool in_range, const Lengths& le
 template <class A, class B>
 [[gnu::noinline]] bool decide(const A& a, const B& b, double alarm) {
   const NearSide side = near_side_of(a, b, alarm);
-  return side == NearSide::unknown ? is_hit_exactly(a, b, alarm) : side == NearSide::hit;
+  return side == NearSide::unknown ? is_hit(exactly(a, b, {alarm, 0})) : side == NearSide::hit;
 }
 template <class A, class B>
 [[gnu::noinline]] std::optional<Contact> compute(const A& a, const B& b, Distances distances, ContactPoints points) {
   const Lengths lengths{radius_of(a), radius_of(b), distances.alarm, distances.contact};
   const bool in_range = in_short_range(a) && in_short_range(b) && in_short_range(lengths);
   Contact contact{};
-  Certain known = certain_contact(a, b, in_range, lengths, points, contact);
-  if (known.side == NearSide::unknown)
-    known.side = is_hit_exactly(a, b, distances.alarm) ? NearSide::hit : NearSide::miss;
+  const Certain known = certain_contact(a, b, in_range, lengths, points, contact);
   if (known.side == NearSide::miss) return std::nullopt;
-  if (known.open != 0) round_open(a, b, distances, points, known.open, contact);
+  if (known.side == NearSide::unknown || known.open != 0) {
+    const auto exact = exactly(a, b, distances);
+    if (known.side == NearSide::unknown && !is_hit(exact)) return std::nullopt;
+    round_open(exact, points, known.open, contact);
+  }
   return contact;
 }
 
