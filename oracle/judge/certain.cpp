@@ -20,9 +20,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Whoever compares a normal in binary64 divides it by its length, and rounds some ten times.
 constexpr double kRoundings = 0x1p-49;
-/// Shapes are moved by so many tolerances to see whether the answer jumps. What follows a move by twice as much at most
-/// does not.
-constexpr double kMoves = 16;
+/// Shapes are moved by so many tolerances to see whether the answer jumps: far enough for several moves at once, and so
+/// little that a jump is told from what follows a move, by twice as much at most.
+constexpr std::array kMoves{16.0, 1.0, 0x1p-4};
 constexpr double kFollows = 2;
 
 double rounded_up(const Rational& x) { return CGAL::to_interval(x).second; }
@@ -90,7 +90,7 @@ class Gathering {
     if (any_ || step == 0) return;
     const bool has_direction = !is_cast_ && !has_plane(query_.pair) && has_distance(query_.pair);
     const double distance = has_direction ? std::abs(in_binary64(contact_.core_distance())) : size;
-    const Jump jump = jump_of(size, distance, kMoves * step);
+    const Jump jump = jump_of(size, distance, step);
     for (const int shape : {0, 1})
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const Range& way = jump.feet[index(shape)][axis];
@@ -98,7 +98,7 @@ class Gathering {
         widen(points_[2], axis, way.low, way.high);
       }
     // A length turns a normal as well as an angle does, and where the cores are as near as that, all the way round.
-    if (jump.normal || (has_direction && distance <= 4 * kMoves * step)) {
+    if (jump.normal || (has_direction && distance <= 4 * kMoves.front() * step)) {
       any_ = true;
       turn_round();
     } else if (has_direction) {
@@ -176,20 +176,21 @@ class Gathering {
     return compares_directions(declared_) ? std::sqrt(3) * component + kRoundings : component;
   }
 
-  /// Where the answer jumps to. It asks about every number of a shape moved by `by`, and a turn that moves by as much
+  /// Where the answer jumps to where a number of a shape is moved by some times `step`, or where a turn moves by as much
   /// what is `size` away.
-  [[nodiscard]] Jump jump_of(double size, double distance, double by) const {
+  [[nodiscard]] Jump jump_of(double size, double distance, double step) const {
     Jump jump;
-    const StagedAnswer here = staged_answer(reaching(query_, distance, by), Scalar::binary64);
-    const double angle = std::max(declared_.tolerance->angle, kFollows * by / distance);
-    const auto look = [&](const Query& moved) {
-      const Query asked = reaching(moved, distance, by);
+    const double farthest = kMoves.front() * step;
+    const StagedAnswer here = staged_answer(reaching(query_, distance, farthest), Scalar::binary64);
+    const auto look = [&](const Query& moved, double by) {
+      const Query asked = reaching(moved, distance, farthest);
       if (!inside_domain(asked)) return;
       const StagedAnswer there = staged_answer(asked, Scalar::binary64);
       if (!there.expected.contact) return;
       const Contact& contact = *there.expected.contact;
       const double turned = (contact.normal - here.expected.contact->normal).norm();
-      jump.normal = jump.normal || !(turned <= angle) || (contact.degenerate && has_distance(query_.pair));
+      jump.normal = jump.normal || !(turned <= std::max(declared_.tolerance->angle, kFollows * by / distance)) ||
+                    (contact.degenerate && has_distance(query_.pair));
       for (const int shape : {0, 1}) {
         const Vector3 way = foot(contact, shape) - foot(*here.expected.contact, shape);
         if (way.cwiseAbs().maxCoeff() <= kFollows * by) continue;
@@ -207,10 +208,11 @@ class Gathering {
       }
       for_each_number_in(value, [&](double& x) {
         const double before = x;
-        for (const double step : {-by, by}) {
-          x = before + step * unit;
-          look(moved);
-        }
+        for (const double times : kMoves)
+          for (const double by : {-times * step, times * step}) {
+            x = before + by * unit;
+            look(moved, std::abs(by));
+          }
         x = before;
       });
     });

@@ -3,7 +3,6 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -97,7 +96,14 @@ std::string command_of(const ExportOptions& o) {
   for (const CLI::Option* option : o.parsed->get_options())
     if (option->count() != 0 && option->get_name() != "--output")
       text += fmt::format(" {} {}", option->get_name(), fmt::join(option->results(), ","));
-  return fmt::format("{} -o {}", text, std::filesystem::path(o.output).filename().string());
+  return text + " -o FILE";
+}
+
+/// JSON with room after its commas, where a line may end.
+std::string spaced(std::string_view json) {
+  std::string text;
+  for (const char c : json) text += c == ',' ? std::string(", ") : std::string(1, c);
+  return text;
 }
 
 /// The questions of a test, and how many were left out for each reason.
@@ -158,7 +164,7 @@ void write_test(const ExportOptions& o) {
   test.about = {
       fmt::format("Made by contact-oracle {}: {}", formats::version(), command_of(o)),
       fmt::format("pair {}, families {}, seed {}, scalar {}", o.pair, fmt::join(names, ", "), o.seed, o.scalar),
-      "conventions: " + engines::conventions_text(test.declared.conventions)};
+      "conventions: " + spaced(engines::conventions_text(test.declared.conventions))};
   const auto hits = std::count_if(test.questions.begin(), test.questions.end(),
                                   [](const CertainQuestion& question) { return question.certain.hit; });
   file.write(standalone_test(test));
