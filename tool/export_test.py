@@ -387,7 +387,7 @@ class Languages(Filled):
 
 class Rust(Filled):  # apart: where there is no compiler, it may be skipped
     def test_rust(self):
-        self.check("rust", ("capsule_plane", "cube_cube"))
+        self.check("rust", ("capsule_plane",))
 
 
 class Usage(Case):
