@@ -23,7 +23,7 @@ SCENE = [{"format": "contact-oracle/scene", "version": 1, "alarm": 0.5, "contact
 MOST_USED = ["certify", "properties", "explain", "compare", "generate", "engines"]
 HEADINGS = {
     "Judge an engine": ["certify", "properties", "compare", "exam", "merge", "verify", "badge"],
-    "Ask for right answers": ["explain", "detect", "serve"],
+    "Ask for right answers": ["explain", "detect", "serve", "export"],
     "Make golden files": ["generate", "annotate", "convert", "lint"],
     "List what there is": ["engines", "pairs", "families"],
     "Maintain the committed golden files": ["regenerate", "adequacy", "digests"],
@@ -173,7 +173,8 @@ class Quiet(Case):
                  (0, "exam", "take", exam, "-o", answers), (0, "exam", "close", "--key", key, "--results", answers),
                  (0, "merge", self.folder / "p"), (0, "verify", certificate), (0, "badge", certificate, "-o", self.folder / "b.svg"),
                  (0, "detect", self.file("scene.jsonl", SCENE)), (0, "generate", "--pair", "cube_cube", "--family", "flat", "--count", 2, "--seed", 1, "-o", out),
-                 (0, "annotate", self.file("q.jsonl", [SPHERES]), "-o", out), (0, "convert", FLAT, "-o", out), (0, "lint", FLAT)]
+                 (0, "annotate", self.file("q.jsonl", [SPHERES]), "-o", out),
+                 (0, "export", "--language", "c", "--pair", "cube_cube", "-o", self.folder / "t.c"), (0, "convert", FLAT, "-o", out), (0, "lint", FLAT)]
         for status, *args in table:
             for words in ((*args, "--quiet"), ("--quiet", *args)) if args[0] in ("certify", "lint") else ((args[0], "--quiet", *args[1:]),):
                 with self.subTest(words):

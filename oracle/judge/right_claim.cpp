@@ -16,18 +16,10 @@ bool expected_hit(const Query& query, const Truth& truth, Touching touching, Mar
   return margin == Margin::inclusive ? truth.at_alarm != Side::beyond : truth.at_alarm == Side::within;
 }
 
-Claim right_claim(const Query& query, const Truth& truth, const Declaration& declared) {
+ContactClaim right_contact(const Query& query, const DistanceTruth& pair, const Declaration& declared) {
   const DefaultEnvironment environment;
   const Conventions& conventions = declared.conventions;
-  Claim claim;
-  claim.overlap = expected_hit(query, truth, conventions.touching_overlap, conventions.margin);
-  if (!truth.has_numbers()) return claim;
-  claim.speaks_of_contact = true;
-  if (!expected_hit(query, truth, conventions.touching_contact, conventions.margin)) return claim;
-  if (truth.contact() == nullptr) return claim;
-  const DistanceTruth& pair = *truth.contact();
-  if (pair.coincident() && conventions.coincident == Coincident::no_contact) return claim;
-  ContactClaim& contact = claim.contact.emplace();
+  ContactClaim contact;
   const auto vector = [&](auto exact) {
     Vector3 v;
     for (int axis = 0; axis < 3; ++axis) v[axis] = round_to_nearest(exact(axis), declared.scalar);
@@ -53,6 +45,21 @@ Claim right_claim(const Query& query, const Truth& truth, const Declaration& dec
     contact.value = round_to_nearest(
         conventions.value == ValueKind::depth && !is_cast(query.pair) ? value.scaled(Rational(-1)) : value,
         declared.scalar);
+  return contact;
+}
+
+Claim right_claim(const Query& query, const Truth& truth, const Declaration& declared) {
+  const DefaultEnvironment environment;
+  const Conventions& conventions = declared.conventions;
+  Claim claim;
+  claim.overlap = expected_hit(query, truth, conventions.touching_overlap, conventions.margin);
+  if (!truth.has_numbers()) return claim;
+  claim.speaks_of_contact = true;
+  if (!expected_hit(query, truth, conventions.touching_contact, conventions.margin)) return claim;
+  if (truth.contact() == nullptr) return claim;
+  const DistanceTruth& pair = *truth.contact();
+  if (pair.coincident() && conventions.coincident == Coincident::no_contact) return claim;
+  claim.contact = right_contact(query, pair, declared);
   return claim;
 }
 

@@ -12,5 +12,7 @@ namespace contact::oracle {
 /// The claim that is right under a declaration: the truth, correctly rounded. Its normal is a unit vector, whatever is
 /// declared.
 [[nodiscard]] Claim right_claim(const Query& query, const Truth& truth, const Declaration& declared);
+/// The numbers of that claim for a contact whose exact numbers these are, the question's or those of another right way.
+[[nodiscard]] ContactClaim right_contact(const Query& query, const DistanceTruth& pair, const Declaration& declared);
 
 }  // namespace contact::oracle

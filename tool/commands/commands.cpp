@@ -169,7 +169,7 @@ int run_command(int argc, const char* const* argv) {
   int exit = kCertified;
   add_under("Judge an engine", app, exit, add_certify, add_properties, add_compare, add_exam, add_merge, add_verify,
             add_badge);
-  add_under("Ask for right answers", app, exit, add_explain, add_detect, add_serve);
+  add_under("Ask for right answers", app, exit, add_explain, add_detect, add_serve, add_export);
   add_under("Make golden files", app, exit, add_generate, add_annotate, add_convert, add_lint);
   add_under("List what there is", app, exit, add_lists);
   add_under("Maintain the committed golden files", app, exit, add_regenerate, add_adequacy, add_digests);

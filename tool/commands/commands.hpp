@@ -20,6 +20,7 @@ void add_detect(CLI::App& app, int& exit);
 void add_digests(CLI::App& app, int& exit);
 void add_exam(CLI::App& app, int& exit);
 void add_explain(CLI::App& app, int& exit);
+void add_export(CLI::App& app, int& exit);
 void add_generate(CLI::App& app, int& exit);
 void add_regenerate(CLI::App& app, int& exit);
 void add_annotate(CLI::App& app, int& exit);

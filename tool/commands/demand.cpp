@@ -17,9 +17,6 @@
 #include "tool/run/profiles.hpp"
 
 namespace contact::tool {
-namespace {
-
-/// "length=1e-6,relative=1e-6,angle=1e-6", any of which may be absent, with min= and max= of the numbers served.
 Tolerance read_tolerance(const std::string& text) {
   nlohmann::json object = nlohmann::json::object();
   nlohmann::json scale{{"min", 0}, {"max", "Infinity"}};
@@ -49,8 +46,6 @@ Tolerance read_tolerance(const std::string& text) {
   const formats::Location where{"--tolerance", 0};
   return engines::read_tolerance(formats::Node(object, where));
 }
-
-}  // namespace
 
 void add_demand_options(CLI::App& command, DemandOptions& options, std::span<const std::string_view> levels,
                         const std::string& about_levels) {

@@ -24,6 +24,9 @@ struct DemandOptions {
 void add_demand_options(CLI::App& command, DemandOptions& options,
                         std::span<const std::string_view> levels = kRequiredLevels,
                         const std::string& about_levels = "Required level");
+/// What --tolerance is given: "length=1e-6,relative=1e-6,angle=1e-6", any of which may be absent, with min= and max= of
+/// the numbers served. Throws InputError for anything else.
+[[nodiscard]] Tolerance read_tolerance(const std::string& text);
 /// A tolerance that is given, else that of `profile` where it is not empty, else the `declared` one; none where a level
 /// is given.
 [[nodiscard]] std::optional<Tolerance> demanded_tolerance(const DemandOptions& options,
