@@ -22,10 +22,11 @@ struct Convex {
 
 // The centre of a triangle's frame is none of its inner points, from which the refinement must begin; so no triangles.
 std::string declaration() {
-  return bullet_declaration("-mpr",
-                            R"(["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule","obb_obb",)"
-                            R"("sphere_obb","capsule_cube","capsule_obb","cube_obb"])",
-                            R"({"points":"none","value_less_contact":false,"margin":"none","shapes":"centered"})");
+  return bullet_declaration(
+      "-mpr",
+      R"(["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule","obb_obb",)"
+      R"("sphere_obb","capsule_cube","capsule_obb","cube_obb"])",
+      R"({"normal":"second-to-first","points":"none","value_less_contact":false,"margin":"none","shapes":"centered"})");
 }
 
 void answer(const Question& q, Answer& said) {

@@ -8,8 +8,8 @@
 namespace contact::adapters {
 
 // The `pos` of two spheres divides the line of centres by the radii, which is neither nearest point nor the middle
-// between them; so no points are claimed. Of a mesh it says the opposite normal, and the depth as a negative number.
-// collide() knows no margin.
+// between them; so no points are claimed. Of a shape and a mesh it says the opposite normal, and of a
+// sphere and a mesh the depth as a negative number. collide() knows no margin.
 std::string declaration() {
   return R"({"engine":{"name":"fcl","version":")" FCL_VERSION
          R"("},"scalar":"binary64","pairs":["sphere_sphere","cube_cube","sphere_cube",)"
@@ -20,6 +20,8 @@ std::string declaration() {
          R"("pair_conventions":{"cube_cube":{"shapes":"given"},"sphere_sphere":{"coincident":"zero_normal"},)"
          R"("sphere_cube":{"points":"midpoint"},"sphere_capsule":{"coincident":"zero_normal"},)"
          R"("sphere_triangle":{"normal":"second-to-first","value":"signed","coincident":"zero_normal"},)"
+         R"("capsule_triangle":{"normal":"second-to-first"},"cube_triangle":{"normal":"second-to-first"},)"
+         R"("obb_triangle":{"normal":"second-to-first"},)"
          R"("sphere_plane":{"points":"midpoint"},"capsule_plane":{"points":"midpoint"}}})";
 }
 

@@ -79,12 +79,15 @@ std::string declaration() {
          R"("},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule","obb_obb",)"
          R"("sphere_obb","capsule_cube","capsule_obb","cube_obb")" +
          (kConvex ? "" : R"(,"ray_sphere","sphere_plane","capsule_plane","cube_plane","obb_plane")") +
-         R"(],"conventions":{"points":"midpoint",)"
+         R"(],"conventions":{"points":")" + (kConvex ? "none" : "midpoint") +
+         R"(",)"
          R"("value_less_contact":false,"shapes":"centered","scale":{"min":0,"max":1e10}},)"
-         R"("pair_conventions":{)"
-         R"("ray_sphere":{"shapes":"given","margin":"none","normal":"none","points":"none","value":"none"},)"
-         R"("sphere_plane":{"normal":"second-to-first"},"capsule_plane":{"normal":"second-to-first"},)"
-         R"("cube_plane":{"normal":"second-to-first"},"obb_plane":{"normal":"second-to-first"}}})";
+         R"("pair_conventions":{)" +
+         (kConvex ? ""
+                  : R"("ray_sphere":{"shapes":"given","margin":"none","normal":"none","points":"none","value":"none"},)"
+                    R"("sphere_plane":{"normal":"second-to-first"},"capsule_plane":{"normal":"second-to-first"},)"
+                    R"("cube_plane":{"normal":"second-to-first"},"obb_plane":{"normal":"second-to-first"})") +
+         "}}";
 }
 
 void answer(const Question& q, Answer& said) {
@@ -129,7 +132,7 @@ void answer(const Question& q, Answer& said) {
   const mjContact& contact = *std::min_element(scene.data->contact, scene.data->contact + scene.data->ncon,
                                                [](const mjContact& x, const mjContact& y) { return x.dist < y.dist; });
   said.normal(contact.frame);
-  said.midpoint(contact.pos);
+  if (!kConvex) said.midpoint(contact.pos);  // elsewhere it is where a force would be put
   said.value(contact.dist);
 }
 

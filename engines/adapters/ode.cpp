@@ -1,5 +1,6 @@
 // Open Dynamics Engine: dCollide on sphere, box, capsule and plane geoms, and on a mesh of one triangle, of which it
-// knows one side.
+// knows one side. Not on two such meshes, which ends the process: dCollideTTL walks trees that meshes of one triangle have
+// none of.
 #include <ode/ode.h>
 
 #include <algorithm>
@@ -44,12 +45,16 @@ std::string declaration() {
   return R"({"engine":{"name":"ode","version":")" dODE_VERSION R"("},"scalar":")" +
          std::string(sizeof(dReal) == sizeof(double) ? "binary64" : "binary32") +
          R"(","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule",)"
-         R"("sphere_triangle","sphere_plane","capsule_plane",)" CONVEX_PAIRS "," CONVEX_PLANE_PAIRS
+         R"("sphere_triangle","sphere_plane","capsule_plane","obb_obb","sphere_obb","capsule_cube","capsule_obb",)"
+         R"("capsule_triangle","cube_obb","cube_triangle","obb_triangle",)" CONVEX_PLANE_PAIRS
          R"(],"conventions":{"normal":"second-to-first","points":"midpoint",)"
          R"("value":"depth","value_less_contact":false,"margin":"none","shapes":"centered"},)"
          R"("pair_conventions":{"sphere_cube":{"points":"second_only"},"sphere_triangle":{"points":"second_only"},)"
          R"("sphere_plane":{"points":"first_only"},"capsule_plane":{"points":"first_only"},)"
-         R"("obb_obb":{"points":"none"},"sphere_obb":{"points":"second_only"},"obb_plane":{"points":"first_only"}}})";
+         R"("obb_obb":{"points":"none"},"cube_obb":{"points":"none"},"cube_triangle":{"points":"none"},)"
+         R"("obb_triangle":{"points":"none"},"sphere_obb":{"points":"second_only"},)"
+         R"("capsule_triangle":{"points":"first_only"},"cube_plane":{"points":"first_only"},)"
+         R"("obb_plane":{"points":"first_only"},"triangle_plane":{"points":"first_only"}}})";
 }
 
 void answer(const Question& q, Answer& said) {
@@ -96,11 +101,11 @@ void answer(const Question& q, Answer& said) {
       *std::max_element(contacts.begin(), contacts.begin() + count,
                         [](const dContactGeom& x, const dContactGeom& y) { return x.depth < y.depth; });
   said.normal(contact.normal);
-  if (q.pair == CONTACT_SPHERE_CUBE || q.pair == CONTACT_SPHERE_TRIANGLE || q.pair == CONTACT_SPHERE_OBB)
+  if (q.a.kind == Kind::sphere && (q.b.is_box() || q.b.kind == Kind::triangle))
     said.point2(contact.pos);
-  else if (q.pair == CONTACT_SPHERE_PLANE || q.pair == CONTACT_CAPSULE_PLANE || q.pair == CONTACT_OBB_PLANE)
+  else if (q.b.kind == Kind::plane || (q.b.kind == Kind::triangle && !q.a.is_box()))
     said.point1(contact.pos);
-  else if (q.pair != CONTACT_OBB_OBB)
+  else if (!q.a.is_box())
     said.midpoint(contact.pos);
   said.value(contact.depth);
 }
