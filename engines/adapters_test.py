@@ -25,8 +25,7 @@ WRONG = {"sphere_beside_box": {"cannon"},
          "sphere_capsule": {"ammo"}, "capsule_capsule": {"fcl", "rapier"},
          "sphere_in_box": {"ammo", "bullet", "bullet-float", "dart", "mujoco", "ode", "oimo"},
          "sphere_beside_triangle": {"fcl", "ode"},
-         "obb_obb": {"mujoco"}, "cube_obb": {"mujoco"}, "capsule_cube": {"fcl"}, "capsule_obb": {"fcl"}, "capsule_triangle": {"fcl"},
-         "obb_triangle": {"fcl"}}
+         "obb_obb": {"mujoco"}, "cube_obb": {"mujoco"}, "capsule_cube": {"fcl"}, "capsule_obb": {"fcl"}, "capsule_triangle": {"fcl"}}
 # And these even in their decisions.
 WRONG_DECISIONS = {"sphere_behind_triangle": {"ode"}, "sphere_plane": {"rapier"}, "capsule_plane": {"rapier"},
                    "ray_from_sphere": {"bullet", "bullet-float", "mujoco"}}
