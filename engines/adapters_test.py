@@ -17,14 +17,15 @@ from published import published  # noqa: E402
 
 TOOL = sys.argv[1]
 # Their own tolerances are larger than 8 ulps: these are held to their decisions alone.
-TOLERANT = {"bullet-gjk", "bullet-gjk-float", "libccd", "libccd-gjk", "havok", "jolt", "physx"}
+TOLERANT = {"bullet-gjk", "bullet-gjk-float", "libccd", "libccd-gjk", "bullet-mpr-float", "mujoco-convex", "havok", "jolt", "physx"}
 # These claim no number, so decisions are all that they can show.
 DECIDING = {"cgal-epick", "eigen", "fcl-distance", "three"}
 # Wrong even here, as engines/findings.json tells of each: held to their decisions, and known to be no better.
 WRONG = {"sphere_beside_box": {"cannon"},
          "sphere_capsule": {"ammo"}, "capsule_capsule": {"fcl", "rapier"},
          "sphere_in_box": {"ammo", "bullet", "bullet-float", "dart", "mujoco", "ode", "oimo"},
-         "sphere_beside_triangle": {"fcl", "ode"}}
+         "sphere_beside_triangle": {"fcl", "ode"},
+         "obb_obb": {"mujoco"}, "cube_obb": {"mujoco"}, "capsule_cube": {"fcl"}, "capsule_obb": {"fcl"}, "capsule_triangle": {"fcl"}}
 # And these even in their decisions.
 WRONG_DECISIONS = {"sphere_behind_triangle": {"ode"}, "sphere_plane": {"rapier"}, "capsule_plane": {"rapier"},
                    "ray_from_sphere": {"bullet", "bullet-float", "mujoco"}}
@@ -129,6 +130,42 @@ class Adapters(unittest.TestCase):
             {"pair": "obb_plane", "a": rotated(i, [1, 2, 3]), "alarm": alarm, "contact": 0.5,
              "b": {"normal": turned([0, 0, 2], axis), "offset": 2 * ([1, 2, 3][(2 + axis) % 3] - sizes[i][(2 + axis) % 3] - gap)}}
             for i in range(4) for axis in range(3) for gap in (3, -0.25) for alarm in (0, 1)]
+        # The same boxes as cubes, and what has its nearest end or corner beside the middle of a face: 3 apart, or a quarter in it.
+        def cube(i, center):
+            return {corner: [x + sign * size for x, size in zip(center, sizes[i])] for corner, sign in (("min", -1), ("max", 1))}
+
+        def pointed(axis, at, up):
+            """A triangle whose first corner is `at`, and whose others are `up` from it along the axis."""
+            return {"vertices": [at, [x + (up if k == axis else 3) for k, x in enumerate(at)],
+                                 [x + (up if k == axis else -2) for k, x in enumerate(at)]]}
+
+        middle = [1, 2, 3]
+        mixed["cube_obb"] = [
+            {"pair": "cube_obb", "a": cube(i, middle), "alarm": alarm, "contact": 0.5,
+             "b": rotated(j, [x + (sizes[i][k] + sizes[j][k] + gap if k == axis else 0.5) for k, x in enumerate(middle)])}
+            for i, j, axis, gap in beside if j == (i + 1) % 4 for alarm in (0, 1)]
+        faces = [(i, axis, gap, [x + (sizes[i][k] + gap if k == axis else 0.5) for k, x in enumerate(middle)])
+                 for i in (0, 1) for axis in range(3) for gap in (3, -0.25)]
+        for name, box in (("cube", cube), ("obb", rotated)):
+            mixed[f"capsule_{name}"] = [
+                {"pair": f"capsule_{name}", "b": box(i, middle), "alarm": alarm, "contact": 0.5,
+                 "a": {"start": at, "end": [x + (2 if k == axis else 0) for k, x in enumerate(at)], "radius": r}}
+                for i, axis, gap, at in faces if gap > 0 for r in (1, 3.5) for alarm in (0, 1)]
+            mixed[f"{name}_triangle"] = [{"pair": f"{name}_triangle", "a": box(i, middle), "b": pointed(axis, at, 4), "alarm": alarm, "contact": 0.5}
+                                         for i, axis, gap, at in faces for alarm in (0, 1)]
+        mixed["capsule_triangle"] = [
+            {"pair": "capsule_triangle", "a": {"start": [1, 1, 3], "end": [1, 1, 7], "radius": r}, "alarm": alarm, "contact": 0.5, "b": triangle}
+            for r in (1, 3.5) for alarm in (0, 1)]
+        wide = {"vertices": [[-8, -8, 0], [8, -8, 0], [0, 8, 0]]}
+        mixed["triangle_triangle"] = [{"pair": "triangle_triangle", "a": wide, "b": pointed(2, [0, 0, gap], 4), "alarm": alarm, "contact": 0.5}
+                                      for gap in (3, -0.25) for alarm in (0, 1)]
+        below = {axis: {"normal": turned([0, 0, 2], axis), "offset": 2} for axis in range(3)}
+        mixed["cube_plane"] = [
+            {"pair": "cube_plane", "a": cube(i, [1 + (sizes[i][k] + gap if k == (2 + axis) % 3 else 0) for k in range(3)]), "alarm": alarm,
+             "contact": 0.5, "b": below[axis]} for i in range(4) for axis in range(3) for gap in (3, -0.25) for alarm in (0, 1)]
+        mixed["triangle_plane"] = [
+            {"pair": "triangle_plane", "a": pointed((2 + axis) % 3, turned([1, 2, 1 + gap], axis), 4), "alarm": alarm, "contact": 0.5, "b": below[axis]}
+            for axis in range(3) for gap in (3, -0.25) for alarm in (0, 1)]
         cls.files = {}
         for name, questions in {"spheres": spheres, "boxes": boxes, **mixed}.items():
             for scalar in ("binary64", "binary32"):
@@ -163,9 +200,11 @@ class Adapters(unittest.TestCase):
                     self.assertEqual(certified(self.files[family], "decisions").returncode, 1, f"{name} is right now: {family}")
 
     def test_every_engine_is_asked_the_pairs_that_it_has_a_function_for(self):
-        no_capsules = {"cannon", "cannon-aabb", "dart", "eigen", "oimo", "simbody", "three"}
+        boxes_alone = {"bullet-box", "bullet-box-float"}
+        no_capsules = {"cannon", "cannon-aabb", "dart", "eigen", "oimo", "simbody", "three"} | boxes_alone
         names = {engine["name"] for engine in listed()}
-        without = {"sphere_sphere": {"cannon-aabb", "eigen"}, "sphere_cube": {"cannon-aabb", "simbody"},
+        convex = {"bullet", "bullet-float", "bullet-gjk", "bullet-gjk-float", "fcl", "fcl-distance", "libccd", "libccd-gjk", "ode"}
+        without = {"sphere_sphere": {"cannon-aabb", "eigen"} | boxes_alone, "sphere_cube": {"cannon-aabb", "simbody"} | boxes_alone,
                    "sphere_capsule": no_capsules, "capsule_capsule": no_capsules,
                    # fcl-distance has a function, which sets no distance where they penetrate: docs/scoreboard.md.
                    "sphere_triangle": names - {"bullet", "bullet-float", "bullet-gjk", "bullet-gjk-float", "cgal-epick", "fcl", "jolt",
@@ -178,9 +217,15 @@ class Adapters(unittest.TestCase):
                    "ray_sphere": names - {"bullet", "bullet-float", "cgal-epick", "jolt", "mujoco", "rapier"},
                    "ray_triangle": names - {"bullet", "bullet-float", "cgal-epick", "jolt", "rapier"},
                    "triangle_line": names - {"bullet", "bullet-float", "cgal-epick", "jolt"},
-                   "obb_obb": names - {"bullet", "bullet-float", "bullet-gjk", "bullet-gjk-float", "fcl", "libccd", "libccd-gjk", "ode"},
-                   "sphere_obb": names - {"bullet", "bullet-float", "bullet-gjk", "bullet-gjk-float", "fcl", "libccd", "libccd-gjk", "ode"},
-                   "obb_plane": names - {"bullet", "bullet-float", "fcl", "ode"}}
+                   "sphere_obb": names - convex - {"dart", "mujoco", "mujoco-convex", "bullet-mpr-float"},
+                   "capsule_triangle": names - convex, "obb_triangle": names - convex, "cube_triangle": names - convex - {"cgal-epick"},
+                   "triangle_triangle": names - convex - {"cgal-epick"} | {"ode"},  # it has a function, which ends the process
+                   **{pair: names - convex - {"bullet-box", "bullet-box-float", "bullet-mpr-float", "dart", "mujoco", "mujoco-convex"}
+                      for pair in ("obb_obb", "cube_obb")},
+                   **{pair: names - convex - {"mujoco", "mujoco-convex", "bullet-mpr-float"} for pair in ("capsule_cube", "capsule_obb")},
+                   "obb_plane": names - {"bullet", "bullet-float", "fcl", "mujoco", "ode", "simbody"},
+                   "cube_plane": names - {"bullet", "bullet-float", "cgal-epick", "fcl", "mujoco", "ode", "simbody"},
+                   "triangle_plane": names - {"bullet", "bullet-float", "cgal-epick", "fcl", "ode"}}
         for engine in listed():
             if not engine["command"]:
                 continue

@@ -60,6 +60,7 @@ struct Shape {
     return kind == Kind::obb ? turn[row][column] : row == (column + axis + 1) % 3 ? 1 : 0;
   }
   [[nodiscard]] double length() const { return size[axis]; }
+  [[nodiscard]] bool is_box() const { return kind == Kind::box || kind == Kind::obb; }
   /// Where a ray or a line begins.
   [[nodiscard]] const double* start() const { return numbers; }
   [[nodiscard]] const double* vertex(int i) const { return numbers + std::ptrdiff_t{3} * i; }
@@ -85,6 +86,13 @@ struct Question {
   double alarm;
   double contact;
 };
+
+/// The pairs of two bounded convex shapes that are of one kind in contact_engine.h, and those of one and a plane, as a
+/// declaration lists them.
+#define CONVEX_PAIRS                                                                                      \
+  R"("obb_obb","sphere_obb","capsule_cube","capsule_obb","capsule_triangle","cube_obb","cube_triangle",)" \
+  R"("obb_triangle","triangle_triangle")"
+#define CONVEX_PLANE_PAIRS R"("cube_plane","obb_plane","triangle_plane")"
 
 /// What is said of one question; of a hit, all that the declaration claims.
 class Answer {

@@ -24,13 +24,10 @@ struct BulletShape {
     place.setOrigin(bullet_vector(x.center));
     if (x.kind == Kind::sphere) {
       shape = std::make_unique<btSphereShape>(radius);
-    } else if (x.kind == Kind::box) {
+    } else if (x.is_box()) {
       shape = std::make_unique<btBoxShape>(bullet_vector(x.half));
       shape->setMargin(0);  // with one its edges are round
-    } else if (x.kind == Kind::obb) {
-      shape = std::make_unique<btBoxShape>(bullet_vector(x.half));
-      shape->setMargin(0);
-      const auto turn = [&](int row, int column) { return static_cast<btScalar>(x.turn[row][column]); };
+      const auto turn = [&](int row, int column) { return static_cast<btScalar>(x.rotation(row, column)); };
       place.setBasis(
           {turn(0, 0), turn(0, 1), turn(0, 2), turn(1, 0), turn(1, 1), turn(1, 2), turn(2, 0), turn(2, 1), turn(2, 2)});
     } else if (x.kind == Kind::triangle) {

@@ -13,7 +13,7 @@ namespace contact::adapters {
 std::string declaration() {
   return bullet_declaration(
       "-gjk",
-      R"(["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule","sphere_triangle","obb_obb","sphere_obb"])",
+      R"(["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule","sphere_triangle",)" CONVEX_PAIRS "]",
       R"({"normal":"second-to-first","points":"second_only","value_less_contact":false,"shapes":"centered"})");
 }
 

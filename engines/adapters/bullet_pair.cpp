@@ -15,7 +15,7 @@ struct Keep final : btCollisionWorld::ContactResultCallback {
                            const btCollisionObjectWrapper*, int, int) override {
     // Of other shapes than two spheres it tells of gaps up to the contact breaking threshold too: the distance is for
     // the user to compare, as PyBullet does.
-    // Of the points of two boxes the deepest is the contact.
+    // Where it tells of many points the deepest is the contact.
     if (found && keep_deepest && point.getDistance() >= contact.getDistance()) return 0;
     if (every_contact || point.getDistance() <= m_closestDistanceThreshold) {
       found = true;
@@ -73,16 +73,11 @@ std::string declaration() {
   return bullet_declaration(
       "",
       R"(["sphere_sphere","cube_cube","sphere_cube","sphere_capsule","capsule_capsule","sphere_triangle","ray_sphere",)"
-      R"("sphere_plane","capsule_plane","ray_triangle","triangle_line","obb_obb","sphere_obb","obb_plane"])",
-      R"({"normal":"second-to-first","value_less_contact":false},)"
-      R"("pair_conventions":{"sphere_cube":{"shapes":"centered"},)"
-      R"("sphere_capsule":{"shapes":"centered"},"capsule_capsule":{"shapes":"centered"},)"
-      R"("sphere_triangle":{"margin":"none"},)"
-      R"("ray_sphere":{"shapes":"centered","margin":"none","normal":"none","points":"none","value":"none"},)"
-      R"("sphere_plane":{"shapes":"centered"},"capsule_plane":{"shapes":"centered"},)"
-      R"("ray_triangle":{"shapes":"centered","value":"none"},)"
-      R"("triangle_line":{"normal":"first-to-second","value":"none"},)"
-      R"("obb_obb":{"shapes":"centered"},"sphere_obb":{"shapes":"centered"},"obb_plane":{"shapes":"centered"}})");
+      R"("sphere_plane","capsule_plane","ray_triangle","triangle_line",)" CONVEX_PAIRS "," CONVEX_PLANE_PAIRS "]",
+      R"({"normal":"second-to-first","value_less_contact":false,"shapes":"centered"},)"
+      R"("pair_conventions":{"cube_cube":{"shapes":"given"},"sphere_triangle":{"margin":"none"},)"
+      R"("ray_sphere":{"margin":"none","normal":"none","points":"none","value":"none"},)"
+      R"("ray_triangle":{"value":"none"},"triangle_line":{"normal":"first-to-second","value":"none"}})");
 }
 
 void answer(const Question& q, Answer& said) {
@@ -113,7 +108,7 @@ void answer(const Question& q, Answer& said) {
   Keep keep;
   keep.m_closestDistanceThreshold = q.pair == CONTACT_SPHERE_TRIANGLE ? 0 : alarm;
   keep.every_contact = q.pair == CONTACT_SPHERE_SPHERE;
-  keep.keep_deepest = q.pair == CONTACT_OBB_OBB || q.pair == CONTACT_OBB_PLANE;
+  keep.keep_deepest = q.pair >= CONTACT_OBB_OBB;
   world.world.contactPairTest(&a, &b, keep);
   said.hit(keep.found);
   if (!keep.found) return;

@@ -14,7 +14,7 @@ namespace contact::adapters {
 
 inline std::shared_ptr<fcl::CollisionGeometryd> fcl_geometry(const Shape& x) {
   if (x.kind == Kind::sphere) return std::make_shared<fcl::Sphered>(x.radius);
-  if (x.kind == Kind::box || x.kind == Kind::obb) return std::make_shared<fcl::Boxd>(x.size[0], x.size[1], x.size[2]);
+  if (x.is_box()) return std::make_shared<fcl::Boxd>(x.size[0], x.size[1], x.size[2]);
   if (x.kind == Kind::capsule) return std::make_shared<fcl::Capsuled>(x.radius, x.length());
   if (x.kind == Kind::plane) return std::make_shared<fcl::Halfspaced>(fcl::Vector3d(x.normal), x.offset);
   // A triangle of its own cannot be asked; a mesh of one can.

@@ -8,23 +8,21 @@
 namespace contact::adapters {
 
 // The `pos` of two spheres divides the line of centres by the radii, which is neither nearest point nor the middle
-// between them; so no points are claimed. Of a mesh it says the opposite normal, and the depth as a negative number.
-// collide() knows no margin.
+// between them; so no points are claimed. Of a shape and a mesh it says the opposite normal, and of a
+// sphere and a mesh the depth as a negative number. collide() knows no margin.
 std::string declaration() {
   return R"({"engine":{"name":"fcl","version":")" FCL_VERSION
          R"("},"scalar":"binary64","pairs":["sphere_sphere","cube_cube","sphere_cube",)"
-         R"("sphere_capsule","capsule_capsule","sphere_triangle","sphere_plane","capsule_plane","obb_obb","sphere_obb","obb_plane"],)"
-         R"("conventions":{"points":"none",)"
-         R"("value":"depth","value_less_contact":false,"margin":"none","coincident":"zero_normal"},)"
-         R"("pair_conventions":{"sphere_cube":{"points":"midpoint","coincident":"any_unit_normal","shapes":"centered"},)"
-         R"("sphere_capsule":{"shapes":"centered"},)"
-         R"("capsule_capsule":{"coincident":"any_unit_normal","shapes":"centered"},)"
-         R"("sphere_triangle":{"normal":"second-to-first","value":"signed"},)"
-         R"("sphere_plane":{"points":"midpoint","shapes":"centered"},)"
-         R"("capsule_plane":{"points":"midpoint","shapes":"centered"},)"
-         R"("obb_obb":{"coincident":"any_unit_normal","shapes":"centered"},)"
-         R"("sphere_obb":{"coincident":"any_unit_normal","shapes":"centered"},)"
-         R"("obb_plane":{"shapes":"centered"}}})";
+         R"("sphere_capsule","capsule_capsule","sphere_triangle","sphere_plane","capsule_plane",)" CONVEX_PAIRS
+         "," CONVEX_PLANE_PAIRS R"(],)"
+         R"("conventions":{"points":"none","shapes":"centered",)"
+         R"("value":"depth","value_less_contact":false,"margin":"none"},)"
+         R"("pair_conventions":{"cube_cube":{"shapes":"given"},"sphere_sphere":{"coincident":"zero_normal"},)"
+         R"("sphere_cube":{"points":"midpoint"},"sphere_capsule":{"coincident":"zero_normal"},)"
+         R"("sphere_triangle":{"normal":"second-to-first","value":"signed","coincident":"zero_normal"},)"
+         R"("capsule_triangle":{"normal":"second-to-first"},"cube_triangle":{"normal":"second-to-first"},)"
+         R"("obb_triangle":{"normal":"second-to-first"},)"
+         R"("sphere_plane":{"points":"midpoint"},"capsule_plane":{"points":"midpoint"}}})";
 }
 
 void answer(const Question& q, Answer& said) {

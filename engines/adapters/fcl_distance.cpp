@@ -9,7 +9,8 @@ namespace contact::adapters {
 
 std::string declaration() {
   return R"({"engine":{"name":"fcl-distance","version":")" FCL_VERSION
-         R"("},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule"],"conventions":{"value_less_contact":false,"shapes":"centered"},)"
+         R"("},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule",)" CONVEX_PAIRS
+         R"(],"conventions":{"value_less_contact":false,"shapes":"centered"},)"
          R"("claims":["overlap","contact"]})";
 }
 

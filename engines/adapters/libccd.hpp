@@ -11,16 +11,12 @@ namespace contact::adapters {
 inline void ccd_support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
   const auto& shape = *static_cast<const Shape*>(object);
   const double* x = shape.numbers;
-  if (shape.kind == Kind::box) {
-    for (int i = 0; i < 3; ++i) point->v[i] = shape.center[i] + ccdSign(direction->v[i]) * shape.half[i];
-    return;
-  }
-  if (shape.kind == Kind::obb) {
+  if (shape.is_box()) {
     ccdVec3Set(point, shape.center[0], shape.center[1], shape.center[2]);
     for (int k = 0; k < 3; ++k) {
       double along = 0;
-      for (int i = 0; i < 3; ++i) along += direction->v[i] * shape.turn[i][k];
-      for (int i = 0; i < 3; ++i) point->v[i] += ccdSign(along) * shape.half[k] * shape.turn[i][k];
+      for (int i = 0; i < 3; ++i) along += direction->v[i] * shape.rotation(i, k);
+      for (int i = 0; i < 3; ++i) point->v[i] += ccdSign(along) * shape.half[k] * shape.rotation(i, k);
     }
     return;
   }
@@ -61,10 +57,12 @@ inline ccd_t ccd_settings() {
 inline std::string ccd_declaration(const std::string& name, const std::string& scale) {
   return R"({"engine":{"name":")" + name +
          R"(","version":"2.1"},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube","sphere_capsule",)"
-         R"("capsule_capsule","sphere_triangle","obb_obb","sphere_obb"],"conventions":{"points":"none",)"
+         R"("capsule_capsule","sphere_triangle",)" CONVEX_PAIRS
+         R"(],"conventions":{"points":"none","shapes":"centered",)"
          R"("value":"depth","value_less_contact":false,"margin":"none")" +
          scale +
-         R"(},"pair_conventions":{"sphere_cube":{"shapes":"centered"},"obb_obb":{"shapes":"centered"},"sphere_obb":{"shapes":"centered"}}})";
+         R"(},"pair_conventions":{"sphere_capsule":{"shapes":"given"},"capsule_capsule":{"shapes":"given"},)"
+         R"("capsule_triangle":{"shapes":"given"}}})";
 }
 
 /// Answers by ccdMPRPenetration or ccdGJKPenetration.

@@ -1,5 +1,6 @@
 // MuJoCo: mj_collision on one predefined pair of spheres, boxes, capsules and planes; mju_rayGeom for a ray and a
-// sphere.
+// sphere. With MUJOCO_CONVEX mjc_Convex, its general convex collision, in the place of the functions of two kinds: the
+// table of collision functions is there for users to change.
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
@@ -48,7 +49,7 @@ struct Scene {
       }
       return true;
     }
-    if (x.kind == Kind::box) {
+    if (x.is_box()) {
       std::copy(x.half, x.half + 3, size);
       bound = mju_norm3(x.half);
       return *std::min_element(x.half, x.half + 3) > 0;
@@ -65,27 +66,46 @@ struct Scene {
 
 }  // namespace
 
+#ifdef MUJOCO_CONVEX
+constexpr bool kConvex = true;
+#else
+constexpr bool kConvex = false;
+#endif
+
 // The scale is mjMAXVAL, beyond which MuJoCo calls a coordinate bad.
 std::string declaration() {
-  return R"({"engine":{"name":"mujoco","version":")" + std::string(mj_versionString()) +
-         R"("},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule",)"
-         R"("ray_sphere","sphere_plane","capsule_plane"],)"
-         R"("conventions":{"points":"midpoint",)"
+  return std::string(R"({"engine":{"name":"mujoco)") + (kConvex ? "-convex" : "") + R"(","version":")" +
+         mj_versionString() +
+         R"("},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule","obb_obb",)"
+         R"("sphere_obb","capsule_cube","capsule_obb","cube_obb")" +
+         (kConvex ? "" : R"(,"ray_sphere","sphere_plane","capsule_plane","cube_plane","obb_plane")") +
+         R"(],"conventions":{"points":")" + (kConvex ? "none" : "midpoint") +
+         R"(",)"
          R"("value_less_contact":false,"shapes":"centered","scale":{"min":0,"max":1e10}},)"
-         R"("pair_conventions":{)"
-         R"("ray_sphere":{"shapes":"given","margin":"none","normal":"none","points":"none","value":"none"},)"
-         R"("sphere_plane":{"normal":"second-to-first"},"capsule_plane":{"normal":"second-to-first"}}})";
+         R"("pair_conventions":{)" +
+         (kConvex ? ""
+                  : R"("ray_sphere":{"shapes":"given","margin":"none","normal":"none","points":"none","value":"none"},)"
+                    R"("sphere_plane":{"normal":"second-to-first"},"capsule_plane":{"normal":"second-to-first"},)"
+                    R"("cube_plane":{"normal":"second-to-first"},"obb_plane":{"normal":"second-to-first"})") +
+         "}}";
 }
 
 void answer(const Question& q, Answer& said) {
   // Its own handler waits for somebody to press Enter.
   mju_user_error = [](const char* message) { throw std::runtime_error(message); };
+  if (kConvex)
+    for (const int first : {mjGEOM_SPHERE, mjGEOM_CAPSULE, mjGEOM_BOX})
+      for (const int second : {mjGEOM_SPHERE, mjGEOM_CAPSULE, mjGEOM_BOX})
+        if (first <= second) mjCOLLISIONFUNC[first][second] = mjCOLLISIONFUNC[mjGEOM_MESH][mjGEOM_MESH];
   static const Scene spheres("sphere", "sphere");
   static const Scene sphere_and_box("sphere", "box");
   static const Scene sphere_and_capsule("sphere", "capsule");
   static const Scene capsules("capsule", "capsule");
   static const Scene sphere_on_plane("sphere", "plane");
   static const Scene capsule_on_plane("capsule", "plane");
+  static const Scene boxes("box", "box");
+  static const Scene capsule_and_box("capsule", "box");
+  static const Scene box_on_plane("box", "plane");
   if (q.pair == CONTACT_RAY_SPHERE) {
     // How far along the direction, in lengths of it; where the ray enters is no nearest point.
     const double* ray = q.a.numbers;
@@ -93,22 +113,26 @@ void answer(const Question& q, Answer& said) {
     const mjtNum distance = mju_rayGeom(q.b.center, nullptr, radius, ray, ray + 3, mjGEOM_SPHERE);
     return said.hit(distance >= 0 && distance <= ray[6]);
   }
-  const Scene& scene = q.pair == CONTACT_SPHERE_CUBE       ? sphere_and_box
-                       : q.pair == CONTACT_SPHERE_CAPSULE  ? sphere_and_capsule
-                       : q.pair == CONTACT_CAPSULE_CAPSULE ? capsules
-                       : q.pair == CONTACT_SPHERE_PLANE    ? sphere_on_plane
-                       : q.pair == CONTACT_CAPSULE_PLANE   ? capsule_on_plane
-                                                           : spheres;
+  const bool of_ball = q.a.kind == Kind::sphere;
+  const bool of_capsule = q.a.kind == Kind::capsule;
+  const Scene& scene = q.b.kind == Kind::plane     ? of_ball      ? sphere_on_plane
+                                                     : of_capsule ? capsule_on_plane
+                                                                  : box_on_plane
+                       : q.b.is_box()              ? of_ball      ? sphere_and_box
+                                                     : of_capsule ? capsule_and_box
+                                                                  : boxes
+                       : q.b.kind == Kind::capsule ? of_ball ? sphere_and_capsule : capsules
+                                                   : spheres;
   if (!scene.set(q.a, q.b)) return said.unsupported();
   scene.model->pair_margin[0] = q.alarm;
   mj_collision(scene.model, scene.data);
   said.hit(scene.data->ncon > 0);
   if (scene.data->ncon == 0) return;
-  // Parallel capsules may have two: the deeper one.
+  // Parallel capsules may have two, boxes several: the deepest one.
   const mjContact& contact = *std::min_element(scene.data->contact, scene.data->contact + scene.data->ncon,
                                                [](const mjContact& x, const mjContact& y) { return x.dist < y.dist; });
   said.normal(contact.frame);
-  said.midpoint(contact.pos);
+  if (!kConvex) said.midpoint(contact.pos);  // elsewhere it is where a force would be put
   said.value(contact.dist);
 }
 

@@ -1,7 +1,9 @@
 // Open Dynamics Engine: dCollide on sphere, box, capsule and plane geoms, and on a mesh of one triangle, of which it
-// knows one side.
+// knows one side. Not on two such meshes, which ends the process: dCollideTTL walks trees that meshes of one triangle have
+// none of.
 #include <ode/ode.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -43,11 +45,16 @@ std::string declaration() {
   return R"({"engine":{"name":"ode","version":")" dODE_VERSION R"("},"scalar":")" +
          std::string(sizeof(dReal) == sizeof(double) ? "binary64" : "binary32") +
          R"(","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule",)"
-         R"("sphere_triangle","sphere_plane","capsule_plane","obb_obb","sphere_obb","obb_plane"],"conventions":{"normal":"second-to-first","points":"midpoint",)"
+         R"("sphere_triangle","sphere_plane","capsule_plane","obb_obb","sphere_obb","capsule_cube","capsule_obb",)"
+         R"("capsule_triangle","cube_obb","cube_triangle","obb_triangle",)" CONVEX_PLANE_PAIRS
+         R"(],"conventions":{"normal":"second-to-first","points":"midpoint",)"
          R"("value":"depth","value_less_contact":false,"margin":"none","shapes":"centered"},)"
          R"("pair_conventions":{"sphere_cube":{"points":"second_only"},"sphere_triangle":{"points":"second_only"},)"
          R"("sphere_plane":{"points":"first_only"},"capsule_plane":{"points":"first_only"},)"
-         R"("obb_obb":{"points":"none"},"sphere_obb":{"points":"second_only"},"obb_plane":{"points":"first_only"}}})";
+         R"("obb_obb":{"points":"none"},"cube_obb":{"points":"none"},"cube_triangle":{"points":"none"},)"
+         R"("obb_triangle":{"points":"none"},"sphere_obb":{"points":"second_only"},)"
+         R"("capsule_triangle":{"points":"first_only"},"cube_plane":{"points":"first_only"},)"
+         R"("obb_plane":{"points":"first_only"},"triangle_plane":{"points":"first_only"}}})";
 }
 
 void answer(const Question& q, Answer& said) {
@@ -60,10 +67,9 @@ void answer(const Question& q, Answer& said) {
   static const auto second = made();
   const auto set = [](const auto& geoms, const Shape& x) {
     const auto real = [](double number) { return static_cast<dReal>(number); };
-    const bool is_box = x.kind == Kind::box || x.kind == Kind::obb;
-    const dGeomID geom = geoms[static_cast<std::size_t>(is_box ? Kind::box : x.kind)];
+    const dGeomID geom = geoms[static_cast<std::size_t>(x.is_box() ? Kind::box : x.kind)];
     if (x.kind == Kind::sphere) dGeomSphereSetRadius(geom, real(x.radius));
-    if (is_box) dGeomBoxSetLengths(geom, real(x.size[0]), real(x.size[1]), real(x.size[2]));
+    if (x.is_box()) dGeomBoxSetLengths(geom, real(x.size[0]), real(x.size[1]), real(x.size[2]));
     if (x.kind == Kind::capsule) dGeomCapsuleSetParams(geom, real(x.radius), real(x.length()));
     dMatrix3 upright{};
     for (int row = 0; row < 3; ++row)
@@ -72,28 +78,34 @@ void answer(const Question& q, Answer& said) {
     dGeomSetPosition(geom, real(x.center[0]), real(x.center[1]), real(x.center[2]));
     return geom;
   };
-  const dGeomID a = set(first, q.a);
   static const dGeomID plane = dCreatePlane(nullptr, 0, 0, 1, 0);
-  std::optional<Mesh> mesh;
+  std::optional<Mesh> mesh_a;
+  std::optional<Mesh> mesh_b;
+  const dGeomID a = q.a.kind == Kind::triangle ? mesh_a.emplace(q.a).geom : set(first, q.a);
   dGeomID b = plane;
-  if (q.pair == CONTACT_SPHERE_TRIANGLE) {
-    b = mesh.emplace(q.b).geom;
-  } else if (q.pair == CONTACT_SPHERE_PLANE || q.pair == CONTACT_CAPSULE_PLANE || q.pair == CONTACT_OBB_PLANE) {
+  if (q.b.kind == Kind::triangle) {
+    b = mesh_b.emplace(q.b).geom;
+  } else if (q.b.kind == Kind::plane) {
     const auto real = [](double number) { return static_cast<dReal>(number); };
     dGeomPlaneSetParams(plane, real(q.b.normal[0]), real(q.b.normal[1]), real(q.b.normal[2]), real(q.b.offset));
   } else {
     b = set(second, q.b);
   }
-  dContactGeom contact;
-  const bool hit = dCollide(a, b, 1, &contact, sizeof contact) > 0;
-  said.hit(hit);
-  if (!hit) return;
+  // Where it tells of many points the deepest is the contact.
+  std::array<dContactGeom, 16> contacts;
+  const int most = q.pair >= CONTACT_OBB_OBB ? static_cast<int>(contacts.size()) : 1;
+  const int count = dCollide(a, b, most, contacts.data(), sizeof contacts[0]);
+  said.hit(count > 0);
+  if (count == 0) return;
+  const dContactGeom& contact =
+      *std::max_element(contacts.begin(), contacts.begin() + count,
+                        [](const dContactGeom& x, const dContactGeom& y) { return x.depth < y.depth; });
   said.normal(contact.normal);
-  if (q.pair == CONTACT_SPHERE_CUBE || q.pair == CONTACT_SPHERE_TRIANGLE || q.pair == CONTACT_SPHERE_OBB)
+  if (q.a.kind == Kind::sphere && (q.b.is_box() || q.b.kind == Kind::triangle))
     said.point2(contact.pos);
-  else if (q.pair == CONTACT_SPHERE_PLANE || q.pair == CONTACT_CAPSULE_PLANE || q.pair == CONTACT_OBB_PLANE)
+  else if (q.b.kind == Kind::plane || (q.b.kind == Kind::triangle && !q.a.is_box()))
     said.point1(contact.pos);
-  else if (q.pair != CONTACT_OBB_OBB)
+  else if (!q.a.is_box())
     said.midpoint(contact.pos);
   said.value(contact.depth);
 }
