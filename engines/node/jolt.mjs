@@ -1,5 +1,5 @@
 // Jolt Physics: TransformedShape.CollideShape with the alarm distance as its largest separation; CastRay for rays.
-import {centered, serve, turned, versionOf} from './loop.mjs';
+import {centered, rotation, serve, versionOf} from './loop.mjs';
 import load from 'jolt-physics';
 
 const jolt = await load();
@@ -25,7 +25,9 @@ const numbers = (v) => [v.GetX(), v.GetY(), v.GetZ()];
 // Points are relative to the base offset, which is the origin here.
 serve({
   engine: {name: 'jolt', version: versionOf('jolt-physics')}, scalar: 'binary32', 
-  pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule', 'sphere_triangle', 'ray_sphere', 'sphere_plane', 'capsule_plane', 'ray_triangle', 'triangle_line'],
+  pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule', 'sphere_triangle', 'ray_sphere', 'sphere_plane', 'capsule_plane', 'ray_triangle', 'triangle_line',
+    'obb_obb', 'sphere_obb', 'capsule_cube', 'capsule_obb', 'capsule_triangle', 'cube_obb', 'cube_triangle', 'obb_triangle', 'triangle_triangle', 'cube_plane',
+    'obb_plane', 'triangle_plane'],
   conventions: {normal_unit: false, value: 'depth', value_less_contact: false, shapes: 'centered'},
   pair_conventions: {
     // Where a ray enters a sphere is no nearest point; it has no normal before its user asks for one.
@@ -47,6 +49,14 @@ serve({
       const result = make(new jolt.MeshShapeSettings(list)).Create();
       return result.IsValid() ? result.Get() : null;
     },
+    hull: ({vertices}) => {
+      const settings = make(new jolt.ConvexHullShapeSettings());
+      vertices.forEach((v) => settings.mPoints.push_back(make(new jolt.Vec3(...v))));
+      settings.mMaxConvexRadius = 0;
+      const result = settings.Create();
+      if (!result.IsValid()) console.error(result.GetError().c_str());
+      return result.IsValid() ? result.Get() : null;
+    },
     // Its planes end somewhere: farther away than any question reaches.
     plane: ({normal}) => new jolt.PlaneShape(make(new jolt.Plane(make(new jolt.Vec3(...normal)), 0)), null, 2 ** 120),
   };
@@ -58,7 +68,7 @@ serve({
     return shape;
   };
   const at = ({center}) => make(new jolt.RVec3(...center));
-  const upright = ({kind, axis}) => make(new jolt.Quat(...(kind === 'capsule' ? turned(1, axis) : [0, 0, 0, 1])));
+  const upright = (shape) => make(new jolt.Quat(...rotation(shape, 1)));
   const done = (answer) => {
     made.forEach((thing) => jolt.destroy(thing));
     shapes.forEach((shape) => shape.Release());
@@ -66,6 +76,7 @@ serve({
   };
   let [from, to] = [centered(a), centered(b)];
   if (to.kind === 'line') [from, to] = [to, from];
+  if (from.kind === 'triangle') from.kind = 'hull';
   const second = make(new jolt.TransformedShape());
   const shape2 = shaped(to);
   if (!shape2) return done({unsupported: 'a triangle without an inside'});
@@ -83,8 +94,10 @@ serve({
   settings.mMaxSeparationDistance = alarm;
   const collector = make(new jolt.CollideShapeClosestHitCollisionCollector());
   // The shape that is handed over is shape 1 of the result.
-  const place = jolt.RMat44.prototype.sRotationTranslation(upright(from), at(from));
-  second.CollideShape(shaped(from), unit, place, settings, origin, collector, everything);
+  const shape1 = shaped(from);
+  if (!shape1) return done({unsupported: 'a triangle without an inside'});
+  const place = jolt.RMat44.prototype.sRotationTranslation(upright(from), at(from)).PreTranslated(shape1.GetCenterOfMass());
+  second.CollideShape(shape1, unit, place, settings, origin, collector, everything);
   const found = collector.HadHit() ? collector.mHit : null;
   const contact = found && {
     normal: numbers(found.mPenetrationAxis), point1: numbers(found.mContactPointOn1),
