@@ -33,19 +33,19 @@ const shaped = (shape, i) => {
   if (shape.min || shape.extents) return result(havok.HP_Shape_CreateBox([0, 0, 0], upright, centered(shape).size));
   return result(havok.HP_Shape_CreateSphere([0, 0, 0], shape.radius));
 };
+const withBoxes = ['sphere_cube', 'obb_obb', 'sphere_obb', 'capsule_cube', 'capsule_obb', 'cube_obb', 'cube_triangle', 'obb_triangle'];
 const world = result(havok.HP_World_Create());
 const collector = result(havok.HP_QueryCollector_Create(1));
 
 // Each surface has its outward normal, so the second's points to the first. The first's point is in its own coordinates.
 serve({
   engine: {name: 'havok', version: versionOf('@babylonjs/havok')}, scalar: 'binary32', 
-  pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule', 'sphere_triangle', 'obb_obb', 'sphere_obb', 'capsule_cube', 'capsule_obb', 'capsule_triangle',
-    'cube_obb', 'cube_triangle', 'obb_triangle', 'triangle_triangle'],
+  pairs: ['sphere_sphere', 'sphere_capsule', 'capsule_capsule', 'sphere_triangle', 'capsule_triangle', 'triangle_triangle', ...withBoxes],
   conventions: {
     normal: 'second-to-first', points: 'second_only', value_less_contact: false, touching_overlap: 'open',
     touching_contact: 'open', margin: 'exclusive',
   },
-  pair_conventions: {sphere_cube: {shapes: 'centered'}},
+  pair_conventions: Object.fromEntries(withBoxes.map((pair) => [pair, {shapes: 'centered'}])),
 }, ({a, b, alarm}) => {
   const [first, second] = [a, b].map(shaped);
   const body = result(havok.HP_Body_Create());
