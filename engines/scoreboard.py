@@ -25,7 +25,11 @@ PAIRS = {"sphere_sphere": "spheres", "cube_cube": "boxes", "sphere_cube": "a sph
          "sphere_capsule": "a sphere and a capsule", "capsule_capsule": "capsules", "sphere_triangle": "a sphere and a triangle",
          "ray_sphere": "a ray and a sphere", "sphere_plane": "a sphere and a plane", "capsule_plane": "a capsule and a plane",
          "ray_triangle": "a ray and a triangle", "triangle_line": "a triangle and a line",
-         **{f"cast_{shape}": f"a ray cast at a {shape}" for shape in ("sphere", "cube", "capsule", "triangle", "plane")}}
+         **{f"cast_{shape}": f"a ray cast at a {shape}" for shape in ("sphere", "cube", "capsule", "triangle", "plane")},
+         "obb_obb": "rotated boxes", "sphere_obb": "a sphere and a rotated box", "capsule_cube": "a capsule and a box",
+         "capsule_obb": "a capsule and a rotated box", "capsule_triangle": "a capsule and a triangle", "cube_obb": "a box and a rotated box",
+         "cube_triangle": "a box and a triangle", "obb_triangle": "a rotated box and a triangle", "triangle_triangle": "triangles",
+         "cube_plane": "a box and a plane", "obb_plane": "a rotated box and a plane", "triangle_plane": "a triangle and a plane"}
 FIELDS = ("normal", "point1", "point2", "point", "value")
 # What the others are seen beside: this project's own, and the formulas as everybody computes them.
 REFERENCES = ("production", "plain-double", "plain-float")
@@ -219,7 +223,7 @@ class Engine:
         for pair, one in self.line["pairs"].items():
             if LEVELS.index(one["level"]) >= LEVELS.index("decisions"):
                 of.setdefault(one["level"], []).append(f"`{pair}`")
-        if sum(map(len, of.values())) == len(self.line["pairs"]) > len(PAIRS):
+        if sum(map(len, of.values())) == len(self.line["pairs"]) > len(PAIRS) / 2:  # of few pairs the names say more
             return "all"
         return ", ".join(pair for pairs in of.values() for pair in pairs) or "."
 
