@@ -33,15 +33,15 @@ constexpr std::array kAdapters{
     Adapter{"cgal-epick", "CGAL: squared distances and do_intersect with a rounded reach", binary64},
     Adapter{"eigen", "Eigen: AlignedBox3d::intersects, squaredExteriorDistance", binary64},
     Adapter{"rapier", "Rapier: contactShape, intersectsShape", binary32, "@dimforge/rapier3d-compat"},
-    Adapter{"cannon", "cannon-es: the narrow phase of a sphere and another or a box", binary64, "cannon-es"},
+    Adapter{"cannon", "cannon-es: the narrow phase of spheres, boxes, planes and a mesh", binary64, "cannon-es"},
     Adapter{"cannon-aabb", "cannon-es: AABB.overlaps", binary64, "cannon-es"},
     Adapter{"jolt", "Jolt Physics: TransformedShape.CollideShape", binary32, "jolt-physics"},
     Adapter{"physx", "PhysX: PxGjkQuery.proximityInfo", binary32, "physx-js-webidl"},
     Adapter{"havok", "Havok: HP_World_ShapeProximityWithCollector", binary32, "@babylonjs/havok"},
     Adapter{"ammo", "ammo.js (Bullet): contactPairTest", binary32, "ammo.js"},
-    Adapter{"oimo", "oimo: the detectors of a sphere and another or a box", binary64, "oimo"},
+    Adapter{"oimo", "oimo: the detectors of spheres and boxes", binary64, "oimo"},
     Adapter{"mujoco-js", "MuJoCo's WebAssembly: mj_collision on a predefined pair", binary64, "@mujoco/mujoco"},
-    Adapter{"three", "three.js: intersectsSphere, intersectsBox", binary64, "three"},
+    Adapter{"three", "three.js: intersectsSphere, intersectsBox, OBB, Capsule and Octree", binary64, "three"},
 };
 
 namespace fs = std::filesystem;

@@ -223,7 +223,7 @@ class Engine:
         for pair, one in self.line["pairs"].items():
             if LEVELS.index(one["level"]) >= LEVELS.index("decisions"):
                 of.setdefault(one["level"], []).append(f"`{pair}`")
-        if sum(map(len, of.values())) == len(self.line["pairs"]) > len(PAIRS):
+        if sum(map(len, of.values())) == len(self.line["pairs"]) > len(PAIRS) / 2:  # of few pairs the names say more
             return "all"
         return ", ".join(pair for pairs in of.values() for pair in pairs) or "."
 

@@ -16,13 +16,18 @@ export const vector = ([x, y, z]) => ({x, y, z});
 
 /**
  * A shape by its centre, size and direction, a plane by a unit normal, a ray by its ends, and its kind. Nothing is rounded: a
- * declaration with the shapes `centered` keeps away those for which one of these is no number.
+ * declaration with the shapes `centered` keeps away those for which one of these is no number. Only a rotated box is asked by a
+ * unit quaternion, which has been rounded.
  */
-export const centered = ({center, radius, min, max, start, end, vertices, origin, direction, length, normal, offset}) => {
+export const centered = ({center, orientation, extents, radius, min, max, start, end, vertices, origin, direction, length, normal, offset}) => {
+  if (orientation) {
+    const long = Math.hypot(...orientation);
+    return {kind: 'box', center, turn: orientation.map((x) => x / long), half: extents, size: extents.map((x) => 2 * x)};
+  }
   if (vertices) return {kind: 'triangle', center: [0, 0, 0], axis: 2, vertices};
   if (origin) return {kind: 'ray', start: origin, end: origin.map((x, i) => x + length * direction[i]), direction, length};
   if (normal) {
-    const long = Math.max(...normal.map(Math.abs));
+    const long = Math.hypot(...normal);
     const unit = normal.map((x) => x / long);
     return {kind: 'plane', normal: unit, offset: offset / long, center: unit.map((x) => x * (offset / long)),
       axis: unit.findIndex((x) => x !== 0)};
@@ -41,6 +46,20 @@ export const centered = ({center, radius, min, max, start, end, vertices, origin
 
 /** The rotation that takes one axis to another, as a quaternion of exact numbers. */
 export const turned = (from, to) => [[0, 0, 0, 1], [0.5, 0.5, 0.5, 0.5], [-0.5, -0.5, -0.5, 0.5]][(to - from + 3) % 3];
+
+/** The rotation of a shape, as a unit quaternion, for an engine whose capsules lie along one of its axes. */
+export const rotation = ({kind, axis, turn}, along) => (kind === 'capsule' ? turned(along, axis) : turn ?? [0, 0, 0, 1]);
+
+/** The same as a matrix, by rows. Quarter turns are exact: the numbers of a quaternion are divided by the square that they have. */
+export const matrix = (shape, along) => {
+  const [x, y, z, w] = rotation(shape, along);
+  const square = x * x + y * y + z * z + w * w;
+  return [
+    w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y),
+    2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x),
+    2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z,
+  ].map((number) => number / square);
+};
 
 /** The version of an installed package. */
 export const versionOf = (name) =>

@@ -1,5 +1,5 @@
 // MuJoCo's own WebAssembly: mj_collision on one predefined pair of spheres, boxes, capsules and planes.
-import {centered, serve, versionOf} from './loop.mjs';
+import {centered, matrix, serve, versionOf} from './loop.mjs';
 import load from '@mujoco/mujoco';
 
 const mujoco = await load();
@@ -15,18 +15,22 @@ const scenes = {
   sphere_sphere: sceneWith('sphere', 'sphere'), sphere_cube: sceneWith('sphere', 'box'),
   sphere_capsule: sceneWith('sphere', 'capsule'), capsule_capsule: sceneWith('capsule', 'capsule'),
   sphere_plane: sceneWith('sphere', 'plane'), capsule_plane: sceneWith('capsule', 'plane'),
+  sphere_obb: sceneWith('sphere', 'box'), capsule_cube: sceneWith('capsule', 'box'), capsule_obb: sceneWith('capsule', 'box'),
+  cube_obb: sceneWith('box', 'box'), obb_obb: sceneWith('box', 'box'), cube_plane: sceneWith('box', 'plane'), obb_plane: sceneWith('box', 'plane'),
 };
+const onPlane = {normal: 'second-to-first'};
 const mjMAXVAL = 1e10; // beyond it MuJoCo calls a coordinate bad
 
 serve({
   engine: {name: 'mujoco-js', version: versionOf('@mujoco/mujoco')}, scalar: 'binary64', pairs: Object.keys(scenes),
   conventions: {points: 'midpoint', value_less_contact: false, shapes: 'centered', scale: {min: 0, max: mjMAXVAL}},
-  pair_conventions: {sphere_plane: {normal: 'second-to-first'}, capsule_plane: {normal: 'second-to-first'}},
+  pair_conventions: {sphere_plane: onPlane, capsule_plane: onPlane, cube_plane: onPlane, obb_plane: onPlane},
 }, ({pair, a, b, alarm}) => {
   const {model, data} = scenes[pair];
   // Its compiler refuses a box without thickness and a capsule without length; to its collider a size of 0 is no limit.
   const set = (geom, like) => {
-    const {normal, kind, center, radius, half, axis, halfLength} = centered(like);
+    const shape = centered(like);
+    const {normal, kind, center, radius, half, halfLength} = shape;
     if (kind === 'plane') {
       data.geom_xpos.set(center, 3 * geom);
       data.geom_xmat.set(normal.flatMap((x) => [0, 0, x]), 9 * geom);
@@ -35,7 +39,7 @@ serve({
     const sizes = {sphere: [radius], box: half, capsule: [radius, halfLength]}[kind];
     const bounds = {sphere: radius, box: Math.hypot(...(half ?? [])), capsule: radius + halfLength};
     data.geom_xpos.set(center, 3 * geom);
-    data.geom_xmat.set([0, 1, 2].flatMap((row) => [0, 1, 2].map((column) => Number(row === (column + axis + 1) % 3))), 9 * geom);
+    data.geom_xmat.set(matrix(shape, 2), 9 * geom);
     model.geom_size.set(sizes, 3 * geom);
     model.geom_rbound[geom] = bounds[kind];
     return kind === 'sphere' || !(kind === 'box' ? half : [halfLength]).includes(0);
@@ -48,7 +52,7 @@ serve({
   const contacts = data.contact;
   try {
     if (contacts.size() === 0) return {overlap: false, contact: null};
-    // Parallel capsules may have two: the deeper one.
+    // Of several the deepest.
     const all = Array.from({length: contacts.size()}, (_, i) => contacts.get(i));
     const {frame, pos, dist} = all.reduce((deeper, other) => (other.dist < deeper.dist ? other : deeper));
     return {overlap: true, contact: {normal: [...frame].slice(0, 3), point: [...pos], value: dist}};

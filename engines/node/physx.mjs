@@ -1,5 +1,5 @@
 // PhysX: PxGjkQuery.proximityInfo with the alarm distance as its contact distance.
-import {centered, numbers, serve, turned, vector, versionOf} from './loop.mjs';
+import {centered, numbers, rotation, serve, vector, versionOf} from './loop.mjs';
 import {readFileSync} from 'node:fs';
 
 // The module is built for browsers and refuses to load anywhere else.
@@ -13,7 +13,21 @@ delete globalThis.window;
 physx.CreateFoundation(physx.PHYSICS_VERSION, new physx.PxDefaultAllocator(), new physx.PxDefaultErrorCallback());
 const [poseA, poseB] = [0, 1].map(() => new physx.PxTransform(physx.PxIDENTITYEnum.PxIdentity));
 const extents = new physx.PxVec3(1, 1, 1);
+// A triangle is a shape of the user's own, which PhysX knows by its support function.
+const dot = (u, v) => u.x * v.x + u.y * v.y + u.z * v.z;
+const triangle = ({vertices}) => {
+  const corners = vertices.map(vector);
+  return Object.assign(new physx.CustomSupportImpl(), {
+    getCustomMargin: () => 0,
+    getCustomSupportLocal: (direction, result) => {
+      const along = physx.wrapPointer(direction, physx.PxVec3);
+      const {x, y, z} = corners.reduce((best, corner) => (dot(corner, along) > dot(best, along) ? corner : best));
+      Object.assign(physx.wrapPointer(result, physx.PxVec3), {x, y, z});
+    },
+  });
+};
 const shapes = {
+  triangle,
   sphere: ({radius}) => new physx.SphereSupport(radius),
   box: ({half}) => new physx.BoxSupport(Object.assign(extents, vector(half))),
   capsule: ({halfLength, radius}) => new physx.CapsuleSupport(radius, halfLength),
@@ -22,13 +36,14 @@ const typicalLength = new physx.PxTolerancesScale().length;
 const found = new physx.PxGjkQueryProximityInfoResult();
 
 serve({
-  engine: {name: 'physx', version: versionOf('physx-js-webidl')}, scalar: 'binary32', 
-  pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule'],
+  engine: {name: 'physx', version: versionOf('physx-js-webidl')}, scalar: 'binary32',
+  pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule', 'sphere_triangle', 'obb_obb', 'sphere_obb', 'capsule_cube', 'capsule_obb', 'capsule_triangle',
+    'cube_obb', 'cube_triangle', 'obb_triangle', 'triangle_triangle'],
   conventions: {normal: 'second-to-first', value_less_contact: false, shapes: 'centered'},
 }, ({a, b, alarm}) => {
   const [first, second] = [[a, poseA], [b, poseB]].map(([like, pose]) => {
     const shape = centered(like);
-    const [x, y, z, w] = shape.kind === 'capsule' ? turned(0, shape.axis) : [0, 0, 0, 1];
+    const [x, y, z, w] = rotation(shape, 0);
     Object.assign(pose.q, {x, y, z, w});
     Object.assign(pose.p, vector(shape.center));
     return shapes[shape.kind](shape);

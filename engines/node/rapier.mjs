@@ -1,6 +1,6 @@
 // Rapier: Shape.contactShape with the alarm distance as its prediction, and Shape.intersectsShape, which has no margin:
 // with one, shapes overlap where they have a contact. Shape.castRay for rays.
-import {centered, numbers, serve, turned, vector, versionOf} from './loop.mjs';
+import {centered, numbers, rotation, serve, vector, versionOf} from './loop.mjs';
 import rapier from '@dimforge/rapier3d-compat';
 
 await rapier.init();
@@ -11,23 +11,27 @@ const shapes = {
   triangle: ({vertices}) => new rapier.Triangle(...vertices.map(vector)),
   plane: ({normal}) => new rapier.HalfSpace(vector(normal)),
 };
-const upright = ({kind, axis}) => {
-  const [x, y, z, w] = kind === 'capsule' ? turned(1, axis) : [0, 0, 0, 1];
+const upright = (shape) => {
+  const [x, y, z, w] = rotation(shape, 1);
   return {x, y, z, w};
 };
 
 const closed = {touching_contact: 'closed', margin: 'inclusive', shapes: 'centered'};
+const convex = ['obb_obb', 'sphere_obb', 'capsule_cube', 'capsule_obb', 'capsule_triangle', 'cube_obb', 'cube_triangle', 'obb_triangle', 'triangle_triangle', 'cube_plane',
+  'obb_plane', 'triangle_plane'];
 const solid = true; // a ray that begins in a ball hits it there
 
 serve({
-  engine: {name: 'rapier', version: versionOf('@dimforge/rapier3d-compat')}, scalar: 'binary32', 
-  pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule', 'sphere_triangle', 'ray_sphere', 'sphere_plane', 'capsule_plane', 'ray_triangle'],
+  engine: {name: 'rapier', version: versionOf('@dimforge/rapier3d-compat')}, scalar: 'binary32',
+  pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule', 'sphere_triangle', 'ray_sphere', 'sphere_plane', 'capsule_plane', 'ray_triangle',
+    ...convex],
   conventions: {value_less_contact: false, touching_contact: 'open', margin: 'exclusive'},
   pair_conventions: {sphere_cube: closed, sphere_capsule: closed, capsule_capsule: closed, sphere_triangle: closed, sphere_plane: closed, capsule_plane: closed,
     // Where a ray enters a ball is no nearest point.
     ray_sphere: {touching_contact: 'closed', margin: 'none', normal: 'none', points: 'none', value: 'none'},
     // It gives the side that the ray comes from.
     ray_triangle: {normal: 'none', value: 'none'},
+    ...Object.fromEntries(convex.map((pair) => [pair, closed])),
   },
 }, ({a, b, alarm}) => {
   const [from, to] = [centered(a), centered(b)];
