@@ -38,7 +38,7 @@ std::string scale_text(const auto& of) {
 /// A key that is absent stays as it is in `c`.
 Conventions read_conventions(const formats::Node& node, Conventions c = {}) {
   node.allow_only({"normal", "normal_unit", "points", "value", "value_less_contact", "touching_overlap",
-                   "touching_contact", "margin", "coincident", "shapes", "scale"});
+                   "touching_contact", "margin", "coincident", "shapes", "depth", "scale"});
   read_choice(node, "normal", kNormalDirectionNames, c.normal);
   if (const auto unit = node.find("normal_unit")) c.normal_unit = unit->boolean();
   read_choice(node, "points", kPointsNames, c.points);
@@ -49,6 +49,7 @@ Conventions read_conventions(const formats::Node& node, Conventions c = {}) {
   read_choice(node, "margin", kMarginNames, c.margin);
   read_choice(node, "coincident", kCoincidentNames, c.coincident);
   read_choice(node, "shapes", kShapesAsNames, c.shapes);
+  read_choice(node, "depth", kDepthOfNames, c.depth);
   if (const auto scale = node.find("scale")) read_scale(*scale, c);
   return c;
 }
@@ -137,11 +138,11 @@ EngineInfo read_engine_info(const formats::Node& node, std::initializer_list<std
 std::string conventions_text(const Conventions& c) {
   const auto pick = [](const auto& names, auto choice) { return names[static_cast<std::size_t>(choice)]; };
   std::string text = fmt::format(
-      R"({{"normal":"{}","normal_unit":{},"points":"{}","value":"{}","value_less_contact":{},"touching_overlap":"{}","touching_contact":"{}","margin":"{}","coincident":"{}","shapes":"{}")",
+      R"({{"normal":"{}","normal_unit":{},"points":"{}","value":"{}","value_less_contact":{},"touching_overlap":"{}","touching_contact":"{}","margin":"{}","coincident":"{}","shapes":"{}","depth":"{}")",
       pick(kNormalDirectionNames, c.normal), c.normal_unit, pick(kPointsNames, c.points),
       pick(kValueKindNames, c.value), c.value_less_contact, pick(kTouchingNames, c.touching_overlap),
       pick(kTouchingNames, c.touching_contact), pick(kMarginNames, c.margin), pick(kCoincidentNames, c.coincident),
-      pick(kShapesAsNames, c.shapes));
+      pick(kShapesAsNames, c.shapes), pick(kDepthOfNames, c.depth));
   return text + scale_text(c) + "}";
 }
 

@@ -62,6 +62,7 @@ TEST(EngineInfo, EveryConventionSurvivesWritingAndReading) {
     c.coincident = static_cast<Coincident>(i % kCoincidentNames.size());
     c.touching_contact = static_cast<Touching>(i % kTouchingNames.size());
     c.shapes = static_cast<ShapesAs>(i % kShapesAsNames.size());
+    c.depth = static_cast<DepthOf>(i % kDepthOfNames.size());
     EXPECT_TRUE(same()) << kPointsNames[i];
   }
 }
