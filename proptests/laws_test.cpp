@@ -13,6 +13,7 @@
 #include "oracle/judge/off.hpp"
 #include "oracle/judge/right_claim.hpp"
 #include "oracle/truth/clamped.hpp"
+#include "oracle/truth/cores.hpp"
 #include "proptests/run.hpp"
 
 namespace contact::proptests {

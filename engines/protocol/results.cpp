@@ -108,8 +108,8 @@ oracle::Declaration EngineInfo::declared_for(Pair pair) const {
 }
 
 EngineInfo read_engine_info(const formats::Node& node, std::initializer_list<std::string_view> beside) {
-  std::vector<std::string_view> known{"engine",           "scalar", "pairs",  "conventions",
-                                      "pair_conventions", "bounds", "claims", "tolerance"};
+  std::vector<std::string_view> known{"engine", "scalar", "pairs",     "conventions", "pair_conventions",
+                                      "bounds", "claims", "tolerance", "rounds"};
   known.insert(known.end(), beside);
   node.allow_only(known);
   EngineInfo info;
@@ -132,6 +132,11 @@ EngineInfo read_engine_info(const formats::Node& node, std::initializer_list<std
   if (const auto bounds = node.find("bounds")) info.declared.bounds = read_bounds(*bounds);
   if (const auto claims = node.find("claims")) info.declared.claims = read_claims(*claims, info);
   if (const auto tolerance = node.find("tolerance")) info.declared.tolerance = read_tolerance(*tolerance);
+  if (const auto rounds = node.find("rounds"))
+    for (const formats::Node& item : rounds->items()) {
+      static_cast<void>(item.one_of(oracle::kRoundsNames));
+      info.declared.rounds_orientation = true;
+    }
   return info;
 }
 
@@ -158,6 +163,10 @@ std::string pair_conventions_text(const EngineInfo& engine) {
   return text.empty() ? text : fmt::format(R"("pair_conventions":{{{}}},)", text);
 }
 
+std::string rounds_text(const EngineInfo& engine) {
+  return engine.declared.rounds_orientation ? fmt::format(R"(,"rounds":["{}"])", oracle::kRoundsNames[0]) : "";
+}
+
 std::string engine_text(const EngineInfo& engine) {
   std::string pairs;
   for (const Pair pair : engine.pairs) pairs += fmt::format("{}\"{}\"", pairs.empty() ? "" : ",", name(pair));
@@ -168,10 +177,10 @@ std::string engine_text(const EngineInfo& engine) {
   const std::string tolerance =
       engine.declared.tolerance ? fmt::format(R"(,"tolerance":{})", tolerance_object(*engine.declared.tolerance)) : "";
   return fmt::format(
-      R"("engine":{{"name":{},"version":{}}},"scalar":"{}","pairs":[{}],"conventions":{},{}"bounds":{{"value":{},"normal":{},"point":{}}}{}{})",
+      R"("engine":{{"name":{},"version":{}}},"scalar":"{}","pairs":[{}],"conventions":{},{}"bounds":{{"value":{},"normal":{},"point":{}}}{}{}{})",
       formats::json_string(engine.name), formats::json_string(engine.version), name(engine.declared.scalar), pairs,
       conventions_text(engine.declared.conventions), pair_conventions_text(engine), formats::number(b.value),
-      formats::number(b.normal), formats::number(b.point), claims, tolerance);
+      formats::number(b.normal), formats::number(b.point), claims, tolerance, rounds_text(engine));
 }
 
 std::string to_line(const EngineInfo& engine) {

@@ -76,6 +76,15 @@ TEST(EngineInfo, ClaimsSurviveWritingAndReadingAndAreAbsentWhereNotDeclared) {
   EXPECT_EQ(read_back(info).declared.claims, info.declared.claims);
 }
 
+TEST(EngineInfo, WhatIsRoundedSurvivesWritingAndReadingAndIsAbsentWhereNotDeclared) {
+  EngineInfo info;
+  EXPECT_EQ(to_line(info).find("rounds"), std::string::npos);
+  EXPECT_FALSE(read_back(info).declared.rounds_orientation);
+  info.declared.rounds_orientation = true;
+  EXPECT_NE(to_line(info).find(R"("rounds":["orientation"])"), std::string::npos);
+  EXPECT_TRUE(read_back(info).declared.rounds_orientation);
+}
+
 EngineInfo declaring(const std::string& text) {
   const formats::Location where{"here", 1};
   const auto json = formats::parse_object(

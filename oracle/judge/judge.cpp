@@ -128,11 +128,7 @@ class ContactJudge {
     if (!claim_.normal || !claims(Field::normal)) return std::nullopt;
     const Vector3& n = claimed_n_;
     if (!is_finite(n)) return FieldVerdict{Grade::not_finite, 0};
-    if (separation_) {
-      FieldVerdict any = separating_normal(n);
-      any.grade = std::max(any.grade, Grade::bounded);
-      return any;
-    }
+    if (separation_) return unit_normal(n);
     // The reference's direction is one of those that are right, wherever several are, unless none is asked for.
     if (is_reference() && (!degenerate_ || conventions_.coincident != Coincident::zero_normal)) return FieldVerdict{};
     if (degenerate_) return exact().coincident() ? coincident_normal(n) : normal_out(n);
@@ -198,6 +194,16 @@ class ContactJudge {
     const Point n = contact::oracle::point_of(claimed_n_);
     separation_.emplace(std::get<Convexes>(query_.shapes), conventions_.normal_unit ? n : of_length_one(n),
                         Rational(declared_.bounds.normal) * ulp(Rational(1), declared_.scalar));
+  }
+  /// Any normal beside its own direction, where any is right. Domain: it is not 0.
+  [[nodiscard]] FieldVerdict unit_normal(const Vector3& n) const {
+    const Rational length2 = squared_length(n);
+    FieldVerdict verdict{Grade::bounded, 0};
+    if (!conventions_.normal_unit) return verdict;
+    for (int axis = 0; axis < 3; ++axis)
+      verdict = worse(verdict, component(n, axis, {Rational(0), Rational(n[axis]) / length2, length2}));
+    verdict.off = unit_off(contact::oracle::point_of(n), tolerance());
+    return verdict;
   }
   [[nodiscard]] FieldVerdict value_along_claim() const {
     const Rational contact(query_.distances.contact);
@@ -569,7 +575,7 @@ void Off::take_lesser(const Off& other) {
 }
 
 Off Verdict::beyond_last_bit(Measure measure) const {
-  if (measure == Measure::decision) return decision_last_bit ? Off{} : at(measure);
+  if (measure == Measure::decision) return decision_last_bit || decision_rounded ? Off{} : at(measure);
   Off rest;
   bool any = false;
   for (const auto& field : fields)

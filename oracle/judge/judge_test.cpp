@@ -1433,6 +1433,15 @@ TEST(JudgeDepth, of_any_normal_is_measured_by_the_bound_and_by_what_the_bound_of
   };
   EXPECT_EQ(with_value(-1.5 + 72 * 0x1p-52), Level::bounded);
   EXPECT_EQ(with_value(-1.5 + 73 * 0x1p-52), Level::decisions);
+  // 8 ulp(1) for the length of a normal along an axis; of others each component has as much.
+  const auto grade_of = [&](const Vector3& n) {
+    return judged(boxes, normal_of(n), kAnySeparating).at(Field::normal)->grade;
+  };
+  EXPECT_EQ(grade_of({0, 1 + 8 * 0x1p-52, 0}), Grade::bounded);
+  EXPECT_EQ(grade_of({0, 1 + 9 * 0x1p-52, 0}), Grade::beyond_bound);
+  EXPECT_EQ(grade_of({0, 1 - 9 * 0x1p-52, 0}), Grade::beyond_bound);
+  EXPECT_EQ(grade_of(Vector3(0.6, 0.8, 0) * (1 + 9 * 0x1p-52)), Grade::bounded);
+  EXPECT_EQ(grade_of(Vector3(0.6, 0.8, 0) * (1 + 12 * 0x1p-52)), Grade::beyond_bound);
   // 8 ulp(2.5), the largest coordinate
   const auto with_point = [&](const Vector3& n, const Vector3& p1) {
     return level_of(boxes, whole_contact(n, p1, {0.5, -0.5, 0}, -1.5), kAnySeparating);
