@@ -188,7 +188,7 @@ class ContactJudge {
 
   /// The claimed normal of cores that overlap, where any may be said.
   void settle_separation() {
-    if (conventions_.depth != DepthOf::any_separating || !is_convex(query_.pair) || has_plane(query_.pair)) return;
+    if (conventions_.depth != DepthOf::any_separating || !is_convex(query_.pair)) return;
     if (!claim_.normal || !claims(Field::normal) || !is_finite(claimed_n_) || claimed_n_.isZero(0)) return;
     if (!exact().overlaps()) return;
     const Point n = contact::oracle::point_of(claimed_n_);

@@ -1459,6 +1459,9 @@ TEST(JudgeDepth, of_any_normal_is_measured_by_the_bound_and_by_what_the_bound_of
   };
   EXPECT_EQ(point1(0x1p-40, 1), Grade::bounded);
   EXPECT_EQ(point1(0x1p-40, -1), Grade::beyond_bound);
+  // The corner is 2^-47 short, of which the bound of the normal explains 2^-48, and the bound of the point the rest.
+  EXPECT_EQ(point1(0x1p-48, -1), Grade::bounded);
+  EXPECT_EQ(point1(0x1p-47, -1), Grade::beyond_bound);
 }
 
 TEST(JudgeDepth, of_any_normal_goes_with_the_other_conventions) {
@@ -1492,6 +1495,24 @@ TEST(JudgeDepth, of_any_normal_goes_with_the_other_conventions) {
             Level::decisions);
   EXPECT_EQ(level_of(capsule, whole_contact({1, 0, 0}, {0.75, 0, 0}, {-1, 1, 1}, -1.75), kAnySeparating),
             Level::decisions);
+}
+
+TEST(JudgeDepth, of_any_normal_has_the_middle_of_points_on_a_radius) {
+  // As above: from the end of the capsule, (0.75,0,0), to the face x = -1 of the box, y from -0.5 to 1.5.
+  const Query capsule{Pair::capsule_obb,
+                      Convexes{{Capsule{{-0.5, 0, 0}, {0.5, 0, 0}, 0.25}}, {Obb{{0, 0.5, 0}, kNotTurned, {1, 1, 1}}}},
+                      {0, 0}};
+  Declaration declared = kAnySeparating;
+  declared.conventions.points = Points::midpoint;
+  const auto middle = [&](double x, double y) {
+    const Vector3 p(x, y, 0);
+    return level_of(capsule,
+                    contact_of({.normal = Vector3(1, 0, 0), .point1 = {}, .point2 = {}, .point = p, .value = {}}),
+                    declared);
+  };
+  EXPECT_EQ(middle(-0.125, 0.5), Level::bounded);
+  EXPECT_EQ(middle(-0.375, 0.5), Level::decisions);
+  EXPECT_EQ(middle(-0.125, 0.8), Level::decisions);
 }
 
 TEST(JudgeDepth, of_any_normal_says_nothing_where_the_cores_do_not_overlap) {
