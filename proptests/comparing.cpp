@@ -176,6 +176,7 @@ std::optional<std::string> different_decisions(const Case& c, std::size_t i, std
 
 std::optional<std::string> different_numbers(const Case& c, std::size_t i, std::size_t j, const ContactClaim& wanted,
                                              std::initializer_list<Field> fields, int exponent) {
+  if (parts_anywhere(c, i) || parts_anywhere(c, j)) return std::nullopt;
   const bool exactly = c.subject.correctly_rounded;
   const double normal = std::ldexp(1.0, format_of(c.subject.info.declared.scalar).min_exponent);
   for (const Field field : fields) {
@@ -217,6 +218,11 @@ bool coincident(const Case& c, std::size_t i) {
   // Of facets that are as near, or by rounding may seem so, each question may be answered with another.
   return distance != nullptr && distance->overlaps() &&
          (distance->meeting().ways.size() > 1 || !c.subject.correctly_rounded);
+}
+
+bool parts_anywhere(const Case& c, std::size_t i) {
+  return c.subject.info.declared.conventions.depth == DepthOf::any_separating && c.truth(i).has_distance() &&
+         c.truth(i).distance()->overlaps();
 }
 
 Rational unit_of(const Case& c, std::size_t i, Field field) {

@@ -33,6 +33,9 @@ using oracle::Rational;
 /// Whether question i's truth is degenerate: the centres coincide, or one lies in the other shape.
 [[nodiscard]] bool coincident(const Case& c, std::size_t i);
 
+/// Whether the engine may part the shapes of question i along any direction, so that its numbers may jump.
+[[nodiscard]] bool parts_anywhere(const Case& c, std::size_t i);
+
 /// The size of one ulp of a field's scale, the larger of both spheres' for points.
 [[nodiscard]] Rational unit_of(const Case& c, std::size_t i, Field field);
 /// How far question i's number may be off the exact one, in each component: by the tolerance, or by the bound.

@@ -13,6 +13,7 @@
 #include "oracle/judge/off.hpp"
 #include "oracle/judge/right_claim.hpp"
 #include "oracle/truth/clamped.hpp"
+#include "oracle/truth/cores.hpp"
 #include "proptests/run.hpp"
 
 namespace contact::proptests {
@@ -606,6 +607,37 @@ void blur(const Query& query, Claim& claim, const oracle::Declaration& declared,
   Vector3& n = *claim.contact->normal;
   const Vector3 across = n.cross(std::abs(n[0]) < 0.5 ? Vector3::UnitX() : Vector3::UnitY()).normalized();
   n = (n + times * 0.9 * t.angle * across).normalized();
+}
+
+/// Parts two shapes that overlap along the axis, and to the side, that the question's bits choose.
+void part_anywhere(const Query& query, Claim& claim, const oracle::Declaration&) {
+  const oracle::Truth truth = oracle::truth_of(query);
+  if (!claim.contact || !truth.distance()->overlaps()) return;
+  const double side = noise(query, 1) > 0 ? 1 : -1;
+  const Vector3 n = side * Vector3::Unit(noise(query, 0) > 0 ? 0 : 2);
+  const auto farthest = [](const Convex& shape, const Vector3& along) {
+    const auto vertices = oracle::exact_core(shape).vertices;
+    const auto less = [&](const oracle::Point& x, const oracle::Point& y) {
+      return oracle::dot(x, oracle::point_of(along)) < oracle::dot(y, oracle::point_of(along));
+    };
+    const oracle::Point& x = *std::max_element(vertices.begin(), vertices.end(), less);
+    return Vector3(CGAL::to_double(x[0]), CGAL::to_double(x[1]), CGAL::to_double(x[2]));
+  };
+  const auto& shapes = std::get<Convexes>(query.shapes);
+  ContactClaim& contact = *claim.contact;
+  contact.normal = n;
+  contact.point1 = farthest(shapes.a, n);
+  contact.point2 = farthest(shapes.b, -n);
+  contact.value = n.dot(*contact.point2 - *contact.point1) - query.distances.contact;
+}
+
+TEST(Laws, ask_nothing_of_numbers_that_jump_where_any_normal_that_parts_the_shapes_may_be_said) {
+  engines::EngineInfo info = serving({Pair::triangle_triangle});
+  const std::vector<std::string> laws{"swap", "span", "scale", "bounds"};
+  EXPECT_FALSE(asked(std::make_unique<Right>(info, part_anywhere), 20, false, laws).holds());
+  info.declared.conventions.depth = DepthOf::any_separating;
+  const RunResult result = asked(std::make_unique<Right>(info, part_anywhere), 20, false, laws);
+  EXPECT_TRUE(result.holds()) << described(result);
 }
 
 constexpr Tolerance kMicrometre{1e-6, 1e-9, 1e-5, 1e-2, 1e2};

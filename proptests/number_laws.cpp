@@ -215,7 +215,7 @@ Outcome check_near_side(const Case& c) {
 }
 
 Outcome check_span(const Case& c) {
-  if (!has_contact(c, 0)) return Outcome::vacuous();
+  if (!has_contact(c, 0) || parts_anywhere(c, 0)) return Outcome::vacuous();
   const Conventions& declared = c.subject.info.declared.conventions;
   const ContactClaim& claim = *c.contact(0);
   const auto on1 = point_of(declared, c.queries[0], 0);
@@ -247,6 +247,7 @@ namespace {
 /// Whether the value of `low` is at most that of `high`, to the bounds of both unless held to correct rounding.
 Outcome in_order(const Case& c, std::size_t low, std::size_t high, std::string_view by) {
   if (c.contact(low) == nullptr || c.contact(high) == nullptr) return Outcome::vacuous();
+  if (parts_anywhere(c, low) || parts_anywhere(c, high)) return Outcome::vacuous();
   const auto& first = c.contact(low)->value;
   const auto& second = c.contact(high)->value;
   if (!first || !second || std::isnan(*first) || std::isnan(*second)) return Outcome::vacuous();

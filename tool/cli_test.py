@@ -951,6 +951,7 @@ class Results(Case):
         here = f"{path}:{hit + 1}: "
         table = {
             "unknown convention": (header(conventions={"points": "middle"}), f"{path}:1: conventions.points: ", "middle"),
+            "unknown rounding": (header(rounds=["radius"]), f"{path}:1: rounds[0]: ", "orientation"),
             "unknown convention key": (header(conventions={"colour": "red"}), f"{path}:1: conventions.colour: ", "red"),
             "bound above 64": (header(bounds={"value": 65}), f"{path}:1: bounds.value: ", "65"),
             "bound below 1": (header(bounds={"point": 0.5}), f"{path}:1: bounds.point: ", "0.5"),

@@ -529,6 +529,27 @@ class Conditioning(Case):
         printed = self.refuted("certify", path, "--results", results)
         self.assertIn("all numbers, ignoring 1 decision that the last bit of an input would flip: with any tolerance", printed)
 
+    def test_a_decision_within_the_rounding_of_an_orientation_is_told_apart_where_that_is_declared(self):
+        box = {"center": [0, 0, 0], "orientation": [0, 0, 0, 1], "extents": [1, 1, 1]}
+        near = {"pair": "obb_obb", "a": box, "b": {**box, "center": [2 + 1e-14, 0, 0]}, "alarm": 0, "contact": 0}
+        path = self.folder / "d.jsonl"
+        self.holds("annotate", "-", "-o", path, input=text([near]))
+        case = json.loads(path.read_text().splitlines()[1])
+        header = {"format": "contact-oracle/results", "version": 1, "engine": {"name": "test", "version": "1"}, "scalar": "binary64",
+                  "pairs": ["obb_obb"], "claims": ["overlap"]}
+        for rounds, excused in ((["orientation"], 1), ([], 0)):
+            results = self.file("answers.jsonl", [{**header, "rounds": rounds}, {"id": case["id"], "overlap": True}])
+            with self.subTest(rounds):
+                report = self.report(path, "--results", results, code=1)
+                self.assertEqual(report.get("rounds", []), rounds)
+                fitness = report["total"]["fitness"]
+                self.assertEqual((fitness["within_rounding"], fitness["no_worse_than_last_bit"]["decision"]), (excused, 0))
+                self.assertEqual(fitness["needs_beyond_last_bit"]["decision"]["from"] > 0, not excused)
+                self.assertEqual("(within the rounding of an orientation)" in report["failures"][0]["what"], bool(excused))
+                printed = self.refuted("certify", path, "--results", results)
+                line = "all numbers, ignoring 1 decision within the rounding of an orientation: with any tolerance"
+                self.assertEqual(line in printed, bool(excused))
+
     def test_a_normal_of_centres_that_nearly_coincide_is_excused_as_far_as_the_last_bit_turns_it(self):
         near = {"a": {"center": [1, 1, 1], "radius": 1}, "b": {"center": [1 + 2.0**-40, 1, 1], "radius": 1}, "alarm": 0, "contact": 0}
         path = self.folder / "d.jsonl"

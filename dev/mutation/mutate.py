@@ -61,7 +61,7 @@ COMPONENTS = {
                "oracle/truth/exact_truth.hpp", "oracle/truth/expectation.hpp", "oracle/truth/grid.hpp", "oracle/truth/interval.hpp",
                "oracle/truth/interval_casts.cpp", "oracle/truth/interval_casts.hpp", "oracle/truth/interval_convexes.cpp", "oracle/truth/interval_cores.cpp",
                "oracle/truth/interval_cores.hpp", "oracle/truth/interval_crossings.cpp", "oracle/truth/interval_crossings.hpp",
-               "oracle/truth/interval_oracle.cpp", "oracle/truth/query.cpp", "oracle/truth/query.hpp", "oracle/truth/quick_witness.cpp",
+               "oracle/truth/interval_oracle.cpp", "oracle/truth/query.cpp", "oracle/truth/query.hpp", "oracle/truth/quick_witness.cpp", "oracle/truth/separation.cpp",
                "oracle/truth/sphere_cube_double_double.cpp", "oracle/truth/sphere_sphere_double_double.cpp",
                "oracle/truth/sphere_triangle_double_double.cpp", "oracle/truth/staged_oracle.cpp", "oracle/truth/staged_oracle.hpp",
                "oracle/truth/truth.cpp", "oracle/truth/truth.hpp"],

@@ -284,6 +284,9 @@ class Names(Case):
             answers.write_text(json.dumps({**header, "conventions": {key: "nonesuch"}}) + "\n")
             done = run("certify", GOLDEN / "cube_cube" / "flat.jsonl", "--results", answers)
             self.assertIn("expected one of " + ", ".join(schema["enum"]) + ", got", done.stderr)
+        answers.write_text(json.dumps({**header, "rounds": ["nonesuch"]}) + "\n")
+        done = run("certify", GOLDEN / "cube_cube" / "flat.jsonl", "--results", answers)
+        self.assertIn("expected one of " + ", ".join(COMMON["rounds"]["items"]["enum"]) + ", got", done.stderr)
         done = run("certify", GOLDEN / "cube_cube" / "flat.jsonl", "--level", "nonesuch")
         for level in COMMON["level"]["enum"][:-1]:
             self.assertIn(level, done.stderr)
@@ -358,6 +361,7 @@ class Refused(Case):
             "bound too large": (["bounds", "value"], 65), "unknown bound": (["bounds", "point1"], 8),
             "scale without max": (["conventions", "scale"], {"min": 0}), "scalar missing": (["scalar"], None),
         })
+        self.check("results.json", {**header, "rounds": ["orientation"]}, {"unknown rounding": (["rounds", 0], "radius")})
         self.check("results.json", {**header, "tolerance": {"length": 1e-6, "relative": 0, "angle": 1e-3, "scale": {"min": 0, "max": 9}}}, {
             "negative length": (["tolerance", "length"], -1), "more than half a turn": (["tolerance", "angle"], 3.2),
             "unknown measure": (["tolerance", "width"], 1), "infinite": (["tolerance", "relative"], "Infinity"),

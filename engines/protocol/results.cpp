@@ -38,7 +38,7 @@ std::string scale_text(const auto& of) {
 /// A key that is absent stays as it is in `c`.
 Conventions read_conventions(const formats::Node& node, Conventions c = {}) {
   node.allow_only({"normal", "normal_unit", "points", "value", "value_less_contact", "touching_overlap",
-                   "touching_contact", "margin", "coincident", "shapes", "scale"});
+                   "touching_contact", "margin", "coincident", "shapes", "depth", "scale"});
   read_choice(node, "normal", kNormalDirectionNames, c.normal);
   if (const auto unit = node.find("normal_unit")) c.normal_unit = unit->boolean();
   read_choice(node, "points", kPointsNames, c.points);
@@ -49,6 +49,7 @@ Conventions read_conventions(const formats::Node& node, Conventions c = {}) {
   read_choice(node, "margin", kMarginNames, c.margin);
   read_choice(node, "coincident", kCoincidentNames, c.coincident);
   read_choice(node, "shapes", kShapesAsNames, c.shapes);
+  read_choice(node, "depth", kDepthOfNames, c.depth);
   if (const auto scale = node.find("scale")) read_scale(*scale, c);
   return c;
 }
@@ -107,8 +108,8 @@ oracle::Declaration EngineInfo::declared_for(Pair pair) const {
 }
 
 EngineInfo read_engine_info(const formats::Node& node, std::initializer_list<std::string_view> beside) {
-  std::vector<std::string_view> known{"engine",           "scalar", "pairs",  "conventions",
-                                      "pair_conventions", "bounds", "claims", "tolerance"};
+  std::vector<std::string_view> known{"engine", "scalar", "pairs",     "conventions", "pair_conventions",
+                                      "bounds", "claims", "tolerance", "rounds"};
   known.insert(known.end(), beside);
   node.allow_only(known);
   EngineInfo info;
@@ -131,17 +132,22 @@ EngineInfo read_engine_info(const formats::Node& node, std::initializer_list<std
   if (const auto bounds = node.find("bounds")) info.declared.bounds = read_bounds(*bounds);
   if (const auto claims = node.find("claims")) info.declared.claims = read_claims(*claims, info);
   if (const auto tolerance = node.find("tolerance")) info.declared.tolerance = read_tolerance(*tolerance);
+  if (const auto rounds = node.find("rounds"))
+    for (const formats::Node& item : rounds->items()) {
+      static_cast<void>(item.one_of(oracle::kRoundsNames));
+      info.declared.rounds_orientation = true;
+    }
   return info;
 }
 
 std::string conventions_text(const Conventions& c) {
   const auto pick = [](const auto& names, auto choice) { return names[static_cast<std::size_t>(choice)]; };
   std::string text = fmt::format(
-      R"({{"normal":"{}","normal_unit":{},"points":"{}","value":"{}","value_less_contact":{},"touching_overlap":"{}","touching_contact":"{}","margin":"{}","coincident":"{}","shapes":"{}")",
+      R"({{"normal":"{}","normal_unit":{},"points":"{}","value":"{}","value_less_contact":{},"touching_overlap":"{}","touching_contact":"{}","margin":"{}","coincident":"{}","shapes":"{}","depth":"{}")",
       pick(kNormalDirectionNames, c.normal), c.normal_unit, pick(kPointsNames, c.points),
       pick(kValueKindNames, c.value), c.value_less_contact, pick(kTouchingNames, c.touching_overlap),
       pick(kTouchingNames, c.touching_contact), pick(kMarginNames, c.margin), pick(kCoincidentNames, c.coincident),
-      pick(kShapesAsNames, c.shapes));
+      pick(kShapesAsNames, c.shapes), pick(kDepthOfNames, c.depth));
   return text + scale_text(c) + "}";
 }
 
@@ -157,6 +163,10 @@ std::string pair_conventions_text(const EngineInfo& engine) {
   return text.empty() ? text : fmt::format(R"("pair_conventions":{{{}}},)", text);
 }
 
+std::string rounds_text(const EngineInfo& engine) {
+  return engine.declared.rounds_orientation ? fmt::format(R"(,"rounds":["{}"])", oracle::kRoundsNames[0]) : "";
+}
+
 std::string engine_text(const EngineInfo& engine) {
   std::string pairs;
   for (const Pair pair : engine.pairs) pairs += fmt::format("{}\"{}\"", pairs.empty() ? "" : ",", name(pair));
@@ -167,10 +177,10 @@ std::string engine_text(const EngineInfo& engine) {
   const std::string tolerance =
       engine.declared.tolerance ? fmt::format(R"(,"tolerance":{})", tolerance_object(*engine.declared.tolerance)) : "";
   return fmt::format(
-      R"("engine":{{"name":{},"version":{}}},"scalar":"{}","pairs":[{}],"conventions":{},{}"bounds":{{"value":{},"normal":{},"point":{}}}{}{})",
+      R"("engine":{{"name":{},"version":{}}},"scalar":"{}","pairs":[{}],"conventions":{},{}"bounds":{{"value":{},"normal":{},"point":{}}}{}{}{})",
       formats::json_string(engine.name), formats::json_string(engine.version), name(engine.declared.scalar), pairs,
       conventions_text(engine.declared.conventions), pair_conventions_text(engine), formats::number(b.value),
-      formats::number(b.normal), formats::number(b.point), claims, tolerance);
+      formats::number(b.normal), formats::number(b.point), claims, tolerance, rounds_text(engine));
 }
 
 std::string to_line(const EngineInfo& engine) {

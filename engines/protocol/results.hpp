@@ -36,6 +36,8 @@ struct EngineInfo {
 [[nodiscard]] std::string conventions_text(const Conventions& conventions);
 /// "pair_conventions":{...}, or nothing where every pair has the same.
 [[nodiscard]] std::string pair_conventions_text(const EngineInfo& engine);
+/// `,"rounds":["orientation"]` where that is declared, else nothing.
+[[nodiscard]] std::string rounds_text(const EngineInfo& engine);
 /// The same written, without braces, and the header of a results file.
 [[nodiscard]] std::string engine_text(const EngineInfo& engine);
 [[nodiscard]] std::string to_line(const EngineInfo& engine);

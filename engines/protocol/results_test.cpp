@@ -62,6 +62,7 @@ TEST(EngineInfo, EveryConventionSurvivesWritingAndReading) {
     c.coincident = static_cast<Coincident>(i % kCoincidentNames.size());
     c.touching_contact = static_cast<Touching>(i % kTouchingNames.size());
     c.shapes = static_cast<ShapesAs>(i % kShapesAsNames.size());
+    c.depth = static_cast<DepthOf>(i % kDepthOfNames.size());
     EXPECT_TRUE(same()) << kPointsNames[i];
   }
 }
@@ -73,6 +74,15 @@ TEST(EngineInfo, ClaimsSurviveWritingAndReadingAndAreAbsentWhereNotDeclared) {
   info.declared.claims = Aspects{Aspect::overlap, Aspect::contact, Aspect::value};
   EXPECT_NE(to_line(info).find(R"("claims":["overlap","contact","value"])"), std::string::npos);
   EXPECT_EQ(read_back(info).declared.claims, info.declared.claims);
+}
+
+TEST(EngineInfo, WhatIsRoundedSurvivesWritingAndReadingAndIsAbsentWhereNotDeclared) {
+  EngineInfo info;
+  EXPECT_EQ(to_line(info).find("rounds"), std::string::npos);
+  EXPECT_FALSE(read_back(info).declared.rounds_orientation);
+  info.declared.rounds_orientation = true;
+  EXPECT_NE(to_line(info).find(R"("rounds":["orientation"])"), std::string::npos);
+  EXPECT_TRUE(read_back(info).declared.rounds_orientation);
 }
 
 EngineInfo declaring(const std::string& text) {

@@ -92,6 +92,7 @@ int32_t contact_engine_interface(void);
 /* What the engine declares, as the hello message of the protocol without "op" and "protocol":
    {"engine":{"name":"mine","version":"1"},"scalar":"binary64","pairs":["sphere_sphere"]}
    "claims":["overlap","contact","value"] in it says which fields the engine gives; without it, all of its conventions.
+   "rounds":["orientation"] says that the library makes a matrix or a unit quaternion of a rotated box's orientation.
  */
 const char* contact_engine_declaration(void);
 

@@ -273,6 +273,8 @@ std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, c
           &Conventions::normal);
     attempt("normal_unit", "false", [](Conventions& c) { c.normal_unit = false; });
   }
+  const bool numbers = directions || points || is_wrong(verdict.at(Field::value));
+  if (is_convex(query.pair) && numbers) every("depth", kDepthOfNames, &Conventions::depth);
   const Aspects said = claim.says();
   const bool missing_points = !verdict.missing.common(kPointAspects).empty();
   if (points || (missing_points && !said.common(kPointAspects).empty()))

@@ -192,6 +192,25 @@ bool last_bit_decides(const Query& query, const Truth& truth, const Declaration&
   return decides || (here && inside_domain(all) && hit(all, truth_of(all)) != is_hit);
 }
 
+double orientation_rounding(const Obb& box, Scalar scalar) {
+  return kOrientationRoundings * std::ldexp(box.extents.stableNorm(), -format_of(scalar).precision);
+}
+
+bool rounding_decides(const Query& query, const Truth& truth, const Declaration& declared) {
+  const DefaultEnvironment environment;
+  if (!declared.rounds_orientation || !truth.has_distance()) return false;
+  double moved = 0;
+  bool is_turned = false;
+  for_each_shape(query, [&]<class Shape>(const Shape& shape) {
+    if constexpr (std::same_as<Shape, Obb>) {
+      is_turned = true;
+      moved += orientation_rounding(shape, declared.scalar);
+    }
+  });
+  const bool by_alarm = declared.conventions.margin != Margin::none;
+  return is_turned && decision_off(query, truth, by_alarm, std::nullopt).most <= moved;
+}
+
 void mark_last_bit(const Query& query, const Truth& truth, const Declaration& declared, Verdict& verdict) {
   const auto is_off = [](const auto& field) { return field && field->grade == Grade::beyond_bound; };
   if (std::any_of(verdict.fields.begin(), verdict.fields.end(), is_off)) {
@@ -200,7 +219,9 @@ void mark_last_bit(const Query& query, const Truth& truth, const Declaration& de
       if (auto& f = verdict.fields[static_cast<std::size_t>(field)]; is_off(f))
         f->last_bit = f->off.most <= bit.at(field);
   }
-  if (verdict.missed_hit() || verdict.false_hit()) verdict.decision_last_bit = last_bit_decides(query, truth, declared);
+  if (!verdict.missed_hit() && !verdict.false_hit()) return;
+  verdict.decision_last_bit = last_bit_decides(query, truth, declared);
+  verdict.decision_rounded = !verdict.decision_last_bit && rounding_decides(query, truth, declared);
 }
 
 }  // namespace contact::oracle

@@ -23,7 +23,24 @@ struct LastBit {
 /// move the distance most, one by one for a pair without a distance.
 [[nodiscard]] bool last_bit_decides(const Query& query, const Truth& truth, const Declaration& declared);
 
-/// Marks what is wrong in a verdict and no worse than the inputs' last bit.
+/// How far the rounding of an orientation, to a unit quaternion or a matrix of the scalar, moves any point of a rotated
+/// box at most: so many u = 2^-p times the distance of a corner from the centre.
+/// A unit quaternion q = (r, w): the sum of squares is off by 4u of itself, its root by 2u + u, the quotient by u more.
+/// So each component is off by at most 4u of itself, and all four by a vector d with |d| <= 4u. The engine makes
+/// R = 1 + 2 w [r] + 2 [r]^2 of it, off by 2 dw [r] + 2 w [dr] + 2 ([dr][r] + [r][dr]), of norm
+/// <= 2 (|dw||r| + |w||dr|) + 4 |dr||r| <= 2 |d| + 4 |d| = 24u. It rounds the entries 1 - 2 (y^2 + z^2) by at most
+/// 4u + u, as y^2 + z^2 <= 1, and 2 (x y - w z) by 2u, as |x y| + |w z| <= 1/2: a matrix of norm
+/// <= sqrt(3 * 25 + 6 * 4) u < 10u. Together < 34u.
+/// A matrix: each entry is a sum of products over |q|^2, off by 4u |q|^2 in the sum, 4u of itself by |q|^2 and u by the
+/// quotient: <= 9u, a matrix of norm <= 27u.
+/// The larger of the two, rounded up for what is of second order in u and for the length |v| that is rounded here.
+inline constexpr double kOrientationRoundings = 40;
+[[nodiscard]] double orientation_rounding(const Obb& box, Scalar scalar);
+
+/// Whether the rounding of orientations that is declared may turn a wrong decision: it moves two shapes, and so their distance or depth, by no more than the sum of both.
+[[nodiscard]] bool rounding_decides(const Query& query, const Truth& truth, const Declaration& declared);
+
+/// Marks what is wrong in a verdict and no worse than the inputs' last bit, or than the rounding of an orientation.
 void mark_last_bit(const Query& query, const Truth& truth, const Declaration& declared, Verdict& verdict);
 
 }  // namespace contact::oracle

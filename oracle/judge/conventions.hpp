@@ -16,6 +16,7 @@ enum class Touching { closed, open };
 enum class Margin { inclusive, exclusive, none };
 enum class Coincident { any_unit_normal, zero_normal, no_contact };
 enum class ShapesAs { given, centered };
+enum class DepthOf { least, any_separating };
 
 // The names of the values, in the order of the enumerations: the one list for files, help and documentation.
 inline constexpr std::array<std::string_view, 3> kNormalDirectionNames{"first-to-second", "second-to-first", "none"};
@@ -26,6 +27,7 @@ inline constexpr std::array<std::string_view, 2> kTouchingNames{"closed", "open"
 inline constexpr std::array<std::string_view, 3> kMarginNames{"inclusive", "exclusive", "none"};
 inline constexpr std::array<std::string_view, 3> kCoincidentNames{"any_unit_normal", "zero_normal", "no_contact"};
 inline constexpr std::array<std::string_view, 2> kShapesAsNames{"given", "centered"};
+inline constexpr std::array<std::string_view, 2> kDepthOfNames{"least", "any_separating"};
 
 struct Conventions {
   NormalDirection normal = NormalDirection::first_to_second;
@@ -38,6 +40,7 @@ struct Conventions {
   Margin margin = Margin::inclusive;             ///< equality at alarm > 0; none: alarm is not looked at
   Coincident coincident = Coincident::any_unit_normal;
   ShapesAs shapes = ShapesAs::given;  ///< centered: by centre, direction, size and ends; not_served
+  DepthOf depth = DepthOf::least;     ///< any_separating: of two convex shapes that overlap, along the claimed normal
   double scale_min = 0;  ///< every non-zero |input| that the engine claims to serve lies in [scale_min, scale_max]
   double scale_max = std::numeric_limits<double>::infinity();
 

@@ -10,6 +10,7 @@
 #include "oracle/judge/right_claim.hpp"
 #include "oracle/truth/default_environment.hpp"
 #include "oracle/truth/exact_truth.hpp"
+#include "oracle/truth/separation.hpp"
 
 namespace contact::oracle {
 namespace {
@@ -67,6 +68,7 @@ class ContactJudge {
     // What the claim says of n, first to second, for points where the centres coincide.
     if (claim.normal)
       claimed_n_ = conventions_.normal == NormalDirection::first_to_second ? *claim.normal : -*claim.normal;
+    settle_separation();
   }
 
   using Fields = decltype(Verdict::fields);
@@ -75,7 +77,9 @@ class ContactJudge {
   /// have taken any: the best one counts.
   [[nodiscard]] Fields fields() {
     Fields best = fields_by_way();
-    if (degenerate_ || is_cast(query_.pair) || worst_of(best) == std::pair(Grade::correctly_rounded, 0.0)) return best;
+    if (separation_ || degenerate_ || is_cast(query_.pair) ||
+        worst_of(best) == std::pair(Grade::correctly_rounded, 0.0))
+      return best;
     const DistanceTruth& reference = exact();
     if (!reference.overlaps()) return best;
     rounded_ = nullptr;
@@ -103,7 +107,7 @@ class ContactJudge {
       auto& found = all[static_cast<std::size_t>(field)];
       if (!found || found->grade == Grade::correctly_rounded || found->grade == Grade::not_finite) continue;
       found->needs[static_cast<std::size_t>(measure_of(field))] = found->off;
-      if (found->grade != Grade::beyond_bound || field == Field::value) continue;
+      if (found->grade != Grade::beyond_bound || field == Field::value || separation_) continue;
       if (is_cast(query_.pair)) {
         if (const auto length = beside_face(); length && field == Field::normal) take_length(*found, *length);
         continue;
@@ -124,6 +128,7 @@ class ContactJudge {
     if (!claim_.normal || !claims(Field::normal)) return std::nullopt;
     const Vector3& n = claimed_n_;
     if (!is_finite(n)) return FieldVerdict{Grade::not_finite, 0};
+    if (separation_) return unit_normal(n);
     // The reference's direction is one of those that are right, wherever several are, unless none is asked for.
     if (is_reference() && (!degenerate_ || conventions_.coincident != Coincident::zero_normal)) return FieldVerdict{};
     if (degenerate_) return exact().coincident() ? coincident_normal(n) : normal_out(n);
@@ -140,6 +145,12 @@ class ContactJudge {
     const std::optional<PointOn> on = point_of(conventions_, query_, sphere);
     if (!p || !on || !claims(sphere == 0 ? Field::point1 : Field::point2)) return std::nullopt;
     if (degenerate_ && *on != PointOn::center && !knows_coincident_normal()) return std::nullopt;
+    if (separation_ && is_finite(*p)) {
+      const Rational radius = outward(sphere, *on) * exact().radius(sphere);
+      const Point of_core = contact::oracle::point_of(*p) - radius * separation_->along();
+      return bounded_at_best(root(separation_->squared_off(sphere, of_core)), exact().point_scale(sphere),
+                             declared_.bounds.point, roundings() * exact().radius(sphere));
+    }
     if (rounded_ != nullptr && (!degenerate_ || is_reference()) && *on == PointOn::nearest_surface &&
         *p == (sphere == 0 ? rounded_->point1 : rounded_->point2))
       return FieldVerdict{};
@@ -152,12 +163,19 @@ class ContactJudge {
     if (!claim_.point || conventions_.points != Points::midpoint || !claims(Field::point)) return std::nullopt;
     if (degenerate_ && !knows_coincident_normal()) return std::nullopt;
     const Exact scale = larger_of(exact().point_scale(0), exact().point_scale(1));
+    if (separation_ && is_finite(*claim_.point)) {
+      const Rational half = (exact().radius(0) - exact().radius(1)) / Rational(2);
+      const Point of_cores = contact::oracle::point_of(*claim_.point) - half * separation_->along();
+      return bounded_at_best(root(separation_->squared_off_middle(of_cores)), scale, declared_.bounds.point,
+                             roundings() * exact().radii());
+    }
     return grade_point(*claim_.point, scale, exact().radii() / Rational(2),
                        [&](int axis) { return degenerate_ ? coincident_midpoint(axis) : exact().midpoint(axis); });
   }
 
   [[nodiscard]] std::optional<FieldVerdict> value() const {
     if (!claim_.value || conventions_.value == ValueKind::none || !claims(Field::value)) return std::nullopt;
+    if (separation_ && std::isfinite(*claim_.value)) return value_along_claim();
     if (rounded_ != nullptr &&
         ((conventions_.value == ValueKind::signed_distance && conventions_.value_less_contact) ||
          is_cast(query_.pair)) &&
@@ -167,6 +185,43 @@ class ContactJudge {
     if (conventions_.value == ValueKind::depth && !is_cast(query_.pair)) x = x.scaled(Rational(-1));
     return grade(*claim_.value, x, {declared_.scalar, exact().value_scale(), declared_.bounds.value, tolerance()});
   }
+
+  /// The claimed normal of cores that overlap, where any may be said.
+  void settle_separation() {
+    if (conventions_.depth != DepthOf::any_separating || !is_convex(query_.pair)) return;
+    if (!claim_.normal || !claims(Field::normal) || !is_finite(claimed_n_) || claimed_n_.isZero(0)) return;
+    if (!exact().overlaps()) return;
+    const Point n = contact::oracle::point_of(claimed_n_);
+    separation_.emplace(std::get<Convexes>(query_.shapes), conventions_.normal_unit ? n : of_length_one(n),
+                        Rational(declared_.bounds.normal) * ulp(Rational(1), declared_.scalar));
+  }
+  /// Any normal beside its own direction, where any is right. Domain: it is not 0.
+  [[nodiscard]] FieldVerdict unit_normal(const Vector3& n) const {
+    const Rational length2 = squared_length(n);
+    FieldVerdict verdict{Grade::bounded, 0};
+    if (!conventions_.normal_unit) return verdict;
+    for (int axis = 0; axis < 3; ++axis)
+      verdict = worse(verdict, component(n, axis, {Rational(0), Rational(n[axis]) / length2, length2}));
+    verdict.off = unit_off(contact::oracle::point_of(n), tolerance());
+    return verdict;
+  }
+  [[nodiscard]] FieldVerdict value_along_claim() const {
+    const Rational contact(query_.distances.contact);
+    const Rational less = exact().radii() + (conventions_.value_less_contact ? contact : Rational(0));
+    const Rational claimed(*claim_.value);
+    const Rational depth = (conventions_.value == ValueKind::depth ? claimed : Rational(-claimed)) - less;
+    return bounded_at_best(magnitude(separation_->depth().plus(-depth)),
+                           larger_of(std::max(exact().radii(), contact), separation_->depth()), declared_.bounds.value,
+                           separation_->depth_room());
+  }
+  /// The grade of what is so far off something right, which nobody asks to be rounded correctly.
+  [[nodiscard]] FieldVerdict bounded_at_best(const Exact& off, const Exact& scale, double bound,
+                                             const Rational& room) const {
+    const Rational unit = ulp(scale, declared_.scalar);
+    return {is_within(Rational(0), off, Rational(bound) * unit + room) ? Grade::bounded : Grade::beyond_bound,
+            error_in_units(Rational(0), off, unit), length_off(off, scale, tolerance(), room)};
+  }
+  static Exact root(const Rational& squared) { return {Rational(0), Rational(1), squared}; }
 
   [[nodiscard]] const DistanceTruth& exact() const {
     if (other_way_) return *other_way_;
@@ -355,6 +410,7 @@ class ContactJudge {
   }
 
   std::optional<DistanceTruth> other_way_ = {};  // before what asks exact()
+  std::optional<Separation> separation_ = {};    ///< along the claimed normal, where any is right
   const Query& query_;
   const Truth& whole_;
   bool contact_expected_;
@@ -519,7 +575,7 @@ void Off::take_lesser(const Off& other) {
 }
 
 Off Verdict::beyond_last_bit(Measure measure) const {
-  if (measure == Measure::decision) return decision_last_bit ? Off{} : at(measure);
+  if (measure == Measure::decision) return decision_last_bit || decision_rounded ? Off{} : at(measure);
   Off rest;
   bool any = false;
   for (const auto& field : fields)

@@ -1384,5 +1384,171 @@ TEST(Judge, a_point_of_a_polygon_is_right) {
             0.25 * 0x1p51);
 }
 
+// They overlap by 0.5 along x, by 1.5 along y and by 2 along z.
+Query overlapping_boxes() {
+  return boxes_turned({{0, 0, 0}, kNotTurned, {1, 1, 1}}, {{1.5, 0.5, 0}, kNotTurned, {1, 1, 1}});
+}
+Claim whole_contact(const Vector3& n, const Vector3& p1, const Vector3& p2, double value) {
+  return contact_of({.normal = n, .point1 = p1, .point2 = p2, .point = {}, .value = value});
+}
+const Declaration kAnySeparating = with([](Conventions& c) { c.depth = DepthOf::any_separating; });
+
+TEST(JudgeDepth, of_any_normal_that_parts_the_shapes_is_right_where_so_declared_and_bounded_at_best) {
+  const Query boxes = overlapping_boxes();
+  struct {
+    Vector3 n, p1, p2;
+    double value;
+  } const ways[]{{{1, 0, 0}, {1, 0.25, 0}, {0.5, 0.25, 0}, -0.5},
+                 {{0, 1, 0}, {-1, 1, 1}, {2.5, -0.5, 0}, -1.5},  // points that do not face each other
+                 {{-1, 0, 0}, {-1, 0, 0}, {2.5, 0, 0}, -3.5},
+                 {{0.6, 0.8, 0}, {1, 1, 0.5}, {0.5, -0.5, -0.5}, -1.5}};
+  for (const auto& [n, p1, p2, value] : ways) {
+    EXPECT_EQ(level_of(boxes, whole_contact(n, p1, p2, value), kAnySeparating), Level::bounded) << n.transpose();
+    EXPECT_EQ(level_of(boxes, whole_contact(n, p1, p2, value)), n[0] == 1 ? Level::correctly_rounded : Level::decisions)
+        << n.transpose();
+  }
+  const auto wrong = [&](Field field, const Claim& claim, const Declaration& declared = kAnySeparating) {
+    const Verdict verdict = judged(boxes, claim, declared);
+    for (const Field other : kFields)
+      EXPECT_EQ(verdict.at(other) && verdict.at(other)->grade > Grade::bounded, other == field) << name(other);
+  };
+  wrong(Field::value, whole_contact({0, 1, 0}, {0, 1, 0}, {1, -0.5, 0}, -0.5));
+  wrong(Field::value, whole_contact({0, 1, 0}, {0, 1, 0}, {1, -0.5, 0}, -1.6));
+  wrong(Field::point1, whole_contact({0, 1, 0}, {0, 0.5, 0}, {1, -0.5, 0}, -1.5));
+  wrong(Field::point1, whole_contact({0, 1, 0}, {1.5, 1, 0}, {1, -0.5, 0}, -1.5));
+  wrong(Field::point2, whole_contact({0, 1, 0}, {0, 1, 0}, {1, 1.5, 0}, -1.5));
+  wrong(Field::normal, whole_contact({0, 1.01, 0}, {0, 1, 0}, {1, -0.5, 0}, -1.5));
+  wrong(Field::normal, whole_contact({0, 0, 0}, {1, 0.25, 0}, {0.5, 0.25, 0}, -0.5));
+  // Who claims no normal says nothing of another direction.
+  wrong(Field::value, value_of(-1.5));
+  EXPECT_EQ(level_of(boxes, value_of(-0.5), kAnySeparating), Level::correctly_rounded);
+}
+
+TEST(JudgeDepth, of_any_normal_is_measured_by_the_bound_and_by_what_the_bound_of_the_normal_changes) {
+  const Query boxes = overlapping_boxes();
+  // Corners are at most 3.5 + 2.5 + 2 = 8 apart: the value may be off by 8 ulp(1.5), and by 8 ulp(1) in each component of
+  // the normal times that, 72 * 2^-52.
+  const auto with_value = [&](double value) {
+    return level_of(boxes, whole_contact({0, 1, 0}, {0, 1, 0}, {1, -0.5, 0}, value), kAnySeparating);
+  };
+  EXPECT_EQ(with_value(-1.5 + 72 * 0x1p-52), Level::bounded);
+  EXPECT_EQ(with_value(-1.5 + 73 * 0x1p-52), Level::decisions);
+  // 8 ulp(1) for the length of a normal along an axis; of others each component has as much.
+  const auto grade_of = [&](const Vector3& n) {
+    return judged(boxes, normal_of(n), kAnySeparating).at(Field::normal)->grade;
+  };
+  EXPECT_EQ(grade_of({0, 1 + 8 * 0x1p-52, 0}), Grade::bounded);
+  EXPECT_EQ(grade_of({0, 1 + 9 * 0x1p-52, 0}), Grade::beyond_bound);
+  EXPECT_EQ(grade_of({0, 1 - 9 * 0x1p-52, 0}), Grade::beyond_bound);
+  EXPECT_EQ(grade_of(Vector3(0.6, 0.8, 0) * (1 + 9 * 0x1p-52)), Grade::bounded);
+  EXPECT_EQ(grade_of(Vector3(0.6, 0.8, 0) * (1 + 12 * 0x1p-52)), Grade::beyond_bound);
+  // 8 ulp(2.5), the largest coordinate
+  const auto with_point = [&](const Vector3& n, const Vector3& p1) {
+    return level_of(boxes, whole_contact(n, p1, {0.5, -0.5, 0}, -1.5), kAnySeparating);
+  };
+  EXPECT_EQ(with_point({0, 1, 0}, {0, 1 + 0x1p-48, 0}), Level::bounded);
+  EXPECT_EQ(with_point({0, 1, 0}, {0, above(1 + 0x1p-48), 0}), Level::decisions);
+  // A normal that may have been that of the face: 2^-49 is its bound. One that is surely another has an edge.
+  EXPECT_EQ(with_point({0x1p-49, 1, 0}, {-1, 1, 0}), Level::bounded);
+  EXPECT_EQ(with_point({0x1p-47, 1, 0}, {1, 1, 0}), Level::bounded);
+  EXPECT_EQ(with_point({0x1p-40, 1, 0}, {1, 1, 0}), Level::decisions) << "its depth is more by 2^-41";
+  const auto point1 = [&](double turned, double x) {
+    return judged(boxes, normal_and_points({turned, 1, 0}, {x, 1, 0}, {0.5, -0.5, 0}), kAnySeparating)
+        .at(Field::point1)
+        ->grade;
+  };
+  EXPECT_EQ(point1(0x1p-40, 1), Grade::bounded);
+  EXPECT_EQ(point1(0x1p-40, -1), Grade::beyond_bound);
+  // The corner is 2^-47 short, of which the bound of the normal explains 2^-48, and the bound of the point the rest.
+  EXPECT_EQ(point1(0x1p-48, -1), Grade::bounded);
+  EXPECT_EQ(point1(0x1p-47, -1), Grade::beyond_bound);
+}
+
+TEST(JudgeDepth, of_any_normal_goes_with_the_other_conventions) {
+  const Query boxes = overlapping_boxes();
+  Declaration declared = kAnySeparating;
+  declared.conventions.normal = NormalDirection::second_to_first;
+  declared.conventions.value = ValueKind::depth;
+  EXPECT_EQ(level_of(boxes, whole_contact({0, -1, 0}, {0, 1, 0}, {1, -0.5, 0}, 1.5), declared), Level::bounded);
+  EXPECT_EQ(level_of(boxes, whole_contact({0, -1, 0}, {0, 1, 0}, {1, -0.5, 0}, -1.5), declared), Level::decisions);
+  declared = kAnySeparating;
+  declared.conventions.normal_unit = false;
+  EXPECT_EQ(level_of(boxes, whole_contact({0, 3, 0}, {0, 1, 0}, {1, -0.5, 0}, -1.5), declared), Level::bounded);
+  // The middle of any two: x from (-1 + 0.5) / 2 to (1 + 2.5) / 2.
+  declared = kAnySeparating;
+  declared.conventions.points = Points::midpoint;
+  const auto middle = [&](const Vector3& p) {
+    return level_of(
+        boxes, contact_of({.normal = Vector3(0, 1, 0), .point1 = {}, .point2 = {}, .point = p, .value = {}}), declared);
+  };
+  EXPECT_EQ(middle({1.75, 0.25, 1}), Level::bounded);
+  EXPECT_EQ(middle({-0.25, 0.25, -1}), Level::bounded);
+  EXPECT_EQ(middle({1.8, 0.25, 0}), Level::decisions);
+  EXPECT_EQ(middle({0.5, 0.3, 0}), Level::decisions);
+  // An axis within a box, blown up by 0.25, and a contact distance.
+  const Query capsule{Pair::capsule_obb,
+                      Convexes{{Capsule{{-0.5, 0, 0}, {0.5, 0, 0}, 0.25}}, {Obb{{0, 0.5, 0}, kNotTurned, {1, 1, 1}}}},
+                      {0, 0.125}};
+  EXPECT_EQ(level_of(capsule, whole_contact({1, 0, 0}, {0.75, 0, 0}, {-1, 1, 1}, -1.875), kAnySeparating),
+            Level::bounded);
+  EXPECT_EQ(level_of(capsule, whole_contact({1, 0, 0}, {0.5, 0, 0}, {-1, 1, 1}, -1.875), kAnySeparating),
+            Level::decisions);
+  EXPECT_EQ(level_of(capsule, whole_contact({1, 0, 0}, {0.75, 0, 0}, {-1, 1, 1}, -1.75), kAnySeparating),
+            Level::decisions);
+}
+
+TEST(JudgeDepth, of_any_normal_has_the_middle_of_points_on_a_radius) {
+  // As above: from the end of the capsule, (0.75,0,0), to the face x = -1 of the box, y from -0.5 to 1.5.
+  const Query capsule{Pair::capsule_obb,
+                      Convexes{{Capsule{{-0.5, 0, 0}, {0.5, 0, 0}, 0.25}}, {Obb{{0, 0.5, 0}, kNotTurned, {1, 1, 1}}}},
+                      {0, 0}};
+  Declaration declared = kAnySeparating;
+  declared.conventions.points = Points::midpoint;
+  const auto middle = [&](double x, double y) {
+    const Vector3 p(x, y, 0);
+    return level_of(capsule,
+                    contact_of({.normal = Vector3(1, 0, 0), .point1 = {}, .point2 = {}, .point = p, .value = {}}),
+                    declared);
+  };
+  EXPECT_EQ(middle(-0.125, 0.5), Level::bounded);
+  EXPECT_EQ(middle(-0.375, 0.5), Level::decisions);
+  EXPECT_EQ(middle(-0.125, 0.8), Level::decisions);
+}
+
+TEST(JudgeDepth, of_any_normal_says_nothing_where_the_cores_do_not_overlap) {
+  // Faces that touch, and such that are half a unit apart.
+  for (const double x : {2.0, 2.5}) {
+    Query boxes = boxes_turned({{0, 0, 0}, kNotTurned, {1, 1, 1}}, {{x, 0, 0}, kNotTurned, {1, 1, 1}});
+    boxes.distances.alarm = 1;
+    const double y = 0.25;
+    EXPECT_EQ(level_of(boxes, whole_contact({1, 0, 0}, {1, y, 0}, {x - 1, y, 0}, x - 2), kAnySeparating),
+              Level::correctly_rounded);
+    EXPECT_EQ(level_of(boxes, normal_of({0, 1, 0}), kAnySeparating), Level::decisions);
+    EXPECT_EQ(level_of(boxes, normal_of({1, 0, 0}), kAnySeparating), Level::correctly_rounded);
+  }
+}
+
+TEST(JudgeDepth, of_the_shortest_way_is_that_of_a_normal_too) {
+  Query boxes =
+      boxes_turned({{0, 0, 0}, kNotTurned, {1, 1, 1}}, {{1.2, 0.1, 0.3}, {0.1, 0.2, 0.3, 0.9}, {1, 0.5, 0.7}});
+  for (const Vector3& c : {Vector3(1.2, 0.1, 0.3), Vector3(0.7, 1.1, -0.4), Vector3(1, 1, 1), Vector3(1e3, 0, 0)})
+    for (const Scalar scalar : kScalars)
+      for (const Points points : {Points::nearest_surface, Points::midpoint}) {
+        std::get<Obb>(std::get<Convexes>(boxes.shapes).b.shape).center = c - Vector3(c[0] > 2 ? 998.9 : 0, 0, 0);
+        Declaration declared = with_points(points);
+        declared.scalar = scalar;
+        const Claim right = right_claim(boxes, truth_of(boxes), declared);
+        declared.conventions.depth = DepthOf::any_separating;
+        EXPECT_EQ(level_of(boxes, right, declared), Level::bounded) << c.transpose() << name(scalar);
+      }
+}
+
+TEST(JudgeConventions, an_answer_that_parts_the_shapes_along_another_face_is_explained) {
+  const Claim other = whole_contact({0, 1, 0}, {0, 1, 0}, {1, -0.5, 0}, -1.5);
+  for (const char* field : {"normal", "point1", "point2", "value"})
+    EXPECT_TRUE(says(explained(overlapping_boxes(), other), field, "depth", "any_separating")) << field;
+  EXPECT_TRUE(explained(overlapping_boxes(), other, kAnySeparating).empty());
+}
+
 }  // namespace
 }  // namespace contact::oracle

@@ -11,15 +11,8 @@
 namespace contact::oracle {
 namespace {
 
-constexpr int kUnitBits = 200;  // of a normal that is made one of length 1
-
 std::size_t place(int shape) { return static_cast<std::size_t>(shape); }
 Rational squared(const Point& v) { return dot(v, v); }
-
-Point unit(const Point& n) {
-  const Rational n2 = squared(n);
-  return Exact(Rational(0), Rational(1) / n2, n2).enclosure(kUnitBits).low * n;
-}
 
 // ---- cores ----
 
@@ -66,6 +59,12 @@ std::vector<Point> crossing_ends(const Query& query) {
 }
 
 }  // namespace
+
+Point of_length_one(const Point& n) {
+  constexpr int kBits = 200;
+  const Rational n2 = squared(n);
+  return Exact(Rational(0), Rational(1) / n2, n2).enclosure(kBits).low * n;
+}
 
 NearOptimal::NearOptimal(const Query& query, const DistanceTruth& truth, const ClaimedContact& claim,
                          const std::optional<Tolerance>& tolerance, Scalar scalar)
@@ -177,8 +176,9 @@ Off NearOptimal::normal() const {
                                                           : beyond_lengths(tolerance_);
   Off off = positions_turn(n);
   for (const int shape : {0, 1})
-    if (claim_.points[place(shape)] && !CGAL::is_zero(truth_.radius(shape))) off.merge(goes_with(shape, unit(n)));
-  if (claim_.midpoint && truth_.radius(0) != truth_.radius(1)) off.merge(middle_goes_with(unit(n), delta()));
+    if (claim_.points[place(shape)] && !CGAL::is_zero(truth_.radius(shape)))
+      off.merge(goes_with(shape, of_length_one(n)));
+  if (claim_.midpoint && truth_.radius(0) != truth_.radius(1)) off.merge(middle_goes_with(of_length_one(n), delta()));
   return off;
 }
 
@@ -198,14 +198,15 @@ Point NearOptimal::out_along(const Point& n) const {
 
 std::vector<NearOptimal::Reading> NearOptimal::readings() const {
   std::vector<Reading> all;
-  if (!truth_.degenerate()) all.push_back({is_flat_ ? length(noise_, scale_) : Off{}, unit(truth_.along()), delta()});
+  if (!truth_.degenerate())
+    all.push_back({is_flat_ ? length(noise_, scale_) : Off{}, of_length_one(truth_.along()), delta()});
   for (const Face& face : faces_)
     all.push_back({length_off_sum(face.depth, truth_.core_distance(), scale_, tolerance_), face.way.direction,
                    face.way.nearest - truth_.cores().nearest[0]});
   if (!claim_.normal || has_plane(query_.pair) || is_crossing(query_.pair)) return all;
   const Point& n = *claim_.normal;
   if (!is_zero(n))
-    all.push_back({positions_turn(n), unit(n), truth_.overlaps() ? out_along(n) : delta()});
+    all.push_back({positions_turn(n), of_length_one(n), truth_.overlaps() ? out_along(n) : delta()});
   else if (claim_.zero_where_cores_meet && faces_.empty())
     all.push_back({root(truth_.distance2(), scale_), n, delta()});
   return all;

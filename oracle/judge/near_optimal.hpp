@@ -21,6 +21,9 @@ struct ClaimedContact {
   bool is_finite = true;  ///< every number of these that was claimed
 };
 
+/// A vector made one of length 1, to 200 bits.
+[[nodiscard]] Point of_length_one(const Point& n);
+
 /// What length each field of a claimed contact needs. One that no length allows needs an infinite one.
 class NearOptimal {
  public:

@@ -2,6 +2,7 @@
 // from numbers worked out by hand.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -536,9 +537,9 @@ TEST(LastBit, is_in_the_engines_scalar) {
   EXPECT_LT(last_bit(query, kDouble).at(Field::value), 0x1p-46);
 }
 
-Verdict marked(const Query& query, const Claim& claim) {
+Verdict marked(const Query& query, const Claim& claim, Declaration declared = {}) {
   const Truth truth = truth_of(query);
-  const Declaration declared{Scalar::binary64, {}, {}, claim.says()};
+  declared.claims = claim.says();
   Verdict verdict = judge(query, truth, claim, declared);
   mark_last_bit(query, truth, declared, verdict);
   return verdict;
@@ -588,6 +589,70 @@ TEST(LastBit, decides_crossings_one_number_at_a_time) {
   EXPECT_TRUE(excused(2, false));  // on the edge x + y = 4
   EXPECT_FALSE(excused(2 - 0x1p-40, false));
   EXPECT_FALSE(excused(2 + 0x1p-40, true));
+}
+
+// ---- orientations that are rounded ----
+
+TEST(OrientationRounding, moves_a_corner_no_farther_than_the_bound_and_the_bound_is_not_twelve_times_too_loose) {
+  using Float3x3 = Eigen::Matrix3f;
+  std::uint64_t state = 1;
+  const auto random = [&] {
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    return static_cast<float>(static_cast<std::int32_t>(state >> 32)) * 0x1p-31F;
+  };
+  double most = 0;
+  for (int k = 0; k < 200000; ++k) {
+    const float x = random();
+    const float y = random();
+    const float z = random();
+    const float w = random();
+    const float square = x * x + y * y + z * z + w * w;
+    const float length = std::sqrt(square);
+    Float3x3 matrix;
+    matrix << w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y),  //
+        2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x),        //
+        2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z;
+    matrix /= square;
+    const Float3x3 of_unit = Eigen::Quaternionf(w / length, x / length, y / length, z / length).toRotationMatrix();
+    const Eigen::Matrix3d exact = Eigen::Quaterniond(w, x, y, z).normalized().toRotationMatrix();
+    const Obb box{{0, 0, 0}, {x, y, z, w}, {1 + random(), 1 + random(), 1 + random()}};
+    for (const Float3x3& rounded : {matrix, of_unit})
+      most = std::max(
+          most, ((rounded.cast<double>() - exact) * box.extents).norm() / orientation_rounding(box, Scalar::binary32));
+  }
+  EXPECT_LE(most, 1);
+  EXPECT_GE(most, 1.0 / 12);
+}
+
+TEST(OrientationRounding, tells_a_wrong_decision_within_it_apart_where_it_is_declared) {
+  // Corners are sqrt(3) from the centres: 40 * 2^-53 * 2 sqrt(3) is 1.54e-14. The inputs' last bits are 1.3e-15.
+  const auto boxes = [](double gap) {
+    const Obb a{{0, 0, 0}, {0, 0, 0, 1}, {1, 1, 1}};
+    return Query{Pair::obb_obb, Convexes{{a}, {Obb{{2 + gap, 0, 0}, a.orientation, a.extents}}}, {0, 0}};
+  };
+  Declaration rounds;
+  rounds.rounds_orientation = true;
+  const auto both = [](const Verdict& v) { return std::pair(v.decision_last_bit, v.decision_rounded); };
+  const std::pair neither(false, false);
+  EXPECT_EQ(both(marked(boxes(1.5e-14), says(true), rounds)), std::pair(false, true));
+  EXPECT_EQ(both(marked(boxes(1.6e-14), says(true), rounds)), neither);
+  EXPECT_EQ(both(marked(boxes(-1.5e-14), says(false), rounds)), std::pair(false, true));
+  EXPECT_EQ(both(marked(boxes(-1.6e-14), says(false), rounds)), neither);
+  EXPECT_EQ(both(marked(boxes(1.5e-14), says(true))), neither) << "not declared";
+  EXPECT_EQ(both(marked(boxes(1.5e-14), says(false), rounds)), neither) << "right";
+  EXPECT_EQ(both(marked(boxes(0), says(false), rounds)), std::pair(true, false));
+  rounds.scalar = Scalar::binary32;
+  EXPECT_EQ(both(marked(boxes(0x1p-18), says(true), rounds)), std::pair(false, true));
+  // It changes no level, and one box has half of it. A sphere has none.
+  EXPECT_EQ(marked(boxes(0x1p-18), says(true), rounds).level(), Level::conservative);
+  rounds.scalar = Scalar::binary64;
+  const auto sphere = [](double gap) {
+    return Query{
+        Pair::sphere_obb, Convexes{{Ball{{2 + gap, 0, 0}, 1}}, {Obb{{0, 0, 0}, {0, 0, 0, 1}, {1, 1, 1}}}}, {0, 0}};
+  };
+  EXPECT_EQ(both(marked(sphere(7.5e-15), says(true), rounds)), std::pair(false, true));
+  EXPECT_EQ(both(marked(sphere(8.5e-15), says(true), rounds)), neither);
+  EXPECT_EQ(both(marked(spheres({{0, 0, 0}, 1}, {{2 + 7.5e-15, 0, 0}, 1}), says(true), rounds)), neither);
 }
 
 }  // namespace

@@ -84,13 +84,14 @@ struct Verdict {
   std::optional<bool> contact_expected;
   bool has_numbers = false;        ///< whether a right answer has numbers, claimed or not
   bool decision_last_bit = false;  ///< a wrong decision is no worse than the inputs' last bit: mark_last_bit
+  bool decision_rounded = false;   ///< it is worse, and within the rounding of orientations that is declared
   std::array<std::optional<FieldVerdict>, kFields.size()> fields;
   bool no_number_beside = false;  ///< a contact that should not be claimed has a number that is not finite
   /// The worst need by Measure: of the fields, also of a contact that should not be claimed, and of a wrong decision.
   std::array<Off, kMeasures.size()> off;
 
   [[nodiscard]] const Off& at(Measure measure) const { return off[static_cast<std::size_t>(measure)]; }
-  /// The same but for what is no worse than the inputs' last bit.
+  /// The same but for what is no worse than the inputs' last bit, or than their rounding that is declared.
   [[nodiscard]] Off beyond_last_bit(Measure measure) const;
   /// Wrong by every tolerance: no answer, a field missing, or no number.
   [[nodiscard]] bool beyond_any() const;

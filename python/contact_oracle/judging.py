@@ -155,11 +155,12 @@ class LawReport:
 
 
 def _declared(name: str, version: str, scalar: str, pairs: Iterable[str], conventions: Mapping[str, Any] | None,
-              pair_conventions: Mapping[str, Any] | None, bounds: Mapping[str, float] | None, claims: Iterable[str] | None) -> str:
+              pair_conventions: Mapping[str, Any] | None, bounds: Mapping[str, float] | None, claims: Iterable[str] | None,
+              rounds: Iterable[str] | None) -> str:
     """What an engine declares, as the header of a results file does."""
     declared: dict[str, Any] = {"engine": {"name": name, "version": version}, "scalar": scalar_named(scalar), "pairs": list(pairs)}
     optional = {"conventions": conventions, "pair_conventions": pair_conventions, "bounds": bounds,
-                "claims": None if claims is None else list(claims)}
+                "claims": None if claims is None else list(claims), "rounds": None if rounds is None else list(rounds)}
     return json.dumps(declared | {key: value for key, value in optional.items() if value is not None})
 
 
@@ -208,7 +209,8 @@ def certify(engine: Engine | Mapping[str, Engine], pairs: str | Iterable[str] | 
             fresh: int = FRESH, within: float | None = None, least_judged: int = LEAST_JUDGED, scalar: str = "binary64",
             level: str = "bounded", tolerance: Mapping[str, Any] | None = None, profile: str | None = None,
             conventions: Mapping[str, Any] | None = None, pair_conventions: Mapping[str, Any] | None = None,
-            bounds: Mapping[str, float] | None = None, claims: Iterable[str] | None = None, allow_unsupported: bool = False,
+            bounds: Mapping[str, float] | None = None, claims: Iterable[str] | None = None,
+            rounds: Iterable[str] | None = None, allow_unsupported: bool = False,
             check: str = "sample", determinism: bool = False, isolated: bool = False, time_limit: float | None = None,
             name: str | None = None, version: str = "1") -> Report:
     """Judges an engine, and says everything that the verdict rests on.
@@ -229,6 +231,7 @@ def certify(engine: Engine | Mapping[str, Engine], pairs: str | Iterable[str] | 
     pair_conventions  the same for some of the pairs
     bounds            of value, normal and point, in ulps, 1 to 64; else 8
     claims            the fields that every answer to a hit has; else those that its answers to one question of each pair have
+    rounds            what is rounded before the engine sees it: ["orientation"] where a rotated box gets a matrix or a unit quaternion
     allow_unsupported leave out questions that the engine answers with None
     check             sample or all: which questions every oracle is asked
     determinism       ask again in other orders and batches; every answer must have the same bits
@@ -251,7 +254,7 @@ def certify(engine: Engine | Mapping[str, Engine], pairs: str | Iterable[str] | 
             seed = secrets.randbits(32) if seed is None else seed
     return certify_sources(engine, named, sources, seed=seed, fresh=0 if datasets is None else fresh, within=within,
                            least_judged=least_judged, scalar=scalar, level=level, tolerance=tolerance, profile=profile,
-                           conventions=conventions, pair_conventions=pair_conventions, bounds=bounds, claims=claims,
+                           conventions=conventions, pair_conventions=pair_conventions, bounds=bounds, claims=claims, rounds=rounds,
                            allow_unsupported=allow_unsupported, check=check, determinism=determinism, isolated=isolated,
                            time_limit=time_limit, name=name, version=version)
 
@@ -260,7 +263,8 @@ def certify_sources(engine: Engine | Mapping[str, Engine], pairs: Iterable[str],
                     fresh: int = 0, within: float | None = None, least_judged: int = LEAST_JUDGED, scalar: str = "binary64",
                     level: str = "bounded", tolerance: Mapping[str, Any] | None = None, profile: str | None = None,
                     conventions: Mapping[str, Any] | None = None, pair_conventions: Mapping[str, Any] | None = None,
-                    bounds: Mapping[str, float] | None = None, claims: Iterable[str] | None = None, allow_unsupported: bool = False,
+                    bounds: Mapping[str, float] | None = None, claims: Iterable[str] | None = None,
+                    rounds: Iterable[str] | None = None, allow_unsupported: bool = False,
                     check: str = "sample", determinism: bool = False, isolated: bool = False, time_limit: float | None = None,
                     name: str | None = None, version: str = "1") -> Report:
     """`certify` on sources as the core takes them: files, or a family with its seed."""
@@ -284,7 +288,7 @@ def certify_sources(engine: Engine | Mapping[str, Engine], pairs: Iterable[str],
         if claims is not None and "point" in claims:
             # One point can only be the middle, as docs/formats.md#answers-in-columns says of columns.
             conventions = {"points": "midpoint", **(conventions or {})}
-        declared = _declared(_name_of(engine, name), version, scalar, pairs, conventions, pair_conventions, bounds, claims)
+        declared = _declared(_name_of(engine, name), version, scalar, pairs, conventions, pair_conventions, bounds, claims, rounds)
         judged = _core.certify(ask, declared, json.dumps(sources), json.dumps({key: value for key, value in options.items() if value is not None}))
     _raise_unless_judged(judged)
     return Report(judged, seed)
@@ -302,7 +306,7 @@ def _raise_unless_judged(judged: Mapping[str, Any]) -> None:
 def properties(engine: Engine | Mapping[str, Engine], pairs: str | Iterable[str] | None = None, laws: str | Iterable[str] | None = None, *,
                cases: int = 1000, seed: int | None = None, scalar: str = "binary64", level: str = "bounded",
                conventions: Mapping[str, Any] | None = None, pair_conventions: Mapping[str, Any] | None = None,
-               bounds: Mapping[str, float] | None = None, claims: Iterable[str] | None = None, name: str | None = None,
+               bounds: Mapping[str, float] | None = None, claims: Iterable[str] | None = None, rounds: Iterable[str] | None = None, name: str | None = None,
                version: str = "1", tolerance: Mapping[str, Any] | None = None, profile: str | None = None) -> LawReport:
     """Asks an engine every law of the command, or the named ones, and shrinks what violates them: docs/properties.md.
 
@@ -315,7 +319,7 @@ def properties(engine: Engine | Mapping[str, Engine], pairs: str | Iterable[str]
     named = pairs_of(pairs, served)
     if claims is None:
         claims = claims_of(Asking(asked_engine), named, scalar_named(scalar))
-    declared = json.loads(_declared(_name_of(engine, name), version, scalar, named, conventions, pair_conventions, bounds, claims))
+    declared = json.loads(_declared(_name_of(engine, name), version, scalar, named, conventions, pair_conventions, bounds, claims, rounds))
     options = ["--cases", str(cases), "--seed", str(secrets.randbits(32) if seed is None else seed)]
     if tolerance is not None:
         declared["tolerance"] = tolerance

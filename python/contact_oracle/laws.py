@@ -474,17 +474,17 @@ _EDGES = ("touching_overlap", "touching_contact", "margin")
 LAWS: dict[str, Law] = {law.name: law for law in (
     Law(repeatable),
     Law(finite, _has_numbers, unfit=("coincident",)),
-    Law(swap, _has_two_alike, unfit=("points",)),
-    Law(turn, draws=_TURN),
+    Law(swap, _has_two_alike, unfit=("points", "depth")),
+    Law(turn, draws=_TURN, unfit=("depth",)),
     Law(unit_normal, _has_numbers, unfit=("normal", "normal_unit", "coincident")),
-    Law(scale, draws={"exponent": st.integers(-LARGEST_EXPONENT, LARGEST_EXPONENT)}),
-    Law(translate, lambda pair: "plane" not in pair_named(pair).shapes, draws=_STEP),
+    Law(scale, draws={"exponent": st.integers(-LARGEST_EXPONENT, LARGEST_EXPONENT)}, unfit=("depth",)),
+    Law(translate, lambda pair: "plane" not in pair_named(pair).shapes, draws=_STEP, unfit=("depth",)),
     Law(alarm_growth, lambda pair: pair_named(pair).has_edge, draws=_GROWTH),
     Law(size_growth, lambda pair: pair_named(pair).shapes[0] == "sphere", draws=_GROWTH),
     Law(alarm_changes_no_number, _has_numbers, draws=_GROWTH),
     Law(contact_distance, _has_numbers, draws=_GROWTH, unfit=("value", "value_less_contact")),
     Law(decision, unfit=_EDGES),
-    Law(bounds, _has_numbers, unfit=("normal", "normal_unit", "points", "value", "value_less_contact")),
+    Law(bounds, _has_numbers, unfit=("normal", "normal_unit", "points", "value", "value_less_contact", "depth")),
 )}
 
 

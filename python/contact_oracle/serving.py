@@ -21,7 +21,8 @@ POINTS = ("normal", "point1", "point2", "point")
 
 def serve(engine: Engine | Mapping[str, Engine], *, name: str | None = None, version: str = "1", pairs: str | Iterable[str] | None = None,
           scalar: str = "binary64", conventions: Mapping[str, Any] | None = None, pair_conventions: Mapping[str, Any] | None = None,
-          bounds: Mapping[str, float] | None = None, claims: Iterable[str] | None = None, tolerance: Mapping[str, Any] | None = None) -> None:
+          bounds: Mapping[str, float] | None = None, claims: Iterable[str] | None = None, tolerance: Mapping[str, Any] | None = None,
+          rounds: Iterable[str] | None = None) -> None:
     """Answers the engine protocol until the host says stop or closes the pipe. Arguments as of `certify`.
 
     All questions that have arrived are one batch for each pair. What the engine, or a library in it, prints goes to standard error.
@@ -33,7 +34,8 @@ def serve(engine: Engine | Mapping[str, Engine], *, name: str | None = None, ver
         named = tuple(pair_named(pair).name for pair in ([pairs] if isinstance(pairs, str) else pairs))
     hello = {"op": "hello", "protocol": 1, "engine": {"name": name or getattr(engine, "__name__", "python"), "version": version},
              "scalar": scalar_named(scalar), "pairs": list(named), "conventions": conventions, "pair_conventions": pair_conventions,
-             "bounds": bounds, "claims": None if claims is None else list(claims), "tolerance": tolerance}
+             "bounds": bounds, "claims": None if claims is None else list(claims), "tolerance": tolerance,
+             "rounds": None if rounds is None else list(rounds)}
     Conversation(asked_engine, {key: value for key, value in hello.items() if value is not None}, scalar).on_standard_streams()
 
 

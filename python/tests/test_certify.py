@@ -175,10 +175,15 @@ def test_an_engine_in_its_own_process():
 
 
 @pytest.mark.parametrize("named", [dict(level="good"), dict(pairs="sphere_donut"), dict(families="cheese"), dict(scalar="half"), dict(pairs=[]),
-                                   dict(conventions={"normal": "sideways"}), dict(bounds={"value": 1000}), dict(engine=5)])
+                                   dict(conventions={"normal": "sideways"}), dict(bounds={"value": 1000}), dict(rounds=["radius"]), dict(engine=5)])
 def test_wrong_arguments_are_refused(named):
     with pytest.raises(InputError):
         contact_oracle.certify(**{**dict(engine=engines.right, pairs="sphere_sphere", families="generic", count=3, seed=1), **named})
+
+
+def test_what_is_rounded_before_the_engine_sees_it_is_declared():
+    report = contact_oracle.certify(engines.right, "sphere_sphere", "generic", count=20, seed=1, rounds=["orientation"])
+    assert report.certified and json.loads(report.to_json())["rounds"] == ["orientation"]
 
 
 def test_an_engine_that_gives_other_bits_is_not_deterministic():

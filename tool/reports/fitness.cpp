@@ -119,7 +119,7 @@ void Fitness::add(const oracle::Verdict& verdict, const Query& query, Scalar sca
     (*here)[place(measure)] = std::max((*here)[place(measure)], off.most);
     const Off rest = verdict.beyond_last_bit(measure);
     take(beyond_last_bit[place(measure)], rest, query, scalar);
-    if (rest != off) ++last_bit[place(measure)];
+    if (rest != off) ++(measure == Measure::decision && verdict.decision_rounded ? rounded : last_bit[place(measure)]);
   }
 }
 
@@ -130,6 +130,7 @@ void Fitness::merge(const Fitness& other) {
     last_bit[i] += other.last_bit[i];
   }
   if (never_question.empty()) never_question = other.never_question;
+  rounded += other.rounded;
   answers += other.answers;
   never += other.never;
   beyond += other.beyond;
@@ -165,8 +166,8 @@ std::string tolerance_text(const Tolerance& t) {
 
 namespace {
 
-/// What the last bit of an input explains, "10 decisions that the last bit of an input would flip"; empty where that is nothing.
-std::string explained_by_last_bit(const Fitness& fitness) {
+/// What the last bit of an input explains, "10 decisions that the last bit of an input would flip", and the rounding of an orientation; empty where that is nothing.
+std::string explained_by_inputs(const Fitness& fitness) {
   const auto [lengths, angles, decisions] = fitness.last_bit;
   const auto count = [](std::uint64_t n, std::string_view one) {
     return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s");
@@ -176,6 +177,9 @@ std::string explained_by_last_bit(const Fitness& fitness) {
   if (!text.empty()) text += " that the last bit of an input would move as far";
   if (decisions != 0)
     text += (text.empty() ? "" : ", and ") + count(decisions, "decision") + " that the last bit of an input would flip";
+  if (fitness.rounded != 0)
+    text +=
+        (text.empty() ? "" : ", and ") + count(fitness.rounded, "decision") + " within the rounding of an orientation";
   return text;
 }
 
@@ -186,7 +190,7 @@ std::vector<std::string> fitness_lines(std::string_view what, std::string_view s
   if (fitness.never != 0)
     lines.back() +=
         fmt::format("; no tolerance allows {} more: an answer, a field or a number is missing", fitness.never);
-  if (const std::string ignored = explained_by_last_bit(fitness); !ignored.empty())
+  if (const std::string ignored = explained_by_inputs(fitness); !ignored.empty())
     lines.push_back(fmt::format("{}, ignoring {}: with {}", what, ignored, options(fitness.beyond_last_bit, scale)));
   return lines;
 }
@@ -242,9 +246,9 @@ std::string fitness_json(std::string_view key, const Fitness& fitness) {
     by_scale += fmt::format("{}[{},{},{},{}]", by_scale.empty() ? "" : ",", decade, formats::number(most[0]),
                             formats::number(most[1]), formats::number(most[2]));
   return fmt::format(
-      R"("{}":{{"answers":{},"never":{},"needs":{},"no_worse_than_last_bit":{{"length":{},"angle":{},"decision":{}}},"needs_beyond_last_bit":{},"by_scale":[{}]}})",
+      R"("{}":{{"answers":{},"never":{},"needs":{},"no_worse_than_last_bit":{{"length":{},"angle":{},"decision":{}}},"within_rounding":{},"needs_beyond_last_bit":{},"by_scale":[{}]}})",
       key, fitness.answers, fitness.never, needs_json(fitness.all), fitness.last_bit[0], fitness.last_bit[1],
-      fitness.last_bit[2], needs_json(fitness.beyond_last_bit), by_scale);
+      fitness.last_bit[2], fitness.rounded, needs_json(fitness.beyond_last_bit), by_scale);
 }
 
 }  // namespace contact::tool

@@ -36,6 +36,8 @@ struct Fitness {
   Needs all;
   Needs beyond_last_bit;  ///< but for answers that are no worse than the inputs' last bit
   std::array<std::uint64_t, oracle::kMeasures.size()> last_bit{};  ///< how many of those there are
+  /// And wrong decisions within the rounding of an orientation, which are left out there too.
+  std::uint64_t rounded = 0;
   std::uint64_t answers = 0;
   std::uint64_t never = 0;  ///< answers that no tolerance allows
   std::string never_question;

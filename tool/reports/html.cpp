@@ -274,6 +274,7 @@ std::string declaration(const Report& report) {
       if (!conventions.contains(key) || conventions[key] != value)
         term(fmt::format("{} of {}", key, name(pair)), text(value));
   term("bounds", fmt::format("normal {}, points {}, value {} ulps", bounds.normal, bounds.point, bounds.value));
+  if (report.engine.declared.rounds_orientation) term("rounds", std::string(oracle::kRoundsNames[0]));
   return html + "</dl>\n";
 }
 

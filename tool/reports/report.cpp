@@ -200,7 +200,10 @@ std::string WorstCase::what() const {
   if (verdict.missed_hit() || verdict.false_hit()) {
     const oracle::Off& off = verdict.at(oracle::Measure::decision);
     return fmt::format("{} hit, {} from where the answer changes{}", verdict.missed_hit() ? "missed" : "false",
-                       rounded_up(off.most), verdict.decision_last_bit ? " (no worse than the inputs' last bit)" : "");
+                       rounded_up(off.most),
+                       verdict.decision_last_bit  ? " (no worse than the inputs' last bit)"
+                       : verdict.decision_rounded ? " (within the rounding of an orientation)"
+                                                  : "");
   }
   if (!verdict.missing.empty()) return fmt::format("missing field: {}", fmt::join(verdict.missing.names(), ", "));
   Grade worst = Grade::correctly_rounded;
@@ -720,7 +723,7 @@ std::string json_text(const Report& report, bool with_failures) {
   return fmt::format(
       "{{\"format\":\"contact-oracle/"
       "report\",\"version\":1,\"engine\":{{\"name\":{},\"version\":{}}},\"scalar\":\"{}\",\"conventions\":{},"
-      "{}\"bounds\":{{\"value\":{},\"normal\":{},\"point\":{}}},\"claims\":[{}],\"not_claimed\":[{}],"
+      "{}\"bounds\":{{\"value\":{},\"normal\":{},\"point\":{}}},\"claims\":[{}]{},\"not_claimed\":[{}],"
       "\"required\":\"{}\",\"within\":{},\"least_judged\":{},\"tolerance\":{},\"certified\":{},"
       "\"falls_short\":[{}],\"verdict\":{},"
       "\"diagnosis\":[{}],\"causes\":[{}],\n\"total\":{{{}}},"
@@ -730,11 +733,12 @@ std::string json_text(const Report& report, bool with_failures) {
       json_string(report.engine.name), json_string(report.engine.version), name(report.engine.declared.scalar),
       engines::conventions_text(report.engine.declared.conventions), engines::pair_conventions_text(report.engine),
       number(bounds.value), number(bounds.normal), number(bounds.point), names(report.engine.declared.claimed()),
-      names(report.not_claimed()), name(report.required), report.within ? number(*report.within) : "null",
-      report.least_judged, report.tolerance() ? engines::tolerance_object(*report.tolerance()) : "null",
-      report.certified(), report.right() ? quoted(report.falls_short()) : "", json_string(report.sentence()), diagnosis,
-      causes, family_text(report.total()), families, fresh, skipped, unknown, report.unreached, baseline, worst,
-      standing, report.failure_count - report.fresh_failures, failures,
+      engines::rounds_text(report.engine), names(report.not_claimed()), name(report.required),
+      report.within ? number(*report.within) : "null", report.least_judged,
+      report.tolerance() ? engines::tolerance_object(*report.tolerance()) : "null", report.certified(),
+      report.right() ? quoted(report.falls_short()) : "", json_string(report.sentence()), diagnosis, causes,
+      family_text(report.total()), families, fresh, skipped, unknown, report.unreached, baseline, worst, standing,
+      report.failure_count - report.fresh_failures, failures,
       report.repeats ? ",\n\"determinism\":" + report.repeats->json() : "");
 }
 

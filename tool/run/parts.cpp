@@ -81,8 +81,8 @@ void serialize(Archive& archive, FieldVerdict& v) {
 template <class Archive>
 void serialize(Archive& archive, Verdict& v) {
   archive(v.status, v.text, v.overlap, v.contact, v.answered_outside_domain, v.refused_outside_domain, v.missing,
-          v.overlap_expected, v.contact_expected, v.has_numbers, v.decision_last_bit, v.no_number_beside, v.fields,
-          v.off);
+          v.overlap_expected, v.contact_expected, v.has_numbers, v.decision_last_bit, v.decision_rounded,
+          v.no_number_beside, v.fields, v.off);
 }
 
 }  // namespace contact::oracle
@@ -101,7 +101,7 @@ void serialize(Archive& archive, Need& n) {
 
 template <class Archive>
 void serialize(Archive& archive, Fitness& f) {
-  archive(f.all, f.beyond_last_bit, f.last_bit, f.answers, f.never, f.never_question, f.beyond, f.by_scale);
+  archive(f.all, f.beyond_last_bit, f.last_bit, f.rounded, f.answers, f.never, f.never_question, f.beyond, f.by_scale);
 }
 
 template <class Archive>
