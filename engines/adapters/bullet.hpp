@@ -54,8 +54,8 @@ inline std::string bullet_declaration(const std::string& suffix, const std::stri
   constexpr bool kDouble = sizeof(btScalar) == sizeof(double);
   const std::string version = std::to_string(BT_BULLET_VERSION / 100) + "." + std::to_string(BT_BULLET_VERSION % 100);
   return R"({"engine":{"name":"bullet)" + suffix + (kDouble ? "" : "-float") + R"(","version":")" + version +
-         R"("},"scalar":")" + (kDouble ? "binary64" : "binary32") + R"(","pairs":)" + pairs + R"(,"conventions":)" +
-         conventions + "}";
+         R"("},"scalar":")" + (kDouble ? "binary64" : "binary32") + R"(","rounds":["orientation"],"pairs":)" + pairs +
+         R"(,"conventions":)" + conventions + "}";
 }
 
 }  // namespace contact::adapters

@@ -29,7 +29,7 @@ struct Deepest final : btDiscreteCollisionDetectorInterface::Result {
 std::string declaration() {
   return bullet_declaration("-box", R"(["obb_obb","cube_obb"])",
                             R"({"normal":"second-to-first","points":"second_only","value_less_contact":false,)"
-                            R"("margin":"none","shapes":"centered"})");
+                            R"("margin":"none","shapes":"centered","depth":"any_separating"})");
 }
 
 void answer(const Question& q, Answer& said) {

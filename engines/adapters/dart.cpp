@@ -59,11 +59,11 @@ class Placed {
 // the box; those of two boxes on either.
 std::string declaration() {
   return R"({"engine":{"name":"dart","version":")" DART_VERSION
-         R"("},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube","obb_obb","sphere_obb","cube_obb"],)"
+         R"("},"scalar":"binary64","rounds":["orientation"],"pairs":["sphere_sphere","sphere_cube","obb_obb","sphere_obb","cube_obb"],)"
          R"("conventions":{"normal":"second-to-first","points":"none","value":"depth","value_less_contact":false,)"
          R"("margin":"none","shapes":"centered"},)"
          R"("pair_conventions":{"sphere_sphere":{"coincident":"zero_normal"},"sphere_cube":{"points":"second_only"},)"
-         R"("sphere_obb":{"points":"second_only"}}})";
+         R"("sphere_obb":{"points":"second_only"},"obb_obb":{"depth":"any_separating"},"cube_obb":{"depth":"any_separating"}}})";
 }
 
 void answer(const Question& q, Answer& said) {

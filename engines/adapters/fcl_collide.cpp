@@ -12,7 +12,7 @@ namespace contact::adapters {
 // sphere and a mesh the depth as a negative number. collide() knows no margin.
 std::string declaration() {
   return R"({"engine":{"name":"fcl","version":")" FCL_VERSION
-         R"("},"scalar":"binary64","pairs":["sphere_sphere","cube_cube","sphere_cube",)"
+         R"("},"scalar":"binary64","rounds":["orientation"],"pairs":["sphere_sphere","cube_cube","sphere_cube",)"
          R"("sphere_capsule","capsule_capsule","sphere_triangle","sphere_plane","capsule_plane",)" CONVEX_PAIRS
          "," CONVEX_PLANE_PAIRS R"(],)"
          R"("conventions":{"points":"none","shapes":"centered",)"
@@ -21,7 +21,8 @@ std::string declaration() {
          R"("sphere_cube":{"points":"midpoint"},"sphere_capsule":{"coincident":"zero_normal"},)"
          R"("sphere_triangle":{"normal":"second-to-first","value":"signed","coincident":"zero_normal"},)"
          R"("capsule_triangle":{"normal":"second-to-first"},"cube_triangle":{"normal":"second-to-first"},)"
-         R"("obb_triangle":{"normal":"second-to-first"},)"
+         R"("obb_triangle":{"normal":"second-to-first"},"obb_obb":{"depth":"any_separating"},)"
+         R"("cube_obb":{"depth":"any_separating"},)"
          R"("sphere_plane":{"points":"midpoint"},"capsule_plane":{"points":"midpoint"}}})";
 }
 

@@ -9,7 +9,7 @@ namespace contact::adapters {
 
 std::string declaration() {
   return R"({"engine":{"name":"fcl-distance","version":")" FCL_VERSION
-         R"("},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule",)" CONVEX_PAIRS
+         R"("},"scalar":"binary64","rounds":["orientation"],"pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule",)" CONVEX_PAIRS
          R"(],"conventions":{"value_less_contact":false,"shapes":"centered"},)"
          R"("claims":["overlap","contact"]})";
 }

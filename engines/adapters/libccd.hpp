@@ -56,7 +56,7 @@ inline ccd_t ccd_settings() {
 // The position is "where force should take a place", which is no point of ours. The library exports no version.
 inline std::string ccd_declaration(const std::string& name, const std::string& scale) {
   return R"({"engine":{"name":")" + name +
-         R"(","version":"2.1"},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube","sphere_capsule",)"
+         R"(","version":"2.1"},"scalar":"binary64","rounds":["orientation"],"pairs":["sphere_sphere","sphere_cube","sphere_capsule",)"
          R"("capsule_capsule","sphere_triangle",)" CONVEX_PAIRS
          R"(],"conventions":{"points":"none","shapes":"centered",)"
          R"("value":"depth","value_less_contact":false,"margin":"none")" +

@@ -76,7 +76,7 @@ constexpr bool kConvex = false;
 std::string declaration() {
   return std::string(R"({"engine":{"name":"mujoco)") + (kConvex ? "-convex" : "") + R"(","version":")" +
          mj_versionString() +
-         R"("},"scalar":"binary64","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule","obb_obb",)"
+         R"("},"scalar":"binary64","rounds":["orientation"],"pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule","obb_obb",)"
          R"("sphere_obb","capsule_cube","capsule_obb","cube_obb")" +
          (kConvex ? "" : R"(,"ray_sphere","sphere_plane","capsule_plane","cube_plane","obb_plane")") +
          R"(],"conventions":{"points":")" + (kConvex ? "none" : "midpoint") +
@@ -86,7 +86,8 @@ std::string declaration() {
          (kConvex ? ""
                   : R"("ray_sphere":{"shapes":"given","margin":"none","normal":"none","points":"none","value":"none"},)"
                     R"("sphere_plane":{"normal":"second-to-first"},"capsule_plane":{"normal":"second-to-first"},)"
-                    R"("cube_plane":{"normal":"second-to-first"},"obb_plane":{"normal":"second-to-first"})") +
+                    R"("cube_plane":{"normal":"second-to-first"},"obb_plane":{"normal":"second-to-first"},)"
+                    R"("obb_obb":{"depth":"any_separating"},"cube_obb":{"depth":"any_separating"})") +
          "}}";
 }
 

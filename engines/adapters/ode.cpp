@@ -44,14 +44,14 @@ class Mesh {
 std::string declaration() {
   return R"({"engine":{"name":"ode","version":")" dODE_VERSION R"("},"scalar":")" +
          std::string(sizeof(dReal) == sizeof(double) ? "binary64" : "binary32") +
-         R"(","pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule",)"
+         R"(","rounds":["orientation"],"pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule",)"
          R"("sphere_triangle","sphere_plane","capsule_plane","obb_obb","sphere_obb","capsule_cube","capsule_obb",)"
          R"("capsule_triangle","cube_obb","cube_triangle","obb_triangle",)" CONVEX_PLANE_PAIRS
          R"(],"conventions":{"normal":"second-to-first","points":"midpoint",)"
          R"("value":"depth","value_less_contact":false,"margin":"none","shapes":"centered"},)"
          R"("pair_conventions":{"sphere_cube":{"points":"second_only"},"sphere_triangle":{"points":"second_only"},)"
          R"("sphere_plane":{"points":"first_only"},"capsule_plane":{"points":"first_only"},)"
-         R"("obb_obb":{"points":"none"},"cube_obb":{"points":"none"},"cube_triangle":{"points":"none"},)"
+         R"("obb_obb":{"points":"none","depth":"any_separating"},"cube_obb":{"points":"none","depth":"any_separating"},"cube_triangle":{"points":"none"},)"
          R"("obb_triangle":{"points":"none"},"sphere_obb":{"points":"second_only"},)"
          R"("capsule_triangle":{"points":"first_only"},"cube_plane":{"points":"first_only"},)"
          R"("obb_plane":{"points":"first_only"},"triangle_plane":{"points":"first_only"}}})";

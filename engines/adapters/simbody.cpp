@@ -15,7 +15,7 @@ std::string declaration() {
   const std::string of_brick = R"({"normal":"none","touching_overlap":"open",)"
                                R"("touching_contact":"open","margin":"exclusive"})";
   return R"({"engine":{"name":"simbody","version":")" + std::to_string(major) + "." + std::to_string(minor) +
-         R"("},"scalar":"binary64","pairs":["sphere_sphere","sphere_plane","cube_plane","obb_plane"],"conventions":{"points":"none","value":"depth",)"
+         R"("},"scalar":"binary64","rounds":["orientation"],"pairs":["sphere_sphere","sphere_plane","cube_plane","obb_plane"],"conventions":{"points":"none","value":"depth",)"
          R"("value_less_contact":false,"shapes":"centered"},"pair_conventions":{"sphere_plane":{"normal":"second-to-first"},)"
          R"("cube_plane":)" +
          of_brick + R"(,"obb_plane":)" + of_brick + "}}";

@@ -22,7 +22,7 @@ callback.addSingleResult = (pointer) => {
 
 // It computes in double precision and keeps every number in single.
 serve({
-  engine: {name: 'ammo', version: versionOf('ammo.js')}, scalar: 'binary32',
+  engine: {name: 'ammo', version: versionOf('ammo.js')}, scalar: 'binary32', rounds: ['orientation'],
   pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule', 'sphere_plane', 'capsule_plane', 'obb_obb', 'sphere_obb', 'capsule_cube', 'capsule_obb', 'capsule_triangle',
     'cube_obb', 'cube_triangle', 'obb_triangle', 'triangle_triangle', 'cube_plane', 'obb_plane', 'triangle_plane'],
   conventions: {normal: 'second-to-first', value_less_contact: false, margin: 'none', shapes: 'centered'},

@@ -22,7 +22,7 @@ const turn = (shape) => {
 const boxes = {shapes: 'centered', touching_overlap: 'closed', touching_contact: 'closed', coincident: 'any_unit_normal'};
 const onPlane = {...boxes, normal: 'second-to-first'};
 serve({
-  engine: {name: 'cannon', version: versionOf('cannon-es')}, scalar: 'binary64',
+  engine: {name: 'cannon', version: versionOf('cannon-es')}, scalar: 'binary64', rounds: ['orientation'],
   pairs: ['sphere_sphere', 'sphere_cube', 'sphere_plane', 'obb_obb', 'sphere_obb', 'cube_obb', 'cube_plane', 'obb_plane', 'triangle_plane'],
   conventions: {value: 'none', touching_overlap: 'open', touching_contact: 'open', margin: 'none', coincident: 'zero_normal'},
   pair_conventions: {

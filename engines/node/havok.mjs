@@ -39,7 +39,7 @@ const collector = result(havok.HP_QueryCollector_Create(1));
 
 // Each surface has its outward normal, so the second's points to the first. The first's point is in its own coordinates.
 serve({
-  engine: {name: 'havok', version: versionOf('@babylonjs/havok')}, scalar: 'binary32',
+  engine: {name: 'havok', version: versionOf('@babylonjs/havok')}, scalar: 'binary32', rounds: ['orientation'],
   pairs: ['sphere_sphere', 'sphere_capsule', 'capsule_capsule', 'sphere_triangle', 'capsule_triangle', 'triangle_triangle', ...withBoxes],
   conventions: {
     normal: 'second-to-first', points: 'second_only', value_less_contact: false, touching_overlap: 'open',

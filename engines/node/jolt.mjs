@@ -25,7 +25,7 @@ const numbers = (v) => [v.GetX(), v.GetY(), v.GetZ()];
 
 // Points are relative to the base offset, which is the origin here.
 serve({
-  engine: {name: 'jolt', version: versionOf('jolt-physics')}, scalar: 'binary32',
+  engine: {name: 'jolt', version: versionOf('jolt-physics')}, scalar: 'binary32', rounds: ['orientation'],
   pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule', 'sphere_triangle', 'ray_sphere', 'sphere_plane', 'capsule_plane', 'ray_triangle', 'triangle_line',
     'obb_obb', 'sphere_obb', 'capsule_cube', 'capsule_obb', 'capsule_triangle', 'cube_obb', 'cube_triangle', 'obb_triangle', 'triangle_triangle', 'cube_plane',
     'obb_plane', 'triangle_plane'],

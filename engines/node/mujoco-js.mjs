@@ -22,9 +22,12 @@ const onPlane = {normal: 'second-to-first'};
 const mjMAXVAL = 1e10; // beyond it MuJoCo calls a coordinate bad
 
 serve({
-  engine: {name: 'mujoco-js', version: versionOf('@mujoco/mujoco')}, scalar: 'binary64', pairs: Object.keys(scenes),
+  engine: {name: 'mujoco-js', version: versionOf('@mujoco/mujoco')}, scalar: 'binary64', rounds: ['orientation'], pairs: Object.keys(scenes),
   conventions: {points: 'midpoint', value_less_contact: false, shapes: 'centered', scale: {min: 0, max: mjMAXVAL}},
-  pair_conventions: {sphere_plane: onPlane, capsule_plane: onPlane, cube_plane: onPlane, obb_plane: onPlane},
+  pair_conventions: {
+    sphere_plane: onPlane, capsule_plane: onPlane, cube_plane: onPlane, obb_plane: onPlane,
+    obb_obb: {depth: 'any_separating'}, cube_obb: {depth: 'any_separating'},
+  },
 }, ({pair, a, b, alarm}) => {
   const {model, data} = scenes[pair];
   // Its compiler refuses a box without thickness and a capsule without length; to its collider a size of 0 is no limit.

@@ -6,9 +6,9 @@ const {Box, Quat, ShapeConfig, Sphere, World} = oimo;
 const {detectors} = new World({info: false});
 
 // The point of two boxes is a corner of either, or the middle between two edges.
-const boxes = {coincident: 'any_unit_normal', shapes: 'centered', points: 'none'};
+const boxes = {coincident: 'any_unit_normal', shapes: 'centered', points: 'none', depth: 'any_separating'};
 serve({
-  engine: {name: 'oimo', version: versionOf('oimo')}, scalar: 'binary64', pairs: ['sphere_sphere', 'sphere_cube', 'obb_obb', 'sphere_obb', 'cube_obb'],
+  engine: {name: 'oimo', version: versionOf('oimo')}, scalar: 'binary64', rounds: ['orientation'], pairs: ['sphere_sphere', 'sphere_cube', 'obb_obb', 'sphere_obb', 'cube_obb'],
   conventions: {
     points: 'first_only', value_less_contact: false, touching_overlap: 'open', touching_contact: 'open', margin: 'none',
     coincident: 'no_contact',

@@ -36,7 +36,7 @@ const typicalLength = new physx.PxTolerancesScale().length;
 const found = new physx.PxGjkQueryProximityInfoResult();
 
 serve({
-  engine: {name: 'physx', version: versionOf('physx-js-webidl')}, scalar: 'binary32',
+  engine: {name: 'physx', version: versionOf('physx-js-webidl')}, scalar: 'binary32', rounds: ['orientation'],
   pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule', 'sphere_triangle', 'obb_obb', 'sphere_obb', 'capsule_cube', 'capsule_obb', 'capsule_triangle',
     'cube_obb', 'cube_triangle', 'obb_triangle', 'triangle_triangle'],
   conventions: {normal: 'second-to-first', value_less_contact: false, shapes: 'centered'},

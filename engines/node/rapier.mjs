@@ -22,7 +22,7 @@ const convex = ['obb_obb', 'sphere_obb', 'capsule_cube', 'capsule_obb', 'capsule
 const solid = true; // a ray that begins in a ball hits it there
 
 serve({
-  engine: {name: 'rapier', version: versionOf('@dimforge/rapier3d-compat')}, scalar: 'binary32',
+  engine: {name: 'rapier', version: versionOf('@dimforge/rapier3d-compat')}, scalar: 'binary32', rounds: ['orientation'],
   pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule', 'sphere_triangle', 'ray_sphere', 'sphere_plane', 'capsule_plane', 'ray_triangle',
     ...convex],
   conventions: {value_less_contact: false, touching_contact: 'open', margin: 'exclusive'},

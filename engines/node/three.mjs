@@ -35,7 +35,7 @@ const overlaps = {
 
 const [turned, open] = [{shapes: 'centered'}, {touching_overlap: 'open'}];
 serve({
-  engine: {name: 'three', version: versionOf('three')}, scalar: 'binary64', pairs: Object.keys(overlaps),
+  engine: {name: 'three', version: versionOf('three')}, scalar: 'binary64', rounds: ['orientation'], pairs: Object.keys(overlaps),
   conventions: {margin: 'none'}, claims: ['overlap'],
   pair_conventions: {sphere_plane: turned, obb_obb: turned, sphere_obb: turned, cube_obb: turned, capsule_cube: open, capsule_triangle: open},
 }, ({pair, a, b}) => ({overlap: overlaps[pair](a, b)}));

@@ -489,10 +489,9 @@ bool has_center_and_size(const Ray& ray, Scalar scalar) {
 bool has_center_and_size(const Line& /*line*/, Scalar /*scalar*/) { return true; }
 bool has_center_and_size(const Triangle& /*triangle*/, Scalar /*scalar*/) { return true; }
 /// A rotated box has a rotation, whose matrix is of numbers where it changes axes, as after quarter turns, and seldom else.
-bool has_center_and_size(const Obb& box, Scalar scalar) {
+bool has_rotation(const Obb& box, Scalar scalar) {
   if (!std::all_of(box.orientation.begin(), box.orientation.end(), [](double x) { return std::isfinite(x); }))
     return true;
-  if (!box.extents.allFinite()) return true;
   std::array<Rational, 4> q;
   std::copy(box.orientation.begin(), box.orientation.end(), q.begin());
   const auto& [x, y, z, w] = q;
@@ -502,10 +501,13 @@ bool has_center_and_size(const Obb& box, Scalar scalar) {
       w * w + x * x - y * y - z * z, Rational(2) * (x * y - w * z), Rational(2) * (x * z + w * y),
       Rational(2) * (x * y + w * z), w * w - x * x + y * y - z * z, Rational(2) * (y * z - w * x),
       Rational(2) * (x * z - w * y), Rational(2) * (y * z + w * x), w * w - x * x - y * y + z * z};
-  const auto is_one = [&](const Rational& number) { return is_number(number, scalar); };
-  return std::all_of(matrix.begin(), matrix.end(), [&](const Rational& number) { return is_one(number / square); }) &&
-         std::all_of(box.extents.begin(), box.extents.end(),
-                     [&](double extent) { return is_one(Rational(2) * Rational(extent)); });
+  return std::all_of(matrix.begin(), matrix.end(),
+                     [&](const Rational& number) { return is_number(number / square, scalar); });
+}
+bool has_center_and_size(const Obb& box, Scalar scalar) {
+  return !box.extents.allFinite() || std::all_of(box.extents.begin(), box.extents.end(), [&](double extent) {
+    return is_number(Rational(2) * Rational(extent), scalar);
+  });
 }
 
 }  // namespace
@@ -525,8 +527,12 @@ std::optional<std::string_view> not_served(const Query& query, const Declaration
   if (declared.tolerance && !serves(*declared.tolerance)) return "numbers outside the scale of the tolerance";
   bool is_centered = true;
   if (c.shapes == ShapesAs::centered)
-    for_each_shape(
-        query, [&](const auto& shape) { is_centered = is_centered && has_center_and_size(shape, declared.scalar); });
+    for_each_shape(query, [&]<class Shape>(const Shape& shape) {
+      is_centered = is_centered && has_center_and_size(shape, declared.scalar);
+      // Who says that orientations are rounded is asked about all.
+      if constexpr (std::same_as<Shape, Obb>)
+        is_centered = is_centered && (declared.rounds_orientation || has_rotation(shape, declared.scalar));
+    });
   if (!is_centered) return "shapes whose centre, size, direction or end is no number of the engine's scalar";
   return std::nullopt;
 }

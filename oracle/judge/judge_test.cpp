@@ -375,6 +375,21 @@ TEST(Served, a_plane_by_a_unit_normal_lies_across_an_axis_and_a_ray_by_its_ends_
   EXPECT_TRUE(plane({0.6, 0.8, 0}, 1) && ray({0, 0, 0}, {0.1, 0, 0}, 3));
 }
 
+TEST(Served, a_rotated_box_by_its_matrix_has_one_of_numbers_unless_orientations_are_rounded) {
+  Declaration declared = with([](Conventions& c) { c.shapes = ShapesAs::centered; });
+  const auto served = [&](const Quaternion& orientation, const Vector3& extents) {
+    const Obb box{{0, 0, 0}, orientation, extents};
+    return !not_served({Pair::obb_obb, Convexes{{box}, {box}}, {0, 0}}, declared);
+  };
+  const double huge = std::numeric_limits<double>::max();
+  EXPECT_TRUE(served({0, 0, 3, 3}, {1, 2, 3})) << "a quarter turn";
+  EXPECT_FALSE(served({0, 0, 1, 2}, {1, 2, 3})) << "0.6 and 0.8";
+  EXPECT_FALSE(served({0, 0, 3, 3}, {huge, 1, 1})) << "a size beyond the largest number";
+  declared.rounds_orientation = true;
+  EXPECT_TRUE(served({0, 0, 1, 2}, {1, 2, 3}));
+  EXPECT_FALSE(served({0, 0, 1, 2}, {huge, 1, 1}));
+}
+
 TEST(Served, a_number_beyond_the_scale_is_not_and_the_reasons_differ) {
   const Declaration scaled = with([](Conventions& c) { c.scale_min = 0.5, c.scale_max = 2; });
   const auto why = [&](double radius) {
