@@ -3,6 +3,7 @@
 // mends nothing of what it says.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -33,7 +34,12 @@ struct Shape {
         half[i] = x[7 + i];
         size[i] = 2 * half[i];
       }
-      const double* q = x + 3;
+      // It may have any length; its squares then stay in the range.
+      double largest = 0;
+      for (int i = 3; i < 7; ++i) largest = std::fmax(largest, std::fabs(x[i]));
+      const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+      double q[4];
+      for (int i = 0; i < 4; ++i) q[i] = std::ldexp(x[3 + i], -exponent);
       const double squares = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
       for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column) {
