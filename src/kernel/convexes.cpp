@@ -264,7 +264,7 @@ PointOf<Integer> nearest_from(std::vector<Corner> corners, const Difference<Inte
   }
 }
 
-/// EnclosedCorners that plain double takes for those of the nearest point.
+/// Corners that plain double takes for those of the nearest point.
 std::vector<Corner> proposed(const TwoCores& cores) {
   using Nearly = std::vector<Vector<double>>;
   std::size_t bits = 0;

@@ -360,7 +360,8 @@ class TwoSets {
   b.corners.square();
   const Enclosures u = a.corners.along(facet.axis.u);
   const Enclosures w = b.corners.along(facet.axis.w);
-  const Enclosures n = (facet.is_back ? -1.0 : 1.0) * cross(u, w);
+  const double sign = facet.is_back ? -1 : 1;
+  const Enclosures n = sign * cross(u, w);
   const Enclosure N = dot(n, n);
   const NearWay along(n);
   const auto f = surely_farthest(a.near, along, 1, facet.axis.u);
@@ -373,7 +374,6 @@ class TwoSets {
   const Enclosure inverse = reciprocal(root(N));
   const Enclosures normal = inverse * n;
   const Enclosure distance = dot(normal, between);  // below 0
-  const double sign = facet.is_back ? -1 : 1;
   const Enclosures p = from + ((sign * inverse) * dot(cross(between, w), normal)) * u;
   return EnclosedContact(p, p + distance * normal, normal, distance, lengths);
 }
@@ -401,9 +401,9 @@ class TwoSets {
   return EnclosedContact(p, p + distance * normal, normal, distance, lengths);
 }
 
-/// near_answer(..).side until it is proved.
+/// near_side() of two cores, compiled for the same processors.
 [[nodiscard]] inline NearSide side_of(const NearCore& a, const NearCore& b, double alarm) {
-  return near_answer(a, b, alarm, false).side;
+  return near_side(a, b, alarm);
 }
 
 inline Certain rounded(const std::optional<EnclosedContact>& found, NearSide side, const Lengths& lengths,

@@ -246,12 +246,11 @@ struct NearScale {
   [[nodiscard]] bool holds() const { return is_near_range(size) && reach < kLargestNear; }
 };
 
-/// A direction that facets of A - B may face: across two ways, both of one core, which span a face of it, or one of each. `a` and `b`: which ways, and those
-/// of the faces of a box leave out its third.
+/// A direction that facets of A - B may face: across two ways u and w, both of one core, which span a face of it, or the first of A and the second of B.
 struct NearAxis {
   bool of_a;
   bool of_b;
-  std::size_t u;  ///< a way of A, where it has a part in it
+  std::size_t u;
   std::size_t w;
 };
 
@@ -304,11 +303,10 @@ class NearDepths {
     return !may_meet ? NearSide::miss : surely_meet ? NearSide::hit : NearSide::unknown;
   }
 
-  /// A facet of A - B: its axis, and its normal of any length.
+  /// A facet of A - B: it faces along the axis, u x w, or back.
   struct Facet {
     NearAxis axis;
     bool is_back;
-    NearCore::Vector normal;
   };
   /// The facet that 0 is nearest to; nothing where another may be as near. Domain: side() is a hit.
   [[nodiscard, gnu::always_inline]] std::optional<Facet> least() const {
@@ -323,9 +321,7 @@ class NearDepths {
       as_near += back_[k] - off_[k] > most ? 0 : 1;
     }
     if (as_near != 1) return std::nullopt;
-    const bool is_back = back_[best] < forth_[best];
-    const double sign = is_back ? -1 : 1;
-    return Facet{axes_[best], is_back, {sign * x_[best], sign * y_[best], sign * z_[best]}};
+    return Facet{axes_[best], back_[best] < forth_[best]};
   }
 
  private:
@@ -427,12 +423,13 @@ struct NearAnswer {
   return {side, simplex.at()};
 }
 
-[[nodiscard, gnu::always_inline]] inline NearAnswer near_answer(const NearCore& a, const NearCore& b, double alarm,
-                                                                bool to_the_end) {
+/// Whether two cores are within alarm + both radii, where plain double can prove so. Facets pay where both have faces.
+[[nodiscard, gnu::always_inline]] inline NearSide near_side(const NearCore& a, const NearCore& b, double alarm) {
   const NearScale scale(a, b, alarm);
-  if (!scale.holds()) return {};
-  const NearSide side = NearDepths(a, b, scale).side(scale.reach);
-  return side == NearSide::unknown ? walk(a, b, scale, to_the_end) : NearAnswer{side};
+  if (!scale.holds()) return NearSide::unknown;
+  const bool have_faces = a.count > 2 && b.count > 2;
+  const NearSide side = have_faces ? NearDepths(a, b, scale).side(scale.reach) : NearSide::unknown;
+  return side == NearSide::unknown ? walk(a, b, scale, false).side : side;
 }
 
 /// The same of a core over a half-space.

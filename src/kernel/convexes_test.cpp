@@ -112,7 +112,7 @@ TEST(ConvexesFilter, proves_what_is_clear_and_leaves_what_is_near_to_integers) {
   const Box first{{0, 0, 0}, {1, 1, 1}};
   const auto beside = [](double gap) { return Obb{{2 + gap, 0.5, 0.5}, {0, 0, 3, 3}, {2, 1, 3}}; };
   const auto side = [&](double gap, double alarm) {
-    return near_answer(kernel::near_core(first), kernel::near_core(beside(gap)), alarm, false).side;
+    return near_side(kernel::near_core(first), kernel::near_core(beside(gap)), alarm);
   };
   EXPECT_EQ(side(1, 1), NearSide::unknown);
   EXPECT_EQ(side(0, 0), NearSide::unknown);
@@ -129,7 +129,7 @@ TEST(ConvexesFilter, proves_what_is_clear_and_leaves_what_is_near_to_integers) {
   EXPECT_EQ(side(-0.25, 0), NearSide::hit);
   // Where products leave the range, and of a quaternion whose square does, nothing is said.
   const auto said_of = [&](const auto& other) {
-    return near_answer(kernel::near_core(first), kernel::near_core(other), 0, false).side;
+    return near_side(kernel::near_core(first), kernel::near_core(other), 0);
   };
   EXPECT_EQ(said_of(Box{{0, 0, 0}, {1e300, 1, 1}}), NearSide::unknown);
   Obb tiny = beside(9);
@@ -149,7 +149,7 @@ TEST(ConvexesFilter, leaves_to_integers_what_touches_or_ties_but_for_rounding) {
     // In the middle of a face.
     Ball ball{cube.center, 0};
     for (Eigen::Index axis = 0; axis < 3; ++axis) ball.center[axis] += core.ways[0][static_cast<std::size_t>(axis)];
-    EXPECT_EQ(near_answer(near_core(ball), core, 0, false).side, NearSide::unknown) << i;
+    EXPECT_EQ(near_side(near_core(ball), core, 0), NearSide::unknown) << i;
     // As near to one face as to another.
     ball.center = cube.center;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -232,6 +232,21 @@ TEST(ConvexesEnclosed, settles_nearly_all_that_is_in_no_special_position_and_lea
   const auto open = [&](const auto& a, const auto& b) {
     const Certain found =
         plain::certain(near_core(a), GivenCorners(a), near_core(b), GivenCorners(b), true, lengths, {}, contact);
+#if defined(__x86_64__) && !defined(__FMA__)
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+      Contact same{};
+      const Certain again =
+          by_fma::certain(near_core(a), GivenCorners(a), near_core(b), GivenCorners(b), true, lengths, {}, same);
+      EXPECT_EQ(again.side, found.side);
+      EXPECT_EQ(again.open, found.open);
+      if (found.side == NearSide::hit && found.open == 0) {
+        EXPECT_EQ(same.normal, contact.normal);
+        EXPECT_EQ(same.point1, contact.point1);
+        EXPECT_EQ(same.point2, contact.point2);
+        EXPECT_EQ(same.value, contact.value);
+      }
+    }
+#endif
     return found.side == NearSide::miss ? 0U : found.open;
   };
   int apart = 0;

@@ -276,11 +276,15 @@ Lines head(const Standalone& test) {
         "tolerance: {} ulps of a number's scale, as at the level `bounded`; what is right is written as doubles, "
         "which adds 2 ulps of the number. Every decision counts, also that of shapes that just touch.",
         test.declared.bounds.value));
-  if (has_numbers(test.pair))
+  if (has_numbers(test.pair)) {
     add("Where several normals are right, any of them is; where any direction is, its length alone is checked. Where "
-        "many "
-        "points are right, each coordinate lies between the least and the largest. So no right answer is called "
-        "wrong, and there a wrong one may pass.");
+        "many points are right, each coordinate lies between the least and the largest. So a wrong answer may pass.");
+    // What a jump stops at between the moves that look for it is not known: docs/certify-your-engine.md.
+    add(test.declared.tolerance
+            ? "No right answer is called wrong but where the tolerance moves it a long way, as along nearly parallel "
+              "edges: there ask `certify`."
+            : "No right answer is called wrong.");
+  }
   lines.emplace_back("SPDX-License-Identifier: MIT");
   return lines;
 }
