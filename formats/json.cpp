@@ -72,6 +72,7 @@ void append_array(std::string& text, const Elements& all) {
 }  // namespace
 
 void append_number(std::string& text, const std::array<Vector3, 3>& all) { append_array(text, all); }
+void append_number(std::string& text, const std::vector<Vector3>& all) { append_array(text, all); }
 void append_number(std::string& text, const Quaternion& q) { append_array(text, q); }
 
 std::string number(double x) {
@@ -294,6 +295,14 @@ std::array<Vector3, 3> Node::three_vectors() const {
   if (!json_->is_array() || json_->size() != 3) refuse("expected three points of three numbers each");
   const auto parts = items();
   return {parts[0].vector(), parts[1].vector(), parts[2].vector()};
+}
+
+std::vector<Vector3> Node::vectors() const {
+  if (!json_->is_array() || json_->empty() || json_->size() > kMostVertices)
+    refuse(fmt::format("expected from 1 to {} points of three numbers each", kMostVertices));
+  std::vector<Vector3> all;
+  for (const Node& each : items()) all.push_back(each.vector());
+  return all;
 }
 
 Quaternion Node::quaternion() const {

@@ -129,6 +129,8 @@ void read(const formats::Node& node, Shape& shape) {
       value = node.at(field.name).vector();
     else if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, Quaternion>)
       value = node.at(field.name).quaternion();
+    else if constexpr (AnyNumberOfVectors<decltype(value)>)
+      value = node.at(field.name).vectors();
     else
       value = node.at(field.name).three_vectors();
   });

@@ -96,11 +96,13 @@ void spoil(Query& query, Random& random) {
   int number = static_cast<int>(which);
   bool is_in_a_shape = false;
   for_each_shape(query, [&]<class Shape>(Shape& shape) {
-    if (number >= 0 && number < kNumbersOf<Shape>) {
+    int size = 0;
+    for_each_number(shape, [&](double) { ++size; });
+    if (number >= 0 && number < size) {
       ShapeDescription<Shape>::break_a_rule(shape, number, amount);
       is_in_a_shape = true;
     }
-    number -= kNumbersOf<Shape>;
+    number -= size;
   });
   if (!is_in_a_shape) x = -amount;
 }

@@ -18,25 +18,32 @@ constexpr std::size_t kLongestName = [] {
   for (const std::string_view name : kPairNames) longest = std::max(longest, name.size());
   return longest;
 }();
-/// The longest name, one zero byte, and the numbers of the two shapes that have most of them, and of two distances.
+/// The longest name, one zero byte, the numbers of the two shapes that have most of them, how many vertices each has, and two distances.
 #define CONTACT_NUMBERS(A, B) kNumbersOf<A> + kNumbersOf<B>,
 constexpr std::size_t kLongestCanonical =
-    kLongestName + 1 + 8 * (2 + static_cast<std::size_t>(std::max({CONTACT_KINDS(CONTACT_NUMBERS)})));
+    kLongestName + 1 + 8 * (4 + static_cast<std::size_t>(std::max({CONTACT_KINDS(CONTACT_NUMBERS)})));
 #undef CONTACT_NUMBERS
 
 }  // namespace
 
 std::array<char, kIdLength> query_id_digits(const Query& query) {
   // No text on the way: every question of a run has its id computed and compared.
-  std::array<unsigned char, kLongestCanonical> bytes{};
-  auto at = std::copy(name(query.pair).begin(), name(query.pair).end(), bytes.begin()) + 1;
+  std::array<unsigned char, kLongestCanonical> bytes;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  auto at = std::copy(name(query.pair).begin(), name(query.pair).end(), bytes.begin());
+  *at++ = 0;
   const auto put = [&](double x) {
     std::uint64_t bits = canonical_bits(x);
     if constexpr (std::endian::native == std::endian::little) bits = __builtin_bswap64(bits);  // the first byte first
     std::memcpy(at, &bits, sizeof bits);
     at += sizeof bits;
   };
-  for_each_number_unnamed(query, put);
+  if (has_hull(query.pair))
+    for_each_value(query, [&]<class Value>(const Value& value) {
+      if constexpr (AnyNumberOfVectors<Value>) put(static_cast<double>(value.size()));
+      for_each_number_in(value, put);
+    });
+  else
+    for_each_number_unnamed(query, put);
   const auto digest = formats::Sha256::digest_of(
       {reinterpret_cast<const char*>(bytes.data()), static_cast<std::size_t>(at - bytes.begin())});
   std::array<char, kIdLength> id;

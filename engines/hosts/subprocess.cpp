@@ -195,6 +195,8 @@ Question smoke_question(Pair pair) {
         value = Vector3(k + aside, k, k), ++k;
       else if constexpr (std::same_as<std::remove_reference_t<decltype(value)>, Quaternion>)
         value = {1, 1, 1, 1};
+      else if constexpr (AnyNumberOfVectors<decltype(value)>)
+        value = {Vector3(aside, 0, 0), Vector3(1 + aside, 0, 0), Vector3(aside, 1, 0), Vector3(aside, 0, 1)};
       else
         for (std::size_t i = 0; i < 3; ++i)
           value[i] = Vector3::Unit(static_cast<Eigen::Index>(i)) + Vector3(aside, 0, 0);

@@ -60,6 +60,9 @@ template <class Value>
   std::optional<DomainError> error;
   bool is_zero = true;
   int k = 0;
+  if constexpr (AnyNumberOfVectors<Value>)
+    if (value.empty() || value.size() > kMostVertices)
+      return DomainError{path, static_cast<double>(value.size()), "must be from 1 to 64 points"};
   for_each_number_in(value, [&](const double& number) {
     if (!error && !is_finite_by_bits(number)) error = DomainError{path + place_in(value, k), number, "must be finite"};
     if (!error && kind == FieldKind::length) error = outside_domain(path + place_in(value, k), number);
@@ -95,6 +98,8 @@ template <DescribedShape Shape>
   bool inside = true;
   for_each_field(shape, [&](const auto& field, const auto& value) {
     bool is_zero = true;
+    if constexpr (AnyNumberOfVectors<decltype(value)>)
+      inside = inside && !value.empty() && value.size() <= kMostVertices;
     for_each_number_in(value, [&](const double& x) {
       inside = inside && is_finite_by_bits(x) && !(field.kind == FieldKind::length && is_less_by_bits(x, 0));
       is_zero = is_zero && is_zero_by_bits(x);

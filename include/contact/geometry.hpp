@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <variant>
+#include <vector>
 
 #include "contact/version.h"
 
@@ -75,10 +76,18 @@ struct Obb {
   Vector3 extents;
 };
 
+/// The points within `radius` >= 0 of the convex hull of some points, from one to kMostVertices. They may be repeated, lie inside the others, in a plane or
+/// on a line.
+struct Hull {
+  std::vector<Vector3> vertices;
+  double radius;
+};
+inline constexpr std::size_t kMostVertices = 64;
+
 /// A shape of a pair that asks no more of it than that it is a convex core blown up by a radius: which of them, the
 /// pair says.
 struct Convex {
-  std::variant<Ball, Capsule, Box, Obb, Triangle, Plane> shape;
+  std::variant<Ball, Capsule, Box, Obb, Triangle, Plane, Hull> shape;
 };
 
 /// The distances of SOFA's Intersection. Pairs up to `alarm` apart are reported. `contact` is subtracted from the value

@@ -61,7 +61,14 @@ enum class Numbers { none, crossing, distance, cast };
   X(triangle_triangle, Triangle, Triangle, distance, false, false) \
   X(cube_plane, Box, Plane, distance, false, false)                \
   X(obb_plane, Obb, Plane, distance, false, false)                 \
-  X(triangle_plane, Triangle, Plane, distance, false, false)
+  X(triangle_plane, Triangle, Plane, distance, false, false)       \
+  X(sphere_hull, Ball, Hull, distance, false, false)               \
+  X(capsule_hull, Capsule, Hull, distance, false, false)           \
+  X(cube_hull, Box, Hull, distance, false, false)                  \
+  X(obb_hull, Obb, Hull, distance, false, false)                   \
+  X(triangle_hull, Triangle, Hull, distance, false, false)         \
+  X(hull_hull, Hull, Hull, distance, false, false)                 \
+  X(hull_plane, Hull, Plane, distance, false, false)
 
 /// The pairs: X(name, first shape, second shape, what its contacts have, the first is rigid, the second is rigid).
 /// Under upstream's convention a rigid sphere reports its nearest surface point, a deformable one its centre.
@@ -176,6 +183,10 @@ inline constexpr bool kHasRadius = requires(Shape shape) {
   shape.radius;
 };
 
+/// Whether one of its shapes is a hull, which has as many numbers as a question says.
+[[nodiscard]] constexpr bool has_hull(Pair pair) {
+  return of_shapes(pair, []<class A, class B>() { return kIsOneOf<Hull, A, B>; });
+}
 /// Whether SOFA's DiscreteIntersection has the pair, of two spheres or of two cubes; the others join at run time there.
 [[nodiscard]] constexpr bool is_discrete_intersections(Pair pair) {
   return of_shapes(pair, []<class A, class B>() { return std::same_as<A, B> && kIsOneOf<A, Ball, Box>; });

@@ -13,6 +13,7 @@
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "contact/geometry.hpp"
 
@@ -136,6 +137,15 @@ struct ShapeDescription<Obb> : AnyNumbers<Obb> {
 };
 
 template <>
+struct ShapeDescription<Hull> : AnyNumbers<Hull> {
+  static constexpr std::string_view kName = "hull";
+  static constexpr std::tuple kFields{
+      ShapeField<Hull, std::vector<Vector3>>{"vertices", &Hull::vertices, FieldKind::point},
+      ShapeField<Hull, double>{"radius", &Hull::radius, FieldKind::length}};
+  static void break_a_rule(Hull& hull, int /*number*/, double amount) { hull.radius = -amount; }
+};
+
+template <>
 struct ShapeDescription<Ray> : AnyNumbers<Ray> {
   static constexpr std::string_view kName = "ray";
   static constexpr std::tuple kFields{ShapeField<Ray, Vector3>{"origin", &Ray::origin, FieldKind::point},
@@ -175,15 +185,19 @@ struct ShapeDescription<Line> : AnyNumbers<Line> {
 template <class Value>
 concept FieldValue = std::same_as < std::remove_const_t<Value>,
 double > || std::same_as<std::remove_const_t<Value>, Vector3> || std::same_as<std::remove_const_t<Value>, Quaternion> ||
-    std::same_as<std::remove_const_t<Value>, std::array<Vector3, 3>>;
+    std::same_as<std::remove_const_t<Value>, std::array<Vector3, 3>> ||
+    std::same_as<std::remove_const_t<Value>, std::vector<Vector3>>;
+/// A field of which a question says how many vectors it has.
+template <class Value>
+concept AnyNumberOfVectors = std::same_as<std::remove_cvref_t<Value>, std::vector<Vector3>>;
 
-/// Calls visit(vector&) for every vector of a field: none of a number or a quaternion, one, or three.
+/// Calls visit(vector&) for every vector of a field: none of a number or a quaternion, one, three, or as many as it has.
 template <FieldValue Value, class Visit>
 constexpr void for_each_vector(Value& value, Visit&& visit) {
   using Plain = std::remove_const_t<Value>;
   if constexpr (std::same_as<Plain, Vector3>)
     visit(value);
-  else if constexpr (std::same_as<Plain, std::array<Vector3, 3>>)
+  else if constexpr (std::same_as<Plain, std::array<Vector3, 3>> || AnyNumberOfVectors<Plain>)
     for (auto& v : value) visit(v);
 }
 
@@ -202,7 +216,7 @@ constexpr void for_each_number_in(Value& value, Visit&& visit) {
   }
 }
 
-/// Where the k-th number of a field stands in it: nothing for a number, [1] in a vector or a quaternion, [2][1] in three
+/// Where the k-th number of a field stands in it: nothing for a number, [1] in a vector or a quaternion, [2][1] in several
 /// vectors.
 template <class Value>
 [[nodiscard]] std::string place_in(const Value& /*value*/, int k) {
@@ -248,13 +262,15 @@ template <DescribedShape Shape>
   return std::visit([](const auto& shape) { return field_names_of(shape); }, convex.shape);
 }
 
-/// How many numbers a shape has; of one that the pair says, the most that it may have.
+/// How many numbers a shape has; of a hull and of one that the pair says, the most that it may have.
 template <class Shape>
 inline constexpr int kNumbersOf = std::apply(
     [](const auto&... field) { return (0 + ... + static_cast<int>(sizeof(Shape{}.*field.member) / sizeof(double))); },
     ShapeDescription<Shape>::kFields);
 template <>
-inline constexpr int kNumbersOf<Convex> = kNumbersOf<Obb>;
+inline constexpr int kNumbersOf<Hull> = 3 * static_cast<int>(kMostVertices) + 1;
+template <>
+inline constexpr int kNumbersOf<Convex> = kNumbersOf<Hull>;
 
 /// Calls visit(number&) for every number of a shape, in the canonical order.
 template <AShape Shape, class Visit>
@@ -262,10 +278,11 @@ void for_each_number(Shape& shape, Visit&& visit) {
   for_each_field(shape, [&](const auto& /*field*/, auto& value) { for_each_number_in(value, visit); });
 }
 
-/// A shape all of whose numbers are 0.
+/// A shape all of whose numbers are 0; of a hull, so many vertices.
 template <class Shape>
-[[nodiscard]] Shape zero_shape() {
+[[nodiscard]] Shape zero_shape(std::size_t vertices = 1) {
   Shape shape;
+  if constexpr (std::same_as<Shape, Hull>) shape.vertices.resize(vertices);
   for_each_number(shape, [](double& number) { number = 0; });
   return shape;
 }

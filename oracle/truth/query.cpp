@@ -34,7 +34,7 @@ std::string shapes_of(Pair pair) {
 
 std::string shapes_of_kind(Pair pair) { return is_convex(pair) ? "any two convex shapes" : shapes_of(pair); }
 
-#define CONTACT_HAS_ROOM(A, B) static_assert(kNumbersOf<A> + kNumbersOf<B> + 2 <= 22);
+#define CONTACT_HAS_ROOM(A, B) static_assert(kNumbersOf<A> + kNumbersOf<B> + 2 <= static_cast<int>(kMostNumbers));
 CONTACT_KINDS(CONTACT_HAS_ROOM)
 #undef CONTACT_HAS_ROOM
 
@@ -56,8 +56,8 @@ UpTo<QueryField, 8> fields_of(Query& query) {
   return fields;
 }
 
-UpTo<double*, 22> numbers_of(Query& query) {
-  UpTo<double*, 22> numbers;
+UpTo<double*, kMostNumbers> numbers_of(Query& query) {
+  UpTo<double*, kMostNumbers> numbers;
   const auto add = [&](double& number) { numbers.add(&number); };
   std::visit([&](auto& shapes) { for_each_number(shapes.a, add), for_each_number(shapes.b, add); }, query.shapes);
   add(query.distances.alarm);

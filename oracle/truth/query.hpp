@@ -78,11 +78,11 @@ struct Query {
 [[nodiscard]] inline Query zero_query(Pair pair) { return {pair, description(pair).zeros(), {0, 0}}; }
 
 /// A field of a question: "a." or "b." and its name, where its value stands, and what it is. Code that asks every field or number
-/// crosses here from the many kinds of shapes to four types of value, and so is compiled for these alone.
+/// crosses here from the many kinds of shapes to five types of value, and so is compiled for these alone.
 struct QueryField {
   std::string_view shape;
   std::string_view name;
-  std::variant<double*, Vector3*, std::array<Vector3, 3>*, Quaternion*> value;
+  std::variant<double*, Vector3*, std::array<Vector3, 3>*, Quaternion*, std::vector<Vector3>*> value;
   FieldKind kind;
 };
 
@@ -100,7 +100,8 @@ struct UpTo {
 /// The fields of a question in the canonical order: a, b, alarm, contact.
 [[nodiscard]] UpTo<QueryField, 8> fields_of(Query& query);
 /// Its numbers in that order.
-[[nodiscard]] UpTo<double*, 22> numbers_of(Query& query);
+inline constexpr std::size_t kMostNumbers = 2 * static_cast<std::size_t>(kNumbersOf<Hull>) + 2;
+[[nodiscard]] UpTo<double*, kMostNumbers> numbers_of(Query& query);
 
 template <class Value>
 concept AQuery = std::same_as<std::remove_const_t<Value>, Query>;
@@ -147,7 +148,7 @@ void for_each_number_unnamed(AnyQuery& query, Visit&& visit) {
 }
 
 /// A shape of a question, of whatever type; of one that the pair says, that.
-using AnyShape = std::variant<Ball*, Box*, Capsule*, Triangle*, Plane*, Ray*, Cast*, Line*, Obb*>;
+using AnyShape = std::variant<Ball*, Box*, Capsule*, Triangle*, Plane*, Ray*, Cast*, Line*, Obb*, Hull*>;
 [[nodiscard]] std::array<AnyShape, 2> two_shapes(Query& query);
 /// Calls visit(shape&) for both, first and second. Code that asks every shape crosses here from the kinds of pairs.
 template <AQuery AnyQuery, class Visit>

@@ -100,7 +100,7 @@ void list_pairs(Listed& list) {
       Json fields = Json::object();
       for_each_field(shape, [&](const auto& field, const auto& value) {
         using Value = std::remove_cvref_t<decltype(value)>;
-        const bool many = std::same_as<Value, std::array<Vector3, 3>> ||
+        const bool many = std::same_as<Value, std::array<Vector3, 3>> || AnyNumberOfVectors<Value> ||
                           (std::same_as<Value, Vector3> && field.kind == FieldKind::length);
         fields[std::string(field.name)] =
             std::string(kFieldKindNames[static_cast<std::size_t>(field.kind)]) + (many ? "s" : "");
