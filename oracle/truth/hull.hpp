@@ -82,6 +82,7 @@ class HullMaker {
     return true;
   }
   [[nodiscard]] int side(const Face& f, std::size_t k) const {
+    if (std::find(f.begin(), f.end(), k) != f.end()) return 0;
     return sign_([&](const auto& at) { return volume_between(at, f[0], f[1], f[2], k); });
   }
   /// Above 0 where the way by three points in the plane of `base_` turns as that one does.
