@@ -38,7 +38,7 @@ COMPONENTS = {
                "src/kernel/sphere_plane.cpp", "src/kernel/crossing_cores.cpp", "src/kernel/crossing_cores.hpp",
                "src/kernel/ray_triangle.cpp", "src/kernel/triangle_line.cpp", "src/kernel/casts.cpp", "src/kernel/convexes.cpp",
                "src/kernel/convexes_enclosed-inl.h", "src/kernel/convexes_enclosed.hpp", "src/kernel/convexes_filter.hpp",
-               "src/kernel/enclosure-inl.h",
+               "src/kernel/enclosure-inl.h", "src/kernel/expanding_polytope.hpp",
                "src/kernel/capsule_capsule.cpp", "src/kernel/cores.cpp", "src/kernel/cores_double_double.hpp",
                "src/kernel/cores_stages.hpp", "src/kernel/segment_cores.cpp", "src/kernel/segment_cores.hpp", "src/kernel/sphere_capsule.cpp",
                "src/kernel/ray_sphere.cpp", "src/kernel/sphere_triangle.cpp", "src/kernel/triangle_cores.cpp", "src/kernel/triangle_cores.hpp",

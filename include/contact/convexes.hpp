@@ -1,4 +1,4 @@
-// Any two convex shapes: a sphere, a capsule, a box, a rotated box or a triangle against another, or over a plane.
+// Any two convex shapes: a sphere, a capsule, a box, a rotated box, a triangle or a hull against another, or over a plane.
 #pragma once
 
 #include <optional>
@@ -22,8 +22,9 @@ namespace contact::inline CONTACT_ABI {
 // Over a plane p is the lowest point, q its foot, and the distance is signed, as of capsule_plane.
 //
 // Units       any one length unit; the normal is a unit vector. Orientations count by their direction alone.
-// Domain      finite; radii, extents, `alarm` and `contact` >= 0; orientations and normals of planes not zero. Flat boxes,
-//             and triangles and capsules without extent are included, subnormals and the largest finite numbers too.
+// Domain      finite; radii, extents, `alarm` and `contact` >= 0; orientations and normals of planes not zero; from 1 to
+//             kMostVertices vertices. Flat boxes, triangles and capsules without extent, and hulls of any points are
+//             included, subnormals and the largest finite numbers too.
 // Decision    exact, and closed: what touches, and what is at exactly the alarm distance, hits.
 // Error       every number is the exact real rounded once to nearest, ties to even (0.5 ulp); beyond the largest finite
 //             number it is infinite, as IEEE 754 rounds. Every zero is +0.

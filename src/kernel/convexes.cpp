@@ -5,7 +5,8 @@
 // point v of B - A that is nearest to 0: in plain double first, which only proposes corners to begin with, then in integers, where each step is exact and the
 // distance falls, so that it ends, at
 //   v.(b - a) >= v.v     for all vertices a of A and b of B
-// which proves v. Where 0 lies in B - A, the depth is the least over the crosses N of two edges of max N.a - min N.b, over |N|.
+// which proves v. Where 0 lies in B - A, a polytope of corners of A - B grows around 0, expanding_polytope.hpp, until no vertex lies beyond its nearest faces: these are
+// then the facets of A - B that are nearest to 0, and the depth is how far.
 #include "contact/convexes.hpp"
 
 #include <algorithm>
@@ -18,6 +19,7 @@
 #include "contact/pair_functions.hpp"
 #include "kernel/convexes_enclosed.hpp"
 #include "kernel/cores.hpp"
+#include "kernel/expanding_polytope.hpp"
 #include "kernel/floating_point_environment.hpp"
 #include "kernel/plane_cores.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
@@ -30,30 +32,24 @@ using namespace kernel;
 
 // ---- cores ----
 
-/// A core: its vertices over a denominator > 0, and an edge of each direction that its edges have.
+/// A core: points that it is the convex hull of, none twice, over a denominator > 0.
 struct Polytope {
   std::vector<IntegerVector> vertices;
-  std::vector<IntegerVector> ways;
   Integer over = 1;
 };
 
 IntegerVector sum(const IntegerVector& x, const IntegerVector& y) { return combined(1, x, 1, y); }
 IntegerVector times(const Integer& k, const IntegerVector& x) { return {k * x[0], k * x[1], k * x[2]}; }
 
-/// The core of some points, and between each two of those that have an edge between them.
 Polytope of_points(std::vector<IntegerVector> points) {
-  Polytope core;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (points[i] != points[j]) core.ways.push_back(points[i] - points[j]);
-  core.vertices = std::move(points);
-  return core;
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return {std::move(points)};
 }
-/// Every corner + what some of the ways add.
-void span(Polytope& core, const IntegerVector& corner) {
-  core.vertices = {corner};
-  for (const IntegerVector& way : core.ways)
-    for (std::size_t k = core.vertices.size(); k-- > 0;) core.vertices.push_back(sum(core.vertices[k], way));
+/// To every vertex what a way adds.
+void extend(Polytope& core, const IntegerVector& way) {
+  if (way == kNowhere) return;
+  for (std::size_t k = core.vertices.size(); k-- > 0;) core.vertices.push_back(sum(core.vertices[k], way));
 }
 
 Grid grid_of(const Ball& x) { return Grid{x.center[0], x.center[1], x.center[2], x.radius}; }
@@ -68,6 +64,11 @@ Grid grid_of(const Triangle& x) {
   const auto& [u, v, w] = x.vertices;
   return Grid{u[0], u[1], u[2], v[0], v[1], v[2], w[0], w[1], w[2]};
 }
+Grid grid_of(const Hull& x) {
+  Grid grid{x.radius};
+  for (const Vector3& v : x.vertices) grid = Grid({v[0], v[1], v[2]}, grid.exponent());
+  return grid;
+}
 
 Polytope core_of(const Grid& grid, const Ball& ball) { return of_points({on_grid(grid, ball.center)}); }
 Polytope core_of(const Grid& grid, const Capsule& capsule) {
@@ -77,16 +78,20 @@ Polytope core_of(const Grid& grid, const Triangle& triangle) {
   const auto& [u, v, w] = triangle.vertices;
   return of_points({on_grid(grid, u), on_grid(grid, v), on_grid(grid, w)});
 }
+Polytope core_of(const Grid& grid, const Hull& hull) {
+  std::vector<IntegerVector> points;
+  for (const Vector3& x : hull.vertices) points.push_back(on_grid(grid, x));
+  return of_points(std::move(points));
+}
 Polytope core_of(const Grid& grid, const Box& box) {
   const IntegerVector low = on_grid(grid, box.min);
   const IntegerVector size = on_grid(grid, box.max) - low;
-  Polytope core;
+  Polytope core{{low}};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     IntegerVector way = kNowhere;
     way[axis] = size[axis];
-    if (way != kNowhere) core.ways.push_back(way);
+    extend(core, way);
   }
-  span(core, low);
   return core;
 }
 Polytope core_of(const Grid& grid, const Obb& box) {
@@ -101,20 +106,17 @@ Polytope core_of(const Grid& grid, const Obb& box) {
       IntegerVector{w * w + x * x - y * y - z * z, 2 * (x * y + w * z), 2 * (x * z - w * y)},
       IntegerVector{2 * (x * y - w * z), w * w - x * x + y * y - z * z, 2 * (y * z + w * x)},
       IntegerVector{2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z}};
-  Polytope core;
-  core.over = x * x + y * y + z * z + w * w;
-  IntegerVector corner = times(core.over, on_grid(grid, box.center));
+  const Integer over = x * x + y * y + z * z + w * w;
+  Polytope core{{times(over, on_grid(grid, box.center))}, over};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const IntegerVector half = times(grid(box.extents[static_cast<Eigen::Index>(axis)]), columns[axis]);
-    if (half == kNowhere) continue;
-    corner = corner - half;
-    core.ways.push_back(times(2, half));
+    for (IntegerVector& corner : core.vertices) corner = corner - half;
+    extend(core, times(2, half));
   }
-  span(core, corner);
   return core;
 }
 
-/// Two cores over one denominator, whose edges lose nothing but length.
+/// Two cores over one denominator.
 struct TwoCores {
   Polytope a;
   Polytope b;
@@ -322,41 +324,51 @@ Middle middle_of(const std::vector<Quotient>& points) {
   return {{combined(high->over, low->at, low->over, high->at), 2 * low->over * high->over}, false};
 }
 
-/// What two sets of points in a plane span in common, as points between which it lies: their own that lie in the other, and
-/// where what is between two of one crosses what is between two of the other.
+/// What two sets of points in a plane span in common, as points between which it lies: corners of each that lie in the other, and where edges cross.
 class InPlane {
  public:
   InPlane(std::vector<IntegerVector> a, std::vector<IntegerVector> b, IntegerVector normal)
-      : a_(std::move(a)), b_(std::move(b)), n_(std::move(normal)) {}
+      : n_(std::move(normal)), a_(polygon_of(std::move(a))), b_(polygon_of(std::move(b))) {}
 
   [[nodiscard]] std::vector<Quotient> common() const {
     std::vector<Quotient> all;
     for (const IntegerVector& x : a_)
-      if (spans(b_, x)) all.push_back({x, 1});
+      if (holds(b_, x)) all.push_back({x, 1});
     for (const IntegerVector& x : b_)
-      if (spans(a_, x)) all.push_back({x, 1});
+      if (holds(a_, x)) all.push_back({x, 1});
     for (std::size_t i = 0; i < a_.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        for (std::size_t k = 0; k < b_.size(); ++k)
-          for (std::size_t l = 0; l < k; ++l) cross_at(a_[i], a_[j] - a_[i], b_[k], b_[l] - b_[k], all);
+      for (std::size_t k = 0; k < b_.size(); ++k) cross_at(a_[i], next(a_, i) - a_[i], b_[k], next(b_, k) - b_[k], all);
     return all;
   }
 
  private:
+  /// Its corners, counterclockwise around n; of a segment its ends, or one point.
+  using Polygon = std::vector<IntegerVector>;
+  [[nodiscard]] static const IntegerVector& next(const Polygon& of, std::size_t k) { return of[(k + 1) % of.size()]; }
   [[nodiscard]] Integer turn(const IntegerVector& u, const IntegerVector& v) const { return dot(n_, cross(u, v)); }
 
-  /// Whether x lies between points: on one, between two, or in a triangle of three.
-  [[nodiscard]] bool spans(const std::vector<IntegerVector>& of, const IntegerVector& x) const {
-    for (std::size_t i = 0; i < of.size(); ++i) {
-      if (of[i] == x) return true;
-      for (std::size_t j = 0; j < i; ++j) {
-        const int side = turn(of[i] - x, of[j] - x).sign();
-        if (side == 0 && dot(of[i] - x, of[j] - x).sign() <= 0) return true;
-        for (std::size_t k = 0; side != 0 && k < j; ++k)
-          if (turn(of[j] - x, of[k] - x).sign() == side && turn(of[k] - x, of[i] - x).sign() == side) return true;
-      }
-    }
-    return false;
+  /// What points span, by Andrew's chains: from the least to the greatest, and back.
+  [[nodiscard]] Polygon polygon_of(std::vector<IntegerVector> points) const {
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    if (points.size() < 3) return points;
+    Polygon corners;
+    const auto add = [&](std::size_t chain, const IntegerVector& x) {
+      while (corners.size() > chain + 1 &&
+             turn(corners.back() - corners[corners.size() - 2], x - corners.back()).sign() <= 0)
+        corners.pop_back();
+      corners.push_back(x);
+    };
+    for (const IntegerVector& x : points) add(0, x);
+    const std::size_t greatest = corners.size() - 1;
+    for (std::size_t k = points.size() - 1; k-- > 0;) add(greatest, points[k]);
+    corners.pop_back();
+    return corners;
+  }
+  [[nodiscard]] bool holds(const Polygon& of, const IntegerVector& x) const {
+    for (std::size_t k = 0; k < of.size(); ++k)
+      if (turn(next(of, k) - of[k], x - of[k]).sign() < 0) return false;
+    return of.size() > 2 || dot(of.front() - x, of.back() - x).sign() <= 0;
   }
   void cross_at(const IntegerVector& a, const IntegerVector& u, const IntegerVector& b, const IntegerVector& w,
                 std::vector<Quotient>& all) const {
@@ -369,9 +381,9 @@ class InPlane {
     all.push_back({combined(whole, a, of_u, u), whole});
   }
 
-  std::vector<IntegerVector> a_;
-  std::vector<IntegerVector> b_;
   IntegerVector n_;
+  Polygon a_;
+  Polygon b_;
 };
 
 /// The vertices that lie farthest along a direction.
@@ -413,68 +425,71 @@ ExactNearest nearest_apart(const TwoCores& cores, const PointOf<Integer>& v) {
 
 // ---- cores that meet ----
 
-/// A direction that a facet of A - B may face, and how far max N.a lies above min N.b.
-struct Facing {
+/// Corners of A - B that span all of it, and 0 lies in what they span: four, three of what lies in a plane, and so on.
+std::vector<IntegerVector> spanning(const Difference<Integer>& difference, const PointOf<Integer>& v) {
+  std::vector<IntegerVector> corners;
+  for (const Corner& corner : v.corners) corners.push_back(kNowhere - difference(corner));
+  const std::array<IntegerVector, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const auto add_one_across = [&](const IntegerVector& n) {
+    for (const IntegerVector& way : {n, kNowhere - n}) {
+      const IntegerVector corner = kNowhere - difference(difference.farthest_against(way));
+      if (dot(way, corner - corners[0]).is_zero()) continue;
+      corners.push_back(corner);
+      return true;
+    }
+    return false;
+  };
+  const auto from_first = [&](std::size_t k) { return corners[k] - corners[0]; };
+  const auto cross_axis = [&](const IntegerVector& axis) { return add_one_across(cross(axis, from_first(1))); };
+  if (corners.size() == 1) std::any_of(axes.begin(), axes.end(), add_one_across);
+  if (corners.size() == 2) std::any_of(axes.begin(), axes.end(), cross_axis);
+  if (corners.size() == 3) add_one_across(cross(from_first(1), from_first(2)));
+  return corners;
+}
+
+/// The nearest points of cores that meet in a line that holds both, or in the one point of both.
+ExactNearest nearest_in_line(const TwoCores& cores, const IntegerVector& u) {
+  const auto [low_a, high_a] = std::minmax_element(cores.a.vertices.begin(), cores.a.vertices.end());
+  const auto [low_b, high_b] = std::minmax_element(cores.b.vertices.begin(), cores.b.vertices.end());
+  const auto [at, unique] = middle_of({{std::max(*low_a, *low_b), 1}, {std::min(*high_a, *high_b), 1}});
+  IntegerVector agreed{u[1] * u[1] + u[2] * u[2], -u[0] * u[1], -u[0] * u[2]};
+  if (agreed == kNowhere) agreed = u == kNowhere ? IntegerVector{1, 0, 0} : IntegerVector{0, 1, 0};
+  return {at.at, at.at, at.over * cores.over(), unique, agreed};
+}
+
+/// A facet of A - B: the way that it faces, and how far max N.a lies above min N.b.
+struct Facet {
   IntegerVector normal;
   Integer height;
 };
-Integer height_along(const TwoCores& cores, const IntegerVector& n) {
-  return dot(n, farthest(cores.a.vertices, n)[0]) - dot(n, farthest(cores.b.vertices, kNowhere - n)[0]);
-}
-/// Whether the face of A - B there is one, and no edge or corner.
-bool is_facet(const TwoCores& cores, const IntegerVector& n) {
-  std::vector<IntegerVector> ways;
-  for (const auto& [core, along] : {std::pair(&cores.a, n), std::pair(&cores.b, kNowhere - n)}) {
-    const std::vector<IntegerVector> face = farthest(core->vertices, along);
-    for (const IntegerVector& x : face)
-      if (x != face[0]) ways.push_back(x - face[0]);
+/// The one that is nearest to 0, and of several the preferred one.
+///   What no vertex lies beyond is a facet's plane. Where that holds for all faces of the least depth, there is no other facet of that depth: a ball of that radius lies in the polytope, so that
+///   each touches it, and at depth 0 the polytope fills all of A - B that is near 0.
+Facet nearest_facet(const Difference<Integer>& difference, const std::vector<IntegerVector>& corners) {
+  using Expanding = ExpandingPolytope<Integer>;
+  Expanding polytope({corners[0], corners[1], corners[2], corners[3]});
+  std::optional<Expanding::Face> best;
+  while (!polytope.faces().empty()) {
+    const Expanding::Face& face = polytope.nearest();
+    if (best && best->is_nearer_than(face)) break;
+    if (polytope.insert(kNowhere - difference(difference.farthest_against(face.normal)))) continue;
+    Expanding::Face facet = polytope.finished(face);
+    if (!best || is_preferred(facet.normal, best->normal)) best = std::move(facet);
   }
-  return std::any_of(ways.begin(), ways.end(),
-                     [&](const IntegerVector& way) { return cross(ways[0], way) != kNowhere; });
+  return {best->normal, best->height};
 }
 
-/// The nearest points of cores that meet in a line that holds both.
-ExactNearest nearest_in_line(const TwoCores& cores) {
-  const auto [low_a, high_a] = std::minmax_element(cores.a.vertices.begin(), cores.a.vertices.end());
-  const auto [low_b, high_b] = std::minmax_element(cores.b.vertices.begin(), cores.b.vertices.end());
-  const auto [p, over] = middle_of({{std::max(*low_a, *low_b), 1}, {std::min(*high_a, *high_b), 1}}).at;
-  IntegerVector agreed{1, 0, 0};
-  for (const Polytope* core : {&cores.b, &cores.a})  // those of A count first
-    if (!core->ways.empty()) {
-      const IntegerVector& u = core->ways[0];
-      agreed = {u[1] * u[1] + u[2] * u[2], -u[0] * u[1], -u[0] * u[2]};
-      if (agreed == kNowhere) agreed = {0, 1, 0};
-    }
-  return {p, p, over * cores.over(), over == 1, agreed};
-}
-
-ExactNearest nearest_meeting(const TwoCores& cores) {
-  std::vector<IntegerVector> ways = cores.a.ways;
-  ways.insert(ways.end(), cores.b.ways.begin(), cores.b.ways.end());
-  std::optional<Facing> best;
-  const auto take = [&](const IntegerVector& n, Integer height) {
-    if (best) {
-      const int order =
-          Integer(height * height * dot(best->normal, best->normal)).compare(best->height * best->height * dot(n, n));
-      if (order > 0 || (order == 0 && !is_preferred(n, best->normal))) return;
-    }
-    best = {n, std::move(height)};
-  };
-  for (std::size_t i = 0; i < ways.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      const IntegerVector n = cross(ways[i], ways[j]);
-      if (n == kNowhere) continue;
-      const std::array<Integer, 2> heights{height_along(cores, n), height_along(cores, kNowhere - n)};
-      const bool is_flat = heights[0].is_zero() && heights[1].is_zero();
-      for (const bool turned : {false, true}) {
-        const IntegerVector& facing = turned ? kNowhere - n : n;
-        // Below an inside every facet of the least depth is one; at 0 an edge or a corner may be as near.
-        if (heights[turned].is_zero() && !is_flat && !is_facet(cores, facing)) continue;
-        take(facing, heights[turned]);
-      }
-    }
-  if (!best) return nearest_in_line(cores);
-  const auto& [n, height] = *best;
+/// The nearest points of cores that meet, in a point that is known.
+ExactNearest nearest_meeting(const TwoCores& cores, const PointOf<Integer>& v) {
+  const Difference<Integer> difference(cores.a.vertices, cores.b.vertices);
+  const std::vector<IntegerVector> corners = spanning(difference, v);
+  if (corners.size() < 3) return nearest_in_line(cores, corners.back() - corners[0]);
+  Facet facet{cross(corners[1] - corners[0], corners[2] - corners[0]), 0};
+  if (corners.size() == 4)
+    facet = nearest_facet(difference, corners);
+  else if (!is_preferred(facet.normal, kNowhere - facet.normal))
+    facet.normal = kNowhere - facet.normal;
+  const auto& [n, height] = facet;
   const Integer N = dot(n, n);
   // B, moved out: q + (height / N) n.
   const auto [at, unique] = middle_of(InPlane(moved(farthest(cores.a.vertices, n), N, kNowhere),
@@ -524,8 +539,8 @@ bool is_hit(const ExactCores& of) {
 /// The numbers that are open, exactly.
 void round_open(const ExactCores& of, ContactPoints points, unsigned open, Contact& contact) {
   const auto& [grid, lengths, cores] = of.asked;
-  round_exactly(of.v.at == kNowhere ? nearest_meeting(cores) : nearest_apart(cores, of.v), grid, lengths, points, open,
-                contact);
+  round_exactly(of.v.at == kNowhere ? nearest_meeting(cores, of.v) : nearest_apart(cores, of.v), grid, lengths, points,
+                open, contact);
 }
 
 /// The lowest point of a core over a plane.
@@ -569,7 +584,8 @@ Certain certain_of(Arguments&&... arguments) {
   CONTACT_BY_FMA(certain(arguments...));
   return plain::certain(arguments...);
 }
-NearSide nearly(const NearCore& a, const NearCore& b, double alarm) {
+template <class A, class B>
+NearSide nearly(const A& a, const B& b, double alarm) {
   CONTACT_BY_FMA(side_of(a, b, alarm));
   return plain::side_of(a, b, alarm);
 }

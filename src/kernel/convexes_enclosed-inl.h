@@ -16,7 +16,9 @@ inline Enclosures enclosed(const Vector3& x) { return {Enclosure(x[0]), Enclosur
 class EnclosedCorners {
  public:
   explicit EnclosedCorners(const GivenCorners& given)
-      : given_(given.given), orientation_(given.orientation), kind_(given.kind) {}
+      : given_(given.vertices != nullptr ? given.vertices : given.given.data()),
+        orientation_(given.orientation),
+        kind_(given.kind) {}
 
   /// To be called first: what all that is said of a rotation is made of.
   void square() {
@@ -93,7 +95,7 @@ class EnclosedCorners {
   using Kind = GivenCorners::Kind;
   [[nodiscard]] double extent(std::size_t axis) const { return given_[1][static_cast<Eigen::Index>(axis)]; }
 
-  const std::array<Vector3, 3>& given_;
+  const Vector3* given_;
   const Quaternion& orientation_;
   Kind kind_;
   Enclosure inverse_;                    ///< 1 / |q|^2
@@ -102,8 +104,9 @@ class EnclosedCorners {
 };
 
 /// A core by its corners, nearly and in enclosures.
+template <class Near>
 struct CornersOf {
-  const NearCore& near;
+  const Near& near;
   EnclosedCorners corners;
 };
 
@@ -122,12 +125,13 @@ struct CornerSet {
 };
 
 /// The corners that lie farthest along a direction, or nearly: a way that was walked is off by some 2^-25. Nothing where they make no feature.
-[[nodiscard]] inline std::optional<CornerSet> farthest_set(const NearCore& core, const NearSimplex::Vector& way) {
-  std::array<double, 8> along{};
+template <class Near>
+[[nodiscard]] std::optional<CornerSet> farthest_set(const Near& core, const NearSimplex::Vector& way) {
+  std::array<double, std::tuple_size_v<decltype(core.corners)>> along;
   double most = 0;
   double size = 0;
   for (std::size_t k = 0; k < core.count; ++k) {
-    const NearCore::Vector from_first = near::difference(core.corners[k], core.corners[0]);
+    const NearSimplex::Vector from_first = near::difference(core.corners[k], core.corners[0]);
     along[k] = near::dot(way, from_first);
     most = std::max(most, along[k]);
     size = std::max(size, near::largest(from_first));
@@ -140,9 +144,10 @@ struct CornerSet {
     set.at[set.size++] = k;
   }
   const auto is_one_bit = [&](std::size_t i, std::size_t j) { return std::has_single_bit(set.at[i] ^ set.at[j]); };
-  const bool is_box = core.count == 8;
+  bool is_box = false;
+  if constexpr (std::same_as<Near, NearCore>) is_box = core.is_box();
   const bool is_one = set.size == 1 || (set.size == 2 && (!is_box || is_one_bit(0, 1))) || (set.size == 3 && !is_box) ||
-                      (set.size == 4 && is_one_bit(0, 1) && is_one_bit(0, 2) && is_one_bit(1, 3));
+                      (set.size == 4 && is_box && is_one_bit(0, 1) && is_one_bit(0, 2) && is_one_bit(1, 3));
   return is_one ? std::optional(set) : std::nullopt;
 }
 
@@ -157,8 +162,8 @@ struct NearWay {
 };
 /// Whether every corner outside of a set lies before its first one, along a direction or against it.
 /// The difference of two corners is off by 2 error, and by u of its size, at most 2 `size`; its product with the way by 3 u of that. What is used is at least twice as wide.
-[[nodiscard]] inline bool are_others_before(const NearCore& core, const CornerSet& set, const NearWay& along,
-                                            double sign) {
+template <class Near>
+[[nodiscard]] bool are_others_before(const Near& core, const CornerSet& set, const NearWay& along, double sign) {
   const auto& [way, off] = along;
   const double sum = std::abs(way[0]) + std::abs(way[1]) + std::abs(way[2]);
   const double bound = sum * (4 * core.error + 0x1p-47 * core.size) + off * 8 * core.size;
@@ -287,9 +292,9 @@ class TwoSets {
 };
 
 /// The contact of cores that are apart, and nearest about along `way`.
-[[nodiscard]] inline std::optional<EnclosedContact> contact_apart(const CornersOf& a, const CornersOf& b,
-                                                                  const NearSimplex::Vector& way,
-                                                                  const Lengths& lengths) {
+template <class A, class B>
+[[nodiscard]] std::optional<EnclosedContact> contact_apart(const CornersOf<A>& a, const CornersOf<B>& b,
+                                                           const NearSimplex::Vector& way, const Lengths& lengths) {
   const auto f = farthest_set(a.near, way);
   const auto g = farthest_set(b.near, {-way[0], -way[1], -way[2]});
   if (!f || !g || f->dimension() + g->dimension() > 2) return std::nullopt;
@@ -337,7 +342,8 @@ class TwoSets {
 }
 
 /// The contact of cores that overlap, at the facet of A - B that 0 is nearest to, of a face of `faced` and a vertex of the other.
-[[nodiscard]] inline std::optional<EnclosedContact> contact_at_face(CornersOf& faced, CornersOf& other, bool is_a,
+[[nodiscard]] inline std::optional<EnclosedContact> contact_at_face(CornersOf<NearCore>& faced,
+                                                                    CornersOf<NearCore>& other, bool is_a,
                                                                     const NearDepths::Facet& facet,
                                                                     const Lengths& lengths) {
   // The third way of a box. From A to B, so out of A and into B.
@@ -354,7 +360,7 @@ class TwoSets {
               : EnclosedContact(x, out, -face->normal, -depth, lengths);
 }
 /// The same of two edges.
-[[nodiscard]] inline std::optional<EnclosedContact> contact_at_edges(CornersOf& a, CornersOf& b,
+[[nodiscard]] inline std::optional<EnclosedContact> contact_at_edges(CornersOf<NearCore>& a, CornersOf<NearCore>& b,
                                                                      const NearDepths::Facet& facet,
                                                                      const Lengths& lengths) {
   b.corners.square();
@@ -377,7 +383,7 @@ class TwoSets {
   const Enclosures p = from + ((sign * inverse) * dot(cross(between, w), normal)) * u;
   return EnclosedContact(p, p + distance * normal, normal, distance, lengths);
 }
-[[nodiscard]] inline std::optional<EnclosedContact> contact_overlapping(CornersOf& a, CornersOf& b,
+[[nodiscard]] inline std::optional<EnclosedContact> contact_overlapping(CornersOf<NearCore>& a, CornersOf<NearCore>& b,
                                                                         const NearDepths::Facet& facet,
                                                                         const Lengths& lengths) {
   if (facet.axis.of_a) a.corners.square();
@@ -388,8 +394,9 @@ class TwoSets {
 }
 
 /// The contact of a core over a half-space, at the one vertex that is lowest.
-[[nodiscard]] inline std::optional<EnclosedContact> contact_over(const CornersOf& a, const Plane& plane,
-                                                                 const Lengths& lengths) {
+template <class A>
+[[nodiscard]] std::optional<EnclosedContact> contact_over(const CornersOf<A>& a, const Plane& plane,
+                                                          const Lengths& lengths) {
   const Vector3& m = plane.normal;
   const auto lowest = farthest_set(a.near, {-m[0], -m[1], -m[2]});
   const Enclosures n = -enclosed(m);
@@ -402,7 +409,8 @@ class TwoSets {
 }
 
 /// near_side() of two cores, compiled for the same processors.
-[[nodiscard]] inline NearSide side_of(const NearCore& a, const NearCore& b, double alarm) {
+template <class A, class B>
+[[nodiscard]] NearSide side_of(const A& a, const B& b, double alarm) {
   return near_side(a, b, alarm);
 }
 
@@ -413,32 +421,36 @@ inline Certain rounded(const std::optional<EnclosedContact>& found, NearSide sid
   return {side, side == NearSide::hit ? round_certain(*found, lengths, points, contact) : kAllNumbers};
 }
 /// Domain of `in_range`: nothing that is computed in enclosures overflows.
-[[nodiscard]] inline Certain certain(const NearCore& near_a, const GivenCorners& given_a, const NearCore& near_b,
-                                     const GivenCorners& given_b, bool in_range, const Lengths& lengths,
-                                     ContactPoints points, Contact& contact) {
-  CornersOf a{near_a, EnclosedCorners(given_a)};
-  CornersOf b{near_b, EnclosedCorners(given_b)};
+template <class A, class B>
+[[nodiscard]] Certain certain(const A& near_a, const GivenCorners& given_a, const B& near_b,
+                              const GivenCorners& given_b, bool in_range, const Lengths& lengths, ContactPoints points,
+                              Contact& contact) {
+  CornersOf<A> a{near_a, EnclosedCorners(given_a)};
+  CornersOf<B> b{near_b, EnclosedCorners(given_b)};
   const NearScale scale(a.near, b.near, lengths.alarm);
   if (!scale.holds()) return {NearSide::unknown};
-  const NearDepths depths(a.near, b.near, scale);
-  const NearSide side = depths.side(scale.reach);
-  if (side == NearSide::miss) return {side};
-  if (side == NearSide::hit) {
-    const auto facet = depths.least();
-    if (!in_range || !facet) return {side};
-    return rounded(contact_overlapping(a, b, *facet, lengths), side, lengths, points, contact);
+  if constexpr (kHaveWays<A, B>) {
+    const NearDepths depths(a.near, b.near, scale);
+    const NearSide side = depths.side(scale.reach);
+    if (side == NearSide::miss) return {side};
+    if (side == NearSide::hit) {
+      const auto facet = depths.least();
+      if (!in_range || !facet) return {side};
+      return rounded(contact_overlapping(a, b, *facet, lengths), side, lengths, points, contact);
+    }
   }
   const NearAnswer near = walk(a.near, b.near, scale, true);
   if (near.side == NearSide::miss || !in_range || !near.way) return {near.side};
-  for (CornersOf* core : {&a, &b}) {
-    core->corners.square();
-    core->corners.turn();
+  for (EnclosedCorners* corners : {&a.corners, &b.corners}) {
+    corners->square();
+    corners->turn();
   }
   return rounded(contact_apart(a, b, *near.way, lengths), near.side, lengths, points, contact);
 }
-[[nodiscard]] inline Certain certain(const NearCore& near_a, const GivenCorners& given_a, const Plane& b, bool in_range,
-                                     const Lengths& lengths, ContactPoints points, Contact& contact) {
-  CornersOf a{near_a, EnclosedCorners(given_a)};
+template <class A>
+[[nodiscard]] Certain certain(const A& near_a, const GivenCorners& given_a, const Plane& b, bool in_range,
+                              const Lengths& lengths, ContactPoints points, Contact& contact) {
+  CornersOf<A> a{near_a, EnclosedCorners(given_a)};
   const NearSide side = near_side(a.near, b, lengths.alarm);
   if (side == NearSide::miss || !in_range) return {side};
   a.corners.square();

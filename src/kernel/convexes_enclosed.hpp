@@ -24,6 +24,10 @@ namespace contact::kernel {
 [[nodiscard]] inline bool in_short_range(const Triangle& x) {
   return std::all_of(x.vertices.begin(), x.vertices.end(), [](const Vector3& v) { return in_short_range(v); });
 }
+[[nodiscard]] inline bool in_short_range(const Hull& x) {
+  return in_short_range(x.radius) &&
+         std::all_of(x.vertices.begin(), x.vertices.end(), [](const Vector3& v) { return in_short_range(v); });
+}
 [[nodiscard]] inline bool in_short_range(const Obb& x) {
   return in_short_range(x.center) && in_short_range(x.extents) &&
          std::all_of(x.orientation.begin(), x.orientation.end(), [](double c) { return in_short_range(c); });
@@ -32,19 +36,21 @@ namespace contact::kernel {
   return in_short_range(x.normal) && in_short_range(x.offset);
 }
 
-/// What the corners of a core are given by: points, the lower and the upper end of a box, or its middle, extents and orientation.
+/// What the corners of a core are given by: points, the lower and the upper end of a box, or its middle, extents and orientation. Those of a hull stay where they are.
 struct GivenCorners {
   enum class Kind { points, box, obb };
 
   explicit GivenCorners(const Ball& x) : given{x.center} {}
   explicit GivenCorners(const Capsule& x) : given{x.start, x.end} {}
   explicit GivenCorners(const Triangle& x) : given{x.vertices[0], x.vertices[1], x.vertices[2]} {}
+  explicit GivenCorners(const Hull& x) : given{}, vertices(x.vertices.data()) {}
   explicit GivenCorners(const Box& x) : given{x.min, x.max}, kind(Kind::box) {}
   explicit GivenCorners(const Obb& x) : given{x.center, x.extents}, orientation(x.orientation), kind(Kind::obb) {}
 
   std::array<Vector3, 3> given;
   Quaternion orientation{};
   Kind kind = Kind::points;
+  const Vector3* vertices = nullptr;  ///< of a hull
 };
 
 /// What is certain of a contact: whether there is one, and which of its numbers are open.

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -22,26 +23,38 @@
 
 namespace contact::kernel {
 
-/// A core by its corners, each coordinate within `error` of what it is, and by ways between them. What is no triangle is the middle and any part of each
-/// way, forth or back: three of a box, one of a segment. A triangle is its first corner, and ways from this to the others and between these.
-struct NearCore {
+/// A core by its corners, at most so many, each coordinate within `error` of what it is.
+template <std::size_t kMost>
+struct NearCorners {
   using Vector = std::array<double, 3>;
-  std::array<Vector, 8> corners{};
+  std::array<Vector, kMost> corners;
   std::size_t count = 0;
-  Vector base{};
-  std::array<Vector, 3> ways{};
-  double radius = 0;
+  Vector base{};    ///< in the middle, about
   double size = 0;  ///< the largest coordinate, or infinity where a bound does not hold
+  double radius = 0;
   double error = 0;
 
   void add(const Vector& x) {
     corners[count++] = x;
     size = std::max({size, std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
   }
+};
+/// A hull: its vertices as they are given. Maybe some are no corners, or one is there twice.
+struct NearHull : NearCorners<kMostVertices> {};
+/// A core with ways between its corners. What is no triangle is the middle, `base`, and any part of each way, forth or back: three of a box, one of a segment. A
+/// triangle is its first corner, `base`, and ways from this to the others and between these.
+struct NearCore : NearCorners<8> {
+  std::array<Vector, 3> ways{};
+
   [[nodiscard]] bool is_triangle() const { return count == 3; }
+  [[nodiscard]] bool is_box() const { return count == 8; }
   /// How many ways there are, each in a direction of its own.
   [[nodiscard]] std::size_t directions() const { return count < 3 ? count - 1 : 3; }
 };
+/// Whether the facets of A - B are made by ways of both.
+template <class A, class B>
+inline constexpr bool kHaveWays = std::same_as<A, NearCore>&& std::same_as<B, NearCore>;
+
 /// Between these no product of three numbers leaves the range, nor is what underflows as large as a bound.
 constexpr double kLargestNear = 0x1p200;
 constexpr double kSmallestNear = 0x1p-200;
@@ -130,6 +143,13 @@ inline NearCore near_core(const Obb& box) {
   return core;
 }
 
+inline NearHull near_core(const Hull& hull) {
+  NearHull core;
+  for (const Vector3& x : hull.vertices) core.add(near::vector(x));
+  core.base = near::middle(core.corners[0], core.corners[core.count / 2]);
+  core.radius = hull.radius;
+  return core;
+}
 inline NearCore near_core(const Plane& /*plane*/) { return {}; }  // it has no corners
 
 enum class NearSide { miss, hit, unknown };
@@ -240,7 +260,8 @@ struct NearScale {
   double error;
   double reach;
 
-  NearScale(const NearCore& a, const NearCore& b, double alarm)
+  template <class A, class B>
+  NearScale(const A& a, const B& b, double alarm)
       : size(std::max(a.size, b.size)), error(a.error + b.error), reach(alarm + a.radius + b.radius) {}
   /// Whether the bounds hold.
   [[nodiscard]] bool holds() const { return is_near_range(size) && reach < kLargestNear; }
@@ -382,14 +403,14 @@ struct NearAnswer {
 };
 /// Gilbert, Johnson and Keerthi's algorithm, until the side is proved, or `to_the_end`: until no corner leads nearer, or a miss is proved. Domain: the scale
 /// holds.
-[[nodiscard, gnu::noinline]] inline NearAnswer walk(const NearCore& a, const NearCore& b, const NearScale& scale,
-                                                    bool to_the_end) {
+template <class A, class B>
+[[nodiscard, gnu::noinline]] NearAnswer walk(const A& a, const B& b, const NearScale& scale, bool to_the_end) {
   using Vector = NearSimplex::Vector;
   const auto& [size, error, reach] = scale;
   const double off = 2 * error + 0x1p-48 * size;        // of a product with a direction, over |v|_1
   const double off_point = 4 * error + 0x1p-45 * size;  // of the length of a point
   const double off_volume = 160 * size * size * (error + 0x1p-51 * size) + 0x1p-43 * size * size * size;
-  const auto farthest = [](const NearCore& core, const Vector& v, double sign) {
+  const auto farthest = [](const auto& core, const Vector& v, double sign) {
     const Vector* best = &core.corners[0];
     double most = sign * near::dot(v, *best);
     for (std::size_t k = 1; k < core.count; ++k)
@@ -424,16 +445,19 @@ struct NearAnswer {
 }
 
 /// Whether two cores are within alarm + both radii, where plain double can prove so. Facets pay where both have faces.
-[[nodiscard, gnu::always_inline]] inline NearSide near_side(const NearCore& a, const NearCore& b, double alarm) {
+template <class A, class B>
+[[nodiscard, gnu::always_inline]] inline NearSide near_side(const A& a, const B& b, double alarm) {
   const NearScale scale(a, b, alarm);
   if (!scale.holds()) return NearSide::unknown;
-  const bool have_faces = a.count > 2 && b.count > 2;
-  const NearSide side = have_faces ? NearDepths(a, b, scale).side(scale.reach) : NearSide::unknown;
+  NearSide side = NearSide::unknown;
+  if constexpr (kHaveWays<A, B>)
+    if (a.count > 2 && b.count > 2) side = NearDepths(a, b, scale).side(scale.reach);
   return side == NearSide::unknown ? walk(a, b, scale, false).side : side;
 }
 
 /// The same of a core over a half-space.
-[[nodiscard]] inline NearSide near_side(const NearCore& a, const Plane& plane, double alarm) {
+template <class A>
+[[nodiscard]] NearSide near_side(const A& a, const Plane& plane, double alarm) {
   const double reach = alarm + a.radius;
   const Vector3& n = plane.normal;
   if (!is_near_range(a.size) || !is_near_range(n.cwiseAbs().maxCoeff()) || !(reach < kLargestNear) ||

@@ -4,10 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <random>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace contact {
 namespace {
@@ -105,6 +111,283 @@ TEST(Convexes, the_range_has_no_end) {
   expect_contact(compute_obb_obb({{0, 0, 0}, kNotTurned, {small, small, small}},
                                  {{4 * small, 0, 0}, kNotTurned, {small, small, small}}, {1, 0}),
                  {1, 0, 0}, {small, 0, 0}, {3 * small, 0, 0}, 2 * small, false, false);
+}
+
+// ---- hulls ----
+
+/// Small integers: the shapes often touch, lie in each other, or along each other.
+class SmallShapes {
+ public:
+  explicit SmallShapes(std::uint64_t seed) : random_(seed) {}
+
+  int below(int end) { return static_cast<int>(random_() % static_cast<std::uint64_t>(end)); }
+  double number() { return below(5) - 2; }
+  Vector3 point() {
+    Vector3 x;
+    for (Eigen::Index i = 0; i < 3; ++i) x[i] = number();
+    return x;
+  }
+  Hull hull(int most) {
+    Hull made{{}, 0};
+    for (int left = 1 + below(most); left > 0; --left) made.vertices.push_back(point());
+    return made;
+  }
+
+  void make(Ball& x) { x = {point(), 0.5 * below(3)}; }
+  void make(Capsule& x) {
+    x.start = point();
+    x.end = point();
+    x.radius = 0.5 * below(3);
+  }
+  void make(Triangle& x) {
+    for (Vector3& v : x.vertices) v = point();
+  }
+  void make(Box& x) {
+    x.min = point();
+    x.max = x.min + point().cwiseAbs();
+  }
+  void make(Obb& x) {
+    // Turns that lead axes to axes.
+    const std::array<Quaternion, 3> turns{{{0, 0, 0, 1}, {1, 1, 1, 1}, {0, 0, 3, 3}}};
+    x.center = point();
+    x.orientation = turns[static_cast<std::size_t>(below(3))];
+    x.extents = point().cwiseAbs();
+  }
+  /// The same hull: its vertices in another order, some twice, and points between two of them.
+  Hull said_otherwise(Hull hull) {
+    const std::size_t count = hull.vertices.size();
+    for (int more = below(4); more > 0; --more) {
+      const Vector3 x = hull.vertices[random_() % count];
+      const Vector3 y = hull.vertices[random_() % count];
+      hull.vertices.push_back(0.5 * (x + y));
+    }
+    for (std::size_t k = hull.vertices.size(); k > 1; --k)
+      std::swap(hull.vertices[k - 1], hull.vertices[random_() % k]);
+    return hull;
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+Hull hull_of(const Ball& x) { return {{x.center}, x.radius}; }
+Hull hull_of(const Capsule& x) { return {{x.start, x.end}, x.radius}; }
+Hull hull_of(const Triangle& x) { return {{x.vertices.begin(), x.vertices.end()}, 0}; }
+Hull hull_of(const Box& x) {
+  Hull hull{{}, 0};
+  for (int k = 0; k < 8; ++k)
+    hull.vertices.emplace_back((k & 1 ? x.max : x.min)[0], (k & 2 ? x.max : x.min)[1], (k & 4 ? x.max : x.min)[2]);
+  return hull;
+}
+Hull hull_of(const Obb& x) {
+  Hull hull = hull_of(Box{-x.extents, x.extents});
+  const auto& [i, j, k, w] = x.orientation;
+  for (Vector3& v : hull.vertices) v = x.center + Eigen::Quaterniond(w, i, j, k).normalized().toRotationMatrix() * v;
+  for (Vector3& v : hull.vertices) v = v.array().round();  // the turns are those of SmallShapes
+  return hull;
+}
+
+std::string in_words(const std::optional<Contact>& found) {
+  std::ostringstream words;
+  words << std::hexfloat;
+  if (found)
+    words << found->normal.transpose() << " | " << found->point1.transpose() << " | " << found->point2.transpose()
+          << " | " << found->value << " " << found->degenerate << found->unique;
+  return words.str();
+}
+
+TEST(Hulls, of_the_corners_of_a_shape_have_its_bits_however_they_are_said) {
+  SmallShapes shapes(3);
+  int hits = 0;
+  int degenerate = 0;
+  const auto compare = [&](auto ask, auto ask_second, auto ask_both, auto a, auto b) {
+    for (int i = 0; i < 300; ++i) {
+      shapes.make(a);
+      shapes.make(b);
+      const Distances distances{0.5, 0.25};
+      const auto found = ask(a, b, distances, ContactPoints{});
+      const Hull first = shapes.said_otherwise(hull_of(a));
+      const Hull second = shapes.said_otherwise(hull_of(b));
+      ASSERT_EQ(in_words(ask_second(a, second, distances, ContactPoints{})), in_words(found)) << i;
+      ASSERT_EQ(in_words(ask_both(first, second, distances, ContactPoints{})), in_words(found)) << i;
+      ASSERT_EQ(test_hull_hull(first, second, 0.5), found.has_value()) << i;
+      hits += found ? 1 : 0;
+      degenerate += found && found->degenerate ? 1 : 0;
+    }
+  };
+  compare(compute_sphere_obb, compute_sphere_hull, compute_hull_hull, Ball(), Obb());
+  compare(compute_capsule_cube, compute_capsule_hull, compute_hull_hull, Capsule(), Box());
+  compare(compute_capsule_obb, compute_capsule_hull, compute_hull_hull, Capsule(), Obb());
+  compare(compute_capsule_triangle, compute_capsule_hull, compute_hull_hull, Capsule(), Triangle());
+  compare(compute_cube_obb, compute_cube_hull, compute_hull_hull, Box(), Obb());
+  compare(compute_cube_triangle, compute_cube_hull, compute_hull_hull, Box(), Triangle());
+  compare(compute_obb_obb, compute_obb_hull, compute_hull_hull, Obb(), Obb());
+  compare(compute_obb_triangle, compute_obb_hull, compute_hull_hull, Obb(), Triangle());
+  compare(compute_triangle_triangle, compute_triangle_hull, compute_hull_hull, Triangle(), Triangle());
+  EXPECT_GT(hits, 1000);
+  EXPECT_GT(degenerate, 200);
+  const Plane plane{{1, 2, 2}, 1};
+  for (int i = 0; i < 100; ++i) {
+    Obb box;
+    shapes.make(box);
+    const Hull hull = shapes.said_otherwise(hull_of(box));
+    ASSERT_EQ(in_words(compute_hull_plane(hull, plane, {1, 0})), in_words(compute_obb_plane(box, plane, {1, 0}))) << i;
+    ASSERT_EQ(test_hull_plane(hull, plane, 1), test_obb_plane(box, plane, 1)) << i;
+  }
+}
+
+/// What is known of two hulls by trying every direction across two differences of vertices. Domain: small integers.
+class AllDirections {
+ public:
+  using Way = std::array<std::int64_t, 3>;
+
+  AllDirections(const Hull& a, const Hull& b) {
+    std::vector<Way> ways;
+    for (const Hull* hull : {&a, &b})
+      for (const Vector3& x : hull->vertices)
+        for (const Vector3& y : hull->vertices) ways.push_back(integers(x - y));
+    for (const Vector3& x : a.vertices)
+      for (const Vector3& y : b.vertices) corners_.push_back(integers(x - y));
+    for (const Way& u : ways)
+      for (const Way& w : ways) take(cross(u, w));
+  }
+
+  [[nodiscard]] bool is_solid() const { return is_solid_; }
+  /// The least depth, below 0 where they are apart, is height / |normal|.
+  [[nodiscard]] const Way& normal() const { return normal_; }
+  [[nodiscard]] std::int64_t height() const { return height_; }
+  static std::int64_t dot(const Way& x, const Way& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
+
+ private:
+  static Way integers(const Vector3& x) { return {std::llround(x[0]), std::llround(x[1]), std::llround(x[2])}; }
+  static Way cross(const Way& x, const Way& y) {
+    return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+  }
+  static bool is_zero(const Way& x) { return x == Way{0, 0, 0}; }
+
+  void take(const Way& n) {
+    if (is_zero(n)) return;
+    const auto compare = [&](const Way& x, const Way& y) { return dot(n, x) < dot(n, y); };
+    const auto [low, high] = std::minmax_element(corners_.begin(), corners_.end(), compare);
+    is_solid_ = is_solid_ || dot(n, *low) != dot(n, *high);
+    const std::int64_t height = dot(n, *high);
+    const auto sign = [](std::int64_t x) { return (x > 0) - (x < 0); };
+    const std::int64_t here = sign(height) * height * height * dot(normal_, normal_);
+    const std::int64_t before = sign(height_) * height_ * height_ * dot(n, n);
+    if (is_known_ && (here > before || (here == before && !is_greater(n)))) return;
+    if (!is_facet(n, height)) return;
+    is_known_ = true;
+    normal_ = n;
+    height_ = height;
+  }
+  [[nodiscard]] bool is_facet(const Way& n, std::int64_t height) const {
+    std::vector<Way> face;
+    for (const Way& x : corners_)
+      if (dot(n, x) == height) face.push_back({x[0] - corners_[0][0], x[1] - corners_[0][1], x[2] - corners_[0][2]});
+    const auto between = [&](std::size_t i) {
+      return Way{face[i][0] - face[0][0], face[i][1] - face[0][1], face[i][2] - face[0][2]};
+    };
+    for (std::size_t i = 0; i < face.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (!is_zero(cross(between(i), between(j)))) return true;
+    return false;
+  }
+  /// Each divided by the sum of its components' sizes.
+  [[nodiscard]] bool is_greater(const Way& n) const {
+    const auto size = [](const Way& x) { return std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]); };
+    for (std::size_t i = 0; i < 3; ++i)
+      if (n[i] * size(normal_) != normal_[i] * size(n)) return n[i] * size(normal_) > normal_[i] * size(n);
+    return false;
+  }
+
+  std::vector<Way> corners_;  ///< of A - B
+  bool is_solid_ = false;     ///< A - B lies in no plane
+  bool is_known_ = false;
+  Way normal_{};
+  std::int64_t height_ = 0;
+};
+
+TEST(Hulls, have_the_depth_and_the_normal_that_trying_every_direction_finds) {
+  SmallShapes shapes(17);
+  int deep = 0;
+  int touching = 0;
+  int apart = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const Hull a = shapes.hull(7);
+    const Hull b = shapes.hull(7);
+    const AllDirections right(a, b);
+    if (!right.is_solid()) continue;
+    const auto found = compute_hull_hull(a, b, kTouching);
+    ASSERT_EQ(found.has_value(), right.height() >= 0) << i;
+    ASSERT_EQ(test_hull_hull(a, b, 0), right.height() >= 0) << i;
+    ++(right.height() < 0 ? apart : right.height() == 0 ? touching : deep);
+    if (!found) continue;
+    const double length = std::sqrt(static_cast<double>(AllDirections::dot(right.normal(), right.normal())));
+    ASSERT_EQ(found->degenerate, right.height() == 0) << i;
+    ASSERT_DOUBLE_EQ(found->value, static_cast<double>(-right.height()) / length) << i;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      ASSERT_DOUBLE_EQ(found->normal[static_cast<Eigen::Index>(axis)],
+                       static_cast<double>(right.normal()[axis]) / length)
+          << i;
+    ASSERT_LT((found->point1 - found->point2 + found->value * found->normal).norm(), 1e-15) << i;
+  }
+  EXPECT_GT(deep, 300);
+  EXPECT_GT(touching, 100);
+  EXPECT_GT(apart, 200);
+}
+
+TEST(Hulls, answer_as_is_known_of_tetrahedra_of_flat_ones_and_of_64_points) {
+  const auto tetrahedron = [](double x, double y, double z) {
+    const Vector3 o(x, y, z);
+    return Hull{{o, o + Vector3(6, 0, 0), o + Vector3(0, 6, 0), o + Vector3(0, 0, 6)}, 0};
+  };
+  // A corner, 1 deep along (1, 1, 1), and with radii.
+  const double c = std::sqrt(1.0 / 3);
+  Hull first = tetrahedron(0, 0, 0);
+  Hull second = tetrahedron(1, 2, 2);
+  auto found = compute_hull_hull(first, second, kTouching);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->normal, Vector3(c, c, c));
+  EXPECT_EQ(found->point2, Vector3(1, 2, 2));
+  EXPECT_EQ(found->value, -c);
+  EXPECT_TRUE(found->unique && !found->degenerate);
+  second = tetrahedron(1, 2, 6);
+  EXPECT_FALSE(test_hull_hull(first, second, 1));  // 3 / sqrt(3) apart
+  first.radius = 1;
+  second.radius = 0.75;
+  found = compute_hull_hull(first, second, {0, 0.25});
+  ASSERT_TRUE(found);
+  EXPECT_DOUBLE_EQ(found->value, 3 * c - 2);
+  // Two squares that cross: 1 to the side is as near as 1 up.
+  const Hull standing{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}, 0};
+  const Hull lying{{{-2, -1, 0}, {2, -1, 0}, {2, 1, 0}, {-2, 1, 0}}, 0};
+  expect_contact(compute_hull_hull(standing, lying, kTouching), {0, 1, 0}, {0, 0, 0}, {0, -1, 0}, -1, false, false);
+  // In one plane, and in one line.
+  const Hull in_line{{{0, 0, 0}, {3, 0, 0}, {1, 0, 0}}, 0};
+  expect_contact(compute_hull_hull(lying, Hull{{{0, 0, 0}, {5, 0, 0}, {5, 1, 0}}, 0}, kTouching), {0, 0, 1},
+                 {1, 0.2, 0}, {1, 0.2, 0}, 0, true, false);
+  expect_contact(compute_hull_hull(in_line, Hull{{{2, 0, 0}, {9, 0, 0}}, 0.5}, kTouching), {0, 1, 0}, {2.5, 0, 0},
+                 {2.5, -0.5, 0}, -0.5, true, false);
+  // Edges along each other, each beyond one end of the other.
+  expect_contact(compute_hull_hull(in_line, Hull{{{9, 0, 2}, {2, 0, 2}}, 0}, {2, 0}), {0, 0, 1}, {2.5, 0, 0},
+                 {2.5, 0, 2}, 2, false, false);
+  // A cube by all the points of its grid: 16 in a face, 8 inside.
+  Hull grid{{}, 0};
+  for (int k = 0; k < 64; ++k) grid.vertices.emplace_back(k % 4, k / 4 % 4, k / 16);
+  const Box cube{{0, 0, 0}, {3, 3, 3}};
+  EXPECT_EQ(in_words(compute_hull_hull(grid, hull_of(Box{{1, 2, 2.5}, {4, 4, 5}}), kTouching)),
+            in_words(compute_cube_hull(cube, hull_of(Box{{1, 2, 2.5}, {4, 4, 5}}), kTouching)));
+  expect_contact(compute_cube_hull(cube, grid, kTouching), {1, 0, 0}, {3, 1.5, 1.5}, {0, 1.5, 1.5}, -3, false, false);
+  // Polygons of 64 corners face each other: what they have in common is all of them, or all but one end.
+  Hull bow{{}, 0};
+  for (int k = 0; k < 64; ++k) bow.vertices.emplace_back(k, k * k, 0);
+  Hull above = bow;
+  for (Vector3& v : above.vertices) v[2] = 2;
+  expect_contact(compute_hull_hull(bow, above, {2, 0}), {0, 0, 1}, {31.5, 1984.5, 0}, {31.5, 1984.5, 2}, 2, false,
+                 false);
+  above.vertices.erase(above.vertices.begin());
+  above.radius = 0.5;
+  expect_contact(compute_hull_hull(bow, above, {2, 0}), {0, 0, 1}, {32, 1985, 0}, {32, 1985, 1.5}, 1.5, false, false);
 }
 
 TEST(ConvexesFilter, proves_what_is_clear_and_leaves_what_is_near_to_integers) {
