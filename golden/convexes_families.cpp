@@ -423,6 +423,7 @@ Query flat(Pair pair, Scalar scalar, Random& random) {
         for (Eigen::Index other = 0; other < 3; ++other)
           if (how < 3 && (how == 0 ? other == axis : how == 1 ? other != axis : true))
             v[other] = shape.vertices[0][other];
+      shape.vertices.resize(std::min(shape.vertices.size(), kMostVertices - 2));
       shape.vertices.push_back(shape.vertices[0]);
       if (how == 3) shape.vertices.push_back(shape.vertices[0] / 2 + shape.vertices[1] / 2);
     }
