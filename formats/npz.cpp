@@ -387,6 +387,7 @@ class NpzFile final : public ArraysFile {
   std::set<std::string> arrays_;
 };
 
+constexpr std::size_t kFewNumbers = 9;  // in a row: what has more is mostly padding, and is deflated as texts are
 constexpr std::size_t kHead = 256;  // bytes of the beginning of every .npy file that is written
 
 /// It: the widest type and shape have room.
@@ -475,7 +476,7 @@ class NpzWriter final : public ArraysWriter {
       zip_source_t* source = zip_source_filep(zip, one.rows.get(), 0, -1);
       require(source != nullptr);
       static_cast<void>(one.rows.release());  // the archive closes it
-      add(one.array.name, source, one.type.kind == Kind::text);
+      add(one.array.name, source, one.type.kind == Kind::text || one.type.across() > kFewNumbers);
       if (!one.array.labels.empty())
         add_texts(one.array.name + std::string(kLabelsEnd), one.array.labels.get<std::vector<std::string>>(), true);
     }

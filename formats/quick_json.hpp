@@ -73,6 +73,12 @@ bool read(Result<value> node, std::array<Element, N>& all) {
   return read_array(node, [&](Result<value> each) { return i < N && read(each, all[i++]); }) && i == N;
 }
 
+inline bool read(Result<value> node, std::vector<Vector3>& all) {
+  all.clear();
+  return read_array(node,
+                    [&](Result<value> each) { return all.size() < kMostVertices && read(each, all.emplace_back()); }) &&
+         !all.empty();
+}
 inline bool read(Result<value> node, std::vector<std::string>& texts) {
   return read_array(node, [&](Result<value> each) { return read(each, texts.emplace_back()); });
 }

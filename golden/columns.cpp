@@ -42,8 +42,11 @@ constexpr std::size_t kMostFlags = 32;
 /// Of the longest name of a number of a pair, or of a sphere's.
 std::size_t rejected_length(Pair pair) {
   std::size_t longest = std::string_view("a.center[0]").size();
-  const Query zeros = zero_query(pair);
-  for_each_number(zeros, [&](const std::string& field, double) { longest = std::max(longest, field.size()); });
+  Query zeros = zero_query(pair);
+  for_each_value(zeros, []<class Value>(Value& value) {
+    if constexpr (AnyNumberOfVectors<Value>) value.resize(kMostVertices, Vector3::Zero());
+  });
+  for_each_number(std::as_const(zeros), [&](const std::string& field, double) { longest = std::max(longest, field.size()); });
   return longest;
 }
 
@@ -116,6 +119,9 @@ Type type_of(const std::array<Vector3, 3>& /*value*/, std::size_t /*width*/) {
   return {{Kind::real, sizeof(double), {3, 3}}, 0};
 }
 Type type_of(const Quaternion& /*value*/, std::size_t /*width*/) { return {{Kind::real, sizeof(double), {4}}, 0}; }
+Type type_of(const std::vector<Vector3>& /*value*/, std::size_t /*width*/) {
+  return {{Kind::real, sizeof(double), {kMostVertices, 3}}, 0};
+}
 Type type_of(const bool& /*value*/, std::size_t /*width*/) { return {{Kind::byte, 1}, 0}; }
 Type type_of(const std::uint32_t& /*value*/, std::size_t /*width*/) { return {{Kind::bits, sizeof(std::uint32_t)}, 0}; }
 Type type_of(const std::string& /*value*/, std::size_t width) {
@@ -178,6 +184,16 @@ class Encoder {
     for_each_number_in(vectors, [&](double x) { put(x); });
     ++next_;
   }
+  /// Rows of kNone behind the last are not there.
+  void operator()(std::string_view, const std::vector<Vector3>& vectors, std::size_t) {
+    if (vectors.empty() || vectors.size() > kMostVertices || vectors.back().array().isNaN().all())
+      throw formats::InputError(
+          where_, where_written(*next_),
+          fmt::format("expected from 1 to {} points, the last not all NaN, which says here that there is none", kMostVertices));
+    for_each_number_in(vectors, [&](double x) { put(x); });
+    for (std::size_t k = 3 * vectors.size(); k < 3 * kMostVertices; ++k) put(kNone);
+    ++next_;
+  }
   void operator()(std::string_view, const bool& x, std::size_t) { next_++->rows.push_back(x ? 1 : 0); }
   void operator()(std::string_view, const std::uint32_t& x, std::size_t) { append(&x, sizeof x), ++next_; }
   void operator()(std::string_view, const std::string& text, std::size_t) { put(text), ++next_; }
@@ -220,6 +236,15 @@ class Decoder {
   void operator()(std::string_view, double& x, std::size_t) { x = number_at(0), ++next_; }
   template <class Vectors>
   void operator()(std::string_view, Vectors& vectors, std::size_t) {
+    std::size_t k = 0;
+    for_each_number_in(vectors, [&](double& x) { x = number_at(k++); });
+    ++next_;
+  }
+  void operator()(std::string_view, std::vector<Vector3>& vectors, std::size_t) {
+    std::size_t count = 3 * kMostVertices;
+    while (count > 0 && std::isnan(number_at(count - 1))) --count;
+    vectors.resize((count + 2) / 3);
+    if (vectors.empty()) refuse("expected a point at least, got NaN alone");
     std::size_t k = 0;
     for_each_number_in(vectors, [&](double& x) { x = number_at(k++); });
     ++next_;

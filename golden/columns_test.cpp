@@ -152,6 +152,62 @@ TEST_F(Columns, AreRefusedWhereverAByteIsAnotherOrMeanTheSame) {
   }
 }
 
+TEST_F(Columns, HoldAsManyVerticesAsAHullHas) {
+  DatasetHeader header;
+  header.pair = Pair::hull_plane;
+  header.family = "own";
+  header.count = kMostVertices;
+  std::vector<Query> queries(kMostVertices, zero_query(header.pair));
+  for (std::size_t k = 0; k < queries.size(); ++k) {
+    auto number = static_cast<double>(k);
+    auto& vertices = std::get<Hull>(std::get<Convexes>(queries[k].shapes).a.shape).vertices;
+    vertices.assign(k + 1, Vector3(number, 0, 0));
+    for (Vector3& v : vertices) v.y() = ++number;
+    std::get<Plane>(std::get<Convexes>(queries[k].shapes).b.shape).normal = Vector3(0, 1, 0);
+  }
+  for (const char* const name : {"made.h5", "made.npz", "made.jsonl"}) {
+    const auto writer = create_dataset(folder_ / name, header);
+    for (const Query& query : queries) {
+      const Case c = make_case(query, header.scalar);
+      writer->write(c, to_line(c));
+    }
+    writer->commit();
+  }
+  const std::string lines = read(folder_ / "made.jsonl");
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), kMostVertices);
+  EXPECT_EQ(read(folder_ / "made.h5"), lines);
+  EXPECT_EQ(read(folder_ / "made.npz"), lines);
+  // 98 kB of vertices, half of them padding.
+  EXPECT_LT(fs::file_size(folder_ / "made.npz"), 40000);
+}
+
+TEST_F(Columns, AreNotWrittenWhereTheLastVertexOfAHullIsNone) {
+  DatasetHeader header;
+  header.pair = Pair::hull_plane;
+  header.family = kInvalidFamily;
+  header.count = 1;
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  Query query = zero_query(header.pair);
+  auto& vertices = std::get<Hull>(std::get<Convexes>(query.shapes).a.shape).vertices;
+  const auto written = [&](std::vector<Vector3> all) {
+    vertices = std::move(all);
+    const auto writer = create_dataset(folder_ / "made.h5", header);
+    const Case c = make_case(query, header.scalar);
+    try {
+      writer->write(c, to_line(c));
+      writer->commit();
+    } catch (const formats::InputError& error) {
+      return std::string(error.what());
+    }
+    return read(folder_ / "made.h5") == to_line(c) + "\n" ? std::string("as it was") : read(folder_ / "made.h5");
+  };
+  const Vector3 none(kNaN, kNaN, kNaN);
+  EXPECT_EQ(written({none, {0, 0, 0}}), "as it was");
+  EXPECT_EQ(written({{0, 0, 0}, {kNaN, kNaN, 0}}), "as it was");
+  EXPECT_NE(written({{0, 0, 0}, none}).find("row 0: /a/vertices: expected from 1 to 64 points, the last not all NaN"),
+            std::string::npos);
+}
+
 TEST_F(Columns, AreRefusedWhereATextIsNoExactNumber) {
   DatasetHeader header;
   header.family = "generic";

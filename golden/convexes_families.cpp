@@ -92,6 +92,15 @@ struct Making {
     box.orientation = in_integers ? kExactTurns[random.index(kExactTurns.size())] : quaternion(random);
     for (int i = 0; i < 3; ++i) box.extents[i] = length();
   }
+  void make(Hull& hull) const {
+    const bool is_round = !in_integers && random.chance(32);  // as many points as there may be, on a sphere
+    hull.vertices.resize(is_round ? kMostVertices : in_integers ? 1 + random.index(8) : 4 + random.index(9));
+    for (Vector3& v : hull.vertices) {
+      v = point();
+      if (is_round) v *= size / std::sqrt(std::max(v.squaredNorm(), 0x1p-20));
+    }
+    hull.radius = random.chance(2) ? 0 : length();
+  }
   void make(Plane& plane) const { plane = {vector(random, 1), random.uniform(-1.0, 1.0)}; }
   template <class Shape>
   void make(Shape& /*shape*/) const {}
@@ -136,6 +145,7 @@ double spread(Pair pair, double of_solids) {
 /// The vertices of a core in integers, whose boxes are turned by a quaternion of kExactTurns: what is computed is exact.
 std::vector<Vector3> vertices(const Ball& ball) { return {ball.center}; }
 std::vector<Vector3> vertices(const Capsule& capsule) { return {capsule.start, capsule.end}; }
+std::vector<Vector3> vertices(const Hull& hull) { return hull.vertices; }
 std::vector<Vector3> vertices(const Triangle& triangle) { return {triangle.vertices.begin(), triangle.vertices.end()}; }
 template <class Corner>
 std::vector<Vector3> corners(Corner corner) {
@@ -260,7 +270,7 @@ void recede(Query& query, const Vector3& d, Scalar scalar) {
           double& side = (d[axis] > 0 ? shape->min : shape->max)[axis];
           side = stepped(side, d[axis] > 0 ? 1 : -1, scalar);
         }
-        if constexpr (std::same_as<Shape, Triangle>) {
+        if constexpr (kIsOneOf<Shape, Triangle, Hull>) {
           double least = std::numeric_limits<double>::infinity();
           for (const Vector3& v : shape->vertices) least = std::min(least, d.dot(v));
           for (Vector3& v : shape->vertices)
@@ -382,7 +392,7 @@ Query parallel(Pair pair, Scalar scalar, Random& random) {
       along = corner[1] - corner[0];
     }
     if constexpr (std::same_as<Shape, Capsule>) shape.end = shape.start + along + off * vector(random, 1);
-    if constexpr (std::same_as<Shape, Triangle>)
+    if constexpr (kIsOneOf<Shape, Triangle, Hull>)
       shape.vertices[1] = shape.vertices[0] + along + off * vector(random, 1);
     if constexpr (std::same_as<Shape, Plane>) shape.normal = along + off * vector(random, 1);
   });
@@ -405,6 +415,16 @@ Query flat(Pair pair, Scalar scalar, Random& random) {
     if constexpr (std::same_as<Shape, Box>) {
       shape.max[axis] = shape.min[axis];
       if (random.chance(4)) shape.max[(axis + 1) % 3] = shape.min[(axis + 1) % 3];
+    }
+    if constexpr (std::same_as<Shape, Hull>) {
+      // In a plane, on a line, in one place, or with a point that is there twice and one between others.
+      const std::uint64_t how = random.index(4);
+      for (Vector3& v : shape.vertices)
+        for (Eigen::Index other = 0; other < 3; ++other)
+          if (how < 3 && (how == 0 ? other == axis : how == 1 ? other != axis : true))
+            v[other] = shape.vertices[0][other];
+      shape.vertices.push_back(shape.vertices[0]);
+      if (how == 3) shape.vertices.push_back(shape.vertices[0] / 2 + shape.vertices[1] / 2);
     }
     if constexpr (std::same_as<Shape, Capsule>)
       shape.end = random.chance(2) ? shape.start : shape.start + Vector3::Unit(axis);

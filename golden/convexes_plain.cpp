@@ -63,6 +63,27 @@ struct Mesh {
       return x;
     });
   }
+  /// Three vertices make a face where no other lies beyond them, or by no more than rounding does.
+  void add(const Hull& hull) {
+    for (const Vector3& v : hull.vertices)
+      if (const Triple<Real> x = in_scalar<Real>(v); std::find(vertices.begin(), vertices.end(), x) == vertices.end())
+        vertices.push_back(x);
+    radius = static_cast<Real>(hull.radius);
+    const std::size_t n = vertices.size();
+    const auto add_edge = [&](std::size_t i, std::size_t j) {
+      const std::array edge{std::min(i, j), std::max(i, j)};
+      if (std::find(edges.begin(), edges.end(), edge) == edges.end()) edges.push_back(edge);
+    };
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = i + 1; j < n; ++j)
+        for (std::size_t k = j + 1; k < n; ++k)
+          if (is_face({i, j, k})) {
+            faces.push_back({i, j, k});
+            add_edge(i, j), add_edge(j, k), add_edge(i, k);
+          }
+    if (faces.empty())
+      for (std::size_t k = 1; k < n; ++k) add_edge(0, k);
+  }
   void add(const Plane& /*plane*/) {}
 
   [[nodiscard]] Triple<Real> way(const std::array<std::size_t, 2>& edge) const {
@@ -88,6 +109,21 @@ struct Mesh {
   }
 
  private:
+  [[nodiscard]] bool is_face(const std::vector<std::size_t>& face) const {
+    const Triple<Real> n = normal(face);
+    const Real length = std::sqrt(dot(n, n));
+    if (!(length > 0)) return false;
+    bool above = false;
+    bool below = false;
+    for (const Triple<Real>& x : vertices) {
+      const Triple<Real> from = less(x, vertices[face[0]]);
+      const Real height = dot(n, from);
+      const Real rounding = 8 * std::numeric_limits<Real>::epsilon() * length * std::sqrt(dot(from, from));
+      above = above || height > rounding;
+      below = below || height < -rounding;
+    }
+    return !(above && below);
+  }
   template <class Corner>
   void add_box(Corner corner) {
     for (std::size_t k = 0; k < 8; ++k) vertices.push_back(corner(k));

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "golden/plain.hpp"
-#include "oracle/truth/exact_truth.hpp"
+#include "oracle/truth/cores.hpp"
 
 namespace contact::golden {
 namespace {
@@ -174,6 +174,11 @@ bool is_point(const Ray& /*ray*/) { return false; }
 
 bool is_flat(const Obb& box) { return (box.extents.array() == 0).any(); }
 bool is_point(const Obb& /*box*/) { return false; }
+bool is_flat(const Hull& hull) { return oracle::exact_core(hull).outward.empty(); }
+bool is_point(const Hull& hull) {
+  return hull.radius == 0 && std::all_of(hull.vertices.begin(), hull.vertices.end(),
+                                         [&](const Vector3& v) { return v == hull.vertices[0]; });
+}
 
 template <class Predicate>
 bool any_shape(const Query& query, Predicate predicate) {
@@ -271,7 +276,8 @@ const std::array kFlags{
            return any_shape(q, [](const auto& shape) { return is_point(shape); });
          }},
     Flag{"Flat",
-         "a box without thickness on an axis, a capsule or a ray without length, or a triangle without an inside",
+         "a box without thickness on an axis, a capsule or a ray without length, or a triangle or a hull without an "
+         "inside",
          "overlap by volume; strict bounds; divisions by a squared length",
          [](const Query& q, const Truth&, Scalar) {
            return any_shape(q, [](const auto& shape) { return is_flat(shape); });

@@ -7,7 +7,6 @@ docs/formats.md says what the files mean. Why a case is there, its flags, is cou
 import hashlib, itertools, json, math, struct, sys
 from decimal import Decimal
 from fractions import Fraction
-from operator import mul
 from pathlib import Path
 
 # Significand bits; exponent of the smallest subnormal; bit pattern of infinity; struct's names of the float and of its bits.
@@ -29,9 +28,7 @@ INPUTS = {"sphere_sphere": BALLS, "rigid_sphere_rigid_sphere": BALLS, "sphere_ri
 OBB = [f"a.{x}[{i}]" for x, many in (("center", 3), ("orientation", 4), ("extents", 3)) for i in range(many)]
 CORES = {"sphere": BALLS[:4], "capsule": CAPSULES[:7], "cube": BOXES[:6], "obb": OBB, "triangle": INPUTS["triangle_line"][:9]}
 CONVEXES = ("sphere_obb capsule_cube capsule_obb capsule_triangle cube_obb cube_triangle obb_obb obb_triangle triangle_triangle "
-            "cube_plane obb_plane triangle_plane").split()
-INPUTS |= {pair: CORES[a] + (PLANE if b == "plane" else [x.replace("a", "b", 1) for x in CORES[b]] + BALLS[-2:])
-           for pair in CONVEXES for a, b in [pair.split("_")]}
+            "cube_plane obb_plane triangle_plane sphere_hull capsule_hull cube_hull obb_hull triangle_hull hull_hull hull_plane").split()
 Written = type("Written", (str,), {})  # a number as it is spelt in the file
 
 
@@ -103,7 +100,7 @@ def spheres(c1, r1, c2, r2, alarm, contact, scalar, agreed=(1, 0, 0), unique=Tru
 
 
 def dot(x, y):
-    return sum(map(mul, x, y))
+    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
 
 
 def cross(x, y):
@@ -333,6 +330,15 @@ def sphere_cube(c, r, low, high, alarm, contact, scalar):
     return right
 
 
+def fields_of(kind, side, found):
+    """The names of a shape's numbers; a hull has from 1 to 64 vertices."""
+    many = len({x.split("]")[0] for x in found if x.startswith(f"{side}.vertices[")})
+    if kind == "hull" and not 1 <= many <= 64:
+        raise ValueError(f"{many} vertices")
+    hull = [f"a.vertices[{k}][{i}]" for k in range(many) for i in range(3)] + ["a.radius"]
+    return PLANE[:4] if kind == "plane" else [x.replace("a", side, 1) for x in CORES.get(kind, hull)]
+
+
 def core_of(kind, x):
     """The corners of a shape's core, those of a box by a bit for each axis, and its radius."""
     if kind not in ("cube", "obb"):
@@ -348,10 +354,29 @@ def core_of(kind, x):
 
 
 # What follows is of integers: corners in a unit that divides all their coordinates, directions of any length.
-def edges(corners):
-    ends = {1: [], 2: [(0, 1)], 3: [(0, 1), (0, 2), (1, 2)], 8: [(0, 1), (0, 2), (0, 4)]}[len(corners)]
-    ways = [at(corners[k], corners[i], -1) for i, k in ends]
-    return [[i // math.gcd(*way) for i in way] for way in ways if any(way)]
+def reduced(n):
+    return tuple(i // (math.gcd(*n) or 1) for i in n)
+
+
+def hull(corners):
+    """The ways of edges, each with corners where such an edge begins, and the directions out of the faces. A plane through two
+    corners is turned about them, one way and the other, while a corner is above it: where it comes to rest above all it touches
+    a face, and the two corners are of an edge if the two faces differ. Of corners on a line all are."""
+    edges, faces, corners = {}, set(), sorted(set(corners))
+    for p, q in itertools.combinations(corners, 2):
+        way, planes, rest = at(q, p, -1), [], [at(c, p, -1) for c in corners]
+        for side in (1, -1):
+            n = [0, 0, 0]
+            for c in rest:
+                if dot(n, c) > 0 or not any(n):
+                    n = [side * i for i in cross(way, c)]
+            if any(dot(n, c) > 0 for c in rest):
+                break
+            planes.append(reduced(n))
+        if len(planes) == 2 and (planes[0] != planes[1] or not any(n)):
+            edges.setdefault(reduced(way), []).append(p)
+            faces |= {n for n in planes if any(n)}
+    return corners, edges, faces
 
 
 def spanning(ways):
@@ -363,17 +388,35 @@ def spanning(ways):
     return ways if any(dot(n, way) for way in ways) else [*ways, n]
 
 
-def sides(ways):
-    """The directions out of every facet of what has such edges, and perhaps more: a flat one has facets on either side, and
-    others across its edges."""
-    normals = [n for v, w in itertools.combinations(spanning(ways), 2) if any(n := cross(v, w))]
-    return {tuple(sign * i // math.gcd(*n) for i in n) for n in normals for sign in (1, -1)}
+def sides(a, b):
+    """The directions out of every facet of the differences of two cores: of a face of either, or along an edge of each that is
+    highest there. Flat ones have facets on either side, and others across their edges."""
+    (a, some, faces), (b, others, backs) = a, b
+    lifts = lambda n, starts, corners: any(all(dot(n, c) <= top for c in corners) for top in {dot(n, p) for p in starts})
+    normals = faces | {tuple(-i for i in n) for n in backs}
+    for v, w in itertools.product(some, others):
+        n = cross(v, w)
+        for n, out in ((n, [-i for i in n]), ([-i for i in n], n)) if any(n) else ():
+            if lifts(n, some[v], a) and lifts(out, others[w], b):
+                normals.add(reduced(n))
+    ways = [*some, *others]
+    added = spanning(ways)[len(ways):]
+    flat = [n for k, v in enumerate(added) for w in (*ways, *added[:k]) if any(n := cross(v, w))]
+    return normals | {reduced([sign * i for i in n]) for n in flat for sign in (1, -1)}
 
 
 def highest(n, corners):
-    """The corners farthest along a direction, each once, in their order around: of 4 of a box the bits say it."""
-    face = list(dict.fromkeys(p for p in corners if dot(n, p) == max(dot(n, q) for q in corners)))
-    return face if len(face) < 4 else [face[i] for i in (0, 1, 3, 2)]
+    """The corners of what lies farthest along a direction, around it."""
+    top, around = max(dot(n, p) for p in corners), []
+    face = sorted({p for p in corners if dot(n, p) == top})
+    for half in (face, face[::-1]):
+        chain = []
+        for p in half:
+            while len(chain) > 1 and dot(n, cross(at(chain[-1], chain[-2], -1), at(p, chain[-1], -1))) <= 0:
+                chain.pop()
+            chain.append(p)
+        around += chain[:-1]
+    return around or face
 
 
 def held_by(planes, height):
@@ -427,17 +470,17 @@ def convexes(a, r1, b, r2, alarm, contact, scalar):
     second moved by x: a face of the first, clipped."""
     unit = math.lcm(*(i.denominator for corner in a + b for i in corner))
     a, b = ([tuple(int(i * unit) for i in corner) for corner in corners] for corners in (a, b))
-    ways = edges(a) + edges(b)
-    height = {n: max(dot(n, p) for p in a) - min(dot(n, q) for q in b) for n in sides(ways)}
+    first, second = hull(a), hull(b)
+    height = {n: max(dot(n, p) for p in a) - min(dot(n, q) for q in b) for n in sides(first, second)}
     if (lowest := min(height.values())) < 0:
         x = nearest_within(height)
         n, times = [-i for i in x], Fraction(1, unit)
     else:
-        n = way_out(height, a, b) or parting([0, 0, 0], [*ways, [0, 0, 0]][0])  # none of a line or a point
+        n = way_out(height, a, b) or parting([0, 0, 0], [*first[1], *second[1], [0, 0, 0]][0])  # none of a line or a point
         out = Fraction(lowest and height[n], dot(n, n))
         x, times = [out * i for i in n], -out / unit
     polygon = highest(n, a)
-    for m in sides(edges(b)):
+    for m in sides(second, hull([(0, 0, 0)])):
         polygon = clipped(polygon, m, max(dot(m, q) for q in b) + dot(m, x))
     p = [i / unit for i in middle(polygon)]
     return apart(p, r1, at(p, x, Fraction(-1, unit)), r2, n, times, lowest == 0, min(polygon) == max(polygon), alarm, contact, scalar,
@@ -446,8 +489,12 @@ def convexes(a, r1, b, r2, alarm, contact, scalar):
 
 def right_case(found, pair, scalar):
     """What should stand in a line: the leaves of its question, and of all that follows from the question."""
-    inputs = {x: float(found[x]) or 0.0 for x in INPUTS[pair]}
-    packed = b"".join(b"\x7f\xf8" + bytes(6) if x != x else struct.pack(">d", x) for x in inputs.values())
+    kinds = pair.split("_")
+    fields = [fields_of(kind, side, found) for kind, side in zip(kinds, "ab")] if pair in CONVEXES else [INPUTS[pair][:-2], []]
+    inputs = {x: float(found[x]) or 0.0 for x in (*fields[0], *fields[1], *BALLS[-2:])}
+    counted = [y for kind, names in zip(kinds, fields) for y in [len(names) // 3.0] * (kind == "hull") + [inputs[x] for x in names]]
+    packed = b"".join(b"\x7f\xf8" + bytes(6) if x != x else struct.pack(">d", x)
+                      for x in (*counted, inputs["alarm"], inputs["contact"]))
     case = {"id": hashlib.sha256(pair.encode() + b"\0" + packed).hexdigest()[:24]}
     case |= {x: rounded(Fraction(n), 0, 0, scalar) if math.isfinite(n) else n for x, n in inputs.items()}  # binary32 in its files
     below = [x for x in inputs if inputs[x] < 0 and (".extents" in x or ("[" not in x and "offset" not in x))]
@@ -460,11 +507,10 @@ def right_case(found, pair, scalar):
     x = [Fraction(number) for number in inputs.values()]
     case |= {f"flags[{i}]": str(found[x]) for i, x in enumerate(x for x in found if x.startswith("flags["))} or {"flags": []}
     if pair in CONVEXES:
-        first, second = pair.split("_")
-        (a, r1), b = core_of(first, x[:len(CORES[first])]), x[len(CORES[first]):-2]
-        if second == "plane":
+        (a, r1), b = core_of(kinds[0], x[:len(fields[0])]), x[len(fields[0]):-2]
+        if kinds[1] == "plane":
             return case | over_plane(a, r1, *b, alarm=x[-2], contact=x[-1], scalar=scalar)
-        return case | convexes(a, r1, *core_of(second, b), *x[-2:], scalar)
+        return case | convexes(a, r1, *core_of(kinds[1], b), *x[-2:], scalar)
     if pair == "sphere_capsule":
         return case | capsules(x[0:3], x[0:3], x[3], x[4:7], x[7:10], x[10], x[11], x[12], scalar)
     if pair == "capsule_capsule":

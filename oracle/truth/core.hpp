@@ -7,28 +7,16 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "contact/pairs.hpp"
+#include "oracle/truth/hull.hpp"
 
 namespace contact::oracle {
-
-/// A vertex, an edge or a face of a core, by the places of its corners among the core's vertices: one of them, those next to it, and of a
-/// parallelogram the one across.
-struct Feature {
-  std::size_t size;
-  std::array<std::size_t, 4> places;
-
-  [[nodiscard]] std::span<const std::size_t> corners() const { return std::span(places).first(size); }
-  [[nodiscard]] std::size_t dimension() const { return std::min<std::size_t>(size - 1, 2); }
-  [[nodiscard]] bool is_parallelogram() const { return size == 4; }
-  [[nodiscard]] bool has(std::size_t vertex) const {
-    return std::find(corners().begin(), corners().end(), vertex) != corners().end();
-  }
-};
 
 /// Number is what an oracle computes with.
 template <class Number>
@@ -42,6 +30,8 @@ struct Core {
   std::vector<Vec> outward = {};
   /// What the vertices are still to be divided by, if by something.
   std::optional<Number> over = {};
+  /// Where the features stand of a core that has its own.
+  std::shared_ptr<const std::vector<Feature>> own = {};
 
   /// Those that `outward` has a normal of.
   [[nodiscard]] std::span<const Feature> faces() const { return features.last(outward.size()); }
@@ -59,34 +49,6 @@ struct Core {
 template <class A, class B>
 inline constexpr bool kCoresAreSimple = std::same_as<A, Ball> ||
                                         (kIsOneOf<A, Capsule, Ray, Line> && kIsOneOf<B, Ball, Capsule, Ray, Line>);
-
-namespace features {
-
-constexpr Feature vertex(std::size_t v) { return {1, {v}}; }
-constexpr Feature edge(std::size_t v, std::size_t w) { return {2, {v, w}}; }
-
-inline constexpr std::array kPoint{vertex(0)};
-inline constexpr std::array kSegment{vertex(0), vertex(1), edge(0, 1)};
-inline constexpr std::array kTriangle{
-    vertex(0), vertex(1), vertex(2), edge(0, 1), edge(1, 2), edge(2, 0), Feature{3, {0, 1, 2}}};
-/// Bit i of a corner's place says whether it is at the upper end of axis i. Of the faces the lower one comes before the upper one.
-inline constexpr std::array kBox = [] {
-  std::array<Feature, 26> all{};
-  std::size_t size = 0;
-  for (std::size_t corner = 0; corner < 8; ++corner) all[size++] = vertex(corner);
-  for (std::size_t axis = 1; axis < 8; axis *= 2)
-    for (std::size_t corner = 0; corner < 8; ++corner)
-      if ((corner & axis) == 0) all[size++] = edge(corner, corner | axis);
-  for (std::size_t axis = 1; axis < 8; axis *= 2) {
-    const std::size_t u = axis == 1 ? 2 : 1;
-    const std::size_t v = axis == 4 ? 2 : 4;
-    for (const std::size_t corner : {std::size_t{0}, axis})
-      all[size++] = {4, {corner, corner | u, corner | v, corner | u | v}};
-  }
-  return all;
-}();
-
-}  // namespace features
 
 // The core of each shape. make(x) is the number that a double is.
 
@@ -177,6 +139,25 @@ CoreBy<Make> core_of(const Make& make, const Obb& box) {
       core.outward.push_back({make(side) * column[0], make(side) * column[1], make(side) * column[2]});
   core.over = over;
   return core;
+}
+
+/// The hull of some points; `sign` is that of HullMaker.
+template <class Number, class Sign>
+Core<Number> core_of_points(const std::vector<std::array<Number, 3>>& points, double radius, const Sign& sign) {
+  HullFeatures hull = HullMaker(points.size(), sign).make();
+  Core<Number> core{{}, {}, radius};
+  for (const std::size_t k : hull.corners) core.vertices.push_back(points[k]);
+  core.own = std::make_shared<const std::vector<Feature>>(std::move(hull.features));
+  core.features = *core.own;
+  for (const Feature& face : core.features.last(hull.faces))
+    core.outward.push_back(area_between(core.vertices, face.places[0], face.places[1], face.places[2]));
+  return core;
+}
+template <class Make>
+std::vector<typename CoreBy<Make>::Vec> points_of(const Make& make, const Hull& hull) {
+  std::vector<typename CoreBy<Make>::Vec> points;
+  for (const Vector3& x : hull.vertices) points.push_back(vec(make, x));
+  return points;
 }
 
 }  // namespace contact::oracle

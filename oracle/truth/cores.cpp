@@ -294,23 +294,26 @@ bool is_preferred(const Facing& x, const Facing& y) {
   return size(y.normal) * x.normal > size(x.normal) * y.normal;
 }
 
-/// Across each two edges of both.
+/// The edges of both, each two of which a facet may lie across.
 template <class Number>
-std::vector<std::array<Number, 3>> across_edges(const Core<Number>& a, const Core<Number>& b) {
+std::vector<std::array<Number, 3>> edges_of(const Core<Number>& a, const Core<Number>& b) {
   std::vector<std::array<Number, 3>> ways;
   for (const auto* core : {&a, &b})
     for (const Feature& edge : core->directions())
       ways.push_back(core->vertices[edge.places[1]] - core->vertices[edge.places[0]]);
-  std::vector<std::array<Number, 3>> all;
-  for (std::size_t i = 0; i < ways.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) all.push_back(cross(ways[i], ways[j]));
-  return all;
+  return ways;
 }
 
-/// Which of them, and of those turned round after them, may be of the least depth, as intervals of doubles tell.
-std::vector<bool> may_be_least(const EnclosedCore& a, const EnclosedCore& b) {
+/// Two of them, and whether what lies across is turned round.
+struct Across {
+  std::size_t i;
+  std::size_t j;
+  bool turned;
+};
+/// Those that may be of the least depth, as intervals of doubles tell.
+std::vector<Across> may_be_least(const EnclosedCore& a, const EnclosedCore& b) {
   const CGAL::Protect_FPU_rounding<true> upward;
-  std::vector<double> least;
+  std::vector<std::pair<Across, double>> all;
   double most = std::numeric_limits<double>::infinity();
   const auto extent = [](const EnclosedCore& core, const std::array<Enclosed, 3>& n) {
     std::array<Enclosed, 2> found{dot(n, core.vertices[0]), dot(n, core.vertices[0])};
@@ -321,34 +324,39 @@ std::vector<bool> may_be_least(const EnclosedCore& a, const EnclosedCore& b) {
     }
     return found;
   };
-  for (const auto& n : across_edges(a, b)) {
-    const auto of_a = extent(a, n);
-    const auto of_b = extent(b, n);
-    const Enclosed length2 = dot(n, n);
-    for (const Enclosed& height : {of_a[1] - of_b[0], of_b[1] - of_a[0]}) {
-      const bool is_sure = length2.inf() > 0 && height.inf() > 0;
-      const Enclosed depth2 =
-          is_sure ? CGAL::square(height) / length2 : Enclosed(0, std::numeric_limits<double>::infinity());
-      least.push_back(std::isnan(depth2.inf()) ? 0 : depth2.inf());
-      if (is_sure && depth2.sup() < most) most = depth2.sup();
+  const auto edges = edges_of(a, b);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto n = cross(edges[i], edges[j]);
+      const auto of_a = extent(a, n);
+      const auto of_b = extent(b, n);
+      const Enclosed length2 = dot(n, n);
+      for (const bool turned : {false, true}) {
+        const Enclosed height = turned ? of_b[1] - of_a[0] : of_a[1] - of_b[0];
+        const bool is_sure = length2.inf() > 0 && height.inf() > 0;
+        const Enclosed depth2 =
+            is_sure ? CGAL::square(height) / length2 : Enclosed(0, std::numeric_limits<double>::infinity());
+        const double least = std::isnan(depth2.inf()) ? 0 : depth2.inf();
+        if (!(least > most)) all.push_back({{i, j, turned}, least});
+        if (is_sure && depth2.sup() < most) most = depth2.sup();
+      }
     }
-  }
-  std::vector<bool> may;
-  for (const double x : least) may.push_back(!(x > most));
+  std::vector<Across> may;
+  for (const auto& [across, least] : all)
+    if (!(least > most)) may.push_back(across);
   return may;
 }
 
 /// What is true of any two cores with some points in common, those that all others lie between: a depth is an ordinary hit.
 Meeting meeting_of(const std::vector<Point>& common, const ExactCore& a, const ExactCore& b) {
-  const std::vector<bool> may = may_be_least(a.enclosed, b.enclosed);
-  const std::vector<Point> across = across_edges(a, b);
+  const std::vector<Point> edges = edges_of<Rational>(a, b);
   std::vector<Facing> least;
   bool is_flat = false;
-  for (std::size_t i = 0; i < may.size() && !is_flat; ++i) {
-    if (!may[i]) continue;
-    const Point& n = across[i / 2];
+  for (const auto& [i, j, turned_round] : may_be_least(a.enclosed, b.enclosed)) {
+    if (is_flat) break;
+    const Point n = cross(edges[i], edges[j]);
     if (is_zero(n)) continue;
-    Facing found = facing(a, b, Rational(i % 2 == 0 ? 1 : -1) * n);
+    Facing found = facing(a, b, Rational(turned_round ? -1 : 1) * n);
     if (CGAL::is_zero(found.height)) {
       const Facing turned = facing(a, b, Rational(-1) * found.normal);
       is_flat = CGAL::is_zero(turned.height);
@@ -464,6 +472,10 @@ ExactCore exact_core(const Obb& box) {
   return found;
 }
 EnclosedCore enclosed_core(const Obb& box) { return exact_core(box).enclosed; }
+ExactCore exact_core(const Hull& hull) {
+  return exact_hull(points_of([](double x) { return Rational(x); }, hull), hull.radius);
+}
+EnclosedCore enclosed_core(const Hull& hull) { return exact_core(hull).enclosed; }
 ExactCore exact_core(const Convex& convex) {
   return std::visit(
       []<class Shape>(const Shape& shape) {
@@ -482,6 +494,24 @@ ExactCore exact_core(const std::vector<Point>& vertices, std::span<const Feature
     core.enclosed.vertices.push_back({enclosed(0), enclosed(1), enclosed(2)});
   }
   return core;
+}
+
+ExactCore exact_hull(const std::vector<Point>& points, double radius) {
+  const ExactCore all = exact_core(points, {});
+  const auto sign = [&](const auto& ask) -> int {
+    {
+      const CGAL::Protect_FPU_rounding<true> upward;
+      if (const auto known = CGAL::sign(ask(all.enclosed.vertices)); CGAL::is_certain(known))
+        return CGAL::get_certain(known);
+    }
+    return CGAL::sign(ask(all.vertices));
+  };
+  Core<Rational> core = core_of_points(points, radius, sign);
+  ExactCore found = exact_core(core.vertices, core.features);
+  found.radius = radius;
+  found.outward = std::move(core.outward);
+  found.own = std::move(core.own);
+  return found;
 }
 
 void enclose_in_range(ExactCore& first, ExactCore& second) {

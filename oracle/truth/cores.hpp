@@ -26,6 +26,10 @@ template <class Shape>
 /// Domain: no half-space.
 [[nodiscard]] ExactCore exact_core(const Convex& convex);
 [[nodiscard]] ExactCore exact_core(const std::vector<Point>& vertices, std::span<const Feature> features);
+/// Of the hull of some points.
+[[nodiscard]] ExactCore exact_hull(const std::vector<Point>& points, double radius = 0);
+[[nodiscard]] ExactCore exact_core(const Hull& hull);
+[[nodiscard]] EnclosedCore enclosed_core(const Hull& hull);
 
 /// Encloses two cores anew, on one scale on which products of doubles stay in their range: intervals only compare lengths of one question.
 void enclose_in_range(ExactCore& first, ExactCore& second);

@@ -63,6 +63,28 @@ bool is_in_range(const Obb& x) {
          std::all_of(x.orientation.begin(), x.orientation.end(), [](double c) { return in_range(c, kMostOfCores); });
 }
 
+bool is_in_range(const Hull& x) {
+  return in_range(x.radius, kMostOfCores) &&
+         std::all_of(x.vertices.begin(), x.vertices.end(), [](const Vector3& v) { return in_range(v, kMostOfCores); });
+}
+
+/// Thrown where a sign is not known for certain.
+struct Uncertain {};
+NearCore core_of_hull(const Hull& hull) {
+  const auto points = points_of([](double x) { return DoubleDouble{x}; }, hull);
+  const auto sign = [&](const auto& ask) {
+    const auto known = ask(points).sign();
+    if (!known) throw Uncertain{};
+    return *known;
+  };
+  return core_of_points(points, hull.radius, sign);
+}
+template <class Shape>
+NearCore core_in_doubles(const Shape& shape) {
+  return core_of([](double x) { return DoubleDouble{x}; }, shape);
+}
+NearCore core_in_doubles(const Hull& hull) { return core_of_hull(hull); }
+
 /// A rotated box as with_short_orientation has it, so that more of them are in range.
 Obb of_unit_size(const Obb& box) { return with_short_orientation(box); }
 template <class Shape>
@@ -78,7 +100,7 @@ std::optional<NearCore> near_core(const Convex& convex) {
         } else {
           const Shape& shape = of_unit_size(given);
           if (!is_in_range(shape)) return std::nullopt;
-          NearCore core = core_of([](double x) { return DoubleDouble{x}; }, shape);
+          NearCore core = core_in_doubles(shape);
           if (core.over) {
             if (!is_clear(*core.over)) return std::nullopt;
             const DoubleDouble inverse = reciprocal(*core.over);
@@ -88,6 +110,14 @@ std::optional<NearCore> near_core(const Convex& convex) {
         }
       },
       convex.shape);
+}
+
+std::optional<NearCore> certain_core(const Convex& convex) {
+  try {
+    return near_core(convex);
+  } catch (const Uncertain&) {
+    return std::nullopt;
+  }
 }
 
 /// The vertex that plain double finds farthest along a direction.
@@ -313,32 +343,113 @@ struct Axis {
   const Feature* of_a;  ///< a face or an edge
   const Feature* of_b;
 };
-/// All of them; nothing where one may be 0.
-std::optional<std::vector<Axis>> axes(const NearCore& a, const NearCore& b) {
-  std::vector<Axis> all;
-  bool are_sure = true;
-  const auto add = [&](const DoubleDoubles& n, const Feature* of_a, const Feature* of_b) {
-    all.push_back({n, product(n, n), of_a, of_b});
-    are_sure = are_sure && is_clear(all.back().N);
-  };
-  const auto faces = [](const NearCore& core) {
-    std::vector<const Feature*> found;  // of those of a box that are parallel, one
-    for (const Feature& feature : core.features)
-      if (feature.dimension() == 2 && feature.has(0)) found.push_back(&feature);
-    return found;
-  };
-  for (const Feature* face : faces(a)) add(normal_of(a, *face), face, nullptr);
-  for (const Feature* face : faces(b)) add(normal_of(b, *face), nullptr, face);
-  const auto edges = [](const NearCore& core) {
+/// What makes such a direction.
+struct Makers {
+  const Feature* of_a;
+  const Feature* of_b;
+};
+std::vector<Makers> makers(const NearCore& a, const NearCore& b) {
+  // Of edges or faces of a box that are parallel, one.
+  const auto all_of = [](const NearCore& core, std::size_t dimension) {
+    const bool is_box = core.features.back().is_parallelogram();
     std::vector<const Feature*> found;
     for (const Feature& feature : core.features)
-      if (feature.dimension() == 1 && (!core.features.back().is_parallelogram() || feature.has(0)))
-        found.push_back(&feature);
+      if (feature.dimension() == dimension && (!is_box || feature.has(0))) found.push_back(&feature);
     return found;
   };
-  for (const Feature* e : edges(a))
-    for (const Feature* f : edges(b)) add(across(way_of(a, *e, 1), way_of(b, *f, 1)), e, f);
-  return are_sure ? std::optional(std::move(all)) : std::nullopt;
+  std::vector<Makers> all;
+  for (const Feature* face : all_of(a, 2)) all.push_back({face, nullptr});
+  for (const Feature* face : all_of(b, 2)) all.push_back({nullptr, face});
+  for (const Feature* e : all_of(a, 1))
+    for (const Feature* f : all_of(b, 1)) all.push_back({e, f});
+  return all;
+}
+
+/// Those of which plain double does not prove that the cores are deeper in each other along them than along another.
+///   With C the largest coordinate, S the largest less that of a vertex, and d = 2^-51 C + the radii: a way is off by 3 d in each coordinate, a product of two, of
+///   numbers up to 8 S^2, by 64 (S + d) (d + 2^-50 S) = e, and a height by 8 (S + d) (e + 8 S d + 2^-45 S^2). What is used of this is twice as wide.
+class Shallow {
+ public:
+  Shallow(const NearCore& a, const NearCore& b) {
+    double largest = 0;
+    double radius = 0;
+    const Plain base = plain(a.vertices[0]);
+    for (const auto& [core, points] : {std::pair(&a, &a_), std::pair(&b, &b_)})
+      for (const DoubleDoubles& x : core->vertices) {
+        Plain here{};
+        for (std::size_t i = 0; i < 3; ++i) {
+          here[i] = x[i].high - base[i];
+          largest = std::max(largest, std::abs(x[i].high));
+          size_ = std::max(size_, std::abs(here[i]));
+          radius = std::max(radius, x[i].radius);
+        }
+        points->push_back(here);
+      }
+    const double off = 0x1p-51 * largest + radius;
+    off_normal_ = 128 * (size_ + off) * (off + 0x1p-50 * size_);
+    off_height_ = 16 * (size_ + off) * (off_normal_ + 8 * size_ * off + 0x1p-45 * size_ * size_);
+  }
+
+  [[nodiscard]] std::vector<Makers> of(const std::vector<Makers>& all) {
+    std::vector<double> least;
+    double most = std::numeric_limits<double>::infinity();
+    for (const Makers& makers : all) {
+      const Plain n = normal(makers);
+      const double length = std::sqrt(plain_dot(n, n));
+      const auto [low_a, high_a] = extent(a_, n);
+      const auto [low_b, high_b] = extent(b_, n);
+      const double height = std::min(high_a - low_b, high_b - low_a);
+      const bool is_sure = length > 4 * off_normal_;
+      least.push_back(is_sure ? (height - off_height_) / (length + 2 * off_normal_) : 0);
+      if (is_sure) most = std::min(most, (height + off_height_) / (length - 2 * off_normal_) * (1 + 0x1p-48));
+    }
+    std::vector<Makers> left;
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (!(least[k] * (1 - 0x1p-48) > most)) left.push_back(all[k]);
+    return left;
+  }
+
+ private:
+  [[nodiscard]] static Plain way(const std::vector<Plain>& points, const Feature& feature, std::size_t corner) {
+    const Plain& from = points[feature.places[0]];
+    const Plain& to = points[feature.places[corner]];
+    return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+  }
+  [[nodiscard]] Plain normal(const Makers& makers) const {
+    const auto& [f, g] = makers;
+    const Plain u = f != nullptr ? way(a_, *f, 1) : way(b_, *g, 1);
+    const Plain v = g == nullptr ? way(a_, *f, 2) : f == nullptr ? way(b_, *g, 2) : way(b_, *g, 1);
+    return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  }
+  [[nodiscard]] static std::pair<double, double> extent(const std::vector<Plain>& points, const Plain& n) {
+    double low = plain_dot(n, points[0]);
+    double high = low;
+    for (const Plain& x : points) {
+      const double here = plain_dot(n, x);
+      low = std::min(low, here);
+      high = std::max(high, here);
+    }
+    return {low, high};
+  }
+
+  std::vector<Plain> a_;
+  std::vector<Plain> b_;
+  double size_ = 0;
+  double off_normal_ = 0;
+  double off_height_ = 0;
+};
+
+/// All that may be of the least depth; nothing where one may be 0.
+std::optional<std::vector<Axis>> axes(const NearCore& a, const NearCore& b) {
+  std::vector<Axis> all;
+  for (const auto& [of_a, of_b] : Shallow(a, b).of(makers(a, b))) {
+    const DoubleDoubles n = of_b == nullptr   ? normal_of(a, *of_a)
+                            : of_a == nullptr ? normal_of(b, *of_b)
+                                              : across(way_of(a, *of_a, 1), way_of(b, *of_b, 1));
+    all.push_back({n, product(n, n), of_a, of_b});
+    if (!is_clear(all.back().N)) return std::nullopt;
+  }
+  return all;
 }
 
 /// The least and the greatest n.x of a core.
@@ -413,10 +524,9 @@ std::optional<RoundedAnswer> case_meeting(const NearCore& a, const NearCore& b, 
   const DoubleDoubles out = times(times(least.height, reciprocal(N)), m);
   DoubleDoubles p;
   DoubleDoubles q;
-  constexpr auto kVertices = features::kBox;  // whose first features are vertices by their place
   if (of_b == nullptr) {
     const Feature& face = farthest_like(a, *of_a, plain(m));
-    const Feature& vertex = kVertices[farthest(b, plain(back))];
+    const Feature vertex = features::vertex(farthest(b, plain(back)));
     q = b.vertices[vertex.places[0]];
     p = sum(q, out);
     if (!are_others_before(a, face, m, a.vertices[face.places[0]]) || !are_others_before(b, vertex, back, q) ||
@@ -424,7 +534,7 @@ std::optional<RoundedAnswer> case_meeting(const NearCore& a, const NearCore& b, 
       return std::nullopt;
   } else if (of_a == nullptr) {
     const Feature& face = farthest_like(b, *of_b, plain(back));
-    const Feature& vertex = kVertices[farthest(a, plain(m))];
+    const Feature vertex = features::vertex(farthest(a, plain(m)));
     p = a.vertices[vertex.places[0]];
     q = minus(p, out);
     if (!are_others_before(b, face, back, b.vertices[face.places[0]]) || !are_others_before(a, vertex, m, p) ||
@@ -451,18 +561,18 @@ std::optional<RoundedAnswer> case_meeting(const NearCore& a, const NearCore& b, 
 [[gnu::noinline]] std::optional<RoundedAnswer> case_of_convexes(const Convexes& shapes, Distances distances,
                                                                 Scalar scalar) {
   if (!in_range(distances.alarm, kMostOfCores) || !in_range(distances.contact, kMostOfCores)) return std::nullopt;
-  const auto a = near_core(shapes.a);
+  const auto a = certain_core(shapes.a);
   if (!a) return std::nullopt;
   if (const auto* plane = std::get_if<Plane>(&shapes.b.shape)) {
     const DoubleDoubles n = exactly(plane->normal);
     const DoubleDoubles down{-n[0], -n[1], -n[2]};
     const std::size_t lowest = farthest(*a, plain(down));
     const DoubleDoubles& p = a->vertices[lowest];
-    if (!in_range(plane->normal, kMostOfCores) || !are_others_before(*a, features::kBox[lowest], down, p))
+    if (!in_range(plane->normal, kMostOfCores) || !are_others_before(*a, features::vertex(lowest), down, p))
       return std::nullopt;
     return case_over_plane({p, product(n, p), true}, a->radius, *plane, distances, scalar);
   }
-  const auto b = near_core(shapes.b);
+  const auto b = certain_core(shapes.b);
   if (!b) return std::nullopt;
   if (const auto way = Guess(*a, *b).way()) return case_apart(*a, *b, *way, distances, scalar);
   return case_meeting(*a, *b, distances, scalar);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -137,10 +138,22 @@ class AnyTwo {
       for (const Feature& f : b_.directions()) {
         const Triple n = cross(way(a_, e), way(b_, f));
         if (is_zero(n)) continue;
-        const Along both = along(n);
-        for (const int sign : {1, -1})
-          facings_.push_back(facing(both, sign, edge_at(a_, e, both.a, sign), edge_at(b_, f, both.b, -sign)));
+        std::optional<Along> both;
+        for (const int sign : {1, -1}) {
+          // A facet that two edges make has both of them in it.
+          if (!may_be_in_facet(a_, e, n, sign) || !may_be_in_facet(b_, f, n, -sign)) continue;
+          if (!both) both = along(n);
+          facings_.push_back(facing(*both, sign, edge_at(a_, e, both->a, sign), edge_at(b_, f, both->b, -sign)));
+        }
       }
+  }
+  /// Whether no vertex of a hull, which has its own edges, lies farther along a normal to one of them, or less far: the first that does ends it.
+  [[nodiscard]] static bool may_be_in_facet(const IntervalCore& core, const Feature& edge, const Triple& n, int sign) {
+    if (!core.own) return true;
+    const Triple& from = core.vertices[edge.places[0]];
+    for (std::size_t k = 0; k < core.vertices.size(); ++k)
+      if (!edge.has(k) && sign * sign_of(dot(n, difference(core.vertices[k], from))) > 0) return false;
+    return true;
   }
   /// The corners of the edge of a direction that lies farthest along a normal to it, or least far.
   [[nodiscard]] static Places edge_at(const IntervalCore& core, const Feature& edge,
@@ -148,6 +161,7 @@ class AnyTwo {
     const auto lies_farther = [&](std::size_t k, std::size_t than) {
       return sign * sign_of(heights[k] - heights[than]) > 0;
     };
+    if (core.own) return {edge.corners().begin(), edge.corners().end()};
     if (core.outward.empty()) {  // the edges of a triangle have no other of their direction
       for (std::size_t k = 0; k < core.vertices.size(); ++k)
         if (!edge.has(k) && lies_farther(k, edge.places[0])) return {};

@@ -12,6 +12,11 @@ template <class Shape>
   return core_of([precision](double x) { return Interval(precision, x); }, shape);
 }
 
+[[nodiscard]] inline IntervalCore interval_core(const Hull& hull, mpfr_prec_t precision) {
+  const auto points = points_of([precision](double x) { return Interval(precision, x); }, hull);
+  return core_of_points(points, hull.radius, [&](const auto& ask) { return sign_of(ask(points)); });
+}
+
 /// A feature of each of two cores.
 using FeaturePair = std::pair<const Feature*, const Feature*>;
 /// The nearest points of two cores over one denominator, of which neither has a point in its inside that is the other's; what

@@ -11,28 +11,9 @@
 namespace contact::oracle {
 namespace {
 
-constexpr std::size_t kMostCorners = 8;  // of a box
-/// Every one, two or three of some corners, those of the first few before all others. Among these is what is nearest of a hull.
-constexpr std::array kAmongCorners = [] {
-  std::array<Feature, kMostCorners + 28 + 56> all{};
-  std::size_t size = 0;
-  for (std::size_t k = 0; k < kMostCorners; ++k) {
-    all[size++] = features::vertex(k);
-    for (std::size_t j = 0; j < k; ++j) {
-      all[size++] = features::edge(j, k);
-      for (std::size_t i = 0; i < j; ++i) all[size++] = {3, {i, j, k}};
-    }
-  }
-  return all;
-}();
-
 Rational squared_distance_of_hulls(const std::vector<Point>& p, const std::vector<Point>& q) {
-  const auto hull = [](const std::vector<Point>& corners) {
-    const std::size_t n = corners.size();
-    return exact_core(corners, std::span(kAmongCorners).first(n + n * (n - 1) / 2 + n * (n - 1) * (n - 2) / 6));
-  };
-  ExactCore first = hull(p);
-  ExactCore second = hull(q);
+  ExactCore first = exact_hull(p);
+  ExactCore second = exact_hull(q);
   enclose_in_range(first, second);
   return squared_distance(first, second);
 }

@@ -23,7 +23,7 @@ from .exact_answers import Exact, exact
 from .judging import LawReport, Report, certify, properties
 from .questions import Questions
 from .serving import serve
-from .shapes import Capsule, Cube, Line, Obb, Plane, Question, Ray, Sphere, Triangle
+from .shapes import Capsule, Cube, Hull, Line, Obb, Plane, Question, Ray, Sphere, Triangle
 from .suites import suite
 
 globals().update(_FUNCTIONS)
@@ -32,7 +32,7 @@ __version__: str = _core.version()
 
 __all__ = [
     *_FUNCTIONS,
-    "Capsule", "Contacts", "Cube", "Dataset", "EngineError", "Exact", "InputError", "LawReport", "Line", "Obb", "OracleDisagreement", "PAIRS", "Plane",
-    "Question", "Questions", "Ray", "Report", "Sphere", "Triangle", "certify", "exact", "explain", "families", "generate", "hits", "profiles",
+    "Capsule", "Contacts", "Cube", "Dataset", "EngineError", "Exact", "Hull", "InputError", "LawReport", "Line", "Obb", "OracleDisagreement", "PAIRS",
+    "Plane", "Question", "Questions", "Ray", "Report", "Sphere", "Triangle", "certify", "exact", "explain", "families", "generate", "hits", "profiles",
     "properties", "read_dataset", "serve", "suite", "write_dataset",
 ]

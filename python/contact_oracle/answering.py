@@ -51,7 +51,7 @@ def bound(pair: Pair, arguments: tuple[Any, ...], named: dict[str, Any]) -> dict
 
 SIGNATURES = {name: signature_of(pair) for name, pair in PAIRS.items()}
 
-_KINDS = {"point": "a point", "points": "three points", "length": "a length, 0 or more", "direction": "a direction of any length but 0",
+_KINDS = {"point": "a point", "points": "three points", "any number": "points, where those of NaN at the end are not there", "length": "a length, 0 or more", "direction": "a direction of any length but 0",
           "orientation": "a quaternion x, y, z, w of any length but 0",
           "number": "how far along the normal, in lengths of the normal", "offset": "how far along the normal, in lengths of the normal"}
 _DECISIONS = {"distance": "a contact where the distance of the cores is at most alarm + both radii, decided exactly; touching counts",
@@ -71,8 +71,8 @@ _SECTIONS = {**{pair: "sphere-pairs" for pair in ("sphere_sphere", "rigid_sphere
 
 def documentation_of(pair: Pair) -> str:
     first, second = (shape if shape != pair.shapes[0] or index == 0 else "another" for index, shape in enumerate(pair.shapes))
-    arguments = "\n".join(f"    {field.argument:<12}{'(..., ' + ', '.join(map(str, field.shape)) + ')' if field.shape else '(...)':<12}"
-                          f"{_KINDS[field.kind]}" for field in pair.fields)
+    arguments = "\n".join(f"    {field.argument:<12}{field.shape_text:<12}{', ' * field.any_number}"
+                          f"{_KINDS['any number' if field.any_number else field.kind]}" for field in pair.fields)
     answers = ("``hit`` alone" if pair.numbers == "none" else
                "every number is the exact real rounded once to nearest, ties to even (0.5 ulp), to the scalar of the arrays")
     return (f"The contacts of a {first} with {second if second == 'another' else 'a ' + second}.\n\n"

@@ -87,7 +87,7 @@ class Asked:
         side, _, name = path.rpartition(".")
         argument = name + {"a": "1", "b": "2", "": ""}[side]
         given = self.given[argument]
-        core = len(dict(zip(self.pair.arguments, self.pair.core_shapes))[argument])
+        core = len(dict(zip(self.pair.arguments, self.pair.numbers_of_a_question))[argument].shape)
         place = np.unravel_index(row, self.batch) if self.batch else ()
         own = given.shape[:given.ndim - core]
         place = tuple(place)[len(self.batch) - len(own):]
@@ -101,11 +101,14 @@ def asked(pair: Pair, values: Mapping[str, Any]) -> Asked:
     formats = {given[name].dtype for name in pair.arguments if _has_a_format(values[name])}
     scalar = "binary32" if formats == {np.dtype(np.float32)} else "binary64"
     leading = []
-    for name, core in zip(pair.arguments, pair.core_shapes):
+    cores = []
+    for name, field in zip(pair.arguments, pair.numbers_of_a_question):
         array = given[name]
-        if array.shape[array.ndim - len(core):] != core or array.ndim < len(core):
-            raise InputError(f"must have the shape {_shape_text(core)}", name, value=f"shape {array.shape}")
-        leading.append(array.shape[:array.ndim - len(core)])
+        before = max(array.ndim - len(field.shape), 0)
+        if not field.fits(array.shape[before:]):
+            raise InputError(f"must have the shape {field.shape_text}", name, value=f"shape {array.shape}")
+        leading.append(array.shape[:before])
+        cores.append(array.shape[before:])
         if scalar == "binary32" and array.dtype != np.float32:
             wrong = np.argwhere(~_is_binary32(array))
             if len(wrong):
@@ -118,7 +121,7 @@ def asked(pair: Pair, values: Mapping[str, Any]) -> Asked:
         shapes = ", ".join(f"{name} {shape}" for name, shape in zip(pair.arguments, leading) if shape)
         raise InputError(f"numbers of questions do not go together: {shapes}") from None
     count = math.prod(batch)
-    columns = [_column(given[name], batch, count, core) for name, core in zip(pair.arguments, pair.core_shapes)]
+    columns = [_column(given[name], batch, count, core) for name, core in zip(pair.arguments, cores)]
     return Asked(pair, scalar, batch, columns[:-2], columns[-2], columns[-1], given)
 
 
@@ -127,7 +130,3 @@ def _column(array: Array, batch: tuple[int, ...], count: int, core: tuple[int, .
     if len(batch) != 1:
         column = column.reshape((count, *core))
     return column.astype(np.float64, copy=False)
-
-
-def _shape_text(core: tuple[int, ...]) -> str:
-    return "(...)" if not core else f"(..., {', '.join(map(str, core))})"

@@ -294,7 +294,7 @@ def _moved(shape: Any, by: tuple[float, float, float]) -> Any:
         return tuple(map(moved, value)) if isinstance(value[0], tuple) else tuple(map(step, value, by))
 
     names = {"Sphere": ("center",), "Cube": ("min", "max"), "Capsule": ("start", "end"), "Triangle": ("vertices",), "Ray": ("origin",),
-             "Line": ("start", "end"), "Obb": ("center",)}[type(shape).__name__]
+             "Line": ("start", "end"), "Obb": ("center",), "Hull": ("vertices",)}[type(shape).__name__]
     return replace(shape, **{name: moved(getattr(shape, name)) for name in names})
 
 

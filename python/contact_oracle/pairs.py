@@ -14,12 +14,13 @@ Array = np.ndarray[Any, np.dtype[Any]]
 
 @dataclass(frozen=True)
 class Field:
-    """A field of one of the two shapes of a pair."""
+    """A field of one of the two shapes of a pair. Of a hull's vertices, `any_number`, the shape has as many as there may be."""
 
     name: str
     kind: str
     shape: tuple[int, ...]
     side: str
+    any_number: bool = False
 
     @property
     def argument(self) -> str:
@@ -30,6 +31,19 @@ class Field:
     def column(self) -> str:
         """``a/center``, the name in files of columns."""
         return f"{self.side}/{self.name}"
+
+    def fits(self, shape: tuple[int, ...]) -> bool:
+        """Whether an array of one question has such a shape."""
+        if self.any_number:
+            return len(shape) == 2 and 1 <= shape[0] <= self.shape[0] and shape[1:] == self.shape[1:]
+        return shape == self.shape
+
+    @property
+    def shape_text(self) -> str:
+        """``(..., 3)``"""
+        if self.any_number:
+            return f"(..., V, {self.shape[1]}), V from 1 to {self.shape[0]}"
+        return f"(..., {', '.join(map(str, self.shape))})" if self.shape else "(...)"
 
 
 @dataclass(frozen=True)
@@ -55,13 +69,13 @@ class Pair:
         return (*(field.column for field in self.fields), "alarm", "contact")
 
     @property
-    def core_shapes(self) -> tuple[tuple[int, ...], ...]:
-        """The shape of each argument of one question, in the order of `arguments`."""
-        return (*(field.shape for field in self.fields), (), ())
+    def numbers_of_a_question(self) -> tuple[Field, ...]:
+        """The fields and the two distances, in the order of `arguments`."""
+        return (*self.fields, Field("alarm", "length", (), ""), Field("contact", "length", (), ""))
 
 
 def _described(entry: dict[str, Any]) -> Pair:
-    fields = tuple(Field(field["name"], field["kind"], tuple(field["shape"]), side)
+    fields = tuple(Field(field["name"], field["kind"], tuple(field["shape"]), side, field["any_number"])
                    for side in ("a", "b") for field in entry[side]["fields"])
     return Pair(entry["name"], entry["numbers"], (entry["a"]["shape"], entry["b"]["shape"]), fields)
 

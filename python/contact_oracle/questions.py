@@ -10,11 +10,23 @@ from . import _core
 from .asked import Asked, asked
 from .contacts import Contacts
 from .errors import InputError
-from .pairs import Array, number_of, pair_named, scalar_named
+from .pairs import Array, Field, number_of, pair_named, scalar_named
 from .shapes import SHAPES, Question, _from_json
 
 if TYPE_CHECKING:
     from .exact_answers import Exact
+
+
+def stacked(vertices: list[Array]) -> Array:
+    """The vertices of some hulls as one array: those of fewer are filled up with NaN."""
+    most = max(map(len, vertices))
+    return np.stack([np.pad(some, ((0, most - len(some)), (0, 0)), constant_values=np.nan) for some in vertices])
+
+
+def _there(vertices: Array) -> Array:
+    """Of one hull those that are not NaN alone at the end."""
+    there = np.flatnonzero(~np.isnan(vertices).all(axis=1))
+    return vertices[:there[-1] + 1 if len(there) else 0]
 
 
 class Questions:
@@ -68,9 +80,12 @@ class Questions:
         return Questions(self.pair, {name: array[key] for name, array in self._arrays.items()}, self.scalar, self.family)
 
     def _question(self, row: int) -> Question:
+        def value(field: Field) -> Any:
+            found = self._arrays[field.argument][row]
+            return _from_json(_there(found) if field.any_number else found)
+
         pair = pair_named(self.pair)
-        a, b = (SHAPES[shape](**{field.name: _from_json(self._arrays[field.argument][row]) for field in pair.fields if field.side == side})
-                for side, shape in zip("ab", pair.shapes))
+        a, b = (SHAPES[shape](**{field.name: value(field) for field in pair.fields if field.side == side}) for side, shape in zip("ab", pair.shapes))
         return Question(self.pair, a, b, float(self.alarm[row]), float(self.contact[row]), self.scalar)
 
     def __len__(self) -> int:
@@ -139,4 +154,6 @@ def joined(questions: Questions | Question | Iterable[Question]) -> Questions:
     if len(kinds) != 1:
         raise InputError("must be of one pair and one scalar", "questions", value=sorted(kinds))
     rows = [question.arguments() for question in single]
-    return Questions(single[0].pair, {name: np.stack([row[name] for row in rows]) for name in rows[0]}, single[0].scalar)
+    of_any_number = [field.argument for field in pair_named(single[0].pair).fields if field.any_number]
+    arrays = {name: (stacked if name in of_any_number else np.stack)([row[name] for row in rows]) for name in rows[0]}
+    return Questions(single[0].pair, arrays, single[0].scalar)

@@ -12,7 +12,7 @@ import numpy as np
 from .engines import Engine, answers_of, by_pair, is_unsupported
 from .errors import EngineError, InputError
 from .pairs import PAIRS, Array, number_of, pair_named, scalar_named
-from .questions import Questions
+from .questions import Questions, stacked
 from .shapes import _json_value, json_number
 
 CHUNK = 1 << 20
@@ -108,8 +108,13 @@ def _refusal(error: Exception) -> dict[str, Any]:
 def _questions(pair: str, queries: list[dict[str, Any]], scalar: str) -> Questions:
     description = pair_named(pair)
     number = number_of(scalar)
-    arrays = {field.argument: np.array([query[field.side][field.name] for query in queries], dtype=object).astype(np.float64)
-              for field in description.fields}
+    def array_of(value: Any) -> Array:
+        return np.array(value, dtype=object).astype(np.float64)
+
+    arrays: dict[str, Array] = {}
+    for field in description.fields:
+        values = [query[field.side][field.name] for query in queries]
+        arrays[field.argument] = stacked(list(map(array_of, values))) if field.any_number else array_of(values)
     arrays |= {name: np.array([float(query[name]) for query in queries]) for name in ("alarm", "contact")}
     with np.errstate(over="ignore"):
         return Questions(pair, {name: array.astype(number) for name, array in arrays.items()}, scalar)

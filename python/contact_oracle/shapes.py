@@ -84,9 +84,17 @@ class Obb:
     extents: Point
 
 
-Shape = Union[Sphere, Cube, Capsule, Triangle, Plane, Ray, Line, Obb]
+@dataclass(frozen=True)
+class Hull:
+    """All points within `radius` of the convex hull of from 1 to 64 `vertices`. These may be repeated, lie inside, in a plane or on a line."""
+
+    vertices: tuple[Point, ...]
+    radius: float
+
+
+Shape = Union[Sphere, Cube, Capsule, Triangle, Plane, Ray, Line, Obb, Hull]
 SHAPES: dict[str, type] = {"sphere": Sphere, "cube": Cube, "capsule": Capsule, "triangle": Triangle, "plane": Plane, "ray": Ray,
-                           "line": Line, "obb": Obb}
+                           "line": Line, "obb": Obb, "hull": Hull}
 
 
 def json_number(value: float) -> float | str:

@@ -15,11 +15,12 @@ from hypothesis.strategies import SearchStrategy
 from .datasets import family_named, generate
 from .errors import InputError
 from .pairs import PAIRS, Array, number_of, pair_named, scalar_named
-from .shapes import SHAPES, Capsule, Cube, Line, Obb, Plane, Point, Question, Ray, Sphere, Triangle
+from .shapes import SHAPES, Capsule, Cube, Hull, Line, Obb, Plane, Point, Question, Ray, Sphere, Triangle
 
 LARGEST = 1e4
 LARGEST_SHARE = 64
 SCALES = 40
+MOST_VERTICES = 12
 
 
 def numbers(scalar: str = "binary64", largest: float | None = LARGEST, smallest: float = 0.0) -> SearchStrategy[float]:
@@ -114,7 +115,14 @@ def obbs(scalar: str = "binary64", largest: float | None = LARGEST, smallest: fl
                      extents=st.tuples(length, length, length))
 
 
-OF_SHAPE = {"sphere": spheres, "cube": cubes, "capsule": capsules, "triangle": triangles, "plane": planes, "ray": rays, "line": lines, "obb": obbs}
+def hulls(scalar: str = "binary64", largest: float | None = LARGEST, smallest: float = 0.0) -> SearchStrategy[Hull]:
+    """Hulls of up to `MOST_VERTICES` points: every question is answered exactly, and more take longer."""
+    return st.builds(Hull, vertices=st.lists(points(scalar, largest, smallest), min_size=1, max_size=MOST_VERTICES).map(tuple),
+                     radius=lengths(scalar, largest, smallest))
+
+
+OF_SHAPE = {"sphere": spheres, "cube": cubes, "capsule": capsules, "triangle": triangles, "plane": planes, "ray": rays, "line": lines, "obb": obbs,
+            "hull": hulls}
 
 
 def shapes(kind: str, scalar: str = "binary64", largest: float | None = LARGEST, smallest: float = 0.0) -> SearchStrategy[Any]:
@@ -182,7 +190,7 @@ def _touching(pair: str, scalar: str, parts: tuple[int, int, int, int], origin: 
     q = p + delta
     u, v = _beside(delta, which)
     first, second = pair_named(pair).shapes
-    kinds = [first == "sphere" or first == "capsule", second == "sphere" or second == "capsule"]
+    kinds = [kind in ("sphere", "capsule", "hull") for kind in (first, second)]
     # What is shared among the radii that there are; the alarm distance takes the rest.
     radii = [min(part, distance) * kind for part, kind in zip(share, kinds)]
     if sum(radii) > distance:
@@ -204,6 +212,10 @@ def _touching(pair: str, scalar: str, parts: tuple[int, int, int, int], origin: 
             return Triangle((_point(at - u - v, scale), _point(at + (1 + sizes[0]) * u, scale), _point(at + (1 + sizes[1]) * v, scale)))
         if kind == "plane":
             return Plane(_point(-delta, 1.0), float(-delta @ at) * scale)
+        if kind == "hull":
+            # A pyramid on a triangle around `at`, or flat; the first corner stands there again inside.
+            corners = (at - u - v, at + (1 + sizes[0]) * u, at + (1 + sizes[1]) * v, at + sizes[0] * towards, at)
+            return Hull(tuple(_point(corner, scale) for corner in corners), radius * scale)
         if kind == "obb":
             # Its first axis is turned along delta, so `at` is the middle of a face; the axis is as long as a whole number.
             m, x, y, z = map(float, parts)

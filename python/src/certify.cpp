@@ -93,7 +93,9 @@ class CallableEngine final : public engines::Engine {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     const Pair pair = questions.front().query.pair;
     const Scalar scalar = info().declared.scalar;
-    QuestionColumns columns(pair, scalar, questions.size());
+    Query widest = zero_query(pair);
+    for (const Question& question : questions) widen(widest, question.query);
+    QuestionColumns columns(widest, scalar, questions.size());
     for (std::size_t i = 0; i < questions.size(); ++i) {
       columns.set(i, questions[i].query);
       columns.set_id(i, questions[i].id);

@@ -93,39 +93,61 @@ class MemoryArrays final : public formats::ArraysFile {
 
 }  // namespace
 
+void widen(Query& query, const Query& other) {
+  std::vector<std::size_t> sizes;
+  for_each_value(other, [&]<class Value>(const Value& value) {
+    if constexpr (AnyNumberOfVectors<Value>) sizes.push_back(value.size());
+  });
+  auto size = sizes.begin();
+  for_each_value(query, [&]<class Value>(Value& value) {
+    if constexpr (AnyNumberOfVectors<Value>) value.resize(std::max(value.size(), *size++), Vector3::Zero());
+  });
+}
+
+Query widest_query(Pair pair) {
+  Query query = zero_query(pair);
+  for_each_value(query, []<class Value>(Value& value) {
+    if constexpr (AnyNumberOfVectors<Value>) value.resize(kMostVertices, Vector3::Zero());
+  });
+  return query;
+}
+
 QuestionArrays::QuestionArrays(Pair pair, const py::list& columns, const py::array& alarm, const py::array& contact)
     : pair_(pair) {
   for (const auto& column : columns) kept_.push_back(py::cast<py::array>(column));
   kept_.push_back(alarm);
   kept_.push_back(contact);
-  const Query zeros = zero_query(pair);
+  const Query widest = widest_query(pair);
   std::size_t i = 0;
-  for_each_field(zeros, [&](const std::string& field, const auto& value, FieldKind) {
+  for_each_field(widest, [&](const std::string& field, const auto& value, FieldKind) {
     if (i >= kept_.size()) throw std::invalid_argument(fmt::format("{}: missing", field));
     const py::array& array = kept_[i++];
     if (!py::isinstance<py::array_t<double>>(array) || array.ndim() == 0)
       throw std::invalid_argument(fmt::format("{}: expected rows of float64", field));
     if (i == 1) size_ = static_cast<std::size_t>(array.shape(0));
-    const auto shape = with_rows(size_, shape_of(value));
+    auto shape = with_rows(size_, shape_of(value));
+    const bool any_number = AnyNumberOfVectors<decltype(value)>;
+    if (any_number && array.ndim() == 3) shape[1] = std::clamp<py::ssize_t>(array.shape(1), 1, shape[1]);
     if (!std::equal(shape.begin(), shape.end(), array.shape(), array.shape() + array.ndim()))
       throw std::invalid_argument(fmt::format("{}: expected a shape of ({}), got ({})", field, fmt::join(shape, ", "),
                                               fmt::join(array.shape(), array.shape() + array.ndim(), ", ")));
-    Column column{static_cast<const char*>(array.data()), {}};
+    Column column{static_cast<const char*>(array.data()), {}, any_number ? static_cast<std::size_t>(shape[1]) : 0};
     std::copy_n(array.strides(), array.ndim(), column.strides.begin());
     columns_.push_back(column);
   });
   if (i != kept_.size()) throw std::invalid_argument("more columns than the pair has fields");
 }
 
-QuestionColumns::QuestionColumns(Pair pair, Scalar scalar, std::size_t size) : scalar_(scalar) {
+QuestionColumns::QuestionColumns(const Query& widest, Scalar scalar, std::size_t size) : scalar_(scalar) {
   const py::array ids(py::dtype(fmt::format("S{}", golden::kIdLength)), std::vector<std::size_t>{size});
   ids_ = static_cast<char*>(const_cast<void*>(ids.data()));
   arrays_["id"] = ids;
-  const Query zeros = zero_query(pair);
-  for_each_field(zeros, [&](const std::string& field, const auto& value, FieldKind) {
+  for_each_field(widest, [&](const std::string& field, const auto& value, FieldKind) {
     const py::dtype type = scalar == Scalar::binary32 ? py::dtype::of<float>() : py::dtype::of<double>();
     const py::array array(type, with_rows(size, shape_of(value)));
-    columns_.push_back({static_cast<char*>(const_cast<void*>(array.data())), sizeof(value) / sizeof(double)});
+    std::size_t across = 0;
+    for_each_number_in(value, [&](double) { ++across; });
+    columns_.push_back({static_cast<char*>(const_cast<void*>(array.data())), across});
     arrays_[py::str(path_of(field))] = array;
   });
 }
@@ -134,12 +156,14 @@ void QuestionColumns::set(std::size_t row, const Query& query) {
   const Column* column = columns_.data();
   for_each_value(query, [&](const auto& value) {
     std::size_t at = row * column->across;
-    for_each_number_in(value, [&](double x) {
+    const auto put = [&](double x) {
       if (scalar_ == Scalar::binary32)
         reinterpret_cast<float*>(column->begin)[at++] = static_cast<float>(x);
       else
         reinterpret_cast<double*>(column->begin)[at++] = x;
-    });
+    };
+    for_each_number_in(value, put);
+    while (at < (row + 1) * column->across) put(std::numeric_limits<double>::quiet_NaN());
     ++column;
   });
 }

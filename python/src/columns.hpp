@@ -6,6 +6,7 @@
 
 #include <cstring>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,14 @@ inline std::vector<py::ssize_t> shape_of(double) { return {}; }
 inline std::vector<py::ssize_t> shape_of(const Vector3&) { return {3}; }
 inline std::vector<py::ssize_t> shape_of(const Quaternion&) { return {4}; }
 inline std::vector<py::ssize_t> shape_of(const std::array<Vector3, 3>&) { return {3, 3}; }
+inline std::vector<py::ssize_t> shape_of(const std::vector<Vector3>& all) {
+  return {static_cast<py::ssize_t>(all.size()), 3};
+}
+
+/// Gives hulls as many vertices as those of another question of the pair have, where these are more.
+void widen(Query& query, const Query& other);
+/// The question of a pair whose hulls have most vertices.
+[[nodiscard]] Query widest_query(Pair pair);
 
 /// A number outside the domain: what becomes the Python exception.
 struct OutsideDomain {
@@ -32,7 +41,7 @@ struct OutsideDomain {
 };
 
 /// Questions of one pair as float64 arrays of any strides: the fields of a, then of b, the alarm and the contact
-/// distance, with as many rows each. They are read in place.
+/// distance, with as many rows each. Vertices of three NaN at the end of a hull's are not there. They are read in place.
 class QuestionArrays {
  public:
   /// Throws std::invalid_argument where an array is not of its kind and shape.
@@ -43,7 +52,8 @@ class QuestionArrays {
   /// Question `row`, each of its numbers copied to `query`, which is one of this pair.
   void read(std::size_t row, Query& query) const {
     const Column* column = columns_.data();
-    for_each_value(query, [&](auto& value) {
+    for_each_value(query, [&]<class Value>(Value& value) {
+      if constexpr (AnyNumberOfVectors<Value>) value.resize(column->vertices);
       const char* at = column->begin + static_cast<py::ssize_t>(row) * column->strides[0];
       read_value(at, column->strides.data() + 1, value);
       ++column;
@@ -61,6 +71,7 @@ class QuestionArrays {
   struct Column {
     const char* begin;
     std::array<py::ssize_t, 3> strides;
+    std::size_t vertices;  ///< that there is room for in a row of a hull's
   };
 
   static void read_value(const char* at, const py::ssize_t*, double& value) { std::memcpy(&value, at, sizeof value); }
@@ -71,8 +82,14 @@ class QuestionArrays {
     for (double& x : value) std::memcpy(&x, at, sizeof x), at += strides[0];
   }
   static void read_value(const char* at, const py::ssize_t* strides, std::array<Vector3, 3>& value) {
-    for (std::size_t i = 0; i < value.size(); ++i)
-      read_value(at + static_cast<py::ssize_t>(i) * strides[0], strides + 1, value[i]);
+    read_vectors(at, strides, value);
+  }
+  static void read_value(const char* at, const py::ssize_t* strides, std::vector<Vector3>& value) {
+    read_vectors(at, strides, value);
+    while (!value.empty() && value.back().array().isNaN().all()) value.pop_back();
+  }
+  static void read_vectors(const char* at, const py::ssize_t* strides, std::span<Vector3> vectors) {
+    for (Vector3& v : vectors) read_value(at, strides + 1, v), at += strides[0];
   }
 
   Pair pair_;
@@ -81,10 +98,11 @@ class QuestionArrays {
   std::vector<Column> columns_;
 };
 
-/// Room for the questions of one pair, by the names of a golden file's columns ("a/center"), in numbers of a scalar.
+/// Room for the questions of one pair, by the names of a golden file's columns ("a/center"), in numbers of a scalar; for as many
+/// vertices of hulls as the widest of them has, those behind a hull's last NaN.
 class QuestionColumns {
  public:
-  QuestionColumns(Pair pair, Scalar scalar, std::size_t size);
+  QuestionColumns(const Query& widest, Scalar scalar, std::size_t size);
 
   void set(std::size_t row, const Query& query);
   void set_id(std::size_t row, const std::string& id) {

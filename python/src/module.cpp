@@ -207,7 +207,7 @@ void for_each(const QuestionArrays& questions, Visit&& visit) {
 
 py::object ids(const std::string& pair, const py::list& columns, const py::array& alarm, const py::array& contact) {
   const QuestionArrays questions(pair_of(pair), columns, alarm, contact);
-  QuestionColumns found(questions.pair(), Scalar::binary64, questions.size());
+  QuestionColumns found(zero_query(questions.pair()), Scalar::binary64, questions.size());
   for_each(questions, [&](std::size_t row, const Query& query) { found.set_id(row, golden::query_id(query)); });
   return found.arrays()["id"];
 }
@@ -244,6 +244,7 @@ py::list pairs() {
         one["name"] = std::string(field.name);
         one["kind"] = across.size() == 2 ? kind + "s" : kind;
         one["shape"] = across;
+        one["any_number"] = AnyNumberOfVectors<decltype(value)>;
         fields.append(one);
       });
       py::dict found;
@@ -251,12 +252,12 @@ py::list pairs() {
       found["fields"] = fields;
       return found;
     };
-    const Query zeros = zero_query(pair);
+    const Query widest = widest_query(pair);
     py::dict one;
     one["name"] = std::string(name(pair));
     one["numbers"] = has_distance(pair) ? "distance" : is_crossing(pair) ? "crossing" : is_cast(pair) ? "cast" : "none";
     const char* key = "a";
-    for_each_shape(zeros, [&](const auto& of) { one[std::exchange(key, "b")] = shape(of); });
+    for_each_shape(widest, [&](const auto& of) { one[std::exchange(key, "b")] = shape(of); });
     all.append(one);
   }
   return all;
@@ -279,9 +280,13 @@ py::tuple generate(const std::string& pair, const std::string& family, std::uint
   const Pair of = pair_of(pair);
   const golden::Family* generator = golden::find_family(of, family);
   if (generator == nullptr) throw std::invalid_argument(fmt::format("unknown family '{}' of {}", family, pair));
-  QuestionColumns columns(of, scalar_of(scalar), count);
-  for (std::uint64_t i = 0; i < count; ++i)
-    columns.set(i, golden::generate_query(of, *generator, scalar_of(scalar), seed, first + i));
+  const auto question = [&](std::uint64_t i) {
+    return golden::generate_query(of, *generator, scalar_of(scalar), seed, first + i);
+  };
+  Query widest = zero_query(of);
+  for (std::uint64_t i = 0; has_hull(of) && i < count; ++i) widen(widest, question(i));
+  QuestionColumns columns(widest, scalar_of(scalar), count);
+  for (std::uint64_t i = 0; i < count; ++i) columns.set(i, question(i));
   return columns.as_columns();
 }
 
@@ -319,7 +324,9 @@ py::tuple read_dataset(const std::string& path) {
     const py::gil_scoped_release no_gil;
     while (auto c = reader.next()) all.push_back(std::move(*c));
   }
-  QuestionColumns questions(header.pair, Scalar::binary64, all.size());
+  Query widest = zero_query(header.pair);
+  for (const golden::Case& c : all) widen(widest, c.query);
+  QuestionColumns questions(widest, Scalar::binary64, all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     questions.set(i, all[i].query);
     questions.set_id(i, all[i].id);

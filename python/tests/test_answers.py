@@ -46,6 +46,17 @@ BY_HAND = {
     "cube_plane": (((0, 0, 1), (1, 1, 2), (0, 0, 2), 1), dict(alarm=1), ((0, 0, -1), (0.5, 0.5, 1), (0.5, 0.5, 0.5), 0.5)),
     "obb_plane": (((0, 0, 2), (1, 1, 1, 1), (1, 2, 3), (0, 0, 1), 1), {}, ((0, 0, -1), (0, 0, 0), (0, 0, 1), -1)),
     "triangle_plane": ((((0, 0, 1), (4, 0, 3), (0, 4, 3)), (0, 0, 2), 0), dict(alarm=1), ((0, 0, -1), (0, 0, 1), (0, 0, 0), 1)),
+    "sphere_hull": (((0, 0, 3), 1, ((1, 1, 0), (1, -1, 0), (-1, 1, 0), (-1, -1, 0), (0, 0, -1)), 0.5), dict(alarm=2),
+                    ((0, 0, -1), (0, 0, 2), (0, 0, 0.5), 1.5)),
+    "capsule_hull": (((0, 0, 3), (0, 0, 2), 0.25, ((0, 0, 0),), 0.5), dict(alarm=2), ((0, 0, -1), (0, 0, 1.75), (0, 0, 0.5), 1.25)),
+    "cube_hull": (((0, 0, 0), (1, 1, 1), ((2, 0.5, 0.5), (3, 0, 0), (3, 1, 0)), 0.25), dict(alarm=1), ((1, 0, 0), (1, 0.5, 0.5), (1.75, 0.5, 0.5), 0.75)),
+    "obb_hull": (((0, 0, 0), (1, 1, 1, 1), (1, 2, 3), ((0, 0, 3), (1, 0, 4), (0, 1, 4)), 0.5), dict(alarm=1), ((0, 0, 1), (0, 0, 2), (0, 0, 2.5), 0.5)),
+    "triangle_hull": ((((0, 0, 0), (4, 0, 0), (0, 4, 0)), ((1, 1, 1), (5, 1, 3), (1, 5, 3), (2, 2, 3), (1, 1, 1)), 0), dict(alarm=1),
+                      ((0, 0, 1), (1, 1, 0), (1, 1, 1), 1)),
+    # The corners of a cube, and a tetrahedron whose tip is in it.
+    "hull_hull": (((*((x, y, z) for x in (0, 2) for y in (0, 2) for z in (0, 2)), (1, 1, 1)), 0.25,
+                   ((1.5, 1, 1), (5, 0, 0), (5, 2, 0), (5, 1, 3)), 0), {}, ((1, 0, 0), (2.25, 1, 1), (1.5, 1, 1), -0.75)),
+    "hull_plane": ((((0, 0, 1), (4, 0, 3), (0, 4, 3), (1, 1, 2)), 0.5, (0, 0, 2), 0), dict(alarm=1), ((0, 0, -1), (0, 0, 0.5), (0, 0, 0), 0.5)),
 }
 
 
@@ -210,6 +221,44 @@ def test_wrong_shapes_are_named(arguments, message):
 def test_a_triangle_is_three_points():
     with pytest.raises(InputError, match=r"vertices2: must have the shape \(..., 3, 3\)"):
         contact_oracle.sphere_triangle((0, 0, 0), 1, np.zeros((4, 3)))
+
+
+NONE = (np.nan, np.nan, np.nan)
+
+
+def test_a_hull_has_as_many_vertices_as_there_are_before_nan():
+    vertices = np.array([[(0, 0, 1), (0, 0, 2), (0, 0, 3)], [(0, 0, 5), (0, 0, 4), NONE], [(0, 0, 7), NONE, NONE]], float)
+    contact = contact_oracle.hull_plane(vertices, [0, 1, 2], (0, 0, 1), 0, alarm=9)
+    assert contact.value.tolist() == [1, 3, 5]
+    assert contact_oracle.hull_plane(vertices[2], 2, (0, 0, 1), 0, alarm=9).value == 5
+    assert contact_oracle.hull_plane(vertices[..., ::-1], 0, (1, 0, 0), 0, alarm=9).value.tolist() == [1, 4, 7]
+    repeated = np.where(np.isnan(vertices), vertices[:, :1], vertices)
+    assert contact_oracle.hull_plane(repeated, [0, 1, 2], (0, 0, 1), 0, alarm=9).value.tolist() == [1, 3, 5]
+    questions = contact_oracle.Questions("hull_plane", dict(vertices1=vertices, radius1=[0, 1, 2], normal2=(0, 0, 1), offset2=0))
+    for row, question in enumerate(questions):
+        assert question.a == contact_oracle.Hull(tuple(map(tuple, vertices[row, :3 - row])), row)
+        assert question.as_questions().id[0] == questions.id[row]
+
+
+def test_hulls_of_any_numbers_of_vertices_become_one_array():
+    from contact_oracle.questions import joined
+
+    questions = contact_oracle.generate("hull_hull", "generic", 30, seed=5)
+    single = list(questions)
+    assert len({len(question.a.vertices) for question in single}) > 1
+    assert questions.vertices1.shape == (30, max(len(question.a.vertices) for question in single), 3)
+    assert joined(single).id.tolist() == questions.id.tolist() == [question.exact().id for question in single]
+    assert all(contact_oracle.Question.from_json(line).exact().id == id for line, id in zip(questions.lines(), questions.id))
+
+
+@pytest.mark.parametrize("vertices, words", [
+    (np.zeros((65, 3)), r"must have the shape \(..., V, 3\), V from 1 to 64, got shape \(65, 3\)"), (np.zeros((0, 3)), "must have the shape"),
+    (np.zeros(3), "must have the shape"), (np.zeros((4, 2)), "must have the shape"), ([NONE], r"vertices1: must be from 1 to 64 points, got 0"),
+    ([NONE, (0, 0, 0)], r"vertices1\[0, 0\]: must be finite, got nan"), ([(0, 0, 0), (0, np.nan, 0)], r"vertices1\[1, 1\]: must be finite"),
+    ([[(0, 0, 0)], [(0, 0, 0), (1, 1, 1)]], "vertices1: cannot be read as an array")])
+def test_what_is_no_hull_is_refused(vertices, words):
+    with pytest.raises(InputError, match=words):
+        contact_oracle.hull_plane(vertices, 1, (0, 0, 1), 0)
 
 
 def refusal(call, *arguments, **named):
