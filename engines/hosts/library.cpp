@@ -4,8 +4,10 @@
 #define BOOST_DLL_USE_STD_FS
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/dll/shared_library.hpp>
 #include <cfenv>
+#include <concepts>
 #include <cstdlib>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -46,7 +48,14 @@ static_assert(static_cast<int>(Pair::sphere_sphere) == CONTACT_SPHERE_SPHERE &&
               static_cast<int>(Pair::triangle_triangle) == CONTACT_TRIANGLE_TRIANGLE &&
               static_cast<int>(Pair::cube_plane) == CONTACT_CUBE_PLANE &&
               static_cast<int>(Pair::obb_plane) == CONTACT_OBB_PLANE &&
-              static_cast<int>(Pair::triangle_plane) == CONTACT_TRIANGLE_PLANE);
+              static_cast<int>(Pair::triangle_plane) == CONTACT_TRIANGLE_PLANE &&
+              static_cast<int>(Pair::sphere_hull) == CONTACT_SPHERE_HULL &&
+              static_cast<int>(Pair::capsule_hull) == CONTACT_CAPSULE_HULL &&
+              static_cast<int>(Pair::cube_hull) == CONTACT_CUBE_HULL &&
+              static_cast<int>(Pair::obb_hull) == CONTACT_OBB_HULL &&
+              static_cast<int>(Pair::triangle_hull) == CONTACT_TRIANGLE_HULL &&
+              static_cast<int>(Pair::hull_hull) == CONTACT_HULL_HULL &&
+              static_cast<int>(Pair::hull_plane) == CONTACT_HULL_PLANE);
 
 /// Questions of one pair as the arrays that the library reads, and its answers.
 struct Arrays {
@@ -57,16 +66,27 @@ struct Arrays {
         point1(3 * questions.size()),
         point2(3 * questions.size()),
         value(questions.size()) {
-    const auto add = [](std::vector<double>& to, const auto& shape) {
-      for_each_number(shape, [&](double x) { to.push_back(x); });
-    };
+    std::size_t most = 0;
+    for (const Question& question : questions)
+      for_each_shape(question.query, [&]<class Shape>(const Shape& shape) {
+        if constexpr (std::same_as<Shape, Hull>) most = std::max(most, shape.vertices.size());
+      });
     for (const Question& question : questions) {
-      std::visit(
-          [&](const auto& shapes) {
-            add(a, shapes.a);
-            add(b, shapes.b);
-          },
-          question.query.shapes);
+      std::vector<double>* rows = &a;
+      for_each_shape(question.query, [&]<class Shape>(const Shape& shape) {
+        const auto add = [&](double x) { rows->push_back(x); };
+        if constexpr (std::same_as<Shape, Hull>) {
+          const auto& vertices = shape.vertices;
+          add(static_cast<double>(vertices.size()));
+          add(shape.radius);
+          for (std::size_t k = 0; k < most; ++k)
+            for (int axis = 0; axis < 3; ++axis)
+              add(vertices.empty() ? 0 : vertices[std::min(k, vertices.size() - 1)][axis]);
+        } else {
+          for_each_number(shape, add);
+        }
+        rows = &b;
+      });
       alarm.push_back(question.query.distances.alarm);
       contact.push_back(question.query.distances.contact);
     }
@@ -96,6 +116,13 @@ struct Arrays {
       if (says(CONTACT_VALUE)) numbers.value = value[i];
     }
     return c;
+  }
+
+  /// Numbers of a row of a; where b alone is a hull, of b.
+  [[nodiscard]] std::int32_t width() const {
+    return static_cast<std::int32_t>(
+               of_shapes(pair, []<class, class B>() { return std::same_as<B, Hull>; }) ? b.size() : a.size()) /
+           static_cast<std::int32_t>(alarm.size());
   }
 
   Pair pair;
@@ -191,7 +218,7 @@ class Library final : public Engine {
       Arrays arrays(questions.first(run));
       const contact_questions asked{run,
                                     static_cast<std::int32_t>(arrays.pair),
-                                    arrays.pair == Pair::cube_cube ? 6 : 4,
+                                    arrays.width(),
                                     arrays.a.data(),
                                     arrays.b.data(),
                                     arrays.alarm.data(),

@@ -13,9 +13,9 @@
 extern "C" {
 #endif
 
-/* Shapes. Each is nothing but doubles, without gaps: an array of n spheres is an array of n rows of 4 doubles, and so
-   on for NumPy, Julia, Fortran and C#. Rows have the order of the canonical bytes, as those of contact_engine.h.
-   Alignment: that of double. */
+/* Shapes. Each but the hull is nothing but doubles, without gaps: an array of n spheres is an array of n rows of 4
+   doubles, and so on for NumPy, Julia, Fortran and C#. Rows have the order of the canonical bytes, as those of
+   contact_engine.h. Alignment: that of double. */
 typedef struct contact_sphere { /* 4 doubles */
   double center[3];
   double radius; /* >= 0 */
@@ -46,6 +46,11 @@ typedef struct contact_obb { /* 10 doubles: a box that is turned about its centr
   double orientation[4]; /* the quaternion x, y, z, w: not zero, of any length */
   double extents[3];     /* >= 0: half its lengths */
 } contact_obb;
+typedef struct contact_hull { /* no row of doubles: the points within `radius` of the convex hull of some points */
+  const double* vertices;     /* `count` rows of 3; repeated, inner, coplanar and collinear ones are allowed */
+  size_t count;               /* 1 to 64 */
+  double radius;              /* >= 0 */
+} contact_hull;
 typedef struct contact_line { /* 6 doubles: the segment between two points */
   double start[3];
   double end[3];
@@ -80,7 +85,7 @@ typedef struct contact_contacts {
 /* What a function returns. */
 enum contact_status {
   CONTACT_OK = 0,
-  CONTACT_NULL_POINTER = 1,   /* an array is NULL, and count is not 0 */
+  CONTACT_NULL_POINTER = 1,   /* an array is NULL, and its count is not 0 */
   CONTACT_OUTSIDE_DOMAIN = 2, /* a number is not finite, or breaks a rule of its shape */
   CONTACT_UNKNOWN_POINTS = 3, /* `points` is none of enum contact_points */
   CONTACT_OUT_OF_MEMORY = 4,
@@ -138,6 +143,13 @@ CONTACT_C_PAIR(triangle_triangle, contact_triangle, contact_triangle)
 CONTACT_C_PAIR(cube_plane, contact_cube, contact_plane)
 CONTACT_C_PAIR(obb_plane, contact_obb, contact_plane)
 CONTACT_C_PAIR(triangle_plane, contact_triangle, contact_plane)
+CONTACT_C_PAIR(sphere_hull, contact_sphere, contact_hull)
+CONTACT_C_PAIR(capsule_hull, contact_capsule, contact_hull)
+CONTACT_C_PAIR(cube_hull, contact_cube, contact_hull)
+CONTACT_C_PAIR(obb_hull, contact_obb, contact_hull)
+CONTACT_C_PAIR(triangle_hull, contact_triangle, contact_hull)
+CONTACT_C_PAIR(hull_hull, contact_hull, contact_hull)
+CONTACT_C_PAIR(hull_plane, contact_hull, contact_plane)
 #undef CONTACT_C_TEST
 #undef CONTACT_C_PAIR
 

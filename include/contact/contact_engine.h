@@ -44,7 +44,14 @@ enum contact_pair {
   CONTACT_TRIANGLE_TRIANGLE = 26,
   CONTACT_CUBE_PLANE = 27,
   CONTACT_OBB_PLANE = 28,
-  CONTACT_TRIANGLE_PLANE = 29
+  CONTACT_TRIANGLE_PLANE = 29,
+  CONTACT_SPHERE_HULL = 30,
+  CONTACT_CAPSULE_HULL = 31,
+  CONTACT_CUBE_HULL = 32,
+  CONTACT_OBB_HULL = 33,
+  CONTACT_TRIANGLE_HULL = 34,
+  CONTACT_HULL_HULL = 35,
+  CONTACT_HULL_PLANE = 36
 };
 
 /* Questions of one pair kind, as arrays with one row a question. */
@@ -52,9 +59,12 @@ typedef struct contact_questions {
   size_t count;
   int32_t pair;  /* enum contact_pair */
   int32_t width; /* numbers of a shape of a: 4 for spheres and planes, 6 for cubes and lines, 7 for capsules and rays, 9
-                    for triangles, 10 for rotated boxes; b is as wide as its own */
+                    for triangles, 10 for rotated boxes; b is as wide as its own. Where a or b is a hull, 2 + 3 n: those
+                    of a hull, n being the most vertices that one of these questions has */
   const double*
-      a; /* count rows: centre and radius; min and max; start, end and radius; centre, quaternion and extents */
+      a; /* count rows: centre and radius; min and max; start, end and radius; centre, quaternion and extents. A hull:
+            the number of its vertices, radius, then n vertices: beyond its own the last one again, so that an engine
+            may take all n */
   const double* b;
   const double* alarm;   /* count */
   const double* contact; /* count */

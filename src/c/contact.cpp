@@ -37,6 +37,7 @@ CONTACT_SHAPE(Cast, contact_ray)
 CONTACT_SHAPE(Line, contact_line)
 CONTACT_SHAPE(Obb, contact_obb)
 #undef CONTACT_SHAPE
+const contact_hull* in_c(const Hull&);
 template <class Shape>
 using In = decltype(in_c(std::declval<Shape>()));
 
@@ -119,6 +120,35 @@ class Side {
  private:
   static constexpr std::size_t kNumbers = kNumbersOf<Shape>;
   const double* rows_ = nullptr;
+};
+
+/// Hulls of one side. Each says where its vertices are.
+template <>
+class Side<Hull> {
+ public:
+  Side(const char* name, const contact_hull* hulls, std::size_t count) : hulls_(hulls) {
+    if (count > 0) expect_there(hulls, name);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& [vertices, of_them, radius] = hulls[i];
+      const bool are_too_many = of_them > kMostVertices;  // then none is read
+      if (!are_too_many && vertices != nullptr && inside_domain((*this)[i])) continue;
+      const std::string path = std::string(name) + "[" + std::to_string(i) + "]";
+      if (of_them > 0) expect_there(vertices, (path + ".vertices").c_str());
+      auto error = outside_domain(path, are_too_many ? zero_shape<Hull>(kMostVertices + 1) : (*this)[i]);
+      if (are_too_many) error->value = static_cast<double>(of_them);
+      expect_inside(error);
+    }
+  }
+
+  Hull operator[](std::size_t i) const {
+    const contact_hull& in_c = hulls_[i];
+    Hull hull{{}, in_c.radius};
+    for (std::size_t k = 0; k < in_c.count; ++k) hull.vertices.emplace_back(in_c.vertices + 3 * k);
+    return hull;
+  }
+
+ private:
+  const contact_hull* hulls_;
 };
 
 /// So many pairs at a time are put in columns for the batch kernels: they stay in the cache.

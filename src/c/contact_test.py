@@ -15,8 +15,9 @@ from pathlib import Path
 
 LIBRARY, GOLDEN, HEADER = ctypes.CDLL(sys.argv[1]), Path(sys.argv[2]), Path(sys.argv[3])
 # Pairs that the generator makes questions of, and none is committed.
-WITHOUT_FILES = ["capsule_cube", "cube_obb", "cube_plane", "cube_triangle", "obb_triangle", "triangle_plane"]
-SHORT = ["capsule_obb", "capsule_triangle", "obb_obb", "obb_plane", "sphere_obb", "triangle_triangle"]
+WITHOUT_FILES = ["capsule_cube", "capsule_hull", "cube_hull", "cube_obb", "cube_plane", "cube_triangle", "obb_hull", "obb_triangle", "sphere_hull", "triangle_hull",
+                 "triangle_plane"]
+SHORT = ["capsule_obb", "capsule_triangle", "hull_hull", "hull_plane", "obb_obb", "obb_plane", "sphere_obb", "triangle_triangle"]
 PAIRS = sorted(folder.name for folder in GOLDEN.iterdir() if (folder / "generic.jsonl").exists() or (folder / "invalid.jsonl").exists())
 FIELDS = (("normal", 3), ("point1", 3), ("point2", 3), ("value", 1))
 OUTSIDE_DOMAIN = 2
@@ -27,6 +28,15 @@ class Contacts(ctypes.Structure):
     _fields_ = [("state", ctypes.c_void_p)] + [(name, ctypes.c_void_p) for name, _ in FIELDS]
 
 
+class Hull(ctypes.Structure):
+    """contact_hull; a count of its own may be wrong."""
+    _fields_ = [("vertices", ctypes.c_void_p), ("count", ctypes.c_size_t), ("radius", ctypes.c_double)]
+
+    def __init__(self, vertices, radius, count=None):
+        self.room = array.array("d", numbers(vertices))
+        super().__init__(self.room.buffer_info()[0] if vertices else None, len(vertices) if count is None else count, float(radius))
+
+
 def numbers(shape):
     """The doubles of a shape in JSON, in order: of a list, of a number, or of a word such as "NaN"."""
     if isinstance(shape, dict):
@@ -35,7 +45,7 @@ def numbers(shape):
 
 
 def address(room):
-    return ctypes.c_void_p(room.buffer_info()[0])
+    return ctypes.c_void_p(room.buffer_info()[0]) if isinstance(room, array.array) else room
 
 
 def questions(pair, family="*"):
@@ -46,6 +56,12 @@ def questions(pair, family="*"):
 
 
 def rows(asked, side):
+    """The shapes of a side in C."""
+    if asked[0][side].keys() >= {"vertices", "radius"}:
+        hulls = [Hull(**question[side]) for question in asked]
+        there = (Hull * len(hulls))(*hulls)
+        there.kept = hulls  # with the vertices, which C knows by their address
+        return there
     return array.array("d", [x for question in asked for x in numbers(question[side])])
 
 
@@ -171,6 +187,44 @@ class Errors(unittest.TestCase):
         other.start()
         other.join()
         self.assertEqual((heard, LIBRARY.contact_last_error()), ([b""], b"b[0].radius = -1: must not be negative"))
+
+
+class Hulls(unittest.TestCase):
+    SQUARE = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]]
+    ABOVE = {"vertices": [[1, 1, 3], [1, 1, 2], [1, 3, 5]], "radius": 0.5}
+
+    def asked(self, *hulls):
+        return [{"a": {"center": [1, 1, 5], "radius": 1}, "b": hull} for hull in hulls]
+
+    def test_each_has_as_many_vertices_as_it_says(self):
+        hulls = [{"vertices": self.SQUARE[:count], "radius": 0.25} for count in (1, 2, 4)] + [{"vertices": self.SQUARE * 16, "radius": 1}]
+        status, hits, states, fields = compute("sphere_hull", self.asked(*hulls), 5, 0.5)
+        value = [struct.unpack("d", one)[0] for one in fields["value"]]
+        self.assertEqual((status, hits, states), (0, 4, [1, 1, 1, 1]))
+        for found, right in zip(value, (27 ** 0.5 - 1.75, 26 ** 0.5 - 1.75, 3.25, 2.5), strict=True):
+            self.assertAlmostEqual(found, right, 14)
+        self.assertEqual(test("sphere_hull", self.asked(*hulls), 3.75), (0, 2, [0, 0, 1, 1]))
+
+    def test_they_stand_first_and_second_and_over_planes(self):
+        square = {"vertices": self.SQUARE, "radius": 0}
+        _, hits, states, fields = compute("hull_hull", [{"a": square, "b": self.ABOVE}, {"a": self.ABOVE, "b": square}], 2, 0)
+        self.assertEqual((hits, states), (2, [1, 1]))
+        self.assertEqual([struct.unpack("3d", one) for one in fields["normal"]], [(0, 0, 1), (0, 0, -1)])
+        self.assertEqual([struct.unpack("3d", one) for one in fields["point2"]], [(1, 1, 1.5), (1, 1, 0)])
+        _, hits, states, fields = compute("hull_plane", [{"a": self.ABOVE, "b": {"normal": [0, 0, 2], "offset": 1}}], 2, 0)
+        self.assertEqual((hits, states, struct.unpack("d", fields["value"][0])), (1, [1], (1,)))
+
+    def test_what_is_wrong_is_named_by_row_and_vertex(self):
+        bad = {**self.ABOVE, "vertices": [[1, 2, 3]] * 3 + [[1, float("nan"), 3]]}
+        for hull, status, words in (({**self.ABOVE, "radius": -1}, 2, "b[1].radius = -1: must not be negative"),
+                                    (bad, 2, "b[1].vertices[3][1] = nan: must be finite"),
+                                    ({"vertices": [], "radius": 0}, 2, "b[1].vertices = 0: must be from 1 to 64 points"),
+                                    ({**self.ABOVE, "count": 65}, 2, "b[1].vertices = 65: must be from 1 to 64 points"),
+                                    ({**self.ABOVE, "count": 1 << 60}, 2, "b[1].vertices = 1152921504606846976: must be from 1 to 64 points"),
+                                    ({"vertices": [], "radius": 0, "count": 3}, 1, "b[1].vertices is NULL")):
+            for answer in (test, lambda *asked: compute(*asked, 0)):
+                self.assertEqual(answer("sphere_hull", self.asked(self.ABOVE, hull), 1)[:3], (status, 77, [7, 7]), words)
+                self.assertEqual(LIBRARY.contact_last_error().decode(), words)
 
 
 class Arguments(unittest.TestCase):

@@ -1,0 +1,39 @@
+// Engines in shared libraries: the rows that they are given.
+#include "engines/hosts/library.hpp"
+
+#include <gtest/gtest.h>
+
+namespace contact::engines {
+namespace {
+
+Question question(Pair pair, const Shapes& shapes) { return {"0", {pair, shapes, {0, 0}}}; }
+
+TEST(Library, is_given_rows_as_wide_as_the_largest_hull_which_repeat_the_last_vertex) {
+  const auto engine = make_library(CONTACT_TELLING_LIBRARY);
+  const Hull point{{{7, 8, 9}}, 0.5};
+  const Hull triangle{{{1, 2, 3}, {4, 5, 6}, {-1, -2, -3}}, 0.25};
+  const Ball ball{{10, 11, 12}, 13};
+  const auto claims = engine->answer(std::vector{
+      question(Pair::hull_hull, Convexes{{point}, {triangle}}),
+      question(Pair::hull_hull, Convexes{{triangle}, {point}}), question(Pair::sphere_hull, Convexes{{ball}, {point}}),
+      question(Pair::sphere_hull, Convexes{{ball}, {Hull{}}}),  // outside the domain
+      question(Pair::capsule_plane, CapsuleAndPlane{{{0, 0, 0}, {1, 0, 0}, 1}, {{0, 0, 1}, 0}})});
+  ASSERT_EQ(claims.size(), 5U);
+  const auto expect = [&](std::size_t i, double width, const Vector3& normal, const Vector3& point1,
+                          const Vector3& point2) {
+    ASSERT_TRUE(claims[i].contact) << i;
+    EXPECT_EQ(claims[i].contact->value, width) << i;
+    EXPECT_EQ(claims[i].contact->normal, normal) << i;
+    EXPECT_EQ(claims[i].contact->point1, point1) << i;
+    EXPECT_EQ(claims[i].contact->point2, point2) << i;
+  };
+  expect(0, 11, {1, 0.5, 3}, {7, 8, 9}, {-1, -2, -3});
+  expect(1, 11, {3, 0.25, 1}, {-1, -2, -3}, {7, 8, 9});
+  expect(2, 5, {10, 11, 1}, {11, 12, 13}, {7, 8, 9});
+  expect(3, 5, {10, 11, 0}, {11, 12, 13}, {0, 0, 0});
+  ASSERT_TRUE(claims[4].contact);
+  EXPECT_EQ(claims[4].contact->value, 7);
+}
+
+}  // namespace
+}  // namespace contact::engines

@@ -1,0 +1,29 @@
+/* An engine that tells which rows it was given, for tests: the width as the value; of spheres or hulls against hulls the first two numbers of a and the
+   first of b as the normal, and the last three of each as the points. */
+#include "contact/contact_engine.h"
+
+int32_t contact_engine_interface(void) { return CONTACT_ENGINE_INTERFACE; }
+
+const char* contact_engine_declaration(void) {
+  return "{\"engine\":{\"name\":\"telling\",\"version\":\"1\"},\"scalar\":\"binary64\",\"pairs\":[\"capsule_plane\","
+         "\"sphere_hull\",\"hull_hull\"]}";
+}
+
+int32_t contact_engine_answer(const contact_questions* q, contact_answers* out) {
+  for (size_t i = 0; i < q->count; ++i) {
+    out->said[i] = CONTACT_SAYS_CONTACT | CONTACT_TOUCHES | CONTACT_VALUE;
+    out->value[i] = q->width;
+    if (q->pair == CONTACT_CAPSULE_PLANE) continue;
+    const size_t of_b = (size_t)q->width;
+    const size_t of_a = q->pair == CONTACT_SPHERE_HULL ? 4 : of_b;
+    const double* a = q->a + i * of_a;
+    const double* b = q->b + i * of_b;
+    out->said[i] |= CONTACT_NORMAL | CONTACT_POINT1 | CONTACT_POINT2;
+    for (size_t k = 0; k < 3; ++k) {
+      out->normal[3 * i + k] = k < 2 ? a[k] : b[0];
+      out->point1[3 * i + k] = a[of_a - 3 + k];
+      out->point2[3 * i + k] = b[of_b - 3 + k];
+    }
+  }
+  return 0;
+}
