@@ -261,6 +261,36 @@ class Page(unittest.TestCase):
         self.browser.drag(x, y, 60, 20)
         self.assertNotEqual(self.browser.pixels(0)["hash"], first)
 
+    def test_hulls_and_rotated_boxes_are_drawn_with_all_that_they_have(self):
+        cube = [[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+        turned = {"center": [3, 0, 0], "orientation": [0, 0, 1, 1], "extents": [2, 1, 1]}
+        shown = {}
+        for name, vertices, radius in (
+                ("corners", cube, 0), ("round", cube, 0.5), ("inner and repeated", [*cube, [0, 0, 0], *cube], 0), ("flat", cube[:4], 0),
+                ("line", [cube[0], cube[7], [0, 0, 0]], 0.25), ("point", cube[:1], 0), ("on a face", [*cube, [1, 0, 0], [1, 1, 0]], 0)):
+            with self.subTest(name):
+                folder = self.reports / f"hull {name}"
+                folder.mkdir()
+                query = {"pair": "obb_hull", "a": turned, "b": {"vertices": vertices, "radius": radius}, "alarm": 1, "contact": 0}
+                subprocess.run([TOOL, "annotate", "-", "-o", folder / "q.jsonl"], input=json.dumps(query), text=True, check=True, capture_output=True)
+                header = {"format": "contact-oracle/results", "version": 1, "engine": {"name": "none", "version": "1"}, "scalar": "binary64",
+                          "pairs": ["obb_hull"]}
+                case = json.loads((folder / "q.jsonl").read_text().splitlines()[1])
+                wrong = {"overlap": True, "contact": {**{key: case["expect"][key] for key in ("normal", "point1", "point2")}, "value": 7}}
+                (folder / "answers.jsonl").write_text("".join(json.dumps(one) + "\n" for one in (header, {"id": case["id"], **wrong})))
+                page, _ = certify(folder, folder / "q.jsonl", "--results", folder / "answers.jsonl")
+                self.browser.open(page)
+                self.browser.draw()
+                shown[name] = self.browser.pixels()
+                self.assertGreater(shown[name]["colours"], 20)
+                self.assertEqual(self.browser.complaints(), [])
+        # Points inside or twice change nothing that is seen but the dots where they are; what has more of an outside covers more.
+        self.assertGreater(shown["round"]["share"], shown["corners"]["share"])
+        self.assertAlmostEqual(shown["inner and repeated"]["share"], shown["corners"]["share"], delta=0.002)
+        self.assertAlmostEqual(shown["on a face"]["share"], shown["corners"]["share"], delta=0.002)
+        for name in ("flat", "line", "point"):
+            self.assertLess(shown[name]["share"], shown["corners"]["share"], name)
+
     def test_the_charts_count_what_the_report_counts(self):
         for page, report in (self.wrong, self.ugly):
             self.browser.open(page)

@@ -33,7 +33,7 @@ PAIRS = ("sphere_sphere", "rigid_sphere_rigid_sphere", "sphere_rigid_sphere", "c
          "capsule_capsule", "sphere_triangle", "ray_sphere", "sphere_plane", "capsule_plane", "ray_triangle",
          "triangle_line", "cast_sphere", "cast_cube", "cast_capsule", "cast_triangle", "cast_plane", "obb_obb", "sphere_obb",
          "capsule_cube", "capsule_obb", "capsule_triangle", "cube_obb", "cube_triangle", "obb_triangle", "triangle_triangle", "cube_plane",
-         "obb_plane", "triangle_plane")
+         "obb_plane", "triangle_plane", "sphere_hull", "capsule_hull", "cube_hull", "obb_hull", "triangle_hull", "hull_hull", "hull_plane")
 CONVEXES = PAIRS[18:]
 COMMITTED = tuple(pair for pair in PAIRS if (GOLDEN / pair).exists())
 SOFA_PAIRS = PAIRS[:4]  # of DiscreteIntersection

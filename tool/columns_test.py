@@ -120,6 +120,31 @@ class Form(Columns):
         for name, column in columns.items():
             self.assertEqual(len(column), len(cases), name)
 
+    def test_a_hull_has_the_vertices_before_those_of_nan(self):
+        lines = self.generate("a.jsonl", family=("--pair", "hull_hull", "--family", "flat", "--seed", 7))
+        _, *cases = map(json.loads, lines.read_text().splitlines())
+        for form in ("h5", "npz"):
+            path = self.convert(lines, to=f"a.{form}")
+            attributes, columns, _ = read(path)
+            self.assertEqual(attributes["columns_sha256"], PAGE["of_npz" if form == "npz" else "of_hdf5"](path))
+            for shape in "ab":
+                vertices = columns[f"{shape}/vertices"]
+                self.assertEqual(vertices.shape, (len(cases), 64, 3))
+                there = [row[~numpy.isnan(row).all(axis=1)].tolist() for row in vertices]
+                self.assertEqual(there, [case[shape]["vertices"] for case in cases])
+                self.assertGreater(len({len(one) for one in there}), 3)
+            self.assertEqual(self.convert(path, to="b.jsonl").read_bytes(), lines.read_bytes())
+            self.assertLess(path.stat().st_size, len(cases) * 1500)
+        for change, *words in ((lambda v: v.__setitem__((3, slice(None)), math.nan), "row 3: /a/vertices: expected a point at least, got NaN alone"),
+                               (lambda v: v.__setitem__((3, 0, 1), math.nan), "row 3: id: "),
+                               (lambda v: v.__setitem__((3, 63), 0.0), "row 3: id: ")):
+            with h5py.File(shutil.copy(self.folder / "a.h5", self.folder / "c.h5"), "r+") as file:
+                vertices = file["a/vertices"][:]
+                change(vertices)
+                file["a/vertices"][:] = vertices
+            self.refused(("lint", "--generated", self.folder / "c.h5"), *words)
+            self.refused(("convert", self.folder / "c.h5", "-o", self.folder / "c.jsonl"), *words)
+
     def test_all_forms_hold_the_same_to_the_byte_and_the_content_tells_them_apart(self):
         # More than one chunk of rows, and fewer; texts of extreme numbers become wider than those before them.
         for family, form, count in ((SPHERE_FAMILY, "h5", 5000), (CUBE_FAMILY, "h5", 500), (SPHERE_FAMILY, "npz", 500), (CUBE_FAMILY, "npz", 5000),

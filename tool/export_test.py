@@ -370,24 +370,24 @@ class Filled(Case):
 
 class Languages(Filled):
     def test_c(self):
-        self.check("c", ("sphere_capsule", "cube_cube"))
+        self.check("c", ("sphere_capsule", "cube_cube", "hull_hull"))
 
     def test_cpp(self):
-        self.check("cpp", ("sphere_obb",), "binary32")
+        self.check("cpp", ("sphere_obb", "capsule_hull"), "binary32")
 
     def test_cuda(self):
-        self.check("cuda", ("triangle_line",))
+        self.check("cuda", ("triangle_line", "hull_plane"))
 
     def test_python(self):
-        self.check("python", ("cast_sphere", "cube_cube"))
+        self.check("python", ("cast_sphere", "cube_cube", "triangle_hull"))
 
     def test_js(self):
-        self.check("js", ("sphere_triangle", "cube_cube"))
+        self.check("js", ("sphere_triangle", "cube_cube", "hull_hull"))
 
 
 class Rust(Filled):  # apart: where there is no compiler, it may be skipped
     def test_rust(self):
-        self.check("rust", ("capsule_plane",))
+        self.check("rust", ("capsule_plane", "hull_hull"))
 
 
 class Usage(Case):

@@ -115,8 +115,18 @@ Lines wrapped(const std::string& text, const std::string& further = "") {
   return lines;
 }
 
+/// The most vertices of a hull of the questions; 0 where none has one.
+std::size_t most_vertices(const std::vector<CertainQuestion>& questions) {
+  std::size_t most = 0;
+  for (const CertainQuestion& question : questions)
+    for_each_value(question.query, [&]<class Value>(const Value& value) {
+      if constexpr (AnyNumberOfVectors<Value>) most = std::max(most, value.size());
+    });
+  return most;
+}
+
 /// The kinds of a question's shapes, each once, and the types of their fields.
-Lines shape_types(Query& query, Language language) {
+Lines shape_types(Query& query, std::size_t most, Language language) {
   Lines lines;
   std::vector<std::string_view> known;
   for_each_shape(query, [&]<class Shape>(Shape& shape) {
@@ -129,7 +139,11 @@ Lines shape_types(Query& query, Language language) {
       constexpr bool kIsNumber = std::same_as<Value, double>;
       constexpr bool kIsThree = std::same_as<Value, std::array<Vector3, 3>>;
       constexpr int kSize = std::same_as<Value, Quaternion> ? 4 : 3;
-      if (is_of_c(language)) {
+      if (AnyNumberOfVectors<Value>) {
+        if (!is_of_c(language)) return lines.push_back(fmt::format("    {}: Vec<[Real; 3]>,", field.name));
+        lines.push_back(fmt::format("  real count; /* of the {} that there are */", field.name));
+        lines.push_back(fmt::format("  real {}[{}][3];", field.name, most));
+      } else if (is_of_c(language)) {
         lines.push_back(fmt::format("  real {}{};", field.name,
                                     kIsNumber  ? ""
                                     : kIsThree ? "[3][3]"
@@ -162,6 +176,8 @@ std::string rust_reading(Query& query) {
         text += "[n(), n(), n(), n()]";
       else if constexpr (std::same_as<Value, Vector3>)
         text += kThree;
+      else if constexpr (AnyNumberOfVectors<Value>)
+        text += "vertices_of(&mut n)";
       else
         text += fmt::format("[{0}, {0}, {0}]", kThree);
       text += ", ";
@@ -290,9 +306,13 @@ Lines head(const Standalone& test) {
 }
 
 /// The numbers of a row, as the templates say.
-std::vector<double> row_of(const CertainQuestion& question, bool checks_normal) {
+std::vector<double> row_of(const CertainQuestion& question, std::size_t most, bool checks_normal) {
   std::vector<double> row;
-  for_each_number_unnamed(question.query, [&](const double& x) { row.push_back(x); });
+  for_each_value(question.query, [&]<class Value>(const Value& value) {
+    if constexpr (AnyNumberOfVectors<Value>) row.push_back(static_cast<double>(value.size()));
+    for_each_number_in(value, [&](double x) { row.push_back(x); });
+    if constexpr (AnyNumberOfVectors<Value>) row.resize(row.size() + 3 * (most - value.size()));
+  });
   row.push_back(question.certain.hit ? 1 : 0);
   if (!question.certain.hit) return row;
   for (const oracle::Near& number : question.certain.numbers) {
@@ -321,8 +341,10 @@ std::string standalone_test(const Standalone& test) {
   const Aspects spoken = has_numbers(test.pair) ? spoken_of(test.declared.conventions) : Aspects{};
   const bool checks_normal = spoken.has(Aspect::normal);
   Query zero = zero_query(test.pair);
-  std::size_t inputs = 0;
-  for_each_number_unnamed(zero, [&](const double& /*x*/) { ++inputs; });
+  const std::size_t most = most_vertices(test.questions);
+  CertainQuestion missed{zero, {}, ""};
+  missed.certain.hit = false;
+  const std::size_t inputs = row_of(missed, most, false).size() - 1;
 
   Lines rows;
   std::size_t width = 0;
@@ -332,7 +354,7 @@ std::string standalone_test(const Standalone& test) {
       rows.push_back(fmt::format("    {}{}{}", writing.comment_begin, question.family, writing.comment_end));
     family = question.family;
     Lines numbers;
-    for (const double x : row_of(question, checks_normal)) numbers.push_back(writing.number(x));
+    for (const double x : row_of(question, most, checks_normal)) numbers.push_back(writing.number(x));
     width = std::max(width, numbers.size());
     rows.push_back(fmt::format("    {}{}{}", writing.row_begin, fmt::join(numbers, writing.between), writing.row_end));
   }
@@ -341,6 +363,9 @@ std::string standalone_test(const Standalone& test) {
   std::string question = fmt::format(R"({{"pair":"{}","scalar":"{}",{}}})", name(test.pair), name(scalar), "{}");
   std::string places = golden::inputs_text(zero);
   std::replace(places.begin(), places.end(), '0', '%');
+  constexpr std::string_view kOneVertex = "[[%,%,%]]";
+  for (std::size_t at = 0; (at = places.find(kOneVertex, at)) != std::string::npos;)
+    places.replace(at, kOneVertex.size(), "*");
   question.replace(question.find("{}"), 2, places);
 
   const Lines numbers = checked_numbers(spoken, test.language);
@@ -349,7 +374,7 @@ std::string standalone_test(const Standalone& test) {
   words.set("ANSWER", asked_for(test.pair, test.declared.conventions));
   words.set("EXAMPLE", fmt::format("{{{}}}", golden::inputs_text(test.questions.front().query)));
   words.set("REAL", std::string(scalar == Scalar::binary32 ? writing.binary32 : writing.binary64));
-  words.set("SHAPES", shape_types(zero, test.language));
+  words.set("SHAPES", shape_types(zero, most, test.language));
   std::string_view which = "A";
   for_each_shape(zero, [&]<class Shape>(Shape& /*shape*/) {
     const std::string_view shape = ShapeDescription<Shape>::kName;
@@ -360,6 +385,10 @@ std::string standalone_test(const Standalone& test) {
   words.set("PAIR", std::string(name(test.pair)));
   words.set("COUNT", std::to_string(test.questions.size()));
   words.set("INPUTS", std::to_string(inputs));
+  // What stands behind the one or the other is for pairs with a hull, or for those without.
+  words.set("HULL", most > 0 ? Lines{""} : Lines{});
+  words.set("NO_HULL", most > 0 ? Lines{} : Lines{""});
+  words.set("MOST_VERTICES", std::to_string(most));
   words.set("WIDTH", std::to_string(width));
   words.set("CHECKED", std::to_string(numbers.size()));
   words.set("NUMBERS", numbers);

@@ -236,8 +236,54 @@
     if (shape.normal) return [foot(shape, points(other)[0])];
     if (shape.vertices) return shape.vertices.map(numbers);
     if (shape.origin) return [numbers(shape.origin), far_end(shape)];
+    if (shape.extents) return corners_of(shape);
     return Object.values(shape).filter(Array.isArray).map(numbers);
   };
+  const orientation = (box) => {
+    const q = numbers(box.orientation), most = Math.max(...q.map(Math.abs));
+    return new THREE.Quaternion(...q.map((x) => x / most)).normalize();
+  };
+  /** The corners of a rotated box, rounded. */
+  const corners_of = (box) => [...Array(8).keys()].map((k) => {
+    const along = numbers(box.extents).map((x, i) => k >> i & 1 ? x : -x), most = Math.max(...along.map(Math.abs)) || 1;
+    const turned = new THREE.Vector3(...along.map((x) => x / most)).applyQuaternion(orientation(box)).toArray();
+    return numbers(box.center).map((x, i) => x + most * turned[i]);
+  });
+  /** The faces of the convex hull of points in the unit ball, rounded: of each its normal and its corners in order around it; of points in a plane
+   *  both sides. None of points on a line. */
+  function faces_of(all) {
+    const near = 1e-7, faces = new Map();
+    for (let i = 0; i < all.length; ++i)
+      for (let j = 0; j < i; ++j)
+        for (let k = 0; k < j; ++k) {
+          const n = all[j].clone().sub(all[i]).cross(all[k].clone().sub(all[i]));
+          if (n.length() < near * near) continue;
+          n.normalize();
+          const heights = all.map((p) => n.dot(p) - n.dot(all[i]));
+          for (const side of [1, -1]) {
+            if (!heights.every((h) => side * h <= near)) continue;
+            const there = all.map((_, at) => at).filter((at) => Math.abs(heights[at]) <= near), name = side + there.join();
+            if (!faces.has(name)) faces.set(name, {n: n.clone().multiplyScalar(side), corners: around(there.map((at) => all[at]), n)});
+          }
+        }
+    return [...faces.values()];
+  }
+  /** The corners of the polygon of some points of a plane, in order around it: from each the next is that which none lies beyond. */
+  function around(flat, n) {
+    const beyond = (from, p, q) => n.dot(p.clone().sub(from).cross(q.clone().sub(from)));
+    const first = flat.reduce((p, q) => q.x < p.x || (q.x === p.x && (q.y < p.y || (q.y === p.y && q.z < p.z))) ? q : p);
+    const corners = [first];
+    while (corners.length <= flat.length) {
+      const from = corners[corners.length - 1];
+      const next = flat.filter((p) => p.distanceTo(from) > 0).reduce((p, q) => {
+        const turn = beyond(from, p, q);
+        return turn < 0 || (turn === 0 && q.distanceTo(from) > p.distanceTo(from)) ? q : p;
+      });
+      if (next.distanceTo(first) === 0) break;
+      corners.push(next);
+    }
+    return corners;
+  }
   /** Where a ray ends, rounded. */
   const far_end = (ray) => numbers(ray.origin).map((x, i) => x + Number(ray.length) * Number(ray.direction[i]));
 
@@ -294,7 +340,11 @@
       const ball = (at, radius) => draw(new THREE.SphereBufferGeometry(radius, 48, 32),
           new THREE.WireframeGeometry(new THREE.SphereBufferGeometry(radius, 16, 8)), at);
       let at;
-      if (shape.center) {
+      if (shape.extents) {
+        at = point(numbers(shape.center));
+        const box = new THREE.BoxBufferGeometry(...numbers(shape.extents).map((x) => 2 * length(x)));
+        draw(box, new THREE.EdgesGeometry(box), at, orientation(shape));
+      } else if (shape.center) {
         at = point(numbers(shape.center));
         ball(at, length(Number(shape.radius)));
       } else if (shape.min) {
@@ -315,6 +365,29 @@
         const side = (sectors) => new THREE.CylinderBufferGeometry(radius, radius, along.length(), sectors, 1, true);
         const turn = new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 1, 0), along.clone().normalize());
         if (along.length() > 0) draw(side(48), new THREE.EdgesGeometry(side(16), 1), at, turn);
+      } else if (shape.vertices && "radius" in shape) {  // its faces, moved out by the radius, a ball around each corner and tubes along the edges
+        const corners = points(shape).map(point), radius = length(Number(shape.radius));
+        at = corners.reduce((sum, v) => sum.add(v), new THREE.Vector3()).divideScalar(corners.length);
+        const faces = faces_of(corners), edges = new Map();
+        const join = (p, q) => edges.set([p, q].map((v) => corners.indexOf(v)).sort().join(), [p, q]);
+        for (const face of faces) {
+          const out = face.corners.map((v) => v.clone().addScaledVector(face.n, radius));
+          const fan = out.slice(2).flatMap((v, i) => [out[0], out[i + 1], v, v, out[i + 1], out[0]]);
+          const glazed = new THREE.BufferGeometry().setFromPoints(fan);
+          glazed.computeVertexNormals();
+          add(glazed, glass);
+          face.corners.forEach((v, i) => join(v, face.corners[(i + 1) % face.corners.length]));
+        }
+        if (faces.length === 0)  // on a line, or a point: from any of them to all others
+          corners.slice(1).forEach((v) => join(corners[0], v));
+        all.add(new THREE.LineSegments(new THREE.BufferGeometry().setFromPoints([...edges.values()].flat()), lines));
+        for (const v of corners) add(new THREE.SphereBufferGeometry(Math.max(radius, 0.01), 24, 16), glass, v);
+        for (const [p, q] of edges.values()) {
+          const along = q.clone().sub(p), size = along.length();
+          if (radius > 0 && size > 0)
+            add(new THREE.CylinderBufferGeometry(radius, radius, size, 24, 1, true), glass, p.clone().addScaledVector(along, 0.5))
+                .quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), along.normalize());
+        }
       } else if (shape.vertices) {  // both of its sides
         const corners = points(shape).map(point);
         at = corners[0].clone().add(corners[1]).add(corners[2]).divideScalar(3);
