@@ -50,7 +50,7 @@ void expect_sound_description(const Shape& shape, std::size_t vertices, std::siz
     }
     // As many edges as corners, and every corner on two of them.
     std::size_t inside = 0;
-    std::array<std::size_t, 8> met{};
+    std::array<std::size_t, kMostVertices> met{};
     for (const Feature& edge : of[1])
       if (face.has(edge.places[0]) && face.has(edge.places[1])) ++inside, ++met[edge.places[0]], ++met[edge.places[1]];
     EXPECT_EQ(inside, face.size);
@@ -75,6 +75,80 @@ TEST(Cores, are_described_as_what_they_are) {
       EXPECT_TRUE(corner[axis] == Rational(box.min[i]) || corner[axis] == Rational(box.max[i]));
     }
   EXPECT_EQ(exact_core(Ray{{1, 2, 3}, {1, 0, -1}, 2}).vertices[1], point_of({3, 2, 1}));
+}
+
+/// The corners of a box as points, some of them twice, and points between them.
+Hull hull_of(const Box& box) {
+  Hull hull{{}, 0};
+  for (int k = 0; k < 8; ++k)
+    hull.vertices.emplace_back((k & 1 ? box.max : box.min)[0], (k & 2 ? box.max : box.min)[1],
+                               (k & 4 ? box.max : box.min)[2]);
+  for (const std::size_t k : {std::size_t{0}, std::size_t{5}}) hull.vertices.push_back(hull.vertices[k]);
+  hull.vertices.push_back((box.min + box.max) / 2);
+  hull.vertices.push_back((hull.vertices[0] + hull.vertices[3]) / 2);  // in a face
+  hull.vertices.push_back((hull.vertices[0] + hull.vertices[4]) / 2);  // on an edge
+  return hull;
+}
+
+TEST(Cores, of_hulls_are_what_their_points_span) {
+  expect_sound_description(Hull{{{1, 2, 3}, {1, 2, 3}}, 4}, 1, 0, 0);
+  expect_sound_description(Hull{{{2, 4, 6}, {1, 2, 3}, {4, 8, 12}, {3, 6, 9}}, 1}, 2, 1, 0);
+  expect_sound_description(Hull{{{1, 2, 3}, {4, 6, 8}, {0, 1, 7}, {2.5, 4, 5.5}}, 0}, 3, 3, 1);
+  expect_sound_description(Hull{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.125, 0.125, 0.125}}, 0}, 4, 6, 4);
+  expect_sound_description(
+      Hull{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {0.25, 0.25, 0.25}}, 0}, 6, 12, 8);
+  // A square in a plane is two triangles; its middle and the middle of a side are no corners.
+  const ExactCore square = exact_core(Hull{{{0, 0, 1}, {1, 1, 1}, {2, 0, 1}, {0, 2, 1}, {2, 2, 1}, {1, 0, 1}}, 0});
+  EXPECT_EQ(square.vertices.size(), 4U);
+  EXPECT_TRUE(square.outward.empty());
+  EXPECT_EQ(square.features.size(), 4U + 4U + 2U);
+}
+
+TEST(Cores, of_round_hulls_are_closed) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> within(-1, 1);
+  for (int count = 4; count <= static_cast<int>(kMostVertices); count += 12) {
+    Hull hull{{}, 0};
+    while (static_cast<int>(hull.vertices.size()) < count) {
+      const double x = within(random);
+      const double y = within(random);
+      const double z = within(random);
+      const Vector3 v(x, y, z);
+      if (v.norm() > 0.5) hull.vertices.push_back(v.normalized());
+    }
+    const auto n = static_cast<std::size_t>(count);
+    expect_sound_description(hull, n, 3 * n - 6, 2 * n - 4);
+  }
+}
+
+TEST(Truth, of_a_hull_is_that_of_the_box_that_it_is) {
+  const Box box{{1, 2, 3}, {4, 6, 8}};
+  const std::array balls{Ball{{0, 0, 0}, 1},     Ball{{2, 3, 9}, 2}, Ball{{2, 3, 4}, 0.5},    Ball{{1, 2, 3}, 0},
+                         Ball{{2.5, 4, 5.5}, 1}, Ball{{5, 3, 3}, 3}, Ball{{1.0 / 3, 7, 8}, 9}};
+  for (const Ball& ball : balls) {
+    const Obb same{(box.min + box.max) / 2, {0, 0, 0, 1}, (box.max - box.min) / 2};
+    const Query of_box{Pair::sphere_obb, Convexes{{ball}, {same}}, {1, 0.25}};
+    const Query of_hull{Pair::sphere_hull, Convexes{{ball}, {hull_of(box)}}, {1, 0.25}};
+    const Expectation expected = expectation(truth_of(of_box), Scalar::binary64);
+    EXPECT_EQ(first_difference(expectation(truth_of(of_hull), Scalar::binary64), expected), std::nullopt);
+    EXPECT_EQ(first_difference(interval_answer(of_hull, Scalar::binary64).expected, expected), std::nullopt);
+    EXPECT_EQ(witness(truth_of(of_hull), Scalar::binary64), witness(truth_of(of_box), Scalar::binary64));
+  }
+}
+
+TEST(Truth, of_two_tetrahedra_that_overlap) {
+  // Corners of a cube cut off by planes, the second one turned about the centre of the first one's slanted face x + y + z = 3, and moved in by 1 of sqrt(3).
+  const Hull a{{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}}, 0.5};
+  Hull b{{}, 0.25};
+  for (const Vector3& v : a.vertices) b.vertices.push_back(Vector3::Constant(2 - 1.0 / 4) - v);
+  // b reaches down to x + y + z = 5.25 - 3 along the same face: 0.75 below it, whose depth is 0.75 / sqrt(3).
+  const double depth = 0.75 / std::sqrt(3.0);
+  const Expectation found = expectation(truth_of({Pair::hull_hull, Convexes{{a}, {b}}, {0, 0}}), Scalar::binary64);
+  ASSERT_TRUE(found.hit);
+  EXPECT_NEAR(found.contact->value, -depth - 0.75, 1e-15);
+  EXPECT_NEAR(found.contact->normal[0], 1 / std::sqrt(3.0), 1e-15);
+  EXPECT_EQ(found.contact->normal[0], found.contact->normal[2]);
+  EXPECT_FALSE(found.contact->unique);
 }
 
 TEST(Truth, of_the_worked_example) {
