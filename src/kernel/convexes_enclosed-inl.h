@@ -2,7 +2,8 @@
 //
 // Plain double says which features are nearest, or which facet of A - B is, and its bounds prove it:
 //   apart     along q - p every vertex of A outside the one feature lies before p, every one of B outside the other behind q
-//   overlap   0 lies below every facet of A - B, and is nearer to one of them than to any other; facets are made by a face and a vertex, or by two edges
+//   overlap   0 lies below every facet of A - B, and is nearer to one of them than to any other; facets are made by a face and a vertex, or by two edges, which the ways of
+//             both make, or with a hull a polytope that grows
 // Where there are several nearest points or normals, and where something is not certain, there is no contact here: the exact stage answers.
 // Included by convexes_enclosed.hpp, once for each kind of processor.
 
@@ -54,8 +55,14 @@ class EnclosedCorners {
   }
   /// From one corner to another.
   [[nodiscard]] Enclosures way(std::size_t from, std::size_t to) const {
-    if (kind_ != Kind::obb || !std::has_single_bit(from ^ to)) return (*this)(to) - (*this)(from);
-    const Enclosures& half = halves_[static_cast<std::size_t>(std::countr_zero(from ^ to))];
+    if (kind_ == Kind::points || !std::has_single_bit(from ^ to)) return (*this)(to) - (*this)(from);
+    const auto axis = static_cast<std::size_t>(std::countr_zero(from ^ to));
+    if (kind_ == Kind::box) {
+      Enclosures along{};  // exactly 0 on the other axes
+      along[axis] = (*this)(to)[axis] - (*this)(from)[axis];
+      return along;
+    }
+    const Enclosures& half = halves_[axis];
     const Enclosures whole{twice(half[0]), twice(half[1]), twice(half[2])};
     return from < to ? whole : -whole;
   }
@@ -291,22 +298,55 @@ class TwoSets {
   const CornerSet& g_;
 };
 
-/// The contact of cores that are apart, and nearest about along `way`.
+/// A feature of each core.
+struct Features {
+  CornerSet f;
+  CornerSet g;
+};
+/// Those that lie farthest along a way, and against it. Nothing where they would have many nearest points.
 template <class A, class B>
-[[nodiscard]] std::optional<EnclosedContact> contact_apart(const CornersOf<A>& a, const CornersOf<B>& b,
-                                                           const NearSimplex::Vector& way, const Lengths& lengths) {
-  const auto f = farthest_set(a.near, way);
-  const auto g = farthest_set(b.near, {-way[0], -way[1], -way[2]});
+[[nodiscard]] std::optional<Features> features_along(const A& a, const B& b, const NearSimplex::Vector& way) {
+  const auto f = farthest_set(a, way);
+  const auto g = farthest_set(b, {-way[0], -way[1], -way[2]});
   if (!f || !g || f->dimension() + g->dimension() > 2) return std::nullopt;
-  const auto nearest = TwoSets(a.corners, *f, b.corners, *g).nearest();
+  return Features{*f, *g};
+}
+/// The contact of cores by their features that face each other, or where the cores overlap, those of the facet of A - B that 0 is nearest to.
+template <class A, class B>
+[[nodiscard]] std::optional<EnclosedContact> contact_between(const CornersOf<A>& a, const CornersOf<B>& b,
+                                                             const Features& features, bool overlap,
+                                                             const Lengths& lengths) {
+  const auto& [f, g] = features;
+  const auto nearest = TwoSets(a.corners, f, b.corners, g).nearest();
   if (!nearest) return std::nullopt;
   const auto& [p, q, delta] = *nearest;
-  const Enclosure D = dot(delta, delta);
-  const NearWay along(delta);
-  if (!D.is_clear() || !are_others_before(a.near, *f, along, 1) || !are_others_before(b.near, *g, along, -1))
+  const Enclosures out = overlap ? -delta : delta;
+  const Enclosure D = dot(out, out);
+  const NearWay along(out);
+  if (!D.is_clear() || !are_others_before(a.near, f, along, 1) || !are_others_before(b.near, g, along, -1))
     return std::nullopt;
   const Enclosure distance = root(D);
-  return EnclosedContact(p, q, reciprocal(distance) * delta, distance, lengths);
+  return EnclosedContact(p, q, reciprocal(distance) * out, overlap ? -distance : distance, lengths);
+}
+/// The contact of cores that overlap, by corners of B - A around 0.
+template <class A, class B>
+[[nodiscard]] std::optional<EnclosedContact> contact_inside(const CornersOf<A>& a, const CornersOf<B>& b, double error,
+                                                            const std::array<NearSimplex::Vector, 4>& around,
+                                                            const Lengths& lengths) {
+  const NearPolytope polytope(a.near, b.near, error, around);
+  const NearPolytope::Face& nearest = polytope.nearest();
+  const auto features = features_along(a.near, b.near, nearest.normal);
+  if (!features) return std::nullopt;
+  // Two corners of A - B may be the same in double; either is as far off.
+  const auto is_of_facet = [&](const NearSimplex::Vector& corner) {
+    const auto& [f, g] = *features;
+    for (std::size_t i = 0; i < f.size; ++i)
+      for (std::size_t k = 0; k < g.size; ++k)
+        if (near::difference(a.near.corners[f.at[i]], b.near.corners[g.at[k]]) == corner) return true;
+    return false;
+  };
+  if (!polytope.is_surely_nearest(nearest, is_of_facet)) return std::nullopt;
+  return contact_between(a, b, *features, true, lengths);
 }
 
 /// How far a product of a way of a core and a direction may be off: the way by 2 e, and what is used is twice as wide.
@@ -440,12 +480,17 @@ template <class A, class B>
     }
   }
   const NearAnswer near = walk(a.near, b.near, scale, true);
-  if (near.side == NearSide::miss || !in_range || !near.way) return {near.side};
+  if (near.side == NearSide::miss || !in_range || !(near.way || near.around)) return {near.side};
   for (EnclosedCorners* corners : {&a.corners, &b.corners}) {
     corners->square();
     corners->turn();
   }
-  return rounded(contact_apart(a, b, *near.way, lengths), near.side, lengths, points, contact);
+  std::optional<EnclosedContact> found;
+  if (near.around)
+    found = contact_inside(a, b, scale.error, *near.around, lengths);
+  else if (const auto features = features_along(a.near, b.near, *near.way))
+    found = contact_between(a, b, *features, false, lengths);
+  return rounded(found, near.side, lengths, points, contact);
 }
 template <class A>
 [[nodiscard]] Certain certain(const A& near_a, const GivenCorners& given_a, const Plane& b, bool in_range,

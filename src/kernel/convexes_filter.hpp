@@ -7,7 +7,7 @@
 //
 // Bounds, with u = 2^-53, S the largest coordinate and e how far a coordinate may be off, of A and B together: a sum of three products of a direction v
 // is off by less than |v|_1 (e + 8 u S), a point of a simplex in each coordinate by less than e + 32 u S, a determinant of differences of corners by less
-// than 20 (2 S)^2 (e + 2 u S) + 64 u (2 S)^3. What is used below is at least twice as wide.
+// than 20 R^2 (e + u R) + 64 u R^3, R being the largest coordinate of these. What is used below is at least twice as wide.
 // Domain: round to nearest.
 #pragma once
 
@@ -20,6 +20,7 @@
 #include <optional>
 
 #include "contact/geometry.hpp"
+#include "kernel/expanding_polytope.hpp"
 
 namespace contact::kernel {
 
@@ -165,9 +166,15 @@ class NearSimplex {
   [[nodiscard]] bool has(const Vector& corner) const {
     return std::find(corners_.begin(), corners_.begin() + count_, corner) != corners_.begin() + count_;
   }
-  /// Whether 0 lies in it, farther from each of its sides than a determinant may be off.
-  [[nodiscard]] bool surrounds(double bound) const { return count_ == 4 && least_part_ > bound; }
+  /// Whether 0 surely lies in it, where the cores are off by `error`: on the inner side of each of its sides, by a determinant. Domain: is_whole().
+  [[nodiscard]] bool surrounds(double error) const {
+    double size = 0;
+    for (const Vector& corner : corners_) size = std::max(size, near::largest(corner));
+    return least_part_ > (40 * error + 0x1p-45 * size) * size * size;
+  }
   [[nodiscard]] bool is_whole() const { return count_ == 4; }
+  /// Domain: is_whole().
+  [[nodiscard]] const std::array<Vector, 4>& tetrahedron() const { return corners_; }
 
   /// Takes another corner, and of all the fewest that the nearest point lies between.
   void add(const Vector& corner) {
@@ -400,7 +407,16 @@ class NearDepths {
 struct NearAnswer {
   NearSide side = NearSide::unknown;            ///< whether they are within alarm + both radii, where that is proved
   std::optional<NearSimplex::Vector> way = {};  ///< about q - p; nothing where they seem to overlap
+  std::optional<std::array<NearSimplex::Vector, 4>> around = {};  ///< corners of B - A that 0 surely lies between
 };
+template <class Core>
+[[nodiscard]] const NearSimplex::Vector& farthest(const Core& core, const NearSimplex::Vector& along, double sign) {
+  const NearSimplex::Vector* best = &core.corners[0];
+  double most = sign * near::dot(along, *best);
+  for (std::size_t k = 1; k < core.count; ++k)
+    if (const double here = sign * near::dot(along, core.corners[k]); here > most) best = &core.corners[k], most = here;
+  return *best;
+}
 /// Gilbert, Johnson and Keerthi's algorithm, until the side is proved, or `to_the_end`: until no corner leads nearer, or a miss is proved. Domain: the scale
 /// holds.
 template <class A, class B>
@@ -409,19 +425,7 @@ template <class A, class B>
   const auto& [size, error, reach] = scale;
   const double off = 2 * error + 0x1p-48 * size;        // of a product with a direction, over |v|_1
   const double off_point = 4 * error + 0x1p-45 * size;  // of the length of a point
-  const double off_volume = 160 * size * size * (error + 0x1p-51 * size) + 0x1p-43 * size * size * size;
-  const auto farthest = [](const auto& core, const Vector& v, double sign) {
-    const Vector* best = &core.corners[0];
-    double most = sign * near::dot(v, *best);
-    for (std::size_t k = 1; k < core.count; ++k)
-      if (const double along = sign * near::dot(v, core.corners[k]); along > most)
-        best = &core.corners[k], most = along;
-    return *best;
-  };
-  const auto corner_against = [&](const Vector& v) {
-    const Vector p = farthest(a, v, 1);
-    return near::difference(farthest(b, v, -1), p);
-  };
+  const auto corner_against = [&](const Vector& v) { return near::difference(farthest(b, v, -1), farthest(a, v, 1)); };
   NearSimplex simplex(corner_against(near::difference(b.base, a.base)));
   const double least_gain = to_the_end ? 0x1p-50 : 0x1p-40;
   NearSide side = NearSide::unknown;
@@ -439,10 +443,65 @@ template <class A, class B>
     if (low - sum * off > reach * length * kMore) return {NearSide::miss};
     if (!(square - low > least_gain * square) || simplex.has(next)) return {side, v};
     simplex.add(next);
-    if (simplex.is_whole()) return {simplex.surrounds(off_volume) ? NearSide::hit : side};
+    if (!simplex.is_whole()) continue;
+    if (!simplex.surrounds(error)) return {side};
+    return {NearSide::hit, std::nullopt, simplex.tetrahedron()};
   }
   return {side, simplex.at()};
 }
+
+/// A closed surface of triangles around 0, of corners of A - B: what the depth is proved by where there are no ways.
+///   Each corner is off by less than c = e + u R in each coordinate, R the largest, so each component of a normal by 16 R c + 32 u R^2, its length by 28 R e + 119 u R^2, and a height, in
+///   lengths of the normal, by 72 R^2 e + 240 u R^3. What is used is at least twice as wide.
+class NearPolytope {
+ public:
+  using Vector = NearSimplex::Vector;
+  using Face = ExpandingPolytope<double>::Face;
+
+  /// Grows from a tetrahedron of corners of B - A until no corner lies beyond the nearest face, or has grown enough.
+  template <class A, class B>
+  NearPolytope(const A& a, const B& b, double error, const std::array<Vector, 4>& around)
+      : polytope_({turned(around[0]), turned(around[1]), turned(around[2]), turned(around[3])}), error_(error) {
+    for (const Vector& corner : around) size_ = std::max(size_, near::largest(corner));
+    constexpr int kMostCorners = 64;
+    for (int step = 0; step < kMostCorners; ++step) {
+      const Vector& n = nearest().normal;
+      const Vector corner = near::difference(farthest(a, n, 1), farthest(b, n, -1));
+      size_ = std::max(size_, near::largest(corner));
+      if (!(near::dot(n, corner) - nearest().height > off_height()) || !polytope_.insert(corner)) return;
+    }
+  }
+
+  [[nodiscard]] const Face& nearest() const { return polytope_.nearest(); }
+
+  /// Whether A - B has no facet as near to 0 as that of `nearest`, which lies in the plane of the corners of which is_of_facet is true.
+  ///   Domain      such a plane holds a facet of A - B.
+  ///   0 lies below every triangle, so that every ray from 0 leaves through one, as often as the surface leads around 0. None of another plane is as near as the
+  ///   facet's: the ray leaves farther than the depth along every other direction, and what A - B reaches along that is no less.
+  template <class IsOfFacet>
+  [[nodiscard]] bool is_surely_nearest(const Face& nearest, IsOfFacet is_of_facet) const {
+    const auto is_in_plane = [&](const Face& face) {
+      return std::all_of(face.corners.begin(), face.corners.end(),
+                         [&](std::size_t k) { return is_of_facet(polytope_.corner(k)); });
+    };
+    const double off_length = 64 * size_ * error_ + 0x1p-45 * size_ * size_;
+    const double least = std::sqrt(nearest.square) - off_length;
+    if (!is_in_plane(nearest) || !(least > 0)) return false;
+    const double depth = (nearest.height + off_height()) / least * kMore;
+    return std::all_of(polytope_.faces().begin(), polytope_.faces().end(), [&](const Face& face) {
+      const double height = face.height - off_height();
+      return height > 0 && (height > depth * kMore * (std::sqrt(face.square) + off_length) || is_in_plane(face));
+    });
+  }
+
+ private:
+  static Vector turned(const Vector& x) { return {-x[0], -x[1], -x[2]}; }
+  [[nodiscard]] double off_height() const { return (160 * error_ + 0x1p-44 * size_) * size_ * size_; }
+
+  ExpandingPolytope<double> polytope_;
+  double error_;
+  double size_ = 0;
+};
 
 /// Whether two cores are within alarm + both radii, where plain double can prove so. Facets pay where both have faces.
 template <class A, class B>

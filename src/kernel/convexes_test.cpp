@@ -569,5 +569,130 @@ TEST(ConvexesEnclosed, settles_nearly_all_that_is_in_no_special_position_and_lea
   EXPECT_NE(open(cube_at(0, 0, 0), Capsule{{0.5, 0.5, 0.25}, {0.5, 0.5, 0.25}, 0}), 0U);
 }
 
+/// Random hulls, and what plain double leaves open of a question with one.
+class RandomHulls {
+ public:
+  double number(double low, double high) {
+    return low + (high - low) * std::ldexp(static_cast<double>(random_() >> 11), -53);
+  }
+  Vector3 point(double size) {
+    Vector3 x;
+    for (Eigen::Index i = 0; i < 3; ++i) x[i] = number(-size, size);
+    return x;
+  }
+  /// So many points of a sphere about a place, all of them corners.
+  Hull hull(std::size_t count, double far, double radius = 0) {
+    Hull made{{}, radius};
+    const Vector3 center = point(0.75) + Vector3(far, far, far);
+    while (made.vertices.size() < count)
+      if (const Vector3 x = point(1); x.norm() > 0.125 && x.norm() < 1)
+        made.vertices.emplace_back(center + x.normalized());
+    return made;
+  }
+  /// A corner of an axis each way, turned at random.
+  Hull octahedron(const Vector3& center) {
+    const auto turn =
+        Eigen::Quaterniond(number(-1, 1), number(-1, 1), number(-1, 1), number(-1, 1)).normalized().toRotationMatrix();
+    Hull made{{}, 0};
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      for (const double sign : {1.0, -1.0}) made.vertices.emplace_back(center + sign * turn.col(axis));
+    return made;
+  }
+
+  template <class A, class B>
+  static kernel::Certain certain(const A& a, const B& b) {
+    using namespace kernel;
+    Contact contact{};
+    const Lengths lengths{0, 0, 0.25, 0.125};
+    const Certain found =
+        plain::certain(near_core(a), GivenCorners(a), near_core(b), GivenCorners(b), true, lengths, {}, contact);
+#if defined(__x86_64__) && !defined(__FMA__)
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+      Contact same{};
+      const Certain again =
+          by_fma::certain(near_core(a), GivenCorners(a), near_core(b), GivenCorners(b), true, lengths, {}, same);
+      EXPECT_EQ(again.side, found.side);
+      EXPECT_EQ(again.open, found.open);
+      if (found.open == 0) {
+        EXPECT_EQ(in_words(same), in_words(contact));
+      }
+    }
+#endif
+    return found;
+  }
+
+ private:
+  std::mt19937_64 random_{13};
+};
+
+template <class Shape>
+Shape times_two_to(int exponent, Shape shape) {
+  for_each_number(shape, [&](double& x) { x = std::ldexp(x, exponent); });
+  return shape;
+}
+
+TEST(ConvexesEnclosed, settles_hulls_with_the_bits_that_integers_have) {
+  RandomHulls random;
+  int overlapping = 0;
+  int apart = 0;
+  int left = 0;
+  const auto compare = [&](auto ask, const auto& a, const auto& b) {
+    auto found = ask(a, b, Distances{0.25, 0.125}, ContactPoints{});
+    // Beyond the short range integers answer. Only what is rounded below the range does not scale.
+    constexpr int kFar = 110;
+    auto exact = ask(times_two_to(kFar, a), times_two_to(kFar, b),
+                     Distances{std::ldexp(0.25, kFar), std::ldexp(0.125, kFar)}, ContactPoints{});
+    if (exact) {
+      exact->value = std::ldexp(exact->value, -kFar);
+      for (Vector3* point : {&exact->point1, &exact->point2})
+        for (Eigen::Index i = 0; i < 3; ++i) (*point)[i] = std::ldexp((*point)[i], -kFar);
+    }
+    ASSERT_EQ(in_words(found), in_words(exact));
+    const kernel::Certain certain = RandomHulls::certain(a, b);
+    if (certain.side != kernel::NearSide::miss && certain.open != 0)
+      ++left;
+    else if (found)
+      ++(found->value < -0.25 ? overlapping : apart);
+  };
+  for (int i = 0; i < 60; ++i) {
+    const double far = i % 3 == 0 ? 1000 : 0;
+    const std::size_t count = i % 10 == 0 ? 64 : 4 + static_cast<std::size_t>(i % 12);
+    const Hull hull = random.hull(count, far);
+    const Vector3 from(far, far, far);
+    const Vector3 x = from + random.point(1.5);
+    const Vector3 y = from + random.point(1.5);
+    const Vector3 z = from + random.point(1.5);
+    compare(compute_sphere_hull, Ball{x, 0}, hull);
+    compare(compute_capsule_hull, Capsule{x, y, 0}, hull);
+    compare(compute_triangle_hull, Triangle{{x, y, z}}, hull);
+    compare(compute_cube_hull, Box{x - Vector3(1, 0.5, 0.75), x}, hull);
+    const double w = random.number(1, 2);
+    compare(compute_obb_hull, Obb{y, {0.5, w - 1, -0.25, w}, {0.5, 0.25, 1}}, hull);
+    compare(compute_hull_hull, random.hull(12, far), hull);
+  }
+  EXPECT_GT(overlapping, 100);
+  EXPECT_GT(apart, 20);
+  EXPECT_LT(left, 8);
+}
+
+TEST(ConvexesEnclosed, leaves_what_touches_a_hull_or_ties_but_for_rounding) {
+  using namespace kernel;
+  RandomHulls random;
+  for (int i = 0; i < 200; ++i) {
+    const Vector3 center = random.point(3);
+    const Hull hull = random.octahedron(center);
+    const auto& v = hull.vertices;
+    // Eight facets are as near, then two.
+    EXPECT_EQ(RandomHulls::certain(Ball{center, 0}, hull).open, kAllNumbers) << i;
+    EXPECT_EQ(RandomHulls::certain(Ball{0.75 * center + 0.125 * (v[0] + v[2]), 0}, hull).open, kAllNumbers) << i;
+    // In the middle of a facet, of an edge, and a corner.
+    for (const Vector3& x : {Vector3((v[0] + v[2] + v[4]) / 3), Vector3((v[0] + v[2]) / 2), v[0]}) {
+      EXPECT_EQ(near_side(near_core(Ball{x, 0}), near_core(hull), 0), NearSide::unknown) << i;
+      EXPECT_EQ(RandomHulls::certain(Ball{x, 0}, hull).open, kAllNumbers) << i;
+    }
+    EXPECT_EQ(RandomHulls::certain(Ball{(15 * center + v[0] + v[2] + 2 * v[4]) / 19, 0}, hull).open, 0U) << i;
+  }
+}
+
 }  // namespace
 }  // namespace contact
