@@ -11,6 +11,7 @@ import pty
 import re
 import resource
 import shlex
+import shutil
 import signal
 import struct
 import subprocess
@@ -231,7 +232,17 @@ class Case(unittest.TestCase):
         return path
 
 
+def readme(name):
+    """A block of the README."""
+    page = (ROOT / "README.md").read_text()
+    return page.split(f"<!-- {name}:begin -->")[1].split(f"<!-- {name}:end -->")[0].strip().removeprefix("```text\n").removesuffix("```")
+
+
 class Documentation(Case):
+    def test_the_readme_shows_what_explain_says(self):
+        shell, shown = readme("explain").split("./run explain\n")
+        self.assertEqual(self.holds("explain", stdin=shell.split("'")[1] + "\n"), shown)
+
     def stands(self, page, *args):
         """What a command prints, and that is more than a heading, stands on a page."""
         table, text = self.holds(*args), (ROOT / "docs" / page).read_text()
@@ -296,24 +307,27 @@ class Documentation(Case):
 
 
 class Scoreboard(Case):
-    """certify without an argument, which is asked for once."""
+    """certify without an argument, which is asked for once: a copy of the program with a few golden files beside it."""
 
     @classmethod
     def setUpClass(cls):
-        done = run("certify")
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.golden = Path(folder.name).resolve() / "share" / "contact-oracle" / "golden"
+        for name in ("sphere_sphere/generic.f32.jsonl", "sphere_sphere/touching.jsonl", "sphere_sphere/touching.f32.jsonl", "cube_cube/touching.jsonl"):
+            (cls.golden / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(GOLDEN / name, cls.golden / name)
+        tool = Path(folder.name) / "bin" / "contact-oracle"
+        tool.parent.mkdir()
+        shutil.copy(TOOL, tool)
+        cls.board = cls.printed(tool)
+
+    @staticmethod
+    def printed(tool):
+        done = subprocess.run([tool, *published(["certify"])], capture_output=True, text=True, timeout=600)
         if (done.returncode, done.stderr) != (0, ""):
             raise AssertionError(done.stderr or done.stdout)
-        cls.board = done.stdout
-
-    def test_the_readme_shows_what_the_program_prints(self):
-        page = (ROOT / "README.md").read_text()
-        block = lambda name: page.split(f"<!-- {name}:begin -->")[1].split(f"<!-- {name}:end -->")[0].strip().removeprefix("```text\n")
-        board = block("scoreboard").removesuffix("```")
-        self.assertEqual(len(board.splitlines()), 5)
-        self.assertIn(board, self.board)
-        shell, shown = block("explain").removesuffix("```").split("./run explain\n")
-        question = shell.split("'")[1]
-        self.assertEqual(self.holds("explain", stdin=question + "\n"), shown)
+        return done.stdout
 
     def test_the_scoreboard_certifies_production_and_refutes_plain_arithmetic_and_the_printed_formula(self):
         out = self.board
@@ -334,7 +348,7 @@ class Scoreboard(Case):
         out = self.holds("certify", "golden", "--engine", "production", "--json", report, cwd=self.folder)
         self.assertNotIn("golden files", out)
         self.assertEqual(json.loads(report.read_text())["total"]["cases"], 3)
-        self.assertTrue(self.board.startswith(f"golden files: {GOLDEN}\n"))
+        self.assertTrue(self.board.startswith(f"golden files: {self.golden}\n"))
 
     def test_that_production_is_judged_where_no_engine_is_named_is_said(self):
         said = "no engine is named: production is judged\n"
@@ -345,6 +359,9 @@ class Scoreboard(Case):
 
 
 class Certify(Case):
+    def test_production_is_correctly_rounded_on_every_committed_file(self):
+        self.assertIn(" reaches correctly-rounded on all ", self.holds("certify", GOLDEN, "--level", "correctly-rounded"))
+
     def test_the_published_formula_is_refuted_and_the_diagnosis_names_its_convention(self):
         self.assertIn("points = published", self.refuted("certify", GOLDEN / "sphere_sphere" / "generic.jsonl", "--engine", "published"))
 
@@ -537,6 +554,19 @@ class Certify(Case):
         self.assertEqual(number(rows[-1]), whole["total"]["cases"])
         rows = self.holds("certify", *fresh, "--engine", "production").split("\n\n")[1].splitlines()
         self.assertEqual([row.split(" ")[0] for row in rows], ["family", *PAIRS, "total"])
+
+
+class ScoreboardCampaign(Scoreboard):
+    """The same on all committed files, as the README shows it."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.golden, cls.board = GOLDEN, cls.printed(TOOL)
+
+    def test_the_readme_shows_what_the_program_prints(self):
+        board = readme("scoreboard")
+        self.assertEqual(len(board.splitlines()), 5)
+        self.assertIn(board, self.board)
 
 
 class WholeGoldenCampaign(Case):
@@ -1528,18 +1558,8 @@ class Generate(Case):
                 self.holds("lint", "--generated", self.folder / f"{i}.jsonl")
 
     def test_every_family_of_every_pair_passes_lint(self):
-        listed = [json.loads(one) for one in self.holds("families", "--json").splitlines()]
-        for pair in PAIRS:
-            shapes = {"cube_cube": "cubes", "sphere_cube": "sphere and cube", "sphere_capsule": "sphere and capsule",
-                      "capsule_capsule": "capsules", "sphere_triangle": "sphere and triangle",
-                      "ray_sphere": "ray and sphere",
-                      "sphere_plane": "sphere and plane", "capsule_plane": "capsule and plane",
-                      "ray_triangle": "ray and triangle", "triangle_line": "triangle and line",
-                      **{f"cast_{shape}": f"cast ray and {shape}" for shape in ("sphere", "cube", "capsule", "triangle", "plane")},
-                      **dict.fromkeys(CONVEXES, "any two convex shapes")}.get(pair, "spheres")
-            for family in (one["family"] for one in listed if one.get("shapes") == shapes):
-                self.make(f"{pair}.{family}.jsonl", pair=pair, family=family, count=5, seed=2**64 - 1)
-        self.holds("lint", "--generated", self.folder)
+        self.holds("generate", "--all", self.folder / "set", "--seed", 2**64 - 1, "--count", 5)
+        self.holds("lint", "--generated", self.folder / "set")
 
     def test_a_question_that_its_generator_makes_twice_passes_lint_as_generated_alone(self):
         # Binary32's numbers at the ends of its range are few.
@@ -1995,7 +2015,7 @@ class Properties(Case):
         self.holds("properties", "--engine-command", f"'{TOOL}' serve", "--cases", 20, "--seed", 3)
 
     def test_the_same_seed_says_the_same_and_a_law_alone_repeats_what_it_did_among_all(self):
-        args = ("--engine", "plain-double", "--cases", 8, "--seed", 7)
+        args = ("--engine-command", f"{sys.executable} {PLAIN}", "--cases", 40, "--seed", 42)
         every = self.violated(*args)
         self.assertEqual(every, self.violated(*args))
         alone = self.violated(*args, "--law", "decision")
@@ -2093,7 +2113,7 @@ class Properties(Case):
 
     def test_reports_have_one_entry_a_law(self):
         xml, report = self.folder / "laws.xml", self.folder / "laws.json"
-        self.violated("--engine", "plain-double", "--seed", 1, "--cases", 5, "--junit", xml, "--json", report)
+        self.violated("--engine-command", f"{sys.executable} {PLAIN}", "--seed", 42, "--cases", 40, "--junit", xml, "--json", report)
         laws = [one.split()[0] for one in self.holds("properties", "--list").splitlines()]
         suite = ElementTree.parse(xml).getroot().find("testsuite")
         self.assertEqual([case.get("name") for case in suite], laws)
