@@ -171,6 +171,19 @@ class Adapters(unittest.TestCase):
         mixed["triangle_plane"] = [
             {"pair": "triangle_plane", "a": pointed((2 + axis) % 3, turned([1, 2, 1 + gap], axis), 4), "alarm": alarm, "contact": 0.5, "b": below[axis]}
             for axis in range(3) for gap in (3, -0.25) for alarm in (0, 1)]
+        # The same boxes by their corners, and beside them a point with three others behind it.
+        def hull(points, radius=0):
+            return {"vertices": points, "radius": radius}
+
+        def corners(box):
+            return [[box["max" if k >> i & 1 else "min"][i] for i in range(3)] for k in range(8)]
+
+        mixed["sphere_hull"] = [{**q, "pair": "sphere_hull", "b": hull(corners(cube(i // 12, middle)), (q["a"]["radius"] - 1) / 2)}
+                                for i, q in enumerate(mixed["sphere_obb"])]
+        mixed["hull_hull"] = [{"pair": "hull_hull", "a": hull(corners(cube(i, middle))), "alarm": alarm, "contact": 0.5,
+                               "b": hull([*pointed(axis, at, 4)["vertices"], [x + (6 if k == axis else k) for k, x in enumerate(at)]])}
+                              for i, axis, gap, at in faces for alarm in (0, 1)]
+        mixed["hull_plane"] = [{**q, "pair": "hull_plane", "a": hull(corners(q["a"]))} for q in mixed["cube_plane"]]
         cls.files = {}
         for name, questions in {"spheres": spheres, "boxes": boxes, **mixed}.items():
             for scalar in ("binary64", "binary32"):

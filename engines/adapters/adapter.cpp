@@ -17,11 +17,13 @@ constexpr Kind kKinds[][2] = {
     {Kind::obb, Kind::obb},         {Kind::sphere, Kind::obb},       {Kind::capsule, Kind::box},
     {Kind::capsule, Kind::obb},     {Kind::capsule, Kind::triangle}, {Kind::box, Kind::obb},
     {Kind::box, Kind::triangle},    {Kind::obb, Kind::triangle},     {Kind::triangle, Kind::triangle},
-    {Kind::box, Kind::plane},       {Kind::obb, Kind::plane},        {Kind::triangle, Kind::plane}};
+    {Kind::box, Kind::plane},       {Kind::obb, Kind::plane},        {Kind::triangle, Kind::plane},
+    {Kind::sphere, Kind::hull},     {Kind::capsule, Kind::hull},     {Kind::box, Kind::hull},
+    {Kind::obb, Kind::hull},        {Kind::triangle, Kind::hull},    {Kind::hull, Kind::hull},
+    {Kind::hull, Kind::plane}};
 
-/// How many numbers each kind has.
+/// How many numbers each kind has; those of a hull come with the questions.
 constexpr std::size_t kWidths[] = {4, 6, 7, 9, 7, 4, 6, 10};
-std::size_t width_of(Kind kind) { return kWidths[static_cast<std::size_t>(kind)]; }
 }  // namespace
 
 int32_t contact_engine_interface() { return CONTACT_ENGINE_INTERFACE; }
@@ -34,6 +36,9 @@ const char* contact_engine_declaration() {
 int32_t contact_engine_answer(const contact_questions* questions, contact_answers* answers) {
   const auto pair = static_cast<contact_pair>(questions->pair);
   const auto [a, b] = kKinds[pair];
+  const auto width_of = [&](Kind kind) {
+    return kind == Kind::hull ? static_cast<std::size_t>(questions->width) : kWidths[static_cast<std::size_t>(kind)];
+  };
   for (std::size_t i = 0; i < questions->count; ++i) {
     Answer said(*answers, i);
     try {

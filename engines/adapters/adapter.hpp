@@ -11,7 +11,7 @@
 
 namespace contact::adapters {
 
-enum class Kind { sphere, box, capsule, triangle, ray, plane, line, obb };
+enum class Kind { sphere, box, capsule, triangle, ray, plane, line, obb, hull };
 
 /// A shape as contact_engine.h gives it, and as most engines take it: by centre, size and direction, a ray by its ends,
 /// a plane by a unit normal. Nothing is rounded: a declaration with the shapes `centered` keeps away those for which
@@ -28,6 +28,7 @@ struct Shape {
         if (kind == Kind::capsule && way != 0) axis = i;
       }
     }
+    if (kind == Kind::hull) radius = x[1];
     if (kind == Kind::obb) {
       for (int i = 0; i < 3; ++i) {
         center[i] = x[i];
@@ -69,7 +70,11 @@ struct Shape {
   [[nodiscard]] bool is_box() const { return kind == Kind::box || kind == Kind::obb; }
   /// Where a ray or a line begins.
   [[nodiscard]] const double* start() const { return numbers; }
-  [[nodiscard]] const double* vertex(int i) const { return numbers + std::ptrdiff_t{3} * i; }
+  /// Of a triangle, or of a hull, which has so many.
+  [[nodiscard]] const double* vertex(int i) const {
+    return numbers + (kind == Kind::hull ? 2 : 0) + std::ptrdiff_t{3} * i;
+  }
+  [[nodiscard]] int vertices() const { return kind == Kind::hull ? static_cast<int>(numbers[0]) : 3; }
 
   Kind kind;
   const double* numbers;
@@ -99,6 +104,7 @@ struct Question {
   R"("obb_obb","sphere_obb","capsule_cube","capsule_obb","capsule_triangle","cube_obb","cube_triangle",)" \
   R"("obb_triangle","triangle_triangle")"
 #define CONVEX_PLANE_PAIRS R"("cube_plane","obb_plane","triangle_plane")"
+#define HULL_PAIRS R"("sphere_hull","capsule_hull","cube_hull","obb_hull","triangle_hull","hull_hull")"
 
 /// What is said of one question; of a hit, all that the declaration claims.
 class Answer {

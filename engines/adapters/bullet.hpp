@@ -3,7 +3,9 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 #include <btBulletCollisionCommon.h>
 
@@ -34,6 +36,12 @@ struct BulletShape {
       shape = std::make_unique<btTriangleShape>(bullet_vector(x.vertex(0)), bullet_vector(x.vertex(1)),
                                                 bullet_vector(x.vertex(2)));
       shape->setMargin(0);
+    } else if (x.kind == Kind::hull) {
+      auto hull = std::make_unique<btConvexHullShape>();
+      for (int i = 0; i < x.vertices(); ++i) hull->addPoint(bullet_vector(x.vertex(i)), false);
+      hull->recalcLocalAabb();
+      hull->setMargin(radius);  // which rounds it
+      shape = std::move(hull);
     } else if (x.kind == Kind::plane) {
       shape = std::make_unique<btStaticPlaneShape>(bullet_vector(x.normal), static_cast<btScalar>(x.offset));
     } else if (x.axis == 0) {

@@ -1,5 +1,5 @@
-// Bullet: btGjkPairDetector, with its EPA for penetrations, on btSphereShape, btBoxShape, btCapsuleShape and
-// btTriangleShape.
+// Bullet: btGjkPairDetector, with its EPA for penetrations, on btSphereShape, btBoxShape, btCapsuleShape,
+// btTriangleShape and btConvexHullShape.
 #include "engines/adapters/bullet.hpp"
 
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
@@ -13,7 +13,8 @@ namespace contact::adapters {
 std::string declaration() {
   return bullet_declaration(
       "-gjk",
-      R"(["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule","sphere_triangle",)" CONVEX_PAIRS "]",
+      R"(["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule","sphere_triangle",)" CONVEX_PAIRS
+      "," HULL_PAIRS "]",
       R"({"normal":"second-to-first","points":"second_only","value_less_contact":false,"shapes":"centered"})");
 }
 

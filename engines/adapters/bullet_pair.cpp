@@ -73,7 +73,8 @@ std::string declaration() {
   return bullet_declaration(
       "",
       R"(["sphere_sphere","cube_cube","sphere_cube","sphere_capsule","capsule_capsule","sphere_triangle","ray_sphere",)"
-      R"("sphere_plane","capsule_plane","ray_triangle","triangle_line",)" CONVEX_PAIRS "," CONVEX_PLANE_PAIRS "]",
+      R"("sphere_plane","capsule_plane","ray_triangle","triangle_line",)" CONVEX_PAIRS "," CONVEX_PLANE_PAIRS
+      "," HULL_PAIRS R"(,"hull_plane"])",
       R"({"normal":"second-to-first","value_less_contact":false,"shapes":"centered"},)"
       R"("pair_conventions":{"cube_cube":{"shapes":"given"},"sphere_triangle":{"margin":"none"},)"
       R"("ray_sphere":{"margin":"none","normal":"none","points":"none","value":"none"},)"

@@ -10,7 +10,6 @@ namespace contact::adapters {
 
 inline void ccd_support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
   const auto& shape = *static_cast<const Shape*>(object);
-  const double* x = shape.numbers;
   if (shape.is_box()) {
     ccdVec3Set(point, shape.center[0], shape.center[1], shape.center[2]);
     for (int k = 0; k < 3; ++k) {
@@ -20,13 +19,15 @@ inline void ccd_support(const void* object, const ccd_vec3_t* direction, ccd_vec
     }
     return;
   }
-  // By its corners: one of a sphere, two of a capsule, three of a triangle.
+  // By its corners: one of a sphere, two of a capsule, three of a triangle, those of a hull.
   ccd_vec3_t end;
+  const double* x = shape.vertex(0);
   ccdVec3Set(&end, x[0], x[1], x[2]);
-  const int corners = shape.kind == Kind::sphere ? 1 : shape.kind == Kind::capsule ? 2 : 3;
+  const int corners = shape.kind == Kind::sphere ? 1 : shape.kind == Kind::capsule ? 2 : shape.vertices();
   for (int i = 1; i < corners; ++i) {
     ccd_vec3_t other;
-    ccdVec3Set(&other, x[3 * i], x[3 * i + 1], x[3 * i + 2]);
+    x = shape.vertex(i);
+    ccdVec3Set(&other, x[0], x[1], x[2]);
     if (ccdVec3Dot(direction, &other) > ccdVec3Dot(direction, &end)) end = other;
   }
   if (shape.kind == Kind::triangle) return ccdVec3Copy(point, &end);
@@ -40,7 +41,10 @@ inline void ccd_center(const void* object, ccd_vec3_t* point) {
   const auto& shape = *static_cast<const Shape*>(object);
   const double* x = shape.center;
   ccdVec3Set(point, x[0], x[1], x[2]);
-  for (int i = 0; i < 9 && shape.kind == Kind::triangle; ++i) point->v[i % 3] += shape.numbers[i] / 3;
+  if (shape.kind != Kind::triangle && shape.kind != Kind::hull) return;
+  const int count = shape.vertices();
+  for (int i = 0; i < count; ++i)
+    for (int axis = 0; axis < 3; ++axis) point->v[axis] += shape.vertex(i)[axis] / count;
 }
 
 /// libccd's header leaves the number of iterations unlimited; its README sets 100.
@@ -57,7 +61,7 @@ inline ccd_t ccd_settings() {
 inline std::string ccd_declaration(const std::string& name, const std::string& scale) {
   return R"({"engine":{"name":")" + name +
          R"(","version":"2.1"},"scalar":"binary64","rounds":["orientation"],"pairs":["sphere_sphere","sphere_cube","sphere_capsule",)"
-         R"("capsule_capsule","sphere_triangle",)" CONVEX_PAIRS
+         R"("capsule_capsule","sphere_triangle",)" CONVEX_PAIRS "," HULL_PAIRS
          R"(],"conventions":{"points":"none","shapes":"centered",)"
          R"("value":"depth","value_less_contact":false,"margin":"none")" +
          scale +
