@@ -486,7 +486,7 @@ class NearPolytope {
     };
     const double off_length = 64 * size_ * error_ + 0x1p-45 * size_ * size_;
     const double least = std::sqrt(nearest.square) - off_length;
-    if (!is_in_plane(nearest) || !(least > 0)) return false;
+    if (!(least > 0)) return false;
     const double depth = (nearest.height + off_height()) / least * kMore;
     return std::all_of(polytope_.faces().begin(), polytope_.faces().end(), [&](const Face& face) {
       const double height = face.height - off_height();
