@@ -155,5 +155,6 @@ def joined(questions: Questions | Question | Iterable[Question]) -> Questions:
         raise InputError("must be of one pair and one scalar", "questions", value=sorted(kinds))
     rows = [question.arguments() for question in single]
     of_any_number = [field.argument for field in pair_named(single[0].pair).fields if field.any_number]
-    arrays = {name: (stacked if name in of_any_number else np.stack)([row[name] for row in rows]) for name in rows[0]}
+    columns = {name: [row[name] for row in rows] for name in rows[0]}
+    arrays = {name: stacked(column) if name in of_any_number else np.stack(column) for name, column in columns.items()}
     return Questions(single[0].pair, arrays, single[0].scalar)

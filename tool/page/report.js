@@ -263,7 +263,8 @@
           for (const side of [1, -1]) {
             if (!heights.every((h) => side * h <= near)) continue;
             const there = all.map((_, at) => at).filter((at) => Math.abs(heights[at]) <= near), name = side + there.join();
-            if (!faces.has(name)) faces.set(name, {n: n.clone().multiplyScalar(side), corners: around(there.map((at) => all[at]), n)});
+            const out = n.clone().multiplyScalar(side);
+            if (!faces.has(name)) faces.set(name, {n: out, corners: around(there.map((at) => all[at]), out)});
           }
         }
     return [...faces.values()];
@@ -372,7 +373,7 @@
         const join = (p, q) => edges.set([p, q].map((v) => corners.indexOf(v)).sort().join(), [p, q]);
         for (const face of faces) {
           const out = face.corners.map((v) => v.clone().addScaledVector(face.n, radius));
-          const fan = out.slice(2).flatMap((v, i) => [out[0], out[i + 1], v, v, out[i + 1], out[0]]);
+          const fan = out.slice(2).flatMap((v, i) => [out[0], out[i + 1], v]);
           const glazed = new THREE.BufferGeometry().setFromPoints(fan);
           glazed.computeVertexNormals();
           add(glazed, glass);
