@@ -269,9 +269,9 @@ std::string described(const RunResult& result) {
 }
 
 void expect_every_law_holds(const std::string& name) {
-  const RunResult result = asked(engines::make_built_in(name), 400, true);
+  const RunResult result = asked(engines::make_built_in(name), 150, true);
   EXPECT_TRUE(result.holds()) << described(result);
-  EXPECT_GT(result.shares.questions, 10'000U);
+  EXPECT_GT(result.shares.questions, 5'000U);
   for (std::size_t i = 0; i < kClassNames.size(); ++i)
     ::testing::Test::RecordProperty(
         "class" + std::to_string(i),
@@ -293,7 +293,7 @@ TEST(Laws, the_component_obeys_every_law_bit_for_bit) { expect_every_law_holds("
 
 TEST(Laws, production_obeys_every_law_within_bounds_under_every_point_convention_that_it_declares) {
   for (const PointConvention points : {PointConvention::center, PointConvention::published}) {
-    const RunResult result = asked(engines::make_built_in("production", points), 120);
+    const RunResult result = asked(engines::make_built_in("production", points), 40);
     EXPECT_TRUE(result.holds()) << described(result);
   }
 }
@@ -444,7 +444,7 @@ const LawResult& result_of(const RunResult& result, std::string_view law) {
 
 TEST(Laws, hold_for_an_engine_of_each_pair_alone_that_is_right_and_not_for_one_that_is_wrong) {
   for (const Pair pair : kPairs) {
-    const RunResult right = asked(std::make_unique<Right>(serving({pair})), 5);
+    const RunResult right = asked(std::make_unique<Right>(serving({pair})), 3);
     EXPECT_TRUE(right.holds()) << name(pair) << "\n" << described(right);
     EXPECT_GE(right.laws.size() - right.skipped(), 11U) << name(pair);
     // Of no pair is a law asked about another.

@@ -74,9 +74,9 @@ TEST(Laws, of_the_order_of_corners_of_lengths_and_of_crossings_find_what_they_ar
   }
 }
 
-// Every twelfth, and every one with CONTACT_EVERY_MUTANT set, as ./run campaign does: that takes minutes.
+// Every twenty-fourth, and every one with CONTACT_EVERY_MUTANT set, as ./run campaign does: that takes minutes.
 TEST(Laws, find_every_mutant_but_these) {
-  const std::size_t step = std::getenv("CONTACT_EVERY_MUTANT") != nullptr ? 1 : 12;
+  const std::size_t step = std::getenv("CONTACT_EVERY_MUTANT") != nullptr ? 1 : 24;
   std::vector<engines::Mutant> asked;
   for (std::size_t i = 0; i < engines::mutants().size(); i += step) asked.push_back(engines::mutants()[i]);
   std::vector<std::string> broken(asked.size());

@@ -4,6 +4,7 @@ import pytest
 hypothesis = pytest.importorskip("hypothesis")
 
 import engines
+import every_example
 import numpy as np
 from hypothesis import HealthCheck, find, given, settings
 from hypothesis import strategies as st
@@ -13,7 +14,7 @@ from contact_oracle import InputError, Question, Questions, Sphere, laws, strate
 from contact_oracle.pairs import PAIRS
 from contact_oracle.shapes import SHAPES
 
-FEW = settings(max_examples=30, deadline=None, suppress_health_check=list(HealthCheck), database=None, derandomize=True)
+FEW = settings(max_examples=every_example.of(30), deadline=None, suppress_health_check=list(HealthCheck), database=None, derandomize=True)
 DISTANCES = [pair for pair in PAIRS if PAIRS[pair].numbers == "distance"]
 
 
@@ -39,7 +40,7 @@ def test_questions_lie_in_the_domain(pair, scalar, largest):
 @pytest.mark.parametrize("scalar", ["binary64", "binary32"])
 @pytest.mark.parametrize("pair", PAIRS)
 def test_touching_questions_touch(pair, scalar):
-    @settings(FEW, max_examples=150)
+    @settings(FEW, max_examples=every_example.of(150))
     @given(strategies.touching(pair, scalar))
     def check(question):
         exact = question.exact()
@@ -60,7 +61,7 @@ def test_touching_questions_touch(pair, scalar):
 def test_near_touching_questions_are_hits_and_misses(pair):
     both = set()
 
-    @settings(FEW, max_examples=100)
+    @settings(FEW, max_examples=every_example.of(100))
     @given(strategies.near_touching(pair))
     def check(question):
         exact = question.exact()
@@ -112,17 +113,17 @@ def test_strategies_can_be_mapped_and_filtered():
 @pytest.mark.parametrize("scalar", ["binary64", "binary32"])
 @pytest.mark.parametrize("name", laws.LAWS)
 def test_a_right_engine_obeys(name, scalar):
-    laws.check(name, engines.right, tuple(PAIRS), scalar=scalar, examples=100, seed=1)
+    laws.check(name, engines.right, tuple(PAIRS), scalar=scalar, examples=every_example.of(100), seed=1)
 
 
 @pytest.mark.parametrize("name", [name for name in laws.LAWS if name not in ("translate", "contact_distance")])
 def test_a_right_engine_obeys_bit_for_bit(name):
-    laws.check(name, engines.right, tuple(PAIRS), examples=100, seed=2, ulps=0)
+    laws.check(name, engines.right, tuple(PAIRS), examples=every_example.of(100), seed=2, ulps=0)
 
 
 @pytest.mark.parametrize("name", [name for name in laws.LAWS if name != "decision"])
 def test_plain_arithmetic_obeys_all_but_the_decisions(name):
-    laws.check(name, engines.plain_spheres_or_first_axis, ("sphere_sphere",), examples=300, seed=3)
+    laws.check(name, engines.plain_spheres_or_first_axis, ("sphere_sphere",), examples=every_example.of(300), seed=3)
 
 
 TOLERANCE = {"length": 1e-9, "relative": 1e-12, "angle": 1e-6}
@@ -145,7 +146,7 @@ def off_by(times):
 
 @pytest.mark.parametrize("name", laws.LAWS)
 def test_laws_forgive_what_a_tolerance_forgives(name):
-    laws.check(name, off_by(1), tuple(PAIRS), examples=60, seed=4, tolerance=TOLERANCE)
+    laws.check(name, off_by(1), tuple(PAIRS), examples=every_example.of(60), seed=4, tolerance=TOLERANCE)
 
 
 def test_laws_forgive_nothing_beyond_a_tolerance():

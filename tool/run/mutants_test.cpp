@@ -20,8 +20,10 @@ namespace {
 constexpr std::uint64_t kQuestions = golden::kCommittedCount;
 constexpr std::uint64_t kOfConvexes = 20;
 constexpr std::size_t kStep = 1;
+constexpr std::size_t kStepOfFiles = 1;
 #else
-constexpr std::size_t kStep = 60;         // of the mutants one: the campaign asks them all
+constexpr std::size_t kStep = 120;        // of the mutants one: the campaign asks them all
+constexpr std::size_t kStepOfFiles = 3;   // and so of the files about which plain arithmetic is asked everything
 constexpr std::uint64_t kQuestions = 42;  // of a file: all classes take their turn in so many
 constexpr std::uint64_t kOfConvexes = 3;  // of any two convex shapes, whose causes are asked of the exact truth
 #endif
@@ -195,7 +197,9 @@ TEST(Mutants, plain_arithmetic_is_never_told_of_a_mistake_that_it_does_not_make)
     if (!file.family->outside_domain)
       together[is_convex(file.pair) ? fmt::format("{} {}", name(file.pair), name(file.scalar)) : file.path()].push_back(
           file);
+  std::size_t at = 0;
   for (const auto& [title, files] : together) {
+    if (at++ % kStepOfFiles != 0) continue;
     const golden::CommittedFile& file = files.front();
     std::vector<Subject> subjects;
     for (const char* name : {"plain-double", "plain-float"})
@@ -214,7 +218,7 @@ TEST(Mutants, plain_arithmetic_is_never_told_of_a_mistake_that_it_does_not_make)
           << subject.report.engine.name << " in " << title << ": " << found.front().sentence;
     }
   }
-  EXPECT_GT(told, 100U);
+  EXPECT_GT(told, 100U / kStepOfFiles);
 }
 
 }  // namespace

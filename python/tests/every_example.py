@@ -1,0 +1,8 @@
+"""How many examples a test asks: a part every day, and with CONTACT_EVERY_EXAMPLE, as ./run python and ./run campaign set it, all."""
+import os
+
+EVERY = "CONTACT_EVERY_EXAMPLE" in os.environ
+
+
+def of(examples):
+    return examples if EVERY else -(-examples // 5)
