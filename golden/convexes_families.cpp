@@ -135,8 +135,9 @@ Query apart(Pair pair, Random& random, double far, double size = 1) {
   return query;
 }
 
-/// How far from each other, or nearer where one is a triangle, which meets others seldom.
+/// How far from each other, farther where one is a hull, which has a radius and many corners, or nearer where one is a triangle, which meets others seldom.
 double spread(Pair pair, double of_solids) {
+  if (has_hull(pair)) return of_solids * 2;
   return name(pair).find("triangle") == std::string_view::npos ? of_solids : of_solids / 2;
 }
 
