@@ -388,7 +388,7 @@ class NpzFile final : public ArraysFile {
 };
 
 constexpr std::size_t kFewNumbers = 9;  // in a row: what has more is mostly padding, and is deflated as texts are
-constexpr std::size_t kHead = 256;  // bytes of the beginning of every .npy file that is written
+constexpr std::size_t kHead = 256;      // bytes of the beginning of every .npy file that is written
 
 /// It: the widest type and shape have room.
 std::string npy_head(std::string_view descr, const std::vector<std::uint64_t>& shape) {

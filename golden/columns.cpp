@@ -46,7 +46,8 @@ std::size_t rejected_length(Pair pair) {
   for_each_value(zeros, []<class Value>(Value& value) {
     if constexpr (AnyNumberOfVectors<Value>) value.resize(kMostVertices, Vector3::Zero());
   });
-  for_each_number(std::as_const(zeros), [&](const std::string& field, double) { longest = std::max(longest, field.size()); });
+  for_each_number(std::as_const(zeros),
+                  [&](const std::string& field, double) { longest = std::max(longest, field.size()); });
   return longest;
 }
 
@@ -189,7 +190,8 @@ class Encoder {
     if (vectors.empty() || vectors.size() > kMostVertices || vectors.back().array().isNaN().all())
       throw formats::InputError(
           where_, where_written(*next_),
-          fmt::format("expected from 1 to {} points, the last not all NaN, which says here that there is none", kMostVertices));
+          fmt::format("expected from 1 to {} points, the last not all NaN, which says here that there is none",
+                      kMostVertices));
     for_each_number_in(vectors, [&](double x) { put(x); });
     for (std::size_t k = 3 * vectors.size(); k < 3 * kMostVertices; ++k) put(kNone);
     ++next_;

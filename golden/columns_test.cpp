@@ -204,6 +204,7 @@ TEST_F(Columns, AreNotWrittenWhereTheLastVertexOfAHullIsNone) {
   const Vector3 none(kNaN, kNaN, kNaN);
   EXPECT_EQ(written({none, {0, 0, 0}}), "as it was");
   EXPECT_EQ(written({{0, 0, 0}, {kNaN, kNaN, 0}}), "as it was");
+  EXPECT_EQ(written({{0, 0, 0}, {0, kNaN, kNaN}}), "as it was");
   EXPECT_NE(written({{0, 0, 0}, none}).find("row 0: /a/vertices: expected from 1 to 64 points, the last not all NaN"),
             std::string::npos);
 }

@@ -271,7 +271,7 @@ class Page(unittest.TestCase):
             with self.subTest(name):
                 folder = self.reports / f"hull {name}"
                 folder.mkdir()
-                query = {"pair": "obb_hull", "a": turned, "b": {"vertices": vertices, "radius": radius}, "alarm": 1, "contact": 0}
+                query = {"pair": "obb_hull", "a": turned, "b": {"vertices": vertices, "radius": radius}, "alarm": 9, "contact": 0}
                 subprocess.run([TOOL, "annotate", "-", "-o", folder / "q.jsonl"], input=json.dumps(query), text=True, check=True, capture_output=True)
                 header = {"format": "contact-oracle/results", "version": 1, "engine": {"name": "none", "version": "1"}, "scalar": "binary64",
                           "pairs": ["obb_hull"]}
