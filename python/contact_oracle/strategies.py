@@ -303,7 +303,7 @@ def _stepped(question: Question, steps: int) -> Question:
         return float(stepped)
 
     for name, shape in (("a", question.a), ("b", question.b)):
-        if isinstance(shape, (Sphere, Capsule)) and shape.radius > 0:
+        if isinstance(shape, (Sphere, Capsule, Hull)) and shape.radius > 0:
             changed = replace(shape, radius=step(shape.radius))
             return replace(question, a=changed) if name == "a" else replace(question, b=changed)
     return replace(question, alarm=step(question.alarm))
