@@ -70,7 +70,11 @@ bool is_in_range(const Hull& x) {
 
 /// Thrown where a sign is not known for certain.
 struct Uncertain {};
-NearCore core_of_hull(const Hull& hull) {
+template <class Shape>
+NearCore core_in_doubles(const Shape& shape) {
+  return core_of([](double x) { return DoubleDouble{x}; }, shape);
+}
+NearCore core_in_doubles(const Hull& hull) {
   const auto points = points_of([](double x) { return DoubleDouble{x}; }, hull);
   const auto sign = [&](const auto& ask) {
     const auto known = ask(points).sign();
@@ -79,11 +83,6 @@ NearCore core_of_hull(const Hull& hull) {
   };
   return core_of_points(points, hull.radius, sign);
 }
-template <class Shape>
-NearCore core_in_doubles(const Shape& shape) {
-  return core_of([](double x) { return DoubleDouble{x}; }, shape);
-}
-NearCore core_in_doubles(const Hull& hull) { return core_of_hull(hull); }
 
 /// A rotated box as with_short_orientation has it, so that more of them are in range.
 Obb of_unit_size(const Obb& box) { return with_short_orientation(box); }

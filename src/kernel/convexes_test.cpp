@@ -448,6 +448,28 @@ TEST(ConvexesFilter, leaves_to_integers_what_touches_or_ties_but_for_rounding) {
   }
 }
 
+/// What is certain of two cores. Where the processor has fma, its build has the same bits.
+template <class A, class B>
+kernel::Certain certain_for_any_processor(const A& a, const B& b, const kernel::Lengths& lengths, Contact& contact) {
+  using namespace kernel;
+  const auto ask = [&](auto certain, Contact& to) {
+    return certain(near_core(a), GivenCorners(a), near_core(b), GivenCorners(b), true, lengths, ContactPoints{}, to);
+  };
+  const Certain found = ask([](auto&&... all) { return plain::certain(all...); }, contact);
+#if defined(__x86_64__) && !defined(__FMA__)
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+    Contact same{};
+    const Certain again = ask([](auto&&... all) { return by_fma::certain(all...); }, same);
+    EXPECT_EQ(again.side, found.side);
+    EXPECT_EQ(again.open, found.open);
+    if (found.side == NearSide::hit && found.open == 0) {
+      EXPECT_EQ(in_words(same), in_words(contact));
+    }
+  }
+#endif
+  return found;
+}
+
 using kernel::plain::Enclosure;
 using Rational = boost::multiprecision::cpp_rational;
 
@@ -513,23 +535,7 @@ TEST(ConvexesEnclosed, settles_nearly_all_that_is_in_no_special_position_and_lea
   // What is left open, of all ten numbers; or nothing of a miss.
   Contact contact;
   const auto open = [&](const auto& a, const auto& b) {
-    const Certain found =
-        plain::certain(near_core(a), GivenCorners(a), near_core(b), GivenCorners(b), true, lengths, {}, contact);
-#if defined(__x86_64__) && !defined(__FMA__)
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-      Contact same{};
-      const Certain again =
-          by_fma::certain(near_core(a), GivenCorners(a), near_core(b), GivenCorners(b), true, lengths, {}, same);
-      EXPECT_EQ(again.side, found.side);
-      EXPECT_EQ(again.open, found.open);
-      if (found.side == NearSide::hit && found.open == 0) {
-        EXPECT_EQ(same.normal, contact.normal);
-        EXPECT_EQ(same.point1, contact.point1);
-        EXPECT_EQ(same.point2, contact.point2);
-        EXPECT_EQ(same.value, contact.value);
-      }
-    }
-#endif
+    const Certain found = certain_for_any_processor(a, b, lengths, contact);
     return found.side == NearSide::miss ? 0U : found.open;
   };
   int apart = 0;
@@ -601,24 +607,8 @@ class RandomHulls {
 
   template <class A, class B>
   static kernel::Certain certain(const A& a, const B& b) {
-    using namespace kernel;
     Contact contact{};
-    const Lengths lengths{0, 0, 0.25, 0.125};
-    const Certain found =
-        plain::certain(near_core(a), GivenCorners(a), near_core(b), GivenCorners(b), true, lengths, {}, contact);
-#if defined(__x86_64__) && !defined(__FMA__)
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-      Contact same{};
-      const Certain again =
-          by_fma::certain(near_core(a), GivenCorners(a), near_core(b), GivenCorners(b), true, lengths, {}, same);
-      EXPECT_EQ(again.side, found.side);
-      EXPECT_EQ(again.open, found.open);
-      if (found.open == 0) {
-        EXPECT_EQ(in_words(same), in_words(contact));
-      }
-    }
-#endif
-    return found;
+    return certain_for_any_processor(a, b, {0, 0, 0.25, 0.125}, contact);
   }
 
  private:
