@@ -69,11 +69,11 @@ struct CommittedFile {
 inline constexpr std::uint64_t kCommittedSeed = 42;
 inline constexpr std::uint64_t kCommittedCount = 210;  ///< a multiple of the classes that take turns, over 200
 /// How many of them are committed. Of rays that are cast there are five pairs, of any two convex shapes nineteen, whose
-/// exact numbers are long; of these six have files, and the others the same families.
+/// exact numbers are long; of these eight have files, and the others the same families.
 [[nodiscard]] constexpr std::uint64_t committed_count(Pair pair) {
   if (!is_convex(pair)) return is_cast(pair) ? 30 : kCommittedCount;
-  constexpr std::array kOnFile{Pair::obb_obb,          Pair::sphere_obb,        Pair::capsule_obb,
-                               Pair::capsule_triangle, Pair::triangle_triangle, Pair::obb_plane};
+  constexpr std::array kOnFile{Pair::obb_obb,           Pair::sphere_obb, Pair::capsule_obb, Pair::capsule_triangle,
+                               Pair::triangle_triangle, Pair::obb_plane,  Pair::hull_hull,   Pair::hull_plane};
   return std::find(kOnFile.begin(), kOnFile.end(), pair) != kOnFile.end() ? 20 : 0;
 }
 

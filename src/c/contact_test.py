@@ -15,9 +15,9 @@ from pathlib import Path
 
 LIBRARY, GOLDEN, HEADER = ctypes.CDLL(sys.argv[1]), Path(sys.argv[2]), Path(sys.argv[3])
 # Pairs that the generator makes questions of, and none is committed.
-WITHOUT_FILES = ["capsule_cube", "capsule_hull", "cube_hull", "cube_obb", "cube_plane", "cube_triangle", "hull_hull", "hull_plane", "obb_hull", "obb_triangle", "sphere_hull", "triangle_hull",
+WITHOUT_FILES = ["capsule_cube", "capsule_hull", "cube_hull", "cube_obb", "cube_plane", "cube_triangle", "obb_hull", "obb_triangle", "sphere_hull", "triangle_hull",
                  "triangle_plane"]
-SHORT = ["capsule_obb", "capsule_triangle", "obb_obb", "obb_plane", "sphere_obb", "triangle_triangle"]
+SHORT = ["capsule_obb", "capsule_triangle", "hull_hull", "hull_plane", "obb_obb", "obb_plane", "sphere_obb", "triangle_triangle"]
 PAIRS = sorted(folder.name for folder in GOLDEN.iterdir() if (folder / "generic.jsonl").exists() or (folder / "invalid.jsonl").exists())
 FIELDS = (("normal", 3), ("point1", 3), ("point2", 3), ("value", 1))
 OUTSIDE_DOMAIN = 2
