@@ -30,7 +30,7 @@ PAIRS = {"sphere_sphere": "spheres", "cube_cube": "boxes", "sphere_cube": "a sph
          "capsule_obb": "a capsule and a rotated box", "capsule_triangle": "a capsule and a triangle", "cube_obb": "a box and a rotated box",
          "cube_triangle": "a box and a triangle", "obb_triangle": "a rotated box and a triangle", "triangle_triangle": "triangles",
          "cube_plane": "a box and a plane", "obb_plane": "a rotated box and a plane", "triangle_plane": "a triangle and a plane"}
-FIELDS = ("normal", "point1", "point2", "point", "value")
+FIELDS = ("normal", "point1", "point2", "point", "points", "value")
 # What the others are seen beside: this project's own, and the formulas as everybody computes them.
 REFERENCES = ("production", "plain-double", "plain-float")
 

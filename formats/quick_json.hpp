@@ -73,7 +73,9 @@ bool read(Result<value> node, std::array<Element, N>& all) {
   return read_array(node, [&](Result<value> each) { return i < N && read(each, all[i++]); }) && i == N;
 }
 
-inline bool read(Result<value> node, std::vector<Vector3>& all) {
+/// From one to as many as a hull may have vertices.
+template <class Element>
+bool read(Result<value> node, std::vector<Element>& all) {
   all.clear();
   return read_array(node,
                     [&](Result<value> each) { return all.size() < kMostVertices && read(each, all.emplace_back()); }) &&

@@ -139,6 +139,8 @@ std::vector<Component> components(Field field, const ContactClaim& got, const Co
       return vector(&ContactClaim::point2);
     case Field::point:
       return vector(&ContactClaim::point);
+    case Field::points:  // an engine may take any of those that are right
+      return {};
     case Field::value:
       break;
   }

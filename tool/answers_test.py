@@ -118,6 +118,20 @@ class Rows(Answers):
         middle = (columns["point1"] + columns["point2"]) / 2
         self.certified(path, {**hit, "point": middle}, "--tolerance", "length=1e-12")
 
+        # So do several points: here the deepest, which a row of NaN follows.
+        places = numpy.stack([columns["point1"], numpy.full((len(columns["hit"]), 3), numpy.nan)], 1)
+        depths = numpy.stack([-columns["value"] - questions["contact"], numpy.full(len(columns["hit"]), numpy.nan)], 1)
+        several = {**hit, "normal": columns["normal"], "points": places, "depths": depths}
+        found = self.certify_json(path, "--results", self.answers(several), "--tolerance", "length=1e-12,angle=1e-12")
+        self.assertRegex(found["verdict"], "^CERTIFIED")
+        self.assertEqual((found["claims"], found["conventions"]["most_points"]), (["overlap", "contact", "normal", "points"], 2))
+        self.assertEqual(found["total"]["fields"]["points"]["bounded"], int(columns["hit"].sum()))
+        places[row, 1], depths[row, 1] = places[row, 0] + [0, 0, 1], depths[row, 0]
+        self.refuted("certify", path, "--results", self.answers(several), "--tolerance", "length=1e-12,angle=1e-12")
+        self.refused(("certify", path, "--results", self.answers({**hit, "points": places})), "/points: points and depths go together")
+        self.refused(("certify", path, "--results", self.answers({**several, "depths": depths[:, :1]})), "has 2 a row")
+        self.refused(("certify", path, "--results", self.answers({**several, "points": places[:, :, :2]})), "/points: expected a shape of")
+
     def certified(self, path, columns, *more, header=None):
         return self.holds("certify", path, "--results", self.answers(columns, header), *more)
 

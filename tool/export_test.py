@@ -407,7 +407,8 @@ class Usage(Case):
     def test_what_cannot_be_asked_is_refused_and_leaves_no_file(self):
         path = self.folder / "t.c"
         for more, words in ((("--family", "nonesuch"), ("--family", "nonesuch", "generic")), (("--family", "invalid"), ("invalid", "answer")),
-                            (("--tolerance", "length=-1"), ("tolerance",)), (("--count", "0"), ("--count",)), (("--points", "middle"), ("--points",))):
+                            (("--tolerance", "length=-1"), ("tolerance",)), (("--count", "0"), ("--count",)), (("--points", "middle"), ("--points",)),
+                            (("--points", "manifold"), ("--points", "manifold", "certify")))):
             with self.subTest(more):
                 self.refused(("export", *self.ARGS[:4], *more, "-o", path), *words, one_line=False)
                 self.assertFalse(path.exists())

@@ -65,7 +65,7 @@ COMPONENTS = {
                "oracle/truth/sphere_cube_double_double.cpp", "oracle/truth/sphere_sphere_double_double.cpp",
                "oracle/truth/sphere_triangle_double_double.cpp", "oracle/truth/staged_oracle.cpp", "oracle/truth/staged_oracle.hpp",
                "oracle/truth/truth.cpp", "oracle/truth/truth.hpp"],
-    "judge": ["oracle/judge/certain.cpp", "oracle/judge/conditioning.cpp", "oracle/judge/declaration.hpp", "oracle/judge/judge.cpp", "oracle/judge/judge.hpp", "oracle/judge/near_optimal.cpp", "oracle/judge/off.cpp", "oracle/judge/point_set.cpp", "oracle/judge/right_claim.cpp", "oracle/judge/verdict.hpp"],
+    "judge": ["oracle/judge/certain.cpp", "oracle/judge/conditioning.cpp", "oracle/judge/declaration.hpp", "oracle/judge/judge.cpp", "oracle/judge/judge.hpp", "oracle/judge/manifold.cpp", "oracle/judge/near_optimal.cpp", "oracle/judge/off.cpp", "oracle/judge/point_set.cpp", "oracle/judge/right_claim.cpp", "oracle/judge/verdict.hpp"],
     "diagnosis": ["oracle/diagnosis/capsule_plane.cpp", "oracle/diagnosis/sphere_plane.cpp",
                   "oracle/diagnosis/wrong_planes.cpp", "oracle/diagnosis/wrong_crossings.cpp",
                   "oracle/diagnosis/ray_triangle.cpp", "oracle/diagnosis/triangle_line.cpp",

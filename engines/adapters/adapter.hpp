@@ -114,7 +114,11 @@ class Answer {
         normal_(all.normal + 3 * i),
         point1_(all.point1 + 3 * i),
         point2_(all.point2 + 3 * i),
-        value_(all.value + i) {}
+        value_(all.value + i),
+        most_points_(static_cast<std::size_t>(all.most_points)),
+        point_count_(all.point_count + i),
+        points_(all.points + 3 * most_points_ * i),
+        depths_(all.depths + most_points_ * i) {}
 
   void overlap(bool yes) { say(CONTACT_SAYS_OVERLAP | (yes ? CONTACT_OVERLAPS : 0)); }
   void contact(bool yes) { say(CONTACT_SAYS_CONTACT | (yes ? CONTACT_TOUCHES : 0)); }
@@ -145,6 +149,15 @@ class Answer {
   void midpoint(const Vector& v) {
     vector(CONTACT_MIDPOINT, point1_, v);
   }
+  /// One of several points, and how deep the shapes are in each other there. Those beyond the most that are declared are left out.
+  template <class Vector>
+  void add_point(const Vector& v, double depth) {
+    const auto k = static_cast<std::size_t>(*point_count_);
+    if (k == most_points_) return;
+    vector(CONTACT_POINTS, points_ + 3 * k, v);
+    depths_[k] = depth;
+    ++*point_count_;
+  }
   void value(double v) {
     say(CONTACT_VALUE);
     *value_ = v;
@@ -168,6 +181,10 @@ class Answer {
   double* point1_;
   double* point2_;
   double* value_;
+  std::size_t most_points_;
+  std::int32_t* point_count_;
+  double* points_;
+  double* depths_;
 };
 
 // Each adapter defines these two.

@@ -4,31 +4,33 @@
 
 #include <BulletCollision/CollisionDispatch/btBoxBoxDetector.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace contact::adapters {
 namespace {
 
-/// Keeps the deepest of the points that it is told of.
-struct Deepest final : btDiscreteCollisionDetectorInterface::Result {
+/// Keeps the points that it is told of, which have one normal.
+struct Manifold final : btDiscreteCollisionDetectorInterface::Result {
+  struct Point {
+    btVector3 on_second;
+    btScalar distance;
+  };
   void setShapeIdentifiersA(int, int) override {}
   void setShapeIdentifiersB(int, int) override {}
-  void addContactPoint(const btVector3& normal_on_second, const btVector3& on_second, btScalar signed_depth) override {
-    if (found && signed_depth >= depth) return;
-    found = true;
+  void addContactPoint(const btVector3& normal_on_second, const btVector3& on_second, btScalar distance) override {
     normal = normal_on_second;
-    point = on_second;
-    depth = signed_depth;
+    points.push_back({on_second, distance});
   }
-  bool found = false;
   btVector3 normal;
-  btVector3 point;
-  btScalar depth = 0;
+  std::vector<Point> points;
 };
 
 }  // namespace
 
 std::string declaration() {
   return bullet_declaration("-box", R"(["obb_obb","cube_obb"])",
-                            R"({"normal":"second-to-first","points":"second_only","value_less_contact":false,)"
+                            R"({"normal":"second-to-first","points":"manifold","value_less_contact":false,)"
                             R"("margin":"none","shapes":"centered","depth":"any_separating"})");
 }
 
@@ -40,13 +42,17 @@ void answer(const Question& q, Answer& said) {
   btDiscreteCollisionDetectorInterface::ClosestPointInput input;
   input.m_transformA = a.place;
   input.m_transformB = b.place;
-  Deepest deepest;
-  detector.getClosestPoints(input, deepest, nullptr);
-  said.hit(deepest.found);
-  if (!deepest.found) return;
-  said.normal(deepest.normal);
-  said.point2(deepest.point);
-  said.value(deepest.depth);
+  Manifold manifold;
+  detector.getClosestPoints(input, manifold, nullptr);
+  said.hit(!manifold.points.empty());
+  if (manifold.points.empty()) return;
+  said.normal(manifold.normal);
+  btScalar least = manifold.points.front().distance;
+  for (const Manifold::Point& point : manifold.points) {
+    said.add_point(point.on_second, -point.distance);
+    least = std::min(least, point.distance);
+  }
+  said.value(least);
 }
 
 }  // namespace contact::adapters

@@ -59,17 +59,21 @@ static_assert(static_cast<int>(Pair::sphere_sphere) == CONTACT_SPHERE_SPHERE &&
 
 /// Questions of one pair as the arrays that the library reads, and its answers.
 struct Arrays {
-  explicit Arrays(std::span<const Question> questions)
+  Arrays(std::span<const Question> questions, std::size_t most)
       : pair(questions.front().query.pair),
+        most_points(most),
         said(questions.size()),
         normal(3 * questions.size()),
         point1(3 * questions.size()),
         point2(3 * questions.size()),
-        value(questions.size()) {
-    std::size_t most = 0;
+        value(questions.size()),
+        point_count(questions.size()),
+        points(3 * most * questions.size()),
+        depths(most * questions.size()) {
+    std::size_t most_vertices = 0;
     for (const Question& question : questions)
       for_each_shape(question.query, [&]<class Shape>(const Shape& shape) {
-        if constexpr (std::same_as<Shape, Hull>) most = std::max(most, shape.vertices.size());
+        if constexpr (std::same_as<Shape, Hull>) most_vertices = std::max(most_vertices, shape.vertices.size());
       });
     for (const Question& question : questions) {
       std::vector<double>* rows = &a;
@@ -79,7 +83,7 @@ struct Arrays {
           const auto& vertices = shape.vertices;
           add(static_cast<double>(vertices.size()));
           add(shape.radius);
-          for (std::size_t k = 0; k < most; ++k)
+          for (std::size_t k = 0; k < most_vertices; ++k)
             for (int axis = 0; axis < 3; ++axis)
               add(vertices.empty() ? 0 : vertices[std::min(k, vertices.size() - 1)][axis]);
         } else {
@@ -114,6 +118,16 @@ struct Arrays {
       if (says(CONTACT_POINT2)) numbers.point2 = vector(point2);
       if (says(CONTACT_MIDPOINT)) numbers.point = vector(point1);
       if (says(CONTACT_VALUE)) numbers.value = value[i];
+      if (says(CONTACT_POINTS)) {
+        if (point_count[i] < 1 || static_cast<std::size_t>(point_count[i]) > most_points) {
+          c = {};
+          c.status = Claim::Status::error;
+          c.text = fmt::format("point_count is {}: a contact has 1 to {} points", point_count[i], most_points);
+          return c;
+        }
+        for (std::size_t k = i * most_points; k < i * most_points + static_cast<std::size_t>(point_count[i]); ++k)
+          numbers.points.push_back({{points[3 * k], points[3 * k + 1], points[3 * k + 2]}, depths[k]});
+      }
     }
     return c;
   }
@@ -126,6 +140,7 @@ struct Arrays {
   }
 
   Pair pair;
+  std::size_t most_points;
   std::vector<double> a;
   std::vector<double> b;
   std::vector<double> alarm;
@@ -135,6 +150,9 @@ struct Arrays {
   std::vector<double> point1;
   std::vector<double> point2;
   std::vector<double> value;
+  std::vector<std::int32_t> point_count;
+  std::vector<double> points;
+  std::vector<double> depths;
 };
 
 /// The floating-point environment that a library finds and leaves: its own from one call to the next, as in a process
@@ -215,7 +233,9 @@ class Library final : public Engine {
     while (!questions.empty()) {
       std::size_t run = 1;
       while (run < questions.size() && questions[run].query.pair == questions.front().query.pair) ++run;
-      Arrays arrays(questions.first(run));
+      const Conventions& conventions = info().declared_for(questions.front().query.pair).conventions;
+      Arrays arrays(questions.first(run),
+                    conventions.points == Points::manifold ? static_cast<std::size_t>(conventions.most_points) : 0);
       const contact_questions asked{run,
                                     static_cast<std::int32_t>(arrays.pair),
                                     arrays.width(),
@@ -223,8 +243,10 @@ class Library final : public Engine {
                                     arrays.b.data(),
                                     arrays.alarm.data(),
                                     arrays.contact.data()};
-      contact_answers answers{arrays.said.data(), arrays.normal.data(), arrays.point1.data(), arrays.point2.data(),
-                              arrays.value.data()};
+      contact_answers answers{
+          arrays.said.data(),        arrays.normal.data(), arrays.point1.data(),
+          arrays.point2.data(),      arrays.value.data(),  static_cast<std::int32_t>(arrays.most_points),
+          arrays.point_count.data(), arrays.points.data(), arrays.depths.data()};
       std::string error;
       try {
         if (const std::int32_t returned = theirs_([&] { return answer_(&asked, &answers); }); returned != 0)

@@ -35,5 +35,28 @@ TEST(Library, is_given_rows_as_wide_as_the_largest_hull_which_repeat_the_last_ve
   EXPECT_EQ(claims[4].contact->value, 7);
 }
 
+TEST(Library, says_several_points_and_how_many) {
+  const auto engine = make_library(CONTACT_TELLING_LIBRARY);
+  const auto asked = [](double offset) {
+    return question(Pair::sphere_plane, BallAndPlane{{{1, 2, 3}, 4}, {{0, 0, 1}, offset}});
+  };
+  // As many as the plane's offset, of 3 that are declared.
+  const auto claims = engine->answer(std::vector{asked(1), asked(3), asked(0), asked(4), asked(-1)});
+  ASSERT_EQ(claims.size(), 5U);
+  for (const std::size_t i : {0U, 1U}) {
+    ASSERT_TRUE(claims[i].contact) << i;
+    const auto& points = claims[i].contact->points;
+    ASSERT_EQ(points.size(), i == 0 ? 1U : 3U);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      EXPECT_EQ(points[k].at, Vector3(1, 2, static_cast<double>(k)));
+      EXPECT_EQ(points[k].depth, static_cast<double>(10 * i + k));
+    }
+  }
+  for (const std::size_t i : {2U, 3U, 4U}) {
+    EXPECT_EQ(claims[i].status, Claim::Status::error) << i;
+    EXPECT_NE(claims[i].text.find("a contact has 1 to 3 points"), std::string::npos) << claims[i].text;
+  }
+}
+
 }  // namespace
 }  // namespace contact::engines

@@ -1,12 +1,14 @@
 /* An engine that tells which rows it was given, for tests: the width as the value; of spheres or hulls against hulls the first two numbers of a and the
-   first of b as the normal, and the last three of each as the points. */
+   first of b as the normal, and the last three of each as the points. Of a
+   sphere and a plane as many points as the plane's offset. */
 #include "contact/contact_engine.h"
 
 int32_t contact_engine_interface(void) { return CONTACT_ENGINE_INTERFACE; }
 
 const char* contact_engine_declaration(void) {
   return "{\"engine\":{\"name\":\"telling\",\"version\":\"1\"},\"scalar\":\"binary64\",\"pairs\":[\"capsule_plane\","
-         "\"sphere_hull\",\"hull_hull\"]}";
+         "\"sphere_hull\",\"hull_hull\",\"sphere_plane\"],\"pair_conventions\":{\"sphere_plane\":{\"points\":\"manifold\","
+         "\"most_points\":3}}}";
 }
 
 int32_t contact_engine_answer(const contact_questions* q, contact_answers* out) {
@@ -14,6 +16,18 @@ int32_t contact_engine_answer(const contact_questions* q, contact_answers* out) 
     out->said[i] = CONTACT_SAYS_CONTACT | CONTACT_TOUCHES | CONTACT_VALUE;
     out->value[i] = q->width;
     if (q->pair == CONTACT_CAPSULE_PLANE) continue;
+    if (q->pair == CONTACT_SPHERE_PLANE) {
+      out->said[i] |= CONTACT_POINTS;
+      out->point_count[i] = (int32_t)q->b[4 * i + 3];
+      for (int32_t k = 0; k < out->point_count[i] && k < out->most_points; ++k) {
+        const size_t row = i * (size_t)out->most_points + (size_t)k;
+        out->points[3 * row] = q->a[4 * i];
+        out->points[3 * row + 1] = q->a[4 * i + 1];
+        out->points[3 * row + 2] = k;
+        out->depths[row] = 10. * (double)i + k;
+      }
+      continue;
+    }
     const size_t of_b = (size_t)q->width;
     const size_t of_a = q->pair == CONTACT_SPHERE_HULL ? 4 : of_b;
     const double* a = q->a + i * of_a;

@@ -17,11 +17,19 @@ bool read_once(Result<value> node, std::optional<T>& to) {
   return !to && read(node, to.emplace());
 }
 
-bool read_field(Key key, Result<value> node, ContactClaim& contact) {
+/// A contact whose points have their depths in a list of their own.
+struct Lists {
+  std::optional<std::vector<Vector3>> points;
+  std::optional<std::vector<double>> depths;
+};
+
+bool read_field(Key key, Result<value> node, ContactClaim& contact, Lists& lists) {
   if (key == "normal") return read_once(node, contact.normal);
   if (key == "point1") return read_once(node, contact.point1);
   if (key == "point2") return read_once(node, contact.point2);
   if (key == "point") return read_once(node, contact.point);
+  if (key == "points") return read_once(node, lists.points);
+  if (key == "depths") return read_once(node, lists.depths);
   return key == "value" && read_once(node, contact.value);
 }
 
@@ -31,7 +39,13 @@ bool read_contact(Result<value> node, Claim& claim) {
   if (node.is_null().get(is_null) != simdjson::SUCCESS) return false;
   if (is_null) return true;
   ContactClaim& contact = claim.contact.emplace();
-  return read_object(node, [&](Key key, Result<value> x) { return read_field(key, x, contact); });
+  Lists lists;
+  if (!read_object(node, [&](Key key, Result<value> x) { return read_field(key, x, contact, lists); })) return false;
+  if (!lists.points && !lists.depths) return true;
+  if (!lists.points || !lists.depths || lists.points->size() != lists.depths->size()) return false;
+  for (std::size_t i = 0; i < lists.points->size(); ++i)
+    contact.points.push_back({(*lists.points)[i], (*lists.depths)[i]});
+  return true;
 }
 
 }  // namespace

@@ -37,6 +37,8 @@ const std::vector<std::string> kCommon{
     R"( { "seq" : 3 , "contact" : { } , "op" : "answer" } )",
     R"({"op":"answer","seq":2,"overlap":true,"contact":{"normal":[1,0,-0],"point1":[0.5,1e22,-2.5E-3],)"
     R"("point2":[1e-320,12345678901234567890,0.1],"value":-0.0}})",
+    R"({"op":"answer","seq":2,"contact":{"normal":[0,0,1],"depths":[1e-3],"points":[[0.1,2,-3]],"value":-1e-3}})",
+    R"({"op":"answer","seq":2,"contact":{"points":[[0,1,2],[3,4,5]],"depths":[0.5,-1]}})",
     R"({"op":"answer","seq":2,"contact":{"value":0.30000000000000004,"point":[9007199254740993,1,1.7976931348623157e308]}})"};
 
 const std::vector<std::string> kOthers{"",
@@ -69,6 +71,11 @@ const std::vector<std::string> kOthers{"",
                                        R"({"op":"answer","seq":1,"contact":{"value":0x10}})",
                                        R"({"op":"answer","seq":1,"contact":{"value":1e999}})",
                                        R"({"op":"answer","seq":1,"contact":{"depth":1}})",
+                                       R"({"op":"answer","seq":1,"contact":{"points":[],"depths":[]}})",
+                                       R"({"op":"answer","seq":1,"contact":{"points":[[1,2,3]]}})",
+                                       R"({"op":"answer","seq":1,"contact":{"depths":[1]}})",
+                                       R"({"op":"answer","seq":1,"contact":{"points":[[1,2,3]],"depths":[1,2]}})",
+                                       R"({"op":"answer","seq":1,"contact":{"points":[[1,2]],"depths":[1]}})",
                                        R"({"op":"answer","seq":1,"overlap":true,})",
                                        R"({"op":"answer","seq":1,"overlap":true}})",
                                        R"({"op":"answer","seq":1,"overlap":true} x)",

@@ -24,6 +24,7 @@ struct Known {
   Kind kind;
   std::size_t across;
   std::optional<Aspect> number;  ///< of a contact
+  bool is_list = false;          ///< several in a row; what is not there is NaN, at the end
 };
 constexpr std::array kKnown{
     Known{"id", Kind::text, 1, {}},
@@ -36,6 +37,8 @@ constexpr std::array kKnown{
     Known{"point1", Kind::real, 3, Aspect::point1},
     Known{"point2", Kind::real, 3, Aspect::point2},
     Known{"point", Kind::real, 3, Aspect::point},
+    Known{"points", Kind::real, 3, Aspect::points, true},
+    Known{"depths", Kind::real, 1, Aspect::points, true},
     Known{"value", Kind::real, 1, Aspect::value},
 };
 constexpr std::size_t kBlocks = 3;  // the engine's threads ask for rows of two that stand side by side
@@ -68,6 +71,13 @@ ResultColumns::ResultColumns(const std::filesystem::path& path, std::unique_ptr<
                                type.words()));
     ArrayType expected = type;
     expected.row.assign(known->across == 1 ? 0 : 1, known->across);
+    if (known->is_list) {
+      const std::size_t most = type.row.empty() ? 1 : std::clamp<std::size_t>(type.row[0], 1, kMostPoints);
+      if (most_points_ != 0 && most != most_points_)
+        refuse(name, fmt::format("has {} a row, and the other of points and depths has {}", most, most_points_));
+      most_points_ = most;
+      expected.row.insert(expected.row.begin(), most);
+    }
     if (type.row != expected.row)
       refuse(name, fmt::format("expected a shape of {}, got {}", expected.shape_text(reader->rows()),
                                type.shape_text(reader->rows())));
@@ -119,6 +129,12 @@ EngineInfo ResultColumns::read_engine(const std::filesystem::path& path) {
   add("pairs", pairs);
   if (claims.has(Aspect::point))
     add("conventions", {{"points", kPointsNames[static_cast<std::size_t>(Points::midpoint)]}});
+  if (claims.has(Aspect::points)) {
+    if (find("points") == nullptr || find("depths") == nullptr)
+      throw InputError(where, "/points", "points and depths go together");
+    add("conventions",
+        {{"points", kPointsNames[static_cast<std::size_t>(Points::manifold)]}, {"most_points", most_points_}});
+  }
   add("claims", claims.names());
   add("format", kResultsFormat);
   add("version", kResultsVersion);
@@ -202,15 +218,25 @@ Claim ResultColumns::claim(std::uint64_t row) {
   if (!claim.overlap) claim.overlap = hit;
   ContactClaim numbers{vector("normal", row), vector("point1", row), vector("point2", row), vector("point", row),
                        number("value", row)};
+  for (std::size_t i = 0; i < most_points_; ++i) {
+    const auto place = [&](std::size_t axis) { return *number("points", row, 3 * i + axis); };
+    const ManifoldPoint point{{place(0), place(1), place(2)}, *number("depths", row, i)};
+    numbers.points.push_back(point);
+  }
+  const auto is_absent = [](const ManifoldPoint& point) {
+    return std::isnan(point.depth) && point.at.array().isNaN().all();
+  };
+  while (!numbers.points.empty() && is_absent(numbers.points.back())) numbers.points.pop_back();
   auto has_contact = truth("contact", row);
   if (!has_contact) has_contact = hit;
   if (!has_contact) {
     // Only numbers: a row of nothing but NaN says that there is none.
     const auto says = [](const std::optional<Vector3>& v) { return v && !v->array().isNaN().all(); };
-    const bool any = numbers.normal || numbers.point1 || numbers.point2 || numbers.point || numbers.value;
+    const bool any =
+        numbers.normal || numbers.point1 || numbers.point2 || numbers.point || most_points_ != 0 || numbers.value;
     if (any)
       has_contact = says(numbers.normal) || says(numbers.point1) || says(numbers.point2) || says(numbers.point) ||
-                    (numbers.value && !std::isnan(*numbers.value));
+                    !numbers.points.empty() || (numbers.value && !std::isnan(*numbers.value));
   }
   if (!has_contact) return claim;
   claim.speaks_of_contact = true;

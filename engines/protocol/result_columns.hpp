@@ -57,6 +57,7 @@ class ResultColumns {
   std::unique_ptr<formats::ArraysFile> file_;
   std::vector<Column> columns_;
   std::uint64_t rows_ = 0;
+  std::size_t most_points_ = 0;  ///< of a row, where the columns have lists of them
   EngineInfo engine_;
   std::list<Block> blocks_;  ///< the last that were asked for, the newest first
 };

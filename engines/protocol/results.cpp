@@ -38,7 +38,7 @@ std::string scale_text(const auto& of) {
 /// A key that is absent stays as it is in `c`.
 Conventions read_conventions(const formats::Node& node, Conventions c = {}) {
   node.allow_only({"normal", "normal_unit", "points", "value", "value_less_contact", "touching_overlap",
-                   "touching_contact", "margin", "coincident", "shapes", "depth", "scale"});
+                   "touching_contact", "margin", "coincident", "shapes", "depth", "most_points", "scale"});
   read_choice(node, "normal", kNormalDirectionNames, c.normal);
   if (const auto unit = node.find("normal_unit")) c.normal_unit = unit->boolean();
   read_choice(node, "points", kPointsNames, c.points);
@@ -50,6 +50,11 @@ Conventions read_conventions(const formats::Node& node, Conventions c = {}) {
   read_choice(node, "coincident", kCoincidentNames, c.coincident);
   read_choice(node, "shapes", kShapesAsNames, c.shapes);
   read_choice(node, "depth", kDepthOfNames, c.depth);
+  if (const auto most = node.find("most_points")) {
+    const std::uint64_t points = most->count();
+    if (points < 1 || points > kMostPoints) most->refuse(fmt::format("a contact has 1 to {} points", kMostPoints));
+    c.most_points = static_cast<int>(points);
+  }
   if (const auto scale = node.find("scale")) read_scale(*scale, c);
   return c;
 }
@@ -148,6 +153,7 @@ std::string conventions_text(const Conventions& c) {
       pick(kValueKindNames, c.value), c.value_less_contact, pick(kTouchingNames, c.touching_overlap),
       pick(kTouchingNames, c.touching_contact), pick(kMarginNames, c.margin), pick(kCoincidentNames, c.coincident),
       pick(kShapesAsNames, c.shapes), pick(kDepthOfNames, c.depth));
+  if (c.points == Points::manifold) text += fmt::format(R"(,"most_points":{})", c.most_points);
   return text + scale_text(c) + "}";
 }
 
@@ -200,9 +206,32 @@ std::uint64_t settle_decimals(Claim& claim, Scalar scalar) {
        {&claim.contact->normal, &claim.contact->point1, &claim.contact->point2, &claim.contact->point})
     if (*v)
       for (double& x : **v) settle(x);
+  for (ManifoldPoint& point : claim.contact->points) {
+    for (double& x : point.at) settle(x);
+    settle(point.depth);
+  }
   if (claim.contact->value) settle(*claim.contact->value);
   return settled;
 }
+
+namespace {
+
+/// The points of a manifold, and in a list of its own how deep the shapes are in each other at each.
+std::vector<ManifoldPoint> read_points(const formats::Node& contact) {
+  std::vector<ManifoldPoint> points;
+  const formats::Node places = contact.at("points");
+  const formats::Node depths = contact.at("depths");
+  for (const formats::Node& place : places.items()) points.push_back({place.vector(), 0});
+  if (points.empty() || points.size() > kMostPoints)
+    places.refuse(fmt::format("a contact has 1 to {} points", kMostPoints));
+  const auto items = depths.items();
+  if (items.size() != points.size())
+    depths.refuse(fmt::format("has {} numbers, and points has {}: each has a depth", items.size(), points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].depth = items[i].number();
+  return points;
+}
+
+}  // namespace
 
 Claim read_claim(const formats::Node& node) {
   Claim claim;
@@ -218,13 +247,14 @@ Claim read_claim(const formats::Node& node) {
   if (const auto contact = node.find("contact")) {
     claim.speaks_of_contact = true;
     if (!contact->is_null()) {
-      contact->allow_only({"normal", "point1", "point2", "point", "value"});
+      contact->allow_only({"normal", "point1", "point2", "point", "points", "depths", "value"});
       ContactClaim numbers;
       for (const auto& [key, v] : {std::pair{"normal", &numbers.normal},
                                    {"point1", &numbers.point1},
                                    {"point2", &numbers.point2},
                                    {"point", &numbers.point}})
         if (const auto found = contact->find(key)) *v = found->vector();
+      if (contact->find("points") || contact->find("depths")) numbers.points = read_points(*contact);
       if (const auto value = contact->find("value")) numbers.value = value->number();
       claim.contact = numbers;
     }
@@ -251,6 +281,16 @@ std::string claim_text(const Claim& claim) {
     if (claim.contact->point1) add("point1", formats::number(*claim.contact->point1));
     if (claim.contact->point2) add("point2", formats::number(*claim.contact->point2));
     if (claim.contact->point) add("point", formats::number(*claim.contact->point));
+    if (const auto& points = claim.contact->points; !points.empty()) {
+      std::vector<std::string> places;
+      std::vector<std::string> depths;
+      for (const ManifoldPoint& point : points) {
+        places.push_back(formats::number(point.at));
+        depths.push_back(formats::number(point.depth));
+      }
+      add("points", fmt::format("[{}]", fmt::join(places, ",")));
+      add("depths", fmt::format("[{}]", fmt::join(depths, ",")));
+    }
     if (claim.contact->value) add("value", formats::number(*claim.contact->value));
     text += R"(,"contact":{)" + fields + "}";
   }

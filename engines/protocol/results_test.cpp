@@ -63,6 +63,7 @@ TEST(EngineInfo, EveryConventionSurvivesWritingAndReading) {
     c.touching_contact = static_cast<Touching>(i % kTouchingNames.size());
     c.shapes = static_cast<ShapesAs>(i % kShapesAsNames.size());
     c.depth = static_cast<DepthOf>(i % kDepthOfNames.size());
+    c.most_points = c.points == Points::manifold ? 3 : 8;
     EXPECT_TRUE(same()) << kPointsNames[i];
   }
 }
@@ -136,11 +137,42 @@ TEST(Claim, AnAbsentKeyMakesNoClaimAndNullClaimsNoContact) {
 }
 
 TEST(Claim, SurvivesWritingAndReading) {
-  for (const std::string line :
-       {R"({"id":"x","overlap":true,"contact":{"normal":[1,0,0],"point1":["NaN",0,0.1],"point2":[0,0,0],"value":-1}})",
-        R"({"id":"x","contact":null})", R"({"id":"x","unsupported":"why"})", R"({"id":"x","rejected":"alarm"})",
-        R"({"id":"x","error":"text"})", R"({"id":"x","overlap":false,"contact":{"point":[1,2,3]}})"})
+  for (
+      const std::string line :
+      {R"({"id":"x","overlap":true,"contact":{"normal":[1,0,0],"point1":["NaN",0,0.1],"point2":[0,0,0],"value":-1}})",
+       R"({"id":"x","contact":null})", R"({"id":"x","unsupported":"why"})", R"({"id":"x","rejected":"alarm"})",
+       R"({"id":"x","error":"text"})", R"({"id":"x","overlap":false,"contact":{"point":[1,2,3]}})",
+       R"({"id":"x","contact":{"normal":[0,0,1],"points":[[1,2,3],["NaN",0.1,5]],"depths":[0.25,"Infinity"],"value":1}})"})
     EXPECT_EQ(to_line("x", claim_of(line)), line);
+  Claim rounded = claim_of(R"({"contact":{"points":[[0.1,0,0]],"depths":[0.10000000149]}})");
+  EXPECT_EQ(settle_decimals(rounded, Scalar::binary32), 2);
+  EXPECT_EQ(rounded.contact->points[0].at[0], 0x1.99999ap-4);
+  EXPECT_EQ(rounded.contact->points[0].depth, 0x1.99999ap-4);
+}
+
+TEST(Claim, HasFromOneTo64PointsEachWithItsDepth) {
+  const auto text = [](std::size_t points, std::size_t depths) {
+    std::string all = R"({"contact":{"points":[)";
+    for (std::size_t i = 0; i < points; ++i) all += i == 0 ? "[1,2,3]" : ",[1,2,3]";
+    all += R"(],"depths":[)";
+    for (std::size_t i = 0; i < depths; ++i) all += i == 0 ? "0" : ",0";
+    return all + "]}}";
+  };
+  EXPECT_EQ(claim_of(text(64, 64)).contact->points.size(), 64U);
+  for (const std::string& wrong :
+       {text(65, 65), text(0, 0), text(2, 1), text(1, 2), std::string(R"({"contact":{"points":[[1,2,3]]}})"),
+        std::string(R"({"contact":{"depths":[1]}})"), std::string(R"({"contact":{"points":[[1,2]],"depths":[1]}})")})
+    EXPECT_THROW(claim_of(wrong), formats::InputError) << wrong;
+}
+
+TEST(EngineInfo, DeclaresFrom1To64Points) {
+  for (const char* most : {"0", "65", "-1", "1.5", "\"4\""})
+    EXPECT_THROW(declaring(R"("conventions":{"points":"manifold","most_points":)" + std::string(most) + "}"),
+                 formats::InputError)
+        << most;
+  const EngineInfo info = declaring(R"("conventions":{"points":"manifold","most_points":64},"claims":["points"])");
+  EXPECT_EQ(info.declared.conventions.most_points, 64);
+  EXPECT_EQ(info.declared.claims, (Aspects{Aspect::contact, Aspect::points}));
 }
 
 TEST(Claim, CannotClaimAndExcuseItselfAtOnce) {

@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-/* Changes whenever something below does. */
+/* Changes whenever something below does, but for what is added at an end. */
 #define CONTACT_ENGINE_INTERFACE 1
 
 enum contact_pair {
@@ -84,7 +84,8 @@ enum contact_said {
   CONTACT_VALUE = 256,
   CONTACT_UNSUPPORTED = 512, /* instead of an answer */
   CONTACT_REJECTED = 1024,   /* instead of an answer: the input is outside the domain */
-  CONTACT_ERROR = 2048       /* instead of an answer */
+  CONTACT_ERROR = 2048,      /* instead of an answer */
+  CONTACT_POINTS = 4096      /* several points, of the convention `manifold` */
 };
 
 /* Answers, as arrays with one row a question; every `said` is 0 when it is handed over. */
@@ -94,6 +95,11 @@ typedef struct contact_answers {
   double* point1;
   double* point2;
   double* value; /* count */
+  /* The convention `manifold`: how many points, their places and how deep the shapes are in each other at each. */
+  int32_t most_points;  /* the declaration's, 8 without one */
+  int32_t* point_count; /* count: 1 to most_points */
+  double* points;       /* count rows of most_points x 3 */
+  double* depths;       /* count rows of most_points */
 } contact_answers;
 
 /* CONTACT_ENGINE_INTERFACE as the library was built. */

@@ -47,7 +47,7 @@ Real ulp_of(Real x, Scalar scalar) {
   return std::ldexp(Real{1}, std::max(exponent, format.min_exponent) - format.precision + 1);
 }
 
-constexpr Aspects kPointAspects{Aspect::point1, Aspect::point2, Aspect::point};
+constexpr Aspects kPointAspects{Aspect::point1, Aspect::point2, Aspect::point, Aspect::points};
 
 /// Whether anything is wrong now that was not wrong before.
 bool newly_wrong(const Verdict& before, const Verdict& now) {
@@ -181,6 +181,8 @@ const Said& said_of(const Predictions& said, Aspect aspect) {
       return said.value;
     case Aspect::point:
       return said.midpoint;
+    case Aspect::points:  // which of those that are right, no formula knows
+      return nothing;
   }
   return nothing;
 }
@@ -240,7 +242,7 @@ std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, c
     Declaration other = declared;
     change(other.conventions);
     if (other.conventions == declared.conventions) return;
-    const Verdict under = judge(query, truth, claim, other, rounded);
+    const Verdict under = judge(query, truth, claim, other, rounded, Detail::grades);
     const auto note = [&](std::string_view field) {
       found.push_back({std::string(field), std::string(convention), std::string(value)});
     };
@@ -261,8 +263,9 @@ std::vector<Explanation> explain_wrong(const Query& query, const Truth& truth, c
 
   // To judge anew is exact and slow, so only what could turn a field right is tried.
   const bool decisions = is_wrong(verdict.overlap) || is_wrong(verdict.contact);
-  const bool points =
-      is_wrong(verdict.at(Field::point1)) || is_wrong(verdict.at(Field::point2)) || is_wrong(verdict.at(Field::point));
+  const bool points = std::any_of(kFields.begin(), kFields.end(), [&](Field field) {
+    return kPointAspects.has(aspect(field)) && is_wrong(verdict.at(field));
+  });
   const bool directions = is_wrong(verdict.at(Field::normal)) || (points && truth.degenerate());
   const auto every = [&]<class E>(std::string_view convention, const auto& names, E Conventions::*chosen) {
     for (std::size_t i = 0; i < names.size(); ++i)

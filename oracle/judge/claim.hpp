@@ -14,10 +14,10 @@
 namespace contact {
 
 /// One thing that an answer claims: a decision, or a number of the contact.
-enum class Aspect { overlap, contact, normal, point1, point2, point, value };
+enum class Aspect { overlap, contact, normal, point1, point2, point, points, value };
 /// Their names, in the order of the enumeration: the one list for files and reports.
-inline constexpr std::array<std::string_view, 7> kAspectNames{"overlap", "contact", "normal", "point1",
-                                                              "point2",  "point",   "value"};
+inline constexpr std::array<std::string_view, 8> kAspectNames{"overlap", "contact", "normal", "point1",
+                                                              "point2",  "point",   "points", "value"};
 
 /// A set of aspects.
 class Aspects {
@@ -63,6 +63,12 @@ class Aspects {
   std::uint8_t bits_ = 0;
 };
 
+/// One of several points of a contact, and how deep the shapes are in each other there, along the normal.
+struct ManifoldPoint {
+  Vector3 at;
+  double depth;
+};
+
 /// The numbers of a claimed contact; an absent one makes no claim.
 struct ContactClaim {
   std::optional<Vector3> normal;
@@ -70,6 +76,7 @@ struct ContactClaim {
   std::optional<Vector3> point2;
   std::optional<Vector3> point;  ///< the one point of engines whose convention is `midpoint`
   std::optional<double> value;
+  std::vector<ManifoldPoint> points = {};  ///< of engines whose convention is `manifold`
 };
 
 struct Claim {
@@ -94,6 +101,7 @@ struct Claim {
     if (!aspects.has(Aspect::point1)) contact->point1.reset();
     if (!aspects.has(Aspect::point2)) contact->point2.reset();
     if (!aspects.has(Aspect::point)) contact->point.reset();
+    if (!aspects.has(Aspect::points)) contact->points.clear();
     if (!aspects.has(Aspect::value)) contact->value.reset();
   }
   /// What it says anything of.
@@ -109,6 +117,7 @@ struct Claim {
     add(Aspect::point1, contact->point1.has_value());
     add(Aspect::point2, contact->point2.has_value());
     add(Aspect::point, contact->point.has_value());
+    add(Aspect::points, !contact->points.empty());
     add(Aspect::value, contact->value.has_value());
     return said;
   }

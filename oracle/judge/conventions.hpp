@@ -10,7 +10,7 @@
 namespace contact {
 
 enum class NormalDirection { first_to_second, second_to_first, none };
-enum class Points { nearest_surface, center, published, midpoint, first_only, second_only, none };
+enum class Points { nearest_surface, center, published, midpoint, first_only, second_only, manifold, none };
 enum class ValueKind { signed_distance, depth, none };
 enum class Touching { closed, open };
 enum class Margin { inclusive, exclusive, none };
@@ -20,14 +20,17 @@ enum class DepthOf { least, any_separating };
 
 // The names of the values, in the order of the enumerations: the one list for files, help and documentation.
 inline constexpr std::array<std::string_view, 3> kNormalDirectionNames{"first-to-second", "second-to-first", "none"};
-inline constexpr std::array<std::string_view, 7> kPointsNames{"nearest_surface", "center",      "published", "midpoint",
-                                                              "first_only",      "second_only", "none"};
+inline constexpr std::array<std::string_view, 8> kPointsNames{"nearest_surface", "center",      "published", "midpoint",
+                                                              "first_only",      "second_only", "manifold",  "none"};
 inline constexpr std::array<std::string_view, 3> kValueKindNames{"signed", "depth", "none"};
 inline constexpr std::array<std::string_view, 2> kTouchingNames{"closed", "open"};
 inline constexpr std::array<std::string_view, 3> kMarginNames{"inclusive", "exclusive", "none"};
 inline constexpr std::array<std::string_view, 3> kCoincidentNames{"any_unit_normal", "zero_normal", "no_contact"};
 inline constexpr std::array<std::string_view, 2> kShapesAsNames{"given", "centered"};
 inline constexpr std::array<std::string_view, 2> kDepthOfNames{"least", "any_separating"};
+
+/// Of one contact.
+inline constexpr int kMostPoints = 64;
 
 struct Conventions {
   NormalDirection normal = NormalDirection::first_to_second;
@@ -40,6 +43,7 @@ struct Conventions {
   Margin margin = Margin::inclusive;             ///< equality at alarm > 0; none: alarm is not looked at
   Coincident coincident = Coincident::any_unit_normal;
   ShapesAs shapes = ShapesAs::given;  ///< centered: by centre, direction, size and ends; not_served
+  int most_points = 8;                ///< of a manifold, from 1 to kMostPoints
   DepthOf depth = DepthOf::least;     ///< any_separating: of two convex shapes that overlap, along the claimed normal
   double scale_min = 0;  ///< every non-zero |input| that the engine claims to serve lies in [scale_min, scale_max]
   double scale_max = std::numeric_limits<double>::infinity();
@@ -55,6 +59,7 @@ struct Conventions {
   if (conventions.points <= Points::published || conventions.points == Points::first_only) spoken.add(Aspect::point1);
   if (conventions.points <= Points::published || conventions.points == Points::second_only) spoken.add(Aspect::point2);
   if (conventions.points == Points::midpoint) spoken.add(Aspect::point);
+  if (conventions.points == Points::manifold) spoken.add(Aspect::points);
   if (conventions.value != ValueKind::none) spoken.add(Aspect::value);
   return spoken;
 }

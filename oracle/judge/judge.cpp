@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/judge/manifold.hpp"
 #include "oracle/judge/near_optimal.hpp"
 #include "oracle/judge/off.hpp"
 #include "oracle/judge/point_set.hpp"
@@ -56,7 +57,7 @@ FieldVerdict grade_direction(double component, const Rational& length2, const Ex
 class ContactJudge {
  public:
   ContactJudge(const Query& query, const Truth& truth, bool contact_expected, const ContactClaim& claim,
-               const Declaration& declared, const Contact* rounded)
+               const Declaration& declared, const Contact* rounded, Detail detail)
       : query_(query),
         whole_(truth),
         contact_expected_(contact_expected),
@@ -64,7 +65,8 @@ class ContactJudge {
         claim_(claim),
         declared_(declared),
         conventions_(declared.conventions),
-        rounded_(rounded) {
+        rounded_(rounded),
+        detail_(detail) {
     // What the claim says of n, first to second, for points where the centres coincide.
     if (claim.normal)
       claimed_n_ = conventions_.normal == NormalDirection::first_to_second ? *claim.normal : -*claim.normal;
@@ -100,14 +102,16 @@ class ContactJudge {
   }
 
   [[nodiscard]] Fields fields_by_way() const {
-    Fields all{normal(), point(0), point(1), midpoint(), value()};
+    Fields all{normal(), point(0), point(1), midpoint(), manifold(), value()};
+    if (detail_ == Detail::grades) return all;
     std::optional<ClaimedContact> claimed;  // made where a number is neither right nor nearly so
     std::optional<NearOptimal> near;
     for (const Field field : kFields) {
       auto& found = all[static_cast<std::size_t>(field)];
       if (!found || found->grade == Grade::correctly_rounded || found->grade == Grade::not_finite) continue;
       found->needs[static_cast<std::size_t>(measure_of(field))] = found->off;
-      if (found->grade != Grade::beyond_bound || field == Field::value || separation_) continue;
+      if (found->grade != Grade::beyond_bound || field == Field::points || field == Field::value || separation_)
+        continue;
       if (is_cast(query_.pair)) {
         if (const auto length = beside_face(); length && field == Field::normal) take_length(*found, *length);
         continue;
@@ -173,6 +177,38 @@ class ContactJudge {
                        [&](int axis) { return degenerate_ ? coincident_midpoint(axis) : exact().midpoint(axis); });
   }
 
+  /// Several points, along the claimed normal, or the right one where none is claimed.
+  [[nodiscard]] std::optional<FieldVerdict> manifold() const {
+    if (claim_.points.empty() || !claims(Field::points) || !has_manifold(query_.pair)) return std::nullopt;
+    for (const ManifoldPoint& point : claim_.points)
+      if (!is_finite(point.at) || !std::isfinite(point.depth)) return FieldVerdict{Grade::not_finite, 0};
+    const bool by_claim = claim_.normal && claims(Field::normal) && is_finite(claimed_n_) && !claimed_n_.isZero(0);
+    if (!by_claim && degenerate_) return std::nullopt;
+    const Point n = of_length_one(by_claim ? contact::oracle::point_of(claimed_n_) : exact().along());
+    const Rational slack = Rational(declared_.bounds.normal) * ulp(Rational(1), declared_.scalar);
+    const Manifold manifold(query_, n, slack);
+    const Exact scale = larger_of(exact().point_scale(0), exact().point_scale(1));
+    FieldVerdict verdict{Grade::bounded, 0};
+    Rational deepest(claim_.points.front().depth);
+    for (const auto& [at, said] : claim_.points) {
+      const Rational depth(said);
+      deepest = std::max(deepest, depth);
+      const Rational room = Rational(2) * slack * (CGAL::abs(depth) + exact().radii());
+      verdict = worse(verdict, bounded_at_best(root(manifold.squared_off(contact::oracle::point_of(at), depth)), scale,
+                                               declared_.bounds.point, room));
+    }
+    const Exact right =
+        separation_ ? separation_->depth().plus(exact().radii()) : exact().value(false).scaled(Rational(-1));
+    verdict =
+        worse(verdict, bounded_at_best(magnitude(right.plus(-deepest)), exact().value_scale(), declared_.bounds.value,
+                                       separation_ ? separation_->depth_room() : Rational(0)));
+    if (claim_.points.size() > static_cast<std::size_t>(conventions_.most_points)) {
+      verdict.grade = Grade::beyond_bound;
+      verdict.off.merge(beyond_lengths(tolerance()));
+    }
+    return verdict;
+  }
+
   [[nodiscard]] std::optional<FieldVerdict> value() const {
     if (!claim_.value || conventions_.value == ValueKind::none || !claims(Field::value)) return std::nullopt;
     if (separation_ && std::isfinite(*claim_.value)) return value_along_claim();
@@ -183,7 +219,8 @@ class ContactJudge {
       return FieldVerdict{};
     Exact x = exact().value(conventions_.value_less_contact);
     if (conventions_.value == ValueKind::depth && !is_cast(query_.pair)) x = x.scaled(Rational(-1));
-    return grade(*claim_.value, x, {declared_.scalar, exact().value_scale(), declared_.bounds.value, tolerance()});
+    return grade(*claim_.value, x,
+                 {declared_.scalar, exact().value_scale(), declared_.bounds.value, tolerance(), detail_});
   }
 
   /// The claimed normal of cores that overlap, where any may be said.
@@ -230,6 +267,7 @@ class ContactJudge {
   [[nodiscard]] bool claims(Field field) const { return declared_.claimed().has(aspect(field)); }
   [[nodiscard]] const std::optional<Tolerance>& tolerance() const { return declared_.tolerance; }
   [[nodiscard]] Off off_from(const Vector3& n, const Point& right) const {
+    if (detail_ == Detail::grades) return {};
     return angle_off(contact::oracle::point_of(n), right, conventions_.normal_unit, tolerance());
   }
 
@@ -241,7 +279,7 @@ class ContactJudge {
     const bool is_claimed_normals = conventions_.normal_unit && degenerate_ && knows_coincident_normal() && !is_exact;
     const Rational room = is_claimed_normals ? roundings() * radius : Rational(0);
     const PointSet set{{right(0), right(1), right(2)}, exact().spread(), room};
-    const Yardstick by{declared_.scalar, scale, declared_.bounds.point, tolerance()};
+    const Yardstick by{declared_.scalar, scale, declared_.bounds.point, tolerance(), detail_};
     if (!exact().spread().empty() || is_claimed_normals) return grade(claimed, set, by);
     FieldVerdict verdict;
     for (int axis = 0; axis < 3; ++axis)
@@ -314,7 +352,7 @@ class ContactJudge {
   /// A component of a claimed normal beside the exact one.
   [[nodiscard]] FieldVerdict component(const Vector3& n, int axis, const Exact& x) const {
     if (conventions_.normal_unit)
-      return grade(n[axis], x, {declared_.scalar, Exact(Rational(1)), declared_.bounds.normal});
+      return grade(n[axis], x, {declared_.scalar, Exact(Rational(1)), declared_.bounds.normal, {}, detail_});
     const Rational length2 = squared_length(n);
     const Rational unit = ulp(Rational(1), declared_.scalar);
     if (CGAL::is_zero(length2)) return {Grade::beyond_bound, error_in_units(Rational(0), x, unit)};
@@ -419,19 +457,21 @@ class ContactJudge {
   const Declaration& declared_;
   const Conventions& conventions_;
   const Contact* rounded_;  ///< the right answer, or nullptr
+  Detail detail_;
   Vector3 claimed_n_ = Vector3::Zero();
 };
 
 /// What the engine declares and this answer to a hit lacks. Of a pair without numbers an answer is one decision: both
 /// are asked for only where the engine lists them.
-Aspects missing_aspects(const Claim& claim, const Declaration& declared, bool has_numbers, bool overlap_expected,
-                        bool contact_expected) {
+Aspects missing_aspects(Pair pair, const Claim& claim, const Declaration& declared, bool has_numbers,
+                        bool overlap_expected, bool contact_expected) {
   Aspects asked;
   if (overlap_expected && (has_numbers || declared.claims)) asked.add(Aspect::overlap);
   if (has_numbers && contact_expected) {
     asked.add(Aspect::contact);
     if (claim.contact)
-      for (const Field field : kFields) asked.add(aspect(field));
+      for (const Field field : kFields)
+        if (field != Field::points || has_manifold(pair)) asked.add(aspect(field));
   }
   return declared.claimed().common(asked).without(claim.says());
 }
@@ -553,6 +593,7 @@ std::optional<PointOn> point_of(const Conventions& conventions, const Query& que
     case Points::second_only:
       return sphere == 1 ? std::optional(PointOn::nearest_surface) : std::nullopt;
     case Points::midpoint:
+    case Points::manifold:
     case Points::none:
       break;
   }
@@ -565,7 +606,7 @@ FieldVerdict grade(double claim, const Exact& x, const Yardstick& by) {
   if (!std::isfinite(claim)) return {Grade::not_finite, 0};
   const Rational unit = ulp(by.scale, by.scalar);
   const double error = error_in_units(Rational(claim), x, unit);
-  const Off off = length_off(x.plus(-Rational(claim)), by.scale, by.tolerance);
+  const Off off = by.detail == Detail::needs ? length_off(x.plus(-Rational(claim)), by.scale, by.tolerance) : Off{};
   if (is_faithful(claim, x, by.scalar)) return {Grade::faithful, error, off};
   return {is_within(Rational(claim), x, Rational(by.bound) * unit) ? Grade::bounded : Grade::beyond_bound, error, off};
 }
@@ -631,7 +672,7 @@ Level Verdict::level() const {
 }
 
 Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
-              const Expectation* rounded) {
+              const Expectation* rounded, Detail detail) {
   const DefaultEnvironment environment;
   const Conventions& conventions = declared.conventions;
   Verdict verdict;
@@ -653,7 +694,8 @@ Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const 
                                                             : "the answer makes no claim";
     return verdict;
   }
-  verdict.missing = missing_aspects(claim, declared, truth.has_numbers(), overlap_expected, contact_expected);
+  verdict.missing =
+      missing_aspects(query.pair, claim, declared, truth.has_numbers(), overlap_expected, contact_expected);
   if (says_overlap) {
     verdict.overlap = decide(*claim.overlap, overlap_expected);
     verdict.overlap_expected = overlap_expected;
@@ -677,13 +719,13 @@ Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const 
   if (!claim.contact) return verdict;
   const auto judged = [&] {
     return ContactJudge(query, truth, contact_expected, *claim.contact, declared,
-                        rounded != nullptr && rounded->contact ? &*rounded->contact : nullptr)
+                        rounded != nullptr && rounded->contact ? &*rounded->contact : nullptr, detail)
         .fields();
   };
   // A false hit that a tolerance allows has numbers, which must be right too.
   if (contact_expected && (rounded != nullptr ? rounded->contact.has_value() : truth.contact_has_numbers()))
     add_needs(verdict, verdict.fields = judged());
-  else if (!contact_expected && truth.has_distance())
+  else if (!contact_expected && truth.has_distance() && detail == Detail::needs)
     add_needs(verdict, judged());
   return verdict;
 }

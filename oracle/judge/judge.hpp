@@ -24,11 +24,15 @@ class Exact;
 /// Where the contact point of a sphere (0 or 1) should lie; nothing where the conventions claim none.
 [[nodiscard]] std::optional<PointOn> point_of(const Conventions& conventions, const Query& query, int sphere);
 
+/// Grades alone, or also what tolerance each number needs, which takes much longer where it is wrong.
+enum class Detail { grades, needs };
+
 /// Domain: the question is inside the domain.
+/// `detail` is what is needed of the numbers.
 /// `rounded` is the truth correctly rounded to the declared scalar, where that is known already: a number that equals
 /// it need not be compared exactly.
 [[nodiscard]] Verdict judge(const Query& query, const Truth& truth, const Claim& claim, const Declaration& declared,
-                            const Expectation* rounded = nullptr);
+                            const Expectation* rounded = nullptr, Detail detail = Detail::needs);
 
 /// A question outside the domain: refusing it (or failing) is right, any answer is wrong.
 [[nodiscard]] Verdict judge_outside_domain(const Claim& claim);
@@ -39,6 +43,7 @@ struct Yardstick {
   const Exact& scale;  ///< its ulp is the unit of the error
   double bound;        ///< in those
   std::optional<Tolerance> tolerance{};
+  Detail detail = Detail::needs;
 };
 /// The grade of one claimed number.
 [[nodiscard]] FieldVerdict grade(double claim, const Exact& x, const Yardstick& by);

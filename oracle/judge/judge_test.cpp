@@ -979,7 +979,8 @@ TEST(RightClaim, is_correctly_rounded_in_the_judges_eyes_under_every_declaration
     for (const Query& query : queries) {
       const Truth truth = truth_of(query);
       const Claim claim = right_claim(query, truth, declared);
-      EXPECT_EQ(judge(query, truth, claim, declared).level(), Level::correctly_rounded);
+      const Verdict verdict = judge(query, truth, claim, declared);
+      EXPECT_EQ(verdict.level(), verdict.at(Field::points) ? Level::bounded : Level::correctly_rounded);
       EXPECT_EQ(claim.speaks_of_contact, query.balls() != nullptr);
       contacts += claim.contact ? 1 : 0;
     }
@@ -1563,6 +1564,140 @@ TEST(JudgeConventions, an_answer_that_parts_the_shapes_along_another_face_is_exp
   for (const char* field : {"normal", "point1", "point2", "value"})
     EXPECT_TRUE(says(explained(overlapping_boxes(), other), field, "depth", "any_separating")) << field;
   EXPECT_TRUE(explained(overlapping_boxes(), other, kAnySeparating).empty());
+}
+
+// ---- several points ----
+
+Claim manifold_of(const Vector3& n, std::vector<ManifoldPoint> points) {
+  ContactClaim contact;
+  contact.normal = n;
+  contact.points = std::move(points);
+  return contact_of(std::move(contact));
+}
+const Declaration kManifold = with_points(Points::manifold);
+
+TEST(JudgeManifold, has_points_between_both_surfaces_and_their_depths) {
+  // A box on another, shifted: 0.25 deep along z, over x from -0.5 to 1 and y from -1 to 1.
+  const Query boxes = boxes_turned({{0, 0, 0}, kNotTurned, {1, 1, 1}}, {{0.5, 0, 1.25}, kNotTurned, {1, 1, 0.5}});
+  const auto grade_of = [&](std::vector<ManifoldPoint> points) {
+    return judged(boxes, manifold_of({0, 0, 1}, std::move(points)), kManifold).at(Field::points)->grade;
+  };
+  // On the upper surface of the first, on the lower one of the second, or in the middle.
+  for (const double z : {1.0, 0.75, 0.875})
+    EXPECT_EQ(grade_of({{{-0.5, -1, z}, 0.25}, {{-0.5, 1, z}, 0.25}, {{1, 1, z}, 0.25}, {{1, -1, z}, 0.25}}),
+              Grade::bounded)
+        << z;
+  EXPECT_EQ(grade_of({{{0.3, 0.2, 1}, 0.25}}), Grade::bounded);
+  EXPECT_EQ(grade_of({{{0.3, 0.2, 0.9}, 0.25}}), Grade::beyond_bound) << "nowhere in particular";
+  EXPECT_EQ(grade_of({{{0.3, 0.2, 1}, 0.25}, {{-0.6, 0, 1}, 0.25}}), Grade::beyond_bound) << "not over the second";
+  EXPECT_EQ(grade_of({{{0.3, 0.2, 1}, 0.25}, {{1.1, 0, 1}, 0.25}}), Grade::beyond_bound) << "not over the first";
+  EXPECT_EQ(grade_of({{{0.3, 0.2, 1}, 0.25}, {{1, 0, 1}, 0.125}}), Grade::beyond_bound) << "the wrong depth";
+  EXPECT_EQ(grade_of({{{0.3, 0.2, 1}, 0.3}}), Grade::beyond_bound) << "deeper than the truth";
+  EXPECT_EQ(grade_of({{{0.3, 0.2, 1}, std::nan("")}}), Grade::not_finite);
+  EXPECT_EQ(grade_of({{{0.3, 0.2, std::numeric_limits<double>::infinity()}, 0.25}}), Grade::not_finite);
+}
+
+TEST(JudgeManifold, must_have_the_deepest_point) {
+  // A box on an edge, over the plane z = -1: 0.4 deep.
+  const Query tilted{
+      Pair::obb_plane, Convexes{{Obb{{0, 0, 0}, {0.5, 0, 0, 1}, {1, 1, 1}}}, {Plane{{0, 0, 1}, -1}}}, {1, 0}};
+  // The quaternion is (0.5, 0, 0, 1): a turn about x whose cosine is 0.6, whose sine 0.8. y and z of corners: 0.6 y - 0.8 z, 0.8 y + 0.6 z.
+  const auto grade_of = [&](std::vector<ManifoldPoint> points) {
+    return judged(tilted, manifold_of({0, 0, -1}, std::move(points)), kManifold).at(Field::points)->grade;
+  };
+  const ManifoldPoint low{{1, 0.2, -1.4}, 0.4};
+  const ManifoldPoint beside{{1, -1.4, -0.2}, -0.8};  // y = -1, z = 1: above the plane
+  EXPECT_EQ(grade_of({low}), Grade::bounded);
+  EXPECT_EQ(grade_of({low, beside}), Grade::bounded);
+  EXPECT_EQ(grade_of({beside}), Grade::beyond_bound);
+  EXPECT_EQ(grade_of({low, {{1, 1.4, 0.2}, -0.8}}), Grade::beyond_bound) << "a corner that is not as deep";
+  EXPECT_EQ(grade_of({low, {{0.5, 0.2, -1}, 0.4}}), Grade::bounded) << "on the plane below the edge";
+  EXPECT_EQ(grade_of({low, {{1, -1, -0.8}, -0.2}}), Grade::beyond_bound);
+}
+
+TEST(JudgeManifold, of_rounded_shapes_is_that_of_their_cores_moved_by_the_radius) {
+  // A capsule that lies on a box, 0.125 deep, and beyond its edge.
+  const Query lying{Pair::capsule_obb,
+                    Convexes{{Capsule{{0, 0, 1.375}, {3, 0, 1.375}, 0.5}}, {Obb{{0, 0, 0}, kNotTurned, {1, 1, 1}}}},
+                    {0, 0}};
+  const auto grade_of = [&](std::vector<ManifoldPoint> points) {
+    return judged(lying, manifold_of({0, 0, -1}, std::move(points)), kManifold).at(Field::points)->grade;
+  };
+  EXPECT_EQ(grade_of({{{0, 0, 1}, 0.125}, {{1, 0, 1}, 0.125}}), Grade::bounded);
+  EXPECT_EQ(grade_of({{{0, 0, 0.875}, 0.125}, {{1, 0, 0.875}, 0.125}}), Grade::bounded);
+  EXPECT_EQ(grade_of({{{0, 0, 1}, 0.125}, {{3, 0, 1}, 0.125}}), Grade::beyond_bound) << "beyond the edge";
+  EXPECT_EQ(grade_of({{{0, 0, 1}, -0.375}}), Grade::beyond_bound) << "of the axis";
+  // Upright, it has its end alone.
+  const Query upright{Pair::capsule_obb,
+                      Convexes{{Capsule{{0, 0, 1.375}, {0, 0, 3}, 0.5}}, {Obb{{0, 0, 0}, kNotTurned, {1, 1, 1}}}},
+                      {0, 0}};
+  const auto upright_grade = [&](std::vector<ManifoldPoint> points) {
+    return judged(upright, manifold_of({0, 0, -1}, std::move(points)), kManifold).at(Field::points)->grade;
+  };
+  EXPECT_EQ(upright_grade({{{0, 0, 1}, 0.125}}), Grade::bounded);
+  EXPECT_EQ(upright_grade({{{0, 0, 1}, 0.125}, {{0, 0, 1}, -1.5}}), Grade::beyond_bound);
+}
+
+TEST(JudgeManifold, of_flat_shapes_seen_from_their_edge_has_that_edge) {
+  // A square that stands on a face, of points in a hull, with one in its middle.
+  const Hull square{{{0, 0, 0.75}, {1, 0, 0.75}, {1, 0, 2}, {0, 0, 2}, {0.5, 0, 1.5}}, 0};
+  const Query standing{Pair::obb_hull, Convexes{{Obb{{0, 0, 0}, kNotTurned, {1, 1, 1}}}, {square}}, {0, 0}};
+  const auto grade_of = [&](std::vector<ManifoldPoint> points) {
+    return judged(standing, manifold_of({0, 0, 1}, std::move(points)), kManifold).at(Field::points)->grade;
+  };
+  EXPECT_EQ(grade_of({{{0, 0, 1}, 0.25}, {{1, 0, 1}, 0.25}, {{0.5, 0, 0.75}, 0.25}}), Grade::bounded);
+  EXPECT_EQ(grade_of({{{0, 0, 1}, 0.25}, {{0, 0, 2}, -1}}), Grade::beyond_bound) << "its upper edge";
+  EXPECT_EQ(grade_of({{{0, 0, 1}, 0.25}, {{1, 0, 1.25}, -0.25}}), Grade::beyond_bound) << "its side";
+}
+
+TEST(JudgeManifold, is_bounded_by_the_points_that_are_declared) {
+  const Query boxes = boxes_turned({{0, 0, 0}, kNotTurned, {1, 1, 1}}, {{0, 0, 1.5}, kNotTurned, {1, 1, 1}});
+  Declaration declared = kManifold;
+  const std::vector<ManifoldPoint> five(5, {{0.5, 0.5, 1}, 0.5});
+  declared.conventions.most_points = 5;
+  EXPECT_EQ(level_of(boxes, manifold_of({0, 0, 1}, five), declared), Level::bounded);
+  declared.conventions.most_points = 4;
+  EXPECT_EQ(level_of(boxes, manifold_of({0, 0, 1}, five), declared), Level::decisions);
+  declared.tolerance = Tolerance{10, 10, 3, 0, std::numeric_limits<double>::infinity()};
+  EXPECT_FALSE(judged(boxes, manifold_of({0, 0, 1}, five), declared).within());
+  // 8 ulps of 2.5, the largest coordinate, and 2 * 8 ulps of 1 times the depth, 0.5.
+  const auto with_z = [&](double z) { return level_of(boxes, manifold_of({0, 0, 1}, {{{0, 0, z}, 0.5}}), kManifold); };
+  EXPECT_EQ(with_z(1 + 0x1p-48 + 0x1p-49), Level::bounded);
+  EXPECT_EQ(with_z(1 + 0x1p-48 + 0x1p-49 + 0x1p-52), Level::decisions);
+}
+
+TEST(JudgeManifold, goes_with_the_claimed_normal_where_any_is_right) {
+  const Query boxes = overlapping_boxes();
+  Declaration any = kAnySeparating;
+  any.conventions.points = Points::manifold;
+  const Claim along_y = manifold_of({0, 1, 0}, {{{0.5, 1, -1}, 1.5}, {{1, -0.5, 1}, 1.5}});
+  EXPECT_EQ(level_of(boxes, along_y, any), Level::bounded);
+  EXPECT_EQ(level_of(boxes, along_y, kManifold), Level::decisions);
+  EXPECT_EQ(judged(boxes, along_y, kManifold).at(Field::points)->grade, Grade::beyond_bound) << "1.5 is not the depth";
+  EXPECT_TRUE(says(explained(boxes, along_y, kManifold), "points", "depth", "any_separating"));
+  // Touching, and apart: depths of 0 and below.
+  for (const double x : {2.0, 2.5}) {
+    Query beside = boxes_turned({{0, 0, 0}, kNotTurned, {1, 1, 1}}, {{x, 0, 0}, kNotTurned, {1, 1, 1}});
+    beside.distances.alarm = 1;
+    EXPECT_EQ(level_of(beside, manifold_of({1, 0, 0}, {{{1, 1, 1}, 2 - x}, {{1, -1, 1}, 2 - x}}), kManifold),
+              Level::bounded);
+    EXPECT_EQ(level_of(beside, manifold_of({1, 0, 0}, {{{1, 1, 1}, 3 - x}}), kManifold), Level::decisions);
+  }
+}
+
+TEST(JudgeManifold, that_is_right_is_known_for_every_pair) {
+  // What right_claim() says, of spheres in a box too.
+  for (const Query& query :
+       {overlapping(), touching(), overlapping_boxes(),
+        Query{Pair::sphere_cube, BallAndBox{{{0.25, 0, 0}, 0.5}, {{-1, -1, -1}, {1, 1, 1}}}, {0, 0}}}) {
+    const Claim right = right_claim(query, truth_of(query), kManifold);
+    ASSERT_EQ(right.contact->points.size(), 1U);
+    EXPECT_EQ(level_of(query, right, kManifold), Level::bounded) << name(query.pair);
+  }
+  const Query rays{
+      Pair::ray_triangle, RayAndTriangle{{{0, 0, 1}, {0, 0, -1}, 2}, {{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}}}}, {0, 0}};
+  EXPECT_FALSE(as_declared(rays, normal_of({0, 0, 1}), kManifold).missing.has(Aspect::points)) << "it is one point";
+  EXPECT_TRUE(as_declared(overlapping(), normal_of({1, 0, 0}), kManifold).missing.has(Aspect::points));
 }
 
 }  // namespace

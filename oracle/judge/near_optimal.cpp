@@ -16,16 +16,13 @@ Rational squared(const Point& v) { return dot(v, v); }
 
 // ---- cores ----
 
-/// The square of the distance of a point from a core; of a half-space, from its boundary.
+/// The square of the distance of a point from a core.
 template <class Shape>
 Rational squared_distance_from(const Shape& shape, const Point& x) {
   return squared_distance(exact_core({x}, features::kPoint), exact_core(shape));
 }
-Rational squared_distance_from(const Plane& plane, const Point& x) {
-  const Point n = point_of(plane.normal);
-  const Rational height = dot(n, x) - Rational(plane.offset);
-  return height * height / squared(n);
-}
+
+Rational squared_distance_from(const Plane& plane, const Point& x) { return squared_height_over(plane, x); }
 
 Rational squared_distance_from(const Convex& convex, const Point& x) {
   return std::visit([&](const auto& shape) { return squared_distance_from(shape, x); }, convex.shape);
@@ -59,6 +56,12 @@ std::vector<Point> crossing_ends(const Query& query) {
 }
 
 }  // namespace
+
+Rational squared_height_over(const Plane& plane, const Point& x) {
+  const Point n = point_of(plane.normal);
+  const Rational height = dot(n, x) - Rational(plane.offset);
+  return height * height / squared(n);
+}
 
 Point of_length_one(const Point& n) {
   constexpr int kBits = 200;

@@ -24,6 +24,9 @@ struct ClaimedContact {
 /// A vector made one of length 1, to 200 bits.
 [[nodiscard]] Point of_length_one(const Point& n);
 
+/// The square of how far a point is from the boundary of a half-space.
+[[nodiscard]] Rational squared_height_over(const Plane& plane, const Point& x);
+
 /// What length each field of a claimed contact needs. One that no length allows needs an infinite one.
 class NearOptimal {
  public:

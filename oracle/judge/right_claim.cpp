@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "oracle/judge/manifold.hpp"
 #include "oracle/truth/default_environment.hpp"
 #include "oracle/truth/exact_truth.hpp"
 
@@ -37,6 +38,11 @@ ContactClaim right_contact(const Query& query, const DistanceTruth& pair, const 
   contact.point2 = point(1);
   if (conventions.points == Points::midpoint)
     contact.point = vector([&](int axis) { return zero ? pair.point(0, axis, PointOn::center) : pair.midpoint(axis); });
+  // One point will do, where the shapes are deepest in each other.
+  if (conventions.points == Points::manifold && has_manifold(query.pair))
+    contact.points.push_back(
+        {vector([&](int axis) { return pair.point(0, axis, zero ? PointOn::center : PointOn::nearest_surface); }),
+         round_to_nearest(pair.value(false).scaled(Rational(-1)), declared.scalar)});
   if (conventions.normal == NormalDirection::first_to_second) contact.normal = normal;
   if (conventions.normal == NormalDirection::second_to_first)
     contact.normal = Vector3::Zero() - normal;  // +0 where a zero is negated

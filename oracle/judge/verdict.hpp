@@ -28,8 +28,9 @@ enum class Measure { length, angle, decision };
 inline constexpr std::array kMeasures{Measure::length, Measure::angle, Measure::decision};
 inline constexpr std::array<std::string_view, kMeasures.size()> kMeasureNames{"length", "angle", "decision"};
 
-enum class Field { normal, point1, point2, point, value };
-inline constexpr std::array kFields{Field::normal, Field::point1, Field::point2, Field::point, Field::value};
+enum class Field { normal, point1, point2, point, points, value };
+inline constexpr std::array kFields{Field::normal, Field::point1, Field::point2,
+                                    Field::point,  Field::points, Field::value};
 /// Fields are the aspects that are numbers, in their order.
 [[nodiscard]] constexpr Aspect aspect(Field field) {
   return static_cast<Aspect>(static_cast<int>(field) + static_cast<int>(Aspect::normal));

@@ -45,6 +45,8 @@ template <Coordinate Number>
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 [[nodiscard]] inline bool is_zero(const Point& a) { return CGAL::is_zero(dot(a, a)); }
+/// |x| + |y| + |z|: what a vector's product with another changes by at most, if each component of that does by 1.
+[[nodiscard]] inline Rational size_of(const Point& a) { return CGAL::abs(a[0]) + CGAL::abs(a[1]) + CGAL::abs(a[2]); }
 
 /// +1 where a contact point lies from its core along the normal, -1 against it, 0 on the core.
 [[nodiscard]] Rational outward(int shape, PointOn on);

@@ -18,9 +18,6 @@ Rational squared_distance_of_hulls(const std::vector<Point>& p, const std::vecto
   return squared_distance(first, second);
 }
 
-/// |x| + |y| + |z|: what a vector's product with another changes by at most, if each component of that does by 1.
-Rational size_of(const Point& v) { return CGAL::abs(v[0]) + CGAL::abs(v[1]) + CGAL::abs(v[2]); }
-
 }  // namespace
 
 std::vector<Separation::Corner> Separation::corners_along(std::vector<Point> vertices, const Point& n,

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import multiprocessing
 import traceback
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,7 +17,11 @@ from .questions import Questions
 Engine = Callable[[Questions], Any]
 
 # docs/formats.md#answers-in-columns
-NUMBERS = {"normal": (3,), "point1": (3,), "point2": (3,), "point": (3,), "value": ()}
+NUMBERS = {"normal": (3,), "point1": (3,), "point2": (3,), "point": (3,), "points": (3,), "depths": (), "value": ()}
+# Several in a row; what is not there is NaN, at the end. The depths are those of the points, and no claim of their own.
+LISTS = ("points", "depths")
+MOST_POINTS = 64
+CLAIMS = tuple(name for name in NUMBERS if name != "depths")
 TRUTHS = ("hit", "overlap", "contact", "unsupported")
 # These claim nothing, and an answer of this package has them.
 SILENT = ("degenerate", "unique")
@@ -68,9 +72,14 @@ def answers_of(answers: Any, count: int, scalar: str) -> dict[str, Array]:
             checked[name] = array.astype(bool)
         else:
             checked[name] = _numbers(name, array, scalar)
-        shape = (count, *NUMBERS.get(name, ()))
+        shape: tuple[int | str, ...] = (count, *NUMBERS.get(name, ()))
+        if name in LISTS:
+            most = array.shape[1] if array.ndim > 1 else 0
+            shape = (count, most if 1 <= most <= MOST_POINTS else f"from 1 to {MOST_POINTS}", *NUMBERS[name])
         if array.shape != shape:
             raise EngineError(f"{name} must have the shape {shape}, a row a question, got {array.shape}")
+    if len({checked[name].shape[1] if name in checked else 0 for name in LISTS}) > 1:
+        raise EngineError("points and depths go together: each point has a depth")
     return checked
 
 
@@ -129,11 +138,16 @@ def claims_of(ask: Asking, pairs: tuple[str, ...], scalar: str) -> list[str] | N
             continue
         claimed.append([*(name for name in ("overlap", "contact") if name in answers or "hit" in answers)])
         if pair_named(pair).numbers != "none":
-            numbers.append({name for name in NUMBERS if name in answers})
+            numbers.append({name for name in CLAIMS if name in answers})
     if not claimed:
         return None
     decisions = [name for name in ("overlap", "contact") if all(name in names for names in claimed)]
-    return decisions + [name for name in NUMBERS if numbers and all(name in names for names in numbers)]
+    return decisions + [name for name in CLAIMS if numbers and all(name in names for names in numbers)]
+
+
+def points_of(claims: Iterable[str]) -> dict[str, str]:
+    """The convention that points have by their names: one point can only be the middle, several are a manifold."""
+    return {"points": "midpoint"} if "point" in claims else {"points": "manifold"} if "points" in claims else {}
 
 
 def first_line(questions: Questions) -> str | None:

@@ -13,7 +13,7 @@ from typing import Any
 from . import _core
 from .by_command import ask_command
 from .datasets import families as families_of
-from .engines import Asking, Engine, Isolated, by_pair, claims_of
+from .engines import Asking, Engine, Isolated, by_pair, claims_of, points_of
 from .errors import EngineError, InputError, OracleDisagreement, errors_of_core
 from .pairs import PAIRS, pair_named, scalar_named
 
@@ -285,9 +285,9 @@ def certify_sources(engine: Engine | Mapping[str, Engine], pairs: Iterable[str],
         if claims is None:
             claims = claims_of(ask, pairs, scalar)
         claims = None if claims is None else list(claims)
-        if claims is not None and "point" in claims:
-            # One point can only be the middle, as docs/formats.md#answers-in-columns says of columns.
-            conventions = {"points": "midpoint", **(conventions or {})}
+        if claims is not None:
+            # As docs/formats.md#answers-in-columns says of columns.
+            conventions = {**points_of(claims), **(conventions or {})} or None
         declared = _declared(_name_of(engine, name), version, scalar, pairs, conventions, pair_conventions, bounds, claims, rounds)
         judged = _core.certify(ask, declared, json.dumps(sources), json.dumps({key: value for key, value in options.items() if value is not None}))
     _raise_unless_judged(judged)

@@ -27,7 +27,7 @@ from hypothesis import assume
 from hypothesis import strategies as st
 
 from . import _core, strategies
-from .engines import NUMBERS, Engine, answers_of, by_pair
+from .engines import CLAIMS, Engine, answers_of, by_pair, points_of
 from .errors import errors_of_core
 from .pairs import number_of, pair_named
 from .serving import lines_of
@@ -70,9 +70,8 @@ class Answer:
         """Whether the tolerance allows this answer but for some numbers, by the judge that golden cases are judged by."""
         line = str(self)
         claims = [name for name in ("overlap", "contact") if name in json.loads(line)] + \
-            [name for name in NUMBERS if name in self._arrays and name not in left_out]
-        # One point can only be the middle.
-        conventions = {**({"points": "midpoint"} if "point" in claims else {}), **(held.conventions or {})}
+            [name for name in CLAIMS if name in self._arrays and name not in left_out]
+        conventions = {**points_of(claims), **(held.conventions or {})}
         declared = {"scalar": self.question.scalar, "conventions": conventions, "claims": claims, "tolerance": held.tolerance}
         with errors_of_core():
             return _core.is_within(json.dumps(declared), str(self.question), line)

@@ -9,14 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from .engines import Engine, answers_of, by_pair, is_unsupported
+from .engines import NUMBERS, Engine, answers_of, by_pair, is_unsupported
 from .errors import EngineError, InputError
 from .pairs import PAIRS, Array, number_of, pair_named, scalar_named
 from .questions import Questions, stacked
 from .shapes import _json_value, json_number
 
 CHUNK = 1 << 20
-POINTS = ("normal", "point1", "point2", "point")
 
 
 def serve(engine: Engine | Mapping[str, Engine], *, name: str | None = None, version: str = "1", pairs: str | Iterable[str] | None = None,
@@ -124,7 +123,10 @@ def lines_of(answers: Mapping[str, Array]) -> list[dict[str, Any]]:
     """Answers in columns as answers in lines: what docs/formats.md#answers-in-columns says that columns claim."""
     overlap = answers.get("overlap", answers.get("hit"))
     contact = answers.get("contact", answers.get("hit"))
-    numbers = {name: array for name, array in answers.items() if name in POINTS or name == "value"}
+    numbers = {name: array for name, array in answers.items() if name in NUMBERS}
+    if "points" in numbers:  # rows of NaN at the end are not there
+        there = ~(np.isnan(numbers["points"]).all(axis=2) & np.isnan(numbers["depths"]))
+        several = np.where(there, np.arange(1, there.shape[1] + 1), 0).max(axis=1)
     count = len(next(iter(answers.values())))
     silent = answers.get("unsupported", np.zeros(count, bool))
     lines = []
@@ -138,8 +140,11 @@ def lines_of(answers: Mapping[str, Array]) -> list[dict[str, Any]]:
         if contact is not None or numbers:
             found = bool(contact[row]) if contact is not None else not all(np.isnan(array[row]).all() for array in numbers.values())
             if numbers:
-                line["contact"] = {name: json_number(array[row]) if name == "value" else _json_value(array[row])
-                                   for name, array in numbers.items()} if found else None
+                of_row = {name: array[row] for name, array in numbers.items()}
+                if "points" in numbers:
+                    of_row |= {name: of_row[name][:several[row]] for name in ("points", "depths")}
+                line["contact"] = {name: json_number(value) if name == "value" else _json_value(value)
+                                   for name, value in of_row.items() if len(np.atleast_1d(value))} if found else None
             elif "contact" in answers:
                 line["contact"] = {} if found else None
         lines.append(line)

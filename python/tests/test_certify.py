@@ -10,6 +10,7 @@ import pytest
 
 import contact_oracle
 from contact_oracle import EngineError, InputError
+from contact_oracle.serving import lines_of
 
 
 def test_a_right_engine_is_certified():
@@ -211,6 +212,62 @@ def test_one_point_is_the_middle():
     assert report.certified and "point" in report.data["total"]["fields"], str(report)
     boxes_first = contact_oracle.certify({"cube_cube": engines.right, "sphere_sphere": midpoints}, families="generic", seed=1)
     assert boxes_first.certified
+
+
+def corners_over_a_plane(questions, most=4):
+    """The deepest corners of each box, on the box, and how deep each is below the plane. In double numbers, as anybody would."""
+    length = np.sqrt((questions.normal2 * questions.normal2).sum(axis=1))
+    up = questions.normal2 / length[:, np.newaxis]
+    ends = np.stack((questions.min1, questions.max1), axis=1)
+    places = np.stack([np.stack([ends[:, i >> axis & 1, axis] for axis in range(3)], axis=1) for i in range(8)], axis=1)
+    depths = (questions.offset2 / length)[:, np.newaxis] - (places * up[:, np.newaxis]).sum(axis=2)
+    deepest = np.argsort(-depths, axis=1)[:, :most]
+    rows = np.arange(len(places))[:, np.newaxis]
+    places, depths = places[rows, deepest], depths[rows, deepest]
+    return {"hit": -depths[:, 0] <= questions.alarm, "normal": -up, "points": places, "depths": depths}
+
+
+def test_several_points_are_judged_each():
+    asked = dict(pairs="cube_plane", families="generic", count=60, seed=1, tolerance={"length": 1e-9, "angle": 1e-9})
+    report = contact_oracle.certify(corners_over_a_plane, **asked)
+    hits = report.data["total"]["fields"]["points"]
+    assert report.certified and report.data["claims"] == ["overlap", "contact", "normal", "points"] and sum(hits[grade] for grade in hits if isinstance(hits[grade], int)) > 10, str(report)
+
+    def fewer(questions):
+        """Those that are above the plane are not there."""
+        answers = corners_over_a_plane(questions)
+        there = (answers["depths"] >= 0) | (np.arange(4) == 0)
+        return answers | {"points": np.where(there[:, :, np.newaxis], answers["points"], np.nan), "depths": np.where(there, answers["depths"], np.nan)}
+
+    assert contact_oracle.certify(fewer, **asked).certified
+
+    assert lines_of({"hit": np.array([True, False]), "points": np.array([[[1, 2, 3], [np.nan] * 3, [4, 5, 6], [np.nan] * 3]] * 2, float),
+                     "depths": np.array([[1, np.nan, 0, np.nan]] * 2)}) == \
+        [{"overlap": True, "contact": {"points": [[1, 2, 3], ["NaN"] * 3, [4, 5, 6]], "depths": [1, "NaN", 0]}}, {"overlap": False, "contact": None}]
+
+    def not_deepest(questions):
+        answers = corners_over_a_plane(questions)
+        return answers | {"points": answers["points"][:, 1:], "depths": answers["depths"][:, 1:]}
+
+    def one_depth(questions):
+        answers = corners_over_a_plane(questions)
+        return answers | {"depths": np.repeat(answers["depths"][:, :1], 4, axis=1)}
+
+    def moved(questions):
+        answers = corners_over_a_plane(questions)
+        return answers | {"points": answers["points"] + [1e-3, 0, 0]}
+
+    def too_many(questions):
+        return corners_over_a_plane(questions, 5)
+
+    for wrong in (not_deepest, one_depth, moved):
+        assert not contact_oracle.certify(wrong, **asked).certified, wrong.__name__
+    assert contact_oracle.certify(too_many, **asked).certified
+    assert not contact_oracle.certify(too_many, **asked, conventions={"points": "manifold", "most_points": 4}).certified
+    for answer, message in (({"points": np.zeros((1, 65, 3)), "depths": np.zeros((1, 65))}, "from 1 to 64"), ({"points": np.zeros((1, 3))}, "must have the shape"),
+                            ({"points": np.zeros((1, 2, 3))}, "go together"), ({"points": np.zeros((1, 2, 3)), "depths": np.zeros((1, 3))}, "go together")):
+        with pytest.raises(contact_oracle.EngineError, match=message):
+            contact_oracle.certify(lambda questions: {"hit": np.ones(1, bool), **answer}, **asked)
 
 
 def test_a_fault_of_the_oracle_is_no_verdict(monkeypatch):

@@ -60,6 +60,10 @@ oracle::Declaration declared_by(const ExportOptions& o) {
   c.normal = chosen<NormalDirection>(kNormalDirectionNames, o.normal);
   c.normal_unit = o.normal_unit == kTruthNames.front();
   c.points = chosen<Points>(kPointsNames, o.points);
+  if (c.points == Points::manifold)
+    throw InputError({"export", 0}, "--points",
+                     "manifold leaves the choice of points to the engine, so no list says which are right; none leaves "
+                     "them out, and certify judges them");
   c.value = chosen<ValueKind>(kValueKindNames, o.value);
   c.value_less_contact = o.value_less_contact == kTruthNames.front();
   c.touching_overlap = c.touching_contact = chosen<Touching>(kTouchingNames, o.touching);

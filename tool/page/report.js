@@ -416,9 +416,9 @@
       if (!answer.contact) continue;
       const is_right = says === "right", material = new THREE.MeshBasicMaterial({color: color(property), wireframe: !is_right});
       const solid = new THREE.MeshBasicMaterial({color: color(property)});
-      for (const field of ["point1", "point2", "point"]) {
-        if (!answer.contact[field]) continue;
-        const v = numbers(answer.contact[field]), at = finite(v) ? point(v) : null;
+      const places = ["point1", "point2", "point"].filter((field) => answer.contact[field]).map((field) => [field, answer.contact[field]]);
+      for (const [field, place] of places.concat((answer.contact.points ?? []).map((each) => ["points", each]))) {
+        const v = numbers(place), at = finite(v) ? point(v) : null;
         if (at && at.length() < 3)
           add(is_right ? new THREE.SphereBufferGeometry(0.035, 16, 12) : new THREE.OctahedronBufferGeometry(0.075), material, at);
         else

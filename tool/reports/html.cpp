@@ -176,13 +176,14 @@ std::string shown(double x) {
   return text;
 }
 
-/// A number of the right answer beside the claimed one, a line each; where they differ the claimed one is marked.
+/// A number of the right answer beside the claimed one, a line each; where they differ the claimed one is marked, unless others are as
+/// right.
 std::string number_rows(std::string_view title, const std::vector<std::string>& right,
-                        const std::vector<std::string>& claimed, const std::string& error) {
-  const auto lines = [](const std::vector<std::string>& texts, const std::vector<std::string>& other) {
+                        const std::vector<std::string>& claimed, const std::string& error, bool marked = true) {
+  const auto lines = [marked](const std::vector<std::string>& texts, const std::vector<std::string>& other) {
     std::string html;
     for (std::size_t i = 0; i < texts.size(); ++i) {
-      const bool differs = i >= other.size() || other[i] != texts[i];
+      const bool differs = marked && (i >= other.size() || other[i] != texts[i]);
       html += fmt::format("{}{}{}{}", i == 0 ? "" : "<br>", differs ? "<mark>" : "", for_html(texts[i]),
                           differs ? "</mark>" : "");
     }
@@ -233,6 +234,16 @@ std::string numbers_table(const WorstCase& w, const oracle::Declaration& declare
     const auto claimed = vector(w.claim, entry.second);
     if (!texts.empty() || !claimed.empty()) rows += number_rows(name(entry.first), texts, claimed, error(entry.first));
   }
+  const auto points = [](const Claim& claim) {
+    std::vector<std::string> texts;
+    if (claim.contact)
+      for (const ManifoldPoint& point : claim.contact->points)
+        texts.push_back(fmt::format("({}, {}, {}) deep {}", shown(point.at[0]), shown(point.at[1]), shown(point.at[2]),
+                                    shown(point.depth)));
+    return texts;
+  };
+  if (!points(w.claim).empty())
+    rows += number_rows("points", points(right), points(w.claim), error(Field::points), false);
   if (!value(right).empty() || !value(w.claim).empty())
     rows += number_rows("value", value(right), value(w.claim), error(Field::value));
   return "<div class=wide tabindex=0><table class=numbers><thead><tr><th><th>right<th>claimed<th>error</tr></thead>"

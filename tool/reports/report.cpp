@@ -339,7 +339,7 @@ Aspects Report::not_claimed() const {
   if (this->all().with_numbers != 0) {
     all.add(Aspect::normal);
     all.add(Aspect::value);
-    if (conventions.points != Points::midpoint) {
+    if (conventions.points != Points::midpoint && conventions.points != Points::manifold) {
       all.add(Aspect::point1);
       all.add(Aspect::point2);
     }

@@ -30,6 +30,10 @@ std::string text_of(const Claim& claim) {
     if (v)
       for (const double x : *v) golden::add_big_endian(text, x);
   }
+  for (const ManifoldPoint& point : c.points) {
+    for (const double x : point.at) golden::add_big_endian(text, x);
+    golden::add_big_endian(text, point.depth);
+  }
   text.push_back(static_cast<char>(c.value.has_value()));
   if (c.value) golden::add_big_endian(text, *c.value);
   return text;
@@ -52,8 +56,9 @@ std::vector<std::size_t> killed_by(const golden::Case& c, const Engines& mutants
       if (*j.declared == declared) return j.killed;
     if (truth && !rounded.contains(declared.scalar))
       rounded[declared.scalar] = oracle::expectation(*truth, declared.scalar);
-    const oracle::Verdict verdict = truth ? oracle::judge(c.query, *truth, claim, declared, &rounded[declared.scalar])
-                                          : oracle::judge_outside_domain(claim);
+    const oracle::Verdict verdict =
+        truth ? oracle::judge(c.query, *truth, claim, declared, &rounded[declared.scalar], oracle::Detail::grades)
+              : oracle::judge_outside_domain(claim);
     known.push_back({&declared, verdict.level() > oracle::Level::bounded});
     return known.back().killed;
   };
