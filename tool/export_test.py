@@ -408,7 +408,7 @@ class Usage(Case):
         path = self.folder / "t.c"
         for more, words in ((("--family", "nonesuch"), ("--family", "nonesuch", "generic")), (("--family", "invalid"), ("invalid", "answer")),
                             (("--tolerance", "length=-1"), ("tolerance",)), (("--count", "0"), ("--count",)), (("--points", "middle"), ("--points",)),
-                            (("--points", "manifold"), ("--points", "manifold", "certify")))):
+                            (("--points", "manifold"), ("--points", "manifold", "certify"))):
             with self.subTest(more):
                 self.refused(("export", *self.ARGS[:4], *more, "-o", path), *words, one_line=False)
                 self.assertFalse(path.exists())

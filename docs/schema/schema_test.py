@@ -271,7 +271,7 @@ class Names(Case):
         hello = json.loads(run("serve", input='{"op":"hello","protocol":1}\n{"op":"stop"}\n').stdout.splitlines()[0])
         self.assertEqual(COMMON["pair"]["enum"], hello["pairs"])
         conventions = COMMON["conventions"]["properties"]
-        self.assertEqual({*conventions} - {"scale"}, {*hello["conventions"]})
+        self.assertEqual({*conventions} - {"scale", "most_points"}, {*hello["conventions"]})
         for key, default in hello["conventions"].items():
             if isinstance(default, str):
                 self.assertEqual(conventions[key]["enum"][0], default)

@@ -104,7 +104,12 @@ struct Question {
   R"("obb_obb","sphere_obb","capsule_cube","capsule_obb","capsule_triangle","cube_obb","cube_triangle",)" \
   R"("obb_triangle","triangle_triangle")"
 #define CONVEX_PLANE_PAIRS R"("cube_plane","obb_plane","triangle_plane")"
-#define HULL_PAIRS R"("sphere_hull","capsule_hull","cube_hull","obb_hull","triangle_hull","hull_hull")"
+#define SOLID_HULL_PAIRS R"("sphere_hull","capsule_hull","cube_hull","obb_hull","hull_hull")"
+#define HULL_PAIRS SOLID_HULL_PAIRS R"(,"triangle_hull")"
+/// The same in a declaration's pair_conventions, for an engine that claims no points of a hull.
+#define NO_POINTS_OF_HULLS                                                                             \
+  R"("sphere_hull":{"points":"none"},"capsule_hull":{"points":"none"},"cube_hull":{"points":"none"},)" \
+  R"("obb_hull":{"points":"none"},"hull_hull":{"points":"none"})"
 
 /// What is said of one question; of a hit, all that the declaration claims.
 class Answer {

@@ -14,7 +14,7 @@ std::string declaration() {
   return R"({"engine":{"name":"fcl","version":")" FCL_VERSION
          R"("},"scalar":"binary64","rounds":["orientation"],"pairs":["sphere_sphere","cube_cube","sphere_cube",)"
          R"("sphere_capsule","capsule_capsule","sphere_triangle","sphere_plane","capsule_plane",)" CONVEX_PAIRS
-         "," CONVEX_PLANE_PAIRS R"(],)"
+         "," CONVEX_PLANE_PAIRS "," HULL_PAIRS R"(,"hull_plane"],)"
          R"("conventions":{"points":"none","shapes":"centered",)"
          R"("value":"depth","value_less_contact":false,"margin":"none"},)"
          R"("pair_conventions":{"cube_cube":{"shapes":"given"},"sphere_sphere":{"coincident":"zero_normal"},)"
@@ -35,8 +35,9 @@ void answer(const Question& q, Answer& said) {
   }
   const auto a = fcl_object(q.a);
   const auto b = fcl_object(q.b);
+  if (!a || !b) return said.unsupported();
   fcl::CollisionResultd result;
-  said.hit(fcl::collide(&a, &b, fcl::CollisionRequestd(1, true), result) > 0);
+  said.hit(fcl::collide(&*a, &*b, fcl::CollisionRequestd(1, true), result) > 0);
   if (!result.isCollision()) return;
   const fcl::Contactd& found = result.getContact(0);
   said.normal(found.normal);

@@ -10,15 +10,16 @@ namespace contact::adapters {
 std::string declaration() {
   return R"({"engine":{"name":"fcl-distance","version":")" FCL_VERSION
          R"("},"scalar":"binary64","rounds":["orientation"],"pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule",)" CONVEX_PAIRS
-         R"(],"conventions":{"value_less_contact":false,"shapes":"centered"},)"
+         "," HULL_PAIRS R"(],"conventions":{"value_less_contact":false,"shapes":"centered"},)"
          R"("claims":["overlap","contact"]})";
 }
 
 void answer(const Question& q, Answer& said) {
   const auto a = fcl_object(q.a);
   const auto b = fcl_object(q.b);
+  if (!a || !b) return said.unsupported();
   fcl::DistanceResultd result;
-  fcl::distance(&a, &b, fcl::DistanceRequestd(true), result);
+  fcl::distance(&*a, &*b, fcl::DistanceRequestd(true), result);
   said.hit(result.min_distance <= q.alarm);
   // Of shapes that touch or penetrate the plain request says only that they do, by the distance -1: so numbers are not
   // among what it claims.

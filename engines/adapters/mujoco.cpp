@@ -1,10 +1,13 @@
-// MuJoCo: mj_collision on one predefined pair of spheres, boxes, capsules and planes; mju_rayGeom for a ray and a
+// MuJoCo: mj_collision on one predefined pair of spheres, boxes, capsules, planes and meshes, of which it takes the hull; mju_rayGeom for a ray and a
 // sphere. With MUJOCO_CONVEX mjc_Convex, its general convex collision, in the place of the functions of two kinds: the
 // table of collision functions is there for users to change.
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
 #include <cstring>
+#include <map>
+#include <memory>
+#include <sstream>
 #include <stdexcept>
 
 #include "engines/adapters/adapter.hpp"
@@ -15,14 +18,15 @@ namespace {
 // Bodies that can move, but for planes, which only the world may have: between geoms of the world nothing is ever
 // tested.
 struct Scene {
-  Scene(const std::string& first, const std::string& second) {
+  Scene(const std::string& first, const std::string& second, const std::string& assets = "") {
     const auto geom = [](const std::string& name, const std::string& type) {
-      const std::string made = R"(<geom name=")" + name + R"(" type=")" + type + R"(" size="1 1 1"/>)";
+      const std::string made = R"(<geom name=")" + name + R"(" type=")" + type + '"' +
+                               (type == "mesh" ? R"( mesh=")" + name + '"' : R"( size="1 1 1")") + "/>";
       return type == "plane" ? made : "<body><freejoint/>" + made + "</body>";
     };
     // The world's geoms are numbered before those of bodies.
     first_geom = second == "plane" ? 1 : 0;
-    const std::string text = R"(<mujoco><option collision="predefined"/><worldbody>)" + geom("a", first) +
+    const std::string text = R"(<mujoco><option collision="predefined"/>)" + assets + "<worldbody>" + geom("a", first) +
                              geom("b", second) +
                              R"(</worldbody><contact><pair geom1="a" geom2="b"/></contact></mujoco>)";
     static mjVFS files;  // it holds megabytes
@@ -33,10 +37,18 @@ struct Scene {
     model = mj_loadXML("model.xml", &files, error, sizeof error);
     if (!model) throw std::runtime_error(error);
     data = mj_makeData(model);
+    mj_kinematics(model, data);
+  }
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+  ~Scene() {
+    mj_deleteData(data);
+    mj_deleteModel(model);
   }
   /// False where its compiler would refuse the shapes: a box without thickness, a capsule without length.
   [[nodiscard]] bool set(const Shape& a, const Shape& b) const { return set(first_geom, a) && set(1 - first_geom, b); }
   [[nodiscard]] bool set(int geom, const Shape& x) const {
+    if (x.kind == Kind::hull) return true;  // its model has been made of it
     mjtNum* size = model->geom_size + 3 * geom;
     mjtNum& bound = model->geom_rbound[geom];  // as its compiler computes it
     std::copy(x.center, x.center + 3, data->geom_xpos + 3 * geom);
@@ -64,6 +76,31 @@ struct Scene {
   mjData* data;
 };
 
+/// A hull as its users have it: in a model of its own, which keeps its vertices in single precision and turned to its
+/// axes of inertia.
+std::string mesh_of(const std::string& name, const Shape& x) {
+  if (x.kind != Kind::hull) return "";
+  std::ostringstream text;
+  text.precision(17);
+  for (int i = 0; i < 3 * x.vertices(); ++i) text << x.vertex(0)[i] << ' ';
+  return R"(<mesh name=")" + name + R"(" vertex=")" + text.str() + R"("/>)";
+}
+
+const char* type_of(const Shape& x) {
+  switch (x.kind) {
+    case Kind::sphere:
+      return "sphere";
+    case Kind::capsule:
+      return "capsule";
+    case Kind::plane:
+      return "plane";
+    case Kind::hull:
+      return "mesh";
+    default:
+      return "box";
+  }
+}
+
 }  // namespace
 
 #ifdef MUJOCO_CONVEX
@@ -78,7 +115,9 @@ std::string declaration() {
          mj_versionString() +
          R"("},"scalar":"binary64","rounds":["orientation"],"pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule","obb_obb",)"
          R"("sphere_obb","capsule_cube","capsule_obb","cube_obb")" +
-         (kConvex ? "" : R"(,"ray_sphere","sphere_plane","capsule_plane","cube_plane","obb_plane")") +
+         (kConvex
+              ? ""
+              : R"(,"ray_sphere","sphere_plane","capsule_plane","cube_plane","obb_plane","hull_plane",)" SOLID_HULL_PAIRS) +
          R"(],"conventions":{"points":")" + (kConvex ? "none" : "midpoint") +
          R"(",)"
          R"("value_less_contact":false,"shapes":"centered","scale":{"min":0,"max":1e10}},)"
@@ -87,6 +126,8 @@ std::string declaration() {
                   : R"("ray_sphere":{"shapes":"given","margin":"none","normal":"none","points":"none","value":"none"},)"
                     R"("sphere_plane":{"normal":"second-to-first"},"capsule_plane":{"normal":"second-to-first"},)"
                     R"("cube_plane":{"normal":"second-to-first"},"obb_plane":{"normal":"second-to-first"},)"
+                    R"("hull_plane":{"normal":"second-to-first"},)" NO_POINTS_OF_HULLS
+                    ","
                     R"("obb_obb":{"depth":"any_separating"},"cube_obb":{"depth":"any_separating"})") +
          "}}";
 }
@@ -98,15 +139,6 @@ void answer(const Question& q, Answer& said) {
     for (const int first : {mjGEOM_SPHERE, mjGEOM_CAPSULE, mjGEOM_BOX})
       for (const int second : {mjGEOM_SPHERE, mjGEOM_CAPSULE, mjGEOM_BOX})
         if (first <= second) mjCOLLISIONFUNC[first][second] = mjCOLLISIONFUNC[mjGEOM_MESH][mjGEOM_MESH];
-  static const Scene spheres("sphere", "sphere");
-  static const Scene sphere_and_box("sphere", "box");
-  static const Scene sphere_and_capsule("sphere", "capsule");
-  static const Scene capsules("capsule", "capsule");
-  static const Scene sphere_on_plane("sphere", "plane");
-  static const Scene capsule_on_plane("capsule", "plane");
-  static const Scene boxes("box", "box");
-  static const Scene capsule_and_box("capsule", "box");
-  static const Scene box_on_plane("box", "plane");
   if (q.pair == CONTACT_RAY_SPHERE) {
     // How far along the direction, in lengths of it; where the ray enters is no nearest point.
     const double* ray = q.a.numbers;
@@ -114,16 +146,21 @@ void answer(const Question& q, Answer& said) {
     const mjtNum distance = mju_rayGeom(q.b.center, nullptr, radius, ray, ray + 3, mjGEOM_SPHERE);
     return said.hit(distance >= 0 && distance <= ray[6]);
   }
-  const bool of_ball = q.a.kind == Kind::sphere;
-  const bool of_capsule = q.a.kind == Kind::capsule;
-  const Scene& scene = q.b.kind == Kind::plane     ? of_ball      ? sphere_on_plane
-                                                     : of_capsule ? capsule_on_plane
-                                                                  : box_on_plane
-                       : q.b.is_box()              ? of_ball      ? sphere_and_box
-                                                     : of_capsule ? capsule_and_box
-                                                                  : boxes
-                       : q.b.kind == Kind::capsule ? of_ball ? sphere_and_capsule : capsules
-                                                   : spheres;
+  const bool of_hull = q.a.kind == Kind::hull || q.b.kind == Kind::hull;
+  if ((q.a.kind == Kind::hull && q.a.radius > 0) || (q.b.kind == Kind::hull && q.b.radius > 0))
+    return said.unsupported();  // a mesh has none
+  const std::string first = type_of(q.a);
+  const std::string second = type_of(q.b);
+  static std::map<std::string, std::unique_ptr<const Scene>> scenes;
+  std::unique_ptr<const Scene>& kept = scenes[first + second];
+  if (!kept || of_hull) try {
+      kept =
+          std::make_unique<const Scene>(first, second, "<asset>" + mesh_of("a", q.a) + mesh_of("b", q.b) + "</asset>");
+    } catch (const std::exception&) {
+      if (!of_hull) throw;
+      return said.unsupported();  // its compiler refuses a mesh without a volume
+    }
+  const Scene& scene = *kept;
   if (!scene.set(q.a, q.b)) return said.unsupported();
   scene.model->pair_margin[0] = q.alarm;
   mj_collision(scene.model, scene.data);
@@ -133,7 +170,8 @@ void answer(const Question& q, Answer& said) {
   const mjContact& contact = *std::min_element(scene.data->contact, scene.data->contact + scene.data->ncon,
                                                [](const mjContact& x, const mjContact& y) { return x.dist < y.dist; });
   said.normal(contact.frame);
-  if (!kConvex) said.midpoint(contact.pos);  // elsewhere it is where a force would be put
+  if (!kConvex && (!of_hull || q.b.kind == Kind::plane))
+    said.midpoint(contact.pos);  // elsewhere it is where a force would be put
   said.value(contact.dist);
 }
 

@@ -1,13 +1,14 @@
-// Open Dynamics Engine: dCollide on sphere, box, capsule and plane geoms, and on a mesh of one triangle, of which it
-// knows one side. Not on two such meshes, which ends the process: dCollideTTL walks trees that meshes of one triangle have
-// none of.
+// Open Dynamics Engine: dCollide on sphere, box, capsule, plane and convex geoms, and on a mesh of one triangle, of which
+// it knows one side. Not on two such meshes, nor on one and a convex geom, which ends the process: these walk trees that
+// meshes of one triangle have none of.
 #include <ode/ode.h>
 
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <vector>
 
-#include "engines/adapters/adapter.hpp"
+#include "engines/adapters/faces.hpp"
 
 namespace contact::adapters {
 namespace {
@@ -37,6 +38,43 @@ class Mesh {
   dGeomID geom;
 };
 
+/// A convex geom, about the middle of its points, since it wants the origin inside: so its vertices lose their last bits.
+class Convex {
+ public:
+  explicit Convex(const Polyhedron& hull) {
+    const auto count = static_cast<double>(hull.vertices.size());
+    std::array<double, 3> middle{};
+    for (const auto& v : hull.vertices)
+      for (std::size_t i = 0; i < 3; ++i) middle[i] += v[i] / count;
+    for (const auto& v : hull.vertices)
+      for (std::size_t i = 0; i < 3; ++i) points_.push_back(static_cast<dReal>(v[i] - middle[i]));
+    for (const Face& face : hull.faces) {
+      double offset = face.offset;
+      for (std::size_t i = 0; i < 3; ++i) {
+        planes_.push_back(static_cast<dReal>(face.normal[i]));
+        offset -= face.normal[i] * middle[i];
+      }
+      planes_.push_back(static_cast<dReal>(offset));
+      polygons_.push_back(static_cast<unsigned>(face.around.size()));
+      polygons_.insert(polygons_.end(), face.around.begin(), face.around.end());
+    }
+    geom = dCreateConvex(nullptr, planes_.data(), static_cast<unsigned>(hull.faces.size()), points_.data(),
+                         static_cast<unsigned>(hull.vertices.size()), polygons_.data());
+    dGeomSetPosition(geom, static_cast<dReal>(middle[0]), static_cast<dReal>(middle[1]), static_cast<dReal>(middle[2]));
+  }
+  Convex(const Convex&) = delete;
+  Convex& operator=(const Convex&) = delete;
+  ~Convex() { dGeomDestroy(geom); }
+
+ private:
+  std::vector<dReal> points_;
+  std::vector<dReal> planes_;
+  std::vector<unsigned> polygons_;
+
+ public:
+  dGeomID geom;
+};
+
 }  // namespace
 
 // dCollideSphereBox puts its contact on the box, and what is on a plane has it at its own lowest point. A ray has a
@@ -46,14 +84,14 @@ std::string declaration() {
          std::string(sizeof(dReal) == sizeof(double) ? "binary64" : "binary32") +
          R"(","rounds":["orientation"],"pairs":["sphere_sphere","sphere_cube","sphere_capsule","capsule_capsule",)"
          R"("sphere_triangle","sphere_plane","capsule_plane","obb_obb","sphere_obb","capsule_cube","capsule_obb",)"
-         R"("capsule_triangle","cube_obb","cube_triangle","obb_triangle",)" CONVEX_PLANE_PAIRS
-         R"(],"conventions":{"normal":"second-to-first","points":"midpoint",)"
+         R"("capsule_triangle","cube_obb","cube_triangle","obb_triangle",)" CONVEX_PLANE_PAIRS "," SOLID_HULL_PAIRS
+         R"(,"hull_plane"],"conventions":{"normal":"second-to-first","points":"midpoint",)"
          R"("value":"depth","value_less_contact":false,"margin":"none","shapes":"centered"},)"
          R"("pair_conventions":{"sphere_cube":{"points":"second_only"},"sphere_triangle":{"points":"second_only"},)"
          R"("sphere_plane":{"points":"first_only"},"capsule_plane":{"points":"first_only"},)"
          R"("obb_obb":{"points":"none","depth":"any_separating"},"cube_obb":{"points":"none","depth":"any_separating"},"cube_triangle":{"points":"none"},)"
-         R"("obb_triangle":{"points":"none"},"sphere_obb":{"points":"second_only"},)"
-         R"("capsule_triangle":{"points":"first_only"},"cube_plane":{"points":"first_only"},)"
+         R"("obb_triangle":{"points":"none"},"sphere_obb":{"points":"second_only"},)" NO_POINTS_OF_HULLS
+         R"(,"hull_plane":{"points":"first_only"},"capsule_triangle":{"points":"first_only"},"cube_plane":{"points":"first_only"},)"
          R"("obb_plane":{"points":"first_only"},"triangle_plane":{"points":"first_only"}}})";
 }
 
@@ -79,18 +117,23 @@ void answer(const Question& q, Answer& said) {
     return geom;
   };
   static const dGeomID plane = dCreatePlane(nullptr, 0, 0, 1, 0);
-  std::optional<Mesh> mesh_a;
-  std::optional<Mesh> mesh_b;
-  const dGeomID a = q.a.kind == Kind::triangle ? mesh_a.emplace(q.a).geom : set(first, q.a);
-  dGeomID b = plane;
-  if (q.b.kind == Kind::triangle) {
-    b = mesh_b.emplace(q.b).geom;
-  } else if (q.b.kind == Kind::plane) {
-    const auto real = [](double number) { return static_cast<dReal>(number); };
-    dGeomPlaneSetParams(plane, real(q.b.normal[0]), real(q.b.normal[1]), real(q.b.normal[2]), real(q.b.offset));
-  } else {
-    b = set(second, q.b);
-  }
+  // Those that are made anew for each question.
+  std::array<std::optional<Mesh>, 2> meshes;
+  std::array<std::optional<Convex>, 2> hulls;
+  const auto placed = [&](const auto& geoms, const Shape& x, std::size_t which) -> dGeomID {
+    if (x.kind == Kind::triangle) return meshes[which].emplace(x).geom;
+    if (x.kind == Kind::plane) {
+      const auto real = [](double number) { return static_cast<dReal>(number); };
+      dGeomPlaneSetParams(plane, real(x.normal[0]), real(x.normal[1]), real(x.normal[2]), real(x.offset));
+      return plane;
+    }
+    if (x.kind != Kind::hull) return set(geoms, x);
+    const auto found = x.radius > 0 ? std::nullopt : polyhedron_of(x);
+    return found ? hulls[which].emplace(*found).geom : nullptr;
+  };
+  const dGeomID a = placed(first, q.a, 0);
+  const dGeomID b = placed(second, q.b, 1);
+  if (!a || !b) return said.unsupported();  // a hull with a radius, or without a volume
   // Where it tells of many points the deepest is the contact.
   std::array<dContactGeom, 16> contacts;
   const int most = q.pair >= CONTACT_OBB_OBB ? static_cast<int>(contacts.size()) : 1;
@@ -105,7 +148,7 @@ void answer(const Question& q, Answer& said) {
     said.point2(contact.pos);
   else if (q.b.kind == Kind::plane || (q.b.kind == Kind::triangle && !q.a.is_box()))
     said.point1(contact.pos);
-  else if (!q.a.is_box())
+  else if (!q.a.is_box() && q.b.kind != Kind::hull)  // where libccd puts a force, which is no point of ours
     said.midpoint(contact.pos);
   said.value(contact.depth);
 }

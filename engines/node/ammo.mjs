@@ -1,6 +1,6 @@
-// ammo.js (Bullet): contactPairTest of bodies that are spheres, boxes, capsules, planes, or a triangle: a mesh, or the hull of its
+// ammo.js (Bullet): contactPairTest of bodies that are spheres, boxes, capsules, planes, hulls, or a triangle: a mesh, or the hull of its
 // corners where it comes first.
-import {centered, serve, versionOf} from './loop.mjs';
+import {centered, hullPairs, serve, versionOf} from './loop.mjs';
 import ammo from 'ammo.js';
 
 const configuration = new ammo.btDefaultCollisionConfiguration();
@@ -24,7 +24,8 @@ callback.addSingleResult = (pointer) => {
 serve({
   engine: {name: 'ammo', version: versionOf('ammo.js')}, scalar: 'binary32', rounds: ['orientation'],
   pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule', 'sphere_plane', 'capsule_plane', 'obb_obb', 'sphere_obb', 'capsule_cube', 'capsule_obb', 'capsule_triangle',
-    'cube_obb', 'cube_triangle', 'obb_triangle', 'triangle_triangle', 'cube_plane', 'obb_plane', 'triangle_plane'],
+    'cube_obb', 'cube_triangle', 'obb_triangle', 'triangle_triangle', 'cube_plane', 'obb_plane', 'triangle_plane',
+    ...hullPairs, 'triangle_hull', 'hull_plane'],
   conventions: {normal: 'second-to-first', value_less_contact: false, margin: 'none', shapes: 'centered'},
 }, ({pair, a, b}) => {
   const made = [];
@@ -40,10 +41,10 @@ serve({
     plane: ({normal}) => new ammo.btStaticPlaneShape(vector(normal), 0),
     capsule: ({axis, halfLength, radius}) =>
       new [ammo.btCapsuleShapeX, ammo.btCapsuleShape, ammo.btCapsuleShapeZ][axis](radius, 2 * halfLength),
-    hull: ({vertices}) => {
+    hull: ({vertices, radius = 0}) => {
       const shape = new ammo.btConvexHullShape();
       vertices.forEach((v) => shape.addPoint(vector(v)));
-      shape.setMargin(0);
+      shape.setMargin(radius); // which rounds it
       return shape;
     },
     triangle: ({vertices}) => {

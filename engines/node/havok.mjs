@@ -1,6 +1,6 @@
-// Havok: HP_World_ShapeProximityWithCollector of a shape against the one body of a world: spheres, boxes, capsules, and a
+// Havok: HP_World_ShapeProximityWithCollector of a shape against the one body of a world: spheres, boxes, capsules, hulls, and a
 // triangle, which is a mesh as the body and the hull of its corners as the shape that is asked.
-import {centered, rotation, serve, versionOf} from './loop.mjs';
+import {centered, hasRadius, noRadius, rotation, serve, versionOf} from './loop.mjs';
 import {readFileSync} from 'node:fs';
 import load from '@babylonjs/havok';
 
@@ -19,34 +19,36 @@ const allocated = (type, numbers) => {
   new type(havok.HEAPU8.buffer, place, numbers.length).set(numbers);
   return place;
 };
-const triangle = (vertices, make, ...indices) => {
+const pointed = (vertices, make, ...indices) => {
   const places = [allocated(Float32Array, vertices.flat()), ...indices.map((list) => allocated(Int32Array, list))];
   try {
-    return result(make(places[0], 3, ...places.slice(1).flatMap((place) => [place, 1])));
+    return result(make(places[0], vertices.length, ...places.slice(1).flatMap((place) => [place, 1])));
   } finally {
     places.forEach((place) => havok._free(place));
   }
 };
 const shaped = (shape, i) => {
-  if (shape.vertices) return i === 0 ? triangle(shape.vertices, havok.HP_Shape_CreateConvexHull) : triangle(shape.vertices, havok.HP_Shape_CreateMesh, [0, 1, 2]);
+  if (shape.vertices) return i === 0 || shape.radius === 0 ? pointed(shape.vertices, havok.HP_Shape_CreateConvexHull) : pointed(shape.vertices, havok.HP_Shape_CreateMesh, [0, 1, 2]);
   if (shape.start) return result(havok.HP_Shape_CreateCapsule(shape.start, shape.end, shape.radius));
   if (shape.min || shape.extents) return result(havok.HP_Shape_CreateBox([0, 0, 0], upright, centered(shape).size));
   return result(havok.HP_Shape_CreateSphere([0, 0, 0], shape.radius));
 };
-const withBoxes = ['sphere_cube', 'obb_obb', 'sphere_obb', 'capsule_cube', 'capsule_obb', 'cube_obb', 'cube_triangle', 'obb_triangle'];
+const withBoxes = ['sphere_cube', 'obb_obb', 'sphere_obb', 'capsule_cube', 'capsule_obb', 'cube_obb', 'cube_triangle', 'obb_triangle', 'cube_hull', 'obb_hull'];
 const world = result(havok.HP_World_Create());
 const collector = result(havok.HP_QueryCollector_Create(1));
 
 // Each surface has its outward normal, so the second's points to the first. The first's point is in its own coordinates.
 serve({
   engine: {name: 'havok', version: versionOf('@babylonjs/havok')}, scalar: 'binary32', rounds: ['orientation'],
-  pairs: ['sphere_sphere', 'sphere_capsule', 'capsule_capsule', 'sphere_triangle', 'capsule_triangle', 'triangle_triangle', ...withBoxes],
+  pairs: ['sphere_sphere', 'sphere_capsule', 'capsule_capsule', 'sphere_triangle', 'capsule_triangle', 'triangle_triangle', 'sphere_hull', 'capsule_hull', 'triangle_hull', 'hull_hull',
+    ...withBoxes],
   conventions: {
     normal: 'second-to-first', points: 'second_only', value_less_contact: false, touching_overlap: 'open',
     touching_contact: 'open', margin: 'exclusive',
   },
   pair_conventions: Object.fromEntries(withBoxes.map((pair) => [pair, {shapes: 'centered'}])),
 }, ({a, b, alarm}) => {
+  if (hasRadius(a) || hasRadius(b)) return noRadius;
   const [first, second] = [a, b].map(shaped);
   const body = result(havok.HP_Body_Create());
   havok.HP_Body_SetShape(body, second);

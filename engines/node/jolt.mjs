@@ -1,5 +1,5 @@
 // Jolt Physics: TransformedShape.CollideShape with the alarm distance as its largest separation; CastRay for rays.
-import {centered, rotation, serve, versionOf} from './loop.mjs';
+import {centered, hasRadius, hullPairs, noRadius, rotation, serve, versionOf} from './loop.mjs';
 import load from 'jolt-physics';
 
 const jolt = await load();
@@ -20,7 +20,7 @@ const [unit, origin] = [new jolt.Vec3(1, 1, 1), new jolt.RVec3(0, 0, 0)];
 const [settings, everything] = [new jolt.CollideShapeSettings(), new jolt.ShapeFilter()];
 // Triangles have two sides.
 settings.mBackFaceMode = jolt.EBackFaceMode_CollideWithBackFaces;
-const flat = {unsupported: 'a triangle without an inside'};
+const flat = {unsupported: 'a triangle without an inside, or a hull that it does not make'};
 const numbers = (v) => [v.GetX(), v.GetY(), v.GetZ()];
 
 // Points are relative to the base offset, which is the origin here.
@@ -28,7 +28,7 @@ serve({
   engine: {name: 'jolt', version: versionOf('jolt-physics')}, scalar: 'binary32', rounds: ['orientation'],
   pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule', 'sphere_triangle', 'ray_sphere', 'sphere_plane', 'capsule_plane', 'ray_triangle', 'triangle_line',
     'obb_obb', 'sphere_obb', 'capsule_cube', 'capsule_obb', 'capsule_triangle', 'cube_obb', 'cube_triangle', 'obb_triangle', 'triangle_triangle', 'cube_plane',
-    'obb_plane', 'triangle_plane'],
+    'obb_plane', 'triangle_plane', ...hullPairs, 'triangle_hull', 'hull_plane'],
   conventions: {normal_unit: false, value: 'depth', value_less_contact: false, shapes: 'centered'},
   pair_conventions: {
     // Where a ray enters a sphere is no nearest point; it has no normal before its user asks for one.
@@ -36,6 +36,7 @@ serve({
     ray_triangle: {normal: 'none', value: 'none'}, triangle_line: {normal: 'none', value: 'none'},
   },
 }, ({a, b, alarm}) => {
+  if (hasRadius(a) || hasRadius(b)) return noRadius;
   const [made, shapes] = [[], []];
   const make = (thing) => (made.push(thing), thing);
   const created = (shapeSettings) => {
@@ -53,7 +54,8 @@ serve({
       list.push_back(make(new jolt.Triangle(...vertices.map((v) => make(new jolt.Vec3(...v))))));
       return created(new jolt.MeshShapeSettings(list));
     },
-    // A mesh collides with no mesh and no plane; the hull of the corners does.
+    // A mesh collides with no mesh and no plane; the hull of the corners does. A convex radius would make a hull no larger: it
+    // rounds what it has.
     hull: ({vertices}) => {
       const hull = new jolt.ConvexHullShapeSettings();
       vertices.forEach((v) => hull.mPoints.push_back(make(new jolt.Vec3(...v))));

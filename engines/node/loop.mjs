@@ -24,7 +24,7 @@ export const centered = ({center, orientation, extents, radius, min, max, start,
     const long = Math.hypot(...orientation);
     return {kind: 'box', center, turn: orientation.map((x) => x / long), half: extents, size: extents.map((x) => 2 * x)};
   }
-  if (vertices) return {kind: 'triangle', center: [0, 0, 0], axis: 2, vertices};
+  if (vertices) return {kind: radius === undefined ? 'triangle' : 'hull', center: [0, 0, 0], axis: 2, vertices, radius};
   if (origin) return {kind: 'ray', start: origin, end: origin.map((x, i) => x + length * direction[i]), direction, length};
   if (normal) {
     const long = Math.hypot(...normal);
@@ -60,6 +60,12 @@ export const matrix = (shape, along) => {
     2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z,
   ].map((number) => number / square);
 };
+
+/** The pairs of a hull and another shape with an inside. */
+export const hullPairs = ['sphere_hull', 'capsule_hull', 'cube_hull', 'obb_hull', 'hull_hull'];
+/** For an engine whose hulls have no radius. */
+export const noRadius = {unsupported: 'a hull with a radius'};
+export const hasRadius = ({vertices, radius}) => Boolean(vertices && radius > 0);
 
 /** The version of an installed package. */
 export const versionOf = (name) =>

@@ -1,5 +1,5 @@
 // PhysX: PxGjkQuery.proximityInfo with the alarm distance as its contact distance.
-import {centered, numbers, rotation, serve, vector, versionOf} from './loop.mjs';
+import {centered, hullPairs, numbers, rotation, serve, vector, versionOf} from './loop.mjs';
 import {readFileSync} from 'node:fs';
 
 // The module is built for browsers and refuses to load anywhere else.
@@ -26,19 +26,35 @@ const triangle = ({vertices}) => {
     },
   });
 };
+// A hull is cooked, and has a margin.
+const scaleOfLengths = new physx.PxTolerancesScale();
+const cooking = new physx.PxCookingParams(scaleOfLengths);
+const [one, unturned] = [new physx.PxVec3(1, 1, 1), new physx.PxQuat(physx.PxIDENTITYEnum.PxIdentity)];
+const hull = ({vertices, radius}) => {
+  const points = new physx.PxArray_PxVec3(vertices.length);
+  const description = new physx.PxConvexMeshDesc();
+  const flags = new physx.PxConvexFlags(physx._emscripten_enum_PxConvexFlagEnum_eCOMPUTE_CONVEX());
+  vertices.forEach((v, i) => Object.assign(points.get(i), vector(v)));
+  Object.assign(description.points, {count: vertices.length, stride: 12, data: points.begin()});
+  description.flags = flags;
+  const mesh = physx.PxTopLevelFunctions.prototype.CreateConvexMesh(cooking, description);
+  [points, description, flags].forEach((thing) => physx.destroy(thing));
+  return physx.getPointer(mesh) ? Object.assign(new physx.ConvexMeshSupport(mesh, one, unturned, radius), {cooked: mesh}) : null;
+};
 const shapes = {
   triangle,
+  hull,
   sphere: ({radius}) => new physx.SphereSupport(radius),
   box: ({half}) => new physx.BoxSupport(Object.assign(extents, vector(half))),
   capsule: ({halfLength, radius}) => new physx.CapsuleSupport(radius, halfLength),
 };
-const typicalLength = new physx.PxTolerancesScale().length;
+const typicalLength = scaleOfLengths.length;
 const found = new physx.PxGjkQueryProximityInfoResult();
 
 serve({
   engine: {name: 'physx', version: versionOf('physx-js-webidl')}, scalar: 'binary32', rounds: ['orientation'],
   pairs: ['sphere_sphere', 'sphere_cube', 'sphere_capsule', 'capsule_capsule', 'sphere_triangle', 'obb_obb', 'sphere_obb', 'capsule_cube', 'capsule_obb', 'capsule_triangle',
-    'cube_obb', 'cube_triangle', 'obb_triangle', 'triangle_triangle'],
+    'cube_obb', 'cube_triangle', 'obb_triangle', 'triangle_triangle', ...hullPairs, 'triangle_hull'],
   conventions: {normal: 'second-to-first', value_less_contact: false, shapes: 'centered'},
 }, ({a, b, alarm}) => {
   const [first, second] = [[a, poseA], [b, poseB]].map(([like, pose]) => {
@@ -48,9 +64,16 @@ serve({
     Object.assign(pose.p, vector(shape.center));
     return shapes[shape.kind](shape);
   });
+  const free = () => [first, second].filter(Boolean).forEach((shape) => {
+    shape.cooked?.release();
+    physx.destroy(shape);
+  });
+  if (!first || !second) {
+    free();
+    return {unsupported: 'a hull that it does not cook'};
+  }
   const hit = physx.PxGjkQuery.prototype.proximityInfo(first, second, poseA, poseB, alarm, typicalLength, found);
-  physx.destroy(first);
-  physx.destroy(second);
+  free();
   if (!hit) return {overlap: false, contact: null};
   return {
     overlap: true,

@@ -1,6 +1,6 @@
 // Rapier: Shape.contactShape with the alarm distance as its prediction, and Shape.intersectsShape, which has no margin:
 // with one, shapes overlap where they have a contact. Shape.castRay for rays.
-import {centered, numbers, rotation, serve, vector, versionOf} from './loop.mjs';
+import {centered, hullPairs, numbers, rotation, serve, vector, versionOf} from './loop.mjs';
 import rapier from '@dimforge/rapier3d-compat';
 
 await rapier.init();
@@ -9,6 +9,11 @@ const shapes = {
   box: ({half}) => new rapier.Cuboid(...half),
   capsule: ({halfLength, radius}) => new rapier.Capsule(halfLength, radius),
   triangle: ({vertices}) => new rapier.Triangle(...vertices.map(vector)),
+  // Its hulls are made of points; of one point and of a line it makes none, and says so by having no shape of its own.
+  hull: ({vertices, radius}) => {
+    const points = new Float32Array(vertices.flat());
+    return radius > 0 ? new rapier.RoundConvexPolyhedron(points, null, radius) : new rapier.ConvexPolyhedron(points, null);
+  },
   plane: ({normal}) => new rapier.HalfSpace(vector(normal)),
 };
 const upright = (shape) => {
@@ -16,9 +21,15 @@ const upright = (shape) => {
   return {x, y, z, w};
 };
 
+const madeOf = (shape) => {
+  const raw = shape.intoRaw();
+  raw?.free();
+  return raw;
+};
+
 const closed = {touching_contact: 'closed', margin: 'inclusive', shapes: 'centered'};
 const convex = ['obb_obb', 'sphere_obb', 'capsule_cube', 'capsule_obb', 'capsule_triangle', 'cube_obb', 'cube_triangle', 'obb_triangle', 'triangle_triangle', 'cube_plane',
-  'obb_plane', 'triangle_plane'];
+  'obb_plane', 'triangle_plane', ...hullPairs, 'triangle_hull', 'hull_plane'];
 const solid = true; // a ray that begins in a ball hits it there
 
 serve({
@@ -43,6 +54,7 @@ serve({
     return {overlap: true, contact: {point1: point, point2: point}};
   }
   const [first, second] = [from, to].map((shape) => shapes[shape.kind](shape));
+  if ([first, second].some((shape) => !madeOf(shape))) return {unsupported: 'a hull that it does not make'};
   const placed = [vector(from.center), upright(from), second, vector(to.center), upright(to)];
   const found = first.contactShape(...placed, alarm);
   const overlap = alarm === 0 ? first.intersectsShape(...placed) : found !== null;

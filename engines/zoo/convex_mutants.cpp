@@ -1,9 +1,11 @@
-// Mistakes about any two convex shapes: how a box is turned, how large it is, and which axis parts two cores.
+// Mistakes about any two convex shapes: how a box is turned, how large it is, which points make a hull, and which axis
+// parts two cores.
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "engines/zoo/mutating.hpp"
+#include "oracle/truth/cores.hpp"
 #include "oracle/truth/default_environment.hpp"
 #include "oracle/truth/exact_truth.hpp"
 
@@ -19,10 +21,41 @@ Wide wide(const oracle::Rational& x) {
   return static_cast<Wide>(most) + static_cast<Wide>(CGAL::to_double(x - oracle::Rational(most)));
 }
 
-/// Changes the rotated boxes of a question.
-void each_box(Query& q, void (*change)(Obb&)) {
+/// Changes the shapes of one kind in a question.
+template <class Changed>
+void each(Query& q, void (*change)(Changed&)) {
   for_each_shape(q, [&]<class Shape>(Shape& shape) {
-    if constexpr (std::same_as<Shape, Obb>) change(shape);
+    if constexpr (std::same_as<Shape, Changed>) change(shape);
+  });
+}
+constexpr auto each_box = each<Obb>;
+constexpr auto each_hull = each<Hull>;
+
+std::pair<Vector3, Vector3> bounds(const Hull& hull) {
+  std::pair<Vector3, Vector3> found{hull.vertices[0], hull.vertices[0]};
+  for (const Vector3& v : hull.vertices) {
+    found.first = found.first.cwiseMin(v);
+    found.second = found.second.cwiseMax(v);
+  }
+  return found;
+}
+
+/// The grid of Bullet's btConvexHullComputer.
+void round_vertices(Hull& hull) {
+  constexpr double kMost = 10216;
+  const auto [low, high] = bounds(hull);
+  for (int i = 0; i < 3; ++i) {
+    const double half = (high[i] - low[i]) / 2;
+    const double middle = (low[i] + high[i]) / 2;
+    for (Vector3& v : hull.vertices)
+      if (half > 0) v[i] = middle + std::nearbyint((v[i] - middle) / (half / kMost)) * (half / kMost);
+  }
+}
+
+void drop_flat_hulls(const Query& q, Claim& claim) {
+  for_each_shape(q, [&]<class Shape>(const Shape& shape) {
+    if constexpr (std::same_as<Shape, Hull>)
+      if (claim.overlap.value_or(false) && oracle::exact_core(shape).outward.empty()) decide(q, claim, false);
   });
 }
 
@@ -72,6 +105,35 @@ const std::array kConvexes{
            [](Query& q) { each_box(q, [](Obb& box) { box.extents /= 2; }); }},
     Mutant{"obb-double-extents", "lengths are given where half lengths are asked for", "extents-doubled",
            [](Query& q) { each_box(q, [](Obb& box) { box.extents *= 2; }); }},
+    Mutant{"hull-radius-missing", "the radius of a hull is never read", "hull-radius-missing",
+           [](Query& q) { each_hull(q, [](Hull& hull) { hull.radius = 0; }); }},
+    Mutant{"hull-last-vertex-missing", "a loop over the vertices of a hull ends one too early",
+           "hull-last-vertex-ignored",
+           [](Query& q) {
+             each_hull(q, [](Hull& hull) {
+               if (hull.vertices.size() > 1) hull.vertices.pop_back();
+             });
+           }},
+    Mutant{"hull-eight-vertices", "a hull has room for eight vertices", "hull-first-vertices-only",
+           [](Query& q) {
+             each_hull(q, [](Hull& hull) {
+               if (hull.vertices.size() > 8) hull.vertices.resize(8);
+             });
+           }},
+    Mutant{"hull-bounds", "a hull is the box around its vertices", "hull-is-its-bounds",
+           [](Query& q) {
+             each_hull(q, [](Hull& hull) {
+               const auto [low, high] = bounds(hull);
+               hull.vertices.resize(8);
+               for (unsigned k = 0; k < 8; ++k)
+                 hull.vertices[k] = {k & 1U ? high[0] : low[0], k & 2U ? high[1] : low[1], k & 4U ? high[2] : low[2]};
+             });
+           }},
+    Mutant{"hull-default-margin", "a hull keeps the margin of 0.04 that a library gives it", "hull-margin-added",
+           [](Query& q) { each_hull(q, [](Hull& hull) { hull.radius += 0.04; }); }},
+    Mutant{"hull-vertices-rounded", "the maker of a hull rounds its vertices to a grid", "hull-on-a-grid",
+           [](Query& q) { each_hull(q, round_vertices); }},
+    Mutant{"hull-flat-dropped", "a hull without a volume is never hit", "hull-flat-missed", nullptr, drop_flat_hulls},
     Mutant{"overlap-without-depth", "cores that overlap are said to touch", "depth-lost", nullptr,
            [](const Query& q, Claim& claim) {
              if (is_convex(q.pair) && !has_plane(q.pair))

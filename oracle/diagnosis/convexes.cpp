@@ -1,20 +1,48 @@
-// Causes about any two convex shapes: a quaternion read otherwise, a box of another size, an axis that is not tried, a depth that is lost.
+// Causes about any two convex shapes: a quaternion read otherwise, a box of another size, points of a hull that are lost,
+// moved or blown up, an axis that is not tried, a depth that is lost.
 #include <cmath>
 
 #include "oracle/diagnosis/formulas.hpp"
+#include "oracle/truth/cores.hpp"
 
 namespace contact::oracle::formulas {
 namespace {
 
-/// Calls change(box) for the rotated boxes of a question, and asks it.
-Cause other_boxes(std::string_view id, std::string_view sentence, void (*change)(Obb&)) {
+/// Calls change(shape) for the shapes of one kind in a question, and asks it.
+template <class Changed>
+Cause others(std::string_view id, std::string_view sentence, void (*change)(Changed&)) {
   return edit(id, sentence, [change](Facts& f) {
     Query other = f.query;
     for_each_shape(other, [&]<class Shape>(Shape& shape) {
-      if constexpr (std::same_as<Shape, Obb>) change(shape);
+      if constexpr (std::same_as<Shape, Changed>) change(shape);
     });
     f.ask(std::move(other));
   });
+}
+const auto other_boxes = others<Obb>;
+const auto other_hulls = others<Hull>;
+
+constexpr double kMargin = 0.04;  ///< Bullet's CONVEX_DISTANCE_MARGIN
+constexpr double kSteps = 10216;  ///< from the middle of a hull to its ends, in Bullet's btConvexHullComputer
+
+void put_on_a_grid(Hull& hull) {
+  Vector3 low = hull.vertices[0];
+  Vector3 high = low;
+  for (const Vector3& v : hull.vertices) low = low.cwiseMin(v), high = high.cwiseMax(v);
+  const Vector3 middle = (low + high) / 2;
+  for (Vector3& v : hull.vertices)
+    for (int i = 0; i < 3; ++i) {
+      const double step = (high[i] - low[i]) / 2 / kSteps;
+      if (step > 0) v[i] = middle[i] + std::nearbyint((v[i] - middle[i]) / step) * step;
+    }
+}
+
+bool has_flat_hull(const Query& q) {
+  bool found = false;
+  for_each_shape(q, [&]<class Shape>(const Shape& shape) {
+    if constexpr (std::same_as<Shape, Hull>) found = found || exact_core(shape).outward.empty();
+  });
+  return found;
 }
 
 /// The middle of the points that a shape is given by.
@@ -57,6 +85,27 @@ std::vector<Cause> wrong_about(const Convexes* /*kind*/) {
       other_boxes("extents-are-lengths", "takes half lengths for lengths: a box is half as large",
                   [](Obb& box) { box.extents /= 2; }),
       other_boxes("extents-doubled", "takes a box for twice as large", [](Obb& box) { box.extents *= 2; }),
+      other_hulls("hull-last-vertex-ignored", "leaves out the last vertex of a hull",
+                  [](Hull& hull) {
+                    if (hull.vertices.size() > 1) hull.vertices.pop_back();
+                  }),
+      other_hulls("hull-first-vertices-only", "looks at the first eight vertices of a hull",
+                  [](Hull& hull) { hull.vertices.resize(std::min<std::size_t>(hull.vertices.size(), 8)); }),
+      other_hulls("hull-is-its-bounds", "takes the box around the vertices of a hull for the hull",
+                  [](Hull& hull) {
+                    Vector3 low = hull.vertices[0];
+                    Vector3 high = low;
+                    for (const Vector3& v : hull.vertices) low = low.cwiseMin(v), high = high.cwiseMax(v);
+                    hull.vertices.clear();
+                    for (const double x : {low[0], high[0]})
+                      for (const double y : {low[1], high[1]})
+                        for (const double z : {low[2], high[2]}) hull.vertices.emplace_back(x, y, z);
+                  }),
+      other_hulls("hull-margin-added", "blows a hull up by a margin of 0.04",
+                  [](Hull& hull) { hull.radius += kMargin; }),
+      other_hulls("hull-on-a-grid", "moves the vertices of a hull to a grid of its own size", put_on_a_grid),
+      decision("hull-flat-missed", "takes a hull without a volume for nothing",
+               [](F f) { return missed_where(has_flat_hull(f.query), f); }),
       {.id = "normal-of-centres",
        .sentence = "leaves an overlap along the way between the centres of the shapes",
        .normal =

@@ -32,6 +32,14 @@ std::vector<Cause> wrong_inputs() {
                  },
                  f.query.shapes);
            }),
+      edit("hull-radius-missing", "the radius of a hull never read",
+           [](Facts& f) {
+             std::size_t which = 0;
+             for_each_shape(f.query, [&]<class Shape>(const Shape& /*shape*/) {
+               if constexpr (std::same_as<Shape, Hull>) f.radius[which] = 0;
+               ++which;
+             });
+           }),
       edit("first-radius-for-both", "radius of the first sphere used for both",
            [](Facts& f) { f.radius[1] = f.radius[0]; }),
       edit("second-radius-for-both", "radius of the second sphere used for both",
