@@ -122,13 +122,15 @@ std::string declaration() {
          R"(",)"
          R"("value_less_contact":false,"shapes":"centered","scale":{"min":0,"max":1e10}},)"
          R"("pair_conventions":{)" +
-         (kConvex ? ""
-                  : R"("ray_sphere":{"shapes":"given","margin":"none","normal":"none","points":"none","value":"none"},)"
-                    R"("sphere_plane":{"normal":"second-to-first"},"capsule_plane":{"normal":"second-to-first"},)"
-                    R"("cube_plane":{"normal":"second-to-first"},"obb_plane":{"normal":"second-to-first"},)"
-                    R"("hull_plane":{"normal":"second-to-first"},)" NO_POINTS_OF_HULLS
-                    ","
-                    R"("obb_obb":{"depth":"any_separating"},"cube_obb":{"depth":"any_separating"})") +
+         (kConvex
+              ? ""
+              : R"("ray_sphere":{"shapes":"given","margin":"none","normal":"none","points":"none","value":"none"},)"
+                R"("sphere_plane":{"normal":"second-to-first"},"capsule_plane":{"normal":"second-to-first"},)"
+                R"("cube_plane":{"normal":"second-to-first","points":"manifold"},)"
+                R"("obb_plane":{"normal":"second-to-first","points":"manifold"},)"
+                R"("hull_plane":{"normal":"second-to-first","points":"manifold"},)" NO_POINTS_OF_HULLS
+                ","
+                R"("obb_obb":{"depth":"any_separating","points":"manifold"},"cube_obb":{"depth":"any_separating","points":"manifold"})") +
          "}}";
 }
 
@@ -166,11 +168,15 @@ void answer(const Question& q, Answer& said) {
   mj_collision(scene.model, scene.data);
   said.hit(scene.data->ncon > 0);
   if (scene.data->ncon == 0) return;
-  // Parallel capsules may have two, boxes several: the deepest one.
+  // Parallel capsules may have two, boxes several: the deepest one has the value.
   const mjContact& contact = *std::min_element(scene.data->contact, scene.data->contact + scene.data->ncon,
                                                [](const mjContact& x, const mjContact& y) { return x.dist < y.dist; });
   said.normal(contact.frame);
-  if (!kConvex && (!of_hull || q.b.kind == Kind::plane))
+  const bool is_solid_over_plane = q.b.kind == Kind::plane && (q.a.is_box() || of_hull);
+  if (!kConvex && (is_solid_over_plane || (q.a.is_box() && q.b.is_box())))
+    std::for_each(scene.data->contact, scene.data->contact + scene.data->ncon,
+                  [&](const mjContact& each) { said.add_point(each.pos, -each.dist); });
+  else if (!kConvex && !of_hull)
     said.midpoint(contact.pos);  // elsewhere it is where a force would be put
   said.value(contact.dist);
 }

@@ -89,10 +89,10 @@ std::string declaration() {
          R"("value":"depth","value_less_contact":false,"margin":"none","shapes":"centered"},)"
          R"("pair_conventions":{"sphere_cube":{"points":"second_only"},"sphere_triangle":{"points":"second_only"},)"
          R"("sphere_plane":{"points":"first_only"},"capsule_plane":{"points":"first_only"},)"
-         R"("obb_obb":{"points":"none","depth":"any_separating"},"cube_obb":{"points":"none","depth":"any_separating"},"cube_triangle":{"points":"none"},)"
+         R"("obb_obb":{"points":"manifold","depth":"any_separating"},"cube_obb":{"points":"manifold","depth":"any_separating"},"cube_triangle":{"points":"none"},)"
          R"("obb_triangle":{"points":"none"},"sphere_obb":{"points":"second_only"},)" NO_POINTS_OF_HULLS
-         R"(,"hull_plane":{"points":"first_only"},"capsule_triangle":{"points":"first_only"},"cube_plane":{"points":"first_only"},)"
-         R"("obb_plane":{"points":"first_only"},"triangle_plane":{"points":"first_only"}}})";
+         R"(,"hull_plane":{"points":"manifold"},"capsule_triangle":{"points":"first_only"},"cube_plane":{"points":"manifold"},)"
+         R"("obb_plane":{"points":"manifold"},"triangle_plane":{"points":"first_only"}}})";
 }
 
 void answer(const Question& q, Answer& said) {
@@ -144,6 +144,12 @@ void answer(const Question& q, Answer& said) {
       *std::max_element(contacts.begin(), contacts.begin() + count,
                         [](const dContactGeom& x, const dContactGeom& y) { return x.depth < y.depth; });
   said.normal(contact.normal);
+  const bool is_solid_over_plane = q.b.kind == Kind::plane && (q.a.is_box() || q.a.kind == Kind::hull);
+  if (is_solid_over_plane || (q.a.is_box() && q.b.is_box())) {
+    std::for_each(contacts.begin(), contacts.begin() + count,
+                  [&](const dContactGeom& each) { said.add_point(each.pos, each.depth); });
+    return said.value(contact.depth);
+  }
   if (q.a.kind == Kind::sphere && (q.b.is_box() || q.b.kind == Kind::triangle))
     said.point2(contact.pos);
   else if (q.b.kind == Kind::plane || (q.b.kind == Kind::triangle && !q.a.is_box()))
