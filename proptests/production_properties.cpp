@@ -304,7 +304,7 @@ TEST_P(EveryKind, equals_both_oracles_on_questions_of_every_region) {
         for (std::size_t i = 0; i < kRegions.size(); ++i)
           counts[i] += kRegions[i].least.contains(pair) && kRegions[i].holds(query, truth) ? 1 : 0;
       },
-      is_convex(pair) ? 10
+      is_convex(pair) ? 25
       : is_cast(pair) ? 3
                       : 1);
   const auto share = [&](std::string_view what, int count) {

@@ -583,7 +583,10 @@ class Endless(Prepared):
             yield name, args, head, place, most
 
     def test_a_line_of_a_gigabyte_is_refused_before_it_is_read(self):
+        # One that stops at its limit and one that reads as far as a whole file may go: the others are for the campaign.
         for name, args, head, place, most in self.readers():
+            if TIMES == 1 and name not in ("dataset", "questions", "part"):
+                continue
             for filled in ("\0", "x") if TIMES > 1 else ("\0",):
                 with self.subTest(name, filled=filled):
                     path = self.file("long.jsonl", head)
@@ -596,7 +599,7 @@ class Endless(Prepared):
                     self.refused("lines of a gigabyte", (*args, path), f"{path}{place}", "more than", "bytes", most=most)
 
     def test_a_pipe_that_never_ends(self):
-        for args in (("explain",), ("annotate", "-", "-o", self.folder / "a.jsonl"), ("detect", "-"), ("serve",)):
+        for args in (("explain",), ("serve",), ("annotate", "-", "-o", self.folder / "a.jsonl"), ("detect", "-"))[:2 if TIMES == 1 else 4]:
             with self.subTest(args[0]):
                 def feed(write):
                     for _ in range(1 << 10):

@@ -126,9 +126,8 @@ double largest_length(const Query& query, const Truth& truth) {
   return largest;
 }
 
-}  // namespace
-
-LastBit last_bit(const Query& query, const Declaration& declared) {
+/// The effect, or what is more than enough of it: it only grows.
+LastBit last_bit_until(const Query& query, const Declaration& declared, const auto& is_enough) {
   const DefaultEnvironment environment;
   LastBit sum;
   const auto here = answer_of(query, declared);
@@ -139,8 +138,13 @@ LastBit last_bit(const Query& query, const Declaration& declared) {
     for (std::size_t f = 0; f < sum.effect.size(); ++f) sum.effect[f] += larger.effect[f];
     larger = {};
   };
+  bool is_done = false;
   for_each_neighbour(query, declared.scalar, [&](const Query& neighbour, std::size_t i) {
-    if (std::exchange(number, i) != i) add();
+    if (std::exchange(number, i) != i) {
+      add();
+      is_done = is_done || is_enough(sum);
+    }
+    if (is_done) return;
     const auto there = answer_of(neighbour, declared);
     if (!there) return;  // a miss: the neighbour on the other side tells
     const LastBit off = difference(*here, *there);
@@ -148,6 +152,12 @@ LastBit last_bit(const Query& query, const Declaration& declared) {
   });
   add();
   return sum;
+}
+
+}  // namespace
+
+LastBit last_bit(const Query& query, const Declaration& declared) {
+  return last_bit_until(query, declared, [](const LastBit& /*sum*/) { return false; });
 }
 
 bool last_bit_decides(const Query& query, const Truth& truth, const Declaration& declared) {
@@ -214,10 +224,16 @@ bool rounding_decides(const Query& query, const Truth& truth, const Declaration&
 void mark_last_bit(const Query& query, const Truth& truth, const Declaration& declared, Verdict& verdict) {
   const auto is_off = [](const auto& field) { return field && field->grade == Grade::beyond_bound; };
   if (std::any_of(verdict.fields.begin(), verdict.fields.end(), is_off)) {
-    const LastBit bit = last_bit(query, declared);
-    for (const Field field : kFields)
-      if (auto& f = verdict.fields[static_cast<std::size_t>(field)]; is_off(f))
-        f->last_bit = f->off.most <= bit.at(field);
+    const auto mark = [&](const LastBit& bit) {
+      bool are_all = true;
+      for (const Field field : kFields)
+        if (auto& f = verdict.fields[static_cast<std::size_t>(field)]; is_off(f)) {
+          f->last_bit = f->off.most <= bit.at(field);
+          are_all = are_all && f->last_bit;
+        }
+      return are_all;
+    };
+    mark(last_bit_until(query, declared, mark));
   }
   if (!verdict.missed_hit() && !verdict.false_hit()) return;
   verdict.decision_last_bit = last_bit_decides(query, truth, declared);

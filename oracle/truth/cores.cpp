@@ -310,35 +310,52 @@ struct Across {
   std::size_t j;
   bool turned;
 };
+/// How far vertices lie along a direction, in intervals.
+struct AlongNormal {
+  Enclosed least;
+  Enclosed most;
+  AlongNormal(const std::array<Enclosed, 3>& n, const std::array<Enclosed, 3>& x) : least(dot(n, x)), most(least) {}
+  void add(const std::array<Enclosed, 3>& n, const std::array<Enclosed, 3>& x) {
+    const Enclosed along = dot(n, x);
+    least = {std::min(least.inf(), along.inf()), std::min(least.sup(), along.sup())};
+    most = {std::max(most.inf(), along.inf()), std::max(most.sup(), along.sup())};
+  }
+};
 /// Those that may be of the least depth, as intervals of doubles tell.
 std::vector<Across> may_be_least(const EnclosedCore& a, const EnclosedCore& b) {
   const CGAL::Protect_FPU_rounding<true> upward;
   std::vector<std::pair<Across, double>> all;
   double most = std::numeric_limits<double>::infinity();
-  const auto extent = [](const EnclosedCore& core, const std::array<Enclosed, 3>& n) {
-    std::array<Enclosed, 2> found{dot(n, core.vertices[0]), dot(n, core.vertices[0])};
-    for (const auto& x : core.vertices) {
-      const Enclosed along = dot(n, x);
-      found[0] = {std::min(found[0].inf(), along.inf()), std::min(found[0].sup(), along.sup())};
-      found[1] = {std::max(found[1].inf(), along.inf()), std::max(found[1].sup(), along.sup())};
-    }
-    return found;
-  };
   const auto edges = edges_of(a, b);
   for (std::size_t i = 0; i < edges.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const auto n = cross(edges[i], edges[j]);
-      const auto of_a = extent(a, n);
-      const auto of_b = extent(b, n);
       const Enclosed length2 = dot(n, n);
-      for (const bool turned : {false, true}) {
-        const Enclosed height = turned ? of_b[1] - of_a[0] : of_a[1] - of_b[0];
+      // The largest n.a less the least n.b, and the other way round: of the vertices looked at so far, no more than of all.
+      const auto depth2 = [&](const Enclosed& height) {
         const bool is_sure = length2.inf() > 0 && height.inf() > 0;
-        const Enclosed depth2 =
-            is_sure ? CGAL::square(height) / length2 : Enclosed(0, std::numeric_limits<double>::infinity());
-        const double least = std::isnan(depth2.inf()) ? 0 : depth2.inf();
-        if (!(least > most)) all.push_back({{i, j, turned}, least});
-        if (is_sure && depth2.sup() < most) most = depth2.sup();
+        return is_sure ? CGAL::square(height) / length2 : Enclosed(0, std::numeric_limits<double>::infinity());
+      };
+      const auto least = [&](const Enclosed& height) {
+        const double low = depth2(height).inf();
+        return std::isnan(low) ? 0 : low;
+      };
+      std::array<AlongNormal, 2> of{AlongNormal(n, a.vertices[0]), AlongNormal(n, b.vertices[0])};
+      const auto heights = [&] { return std::array{of[0].most - of[1].least, of[1].most - of[0].least}; };
+      bool is_deeper = false;  // surely, both ways
+      for (std::size_t k = 1; !is_deeper && k < std::max(a.vertices.size(), b.vertices.size()); ++k) {
+        if (k < a.vertices.size()) of[0].add(n, a.vertices[k]);
+        if (k < b.vertices.size()) of[1].add(n, b.vertices[k]);
+        const auto [there, back] = heights();
+        is_deeper = least(there) > most && least(back) > most;
+      }
+      if (is_deeper) continue;
+      for (const bool turned : {false, true}) {
+        const Enclosed height = heights()[turned ? 1 : 0];
+        const double low = least(height);
+        if (!(low > most)) all.push_back({{i, j, turned}, low});
+        const double high = depth2(height).sup();
+        if (high < most) most = high;
       }
     }
   std::vector<Across> may;

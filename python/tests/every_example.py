@@ -5,4 +5,4 @@ EVERY = "CONTACT_EVERY_EXAMPLE" in os.environ
 
 
 def of(examples):
-    return examples if EVERY else -(-examples // 5)
+    return examples if EVERY else -(-examples // 10)
