@@ -579,6 +579,13 @@ class WholeGoldenCampaign(Case):
         self.assertIn("every expectation right", self.holds("lint", "golden"))
 
 
+class EveryFamilyCampaign(Case):
+    """More questions of each family than the one that is linted every day."""
+
+    def test_every_family_of_every_pair_passes_lint(self):
+        Generate.passes_lint(self, 20)
+
+
 class KnownFailures(Case):
     """Runs of recorded answers with some of them made wrong, against the report of an earlier run."""
     def setUp(self):
