@@ -29,7 +29,9 @@ PAIRS = {"sphere_sphere": "spheres", "cube_cube": "boxes", "sphere_cube": "a sph
          "obb_obb": "rotated boxes", "sphere_obb": "a sphere and a rotated box", "capsule_cube": "a capsule and a box",
          "capsule_obb": "a capsule and a rotated box", "capsule_triangle": "a capsule and a triangle", "cube_obb": "a box and a rotated box",
          "cube_triangle": "a box and a triangle", "obb_triangle": "a rotated box and a triangle", "triangle_triangle": "triangles",
-         "cube_plane": "a box and a plane", "obb_plane": "a rotated box and a plane", "triangle_plane": "a triangle and a plane"}
+         "cube_plane": "a box and a plane", "obb_plane": "a rotated box and a plane", "triangle_plane": "a triangle and a plane",
+         "sphere_hull": "a sphere and a hull", "capsule_hull": "a capsule and a hull", "cube_hull": "a box and a hull",
+         "obb_hull": "a rotated box and a hull", "triangle_hull": "a triangle and a hull", "hull_hull": "hulls", "hull_plane": "a hull and a plane"}
 FIELDS = ("normal", "point1", "point2", "point", "points", "value")
 # What the others are seen beside: this project's own, and the formulas as everybody computes them.
 REFERENCES = ("production", "plain-double", "plain-float")
