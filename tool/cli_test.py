@@ -344,7 +344,7 @@ class Scoreboard(Case):
         report = self.folder / "r.json"
         out = self.holds("certify", "--engine", "production", "--family", "nested", "--json", report, cwd=self.folder)
         self.assertEqual(out.splitlines()[0], f"golden files: {GOLDEN}")
-        self.assertEqual(json.loads(report.read_text())["total"]["cases"], 660)
+        self.assertEqual(json.loads(report.read_text())["total"]["cases"], 740)
         out = self.holds("certify", "golden", "--engine", "production", "--json", report, cwd=self.folder)
         self.assertNotIn("golden files", out)
         self.assertEqual(json.loads(report.read_text())["total"]["cases"], 3)
