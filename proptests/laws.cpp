@@ -172,7 +172,7 @@ constexpr About kCast{"a ray that is cast", is_cast};
 constexpr About kCastAtTriangle{"a ray that is cast at a triangle", is_one_of<Pair::cast_triangle>};
 constexpr About kOverlapping{"any two convex shapes", [](Pair pair) { return is_convex(pair) && !has_plane(pair); }};
 constexpr About kCrossing{"a segment and a triangle", is_crossing};
-constexpr About kCorners{"a capsule, a triangle or a line", has_one_of<Capsule, Triangle, Line>};
+constexpr About kCorners{"a capsule, a triangle, a line or a hull", has_one_of<Capsule, Triangle, Line, Hull>};
 constexpr About kLong{"a capsule, a triangle or a ray, and a distance",
                       [](Pair pair) { return has_distance(pair) && pair_without_length(pair) != pair; }};
 constexpr About kGrowing{"any shapes but a triangle and a line", can_grow};
@@ -241,11 +241,15 @@ constexpr std::array kLaws{
         "`swap`",
         "what lies farther away has no influence: catches middles, corners and bounding spheres", kBits, kSphereCube,
         kNo, kTogether, never, queries, half_of_box, check_same_contact},
-    Law{"corners", "The order of a capsule's or a line's ends, and of a triangle's vertices, changes nothing.",
-        "same hit and contact; the normal of a crossing is turned round where two vertices change places; allowances "
-        "as "
-        "for `swap`",
-        "which corner is told first is an accident; catches a parameter clamped or an edge asked in one order alone",
+    Law{"corners",
+        "The order of a capsule's or a line's ends, and of a triangle's or a hull's vertices, changes nothing, nor "
+        "does "
+        "one more vertex of a hull between two others.",
+        "same hit and contact; the normal of a crossing is turned round where two vertices change places; the vertex "
+        "half way where that is exact, else one of the two again; allowances as for `swap`",
+        "which corner is told first is an accident; catches a parameter clamped, an edge asked in one order alone, or "
+        "a "
+        "vertex forgotten",
         kBits, kCorners, kNo, kTogether, never, queries, corners_exchanged, check_corners},
     Law{"without_length",
         "A capsule without length is a sphere, a ray without length and a triangle in one place are one without "

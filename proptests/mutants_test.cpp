@@ -62,6 +62,7 @@ TEST(Laws, of_the_order_of_corners_of_lengths_and_of_crossings_find_what_they_ar
   for (const auto& [law, mutant] : {std::pair{"corners", "mjx-segment-1e-6"},
                                     {"corners", "capsule-start-only"},
                                     {"corners", "crossing-normal-against"},
+                                    {"corners", "hull-last-vertex-missing"},
                                     {"without_length", "triangle-area-1e-6"},
                                     {"crossing", "crossing-points-at-start"},
                                     {"crossing", "crossing-value-along"}}) {

@@ -292,6 +292,17 @@ namespace {
 constexpr std::array<std::array<std::size_t, 3>, 5> kOrders{{{1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}}};
 std::size_t order_of(const Change& change) { return static_cast<std::size_t>(change.choice) % kOrders.size(); }
 
+/// Half way between two points where that is exact, else the first of them.
+Vector3 between(const Range& range, const Vector3& x, const Vector3& y) {
+  Vector3 middle;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto sum = exact_sum(range, x[axis], y[axis]);
+    if (!sum || !range.contains(*sum / 2) || *sum / 2 * 2 != *sum) return x;
+    middle[axis] = *sum / 2;
+  }
+  return middle;
+}
+
 /// The sphere that a shape without extent is.
 Ball as_ball(const Ball& ball) { return ball; }
 Ball as_ball(const Capsule& capsule) { return {capsule.start, capsule.radius}; }
@@ -326,13 +337,19 @@ Pair pair_without_length(Pair pair) {
   return kind_of(simpler) == kind_of(pair) ? pair : simpler;
 }
 
-Questions corners_exchanged(const Trial& trial, const Subject&) {
+Questions corners_exchanged(const Trial& trial, const Subject& subject) {
   Query other = trial.query;
   const auto exchange = [&]<class Shape>(Shape& shape) {
     if constexpr (std::same_as<Shape, Capsule> || std::same_as<Shape, Line>) std::swap(shape.start, shape.end);
     if constexpr (std::same_as<Shape, Triangle>) {
       const Triangle before = shape;
       for (std::size_t i = 0; i < 3; ++i) shape.vertices[i] = before.vertices[kOrders[order_of(trial.change)][i]];
+    }
+    if constexpr (std::same_as<Shape, Hull>) {
+      auto& vertices = shape.vertices;
+      const auto first = static_cast<std::size_t>(trial.change.choice) % vertices.size();
+      if (vertices.size() < kMostVertices) vertices.push_back(between(subject.range, vertices[first], vertices.back()));
+      std::rotate(vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(first) + 1, vertices.end());
     }
   };
   for_each_shape(other, exchange);
