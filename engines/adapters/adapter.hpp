@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 
 #include "contact/contact_engine.h"
@@ -154,11 +155,11 @@ class Answer {
   void midpoint(const Vector& v) {
     vector(CONTACT_MIDPOINT, point1_, v);
   }
-  /// One of several points, and how deep the shapes are in each other there. Those beyond the most that are declared are left out.
+  /// One of several points, and how deep the shapes are in each other there. Domain: no more than are declared.
   template <class Vector>
   void add_point(const Vector& v, double depth) {
     const auto k = static_cast<std::size_t>(*point_count_);
-    if (k == most_points_) return;
+    if (k == most_points_) throw std::length_error("more points than the declaration's most_points");
     vector(CONTACT_POINTS, points_ + 3 * k, v);
     depths_[k] = depth;
     ++*point_count_;

@@ -91,7 +91,7 @@ std::string declaration() {
          R"("sphere_plane":{"points":"first_only"},"capsule_plane":{"points":"first_only"},)"
          R"("obb_obb":{"points":"manifold","depth":"any_separating"},"cube_obb":{"points":"manifold","depth":"any_separating"},"cube_triangle":{"points":"none"},)"
          R"("obb_triangle":{"points":"none"},"sphere_obb":{"points":"second_only"},)" NO_POINTS_OF_HULLS
-         R"(,"hull_plane":{"points":"manifold"},"capsule_triangle":{"points":"first_only"},"cube_plane":{"points":"manifold"},)"
+         R"(,"hull_plane":{"points":"manifold","most_points":16},"capsule_triangle":{"points":"first_only"},"cube_plane":{"points":"manifold"},)"
          R"("obb_plane":{"points":"manifold"},"triangle_plane":{"points":"first_only"}}})";
 }
 
