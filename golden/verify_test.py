@@ -765,8 +765,8 @@ def calls_wrong(program, path):
 
 
 class Broken(Case):
-    """Every fourth step, and all of them in the campaign."""
-    every = 4
+    """Every eighth step, and all of them in the campaign."""
+    every = 8
 
     def test_each_step_of_verify_matters_a_program_without_it_calls_right_files_wrong(self):
         least = {"binary64": 5e-324, "binary32": 2.0**-149}

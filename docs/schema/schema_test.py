@@ -126,7 +126,7 @@ class Accepted(Case):
             self.valid(name, json.loads((GOLDEN / name).read_text()))
 
     def test_what_the_program_makes_of_every_family_is_valid(self):
-        self.assertEqual(run("generate", "--all", self.folder / "set", "--count", 4, "--seed", 2**64 - 1).returncode, 0)
+        self.assertEqual(run("generate", "--all", self.folder / "set", "--count", 1, "--seed", 2**64 - 1).returncode, 0)
         shard = ("--family", "flat", "--pair", "cube_cube", "--count", 7, "--seed", 1, "--shard", "1/2", "-o", self.folder / "shard.jsonl")
         self.assertEqual(run("generate", *shard).returncode, 0)
         made = list(self.folder.rglob("*.jsonl"))
