@@ -301,8 +301,8 @@ Outcome check_rotated(const Case& c) {
   const Rational times(is_cast(c.queries[0].pair) ? 1 : 5);
   if (before && after &&
       CGAL::abs(Rational(*after) - times * Rational(*before)) > value_error(c, 1) + times * value_error(c, 0))
-    return Outcome::violated(fmt::format("the value {} becomes {}, and should {} times as much", text(*before),
-                                         text(*after), text(CGAL::to_double(times))));
+    return Outcome::violated(fmt::format("the value {} becomes {}, and should be {}", text(*before), text(*after),
+                                         text(CGAL::to_double(times * Rational(*before)))));
   if (coincident(c, 0)) return {};
   for (const auto& [member, field, times_as_long] : {std::tuple{&ContactClaim::normal, Field::normal, 5},
                                                      {&ContactClaim::point1, Field::point1, 1},
