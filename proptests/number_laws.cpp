@@ -476,7 +476,10 @@ Outcome check_bounds(const Case& c) {
     return Outcome::violated("a number of a contact that is none is beyond the tolerance");
   }
   for (const Field field : oracle::kFields)
-    if (const auto& f = verdict.at(field); f && f->grade == Grade::beyond_bound)
+    if (const auto& f = verdict.at(field); f && f->too_many)
+      return Outcome::violated(fmt::format("{} are more than the declared {}", name(field),
+                                           c.subject.info.declared.conventions.most_points));
+    else if (f && f->grade == Grade::beyond_bound)
       return Outcome::violated(fmt::format("{} is {:.3g} ulps of its scale off, beyond the declared {:g}", name(field),
                                            f->error,
                                            field == Field::normal  ? c.subject.info.declared.bounds.normal

@@ -204,6 +204,7 @@ class ContactJudge {
                                        separation_ ? separation_->depth_room() : Rational(0)));
     if (claim_.points.size() > static_cast<std::size_t>(conventions_.most_points)) {
       verdict.grade = Grade::beyond_bound;
+      verdict.too_many = true;
       verdict.off.merge(beyond_lengths(tolerance()));
     }
     return verdict;
