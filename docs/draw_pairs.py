@@ -15,6 +15,10 @@ SCALE, WIDTH, HEIGHT, COLUMNS = 26, 270, 226, 4
 TRIANGLE = {"vertices": [[-2, -1.6, 0], [3, -1.6, 0], [-0.5, 2, 0]]}
 # Seen from above and aside; all others from the front, with z = 0.
 LYING = {"vertices": [[-3, -1, -2], [3.5, -1, -1], [0, -1, 3]]}
+TURNED = {"center": [-0.9, -0.5, 0], "orientation": [0, 0, 1, 4], "extents": [1.8, 1, 1]}
+LEANING = {"start": [1.2, 1.7, 0], "end": [3, 0.2, 0], "radius": 0.5}
+STONE = {"vertices": [[-2.8, -0.6, 0], [-1.4, -1.9, 0], [0.6, -1.4, 0], [0.9, 0.4, 0], [-1.2, 1.2, 0]], "radius": 0}
+SLOPE = {"normal": [0.15, 1, 0], "offset": -0.3}
 # The pair, its shapes, the features in words, and the lines where one feature takes over from the next.
 PANELS = [
     ("sphere_sphere", {"center": [-1.2, -0.5, 0], "radius": 1.8}, {"center": [1.6, 0.7, 0], "radius": 1.5}, "centre to centre", []),
@@ -42,6 +46,26 @@ PANELS = [
     ("cast_triangle", {"origin": [-1.6, 2.4, 0.2], "direction": [1, -2.1, 0], "length": 2.2}, LYING, "from either side", []),
     ("cast_plane", {"origin": [-2.6, 2.2, 0], "direction": [1, -0.8, 0], "length": 5}, {"normal": [0.25, 1, 0], "offset": -0.4},
      "from above, and at once from below", []),
+    ("obb_obb", TURNED, {"center": [1.9, 0.4, 0], "orientation": [0, 0, 1, 3], "extents": [1, 0.8, 1]}, "faces, and edges crosswise: 15 ways out", []),
+    ("sphere_obb", {"center": [2, 1.3, 0], "radius": 1.1}, TURNED, "face, edge or corner; inside, the nearest face", []),
+    ("capsule_cube", LEANING, {"min": [-3.2, -1.8, -1], "max": [0.6, 0.4, 1]}, "as a capsule and a rotated box", []),
+    ("capsule_obb", LEANING, TURNED, "an end or the side; a face or an edge", []),
+    ("capsule_triangle", {"start": [0.4, 1.9, 0], "end": [3, 1.3, 0], "radius": 0.5}, TRIANGLE, "face, edges and vertices; through it, a depth", []),
+    ("cube_obb", {"min": [0.9, -1.6, -1], "max": [3.2, 1, 1]}, TURNED, "as two rotated boxes", []),
+    ("cube_triangle", {"min": [1, 0.2, -1], "max": [3.2, 1.8, 1]}, TRIANGLE, "as a rotated box and a triangle", []),
+    ("obb_triangle", {"center": [2.2, 1.4, 0], "orientation": [0, 0, 1, 3], "extents": [1, 0.6, 1]}, TRIANGLE, "faces, and edges crosswise", []),
+    ("triangle_triangle", LYING, {"vertices": [[-1.5, 1.9, 0], [0.6, 0.4, 0], [2, 2, 0]]}, "apart, or through each other", []),
+    ("cube_plane", {"min": [-1.6, 0.2, -1], "max": [1.4, 2, 1]}, SLOPE, "the lowest corner; many where level", []),
+    ("obb_plane", {"center": [-0.2, 0.9, 0], "orientation": [0, 0, 1, 5], "extents": [1.6, 0.8, 1]}, SLOPE, "the lowest corner; many where level", []),
+    ("triangle_plane", {"vertices": [[-2, 1.4, 0], [0.4, 0.2, 0], [2, 2, 0]]}, SLOPE, "the lowest vertex; many where level", []),
+    ("sphere_hull", {"center": [2, 1.4, 0], "radius": 0.9}, STONE, "any face, edge or vertex of the hull", []),
+    ("capsule_hull", LEANING, STONE, "ends and side against the hull", []),
+    ("cube_hull", {"min": [1, -0.4, -1], "max": [3.2, 1.8, 1]}, STONE, "box and hull", []),
+    ("obb_hull", {"center": [2, 1, 0], "orientation": [0, 0, 1, 3], "extents": [1, 0.7, 1]}, STONE, "rotated box and hull", []),
+    ("triangle_hull", {"vertices": [[0.8, 1.4, 0], [3.2, 0.2, 0], [2.6, 2.2, 0]]}, STONE, "triangle and hull", []),
+    ("hull_hull", {"vertices": [[0.7, 0.9, 0], [2, -0.4, 0], [3.4, 0.6, 0], [2.9, 2, 0], [1.4, 2, 0]], "radius": 0}, STONE,
+     "a face, an edge or a vertex of each", []),
+    ("hull_plane", {"vertices": [[-1.8, 1, 0], [-0.6, 0.3, 0], [1.2, 0.5, 0], [1.6, 1.8, 0], [-0.8, 2.1, 0]], "radius": 0}, SLOPE, "the lowest vertex; many where level", []),
 ]
 STYLE = """
 svg{font:12px system-ui,sans-serif}
@@ -55,7 +79,7 @@ svg{font:12px system-ui,sans-serif}
 
 
 def explained(tool, pair, a, b):
-    query = {"pair": pair, "scalar": "binary64", "a": a, "b": b, "alarm": 0, "contact": 0}
+    query = {"pair": pair, "scalar": "binary64", "a": a, "b": b, "alarm": 2, "contact": 0}
     made = subprocess.run([tool, "explain", "--json"], input=json.dumps(query) + "\n", capture_output=True, text=True, check=True)
     return json.loads(made.stdout)["expect"]
 
@@ -99,6 +123,11 @@ def across(v, w):
 
 
 def drawn(shape, style):
+    if "orientation" in shape:  # about z
+        *_, z, w = shape["orientation"]
+        c, s = (w * w - z * z) / (w * w + z * z), 2 * z * w / (w * w + z * z)
+        (x, y, _), (u, v, _) = shape["center"], shape["extents"]
+        return polygon([[x + c * i * u - s * j * v, y + s * i * u + c * j * v] for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))], style)
     if "center" in shape:
         return circle(shape["center"], shape["radius"] * SCALE, style) + circle(shape["center"], 1.6, f"{style} core")
     if "min" in shape:

@@ -154,27 +154,24 @@ bool is_hard_to_round(const Exact& x, const oracle::Boundary& boundary) {
 
 bool is_flat(const Ball& /*ball*/) { return false; }
 bool is_flat(const Box& box) { return (box.min.array() == box.max.array()).any(); }
-bool is_point(const Ball& ball) { return ball.radius == 0; }
-bool is_point(const Box& /*box*/) { return false; }
 bool is_flat(const Capsule& capsule) { return capsule.start == capsule.end; }
-bool is_point(const Capsule& capsule) { return capsule.radius == 0; }
 bool is_flat(const Triangle& triangle) {
   using oracle::operator-;
   using oracle::point_of;
   const auto& [x, y, z] = triangle.vertices;
   return oracle::is_zero(oracle::cross(point_of(y) - point_of(x), point_of(z) - point_of(x)));
 }
-bool is_point(const Triangle& /*triangle*/) { return false; }
 bool is_flat(const Plane& /*plane*/) { return false; }
-bool is_point(const Plane& /*plane*/) { return false; }
 bool is_flat(const Line& line) { return line.start == line.end; }
-bool is_point(const Line& /*line*/) { return false; }
 bool is_flat(const Ray& ray) { return ray.length == 0; }
-bool is_point(const Ray& /*ray*/) { return false; }
 
 bool is_flat(const Obb& box) { return (box.extents.array() == 0).any(); }
-bool is_point(const Obb& /*box*/) { return false; }
 bool is_flat(const Hull& hull) { return oracle::exact_core(hull).outward.empty(); }
+template <class Shape>
+bool is_point(const Shape& shape) {
+  if constexpr (kHasRadius<Shape>) return shape.radius == 0;
+  return false;
+}
 bool is_point(const Hull& hull) {
   return hull.radius == 0 && std::all_of(hull.vertices.begin(), hull.vertices.end(),
                                          [&](const Vector3& v) { return v == hull.vertices[0]; });

@@ -183,14 +183,7 @@ std::optional<std::string> different_numbers(const Case& c, std::size_t i, std::
   const double normal = std::ldexp(1.0, format_of(c.subject.info.declared.scalar).min_exponent);
   for (const Field field : fields) {
     if (!c.subject.claims(field)) continue;
-    const bool is_point = field != Field::normal && field != Field::value;
-    if (field == Field::normal && (has_many_normals(c, i) || has_many_normals(c, j))) continue;
-    // Of many nearest points each question may be answered with another.
-    if (is_point && c.truth(i).has_distance()) {
-      const oracle::Spread& spread = c.truth(i).distance()->spread();
-      // The reference's middle of a polygon is another where axes change places; that of two ends is not.
-      if (exactly ? spread.size() > 2 : !spread.empty()) continue;
-    }
+    if (may_jump(c, i, field) || (field == Field::normal && may_jump(c, j, field))) continue;
     const int scaled = field == Field::normal ? 0 : exponent;
     for (const Component& x : components(field, *c.contact(j), wanted, *c.contact(i))) {
       if (x.got == x.wanted || std::isnan(x.got) || std::isnan(x.wanted)) continue;
@@ -212,6 +205,17 @@ std::optional<std::string> different_numbers(const Case& c, std::size_t i, std::
     }
   }
   return std::nullopt;
+}
+
+bool may_jump(const Case& c, std::size_t i, Field field) {
+  if (field == Field::normal) return has_many_normals(c, i);
+  if (field == Field::value || !c.truth(i).has_distance()) return false;
+  const oracle::Spread& spread = c.truth(i).distance()->spread();
+  return c.subject.correctly_rounded ? spread.size() > 2 : !spread.empty();
+}
+
+bool says_hit(const Claim& claim) {
+  return claim.overlap.value_or(false) || (claim.speaks_of_contact && claim.contact);
 }
 
 bool coincident(const Case& c, std::size_t i) {

@@ -30,6 +30,14 @@ using oracle::Rational;
                                                            const ContactClaim& wanted,
                                                            std::initializer_list<Field> fields, int exponent = 0);
 
+/// Whether another number of a field may be said where question i is asked otherwise: one of many normals, or of many
+/// nearest points. Held to correct rounding, that is the reference's, which goes with a change of axes but for a
+/// polygon's.
+[[nodiscard]] bool may_jump(const Case& c, std::size_t i, Field field);
+
+/// Whether an answer says that the shapes overlap, or have a contact.
+[[nodiscard]] bool says_hit(const Claim& claim);
+
 /// Whether question i's truth is degenerate: the centres coincide, or one lies in the other shape.
 [[nodiscard]] bool coincident(const Case& c, std::size_t i);
 

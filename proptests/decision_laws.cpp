@@ -55,8 +55,6 @@ Questions touching_and_beyond(const Trial& trial, const Subject& subject) {
   return {};
 }
 
-bool holds(const Claim& claim) { return claim.overlap.value_or(false) || (claim.speaks_of_contact && claim.contact); }
-
 }  // namespace
 
 Questions touching(const Trial& trial, const Subject& subject) {
@@ -160,7 +158,7 @@ Questions across_a_common_edge(const Trial& trial, const Subject& subject) {
 
 Outcome check_common_edge(const Case& c) {
   if (!c.truth(0).hit() && !c.truth(1).hit()) return Outcome::vacuous();
-  if (holds(c.claims[0]) || holds(c.claims[1])) return {};
+  if (says_hit(c.claims[0]) || says_hit(c.claims[1])) return {};
   return Outcome::violated("the ray goes through between two triangles that have an edge in common");
 }
 
@@ -199,16 +197,16 @@ Outcome check_test_agrees(const Case& c) {
 
 Outcome check_each_axis(const Case& c) {
   if (undecided(c, 0)) return Outcome::vacuous();
-  const bool all = holds(c.claims[1]) && holds(c.claims[2]) && holds(c.claims[3]);
-  if (holds(c.claims[0]) == all) return {};
-  return Outcome::violated(fmt::format("{} in space, and {} axis by axis", holds(c.claims[0]) ? "a hit" : "a miss",
+  const bool all = says_hit(c.claims[1]) && says_hit(c.claims[2]) && says_hit(c.claims[3]);
+  if (says_hit(c.claims[0]) == all) return {};
+  return Outcome::violated(fmt::format("{} in space, and {} axis by axis", says_hit(c.claims[0]) ? "a hit" : "a miss",
                                        all ? "a hit on each" : "a miss on one"));
 }
 
 Outcome check_grown(const Case& c) {
   if (undecided(c, 0) || undecided(c, 1)) return Outcome::vacuous();
-  const bool small = holds(c.claims[0]);
-  const bool large = holds(c.claims[1]);
+  const bool small = says_hit(c.claims[0]);
+  const bool large = says_hit(c.claims[1]);
   if (!small && large) return Outcome::vacuous();  // says nothing
   if (small && !large) return Outcome::violated("a hit becomes a miss by growing");
   return {};

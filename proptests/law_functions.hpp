@@ -55,6 +55,8 @@ Outcome check_way_out(const Case& c);
 Outcome check_parts(const Case& c);
 Outcome check_crossing(const Case& c);
 Outcome check_larger_radius(const Case& c);
+Outcome check_halves(const Case& c);
+Outcome check_rotated(const Case& c);
 Outcome check_other_alarm(const Case& c);
 Outcome check_other_contact(const Case& c);
 Outcome check_correctly_rounded(const Case& c);
@@ -63,10 +65,13 @@ Outcome check_bounds(const Case& c);
 // symmetry_laws.cpp: what moving, turning and scaling must do.
 Questions swapped(const Trial& trial, const Subject& subject);
 Questions turned(const Trial& trial, const Subject& subject);
+Questions rotated(const Trial& trial, const Subject& subject);
+/// Five times a vector turned by the angle of a triangle with sides 3, 4 and 5 about the axis that a change says.
+std::array<Rational, 3> rotated(const Change& change, const Vector3& v);
 Questions translated(const Trial& trial, const Subject& subject);
 Questions scaled(const Trial& trial, const Subject& subject);
 Questions point_box(const Trial& trial, const Subject& subject);
-Questions half_of_box(const Trial& trial, const Subject& subject);
+Questions halves(const Trial& trial, const Subject& subject);
 Questions corners_exchanged(const Trial& trial, const Subject& subject);
 /// The pair that a pair is where its capsules, triangles and rays have no length: itself where there are none.
 Pair pair_without_length(Pair pair);

@@ -182,6 +182,9 @@ constexpr About kSphereCube{"a sphere and a cube", is_one_of<Pair::sphere_cube>}
 constexpr About kBeforeSphere{"spheres, or of a sphere and a cube", is_one_of<Pair::sphere_sphere, Pair::sphere_cube>};
 constexpr About kSpheresAndCubes{"spheres and cubes",
                                  is_one_of<Pair::sphere_sphere, Pair::cube_cube, Pair::sphere_cube>};
+constexpr About kCut{"a box, a capsule, a triangle, a line or a hull",
+                     has_one_of<Box, Obb, Capsule, Line, Triangle, Hull>};
+constexpr About kTurning{"any shapes but a cube", [](Pair pair) { return !has_one_of<Box>(pair); }};
 constexpr bool kNo = false;
 constexpr auto kBits = Exactness::bits;
 constexpr auto kReals = Exactness::reals;
@@ -236,11 +239,6 @@ constexpr std::array kLaws{
         "min = max = p: same contact as with the sphere (p, 0); allowances as for `swap`",
         "two functions that meet in one question must agree there", kBits, kSphereCube, kNo, kTogether, without_spheres,
         queries, point_box, check_same_contact},
-    Law{"halves", "Of a box cut in two, the half on the sphere's side has the contact of the whole.",
-        "the nearest point of the box is in that half: same hit and contact, inside the same hit; allowances as for "
-        "`swap`",
-        "what lies farther away has no influence: catches middles, corners and bounding spheres", kBits, kSphereCube,
-        kNo, kTogether, never, queries, half_of_box, check_same_contact},
     Law{"corners",
         "The order of a capsule's or a line's ends, and of a triangle's or a hull's vertices, changes nothing, nor "
         "does "
@@ -273,6 +271,13 @@ constexpr std::array kLaws{
         "q + t exact in the scalar; points within the bounds as reals; allowances as for `swap`",
         "the origin is an accident: catches expanded squares such as c1.c1 - 2 c1.c2 + c2.c2", kBits, kAll, kNo,
         kTogether, never, queries, translated, check_translated},
+    Law{"rotate",
+        "A scene turned by the angle of a triangle with sides 3, 4 and 5, and five times as long, is answered so.",
+        "answer(5 R q) = 5 R answer(q), normals R n, about each axis, where 5 R q is exact; to the bounds of both; "
+        "hits "
+        "left out within the bound, unless held to correct rounding",
+        "between the axes space is no other: catches what is right along axes alone", kReals, kTurning, kNo, kTogether,
+        never, queries, rotated, check_rotated},
     Law{"touching", "Shapes that touch exactly are a hit, or as declared; just beyond they are none.",
         "integers times 2^k, where plain arithmetic is exact: sqrt(D) = r1 + r2 as declared, one step less is a miss; "
         "boxes "
@@ -307,6 +312,13 @@ constexpr std::array kLaws{
         "a' contains a: value' <= value, to the bounds of both unless held to correct rounding",
         "more matter is no farther away, and deeper where it is inside: catches a depth with the wrong sign", kReals,
         kDistance, kNo, kTogether, without_value, with_depths, size_grown, check_lower_value},
+    Law{"halves", "Of a shape cut in two, the nearer half has the contact of the whole.",
+        "a box is cut anywhere, a rotated box in the middle, others between two vertices, in the middle where that is "
+        "exact; hit(whole) = hit(half) or hit(other); value(whole) <= value(half), and the contact is that of a half "
+        "that has the same nearest points; allowances as for `swap`",
+        "what lies farther away has no influence: catches middles, corners, bounding spheres, and searches that end "
+        "too early",
+        kBits, kCut, kNo, kTogether, never, queries, halves, check_halves},
     Law{"contact_distance", "The contact distance changes the value alone, by as much as it changes.",
         "value' - value = contact - contact' (0 where declared so) to the bounds of both; hit, normal and points same",
         "counted twice or not at all it moves every rest position", kReals, kDistance, kNo, kTogether, without_numbers,

@@ -728,17 +728,22 @@ TEST(Laws, of_a_tolerance_find_gross_mistakes_and_name_them_as_ever) {
   }
 }
 
-TEST(Shrinking, makes_every_step_easier_and_stays_in_the_range) {
+TEST(Shrinking, makes_every_step_easier_and_stays_in_the_range_and_with_the_shapes_of_the_pair) {
+  const auto shapes_of = [](Query query) {
+    const auto [a, b] = two_shapes(query);
+    return std::pair(a.index(), b.index());
+  };
   int steps = 0;
   for (const Scalar scalar : kScalars) {
     const Range range(scalar);
-    for (const Pair pair : {Pair::sphere_rigid_sphere, Pair::cube_cube})
+    for (const Pair pair : {Pair::sphere_rigid_sphere, Pair::cube_cube, Pair::capsule_hull})
       for (const Query& query : sample(queries(pair, range), 100)) {
         if (!range.contains(query)) continue;
         const Trial trial{query, {}, {}};
         for (const Trial& next : easier(trial, range)) {
           EXPECT_LT(difficulty(next), difficulty(trial));
           EXPECT_TRUE(range.contains(next.query));
+          EXPECT_EQ(shapes_of(next.query), shapes_of(zero_query(next.query.pair)));
           ++steps;
         }
       }

@@ -58,11 +58,16 @@ std::string broken_law(const engines::Mutant& mutant) {
   return {};
 }
 
-TEST(Laws, of_the_order_of_corners_of_lengths_and_of_crossings_find_what_they_are_for) {
+TEST(Laws, of_corners_halves_and_turns_of_lengths_and_of_crossings_find_what_they_are_for) {
   for (const auto& [law, mutant] : {std::pair{"corners", "mjx-segment-1e-6"},
                                     {"corners", "capsule-start-only"},
                                     {"corners", "crossing-normal-against"},
                                     {"corners", "hull-last-vertex-missing"},
+                                    {"halves", "hull-last-vertex-missing"},
+                                    {"halves", "capsule-determinant-1e-6"},
+                                    {"rotate", "hull-bounds"},
+                                    {"rotate", "obb-turned-back"},
+                                    {"rotate", "plane-not-divided"},
                                     {"without_length", "triangle-area-1e-6"},
                                     {"crossing", "crossing-points-at-start"},
                                     {"crossing", "crossing-value-along"}}) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "oracle/truth/clamped.hpp"
 #include "oracle/truth/cores.hpp"
@@ -269,6 +270,58 @@ Outcome check_farther(const Case& c) { return in_order(c, 0, 1, "moving the shap
 
 Outcome check_lower_value(const Case& c) { return in_order(c, 1, 0, "growing a shape"); }
 
+Outcome check_halves(const Case& c) {
+  const auto says = [](bool hit) { return hit ? "a hit" : "a miss"; };
+  if (!undecided(c, 0) && !undecided(c, 1) && !undecided(c, 2) &&
+      says_hit(c.claims[0]) != (says_hit(c.claims[1]) || says_hit(c.claims[2])))
+    return Outcome::violated(
+        fmt::format("{} in one piece, and {} in two", says(says_hit(c.claims[0])), says(!says_hit(c.claims[0]))));
+  const oracle::DistanceTruth* whole = c.truth(0).contact();
+  if (whole == nullptr || c.contact(0) == nullptr) return {};
+  for (const std::size_t half : {1U, 2U}) {
+    const oracle::DistanceTruth* truth = c.truth(half).contact();
+    if (truth == nullptr || c.contact(half) == nullptr) continue;
+    if (Outcome less = in_order(c, 0, half, "cutting a shape in two"); less.kind == Outcome::Kind::violated)
+      return less;
+    if (whole->overlaps() || coincident(c, 0) || coincident(c, half) ||
+        whole->cores().nearest != truth->cores().nearest)
+      continue;
+    if (auto why = different_numbers(c, 0, half, *c.contact(0),
+                                     {Field::normal, Field::value, Field::point1, Field::point2, Field::point}))
+      return Outcome::violated(*why);
+  }
+  return {};
+}
+
+Outcome check_rotated(const Case& c) {
+  if (auto why = different_decisions(c, 0, 1)) return Outcome::violated(*why);
+  if (c.contact(0) == nullptr || c.contact(1) == nullptr || parts_anywhere(c, 0)) return {};
+  const auto before = finite_value(c, 0);
+  const auto after = finite_value(c, 1);
+  const Rational times(is_cast(c.queries[0].pair) ? 1 : 5);
+  if (before && after &&
+      CGAL::abs(Rational(*after) - times * Rational(*before)) > value_error(c, 1) + times * value_error(c, 0))
+    return Outcome::violated(fmt::format("the value {} becomes {}, and should be {}", text(*before), text(*after),
+                                         text(CGAL::to_double(times * Rational(*before)))));
+  if (coincident(c, 0)) return {};
+  for (const auto& [member, field, times_as_long] : {std::tuple{&ContactClaim::normal, Field::normal, 5},
+                                                     {&ContactClaim::point1, Field::point1, 1},
+                                                     {&ContactClaim::point2, Field::point2, 1},
+                                                     {&ContactClaim::point, Field::point, 1}}) {
+    const auto& old = c.contact(0)->*member;
+    const auto& now = c.contact(1)->*member;
+    if (!c.subject.claims(field) || !finite(old) || !finite(now) || may_jump(c, 0, field)) continue;
+    // Of each component of the old one, the new one has 3 and 4, or 5.
+    const Rational error = Rational(times_as_long) * allowance(c, 1, field) + Rational(7) * allowance(c, 0, field);
+    const Vector wanted = rotated(c.trial.change, *old);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (CGAL::abs(Rational(times_as_long) * exact(*now)[axis] - wanted[axis]) > error)
+        return Outcome::violated(
+            fmt::format("{} {} becomes {}, and is not turned with its shapes", name(field), text(*old), text(*now)));
+  }
+  return {};
+}
+
 Outcome check_way_out(const Case& c) {
   const auto value = finite_value(c, 0);
   if (!value) return Outcome::vacuous();
@@ -423,7 +476,10 @@ Outcome check_bounds(const Case& c) {
     return Outcome::violated("a number of a contact that is none is beyond the tolerance");
   }
   for (const Field field : oracle::kFields)
-    if (const auto& f = verdict.at(field); f && f->grade == Grade::beyond_bound)
+    if (const auto& f = verdict.at(field); f && f->too_many)
+      return Outcome::violated(fmt::format("{} are more than the declared {}", name(field),
+                                           c.subject.info.declared.conventions.most_points));
+    else if (f && f->grade == Grade::beyond_bound)
       return Outcome::violated(fmt::format("{} is {:.3g} ulps of its scale off, beyond the declared {:g}", name(field),
                                            f->error,
                                            field == Field::normal  ? c.subject.info.declared.bounds.normal

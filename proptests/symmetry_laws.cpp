@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "oracle/truth/cores.hpp"
 #include "proptests/law_functions.hpp"
 
 namespace contact::proptests {
@@ -99,15 +100,35 @@ Outcome check_swapped(const Case& c) {
 
 namespace {
 
-/// Turns a quaternion by a change of axes, or where that reflects, by the change and a reflection in a point, in which boxes are the same. Whether
-/// its numbers are those of the range.
-bool turn(Quaternion& q, const Change& change, const Range& range) {
-  const auto product = []<class Number>(const std::array<Number, 4>& p, const std::array<Number, 4>& r) {
-    return std::array<Number, 4>{Number(p[3] * r[0] + p[0] * r[3] + p[1] * r[2] - p[2] * r[1]),
-                                 Number(p[3] * r[1] - p[0] * r[2] + p[1] * r[3] + p[2] * r[0]),
-                                 Number(p[3] * r[2] + p[0] * r[1] - p[1] * r[0] + p[2] * r[3]),
-                                 Number(p[3] * r[3] - p[0] * r[0] - p[1] * r[1] - p[2] * r[2])};
+template <class Number>
+using Four = std::array<Number, 4>;
+/// The quaternion that turns by r, and then by p.
+template <class Number>
+Four<Number> product(const Four<Number>& p, const Four<Number>& r) {
+  return {p[3] * r[0] + p[0] * r[3] + p[1] * r[2] - p[2] * r[1], p[3] * r[1] - p[0] * r[2] + p[1] * r[3] + p[2] * r[0],
+          p[3] * r[2] + p[0] * r[1] - p[1] * r[0] + p[2] * r[3], p[3] * r[3] - p[0] * r[0] - p[1] * r[1] - p[2] * r[2]};
+}
+
+/// Another number in the place of x; whether it is one of the range.
+bool put(double& x, const Rational& wanted, const Range& range) {
+  x = CGAL::to_double(wanted);
+  return std::isfinite(x) && Rational(x) == wanted && range.contains(x);
+}
+
+/// Turns a box further; whether its numbers are those of the range.
+bool turn(Quaternion& q, const Quaternion& by, const Range& range) {
+  const auto exactly = [](const Quaternion& p) {
+    return Four<Rational>{Rational(p[0]), Rational(p[1]), Rational(p[2]), Rational(p[3])};
   };
+  const Four<Rational> right = product(exactly(by), exactly(q));
+  bool exact = true;
+  for (std::size_t i = 0; i < 4; ++i) exact = put(q[i], right[i], range) && exact;
+  return exact;
+}
+
+/// The quaternion of a change of axes, or where that reflects, of the change and a reflection in a point, in which boxes
+/// are the same.
+Quaternion quaternion_of(const Change& change) {
   const Vector3 x = turned(change, Vector3::UnitX());
   const Vector3 y = turned(change, Vector3::UnitY());
   const double sign = x.cross(y).dot(turned(change, Vector3::UnitZ()));
@@ -118,19 +139,12 @@ bool turn(Quaternion& q, const Change& change, const Range& range) {
                        static_cast<double>(code / 9 % 3 - 1), static_cast<double>(code / 27 - 1)};
     const double size = p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + p[3] * p[3];
     const auto image = [&](const Vector3& v) {
-      const Quaternion r = product(product(p, {v[0], v[1], v[2], 0}), {-p[0], -p[1], -p[2], p[3]});
+      const Quaternion r = product<double>(product<double>(p, {v[0], v[1], v[2], 0}), {-p[0], -p[1], -p[2], p[3]});
       return Vector3(r[0], r[1], r[2]);
     };
     if (size > 0 && image(Vector3::UnitX()) == size * sign * x && image(Vector3::UnitY()) == size * sign * y) by = p;
   }
-  const auto exactly = [](const Quaternion& p) {
-    return std::array<Rational, 4>{Rational(p[0]), Rational(p[1]), Rational(p[2]), Rational(p[3])};
-  };
-  const std::array<Rational, 4> right = product(exactly(by), exactly(q));
-  q = product(by, q);
-  bool exact = true;
-  for (std::size_t i = 0; i < 4; ++i) exact = exact && range.contains(q[i]) && Rational(q[i]) == right[i];
-  return exact;
+  return by;
 }
 
 }  // namespace
@@ -142,8 +156,52 @@ Questions turned(const Trial& trial, const Subject& subject) {
   bool exact = true;
   for_each_shape(other, [&]<class Shape>(Shape& shape) {
     if constexpr (std::same_as<Shape, Box>) shape = {shape.min.cwiseMin(shape.max), shape.min.cwiseMax(shape.max)};
-    if constexpr (std::same_as<Shape, Obb>) exact = exact && turn(shape.orientation, trial.change, subject.range);
+    if constexpr (std::same_as<Shape, Obb>)
+      exact = turn(shape.orientation, quaternion_of(trial.change), subject.range) && exact;
   });
+  return exact ? Questions{trial.query, other} : Questions{};
+}
+
+std::array<std::size_t, 3> axes_of_rotation(const Change& change) {
+  const auto about = static_cast<std::size_t>(change.choice) % 3;
+  return {about, (about + 1) % 3, (about + 2) % 3};
+}
+
+std::array<Rational, 3> rotated(const Change& change, const Vector3& v) {
+  const auto [about, x, y] = axes_of_rotation(change);
+  const auto at = [&](std::size_t axis) { return Rational(v[static_cast<Eigen::Index>(axis)]); };
+  std::array<Rational, 3> result;
+  result[about] = Rational(5) * at(about);
+  result[x] = Rational(3) * at(x) - Rational(4) * at(y);
+  result[y] = Rational(4) * at(x) + Rational(3) * at(y);
+  return result;
+}
+
+Questions rotated(const Trial& trial, const Subject& subject) {
+  Query other = trial.query;
+  bool exact = true;
+  const auto times = [&](double& x, int by) { exact = put(x, Rational(by) * Rational(x), subject.range) && exact; };
+  for_each_shape(other, [&]<class Shape>(Shape& shape) {
+    for_each_field(shape, [&]<class Value>(const auto& field, Value& value) {
+      if constexpr (std::same_as<Value, Quaternion>) {
+        Quaternion by{0, 0, 0, 2};  // half the angle has the tangent 1/2
+        by[axes_of_rotation(trial.change)[0]] = 1;
+        exact = turn(value, by, subject.range) && exact;
+      } else if (field.kind == FieldKind::length || field.kind == FieldKind::offset) {
+        // A ray's length counts its direction; a plane's offset is a length times its normal's.
+        const int by = field.kind == FieldKind::offset ? 25 : std::derived_from<Shape, Ray> ? 1 : 5;
+        for_each_number_in(value, [&](double& x) { times(x, by); });
+      } else {
+        for_each_vector(value, [&](Vector3& v) {
+          const auto wanted = rotated(trial.change, v);
+          for (std::size_t axis = 0; axis < 3; ++axis)
+            exact = put(v[static_cast<Eigen::Index>(axis)], wanted[axis], subject.range) && exact;
+        });
+      }
+    });
+  });
+  times(other.distances.alarm, 5);
+  times(other.distances.contact, 5);
   return exact ? Questions{trial.query, other} : Questions{};
 }
 
@@ -428,14 +486,65 @@ Questions without_length(const Trial& trial, const Subject&) {
   return {point, of_spheres(point)};
 }
 
-Questions half_of_box(const Trial& trial, const Subject&) {
+namespace {
+
+/// Cuts a shape in two, in place and in another. Whether it is exactly both together.
+bool cut(Box& box, Box& other, const Change& change, const Range& /*range*/) {
+  const int axis = change.choice / 2 % 3;
+  const double length = change.choice / 6 % 2 == 0 ? change.length : -change.length;
+  box.max[axis] = other.min[axis] = std::clamp(length, box.min[axis], box.max[axis]);
+  return true;
+}
+bool cut(Obb& box, Obb& other, const Change& change, const Range& range) {
+  const int axis = change.choice / 2 % 3;
+  Obb one = box;
+  bool exact = put(one.extents[axis], Rational(box.extents[axis]) / Rational(2), range);
+  Obb two = one;
+  Obb way = one;
+  way.extents = one.extents[axis] * Vector3::Unit(axis);
+  const oracle::Point end = oracle::exact_core(way).vertices.front();
+  for (int i = 0; i < 3; ++i) {
+    const Rational& to = end[static_cast<std::size_t>(i)];
+    exact =
+        put(one.center[i], to, range) && put(two.center[i], Rational(2) * Rational(box.center[i]) - to, range) && exact;
+  }
+  if (exact) box = one, other = two;
+  return exact;
+}
+template <class Long>
+requires requires(Long shape) { shape.start; }
+bool cut(Long& shape, Long& other, const Change& /*change*/, const Range& range) {
+  shape.end = other.start = between(range, shape.start, shape.end);
+  return true;
+}
+/// Where what is between two vertices takes the place of the one, and of the other: of a point of the whole one of both
+/// has no more than half.
+template <class Spanned>
+requires requires(Spanned shape) { shape.vertices; }
+bool cut(Spanned& shape, Spanned& other, const Change& change, const Range& range) {
+  const auto first = static_cast<std::size_t>(change.choice / 2) % shape.vertices.size();
+  const std::size_t second = (first + 1) % shape.vertices.size();
+  shape.vertices[first] = other.vertices[second] = between(range, shape.vertices[first], shape.vertices[second]);
+  return true;
+}
+template <class Shape>
+bool cut(Shape& /*shape*/, Shape& /*other*/, const Change& /*change*/, const Range& /*range*/) {
+  return false;
+}
+
+}  // namespace
+
+Questions halves(const Trial& trial, const Subject& subject) {
   Query half = trial.query;
-  auto& [ball, box] = std::get<BallAndBox>(half.shapes);
-  const int axis = trial.change.choice % 3;
-  const double length = trial.change.length;
-  const double cut = std::clamp(trial.change.choice / 3 % 2 == 0 ? length : -length, box.min[axis], box.max[axis]);
-  (ball.center[axis] <= cut ? box.max : box.min)[axis] = cut;
-  return {trial.query, half};
+  Query other = trial.query;
+  const auto [a, b] = two_shapes(half);
+  const auto [c, d] = two_shapes(other);
+  const auto in_two = [&](const auto& shape, const auto& same) {
+    return std::visit(
+        [&]<class Shape>(Shape* s) { return cut(*s, *std::get<Shape*>(same), trial.change, subject.range); }, shape);
+  };
+  const bool is_cut = trial.change.choice % 2 == 0 ? in_two(a, c) || in_two(b, d) : in_two(b, d) || in_two(a, c);
+  return is_cut ? Questions{trial.query, half, other} : Questions{};
 }
 
 Outcome check_same_contact(const Case& c) {

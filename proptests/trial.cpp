@@ -33,8 +33,11 @@ std::int64_t difficulty(double x) {
   return 4 + 4 * significant_bits(x) + (exponent < 0 ? -2 * exponent : exponent) + (x < 0 ? 1 : 0);
 }
 
+/// The first pair of the same two shapes.
+Pair plain_pair(Pair pair) { return is_convex(pair) ? pair : pairs_of_kinds()[kind_of(pair)]; }
+
 std::int64_t difficulty(const Query& query) {
-  std::int64_t sum = query.pair == pairs_of_kinds()[kind_of(query.pair)] ? 0 : 1;
+  std::int64_t sum = query.pair == plain_pair(query.pair) ? 0 : 1;
   for_each_number(query, [&](const std::string&, double x) { sum += difficulty(x); });
   if (const Balls* balls = query.balls();
       balls != nullptr && balls->a.radius == balls->b.radius && balls->a.radius != 0)
@@ -142,7 +145,7 @@ class Easier {
   void whole_question() {
     const Query& query = trial_.query;
     Query plain = query;
-    plain.pair = pairs_of_kinds()[kind_of(query.pair)];
+    plain.pair = plain_pair(query.pair);
     add(plain);
     int largest = -2000;
     int smallest = 2000;

@@ -270,7 +270,7 @@ class Documentation(Case):
         drawn = self.folder / "pairs.svg"
         subprocess.run([sys.executable, ROOT / "docs" / "draw_pairs.py", TOOL, drawn], check=True, timeout=300)
         self.assertEqual(drawn.read_text(), (ROOT / "docs" / "pairs.svg").read_text())
-        for pair in PAIRS[:18]:
+        for pair in PAIRS:
             self.assertIn(f">{pair}<" if "rigid" not in pair else "<svg", drawn.read_text(), pair)
 
     def test_the_table_of_laws_is_the_programs(self):
@@ -931,6 +931,25 @@ class Results(Case):
 
     def test_right_answers_are_certified_at_the_strictest_level(self):
         self.assertIn("\nCERTIFIED", self.holds(*self.args(self.answers, "--level", "correctly-rounded")))
+
+    def test_more_points_than_are_declared_are_called_so(self):
+        self.lines = committed("obb_obb/generic.jsonl", 0, 40)
+        self.dataset = self.file("d.jsonl", self.lines)
+        answers = answers_to(self.lines)
+        contact = {case["id"]: case["contact"] for case in self.lines[1:]}
+        for answer in answers[1:]:
+            if c := answer["contact"]:
+                depth = -float(c["value"]) - float(contact[answer["id"]])
+                answer["contact"] = {"normal": c["normal"], "value": c["value"], "points": 3 * [c["point1"]], "depths": 3 * [depth]}
+        declared = {**answers[0], "conventions": {"points": "manifold", "most_points": 3}}
+        tolerance = ("--tolerance", "length=1e-9,relative=1e-9,angle=1e-9")
+        self.holds(*self.args([declared, *answers[1:]], *tolerance))
+        declared["conventions"]["most_points"] = 2
+        for also in (), tolerance:
+            out = self.refuted(*self.args([declared, *answers[1:]], *also, "--report", self.folder / "r.html"))
+            self.assertIn("points more than declared", out)
+            self.assertIn("more than declared</td>", (self.folder / "r.html").read_text())
+            self.assertNotIn("points off by 0", out)
 
     def test_one_missing_answer_is_never_certified(self):
         self.assertIn("1 missing", self.refuted(*self.args(self.answers[:-1])))

@@ -75,7 +75,7 @@ COMPONENTS = {
                   "oracle/diagnosis/sphere_triangle.cpp", "oracle/diagnosis/cover.cpp", "oracle/diagnosis/cover.hpp", "oracle/diagnosis/diagnosis.cpp", "oracle/diagnosis/diagnosis.hpp",
                   "oracle/diagnosis/formulas.hpp", "oracle/diagnosis/hypotheses.cpp", "oracle/diagnosis/hypotheses.hpp",
                   "oracle/diagnosis/nearest_in_reals.hpp", "oracle/diagnosis/wrong_arithmetic.cpp", "oracle/diagnosis/wrong_decisions.cpp",
-                  "oracle/diagnosis/wrong_features.cpp", "oracle/diagnosis/wrong_fields.cpp",
+                  "oracle/diagnosis/wrong_convexes.cpp", "oracle/diagnosis/wrong_features.cpp", "oracle/diagnosis/wrong_fields.cpp",
                   "oracle/diagnosis/wrong_inputs.cpp"],
     "lint": ["golden/lint.cpp", "tool/commands/lint.cpp"],
     "verify": ["golden/verify.py"],

@@ -2,9 +2,11 @@
 // parts two cores.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "engines/zoo/mutating.hpp"
+#include "oracle/diagnosis/wrong_convexes.hpp"
 #include "oracle/truth/cores.hpp"
 #include "oracle/truth/default_environment.hpp"
 #include "oracle/truth/exact_truth.hpp"
@@ -31,27 +33,6 @@ void each(Query& q, void (*change)(Changed&)) {
 constexpr auto each_box = each<Obb>;
 constexpr auto each_hull = each<Hull>;
 
-std::pair<Vector3, Vector3> bounds(const Hull& hull) {
-  std::pair<Vector3, Vector3> found{hull.vertices[0], hull.vertices[0]};
-  for (const Vector3& v : hull.vertices) {
-    found.first = found.first.cwiseMin(v);
-    found.second = found.second.cwiseMax(v);
-  }
-  return found;
-}
-
-/// The grid of Bullet's btConvexHullComputer.
-void round_vertices(Hull& hull) {
-  constexpr double kMost = 10216;
-  const auto [low, high] = bounds(hull);
-  for (int i = 0; i < 3; ++i) {
-    const double half = (high[i] - low[i]) / 2;
-    const double middle = (low[i] + high[i]) / 2;
-    for (Vector3& v : hull.vertices)
-      if (half > 0) v[i] = middle + std::nearbyint((v[i] - middle) / (half / kMost)) * (half / kMost);
-  }
-}
-
 void drop_flat_hulls(const Query& q, Claim& claim) {
   for_each_shape(q, [&]<class Shape>(const Shape& shape) {
     if constexpr (std::same_as<Shape, Hull>)
@@ -77,6 +58,25 @@ void leave_by_centers(const Query& q, Claim& claim) {
   };
   const Wide3 along = middle(points[1]) - middle(points[0]);
   if (along.norm() > 0) claim.contact->normal = Vector3((along / along.norm()).cast<double>());
+}
+
+/// An overlap is left another way, and what that way does not part overlaps.
+template <std::optional<oracle::WayInReals> (*way_out)(const Query&)>
+void leave_by_way(const Query& q, Claim& claim) {
+  if (!is_convex(q.pair) || has_plane(q.pair)) return;
+  const WideSpheres s(q);
+  if (s.distance == 0 || (s.distance > 0 && claim.overlap.value_or(false))) return;
+  const auto way = way_out(q);
+  if (!way) return;
+  if (s.distance > 0) {
+    if (-way->depth <= s.reach) decide(q, claim, true);
+  } else if (std::abs(way->depth + s.distance) > -1e-9L * s.distance) {
+    in_contact(claim, [&](ContactClaim& c) {
+      const auto& [x, y, z] = way->normal;
+      c.normal = Vector3(rounded(x), rounded(y), rounded(z));
+      c.value = rounded(-way->depth - s.r1 - s.r2 - s.contact);
+    });
+  }
 }
 
 const std::array kConvexes{
@@ -121,19 +121,28 @@ const std::array kConvexes{
              });
            }},
     Mutant{"hull-bounds", "a hull is the box around its vertices", "hull-is-its-bounds",
-           [](Query& q) {
-             each_hull(q, [](Hull& hull) {
-               const auto [low, high] = bounds(hull);
-               hull.vertices.resize(8);
-               for (unsigned k = 0; k < 8; ++k)
-                 hull.vertices[k] = {k & 1U ? high[0] : low[0], k & 2U ? high[1] : low[1], k & 4U ? high[2] : low[2]};
-             });
-           }},
+           [](Query& q) { each_hull(q, oracle::put_in_a_box); }},
     Mutant{"hull-default-margin", "a hull keeps the margin of 0.04 that a library gives it", "hull-margin-added",
            [](Query& q) { each_hull(q, [](Hull& hull) { hull.radius += 0.04; }); }},
     Mutant{"hull-vertices-rounded", "the maker of a hull rounds its vertices to a grid", "hull-on-a-grid",
-           [](Query& q) { each_hull(q, round_vertices); }},
+           [](Query& q) { each_hull(q, oracle::put_on_a_grid); }},
     Mutant{"hull-flat-dropped", "a hull without a volume is never hit", "hull-flat-missed", nullptr, drop_flat_hulls},
+    Mutant{"hull-walk", "the lowest vertex of a hull is where both neighbours in the list are higher",
+           "hull-walk-ends-early", oracle::walk_down},
+    Mutant{"sat-without-edges", "two solids are parted along normals of faces alone", "axes-of-faces-only", nullptr,
+           leave_by_way<oracle::way_by_faces>},
+    Mutant{"sat-not-divided", "how deep boxes overlap along a cross of edges is not divided by its length",
+           "crosses-not-divided", nullptr, leave_by_way<oracle::way_by_products>},
+    Mutant{"epa-stops-at-once", "EPA takes the nearest face of the polytope that it begins with", "first-polytope",
+           nullptr, leave_by_way<oracle::way_by_first_polytope>},
+    Mutant{"gjk-stops-1e-6", "GJK stops where the distance is a millionth too long", "distance-a-millionth-long",
+           nullptr,
+           [](const Query& q, Claim& claim) {
+             if (is_convex(q.pair) && !has_plane(q.pair))
+               revalue(q, claim, [](const WideSpheres& s) {
+                 return std::max((1 + 1e-6L) * s.distance, s.distance) - s.r1 - s.r2 - s.contact;
+               });
+           }},
     Mutant{"overlap-without-depth", "cores that overlap are said to touch", "depth-lost", nullptr,
            [](const Query& q, Claim& claim) {
              if (is_convex(q.pair) && !has_plane(q.pair))

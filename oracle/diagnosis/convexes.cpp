@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "oracle/diagnosis/formulas.hpp"
+#include "oracle/diagnosis/wrong_convexes.hpp"
 #include "oracle/truth/cores.hpp"
 
 namespace contact::oracle::formulas {
@@ -22,21 +23,8 @@ Cause others(std::string_view id, std::string_view sentence, void (*change)(Chan
 const auto other_boxes = others<Obb>;
 const auto other_hulls = others<Hull>;
 
+constexpr Real kStop = 1e-6L;     ///< a relative tolerance of GJK in many engines
 constexpr double kMargin = 0.04;  ///< Bullet's CONVEX_DISTANCE_MARGIN
-constexpr double kSteps = 10216;  ///< from the middle of a hull to its ends, in Bullet's btConvexHullComputer
-
-void put_on_a_grid(Hull& hull) {
-  Vector3 low = hull.vertices[0];
-  Vector3 high = low;
-  for (const Vector3& v : hull.vertices) low = low.cwiseMin(v), high = high.cwiseMax(v);
-  const Vector3 middle = (low + high) / 2;
-  for (Vector3& v : hull.vertices)
-    for (int i = 0; i < 3; ++i) {
-      const double step = (high[i] - low[i]) / 2 / kSteps;
-      if (step > 0) v[i] = middle[i] + std::nearbyint((v[i] - middle[i]) / step) * step;
-    }
-}
-
 bool has_flat_hull(const Query& q) {
   bool found = false;
   for_each_shape(q, [&]<class Shape>(const Shape& shape) {
@@ -58,6 +46,34 @@ Numbers middle_of(const Shape& shape) {
 }
 
 double squared_length(const Quaternion& q) { return q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]; }
+
+template <class Say>
+Said said_of(F f, const std::optional<WayInReals>& found, Say say) {
+  return found && f.depth > 0 ? say(*found) : Said(std::nullopt);
+}
+/// A way out of two cores that overlap, and what a way that parts some that do not says of them.
+Cause other_way(std::string_view id, std::string_view sentence, std::optional<WayInReals> (*way)(const Query&)) {
+  const auto of = [way](F f) {
+    // The same again, but for roundings, is no other.
+    auto found = f.distance > 0 || f.depth > 0 ? way(f.query) : std::nullopt;
+    if (found && f.depth > 0 && std::abs(found->depth - f.depth) <= 1e-9L * f.depth) found.reset();
+    return found;
+  };
+  return {.id = id,
+          .sentence = sentence,
+          .hit =
+              [of](F f) {
+                if (f.depth > 0 || f.truth->hit()) return right_decision(f);
+                const auto found = of(f);
+                return found ? Said::at_most(-found->depth, f.radii() + f.alarm, largest_of(f.nearest[0]))
+                             : right_decision(f);
+              },
+          .normal = [of](F f) { return said_of(f, of(f), [](const WayInReals& x) { return Said(x.normal); }); },
+          .value =
+              [of](F f) {
+                return said_of(f, of(f), [&](const WayInReals& x) { return Said(-x.depth - f.radii() - f.contact); });
+              }};
+}
 
 /// What is said where the cores overlap, and nothing elsewhere.
 Said of_overlap(F f, Real value) { return where(f.depth > 0, Said(value)); }
@@ -91,21 +107,23 @@ std::vector<Cause> wrong_about(const Convexes* /*kind*/) {
                   }),
       other_hulls("hull-first-vertices-only", "looks at the first eight vertices of a hull",
                   [](Hull& hull) { hull.vertices.resize(std::min<std::size_t>(hull.vertices.size(), 8)); }),
-      other_hulls("hull-is-its-bounds", "takes the box around the vertices of a hull for the hull",
-                  [](Hull& hull) {
-                    Vector3 low = hull.vertices[0];
-                    Vector3 high = low;
-                    for (const Vector3& v : hull.vertices) low = low.cwiseMin(v), high = high.cwiseMax(v);
-                    hull.vertices.clear();
-                    for (const double x : {low[0], high[0]})
-                      for (const double y : {low[1], high[1]})
-                        for (const double z : {low[2], high[2]}) hull.vertices.emplace_back(x, y, z);
-                  }),
+      other_hulls("hull-is-its-bounds", "takes the box around the vertices of a hull for the hull", put_in_a_box),
       other_hulls("hull-margin-added", "blows a hull up by a margin of 0.04",
                   [](Hull& hull) { hull.radius += kMargin; }),
       other_hulls("hull-on-a-grid", "moves the vertices of a hull to a grid of its own size", put_on_a_grid),
       decision("hull-flat-missed", "takes a hull without a volume for nothing",
                [](F f) { return missed_where(has_flat_hull(f.query), f); }),
+      edit("hull-walk-ends-early", "takes a vertex of a hull for the lowest whose neighbours in the list are higher",
+           [](Facts& f) {
+             Query other = f.query;
+             walk_down(other);
+             f.ask(std::move(other));
+           }),
+      other_way("axes-of-faces-only",
+                "tries the normals of faces as axes that part two solids, and no crosses of edges", way_by_faces),
+      other_way("crosses-not-divided", "does not divide how deep boxes overlap along a cross of edges by its length",
+                way_by_products),
+      other_way("first-polytope", "takes the nearest face of the polytope that EPA begins with", way_by_first_polytope),
       {.id = "normal-of-centres",
        .sentence = "leaves an overlap along the way between the centres of the shapes",
        .normal =
@@ -117,6 +135,11 @@ std::vector<Cause> wrong_about(const Convexes* /*kind*/) {
              const Real length = std::sqrt(dot(way, way));
              return where(f.depth > 0 && length > 0, Said(times(1 / length, way)));
            }},
+      value("distance-a-millionth-long", "says a distance a millionth too long, as GJK does that stops there",
+            [](F f) {
+              return where(f.distance > 0 && !has_plane(f.query.pair),
+                           Said((1 + kStop) * f.distance - f.radii() - f.contact));
+            }),
       value("depth-lost", "says that cores that overlap are at distance 0",
             [](F f) { return of_overlap(f, -f.radii() - f.contact); }),
       value("depth-unsigned", "says the depth of cores that overlap as a distance above 0",

@@ -204,6 +204,7 @@ class ContactJudge {
                                        separation_ ? separation_->depth_room() : Rational(0)));
     if (claim_.points.size() > static_cast<std::size_t>(conventions_.most_points)) {
       verdict.grade = Grade::beyond_bound;
+      verdict.too_many = true;
       verdict.off.merge(beyond_lengths(tolerance()));
     }
     return verdict;
@@ -527,8 +528,9 @@ bool has_center_and_size(const Ray& ray, Scalar scalar) {
 }
 /// Triangles, lines and hulls are taken by their corners.
 bool has_center_and_size(const Line& /*line*/, Scalar /*scalar*/) { return true; }
-bool has_center_and_size(const Triangle& /*triangle*/, Scalar /*scalar*/) { return true; }
-bool has_center_and_size(const Hull& /*hull*/, Scalar /*scalar*/) { return true; }
+template <class Cornered>
+requires requires(Cornered shape) { shape.vertices; }
+bool has_center_and_size(const Cornered& /*shape*/, Scalar /*scalar*/) { return true; }
 /// A rotated box has a rotation, whose matrix is of numbers where it changes axes, as after quarter turns, and seldom else.
 bool has_rotation(const Obb& box, Scalar scalar) {
   if (!std::all_of(box.orientation.begin(), box.orientation.end(), [](double x) { return std::isfinite(x); }))

@@ -1658,6 +1658,10 @@ TEST(JudgeManifold, is_bounded_by_the_points_that_are_declared) {
   EXPECT_EQ(level_of(boxes, manifold_of({0, 0, 1}, five), declared), Level::bounded);
   declared.conventions.most_points = 4;
   EXPECT_EQ(level_of(boxes, manifold_of({0, 0, 1}, five), declared), Level::decisions);
+  EXPECT_TRUE(judged(boxes, manifold_of({0, 0, 1}, five), declared).at(Field::points)->too_many);
+  declared.conventions.most_points = 5;
+  EXPECT_FALSE(judged(boxes, manifold_of({0, 0, 2}, five), declared).at(Field::points)->too_many);
+  declared.conventions.most_points = 4;
   declared.tolerance = Tolerance{10, 10, 3, 0, std::numeric_limits<double>::infinity()};
   EXPECT_FALSE(judged(boxes, manifold_of({0, 0, 1}, five), declared).within());
   // 8 ulps of 2.5, the largest coordinate, and 2 * 8 ulps of 1 times the depth, 0.5.

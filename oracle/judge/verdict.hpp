@@ -68,6 +68,7 @@ struct FieldVerdict {
   /// is a length then, and what its own length is off.
   std::array<Off, kMeasures.size()> needs{};
   bool last_bit = false;  ///< beyond the bound, and no worse than the inputs' last bit: mark_last_bit
+  bool too_many = false;  ///< more points than the engine declares, each wherever it is
 
   friend bool operator==(const FieldVerdict&, const FieldVerdict&) = default;
 };

@@ -50,22 +50,11 @@ double plain_dot(const Plain& x, const Plain& y) { return x[0] * y[0] + x[1] * y
 
 // ---- cores ----
 
-bool is_in_range(const Ball& x) { return in_range(x.center, kMostOfCores) && in_range(x.radius, kMostOfCores); }
-bool is_in_range(const Capsule& x) {
-  return in_range(x.start, kMostOfCores) && in_range(x.end, kMostOfCores) && in_range(x.radius, kMostOfCores);
-}
-bool is_in_range(const Box& x) { return in_range(x.min, kMostOfCores) && in_range(x.max, kMostOfCores); }
-bool is_in_range(const Triangle& x) {
-  return std::all_of(x.vertices.begin(), x.vertices.end(), [](const Vector3& v) { return in_range(v, kMostOfCores); });
-}
-bool is_in_range(const Obb& x) {
-  return in_range(x.center, kMostOfCores) && in_range(x.extents, kMostOfCores) &&
-         std::all_of(x.orientation.begin(), x.orientation.end(), [](double c) { return in_range(c, kMostOfCores); });
-}
-
-bool is_in_range(const Hull& x) {
-  return in_range(x.radius, kMostOfCores) &&
-         std::all_of(x.vertices.begin(), x.vertices.end(), [](const Vector3& v) { return in_range(v, kMostOfCores); });
+template <class Shape>
+bool is_in_range(const Shape& shape) {
+  bool all = true;
+  for_each_number(shape, [&](double x) { all = all && in_range(x, kMostOfCores); });
+  return all;
 }
 
 /// Thrown where a sign is not known for certain.

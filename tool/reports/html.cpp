@@ -94,7 +94,8 @@ std::string field_square(const FieldCount& c, Field field) {
     says += fmt::format("{}{} {}", says.empty() ? "" : ", ", c.grades[i], name(static_cast<Grade>(i)));
   }
   return square(worst, c.at(Grade::beyond_bound) + c.at(Grade::not_finite),
-                fmt::format("{}: {}; worst {:.3g} ulps", name(field), says, c.worst));
+                fmt::format("{}: {}{}", name(field), says,
+                            c.worst_id.empty() ? "" : fmt::format("; worst {:.3g} ulps", c.worst)));
 }
 
 /// Families by fields, a table a pair: what the worst answer of each reaches, for questions in either scalar.
@@ -217,7 +218,7 @@ std::string numbers_table(const WorstCase& w, const oracle::Declaration& declare
     if (!verdict) return "";
     if (verdict->grade == Grade::correctly_rounded || verdict->grade == Grade::not_finite)
       return std::string(name(verdict->grade));
-    return fmt::format("{:.4g} ulps", verdict->error);
+    return verdict->too_many ? "more than declared" : fmt::format("{:.4g} ulps", verdict->error);
   };
   const auto decision = [&](Aspect asked, oracle::Decision d) {
     constexpr std::array<std::string_view, 4> kNames{"", "right", "missed hit", "false hit"};

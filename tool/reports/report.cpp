@@ -215,8 +215,9 @@ std::string WorstCase::what() const {
     if (!f || f->grade < std::min(worst, Grade::beyond_bound)) continue;
     if (!text.empty()) text += ", ";
     text += f->grade == Grade::not_finite ? fmt::format("{} not finite", name(field))
+            : f->too_many                 ? fmt::format("{} more than declared", name(field))
                                           : fmt::format("{} off by {:.4g} ulps{}", name(field), f->error,
-                                                        f->last_bit ? " (no worse than the inputs' last bit)" : "");
+                                        f->last_bit ? " (no worse than the inputs' last bit)" : "");
   }
   return text;
 }

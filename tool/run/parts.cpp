@@ -75,7 +75,7 @@ void serialize(Archive& archive, Off& off) {
 
 template <class Archive>
 void serialize(Archive& archive, FieldVerdict& v) {
-  archive(v.grade, v.error, v.off, v.needs, v.last_bit);
+  archive(v.grade, v.error, v.off, v.needs, v.last_bit, v.too_many);
 }
 
 template <class Archive>
