@@ -80,6 +80,44 @@ void register_times_of_boxes(const Peer& peer) {
              [compute = loops.compute](std::size_t n) { compute(boxes(n), answers(n).data()); });
 }
 
+/// Hulls of twelve corners beside each other, about half of which overlap; beside spheres, capsules and planes as adapters take them: along an axis.
+enum class Beside { hull, sphere, capsule, plane };
+const std::vector<Convexes>& hulls(Beside beside, std::size_t size) {
+  static std::map<std::pair<Beside, std::size_t>, std::vector<Convexes>> made;
+  std::vector<Convexes>& all = made[{beside, size}];
+  Uniform uniform(1);
+  while (all.size() < size) {
+    const Convex hull{uniform.hull()};
+    const Vector3 at = uniform.hull().vertices[0];
+    if (beside == Beside::hull)
+      all.push_back({hull, {uniform.hull()}});
+    else if (beside == Beside::sphere)
+      all.push_back({{Ball{at, 2}}, hull});
+    else if (beside == Beside::capsule)
+      all.push_back({{Capsule{at, at + Vector3(0, 5, 0), 2}}, hull});
+    else
+      all.push_back({hull, {Plane{{0, 0, 1}, at[2] - 5}}});
+  }
+  return all;
+}
+void register_times_of_hulls(const Peer& peer) {
+  constexpr Place kPlace{kPlaces[0].name, 512};  // of two hulls as long as 4096 of others
+  for (const auto& [name, beside] : {std::pair("hull_hull", Beside::hull), {"sphere_hull", Beside::sphere}, {"capsule_hull", Beside::capsule},
+                                    {"hull_plane", Beside::plane}}) {
+    if (beside == Beside::plane && !peer.hulls.has_planes) continue;
+    const std::string row = "Peer/" + peer.name + "/" + name + "_";
+    if (peer.hulls.test)
+      at_place(row + "test", kPlace, [test = peer.hulls.test, beside = beside](std::size_t n) {
+        std::vector<std::uint8_t> hit(n);
+        test(hulls(beside, n), hit.data());
+      });
+    if (peer.hulls.compute)
+      at_place(row + "compute", kPlace, [compute = peer.hulls.compute, beside = beside](std::size_t n) {
+        compute(hulls(beside, n), answers(n).data());
+      });
+  }
+}
+
 template <class A, class B>
 void register_batch_times(const Subject<A, B>& subject) {
   const std::string plain = "Peer/plain double, vectors/";
@@ -190,6 +228,7 @@ void count_wrong_answers(benchmark::State& state, const Peer& peer, const std::s
       std::apply([&](const auto&... subject) { (register_times(subject, peer, true), ...); }, kSubjects);
       std::apply([&](const auto&... subject) { (register_times(subject, peer, false), ...); }, kOthers);
       register_times_of_boxes(peer);
+      register_times_of_hulls(peer);
       all.push_back(std::move(peer));
     }
   all.push_back(make_peer("ours, batch", {}, false, std::make_shared<OneInBatch>()));
