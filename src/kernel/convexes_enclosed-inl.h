@@ -134,11 +134,12 @@ struct CornerSet {
 /// The corners that lie farthest along a direction, or nearly: a way that was walked is off by some 2^-25. Nothing where they make no feature.
 template <class Near>
 [[nodiscard]] std::optional<CornerSet> farthest_set(const Near& core, const NearSimplex::Vector& way) {
-  std::array<double, std::tuple_size_v<decltype(core.corners)>> along;
+  std::array<double, std::same_as<Near, NearCore> ? 8 : kMostVertices> along;
+  const NearSimplex::Vector first = core.corner(0);
   double most = 0;
   double size = 0;
   for (std::size_t k = 0; k < core.count; ++k) {
-    const NearSimplex::Vector from_first = near::difference(core.corners[k], core.corners[0]);
+    const NearSimplex::Vector from_first = near::difference(core.corner(k), first);
     along[k] = near::dot(way, from_first);
     most = std::max(most, along[k]);
     size = std::max(size, near::largest(from_first));
@@ -174,9 +175,9 @@ template <class Near>
   const auto& [way, off] = along;
   const double sum = std::abs(way[0]) + std::abs(way[1]) + std::abs(way[2]);
   const double bound = sum * (4 * core.error + 0x1p-47 * core.size) + off * 8 * core.size;
-  const NearSimplex::Vector& from = core.corners[set.at[0]];
+  const NearSimplex::Vector from = core.corner(set.at[0]);
   for (std::size_t k = 0; k < core.count; ++k) {
-    const NearSimplex::Vector& x = core.corners[k];
+    const NearSimplex::Vector x = core.corner(k);
     const double before = sign * near::dot(way, near::difference(from, x));
     if (!set.has(k) && !(before > bound)) return false;
   }
@@ -342,7 +343,7 @@ template <class A, class B>
     const auto& [f, g] = *features;
     for (std::size_t i = 0; i < f.size; ++i)
       for (std::size_t k = 0; k < g.size; ++k)
-        if (near::difference(a.near.corners[f.at[i]], b.near.corners[g.at[k]]) == corner) return true;
+        if (near::difference(a.near.corner(f.at[i]), b.near.corner(g.at[k])) == corner) return true;
     return false;
   };
   if (!polytope.is_surely_nearest(nearest, is_of_facet)) return std::nullopt;
@@ -384,7 +385,7 @@ template <class A, class B>
 /// The contact of cores that overlap, at the facet of A - B that 0 is nearest to, of a face of `faced` and a vertex of the other.
 [[nodiscard]] inline std::optional<EnclosedContact> contact_at_face(CornersOf<NearCore>& faced,
                                                                     CornersOf<NearCore>& other, bool is_a,
-                                                                    const NearDepths::Facet& facet,
+                                                                    const NearFacet& facet,
                                                                     const Lengths& lengths) {
   // The third way of a box. From A to B, so out of A and into B.
   const auto face = faced.corners.face(3 - facet.axis.u - facet.axis.w, facet.is_back == is_a ? -1 : 1);
@@ -401,7 +402,7 @@ template <class A, class B>
 }
 /// The same of two edges.
 [[nodiscard]] inline std::optional<EnclosedContact> contact_at_edges(CornersOf<NearCore>& a, CornersOf<NearCore>& b,
-                                                                     const NearDepths::Facet& facet,
+                                                                     const NearFacet& facet,
                                                                      const Lengths& lengths) {
   b.corners.square();
   const Enclosures u = a.corners.along(facet.axis.u);
@@ -424,7 +425,7 @@ template <class A, class B>
   return EnclosedContact(p, p + distance * normal, normal, distance, lengths);
 }
 [[nodiscard]] inline std::optional<EnclosedContact> contact_overlapping(CornersOf<NearCore>& a, CornersOf<NearCore>& b,
-                                                                        const NearDepths::Facet& facet,
+                                                                        const NearFacet& facet,
                                                                         const Lengths& lengths) {
   if (facet.axis.of_a) a.corners.square();
   if (facet.axis.of_a && facet.axis.of_b) return contact_at_edges(a, b, facet, lengths);
@@ -470,11 +471,14 @@ template <class A, class B>
   const NearScale scale(a.near, b.near, lengths.alarm);
   if (!scale.holds()) return {NearSide::unknown};
   if constexpr (kHaveWays<A, B>) {
-    const NearDepths depths(a.near, b.near, scale);
-    const NearSide side = depths.side(scale.reach);
+    std::optional<NearFacet> facet;
+    const NearSide side = with_depths(a.near, b.near, scale, [&](auto& depths) {
+      const NearSide found = depths.side(scale.reach);
+      if (found == NearSide::hit) facet = depths.least();
+      return found;
+    });
     if (side == NearSide::miss) return {side};
     if (side == NearSide::hit) {
-      const auto facet = depths.least();
       if (!in_range || !facet) return {side};
       return rounded(contact_overlapping(a, b, *facet, lengths), side, lengths, points, contact);
     }

@@ -35,6 +35,7 @@ struct NearCorners {
   double radius = 0;
   double error = 0;
 
+  [[nodiscard]] const Vector& corner(std::size_t k) const { return corners[k]; }
   void add(const Vector& x) {
     corners[count++] = x;
     size = std::max({size, std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
@@ -43,14 +44,36 @@ struct NearCorners {
 /// A hull: its vertices as they are given. Maybe some are no corners, or one is there twice.
 struct NearHull : NearCorners<kMostVertices> {};
 /// A core with ways between its corners. What is no triangle is the middle, `base`, and any part of each way, forth or back: three of a box, one of a segment. A
-/// triangle is its first corner, `base`, and ways from this to the others and between these.
-struct NearCore : NearCorners<8> {
+/// triangle is its first corner, `base`, and ways from this to the others and between these. A box has axes too, along which its ways lead as far as `half` says; its
+/// corners are written nowhere.
+struct NearCore : NearCorners<3> {
   std::array<Vector, 3> ways{};
+  std::array<Vector, 3> axes;   ///< of a box
+  std::array<double, 3> half;  ///< of a box
 
   [[nodiscard]] bool is_triangle() const { return count == 3; }
   [[nodiscard]] bool is_box() const { return count == 8; }
   /// How many ways there are, each in a direction of its own.
   [[nodiscard]] std::size_t directions() const { return count < 3 ? count - 1 : 3; }
+  /// A corner; of a box that whose bits say of each way whether it leads forth.
+  [[nodiscard]] Vector corner(std::size_t k) const {
+    if (!is_box()) return corners[k];
+    Vector at = base;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double sign = k >> axis & 1 ? 1 : -1;
+      for (std::size_t i = 0; i < 3; ++i) at[i] += sign * ways[axis][i];
+    }
+    return at;
+  }
+  /// Makes it a box, of its base, axes and half lengths.
+  void set_box() {
+    count = 8;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < 3; ++i) ways[axis][i] = half[axis] * axes[axis][i];
+    for (std::size_t i = 0; i < 3; ++i)
+      size = std::max(size, std::abs(base[i]) + std::abs(ways[0][i]) + std::abs(ways[1][i]) + std::abs(ways[2][i]));
+    error = 0x1p-48 * (std::max({std::abs(base[0]), std::abs(base[1]), std::abs(base[2])}) + half[0] + half[1] + half[2]);
+  }
 };
 /// Whether the facets of A - B are made by ways of both.
 template <class A, class B>
@@ -111,11 +134,11 @@ inline NearCore near_core(const Triangle& triangle) {
 }
 inline NearCore near_core(const Box& box) {
   NearCore core;
-  for (int k = 0; k < 8; ++k)
-    core.add({(k & 1 ? box.max : box.min)[0], (k & 2 ? box.max : box.min)[1], (k & 4 ? box.max : box.min)[2]});
-  core.base = near::middle(core.corners[0], core.corners[7]);
-  for (std::size_t axis = 0; axis < 3; ++axis) core.ways[axis][axis] = core.corners[7][axis] - core.base[axis];
-  core.error = 0x1p-52 * core.size;
+  core.base = near::middle(near::vector(box.min), near::vector(box.max));
+  core.axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    core.half[axis] = box.max[static_cast<Eigen::Index>(axis)] - core.base[axis];
+  core.set_box();
   return core;
 }
 inline NearCore near_core(const Obb& box) {
@@ -124,21 +147,13 @@ inline NearCore near_core(const Obb& box) {
   const double N = x * x + y * y + z * z + w * w;
   const double inverse = 1 / N;
   // Each number of the rotation is off by less than 10 u, each corner by 15 u (|c| + the sum of the extents).
-  const std::array<near::Vector, 3> columns{
+  core.axes = {
       {{(w * w + x * x - y * y - z * z) * inverse, 2 * (x * y + w * z) * inverse, 2 * (x * z - w * y) * inverse},
        {2 * (x * y - w * z) * inverse, (w * w - x * x + y * y - z * z) * inverse, 2 * (y * z + w * x) * inverse},
        {2 * (x * z + w * y) * inverse, 2 * (y * z - w * x) * inverse, (w * w - x * x - y * y + z * z) * inverse}}};
   core.base = near::vector(box.center);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (std::size_t i = 0; i < 3; ++i)
-      core.ways[axis][i] = box.extents[static_cast<Eigen::Index>(axis)] * columns[axis][i];
-  for (unsigned k = 0; k < 8; ++k) {
-    near::Vector corner = core.base;
-    for (unsigned axis = 0; axis < 3; ++axis)
-      for (std::size_t i = 0; i < 3; ++i) corner[i] += k >> axis & 1 ? core.ways[axis][i] : -core.ways[axis][i];
-    core.add(corner);
-  }
-  core.error = 0x1p-48 * (near::largest(core.base) + box.extents[0] + box.extents[1] + box.extents[2]);
+  core.half = near::vector(box.extents);
+  core.set_box();
   if (!is_near_range(near::largest({std::abs(x), std::abs(y), std::max(std::abs(z), std::abs(w))})))
     core.size = std::numeric_limits<double>::infinity();
   return core;
@@ -282,6 +297,12 @@ struct NearAxis {
   std::size_t w;
 };
 
+/// A facet of A - B: it faces along the axis, u x w, or back.
+struct NearFacet {
+  NearAxis axis;
+  bool is_back;
+};
+
 /// How deep two cores overlap along each direction that a facet of A - B may face, one way and the other, and how far that may be off; and which is least.
 ///   Each way is off by e' = 4 e + 2^-50 S in each coordinate, N = u x w by d = 4 (|u| + |w|) e', n = N / |N| by 4 d / |N|, what is farthest along n by
 ///   16 d S / |N|, and sums of products with n by 14 e + 150 u S. What is used is wider.
@@ -331,13 +352,8 @@ class NearDepths {
     return !may_meet ? NearSide::miss : surely_meet ? NearSide::hit : NearSide::unknown;
   }
 
-  /// A facet of A - B: it faces along the axis, u x w, or back.
-  struct Facet {
-    NearAxis axis;
-    bool is_back;
-  };
   /// The facet that 0 is nearest to; nothing where another may be as near. Domain: side() is a hit.
-  [[nodiscard, gnu::always_inline]] std::optional<Facet> least() const {
+  [[nodiscard, gnu::always_inline]] std::optional<NearFacet> least() const {
     std::size_t best = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < count_; ++k)
@@ -349,7 +365,7 @@ class NearDepths {
       as_near += back_[k] - off_[k] > most ? 0 : 1;
     }
     if (as_near != 1) return std::nullopt;
-    return Facet{axes_[best], back_[best] < forth_[best]};
+    return NearFacet{axes_[best], back_[best] < forth_[best]};
   }
 
  private:
@@ -403,14 +419,131 @@ class NearDepths {
   std::array<double, kMost> excess_;  ///< of the length of a normal over what its direction needs
 };
 
+/// The same of two boxes, by the products of their axes: a_i.b_j, off by less than 40 u, and those of the way between the middles, off by 38 u S, S being 2^48 times the error of both. The depth along
+/// a face's axis is off by less than 128 u S; across two edges, times the length m of a_i x b_j, by 300 u S, m by 60 u, and so the depth by 480 u S / m. What is used is at least
+/// twice as wide.
+class NearBoxes {
+ public:
+  [[gnu::always_inline]] NearBoxes(const NearCore& a, const NearCore& b, const NearScale& scale)
+      : a_(a), b_(b), error_(scale.error) {
+    const Vector between = near::difference(b.base, a.base);
+    for (std::size_t i = 0; i < 3; ++i) {
+      shift_[i] = near::dot(a.axes[i], between);
+      shift_[3 + i] = near::dot(b.axes[i], between);
+      for (std::size_t j = 0; j < 3; ++j) cosine_[i][j] = near::dot(a.axes[i], b.axes[j]);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      reach_[i] = reach_[3 + i] = 0;
+      for (std::size_t j = 0; j < 3; ++j) {
+        reach_[i] += b.half[j] * std::abs(cosine_[i][j]);
+        reach_[3 + i] += a.half[j] * std::abs(cosine_[j][i]);
+      }
+      reach_[i] += a.half[i];
+      reach_[3 + i] += b.half[i];
+    }
+  }
+
+  /// Whether the boxes are proved to overlap, or to be farther apart than the reach.
+  [[nodiscard, gnu::always_inline]] NearSide side(double reach) {
+    const double off_face = 16 * error_;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < kFaces; ++k) least = std::min(least, reach_[k] - std::abs(shift_[k]));
+    if (least + off_face < -reach * kMore) return NearSide::miss;
+    bool surely_meet = least > off_face;
+    bool may_meet = true;
+    const double off_edge = 32 * error_;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        const std::size_t k = kFaces + 3 * i + j;
+        const std::size_t i1 = (i + 1) % 3;
+        const std::size_t i2 = (i + 2) % 3;
+        const std::size_t j1 = (j + 1) % 3;
+        const std::size_t j2 = (j + 2) % 3;
+        const double x = cosine_[i1][j];
+        const double y = cosine_[i2][j];
+        length_[k - kFaces] = x * x + y * y;
+        shift_[k] = x * shift_[i2] - y * shift_[i1];
+        reach_[k] = a_.half[i1] * std::abs(y) + a_.half[i2] * std::abs(x) + b_.half[j1] * std::abs(cosine_[i][j2]) +
+                    b_.half[j2] * std::abs(cosine_[i][j1]);
+      }
+    for (double& x : length_) x = std::sqrt(x);
+    for (std::size_t k = 0; k < kEdges; ++k) {
+      const double depth = reach_[kFaces + k] - std::abs(shift_[kFaces + k]);
+      may_meet &= !(depth + off_edge < -reach * kMore * (length_[k] + 0x1p-46));
+      // Without an edge there is no facet.
+      surely_meet &= (depth > off_edge && length_[k] > 0x1p-20) || a_.half[k / 3] * b_.half[k % 3] == 0;
+    }
+    return !may_meet ? NearSide::miss : surely_meet ? NearSide::hit : NearSide::unknown;
+  }
+
+  /// The facet that 0 is nearest to; nothing where another may be as near. Domain: side() is a hit.
+  [[nodiscard, gnu::always_inline]] std::optional<NearFacet> least() {
+    std::array<double, kAll> off;
+    off.fill(16 * error_);
+    for (std::size_t k = 0; k < kEdges; ++k) {
+      const double inverse = 1 / length_[k];
+      const bool is_facet = a_.half[k / 3] * b_.half[k % 3] != 0;
+      reach_[kFaces + k] = is_facet ? reach_[kFaces + k] * inverse : std::numeric_limits<double>::infinity();
+      shift_[kFaces + k] = is_facet ? shift_[kFaces + k] * inverse : 0;
+      off[kFaces + k] = 64 * error_ * inverse;
+    }
+    std::size_t best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < kAll; ++k)
+      if (const double depth = reach_[k] - std::abs(shift_[k]); depth < least) best = k, least = depth;
+    const double most = least + off[best];
+    std::size_t as_near = 0;
+    for (std::size_t k = 0; k < kAll; ++k) {
+      as_near += reach_[k] - shift_[k] - off[k] > most ? 0 : 1;
+      as_near += reach_[k] + shift_[k] - off[k] > most ? 0 : 1;
+    }
+    if (as_near != 1) return std::nullopt;
+    const NearAxis axis = best < kFaces ? NearAxis{best < 3, best >= 3, (best + 1) % 3, (best + 2) % 3}
+                                        : NearAxis{true, true, (best - kFaces) / 3, (best - kFaces) % 3};
+    return NearFacet{axis, shift_[best] < 0};
+  }
+
+ private:
+  using Vector = NearCore::Vector;
+  static constexpr std::size_t kFaces = 6;
+  static constexpr std::size_t kEdges = 9;
+  static constexpr std::size_t kAll = kFaces + kEdges;
+
+  const NearCore& a_;
+  const NearCore& b_;
+  double error_;
+  std::array<std::array<double, 3>, 3> cosine_;
+  std::array<double, kAll> reach_;  ///< of both boxes along each direction, together
+  std::array<double, kAll> shift_;  ///< from the middle of A to that of B
+  std::array<double, kEdges> length_;
+};
+/// What asks the depths of two cores that have faces.
+template <class Ask>
+[[gnu::always_inline]] inline auto with_depths(const NearCore& a, const NearCore& b, const NearScale& scale, Ask ask) {
+  if (a.is_box() && b.is_box()) {
+    NearBoxes depths(a, b, scale);
+    return ask(depths);
+  }
+  NearDepths depths(a, b, scale);
+  return ask(depths);
+}
+
 /// What plain double says of two cores.
 struct NearAnswer {
   NearSide side = NearSide::unknown;            ///< whether they are within alarm + both radii, where that is proved
   std::optional<NearSimplex::Vector> way = {};  ///< about q - p; nothing where they seem to overlap
   std::optional<std::array<NearSimplex::Vector, 4>> around = {};  ///< corners of B - A that 0 surely lies between
 };
+[[nodiscard]] inline NearSimplex::Vector farthest_of_box(const NearCore& box, const NearSimplex::Vector& along, double sign) {
+  std::size_t corner = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (sign * near::dot(along, box.ways[axis]) > 0) corner |= std::size_t{1} << axis;
+  return box.corner(corner);
+}
 template <class Core>
-[[nodiscard]] const NearSimplex::Vector& farthest(const Core& core, const NearSimplex::Vector& along, double sign) {
+[[nodiscard]] NearSimplex::Vector farthest(const Core& core, const NearSimplex::Vector& along, double sign) {
+  if constexpr (std::same_as<Core, NearCore>)
+    if (core.is_box()) return farthest_of_box(core, along, sign);
   const NearSimplex::Vector* best = &core.corners[0];
   double most = sign * near::dot(along, *best);
   for (std::size_t k = 1; k < core.count; ++k)
@@ -510,7 +643,8 @@ template <class A, class B>
   if (!scale.holds()) return NearSide::unknown;
   NearSide side = NearSide::unknown;
   if constexpr (kHaveWays<A, B>)
-    if (a.count > 2 && b.count > 2) side = NearDepths(a, b, scale).side(scale.reach);
+    if (a.count > 2 && b.count > 2)
+      side = with_depths(a, b, scale, [&](auto& depths) { return depths.side(scale.reach); });
   return side == NearSide::unknown ? walk(a, b, scale, false).side : side;
 }
 
@@ -523,8 +657,7 @@ template <class A>
       !(std::abs(plane.offset) < kLargestNear))
     return NearSide::unknown;
   const NearSimplex::Vector v{n[0], n[1], n[2]};
-  double lowest = near::dot(v, a.corners[0]);
-  for (std::size_t k = 1; k < a.count; ++k) lowest = std::min(lowest, near::dot(v, a.corners[k]));
+  const double lowest = near::dot(v, farthest(a, v, -1));
   const double off = (std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2])) * (2 * a.error + 0x1p-48 * a.size) +
                      0x1p-48 * std::abs(plane.offset);
   const double height = lowest - plane.offset;
