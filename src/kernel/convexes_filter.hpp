@@ -48,7 +48,7 @@ struct NearHull : NearCorners<kMostVertices> {};
 /// corners are written nowhere.
 struct NearCore : NearCorners<3> {
   std::array<Vector, 3> ways{};
-  std::array<Vector, 3> axes;   ///< of a box
+  std::array<Vector, 3> axes;  ///< of a box
   std::array<double, 3> half;  ///< of a box
 
   [[nodiscard]] bool is_triangle() const { return count == 3; }
@@ -72,7 +72,8 @@ struct NearCore : NearCorners<3> {
       for (std::size_t i = 0; i < 3; ++i) ways[axis][i] = half[axis] * axes[axis][i];
     for (std::size_t i = 0; i < 3; ++i)
       size = std::max(size, std::abs(base[i]) + std::abs(ways[0][i]) + std::abs(ways[1][i]) + std::abs(ways[2][i]));
-    error = 0x1p-48 * (std::max({std::abs(base[0]), std::abs(base[1]), std::abs(base[2])}) + half[0] + half[1] + half[2]);
+    error =
+        0x1p-48 * (std::max({std::abs(base[0]), std::abs(base[1]), std::abs(base[2])}) + half[0] + half[1] + half[2]);
   }
 };
 /// Whether the facets of A - B are made by ways of both.
@@ -534,7 +535,8 @@ struct NearAnswer {
   std::optional<NearSimplex::Vector> way = {};  ///< about q - p; nothing where they seem to overlap
   std::optional<std::array<NearSimplex::Vector, 4>> around = {};  ///< corners of B - A that 0 surely lies between
 };
-[[nodiscard]] inline NearSimplex::Vector farthest_of_box(const NearCore& box, const NearSimplex::Vector& along, double sign) {
+[[nodiscard]] inline NearSimplex::Vector farthest_of_box(const NearCore& box, const NearSimplex::Vector& along,
+                                                         double sign) {
   std::size_t corner = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (sign * near::dot(along, box.ways[axis]) > 0) corner |= std::size_t{1} << axis;

@@ -479,6 +479,16 @@ double share_of_radius(const Enclosure& found, const Rational& exact) {
   return off == 0 ? 0 : Rational(off / Rational(found.radius)).convert_to<double>();
 }
 
+/// x^2 + y^2 - z^2 - x y, and x y + y z.
+double share_of_given(double x, double y, double z) {
+  const Rational of_x = x;
+  const Rational of_y = y;
+  const Rational of_z = z;
+  return std::max(share_of_radius(kernel::plain::sum_of_given_products<4>({x, y, z, x}, {x, y, -z, -y}),
+                                  of_x * of_x + of_y * of_y - of_z * of_z - of_x * of_y),
+                  share_of_radius(kernel::plain::sum_of_given_products<2>({x, y}, {y, z}), of_x * of_y + of_y * of_z));
+}
+
 TEST(Enclosure, holds_every_number_that_the_exact_result_may_be) {
   std::mt19937_64 random(7);
   const auto unit = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53); };
@@ -503,9 +513,10 @@ TEST(Enclosure, holds_every_number_that_the_exact_result_may_be) {
       for (const double share :
            {share_of_radius(x + y, of_x + of_y), share_of_radius(x - y, of_x - of_y),
             share_of_radius(x * y, of_x * of_y), share_of_radius(y.high * x, of_x * Rational(y.high)),
-            share_of_radius(kernel::plain::sum_of<4>({x, y, x, -y}), 2 * of_x),
+            share_of_radius(kernel::plain::sum_of_multiples<3>({x.high, y.low, x.low}, {y, x, y}),
+                            (Rational(x.high) + Rational(x.low)) * of_y + Rational(y.low) * of_x),
             share_of_radius(kernel::plain::sum_of_products<3>({x, y, x}, {y, x, x}), (2 * of_y + of_x) * of_x),
-            share_of_radius(kernel::plain::product(x.high, y.high), Rational(x.high) * Rational(y.high)),
+            share_of_given(x.high, y.high, x.low), share_of_given(y.high, y.low, x.high),
             share_of_radius(kernel::plain::reciprocal(x), 1 / of_x)}) {
         ASSERT_LE(share, 1) << i;
         if (x.radius == 0 && y.radius == 0) worst = std::max(worst, share);
