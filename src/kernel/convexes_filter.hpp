@@ -101,6 +101,10 @@ using Vector = NearCore::Vector;
 [[gnu::always_inline]] inline Vector middle(const Vector& x, const Vector& y) {
   return {x[0] / 2 + y[0] / 2, x[1] / 2 + y[1] / 2, x[2] / 2 + y[2] / 2};
 }
+/// x + part (y - x), as parts of both: part in [0, 1].
+[[gnu::always_inline]] inline Vector between(const Vector& x, double part, const Vector& y) {
+  return {(1 - part) * x[0] + part * y[0], (1 - part) * x[1] + part * y[1], (1 - part) * x[2] + part * y[2]};
+}
 [[gnu::always_inline]] inline double largest(const Vector& x) {
   return std::max({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
 }
@@ -194,78 +198,61 @@ class NearSimplex {
 
   /// Takes another corner, and of all the fewest that the nearest point lies between.
   void add(const Vector& corner) {
+    const std::size_t last = count_;
     corners_[count_++] = corner;
-    double best = std::numeric_limits<double>::infinity();
-    Vector nearest = corner;
-    unsigned kept = 1U << (count_ - 1);
-    for (unsigned subset = kept; subset < 1U << count_; ++subset) {
-      Vector found;
-      double square = 0;
-      if (!solve(subset, found)) continue;
-      for (const double x : found) square += x * x;
-      if (!(square < best)) continue;
-      best = square;
-      nearest = found;
-      kept = subset;
+    // Ways to the others, and the products of these with each other and of 0 with them.
+    std::array<Vector, 3> way;
+    std::array<std::array<double, 3>, 3> products;
+    std::array<double, 3> against;
+    for (std::size_t k = 0; k < last; ++k) {
+      way[k] = near::difference(corners_[k], corner);
+      against[k] = -near::dot(corner, way[k]);
+      for (std::size_t i = 0; i <= k; ++i) products[i][k] = near::dot(way[i], way[k]);
     }
-    at_ = nearest;
+    double best = near::dot(corner, corner);
+    at_ = corner;
+    unsigned kept = 0;
+    const auto take = [&](unsigned others, const Vector& at) {
+      const double square = near::dot(at, at);
+      if (square < best) best = square, at_ = at, kept = others;
+    };
+    for (std::size_t k = 0; k < last; ++k)
+      if (against[k] > 0 && against[k] < products[k][k]) {
+        const double part = against[k] / products[k][k];
+        take(1U << k, near::between(corner, part, corners_[k]));
+      }
+    for (std::size_t k = 1; k < last; ++k)
+      for (std::size_t i = 0; i < k; ++i) {
+        const double whole = products[i][i] * products[k][k] - products[i][k] * products[i][k];
+        const double of_i = against[i] * products[k][k] - against[k] * products[i][k];
+        const double of_k = against[k] * products[i][i] - against[i] * products[i][k];
+        const double of_last = whole - of_i - of_k;
+        if (!(whole > 0 && of_i > 0 && of_k > 0 && of_last > 0)) continue;
+        const double inverse = 1 / (of_i + of_k + of_last);
+        Vector at;
+        for (std::size_t x = 0; x < 3; ++x)
+          at[x] = of_i * inverse * corners_[i][x] + of_k * inverse * corners_[k][x] + of_last * inverse * corner[x];
+        take(1U << i | 1U << k, at);
+      }
+    if (last == 3 && lies_around()) at_ = {0, 0, 0}, kept = 7;
     std::size_t left = 0;
-    for (std::size_t k = 0; k < count_; ++k)
+    for (std::size_t k = 0; k < last; ++k)
       if (kept >> k & 1) corners_[left++] = corners_[k];
+    corners_[left++] = corner;
     count_ = left;
   }
 
  private:
-  /// The nearest point of the flat through some corners; whether it lies between them.
-  [[nodiscard]] bool solve(unsigned subset, Vector& found) {
-    std::array<const Vector*, 4> y{};
-    std::size_t n = 0;
-    for (std::size_t k = 0; k < count_; ++k)
-      if (subset >> k & 1) y[n++] = &corners_[k];
-    std::array<double, 4> part{1, 0, 0, 0};
-    double whole = 1;
-    if (n == 2) {
-      const Vector u = near::difference(*y[1], *y[0]);
-      whole = near::dot(u, u);
-      part[1] = -near::dot(*y[0], u);
-    } else if (n == 3) {
-      const Vector u = near::difference(*y[1], *y[0]);
-      const Vector v = near::difference(*y[2], *y[0]);
-      const double A = near::dot(u, u);
-      const double B = near::dot(u, v);
-      const double C = near::dot(v, v);
-      const double r = -near::dot(*y[0], u);
-      const double s = -near::dot(*y[0], v);
-      whole = A * C - B * B;
-      part[1] = r * C - s * B;
-      part[2] = s * A - r * B;
-    } else if (n == 4) {
-      // Each part is the volume that 0 spans with a side.
-      const auto volume = [](const Vector& a, const Vector& b, const Vector& c) {
-        return near::dot(a, near::cross(b, c));
-      };
-      part = {volume(*y[1], *y[2], *y[3]), -volume(*y[0], *y[2], *y[3]), volume(*y[0], *y[1], *y[3]),
-              -volume(*y[0], *y[1], *y[2])};
-      if (part[0] < 0)
-        for (double& x : part) x = -x;
-      least_part_ = *std::min_element(part.begin(), part.end());
-      found = {0, 0, 0};
-      return least_part_ > 0;
-    }
-    if (n > 1) {
-      part[0] = whole;
-      for (std::size_t k = 1; k < n; ++k) part[0] -= part[k];
-    }
-    if (!(whole > 0)) return false;
-    double sum = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-      if (!(part[k] > 0)) return false;
-      sum += part[k];
-    }
-    found = {0, 0, 0};
-    for (std::size_t k = 0; k < n; ++k)
-      for (std::size_t i = 0; i < 3; ++i) found[i] += part[k] / sum * (*y[k])[i];
-    return true;
+  /// Whether 0 lies in the tetrahedron: each part is the volume that 0 spans with a side.
+  [[nodiscard]] bool lies_around() {
+    const auto volume = [&](std::size_t i, std::size_t j, std::size_t k) {
+      return near::dot(corners_[i], near::cross(corners_[j], corners_[k]));
+    };
+    std::array<double, 4> part{volume(1, 2, 3), -volume(0, 2, 3), volume(0, 1, 3), -volume(0, 1, 2)};
+    if (part[0] < 0)
+      for (double& x : part) x = -x;
+    least_part_ = *std::min_element(part.begin(), part.end());
+    return least_part_ > 0;
   }
 
   std::array<Vector, 4> corners_{};
