@@ -462,11 +462,18 @@ struct Facet {
   IntegerVector normal;
   Integer height;
 };
+/// The logarithm of height^2 / square, off by less than 2^-34.
+struct Nearness {
+  static constexpr double kCertain = 0x1p-32;
+  static double of(const Integer& height, const Integer& square) {
+    return 2 * approximate_log2(height) - approximate_log2(square);
+  }
+};
 /// The one that is nearest to 0, and of several the preferred one.
 ///   What no vertex lies beyond is a facet's plane. Where that holds for all faces of the least depth, there is no other facet of that depth: a ball of that radius lies in the polytope, so that
 ///   each touches it, and at depth 0 the polytope fills all of A - B that is near 0.
 Facet nearest_facet(const Difference<Integer>& difference, const std::vector<IntegerVector>& corners) {
-  using Expanding = ExpandingPolytope<Integer>;
+  using Expanding = ExpandingPolytope<Integer, Nearness>;
   Expanding polytope({corners[0], corners[1], corners[2], corners[3]});
   std::optional<Expanding::Face> best;
   while (!polytope.faces().empty()) {

@@ -578,7 +578,12 @@ template <class A, class B>
 class NearPolytope {
  public:
   using Vector = NearSimplex::Vector;
-  using Face = ExpandingPolytope<double>::Face;
+  struct Nearness {
+    static constexpr double kCertain = 0;
+    static double of(double height, double square) { return height * height / square; }
+  };
+  using Polytope = ExpandingPolytope<double, Nearness>;
+  using Face = Polytope::Face;
 
   /// Grows from a tetrahedron of corners of B - A until no corner lies beyond the nearest face, or has grown enough.
   template <class A, class B>
@@ -620,7 +625,7 @@ class NearPolytope {
   static Vector turned(const Vector& x) { return {-x[0], -x[1], -x[2]}; }
   [[nodiscard]] double off_height() const { return (160 * error_ + 0x1p-44 * size_) * size_ * size_; }
 
-  ExpandingPolytope<double> polytope_;
+  Polytope polytope_;
   double error_;
   double size_ = 0;
 };
