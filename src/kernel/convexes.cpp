@@ -327,8 +327,11 @@ Middle middle_of(const std::vector<Quotient>& points) {
 /// What two sets of points in a plane span in common, as points between which it lies: corners of each that lie in the other, and where edges cross.
 class InPlane {
  public:
-  InPlane(std::vector<IntegerVector> a, std::vector<IntegerVector> b, IntegerVector normal)
-      : n_(std::move(normal)), a_(polygon_of(std::move(a))), b_(polygon_of(std::move(b))) {}
+  InPlane(std::vector<IntegerVector> a, std::vector<IntegerVector> b, const IntegerVector& normal)
+      : seen_along_(first_that_is_not_0(normal)),
+        is_turned_(normal[seen_along_].sign() < 0),
+        a_(polygon_of(std::move(a))),
+        b_(polygon_of(std::move(b))) {}
 
   [[nodiscard]] std::vector<Quotient> common() const {
     std::vector<Quotient> all;
@@ -345,7 +348,16 @@ class InPlane {
   /// Its corners, counterclockwise around n; of a segment its ends, or one point.
   using Polygon = std::vector<IntegerVector>;
   [[nodiscard]] static const IntegerVector& next(const Polygon& of, std::size_t k) { return of[(k + 1) % of.size()]; }
-  [[nodiscard]] Integer turn(const IntegerVector& u, const IntegerVector& v) const { return dot(n_, cross(u, v)); }
+  static std::size_t first_that_is_not_0(const IntegerVector& n) {
+    return n[0].sign() != 0 ? 0 : n[1].sign() != 0 ? 1 : 2;
+  }
+  /// n.(u x v), but for a factor above 0: u x v lies along n, and one component says how far.
+  [[nodiscard]] Integer turn(const IntegerVector& u, const IntegerVector& v) const {
+    const std::size_t i = (seen_along_ + 1) % 3;
+    const std::size_t k = (seen_along_ + 2) % 3;
+    const Integer found = u[i] * v[k] - u[k] * v[i];
+    return is_turned_ ? -found : found;
+  }
 
   /// What points span, by Andrew's chains: from the least to the greatest, and back.
   [[nodiscard]] Polygon polygon_of(std::vector<IntegerVector> points) const {
@@ -381,7 +393,8 @@ class InPlane {
     all.push_back({combined(whole, a, of_u, u), whole});
   }
 
-  IntegerVector n_;
+  std::size_t seen_along_;
+  bool is_turned_;
   Polygon a_;
   Polygon b_;
 };
