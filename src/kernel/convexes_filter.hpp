@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -459,33 +460,41 @@ class NearBoxes {
       const double depth = reach_[kFaces + k] - std::abs(shift_[kFaces + k]);
       may_meet &= !(depth + off_edge < -reach * kMore * (length_[k] + 0x1p-46));
       // Without an edge there is no facet.
-      surely_meet &= (depth > off_edge && length_[k] > 0x1p-20) || a_.half[k / 3] * b_.half[k % 3] == 0;
+      surely_meet &= (depth > off_edge && has_direction(k)) || !has_edges(k);
     }
     return !may_meet ? NearSide::miss : surely_meet ? NearSide::hit : NearSide::unknown;
   }
 
+  /// The directions of which one may be that of the facet that 0 is nearest to, as bits: the axes of A, those of B, and across each of A those of B. Domain: side() was asked once, and
+  /// the boxes may meet.
+  [[nodiscard, gnu::always_inline]] unsigned candidates() {
+    std::array<double, kEdges> inverse;
+    for (std::size_t k = 0; k < kEdges; ++k) inverse[k] = 1 / length_[k];
+    off_.fill(16 * error_);
+    for (std::size_t k = 0; k < kEdges; ++k) {
+      reach_[kFaces + k] *= inverse[k];
+      shift_[kFaces + k] *= inverse[k];
+      off_[kFaces + k] = 64 * error_ * inverse[k];
+    }
+    double most = std::numeric_limits<double>::infinity();
+    unsigned known = 0;
+    for (std::size_t k = 0; k < kAll; ++k) {
+      if (k >= kFaces && !has_direction(k - kFaces)) continue;
+      known |= 1U << k;
+      most = std::min(most, reach_[k] - std::abs(shift_[k]) + off_[k]);
+    }
+    unsigned found = 0;
+    for (std::size_t k = 0; k < kAll; ++k) {
+      const bool is_deeper = known >> k & 1 ? reach_[k] - std::abs(shift_[k]) - off_[k] > most : !has_edges(k - kFaces);
+      found |= is_deeper ? 0 : 1U << k;
+    }
+    return found;
+  }
   /// The facet that 0 is nearest to; nothing where another may be as near. Domain: side() is a hit.
   [[nodiscard, gnu::always_inline]] std::optional<NearFacet> least() {
-    std::array<double, kAll> off;
-    off.fill(16 * error_);
-    for (std::size_t k = 0; k < kEdges; ++k) {
-      const double inverse = 1 / length_[k];
-      const bool is_facet = a_.half[k / 3] * b_.half[k % 3] != 0;
-      reach_[kFaces + k] = is_facet ? reach_[kFaces + k] * inverse : std::numeric_limits<double>::infinity();
-      shift_[kFaces + k] = is_facet ? shift_[kFaces + k] * inverse : 0;
-      off[kFaces + k] = 64 * error_ * inverse;
-    }
-    std::size_t best = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < kAll; ++k)
-      if (const double depth = reach_[k] - std::abs(shift_[k]); depth < least) best = k, least = depth;
-    const double most = least + off[best];
-    std::size_t as_near = 0;
-    for (std::size_t k = 0; k < kAll; ++k) {
-      as_near += reach_[k] - shift_[k] - off[k] > most ? 0 : 1;
-      as_near += reach_[k] + shift_[k] - off[k] > most ? 0 : 1;
-    }
-    if (as_near != 1) return std::nullopt;
+    const unsigned found = candidates();
+    const auto best = static_cast<std::size_t>(std::countr_zero(found));
+    if (!std::has_single_bit(found) || !(std::abs(shift_[best]) > off_[best] * kMore)) return std::nullopt;
     const NearAxis axis = best < kFaces ? NearAxis{best < 3, best >= 3, (best + 1) % 3, (best + 2) % 3}
                                         : NearAxis{true, true, (best - kFaces) / 3, (best - kFaces) % 3};
     return NearFacet{axis, shift_[best] < 0};
@@ -497,6 +506,10 @@ class NearBoxes {
   static constexpr std::size_t kEdges = 9;
   static constexpr std::size_t kAll = kFaces + kEdges;
 
+  [[nodiscard]] bool has_edges(std::size_t k) const { return a_.half[k / 3] != 0 && b_.half[k % 3] != 0; }
+  /// Whether edges are surely not along each other.
+  [[nodiscard]] bool has_direction(std::size_t k) const { return length_[k] > 0x1p-20 && has_edges(k); }
+
   const NearCore& a_;
   const NearCore& b_;
   double error_;
@@ -504,6 +517,7 @@ class NearBoxes {
   std::array<double, kAll> reach_;  ///< of both boxes along each direction, together
   std::array<double, kAll> shift_;  ///< from the middle of A to that of B
   std::array<double, kEdges> length_;
+  std::array<double, kAll> off_;
 };
 /// What asks the depths of two cores that have faces.
 template <class Ask>
