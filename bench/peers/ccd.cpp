@@ -105,9 +105,7 @@ struct Mpr {
   static bool test(const Two<Ball, Shape>& p) { return ccdMPRIntersect(&p.a, &p.b, &kSettings<Shape>) != 0; }
   template <class Shape>
   requires kHasSupport<Shape>
-  static bool compute(const Two<Ball, Shape>& p, Contact& out) {
-    return penetration(p.a, p.b, kSettings<Shape>, out);
-  }
+  static bool compute(const Two<Ball, Shape>& p, Contact& out) { return penetration(p.a, p.b, kSettings<Shape>, out); }
   static bool test(const Convexes& p) {
     const auto [a, b] = obbs(p);
     const Turned first(a);

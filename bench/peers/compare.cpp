@@ -102,8 +102,10 @@ const std::vector<Convexes>& hulls(Beside beside, std::size_t size) {
 }
 void register_times_of_hulls(const Peer& peer) {
   constexpr Place kPlace{kPlaces[0].name, 512};  // of two hulls as long as 4096 of others
-  for (const auto& [name, beside] : {std::pair("hull_hull", Beside::hull), {"sphere_hull", Beside::sphere}, {"capsule_hull", Beside::capsule},
-                                    {"hull_plane", Beside::plane}}) {
+  for (const auto& [name, beside] : {std::pair("hull_hull", Beside::hull),
+                                     {"sphere_hull", Beside::sphere},
+                                     {"capsule_hull", Beside::capsule},
+                                     {"hull_plane", Beside::plane}}) {
     if (beside == Beside::plane && !peer.hulls.has_planes) continue;
     const std::string row = "Peer/" + peer.name + "/" + name + "_";
     if (peer.hulls.test)

@@ -103,7 +103,7 @@ LoopsOfHulls loops_of_hulls(std::shared_ptr<One> one) {
   loops.test = [one, made_of](std::span<const Convexes> pairs, std::uint8_t* hit) {
     for (Made& made : made_of(pairs)) *hit++ = one->test(made) ? 1 : 0;
   };
-  if constexpr (requires(Made& made, Contact& contact) { one->compute(made, contact); })
+  if constexpr (requires(Made & made, Contact & contact) { one->compute(made, contact); })
     loops.compute = [one, made_of](std::span<const Convexes> pairs, PeerAnswer* out) {
       for (Made& made : made_of(pairs)) {
         out->hit = one->compute(made, out->contact);

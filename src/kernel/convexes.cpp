@@ -505,7 +505,8 @@ std::optional<Facet> nearest_facet_of_boxes(const TwoCores& cores, unsigned dire
   const auto& a = cores.a.vertices;
   const auto& b = cores.b.vertices;
   // As extend() places them.
-  const std::array<IntegerVector, 6> edges{a[1] - a[0], a[3] - a[0], a[7] - a[0], b[1] - b[0], b[3] - b[0], b[7] - b[0]};
+  const std::array<IntegerVector, 6> edges{a[1] - a[0], a[3] - a[0], a[7] - a[0],
+                                           b[1] - b[0], b[3] - b[0], b[7] - b[0]};
   const IntegerVector between = sum(b[0], b[5]) - sum(a[0], a[5]);  // twice as far
   std::optional<Expanding::Face> best;
   for (std::size_t k = 0; k < 15; ++k) {
@@ -531,7 +532,8 @@ std::optional<Facet> nearest_facet_of_boxes(const TwoCores& cores, unsigned dire
 ExactNearest nearest_at(const TwoCores& cores, const Facet& facet) {
   // All that follows is as long as the normal, which often has a long factor: of a rotation's denominator.
   const Integer factor = gcd(gcd(facet.normal[0], facet.normal[1]), facet.normal[2]);
-  const auto& [n, height] = Facet{{facet.normal[0] / factor, facet.normal[1] / factor, facet.normal[2] / factor}, facet.height / factor};
+  const auto& [n, height] =
+      Facet{{facet.normal[0] / factor, facet.normal[1] / factor, facet.normal[2] / factor}, facet.height / factor};
   const Integer N = dot(n, n);
   // B, moved out: q + (height / N) n.
   const auto [at, unique] = middle_of(InPlane(moved(farthest(cores.a.vertices, n), N, kNowhere),
@@ -587,10 +589,10 @@ struct ExactCores {
   std::optional<Facet> facet = {};
 };
 template <class A, class B>
-[[gnu::noinline]] ExactCores exactly(const A& a, const B& b, Distances distances) {
+[[gnu::noinline]] ExactCores exactly(const A& a, const B& b, Distances distances, bool wants_numbers = false) {
   Asked of = asked(a, b, distances);
   if constexpr (kIsOneOf<A, Box, Obb> && kIsOneOf<B, Box, Obb>)
-    if (of.cores.a.vertices.size() == 8 && of.cores.b.vertices.size() == 8) {
+    if (wants_numbers && of.cores.a.vertices.size() == 8 && of.cores.b.vertices.size() == 8) {
       auto facet = nearest_facet_of_boxes(of.cores, directions_of_facet(near_core(a), near_core(b)));
       if (facet) return {std::move(of), {}, std::move(facet)};
     }
@@ -599,12 +601,12 @@ template <class A, class B>
 }
 bool is_hit(const ExactCores& of) {
   return of.facet || is_hit({kNowhere, of.v.at, of.v.whole * of.asked.cores.over(), true, kNowhere}, of.asked.grid,
-                of.asked.lengths);
+                            of.asked.lengths);
 }
 /// The numbers that are open, exactly.
 void round_open(const ExactCores& of, ContactPoints points, unsigned open, Contact& contact) {
   const auto& [grid, lengths, cores] = of.asked;
-  round_exactly(of.facet               ? nearest_at(cores, *of.facet)
+  round_exactly(of.facet              ? nearest_at(cores, *of.facet)
                 : of.v.at == kNowhere ? nearest_meeting(cores, of.v)
                                       : nearest_apart(cores, of.v),
                 grid, lengths, points, open, contact);
@@ -617,7 +619,8 @@ struct OverPlane {
   ExactLowest lowest;
 };
 template <class A>
-[[gnu::noinline]] OverPlane exactly(const A& a, const Plane& plane, Distances distances) {
+[[gnu::noinline]] OverPlane exactly(const A& a, const Plane& plane, Distances distances,
+                                    bool /*wants_numbers*/ = false) {
   const Grid normal{plane.normal[0], plane.normal[1], plane.normal[2]};
   const Grid of_offset{plane.offset};
   const Grid points({distances.alarm, distances.contact},
@@ -691,7 +694,7 @@ template <class A, class B>
   const Certain known = certain_contact(a, b, in_range, lengths, points, contact);
   if (known.side == NearSide::miss) return std::nullopt;
   if (known.side == NearSide::unknown || known.open != 0) {
-    const auto exact = exactly(a, b, distances);
+    const auto exact = exactly(a, b, distances, true);
     if (known.side == NearSide::unknown && !is_hit(exact)) return std::nullopt;
     round_open(exact, points, known.open, contact);
   }
