@@ -57,16 +57,16 @@ void register_times(const Subject<A, B>& subject, const Peer& peer, bool everywh
   }
 }
 
-/// Rotated boxes as scenes have them, about half of which overlap.
-const std::vector<Convexes>& boxes(std::size_t size) {
-  static std::map<std::size_t, std::vector<Convexes>> made;
-  std::vector<Convexes>& all = made[size];
-  const golden::Family& generic = *golden::find_family(Pair::obb_obb, "generic");
+/// The questions of a family, of "generic" such as scenes have, about half of which overlap.
+const std::vector<Convexes>& of_family(Pair pair, const std::string& family, std::size_t size) {
+  static std::map<std::tuple<Pair, std::string, std::size_t>, std::vector<Convexes>> made;
+  std::vector<Convexes>& all = made[{pair, family, size}];
   while (all.size() < size)
-    all.push_back(
-        std::get<Convexes>(golden::generate_query(Pair::obb_obb, generic, Scalar::binary64, 1, all.size()).shapes));
+    all.push_back(std::get<Convexes>(
+        golden::generate_query(pair, *golden::find_family(pair, family), Scalar::binary64, 1, all.size()).shapes));
   return all;
 }
+const std::vector<Convexes>& boxes(std::size_t size) { return of_family(Pair::obb_obb, "generic", size); }
 void register_times_of_boxes(const Peer& peer) {
   const Loops<Convexes>& loops = peer.of<Convexes>();
   const std::string name = "Peer/" + peer.name + "/obb_obb_";
@@ -118,6 +118,23 @@ void register_times_of_hulls(const Peer& peer) {
         compute(hulls(beside, n), answers(n).data());
       });
   }
+}
+
+/// What shapes in special positions cost production.
+void register_times_of_families(const Peer& ours) {
+  constexpr Place kPlace{kPlaces[0].name, 512};
+  for (const auto& [name, pair] : {std::pair("obb_obb", Pair::obb_obb), {"hull_hull", Pair::hull_hull}})
+    for (const char* family : {"generic", "deep", "near_touching", "touching", "parallel", "flat", "nested", "ties"}) {
+      const std::string row = std::string("Special/") + name + "/" + family + "/";
+      const Loops<Convexes>& loops = ours.of<Convexes>();
+      at_place(row + "test", kPlace, [test = loops.test, pair = pair, family](std::size_t n) {
+        std::vector<std::uint8_t> hit(n);
+        test(of_family(pair, family, n), hit.data());
+      });
+      at_place(row + "compute", kPlace, [compute = loops.compute, pair = pair, family](std::size_t n) {
+        compute(of_family(pair, family, n), answers(n).data());
+      });
+    }
 }
 
 template <class A, class B>
@@ -233,6 +250,7 @@ void count_wrong_answers(benchmark::State& state, const Peer& peer, const std::s
       register_times_of_hulls(peer);
       all.push_back(std::move(peer));
     }
+  register_times_of_families(all[1]);
   all.push_back(make_peer("ours, batch", {}, false, std::make_shared<OneInBatch>()));
   for (const Peer& peer : all)
     for (const char* family :

@@ -142,8 +142,11 @@ inline NearCore near_core(const Box& box) {
   NearCore core;
   core.base = near::middle(near::vector(box.min), near::vector(box.max));
   core.axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    core.half[axis] = box.max[static_cast<Eigen::Index>(axis)] - core.base[axis];
+  // 0 where it has no extent there, and nowhere else.
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    core.half[axis] = std::max(box.max[i] - core.base[axis], core.base[axis] - box.min[i]);
+  }
   core.set_box();
   return core;
 }
@@ -606,10 +609,10 @@ class NearPolytope {
     for (const Vector& corner : around) size_ = std::max(size_, near::largest(corner));
     constexpr int kMostCorners = 64;
     for (int step = 0; step < kMostCorners; ++step) {
-      const Vector& n = nearest().normal;
-      const Vector corner = near::difference(farthest(a, n, 1), farthest(b, n, -1));
+      const Face& face = nearest();
+      const Vector corner = near::difference(farthest(a, face.normal, 1), farthest(b, face.normal, -1));
       size_ = std::max(size_, near::largest(corner));
-      if (!(near::dot(n, corner) - nearest().height > off_height()) || !polytope_.insert(corner)) return;
+      if (!(near::dot(face.normal, corner) - face.height > off_height()) || !polytope_.insert(corner)) return;
     }
   }
 

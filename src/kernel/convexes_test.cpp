@@ -632,23 +632,60 @@ Shape times_two_to(int exponent, Shape shape) {
   return shape;
 }
 
+/// The answer of integers: to the question times 2^exponent, which is beyond the range of the filters, and back. Only what is rounded below the range does not scale.
+template <class A, class B, class Ask>
+std::optional<Contact> answer_of_integers(const A& a, const B& b, Ask ask, int exponent) {
+  auto found = ask(times_two_to(exponent, a), times_two_to(exponent, b),
+                   Distances{std::ldexp(0.25, exponent), std::ldexp(0.125, exponent)}, ContactPoints{});
+  if (found) {
+    found->value = std::ldexp(found->value, -exponent);
+    for (Vector3* point : {&found->point1, &found->point2})
+      for (Eigen::Index i = 0; i < 3; ++i) (*point)[i] = std::ldexp((*point)[i], -exponent);
+  }
+  return found;
+}
+
+TEST(ConvexesFilter, finds_the_facet_of_two_boxes_that_integers_find_among_all) {
+  RandomHulls random;
+  int touching = 0;
+  // So large that nothing is said of a direction.
+  const auto compare = [&](auto ask, const auto& a, const auto& b) {
+    const auto found = ask(a, b, Distances{0.25, 0.125}, ContactPoints{});
+    ASSERT_EQ(in_words(found), in_words(answer_of_integers(a, b, ask, 300)));
+    touching += found ? 1 : 0;
+  };
+  const auto one_of = [&](std::initializer_list<double> all) {
+    return all.begin()[static_cast<std::size_t>(random.number(0, static_cast<double>(all.size())))];
+  };
+  for (int i = 0; i < 2000; ++i) {
+    // Ordinary, thin and flat ones; turned at random, along each other, and nearly so.
+    Obb a;
+    Obb b;
+    for (Obb* box : {&a, &b}) {
+      box->center = random.point(1);
+      for (Eigen::Index k = 0; k < 3; ++k)
+        box->extents[k] = random.number(0.25, 1) * one_of({1, 1, 1, 1, 0x1p-20, 0x1p-52, 0});
+      for (double& x : box->orientation) x = random.number(-1, 1);
+    }
+    if (i % 2 == 0) b.orientation = a.orientation;
+    if (i % 4 == 0) b.orientation[0] += random.number(-1, 1) * one_of({1, 0x1p-10, 0x1p-20, 0x1p-30, 0x1p-50});
+    if (i % 3 == 0) b.center[0] = a.center[0];
+    compare(&compute_obb_obb, a, b);
+    const Box along{a.center, a.center + a.extents};
+    if (i % 2 == 0) b.orientation = {0, 0, one_of({0, 0x1p-20, 0x1p-40}), 1};
+    compare(&compute_cube_obb, along, b);
+  }
+  EXPECT_GT(touching, 1000);
+}
+
 TEST(ConvexesEnclosed, settles_hulls_with_the_bits_that_integers_have) {
   RandomHulls random;
   int overlapping = 0;
   int apart = 0;
   int left = 0;
   const auto compare = [&](auto ask, const auto& a, const auto& b) {
-    auto found = ask(a, b, Distances{0.25, 0.125}, ContactPoints{});
-    // Beyond the short range integers answer. Only what is rounded below the range does not scale.
-    constexpr int kFar = 110;
-    auto exact = ask(times_two_to(kFar, a), times_two_to(kFar, b),
-                     Distances{std::ldexp(0.25, kFar), std::ldexp(0.125, kFar)}, ContactPoints{});
-    if (exact) {
-      exact->value = std::ldexp(exact->value, -kFar);
-      for (Vector3* point : {&exact->point1, &exact->point2})
-        for (Eigen::Index i = 0; i < 3; ++i) (*point)[i] = std::ldexp((*point)[i], -kFar);
-    }
-    ASSERT_EQ(in_words(found), in_words(exact));
+    const auto found = ask(a, b, Distances{0.25, 0.125}, ContactPoints{});
+    ASSERT_EQ(in_words(found), in_words(answer_of_integers(a, b, ask, 110)));
     const kernel::Certain certain = RandomHulls::certain(a, b);
     if (certain.side != kernel::NearSide::miss && certain.open != 0)
       ++left;

@@ -6,6 +6,7 @@
 #include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace contact::kernel {
@@ -44,8 +45,12 @@ class ExpandingPolytope {
   [[nodiscard]] const auto& faces() const { return faces_; }
   /// The face that is nearest to 0. Domain: there is one.
   [[nodiscard]] const Face& nearest() const {
-    return *std::min_element(faces_.begin(), faces_.end(),
-                             [](const Face& x, const Face& y) { return x.is_nearer_than(y); });
+    double least = std::numeric_limits<double>::infinity();
+    for (const Face& face : faces_) least = std::min(least, face.nearness);
+    const Face* best = nullptr;
+    for (const Face& face : faces_)
+      if (face.nearness <= least + Nearness::kCertain && (best == nullptr || face.is_nearer_than(*best))) best = &face;
+    return best == nullptr ? faces_.front() : *best;  // none is no number
   }
   /// Takes a face out of the list, beyond which no corner will lie.
   Face finished(const Face& face) {
