@@ -328,10 +328,7 @@ Middle middle_of(const std::vector<Quotient>& points) {
 class InPlane {
  public:
   InPlane(std::vector<IntegerVector> a, std::vector<IntegerVector> b, const IntegerVector& normal)
-      : seen_along_(first_that_is_not_0(normal)),
-        is_turned_(normal[seen_along_].sign() < 0),
-        a_(polygon_of(std::move(a))),
-        b_(polygon_of(std::move(b))) {}
+      : seen_along_(first_that_is_not_0(normal)), a_(polygon_of(std::move(a))), b_(polygon_of(std::move(b))) {}
 
   [[nodiscard]] std::vector<Quotient> common() const {
     std::vector<Quotient> all;
@@ -345,18 +342,17 @@ class InPlane {
   }
 
  private:
-  /// Its corners, counterclockwise around n; of a segment its ends, or one point.
+  /// Its corners, counterclockwise as it is seen; of a segment its ends, or one point.
   using Polygon = std::vector<IntegerVector>;
   [[nodiscard]] static const IntegerVector& next(const Polygon& of, std::size_t k) { return of[(k + 1) % of.size()]; }
   static std::size_t first_that_is_not_0(const IntegerVector& n) {
     return n[0].sign() != 0 ? 0 : n[1].sign() != 0 ? 1 : 2;
   }
-  /// n.(u x v), but for a factor above 0: u x v lies along n, and one component says how far.
+  /// n.(u x v), but for a factor that is the same for all: u x v lies along n, and one component says how far. Where the factor is below 0 the plane is seen from behind.
   [[nodiscard]] Integer turn(const IntegerVector& u, const IntegerVector& v) const {
     const std::size_t i = (seen_along_ + 1) % 3;
     const std::size_t k = (seen_along_ + 2) % 3;
-    const Integer found = u[i] * v[k] - u[k] * v[i];
-    return is_turned_ ? -found : found;
+    return u[i] * v[k] - u[k] * v[i];
   }
 
   /// What points span, by Andrew's chains: from the least to the greatest, and back.
@@ -394,7 +390,6 @@ class InPlane {
   }
 
   std::size_t seen_along_;
-  bool is_turned_;
   Polygon a_;
   Polygon b_;
 };

@@ -433,6 +433,14 @@ TEST(ConvexesFilter, leaves_to_integers_what_touches_or_ties_but_for_rounding) {
     Ball ball{cube.center, 0};
     for (Eigen::Index axis = 0; axis < 3; ++axis) ball.center[axis] += core.ways[0][static_cast<std::size_t>(axis)];
     EXPECT_EQ(near_side(near_core(ball), core, 0), NearSide::unknown) << i;
+    // A corner of a smaller box there.
+    Obb small{{0, 0, 0}, {}, {0.5, 0.5, 0.5}};
+    for (double& x : small.orientation) x = number();
+    double far = 1;
+    for (const auto& way : near_core(small).ways) far += std::abs(near::dot(core.axes[0], way));
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      small.center[axis] = cube.center[axis] + far * core.axes[0][static_cast<std::size_t>(axis)];
+    EXPECT_EQ(near_side(core, near_core(small), 0), NearSide::unknown) << i;
     // As near to one face as to another.
     ball.center = cube.center;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
