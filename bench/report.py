@@ -1,6 +1,7 @@
 """Writes what ./run bench measured to docs/performance.md, between its markers, to bench/measured.md and to docs/performance.svg.
 
-usage: report.py MEASURED.json      what Google Benchmark wrote, with repetitions
+usage: report.py MEASURED.json      what Google Benchmark wrote, with repetitions: all of it, or what --benchmark_filter='obb_|hull_' leaves, whose
+                                    rows are then written alone
 """
 import json
 import math
@@ -119,7 +120,11 @@ def sphere_cube_table(m):
 
 
 PAIRS = {"sphere_sphere": "", "sphere_cube": "sphere_cube_", **{pair: pair + "_" for pair in (
-    "sphere_capsule", "capsule_capsule", "sphere_triangle", "ray_sphere", "sphere_plane", "capsule_plane", "ray_triangle", "triangle_line", "obb_obb")}}
+    "sphere_capsule", "capsule_capsule", "sphere_triangle", "ray_sphere", "sphere_plane", "capsule_plane", "ray_triangle", "triangle_line")}}
+# Of any two convex shapes; plain double has no row of these.
+SPECIAL = ("generic", "deep", "near_touching", "touching", "parallel", "flat", "nested", "ties")
+CONVEXES = ("obb_obb", "hull_hull", "sphere_hull", "capsule_hull", "hull_plane")
+
 
 
 def pairs_table(m):
@@ -136,6 +141,22 @@ def pairs_table(m):
     head = ["one pair after the other, L2", "decide: plain → ours, ns", "ratio", "fastest peer to ours", "contact: plain → ours, ns",
             "ratio", "fastest peer to ours"]
     return table(head, rows)
+
+
+def convexes_table(m):
+    peers = [s for s in SUBJECTS if SUBJECTS[s] == "peer" and any(m.ns(f"Peer/{s}/{pair}_test/L2") for pair in CONVEXES)]
+    rows = []
+    for pair in CONVEXES:
+        for op, what in (("test", "decide"), ("compute", "contact")):
+            ours = f"Peer/ours, scalar/{pair}_{op}/L2"
+            rows.append([f"`{pair}`, {what}", number(m.ns(ours)), *(number(m.ratio(f"Peer/{s}/{pair}_{op}/L2", ours)) for s in peers)])
+    return table(["one pair after the other, L2", "ours, ns", *(f"{s} to ours" for s in peers)], rows)
+
+
+def special_table(m):
+    rows = [[family.replace("_", " "), *(number(m.ns(f"Special/{pair}/{family}/{op}/L2")) for pair in ("obb_obb", "hull_hull") for op in ("test", "compute"))]
+            for family in SPECIAL]
+    return table(["ours, ns", "`obb_obb`, decide", "contact", "`hull_hull`, decide", "contact"], rows)
 
 
 def wrong_table(m):
@@ -376,8 +397,22 @@ def plot(m):
                       '<rect width="100%" height="100%" fill="#fff"/>', *out, *labels, "</svg>", ""])
 
 
+def write(page, name, block):
+    """Puts what was measured between the page's markers of that name."""
+    begin, end = f"<!-- {name}:begin -->", f"<!-- {name}:end -->"
+    head, rest = page.read_text().split(begin)
+    page.write_text(head + begin + "\n" + block + "\n" + end + rest.split(end)[1])
+
+
 def main():
     m = Measured(sys.argv[1])
+    page = DOCS / "performance.md"
+    if m.ns("Peer/ours, scalar/hull_hull_compute/L2"):
+        write(page, "convexes", f"Measured on {cpu()}, load average at the beginning {m.context['load_avg'][0]:.1f}.\n\n{convexes_table(m)}\n\n"
+              f"Shapes in special positions, by family:\n\n{special_table(m)}")
+    if not m.ns("Peer/ours, batch/compute/L2"):
+        print(f"wrote the rows of rotated boxes and hulls to {page}: the rest was not measured")
+        return
     block = "\n\n".join([
         machine(m), "![Contacts by subject, and batch to plain double](performance.svg)",
         "### At a glance", "Each figure beside what this project aims for; ratios are times, so less is faster.", speed_table(m),
@@ -401,10 +436,7 @@ def main():
         "### Batch, beside plain double with the same vectors", batch_table(m),
         "### Detection between two models, one thread", detect_table(m),
         "### Contacts by family, batch, in L2", families_table(m), "### Limits", facts(m)])
-    page = DOCS / "performance.md"
-    begin, end = "<!-- measured:begin -->", "<!-- measured:end -->"
-    head, rest = page.read_text().split(begin)
-    page.write_text(head + begin + "\n" + block + "\n" + end + rest.split(end)[1])
+    write(page, "measured", block)
     (DOCS / "performance.svg").write_text(plot(m))
     (DOCS.parent / "bench/measured.md").write_text(more + "\n")
     print(f"wrote {page} and {DOCS / 'performance.svg'}")

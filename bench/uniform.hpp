@@ -50,6 +50,16 @@ class Uniform {
     const Vector3 normal = vector(coordinate_);
     return {normal, normal.dot(vector(coordinate_)) - 6 * normal.norm()};
   }
+  /// Twelve corners on a sphere, all of which are needed.
+  Hull hull() {
+    const Vector3 center = vector(near_);
+    Hull made{{}, 0};
+    while (made.vertices.size() < 12) {
+      const Vector3 way = vector(coordinate_);
+      made.vertices.push_back(center + 5 / way.norm() * way);
+    }
+    return made;
+  }
   /// A number from 0 to 1.
   double part() { return part_(random_); }
 
@@ -66,6 +76,7 @@ class Uniform {
   std::uniform_real_distribution<double> radius_{0.5, 12.75};
   std::uniform_real_distribution<double> extent_{5.4, 18};
   std::uniform_real_distribution<double> thin_{0.25, 5};
+  std::uniform_real_distribution<double> near_{-5, 5};
   std::uniform_real_distribution<double> part_{0, 1};
 };
 

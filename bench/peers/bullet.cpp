@@ -7,7 +7,10 @@
 #include <btBulletCollisionCommon.h>
 
 #include <concepts>
+#include <type_traits>
 
+#include "engines/adapters/bullet.hpp"
+#include "peers/adapted.hpp"
 #include "peers/peers.hpp"
 
 #ifndef BT_USE_DOUBLE_PRECISION
@@ -142,9 +145,30 @@ class World {
   bool test(const Balls& p) { return test(p, spheres_); }
   bool test(const BallAndBox& p) { return test(p, box_); }
   bool test(const Convexes& p) { return test(obbs(p), rotated_); }
+  /// Of a hull, by its vertices.
+  struct Made {
+    explicit Made(const Convexes& p) : first(Adapted(p.a).shape()), second(Adapted(p.b).shape()) {
+      place(a, first);
+      place(b, second);
+    }
+    static void place(btCollisionObject& object, const adapters::BulletShape& shape) {
+      object.setCollisionShape(shape.shape.get());
+      object.setWorldTransform(shape.place);
+    }
+    adapters::BulletShape first;
+    adapters::BulletShape second;
+    btCollisionObject a;
+    btCollisionObject b;
+  };
+  static constexpr bool kHasPlanes = true;
+  bool test(Made& made) {
+    callback_.hit = false;
+    world_.contactPairTest(&made.a, &made.b, callback_);
+    return callback_.hit;
+  }
   template <class Pair>
-  requires kIsOneOf<Pair, Balls, BallAndBox, Convexes>
-  bool compute(const Pair& p, Contact& out) {
+  requires kIsOneOf<std::remove_const_t<Pair>, Balls, BallAndBox, Convexes, Made>
+  bool compute(Pair& p, Contact& out) {
     if (!test(p)) return false;
     out.normal = from_bullet(callback_.point.m_normalWorldOnB);
     out.point1 = from_bullet(callback_.point.getPositionWorldOnA());

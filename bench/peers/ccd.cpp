@@ -6,6 +6,8 @@
 #include <cmath>
 #include <concepts>
 
+#include "engines/adapters/libccd.hpp"
+#include "peers/adapted.hpp"
 #include "peers/peers.hpp"
 
 #ifndef CCD_DOUBLE
@@ -86,20 +88,24 @@ template <class Shape>
 const ccd_t kSettings = settings<Shape>();
 const ccd_t kOfBoxes = settings<Turned, Turned>();
 
+const ccd_t kOfHulls = adapters::ccd_settings();
+
+/// Of a hull, by its vertices.
+struct WithHull {
+  explicit WithHull(const Convexes& p) : first(p.a), second(p.b), a(first.shape()), b(second.shape()) {}
+  Adapted first;
+  Adapted second;
+  adapters::Shape a;
+  adapters::Shape b;
+};
+
 struct Mpr {
   template <class Shape>
   requires kHasSupport<Shape>
   static bool test(const Two<Ball, Shape>& p) { return ccdMPRIntersect(&p.a, &p.b, &kSettings<Shape>) != 0; }
   template <class Shape>
   requires kHasSupport<Shape>
-  static bool compute(const Two<Ball, Shape>& p, Contact& out) {
-    ccd_vec3_t direction;
-    ccd_vec3_t position;
-    if (ccdMPRPenetration(&p.a, &p.b, &kSettings<Shape>, &out.value, &direction, &position) != 0) return false;
-    out.normal = {direction.v[0], direction.v[1], direction.v[2]};
-    out.point1 = {position.v[0], position.v[1], position.v[2]};
-    return true;
-  }
+  static bool compute(const Two<Ball, Shape>& p, Contact& out) { return penetration(p.a, p.b, kSettings<Shape>, out); }
   static bool test(const Convexes& p) {
     const auto [a, b] = obbs(p);
     const Turned first(a);
@@ -110,9 +116,19 @@ struct Mpr {
     const auto [a, b] = obbs(p);
     const Turned first(a);
     const Turned second(b);
+    return penetration(first, second, kOfBoxes, out);
+  }
+  using Made = WithHull;
+  static constexpr bool kHasPlanes = false;
+  static bool test(const Made& p) { return ccdMPRIntersect(&p.a, &p.b, &kOfHulls) != 0; }
+  static bool compute(const Made& p, Contact& out) { return penetration(p.a, p.b, kOfHulls, out); }
+
+ private:
+  template <class A, class B>
+  static bool penetration(const A& a, const B& b, const ccd_t& settings, Contact& out) {
     ccd_vec3_t direction;
     ccd_vec3_t position;
-    if (ccdMPRPenetration(&first, &second, &kOfBoxes, &out.value, &direction, &position) != 0) return false;
+    if (ccdMPRPenetration(&a, &b, &settings, &out.value, &direction, &position) != 0) return false;
     out.normal = {direction.v[0], direction.v[1], direction.v[2]};
     out.point1 = {position.v[0], position.v[1], position.v[2]};
     return true;
@@ -123,6 +139,9 @@ struct Gjk {
   template <class Shape>
   requires kHasSupport<Shape>
   static bool test(const Two<Ball, Shape>& p) { return ccdGJKIntersect(&p.a, &p.b, &kSettings<Shape>) != 0; }
+  using Made = WithHull;
+  static constexpr bool kHasPlanes = false;
+  static bool test(const Made& p) { return ccdGJKIntersect(&p.a, &p.b, &kOfHulls) != 0; }
 };
 
 }  // namespace

@@ -57,16 +57,16 @@ void register_times(const Subject<A, B>& subject, const Peer& peer, bool everywh
   }
 }
 
-/// Rotated boxes as scenes have them, about half of which overlap.
-const std::vector<Convexes>& boxes(std::size_t size) {
-  static std::map<std::size_t, std::vector<Convexes>> made;
-  std::vector<Convexes>& all = made[size];
-  const golden::Family& generic = *golden::find_family(Pair::obb_obb, "generic");
+/// The questions of a family, of "generic" such as scenes have, about half of which overlap.
+const std::vector<Convexes>& of_family(Pair pair, const std::string& family, std::size_t size) {
+  static std::map<std::tuple<Pair, std::string, std::size_t>, std::vector<Convexes>> made;
+  std::vector<Convexes>& all = made[{pair, family, size}];
   while (all.size() < size)
-    all.push_back(
-        std::get<Convexes>(golden::generate_query(Pair::obb_obb, generic, Scalar::binary64, 1, all.size()).shapes));
+    all.push_back(std::get<Convexes>(
+        golden::generate_query(pair, *golden::find_family(pair, family), Scalar::binary64, 1, all.size()).shapes));
   return all;
 }
+const std::vector<Convexes>& boxes(std::size_t size) { return of_family(Pair::obb_obb, "generic", size); }
 void register_times_of_boxes(const Peer& peer) {
   const Loops<Convexes>& loops = peer.of<Convexes>();
   const std::string name = "Peer/" + peer.name + "/obb_obb_";
@@ -78,6 +78,63 @@ void register_times_of_boxes(const Peer& peer) {
   if (loops.compute)
     at_place(name + "compute", kPlaces[0],
              [compute = loops.compute](std::size_t n) { compute(boxes(n), answers(n).data()); });
+}
+
+/// Hulls of twelve corners beside each other, about half of which overlap; beside spheres, capsules and planes as adapters take them: along an axis.
+enum class Beside { hull, sphere, capsule, plane };
+const std::vector<Convexes>& hulls(Beside beside, std::size_t size) {
+  static std::map<std::pair<Beside, std::size_t>, std::vector<Convexes>> made;
+  std::vector<Convexes>& all = made[{beside, size}];
+  Uniform uniform(1);
+  while (all.size() < size) {
+    const Convex hull{uniform.hull()};
+    const Vector3 at = uniform.hull().vertices[0];
+    if (beside == Beside::hull)
+      all.push_back({hull, {uniform.hull()}});
+    else if (beside == Beside::sphere)
+      all.push_back({{Ball{at, 2}}, hull});
+    else if (beside == Beside::capsule)
+      all.push_back({{Capsule{at, at + Vector3(0, 5, 0), 2}}, hull});
+    else
+      all.push_back({hull, {Plane{{0, 0, 1}, at[2] - 5}}});
+  }
+  return all;
+}
+void register_times_of_hulls(const Peer& peer) {
+  constexpr Place kPlace{kPlaces[0].name, 512};  // of two hulls as long as 4096 of others
+  for (const auto& [name, beside] : {std::pair("hull_hull", Beside::hull),
+                                     {"sphere_hull", Beside::sphere},
+                                     {"capsule_hull", Beside::capsule},
+                                     {"hull_plane", Beside::plane}}) {
+    if (beside == Beside::plane && !peer.hulls.has_planes) continue;
+    const std::string row = "Peer/" + peer.name + "/" + name + "_";
+    if (peer.hulls.test)
+      at_place(row + "test", kPlace, [test = peer.hulls.test, beside = beside](std::size_t n) {
+        std::vector<std::uint8_t> hit(n);
+        test(hulls(beside, n), hit.data());
+      });
+    if (peer.hulls.compute)
+      at_place(row + "compute", kPlace, [compute = peer.hulls.compute, beside = beside](std::size_t n) {
+        compute(hulls(beside, n), answers(n).data());
+      });
+  }
+}
+
+/// What shapes in special positions cost production.
+void register_times_of_families(const Peer& ours) {
+  constexpr Place kPlace{kPlaces[0].name, 512};
+  for (const auto& [name, pair] : {std::pair("obb_obb", Pair::obb_obb), {"hull_hull", Pair::hull_hull}})
+    for (const char* family : {"generic", "deep", "near_touching", "touching", "parallel", "flat", "nested", "ties"}) {
+      const std::string row = std::string("Special/") + name + "/" + family + "/";
+      const Loops<Convexes>& loops = ours.of<Convexes>();
+      at_place(row + "test", kPlace, [test = loops.test, pair = pair, family](std::size_t n) {
+        std::vector<std::uint8_t> hit(n);
+        test(of_family(pair, family, n), hit.data());
+      });
+      at_place(row + "compute", kPlace, [compute = loops.compute, pair = pair, family](std::size_t n) {
+        compute(of_family(pair, family, n), answers(n).data());
+      });
+    }
 }
 
 template <class A, class B>
@@ -190,8 +247,10 @@ void count_wrong_answers(benchmark::State& state, const Peer& peer, const std::s
       std::apply([&](const auto&... subject) { (register_times(subject, peer, true), ...); }, kSubjects);
       std::apply([&](const auto&... subject) { (register_times(subject, peer, false), ...); }, kOthers);
       register_times_of_boxes(peer);
+      register_times_of_hulls(peer);
       all.push_back(std::move(peer));
     }
+  register_times_of_families(all[1]);
   all.push_back(make_peer("ours, batch", {}, false, std::make_shared<OneInBatch>()));
   for (const Peer& peer : all)
     for (const char* family :

@@ -8,6 +8,8 @@
 
 #include <concepts>
 
+#include "engines/adapters/fcl.hpp"
+#include "peers/adapted.hpp"
 #include "peers/peers.hpp"
 
 namespace contact::bench {
@@ -66,16 +68,21 @@ class Fcl {
   requires(!std::same_as<A, Box> && requires(Placed & placed, const Two<A, B>& p) {
     placed.set(p.a), placed.set(p.b);
   }) bool compute(const Two<A, B>& p, Contact& out) {
-    if (!collide(p, {1, true})) return false;
-    const fcl::Contactd& contact = result_.getContact(0);
-    out.normal = contact.normal;
-    out.point1 = contact.pos;
-    out.value = contact.penetration_depth;
-    return true;
+    return collide(p, {1, true}) && write(out);
   }
   // Two rotated boxes.
   bool test(const Convexes& p) { return test(obbs(p)); }
   bool compute(const Convexes& p, Contact& out) { return compute(obbs(p), out); }
+  /// Of a hull, with the faces that Qhull finds.
+  struct Made {
+    explicit Made(const Convexes& p)
+        : a(*adapters::fcl_object(Adapted(p.a).shape())), b(*adapters::fcl_object(Adapted(p.b).shape())) {}
+    fcl::CollisionObjectd a;
+    fcl::CollisionObjectd b;
+  };
+  static constexpr bool kHasPlanes = true;
+  bool test(const Made& p) { return collide(p, {1, false}); }
+  bool compute(const Made& p, Contact& out) { return collide(p, {1, true}) && write(out); }
   static bool test(const Boxes& p) {
     fcl::AABBd a;
     a.min_ = p.a.min;
@@ -93,6 +100,17 @@ class Fcl {
     auto& b = b_.set(p.b);
     result_.clear();
     return fcl::collide(&a, a_.at, &b, b_.at, request, result_) > 0;
+  }
+  bool collide(const Made& p, const fcl::CollisionRequestd& request) {
+    result_.clear();
+    return fcl::collide(&p.a, &p.b, request, result_) > 0;
+  }
+  bool write(Contact& out) const {
+    const fcl::Contactd& contact = result_.getContact(0);
+    out.normal = contact.normal;
+    out.point1 = contact.pos;
+    out.value = contact.penetration_depth;
+    return true;
   }
 
   Placed a_;

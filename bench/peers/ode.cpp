@@ -3,7 +3,10 @@
 
 #include <cmath>
 #include <concepts>
+#include <optional>
 
+#include "engines/adapters/ode_convex.hpp"
+#include "peers/adapted.hpp"
 #include "peers/peers.hpp"
 
 #ifndef dDOUBLE
@@ -67,17 +70,44 @@ class Ode {
   requires(!std::same_as<A, Box> && requires(const Geometries& made, const Two<A, B>& p) {
     made.set(p.a), made.set(p.b);
   }) bool compute(const Two<A, B>& p, Contact& out) {
-    if (!test(p)) return false;
+    return test(p) && write(out);
+  }
+  // Two rotated boxes.
+  bool test(const Convexes& p) { return test(obbs(p)); }
+  bool compute(const Convexes& p, Contact& out) { return compute(obbs(p), out); }
+  /// Of a hull, with the faces that Qhull finds.
+  struct Made {
+    explicit Made(const Convexes& p) : a(p.a), b(p.b) {}
+    struct Placed {
+      explicit Placed(const Convex& shape) {
+        if (std::holds_alternative<Hull>(shape.shape)) {
+          geom = hull.emplace(*adapters::polyhedron_of(Adapted(shape).shape())).geom;
+          return;
+        }
+        const auto set = [this](const auto& given) -> dGeomID {
+          if constexpr (requires { others.set(given); }) return others.set(given);
+          return nullptr;
+        };
+        geom = std::visit(set, shape.shape);
+      }
+      Geometries others;
+      std::optional<adapters::Convex> hull;
+      dGeomID geom;
+    };
+    Placed a;
+    Placed b;
+  };
+  static constexpr bool kHasPlanes = true;
+  bool test(const Made& p) { return dCollide(p.a.geom, p.b.geom, 1, &found_, sizeof found_) > 0; }
+  bool compute(const Made& p, Contact& out) { return test(p) && write(out); }
+
+ private:
+  bool write(Contact& out) const {
     out.normal = {found_.normal[0], found_.normal[1], found_.normal[2]};
     out.point1 = {found_.pos[0], found_.pos[1], found_.pos[2]};
     out.value = found_.depth;
     return true;
   }
-  // Two rotated boxes.
-  bool test(const Convexes& p) { return test(obbs(p)); }
-  bool compute(const Convexes& p, Contact& out) { return compute(obbs(p), out); }
-
- private:
   Geometries a_;
   Geometries b_;
   dContactGeom found_{};

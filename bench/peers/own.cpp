@@ -104,6 +104,14 @@ struct Production {
   static bool test(const Two<A, B>& p) {
     return is_hit(p, kNone);
   }
+  /// Nothing is kept of a hull.
+  struct Made {
+    explicit Made(const Convexes& p) : pair(p) {}
+    const Convexes& pair;
+  };
+  static constexpr bool kHasPlanes = true;
+  static bool test(const Made& p) { return test(p.pair); }
+  static bool compute(const Made& p, Contact& out) { return compute(p.pair, out); }
   static std::optional<Contact> contact_between(const Balls& p) { return compute_sphere_sphere(p.a, p.b, kNone); }
   static std::optional<Contact> contact_between(const BallAndBox& p) { return compute_sphere_cube(p.a, p.b, kNone); }
   template <class A, class B>

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <exception>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -49,11 +51,17 @@ struct LoopsOfAll<void, Kinds...> {
 using AllLoops = LoopsOfAll<void CONTACT_KINDS(CONTACT_KIND)>::Type;
 #undef CONTACT_KIND
 
+/// Pairs of a hull: a library keeps what it makes of such shapes.
+struct LoopsOfHulls : Loops<Convexes> {
+  bool has_planes = false;
+};
+
 struct Peer {
   std::string name;
   Conventions conventions;  ///< of its answers about two spheres
   bool slow = false;        ///< measured in the second level cache alone
   AllLoops loops;
+  LoopsOfHulls hulls;
 
   template <class Kind>
   [[nodiscard]] const Loops<Kind>& of() const {
@@ -78,12 +86,40 @@ Loops<Kind> loops_of(std::shared_ptr<One> one) {
   return loops;
 }
 
+/// `one` has the members test(made) -> bool and compute(made, Contact&) -> bool for what One::Made is of a pair. It is made when the pairs are seen first, which
+/// is not measured.
+template <class One>
+LoopsOfHulls loops_of_hulls(std::shared_ptr<One> one) {
+  using Made = typename One::Made;
+  const auto kept = std::make_shared<std::map<const Convexes*, std::deque<Made>>>();
+  const auto made_of = [kept](std::span<const Convexes> pairs) -> std::deque<Made>& {
+    std::deque<Made>& made = (*kept)[pairs.data()];
+    if (made.empty())
+      for (const Convexes& pair : pairs) made.emplace_back(pair);
+    return made;
+  };
+  LoopsOfHulls loops;
+  loops.has_planes = One::kHasPlanes;
+  loops.test = [one, made_of](std::span<const Convexes> pairs, std::uint8_t* hit) {
+    for (Made& made : made_of(pairs)) *hit++ = one->test(made) ? 1 : 0;
+  };
+  if constexpr (requires(Made & made, Contact & contact) { one->compute(made, contact); })
+    loops.compute = [one, made_of](std::span<const Convexes> pairs, PeerAnswer* out) {
+      for (Made& made : made_of(pairs)) {
+        out->hit = one->compute(made, out->contact);
+        ++out;
+      }
+    };
+  return loops;
+}
+
 /// `one` has the members test(pair) -> bool and compute(pair, Contact&) -> bool for pairs of some kinds; it is made
 /// once, and keeps what a user would keep between calls.
 template <class One>
 Peer make_peer(std::string name, const Conventions& conventions, bool slow, std::shared_ptr<One> one) {
-  Peer peer{std::move(name), conventions, slow, {}};
+  Peer peer{std::move(name), conventions, slow, {}, {}};
   std::apply([&]<class... Each>(Each&... each) { ((each = loops_of<typename Each::Kind>(one)), ...); }, peer.loops);
+  if constexpr (requires { typename One::Made; }) peer.hulls = loops_of_hulls(one);
   return peer;
 }
 

@@ -327,8 +327,8 @@ Middle middle_of(const std::vector<Quotient>& points) {
 /// What two sets of points in a plane span in common, as points between which it lies: corners of each that lie in the other, and where edges cross.
 class InPlane {
  public:
-  InPlane(std::vector<IntegerVector> a, std::vector<IntegerVector> b, IntegerVector normal)
-      : n_(std::move(normal)), a_(polygon_of(std::move(a))), b_(polygon_of(std::move(b))) {}
+  InPlane(std::vector<IntegerVector> a, std::vector<IntegerVector> b, const IntegerVector& normal)
+      : seen_along_(first_that_is_not_0(normal)), a_(polygon_of(std::move(a))), b_(polygon_of(std::move(b))) {}
 
   [[nodiscard]] std::vector<Quotient> common() const {
     std::vector<Quotient> all;
@@ -342,10 +342,18 @@ class InPlane {
   }
 
  private:
-  /// Its corners, counterclockwise around n; of a segment its ends, or one point.
+  /// Its corners, counterclockwise as it is seen; of a segment its ends, or one point.
   using Polygon = std::vector<IntegerVector>;
   [[nodiscard]] static const IntegerVector& next(const Polygon& of, std::size_t k) { return of[(k + 1) % of.size()]; }
-  [[nodiscard]] Integer turn(const IntegerVector& u, const IntegerVector& v) const { return dot(n_, cross(u, v)); }
+  static std::size_t first_that_is_not_0(const IntegerVector& n) {
+    return n[0].sign() != 0 ? 0 : n[1].sign() != 0 ? 1 : 2;
+  }
+  /// n.(u x v), but for a factor that is the same for all: u x v lies along n, and one component says how far. Where the factor is below 0 the plane is seen from behind.
+  [[nodiscard]] Integer turn(const IntegerVector& u, const IntegerVector& v) const {
+    const std::size_t i = (seen_along_ + 1) % 3;
+    const std::size_t k = (seen_along_ + 2) % 3;
+    return u[i] * v[k] - u[k] * v[i];
+  }
 
   /// What points span, by Andrew's chains: from the least to the greatest, and back.
   [[nodiscard]] Polygon polygon_of(std::vector<IntegerVector> points) const {
@@ -381,7 +389,7 @@ class InPlane {
     all.push_back({combined(whole, a, of_u, u), whole});
   }
 
-  IntegerVector n_;
+  std::size_t seen_along_;
   Polygon a_;
   Polygon b_;
 };
@@ -462,11 +470,18 @@ struct Facet {
   IntegerVector normal;
   Integer height;
 };
+/// The logarithm of height^2 / square, off by less than 2^-34.
+struct Nearness {
+  static constexpr double kCertain = 0x1p-32;
+  static double of(const Integer& height, const Integer& square) {
+    return 2 * approximate_log2(height) - approximate_log2(square);
+  }
+};
+using Expanding = ExpandingPolytope<Integer, Nearness>;
 /// The one that is nearest to 0, and of several the preferred one.
 ///   What no vertex lies beyond is a facet's plane. Where that holds for all faces of the least depth, there is no other facet of that depth: a ball of that radius lies in the polytope, so that
 ///   each touches it, and at depth 0 the polytope fills all of A - B that is near 0.
 Facet nearest_facet(const Difference<Integer>& difference, const std::vector<IntegerVector>& corners) {
-  using Expanding = ExpandingPolytope<Integer>;
   Expanding polytope({corners[0], corners[1], corners[2], corners[3]});
   std::optional<Expanding::Face> best;
   while (!polytope.faces().empty()) {
@@ -479,17 +494,41 @@ Facet nearest_facet(const Difference<Integer>& difference, const std::vector<Int
   return {best->normal, best->height};
 }
 
-/// The nearest points of cores that meet, in a point that is known.
-ExactNearest nearest_meeting(const TwoCores& cores, const PointOf<Integer>& v) {
-  const Difference<Integer> difference(cores.a.vertices, cores.b.vertices);
-  const std::vector<IntegerVector> corners = spanning(difference, v);
-  if (corners.size() < 3) return nearest_in_line(cores, corners.back() - corners[0]);
-  Facet facet{cross(corners[1] - corners[0], corners[2] - corners[0]), 0};
-  if (corners.size() == 4)
-    facet = nearest_facet(difference, corners);
-  else if (!is_preferred(facet.normal, kNowhere - facet.normal))
-    facet.normal = kNowhere - facet.normal;
-  const auto& [n, height] = facet;
+/// The facet of A - B of two boxes with a volume that is nearest to 0, or nothing where they are apart. Any two edges that are not along each other, of one box or of both,
+/// make a facet; those are tried that `directions` has, as NearBoxes counts them.
+std::optional<Facet> nearest_facet_of_boxes(const TwoCores& cores, unsigned directions) {
+  const auto& a = cores.a.vertices;
+  const auto& b = cores.b.vertices;
+  // As extend() places them.
+  const std::array<IntegerVector, 6> edges{a[1] - a[0], a[3] - a[0], a[7] - a[0],
+                                           b[1] - b[0], b[3] - b[0], b[7] - b[0]};
+  const IntegerVector between = sum(b[0], b[5]) - sum(a[0], a[5]);  // twice as far
+  std::optional<Expanding::Face> best;
+  for (std::size_t k = 0; k < 15; ++k) {
+    if ((directions >> k & 1) == 0) continue;
+    Expanding::Face face{};
+    face.normal = k < 6 ? edges[k] : cross(edges[(k - 6) / 3], edges[3 + (k - 6) % 3]);
+    if (face.normal == kNowhere) continue;
+    face.height = -dot(face.normal, between);
+    if (face.height.sign() > 0 || (face.height.is_zero() && !is_preferred(face.normal, kNowhere - face.normal)))
+      face.normal = kNowhere - face.normal, face.height = -face.height;
+    for (const IntegerVector& edge : edges) face.height += abs(dot(face.normal, edge));
+    if (face.height.sign() < 0) return std::nullopt;
+    face.height /= 2;
+    face.square = dot(face.normal, face.normal);
+    face.nearness = Nearness::of(face.height, face.square);
+    if (!best || face.is_nearer_than(*best) || (!best->is_nearer_than(face) && is_preferred(face.normal, best->normal)))
+      best = std::move(face);
+  }
+  return Facet{best->normal, best->height};
+}
+
+/// The nearest points of cores that meet, at the facet of A - B that is nearest to 0.
+ExactNearest nearest_at(const TwoCores& cores, const Facet& facet) {
+  // All that follows is as long as the normal, which often has a long factor: of a rotation's denominator.
+  const Integer factor = gcd(gcd(facet.normal[0], facet.normal[1]), facet.normal[2]);
+  const auto& [n, height] =
+      Facet{{facet.normal[0] / factor, facet.normal[1] / factor, facet.normal[2] / factor}, facet.height / factor};
   const Integer N = dot(n, n);
   // B, moved out: q + (height / N) n.
   const auto [at, unique] = middle_of(InPlane(moved(farthest(cores.a.vertices, n), N, kNowhere),
@@ -498,6 +537,15 @@ ExactNearest nearest_meeting(const TwoCores& cores, const PointOf<Integer>& v) {
   ExactNearest nearest{at.at, combined(1, at.at, -at.over * height, n), at.over * N * cores.over(), unique, n};
   nearest.overlap = !height.is_zero();
   return nearest;
+}
+/// The same of cores that meet in a point that is known.
+ExactNearest nearest_meeting(const TwoCores& cores, const PointOf<Integer>& v) {
+  const Difference<Integer> difference(cores.a.vertices, cores.b.vertices);
+  const std::vector<IntegerVector> corners = spanning(difference, v);
+  if (corners.size() < 3) return nearest_in_line(cores, corners.back() - corners[0]);
+  if (corners.size() == 4) return nearest_at(cores, nearest_facet(difference, corners));
+  const IntegerVector n = cross(corners[1] - corners[0], corners[2] - corners[0]);
+  return nearest_at(cores, {is_preferred(n, kNowhere - n) ? n : kNowhere - n, 0});
 }
 
 // ---- the exact stage ----
@@ -521,26 +569,42 @@ Asked asked(const A& a, const B& b, Distances distances) {
           over_one_denominator(core_of(grid, a), core_of(grid, b))};
 }
 
-/// A question about two cores, and the point of B - A that is nearest to 0.
+/// The directions among which plain double is sure that the nearest facet of two boxes is, as NearBoxes counts them.
+unsigned directions_of_facet(const NearCore& a, const NearCore& b) {
+  constexpr unsigned kAll = (1U << 15) - 1;
+  const NearScale scale(a, b, 0);
+  if (!scale.holds()) return kAll;
+  NearBoxes depths(a, b, scale);
+  return depths.side(0) == NearSide::miss ? kAll : depths.candidates();
+}
+/// A question about two cores, and the point of B - A that is nearest to 0, or of boxes that meet the facet of A - B.
 struct ExactCores {
   Asked asked;
   PointOf<Integer> v;
+  std::optional<Facet> facet = {};
 };
 template <class A, class B>
-[[gnu::noinline]] ExactCores exactly(const A& a, const B& b, Distances distances) {
+[[gnu::noinline]] ExactCores exactly(const A& a, const B& b, Distances distances, bool wants_numbers = false) {
   Asked of = asked(a, b, distances);
+  if constexpr (kIsOneOf<A, Box, Obb> && kIsOneOf<B, Box, Obb>)
+    if (wants_numbers && of.cores.a.vertices.size() == 8 && of.cores.b.vertices.size() == 8) {
+      auto facet = nearest_facet_of_boxes(of.cores, directions_of_facet(near_core(a), near_core(b)));
+      if (facet) return {std::move(of), {}, std::move(facet)};
+    }
   PointOf<Integer> v = nearest_from(proposed(of.cores), Difference<Integer>(of.cores.a.vertices, of.cores.b.vertices));
   return {std::move(of), std::move(v)};
 }
 bool is_hit(const ExactCores& of) {
-  return is_hit({kNowhere, of.v.at, of.v.whole * of.asked.cores.over(), true, kNowhere}, of.asked.grid,
-                of.asked.lengths);
+  return of.facet || is_hit({kNowhere, of.v.at, of.v.whole * of.asked.cores.over(), true, kNowhere}, of.asked.grid,
+                            of.asked.lengths);
 }
 /// The numbers that are open, exactly.
 void round_open(const ExactCores& of, ContactPoints points, unsigned open, Contact& contact) {
   const auto& [grid, lengths, cores] = of.asked;
-  round_exactly(of.v.at == kNowhere ? nearest_meeting(cores, of.v) : nearest_apart(cores, of.v), grid, lengths, points,
-                open, contact);
+  round_exactly(of.facet              ? nearest_at(cores, *of.facet)
+                : of.v.at == kNowhere ? nearest_meeting(cores, of.v)
+                                      : nearest_apart(cores, of.v),
+                grid, lengths, points, open, contact);
 }
 
 /// The lowest point of a core over a plane.
@@ -550,7 +614,8 @@ struct OverPlane {
   ExactLowest lowest;
 };
 template <class A>
-[[gnu::noinline]] OverPlane exactly(const A& a, const Plane& plane, Distances distances) {
+[[gnu::noinline]] OverPlane exactly(const A& a, const Plane& plane, Distances distances,
+                                    bool /*wants_numbers*/ = false) {
   const Grid normal{plane.normal[0], plane.normal[1], plane.normal[2]};
   const Grid of_offset{plane.offset};
   const Grid points({distances.alarm, distances.contact},
@@ -624,7 +689,7 @@ template <class A, class B>
   const Certain known = certain_contact(a, b, in_range, lengths, points, contact);
   if (known.side == NearSide::miss) return std::nullopt;
   if (known.side == NearSide::unknown || known.open != 0) {
-    const auto exact = exactly(a, b, distances);
+    const auto exact = exactly(a, b, distances, true);
     if (known.side == NearSide::unknown && !is_hit(exact)) return std::nullopt;
     round_open(exact, points, known.open, contact);
   }

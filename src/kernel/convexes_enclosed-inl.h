@@ -21,93 +21,88 @@ class EnclosedCorners {
         orientation_(given.orientation),
         kind_(given.kind) {}
 
-  /// To be called first: what all that is said of a rotation is made of.
-  void square() {
-    if (kind_ != Kind::obb) return;
-    const auto& [x, y, z, w] = orientation_;
-    const auto both = [](double s, double t, double u, double v, bool plus) {
-      const Enclosure of_uv = product(u, v);
-      return sum_of<2>({product(s, t), plus ? of_uv : -of_uv});
-    };
-    const Enclosure ww_xx = both(w, w, x, x, true);
-    const Enclosure yy_zz = both(y, y, z, z, true);
-    const Enclosure ww_less_xx = both(w, w, x, x, false);
-    const Enclosure yy_less_zz = both(y, y, z, z, false);
-    inverse_ = reciprocal(ww_xx + yy_zz);
-    columns_[0] = {ww_xx - yy_zz, twice(both(x, y, w, z, true)), twice(both(x, z, w, y, false))};
-    columns_[1] = {twice(both(x, y, w, z, false)), ww_less_xx + yy_less_zz, twice(both(y, z, w, x, true))};
-    columns_[2] = {twice(both(x, z, w, y, true)), twice(both(y, z, w, x, false)), ww_less_xx - yy_less_zz};
-  }
-  /// To be called next, for the corners and ways of a rotated box.
+  /// To be called before corners and ways of a rotated box.
   void turn() {
     if (kind_ != Kind::obb) return;
-    for (std::size_t axis = 0; axis < 3; ++axis) halves_[axis] = (extent(axis) * inverse_) * columns_[axis];
+    inverse_ = inverse();
+    for (std::size_t axis = 0; axis < 3; ++axis) columns_[axis] = column(axis);
   }
   [[nodiscard]] Enclosures operator()(std::size_t k) const {
     if (kind_ == Kind::points) return enclosed(given_[k]);
     if (kind_ == Kind::box) return enclosed({given_[k & 1][0], given_[k >> 1 & 1][1], given_[k >> 2 & 1][2]});
+    const auto half = [&](std::size_t axis) { return k >> axis & 1 ? extent(axis) : -extent(axis); };
+    const std::array<double, 3> halves{half(0), half(1), half(2)};
     Enclosures corner;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto part = [&](std::size_t axis) { return k >> axis & 1 ? halves_[axis][i] : -halves_[axis][i]; };
-      corner[i] = sum_of<4>({Enclosure(given_[0][static_cast<Eigen::Index>(i)]), part(0), part(1), part(2)});
-    }
+    for (std::size_t i = 0; i < 3; ++i)
+      corner[i] = Enclosure(given_[0][static_cast<Eigen::Index>(i)]) +
+                  inverse_ * sum_of_multiples<3>(halves, {columns_[0][i], columns_[1][i], columns_[2][i]});
     return corner;
   }
   /// From one corner to another.
   [[nodiscard]] Enclosures way(std::size_t from, std::size_t to) const {
-    if (kind_ == Kind::points || !std::has_single_bit(from ^ to)) return (*this)(to) - (*this)(from);
+    if (kind_ == Kind::points) return given_difference(given_[to], given_[from]);
+    if (!std::has_single_bit(from ^ to)) return (*this)(to) - (*this)(from);
     const auto axis = static_cast<std::size_t>(std::countr_zero(from ^ to));
     if (kind_ == Kind::box) {
       Enclosures along{};  // exactly 0 on the other axes
       along[axis] = (*this)(to)[axis] - (*this)(from)[axis];
       return along;
     }
-    const Enclosures& half = halves_[axis];
-    const Enclosures whole{twice(half[0]), twice(half[1]), twice(half[2])};
-    return from < to ? whole : -whole;
+    return (2 * (from < to ? extent(axis) : -extent(axis)) * inverse_) * columns_[axis];
   }
-  /// A vector of any length along a way of NearCore. Needs no turn().
+  /// A vector of any length along a way of NearCore.
   [[nodiscard]] Enclosures along(std::size_t way_of_near) const {
     if (kind_ == Kind::points) return way(way_of_near / 2, way_of_near / 2 + (way_of_near == 1 ? 2 : 1));
     if (kind_ == Kind::obb) return columns_[way_of_near];
-    Enclosures axis;
+    Enclosures axis{};
     axis[way_of_near] = Enclosure(1);
     return axis;
   }
-  /// A face: its unit normal, and how far it lies along it.
+  /// A face: its unit normal, and a point, beyond which it lies so far.
   struct Face {
     Enclosures normal;
-    Enclosure offset;
+    Vector3 from;
+    double beyond;
   };
   /// The face of a box that faces along a way, or against it, or the one of a triangle. Nothing where it has none. Needs no turn().
   [[nodiscard]] std::optional<Face> face(std::size_t way_of_near, double sign) const {
     if (kind_ == Kind::box) {
-      const auto axis = static_cast<Eigen::Index>(way_of_near);
-      Face found{{}, Enclosure(sign * given_[sign > 0][axis])};
+      Face found{{}, given_[sign > 0], 0};
       found.normal[way_of_near] = Enclosure(sign);
       return found;
     }
-    if (kind_ == Kind::obb) {
-      const Enclosures normal = (sign * inverse_) * columns_[way_of_near];
-      return Face{normal, dot(normal, enclosed(given_[0])) + Enclosure(extent(way_of_near))};
-    }
+    if (kind_ == Kind::obb) return Face{(sign * inverse()) * column(way_of_near), given_[0], extent(way_of_near)};
     const Enclosures n = sign * cross(way(0, 1), way(0, 2));
     const Enclosure N = dot(n, n);
     if (!N.is_clear()) return std::nullopt;
-    const Enclosures normal = reciprocal(root(N)) * n;
-    return Face{normal, dot(normal, enclosed(given_[0]))};
+    return Face{reciprocal(root(N)) * n, given_[0], 0};
   }
 
  private:
   using Kind = GivenCorners::Kind;
   [[nodiscard]] double extent(std::size_t axis) const { return given_[1][static_cast<Eigen::Index>(axis)]; }
+  /// 1 / |q|^2
+  [[nodiscard]] Enclosure inverse() const { return reciprocal(sum_of_given_products<4>(orientation_, orientation_)); }
+  /// |q|^2 times a column of the rotation.
+  [[nodiscard]] Enclosures column(std::size_t axis) const {
+    const std::size_t next = (axis + 1) % 3;
+    const std::size_t last = (axis + 2) % 3;
+    const double w = orientation_[3];
+    const double x = orientation_[axis];
+    const double y = orientation_[next];
+    const double z = orientation_[last];
+    Enclosures of;
+    of[axis] = sum_of_given_products<4>({w, x, y, z}, {w, x, -y, -z});
+    of[next] = twice(sum_of_given_products<2>({x, w}, {y, z}));
+    of[last] = twice(sum_of_given_products<2>({x, w}, {z, -y}));
+    return of;
+  }
 
   const Vector3* given_;
   const Quaternion& orientation_;
   Kind kind_;
-  Enclosure inverse_;                    ///< 1 / |q|^2
-  std::array<Enclosures, 3> columns_{};  ///< |q|^2 times the rotation's
-  std::array<Enclosures, 3> halves_{};
+  Enclosure inverse_;
+  std::array<Enclosures, 3> columns_;
 };
 
 /// A core by its corners, nearly and in enclosures.
@@ -134,11 +129,12 @@ struct CornerSet {
 /// The corners that lie farthest along a direction, or nearly: a way that was walked is off by some 2^-25. Nothing where they make no feature.
 template <class Near>
 [[nodiscard]] std::optional<CornerSet> farthest_set(const Near& core, const NearSimplex::Vector& way) {
-  std::array<double, std::tuple_size_v<decltype(core.corners)>> along;
+  std::array<double, std::same_as<Near, NearCore> ? 8 : kMostVertices> along;
+  const NearSimplex::Vector first = core.corner(0);
   double most = 0;
   double size = 0;
   for (std::size_t k = 0; k < core.count; ++k) {
-    const NearSimplex::Vector from_first = near::difference(core.corners[k], core.corners[0]);
+    const NearSimplex::Vector from_first = near::difference(core.corner(k), first);
     along[k] = near::dot(way, from_first);
     most = std::max(most, along[k]);
     size = std::max(size, near::largest(from_first));
@@ -174,9 +170,9 @@ template <class Near>
   const auto& [way, off] = along;
   const double sum = std::abs(way[0]) + std::abs(way[1]) + std::abs(way[2]);
   const double bound = sum * (4 * core.error + 0x1p-47 * core.size) + off * 8 * core.size;
-  const NearSimplex::Vector& from = core.corners[set.at[0]];
+  const NearSimplex::Vector from = core.corner(set.at[0]);
   for (std::size_t k = 0; k < core.count; ++k) {
-    const NearSimplex::Vector& x = core.corners[k];
+    const NearSimplex::Vector x = core.corner(k);
     const double before = sign * near::dot(way, near::difference(from, x));
     if (!set.has(k) && !(before > bound)) return false;
   }
@@ -217,15 +213,19 @@ class EnclosedContact {
   }
   [[nodiscard]] Approximation normal(std::size_t axis) const { return normal_[axis].approximation(); }
   [[nodiscard]] Approximation point1(std::size_t axis, double signed_radius) const {
-    return (p_[axis] + Enclosure(signed_radius) * normal_[axis]).approximation();
+    return beside(p_[axis], axis, signed_radius);
   }
   [[nodiscard]] Approximation point2(std::size_t axis, double signed_radius) const {
-    return (q_[axis] + Enclosure(signed_radius) * normal_[axis]).approximation();
+    return beside(q_[axis], axis, signed_radius);
   }
   [[nodiscard]] Approximation value() const { return (distance_ - (radii_ + Enclosure(contact_))).approximation(); }
   [[nodiscard]] static constexpr bool is_unique() { return true; }
 
  private:
+  [[nodiscard]] Approximation beside(const Enclosure& core, std::size_t axis, double signed_radius) const {
+    return signed_radius == 0 ? core.approximation() : (core + signed_radius * normal_[axis]).approximation();
+  }
+
   Enclosures p_;
   Enclosures q_;
   Enclosures normal_;
@@ -342,7 +342,7 @@ template <class A, class B>
     const auto& [f, g] = *features;
     for (std::size_t i = 0; i < f.size; ++i)
       for (std::size_t k = 0; k < g.size; ++k)
-        if (near::difference(a.near.corners[f.at[i]], b.near.corners[g.at[k]]) == corner) return true;
+        if (near::difference(a.near.corner(f.at[i]), b.near.corner(g.at[k])) == corner) return true;
     return false;
   };
   if (!polytope.is_surely_nearest(nearest, is_of_facet)) return std::nullopt;
@@ -384,26 +384,24 @@ template <class A, class B>
 /// The contact of cores that overlap, at the facet of A - B that 0 is nearest to, of a face of `faced` and a vertex of the other.
 [[nodiscard]] inline std::optional<EnclosedContact> contact_at_face(CornersOf<NearCore>& faced,
                                                                     CornersOf<NearCore>& other, bool is_a,
-                                                                    const NearDepths::Facet& facet,
-                                                                    const Lengths& lengths) {
+                                                                    const NearFacet& facet, const Lengths& lengths) {
   // The third way of a box. From A to B, so out of A and into B.
   const auto face = faced.corners.face(3 - facet.axis.u - facet.axis.w, facet.is_back == is_a ? -1 : 1);
   if (!face) return std::nullopt;
   const auto deepest = surely_farthest(other.near, NearWay(face->normal), -1);
   if (!deepest) return std::nullopt;
-  other.corners.square();
   other.corners.turn();
   const Enclosures x = other.corners(*deepest);
-  const Enclosure depth = face->offset - dot(face->normal, x);
+  const Enclosure depth = Enclosure(face->beyond) - dot(face->normal, x - enclosed(face->from));
   const Enclosures out = x + depth * face->normal;
   return is_a ? EnclosedContact(out, x, face->normal, -depth, lengths)
               : EnclosedContact(x, out, -face->normal, -depth, lengths);
 }
 /// The same of two edges.
 [[nodiscard]] inline std::optional<EnclosedContact> contact_at_edges(CornersOf<NearCore>& a, CornersOf<NearCore>& b,
-                                                                     const NearDepths::Facet& facet,
-                                                                     const Lengths& lengths) {
-  b.corners.square();
+                                                                     const NearFacet& facet, const Lengths& lengths) {
+  a.corners.turn();
+  b.corners.turn();
   const Enclosures u = a.corners.along(facet.axis.u);
   const Enclosures w = b.corners.along(facet.axis.w);
   const double sign = facet.is_back ? -1 : 1;
@@ -413,8 +411,6 @@ template <class A, class B>
   const auto f = surely_farthest(a.near, along, 1, facet.axis.u);
   const auto g = surely_farthest(b.near, along, -1, facet.axis.w);
   if (!N.is_clear() || !f || !g) return std::nullopt;
-  a.corners.turn();
-  b.corners.turn();
   const Enclosures from = a.corners(*f);
   const Enclosures between = b.corners(*g) - from;
   const Enclosure inverse = reciprocal(root(N));
@@ -424,12 +420,10 @@ template <class A, class B>
   return EnclosedContact(p, p + distance * normal, normal, distance, lengths);
 }
 [[nodiscard]] inline std::optional<EnclosedContact> contact_overlapping(CornersOf<NearCore>& a, CornersOf<NearCore>& b,
-                                                                        const NearDepths::Facet& facet,
+                                                                        const NearFacet& facet,
                                                                         const Lengths& lengths) {
-  if (facet.axis.of_a) a.corners.square();
   if (facet.axis.of_a && facet.axis.of_b) return contact_at_edges(a, b, facet, lengths);
   if (facet.axis.of_a) return contact_at_face(a, b, true, facet, lengths);
-  b.corners.square();
   return contact_at_face(b, a, false, facet, lengths);
 }
 
@@ -470,21 +464,22 @@ template <class A, class B>
   const NearScale scale(a.near, b.near, lengths.alarm);
   if (!scale.holds()) return {NearSide::unknown};
   if constexpr (kHaveWays<A, B>) {
-    const NearDepths depths(a.near, b.near, scale);
-    const NearSide side = depths.side(scale.reach);
+    std::optional<NearFacet> facet;
+    const NearSide side = with_depths(a.near, b.near, scale, [&](auto& depths) {
+      const NearSide found = depths.side(scale.reach);
+      if (found == NearSide::hit) facet = depths.least();
+      return found;
+    });
     if (side == NearSide::miss) return {side};
     if (side == NearSide::hit) {
-      const auto facet = depths.least();
       if (!in_range || !facet) return {side};
       return rounded(contact_overlapping(a, b, *facet, lengths), side, lengths, points, contact);
     }
   }
   const NearAnswer near = walk(a.near, b.near, scale, true);
   if (near.side == NearSide::miss || !in_range || !(near.way || near.around)) return {near.side};
-  for (EnclosedCorners* corners : {&a.corners, &b.corners}) {
-    corners->square();
-    corners->turn();
-  }
+  a.corners.turn();
+  b.corners.turn();
   std::optional<EnclosedContact> found;
   if (near.around)
     found = contact_inside(a, b, scale.error, *near.around, lengths);
@@ -498,7 +493,6 @@ template <class A>
   CornersOf<A> a{near_a, EnclosedCorners(given_a)};
   const NearSide side = near_side(a.near, b, lengths.alarm);
   if (side == NearSide::miss || !in_range) return {side};
-  a.corners.square();
   a.corners.turn();
   return rounded(contact_over(a, b, lengths), side, lengths, points, contact);
 }

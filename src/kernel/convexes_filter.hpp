@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -35,6 +36,7 @@ struct NearCorners {
   double radius = 0;
   double error = 0;
 
+  [[nodiscard]] const Vector& corner(std::size_t k) const { return corners[k]; }
   void add(const Vector& x) {
     corners[count++] = x;
     size = std::max({size, std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
@@ -43,14 +45,37 @@ struct NearCorners {
 /// A hull: its vertices as they are given. Maybe some are no corners, or one is there twice.
 struct NearHull : NearCorners<kMostVertices> {};
 /// A core with ways between its corners. What is no triangle is the middle, `base`, and any part of each way, forth or back: three of a box, one of a segment. A
-/// triangle is its first corner, `base`, and ways from this to the others and between these.
-struct NearCore : NearCorners<8> {
+/// triangle is its first corner, `base`, and ways from this to the others and between these. A box has axes too, along which its ways lead as far as `half` says; its
+/// corners are written nowhere.
+struct NearCore : NearCorners<3> {
   std::array<Vector, 3> ways{};
+  std::array<Vector, 3> axes;  ///< of a box
+  std::array<double, 3> half;  ///< of a box
 
   [[nodiscard]] bool is_triangle() const { return count == 3; }
   [[nodiscard]] bool is_box() const { return count == 8; }
   /// How many ways there are, each in a direction of its own.
   [[nodiscard]] std::size_t directions() const { return count < 3 ? count - 1 : 3; }
+  /// A corner; of a box that whose bits say of each way whether it leads forth.
+  [[nodiscard]] Vector corner(std::size_t k) const {
+    if (!is_box()) return corners[k];
+    Vector at = base;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double sign = k >> axis & 1 ? 1 : -1;
+      for (std::size_t i = 0; i < 3; ++i) at[i] += sign * ways[axis][i];
+    }
+    return at;
+  }
+  /// Makes it a box, of its base, axes and half lengths.
+  void set_box() {
+    count = 8;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < 3; ++i) ways[axis][i] = half[axis] * axes[axis][i];
+    for (std::size_t i = 0; i < 3; ++i)
+      size = std::max(size, std::abs(base[i]) + std::abs(ways[0][i]) + std::abs(ways[1][i]) + std::abs(ways[2][i]));
+    error =
+        0x1p-48 * (std::max({std::abs(base[0]), std::abs(base[1]), std::abs(base[2])}) + half[0] + half[1] + half[2]);
+  }
 };
 /// Whether the facets of A - B are made by ways of both.
 template <class A, class B>
@@ -76,6 +101,10 @@ using Vector = NearCore::Vector;
 }
 [[gnu::always_inline]] inline Vector middle(const Vector& x, const Vector& y) {
   return {x[0] / 2 + y[0] / 2, x[1] / 2 + y[1] / 2, x[2] / 2 + y[2] / 2};
+}
+/// x + part (y - x), as parts of both: part in [0, 1].
+[[gnu::always_inline]] inline Vector between(const Vector& x, double part, const Vector& y) {
+  return {(1 - part) * x[0] + part * y[0], (1 - part) * x[1] + part * y[1], (1 - part) * x[2] + part * y[2]};
 }
 [[gnu::always_inline]] inline double largest(const Vector& x) {
   return std::max({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
@@ -111,11 +140,14 @@ inline NearCore near_core(const Triangle& triangle) {
 }
 inline NearCore near_core(const Box& box) {
   NearCore core;
-  for (int k = 0; k < 8; ++k)
-    core.add({(k & 1 ? box.max : box.min)[0], (k & 2 ? box.max : box.min)[1], (k & 4 ? box.max : box.min)[2]});
-  core.base = near::middle(core.corners[0], core.corners[7]);
-  for (std::size_t axis = 0; axis < 3; ++axis) core.ways[axis][axis] = core.corners[7][axis] - core.base[axis];
-  core.error = 0x1p-52 * core.size;
+  core.base = near::middle(near::vector(box.min), near::vector(box.max));
+  core.axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  // 0 where it has no extent there, and nowhere else.
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    core.half[axis] = std::max(box.max[i] - core.base[axis], core.base[axis] - box.min[i]);
+  }
+  core.set_box();
   return core;
 }
 inline NearCore near_core(const Obb& box) {
@@ -124,21 +156,13 @@ inline NearCore near_core(const Obb& box) {
   const double N = x * x + y * y + z * z + w * w;
   const double inverse = 1 / N;
   // Each number of the rotation is off by less than 10 u, each corner by 15 u (|c| + the sum of the extents).
-  const std::array<near::Vector, 3> columns{
+  core.axes = {
       {{(w * w + x * x - y * y - z * z) * inverse, 2 * (x * y + w * z) * inverse, 2 * (x * z - w * y) * inverse},
        {2 * (x * y - w * z) * inverse, (w * w - x * x + y * y - z * z) * inverse, 2 * (y * z + w * x) * inverse},
        {2 * (x * z + w * y) * inverse, 2 * (y * z - w * x) * inverse, (w * w - x * x - y * y + z * z) * inverse}}};
   core.base = near::vector(box.center);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (std::size_t i = 0; i < 3; ++i)
-      core.ways[axis][i] = box.extents[static_cast<Eigen::Index>(axis)] * columns[axis][i];
-  for (unsigned k = 0; k < 8; ++k) {
-    near::Vector corner = core.base;
-    for (unsigned axis = 0; axis < 3; ++axis)
-      for (std::size_t i = 0; i < 3; ++i) corner[i] += k >> axis & 1 ? core.ways[axis][i] : -core.ways[axis][i];
-    core.add(corner);
-  }
-  core.error = 0x1p-48 * (near::largest(core.base) + box.extents[0] + box.extents[1] + box.extents[2]);
+  core.half = near::vector(box.extents);
+  core.set_box();
   if (!is_near_range(near::largest({std::abs(x), std::abs(y), std::max(std::abs(z), std::abs(w))})))
     core.size = std::numeric_limits<double>::infinity();
   return core;
@@ -178,78 +202,61 @@ class NearSimplex {
 
   /// Takes another corner, and of all the fewest that the nearest point lies between.
   void add(const Vector& corner) {
+    const std::size_t last = count_;
     corners_[count_++] = corner;
-    double best = std::numeric_limits<double>::infinity();
-    Vector nearest = corner;
-    unsigned kept = 1U << (count_ - 1);
-    for (unsigned subset = kept; subset < 1U << count_; ++subset) {
-      Vector found;
-      double square = 0;
-      if (!solve(subset, found)) continue;
-      for (const double x : found) square += x * x;
-      if (!(square < best)) continue;
-      best = square;
-      nearest = found;
-      kept = subset;
+    // Ways to the others, and the products of these with each other and of 0 with them.
+    std::array<Vector, 3> way;
+    std::array<std::array<double, 3>, 3> products;
+    std::array<double, 3> against;
+    for (std::size_t k = 0; k < last; ++k) {
+      way[k] = near::difference(corners_[k], corner);
+      against[k] = -near::dot(corner, way[k]);
+      for (std::size_t i = 0; i <= k; ++i) products[i][k] = near::dot(way[i], way[k]);
     }
-    at_ = nearest;
+    double best = near::dot(corner, corner);
+    at_ = corner;
+    unsigned kept = 0;
+    const auto take = [&](unsigned others, const Vector& at) {
+      const double square = near::dot(at, at);
+      if (square < best) best = square, at_ = at, kept = others;
+    };
+    for (std::size_t k = 0; k < last; ++k)
+      if (against[k] > 0 && against[k] < products[k][k]) {
+        const double part = against[k] / products[k][k];
+        take(1U << k, near::between(corner, part, corners_[k]));
+      }
+    for (std::size_t k = 1; k < last; ++k)
+      for (std::size_t i = 0; i < k; ++i) {
+        const double whole = products[i][i] * products[k][k] - products[i][k] * products[i][k];
+        const double of_i = against[i] * products[k][k] - against[k] * products[i][k];
+        const double of_k = against[k] * products[i][i] - against[i] * products[i][k];
+        const double of_last = whole - of_i - of_k;
+        if (!(whole > 0 && of_i > 0 && of_k > 0 && of_last > 0)) continue;
+        const double inverse = 1 / (of_i + of_k + of_last);
+        Vector at;
+        for (std::size_t x = 0; x < 3; ++x)
+          at[x] = of_i * inverse * corners_[i][x] + of_k * inverse * corners_[k][x] + of_last * inverse * corner[x];
+        take(1U << i | 1U << k, at);
+      }
+    if (last == 3 && lies_around()) at_ = {0, 0, 0}, kept = 7;
     std::size_t left = 0;
-    for (std::size_t k = 0; k < count_; ++k)
+    for (std::size_t k = 0; k < last; ++k)
       if (kept >> k & 1) corners_[left++] = corners_[k];
+    corners_[left++] = corner;
     count_ = left;
   }
 
  private:
-  /// The nearest point of the flat through some corners; whether it lies between them.
-  [[nodiscard]] bool solve(unsigned subset, Vector& found) {
-    std::array<const Vector*, 4> y{};
-    std::size_t n = 0;
-    for (std::size_t k = 0; k < count_; ++k)
-      if (subset >> k & 1) y[n++] = &corners_[k];
-    std::array<double, 4> part{1, 0, 0, 0};
-    double whole = 1;
-    if (n == 2) {
-      const Vector u = near::difference(*y[1], *y[0]);
-      whole = near::dot(u, u);
-      part[1] = -near::dot(*y[0], u);
-    } else if (n == 3) {
-      const Vector u = near::difference(*y[1], *y[0]);
-      const Vector v = near::difference(*y[2], *y[0]);
-      const double A = near::dot(u, u);
-      const double B = near::dot(u, v);
-      const double C = near::dot(v, v);
-      const double r = -near::dot(*y[0], u);
-      const double s = -near::dot(*y[0], v);
-      whole = A * C - B * B;
-      part[1] = r * C - s * B;
-      part[2] = s * A - r * B;
-    } else if (n == 4) {
-      // Each part is the volume that 0 spans with a side.
-      const auto volume = [](const Vector& a, const Vector& b, const Vector& c) {
-        return near::dot(a, near::cross(b, c));
-      };
-      part = {volume(*y[1], *y[2], *y[3]), -volume(*y[0], *y[2], *y[3]), volume(*y[0], *y[1], *y[3]),
-              -volume(*y[0], *y[1], *y[2])};
-      if (part[0] < 0)
-        for (double& x : part) x = -x;
-      least_part_ = *std::min_element(part.begin(), part.end());
-      found = {0, 0, 0};
-      return least_part_ > 0;
-    }
-    if (n > 1) {
-      part[0] = whole;
-      for (std::size_t k = 1; k < n; ++k) part[0] -= part[k];
-    }
-    if (!(whole > 0)) return false;
-    double sum = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-      if (!(part[k] > 0)) return false;
-      sum += part[k];
-    }
-    found = {0, 0, 0};
-    for (std::size_t k = 0; k < n; ++k)
-      for (std::size_t i = 0; i < 3; ++i) found[i] += part[k] / sum * (*y[k])[i];
-    return true;
+  /// Whether 0 lies in the tetrahedron: each part is the volume that 0 spans with a side.
+  [[nodiscard]] bool lies_around() {
+    const auto volume = [&](std::size_t i, std::size_t j, std::size_t k) {
+      return near::dot(corners_[i], near::cross(corners_[j], corners_[k]));
+    };
+    std::array<double, 4> part{volume(1, 2, 3), -volume(0, 2, 3), volume(0, 1, 3), -volume(0, 1, 2)};
+    if (part[0] < 0)
+      for (double& x : part) x = -x;
+    least_part_ = *std::min_element(part.begin(), part.end());
+    return least_part_ > 0;
   }
 
   std::array<Vector, 4> corners_{};
@@ -280,6 +287,12 @@ struct NearAxis {
   bool of_b;
   std::size_t u;
   std::size_t w;
+};
+
+/// A facet of A - B: it faces along the axis, u x w, or back.
+struct NearFacet {
+  NearAxis axis;
+  bool is_back;
 };
 
 /// How deep two cores overlap along each direction that a facet of A - B may face, one way and the other, and how far that may be off; and which is least.
@@ -331,13 +344,8 @@ class NearDepths {
     return !may_meet ? NearSide::miss : surely_meet ? NearSide::hit : NearSide::unknown;
   }
 
-  /// A facet of A - B: it faces along the axis, u x w, or back.
-  struct Facet {
-    NearAxis axis;
-    bool is_back;
-  };
   /// The facet that 0 is nearest to; nothing where another may be as near. Domain: side() is a hit.
-  [[nodiscard, gnu::always_inline]] std::optional<Facet> least() const {
+  [[nodiscard, gnu::always_inline]] std::optional<NearFacet> least() const {
     std::size_t best = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < count_; ++k)
@@ -349,7 +357,7 @@ class NearDepths {
       as_near += back_[k] - off_[k] > most ? 0 : 1;
     }
     if (as_near != 1) return std::nullopt;
-    return Facet{axes_[best], back_[best] < forth_[best]};
+    return NearFacet{axes_[best], back_[best] < forth_[best]};
   }
 
  private:
@@ -403,14 +411,145 @@ class NearDepths {
   std::array<double, kMost> excess_;  ///< of the length of a normal over what its direction needs
 };
 
+/// The same of two boxes, by the products of their axes: a_i.b_j, off by less than 40 u, and those of the way between the middles, off by 38 u S, S being 2^48 times the error of both. The depth along
+/// a face's axis is off by less than 128 u S; across two edges, times the length m of a_i x b_j, by 300 u S, m by 60 u, and so the depth by 480 u S / m. What is used is at least
+/// twice as wide.
+class NearBoxes {
+ public:
+  [[gnu::always_inline]] NearBoxes(const NearCore& a, const NearCore& b, const NearScale& scale)
+      : a_(a), b_(b), error_(scale.error) {
+    const Vector between = near::difference(b.base, a.base);
+    for (std::size_t i = 0; i < 3; ++i) {
+      shift_[i] = near::dot(a.axes[i], between);
+      shift_[3 + i] = near::dot(b.axes[i], between);
+      for (std::size_t j = 0; j < 3; ++j) cosine_[i][j] = near::dot(a.axes[i], b.axes[j]);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      reach_[i] = reach_[3 + i] = 0;
+      for (std::size_t j = 0; j < 3; ++j) {
+        reach_[i] += b.half[j] * std::abs(cosine_[i][j]);
+        reach_[3 + i] += a.half[j] * std::abs(cosine_[j][i]);
+      }
+      reach_[i] += a.half[i];
+      reach_[3 + i] += b.half[i];
+    }
+  }
+
+  /// Whether the boxes are proved to overlap, or to be farther apart than the reach.
+  [[nodiscard, gnu::always_inline]] NearSide side(double reach) {
+    const double off_face = 16 * error_;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < kFaces; ++k) least = std::min(least, reach_[k] - std::abs(shift_[k]));
+    if (least + off_face < -reach * kMore) return NearSide::miss;
+    bool surely_meet = least > off_face;
+    bool may_meet = true;
+    const double off_edge = 32 * error_;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        const std::size_t k = kFaces + 3 * i + j;
+        const std::size_t i1 = (i + 1) % 3;
+        const std::size_t i2 = (i + 2) % 3;
+        const std::size_t j1 = (j + 1) % 3;
+        const std::size_t j2 = (j + 2) % 3;
+        const double x = cosine_[i1][j];
+        const double y = cosine_[i2][j];
+        length_[k - kFaces] = x * x + y * y;
+        shift_[k] = x * shift_[i2] - y * shift_[i1];
+        reach_[k] = a_.half[i1] * std::abs(y) + a_.half[i2] * std::abs(x) + b_.half[j1] * std::abs(cosine_[i][j2]) +
+                    b_.half[j2] * std::abs(cosine_[i][j1]);
+      }
+    for (double& x : length_) x = std::sqrt(x);
+    for (std::size_t k = 0; k < kEdges; ++k) {
+      const double depth = reach_[kFaces + k] - std::abs(shift_[kFaces + k]);
+      may_meet &= !(depth + off_edge < -reach * kMore * (length_[k] + 0x1p-46));
+      // Without an edge there is no facet.
+      surely_meet &= (depth > off_edge && has_direction(k)) || !has_edges(k);
+    }
+    return !may_meet ? NearSide::miss : surely_meet ? NearSide::hit : NearSide::unknown;
+  }
+
+  /// The directions of which one may be that of the facet that 0 is nearest to, as bits: the axes of A, those of B, and across each of A those of B. Domain: side() was asked once, and
+  /// the boxes may meet.
+  [[nodiscard, gnu::always_inline]] unsigned candidates() {
+    std::array<double, kEdges> inverse;
+    for (std::size_t k = 0; k < kEdges; ++k) inverse[k] = 1 / length_[k];
+    off_.fill(16 * error_);
+    for (std::size_t k = 0; k < kEdges; ++k) {
+      reach_[kFaces + k] *= inverse[k];
+      shift_[kFaces + k] *= inverse[k];
+      off_[kFaces + k] = 64 * error_ * inverse[k];
+    }
+    double most = std::numeric_limits<double>::infinity();
+    unsigned known = 0;
+    for (std::size_t k = 0; k < kAll; ++k) {
+      if (k >= kFaces && !has_direction(k - kFaces)) continue;
+      known |= 1U << k;
+      most = std::min(most, reach_[k] - std::abs(shift_[k]) + off_[k]);
+    }
+    unsigned found = 0;
+    for (std::size_t k = 0; k < kAll; ++k) {
+      const bool is_deeper = known >> k & 1 ? reach_[k] - std::abs(shift_[k]) - off_[k] > most : !has_edges(k - kFaces);
+      found |= is_deeper ? 0 : 1U << k;
+    }
+    return found;
+  }
+  /// The facet that 0 is nearest to; nothing where another may be as near. Domain: side() is a hit.
+  [[nodiscard, gnu::always_inline]] std::optional<NearFacet> least() {
+    const unsigned found = candidates();
+    const auto best = static_cast<std::size_t>(std::countr_zero(found));
+    if (!std::has_single_bit(found) || !(std::abs(shift_[best]) > off_[best] * kMore)) return std::nullopt;
+    const NearAxis axis = best < kFaces ? NearAxis{best < 3, best >= 3, (best + 1) % 3, (best + 2) % 3}
+                                        : NearAxis{true, true, (best - kFaces) / 3, (best - kFaces) % 3};
+    return NearFacet{axis, shift_[best] < 0};
+  }
+
+ private:
+  using Vector = NearCore::Vector;
+  static constexpr std::size_t kFaces = 6;
+  static constexpr std::size_t kEdges = 9;
+  static constexpr std::size_t kAll = kFaces + kEdges;
+
+  [[nodiscard]] bool has_edges(std::size_t k) const { return a_.half[k / 3] != 0 && b_.half[k % 3] != 0; }
+  /// Whether edges are surely not along each other.
+  [[nodiscard]] bool has_direction(std::size_t k) const { return length_[k] > 0x1p-20 && has_edges(k); }
+
+  const NearCore& a_;
+  const NearCore& b_;
+  double error_;
+  std::array<std::array<double, 3>, 3> cosine_;
+  std::array<double, kAll> reach_;  ///< of both boxes along each direction, together
+  std::array<double, kAll> shift_;  ///< from the middle of A to that of B
+  std::array<double, kEdges> length_;
+  std::array<double, kAll> off_;
+};
+/// What asks the depths of two cores that have faces.
+template <class Ask>
+[[gnu::always_inline]] inline auto with_depths(const NearCore& a, const NearCore& b, const NearScale& scale, Ask ask) {
+  if (a.is_box() && b.is_box()) {
+    NearBoxes depths(a, b, scale);
+    return ask(depths);
+  }
+  NearDepths depths(a, b, scale);
+  return ask(depths);
+}
+
 /// What plain double says of two cores.
 struct NearAnswer {
   NearSide side = NearSide::unknown;            ///< whether they are within alarm + both radii, where that is proved
   std::optional<NearSimplex::Vector> way = {};  ///< about q - p; nothing where they seem to overlap
   std::optional<std::array<NearSimplex::Vector, 4>> around = {};  ///< corners of B - A that 0 surely lies between
 };
+[[nodiscard]] inline NearSimplex::Vector farthest_of_box(const NearCore& box, const NearSimplex::Vector& along,
+                                                         double sign) {
+  std::size_t corner = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (sign * near::dot(along, box.ways[axis]) > 0) corner |= std::size_t{1} << axis;
+  return box.corner(corner);
+}
 template <class Core>
-[[nodiscard]] const NearSimplex::Vector& farthest(const Core& core, const NearSimplex::Vector& along, double sign) {
+[[nodiscard]] NearSimplex::Vector farthest(const Core& core, const NearSimplex::Vector& along, double sign) {
+  if constexpr (std::same_as<Core, NearCore>)
+    if (core.is_box()) return farthest_of_box(core, along, sign);
   const NearSimplex::Vector* best = &core.corners[0];
   double most = sign * near::dot(along, *best);
   for (std::size_t k = 1; k < core.count; ++k)
@@ -456,7 +595,12 @@ template <class A, class B>
 class NearPolytope {
  public:
   using Vector = NearSimplex::Vector;
-  using Face = ExpandingPolytope<double>::Face;
+  struct Nearness {
+    static constexpr double kCertain = 0;
+    static double of(double height, double square) { return height * height / square; }
+  };
+  using Polytope = ExpandingPolytope<double, Nearness>;
+  using Face = Polytope::Face;
 
   /// Grows from a tetrahedron of corners of B - A until no corner lies beyond the nearest face, or has grown enough.
   template <class A, class B>
@@ -465,10 +609,10 @@ class NearPolytope {
     for (const Vector& corner : around) size_ = std::max(size_, near::largest(corner));
     constexpr int kMostCorners = 64;
     for (int step = 0; step < kMostCorners; ++step) {
-      const Vector& n = nearest().normal;
-      const Vector corner = near::difference(farthest(a, n, 1), farthest(b, n, -1));
+      const Face& face = nearest();
+      const Vector corner = near::difference(farthest(a, face.normal, 1), farthest(b, face.normal, -1));
       size_ = std::max(size_, near::largest(corner));
-      if (!(near::dot(n, corner) - nearest().height > off_height()) || !polytope_.insert(corner)) return;
+      if (!(near::dot(face.normal, corner) - face.height > off_height()) || !polytope_.insert(corner)) return;
     }
   }
 
@@ -498,7 +642,7 @@ class NearPolytope {
   static Vector turned(const Vector& x) { return {-x[0], -x[1], -x[2]}; }
   [[nodiscard]] double off_height() const { return (160 * error_ + 0x1p-44 * size_) * size_ * size_; }
 
-  ExpandingPolytope<double> polytope_;
+  Polytope polytope_;
   double error_;
   double size_ = 0;
 };
@@ -510,7 +654,8 @@ template <class A, class B>
   if (!scale.holds()) return NearSide::unknown;
   NearSide side = NearSide::unknown;
   if constexpr (kHaveWays<A, B>)
-    if (a.count > 2 && b.count > 2) side = NearDepths(a, b, scale).side(scale.reach);
+    if (a.count > 2 && b.count > 2)
+      side = with_depths(a, b, scale, [&](auto& depths) { return depths.side(scale.reach); });
   return side == NearSide::unknown ? walk(a, b, scale, false).side : side;
 }
 
@@ -523,8 +668,7 @@ template <class A>
       !(std::abs(plane.offset) < kLargestNear))
     return NearSide::unknown;
   const NearSimplex::Vector v{n[0], n[1], n[2]};
-  double lowest = near::dot(v, a.corners[0]);
-  for (std::size_t k = 1; k < a.count; ++k) lowest = std::min(lowest, near::dot(v, a.corners[k]));
+  const double lowest = near::dot(v, farthest(a, v, -1));
   const double off = (std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2])) * (2 * a.error + 0x1p-48 * a.size) +
                      0x1p-48 * std::abs(plane.offset);
   const double height = lowest - plane.offset;

@@ -433,6 +433,14 @@ TEST(ConvexesFilter, leaves_to_integers_what_touches_or_ties_but_for_rounding) {
     Ball ball{cube.center, 0};
     for (Eigen::Index axis = 0; axis < 3; ++axis) ball.center[axis] += core.ways[0][static_cast<std::size_t>(axis)];
     EXPECT_EQ(near_side(near_core(ball), core, 0), NearSide::unknown) << i;
+    // A corner of a smaller box there.
+    Obb small{{0, 0, 0}, {}, {0.5, 0.5, 0.5}};
+    for (double& x : small.orientation) x = number();
+    double far = 1;
+    for (const auto& way : near_core(small).ways) far += std::abs(near::dot(core.axes[0], way));
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      small.center[axis] = cube.center[axis] + far * core.axes[0][static_cast<std::size_t>(axis)];
+    EXPECT_EQ(near_side(core, near_core(small), 0), NearSide::unknown) << i;
     // As near to one face as to another.
     ball.center = cube.center;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -479,6 +487,16 @@ double share_of_radius(const Enclosure& found, const Rational& exact) {
   return off == 0 ? 0 : Rational(off / Rational(found.radius)).convert_to<double>();
 }
 
+/// x^2 + y^2 - z^2 - x y, and x y + y z.
+double share_of_given(double x, double y, double z) {
+  const Rational of_x = x;
+  const Rational of_y = y;
+  const Rational of_z = z;
+  return std::max(share_of_radius(kernel::plain::sum_of_given_products<4>({x, y, z, x}, {x, y, -z, -y}),
+                                  of_x * of_x + of_y * of_y - of_z * of_z - of_x * of_y),
+                  share_of_radius(kernel::plain::sum_of_given_products<2>({x, y}, {y, z}), of_x * of_y + of_y * of_z));
+}
+
 TEST(Enclosure, holds_every_number_that_the_exact_result_may_be) {
   std::mt19937_64 random(7);
   const auto unit = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53); };
@@ -503,9 +521,10 @@ TEST(Enclosure, holds_every_number_that_the_exact_result_may_be) {
       for (const double share :
            {share_of_radius(x + y, of_x + of_y), share_of_radius(x - y, of_x - of_y),
             share_of_radius(x * y, of_x * of_y), share_of_radius(y.high * x, of_x * Rational(y.high)),
-            share_of_radius(kernel::plain::sum_of<4>({x, y, x, -y}), 2 * of_x),
+            share_of_radius(kernel::plain::sum_of_multiples<3>({x.high, y.low, x.low}, {y, x, y}),
+                            (Rational(x.high) + Rational(x.low)) * of_y + Rational(y.low) * of_x),
             share_of_radius(kernel::plain::sum_of_products<3>({x, y, x}, {y, x, x}), (2 * of_y + of_x) * of_x),
-            share_of_radius(kernel::plain::product(x.high, y.high), Rational(x.high) * Rational(y.high)),
+            share_of_given(x.high, y.high, x.low), share_of_given(y.high, y.low, x.high),
             share_of_radius(kernel::plain::reciprocal(x), 1 / of_x)}) {
         ASSERT_LE(share, 1) << i;
         if (x.radius == 0 && y.radius == 0) worst = std::max(worst, share);
@@ -621,23 +640,60 @@ Shape times_two_to(int exponent, Shape shape) {
   return shape;
 }
 
+/// The answer of integers: to the question times 2^exponent, which is beyond the range of the filters, and back. Only what is rounded below the range does not scale.
+template <class A, class B, class Ask>
+std::optional<Contact> answer_of_integers(const A& a, const B& b, Ask ask, int exponent) {
+  auto found = ask(times_two_to(exponent, a), times_two_to(exponent, b),
+                   Distances{std::ldexp(0.25, exponent), std::ldexp(0.125, exponent)}, ContactPoints{});
+  if (found) {
+    found->value = std::ldexp(found->value, -exponent);
+    for (Vector3* point : {&found->point1, &found->point2})
+      for (Eigen::Index i = 0; i < 3; ++i) (*point)[i] = std::ldexp((*point)[i], -exponent);
+  }
+  return found;
+}
+
+TEST(ConvexesFilter, finds_the_facet_of_two_boxes_that_integers_find_among_all) {
+  RandomHulls random;
+  int touching = 0;
+  // So large that nothing is said of a direction.
+  const auto compare = [&](auto ask, const auto& a, const auto& b) {
+    const auto found = ask(a, b, Distances{0.25, 0.125}, ContactPoints{});
+    ASSERT_EQ(in_words(found), in_words(answer_of_integers(a, b, ask, 300)));
+    touching += found ? 1 : 0;
+  };
+  const auto one_of = [&](std::initializer_list<double> all) {
+    return all.begin()[static_cast<std::size_t>(random.number(0, static_cast<double>(all.size())))];
+  };
+  for (int i = 0; i < 2000; ++i) {
+    // Ordinary, thin and flat ones; turned at random, along each other, and nearly so.
+    Obb a;
+    Obb b;
+    for (Obb* box : {&a, &b}) {
+      box->center = random.point(1);
+      for (Eigen::Index k = 0; k < 3; ++k)
+        box->extents[k] = random.number(0.25, 1) * one_of({1, 1, 1, 1, 0x1p-20, 0x1p-52, 0});
+      for (double& x : box->orientation) x = random.number(-1, 1);
+    }
+    if (i % 2 == 0) b.orientation = a.orientation;
+    if (i % 4 == 0) b.orientation[0] += random.number(-1, 1) * one_of({1, 0x1p-10, 0x1p-20, 0x1p-30, 0x1p-50});
+    if (i % 3 == 0) b.center[0] = a.center[0];
+    compare(&compute_obb_obb, a, b);
+    const Box along{a.center, a.center + a.extents};
+    if (i % 2 == 0) b.orientation = {0, 0, one_of({0, 0x1p-20, 0x1p-40}), 1};
+    compare(&compute_cube_obb, along, b);
+  }
+  EXPECT_GT(touching, 1000);
+}
+
 TEST(ConvexesEnclosed, settles_hulls_with_the_bits_that_integers_have) {
   RandomHulls random;
   int overlapping = 0;
   int apart = 0;
   int left = 0;
   const auto compare = [&](auto ask, const auto& a, const auto& b) {
-    auto found = ask(a, b, Distances{0.25, 0.125}, ContactPoints{});
-    // Beyond the short range integers answer. Only what is rounded below the range does not scale.
-    constexpr int kFar = 110;
-    auto exact = ask(times_two_to(kFar, a), times_two_to(kFar, b),
-                     Distances{std::ldexp(0.25, kFar), std::ldexp(0.125, kFar)}, ContactPoints{});
-    if (exact) {
-      exact->value = std::ldexp(exact->value, -kFar);
-      for (Vector3* point : {&exact->point1, &exact->point2})
-        for (Eigen::Index i = 0; i < 3; ++i) (*point)[i] = std::ldexp((*point)[i], -kFar);
-    }
-    ASSERT_EQ(in_words(found), in_words(exact));
+    const auto found = ask(a, b, Distances{0.25, 0.125}, ContactPoints{});
+    ASSERT_EQ(in_words(found), in_words(answer_of_integers(a, b, ask, 110)));
     const kernel::Certain certain = RandomHulls::certain(a, b);
     if (certain.side != kernel::NearSide::miss && certain.open != 0)
       ++left;

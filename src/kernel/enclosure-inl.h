@@ -10,15 +10,15 @@ constexpr double kTiny = 0x1p-1000;
 /// 5 u^2 of a root (one Newton step on the rounded one); what is taken is wider. The radii themselves are rounded a few times: kWider.
 /// Domain      to nearest; no overflow. What underflows is below kTiny, and nothing does where a factor is 0.
 struct Enclosure {
-  double high = 0;
-  double low = 0;
-  double radius = 0;
+  double high;
+  double low;
+  double radius;
 
   static constexpr double kSquaredUnit = 0x1p-106;
   static constexpr double kWider = 1 + 0x1p-48;
 
   Enclosure() = default;
-  explicit Enclosure(double x) : high(x) {}
+  explicit Enclosure(double x) : high(x), low(0), radius(0) {}
   Enclosure(DoubleDouble<double> x, double off) : high(x.high), low(x.low), radius(off * kWider) {}
 
   [[nodiscard]] bool is_positive() const { return high * (1 - 0x1p-50) > radius; }
@@ -31,26 +31,12 @@ struct Enclosure {
 };
 
 [[gnu::always_inline]] inline Enclosure operator-(const Enclosure& x) { return {{-x.high, -x.low}, x.radius}; }
-/// The low parts are at most kCount u of the magnitudes, and added in kCount steps or fewer, those of the sums apart: 3 u^2 of two, 12 u^2 of four.
-template <std::size_t kCount>
-[[gnu::always_inline]] inline Enclosure sum_of(const std::array<Enclosure, kCount>& x) {
-  double sum = x[0].high;
-  double size = std::abs(x[0].high);
-  double low = x[0].low;
-  double rest = 0;
-  double off = x[0].radius;
-#pragma GCC unroll 4
-  for (std::size_t i = 1; i < kCount; ++i) {
-    const DoubleDouble<double> next = two_sum(sum, x[i].high);
-    sum = next.high;
-    rest = i == 1 ? next.low : rest + next.low;
-    low += x[i].low;
-    size += std::abs(x[i].high);
-    off += x[i].radius;
-  }
-  return {two_sum(sum, rest + low), off + 4 * static_cast<double>(kCount) * Enclosure::kSquaredUnit * size};
+/// The low parts, at most u of the magnitudes, are added, that of the sum too, which is as large, and 3 u^2 are rounded.
+[[gnu::always_inline]] inline Enclosure operator+(const Enclosure& x, const Enclosure& y) {
+  const DoubleDouble<double> sum = two_sum(x.high, y.high);
+  return {two_sum(sum.high, sum.low + (x.low + y.low)),
+          x.radius + y.radius + 8 * Enclosure::kSquaredUnit * (std::abs(x.high) + std::abs(y.high))};
 }
-[[gnu::always_inline]] inline Enclosure operator+(const Enclosure& x, const Enclosure& y) { return sum_of<2>({x, y}); }
 [[gnu::always_inline]] inline Enclosure operator-(const Enclosure& x, const Enclosure& y) { return x + -y; }
 /// The sum of x[i] y[i]. Of each product 3 u^2 is rounded, its smallest part (1) left out, and its low parts, at most 3 u, added (3); those of the products are added
 /// to each other (3 + 3), those of the sums too (2), and both (5).
@@ -78,10 +64,47 @@ template <std::size_t kCount>
 [[gnu::always_inline]] inline Enclosure operator*(const Enclosure& x, const Enclosure& y) {
   return sum_of_products<1>({x}, {y});
 }
-/// Of two numbers that are given, exactly.
-[[gnu::always_inline]] inline Enclosure product(double x, double y) {
-  const double p = x * y;
-  return {{p, std::fma(x, y, -p)}, x != 0 && y != 0 ? kTiny : 0};
+/// The sum of x[i] y[i], of numbers that are given. Each product is held by two; the low parts of these are added (k - 1), those of the sums (k - 2 times at most k - 1), and both (k).
+/// Domain: in_short_range of all numbers.
+template <std::size_t kCount>
+[[gnu::always_inline]] inline Enclosure sum_of_given_products(const std::array<double, kCount>& x,
+                                                              const std::array<double, kCount>& y) {
+  double sum = x[0] * y[0];
+  double size = std::abs(sum);
+  double low = std::fma(x[0], y[0], -sum);
+  double rest = 0;
+#pragma GCC unroll 4
+  for (std::size_t i = 1; i < kCount; ++i) {
+    const double p = x[i] * y[i];
+    const DoubleDouble<double> next = two_sum(sum, p);
+    sum = next.high;
+    rest = i == 1 ? next.low : rest + next.low;
+    low += std::fma(x[i], y[i], -p);
+    size += std::abs(p);
+  }
+  return {two_sum(sum, rest + low), 6 * static_cast<double>(kCount) * Enclosure::kSquaredUnit * size};
+}
+/// The sum of k[i] x[i], k being given: no worse than sum_of_products.
+template <std::size_t kCount>
+[[gnu::always_inline]] inline Enclosure sum_of_multiples(const std::array<double, kCount>& k,
+                                                         const std::array<Enclosure, kCount>& x) {
+  double sum = 0;
+  double size = 0;
+  double low = 0;
+  double rest = 0;
+  double off = 0;
+#pragma GCC unroll 3
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const double p = k[i] * x[i].high;
+    const DoubleDouble<double> next = i == 0 ? DoubleDouble<double>{p, 0} : two_sum(sum, p);
+    sum = next.high;
+    rest = i < 2 ? next.low : rest + next.low;
+    const double of_product = std::fma(k[i], x[i].low, std::fma(k[i], x[i].high, -p));
+    low = i == 0 ? of_product : low + of_product;
+    size += std::abs(p);
+    off += std::abs(k[i]) * x[i].radius + (k[i] != 0 && x[i].high != 0 ? kTiny : 0);
+  }
+  return {two_sum(sum, rest + low), off + 24 * Enclosure::kSquaredUnit * size};
 }
 [[gnu::always_inline]] inline Enclosure operator*(double k, const Enclosure& x) {
   const double p = k * x.high;
@@ -103,6 +126,11 @@ template <std::size_t kCount>
 }
 
 using Enclosures = std::array<Enclosure, 3>;
+/// x - y of points that are given, exactly.
+[[gnu::always_inline]] inline Enclosures given_difference(const Vector3& x, const Vector3& y) {
+  const auto each = [&](Eigen::Index i) { return Enclosure(two_sum(x[i], -y[i]), 0); };
+  return {each(0), each(1), each(2)};
+}
 [[gnu::always_inline]] inline Enclosures operator+(const Enclosures& x, const Enclosures& y) {
   return {x[0] + y[0], x[1] + y[1], x[2] + y[2]};
 }

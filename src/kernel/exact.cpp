@@ -211,6 +211,11 @@ Integer floor_sqrt(const Integer& n) {
   }
 }
 
+double approximate_log2(const Integer& n) {
+  const Estimate of = estimate(n);
+  return std::log2(of.x) + of.exponent;
+}
+
 double round_integer(const Integer& n, int exponent) { return round_magnitude(abs(n), false, exponent, n.sign() < 0); }
 
 double round_sum_by_division(const Integer& c, const Integer& e, const Integer& D, int exponent, const Integer& over) {

@@ -53,6 +53,9 @@ class Grid {
 /// floor(sqrt(n)), n >= 0.
 [[nodiscard]] Integer floor_sqrt(const Integer& n);
 
+/// The logarithm of |n|, within 2^-36; of 0 minus infinity.
+[[nodiscard]] double approximate_log2(const Integer& n);
+
 /// n 2^exponent rounded once to binary64, to nearest, ties to even; +0 for 0, infinite beyond the range.
 [[nodiscard]] double round_integer(const Integer& n, int exponent);
 

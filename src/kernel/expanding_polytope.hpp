@@ -3,15 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/container/small_vector.hpp>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
-#include <vector>
 
 namespace contact::kernel {
 
 /// Triangles that close a surface. In integers it is the boundary of the convex hull of all corners, which may lie in planes and on lines. In plain double a new
 /// corner may be taken to lie beyond a face where it does not, but each edge is still led through as often one way as the other.
-template <class Number>
+/// `Nearness` gives a number that grows with height^2 / square, and says from which difference on that is so.
+template <class Number, class Nearness>
 class ExpandingPolytope {
  public:
   using Vector = std::array<Number, 3>;
@@ -21,8 +24,10 @@ class ExpandingPolytope {
     Vector normal;                       ///< of twice the triangle's area
     Number square;                       ///< of the normal
     Number height;                       ///< of the corners along the normal
+    double nearness;
 
     [[nodiscard]] bool is_nearer_than(const Face& other) const {
+      if (std::abs(nearness - other.nearness) > Nearness::kCertain) return nearness < other.nearness;
       return height * height * other.square < other.height * other.height * square;
     }
     [[nodiscard]] bool is_below(const Vector& x) const { return product(normal, x) > height; }
@@ -31,18 +36,21 @@ class ExpandingPolytope {
   /// Domain: a tetrahedron with a volume, and 0 in it.
   explicit ExpandingPolytope(const std::array<Vector, 4>& tetrahedron)
       : corners_(tetrahedron.begin(), tetrahedron.end()) {
-    faces_.reserve(64);
     const bool is_turned = Face{face(0, 1, 2)}.is_below(corners_[3]);
     for (const auto& [i, j, k] : {std::array<std::size_t, 3>{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}})
       faces_.push_back(is_turned ? face(i, k, j) : face(i, j, k));
   }
 
   [[nodiscard]] const Vector& corner(std::size_t k) const { return corners_[k]; }
-  [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
+  [[nodiscard]] const auto& faces() const { return faces_; }
   /// The face that is nearest to 0. Domain: there is one.
   [[nodiscard]] const Face& nearest() const {
-    return *std::min_element(faces_.begin(), faces_.end(),
-                             [](const Face& x, const Face& y) { return x.is_nearer_than(y); });
+    double least = std::numeric_limits<double>::infinity();
+    for (const Face& face : faces_) least = std::min(least, face.nearness);
+    const Face* best = nullptr;
+    for (const Face& face : faces_)
+      if (face.nearness <= least + Nearness::kCertain && (best == nullptr || face.is_nearer_than(*best))) best = &face;
+    return best == nullptr ? faces_.front() : *best;  // none is no number
   }
   /// Takes a face out of the list, beyond which no corner will lie.
   Face finished(const Face& face) {
@@ -85,15 +93,16 @@ class ExpandingPolytope {
     const auto from_first = [&](const Vector& x) { return Vector{x[0] - o[0], x[1] - o[1], x[2] - o[2]}; };
     const Vector u = from_first(corners_[j]);
     const Vector w = from_first(corners_[k]);
-    Face made{{i, j, k}, {u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0]}, {}, {}};
+    Face made{{i, j, k}, {u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0]}, {}, {}, 0};
     made.square = product(made.normal, made.normal);
     made.height = product(made.normal, o);
+    made.nearness = Nearness::of(made.height, made.square);
     return made;
   }
 
-  std::vector<Vector> corners_;
-  std::vector<Face> faces_;
-  std::vector<Edge> horizon_;
+  boost::container::small_vector<Vector, 32> corners_;
+  boost::container::small_vector<Face, 64> faces_;
+  boost::container::small_vector<Edge, 32> horizon_;
 };
 
 }  // namespace contact::kernel
