@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace contact::oracle {
 namespace {
@@ -490,7 +492,21 @@ ExactCore exact_core(const Obb& box) {
 }
 EnclosedCore enclosed_core(const Obb& box) { return exact_core(box).enclosed; }
 ExactCore exact_core(const Hull& hull) {
-  return exact_hull(points_of([](double x) { return Rational(x); }, hull), hull.radius);
+  // Questions about the last bit of one of two hulls ask for the other one each time. A thread keeps two.
+  struct Kept {
+    Hull hull;
+    ExactCore core;
+  };
+  thread_local std::array<std::optional<Kept>, 2> kept;
+  thread_local std::size_t oldest = 0;
+  for (std::size_t k = 0; k < kept.size(); ++k)
+    if (kept[k] && kept[k]->hull.radius == hull.radius && kept[k]->hull.vertices == hull.vertices) {
+      oldest = 1 - k;
+      return kept[k]->core;
+    }
+  auto& place = kept[std::exchange(oldest, 1 - oldest)];
+  place = Kept{hull, exact_hull(points_of([](double x) { return Rational(x); }, hull), hull.radius)};
+  return place->core;
 }
 EnclosedCore enclosed_core(const Hull& hull) { return exact_core(hull).enclosed; }
 ExactCore exact_core(const Convex& convex) {
