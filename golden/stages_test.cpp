@@ -53,9 +53,10 @@ void expect_stages_agree(const Query& query, Scalar scalar, oracle::StageCounts&
     ASSERT_EQ(first_difference(*interval, exact), std::nullopt) << query_line(query, scalar);
     ASSERT_TRUE(interval->margin.allows(witness.margin_ulps)) << query_line(query, scalar);
   }
-  oracle::Witness texts = oracle::quick_witness(query);
-  texts.margin_ulps = witness.margin_ulps;
-  ASSERT_EQ(texts, witness) << query_line(query, scalar);
+  if (auto texts = oracle::quick_witness(query)) {
+    texts->margin_ulps = witness.margin_ulps;
+    ASSERT_EQ(*texts, witness) << query_line(query, scalar);
+  }
   const oracle::StagedAnswer staged = oracle::staged_answer(query, scalar);
   ASSERT_EQ(first_difference(rounded_answer(staged), exact), std::nullopt) << query_line(query, scalar);
   decided.add(staged.stage);

@@ -167,10 +167,7 @@ void try_input(Bytes bytes) {
   query.distances.contact = numbers.length();
   if (outside_domain(query)) return;
   const oracle::Truth truth = oracle::truth_of(query);
-  for (const Scalar scalar : kScalars) {
-    tool::require_agreement(query, truth, oracle::interval_answer(query, scalar), scalar);
-    tool::check_stage(query, oracle::staged_answer(query, scalar), scalar);
-  }
+  for (const Scalar scalar : kScalars) tool::check_stage(query, truth, oracle::staged_answer(query, scalar), scalar);
   const std::size_t chooser =
       std::hash<std::string_view>{}({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   const Expectation right = oracle::expectation(truth, Scalar::binary64);

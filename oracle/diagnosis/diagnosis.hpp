@@ -56,7 +56,7 @@ struct Finding {
 class Diagnosis {
  public:
   static constexpr std::size_t kSample = 16384;
-  static constexpr std::size_t kPostponed = 16384;
+  static constexpr std::size_t kPostponed = 32768;
 
   /// Adds the answer to a question inside the domain. Its right claims count `weight` times, for so many answers like
   /// it; an answer of weight 0 must be right. `key` is 64 bits of a digest of the question.

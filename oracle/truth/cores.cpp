@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -23,6 +24,11 @@ struct NearestPair {
   Point q;
   [[nodiscard]] Rational distance2() const { return dot(q - p, q - p); }
 };
+
+std::array<Enclosed, 3> intervals_of(const Point& x) {
+  const auto coordinate = [&](std::size_t i) { return Enclosed(CGAL::to_interval(x[i])); };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
 
 constexpr std::size_t kMostWays = 3;  // of two features together: two faces of three dimensions depend on each other
 
@@ -122,11 +128,24 @@ std::optional<Feet<Number>> feet(const Spanned<Number>& f, const Spanned<Number>
   return Feet<Number>{at(f, of_f), at(g, of_g), in_f > 0 && in_g > 0};
 }
 
-/// Whether a point lies in a core with an inside.
-bool contains(const ExactCore& solid, const Point& x) {
-  for (std::size_t k = 0; k < solid.outward.size(); ++k)
-    if (dot(solid.outward[k], x - solid.vertices[solid.faces()[k].places[0]]) > kNone) return false;
-  return !solid.outward.empty();
+/// Where a point lies of a face of a core: beyond it, in its plane or within.
+template <class Number>
+auto side_of(const Core<Number>& solid, std::size_t face, const std::array<Number, 3>& x) {
+  return CGAL::sign(dot(solid.outward[face], x - solid.vertices[solid.faces()[face].places[0]]));
+}
+/// Whether a vertex of another core lies in a core with an inside.
+bool contains(const ExactCore& solid, const ExactCore& other, std::size_t vertex) {
+  std::vector<std::size_t> open;  // what intervals of doubles do not tell
+  {
+    const CGAL::Protect_FPU_rounding<true> upward;
+    for (std::size_t k = 0; k < solid.outward.size(); ++k) {
+      const auto side = side_of(solid.enclosed, k, other.enclosed.vertices[vertex]);
+      if (CGAL::certainly(side == CGAL::POSITIVE)) return false;
+      if (!CGAL::certainly(side == CGAL::NEGATIVE)) open.push_back(k);
+    }
+  }
+  const auto is_beyond = [&](std::size_t k) { return side_of(solid, k, other.vertices[vertex]) == CGAL::POSITIVE; };
+  return !solid.outward.empty() && std::none_of(open.begin(), open.end(), is_beyond);
 }
 
 /// Two features of which what is nearest may be nearest of the cores.
@@ -159,10 +178,9 @@ std::vector<Try> tries(const EnclosedCore& a, const EnclosedCore& b) {
 /// Nearest pairs among which all ends are of what is nearest.
 std::vector<NearestPair> candidates(const ExactCore& a, const ExactCore& b) {
   std::vector<NearestPair> all;
-  for (const Point& x : a.vertices)
-    if (contains(b, x)) all.push_back({x, x});
-  for (const Point& x : b.vertices)
-    if (contains(a, x)) all.push_back({x, x});
+  for (const auto& [core, other] : {std::pair(&a, &b), std::pair(&b, &a)})
+    for (std::size_t k = 0; k < core->vertices.size(); ++k)
+      if (contains(*other, *core, k)) all.push_back({core->vertices[k], core->vertices[k]});
   for (const Try& x : tries(a.enclosed, b.enclosed))
     if (const auto found = feet(spanned<Rational>(a, *x.f), spanned<Rational>(b, *x.g)))
       all.push_back({found->p, found->q});
@@ -487,7 +505,7 @@ ExactCore exact_core(const Obb& box) {
   auto core = core_of([](double x) { return Rational(x); }, with_short_orientation(box));
   for (Point& x : core.vertices) x = (kOne / *core.over) * x;
   ExactCore found = exact_core(core.vertices, core.features);
-  found.outward = std::move(core.outward);
+  found.face_out(std::move(core.outward));
   return found;
 }
 EnclosedCore enclosed_core(const Obb& box) { return exact_core(box).enclosed; }
@@ -522,11 +540,13 @@ ExactCore exact_core(const Convex& convex) {
 
 ExactCore exact_core(const std::vector<Point>& vertices, std::span<const Feature> features) {
   ExactCore core{{vertices, features}, {{}, features}};
-  for (const Point& x : vertices) {
-    const auto enclosed = [&](std::size_t i) { return Enclosed(CGAL::to_interval(x[i])); };
-    core.enclosed.vertices.push_back({enclosed(0), enclosed(1), enclosed(2)});
-  }
+  std::transform(vertices.begin(), vertices.end(), std::back_inserter(core.enclosed.vertices), intervals_of);
   return core;
+}
+
+void ExactCore::face_out(std::vector<Point> normals) {
+  outward = std::move(normals);
+  std::transform(outward.begin(), outward.end(), std::back_inserter(enclosed.outward), intervals_of);
 }
 
 ExactCore exact_hull(const std::vector<Point>& points, double radius) {
@@ -542,7 +562,7 @@ ExactCore exact_hull(const std::vector<Point>& points, double radius) {
   Core<Rational> core = core_of_points(points, radius, sign);
   ExactCore found = exact_core(core.vertices, core.features);
   found.radius = radius;
-  found.outward = std::move(core.outward);
+  found.face_out(std::move(core.outward));
   found.own = std::move(core.own);
   return found;
 }
@@ -556,8 +576,7 @@ void enclose_in_range(ExactCore& first, ExactCore& second) {
   const Rational scale = power_of_two(-exponent);
   for (ExactCore* core : {&first, &second})
     for (std::size_t k = 0; k < core->vertices.size(); ++k)
-      for (std::size_t i = 0; i < 3; ++i)
-        core->enclosed.vertices[k][i] = Enclosed(CGAL::to_interval(scale * core->vertices[k][i]));
+      core->enclosed.vertices[k] = intervals_of(scale * core->vertices[k]);
 }
 
 bool are_surely_apart(const EnclosedCore& first, const EnclosedCore& second) {

@@ -15,6 +15,8 @@ template <class Shape>
 
 struct ExactCore : Core<Rational> {
   EnclosedCore enclosed;
+  /// Sets `outward`, also of what is enclosed.
+  void face_out(std::vector<Point> normals);
 };
 template <class Shape>
 [[nodiscard]] ExactCore exact_core(const Shape& shape) {

@@ -99,7 +99,7 @@ Said everything(const Query& query, const Claim& near) {
     }
   }
   for (const Finding& finding : diagnosis.findings()) said(finding.sentence);
-  said(quick_witness(query));
+  if (const auto quick = quick_witness(query)) said(*quick);
   if (const auto claim = right_claim(query, truth, {}); claim.contact) said(*claim.contact->normal);
   return said;
 }

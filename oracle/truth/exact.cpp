@@ -1,7 +1,6 @@
 // Exact numbers of Q(sqrt D) on CGAL, their correct rounding, and comparison of claimed numbers with them.
 #include "oracle/truth/exact.hpp"
 
-#include <CGAL/Gmpz.h>
 #include <gmpxx.h>
 
 #include <algorithm>
@@ -63,15 +62,25 @@ int side_of(double d, const Exact& x, Scalar scalar) {
   return 0;
 }
 
-/// A number of the scalar near x, x other than 0: a place to start from.
-double candidate(const Exact& x, Scalar scalar) {
-  const Rational magnitude = tight_magnitude(x).low;
-  const int exponent = floor_log2(magnitude);
-  const double leading = CGAL::to_double(magnitude * power_of_two(-exponent));
-  const double limit = largest_finite(scalar);
-  double d = std::min(std::ldexp(leading, exponent), limit);
-  if (scalar == Scalar::binary32) d = static_cast<double>(static_cast<float>(d));
-  return x.sign() == CGAL::NEGATIVE ? -d : d;
+long bits_of(const Gmpz& n) { return static_cast<long>(mpz_sizeinbase(n.mpz(), 2)); }
+
+/// n / 2^exponent, rounded to nearest, ties to even; infinite beyond the range. Domain: n of more bits than the scalar.
+double rounded(const Gmpz& n, long exponent, Scalar scalar) {
+  const Format format = format_of(scalar);
+  const long lowest = format.min_exponent - format.precision + 1;
+  const long last = std::max(bits_of(n) - exponent - format.precision, lowest);  // of the bits that stay
+  const long away = last + exponent;
+  // Half of the last bit is added; where that was a tie, an odd number has gone up one too far.
+  const auto below_half = static_cast<mp_bitcnt_t>(away - 1);
+  Gmpz halves;
+  mpz_fdiv_q_2exp(halves.mpz(), n.mpz(), below_half);
+  const bool is_tie = mpz_odd_p(halves.mpz()) != 0 && mpz_divisible_2exp_p(n.mpz(), below_half) != 0;
+  mpz_add_ui(halves.mpz(), halves.mpz(), 1);
+  Gmpz kept;
+  mpz_fdiv_q_2exp(kept.mpz(), halves.mpz(), 1);
+  if (is_tie && mpz_odd_p(kept.mpz()) != 0) mpz_sub_ui(kept.mpz(), kept.mpz(), 1);
+  const double x = std::ldexp(kept.to_double(), static_cast<int>(std::min(last, 2000L)));
+  return std::abs(x) > largest_finite(scalar) ? std::copysign(std::numeric_limits<double>::infinity(), x) : x;
 }
 
 }  // namespace
@@ -104,6 +113,34 @@ Exact::Enclosure Exact::enclosure(int bits) const {
   return {number_.a0() - high, number_.a0() - low};
 }
 
+Exact::Scaled Exact::in_whole_numbers(long bits) const {
+  const auto log2 = [](const Gmpz& n, const Gmpz& d) { return bits_of(n) - bits_of(d); };  // or one less
+  const Rational& a = number_.a0();
+  const auto floor_of = [](const Gmpz& n, const Gmpz& d, long exponent) {
+    Gmpz whole;
+    const Gmpz scaled_n = exponent > 0 ? n << exponent : n;
+    const Gmpz scaled_d = exponent < 0 ? d << -exponent : d;
+    mpz_fdiv_q(whole.mpz(), scaled_n.mpz(), scaled_d.mpz());
+    return whole;
+  };
+  const bool has_a = !CGAL::is_zero(a);
+  if (!number_.is_extended()) {
+    const long exponent = has_a ? bits - log2(a.numerator(), a.denominator()) : bits;
+    return {floor_of(a.numerator(), a.denominator(), exponent), exponent};
+  }
+  // As in `enclosure`, where floor(-y) = -floor(y) - 1 or -y; the one more has room.
+  const Rational& b = number_.a1();
+  const Rational& D = number_.root();
+  const Gmpz n = b.numerator() * b.numerator() * D.numerator();
+  const Gmpz d = b.denominator() * b.denominator() * D.denominator();
+  const long of_root = log2(n, d) / 2;
+  const long exponent = bits - (has_a ? std::max(of_root, log2(a.numerator(), a.denominator())) : of_root);
+  Gmpz root;
+  mpz_sqrt(root.mpz(), floor_of(n, d, 2 * exponent).mpz());
+  const Gmpz rest = floor_of(a.numerator(), a.denominator(), exponent);
+  return {CGAL::sign(b) == CGAL::POSITIVE ? rest + root : rest - root - 1, exponent};
+}
+
 Exact magnitude(const Exact& x) { return x.sign() == CGAL::NEGATIVE ? x.scaled(Rational(-1)) : x; }
 
 Exact larger_of(const Exact& x, const Exact& y) {
@@ -121,9 +158,20 @@ Rounding rounding_range(double x, Scalar scalar) {
 
 double round_to_nearest(const Exact& x, Scalar scalar) {
   const DefaultEnvironment environment;
-  if (x.sign() == CGAL::ZERO) return 0.0;
-  // The candidate only starts the walk, at the right number or beside it; exact comparisons end it.
-  for (double d = candidate(x, scalar);;) {
+  // What is below x and what is above it round to the same, or tell where to begin to walk.
+  constexpr long kBits = 128;
+  constexpr long kSure = 64;
+  Exact::Scaled scaled = x.in_whole_numbers(kBits);
+  for (long bits = 2 * kBits; bits_of(scaled.least) < kSure; bits *= 2) {
+    if (x.sign() == CGAL::ZERO) return 0.0;
+    scaled = x.in_whole_numbers(bits);
+  }
+  const double low = rounded(scaled.least, scaled.exponent, scalar);
+  const double high = rounded(scaled.least + 2, scaled.exponent, scalar);
+  if (low == high) return low == 0 ? 0.0 : low;
+  const double limit = largest_finite(scalar);
+  // Exact comparisons end the walk.
+  for (double d = std::clamp(low, -limit, limit);;) {
     const int direction = side_of(d, x, scalar);
     if (direction == 0) return d == 0 ? 0.0 : d;
     d = direction > 0 ? next_up(d, scalar) : next_down(d, scalar);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CGAL/Gmpq.h>
+#include <CGAL/Gmpz.h>
 #include <CGAL/Sqrt_extension.h>
 
 #include <string>
@@ -34,6 +35,12 @@ class Exact {
     Rational high;
   };
   [[nodiscard]] Enclosure enclosure(int bits) const;
+  /// A whole number n with n <= 2^exponent x < n + 2: one gives more than `bits` bits of it where a and b sqrt(D) do not cancel.
+  struct Scaled {
+    CGAL::Gmpz least;
+    long exponent;
+  };
+  [[nodiscard]] Scaled in_whole_numbers(long bits) const;
 
  private:
   using Extension = CGAL::Sqrt_extension<Rational, Rational>;

@@ -49,7 +49,7 @@ class Explained {
       return;
     }
     const oracle::Truth truth = oracle::truth_of(query);
-    require_agreement(query, truth, oracle::interval_answer(query, scalar), scalar);
+    require_agreement(query, oracle::rounded_answer(truth, scalar), oracle::interval_answer(query, scalar), scalar);
     print(query, scalar, json_.alone() ? "" : explanation(query, truth, scalar), distance(truth, scalar));
   }
   [[nodiscard]] bool any() const { return any_; }

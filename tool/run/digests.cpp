@@ -40,7 +40,7 @@ std::string oracle_bytes(const Query& query, Scalar scalar) {
   if (const auto error = outside_domain(query)) return golden::digest_bytes(*error);
   const oracle::StagedAnswer staged = oracle::staged_answer(query, scalar);
   if (is_checked(Check::sample, golden::kMostAnswers, golden::query_id(query), staged.stage))
-    check_stage(query, staged, scalar);
+    check_stage(query, oracle::truth_of(query), staged, scalar);
   return golden::digest_bytes(staged.expected);
 }
 
