@@ -126,38 +126,72 @@ double largest_length(const Query& query, const Truth& truth) {
   return largest;
 }
 
+/// What answer_of reads of a declaration.
+Declaration read_of(const Declaration& declared) {
+  Declaration read;
+  read.scalar = declared.scalar;
+  const Points points = declared.conventions.points;
+  if (points == Points::center || points == Points::published) read.conventions = declared.conventions;
+  return read;
+}
+
+}  // namespace
+
+struct KnownLastBits {
+  std::optional<Answer> here;    ///< nothing where the sum is 0
+  std::vector<LastBit> numbers;  ///< of the first ones
+  bool are_all = false;
+};
+
+namespace {
+
+KnownLastBits& known_of(const Query& query, const Declaration& declared, LastBits& known) {
+  const Declaration read = read_of(declared);
+  const auto found = std::find_if(known.begin(), known.end(), [&](const auto& entry) { return entry.first == read; });
+  if (found != known.end()) return *found->second;
+  auto added = std::make_shared<KnownLastBits>();
+  added->here = answer_of(query, declared);
+  if (added->here && (added->here->any || !added->here->spread.isZero(0))) added->here.reset();
+  return *known.emplace_back(read, std::move(added)).second;
+}
+
 /// The effect, or what is more than enough of it: it only grows.
-LastBit last_bit_until(const Query& query, const Declaration& declared, const auto& is_enough) {
+LastBit last_bit_until(const Query& query, const Declaration& declared, LastBits& all, const auto& is_enough) {
   const DefaultEnvironment environment;
   LastBit sum;
-  const auto here = answer_of(query, declared);
-  if (!here || here->any || !here->spread.isZero(0)) return sum;
-  LastBit larger;
-  std::size_t number = 0;
-  const auto add = [&] {
-    for (std::size_t f = 0; f < sum.effect.size(); ++f) sum.effect[f] += larger.effect[f];
-    larger = {};
+  KnownLastBits& known = known_of(query, declared, all);
+  if (!known.here) return sum;
+  const auto is_enough_with = [&](const LastBit& number) {
+    for (std::size_t f = 0; f < sum.effect.size(); ++f) sum.effect[f] += number.effect[f];
+    return is_enough(sum);
   };
+  if (std::any_of(known.numbers.begin(), known.numbers.end(), is_enough_with) || known.are_all) return sum;
+  LastBit larger;
   bool is_done = false;
+  const auto end_number = [&] {
+    known.numbers.push_back(larger);
+    is_done = is_enough_with(std::exchange(larger, {}));
+  };
   for_each_neighbour(query, declared.scalar, [&](const Query& neighbour, std::size_t i) {
-    if (std::exchange(number, i) != i) {
-      add();
-      is_done = is_done || is_enough(sum);
-    }
+    if (is_done || i < known.numbers.size()) return;
+    while (!is_done && known.numbers.size() < i) end_number();
     if (is_done) return;
     const auto there = answer_of(neighbour, declared);
     if (!there) return;  // a miss: the neighbour on the other side tells
-    const LastBit off = difference(*here, *there);
+    const LastBit off = difference(*known.here, *there);
     for (std::size_t f = 0; f < off.effect.size(); ++f) larger.effect[f] = std::max(larger.effect[f], off.effect[f]);
   });
-  add();
+  if (is_done) return sum;
+  end_number();
+  known.are_all = true;
   return sum;
 }
 
 }  // namespace
 
 LastBit last_bit(const Query& query, const Declaration& declared) {
-  return last_bit_until(query, declared, [](const LastBit& /*sum*/) { return false; });
+  LastBits none;
+  return last_bit_until(query, declared, none, [](const LastBit& /*sum*/) { return false; });
 }
 
 bool last_bit_decides(const Query& query, const Truth& truth, const Declaration& declared) {
@@ -221,7 +255,8 @@ bool rounding_decides(const Query& query, const Truth& truth, const Declaration&
   return is_turned && decision_off(query, truth, by_alarm, std::nullopt).most <= moved;
 }
 
-void mark_last_bit(const Query& query, const Truth& truth, const Declaration& declared, Verdict& verdict) {
+void mark_last_bit(const Query& query, const Truth& truth, const Declaration& declared, Verdict& verdict,
+                   LastBits& known) {
   const auto is_off = [](const auto& field) { return field && field->grade == Grade::beyond_bound; };
   if (std::any_of(verdict.fields.begin(), verdict.fields.end(), is_off)) {
     const auto mark = [&](const LastBit& bit) {
@@ -233,7 +268,7 @@ void mark_last_bit(const Query& query, const Truth& truth, const Declaration& de
         }
       return are_all;
     };
-    mark(last_bit_until(query, declared, mark));
+    mark(last_bit_until(query, declared, known, mark));
   }
   if (!verdict.missed_hit() && !verdict.false_hit()) return;
   verdict.decision_last_bit = last_bit_decides(query, truth, declared);

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <array>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "oracle/judge/judge.hpp"
 
@@ -40,7 +43,13 @@ inline constexpr double kOrientationRoundings = 40;
 /// Whether the rounding of orientations that is declared may turn a wrong decision: it moves two shapes, and so their distance or depth, by no more than the sum of both.
 [[nodiscard]] bool rounding_decides(const Query& query, const Truth& truth, const Declaration& declared);
 
+/// What is known so far of the last bits of one question: many engines are judged on it, and the neighbours' answers take long. One thread's at
+/// a time.
+struct KnownLastBits;
+using LastBits = std::vector<std::pair<Declaration, std::shared_ptr<KnownLastBits>>>;
+
 /// Marks what is wrong in a verdict and no worse than the inputs' last bit, or than the rounding of an orientation.
-void mark_last_bit(const Query& query, const Truth& truth, const Declaration& declared, Verdict& verdict);
+void mark_last_bit(const Query& query, const Truth& truth, const Declaration& declared, Verdict& verdict,
+                   LastBits& known);
 
 }  // namespace contact::oracle

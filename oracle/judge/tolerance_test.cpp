@@ -537,12 +537,32 @@ TEST(LastBit, is_in_the_engines_scalar) {
   EXPECT_LT(last_bit(query, kDouble).at(Field::value), 0x1p-46);
 }
 
-Verdict marked(const Query& query, const Claim& claim, Declaration declared = {}) {
+Verdict marked(const Query& query, const Claim& claim, Declaration declared, LastBits& known) {
   const Truth truth = truth_of(query);
   declared.claims = claim.says();
   Verdict verdict = judge(query, truth, claim, declared);
-  mark_last_bit(query, truth, declared, verdict);
+  mark_last_bit(query, truth, declared, verdict, known);
   return verdict;
+}
+Verdict marked(const Query& query, const Claim& claim, Declaration declared = {}) {
+  LastBits known;
+  return marked(query, claim, std::move(declared), known);
+}
+
+TEST(LastBit, is_the_same_for_an_engine_that_is_judged_after_others) {
+  const Query near = spheres({{1, 1, 1}, 1}, {{1 + 0x1p-40, 1, 1}, 1});
+  LastBits known;
+  // Each looks at more numbers of the question than the one before, and at those of its own scalar.
+  for (const double aside : {0x1p-20, 0x1p-14, 0x1p-13, 0x1p-12, 0x1p-6, 0x1p-14})
+    for (const Scalar scalar : kScalars) {
+      const Declaration declared{scalar, {}, {}};
+      const Claim claim = normal_of({1, aside, 0});
+      const Verdict fresh = marked(near, claim, declared);
+      const Verdict after = marked(near, claim, declared, known);
+      EXPECT_EQ(after.at(Field::normal)->last_bit, fresh.at(Field::normal)->last_bit) << aside;
+      EXPECT_EQ(after.beyond_last_bit(Measure::length).most, fresh.beyond_last_bit(Measure::length).most) << aside;
+    }
+  EXPECT_EQ(known.size(), kScalars.size());
 }
 
 TEST(LastBit, tells_a_hard_question_from_a_wrong_answer) {

@@ -22,7 +22,6 @@ const Rational kHalf(1, 2);
 struct NearestPair {
   Point p;
   Point q;
-  [[nodiscard]] Rational distance2() const { return dot(q - p, q - p); }
 };
 
 std::array<Enclosed, 3> intervals_of(const Point& x) {
@@ -48,11 +47,50 @@ Spanned<Number> spanned(const Core<Number>& core, const Feature& feature) {
   return all;
 }
 
-bool is_surely_zero(const Rational& x) { return CGAL::is_zero(x); }
-bool is_surely_zero(const Enclosed& /*x*/) { return false; }
-
+/// How much of each way, times `over`, which is above 0.
 template <class Number>
-using Parts = std::array<Number, kMostWays>;
+struct Parts {
+  std::array<Number, kMostWays> of;
+  Number over;
+};
+
+/// Equations: each row is what stands before the unknowns, and what they give. What is there before the unknowns is a Gram matrix, which
+/// has its pivots on the diagonal, or the ways depend on each other.
+template <class Number>
+using Equations = std::array<std::array<Number, kMostWays + 1>, kMostWays>;
+
+std::optional<Parts<Enclosed>> solution(Equations<Enclosed> m, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t row = i + 1; row < n; ++row) {
+      const Enclosed by = m[row][i] / m[i][i];
+      for (std::size_t column = i + 1; column <= n; ++column) m[row][column] -= by * m[i][column];
+    }
+  Parts<Enclosed> found{{}, Enclosed(1)};
+  for (std::size_t i = n; i-- > 0;) {
+    found.of[i] = m[i][n];
+    for (std::size_t column = i + 1; column < n; ++column) found.of[i] -= m[i][column] * found.of[column];
+    found.of[i] /= m[i][i];
+  }
+  return found;
+}
+
+/// By Bareiss's elimination, in which every quotient is whole. Nothing where the solution is not unique.
+std::optional<Parts<Whole>> solution(Equations<Whole> m, std::size_t n) {
+  Parts<Whole> found{{}, Whole(1)};
+  for (std::size_t i = 0; i < n; ++i) {
+    if (CGAL::is_zero(m[i][i])) return std::nullopt;
+    for (std::size_t row = i + 1; row < n; ++row)
+      for (std::size_t column = i + 1; column <= n; ++column)
+        m[row][column] = CGAL::integral_division(m[row][column] * m[i][i] - m[row][i] * m[i][column], found.over);
+    found.over = m[i][i];
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    found.of[i] = m[i][n] * found.over;
+    for (std::size_t column = i + 1; column < n; ++column) found.of[i] -= m[i][column] * found.of[column];
+    found.of[i] = CGAL::integral_division(found.of[i], m[i][i]);
+  }
+  return found;
+}
 
 /// What is nearest of the lines and planes through two features: how much of each way leads there, of f's before g's. Nothing where that is
 /// not unique.
@@ -64,31 +102,18 @@ std::optional<Parts<Number>> parts_of(const Spanned<Number>& f, const Spanned<Nu
   for (std::size_t k = 0; k < f.dimension; ++k) ways[k] = f.ways[k];
   for (std::size_t k = 0; k < g.dimension; ++k) ways[f.dimension + k] = Number(-1) * g.ways[k];
   const auto w = g.corner - f.corner;
-  // At right angles to every way. A Gram matrix has its pivots on the diagonal, or the ways depend on each other.
-  std::array<std::array<Number, kMostWays + 1>, kMostWays> m;
+  // At right angles to every way.
+  Equations<Number> m;
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = 0; k < n; ++k) m[i][k] = k < i ? m[k][i] : dot(ways[i], ways[k]);
     m[i][n] = dot(ways[i], w);
   }
-  for (std::size_t i = 0; i < n; ++i) {
-    if (is_surely_zero(m[i][i])) return std::nullopt;
-    for (std::size_t row = i + 1; row < n; ++row) {
-      const Number by = m[row][i] / m[i][i];
-      for (std::size_t column = i + 1; column <= n; ++column) m[row][column] -= by * m[i][column];
-    }
-  }
-  Parts<Number> parts;
-  for (std::size_t i = n; i-- > 0;) {
-    parts[i] = m[i][n];
-    for (std::size_t column = i + 1; column < n; ++column) parts[i] -= m[i][column] * parts[column];
-    parts[i] /= m[i][i];
-  }
-  return parts;
+  return solution(m, n);
 }
 
 /// -1 where so much of each way surely leads out of the feature, 1 where it surely does not, else 0.
 template <class Number>
-int contains(const Spanned<Number>& feature, std::span<const Number> parts) {
+int contains(const Spanned<Number>& feature, std::span<const Number> parts, const Number& over) {
   bool is_sure = true;
   const auto at_most = [&](const Number& x, const Number& y) {
     if (CGAL::certainly(y < x)) return false;
@@ -97,35 +122,36 @@ int contains(const Spanned<Number>& feature, std::span<const Number> parts) {
   };
   Number sum(0);
   for (const Number& part : parts) {
-    if (!at_most(Number(0), part) || !at_most(part, Number(1))) return -1;
+    if (!at_most(Number(0), part) || !at_most(part, over)) return -1;
     sum += part;
   }
-  if (!feature.is_parallelogram && parts.size() == 2 && !at_most(sum, Number(1))) return -1;
+  if (!feature.is_parallelogram && parts.size() == 2 && !at_most(sum, over)) return -1;
   return is_sure ? 1 : 0;
 }
 
-/// What is nearest of two features, as points of the lines and planes through them, where it is unique and not surely outside.
+/// What is nearest of two features, as points of the lines and planes through them, times `over`, where it is unique and not surely outside.
 template <class Number>
 struct Feet {
   std::array<Number, 3> p;
   std::array<Number, 3> q;
+  Number over;
   bool surely_inside;
 };
 template <class Number>
 std::optional<Feet<Number>> feet(const Spanned<Number>& f, const Spanned<Number>& g) {
   const auto parts = parts_of(f, g);
   if (!parts) return std::nullopt;
-  const auto of_f = std::span(*parts).first(f.dimension);
-  const auto of_g = std::span(*parts).subspan(f.dimension, g.dimension);
-  const int in_f = contains<Number>(f, of_f);
-  const int in_g = in_f < 0 ? -1 : contains<Number>(g, of_g);
+  const auto of_f = std::span(parts->of).first(f.dimension);
+  const auto of_g = std::span(parts->of).subspan(f.dimension, g.dimension);
+  const int in_f = contains<Number>(f, of_f, parts->over);
+  const int in_g = in_f < 0 ? -1 : contains<Number>(g, of_g, parts->over);
   if (in_g < 0) return std::nullopt;
-  const auto at = [](const Spanned<Number>& feature, std::span<const Number> part) {
-    auto x = feature.corner;
+  const auto at = [&](const Spanned<Number>& feature, std::span<const Number> part) {
+    auto x = parts->over * feature.corner;
     for (std::size_t k = 0; k < part.size(); ++k) x = x + part[k] * feature.ways[k];
     return x;
   };
-  return Feet<Number>{at(f, of_f), at(g, of_g), in_f > 0 && in_g > 0};
+  return Feet<Number>{at(f, of_f), at(g, of_g), parts->over, in_f > 0 && in_g > 0};
 }
 
 /// Where a point lies of a face of a core: beyond it, in its plane or within.
@@ -175,16 +201,67 @@ std::vector<Try> tries(const EnclosedCore& a, const EnclosedCore& b) {
   return all;
 }
 
-/// Nearest pairs among which all ends are of what is nearest.
-std::vector<NearestPair> candidates(const ExactCore& a, const ExactCore& b) {
-  std::vector<NearestPair> all;
-  for (const auto& [core, other] : {std::pair(&a, &b), std::pair(&b, &a)})
-    for (std::size_t k = 0; k < core->vertices.size(); ++k)
-      if (contains(*other, *core, k)) all.push_back({core->vertices[k], core->vertices[k]});
-  for (const Try& x : tries(a.enclosed, b.enclosed))
-    if (const auto found = feet(spanned<Rational>(a, *x.f), spanned<Rational>(b, *x.g)))
-      all.push_back({found->p, found->q});
+/// The least number that makes whole numbers of all coordinates.
+Whole common_denominator(std::initializer_list<const std::vector<Point>*> all) {
+  Whole found(1);
+  for (const std::vector<Point>* points : all)
+    for (const Point& point : *points)
+      for (const Rational& x : point)
+        if (mpz_divisible_p(found.mpz(), mpq_denref(x.mpq())) == 0)
+          mpz_lcm(found.mpz(), found.mpz(), mpq_denref(x.mpq()));
+  return found;
+}
+/// Domain: the products are whole.
+std::vector<std::array<Whole, 3>> in_whole_numbers(const std::vector<Point>& points, const Whole& times) {
+  std::vector<std::array<Whole, 3>> all;
+  for (const Point& x : points) {
+    auto& whole = all.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i)
+      whole[i] = CGAL::integral_division(times, x[i].denominator()) * x[i].numerator();
+  }
   return all;
+}
+
+/// The square of the least distance, and pairs of points that are so far apart, among which all ends are of what is nearest.
+struct NearestPairs {
+  Rational distance2;
+  std::vector<NearestPair> all;
+};
+/// In whole numbers: of quotients most of the time would go into common divisors.
+NearestPairs nearest_pairs(const ExactCore& a, const ExactCore& b) {
+  const Whole times = common_denominator({&a.vertices, &b.vertices});
+  const Core<Whole> whole_a{in_whole_numbers(a.vertices, times), a.features};
+  const Core<Whole> whole_b{in_whole_numbers(b.vertices, times), b.features};
+  std::vector<Feet<Whole>> least;
+  Whole distance2;  // times over2
+  Whole over2;
+  const auto add = [&](Feet<Whole> found) {
+    const auto way = found.q - found.p;
+    const Whole of_found = dot(way, way);
+    const Whole over2_of_found = found.over * found.over;
+    const auto order = least.empty() ? CGAL::SMALLER : CGAL::compare(of_found * over2, distance2 * over2_of_found);
+    if (order == CGAL::LARGER) return;
+    if (order == CGAL::SMALLER) least.clear();
+    distance2 = of_found;
+    over2 = over2_of_found;
+    least.push_back(std::move(found));
+  };
+  const auto add_contained = [&](const ExactCore& solid, const ExactCore& core, const Core<Whole>& whole) {
+    for (std::size_t k = 0; k < core.vertices.size(); ++k)
+      if (contains(solid, core, k)) add({whole.vertices[k], whole.vertices[k], Whole(1), true});
+  };
+  add_contained(b, a, whole_a);
+  add_contained(a, b, whole_b);
+  for (const Try& x : tries(a.enclosed, b.enclosed))
+    if (auto found = feet(spanned(whole_a, *x.f), spanned(whole_b, *x.g))) add(*std::move(found));
+  NearestPairs pairs{{distance2, over2 * times * times}, {}};
+  for (const auto& [p, q, over, is_inside] : least) {
+    const auto divided = [by = over * times](const auto& x) {
+      return Point{Rational(x[0], by), Rational(x[1], by), Rational(x[2], by)};
+    };
+    pairs.all.push_back({divided(p), divided(q)});
+  }
+  return pairs;
 }
 
 /// b - a for all vertices.
@@ -422,68 +499,45 @@ Meeting meeting_of(const std::vector<Point>& common, const ExactCore& a, const E
     of_a.core.features = of_a.core.enclosed.features = of_a.features;
     of_b.core.features = of_b.core.enclosed.features = of_b.features;
     std::vector<Point> points;
-    for (const NearestPair& pair : candidates(of_a.core, of_b.core))
-      if (pair.p == pair.q) points.push_back(pair.p);
+    for (const NearestPair& pair : nearest_pairs(of_a.core, of_b.core).all) points.push_back(pair.p);
     auto [p, spread] = middle_of(points);
     found.ways.push_back({way.normal, p, p - out, std::move(spread)});
   }
   return found;
 }
 
-/// The least number that makes whole numbers of all coordinates.
-Rational common_denominator(std::initializer_list<const std::vector<Point>*> all) {
-  CGAL::Gmpz found(1);
-  for (const std::vector<Point>* points : all)
-    for (const Point& point : *points)
-      for (const Rational& x : point) mpz_lcm(found.mpz(), found.mpz(), mpq_denref(x.mpq()));
-  return Rational(found);
+/// The same in whole numbers.
+Meeting meeting_of_whole(std::vector<Point> common, ExactCore first, ExactCore second) {
+  const Rational times(common_denominator({&first.vertices, &second.vertices}));
+  for (Point& x : common) x = times * x;
+  for (ExactCore* core : {&first, &second}) {
+    for (Point& x : core->vertices) x = times * x;
+    const Rational of_normals(common_denominator({&core->outward}));
+    for (Point& n : core->outward) n = of_normals * n;
+  }
+  Meeting meeting = meeting_of(common, first, second);
+  const Rational by = kOne / times;
+  meeting.depth2 *= by * by;
+  for (WayOut& way : meeting.ways) {
+    way.first = by * way.first;
+    way.nearest = by * way.nearest;
+    for (Point& x : way.spread) x = by * x;
+  }
+  return meeting;
 }
 
 /// What is true of two cores, radii left out.
 Cores nearest_of(const ExactCore& first, const ExactCore& second, Rules rules) {
-  const std::vector<NearestPair> all = candidates(first, second);
-  Rational least = all.front().distance2();
+  const auto [distance2, pairs] = nearest_pairs(first, second);
   std::vector<Point> nearest;
-  Point delta;
-  for (const NearestPair& pair : all) {
-    const Rational distance2 = pair.distance2();
-    if (distance2 > least) continue;
-    if (distance2 < least) nearest.clear();
-    least = distance2;
-    nearest.push_back(pair.p);
-    delta = pair.q - pair.p;
-  }
+  for (const NearestPair& pair : pairs) nearest.push_back(pair.p);
   auto [p, spread] = middle_of(nearest);
   const Rational scale = std::max(largest_coordinate(first.vertices), largest_coordinate(second.vertices));
-  Cores cores{{p, p + delta}, {kNone, kNone}, {scale, scale}};
+  Cores cores{{p, p + (pairs.front().q - pairs.front().p)}, {kNone, kNone}, {scale, scale}};
   cores.spread = std::move(spread);
-  if (CGAL::is_zero(least))
-    cores.meeting.emplace(rules == Rules::of_all ? meeting_of(nearest, first, second) : meeting_at(p, first, second));
-  return cores;
-}
-
-/// The same in whole numbers: of quotients most of the time would go into common divisors.
-Cores nearest_of_whole(ExactCore first, ExactCore second, Rules rules) {
-  const Rational times = common_denominator({&first.vertices, &second.vertices});
-  for (ExactCore* core : {&first, &second}) {
-    for (Point& x : core->vertices) x = times * x;
-    const Rational of_normals = common_denominator({&core->outward});
-    for (Point& n : core->outward) n = of_normals * n;
-  }
-  Cores cores = nearest_of(first, second, rules);
-  const Rational by = kOne / times;
-  const auto divide = [&](Point& x) { x = by * x; };
-  std::for_each(cores.nearest.begin(), cores.nearest.end(), divide);
-  std::for_each(cores.spread.begin(), cores.spread.end(), divide);
-  for (Rational& x : cores.farthest) x *= by;
-  if (cores.meeting) {
-    cores.meeting->depth2 *= by * by;
-    for (WayOut& way : cores.meeting->ways) {
-      divide(way.first);
-      divide(way.nearest);
-      std::for_each(way.spread.begin(), way.spread.end(), divide);
-    }
-  }
+  if (CGAL::is_zero(distance2))
+    cores.meeting.emplace(rules == Rules::of_all ? meeting_of_whole(nearest, first, second)
+                                                 : meeting_at(p, first, second));
   return cores;
 }
 
@@ -551,13 +605,14 @@ void ExactCore::face_out(std::vector<Point> normals) {
 
 ExactCore exact_hull(const std::vector<Point>& points, double radius) {
   const ExactCore all = exact_core(points, {});
+  const auto whole = in_whole_numbers(points, common_denominator({&points}));
   const auto sign = [&](const auto& ask) -> int {
     {
       const CGAL::Protect_FPU_rounding<true> upward;
       if (const auto known = CGAL::sign(ask(all.enclosed.vertices)); CGAL::is_certain(known))
         return CGAL::get_certain(known);
     }
-    return CGAL::sign(ask(all.vertices));
+    return CGAL::sign(ask(whole));
   };
   Core<Rational> core = core_of_points(points, radius, sign);
   ExactCore found = exact_core(core.vertices, core.features);
@@ -585,10 +640,7 @@ bool are_surely_apart(const EnclosedCore& first, const EnclosedCore& second) {
 }
 
 Rational squared_distance(const ExactCore& first, const ExactCore& second) {
-  const std::vector<NearestPair> all = candidates(first, second);
-  Rational least = all.front().distance2();
-  for (const NearestPair& pair : all) least = std::min(least, pair.distance2());
-  return least;
+  return nearest_pairs(first, second).distance2;
 }
 
 std::vector<WayOut> ways_out(const Point& inside, const ExactCore& solid) {
@@ -602,7 +654,7 @@ std::vector<WayOut> ways_out(const Point& inside, const ExactCore& solid) {
 }
 
 ExactTruth truth_of_cores(const ExactCore& first, const ExactCore& second, Distances distances, Rules rules) {
-  Cores cores = rules == Rules::of_all ? nearest_of_whole(first, second, rules) : nearest_of(first, second, rules);
+  Cores cores = nearest_of(first, second, rules);
   cores.radius = {Rational(first.radius), Rational(second.radius)};
   return {DistanceTruth(std::move(cores), distances)};
 }

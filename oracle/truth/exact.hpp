@@ -14,6 +14,7 @@ namespace contact::oracle {
 
 /// Named outright: CGAL::Exact_rational may be Boost's, and the oracle shares nothing with src/.
 using Rational = CGAL::Gmpq;
+using Whole = CGAL::Gmpz;
 
 /// A real number a + b sqrt(D), exactly.
 class Exact {
@@ -37,7 +38,7 @@ class Exact {
   [[nodiscard]] Enclosure enclosure(int bits) const;
   /// A whole number n with n <= 2^exponent x < n + 2: one gives more than `bits` bits of it where a and b sqrt(D) do not cancel.
   struct Scaled {
-    CGAL::Gmpz least;
+    Whole least;
     long exponent;
   };
   [[nodiscard]] Scaled in_whole_numbers(long bits) const;

@@ -19,7 +19,7 @@
 namespace contact::tool {
 namespace {
 
-constexpr std::size_t kSlice = 32;             // questions that one thread takes at a time
+constexpr std::size_t kSlice = 32;            // questions that one thread takes at a time
 constexpr std::uint64_t kLeastCompared = 64;  // right answers of a source that a diagnosis hears at least
 
 struct Item {
@@ -132,6 +132,7 @@ struct Rounded {
 struct Agreed {
   oracle::Truth truth;
   std::vector<Rounded> rounded;
+  mutable oracle::LastBits last_bits = {};  ///< found where an engine is first judged by them
 
   [[nodiscard]] const Rounded& in(Scalar scalar) const {
     return *std::find_if(rounded.begin(), rounded.end(), [&](const Rounded& r) { return r.scalar == scalar; });
@@ -221,7 +222,7 @@ void judge_one(const Item& item, const std::optional<Agreed>& agreed, const Sour
   const Expectation* rounded = agreed ? &in_scalar->expected : nullptr;
   Verdict verdict =
       agreed ? oracle::judge(query, *truth, claim, declared, rounded) : oracle::judge_outside_domain(claim);
-  if (agreed) oracle::mark_last_bit(query, *truth, declared, verdict);
+  if (agreed) oracle::mark_last_bit(query, *truth, declared, verdict, agreed->last_bits);
   const Level level = report.level_of(verdict);
   // An engine that knows no alarm distance decides at another margin.
   const bool decides_there = declared.conventions.margin != Margin::none || query.distances.alarm == 0;
