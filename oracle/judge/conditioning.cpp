@@ -16,14 +16,22 @@
 #include "oracle/truth/staged_oracle.hpp"
 
 namespace contact::oracle {
+
+struct KnownLastBits {
+  /// What an answer is made of, in binary64.
+  struct Answer {
+    ContactClaim contact;
+    Vector3 spread = Vector3::Zero();          ///< the points may lie so far beside
+    std::optional<std::array<double, 2>> any;  ///< any normal is right, and the points are so far from the cores
+  };
+  std::optional<Answer> here;    ///< nothing where the sum is 0
+  std::vector<LastBit> numbers;  ///< of the first ones
+  bool are_all = false;
+};
+
 namespace {
 
-/// What an answer is made of, in binary64.
-struct Answer {
-  ContactClaim contact;
-  Vector3 spread = Vector3::Zero();          ///< the points may lie so far beside
-  std::optional<std::array<double, 2>> any;  ///< any normal is right, and the points are so far from the cores
-};
+using Answer = KnownLastBits::Answer;
 
 /// The right answer where the points follow from the two nearest ones.
 std::optional<Answer> answer_of(const Query& query, const Declaration& declared) {
@@ -134,16 +142,6 @@ Declaration read_of(const Declaration& declared) {
   if (points == Points::center || points == Points::published) read.conventions = declared.conventions;
   return read;
 }
-
-}  // namespace
-
-struct KnownLastBits {
-  std::optional<Answer> here;    ///< nothing where the sum is 0
-  std::vector<LastBit> numbers;  ///< of the first ones
-  bool are_all = false;
-};
-
-namespace {
 
 KnownLastBits& known_of(const Query& query, const Declaration& declared, LastBits& known) {
   const Declaration read = read_of(declared);
