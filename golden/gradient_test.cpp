@@ -153,6 +153,8 @@ class Steps {
   [[nodiscard]] Rational of(std::size_t k) const {
     return natural_[k] * oracle::power_of_two(-kStepBits - 4 * ratio_bits_);
   }
+  /// A kink may be as small as the smallest numbers are beside the largest, twice: two turned boxes are nearly along each other.
+  [[nodiscard]] Rational same() const { return oracle::power_of_two(-kSameBits - 2 * ratio_bits_); }
   [[nodiscard]] int root_bits() const { return 4 * kStepBits + 8 * ratio_bits_; }
 
  private:
@@ -184,8 +186,7 @@ void compare(const Query& query, std::size_t every, Counts& counts) {
       const Rational right = (above.numbers[output] - before.numbers[output]) / h;
       const Rational left = (before.numbers[output] - below.numbers[output]) / h;
       const bool is_normal = output > 0 && output < 4;
-      const Rational noise =
-          (is_normal ? Rational(1) : steps.size()) / steps.natural(k) * oracle::power_of_two(-kSameBits);
+      const Rational noise = (is_normal ? Rational(1) : steps.size()) / steps.natural(k) * steps.same();
       const bool differ =
           CGAL::abs(right - left) > noise + oracle::power_of_two(-kSameBits) * (CGAL::abs(right) + CGAL::abs(left));
       const bool is_point = output > 3;
@@ -230,14 +231,19 @@ const bool kEveryGradient = std::getenv("CONTACT_EVERY_GRADIENT") != nullptr;
 std::size_t every(Pair pair) { return kEveryGradient || !is_convex(pair) ? 1 : has_hull(pair) ? 19 : 5; }
 
 void expect_enough(const std::map<Pair, Counts>& all) {
+  std::uint64_t kinks = 0;
+  std::uint64_t undefined = 0;
   for (const auto& [pair, c] : all) {
     std::cout << name(pair) << ": " << c.questions << " questions, " << c.told << " derivatives, " << c.kinks
               << " kinks, " << c.undefined << " undefined, " << c.not_told << " not told\n";
     const std::uint64_t asked = c.told + c.kinks + c.undefined + c.not_told;
-    EXPECT_GT(2 * c.told, asked) << name(pair);
-    EXPECT_GT(c.undefined, 0U) << name(pair);
+    EXPECT_GT(3 * c.told, asked) << name(pair);
     EXPECT_LT((is_convex(pair) ? 4 : 20) * c.not_told, asked) << name(pair);
+    kinks += c.kinks;
+    undefined += c.undefined;
   }
+  EXPECT_GT(kinks, 500U);
+  EXPECT_GT(undefined, 500U);
 }
 
 TEST(Gradients, are_the_differences_of_exact_answers_to_golden_questions) {
@@ -247,10 +253,11 @@ TEST(Gradients, are_the_differences_of_exact_answers_to_golden_questions) {
     const Pair pair = reader.header().pair;
     if (reader.header().family == kInvalidFamily || !has_distance(pair)) continue;
     const std::uint64_t count = reader.header().count;
-    const std::uint64_t one_in = kEveryGradient ? count / 100 + 1 : count / (is_convex(pair) ? 1 : 4) + 1;
+    const std::uint64_t asked = kEveryGradient ? (is_convex(pair) ? 20 : 100) : is_convex(pair) ? 1 : 4;
+    const std::uint64_t one_in = (count + asked - 1) / asked;
     std::uint64_t index = 0;
     while (const auto c = reader.next())
-      if (++index % one_in == 0) {
+      if (index++ % one_in == 0) {
         ASSERT_NO_FATAL_FAILURE(compare(c->query, every(pair), all[pair]));
       }
   }

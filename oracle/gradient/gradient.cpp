@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::string_view kEdge = "the number is at the edge of its domain, so it has one side";
 constexpr std::string_view kKink = "the nearest features change here, and the derivatives from below and above differ";
+constexpr std::string_view kMeetKink = "the cores meet, and the derivatives from below and above differ";
 constexpr std::string_view kMany = "many pairs of points are nearest";
 constexpr std::string_view kManyBeside = "many pairs of points are nearest where the number is changed";
 constexpr std::string_view kMeet = "the cores meet, so the normal is by agreement";
@@ -371,6 +372,8 @@ class Asked {
     return undefined_[static_cast<std::size_t>(kind_of_output(output))];
   }
   [[nodiscard]] bool is_smooth() const { return is_smooth_; }
+  /// What makes both sides differ.
+  [[nodiscard]] std::string_view kink() const { return meets_ ? kMeetKink : kKink; }
   /// Where a number grows by t, or falls by it: the derivatives by t.
   [[nodiscard]] FromSide from(std::size_t moving, int direction) const {
     const auto bodies = numbers_.bodies(moving, direction);
@@ -503,8 +506,8 @@ bool are_equal(const Exact& x, const Exact& y) {
 }
 
 /// Both sides of one number of a contact. A side that is not there is outside the domain.
-Derivative derivative(std::string_view undefined, std::size_t output, const std::optional<FromSide>& below,
-                      const std::optional<FromSide>& above) {
+Derivative derivative(std::string_view undefined, std::string_view kink, std::size_t output,
+                      const std::optional<FromSide>& below, const std::optional<FromSide>& above) {
   const auto from = [&](const std::optional<FromSide>& side) {
     return side ? side->derivatives[output] : std::nullopt;
   };
@@ -519,7 +522,7 @@ Derivative derivative(std::string_view undefined, std::size_t output, const std:
   const bool is_told = undefined.empty() || (output == 0 && (x || y));
   if (!is_told) return {std::nullopt, undefined};
   if (!below || !above) return {std::nullopt, kEdge, {rounded(x), rounded(y)}};
-  if (!are_equal(*x, *y)) return {std::nullopt, kKink, {rounded(x), rounded(y)}};
+  if (!are_equal(*x, *y)) return {std::nullopt, kink, {rounded(x), rounded(y)}};
   return {rounded(y)};
 }
 
@@ -544,7 +547,7 @@ std::optional<Gradient> gradient(const Query& query, const Truth& truth) {
     if (!no_below) below = asked.is_smooth() && above ? turned_round(*above) : asked.from(k, -1);
     auto& of = found.derivatives.emplace_back();
     for (std::size_t output = 0; output < kOutputs; ++output)
-      of[output] = derivative(asked.undefined(output), output, below, above);
+      of[output] = derivative(asked.undefined(output), asked.kink(), output, below, above);
   }
   return found;
 }
