@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "golden/dataset.hpp"
 #include "golden/families.hpp"
@@ -172,8 +173,19 @@ void compare(const Query& query, std::size_t every, Counts& counts) {
   const Answer here = beside.at(0, Rational(0), kStepBits);
   const Steps steps(query, here.size);
   ++counts.questions;
+  Query moved = query;
+  const auto numbers = numbers_of(moved);
   for (std::size_t k = counts.questions % every; k < gradient->by.size(); k += every) {
     const Rational h = steps.of(k);
+    // At an edge of the domain the number next to it is out of it; so are those next to the largest and the smallest, which are no edges.
+    std::array<bool, 2> has_side;
+    double& number = *numbers.elements[k];
+    const double x = number;
+    for (const bool above : {false, true}) {
+      number = std::nextafter(x, above ? HUGE_VAL : -HUGE_VAL);
+      has_side[above] = inside_domain(moved) || !std::isfinite(number) || (x != 0 && number == 0);
+    }
+    number = x;
     const Answer before = beside.at(k, Rational(0), steps.root_bits());
     const Answer above = beside.at(k, h, steps.root_bits());
     const Answer below = beside.at(k, -h, steps.root_bits());
@@ -190,6 +202,9 @@ void compare(const Query& query, std::size_t every, Counts& counts) {
       const bool differ =
           CGAL::abs(right - left) > noise + oracle::power_of_two(-kSameBits) * (CGAL::abs(right) + CGAL::abs(left));
       const bool is_point = output > 3;
+      if (!has_side[0] || !has_side[1]) {
+        ASSERT_FALSE(said.number || (said.sides[0] && said.sides[1])) << where();
+      }
       if (said.number) {
         ++counts.told;
         ASSERT_FALSE(differ) << where();
@@ -206,8 +221,9 @@ void compare(const Query& query, std::size_t every, Counts& counts) {
         ASSERT_TRUE(differ) << where();
         ASSERT_TRUE(is_rounded(*said.sides[0], left, noise)) << where() << *said.sides[0];
         ASSERT_TRUE(is_rounded(*said.sides[1], right, noise)) << where() << *said.sides[1];
-      } else if (said.sides[0] || said.sides[1]) {  // an edge of the domain, where the other side is out of it
+      } else if (said.sides[0] || said.sides[1]) {
         ++counts.undefined;
+        ASSERT_EQ(has_side, (std::array{said.sides[0].has_value(), said.sides[1].has_value()})) << where();
         ASSERT_TRUE(is_rounded(said.sides[0] ? *said.sides[0] : *said.sides[1], said.sides[0] ? left : right, noise))
             << where();
       } else {
@@ -253,7 +269,7 @@ TEST(Gradients, are_the_differences_of_exact_answers_to_golden_questions) {
     const Pair pair = reader.header().pair;
     if (reader.header().family == kInvalidFamily || !has_distance(pair)) continue;
     const std::uint64_t count = reader.header().count;
-    const std::uint64_t asked = kEveryGradient ? (is_convex(pair) ? 20 : 100) : is_convex(pair) ? 1 : 4;
+    const std::uint64_t asked = kEveryGradient ? (is_convex(pair) ? 15 : 100) : is_convex(pair) ? 1 : 3;
     const std::uint64_t one_in = (count + asked - 1) / asked;
     std::uint64_t index = 0;
     while (const auto c = reader.next())
@@ -271,13 +287,41 @@ TEST(Gradients, are_the_differences_of_exact_answers_to_fresh_questions) {
     if (!has_distance(pair)) continue;
     for (const Family& family : families_of(pair)) {
       if (family.name == kInvalidFamily) continue;
-      const std::uint64_t count = kEveryGradient ? (is_convex(pair) ? 20 : 200) : is_convex(pair) ? 1 : 4 / kShare;
+      const std::uint64_t count = kEveryGradient ? (is_convex(pair) ? 10 : 100) : is_convex(pair) ? 1 : 3 / kShare;
       for (std::uint64_t index = 0; index < count; ++index)
         ASSERT_NO_FATAL_FAILURE(
             compare(generate_query(pair, family, Scalar::binary64, 7, index), every(pair), all[pair]));
     }
   }
   expect_enough(all);
+}
+
+// What families seldom make: features that have no length, or go along each other, until a number moves.
+TEST(Gradients, are_the_differences_where_features_coincide) {
+  Counts counts;
+  for (
+      const char* line : {
+          // An axis without length over a level plane: it lies along the plane as soon as an end moves.
+          R"({"pair":"capsule_plane","a":{"start":[1,2,3],"end":[1,2,3],"radius":1},"b":{"normal":[0,0,2],"offset":1},"alarm":0,"contact":0})",
+          // The same beside another axis, and beside a sphere.
+          R"({"pair":"capsule_capsule","a":{"start":[0,2,0],"end":[0,2,0],"radius":1},"b":{"start":[-1,0,0],"end":[1,0,0],"radius":1},"alarm":0,"contact":0})",
+          R"({"pair":"sphere_capsule","a":{"center":[0,2,0],"radius":1},"b":{"start":[0,0,0],"end":[0,0,0],"radius":1},"alarm":0,"contact":0})",
+          // A box that is a segment along an axis: turned, the two cross.
+          R"({"pair":"capsule_obb","a":{"start":[-2,0,5],"end":[2,0,5],"radius":1},"b":{"center":[0,0,0],"orientation":[0,0,0,1],"extents":[5,0,0]},"alarm":9,"contact":0})",
+          // A hull with a corner twice, and one with a square face whose diagonals cross at the nearest point.
+          R"({"pair":"sphere_hull","a":{"center":[0,3,0],"radius":1},"b":{"vertices":[[0,0,0],[0,0,0],[2,-1,0],[0,-1,2]],"radius":0.5},"alarm":9,"contact":0})",
+          R"({"pair":"sphere_hull","a":{"center":[1,3,1],"radius":1},"b":{"vertices":[[0,0,0],[2,0,0],[0,0,2],[2,0,2],[1,-1,1]],"radius":0},"alarm":9,"contact":0})",
+          // A centre inside a box, as near to two faces; on the axis of a capsule, which it may move along.
+          R"({"pair":"sphere_cube","a":{"center":[1,1,3],"radius":1},"b":{"min":[0,0,0],"max":[8,8,8]},"alarm":0,"contact":0})",
+          R"({"pair":"sphere_capsule","a":{"center":[1,0,0],"radius":1},"b":{"start":[0,0,0],"end":[3,0,0],"radius":1},"alarm":0,"contact":0})",
+      }) {
+    const formats::Location where{"question", 0};
+    const auto json = formats::parse_object(line, where);
+    ASSERT_NO_FATAL_FAILURE(compare(read_query(formats::Node(json, where)).query, 1, counts));
+  }
+  EXPECT_GT(counts.kinks, 50U);
+  EXPECT_GT(counts.undefined, 100U);
+  EXPECT_EQ(counts.not_told, 0U);
 }
 
 }  // namespace

@@ -183,21 +183,18 @@ Foot foot(const std::array<Body, 2>& bodies, const Try& x) {
   return found;
 }
 
-/// Whether it lies in both features: 1 inside, 0 on the boundary of one, -1 outside. Domain: over is not 0.
-int within(const Foot& foot, const Try& x) {
-  int least = 1;
-  const auto at_least_0 = [&](const Germ& y) { least = std::min(least, y.sign()); };
+/// Whether it lies in both features.
+bool is_within(const Foot& foot, const Try& x) {
   const Germ* part = foot.parts.data();
   for (const Feature& feature : {x.f, x.g}) {
     Germ rest = foot.over;
     for (std::size_t k = 0; k < feature.dimension(); ++k, ++part) {
-      at_least_0(*part);
-      if (feature.is_parallelogram()) at_least_0(foot.over - *part);
+      if (part->sign() < 0 || (foot.over - *part).sign() < 0) return false;
       rest = rest - *part;
     }
-    if (feature.dimension() > 0 && !feature.is_parallelogram()) at_least_0(rest);
+    if (!feature.is_parallelogram() && rest.sign() < 0) return false;
   }
-  return least;
+  return true;
 }
 
 /// The point of one of them there, times over.
@@ -227,7 +224,7 @@ Nearest nearest(const std::array<Body, 2>& bodies, const std::vector<Try>& tries
   std::optional<Nearest> least;
   for (const Try& x : tries) {
     const Foot there = foot(bodies, x);
-    if (there.over.is_zero() || within(there, x) < 0) continue;
+    if (there.over.is_zero() || !is_within(there, x)) continue;
     const int order = least ? (there.distance2 * least->foot.over - least->foot.distance2 * there.over).sign() : -1;
     if (order > 0) continue;
     if (order < 0)
@@ -252,18 +249,16 @@ Tries tries_between(const std::array<Body, 2>& bodies, const std::vector<std::si
   const std::vector<Feature> all_f = features_between(bodies[0], of_a);
   const std::vector<Feature> all_g = features_between(bodies[1], of_b);
   if (all_f.size() * all_g.size() > kMostTries) return {{}, false, true};
-  bool is_inside = true;
   for (const Feature& f : all_f)
     for (const Feature& g : all_g) {
       if (f.dimension() + g.dimension() > 2) continue;
       const Try x{f, g};
       const Foot there = foot(bodies, x);
-      const int in = there.over.is_zero() ? 0 : within(there, x);
-      if (in < 0 || there.distance2[0] != distance2 * there.over[0]) continue;
-      is_inside = is_inside && in > 0;
-      found.all.push_back(x);
+      if (!there.over.is_zero() && !is_within(there, x)) continue;
+      if (there.distance2[0] == distance2 * there.over[0]) found.all.push_back(x);
     }
-  found.is_smooth = found.all.size() == 1 && is_inside && !CGAL::is_zero(distance2);
+  // On the boundary of a feature it would lie in one of fewer corners too.
+  found.is_smooth = found.all.size() == 1 && !CGAL::is_zero(distance2);
   found.too_many = found.all.size() > kMostTies;
   return found;
 }
