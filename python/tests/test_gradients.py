@@ -244,3 +244,34 @@ def test_bad_input_is_named():
             certify_gradient(lambda q, answer=answer: answer, "sphere_sphere", "generic", seed=1)
     with pytest.raises(EngineError, match="raised ZeroDivisionError"):
         certify_gradient(lambda q: 1 / 0, "sphere_sphere", "generic", seed=1)
+
+
+def test_the_scale_is_that_of_numbers_of_the_same_kind():
+    # The derivatives by a normal of length 1000 are a thousandth of those by the centre.
+    questions = contact_oracle.Questions("sphere_plane", {"center1": [[0.0, 2, 0]], "radius1": [1.0], "normal2": [[0.0, 1000, 0]], "offset2": [0.0]})
+    exact = contact_oracle.gradient(questions)
+
+    def judged(field, argument, by):
+        return certify_gradient(lambda q: {field: {argument: getattr(exact, field)[argument] + by}}, "sphere_plane", questions=questions, relative=1e-6)
+
+    assert judged("point1", "center1", 9e-7) and not judged("point1", "center1", 2e-6)
+    assert exact.normal["normal2"].any() and judged("normal", "normal2", 9e-10) and not judged("normal", "normal2", 2e-9)
+    assert not exact.normal["center1"].any() and judged("normal", "center1", 4e-7) and not judged("normal", "center1", 6e-7)  # of 1 / 2
+
+
+def test_beside_a_kink_by_the_last_bit_either_side_is_right():
+    for x, allowed in ((1 + 2.0**-52, True), (1 + 2.0**-40, False)):
+        questions = contact_oracle.Questions("sphere_cube", {"center1": [[x, 2.0, 0]], "radius1": [1.0], "min2": [[-1.0, -1, -1]], "max2": [[1.0, 1, 1]]})
+        assert contact_oracle.gradient(questions).normal["center1"][0, 0, 0] == pytest.approx(-1)
+        over_the_face = np.zeros((1, 3, 3))
+        report = certify_gradient(lambda q, by=over_the_face: {"normal": {"center1": by}}, "sphere_cube", questions=questions, kinks="any")
+        assert report.certified == allowed and report.last_bit == allowed
+
+
+def test_a_mistake_without_a_name_gets_none():
+    def engine(questions):
+        found = contact_oracle.gradient(questions)
+        return None, {argument: 0.9 * by for argument, by in found.value.items()}
+
+    report = certify_gradient(engine, "sphere_capsule", "generic", seed=1)
+    assert not report and report.diagnosis == []
