@@ -199,8 +199,7 @@ void compare(const Query& query, std::size_t every, Counts& counts) {
       const Rational left = (before.numbers[output] - below.numbers[output]) / h;
       const bool is_normal = output > 0 && output < 4;
       const Rational noise = (is_normal ? Rational(1) : steps.size()) / steps.natural(k) * steps.same();
-      const bool differ =
-          CGAL::abs(right - left) > noise + oracle::power_of_two(-kSameBits) * (CGAL::abs(right) + CGAL::abs(left));
+      const bool differ = CGAL::abs(right - left) > noise + steps.same() * (CGAL::abs(right) + CGAL::abs(left));
       const bool is_point = output > 3;
       if (!has_side[0] || !has_side[1]) {
         ASSERT_FALSE(said.number || (said.sides[0] && said.sides[1])) << where();

@@ -37,7 +37,7 @@ struct Gradient {
 /// Error       every number is the exact real rounded once to binary64, to nearest, ties to even.
 /// Exists      where the derivatives from both sides exist and are equal, exactly; `undefined` says what is amiss elsewhere. What begins with "not told" may exist.
 /// Source      docs/gradients.md.
-/// Evidence    golden/gradient_test.cpp: differences of the exact oracle's answers, 2^-200 apart.
+/// Evidence    golden/gradient_test.cpp: differences of the exact oracle's answers, 2^-400 apart and less.
 [[nodiscard]] std::optional<Gradient> gradient(const Query& query, const Truth& truth);
 
 }  // namespace contact::oracle
