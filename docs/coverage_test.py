@@ -40,6 +40,8 @@ def known_tests():
         for kind, word in re.findall(r"^(class| +def) (\w+)", file.read_text(encoding="utf-8"), re.MULTILINE):
             name = word if kind == "class" else name
             found.add(f"{file.stem}.{name}.{word}")
+    for file in (ROOT / "python" / "tests").glob("test_*.py"):
+        found |= {f"{file.stem}.{word}" for word in re.findall(r"^def (test_\w+)", file.read_text(encoding="utf-8"), re.MULTILINE)}
     return found
 
 

@@ -1911,6 +1911,47 @@ class Explain(Case):
                 self.assertEqual([float(word) for word in words], [] if said is None else [said])
         self.assertIn("there is none to tell", self.holds("explain", stdin=text([asked["ray_triangle"][0]])))
 
+    def test_the_derivatives_are_those_worked_out_by_hand(self):
+        # n = (1,2,2)/3, D = 9: d normal = (1 - n n^T)/3 d(b - a), and the rest from point1 = a + r1 n, point2 = b - r2 n.
+        n = [Fraction(1, 3), Fraction(2, 3), Fraction(2, 3)]
+        one = [[Fraction(i == k) for k in range(3)] for i in range(3)]
+        turn = [[(one[i][k] - n[i] * n[k]) / 3 for k in range(3)] for i in range(3)]
+        r = Fraction(3, 2)
+        right = {"value": [*(-x for x in n), -1, *n, -1],
+                 "normal": [[*(-x for x in turn[i]), 0, *turn[i], 0] for i in range(3)],
+                 "point1": [[*(one[i][k] - r * turn[i][k] for k in range(3)), n[i], *(r * turn[i][k] for k in range(3)), 0] for i in range(3)],
+                 "point2": [[*(r * turn[i][k] for k in range(3)), 0, *(one[i][k] - r * turn[i][k] for k in range(3)), -n[i]] for i in range(3)]}
+        out = json.loads(self.holds("explain", "--json", "--gradient", stdin=text([SPHERES])))
+        self.assertEqual(out["exact"].pop("gradient"), {key: [float(x) for x in row] if key == "value" else [[float(x) for x in line] for line in row]
+                                                        for key, row in right.items()})
+        self.assertEqual(out, json.loads(self.holds("explain", "--json", stdin=text([SPHERES]))))
+        self.assertRegex(self.holds("explain", "--gradient", stdin=text([SPHERES])),
+                         r"(?m)^  by a\.center\[0\]  -0\.333333  \(-0\.296296, 0\.0740741, 0\.0740741\)  ")
+
+    def test_where_there_is_no_derivative_it_is_said_why(self):
+        corner = {"pair": "sphere_cube", "a": {"center": [0, 2, 0], "radius": 0}, "b": {"min": [-1, -1, -1], "max": [0, 1, 1]}, "alarm": 0, "contact": 0}
+        same = {**SPHERES, "b": {"center": [0, 0, 0], "radius": 1}}
+        axis = lambda y: {"start": [0, y, 0], "end": [2, y, 0], "radius": 1}
+        parallel = {**corner, "pair": "capsule_capsule", "a": axis(0), "b": axis(3)}
+        told = [json.loads(line)["exact"]["gradient"] for line in
+                self.holds("explain", "--json", "--gradient", stdin=text([corner, same, parallel, CUBES])).splitlines()]
+        nulls = [{(null["of"], null["by"]): (null["undefined"], null.get("sides")) for null in one.get("nulls", ())} for one in told]
+        self.assertEqual(told[0]["value"], [0, 1, 0, None, 0, 0, 0, 0, -1, 0])
+        self.assertEqual(nulls[0]["normal[0]", "a.center[0]"], ("the nearest features change here, and the derivatives from below and above differ", [0, -1]))
+        self.assertEqual(nulls[0]["value", "a.radius"], ("the number is at the edge of its domain, so it has one side", [None, -1]))
+        self.assertEqual(told[1]["value"], [None, None, None, -1, None, None, None, -1])
+        self.assertEqual(nulls[1]["value", "b.center[1]"], ("the cores meet, and the derivatives from below and above differ", [-1, 1]))
+        self.assertEqual(nulls[1]["normal[0]", "b.radius"], ("the cores meet, so the normal is by agreement", None))
+        self.assertEqual(nulls[2]["point1[1]", "a.radius"], ("many pairs of points are nearest", None))
+        self.assertEqual(nulls[2]["value", "b.start[1]"][1], [1, 0])  # it comes nearer, or the other end is now the nearest
+        self.assertEqual(told[3], {"value": None, "normal": None, "point1": None, "point2": None, "undefined": "not told of a pair without a distance"})
+        for one, all_nulls in zip(told[:3], nulls):  # every null says why
+            rows = [one["value"], *one["normal"], *one["point1"], *one["point2"]]
+            self.assertEqual(sum(x is None for row in rows for x in row), len(all_nulls))
+        words = self.holds("explain", "--gradient", stdin=text([corner, CUBES]))
+        self.assertIn("(0|-1, 0, 0)", words)
+        self.assertIn("derivatives: not told of a pair without a distance", words)
+
     def test_decimals_of_binary32_numbers_are_taken_as_these(self):
         far = {**SPHERES, "scalar": "binary32", "alarm": 14.831459}
         meant = {**far, "alarm": struct.unpack("f", struct.pack("f", 14.831459))[0]}

@@ -52,7 +52,7 @@ COMPONENTS = {
               "src/kernel/batch_cube_cube.cpp", "src/kernel/batch_finishing-inl.h", "src/kernel/batch_lifted-inl.h", "src/kernel/batch_near_touching-inl.h",
               "src/kernel/batch_scalar.cpp", "src/kernel/batch_sphere_cube.cpp", "src/kernel/batch_sphere_sphere.cpp", "src/kernel/batch_strips.hpp",
               "src/kernel/batch_targets.cpp"],
-    "oracle": ["oracle/truth/casts.cpp", "oracle/truth/casts.hpp", "oracle/truth/clamped.hpp", "oracle/truth/core.hpp", "oracle/truth/cores.cpp",
+    "oracle": ["oracle/gradient/gradient.cpp", "oracle/gradient/germ.hpp", "oracle/gradient/gradient.hpp", "oracle/truth/casts.cpp", "oracle/truth/casts.hpp", "oracle/truth/clamped.hpp", "oracle/truth/core.hpp", "oracle/truth/cores.cpp",
                "oracle/truth/cores.hpp", "oracle/truth/crossings.cpp", "oracle/truth/crossings.hpp",
                "oracle/truth/double_double.hpp", "oracle/truth/double_double_convexes.cpp", "oracle/truth/double_double_crossings.cpp", "oracle/truth/double_double_crossings.hpp",
                "oracle/truth/double_double_nearest.hpp", "oracle/truth/double_double_oracle.cpp", "oracle/truth/double_double_planes.cpp",

@@ -660,9 +660,7 @@ ExactTruth truth_of_cores(const ExactCore& first, const ExactCore& second, Dista
 }
 
 // No point of a core is lower than all of its vertices.
-ExactTruth truth_of_cores(const ExactCore& first, const Plane& second, Distances distances) {
-  const Point n = point_of(second.normal);
-  const Rational offset(second.offset);
+ExactTruth truth_of_cores(const ExactCore& first, const Point& n, const Rational& offset, Distances distances) {
   std::vector<Point> lowest;
   for (const Point& x : first.vertices) {
     if (!lowest.empty() && dot(n, x) > dot(n, lowest[0])) continue;

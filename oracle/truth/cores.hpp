@@ -41,8 +41,9 @@ void enclose_in_range(ExactCore& first, ExactCore& second);
 enum class Rules { of_the_pair, of_all };
 [[nodiscard]] ExactTruth truth_of_cores(const ExactCore& first, const ExactCore& second, Distances distances,
                                         Rules rules);
-/// Over a half-space.
-[[nodiscard]] ExactTruth truth_of_cores(const ExactCore& first, const Plane& second, Distances distances);
+/// Over the half-space n.x <= offset.
+[[nodiscard]] ExactTruth truth_of_cores(const ExactCore& first, const Point& n, const Rational& offset,
+                                        Distances distances);
 
 /// Whether intervals of doubles tell that two cores without an inside are apart.
 [[nodiscard]] bool are_surely_apart(const EnclosedCore& first, const EnclosedCore& second);

@@ -40,7 +40,7 @@ ExactTruth truth(const Two<A, B>& shapes, Distances distances) {
   if constexpr (std::same_as<A, Cast>) {
     return {truth_of_cast(shapes)};
   } else if constexpr (std::same_as<B, Plane>) {
-    return truth_of_cores(exact_core(a), b, distances);
+    return truth_of_cores(exact_core(a), point_of(b.normal), Rational(b.offset), distances);
   } else {
     static_assert(kCoresAreSimple<A, B>);
     return truth_of_cores(exact_core(a), exact_core(b), distances, Rules::of_the_pair);
@@ -49,7 +49,7 @@ ExactTruth truth(const Two<A, B>& shapes, Distances distances) {
 
 ExactTruth truth(const Convexes& shapes, Distances distances) {
   if (const auto* plane = std::get_if<Plane>(&shapes.b.shape))
-    return truth_of_cores(exact_core(shapes.a), *plane, distances);
+    return truth_of_cores(exact_core(shapes.a), point_of(plane->normal), Rational(plane->offset), distances);
   ExactCore a = exact_core(shapes.a);
   ExactCore b = exact_core(shapes.b);
   enclose_in_range(a, b);

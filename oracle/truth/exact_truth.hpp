@@ -23,7 +23,8 @@ using Point = std::array<Rational, 3>;
 using Enclosed = CGAL::Interval_nt<false>;
 
 template <class Number>
-concept Coordinate = std::same_as<Number, Rational> || std::same_as<Number, Whole> || std::same_as<Number, Enclosed>;
+concept Coordinate = std::same_as<Number, Rational> || std::same_as<Number, Whole> || std::same_as<Number, Enclosed> ||
+    Number::kIsCoordinate;
 template <Coordinate Number>
 [[nodiscard]] std::array<Number, 3> operator-(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};

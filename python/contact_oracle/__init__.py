@@ -20,6 +20,7 @@ from .contacts import Contacts
 from .datasets import Dataset, families, generate, profiles, read_dataset, write_dataset
 from .errors import EngineError, InputError, OracleDisagreement
 from .exact_answers import Exact, exact
+from .gradients import Gradient, GradientFailure, GradientReport, certify_gradient, gradient
 from .judging import LawReport, Report, certify, properties
 from .questions import Questions
 from .serving import serve
@@ -32,7 +33,7 @@ __version__: str = _core.version()
 
 __all__ = [
     *_FUNCTIONS,
-    "Capsule", "Contacts", "Cube", "Dataset", "EngineError", "Exact", "Hull", "InputError", "LawReport", "Line", "Obb", "OracleDisagreement", "PAIRS",
-    "Plane", "Question", "Questions", "Ray", "Report", "Sphere", "Triangle", "certify", "exact", "explain", "families", "generate", "hits", "profiles",
+    "Capsule", "Contacts", "Cube", "Dataset", "EngineError", "Exact", "Gradient", "GradientFailure", "GradientReport", "Hull", "InputError", "LawReport", "Line", "Obb", "OracleDisagreement", "PAIRS",
+    "Plane", "Question", "Questions", "Ray", "Report", "Sphere", "Triangle", "certify", "certify_gradient", "exact", "explain", "families", "generate", "gradient", "hits", "profiles",
     "properties", "read_dataset", "serve", "suite", "write_dataset",
 ]

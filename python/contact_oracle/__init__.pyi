@@ -15,6 +15,11 @@ from .errors import InputError as InputError
 from .errors import OracleDisagreement as OracleDisagreement
 from .exact_answers import Exact as Exact
 from .exact_answers import exact as exact
+from .gradients import Gradient as Gradient
+from .gradients import GradientFailure as GradientFailure
+from .gradients import GradientReport as GradientReport
+from .gradients import certify_gradient as certify_gradient
+from .gradients import gradient as gradient
 from .judging import LawReport as LawReport
 from .judging import Report as Report
 from .judging import certify as certify

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <optional>
 
 #include "contact/pair_functions.hpp"
@@ -13,6 +14,7 @@
 #include "golden/dataset_writer.hpp"
 #include "golden/families.hpp"
 #include "kernel/batch_pairs.hpp"
+#include "oracle/gradient/gradient.hpp"
 #include "oracle/truth/staged_oracle.hpp"
 #include "python/src/certify.hpp"
 #include "python/src/columns.hpp"
@@ -224,6 +226,66 @@ std::vector<std::string> cases(const std::string& pair, const py::list& columns,
   return lines;
 }
 
+/// The derivatives by all numbers of the columns, in their order; of a vertex that is not there none. "why" says by its place in "reasons" why there is none.
+py::dict gradients(const std::string& pair, const py::list& columns, const py::array& alarm, const py::array& contact) {
+  const QuestionArrays questions(pair_of(pair), columns, alarm, contact);
+  if (!has_distance(questions.pair()))
+    throw std::invalid_argument(fmt::format("{} has no distance, and no derivatives are told of it", pair));
+  std::vector<std::size_t> widths;
+  for (const auto& column : columns) {
+    const auto array = py::cast<py::array>(column);
+    widths.push_back(static_cast<std::size_t>(array.size() / std::max<py::ssize_t>(array.shape(0), 1)));
+  }
+  const std::size_t width = std::accumulate(widths.begin(), widths.end(), std::size_t{0});
+  const auto n = static_cast<py::ssize_t>(questions.size());
+  const std::vector<py::ssize_t> shape{n, oracle::kOutputs, static_cast<py::ssize_t>(width)};
+  py::array_t<double> derivatives(shape);
+  py::array_t<double> sides({shape[0], shape[1], shape[2], py::ssize_t{2}});
+  py::array_t<std::uint8_t> why(shape);
+  std::vector<std::string> reasons{"", "no such vertex"};
+  double* to = derivatives.mutable_data();
+  double* to_sides = sides.mutable_data();
+  std::uint8_t* to_why = why.mutable_data();
+  {
+    const py::gil_scoped_release no_gil;
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    std::fill_n(to, derivatives.size(), none);
+    std::fill_n(to_sides, sides.size(), none);
+    std::fill_n(to_why, why.size(), std::uint8_t{1});
+    Query query = zero_query(questions.pair());
+    for (std::size_t row = 0; row < questions.size(); ++row) {
+      questions.read_checked(row, query);
+      const auto found = oracle::gradient(query, oracle::truth_of(query));
+      std::size_t k = 0;      // of the question's numbers
+      std::size_t begin = 0;  // of the field's in a row
+      std::size_t field = 0;
+      for_each_value(query, [&](auto& value) {
+        if (field == widths.size()) return;  // the two distances
+        std::size_t at = begin;
+        for_each_number_in(value, [&](const double&) {
+          for (std::size_t output = 0; output < oracle::kOutputs; ++output) {
+            const oracle::Derivative& x = found->derivatives[k][output];
+            const std::size_t place = (row * oracle::kOutputs + output) * width + at;
+            to[place] = x.number.value_or(none);
+            for (std::size_t side = 0; side < 2; ++side) to_sides[2 * place + side] = x.sides[side].value_or(none);
+            const auto reason = std::find(reasons.begin(), reasons.end(), x.undefined);
+            to_why[place] = static_cast<std::uint8_t>(reason - reasons.begin());
+            if (reason == reasons.end()) reasons.emplace_back(x.undefined);
+          }
+          ++k, ++at;
+        });
+        begin += widths[field++];
+      });
+    }
+  }
+  py::dict all;
+  all["derivatives"] = derivatives;
+  all["sides"] = sides;
+  all["why"] = why;
+  all["reasons"] = py::cast(reasons);
+  return all;
+}
+
 std::string explain(const std::string& line) {
   const formats::Location where{"question", 0};
   const auto json = formats::parse_object(line, where);
@@ -433,6 +495,7 @@ PYBIND11_MODULE(_core, m) {
   m.def("hits", &hits, "pair"_a, "columns"_a, "alarm"_a, "contact"_a);
   m.def("ids", &ids, "pair"_a, "columns"_a, "alarm"_a, "contact"_a);
   m.def("cases", &cases, "pair"_a, "columns"_a, "alarm"_a, "contact"_a, "scalar"_a = "binary64");
+  m.def("gradients", &gradients, "pair"_a, "columns"_a, "alarm"_a, "contact"_a);
   m.def("explain", &explain, "line"_a);
   m.def("generate", &generate, "pair"_a, "family"_a, "count"_a, "seed"_a, "scalar"_a = "binary64", "first"_a = 0);
   m.def("read_dataset", &read_dataset, "path"_a);

@@ -19,7 +19,7 @@ from contact_oracle.pairs import PAIRS
 PACKAGE = pathlib.Path(contact_oracle.__file__).parent
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLES = ROOT / "python" / "examples"
-MODULES = ["answering", "asked", "by_command", "contacts", "datasets", "engines", "errors", "exact_answers", "judging", "laws", "pairs", "questions", "serving",
+MODULES = ["answering", "asked", "by_command", "contacts", "datasets", "engines", "errors", "exact_answers", "gradients", "judging", "laws", "pairs", "questions", "serving",
            "shapes", "strategies", "suites"]
 
 

@@ -20,6 +20,7 @@
 #include "tool/commands/commands.hpp"
 #include "tool/commands/json_output.hpp"
 #include "tool/reports/explanation.hpp"
+#include "tool/reports/gradients.hpp"
 #include "tool/run/pipeline.hpp"
 #include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"
@@ -34,12 +35,13 @@ struct ExplainOptions {
   std::string input = "-";
   std::string in;
   std::string json;
+  bool gradient = false;
 };
 
 /// Prints what the oracles say of one question after another.
 class Explained {
  public:
-  explicit Explained(const std::string& json) : json_(json) {}
+  explicit Explained(const ExplainOptions& o) : json_(o.json), gradient_(o.gradient) {}
 
   void add(const Query& query, Scalar scalar) {
     if (const auto error = outside_domain(query)) {
@@ -50,15 +52,19 @@ class Explained {
     }
     const oracle::Truth truth = oracle::truth_of(query);
     require_agreement(query, oracle::rounded_answer(truth, scalar), oracle::interval_answer(query, scalar), scalar);
-    print(query, scalar, json_.alone() ? "" : explanation(query, truth, scalar), distance(truth, scalar));
+    std::string said = json_.alone() ? "" : explanation(query, truth, scalar);
+    if (gradient_ && !json_.alone()) said += gradient_text(query, truth);
+    print(query, scalar, said, distance(truth, scalar), gradient_ && json_.wanted() ? gradient_json(query, truth) : "");
   }
   [[nodiscard]] bool any() const { return any_; }
   void commit() { json_.commit(); }
 
  private:
-  void print(const Query& query, Scalar scalar, const std::string& said, std::optional<double> distance = {}) {
+  void print(const Query& query, Scalar scalar, const std::string& said, std::optional<double> distance = {},
+             const std::string& gradient = "") {
     if (json_.wanted()) {
       std::string line = golden::answer_line(golden::make_case(query, scalar));
+      if (!gradient.empty()) line.insert(line.size() - 2, fmt::format(R"(,"gradient":{})", gradient));
       if (distance) {
         line.pop_back();
         line += fmt::format(R"(,"distance":{}}})", formats::number(*distance));
@@ -70,13 +76,14 @@ class Explained {
   }
 
   JsonOutput json_;
+  bool gradient_;
   bool any_ = false;
 };
 
 void explain_lines(const ExplainOptions& o) {
   InputLines lines(o.input);
   std::optional<golden::DatasetHeader> header;
-  Explained explained(o.json);
+  Explained explained(o);
   std::uint64_t decimals = 0;
   while (lines.next()) {
     const auto parsed = formats::parse_object(lines.text(), lines.where());
@@ -164,7 +171,7 @@ class Lookup {
   }
 
   /// Explains the one question that was found.
-  void explain(const std::string& where, const std::string& json) const {
+  void explain(const std::string& where, const ExplainOptions& o) const {
     if (ids_.empty())
       throw formats::InputError({where, 0}, "",
                                 fmt::format("{}no question whose id begins with {}{}", no_file_, digits_, beside_));
@@ -176,7 +183,7 @@ class Lookup {
               fmt::join(ids_.begin(),
                         std::next(ids_.begin(), static_cast<std::ptrdiff_t>(std::min(kShownIds, ids_.size()))), ", "),
               ids_.size() > kShownIds ? ", ..." : ""));
-    Explained explained(json);
+    Explained explained(o);
     for (const Found& f : found_) {
       if (!is_quiet()) say_error("found in {}\n", f.where);
       explained.add(f.query, f.scalar);
@@ -210,7 +217,7 @@ void explain(const ExplainOptions& o) {
   const std::string where = o.in.empty() ? golden_folder() : o.in;
   Lookup lookup(o.input, o.in.empty() ? fmt::format("no file '{}', and ", o.input) : "");
   lookup.look_into(where);
-  lookup.explain(where, o.json);
+  lookup.explain(where, o);
 }
 
 }  // namespace
@@ -230,6 +237,9 @@ void add_explain(CLI::App& app, int& exit) {
                                "them (default: {})",
                                kCommitted))
       ->type_name("FILE");
+  command->add_flag(
+      "--gradient", o->gradient,
+      "Also the derivatives of value, normal and points by each number of both shapes, and why where there is none");
   add_json_option(*command, o->json, "One {\"id\",\"expect\",\"exact\"} line a question");
   command->callback([o, &exit] {
     explain(*o);
