@@ -2,10 +2,18 @@
 #include <cmath>
 #include <concepts>
 
+#include "contact/capsule_capsule.hpp"
+#include "contact/capsule_plane.hpp"
 #include "contact/cube_cube.hpp"
 #include "contact/pair_functions.hpp"
+#include "contact/ray_sphere.hpp"
+#include "contact/ray_triangle.hpp"
+#include "contact/sphere_capsule.hpp"
 #include "contact/sphere_cube.hpp"
+#include "contact/sphere_plane.hpp"
 #include "contact/sphere_sphere.hpp"
+#include "contact/sphere_triangle.hpp"
+#include "contact/triangle_line.hpp"
 #include "golden/plain_crossings.hpp"
 #include "golden/plain_planes.hpp"
 #include "peers/peers.hpp"
@@ -95,11 +103,19 @@ struct Plain {
   }
 };
 
-/// By their names: those of three pairs decide inline what plain arithmetic is certain of.
+/// By their names: inline they decide what plain arithmetic is certain of.
 struct Production {
   static bool test(const Balls& p) { return test_sphere_sphere(p.a, p.b, 0); }
   static bool test(const Boxes& p) { return test_cube_cube(p.a, p.b, 0); }
   static bool test(const BallAndBox& p) { return test_sphere_cube(p.a, p.b, 0); }
+  static bool test(const BallAndCapsule& p) { return test_sphere_capsule(p.a, p.b, 0); }
+  static bool test(const Capsules& p) { return test_capsule_capsule(p.a, p.b, 0); }
+  static bool test(const BallAndTriangle& p) { return test_sphere_triangle(p.a, p.b, 0); }
+  static bool test(const RayAndBall& p) { return test_ray_sphere(p.a, p.b, 0); }
+  static bool test(const BallAndPlane& p) { return test_sphere_plane(p.a, p.b, 0); }
+  static bool test(const CapsuleAndPlane& p) { return test_capsule_plane(p.a, p.b, 0); }
+  static bool test(const RayAndTriangle& p) { return test_ray_triangle(p.a, p.b); }
+  static bool test(const TriangleAndLine& p) { return test_triangle_line(p.a, p.b); }
   template <class A, class B>
   static bool test(const Two<A, B>& p) {
     return is_hit(p, kNone);
@@ -114,6 +130,20 @@ struct Production {
   static bool compute(const Made& p, Contact& out) { return compute(p.pair, out); }
   static std::optional<Contact> contact_between(const Balls& p) { return compute_sphere_sphere(p.a, p.b, kNone); }
   static std::optional<Contact> contact_between(const BallAndBox& p) { return compute_sphere_cube(p.a, p.b, kNone); }
+  static std::optional<Contact> contact_between(const BallAndCapsule& p) {
+    return compute_sphere_capsule(p.a, p.b, kNone);
+  }
+  static std::optional<Contact> contact_between(const Capsules& p) { return compute_capsule_capsule(p.a, p.b, kNone); }
+  static std::optional<Contact> contact_between(const BallAndTriangle& p) {
+    return compute_sphere_triangle(p.a, p.b, kNone);
+  }
+  static std::optional<Contact> contact_between(const RayAndBall& p) { return compute_ray_sphere(p.a, p.b, kNone); }
+  static std::optional<Contact> contact_between(const BallAndPlane& p) { return compute_sphere_plane(p.a, p.b, kNone); }
+  static std::optional<Contact> contact_between(const CapsuleAndPlane& p) {
+    return compute_capsule_plane(p.a, p.b, kNone);
+  }
+  static std::optional<Contact> contact_between(const RayAndTriangle& p) { return compute_ray_triangle(p.a, p.b); }
+  static std::optional<Contact> contact_between(const TriangleAndLine& p) { return compute_triangle_line(p.a, p.b); }
   template <class A, class B>
   static std::optional<Contact> contact_between(const Two<A, B>& p) {
     return contact_of(p, kNone);

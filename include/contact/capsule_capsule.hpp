@@ -5,6 +5,7 @@
 
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
+#include "contact/plain_cores.hpp"
 
 namespace contact::inline CONTACT_ABI {
 
@@ -15,6 +16,8 @@ namespace contact::inline CONTACT_ABI {
 ///             included.
 /// Decision    D <= reach^2, exactly: touching counts.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
+///             What plain arithmetic decides inline may raise exceptions of the caller's, the inexact one mostly; to
+///             raise none there is out_of_line.
 /// Source      docs/specification.md#capsule-pairs.
 /// Evidence    src/kernel/capsule_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_capsule_capsule(const Capsule& a, const Capsule& b, double alarm);
@@ -38,5 +41,26 @@ namespace contact::inline CONTACT_ABI {
 /// Evidence    src/kernel/capsule_test.cpp; proptests/production_properties.cpp; golden/capsule_capsule.
 [[nodiscard]] std::optional<Contact> compute_capsule_capsule(const Capsule& a, const Capsule& b, Distances distances,
                                                              ContactPoints points = {});
+
+namespace out_of_line {
+/// The same, all of it in the library: no exception is raised, and none traps.
+[[nodiscard]] bool test_capsule_capsule(const Capsule& a, const Capsule& b, double alarm);
+[[nodiscard]] std::optional<Contact> compute_capsule_capsule(const Capsule& a, const Capsule& b, Distances distances,
+                                                             ContactPoints points = {});
+}  // namespace out_of_line
+
+#if CONTACT_DECIDES_INLINE
+CONTACT_INLINE bool test_capsule_capsule(const Capsule& a, const Capsule& b, double alarm) {
+  const plain_decision::Filtered filtered = plain_decision::filter_pair(a, b, alarm);
+  if (filtered == plain_decision::Filtered::undecided) [[unlikely]]
+    return out_of_line::test_capsule_capsule(a, b, alarm);
+  return filtered == plain_decision::Filtered::hit;
+}
+CONTACT_INLINE std::optional<Contact> compute_capsule_capsule(const Capsule& a, const Capsule& b, Distances distances,
+                                                              ContactPoints points) {
+  if (plain_decision::filter_pair(a, b, distances.alarm) == plain_decision::Filtered::miss) return std::nullopt;
+  return out_of_line::compute_capsule_capsule(a, b, distances, points);
+}
+#endif
 
 }  // namespace contact::inline CONTACT_ABI

@@ -5,6 +5,7 @@
 
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
+#include "contact/plain_cores.hpp"
 
 namespace contact::inline CONTACT_ABI {
 
@@ -17,6 +18,8 @@ namespace contact::inline CONTACT_ABI {
 /// Decision    s <= reach, exactly, and exactly which end is lower: touching counts, and whatever is below the plane
 ///             hits.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
+///             What plain arithmetic decides inline may raise exceptions of the caller's, the inexact one mostly; to
+///             raise none there is out_of_line.
 /// Source      docs/specification.md#planes.
 /// Evidence    src/kernel/plane_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_capsule_plane(const Capsule& a, const Plane& b, double alarm);
@@ -38,5 +41,26 @@ namespace contact::inline CONTACT_ABI {
 /// Evidence    src/kernel/plane_test.cpp; proptests/production_properties.cpp; golden/capsule_plane.
 [[nodiscard]] std::optional<Contact> compute_capsule_plane(const Capsule& a, const Plane& b, Distances distances,
                                                            ContactPoints points = {});
+
+namespace out_of_line {
+/// The same, all of it in the library: no exception is raised, and none traps.
+[[nodiscard]] bool test_capsule_plane(const Capsule& a, const Plane& b, double alarm);
+[[nodiscard]] std::optional<Contact> compute_capsule_plane(const Capsule& a, const Plane& b, Distances distances,
+                                                           ContactPoints points = {});
+}  // namespace out_of_line
+
+#if CONTACT_DECIDES_INLINE
+CONTACT_INLINE bool test_capsule_plane(const Capsule& a, const Plane& b, double alarm) {
+  const plain_decision::Filtered filtered = plain_decision::filter_pair(a, b, alarm);
+  if (filtered == plain_decision::Filtered::undecided) [[unlikely]]
+    return out_of_line::test_capsule_plane(a, b, alarm);
+  return filtered == plain_decision::Filtered::hit;
+}
+CONTACT_INLINE std::optional<Contact> compute_capsule_plane(const Capsule& a, const Plane& b, Distances distances,
+                                                            ContactPoints points) {
+  if (plain_decision::filter_pair(a, b, distances.alarm) == plain_decision::Filtered::miss) return std::nullopt;
+  return out_of_line::compute_capsule_plane(a, b, distances, points);
+}
+#endif
 
 }  // namespace contact::inline CONTACT_ABI

@@ -5,6 +5,7 @@
 
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
+#include "contact/plain_cores.hpp"
 
 namespace contact::inline CONTACT_ABI {
 
@@ -17,6 +18,8 @@ namespace contact::inline CONTACT_ABI {
 ///             are included: the ray's end need not be a number.
 /// Decision    D <= reach^2, exactly: touching counts. The end of the ray is not rounded.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
+///             What plain arithmetic decides inline may raise exceptions of the caller's, the inexact one mostly; to
+///             raise none there is out_of_line.
 /// Source      docs/specification.md#rays.
 /// Evidence    src/kernel/ray_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_ray_sphere(const Ray& a, const Ball& b, double alarm);
@@ -37,5 +40,26 @@ namespace contact::inline CONTACT_ABI {
 /// Evidence    src/kernel/ray_test.cpp; proptests/production_properties.cpp; golden/ray_sphere.
 [[nodiscard]] std::optional<Contact> compute_ray_sphere(const Ray& a, const Ball& b, Distances distances,
                                                         ContactPoints points = {});
+
+namespace out_of_line {
+/// The same, all of it in the library: no exception is raised, and none traps.
+[[nodiscard]] bool test_ray_sphere(const Ray& a, const Ball& b, double alarm);
+[[nodiscard]] std::optional<Contact> compute_ray_sphere(const Ray& a, const Ball& b, Distances distances,
+                                                        ContactPoints points = {});
+}  // namespace out_of_line
+
+#if CONTACT_DECIDES_INLINE
+CONTACT_INLINE bool test_ray_sphere(const Ray& a, const Ball& b, double alarm) {
+  const plain_decision::Filtered filtered = plain_decision::filter_pair(a, b, alarm);
+  if (filtered == plain_decision::Filtered::undecided) [[unlikely]]
+    return out_of_line::test_ray_sphere(a, b, alarm);
+  return filtered == plain_decision::Filtered::hit;
+}
+CONTACT_INLINE std::optional<Contact> compute_ray_sphere(const Ray& a, const Ball& b, Distances distances,
+                                                         ContactPoints points) {
+  if (plain_decision::filter_pair(a, b, distances.alarm) == plain_decision::Filtered::miss) return std::nullopt;
+  return out_of_line::compute_ray_sphere(a, b, distances, points);
+}
+#endif
 
 }  // namespace contact::inline CONTACT_ABI

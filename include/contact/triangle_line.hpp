@@ -5,6 +5,7 @@
 
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
+#include "contact/plain_cores.hpp"
 
 namespace contact::inline CONTACT_ABI {
 
@@ -17,6 +18,8 @@ namespace contact::inline CONTACT_ABI {
 /// Decision    exact. A line along the plane of the triangle does not cross it, nor does one of length 0; a triangle
 ///             without an inside is not crossed. Alarm and contact distances have no say.
 /// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
+///             What plain arithmetic decides inline may raise exceptions of the caller's, the inexact one mostly; to
+///             raise none there is out_of_line.
 /// Source      docs/specification.md#crossings.
 /// Evidence    src/kernel/crossing_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_triangle_line(const Triangle& a, const Line& b);
@@ -32,5 +35,24 @@ namespace contact::inline CONTACT_ABI {
 /// Source      docs/specification.md#crossings.
 /// Evidence    src/kernel/crossing_test.cpp; proptests/production_properties.cpp; golden/triangle_line.
 [[nodiscard]] std::optional<Contact> compute_triangle_line(const Triangle& a, const Line& b);
+
+namespace out_of_line {
+/// The same, all of it in the library: no exception is raised, and none traps.
+[[nodiscard]] bool test_triangle_line(const Triangle& a, const Line& b);
+[[nodiscard]] std::optional<Contact> compute_triangle_line(const Triangle& a, const Line& b);
+}  // namespace out_of_line
+
+#if CONTACT_DECIDES_INLINE
+CONTACT_INLINE bool test_triangle_line(const Triangle& a, const Line& b) {
+  const plain_decision::Filtered filtered = plain_decision::filter_pair(a, b);
+  if (filtered == plain_decision::Filtered::undecided) [[unlikely]]
+    return out_of_line::test_triangle_line(a, b);
+  return filtered == plain_decision::Filtered::hit;
+}
+CONTACT_INLINE std::optional<Contact> compute_triangle_line(const Triangle& a, const Line& b) {
+  if (plain_decision::filter_pair(a, b) == plain_decision::Filtered::miss) return std::nullopt;
+  return out_of_line::compute_triangle_line(a, b);
+}
+#endif
 
 }  // namespace contact::inline CONTACT_ABI

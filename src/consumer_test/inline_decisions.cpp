@@ -8,11 +8,20 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <string>
 #include <vector>
 
+#include "contact/capsule_capsule.hpp"
+#include "contact/capsule_plane.hpp"
 #include "contact/cube_cube.hpp"
+#include "contact/ray_sphere.hpp"
+#include "contact/ray_triangle.hpp"
+#include "contact/sphere_capsule.hpp"
 #include "contact/sphere_cube.hpp"
+#include "contact/sphere_plane.hpp"
 #include "contact/sphere_sphere.hpp"
+#include "contact/sphere_triangle.hpp"
+#include "contact/triangle_line.hpp"
 
 namespace {
 
@@ -30,6 +39,9 @@ struct Range {
 };
 constexpr std::array kRanges{Range{"2^500 to 2^1023", 500, 1023}, Range{"2^-1074 to 2^-500", -1074, -500},
                              Range{"both and what is between", -1074, 1023}};
+/// What cores are decided in inline, its ends, and beyond.
+constexpr std::array kCoreRanges{Range{"2^-2 to 2^2", -2, 2}, Range{"2^-130 to 2^130", -130, 130},
+                                 Range{"2^-1074 to 2^1023", -1074, 1023}};
 
 std::uint64_t state = 1;
 std::uint64_t random(std::uint64_t below) {
@@ -73,6 +85,39 @@ class Numbers {
   int low_;
   int high_;
 };
+
+/// Capsules, triangles, rays, planes and segments.
+struct CoreQuestion {
+  Ball ball;
+  Capsule capsule1;
+  Capsule capsule2;
+  Triangle triangle;
+  Ray ray;
+  Plane plane;
+  double alarm;
+};
+
+std::vector<CoreQuestion> core_questions(const Range& range) {
+  std::vector<CoreQuestion> all;
+  while (all.size() < kQuestions / 3) {
+    const Numbers n(range);
+    CoreQuestion q{{n.point(), n.length()},
+                   {n.point(), n.point(), n.length()},
+                   {n.point(), n.point(), random(2) == 0 ? 0 : n.length()},
+                   {{n.point(), n.point(), n.point()}},
+                   {n.point(), n.point(), n.length()},
+                   {n.point(), n.coordinate()},
+                   random(2) == 0 ? 0 : n.length()};
+    // Many segments go through the triangle, or end on it.
+    if (random(2) == 0) {
+      q.ray.origin = (q.triangle.vertices[0] + q.triangle.vertices[1]) / 2;
+      if (random(2) == 0) q.ray.origin -= q.ray.direction * (q.ray.length / 2);
+      q.capsule1.start = q.ray.origin;
+    }
+    if (!q.ray.direction.isZero(0) && !q.plane.normal.isZero(0) && q.ray.origin.allFinite()) all.push_back(q);
+  }
+  return all;
+}
 
 struct Question {
   Ball a;
@@ -137,6 +182,43 @@ constexpr std::array kFunctions{"test_sphere_sphere", "compute_sphere_sphere", "
   }
 }
 
+using CoreCounts = std::array<Count, 16>;
+constexpr std::array kCoreFunctions{"sphere_capsule", "capsule_capsule", "sphere_triangle", "ray_sphere",
+                                    "sphere_plane",   "capsule_plane",   "ray_triangle",    "triangle_line"};
+[[gnu::noinline]] void ask(const std::vector<CoreQuestion>& all, CoreCounts& counts) {
+  for (const CoreQuestion& q : all) {
+    const Distances distances{q.alarm, 0};
+    const Line line{q.capsule1.start, q.capsule1.end};
+    std::size_t k = 0;
+    const auto add = [&](bool test, bool compute, bool right, Filtered filtered) {
+      counts[k++].add(test, right, filtered);
+      counts[k++].add(compute, right, filtered);
+    };
+    using plain_decision::filter_pair;
+    add(test_sphere_capsule(q.ball, q.capsule1, q.alarm),
+        compute_sphere_capsule(q.ball, q.capsule1, distances).has_value(),
+        out_of_line::test_sphere_capsule(q.ball, q.capsule1, q.alarm), filter_pair(q.ball, q.capsule1, q.alarm));
+    add(test_capsule_capsule(q.capsule1, q.capsule2, q.alarm),
+        compute_capsule_capsule(q.capsule1, q.capsule2, distances).has_value(),
+        out_of_line::test_capsule_capsule(q.capsule1, q.capsule2, q.alarm),
+        filter_pair(q.capsule1, q.capsule2, q.alarm));
+    add(test_sphere_triangle(q.ball, q.triangle, q.alarm),
+        compute_sphere_triangle(q.ball, q.triangle, distances).has_value(),
+        out_of_line::test_sphere_triangle(q.ball, q.triangle, q.alarm), filter_pair(q.ball, q.triangle, q.alarm));
+    add(test_ray_sphere(q.ray, q.ball, q.alarm), compute_ray_sphere(q.ray, q.ball, distances).has_value(),
+        out_of_line::test_ray_sphere(q.ray, q.ball, q.alarm), filter_pair(q.ray, q.ball, q.alarm));
+    add(test_sphere_plane(q.ball, q.plane, q.alarm), compute_sphere_plane(q.ball, q.plane, distances).has_value(),
+        out_of_line::test_sphere_plane(q.ball, q.plane, q.alarm), filter_pair(q.ball, q.plane, q.alarm));
+    add(test_capsule_plane(q.capsule2, q.plane, q.alarm),
+        compute_capsule_plane(q.capsule2, q.plane, distances).has_value(),
+        out_of_line::test_capsule_plane(q.capsule2, q.plane, q.alarm), filter_pair(q.capsule2, q.plane, q.alarm));
+    add(test_ray_triangle(q.ray, q.triangle), compute_ray_triangle(q.ray, q.triangle).has_value(),
+        out_of_line::test_ray_triangle(q.ray, q.triangle), filter_pair(q.ray, q.triangle));
+    add(test_triangle_line(q.triangle, line), compute_triangle_line(q.triangle, line).has_value(),
+        out_of_line::test_triangle_line(q.triangle, line), filter_pair(q.triangle, line));
+  }
+}
+
 /// Spheres whose centres the compiler knows, so that it may compute D itself, to nearest.
 [[gnu::noinline]] void ask_of_known_centers(const std::vector<double>& radii, Count& count) {
   for (const double radius : radii) {
@@ -163,7 +245,7 @@ int main() {
   for (int exponent = 500; exponent < 1023; ++exponent) radii.push_back(std::ldexp(1, exponent));
   Count total;
   const auto report = [&](const char* what, const Count& c) {
-    std::printf("  %-22s %6d asked, %6d hits, %6d decided inline, %d wrong\n", what, c.asked, c.hits, c.decided,
+    std::printf("  %-24s %6d asked, %6d hits, %6d decided inline, %d wrong\n", what, c.asked, c.hits, c.decided,
                 c.wrong);
     total.asked += c.asked;
     total.hits += c.hits;
@@ -180,6 +262,18 @@ int main() {
     }
     std::printf("%s, in four rounding modes\n", range.name);
     for (std::size_t i = 0; i < counts.size(); ++i) report(kFunctions[i], counts[i]);
+  }
+  for (const Range& range : kCoreRanges) {
+    const std::vector<CoreQuestion> all = core_questions(range);
+    CoreCounts counts{};
+    for (const Mode& mode : kModes) {
+      std::fesetround(mode.mode);
+      ask(all, counts);
+      std::fesetround(FE_TONEAREST);
+    }
+    std::printf("%s, in four rounding modes\n", range.name);
+    for (std::size_t i = 0; i < counts.size(); ++i)
+      report((std::string(i % 2 == 0 ? "test_" : "compute_") + kCoreFunctions[i / 2]).c_str(), counts[i]);
   }
   Count known;
   for (const Mode& mode : kModes) {

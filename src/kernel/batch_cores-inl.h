@@ -271,8 +271,9 @@ HWY_INLINE void contacts_of_vector(const PairColumns<A, B>& pairs, const Contact
   }
   certain = hn::And(certain, hit);
   const auto write = [&](std::size_t k, const Double2& number, V within) HWY_ATTR {
-    const V above = hn::Add(number.high, hn::MulAdd(number.low, all(1 + bounds::kCoreEta), within));
-    const V below = hn::Add(number.high, hn::MulSub(number.low, all(1 - bounds::kCoreEta), within));
+    const V radius = hn::MulAdd(hn::Abs(number.low), all(bounds::kCoreEta), within);
+    const V above = hn::Add(number.high, hn::Add(number.low, radius));
+    const V below = hn::Add(number.high, hn::Sub(number.low, radius));
     certain = and_equal(certain, above, below);
     hn::StoreU(hn::IfThenElseZero(hit, above), tag, out.number[k] + i);
   };

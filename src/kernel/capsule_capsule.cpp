@@ -7,15 +7,23 @@
 
 namespace contact::inline CONTACT_ABI {
 
-bool test_capsule_capsule(const Capsule& a, const Capsule& b, double alarm) {
+bool out_of_line::test_capsule_capsule(const Capsule& a, const Capsule& b, double alarm) {
   return kernel::decide(kernel::Segment{a.start, a.end}, kernel::Segment{b.start, b.end},
                         {a.radius, b.radius, alarm, 0});
 }
 
-std::optional<Contact> compute_capsule_capsule(const Capsule& a, const Capsule& b, Distances distances,
-                                               ContactPoints points) {
+std::optional<Contact> out_of_line::compute_capsule_capsule(const Capsule& a, const Capsule& b, Distances distances,
+                                                            ContactPoints points) {
   return kernel::contact_between(kernel::Segment{a.start, a.end}, kernel::Segment{b.start, b.end},
                                  {a.radius, b.radius, distances.alarm, distances.contact}, points);
+}
+
+bool test_capsule_capsule(const Capsule& a, const Capsule& b, double alarm) {
+  return out_of_line::test_capsule_capsule(a, b, alarm);
+}
+std::optional<Contact> compute_capsule_capsule(const Capsule& a, const Capsule& b, Distances distances,
+                                               ContactPoints points) {
+  return out_of_line::compute_capsule_capsule(a, b, distances, points);
 }
 
 bool is_hit(const Capsules& shapes, Distances distances) {

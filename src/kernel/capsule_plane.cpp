@@ -2,19 +2,28 @@
 #include "contact/capsule_plane.hpp"
 
 #include "contact/pair_functions.hpp"
+#include "kernel/cores_stages.hpp"
 #include "kernel/plane_cores.hpp"
 
 namespace contact::inline CONTACT_ABI {
 
-bool test_capsule_plane(const Capsule& a, const Plane& b, double alarm) {
+bool out_of_line::test_capsule_plane(const Capsule& a, const Plane& b, double alarm) {
   return kernel::decide(kernel::Segment{a.start, a.end}, kernel::HalfSpace{b.normal, b.offset},
                         {a.radius, 0, alarm, 0});
 }
 
-std::optional<Contact> compute_capsule_plane(const Capsule& a, const Plane& b, Distances distances,
-                                             ContactPoints points) {
+std::optional<Contact> out_of_line::compute_capsule_plane(const Capsule& a, const Plane& b, Distances distances,
+                                                          ContactPoints points) {
   return kernel::contact_between(kernel::Segment{a.start, a.end}, kernel::HalfSpace{b.normal, b.offset},
                                  {a.radius, 0, distances.alarm, distances.contact}, points);
+}
+
+bool test_capsule_plane(const Capsule& a, const Plane& b, double alarm) {
+  return out_of_line::test_capsule_plane(a, b, alarm);
+}
+std::optional<Contact> compute_capsule_plane(const Capsule& a, const Plane& b, Distances distances,
+                                             ContactPoints points) {
+  return out_of_line::compute_capsule_plane(a, b, distances, points);
 }
 
 bool is_hit(const CapsuleAndPlane& shapes, Distances distances) {

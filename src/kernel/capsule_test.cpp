@@ -185,12 +185,18 @@ std::vector<Question> questions(int count) {
 }
 
 using Said = std::pair<std::optional<Contact>, bool>;
-Said of_capsules(const Question& q, bool /*traps*/ = false) {
+Said of_capsules(const Question& q, bool traps = false) {
+  if (traps)
+    return {out_of_line::compute_capsule_capsule(q.a, q.b, q.distances),
+            out_of_line::test_capsule_capsule(q.a, q.b, q.distances.alarm)};
   return {compute_capsule_capsule(q.a, q.b, q.distances), test_capsule_capsule(q.a, q.b, q.distances.alarm)};
 }
 /// The start of the first capsule as a sphere.
-Said of_sphere(const Question& q, bool /*traps*/ = false) {
+Said of_sphere(const Question& q, bool traps = false) {
   const Ball ball{q.a.start, q.a.radius};
+  if (traps)
+    return {out_of_line::compute_sphere_capsule(ball, q.b, q.distances),
+            out_of_line::test_sphere_capsule(ball, q.b, q.distances.alarm)};
   return {compute_sphere_capsule(ball, q.b, q.distances), test_sphere_capsule(ball, q.b, q.distances.alarm)};
 }
 

@@ -125,6 +125,13 @@ class ApproximateContact {
   double turn_ = 0;          ///< of a component of n
 };
 
+/// What the fast stage computes of two kinds of core.
+template <class First, class Second>
+struct FastStage {
+  using Nearest = ApproximateNearest;
+  using OfContact = ApproximateContact;
+};
+
 /// The numbers of a contact that are certain; returns the bits of those that are not.
 template <class Approximate>
 [[gnu::always_inline]] inline unsigned round_certain(const Approximate& approximate, const Lengths& lengths,

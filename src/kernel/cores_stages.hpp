@@ -3,18 +3,10 @@
 #pragma once
 
 #include "kernel/cores_double_double.hpp"
+#include "kernel/cores_one_vector.hpp"
 #include "kernel/floating_point_environment.hpp"
 
 namespace contact::kernel {
-
-/// What the fast stage computes of two kinds of core.
-template <class First, class Second>
-struct FastStage {
-  using Nearest = ApproximateNearest;
-  using OfContact = ApproximateContact;
-};
-template <class First, class Second>
-using FastContact = std::optional<typename FastStage<First, Second>::OfContact>;
 
 template <class First, class Second>
 [[gnu::noinline]] bool decide_exactly(const First& first, const Second& second, const Lengths& lengths) {
@@ -29,38 +21,41 @@ template <class First, class Second>
   round_exactly(exact_nearest(first, second, grid), grid, lengths, points, open, contact);
 }
 
-/// The decision of the filter, else of the contact's numbers, else the exact one.
-template <class First, class Second>
-[[gnu::always_inline]] inline bool settled(Filtered filtered, const FastContact<First, Second>& fast,
-                                           const First& first, const Second& second, const Lengths& lengths) {
-  if (filtered == Filtered::undecided && fast && fast->holds()) filtered = fast->filtered(lengths.alarm);
-  return filtered == Filtered::undecided ? decide_exactly(first, second, lengths) : filtered == Filtered::hit;
+/// Asks of the numbers of a contact, `ask(fast)`, where the fast stage has them. (Without std::optional, whose constructors are
+/// functions of their own to gcc: each fused multiply-add would be a call there.)
+template <class First, class Second, class Ask>
+[[gnu::always_inline]] inline void with_fast_stage(const First& first, const Second& second, const Lengths& lengths,
+                                                   const Ask& ask) {
+  if (!(in_short_range(first) && in_short_range(second) && in_short_range(lengths))) return;
+  typename FastStage<First, Second>::Nearest nearest;
+  if (!find_nearest(first, second, nearest)) return;
+  const typename FastStage<First, Second>::OfContact fast(nearest, lengths);
+  if (fast.holds()) ask(fast);
 }
 
 template <class First, class Second>
 [[gnu::always_inline]] inline bool contact_inline(const First& first, const Second& second, const Lengths& lengths,
                                                   ContactPoints points, Contact& contact) {
-  const bool in_range = in_short_range(first) && in_short_range(second) && in_short_range(lengths);
-  const Filtered filtered = in_range ? plain_filtered(first, second, lengths) : Filtered::undecided;
+  Filtered filtered = plain_filtered(first, second, lengths);
   if (filtered == Filtered::miss) return false;
-  typename FastStage<First, Second>::Nearest nearest;
-  FastContact<First, Second> fast;
-  if (in_range && find_nearest(first, second, nearest)) fast.emplace(nearest, lengths);
-  if (!settled(filtered, fast, first, second, lengths)) return false;
-  const unsigned open = fast && fast->holds() ? round_certain(*fast, lengths, points, contact) : kAllNumbers;
+  unsigned open = kAllNumbers;
+  with_fast_stage(first, second, lengths, [&](const auto& fast) {
+    if (filtered == Filtered::undecided) filtered = fast.filtered(lengths.alarm);
+    if (filtered != Filtered::miss) open = round_certain(fast, lengths, points, contact);
+  });
+  if (filtered == Filtered::undecided)
+    filtered = decide_exactly(first, second, lengths) ? Filtered::hit : Filtered::miss;
+  if (filtered == Filtered::miss) return false;
   if (open != 0) round_open(first, second, lengths, points, open, contact);
   return true;
 }
 
 template <class First, class Second>
 [[gnu::always_inline]] inline bool decide_inline(const First& first, const Second& second, const Lengths& lengths) {
-  const bool in_range = in_short_range(first) && in_short_range(second) && in_short_range(lengths);
-  const Filtered filtered = in_range ? plain_filtered(first, second, lengths) : Filtered::undecided;
-  if (filtered != Filtered::undecided) return filtered == Filtered::hit;
-  typename FastStage<First, Second>::Nearest nearest;
-  FastContact<First, Second> fast;
-  if (in_range && find_nearest(first, second, nearest)) fast.emplace(nearest, lengths);
-  return settled(filtered, fast, first, second, lengths);
+  Filtered filtered = plain_filtered(first, second, lengths);
+  if (filtered == Filtered::undecided)
+    with_fast_stage(first, second, lengths, [&](const auto& fast) { filtered = fast.filtered(lengths.alarm); });
+  return filtered == Filtered::undecided ? decide_exactly(first, second, lengths) : filtered == Filtered::hit;
 }
 
 // Behind calls that are not inlined: what RoundToNearest sets must be set before anything is computed.
@@ -100,20 +95,43 @@ bool decide(const First& first, const Second& second, const Lengths& lengths) {
   return decide_portably(first, second, lengths);
 }
 
+#if CONTACT_HAS_ONE_VECTOR
+template <class First, class Second>
+concept HasOneVector = requires(const First& first, const Second& second, const Lengths& lengths, Contact& contact) {
+  one_vector::contact_of(first, second, lengths, ContactPoints{}, contact);
+};
+/// A miss, a hit whose contact is settled, or neither.
+template <class First, class Second>
+[[gnu::noinline, gnu::flatten, gnu::target("avx2,fma")]] Filtered contact_by_one_vector(
+    const First& first, const Second& second, const Lengths& lengths, ContactPoints points, Contact& contact) {
+  return one_vector::contact_of(first, second, lengths, points, contact);
+}
+#endif
+
+/// Whether there is a contact, and it.
+template <class First, class Second>
+bool contact_of_pair(const First& first, const Second& second, const Lengths& lengths, ContactPoints points,
+                     Contact& contact) {
+#if CONTACT_HAS_ONE_VECTOR
+  if constexpr (HasOneVector<First, Second>)
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+      const Filtered said = contact_by_one_vector(first, second, lengths, points, contact);
+      if (said != Filtered::undecided) return said == Filtered::hit;
+    }
+#endif
+#if defined(__x86_64__) && !defined(__FMA__)
+  if (__builtin_cpu_supports("fma")) return contact_by_fma(first, second, lengths, points, contact);
+#endif
+  return contact_portably(first, second, lengths, points, contact);
+}
+
 /// Their contact.
 template <class First, class Second>
 std::optional<Contact> contact_between(const First& first, const Second& second, const Lengths& lengths,
                                        ContactPoints points) {
   const RoundToNearest environment;
   std::optional<Contact> contact(std::in_place, Unset());
-  bool hit = false;
-#if defined(__x86_64__) && !defined(__FMA__)
-  if (__builtin_cpu_supports("fma"))
-    hit = contact_by_fma(first, second, lengths, points, *contact);
-  else
-#endif
-    hit = contact_portably(first, second, lengths, points, *contact);
-  if (!hit) contact.reset();
+  if (!contact_of_pair(first, second, lengths, points, *contact)) contact.reset();
   return contact;
 }
 

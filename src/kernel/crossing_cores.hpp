@@ -5,11 +5,10 @@
 // The segment crosses the triangle where n.d is not 0, no e_k has the other sign than it, and 0 <= n.w_0 / n.d <= 1.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "kernel/cores_stages.hpp"
+#include "kernel/cores_double_double.hpp"
 #include "kernel/triangle_cores.hpp"
 
 namespace contact::kernel {
@@ -33,56 +32,15 @@ struct ExactCrossing {
 void round_exactly(const ExactCrossing& crossing, const Grid& grid, const Lengths& lengths, ContactPoints points,
                    unsigned numbers, Contact& contact);
 
-/// The decision in plain arithmetic, where the signs are certain. In units of u, with sums of components and
-/// S = |u| |v|, the edges from v_0:
-///   n    as PlainView has it                                                     4 S, all components together
-///   e_k  w x w (4), d is rounded (1), products and sums (3)                      8 |d| |w_k| |w_(k+1)|
-///   n.w  n (4), w is rounded (1), products and sums (3)                          8 S |w_0|, at the start
-///   and w_0 - d, rounded (1 + 1 + 1) of |w_0| + |d|, in the place of w_0         10 S (|w_0| + |d|), at the end
-/// and 2 more for the factors (1 + u)^k left out, and for the rounding of the bound.
-/// Domain: to nearest, numbers in_short_range.
-[[gnu::always_inline]] inline Filtered plain_crossing(const Vector3& from, const Vector3& d, const Corners& triangle) {
-  constexpr double kUnit = DoubleDoublePair::kUnit;
-  const auto& v = triangle.vertices;
-  const std::array<Vector3, 3> w{v[0] - from, v[1] - from, v[2] - from};
-  const double size = sum_of_components(d);
-  bool positive = false;
-  bool negative = false;
-  bool certain = true;
-  const auto see = [&](double x, double error) {
-    positive |= x > error;
-    negative |= x < -error;
-    certain &= std::abs(x) > error;
-  };
-#pragma GCC unroll 3
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vector3& next = w[kNextVertex[k]];
-    see(plain_dot(d, plain_cross(w[k], next)), 10 * kUnit * size * (sum_of_components(w[k]) * sum_of_components(next)));
-  }
-  if (positive && negative) return Filtered::miss;
-  const Vector3 u = v[1] - v[0];
-  const Vector3 t = v[2] - v[0];
-  const Vector3 n = plain_cross(u, t);
-  const double S = 12 * kUnit * sum_of_components(u) * sum_of_components(t);
-  const double size_w = sum_of_components(w[0]);
-  // Of n.d's sign at the start, and of the other at the end; n.d has that of every e_k.
-  see(plain_dot(n, w[0]), S * size_w);
-  see(-plain_dot(n, w[0] - d), S * (size_w + size));
-  if (certain) return positive && negative ? Filtered::miss : Filtered::hit;
-  // The ends on one side of the plane, whatever the edges say.
-  const double start = plain_dot(n, w[0]);
-  const double end = plain_dot(n, w[0] - d);
-  const bool above = start > S * size_w && end > S * (size_w + size);
-  const bool below = start < -S * size_w && end < -S * (size_w + size);
-  return above || below ? Filtered::miss : Filtered::undecided;
-}
 [[gnu::always_inline]] inline Filtered plain_filtered(const Corners& triangle, const Segment& segment,
                                                       const Lengths& /*lengths*/) {
-  return plain_crossing(segment.start, segment.end - segment.start, triangle);
+  const auto& [start, end] = segment;
+  return plain_decision::filter_crossing(start, plain_decision::way(start, end), triangle.vertices);
 }
 [[gnu::always_inline]] inline Filtered plain_filtered(const DirectedSegment& segment, const Corners& triangle,
                                                       const Lengths& /*lengths*/) {
-  return plain_crossing(segment.start, segment.length * segment.direction, triangle);
+  return plain_decision::filter_crossing(segment.start, plain_decision::times(segment.length, segment.direction),
+                                         triangle.vertices);
 }
 
 // What follows computes to nearest, in numbers that are in_short_range. Errors are in units of u^2, as in segment_cores.hpp.

@@ -6,13 +6,12 @@
 // s is signed, and n is not 0, so that nothing is degenerate and nothing grows near s = 0.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 
-#include "kernel/cores_stages.hpp"
+#include "kernel/cores_double_double.hpp"
 #include "kernel/segment_cores.hpp"
 
 namespace contact::kernel {
@@ -56,42 +55,14 @@ void round_exactly(const ExactLowest& lowest, const PlaneGrids& grids, const Len
   return in_short_range(plane.normal) && in_short_range(plane.offset);
 }
 
-/// h of a point in plain arithmetic. The error is in units of u T, T = |n_x x| + |n_y y| + |n_z z| + |o|: products (1)
-/// and sums (3), the sum with the error (1), and 1 for the factors (1 + u)^k left out.
-struct PlainHeight {
-  double height;
-  double error;
-};
-[[gnu::always_inline]] inline PlainHeight plain_height(const Vector3& c, const HalfSpace& plane) {
-  const double x = plane.normal[0] * c[0];
-  const double y = plane.normal[1] * c[1];
-  const double z = plane.normal[2] * c[2];
-  const double T = (std::abs(x) + std::abs(y)) + (std::abs(z) + std::abs(plane.offset));
-  return {((x + y) + z) - plane.offset, 6 * DoubleDoublePair::kUnit * T};
-}
-
-/// The decision in plain arithmetic, where its bound allows: h against reach |n|, whose sums (2), squares and their
-/// sums under the root (1.5), root (1) and product (1) are within 5.5 u, and 1 more for the product with kGap. Domain:
-/// to nearest, numbers in_short_range.
-[[gnu::always_inline]] inline Filtered plain_filtered(const PlainHeight& h, const HalfSpace& plane,
-                                                      const Lengths& lengths) {
-  constexpr double kGap = 8 * DoubleDoublePair::kUnit;
-  const Vector3& n = plane.normal;
-  const double reach = (lengths.radius1 + lengths.alarm) * std::sqrt((n[0] * n[0] + n[1] * n[1]) + n[2] * n[2]);
-  if (h.height + h.error < reach * (1 - kGap)) return Filtered::hit;
-  if (h.height - h.error > reach * (1 + kGap)) return Filtered::miss;
-  return Filtered::undecided;
-}
 [[gnu::always_inline]] inline Filtered plain_filtered(const Vector3& c, const HalfSpace& plane,
                                                       const Lengths& lengths) {
-  return plain_filtered(plain_height(c, plane), plane, lengths);
+  return plain_decision::filter_point_and_plane(c, plane.normal, plane.offset, reach_of(lengths));
 }
 [[gnu::always_inline]] inline Filtered plain_filtered(const Segment& segment, const HalfSpace& plane,
                                                       const Lengths& lengths) {
-  const PlainHeight start = plain_height(segment.start, plane);
-  const PlainHeight end = plain_height(segment.end, plane);
-  return plain_filtered(PlainHeight{std::min(start.height, end.height), std::max(start.error, end.error)}, plane,
-                        lengths);
+  return plain_decision::filter_segment_and_plane(segment.start, segment.end, plane.normal, plane.offset,
+                                                  reach_of(lengths));
 }
 
 // What follows computes to nearest, in numbers that are in_short_range. Errors are in units of u^2, as in segment_cores.hpp.
@@ -106,9 +77,9 @@ struct ApproximateLowest {
 
 /// h. The residuals of three products, together at most u T, are added (2), the low parts of three sums, at most u T
 /// each (2 + 3), and both (4): 11 T.
+inline constexpr double kHeightError = 12 * kUnitSquared;
+static_assert(kHeightError >= proved::kPlaneHeight);
 [[gnu::always_inline]] inline Bounded height_of(const Vector3& c, const HalfSpace& plane) {
-  constexpr double kHeightError = 12 * kUnitSquared;
-  static_assert(kHeightError >= proved::kPlaneHeight);
   std::array<double, 3> product;
   double residual = 0;
   double T = std::abs(plane.offset);

@@ -226,12 +226,18 @@ TEST(PlaneStages, the_fast_stage_settles_ordinary_questions) {
 }
 
 TEST(PlaneStages, are_the_same_in_every_floating_point_environment) {
-  expect_same_in_every_environment(questions(600), [](const Question& q, bool /*traps*/) {
-    return std::pair(compute_capsule_plane(q.a, q.b, q.distances), test_capsule_plane(q.a, q.b, q.distances.alarm));
+  expect_same_in_every_environment(questions(600), [](const Question& q, bool traps) {
+    return traps ? std::pair(out_of_line::compute_capsule_plane(q.a, q.b, q.distances),
+                             out_of_line::test_capsule_plane(q.a, q.b, q.distances.alarm))
+                 : std::pair(compute_capsule_plane(q.a, q.b, q.distances),
+                             test_capsule_plane(q.a, q.b, q.distances.alarm));
   });
-  expect_same_in_every_environment(questions(600), [](const Question& q, bool /*traps*/) {
+  expect_same_in_every_environment(questions(600), [](const Question& q, bool traps) {
     const Ball ball{q.a.end, q.a.radius};
-    return std::pair(compute_sphere_plane(ball, q.b, q.distances), test_sphere_plane(ball, q.b, q.distances.alarm));
+    return traps ? std::pair(out_of_line::compute_sphere_plane(ball, q.b, q.distances),
+                             out_of_line::test_sphere_plane(ball, q.b, q.distances.alarm))
+                 : std::pair(compute_sphere_plane(ball, q.b, q.distances),
+                             test_sphere_plane(ball, q.b, q.distances.alarm));
   });
 }
 

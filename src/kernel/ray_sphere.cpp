@@ -12,12 +12,18 @@ kernel::DirectedSegment core_of(const Ray& ray) { return {ray.origin, ray.direct
 
 }  // namespace
 
-bool test_ray_sphere(const Ray& a, const Ball& b, double alarm) {
+bool out_of_line::test_ray_sphere(const Ray& a, const Ball& b, double alarm) {
   return kernel::decide(core_of(a), b.center, {0, b.radius, alarm, 0});
 }
 
-std::optional<Contact> compute_ray_sphere(const Ray& a, const Ball& b, Distances distances, ContactPoints points) {
+std::optional<Contact> out_of_line::compute_ray_sphere(const Ray& a, const Ball& b, Distances distances,
+                                                       ContactPoints points) {
   return kernel::contact_between(core_of(a), b.center, {0, b.radius, distances.alarm, distances.contact}, points);
+}
+
+bool test_ray_sphere(const Ray& a, const Ball& b, double alarm) { return out_of_line::test_ray_sphere(a, b, alarm); }
+std::optional<Contact> compute_ray_sphere(const Ray& a, const Ball& b, Distances distances, ContactPoints points) {
+  return out_of_line::compute_ray_sphere(a, b, distances, points);
 }
 
 bool is_hit(const RayAndBall& shapes, Distances distances) {

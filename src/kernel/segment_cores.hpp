@@ -10,6 +10,7 @@
 #include <cmath>
 #include <optional>
 
+#include "contact/plain_cores.hpp"
 #include "kernel/cores.hpp"
 #include "kernel/cores_double_double.hpp"
 
@@ -57,53 +58,23 @@ struct ExactSegment {
   return in_short_range(segment.start) && in_short_range(segment.direction) && in_short_range(segment.length);
 }
 
-/// The decision of two segments in plain arithmetic, where its bounds allow. Any points of them that are within reach
-/// prove a hit, and any direction along which they are farther apart a miss, so how near to the nearest points the feet
-/// below are does not matter. With L = |w| + |u| + |v| (the sums of their components), in units of u:
-///   delta  w, u and v are rounded (1 each), products (1 + 1) and sums (2 + 2)   12 L a component, 21 L its length
-///   gap    as much for w, u and v along delta, with three products and sums (4), a sum (2)              8 |delta| L
-/// Domain: to nearest, numbers in_short_range.
-[[gnu::always_inline]] inline Filtered plain_filtered(const Vector3& from, const Vector3& u, const Vector3& second,
-                                                      const Vector3& v, const Lengths& lengths) {
-  constexpr double kUnit = DoubleDoublePair::kUnit;
-  const auto size = [](const Vector3& x) { return std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]); };
-  const auto dot3 = [](const Vector3& x, const Vector3& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; };
-  const auto clamped = [](double t) { return t > 0 ? (t < 1 ? t : 1.0) : 0.0; };  // NaN, of a length of 0, is 0
-  const Vector3 w = second - from;
-  const double A = dot3(u, u);
-  const double E = dot3(v, v);
-  double s = 0;
-  double t = 0;
-  if (A > 0) {
-    const double B = dot3(u, v);
-    const double C = dot3(u, w);
-    const double F = dot3(v, w);
-    s = clamped((C * E - B * F) / (A * E - B * B));
-    t = clamped((B * s - F) / E);
-    s = clamped((B * t + C) / A);
-  } else {
-    t = clamped(-dot3(v, w) / E);
-  }
-  const Vector3 delta = w + t * v - s * u;
-  const double L = (size(w) + size(u)) + size(v);
-  const double distance = std::sqrt(dot3(delta, delta));
-  const double reach = (lengths.radius1 + lengths.radius2) + lengths.alarm;
-  if (distance * (1 + 8 * kUnit) + 24 * kUnit * L < reach * (1 - 8 * kUnit)) return Filtered::hit;
-  const double gap = (dot3(delta, w) + std::min(0.0, dot3(delta, v))) - std::max(0.0, dot3(delta, u));
-  if (gap - 16 * kUnit * L * distance > reach * distance * (1 + 16 * kUnit) && distance > 0) return Filtered::miss;
-  return Filtered::undecided;
+/// The decisions in plain arithmetic, whatever the numbers are.
+[[gnu::always_inline]] inline double reach_of(const Lengths& lengths) {
+  return (lengths.radius1 + lengths.radius2) + lengths.alarm;
 }
 [[gnu::always_inline]] inline Filtered plain_filtered(const Vector3& c, const Segment& segment,
                                                       const Lengths& lengths) {
-  return plain_filtered(c, Vector3::Zero(), segment.start, segment.end - segment.start, lengths);
+  const auto& [start, end] = segment;
+  return plain_decision::filter_point_and_segment(c, start, plain_decision::way(start, end), reach_of(lengths));
 }
 [[gnu::always_inline]] inline Filtered plain_filtered(const DirectedSegment& segment, const Vector3& c,
                                                       const Lengths& lengths) {
-  return plain_filtered(c, Vector3::Zero(), segment.start, segment.length * segment.direction, lengths);
+  return plain_decision::filter_point_and_segment(
+      c, segment.start, plain_decision::times(segment.length, segment.direction), reach_of(lengths));
 }
 [[gnu::always_inline]] inline Filtered plain_filtered(const Segment& first, const Segment& second,
                                                       const Lengths& lengths) {
-  return plain_filtered(first.start, first.end - first.start, second.start, second.end - second.start, lengths);
+  return plain_decision::filter_segments(first.start, first.end, second.start, second.end, reach_of(lengths));
 }
 
 // What follows computes to nearest, in numbers that are in_short_range. Errors are in units of u^2, as those of

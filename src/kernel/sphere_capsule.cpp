@@ -7,14 +7,22 @@
 
 namespace contact::inline CONTACT_ABI {
 
-bool test_sphere_capsule(const Ball& a, const Capsule& b, double alarm) {
+bool out_of_line::test_sphere_capsule(const Ball& a, const Capsule& b, double alarm) {
   return kernel::decide(a.center, kernel::Segment{b.start, b.end}, {a.radius, b.radius, alarm, 0});
 }
 
-std::optional<Contact> compute_sphere_capsule(const Ball& a, const Capsule& b, Distances distances,
-                                              ContactPoints points) {
+std::optional<Contact> out_of_line::compute_sphere_capsule(const Ball& a, const Capsule& b, Distances distances,
+                                                           ContactPoints points) {
   return kernel::contact_between(a.center, kernel::Segment{b.start, b.end},
                                  {a.radius, b.radius, distances.alarm, distances.contact}, points);
+}
+
+bool test_sphere_capsule(const Ball& a, const Capsule& b, double alarm) {
+  return out_of_line::test_sphere_capsule(a, b, alarm);
+}
+std::optional<Contact> compute_sphere_capsule(const Ball& a, const Capsule& b, Distances distances,
+                                              ContactPoints points) {
+  return out_of_line::compute_sphere_capsule(a, b, distances, points);
 }
 
 bool is_hit(const BallAndCapsule& shapes, Distances distances) {

@@ -7,14 +7,22 @@
 
 namespace contact::inline CONTACT_ABI {
 
-bool test_sphere_triangle(const Ball& a, const Triangle& b, double alarm) {
+bool out_of_line::test_sphere_triangle(const Ball& a, const Triangle& b, double alarm) {
   return kernel::decide(a.center, kernel::Corners{b.vertices}, {a.radius, 0, alarm, 0});
 }
 
-std::optional<Contact> compute_sphere_triangle(const Ball& a, const Triangle& b, Distances distances,
-                                               ContactPoints points) {
+std::optional<Contact> out_of_line::compute_sphere_triangle(const Ball& a, const Triangle& b, Distances distances,
+                                                            ContactPoints points) {
   return kernel::contact_between(a.center, kernel::Corners{b.vertices},
                                  {a.radius, 0, distances.alarm, distances.contact}, points);
+}
+
+bool test_sphere_triangle(const Ball& a, const Triangle& b, double alarm) {
+  return out_of_line::test_sphere_triangle(a, b, alarm);
+}
+std::optional<Contact> compute_sphere_triangle(const Ball& a, const Triangle& b, Distances distances,
+                                               ContactPoints points) {
+  return out_of_line::compute_sphere_triangle(a, b, distances, points);
 }
 
 bool is_hit(const BallAndTriangle& shapes, Distances distances) {

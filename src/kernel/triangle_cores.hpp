@@ -7,7 +7,6 @@
 // common vertex and a and b the edges from there, one at most is positive.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -69,42 +68,9 @@ struct PlainView {
   return view;
 }
 
-/// The decision in plain arithmetic, where its bounds allow. As with two segments, any point of the triangle within
-/// reach proves a hit, and any direction along which all of it is farther away a miss. With L = |w_0| + |w_1| + |w_2|,
-/// in units of u:
-///   delta  weights that are not negative, of w: w is rounded (1), products (1), sums (2 + 2), a quotient (1), and as
-///          much for the step along an edge                                      8 L a component, 14 L its length
-///   gap    w (1), products and sums (3), along delta                            4 |delta| L
-/// Domain: to nearest, numbers in_short_range.
 [[gnu::always_inline]] inline Filtered plain_filtered(const Vector3& c, const Corners& triangle,
                                                       const Lengths& lengths) {
-  constexpr double kUnit = DoubleDoublePair::kUnit;
-  const PlainView view = plain_view(c, triangle);
-  const auto& [w, e, error] = view;
-  Vector3 delta = w[0];
-  if (e[0] > 0 && e[1] > 0 && e[2] > 0) {
-    delta = (e[1] * w[0] + e[2] * w[1] + e[0] * w[2]) / (e[0] + e[1] + e[2]);
-  } else {
-    double least = plain_dot(delta, delta);
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (e[k] > 0) continue;
-      const Vector3 a = w[kNextVertex[k]] - w[k];
-      const double t = -plain_dot(w[k], a) / plain_dot(a, a);
-      const Vector3 there = t >= 1 ? w[kNextVertex[k]] : t > 0 ? Vector3(w[k] + t * a) : w[k];
-      const double square = plain_dot(there, there);
-      if (square < least) {
-        least = square;
-        delta = there;
-      }
-    }
-  }
-  const double L = (sum_of_components(w[0]) + sum_of_components(w[1])) + sum_of_components(w[2]);
-  const double distance = std::sqrt(plain_dot(delta, delta));
-  const double reach = (lengths.radius1 + lengths.radius2) + lengths.alarm;
-  if (distance * (1 + 8 * kUnit) + 16 * kUnit * L < reach * (1 - 8 * kUnit)) return Filtered::hit;
-  const double gap = std::min({plain_dot(delta, w[0]), plain_dot(delta, w[1]), plain_dot(delta, w[2])});
-  if (gap - 8 * kUnit * L * distance > reach * distance * (1 + 16 * kUnit) && distance > 0) return Filtered::miss;
-  return Filtered::undecided;
+  return plain_decision::filter_point_and_triangle(c, triangle.vertices, reach_of(lengths));
 }
 
 /// The product of two vectors, each component within 11 |x| |y|: products (7) and their difference (4) of

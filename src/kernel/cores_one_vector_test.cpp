@@ -1,0 +1,186 @@
+// The contact of two cores with x, y and z in one vector, and by single numbers: each says what integers do, and the first settles
+// nearly all ordinary questions. (What a caller asks goes to one after the other, so that each would hide the next.)
+#include "kernel/cores_one_vector.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+#include "kernel/contacts_for_tests.hpp"
+#include "kernel/cores_stages.hpp"
+
+namespace contact {
+namespace {
+
+using kernel::Filtered;
+
+/// Real numbers, small integers, numbers of several powers, and few bits; near each other's features now and then.
+struct Drawn {
+  Vector3 point;
+  kernel::Segment first;
+  kernel::Segment second;
+  std::array<Vector3, 3> vertices;
+  kernel::DirectedSegment ray;
+  kernel::HalfSpace plane;
+  kernel::Lengths lengths;
+  ContactPoints points;
+};
+
+class Draw {
+ public:
+  Drawn operator()(bool ordinary) {
+    kind_ = ordinary ? 0 : below(5);
+    Drawn q{vector(),
+            {vector(), vector()},
+            {vector(), vector()},
+            {vector(), vector(), vector()},
+            {vector(), vector(), std::abs(number())},
+            {vector(), number()},
+            {2 * std::abs(number()), std::abs(number()), 0, 0},
+            {}};
+    if (!ordinary) {
+      if (below(2) == 0) q.lengths.alarm = std::abs(number());
+      if (below(2) == 0) q.lengths.contact = std::abs(number());
+      constexpr std::array kWhere{PointOn::nearest_surface, PointOn::center, PointOn::far_surface};
+      q.points.first = kWhere[below(3)];
+      q.points.second = kWhere[below(3)];
+      bend(q, std::ldexp(unit(), -static_cast<int>(below(60))));
+      if (below(3) == 0) scale(q, std::ldexp(1, static_cast<int>(below(600)) - 300));
+    }
+    if (q.ray.direction.isZero(0)) q.ray.direction = Vector3(1, 0, 0);
+    if (q.plane.normal.isZero(0)) q.plane.normal = Vector3(1, 2, 0);
+    return q;
+  }
+
+ private:
+  std::uint64_t below(std::uint64_t end) { return random_() % end; }
+  double unit() { return static_cast<double>(random_() >> 11) * 0x1p-52 - 1; }
+  double number() {
+    if (kind_ == 1) return static_cast<double>(below(7)) - 3;
+    if (kind_ == 2) return std::ldexp(unit(), static_cast<int>(below(41)) - 20);
+    if (kind_ == 3) return std::round(unit() * 64) / 16;
+    if (kind_ == 4 && below(4) == 0) return 0;
+    return unit() * 4;
+  }
+  Vector3 vector() {
+    const double x = number();
+    const double y = number();
+    return {x, y, number()};
+  }
+  /// Something is parallel, near or flat, but for e.
+  void bend(Drawn& q, double e) {
+    const auto& v = q.vertices;
+    switch (below(8)) {
+      case 0:
+        q.second.end = q.second.start + (q.first.end - q.first.start) * (1 + e) + Vector3(e, 0, -e);
+        break;
+      case 1:
+        q.point = (q.first.start + q.first.end) / 2 + Vector3(e, 2 * e, e);
+        break;
+      case 2:
+        q.vertices[2] = v[0] + (v[1] - v[0]) * 0.75 + Vector3(0, e, e);
+        break;
+      case 3:
+        q.point = v[0] * 0.5 + v[1] * 0.25 + v[2] * 0.25 + Vector3(e, e, 0);
+        break;
+      case 4:
+        q.second.start = q.first.start + Vector3(e, 1, e);
+        break;
+      case 5:
+        q.plane.offset = q.plane.normal.dot(q.point) + e;
+        break;
+      case 6:
+        q.ray.start = v[0] * 0.5 + v[1] * 0.25 + v[2] * 0.25 - q.ray.direction * (q.ray.length / 2);
+        q.first.start = q.ray.start;
+        q.first.end = q.ray.start + q.ray.direction;
+        break;
+      default:
+        q.plane.normal[static_cast<int>(below(3))] = 0;
+    }
+  }
+
+  /// To both ends of what plain arithmetic decides, and beyond.
+  static void scale(Drawn& q, double unit) {
+    for (Vector3* v : {&q.point, &q.first.start, &q.first.end, &q.second.start, &q.second.end, &q.vertices[0],
+                       &q.vertices[1], &q.vertices[2], &q.ray.start, &q.ray.direction, &q.plane.normal})
+      *v *= unit;
+    for (double* x : {&q.lengths.radius1, &q.lengths.radius2, &q.lengths.alarm, &q.lengths.contact}) *x *= unit;
+    q.plane.offset *= unit * unit;
+  }
+
+  std::mt19937_64 random_{20261127};
+  std::uint64_t kind_ = 0;
+};
+
+struct Count {
+  int hits = 0;
+  int settled = 0;  ///< in one vector
+};
+
+template <class First, class Second>
+void expect_all_stages_say_the_same(const First& first, const Second& second, const kernel::Lengths& lengths,
+                                    ContactPoints points, Count& count) {
+  const auto grid = grid_of(first, second, lengths);
+  const auto nearest = exact_nearest(first, second, grid);
+  const bool hit = is_hit(nearest, grid, lengths);
+  std::optional<Contact> expected;
+  if (hit) round_exactly(nearest, grid, lengths, points, kernel::kAllNumbers, expected.emplace());
+  count.hits += hit ? 1 : 0;
+  const auto compare = [&](bool said, const Contact& contact) {
+    expect_same(said ? std::optional(contact) : std::nullopt, expected);
+  };
+  Contact contact{};
+  compare(kernel::contact_portably(first, second, lengths, points, contact), contact);
+#if defined(__x86_64__) && !defined(__FMA__)
+  if (__builtin_cpu_supports("fma")) compare(kernel::contact_by_fma(first, second, lengths, points, contact), contact);
+#endif
+#if CONTACT_HAS_ONE_VECTOR
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) return;
+  const Filtered said = kernel::contact_by_one_vector(first, second, lengths, points, contact);
+  if (said == Filtered::undecided) return;
+  compare(said == Filtered::hit, contact);
+  count.settled += hit ? 1 : 0;
+#endif
+}
+
+std::array<Count, 8> asked(int questions, bool ordinary) {
+  Draw draw;
+  std::array<Count, 8> counts{};
+  for (int i = 0; i < questions && !testing::Test::HasFailure(); ++i) {
+    const Drawn q = draw(ordinary);
+    const kernel::Corners triangle{q.vertices};
+    const kernel::Lengths of_one{q.lengths.radius1, 0, q.lengths.alarm, q.lengths.contact};
+    const kernel::Lengths of_second{0, q.lengths.radius1, q.lengths.alarm, q.lengths.contact};
+    const kernel::Lengths none{0, 0, 0, 0};
+    expect_all_stages_say_the_same(q.point, q.first, q.lengths, q.points, counts[0]);
+    expect_all_stages_say_the_same(q.first, q.second, q.lengths, q.points, counts[1]);
+    expect_all_stages_say_the_same(q.point, triangle, of_one, q.points, counts[2]);
+    expect_all_stages_say_the_same(q.ray, q.point, of_second, q.points, counts[3]);
+    expect_all_stages_say_the_same(q.point, q.plane, of_one, q.points, counts[4]);
+    expect_all_stages_say_the_same(q.first, q.plane, of_one, q.points, counts[5]);
+    expect_all_stages_say_the_same(q.ray, triangle, none, {}, counts[6]);
+    expect_all_stages_say_the_same(triangle, q.first, none, {}, counts[7]);
+  }
+  return counts;
+}
+
+TEST(CoresInOneVector, all_stages_say_what_integers_do) {
+  for (const Count& count : asked(3000, false)) EXPECT_GT(count.hits, 150);
+}
+
+TEST(CoresInOneVector, ordinary_questions_are_settled) {
+  for (const Count& count : asked(2000, true)) {
+    EXPECT_GT(count.hits, 50);
+#if CONTACT_HAS_ONE_VECTOR
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+      EXPECT_GT(count.settled, count.hits * 95 / 100);
+    }
+#endif
+  }
+}
+
+}  // namespace
+}  // namespace contact
