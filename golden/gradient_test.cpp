@@ -93,9 +93,7 @@ class Neighbour {
       if (found.over)
         for (oracle::Point& x : found.vertices)
           for (Rational& number : x) number /= *found.over;
-      oracle::ExactCore core = oracle::exact_core(found.vertices, found.features);
-      core.outward = std::move(found.outward);
-      return core;
+      return oracle::exact_core(found.vertices, found.features, found.outward);
     }
   }
 

@@ -558,9 +558,7 @@ ExactCore exact_core(const Obb& box) {
   // Numbers near 1 are short.
   auto core = core_of([](double x) { return Rational(x); }, with_short_orientation(box));
   for (Point& x : core.vertices) x = (kOne / *core.over) * x;
-  ExactCore found = exact_core(core.vertices, core.features);
-  found.face_out(std::move(core.outward));
-  return found;
+  return exact_core(core.vertices, core.features, core.outward);
 }
 EnclosedCore enclosed_core(const Obb& box) { return exact_core(box).enclosed; }
 ExactCore exact_core(const Hull& hull) {
@@ -592,15 +590,12 @@ ExactCore exact_core(const Convex& convex) {
       convex.shape);
 }
 
-ExactCore exact_core(const std::vector<Point>& vertices, std::span<const Feature> features) {
-  ExactCore core{{vertices, features}, {{}, features}};
+ExactCore exact_core(const std::vector<Point>& vertices, std::span<const Feature> features,
+                     const std::vector<Point>& outward) {
+  ExactCore core{{vertices, features, 0, outward}, {{}, features}};
   std::transform(vertices.begin(), vertices.end(), std::back_inserter(core.enclosed.vertices), intervals_of);
+  std::transform(outward.begin(), outward.end(), std::back_inserter(core.enclosed.outward), intervals_of);
   return core;
-}
-
-void ExactCore::face_out(std::vector<Point> normals) {
-  outward = std::move(normals);
-  std::transform(outward.begin(), outward.end(), std::back_inserter(enclosed.outward), intervals_of);
 }
 
 ExactCore exact_hull(const std::vector<Point>& points, double radius) {
@@ -615,9 +610,8 @@ ExactCore exact_hull(const std::vector<Point>& points, double radius) {
     return CGAL::sign(ask(whole));
   };
   Core<Rational> core = core_of_points(points, radius, sign);
-  ExactCore found = exact_core(core.vertices, core.features);
+  ExactCore found = exact_core(core.vertices, core.features, core.outward);
   found.radius = radius;
-  found.face_out(std::move(core.outward));
   found.own = std::move(core.own);
   return found;
 }

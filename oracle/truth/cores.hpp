@@ -15,8 +15,6 @@ template <class Shape>
 
 struct ExactCore : Core<Rational> {
   EnclosedCore enclosed;
-  /// Sets `outward`, also of what is enclosed.
-  void face_out(std::vector<Point> normals);
 };
 template <class Shape>
 [[nodiscard]] ExactCore exact_core(const Shape& shape) {
@@ -27,7 +25,8 @@ template <class Shape>
 [[nodiscard]] EnclosedCore enclosed_core(const Obb& box);
 /// Domain: no half-space.
 [[nodiscard]] ExactCore exact_core(const Convex& convex);
-[[nodiscard]] ExactCore exact_core(const std::vector<Point>& vertices, std::span<const Feature> features);
+[[nodiscard]] ExactCore exact_core(const std::vector<Point>& vertices, std::span<const Feature> features,
+                                   const std::vector<Point>& outward = {});
 /// Of the hull of some points.
 [[nodiscard]] ExactCore exact_hull(const std::vector<Point>& points, double radius = 0);
 [[nodiscard]] ExactCore exact_core(const Hull& hull);
