@@ -563,6 +563,14 @@ TEST(LastBit, is_the_same_for_an_engine_that_is_judged_after_others) {
       EXPECT_EQ(after.beyond_last_bit(Measure::length).most, fresh.beyond_last_bit(Measure::length).most) << aside;
     }
   EXPECT_EQ(known.size(), kScalars.size());
+  // What the first engine found is not added again: the second ones are near to where the answer changes.
+  for (double aside = 0x1p-16; aside < 0x1p-10; aside *= 1.02) {
+    LastBits begun;
+    EXPECT_TRUE(marked(near, normal_of({1, 0x1p-20, 0}), {}, begun).at(Field::normal)->last_bit);
+    const Verdict after = marked(near, normal_of({1, aside, 0}), {}, begun);
+    EXPECT_EQ(after.at(Field::normal)->last_bit, marked(near, normal_of({1, aside, 0})).at(Field::normal)->last_bit)
+        << aside;
+  }
 }
 
 TEST(LastBit, tells_a_hard_question_from_a_wrong_answer) {

@@ -136,6 +136,21 @@ TEST(Truth, of_a_hull_is_that_of_the_box_that_it_is) {
   }
 }
 
+TEST(Truth, of_a_point_an_ulp_beside_the_face_of_a_box) {
+  // Turned by the angle of a triangle with sides 3, 4 and 5: a face lies in 3 x + 4 y = 25.
+  const Obb box{{0, 0, 0}, {0, 0, 1, 2}, {5, 1, 1}};
+  constexpr double kUlp = 0x1p-50;
+  for (const double off : {-kUlp, 0.0, kUlp}) {
+    const Truth truth = truth_of({Pair::sphere_obb, Convexes{{Ball{{3, 4 + off, 0}, 0}}, {box}}, {1, 0}});
+    const Rational off2 = Rational(off) * Rational(off) * Rational(16) / Rational(25);
+    EXPECT_EQ(truth.distance()->overlaps(), off < 0) << off;
+    EXPECT_EQ(truth.distance()->distance2(), off > 0 ? off2 : Rational(0)) << off;
+    if (off < 0) {
+      EXPECT_EQ(truth.distance()->meeting().depth2, off2);
+    }
+  }
+}
+
 TEST(Truth, of_two_tetrahedra_that_overlap) {
   // Corners of a cube cut off by planes, the second one turned about the centre of the first one's slanted face x + y + z = 3, and moved in by 1 of sqrt(3).
   const Hull a{{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}}, 0.5};
