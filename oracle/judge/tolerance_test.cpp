@@ -563,10 +563,10 @@ TEST(LastBit, is_the_same_for_an_engine_that_is_judged_after_others) {
       EXPECT_EQ(after.beyond_last_bit(Measure::length).most, fresh.beyond_last_bit(Measure::length).most) << aside;
     }
   EXPECT_EQ(known.size(), kScalars.size());
-  // What the first engine found is not added again: the second ones are near to where the answer changes.
-  for (double aside = 0x1p-16; aside < 0x1p-10; aside *= 1.02) {
+  // What the first engine found is not added again. It is judged by two coordinates of the first centre; the next number, a radius, changes nothing.
+  for (double aside = 0x1p-13; aside < 0x1p-8; aside *= 1.02) {
     LastBits begun;
-    EXPECT_TRUE(marked(near, normal_of({1, 0x1p-20, 0}), {}, begun).at(Field::normal)->last_bit);
+    EXPECT_TRUE(marked(near, normal_of({1, 0x1.8p-12, 0}), {}, begun).at(Field::normal)->last_bit);
     const Verdict after = marked(near, normal_of({1, aside, 0}), {}, begun);
     EXPECT_EQ(after.at(Field::normal)->last_bit, marked(near, normal_of({1, aside, 0})).at(Field::normal)->last_bit)
         << aside;

@@ -137,8 +137,9 @@ TEST(Truth, of_a_hull_is_that_of_the_box_that_it_is) {
 }
 
 TEST(Truth, of_a_point_an_ulp_beside_the_face_of_a_box) {
-  // Turned by the angle of a triangle with sides 3, 4 and 5: a face lies in 3 x + 4 y = 25.
-  const Obb box{{0, 0, 0}, {0, 0, 1, 2}, {5, 1, 1}};
+  // Turned by the angle of a triangle with sides 3, 4 and 5: a face lies in 3 x + 4 y = 25. Its corners are no doubles, and so far away that their
+  // intervals do not tell.
+  const Obb box{{0, 0, 0}, {0, 0, 1, 2}, {5, 1023, 1}};
   constexpr double kUlp = 0x1p-50;
   for (const double off : {-kUlp, 0.0, kUlp}) {
     const Truth truth = truth_of({Pair::sphere_obb, Convexes{{Ball{{3, 4 + off, 0}, 0}}, {box}}, {1, 0}});
