@@ -52,11 +52,11 @@ target_compile_options(contact_strict_floating_point INTERFACE "SHELL:${strict}"
 # Else the linker would add what flushes subnormal numbers from the start.
 target_link_options(contact_strict_floating_point INTERFACE "SHELL:-fno-fast-math -fno-unsafe-math-optimizations")
 
-# contact_together(target): its sources are compiled many at a time, so that the large headers are read once for them all. Not all
-# at a time: of the largest libraries that would be more than one GB of memory knows what to do with.
+# contact_together(target): its sources are compiled as one, so that the large headers are read once for them all. The largest takes
+# 2 GB of memory.
 function(contact_together target)
   if(CONTACT_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   endif()
 endfunction()
 

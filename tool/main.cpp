@@ -8,7 +8,7 @@
 
 #include "engines/hosts/subprocess.hpp"
 #include "formats/input_error.hpp"
-#include "tool/commands/commands.hpp"
+#include "tool/commands/run_command.hpp"
 #include "tool/run/cluster.hpp"
 #include "tool/run/printing.hpp"
 #include "tool/run/process.hpp"

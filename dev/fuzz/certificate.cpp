@@ -11,7 +11,7 @@
 #include "fuzz/fuzz.hpp"
 #include "golden/dataset_writer.hpp"
 #include "golden/families.hpp"
-#include "tool/commands/commands.hpp"
+#include "tool/commands/run_command.hpp"
 #include "tool/reports/certificate.hpp"
 #include "tool/run/process.hpp"
 

@@ -32,7 +32,7 @@ double unit_roundoff(Scalar scalar) { return std::ldexp(1.0, -format_of(scalar).
 double largest_number(Scalar scalar) { return next_down(kInfinity, scalar); }
 
 /// Where a number of all right answers lies.
-struct Range {
+struct Reach {
   double low;
   double high;
 
@@ -42,15 +42,15 @@ struct Range {
   }
 };
 /// The same of a field's numbers, with what is allowed beside them.
-struct FieldRange {
-  std::vector<Range> numbers;
+struct FieldReach {
+  std::vector<Reach> numbers;
   double allowed = 0;
 };
 
-Near near_to(const Range& range, double allowed, Scalar scalar) {
-  const double middle = range.low == range.high ? range.low : range.low / 2 + range.high / 2;
-  const double beside = std::max(range.high - middle, middle - range.low);
-  const double size = std::max(std::abs(range.low), std::abs(range.high));
+Near near_to(const Reach& reach, double allowed, Scalar scalar) {
+  const double middle = reach.low == reach.high ? reach.low : reach.low / 2 + reach.high / 2;
+  const double beside = std::max(reach.high - middle, middle - reach.low);
+  const double size = std::max(std::abs(reach.low), std::abs(reach.high));
   if (!(size <= largest_number(scalar))) return {middle, kInfinity};
   // A number that is rounded as well as can be is right whatever is allowed; what is expected has been rounded too.
   const Exact reached{Rational(size)};
@@ -62,7 +62,7 @@ Near near_to(const Range& range, double allowed, Scalar scalar) {
 /// How far some numbers of the answer jump where the shapes move by some tolerances.
 struct Jump {
   bool normal = false;
-  std::array<std::array<Range, 3>, 2> feet{};  ///< of the nearest points of both cores
+  std::array<std::array<Reach, 3>, 2> feet{};  ///< of the nearest points of both cores
 };
 
 class Gathering {
@@ -93,7 +93,7 @@ class Gathering {
     const Jump jump = jump_of(size, distance, step);
     for (const int shape : {0, 1})
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Range& way = jump.feet[index(shape)][axis];
+        const Reach& way = jump.feet[index(shape)][axis];
         widen(points_[index(shape)], axis, way.low, way.high);
         widen(points_[2], axis, way.low, way.high);
       }
@@ -111,8 +111,8 @@ class Gathering {
     all.hit = true;
     if (!any_) all.normals = normals_;
     all.normal_allowed = normal_allowed();
-    for (const FieldRange* field : {&points_[0], &points_[1], &points_[2], &value_})
-      for (const Range& range : field->numbers) all.numbers.push_back(near_to(range, field->allowed, declared_.scalar));
+    for (const FieldReach* field : {&points_[0], &points_[1], &points_[2], &value_})
+      for (const Reach& range : field->numbers) all.numbers.push_back(near_to(range, field->allowed, declared_.scalar));
     return all;
   }
 
@@ -130,7 +130,7 @@ class Gathering {
     return beside(contact_.point_scale(shape), declared_.bounds.point, contact_.degenerate() ? room : Rational(0));
   }
 
-  static void widen(FieldRange& field, std::size_t axis, double low, double high) {
+  static void widen(FieldReach& field, std::size_t axis, double low, double high) {
     if (field.numbers.empty()) return;
     field.numbers[axis].low += low;
     field.numbers[axis].high += high;
@@ -154,13 +154,13 @@ class Gathering {
     add(points_[2], claim.point, way.spread());
     if (claim.value) value_.numbers = {{*claim.value, *claim.value}};  // every way is as long
   }
-  static void add(FieldRange& field, const std::optional<Vector3>& point, const Spread& spread) {
+  static void add(FieldReach& field, const std::optional<Vector3>& point, const Spread& spread) {
     if (!point) return;
     const bool is_first = field.numbers.empty();
     for (int axis = 0; axis < 3; ++axis) {
       const double x = (*point)[axis];
       if (is_first) field.numbers.push_back({x, x});
-      Range& range = field.numbers[index(axis)];
+      Reach& range = field.numbers[index(axis)];
       range.add(x);
       for (const Point& far : spread) range.add(x + in_binary64(Exact(far[index(axis)])));
     }
@@ -237,8 +237,8 @@ class Gathering {
   bool any_;         ///< any normal is right
   double turn_ = 0;  ///< by which angle a length turns a normal
   std::vector<Vector3> normals_;
-  std::array<FieldRange, 3> points_{};  ///< point1, point2 and point
-  FieldRange value_{};
+  std::array<FieldReach, 3> points_{};  ///< point1, point2 and point
+  FieldReach value_{};
 };
 
 /// Whether the tolerance allows either decision.

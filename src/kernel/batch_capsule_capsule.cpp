@@ -5,8 +5,9 @@
 // s and t come from plain arithmetic. The delta of these is computed in double-double arithmetic, and its products with
 // u and v say how far off they are: of those that are at no end, by so little that plain arithmetic has the correction,
 // and of those at an end, whether they belong there.
-#undef HWY_TARGET_INCLUDE
+#ifndef HWY_TARGET_INCLUDE  // else one of those of batch_vectors.cpp
 #define HWY_TARGET_INCLUDE "kernel/batch_capsule_capsule.cpp"
+#endif
 #include "kernel/batch_targets.hpp"
 // foreach_target.h includes this file once a target, so it comes before the rest.
 #include <hwy/foreach_target.h>

@@ -5,8 +5,9 @@
 // Rounding is monotone and a bound is a number that it leaves alone: low lies on the same side of the rounded sum as of
 // the real one, or is equal to the rounded one. So the least of all (sum - low) decides by its sign, which a difference
 // of two numbers always gets right, and where it is 0 the sum's error, which is a number, decides.
-#undef HWY_TARGET_INCLUDE
+#ifndef HWY_TARGET_INCLUDE  // else one of those of batch_vectors.cpp
 #define HWY_TARGET_INCLUDE "kernel/batch_cube_cube.cpp"
+#endif
 #include "kernel/batch_targets.hpp"
 // foreach_target.h includes this file once a target, so it comes before the rest.
 #include <hwy/foreach_target.h>

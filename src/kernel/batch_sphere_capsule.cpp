@@ -4,8 +4,9 @@
 //
 // t comes from plain arithmetic. The delta of this t is computed in double-double arithmetic, and how far it is from
 // perpendicular to v corrects t, by so little that plain arithmetic has the correction.
-#undef HWY_TARGET_INCLUDE
+#ifndef HWY_TARGET_INCLUDE  // else one of those of batch_vectors.cpp
 #define HWY_TARGET_INCLUDE "kernel/batch_sphere_capsule.cpp"
+#endif
 #include "kernel/batch_targets.hpp"
 // foreach_target.h includes this file once a target, so it comes before the rest.
 #include <hwy/foreach_target.h>

@@ -4,8 +4,9 @@
 //                                the question: such points are written to columns, and the kernel of two balls answers
 //   before a face, and inside    along an axis every number of the contact is a sum of numbers of the question, which
 //                                two numbers hold: another pass over the strip writes them
-#undef HWY_TARGET_INCLUDE
+#ifndef HWY_TARGET_INCLUDE  // else one of those of batch_vectors.cpp
 #define HWY_TARGET_INCLUDE "kernel/batch_sphere_cube.cpp"
+#endif
 #include "kernel/batch_targets.hpp"
 // foreach_target.h includes this file once a target, so it comes before the rest.
 #include <hwy/foreach_target.h>
@@ -14,7 +15,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "kernel/batch_columns-inl.h"
+#include "kernel/batch_arithmetic-inl.h"
 #include "kernel/batch_strips.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 
@@ -53,11 +54,12 @@ namespace HWY_NAMESPACE {
 #if HWY_HAVE_FLOAT64
 
 #define CONTACT_LANES HWY_INLINE
+#if !HWY_NATIVE_FMA  // else batch_arithmetic-inl.h has it
 #include "kernel/double_double-inl.h"
+using Double2 = DoubleDouble<V>;
+#endif
 #include "kernel/sum_of_two-inl.h"
 #undef CONTACT_LANES
-
-using Double2 = DoubleDouble<V>;
 
 /// A vector of pairs and the nearest points.
 struct Nearest {

@@ -8,8 +8,9 @@
 // batch_finishing-inl.h          what the quick tests leave
 // batch_lifted-inl.h             pairs far from 1 in units of their own
 // here                           the quick tests, loops over columns, and the choice of an instruction set
-#undef HWY_TARGET_INCLUDE
+#ifndef HWY_TARGET_INCLUDE  // else one of those of batch_vectors.cpp
 #define HWY_TARGET_INCLUDE "kernel/batch_sphere_sphere.cpp"
+#endif
 #include "kernel/batch_targets.hpp"
 // foreach_target.h includes this file once a target, so it comes before the rest.
 #include <hwy/foreach_target.h>

@@ -123,16 +123,6 @@ void add_common_options(CLI::App& app) {
   app.fallthrough();
 }
 
-/// Adds commands, of which those without a heading stand under this one.
-template <class... Adds>
-void add_under(const std::string& heading, CLI::App& app, int& exit, Adds... adds) {
-  const std::size_t before = app.get_subcommands({}).size();
-  (adds(app, exit), ...);
-  const std::vector<CLI::App*> all = app.get_subcommands({});
-  for (std::size_t i = before; i < all.size(); ++i)
-    if (all[i]->get_group() == "Subcommands") all[i]->group(heading);
-}
-
 // An empty value is a variable of a script that was not set: what it was to name must not be taken for not given.
 
 /// CLI11 takes the next word for the value of "--option=".
@@ -167,13 +157,13 @@ int run_command(int argc, const char* const* argv) {
   app.formatter(help_formatter());
   add_common_options(app);
   int exit = kCertified;
-  add_under("Judge an engine", app, exit, add_certify, add_properties, add_compare, add_exam, add_merge, add_verify,
-            add_badge);
-  add_under("Ask for right answers", app, exit, add_explain, add_detect, add_serve, add_export);
-  add_under("Make golden files", app, exit, add_generate, add_annotate, add_convert, add_lint);
-  add_under("List what there is", app, exit, add_lists);
-  add_under("Maintain the committed golden files", app, exit, add_regenerate, add_adequacy, add_digests);
-  add_under("Help", app, exit, add_help, add_completion, add_man);
+  for (const HeadedCommands& headed : program_commands()) {
+    const std::size_t before = app.get_subcommands({}).size();
+    for (const auto add : headed.adds) add(app, exit);
+    const std::vector<CLI::App*> all = app.get_subcommands({});
+    for (std::size_t i = before; i < all.size(); ++i)
+      if (all[i]->get_group() == "Subcommands") all[i]->group(headed.heading);
+  }
   app.set_help_all_flag("--help-all", "Print every command and exit");  // of the program alone: it comes last
   app.failure_message([](const CLI::App* command, const CLI::Error& error) {
     // CLI11's message begins with the error, which quotes the command line.

@@ -11,40 +11,15 @@
 #include <string_view>
 #include <vector>
 
+#include "tool/commands/run_command.hpp"
+
 namespace contact::tool {
 
-void add_adequacy(CLI::App& app, int& exit);
-void add_badge(CLI::App& app, int& exit);
-void add_compare(CLI::App& app, int& exit);
-void add_detect(CLI::App& app, int& exit);
-void add_digests(CLI::App& app, int& exit);
-void add_exam(CLI::App& app, int& exit);
-void add_explain(CLI::App& app, int& exit);
-void add_export(CLI::App& app, int& exit);
-void add_generate(CLI::App& app, int& exit);
-void add_regenerate(CLI::App& app, int& exit);
-void add_annotate(CLI::App& app, int& exit);
-void add_convert(CLI::App& app, int& exit);
-void add_certify(CLI::App& app, int& exit);
-void add_serve(CLI::App& app, int& exit);
-void add_properties(CLI::App& app, int& exit);
-void add_lint(CLI::App& app, int& exit);
-void add_merge(CLI::App& app, int& exit);
-void add_verify(CLI::App& app, int& exit);
-void add_lists(CLI::App& app, int& exit);  ///< engines, pairs, families
-void add_help(CLI::App& app, int& exit);
-void add_completion(CLI::App& app, int& exit);
-void add_man(CLI::App& app, int& exit);
 /// A hidden command, whose arguments are the words of another command line and may be empty.
 inline constexpr const char* kCompleteName = "complete";
 
 /// What help calls the default of golden_folder(), whose path is another on every machine.
 inline constexpr std::string_view kCommitted = "the committed golden files";
-
-/// Parses a command line, does what it says and returns the exit code; what is wrong with its options is told on
-/// standard error. Throws what a command throws: formats::InputError, OracleFault, engines::HarnessInvalid,
-/// Interrupted.
-int run_command(int argc, const char* const* argv);
 
 /// Validators for whole numbers from 0 and from 1; CLI11 would let -1 wrap around.
 extern const CLI::Validator kFromZero;

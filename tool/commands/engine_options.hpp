@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <functional>
 #include <memory>
@@ -16,6 +15,10 @@
 #include "formats/input_error.hpp"
 #include "tool/run/determinism.hpp"
 #include "tool/run/process.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace contact::tool {
 

@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kMostNear = 50'000'000;  // pairs, of eight bytes
 
 /// Takes every candidate for a contact: candidates are what is asked for.
-class Candidates final : public ElementIntersector {
+class NearElements final : public ElementIntersector {
  public:
   bool canIntersect(const CollisionElement&, const CollisionElement&, const Intersection&) const override {
     return true;
@@ -36,7 +36,7 @@ class Candidates final : public ElementIntersector {
     return 1;
   }
   int endIntersect(const CollisionModel&, const CollisionModel&, OutputVector&) const override { return 0; }
-  std::string name() const override { return "Candidates"; }
+  std::string name() const override { return "NearElements"; }
 };
 
 class WithinAlarm final : public Intersection {
@@ -51,7 +51,7 @@ class WithinAlarm final : public Intersection {
 
  private:
   double alarm_;
-  Candidates candidates_;
+  NearElements candidates_;
 };
 
 const Box kNothing{Vector3::Constant(std::numeric_limits<double>::max()),

@@ -16,7 +16,7 @@ namespace {
 
 using formats::Node;
 
-constexpr std::string_view kFormat = "contact-oracle/scene";
+constexpr std::string_view kSceneFormat = "contact-oracle/scene";
 constexpr std::uint64_t kVersion = 1;
 
 std::string another_says(double distance) { return "another scene says " + formats::number(distance); }
@@ -32,8 +32,8 @@ void read_distance(const Node& header, const std::string& key, std::optional<dou
 }
 
 void read_header(const Node& header, Scene& scene) {
-  if (const Node format = header.at("format"); format.text() != kFormat)
-    format.refuse(fmt::format("expected \"{}\"", kFormat));
+  if (const Node format = header.at("format"); format.text() != kSceneFormat)
+    format.refuse(fmt::format("expected \"{}\"", kSceneFormat));
   if (const Node version = header.at("version"); version.count() != kVersion)
     version.refuse(fmt::format("this program reads version {}", kVersion));
   header.allow_only({"format", "version", "alarm", "contact"});
@@ -128,7 +128,7 @@ Scene read_scene(const std::vector<std::string>& paths, const ModelFactory& fact
 std::string scene_form(const ModelFactory& factory) {
   std::string text = fmt::format(R"({{"format":"{}","version":{},"alarm":0.5,"contact":0.1}})"
                                  "\n",
-                                 kFormat, kVersion);
+                                 kSceneFormat, kVersion);
   for (const ModelMaker& maker : factory.makers()) {
     text += fmt::format(R"({{"model":"{}","name":"...")", maker.type);
     for (const auto& [name, width] : maker.columns) {

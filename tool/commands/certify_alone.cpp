@@ -1,0 +1,8 @@
+// The commands of contact-certify.
+#include "tool/commands/run_command.hpp"
+
+namespace contact::tool {
+
+std::vector<HeadedCommands> program_commands() { return {{"Judge an engine", {add_certify}}, {"Help", {add_help}}}; }
+
+}  // namespace contact::tool
