@@ -20,16 +20,62 @@ namespace {
 using oracle::Derivative;
 using oracle::Exact;
 using oracle::Rational;
+using oracle::Whole;
 
 constexpr int kStepBits = 400;  // a step in the largest number of its field, and more where other numbers are as small
 constexpr int kSameBits = 200;  // two quotients that differ by less in what is natural are one derivative
 
-/// The numbers of a contact, as fractions.
+/// What the exact oracle says.
 struct Answer {
-  std::array<Rational, oracle::kOutputs> numbers;
-  bool unique;
-  bool meets;
+  oracle::DistanceTruth truth;
+  std::array<Rational, 2> radius;
   Rational size;  ///< the largest coordinate of the cores
+
+  [[nodiscard]] bool unique() const { return truth.spread().empty(); }
+};
+
+/// The numbers of an answer in whole multiples of a power of two: differences of these cost little.
+class Grid {
+ public:
+  /// So that a number as large as `size` has so many bits.
+  Grid(int bits, const Rational& size) : length_(bits - oracle::floor_log2(size)), direction_(bits) {}
+
+  /// An output is that many times 2^-of(output).
+  [[nodiscard]] long of(std::size_t output) const { return output > 0 && output < 4 ? direction_ : length_; }
+
+  [[nodiscard]] std::array<Whole, oracle::kOutputs> numbers(const Answer& answer) const {
+    const auto& [truth, radius, size] = answer;
+    std::array<Whole, oracle::kOutputs> numbers;
+    numbers[0] = on(truth.core_distance(), length_) - floor(radius[0] + radius[1]);
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto k = static_cast<std::size_t>(axis);
+      const Whole n = on(truth.normal(axis), direction_);
+      numbers[1 + k] = n;
+      numbers[4 + k] = on(truth.point(0, axis, PointOn::center), length_) + shifted(floor(radius[0]) * n, -direction_);
+      numbers[7 + k] = on(truth.point(1, axis, PointOn::center), length_) - shifted(floor(radius[1]) * n, -direction_);
+    }
+    return numbers;
+  }
+
+  /// n 2^by, down to a whole number.
+  static Whole shifted(const Whole& n, long by) { return by < 0 ? n >> -by : n << by; }
+  /// x 2^by, down to a whole number.
+  static Whole floor(const Rational& x, long by) {
+    Whole whole;
+    const Whole n = x.numerator() << std::max(by, 0L);
+    mpz_fdiv_q(whole.mpz(), n.mpz(), (x.denominator() << std::max(-by, 0L)).mpz());
+    return whole;
+  }
+
+ private:
+  [[nodiscard]] Whole floor(const Rational& x) const { return floor(x, length_); }
+  [[nodiscard]] Whole on(const Exact& x, long exponent) const {
+    const Exact::Scaled scaled = x.in_whole_numbers(direction_);
+    return shifted(scaled.least, exponent - scaled.exponent);
+  }
+
+  long length_;
+  long direction_;
 };
 
 /// A question one of whose numbers is moved, as the exact oracle answers it.
@@ -41,7 +87,7 @@ class Neighbour {
     for_each_number_unnamed(query_, [&](const double& x) { values_.emplace_back(x); });
   }
 
-  [[nodiscard]] Answer at(std::size_t moving, const Rational& by, int root_bits) const {
+  [[nodiscard]] Answer at(std::size_t moving, const Rational& by) const {
     const auto make = [&](double x) -> Rational {
       if (std::abs(x) < kFirst) return Rational(x);
       const auto k = static_cast<std::size_t>(std::abs(x) - kFirst);
@@ -65,19 +111,9 @@ class Neighbour {
       truth = truth_of_cores(cores[0], cores[1], query_.distances,
                              is_convex(query_.pair) ? oracle::Rules::of_all : oracle::Rules::of_the_pair);
     }
-    const auto& exact = std::get<oracle::DistanceTruth>(truth->numbers);
-    const auto fraction = [&](const Exact& x) { return x.enclosure(root_bits).low; };
-    Answer answer{{}, exact.spread().empty(), exact.meets(), Rational(0)};
+    Answer answer{std::get<oracle::DistanceTruth>(truth->numbers), radius, Rational(0)};
     for (const oracle::ExactCore& core : cores)
       if (!core.vertices.empty()) answer.size = std::max(answer.size, oracle::largest_coordinate(core.vertices));
-    answer.numbers[0] = fraction(exact.core_distance()) - radius[0] - radius[1];
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto k = static_cast<std::size_t>(axis);
-      const Rational n = fraction(exact.normal(axis));
-      answer.numbers[1 + k] = n;
-      answer.numbers[4 + k] = fraction(exact.point(0, axis, PointOn::center)) + radius[0] * n;
-      answer.numbers[7 + k] = fraction(exact.point(1, axis, PointOn::center)) - radius[1] * n;
-    }
     return answer;
   }
 
@@ -111,9 +147,12 @@ struct Counts {
   std::uint64_t not_told = 0;
 };
 
-bool is_rounded(double said, const Rational& x, const Rational& noise) {
-  const Rational room = oracle::ulp(x, Scalar::binary64) * (Rational(1, 2) + oracle::power_of_two(-40)) + noise;
-  return std::isfinite(said) ? CGAL::abs(Rational(said) - x) <= room : CGAL::abs(x) > Rational(0x1.fffffffffffffp1023);
+/// Whether a number is n 2^-exponent rounded, give or take `noise` of them.
+bool is_rounded(double said, const Whole& n, long exponent, const Whole& noise) {
+  const Rational x = Rational(n) * oracle::power_of_two(static_cast<int>(-exponent));
+  if (!std::isfinite(said)) return CGAL::abs(x) > Rational(0x1.fffffffffffffp1023);
+  const Rational room = oracle::ulp(x, Scalar::binary64) * (Rational(1, 2) + oracle::power_of_two(-40));
+  return CGAL::abs(Grid::floor(Rational(said), exponent) - n) <= Grid::floor(room, exponent) + noise + Whole(2);
 }
 
 /// How far each number of a question is moved: by next to nothing of what is as large as it can matter.
@@ -149,11 +188,10 @@ class Steps {
   }
   [[nodiscard]] const Rational& size() const { return size_; }
   [[nodiscard]] const Rational& natural(std::size_t k) const { return natural_[k]; }
-  [[nodiscard]] Rational of(std::size_t k) const {
-    return natural_[k] * oracle::power_of_two(-kStepBits - 4 * ratio_bits_);
-  }
+  /// A step is two to this.
+  [[nodiscard]] int of(std::size_t k) const { return oracle::floor_log2(natural_[k]) - kStepBits - 4 * ratio_bits_; }
   /// A kink may be as small as the smallest numbers are beside the largest, twice: two turned boxes are nearly along each other.
-  [[nodiscard]] Rational same() const { return oracle::power_of_two(-kSameBits - 2 * ratio_bits_); }
+  [[nodiscard]] int same_bits() const { return kSameBits + 2 * ratio_bits_; }
   [[nodiscard]] int root_bits() const { return 4 * kStepBits + 8 * ratio_bits_; }
 
  private:
@@ -168,13 +206,15 @@ void compare(const Query& query, std::size_t every, Counts& counts) {
   const auto gradient = oracle::gradient(query, truth);
   ASSERT_TRUE(gradient);
   const Neighbour beside(query);
-  const Answer here = beside.at(0, Rational(0), kStepBits);
+  const Answer here = beside.at(0, Rational(0));
   const Steps steps(query, here.size);
+  const Grid grid(steps.root_bits(), steps.size());
+  const auto before = grid.numbers(here);
   ++counts.questions;
   Query moved = query;
   const auto numbers = numbers_of(moved);
   for (std::size_t k = counts.questions % every; k < gradient->by.size(); k += every) {
-    const Rational h = steps.of(k);
+    const int step = steps.of(k);
     // At an edge of the domain the number next to it is out of it; so are those next to the largest and the smallest, which are no edges.
     std::array<bool, 2> has_side;
     double& number = *numbers.elements[k];
@@ -184,20 +224,23 @@ void compare(const Query& query, std::size_t every, Counts& counts) {
       has_side[above] = inside_domain(moved) || !std::isfinite(number) || (x != 0 && number == 0);
     }
     number = x;
-    const Answer before = beside.at(k, Rational(0), steps.root_bits());
-    const Answer above = beside.at(k, h, steps.root_bits());
-    const Answer below = beside.at(k, -h, steps.root_bits());
+    const Answer above = beside.at(k, oracle::power_of_two(step));
+    const Answer below = beside.at(k, -oracle::power_of_two(step));
+    const auto numbers_above = grid.numbers(above);
+    const auto numbers_below = grid.numbers(below);
     for (std::size_t output = 0; output < oracle::kOutputs; ++output) {
       const Derivative& said = gradient->derivatives[k][output];
       const auto where = [&] {
         return query_line(query, Scalar::binary64) + "\n" + gradient->by[k] + " output " + std::to_string(output) +
                " " + std::string(said.undefined);
       };
-      const Rational right = (above.numbers[output] - before.numbers[output]) / h;
-      const Rational left = (before.numbers[output] - below.numbers[output]) / h;
+      const Whole right = numbers_above[output] - before[output];
+      const Whole left = before[output] - numbers_below[output];
+      const long exponent = grid.of(output) + step;  // of differences, as quotients
       const bool is_normal = output > 0 && output < 4;
-      const Rational noise = (is_normal ? Rational(1) : steps.size()) / steps.natural(k) * steps.same();
-      const bool differ = CGAL::abs(right - left) > noise + steps.same() * (CGAL::abs(right) + CGAL::abs(left));
+      const Whole noise =
+          Grid::floor((is_normal ? Rational(1) : steps.size()) / steps.natural(k), exponent - steps.same_bits());
+      const bool differ = CGAL::abs(right - left) > noise + ((CGAL::abs(right) + CGAL::abs(left)) >> steps.same_bits());
       const bool is_point = output > 3;
       if (!has_side[0] || !has_side[1]) {
         ASSERT_FALSE(said.number || (said.sides[0] && said.sides[1])) << where();
@@ -205,28 +248,28 @@ void compare(const Query& query, std::size_t every, Counts& counts) {
       if (said.number) {
         ++counts.told;
         ASSERT_FALSE(differ) << where();
-        ASSERT_TRUE(is_rounded(*said.number, (left + right) / Rational(2), noise))
-            << where() << *said.number << " " << CGAL::to_double(left) << " " << CGAL::to_double(right) << " noise "
-            << CGAL::to_double(noise);
+        ASSERT_TRUE(is_rounded(*said.number, left + right, exponent + 1, noise + noise)) << where() << *said.number;
         if (is_point) {
-          ASSERT_TRUE(here.unique && above.unique && below.unique) << where();
+          ASSERT_TRUE(here.unique() && above.unique() && below.unique()) << where();
         }
       } else if (said.undefined.starts_with("not told")) {
         ++counts.not_told;
       } else if (said.sides[0] && said.sides[1]) {
         ++counts.kinks;
         ASSERT_TRUE(differ) << where();
-        ASSERT_TRUE(is_rounded(*said.sides[0], left, noise)) << where() << *said.sides[0];
-        ASSERT_TRUE(is_rounded(*said.sides[1], right, noise)) << where() << *said.sides[1];
+        ASSERT_TRUE(is_rounded(*said.sides[0], left, exponent, noise)) << where() << *said.sides[0];
+        ASSERT_TRUE(is_rounded(*said.sides[1], right, exponent, noise)) << where() << *said.sides[1];
       } else if (said.sides[0] || said.sides[1]) {
         ++counts.undefined;
         ASSERT_EQ(has_side, (std::array{said.sides[0].has_value(), said.sides[1].has_value()})) << where();
-        ASSERT_TRUE(is_rounded(said.sides[0] ? *said.sides[0] : *said.sides[1], said.sides[0] ? left : right, noise))
+        ASSERT_TRUE(
+            is_rounded(said.sides[0] ? *said.sides[0] : *said.sides[1], said.sides[0] ? left : right, exponent, noise))
             << where();
       } else {
         ++counts.undefined;
         ASSERT_GT(output, 0U) << where();
-        ASSERT_TRUE(here.meets || (is_point && !(here.unique && above.unique && below.unique))) << where();
+        ASSERT_TRUE(here.truth.meets() || (is_point && !(here.unique() && above.unique() && below.unique())))
+            << where();
       }
     }
   }
