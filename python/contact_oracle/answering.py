@@ -25,14 +25,13 @@ def contacts_of(question: Asked, points: str) -> Contacts:
         raise InputError(f"must be {POINTS[0]} where the arrays are binary32", "points", value=repr(points))
     with question.naming_errors():
         answers = _core.contacts(question.pair.name, question.columns, question.alarm, question.contact, points, question.scalar)
-    # [()] makes the arrays of a single question numbers, as NumPy's own functions do.
-    return Contacts(**{name: np.asarray(array).reshape(question.batch + np.shape(array)[1:])[()] for name, array in answers.items()})
+    return Contacts(**{name: question.answered(array) for name, array in answers.items()})
 
 
 def hits_of(question: Asked) -> Any:
     with question.naming_errors():
         hits = _core.hits(question.pair.name, question.columns, question.alarm, question.contact)
-    return np.asarray(hits).reshape(question.batch)[()]
+    return question.answered(hits)
 
 
 def signature_of(pair: Pair) -> inspect.Signature:

@@ -92,6 +92,9 @@ class Exact:
     t: tuple[Fraction, Fraction] | None = None
     depth2: Fraction | None = None
 
+    def _repr_html_(self) -> str:
+        return self.question._repr_html_()
+
     @property
     def hit(self) -> bool:
         return bool(self.expect["hit"])

@@ -17,6 +17,7 @@ from .exact_answers import asked_of
 from .judging import _name_of, generated_sources
 from .pairs import Array, Pair, number_of, pair_named, scalar_named
 from .questions import Questions
+from .shown import text
 
 FIELDS = {"value": slice(0, 1), "normal": slice(1, 4), "point1": slice(4, 7), "point2": slice(7, 10)}
 COUNT = 20
@@ -60,7 +61,8 @@ def _by_argument(question: Asked, name: str, array: Array) -> dict[str, Any]:
         part = array[:, FIELDS[name], begin:begin + width]
         begin += width
         rows = () if name == "value" else (3,)
-        found[argument] = part.reshape(question.batch + rows + column.shape[1:] + array.shape[3:])[()]
+        shape = rows + column.shape[1:] + array.shape[3:]
+        found[argument] = part.reshape(question.batch + shape)[()] if array.dtype == object else question.answered(part, shape)
     return found
 
 
@@ -156,6 +158,9 @@ class GradientReport:
         without = f"; none was claimed by {', '.join(self.unclaimed)}" if self.unclaimed else ""
         return f"CERTIFIED: {of}: all {self.judged} are within {self.relative:g} of their scale{rest}{without}"
 
+    def _repr_html_(self) -> str:
+        return text(self)
+
     def __str__(self) -> str:
         return "\n".join([self.verdict, *(f"  {line}" for line in self.diagnosis), *(f"  {failure}" for failure in self.failures[:5])])
 
@@ -204,7 +209,7 @@ class _Batch:
         """The largest derivative of a field by any number of the same kind; where all are 0, what is natural: a share of the sizes."""
         scale = np.zeros(self.exact.shape)
         groups = self._groups()
-        numbers = np.abs(np.nan_to_num(np.concatenate([column.reshape((len(self.questions), -1)) for column in self.asked.columns], axis=1)))
+        numbers = np.abs(np.nan_to_num(np.concatenate([column.reshape((len(self.questions), -1)) for column in self.asked.columns], axis=1, dtype=np.float64)))
         size = numbers[:, groups == 0].max(axis=1)
         for group in np.unique(groups):
             of = groups == group

@@ -16,6 +16,7 @@ from .datasets import families as families_of
 from .engines import Asking, Engine, Isolated, by_pair, claims_of, points_of
 from .errors import EngineError, InputError, OracleDisagreement, errors_of_core
 from .pairs import PAIRS, pair_named, scalar_named
+from .shown import figure_of_errors, text
 
 LEVELS = ("correctly-rounded", "faithful", "bounded", "decisions", "conservative")
 _REACHED = (*LEVELS, "none")
@@ -113,6 +114,11 @@ class Report:
         return f'<iframe srcdoc="{html.escape(self.to_html())}" style="width:100%;height:45em;border:0"></iframe>'
 
 
+    def to_figure(self) -> Any:
+        """A matplotlib Figure of the errors: how many claims of each field are off by how many ulps; InputError without matplotlib."""
+        return figure_of_errors(self.data["total"]["fields"], f"{self.data['engine']['name']}, {self.data['scalar']}")
+
+
 class LawReport:
     """What became of each law.
 
@@ -146,6 +152,9 @@ class LawReport:
 
     def __bool__(self) -> bool:
         return self.holds
+
+    def _repr_html_(self) -> str:
+        return text(self)
 
     def to_json(self) -> str:
         return str(self._judged["json"])

@@ -1,6 +1,7 @@
 """Many questions of one pair: arrays under the names of the pair's arguments."""
 from __future__ import annotations
 
+import html
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +12,7 @@ from .asked import Asked, asked
 from .contacts import Contacts
 from .errors import InputError
 from .pairs import Array, Field, number_of, pair_named, scalar_named
+from .shown import table
 from .shapes import SHAPES, Question, _from_json
 
 if TYPE_CHECKING:
@@ -130,6 +132,9 @@ class Questions:
         from .exact_answers import exact_of
 
         return exact_of(self.asked())
+
+    def _repr_html_(self) -> str:
+        return f"<p>{html.escape(repr(self))}</p>" + table(self._arrays)
 
     def to_dataframe(self) -> Any:
         """A pandas.DataFrame, one row a question, with a column for each number: ``center1[0]``, ..."""

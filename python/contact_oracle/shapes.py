@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 
+from .errors import InputError
 from .pairs import number_of, pair_named
+from .shown import figure_of_case, text
 
 if TYPE_CHECKING:
     from .contacts import Contacts
@@ -167,3 +169,20 @@ class Question:
         from .answering import explain
 
         return explain(str(self))
+
+    def _repr_html_(self) -> str:
+        try:
+            return text(self.explain())
+        except InputError as error:  # a question outside the domain is one all the same
+            return text(f"{self}\n{error}")
+
+    def to_figure(self) -> Any:
+        """A matplotlib Figure of both shapes, with contact points and normal where there is a contact; InputError without matplotlib.
+
+        A notebook shows it, and ``savefig`` writes it. A plane is drawn near the other shape.
+
+        >>> import contact_oracle
+        >>> question = contact_oracle.generate("sphere_obb", "generic", 1)[0]
+        >>> question.to_figure().savefig("case.png")  # doctest: +SKIP
+        """
+        return figure_of_case(self)
