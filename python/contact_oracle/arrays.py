@@ -46,5 +46,7 @@ def in_library(library: Any, array: Any) -> Any:
     if library is None:
         return array
     array = np.asarray(array)
+    if not array.flags.writeable:  # a part of an array of a library whose arrays never change; DLPack cannot say so
+        array = array.copy()
     # Not every library that is about takes or gives truth values by DLPack.
     return library.from_dlpack(array.view(np.uint8)) != 0 if array.dtype == bool else library.from_dlpack(array)

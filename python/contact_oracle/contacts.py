@@ -25,6 +25,14 @@ class Contacts:
     unique      (N,) bool, false where many points are nearest
 
     A single question has arrays without the first axis.
+
+    Numbers are of the scalar and arrays of the library of those that asked (docs/python.md#arrays); lengths are in their unit.
+    TypeError for the length of a single one, ValueError for the truth of several.
+
+    >>> import contact_oracle
+    >>> contacts = contact_oracle.sphere_sphere((0, 0, 0), 1, [(2, 0, 0), (5, 0, 0)], 1)
+    >>> contacts.hit, contacts[0].value
+    (array([ True, False]), 0.0)
     """
 
     hit: Any
@@ -41,7 +49,7 @@ class Contacts:
     def __len__(self) -> int:
         if np.ndim(self.hit) == 0:
             raise TypeError("a single contact has no length")
-        return len(self.hit)
+        return int(self.hit.shape[0])
 
     def __bool__(self) -> bool:
         if np.ndim(self.hit) != 0:

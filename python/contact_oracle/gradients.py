@@ -39,6 +39,11 @@ class Gradient:
     sides    the same with a last axis of two: the derivatives from below and from above, where there is none and these are known
 
     A single question has arrays without the first axis.
+
+    >>> import contact_oracle
+    >>> found = contact_oracle.gradient("sphere_plane", (1, 2, 3), 1, (0, 0, 2), 0)
+    >>> found.value["center1"], found.point2["center1"][0], found.why["value"]["radius1"]
+    (array([0., 0., 1.]), array([1., 0., 0.]), '')
     """
 
     value: dict[str, Any]
@@ -95,7 +100,16 @@ def gradient(query: Any, /, *arguments: Any, **named: Any) -> Gradient:
 
 @dataclass(frozen=True)
 class GradientFailure:
-    """A derivative that is wrong: ``of`` which number, ``by`` which, what was ``claimed`` and is ``right`` (NaN: there is none)."""
+    """A derivative that is wrong: ``of`` which number, ``by`` which, what was ``claimed`` and is ``right`` (NaN: there is none).
+
+    >>> import contact_oracle
+    >>> def wrong(questions):
+    ...     return None, {"radius1": -2 * np.ones(len(questions))}
+    >>> report = contact_oracle.certify_gradient(wrong, "sphere_sphere", "generic", seed=1)
+    >>> failure = report.failures[0]
+    >>> failure.of, failure.by, failure.claimed, failure.right, failure.what
+    ('value', 'radius1', -2.0, -1.0, 'wrong')
+    """
 
     line: str
     of: str
@@ -123,6 +137,13 @@ class GradientReport:
     failure_count   how many of these are wrong; `failures` has some
     diagnosis       what the wrong ones have in common
     unclaimed       the arguments by which no derivative was claimed
+
+    >>> import contact_oracle
+    >>> def wrong(questions):
+    ...     return None, {"radius1": -2 * np.ones(len(questions))}
+    >>> report = contact_oracle.certify_gradient(wrong, "sphere_sphere", "generic", seed=1)
+    >>> report.certified, report.failure_count == report.judged == report.questions
+    (False, True)
     """
 
     name: str

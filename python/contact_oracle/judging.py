@@ -36,6 +36,11 @@ class Report:
     fitness    the tolerance from which on the engine would pass, for ``all`` numbers and for ``everyday`` ones
     seed       what generated the questions, of files the fresh ones; None where none were generated
     data       the whole report as `docs/formats.md#reports` describes it
+
+    >>> import contact_oracle
+    >>> report = contact_oracle.certify(lambda questions: {"hit": questions.alarm >= 0}, "cube_cube", "generic", seed=1, level="decisions")
+    >>> report.certified, report.level, report.failures[0]["what"][:9]
+    (False, 'conservative', 'false hit')
     """
 
     def __init__(self, judged: Mapping[str, Any], seed: int | None) -> None:
@@ -125,6 +130,11 @@ class LawReport:
     holds    whether no law is violated
     laws     dicts with ``law``, ``verdict``, and of a violated one ``sentence``, ``why`` and the shrunk ``questions``
     seed     the seed
+
+    >>> import contact_oracle
+    >>> report = contact_oracle.properties(lambda questions: {"hit": questions.alarm < 1}, "cube_cube", "swap", cases=20, seed=1)
+    >>> report.holds, [law["law"] for law in report.violated], report.seed
+    (True, [], 1)
     """
 
     def __init__(self, judged: Mapping[str, Any]) -> None:
@@ -248,6 +258,15 @@ def certify(engine: Engine | Mapping[str, Engine], pairs: str | Iterable[str] | 
     time_limit        seconds that an isolated engine has for each batch
 
     Raises EngineError where the engine raises, ends or gives no answer, InputError where an argument is wrong, and OracleDisagreement.
+
+    >>> import contact_oracle
+    >>> import numpy as np
+    >>> def boxes(questions):
+    ...     apart = np.maximum(questions.min1 - questions.max2, questions.min2 - questions.max1)
+    ...     return {"hit": (apart <= questions.alarm[:, np.newaxis]).all(axis=1)}
+    >>> report = contact_oracle.certify(boxes, "cube_cube", ["generic", "touching"], seed=1, level="decisions")
+    >>> report.certified, report.level
+    (True, 'decisions')
     """
     _, served = by_pair(engine)
     named = pairs_of(pairs, served)
@@ -321,6 +340,13 @@ def properties(engine: Engine | Mapping[str, Engine], pairs: str | Iterable[str]
 
     The command ``contact-oracle`` asks, so it must be installed; the engine answers in this process. Arguments as of `certify`;
     `cases` are per law, and `level` is bounded or correctly-rounded; a `tolerance` or a `profile` holds in its place.
+
+    InputError where it is not or an argument is wrong, EngineError where the engine answers nothing.
+
+    >>> import contact_oracle
+    >>> report = contact_oracle.properties(lambda questions: {"hit": questions.min1[:, 0] < 0}, "cube_cube", "swap", cases=100, seed=1)
+    >>> report.holds, report.violated[0]["law"]
+    (False, 'swap')
     """
     if tolerance is not None and profile is not None:
         raise InputError("cannot stand beside a profile", "tolerance")

@@ -41,6 +41,13 @@ class Questions:
     pair    the pair's name
     scalar  binary64 or binary32
     family  the family that made them, or None
+
+    InputError where arrays are missing, do not go together, or are no numbers of the scalar.
+
+    >>> import contact_oracle
+    >>> questions = contact_oracle.Questions("sphere_sphere", dict(center1=[(0, 0, 0), (9, 0, 0)], radius1=1, center2=(2, 0, 0), radius2=1))
+    >>> questions, questions.center2.shape, questions[1].a
+    (<2 questions of sphere_sphere, binary64>, (2, 3), Sphere(center=(9.0, 0.0, 0.0), radius=1.0))
     """
 
     pair: str

@@ -78,7 +78,7 @@ def _farthest(parts: Mapping[str, Array], way: Array) -> Array:
     if "vertices" in parts:
         corners = parts["vertices"]
     elif "direction" in parts:
-        corners = parts["origin"] + np.outer((0, parts["length"]), parts["direction"])
+        corners = parts["origin"] + np.outer(np.array([0, parts["length"]]), parts["direction"])
     else:
         corners = np.stack([parts["center"]] if "center" in parts else [parts["start"], parts["end"]])
     return np.asarray(corners[np.argmax(way @ corners.T, axis=-1)] + parts.get("radius", 0) * way)

@@ -253,10 +253,11 @@ py::dict gradients(const std::string& pair, const py::list& columns, const py::a
   {
     const py::gil_scoped_release no_gil;
     const double none = std::numeric_limits<double>::quiet_NaN();
-    std::fill_n(to, derivatives.size(), none);
-    std::fill_n(to_sides, sides.size(), none);
-    std::fill_n(to_why, why.size(), std::uint8_t{1});
+    const std::size_t across = oracle::kOutputs * width;
     for_each(questions, [&](std::size_t row, const Query& query) {
+      std::fill_n(to + row * across, across, none);
+      std::fill_n(to_sides + 2 * row * across, 2 * across, none);
+      std::fill_n(to_why + row * across, across, std::uint8_t{1});
       const auto found = oracle::gradient(query, oracle::truth_of(query));
       std::size_t k = 0;      // of the question's numbers
       std::size_t begin = 0;  // of the field's in a row
