@@ -140,5 +140,6 @@ def asked(pair: Pair, values: Mapping[str, Any]) -> Asked:
 
 
 def _column(array: Array, batch: tuple[int, ...], count: int, core: tuple[int, ...]) -> Array:
-    column = np.broadcast_to(array, batch + core)
-    return column if len(batch) == 1 else column.reshape((count, *core))
+    if array.shape != batch + core:
+        array = np.broadcast_to(array, batch + core)
+    return array if len(batch) == 1 else array.reshape((count, *core))

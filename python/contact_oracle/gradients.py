@@ -413,7 +413,9 @@ def certify_gradient(engine: Engine, pair: str, families: str | Iterable[str] | 
         if len(some) == 0:
             continue
         try:
-            batch = _Batch(some, _claims(engine(some), description))
+            # Its own copy: what it changes in place is not what it is judged by.
+            given = Questions(pair, {of: array.copy() for of, array in dict(**some).items()}, scalar, some.family)
+            batch = _Batch(some, _claims(engine(given), description))
         except (EngineError, InputError):
             raise
         except Exception as error:

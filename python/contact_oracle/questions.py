@@ -69,7 +69,8 @@ class Questions:
         if self.scalar == "binary32" and question.scalar != "binary32":
             raise InputError("must be arrays of binary32, as the scalar is", "arrays", value="binary64")
         number = number_of(self.scalar)
-        self._arrays = {name: column.astype(number, copy=False) for name, column in zip(description.arguments, question.all_columns)}
+        # PyTorch warns of what cannot be written, and one number for all questions is such an array.
+        self._arrays: dict[str, Array] = {name: np.require(column, number, "W") for name, column in zip(description.arguments, question.all_columns)}
 
     def __getattr__(self, name: str) -> Array:
         try:

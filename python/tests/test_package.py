@@ -2,11 +2,13 @@
 import ast
 import doctest
 import importlib
+import importlib.util
 import inspect
 import json
 import os
 import pathlib
 import re
+import runpy
 import shutil
 import subprocess
 import sys
@@ -89,12 +91,13 @@ def shown(page):
     return re.findall(r"<!-- python -->\n```pycon\n(.*?)```", text, re.S)
 
 
-@pytest.mark.parametrize("page, least, needs", [("python.md", 5, "numpy"), ("gradients.md", 2, "torch")])
-def test_what_the_page_shows_is_so(page, least, needs):
-    pytest.importorskip(needs)
+@pytest.mark.parametrize("page", ["python.md", "gradients.md"])
+def test_what_the_page_shows_is_so(page):
     names = {}
     blocks = shown(page)
-    assert len(blocks) >= least
+    assert len(blocks) >= 3
+    if importlib.util.find_spec("torch") is None:
+        blocks = [block for block in blocks if "torch" not in block] or pytest.skip("PyTorch is not installed")
     parser, runner = doctest.DocTestParser(), doctest.DocTestRunner(optionflags=doctest.ELLIPSIS | doctest.IGNORE_EXCEPTION_DETAIL)
     for number, block in enumerate(blocks):
         test = parser.get_doctest(block, names, f"docs/{page} block {number}", None, None)
@@ -165,21 +168,27 @@ def test_boxes_are_boxes(box):
     assert "3 passed" in done.stdout, done.stdout + done.stderr
 
 
+def run_here(example, capsys):
+    """An example in this process, which has its libraries already."""
+    runpy.run_path(str(EXAMPLES / example), run_name="__main__")
+    return capsys.readouterr().out
+
+
 def run(example, *arguments, cwd):
     done = subprocess.run([sys.executable, str(EXAMPLES / example), *arguments], capture_output=True, text=True, cwd=cwd)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
 
 
-def test_the_judge_finds_the_guard_in_the_quotient(tmp_path):
-    text = run("mjx_style.py", cwd=tmp_path)
+def test_the_judge_finds_the_guard_in_the_quotient(capsys):
+    text = run_here("mjx_style.py", capsys)
     assert "1e-6 added to the squared length" in text and "REFUTED: sphere_capsule 1 is not within length 1e-05" in text
     assert text.strip().splitlines()[-1].startswith("CERTIFIED within")
 
 
-def test_an_engine_in_torch_is_judged(tmp_path):
+def test_an_engine_in_torch_is_judged(capsys):
     pytest.importorskip("torch")
-    text = run("torch_float32.py", cwd=tmp_path)
+    text = run_here("torch_float32.py", capsys)
     assert "torch" in text and "(binary32)" in text
 
 
