@@ -170,8 +170,17 @@ def test_boxes_are_boxes(box):
 
 def run_here(example, capsys):
     """An example in this process, which has its libraries already."""
-    runpy.run_path(str(EXAMPLES / example), run_name="__main__")
+    runpy.run_path(str(example), run_name="__main__")
     return capsys.readouterr().out
+
+
+def test_the_first_engine_is_judged_as_the_page_shows(tmp_path, capsys):
+    page, first = (ROOT / "docs" / "python.md").read_text(), EXAMPLES / "first_engine.py"
+    second = tmp_path / "second_engine.py"
+    second.write_text(first.read_text().replace(" < ", " <= "))
+    for name, engine in (("first", first), ("second", second)):
+        said = re.search(rf"<!-- {name}-engine:begin -->\n```text\n(.*?)```", page, re.S)[1]
+        assert run_here(engine, capsys) == said
 
 
 def run(example, *arguments, cwd):
@@ -181,14 +190,14 @@ def run(example, *arguments, cwd):
 
 
 def test_the_judge_finds_the_guard_in_the_quotient(capsys):
-    text = run_here("mjx_style.py", capsys)
+    text = run_here(EXAMPLES / "mjx_style.py", capsys)
     assert "1e-6 added to the squared length" in text and "REFUTED: sphere_capsule 1 is not within length 1e-05" in text
     assert text.strip().splitlines()[-1].startswith("CERTIFIED within")
 
 
 def test_an_engine_in_torch_is_judged(capsys):
     pytest.importorskip("torch")
-    text = run_here("torch_float32.py", capsys)
+    text = run_here(EXAMPLES / "torch_float32.py", capsys)
     assert "torch" in text and "(binary32)" in text
 
 
