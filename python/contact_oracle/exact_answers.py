@@ -104,14 +104,17 @@ class Exact:
 
     @property
     def hit(self) -> bool:
+        """Whether the shapes are within the alarm distance."""
         return bool(self.expect["hit"])
 
     @property
     def degenerate(self) -> bool:
+        """Whether there is no direction, so that the normal is an agreement."""
         return bool(self.expect.get("degenerate", False))
 
     @property
     def unique(self) -> bool:
+        """Whether one pair of points alone is nearest."""
         return bool(self.expect.get("unique", True))
 
     def _root_less(self, less: Fraction, digits: int) -> Decimal:

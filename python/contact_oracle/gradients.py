@@ -163,6 +163,7 @@ class GradientReport:
 
     @property
     def certified(self) -> bool:
+        """Whether some derivatives were judged and none is wrong."""
         return self.judged > 0 and self.failure_count == 0
 
     def __bool__(self) -> bool:
@@ -170,6 +171,7 @@ class GradientReport:
 
     @property
     def verdict(self) -> str:
+        """The verdict in one sentence."""
         of = f"{self.name}: derivatives of {self.pair}, {self.questions} questions" + ("" if self.seed is None else f" (seed {self.seed})")
         if self.judged == 0:
             return f"REFUTED: {of}: none was judged"
@@ -414,7 +416,8 @@ def certify_gradient(engine: Engine, pair: str, families: str | Iterable[str] | 
             continue
         try:
             # Its own copy: what it changes in place is not what it is judged by.
-            given = Questions(pair, {of: array.copy() for of, array in dict(**some).items()}, scalar, some.family)
+            arrays: dict[str, Array] = dict(**some)
+            given = Questions(pair, {argument: array.copy() for argument, array in arrays.items()}, scalar, some.family)
             batch = _Batch(some, _claims(engine(given), description))
         except (EngineError, InputError):
             raise

@@ -61,6 +61,7 @@ class Report:
 
     @property
     def failure_count(self) -> int:
+        """How many questions were answered wrongly; `failures` has so many of them as a report keeps."""
         return int(self.data["failure_count"]) + int((self.data["fresh"] or {}).get("failure_count", 0))
 
     @property
@@ -70,10 +71,12 @@ class Report:
 
     @property
     def fitness(self) -> dict[str, Any]:
+        """The tolerance from which on the engine would pass, in the unit of the questions and in radians: docs/formats.md#reports."""
         return {"all": self.data["total"].get("fitness"), "everyday": self.data["total"].get("everyday")}
 
     @property
     def families(self) -> list[dict[str, Any]]:
+        """Counts by family."""
         return list(self.data["families"])
 
     def __str__(self) -> str:
@@ -102,9 +105,11 @@ class Report:
         return self._written("json", path)
 
     def to_junit(self, path: str | os.PathLike[str] | None = None) -> str:
+        """As JUnit, a case each family, for continuous integration; written to `path` where there is one."""
         return self._written("junit", path)
 
     def to_markdown(self, path: str | os.PathLike[str] | None = None) -> str:
+        """As Markdown; written to `path` where there is one."""
         return self._written("markdown", path)
 
     def to_dataframe(self) -> Any:
@@ -146,6 +151,7 @@ class LawReport:
 
     @property
     def violated(self) -> list[dict[str, Any]]:
+        """The laws that an answer violated."""
         return [law for law in self.laws if law["verdict"] == "violated"]
 
     @property
@@ -167,9 +173,11 @@ class LawReport:
         return text(self)
 
     def to_json(self) -> str:
+        """The report for programs, as ``contact-oracle properties --json`` would say it."""
         return str(self._judged["json"])
 
     def to_junit(self) -> str:
+        """As JUnit, a case each law."""
         return str(self._judged["junit"])
 
 

@@ -443,6 +443,13 @@ def test_tensors_are_not_copied():
         assert array.ctypes.data == tensor.data_ptr() == in_library(torch, array).data_ptr()
 
 
+def test_questions_are_arrays_that_pytorch_takes_without_a_warning():
+    torch = pytest.importorskip("torch")
+    questions = contact_oracle.Questions("sphere_sphere", dict(center1=np.zeros((3, 3)), radius1=1, center2=(2, 0, 0), radius2=1))
+    for array in dict(**questions).values():
+        assert torch.from_numpy(array).shape == array.shape
+
+
 def test_two_libraries_do_not_go_together():
     torch = pytest.importorskip("torch")
     with warnings.catch_warnings():

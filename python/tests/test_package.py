@@ -243,10 +243,11 @@ def test_a_report_has_a_figure_of_its_errors():
 
     def off(questions):
         answer = questions.answer()
-        return {"hit": answer.hit, "value": answer.value * np.where(np.arange(len(questions)) % 2, 1, 1.5), "normal": answer.normal}
+        return {"hit": answer.hit, "value": answer.value * np.resize([1, 1.5, np.inf], len(questions)), "normal": answer.normal}
 
     report = contact_oracle.certify(off, "sphere_sphere", "generic", seed=1)
     axes, = report.to_figure().axes
+    assert report.data["total"]["fields"]["value"]["not_finite"] > 9
     bars = {bar.get_label(): sum(rectangle.get_height() for rectangle in bar) for bar in axes.containers}
     assert bars == {name: field["judged"] for name, field in report.data["total"]["fields"].items() if name in bars} and set(bars) >= {"value", "normal"}
 
