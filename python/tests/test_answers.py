@@ -3,6 +3,7 @@ import json
 import subprocess
 import sys
 import threading
+import time
 import tracemalloc
 import warnings
 
@@ -487,6 +488,29 @@ def test_threads_may_ask_at_once():
     for thread in threads:
         thread.join()
     assert found == [right] * 8
+
+
+@pytest.mark.parametrize("call", [lambda q: q.answer(), lambda q: contact_oracle.hits("sphere_sphere", **q), lambda q: q.id, lambda q: contact_oracle.exact(q[:3000]),
+                                  lambda q: contact_oracle.gradient(q[:1000]), lambda q: contact_oracle.generate("sphere_sphere", "generic", 100_000)],
+                         ids=["answer", "hits", "id", "exact", "gradient", "generate"])
+def test_other_threads_run_meanwhile(call):
+    centers = np.random.default_rng(1).uniform(-2, 2, (400_000, 3))
+    questions = contact_oracle.Questions("sphere_sphere", dict(center1=centers, radius1=1, center2=centers[::-1], radius2=1))
+    stamps, done = [], threading.Event()
+
+    def stamp():
+        while not done.wait(0.001):
+            stamps.append(time.perf_counter())
+
+    other = threading.Thread(target=stamp)
+    other.start()
+    begin = time.perf_counter()
+    call(questions)
+    end = time.perf_counter()
+    done.set()
+    other.join()
+    # Between the copies at both ends, which NumPy and Python make.
+    assert any(begin + 0.3 * (end - begin) < at < begin + 0.6 * (end - begin) for at in stamps)
 
 
 def test_contacts_are_shown_and_tabulated():
