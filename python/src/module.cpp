@@ -3,6 +3,8 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <bit>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
@@ -163,21 +165,36 @@ void production(const QuestionArrays& questions, PointConvention convention, Vis
       zero_query(questions.pair()).shapes);
 }
 
+/// Whether an exact real x has the same binary32 as its binary64 has, which is what production gives. The two can differ only
+/// where the binary64 is halfway between two numbers of binary32, because rounding keeps the order and halfway is a binary64.
+/// Where numbers of binary32 are normal, that is where the 29 bits which they lack are a one and zeros; elsewhere the
+/// answer is no, but for 0.
+bool rounds_alike(double x) {
+  constexpr std::uint64_t kLacking = (std::uint64_t{1} << 29) - 1;
+  const double size = std::abs(x);
+  return x == 0 || (size >= std::numeric_limits<float>::min() && size <= std::numeric_limits<float>::max() &&
+                    (std::bit_cast<std::uint64_t>(x) & kLacking) != (kLacking + 1) / 2);
+}
+bool rounds_alike(const Vector3& v) { return rounds_alike(v[0]) && rounds_alike(v[1]) && rounds_alike(v[2]); }
+bool rounds_alike(const Contact& c) {
+  return rounds_alike(c.value) && rounds_alike(c.normal) && rounds_alike(c.point1) && rounds_alike(c.point2);
+}
+
+/// In binary32 production's numbers are rounded again where this is the same as once, else the oracle rounds them.
 template <class Number>
-py::dict contacts_as(const QuestionArrays& questions, PointConvention convention, Scalar scalar) {
+py::dict contacts_as(const QuestionArrays& questions, PointConvention convention) {
   Answers<Number> answers(questions.pair(), questions.size());
   {
     const py::gil_scoped_release no_gil;
-    if (scalar == Scalar::binary64) {
-      production(questions, convention,
-                 [&](std::size_t row, bool hit, const std::optional<Contact>& c) { answers.set(row, hit, c); });
-    } else {
-      // Production rounds to binary64, and what is rounded twice may be another number: the oracle rounds once.
-      for_each(questions, [&](std::size_t row, const Query& query) {
-        const Expectation answer = oracle::staged_answer(query, scalar).expected;
-        answers.set(row, answer.hit, answer.contact);
-      });
-    }
+    Query query = zero_query(questions.pair());
+    production(questions, convention, [&](std::size_t row, bool hit, const std::optional<Contact>& c) {
+      if (std::is_same_v<Number, double> || !c || rounds_alike(*c)) {
+        answers.set(row, hit, c);
+      } else {
+        questions.read(row, query);
+        answers.set(row, hit, oracle::staged_answer(query, Scalar::binary32).expected.contact);
+      }
+    });
   }
   return answers.arrays();
 }
@@ -190,10 +207,10 @@ py::dict contacts(const std::string& pair, const py::list& columns, const py::ar
     throw std::invalid_argument(fmt::format("unknown points '{}'; known: {}", points, fmt::join(names, ", ")));
   const auto convention = static_cast<PointConvention>(it - names.begin());
   const QuestionArrays questions(pair_of(pair), columns, alarm, contact);
-  if (scalar_of(scalar) == Scalar::binary64) return contacts_as<double>(questions, convention, Scalar::binary64);
+  if (scalar_of(scalar) == Scalar::binary64) return contacts_as<double>(questions, convention);
   if (convention != PointConvention::nearest_surface)
     throw std::invalid_argument("of float32 only the points nearest_surface are answered");
-  return contacts_as<float>(questions, convention, Scalar::binary32);
+  return contacts_as<float>(questions, convention);
 }
 
 py::array_t<bool> hits(const std::string& pair, const py::list& columns, const py::array& alarm,

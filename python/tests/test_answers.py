@@ -197,6 +197,19 @@ def test_single_precision_is_answered_in_single_precision():
     assert contact.value[0] == np.float32(doubles.value[0])
 
 
+def test_single_precision_is_rounded_once():
+    # The value is 1 + 3 * 2^-24 less 2^-80, and in double precision it is not less: halfway, and to even would be up.
+    value = contact_oracle.sphere_sphere(np.float32([-(2.0**-24), 0, 0]), 0, np.float32([1 + 2.0**-23, 0, 0]), 0, alarm=2, contact=2.0**-80).value
+    assert value == np.float32(1 + 2.0**-23) and np.float32(np.float64(1 + 3 * 2.0**-24)) == 1 + 2.0**-22
+    # y of the normal is 3 * 2^-150 less 2^-447 or so, halfway between subnormal numbers in double precision.
+    normal = contact_oracle.sphere_sphere(np.zeros(3, np.float32), 1, np.float32([2, 3 * 2.0**-149, 0]), 1, alarm=1).normal
+    assert normal.tolist() == [1, 2.0**-149, 0] and np.float32(3 * 2.0**-150) == 2.0**-148
+    # Too large for single precision, not for double precision.
+    far = np.finfo(np.float32).max
+    contact = contact_oracle.sphere_sphere(np.float32([-far, 0, 0]), 0, np.float32([far, 0, 0]), far, alarm=far)
+    assert contact.hit and contact.value == far and contact_oracle.sphere_sphere(np.float32([far, 0, 0]), far, np.float32([far, 0, 0]), far).point1[0] == np.inf
+
+
 def test_a_number_without_a_format_follows_the_arrays_where_it_can():
     centers = np.zeros((2, 3), np.float32)
     assert contact_oracle.sphere_sphere(centers, 0.5, (1, 0, 0), 0.5).value.dtype == np.float32
