@@ -1,5 +1,6 @@
 """The functions of the pairs: right answers, every kind of array, and refusals that name the place."""
 import json
+import os
 import subprocess
 import sys
 import threading
@@ -381,6 +382,30 @@ for call in [{", ".join("lambda: " + call for call in LONG_CALLS)}]:
     after = dict(zip(LONG_CALLS, map(float, done.stdout.split()), strict=True))
     assert max(after.values()) < 0.8, after
     assert not list(tmp_path.iterdir())
+
+
+def test_a_call_that_lasts_shows_a_bar_on_a_terminal_alone():
+    pty = pytest.importorskip("pty")
+    script = """
+import os, signal, threading, time
+import numpy as np
+import contact_oracle
+
+threading.Timer(1.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+try:
+    contact_oracle.gradient("sphere_sphere", np.zeros((1_000_000, 3)), 1, (1, 2, 2), 1)
+except KeyboardInterrupt:
+    os.write(2, b"interrupted")
+"""
+    ours, theirs = pty.openpty()
+    piped = subprocess.Popen([sys.executable, "-c", script], stderr=subprocess.PIPE)
+    shown = subprocess.Popen([sys.executable, "-c", script], stderr=theirs)
+    assert piped.communicate()[1] == b"interrupted" and shown.wait() == 0
+    os.close(theirs)
+    said = os.read(ours, 1 << 16)
+    os.close(ours)
+    # The bar is gone before anything else is said.
+    assert b"sphere_sphere [" in said and b"of 1000000" in said and said.endswith(b"\r\x1b[Kinterrupted")
 
 
 class OnlyDlpack:
