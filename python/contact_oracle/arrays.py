@@ -33,7 +33,7 @@ def library_of(values: Iterable[Any]) -> Any:
     for value in values:
         if isinstance(value, (np.ndarray, np.generic)) or not hasattr(value, "__dlpack__"):
             continue
-        library = value.__array_namespace__() if hasattr(value, "__array_namespace__") else sys.modules[type(value).__module__.partition(".")[0]]
+        library = value.__array_namespace__() if hasattr(value, "__array_namespace__") else sys.modules.get(type(value).__module__.partition(".")[0])
         if hasattr(library, "from_dlpack"):
             found[library.__name__] = library
     if len(found) > 1:
