@@ -530,12 +530,11 @@ def test_threads_may_ask_at_once():
     assert found == [right] * 8
 
 
-@pytest.mark.parametrize("call", [lambda q: q.answer(), lambda q: contact_oracle.hits("sphere_sphere", **q), lambda q: q.id, lambda q: contact_oracle.exact(q[:3000]),
-                                  lambda q: contact_oracle.gradient(q[:1000]), lambda q: contact_oracle.generate("sphere_sphere", "generic", 100_000)],
-                         ids=["answer", "hits", "id", "exact", "gradient", "generate"])
-def test_other_threads_run_meanwhile(call):
-    centers = np.random.default_rng(1).uniform(-2, 2, (400_000, 3))
-    questions = contact_oracle.Questions("sphere_sphere", dict(center1=centers, radius1=1, center2=centers[::-1], radius2=1))
+@pytest.mark.parametrize("name, count", [("contacts", 400_000), ("hits", 400_000), ("ids", 100_000), ("cases", 3000), ("gradients", 1000), ("generate", 200_000)])
+def test_other_threads_run_meanwhile(name, count):
+    centers = np.random.default_rng(1).uniform(-2, 2, (count, 3))
+    asked = contact_oracle.Questions("sphere_sphere", dict(center1=centers, radius1=1, center2=centers[::-1], radius2=1)).asked()
+    arguments = ("generic", count, 1) if name == "generate" else (asked.columns, asked.alarm, asked.contact)
     stamps, done = [], threading.Event()
 
     def stamp():
@@ -544,13 +543,16 @@ def test_other_threads_run_meanwhile(call):
 
     other = threading.Thread(target=stamp)
     other.start()
-    begin = time.perf_counter()
-    call(questions)
-    end = time.perf_counter()
+    for _ in range(5):  # a busy machine may give the other thread no processor in one of them
+        begin = time.perf_counter()
+        getattr(_core, name)("sphere_sphere", *arguments)
+        end = time.perf_counter()
+        # At both ends Python's objects are made.
+        if meanwhile := any(begin + 0.1 * (end - begin) < at < begin + 0.8 * (end - begin) for at in stamps):
+            break
     done.set()
     other.join()
-    # Between the copies at both ends, which NumPy and Python make.
-    assert any(begin + 0.3 * (end - begin) < at < begin + 0.6 * (end - begin) for at in stamps)
+    assert meanwhile
 
 
 def test_contacts_are_shown_and_tabulated():
