@@ -90,6 +90,6 @@ ${about}
 With a plugin for pytest and strategies for Hypothesis."
     "PACKAGE_DEPENDS=python3 (>= 3.11), python3 (<< 3.12), python3-numpy"
     "PACKAGE_RECOMMENDS=contact-oracle (= ${PROJECT_VERSION}-1)"
-    "PACKAGE_SUGGESTS=python3-pytest, python3-hypothesis, python3-pandas")
+    "PACKAGE_SUGGESTS=python3-pytest, python3-hypothesis, python3-matplotlib, python3-pandas")
 endif()
 include(CPack)

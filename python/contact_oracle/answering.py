@@ -25,14 +25,13 @@ def contacts_of(question: Asked, points: str) -> Contacts:
         raise InputError(f"must be {POINTS[0]} where the arrays are binary32", "points", value=repr(points))
     with question.naming_errors():
         answers = _core.contacts(question.pair.name, question.columns, question.alarm, question.contact, points, question.scalar)
-    # [()] makes the arrays of a single question numbers, as NumPy's own functions do.
-    return Contacts(**{name: np.asarray(array).reshape(question.batch + np.shape(array)[1:])[()] for name, array in answers.items()})
+    return Contacts(**{name: question.answered(array) for name, array in answers.items()})
 
 
 def hits_of(question: Asked) -> Any:
     with question.naming_errors():
         hits = _core.hits(question.pair.name, question.columns, question.alarm, question.contact)
-    return np.asarray(hits).reshape(question.batch)[()]
+    return question.answered(hits)
 
 
 def signature_of(pair: Pair) -> inspect.Signature:
@@ -69,6 +68,25 @@ _SECTIONS = {**{pair: "sphere-pairs" for pair in ("sphere_sphere", "rigid_sphere
              **{f"cast_{shape}": "ray-casts" for shape in ("sphere", "cube", "capsule", "triangle", "plane")}}
 
 
+# As the first shape of an example each ends at x = 1, and as the second it begins at x = 3: one is 2 from the other.
+_FIRST = {"sphere": "(0, 0, 0), 1", "cube": "(-1, -1, -1), (1, 1, 1)", "capsule": "(-2, 0, 0), (0.5, 0, 0), 0.5", "triangle": "[(0, -1, 0), (0, 1, 0), (1, 0, 0)]",
+          "ray": "(-1, 0, 0), (1, 0, 0), 2", "obb": "(0, 0, 0), (0, 0, 0, 1), (1, 1, 1)", "hull": "[(-1, 0, 0), (0.5, 1, 0), (0.5, -1, 0), (0.5, 0, 1)], 0.5"}
+_SECOND = {"sphere": "(4, 0, 0), 1", "cube": "(3, -1, -1), (5, 1, 1)", "capsule": "(3.5, 0, 0), (6, 0, 0), 0.5", "triangle": "[(3, 0, 0), (4, -1, 0), (4, 1, 0)]",
+           "plane": "(-1, 0, 0), -3", "obb": "(4, 0, 0), (0, 0, 0, 1), (1, 1, 1)", "hull": "[(3.5, 0, 0), (5, 1, 0), (5, -1, 0), (5, 0, 1)], 0.5"}
+_CROSSINGS = {"ray_triangle": f"(3.5, 0, 2), (0, 0, -1), 9, {_SECOND['triangle']}", "triangle_line": f"{_FIRST['triangle']}, (0.5, 0, -1), (0.5, 0, 1)"}
+
+
+def example_of(pair: Pair) -> str:
+    """An example with its answer, which is known without the core."""
+    if pair.numbers == "crossing":
+        return f">>> contact_oracle.{pair.name}({_CROSSINGS[pair.name]}).value\n0.0"
+    second = _SECOND[pair.shapes[1]]
+    if pair.numbers == "cast":
+        return f">>> contact_oracle.{pair.name}((0, 0, 0), (1, 0, 0), 9, {second}).value\n3.0"
+    answer = ".hit\nTrue" if pair.numbers == "none" else ".value\n2.0"
+    return f">>> contact_oracle.{pair.name}({_FIRST[pair.shapes[0]]}, {second}, alarm=2){answer}"
+
+
 def documentation_of(pair: Pair) -> str:
     first, second = (shape if shape != pair.shapes[0] or index == 0 else "another" for index, shape in enumerate(pair.shapes))
     arguments = "\n".join(f"    {field.argument:<12}{field.shape_text:<12}{', ' * field.any_number}"
@@ -83,10 +101,12 @@ def documentation_of(pair: Pair) -> str:
             f"Units       one length unit throughout\n"
             f"Domain      finite numbers; subnormal ones and the largest included; what is outside is an InputError\n"
             f"Scalar      binary32 where all arrays are float32, else binary64\n"
+            f"Library     answers are arrays of the library that the arrays are of: NumPy, PyTorch, any of the array API with from_dlpack\n"
             f"Decision    {_DECISIONS[pair.numbers]}\n"
             f"Error       {answers}\n"
             f"Degenerate  {_DEGENERATE[pair.numbers] if pair.name in _SECTIONS else _OVERLAPPING}\n"
-            f"Source      docs/specification.md#{_SECTIONS.get(pair.name, 'any-two-convex-shapes')}\n")
+            f"Source      docs/specification.md#{_SECTIONS.get(pair.name, 'any-two-convex-shapes')}\n\n"
+            f">>> import contact_oracle\n{example_of(pair)}\n")
 
 
 def function_of(pair: Pair) -> Callable[..., Contacts]:
@@ -118,6 +138,13 @@ def explain(query: Any, /, *arguments: Any, **named: Any) -> str:
     """The answer in words, with the exact numbers behind it.
 
     query      a pair's name, with its arguments after it; or a line for ``explain``, a dict like one, a `Question` or `Questions`
+
+    InputError where the question cannot be read or is outside the domain.
+
+    >>> import contact_oracle
+    >>> text = contact_oracle.explain("sphere_sphere", (0, 0, 0), 1, (1, 2, 2), 2)
+    >>> next(line.strip() for line in text.splitlines() if "HIT" in line)
+    'D = reach^2: exactly touching, which counts.  HIT'
     """
     if isinstance(query, Question):
         query = str(query)

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from . import _core
+from .arrays import UNREADABLE, in_library, library_of, numpy_array
 from .errors import InputError, errors_of_core
 from .pairs import Array, Pair
 
@@ -23,10 +24,8 @@ def _numpy_array(argument: str, value: Any) -> Array:
     if getattr(value, "requires_grad", False) is True:
         raise InputError("requires a gradient, which no answer here has; give what its detach() returns", argument)
     try:
-        if not isinstance(value, np.ndarray) and not hasattr(value, "__array__") and hasattr(value, "__dlpack__"):
-            return np.from_dlpack(value)
-        return np.asarray(value)
-    except (ValueError, TypeError, RuntimeError, OverflowError, BufferError) as error:
+        return numpy_array(value)
+    except UNREADABLE as error:
         raise InputError(f"cannot be read as an array: {error}", argument) from error
 
 
@@ -59,7 +58,10 @@ def _has_a_format(value: Any) -> bool:
 
 @dataclass(frozen=True)
 class Asked:
-    """Questions as the core reads them: `columns` are (N, *shape), and `batch` is the shape that N stands for."""
+    """Questions as the core reads them: `columns` are (N, *shape), binary64 or binary32 each, and `batch` is the shape that N stands for.
+
+    library  what the answers are arrays of; None is NumPy
+    """
 
     pair: Pair
     scalar: str
@@ -68,6 +70,14 @@ class Asked:
     alarm: Array
     contact: Array
     given: dict[str, Array]
+    library: Any
+
+    def answered(self, array: Any, shape: tuple[int, ...] | None = None) -> Any:
+        """Rows of the core in the shape of the batch, and of their own, as the caller's kind of array."""
+        array = np.asarray(array)
+        array = array.reshape(self.batch + (array.shape[1:] if shape is None else shape))
+        # [()] makes the arrays of a single question numbers, as NumPy's own functions do.
+        return array[()] if self.library is None else in_library(self.library, array)
 
     @property
     def all_columns(self) -> list[Array]:
@@ -97,6 +107,10 @@ class Asked:
 
 def asked(pair: Pair, values: Mapping[str, Any]) -> Asked:
     """The questions that the arguments of a pair are."""
+    try:
+        library = library_of(values[name] for name in pair.arguments)
+    except TypeError as error:
+        raise InputError(str(error)) from None
     given = {name: array_of(name, values[name]) for name in pair.arguments}
     formats = {given[name].dtype for name in pair.arguments if _has_a_format(values[name])}
     scalar = "binary32" if formats == {np.dtype(np.float32)} else "binary64"
@@ -122,11 +136,10 @@ def asked(pair: Pair, values: Mapping[str, Any]) -> Asked:
         raise InputError(f"numbers of questions do not go together: {shapes}") from None
     count = math.prod(batch)
     columns = [_column(given[name], batch, count, core) for name, core in zip(pair.arguments, cores)]
-    return Asked(pair, scalar, batch, columns[:-2], columns[-2], columns[-1], given)
+    return Asked(pair, scalar, batch, columns[:-2], columns[-2], columns[-1], given, library)
 
 
 def _column(array: Array, batch: tuple[int, ...], count: int, core: tuple[int, ...]) -> Array:
-    column = np.broadcast_to(array, batch + core)
-    if len(batch) != 1:
-        column = column.reshape((count, *core))
-    return column.astype(np.float64, copy=False)
+    if array.shape != batch + core:
+        array = np.broadcast_to(array, batch + core)
+    return array if len(batch) == 1 else array.reshape((count, *core))

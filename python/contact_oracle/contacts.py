@@ -1,14 +1,15 @@
 """Answers: arrays by name, one row a question."""
 from __future__ import annotations
 
-import html
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
 
-ROWS_SHOWN = 10
+from .arrays import in_library, library_of, numpy_array
+from .shown import table
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,6 +25,14 @@ class Contacts:
     unique      (N,) bool, false where many points are nearest
 
     A single question has arrays without the first axis.
+
+    Numbers are of the scalar and arrays of the library of those that asked (docs/python.md#arrays); lengths are in their unit.
+    TypeError for the length of a single one, ValueError for the truth of several.
+
+    >>> import contact_oracle
+    >>> contacts = contact_oracle.sphere_sphere((0, 0, 0), 1, [(2, 0, 0), (5, 0, 0)], 1)
+    >>> contacts.hit, contacts[0].value
+    (array([ True, False]), 0.0)
     """
 
     hit: Any
@@ -40,7 +49,7 @@ class Contacts:
     def __len__(self) -> int:
         if np.ndim(self.hit) == 0:
             raise TypeError("a single contact has no length")
-        return len(self.hit)
+        return int(self.hit.shape[0])
 
     def __bool__(self) -> bool:
         if np.ndim(self.hit) != 0:
@@ -51,11 +60,13 @@ class Contacts:
         if np.ndim(self.hit) == 0:
             raise IndexError("a single contact has no rows")
         # The shape of `hit` alone is indexed, so an index cannot reach into the coordinates.
-        rows = np.arange(np.size(self.hit)).reshape(np.shape(self.hit))[index]
+        batch = numpy_array(self.hit).shape
+        rows = np.arange(math.prod(batch)).reshape(batch)[index]
+        library = library_of([self.hit])
         taken = {}
-        for name, array in self._arrays().items():
-            array = np.asarray(array)
-            taken[name] = array.reshape((-1, *array.shape[np.ndim(self.hit):]))[rows]
+        for name, given in self._arrays().items():
+            array = numpy_array(given)
+            taken[name] = in_library(library, array.reshape((-1, *array.shape[len(batch):]))[rows])
         return Contacts(**taken)
 
     def __iter__(self) -> Iterator[Contacts]:
@@ -66,22 +77,12 @@ class Contacts:
         import pandas
 
         columns: dict[str, Any] = {}
-        for name, array in self._arrays().items():
-            flat = np.asarray(array).reshape((np.size(self.hit), -1))
+        batch = np.ndim(self.hit)
+        for name, given in self._arrays().items():
+            array = numpy_array(given)
+            flat = array.reshape((math.prod(array.shape[:batch]), math.prod(array.shape[batch:])))
             columns |= {name + suffix: flat[:, axis] for axis, suffix in enumerate(("_x", "_y", "_z") if flat.shape[1] == 3 else ("",))}
         return pandas.DataFrame(columns)
 
     def _repr_html_(self) -> str:
-        single = np.ndim(self.hit) == 0
-        flat = {name: np.asarray(array).reshape((np.size(self.hit), *np.shape(array)[np.ndim(self.hit):]))
-                for name, array in self._arrays().items()}
-        rows = min(np.size(self.hit), ROWS_SHOWN)
-        head = "".join(f"<th>{name}</th>" for name in (() if single else ("",)) + tuple(flat))
-        body = "".join("<tr>" + ("" if single else f"<th>{row}</th>")
-                       + "".join(f"<td>{html.escape(_text(array[row]))}</td>" for array in flat.values()) + "</tr>" for row in range(rows))
-        rest = np.size(self.hit) - rows
-        return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>" + (f"<p>and {rest} more</p>" if rest else "")
-
-
-def _text(value: Any) -> str:
-    return str(value) if np.ndim(value) == 0 else "(" + ", ".join(map(str, value)) + ")"
+        return table(self._arrays(), np.ndim(self.hit))

@@ -17,12 +17,26 @@ from .shapes import Question
 
 
 def families(pair: str) -> list[dict[str, Any]]:
-    """The families of a pair: dicts with ``name``, ``reason`` and ``outside_domain``, which is true of questions that must be refused."""
+    """The families of a pair: dicts with ``name``, ``reason`` and ``outside_domain``, which is true of questions that must be refused.
+
+    InputError where there is no such pair.
+
+    >>> import contact_oracle
+    >>> [family["name"] for family in contact_oracle.families("cube_cube")][:2]
+    ['generic', 'separated']
+    """
     return list(_core.families(pair_named(pair).name))
 
 
 def profiles() -> list[dict[str, Any]]:
-    """The tolerances that have names."""
+    """The tolerances that have names.
+
+    Dicts with ``name``, ``reason``, ``length`` in the user's unit, ``relative``, ``angle`` in radians, and ``scale``, the least and the largest number.
+
+    >>> import contact_oracle
+    >>> [profile["name"] for profile in contact_oracle.profiles()]
+    ['game', 'robotics', 'metrology']
+    """
     return list(_core.profiles())
 
 
@@ -59,6 +73,13 @@ class Dataset(Questions):
     expect   the right answers, `Contacts`
     flags    for each question the names of what is true of it
     columns  every other column of the file by its name there, such as ``exact/distance2``
+
+    >>> import contact_oracle, tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     contact_oracle.write_dataset(f"{folder}/mine.npz", contact_oracle.generate("sphere_sphere", "touching", 3))
+    ...     dataset = contact_oracle.read_dataset(f"{folder}/mine.npz")
+    >>> len(dataset), dataset.header["family"], bool(dataset.expect.hit.all())
+    (3, 'own', True)
     """
 
     header: dict[str, Any]
@@ -84,7 +105,16 @@ class Dataset(Questions):
 
 
 def read_dataset(path: str | os.PathLike[str]) -> Dataset:
-    """A dataset in any form: JSON lines, .h5 or .npz."""
+    """A dataset in any form: JSON lines, .h5 or .npz.
+
+    InputError where the file is not there or is no dataset.
+
+    >>> import contact_oracle
+    >>> contact_oracle.read_dataset("nowhere.jsonl")
+    Traceback (most recent call last):
+      ...
+    contact_oracle.errors.InputError: nowhere.jsonl: cannot read: no such file
+    """
     with errors_of_core():
         header, columns = _core.read_dataset(os.fspath(path))
     return Dataset(json.loads(header), columns)
@@ -94,6 +124,14 @@ def write_dataset(path: str | os.PathLike[str], questions: Questions | Question 
     """Questions of one's own, with their right answers, as a golden dataset; the end of the name says in which form.
 
     family     any name but those of the generator, whose questions `generate` makes
+
+    InputError where a question is outside the domain or the name ends otherwise; then nothing is written.
+
+    >>> import contact_oracle
+    >>> contact_oracle.write_dataset("mine.txt", contact_oracle.generate("sphere_sphere", "touching", 3))
+    Traceback (most recent call last):
+      ...
+    contact_oracle.errors.InputError: the name of a dataset ends in .jsonl, .h5 or .npz, got 'mine.txt'
     """
     batch = joined(questions)
     question = batch.asked()

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from .arrays import UNREADABLE, numpy_array
 from .datasets import generate
 from .errors import EngineError, InputError
 from .pairs import PAIRS, Array, number_of, pair_named
@@ -54,10 +55,8 @@ def _array(name: str, value: Any) -> Array:
     if getattr(value, "requires_grad", False) is True and hasattr(value, "detach"):
         value = value.detach()
     try:
-        if not hasattr(value, "__array__") and hasattr(value, "__dlpack__"):
-            return np.from_dlpack(value)
-        return np.asarray(value)
-    except (ValueError, TypeError, RuntimeError, BufferError) as error:
+        return numpy_array(value)
+    except UNREADABLE as error:
         raise EngineError(f"{name} cannot be read as an array: {error}") from error
 
 

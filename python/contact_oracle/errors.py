@@ -15,6 +15,13 @@ class InputError(ValueError):
     value     what stands there
     rule      what it breaks
     field     the same place in the words of files, such as ``a.center[1]``; None where there is none
+
+    >>> import contact_oracle
+    >>> try:
+    ...     contact_oracle.sphere_sphere((0, 0, 0), [1, -1], (1, 0, 0), 1)
+    ... except contact_oracle.InputError as error:
+    ...     error.argument, error.index, error.value, error.rule, error.field
+    ('radius1', (1,), -1.0, 'must not be negative', 'a.radius')
     """
 
     def __init__(self, rule: str, argument: str | None = None, index: tuple[int, ...] | None = None, value: object = None,
@@ -30,6 +37,13 @@ class EngineError(RuntimeError):
 
     pair  the pair it was asked
     line  the first question it was asked then, a line for ``explain``; None where it was not asked yet
+
+    >>> import contact_oracle
+    >>> try:
+    ...     contact_oracle.certify(lambda questions: {"hit": 1 / 0}, "cube_cube", "touching")
+    ... except contact_oracle.EngineError as error:
+    ...     error.pair, type(error.__cause__)
+    ('cube_cube', <class 'ZeroDivisionError'>)
     """
 
     def __init__(self, message: str, pair: str | None = None, line: str | None = None) -> None:
@@ -38,7 +52,12 @@ class EngineError(RuntimeError):
 
 
 class OracleDisagreement(RuntimeError):
-    """Two oracles differ. No engine is to blame: please report it."""
+    """Two oracles differ. No engine is to blame: please report it.
+
+    >>> import contact_oracle
+    >>> issubclass(contact_oracle.OracleDisagreement, RuntimeError)
+    True
+    """
 
 
 @contextlib.contextmanager

@@ -77,6 +77,13 @@ class Exact:
     gap          of two boxes: how far apart they are on each axis
     crossing     of a segment and a triangle: the point that they have in common, None on a miss
     t            of a ray that is cast: a and h, where it hits at a - sqrt(h); None on a miss
+
+    Lengths are in the question's unit, squares in its square. AttributeError for a distance that the pair has not.
+
+    >>> import contact_oracle
+    >>> answer = contact_oracle.exact("sphere_sphere", (0, 0, 0), 1, (3, 4, 0), 3.5, alarm=1)
+    >>> answer.distance2, answer.reach, answer.value()
+    (Fraction(25, 1), Fraction(11, 2), Decimal('0.5'))
     """
 
     question: Question
@@ -92,16 +99,22 @@ class Exact:
     t: tuple[Fraction, Fraction] | None = None
     depth2: Fraction | None = None
 
+    def _repr_html_(self) -> str:
+        return self.question._repr_html_()
+
     @property
     def hit(self) -> bool:
+        """Whether the shapes are within the alarm distance."""
         return bool(self.expect["hit"])
 
     @property
     def degenerate(self) -> bool:
+        """Whether there is no direction, so that the normal is an agreement."""
         return bool(self.expect.get("degenerate", False))
 
     @property
     def unique(self) -> bool:
+        """Whether one pair of points alone is nearest."""
         return bool(self.expect.get("unique", True))
 
     def _root_less(self, less: Fraction, digits: int) -> Decimal:

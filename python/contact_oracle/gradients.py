@@ -17,6 +17,7 @@ from .exact_answers import asked_of
 from .judging import _name_of, generated_sources
 from .pairs import Array, Pair, number_of, pair_named, scalar_named
 from .questions import Questions
+from .shown import text
 
 FIELDS = {"value": slice(0, 1), "normal": slice(1, 4), "point1": slice(4, 7), "point2": slice(7, 10)}
 COUNT = 20
@@ -38,6 +39,11 @@ class Gradient:
     sides    the same with a last axis of two: the derivatives from below and from above, where there is none and these are known
 
     A single question has arrays without the first axis.
+
+    >>> import contact_oracle
+    >>> found = contact_oracle.gradient("sphere_plane", (1, 2, 3), 1, (0, 0, 2), 0)
+    >>> found.value["center1"], found.point2["center1"][0], found.why["value"]["radius1"]
+    (array([0., 0., 1.]), array([1., 0., 0.]), '')
     """
 
     value: dict[str, Any]
@@ -60,7 +66,8 @@ def _by_argument(question: Asked, name: str, array: Array) -> dict[str, Any]:
         part = array[:, FIELDS[name], begin:begin + width]
         begin += width
         rows = () if name == "value" else (3,)
-        found[argument] = part.reshape(question.batch + rows + column.shape[1:] + array.shape[3:])[()]
+        shape = rows + column.shape[1:] + array.shape[3:]
+        found[argument] = part.reshape(question.batch + shape)[()] if array.dtype == object else question.answered(part, shape)
     return found
 
 
@@ -93,7 +100,16 @@ def gradient(query: Any, /, *arguments: Any, **named: Any) -> Gradient:
 
 @dataclass(frozen=True)
 class GradientFailure:
-    """A derivative that is wrong: ``of`` which number, ``by`` which, what was ``claimed`` and is ``right`` (NaN: there is none)."""
+    """A derivative that is wrong: ``of`` which number, ``by`` which, what was ``claimed`` and is ``right`` (NaN: there is none).
+
+    >>> import contact_oracle
+    >>> def wrong(questions):
+    ...     return None, {"radius1": -2 * np.ones(len(questions))}
+    >>> report = contact_oracle.certify_gradient(wrong, "sphere_sphere", "generic", seed=1)
+    >>> failure = report.failures[0]
+    >>> failure.of, failure.by, failure.claimed, failure.right, failure.what
+    ('value', 'radius1', -2.0, -1.0, 'wrong')
+    """
 
     line: str
     of: str
@@ -121,6 +137,13 @@ class GradientReport:
     failure_count   how many of these are wrong; `failures` has some
     diagnosis       what the wrong ones have in common
     unclaimed       the arguments by which no derivative was claimed
+
+    >>> import contact_oracle
+    >>> def wrong(questions):
+    ...     return None, {"radius1": -2 * np.ones(len(questions))}
+    >>> report = contact_oracle.certify_gradient(wrong, "sphere_sphere", "generic", seed=1)
+    >>> report.certified, report.failure_count == report.judged == report.questions
+    (False, True)
     """
 
     name: str
@@ -140,6 +163,7 @@ class GradientReport:
 
     @property
     def certified(self) -> bool:
+        """Whether some derivatives were judged and none is wrong."""
         return self.judged > 0 and self.failure_count == 0
 
     def __bool__(self) -> bool:
@@ -147,6 +171,7 @@ class GradientReport:
 
     @property
     def verdict(self) -> str:
+        """The verdict in one sentence."""
         of = f"{self.name}: derivatives of {self.pair}, {self.questions} questions" + ("" if self.seed is None else f" (seed {self.seed})")
         if self.judged == 0:
             return f"REFUTED: {of}: none was judged"
@@ -155,6 +180,9 @@ class GradientReport:
             return f"REFUTED: {of}: {self.failure_count} of {self.claimed} are wrong by more than {self.relative:g} of their scale, or not finite{rest}"
         without = f"; none was claimed by {', '.join(self.unclaimed)}" if self.unclaimed else ""
         return f"CERTIFIED: {of}: all {self.judged} are within {self.relative:g} of their scale{rest}{without}"
+
+    def _repr_html_(self) -> str:
+        return text(self)
 
     def __str__(self) -> str:
         return "\n".join([self.verdict, *(f"  {line}" for line in self.diagnosis), *(f"  {failure}" for failure in self.failures[:5])])
@@ -204,7 +232,7 @@ class _Batch:
         """The largest derivative of a field by any number of the same kind; where all are 0, what is natural: a share of the sizes."""
         scale = np.zeros(self.exact.shape)
         groups = self._groups()
-        numbers = np.abs(np.nan_to_num(np.concatenate([column.reshape((len(self.questions), -1)) for column in self.asked.columns], axis=1)))
+        numbers = np.abs(np.nan_to_num(np.concatenate([column.reshape((len(self.questions), -1)) for column in self.asked.columns], axis=1, dtype=np.float64)))
         size = numbers[:, groups == 0].max(axis=1)
         for group in np.unique(groups):
             of = groups == group
@@ -387,7 +415,10 @@ def certify_gradient(engine: Engine, pair: str, families: str | Iterable[str] | 
         if len(some) == 0:
             continue
         try:
-            batch = _Batch(some, _claims(engine(some), description))
+            # Its own copy: what it changes in place is not what it is judged by.
+            arrays: dict[str, Array] = dict(**some)
+            given = Questions(pair, {argument: array.copy() for argument, array in arrays.items()}, scalar, some.family)
+            batch = _Batch(some, _claims(engine(given), description))
         except (EngineError, InputError):
             raise
         except Exception as error:

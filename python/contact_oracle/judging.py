@@ -16,6 +16,7 @@ from .datasets import families as families_of
 from .engines import Asking, Engine, Isolated, by_pair, claims_of, points_of
 from .errors import EngineError, InputError, OracleDisagreement, errors_of_core
 from .pairs import PAIRS, pair_named, scalar_named
+from .shown import figure_of_errors, text
 
 LEVELS = ("correctly-rounded", "faithful", "bounded", "decisions", "conservative")
 _REACHED = (*LEVELS, "none")
@@ -35,6 +36,11 @@ class Report:
     fitness    the tolerance from which on the engine would pass, for ``all`` numbers and for ``everyday`` ones
     seed       what generated the questions, of files the fresh ones; None where none were generated
     data       the whole report as `docs/formats.md#reports` describes it
+
+    >>> import contact_oracle
+    >>> report = contact_oracle.certify(lambda questions: {"hit": questions.alarm >= 0}, "cube_cube", "generic", seed=1, level="decisions")
+    >>> report.certified, report.level, report.failures[0]["what"][:9]
+    (False, 'conservative', 'false hit')
     """
 
     def __init__(self, judged: Mapping[str, Any], seed: int | None) -> None:
@@ -55,6 +61,7 @@ class Report:
 
     @property
     def failure_count(self) -> int:
+        """How many questions were answered wrongly; `failures` has so many of them as a report keeps."""
         return int(self.data["failure_count"]) + int((self.data["fresh"] or {}).get("failure_count", 0))
 
     @property
@@ -64,10 +71,12 @@ class Report:
 
     @property
     def fitness(self) -> dict[str, Any]:
+        """The tolerance from which on the engine would pass, in the unit of the questions and in radians: docs/formats.md#reports."""
         return {"all": self.data["total"].get("fitness"), "everyday": self.data["total"].get("everyday")}
 
     @property
     def families(self) -> list[dict[str, Any]]:
+        """Counts by family."""
         return list(self.data["families"])
 
     def __str__(self) -> str:
@@ -96,9 +105,11 @@ class Report:
         return self._written("json", path)
 
     def to_junit(self, path: str | os.PathLike[str] | None = None) -> str:
+        """As JUnit, a case each family, for continuous integration; written to `path` where there is one."""
         return self._written("junit", path)
 
     def to_markdown(self, path: str | os.PathLike[str] | None = None) -> str:
+        """As Markdown; written to `path` where there is one."""
         return self._written("markdown", path)
 
     def to_dataframe(self) -> Any:
@@ -113,12 +124,22 @@ class Report:
         return f'<iframe srcdoc="{html.escape(self.to_html())}" style="width:100%;height:45em;border:0"></iframe>'
 
 
+    def to_figure(self) -> Any:
+        """A matplotlib Figure of the errors: how many claims of each field are off by how many ulps; InputError without matplotlib."""
+        return figure_of_errors(self.data["total"]["fields"], f"{self.data['engine']['name']}, {self.data['scalar']}")
+
+
 class LawReport:
     """What became of each law.
 
     holds    whether no law is violated
     laws     dicts with ``law``, ``verdict``, and of a violated one ``sentence``, ``why`` and the shrunk ``questions``
     seed     the seed
+
+    >>> import contact_oracle
+    >>> report = contact_oracle.properties(lambda questions: {"hit": questions.alarm < 1}, "cube_cube", "swap", cases=20, seed=1)
+    >>> report.holds, [law["law"] for law in report.violated], report.seed
+    (True, [], 1)
     """
 
     def __init__(self, judged: Mapping[str, Any]) -> None:
@@ -130,6 +151,7 @@ class LawReport:
 
     @property
     def violated(self) -> list[dict[str, Any]]:
+        """The laws that an answer violated."""
         return [law for law in self.laws if law["verdict"] == "violated"]
 
     @property
@@ -147,10 +169,15 @@ class LawReport:
     def __bool__(self) -> bool:
         return self.holds
 
+    def _repr_html_(self) -> str:
+        return text(self)
+
     def to_json(self) -> str:
+        """The report for programs, as ``contact-oracle properties --json`` would say it."""
         return str(self._judged["json"])
 
     def to_junit(self) -> str:
+        """As JUnit, a case each law."""
         return str(self._judged["junit"])
 
 
@@ -239,6 +266,15 @@ def certify(engine: Engine | Mapping[str, Engine], pairs: str | Iterable[str] | 
     time_limit        seconds that an isolated engine has for each batch
 
     Raises EngineError where the engine raises, ends or gives no answer, InputError where an argument is wrong, and OracleDisagreement.
+
+    >>> import contact_oracle
+    >>> import numpy as np
+    >>> def boxes(questions):
+    ...     apart = np.maximum(questions.min1 - questions.max2, questions.min2 - questions.max1)
+    ...     return {"hit": (apart <= questions.alarm[:, np.newaxis]).all(axis=1)}
+    >>> report = contact_oracle.certify(boxes, "cube_cube", ["generic", "touching"], seed=1, level="decisions")
+    >>> report.certified, report.level
+    (True, 'decisions')
     """
     _, served = by_pair(engine)
     named = pairs_of(pairs, served)
@@ -312,6 +348,13 @@ def properties(engine: Engine | Mapping[str, Engine], pairs: str | Iterable[str]
 
     The command ``contact-oracle`` asks, so it must be installed; the engine answers in this process. Arguments as of `certify`;
     `cases` are per law, and `level` is bounded or correctly-rounded; a `tolerance` or a `profile` holds in its place.
+
+    InputError where it is not or an argument is wrong, EngineError where the engine answers nothing.
+
+    >>> import contact_oracle
+    >>> report = contact_oracle.properties(lambda questions: {"hit": questions.min1[:, 0] < 0}, "cube_cube", "swap", cases=100, seed=1)
+    >>> report.holds, report.violated[0]["law"]
+    (False, 'swap')
     """
     if tolerance is not None and profile is not None:
         raise InputError("cannot stand beside a profile", "tolerance")

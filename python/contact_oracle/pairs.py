@@ -7,9 +7,8 @@ from typing import Any
 import numpy as np
 
 from . import _core
+from .arrays import Array as Array
 from .errors import InputError
-
-Array = np.ndarray[Any, np.dtype[Any]]
 
 
 @dataclass(frozen=True)

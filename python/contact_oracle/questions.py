@@ -1,6 +1,7 @@
 """Many questions of one pair: arrays under the names of the pair's arguments."""
 from __future__ import annotations
 
+import html
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +12,7 @@ from .asked import Asked, asked
 from .contacts import Contacts
 from .errors import InputError
 from .pairs import Array, Field, number_of, pair_named, scalar_named
+from .shown import table
 from .shapes import SHAPES, Question, _from_json
 
 if TYPE_CHECKING:
@@ -39,6 +41,13 @@ class Questions:
     pair    the pair's name
     scalar  binary64 or binary32
     family  the family that made them, or None
+
+    InputError where arrays are missing, do not go together, or are no numbers of the scalar.
+
+    >>> import contact_oracle
+    >>> questions = contact_oracle.Questions("sphere_sphere", dict(center1=[(0, 0, 0), (9, 0, 0)], radius1=1, center2=(2, 0, 0), radius2=1))
+    >>> questions, questions.center2.shape, questions[1].a
+    (<2 questions of sphere_sphere, binary64>, (2, 3), Sphere(center=(9.0, 0.0, 0.0), radius=1.0))
     """
 
     pair: str
@@ -60,7 +69,8 @@ class Questions:
         if self.scalar == "binary32" and question.scalar != "binary32":
             raise InputError("must be arrays of binary32, as the scalar is", "arrays", value="binary64")
         number = number_of(self.scalar)
-        self._arrays = {name: column.astype(number, copy=False) for name, column in zip(description.arguments, question.all_columns)}
+        # PyTorch warns of what cannot be written, and one number for all questions is such an array.
+        self._arrays: dict[str, Array] = {name: np.require(column, number, "W") for name, column in zip(description.arguments, question.all_columns)}
 
     def __getattr__(self, name: str) -> Array:
         try:
@@ -130,6 +140,9 @@ class Questions:
         from .exact_answers import exact_of
 
         return exact_of(self.asked())
+
+    def _repr_html_(self) -> str:
+        return f"<p>{html.escape(repr(self))}</p>" + table(self._arrays)
 
     def to_dataframe(self) -> Any:
         """A pandas.DataFrame, one row a question, with a column for each number: ``center1[0]``, ..."""

@@ -25,6 +25,12 @@ def serve(engine: Engine | Mapping[str, Engine], *, name: str | None = None, ver
     """Answers the engine protocol until the host says stop or closes the pipe. Arguments as of `certify`.
 
     All questions that have arrived are one batch for each pair. What the engine, or a library in it, prints goes to standard error.
+
+    >>> import subprocess, sys
+    >>> script = "import contact_oracle; contact_oracle.serve(lambda questions: questions.answer(), pairs='sphere_sphere', name='mine')"
+    >>> host = '{"op":"hello","protocol":1}\\n{"op":"stop"}\\n'
+    >>> subprocess.run([sys.executable, "-c", script], input=host, capture_output=True, text=True).stdout[:64]
+    '{"op":"hello","protocol":1,"engine":{"name":"mine","version":"1"'
     """
     asked_engine, served = by_pair(engine)
     if pairs is None:

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 
+from .errors import InputError
 from .pairs import number_of, pair_named
+from .shown import figure_of_case, text
 
 if TYPE_CHECKING:
     from .contacts import Contacts
@@ -20,7 +22,12 @@ Point = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Sphere:
-    """All points within `radius` of `center`."""
+    """All points within `radius` of `center`.
+
+    >>> import contact_oracle
+    >>> str(contact_oracle.Question("sphere_sphere", contact_oracle.Sphere((0, 0, 0), 1), contact_oracle.Sphere((3, 0, 0), 1), alarm=1).answer().value)
+    '1.0'
+    """
 
     center: Point
     radius: float
@@ -28,7 +35,13 @@ class Sphere:
 
 @dataclass(frozen=True)
 class Cube:
-    """A box along the axes; `min` exceeds `max` nowhere."""
+    """A box along the axes; `min` exceeds `max` nowhere.
+
+    >>> import contact_oracle
+    >>> box = contact_oracle.Cube((0, 0, 0), (1, 1, 1))
+    >>> bool(contact_oracle.Question("cube_cube", box, box).answer().hit)
+    True
+    """
 
     min: Point
     max: Point
@@ -36,7 +49,13 @@ class Cube:
 
 @dataclass(frozen=True)
 class Capsule:
-    """All points within `radius` of the segment from `start` to `end`."""
+    """All points within `radius` of the segment from `start` to `end`.
+
+    >>> import contact_oracle
+    >>> capsule = contact_oracle.Capsule((0, 0, 0), (4, 0, 0), 0.5)
+    >>> contact_oracle.Question("sphere_capsule", contact_oracle.Sphere((1, 2, 0), 1.5), capsule).answer().point2
+    array([1. , 0.5, 0. ])
+    """
 
     start: Point
     end: Point
@@ -45,14 +64,26 @@ class Capsule:
 
 @dataclass(frozen=True)
 class Triangle:
-    """Three points and what is between them."""
+    """Three points and what is between them.
+
+    >>> import contact_oracle
+    >>> triangle = contact_oracle.Triangle(((0, 0, 0), (4, 0, 0), (0, 4, 0)))
+    >>> contact_oracle.Question("sphere_triangle", contact_oracle.Sphere((1, 1, 1), 2), triangle).answer().normal
+    array([ 0.,  0., -1.])
+    """
 
     vertices: tuple[Point, Point, Point]
 
 
 @dataclass(frozen=True)
 class Plane:
-    """The half-space normal . x <= offset; the normal has any length but 0."""
+    """The half-space normal . x <= offset; the normal has any length but 0.
+
+    >>> import contact_oracle
+    >>> ground = contact_oracle.Plane((0, 0, 1), 0)
+    >>> contact_oracle.Question("sphere_plane", contact_oracle.Sphere((5, 6, 0.75), 1), ground).answer().value
+    -0.25
+    """
 
     normal: Point
     offset: float
@@ -60,7 +91,13 @@ class Plane:
 
 @dataclass(frozen=True)
 class Ray:
-    """The segment from `origin` to `origin` + `length` * `direction`; the direction has any length but 0."""
+    """The segment from `origin` to `origin` + `length` * `direction`; the direction has any length but 0.
+
+    >>> import contact_oracle
+    >>> ray = contact_oracle.Ray((0, 0, 0), (1, 0, 0), 9)
+    >>> contact_oracle.Question("cast_sphere", ray, contact_oracle.Sphere((4, 0, 0), 1)).answer().value
+    3.0
+    """
 
     origin: Point
     direction: Point
@@ -69,7 +106,13 @@ class Ray:
 
 @dataclass(frozen=True)
 class Line:
-    """The segment from `start` to `end`."""
+    """The segment from `start` to `end`.
+
+    >>> import contact_oracle
+    >>> triangle = contact_oracle.Triangle(((0, 0, 0), (4, 0, 0), (0, 4, 0)))
+    >>> contact_oracle.Question("triangle_line", triangle, contact_oracle.Line((1, 1, -1), (1, 1, 1))).answer().point1
+    array([1., 1., 0.])
+    """
 
     start: Point
     end: Point
@@ -77,7 +120,13 @@ class Line:
 
 @dataclass(frozen=True)
 class Obb:
-    """A rotated box: `center` + R (`extents` * t), every t from -1 to 1. `orientation` is a quaternion x, y, z, w of any length but 0, and R its rotation."""
+    """A rotated box: `center` + R (`extents` * t), every t from -1 to 1. `orientation` is a quaternion x, y, z, w of any length but 0, and R its rotation.
+
+    >>> import contact_oracle
+    >>> turned = contact_oracle.Obb((0, 0, 0), (0, 0, 1, 1), (2, 1, 1))  # a quarter turn about z
+    >>> contact_oracle.Question("sphere_obb", contact_oracle.Sphere((0, 3, 0), 1), turned).answer().point2
+    array([0., 2., 0.])
+    """
 
     center: Point
     orientation: tuple[float, float, float, float]
@@ -86,7 +135,13 @@ class Obb:
 
 @dataclass(frozen=True)
 class Hull:
-    """All points within `radius` of the convex hull of from 1 to 64 `vertices`. These may be repeated, lie inside, in a plane or on a line."""
+    """All points within `radius` of the convex hull of from 1 to 64 `vertices`. These may be repeated, lie inside, in a plane or on a line.
+
+    >>> import contact_oracle
+    >>> hull = contact_oracle.Hull(((0, 0, 0), (4, 0, 0), (0, 4, 0), (0, 0, 4)), 0.25)
+    >>> contact_oracle.Question("sphere_hull", contact_oracle.Sphere((1, 1, -1), 1), hull).answer().value
+    -0.25
+    """
 
     vertices: tuple[Point, ...]
     radius: float
@@ -119,7 +174,13 @@ def _shape_json(shape: Shape) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class Question:
-    """One question. ``str(question)`` is a line for ``explain``."""
+    """One question. ``str(question)`` is a line for ``explain``.
+
+    >>> import contact_oracle
+    >>> question = contact_oracle.generate("sphere_sphere", "touching", 1, seed=1)[0]
+    >>> question == contact_oracle.Question.from_json(str(question))
+    True
+    """
 
     pair: str
     a: Any
@@ -167,3 +228,20 @@ class Question:
         from .answering import explain
 
         return explain(str(self))
+
+    def _repr_html_(self) -> str:
+        try:
+            return text(self.explain())
+        except InputError as error:  # a question outside the domain is one all the same
+            return text(f"{self}\n{error}")
+
+    def to_figure(self) -> Any:
+        """A matplotlib Figure of both shapes, with contact points and normal where there is a contact; InputError without matplotlib.
+
+        A notebook shows it, and ``savefig`` writes it. A plane is drawn near the other shape.
+
+        >>> import contact_oracle
+        >>> question = contact_oracle.generate("sphere_obb", "generic", 1)[0]
+        >>> question.to_figure().savefig("case.png")  # doctest: +SKIP
+        """
+        return figure_of_case(self)

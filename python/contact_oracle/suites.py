@@ -52,6 +52,13 @@ def suite(pairs: str | Iterable[str] | None = None, families: str | Iterable[str
     laws       their names; True for all that are about the pairs, False for none
     scalar     what the engine computes in
     count      how many golden cases of each family, where they are generated
+
+    InputError where there is no such pair, family or law. docs/python.md#test-with-pytest has a whole file.
+
+    >>> import contact_oracle
+    >>> test_contacts = contact_oracle.suite("cube_cube", ["generic", "touching"], laws=False)
+    >>> test_contacts.__name__
+    'test_contacts'
     """
     def named(names: str | Iterable[str]) -> tuple[str, ...]:
         return (names,) if isinstance(names, str) else tuple(names)

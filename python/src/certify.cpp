@@ -71,13 +71,14 @@ class CallableEngine final : public engines::Engine {
   void ask_ahead(const Source& source) {
     std::vector<Question> block;
     const auto flush = [&] {
-      tool::throw_if_interrupted();
       std::vector<Claim> answers = ask(block);
       for (std::size_t i = 0; i < block.size(); ++i) kept_.insert_or_assign(block[i].id, std::move(answers[i]));
       block.clear();
     };
     const oracle::Declaration declared = info().declared_for(source.pair);
+    RowCount rows(fmt::format("asked: {}/{}", name(source.pair), source.family), source.count);
     tool::for_each_question(source, [&](const Question& question) {
+      rows.add();
       if (oracle::not_served(question.query, declared)) return;
       block.push_back(question);
       if (block.size() == kTogether) flush();
@@ -90,7 +91,6 @@ class CallableEngine final : public engines::Engine {
   /// Questions of one pair.
   std::vector<Claim> ask(std::span<const Question> questions) {
     const py::gil_scoped_acquire gil;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     const Pair pair = questions.front().query.pair;
     const Scalar scalar = info().declared.scalar;
     Query widest = zero_query(pair);

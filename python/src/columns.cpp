@@ -112,6 +112,14 @@ Query widest_query(Pair pair) {
   return query;
 }
 
+void RowCount::look() {
+  constexpr std::size_t kRowsBetween = 16;  // the slowest row takes milliseconds
+  next_look_ = done_ + kRowsBetween;
+  tool::throw_if_interrupted();
+  if (!bar_ && std::chrono::steady_clock::now() - begun_ > std::chrono::seconds(1)) bar_.emplace(label_, total_);
+  if (bar_) bar_->add(done_ - std::exchange(shown_, done_));
+}
+
 QuestionArrays::QuestionArrays(Pair pair, const py::list& columns, const py::array& alarm, const py::array& contact)
     : pair_(pair) {
   for (const auto& column : columns) kept_.push_back(py::cast<py::array>(column));
@@ -122,8 +130,9 @@ QuestionArrays::QuestionArrays(Pair pair, const py::list& columns, const py::arr
   for_each_field(widest, [&](const std::string& field, const auto& value, FieldKind) {
     if (i >= kept_.size()) throw std::invalid_argument(fmt::format("{}: missing", field));
     const py::array& array = kept_[i++];
-    if (!py::isinstance<py::array_t<double>>(array) || array.ndim() == 0)
-      throw std::invalid_argument(fmt::format("{}: expected rows of float64", field));
+    const bool is_single = py::isinstance<py::array_t<float>>(array);
+    if ((!is_single && !py::isinstance<py::array_t<double>>(array)) || array.ndim() == 0)
+      throw std::invalid_argument(fmt::format("{}: expected rows of float64 or float32", field));
     if (i == 1) size_ = static_cast<std::size_t>(array.shape(0));
     auto shape = with_rows(size_, shape_of(value));
     const bool any_number = AnyNumberOfVectors<decltype(value)>;
@@ -131,7 +140,8 @@ QuestionArrays::QuestionArrays(Pair pair, const py::list& columns, const py::arr
     if (!std::equal(shape.begin(), shape.end(), array.shape(), array.shape() + array.ndim()))
       throw std::invalid_argument(fmt::format("{}: expected a shape of ({}), got ({})", field, fmt::join(shape, ", "),
                                               fmt::join(array.shape(), array.shape() + array.ndim(), ", ")));
-    Column column{static_cast<const char*>(array.data()), {}, any_number ? static_cast<std::size_t>(shape[1]) : 0};
+    Column column{
+        static_cast<const char*>(array.data()), {}, any_number ? static_cast<std::size_t>(shape[1]) : 0, is_single};
     std::copy_n(array.strides(), array.ndim(), column.strides.begin());
     columns_.push_back(column);
   });

@@ -4,8 +4,10 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <chrono>
 #include <cstring>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "formats/arrays.hpp"
 #include "golden/query_id.hpp"
 #include "oracle/truth/query.hpp"
+#include "tool/run/process.hpp"
 
 namespace contact::python {
 
@@ -40,7 +43,30 @@ struct OutsideDomain {
   std::string rule;
 };
 
-/// Questions of one pair as float64 arrays of any strides: the fields of a, then of b, the alarm and the contact
+/// Counts the rows of a call that may take long. Between some it looks for Ctrl-C, and after a second it shows a bar on a
+/// terminal. Python's lock is not held meanwhile.
+class RowCount {
+ public:
+  RowCount(std::string_view label, std::size_t total) : label_(label), total_(total) {}
+  /// Throws what a handler of signals in Python raised.
+  void add(std::size_t rows = 1) {
+    done_ += rows;
+    if (done_ >= next_look_) look();
+  }
+
+ private:
+  void look();
+
+  std::string label_;
+  std::size_t total_;
+  std::size_t done_ = 0;
+  std::size_t next_look_ = 0;
+  std::size_t shown_ = 0;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+  std::optional<tool::Progress> bar_;
+};
+
+/// Questions of one pair as float64 or float32 arrays of any strides: the fields of a, then of b, the alarm and the contact
 /// distance, with as many rows each. Vertices of three NaN at the end of a hull's are not there. They are read in place.
 class QuestionArrays {
  public:
@@ -55,7 +81,10 @@ class QuestionArrays {
     for_each_value(query, [&]<class Value>(Value& value) {
       if constexpr (AnyNumberOfVectors<Value>) value.resize(column->vertices);
       const char* at = column->begin + static_cast<py::ssize_t>(row) * column->strides[0];
-      read_value(at, column->strides.data() + 1, value);
+      if (column->is_single)
+        read_value<float>(at, column->strides.data() + 1, value);
+      else
+        read_value<double>(at, column->strides.data() + 1, value);
       ++column;
     });
   }
@@ -72,24 +101,31 @@ class QuestionArrays {
     const char* begin;
     std::array<py::ssize_t, 3> strides;
     std::size_t vertices;  ///< that there is room for in a row of a hull's
+    bool is_single;
   };
 
-  static void read_value(const char* at, const py::ssize_t*, double& value) { std::memcpy(&value, at, sizeof value); }
+  template <class Number>
+  static void read_value(const char* at, const py::ssize_t*, double& value) {
+    Number number;
+    std::memcpy(&number, at, sizeof number);
+    value = number;
+  }
+  template <class Number>
   static void read_value(const char* at, const py::ssize_t* strides, Vector3& value) {
-    for (int axis = 0; axis < 3; ++axis) std::memcpy(&value[axis], at + axis * strides[0], sizeof(double));
+    for (int axis = 0; axis < 3; ++axis) read_value<Number>(at + axis * strides[0], nullptr, value[axis]);
   }
+  template <class Number>
   static void read_value(const char* at, const py::ssize_t* strides, Quaternion& value) {
-    for (double& x : value) std::memcpy(&x, at, sizeof x), at += strides[0];
+    for (double& x : value) read_value<Number>(at, nullptr, x), at += strides[0];
   }
+  template <class Number>
   static void read_value(const char* at, const py::ssize_t* strides, std::array<Vector3, 3>& value) {
-    read_vectors(at, strides, value);
+    for (Vector3& v : value) read_value<Number>(at, strides + 1, v), at += strides[0];
   }
+  template <class Number>
   static void read_value(const char* at, const py::ssize_t* strides, std::vector<Vector3>& value) {
-    read_vectors(at, strides, value);
+    for (Vector3& v : value) read_value<Number>(at, strides + 1, v), at += strides[0];
     while (!value.empty() && value.back().array().isNaN().all()) value.pop_back();
-  }
-  static void read_vectors(const char* at, const py::ssize_t* strides, std::span<Vector3> vectors) {
-    for (Vector3& v : vectors) read_value(at, strides + 1, v), at += strides[0];
   }
 
   Pair pair_;

@@ -3,6 +3,8 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <bit>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
@@ -87,6 +89,18 @@ class Answers {
   bool* unique_ = nullptr;
 };
 
+/// Calls visit(row, question). Python's lock is not held meanwhile.
+template <class Visit>
+void for_each(const QuestionArrays& questions, Visit&& visit) {
+  RowCount rows(name(questions.pair()), questions.size());
+  Query query = zero_query(questions.pair());
+  for (std::size_t row = 0; row < questions.size(); ++row) {
+    questions.read_checked(row, query);
+    visit(row, std::as_const(query));
+    rows.add();
+  }
+}
+
 /// Calls visit(row, contact) for some questions of two kinds of shapes with the same distances, in vectors.
 template <class A, class B, class Visit>
 void in_vectors(std::span<const Query> questions, ContactPoints points, batch::Pairs<A, B>& pairs, Visit&& visit) {
@@ -107,6 +121,7 @@ void in_vectors(std::span<const Query> questions, ContactPoints points, batch::P
 /// Calls visit(row, hit, contact) for every question.
 template <class Visit>
 void production(const QuestionArrays& questions, PointConvention convention, Visit&& visit) {
+  RowCount rows(name(questions.pair()), questions.size());
   Query zeros = zero_query(questions.pair());
   std::visit(
       [&]<class A, class B>(const Two<A, B>&) {
@@ -137,34 +152,49 @@ void production(const QuestionArrays& questions, PointConvention convention, Vis
                   [&](std::size_t i, bool hit, const std::optional<Contact>& c) { visit(first + i, hit, c); });
             else
               for (std::size_t i = 0; i < count; ++i) one(first + i, block[i]);
+            rows.add(count);
           }
         } else {
           for (std::size_t row = 0; row < questions.size(); ++row) {
             questions.read_checked(row, zeros);
             one(row, zeros);
+            rows.add();
           }
         }
       },
       zero_query(questions.pair()).shapes);
 }
 
+/// Whether an exact real x has the same binary32 as its binary64 has, which is what production gives. The two can differ only
+/// where the binary64 is halfway between two numbers of binary32, because rounding keeps the order and halfway is a binary64.
+/// Where numbers of binary32 are normal, that is where the 29 bits which they lack are a one and zeros; elsewhere the
+/// answer is no, but for 0.
+bool rounds_alike(double x) {
+  constexpr std::uint64_t kLacking = (std::uint64_t{1} << 29) - 1;
+  const double size = std::abs(x);
+  return x == 0 || (size >= std::numeric_limits<float>::min() && size <= std::numeric_limits<float>::max() &&
+                    (std::bit_cast<std::uint64_t>(x) & kLacking) != (kLacking + 1) / 2);
+}
+bool rounds_alike(const Vector3& v) { return rounds_alike(v[0]) && rounds_alike(v[1]) && rounds_alike(v[2]); }
+bool rounds_alike(const Contact& c) {
+  return rounds_alike(c.value) && rounds_alike(c.normal) && rounds_alike(c.point1) && rounds_alike(c.point2);
+}
+
+/// In binary32 production's numbers are rounded again where this is the same as once, else the oracle rounds them.
 template <class Number>
-py::dict contacts_as(const QuestionArrays& questions, PointConvention convention, Scalar scalar) {
+py::dict contacts_as(const QuestionArrays& questions, PointConvention convention) {
   Answers<Number> answers(questions.pair(), questions.size());
   {
     const py::gil_scoped_release no_gil;
-    if (scalar == Scalar::binary64) {
-      production(questions, convention,
-                 [&](std::size_t row, bool hit, const std::optional<Contact>& c) { answers.set(row, hit, c); });
-    } else {
-      // Production rounds to binary64, and what is rounded twice may be another number: the oracle rounds once.
-      Query query = zero_query(questions.pair());
-      for (std::size_t row = 0; row < questions.size(); ++row) {
-        questions.read_checked(row, query);
-        const Expectation answer = oracle::staged_answer(query, scalar).expected;
-        answers.set(row, answer.hit, answer.contact);
+    Query query = zero_query(questions.pair());
+    production(questions, convention, [&](std::size_t row, bool hit, const std::optional<Contact>& c) {
+      if (std::is_same_v<Number, double> || !c || rounds_alike(*c)) {
+        answers.set(row, hit, c);
+      } else {
+        questions.read(row, query);
+        answers.set(row, hit, oracle::staged_answer(query, Scalar::binary32).expected.contact);
       }
-    }
+    });
   }
   return answers.arrays();
 }
@@ -177,10 +207,10 @@ py::dict contacts(const std::string& pair, const py::list& columns, const py::ar
     throw std::invalid_argument(fmt::format("unknown points '{}'; known: {}", points, fmt::join(names, ", ")));
   const auto convention = static_cast<PointConvention>(it - names.begin());
   const QuestionArrays questions(pair_of(pair), columns, alarm, contact);
-  if (scalar_of(scalar) == Scalar::binary64) return contacts_as<double>(questions, convention, Scalar::binary64);
+  if (scalar_of(scalar) == Scalar::binary64) return contacts_as<double>(questions, convention);
   if (convention != PointConvention::nearest_surface)
     throw std::invalid_argument("of float32 only the points nearest_surface are answered");
-  return contacts_as<float>(questions, convention, Scalar::binary32);
+  return contacts_as<float>(questions, convention);
 }
 
 py::array_t<bool> hits(const std::string& pair, const py::list& columns, const py::array& alarm,
@@ -189,28 +219,19 @@ py::array_t<bool> hits(const std::string& pair, const py::list& columns, const p
   py::array_t<bool> all(static_cast<py::ssize_t>(questions.size()));
   bool* hit = all.mutable_data();
   const py::gil_scoped_release no_gil;
-  Query query = zero_query(questions.pair());
-  for (std::size_t row = 0; row < questions.size(); ++row) {
-    questions.read_checked(row, query);
+  for_each(questions, [&](std::size_t row, const Query& query) {
     hit[row] = std::visit([&](const auto& shapes) { return is_hit(shapes, query.distances); }, query.shapes);
-  }
+  });
   return all;
-}
-
-/// Calls visit(row, question).
-template <class Visit>
-void for_each(const QuestionArrays& questions, Visit&& visit) {
-  Query query = zero_query(questions.pair());
-  for (std::size_t row = 0; row < questions.size(); ++row) {
-    questions.read_checked(row, query);
-    visit(row, std::as_const(query));
-  }
 }
 
 py::object ids(const std::string& pair, const py::list& columns, const py::array& alarm, const py::array& contact) {
   const QuestionArrays questions(pair_of(pair), columns, alarm, contact);
   QuestionColumns found(zero_query(questions.pair()), Scalar::binary64, questions.size());
-  for_each(questions, [&](std::size_t row, const Query& query) { found.set_id(row, golden::query_id(query)); });
+  {
+    const py::gil_scoped_release no_gil;
+    for_each(questions, [&](std::size_t row, const Query& query) { found.set_id(row, golden::query_id(query)); });
+  }
   return found.arrays()["id"];
 }
 
@@ -249,17 +270,16 @@ py::dict gradients(const std::string& pair, const py::list& columns, const py::a
   {
     const py::gil_scoped_release no_gil;
     const double none = std::numeric_limits<double>::quiet_NaN();
-    std::fill_n(to, derivatives.size(), none);
-    std::fill_n(to_sides, sides.size(), none);
-    std::fill_n(to_why, why.size(), std::uint8_t{1});
-    Query query = zero_query(questions.pair());
-    for (std::size_t row = 0; row < questions.size(); ++row) {
-      questions.read_checked(row, query);
+    const std::size_t across = oracle::kOutputs * width;
+    for_each(questions, [&](std::size_t row, const Query& query) {
+      std::fill_n(to + row * across, across, none);
+      std::fill_n(to_sides + 2 * row * across, 2 * across, none);
+      std::fill_n(to_why + row * across, across, std::uint8_t{1});
       const auto found = oracle::gradient(query, oracle::truth_of(query));
       std::size_t k = 0;      // of the question's numbers
       std::size_t begin = 0;  // of the field's in a row
       std::size_t field = 0;
-      for_each_value(query, [&](auto& value) {
+      for_each_value(query, [&](const auto& value) {
         if (field == widths.size()) return;  // the two distances
         std::size_t at = begin;
         for_each_number_in(value, [&](const double&) {
@@ -276,7 +296,7 @@ py::dict gradients(const std::string& pair, const py::list& columns, const py::a
         });
         begin += widths[field++];
       });
-    }
+    });
   }
   py::dict all;
   all["derivatives"] = derivatives;
@@ -346,9 +366,16 @@ py::tuple generate(const std::string& pair, const std::string& family, std::uint
     return golden::generate_query(of, *generator, scalar_of(scalar), seed, first + i);
   };
   Query widest = zero_query(of);
-  for (std::uint64_t i = 0; has_hull(of) && i < count; ++i) widen(widest, question(i));
+  RowCount rows(family, has_hull(of) ? 2 * count : count);
+  {
+    const py::gil_scoped_release no_gil;
+    for (std::uint64_t i = 0; has_hull(of) && i < count; ++i) widen(widest, question(i)), rows.add();
+  }
   QuestionColumns columns(widest, scalar_of(scalar), count);
-  for (std::uint64_t i = 0; i < count; ++i) columns.set(i, question(i));
+  {
+    const py::gil_scoped_release no_gil;
+    for (std::uint64_t i = 0; i < count; ++i) columns.set(i, question(i)), rows.add();
+  }
   return columns.as_columns();
 }
 
@@ -384,7 +411,8 @@ py::tuple read_dataset(const std::string& path) {
   std::vector<golden::Case> all;
   {
     const py::gil_scoped_release no_gil;
-    while (auto c = reader.next()) all.push_back(std::move(*c));
+    RowCount rows(path, header.count);
+    while (auto c = reader.next()) all.push_back(std::move(*c)), rows.add();
   }
   Query widest = zero_query(header.pair);
   for (const golden::Case& c : all) widen(widest, c.query);
@@ -465,9 +493,21 @@ py::list profiles() {
   return all;
 }
 
+/// Ctrl-C, looked for now and then: it needs Python's lock. On other threads than the first there is none to be seen.
+void look_for_signals() {
+  constexpr std::chrono::milliseconds kBetween{50};
+  thread_local std::chrono::steady_clock::time_point last;
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last < kBetween) return;
+  last = now;
+  const py::gil_scoped_acquire gil;
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
 }  // namespace
 
 PYBIND11_MODULE(_core, m) {
+  tool::look_for_interruptions_by(&look_for_signals);
   m.doc() = "Production, the oracle, the judge and the generators of contact-oracle over NumPy arrays.";
   static const py::exception<OutsideDomain> domain_error(m, "DomainError", PyExc_ValueError);
   static const py::exception<formats::InputError> bad_input(m, "BadInput", PyExc_ValueError);

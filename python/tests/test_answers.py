@@ -1,6 +1,12 @@
 """The functions of the pairs: right answers, every kind of array, and refusals that name the place."""
 import json
+import os
+import subprocess
+import sys
 import threading
+import time
+import tracemalloc
+import warnings
 
 import every_example
 import numpy as np
@@ -91,11 +97,13 @@ def test_answers_have_the_bits_of_the_golden_cases(pair, scalar):
         questions = contact_oracle.generate(pair, family["name"], every_example.of(40), seed=7, scalar=scalar)
         answers = questions.answer()
         asked = questions.asked()
+        ids = questions.id
         lines = _core.cases(pair, asked.columns, asked.alarm, asked.contact, scalar)
         for row, line in enumerate(lines):
             case = json.loads(line)
             expect = case["expect"]
-            assert case["id"] == questions.id[row]
+            # What the core has read is what the arrays have.
+            assert case["id"] == ids[row] and contact_oracle.Question.from_json({**case, "pair": pair, "scalar": scalar}) == questions[row]
             assert answers.hit[row] == expect["hit"]
             if PAIRS[pair].numbers == "none":
                 continue
@@ -170,6 +178,17 @@ def test_a_column_of_doubles_is_not_copied():
     assert question.columns[3].strides == (0,)
 
 
+@pytest.mark.parametrize("number", [np.float64, np.float32])
+def test_many_questions_need_little_more_memory_than_their_answers(number):
+    count = 300_000
+    centers = np.random.default_rng(1).uniform(-2, 2, (count, 3)).astype(number)
+    tracemalloc.start()
+    contact = contact_oracle.sphere_sphere(centers, number(0.5), np.zeros(3, number), number(1))
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 1.05 * sum(array.nbytes for array in vars(contact).values())
+
+
 def test_single_precision_is_answered_in_single_precision():
     centers = np.array([[0, 0, 0]], np.float32)
     contact = contact_oracle.sphere_sphere(centers, np.float32(1), centers + np.float32(0.3), np.float32(1), alarm=0)
@@ -177,6 +196,19 @@ def test_single_precision_is_answered_in_single_precision():
     doubles = contact_oracle.sphere_sphere(centers, 1.0, centers + np.float32(0.3), np.float64(1))
     assert doubles.value.dtype == np.float64
     assert contact.value[0] == np.float32(doubles.value[0])
+
+
+def test_single_precision_is_rounded_once():
+    # The value is 1 + 3 * 2^-24 less 2^-80, and in double precision it is not less: halfway, and to even would be up.
+    value = contact_oracle.sphere_sphere(np.float32([-(2.0**-24), 0, 0]), 0, np.float32([1 + 2.0**-23, 0, 0]), 0, alarm=2, contact=2.0**-80).value
+    assert value == np.float32(1 + 2.0**-23) and np.float32(np.float64(1 + 3 * 2.0**-24)) == 1 + 2.0**-22
+    # y of the normal is 3 * 2^-150 less 2^-447 or so, halfway between subnormal numbers in double precision.
+    normal = contact_oracle.sphere_sphere(np.zeros(3, np.float32), 1, np.float32([2, 3 * 2.0**-149, 0]), 1, alarm=1).normal
+    assert normal.tolist() == [1, 2.0**-149, 0] and np.float32(3 * 2.0**-150) == 2.0**-148
+    # Too large for single precision, not for double precision.
+    far = np.finfo(np.float32).max
+    contact = contact_oracle.sphere_sphere(np.float32([-far, 0, 0]), 0, np.float32([far, 0, 0]), far, alarm=far)
+    assert contact.hit and contact.value == far and contact_oracle.sphere_sphere(np.float32([far, 0, 0]), far, np.float32([far, 0, 0]), far).point1[0] == np.inf
 
 
 def test_a_number_without_a_format_follows_the_arrays_where_it_can():
@@ -312,6 +344,70 @@ def test_points_of_other_conventions():
     np.testing.assert_array_equal(contact.point1, (0, 0, 0))
 
 
+LONG_CALLS = ["long.answer()", "single.answer()", "contact_oracle.hits('sphere_sphere', **long)", "long.id", "contact_oracle.exact(short)",
+              "contact_oracle.gradient(short)", "contact_oracle.write_dataset('interrupted.jsonl', short)", "contact_oracle.generate('hull_hull', 'generic', 9_000_000)",
+              "contact_oracle.certify(lambda q: q.answer(), 'sphere_sphere', 'generic', count=9_000_000)"]
+
+
+def test_ctrl_c_ends_a_long_call_at_once(tmp_path):
+    """Each takes a second or far more. A process of its own has the signals, as a terminal sends them."""
+    script = f"""
+import os, signal, threading, time
+import numpy as np
+import contact_oracle
+
+def questions(count, number):
+    centers = np.random.default_rng(1).uniform(-2, 2, (count, 3)).astype(number)
+    return contact_oracle.Questions("sphere_sphere", dict(center1=centers, radius1=1, center2=centers[::-1], radius2=1))
+
+def interrupt():
+    time.sleep(0.1)
+    sent.append(time.perf_counter())
+    os.kill(os.getpid(), signal.SIGINT)
+
+long, single, short, sent = questions(4_000_000, "d"), questions(4_000_000, "f"), questions(300_000, "d"), []
+for call in [{", ".join("lambda: " + call for call in LONG_CALLS)}]:
+    thread = threading.Thread(target=interrupt)
+    thread.start()
+    try:
+        call()
+        thread.join()
+        time.sleep(1)
+    except KeyboardInterrupt:
+        print(time.perf_counter() - sent[-1])
+    thread.join()
+"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    after = dict(zip(LONG_CALLS, map(float, done.stdout.split()), strict=True))
+    assert max(after.values()) < 0.8, after
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_call_that_lasts_shows_a_bar_on_a_terminal_alone():
+    pty = pytest.importorskip("pty")
+    script = """
+import os, signal, threading, time
+import numpy as np
+import contact_oracle
+
+threading.Timer(1.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+try:
+    contact_oracle.gradient("sphere_sphere", np.zeros((1_000_000, 3)), 1, (1, 2, 2), 1)
+except KeyboardInterrupt:
+    os.write(2, b"interrupted")
+"""
+    ours, theirs = pty.openpty()
+    piped = subprocess.Popen([sys.executable, "-c", script], stderr=subprocess.PIPE)
+    shown = subprocess.Popen([sys.executable, "-c", script], stderr=theirs)
+    assert piped.communicate()[1] == b"interrupted" and shown.wait() == 0
+    os.close(theirs)
+    said = os.read(ours, 1 << 16)
+    os.close(ours)
+    # The bar is gone before anything else is said.
+    assert b"sphere_sphere [" in said and b"of 1000000" in said and said.endswith(b"\r\x1b[Kinterrupted")
+
+
 class OnlyDlpack:
     """What a library without NumPy's own protocol gives."""
 
@@ -330,11 +426,83 @@ def test_arrays_of_other_libraries_are_taken():
     assert contact_oracle.sphere_sphere(OnlyDlpack(centers), 1, OnlyDlpack(centers), 1).value.dtype == np.float32
 
 
-def test_tensors_are_taken_and_gradients_refused():
+def questions_in(library, scalar):
+    """The same questions and answers in NumPy's arrays and in those of another library."""
+    questions = contact_oracle.generate("sphere_sphere", "touching", 40, seed=1, scalar=scalar)
+    return questions, {name: library.from_dlpack(array.copy()) for name, array in dict(**questions).items()}
+
+
+def same(found, right):
+    """Whether arrays of another library have the numbers of NumPy's, and its format."""
+    found = np.asarray(found)
+    return found.dtype == right.dtype and found.shape == right.shape and found.tobytes() == right.tobytes()
+
+
+@pytest.fixture(params=["torch", "numpy.array_api"])
+def library(request):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # NumPy's model of the standard calls itself experimental
+        return pytest.importorskip(request.param)
+
+
+@pytest.mark.parametrize("scalar", ["binary64", "binary32"])
+def test_answers_are_arrays_of_the_library_that_asks(library, scalar):
+    questions, arguments = questions_in(library, scalar)
+    right = questions.answer()
+    kind = type(arguments["radius1"])
+    contact = contact_oracle.sphere_sphere(**arguments)
+    for name, array in vars(contact).items():
+        assert type(array) is kind and same(array, getattr(right, name)), name
+    assert type(contact_oracle.hits("sphere_sphere", **arguments)) is kind
+    assert contact.hit.dtype == library.bool and not np.asarray(contact.hit).all()
+    assert len(contact) == 40 and contact._repr_html_() == right._repr_html_()
+    for rows in (3, slice(2, 30, 3), np.array([5, 1])):
+        assert type(contact[rows].normal) is kind and same(contact[rows].normal, right.normal[rows])
+    one = contact_oracle.sphere_sphere(arguments["center2"][0, :], 1, arguments["center2"][0, :], 1)
+    assert type(one.hit) is kind and one.hit.shape == () and one.normal.shape == (3,) and bool(one)
+    # NumPy's own beside them follow.
+    assert type(contact_oracle.sphere_sphere(**{**arguments, "radius1": questions.radius1}).value) is kind
+    assert type(contact_oracle.gradient("sphere_sphere", **arguments).value["center1"]) is kind
+
+
+def test_answers_to_tensors_may_be_chosen_by_tensors():
+    torch = pytest.importorskip("torch")
+    questions, arguments = questions_in(torch, "binary64")
+    contact = contact_oracle.sphere_sphere(**arguments)
+    assert torch.equal(contact[contact.hit].value, contact.value[contact.hit])
+    pandas = pytest.importorskip("pandas")
+    pandas.testing.assert_frame_equal(contact.to_dataframe(), questions.answer().to_dataframe())
+
+
+def test_tensors_are_not_copied():
+    torch = pytest.importorskip("torch")
+    from contact_oracle.arrays import in_library, numpy_array
+
+    for number in (torch.float64, torch.float32):
+        tensor = torch.arange(5, dtype=number)
+        array = numpy_array(tensor)
+        assert array.ctypes.data == tensor.data_ptr() == in_library(torch, array).data_ptr()
+
+
+def test_questions_are_arrays_that_pytorch_takes_without_a_warning():
+    torch = pytest.importorskip("torch")
+    questions = contact_oracle.Questions("sphere_sphere", dict(center1=np.zeros((3, 3)), radius1=1, center2=(2, 0, 0), radius2=1))
+    for array in dict(**questions).values():
+        assert torch.from_numpy(array).shape == array.shape
+
+
+def test_two_libraries_do_not_go_together():
+    torch = pytest.importorskip("torch")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        other = pytest.importorskip("numpy.array_api")
+    with pytest.raises(InputError, match="arrays of numpy.array_api and of torch do not go together"):
+        contact_oracle.sphere_sphere(torch.zeros(3), 1, other.zeros(3), 1)
+
+
+def test_gradients_of_tensors_are_refused():
     torch = pytest.importorskip("torch")
     centers = torch.zeros((2, 3))
-    assert contact_oracle.sphere_sphere(centers, 1, centers, torch.tensor(1.0)).value.dtype == np.float32
-    assert contact_oracle.sphere_sphere(centers.double(), 1, centers.double(), 1).value.dtype == np.float64
     with pytest.raises(InputError, match="center1: requires a gradient"):
         contact_oracle.sphere_sphere(centers.clone().requires_grad_(), 1, centers, 1)
     with pytest.raises(InputError, match="center1"):
@@ -360,6 +528,31 @@ def test_threads_may_ask_at_once():
     for thread in threads:
         thread.join()
     assert found == [right] * 8
+
+
+@pytest.mark.parametrize("name, count", [("contacts", 400_000), ("hits", 400_000), ("ids", 100_000), ("cases", 3000), ("gradients", 1000), ("generate", 200_000)])
+def test_other_threads_run_meanwhile(name, count):
+    centers = np.random.default_rng(1).uniform(-2, 2, (count, 3))
+    asked = contact_oracle.Questions("sphere_sphere", dict(center1=centers, radius1=1, center2=centers[::-1], radius2=1)).asked()
+    arguments = ("generic", count, 1) if name == "generate" else (asked.columns, asked.alarm, asked.contact)
+    stamps, done = [], threading.Event()
+
+    def stamp():
+        while not done.wait(0.001):
+            stamps.append(time.perf_counter())
+
+    other = threading.Thread(target=stamp)
+    other.start()
+    for _ in range(5):  # a busy machine may give the other thread no processor in one of them
+        begin = time.perf_counter()
+        getattr(_core, name)("sphere_sphere", *arguments)
+        end = time.perf_counter()
+        # At both ends Python's objects are made.
+        if meanwhile := any(begin + 0.1 * (end - begin) < at < begin + 0.8 * (end - begin) for at in stamps):
+            break
+    done.set()
+    other.join()
+    assert meanwhile
 
 
 def test_contacts_are_shown_and_tabulated():

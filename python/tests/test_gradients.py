@@ -219,6 +219,19 @@ def test_tensors_are_taken_without_their_gradients():
     assert report.certified and report.unclaimed == ["radius1", "radius2"] and "none was claimed by radius1, radius2" in str(report)
 
 
+def test_an_engine_may_write_into_its_questions():
+    def engine(questions):
+        normal = questions.center2
+        normal -= questions.center1
+        normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+        return None, {"center2": normal}
+
+    assert certify_gradient(engine, "sphere_sphere", "generic", seed=1)
+    questions = contact_oracle.generate("sphere_sphere", "generic", 20, seed=1)
+    before = questions.center2.copy()
+    assert certify_gradient(engine, "sphere_sphere", questions=questions) and (questions.center2 == before).all()
+
+
 def test_where_there_is_no_derivative_finite_numbers_pass_and_others_are_asked_for():
     questions = contact_oracle.Questions("sphere_sphere", {"center1": [[0.0, 0, 0]], "radius1": [1.0], "center2": [[0.0, 0, 0]], "radius2": [1.0]})
 

@@ -2,15 +2,18 @@
 import ast
 import doctest
 import importlib
+import importlib.util
 import inspect
 import json
 import os
 import pathlib
 import re
+import runpy
 import shutil
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 
 import contact_oracle
@@ -19,8 +22,8 @@ from contact_oracle.pairs import PAIRS
 PACKAGE = pathlib.Path(contact_oracle.__file__).parent
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLES = ROOT / "python" / "examples"
-MODULES = ["answering", "asked", "by_command", "contacts", "datasets", "engines", "errors", "exact_answers", "gradients", "judging", "laws", "pairs", "questions", "serving",
-           "shapes", "strategies", "suites"]
+MODULES = ["answering", "arrays", "asked", "by_command", "contacts", "datasets", "engines", "errors", "exact_answers", "gradients", "judging", "laws", "pairs", "questions", "serving",
+           "shapes", "shown", "strategies", "suites"]
 
 
 @pytest.mark.parametrize("pair", PAIRS)
@@ -73,19 +76,31 @@ def test_what_the_documentation_shows_is_so(module):
     assert found.attempted or module not in ("", "answering", "exact_answers", "datasets")
 
 
-def shown():
-    """The examples of docs/python.md, which share their names as one session does."""
-    text = (ROOT / "docs" / "python.md").read_text()
+@pytest.mark.parametrize("name", [name for name in contact_oracle.__all__ if name != "PAIRS"])
+def test_every_public_name_has_an_example(name):
+    of = getattr(contact_oracle, name)
+    example = doctest.DocTestParser().get_doctest(of.__doc__, {}, name, None, None)
+    assert example.examples, "no example"
+    if name in PAIRS:  # those of the others are found in their modules
+        assert doctest.DocTestRunner().run(example).failed == 0
+
+
+def shown(page):
+    """The examples of a page, which share their names as one session does."""
+    text = (ROOT / "docs" / page).read_text()
     return re.findall(r"<!-- python -->\n```pycon\n(.*?)```", text, re.S)
 
 
-def test_what_the_page_shows_is_so():
+@pytest.mark.parametrize("page", ["python.md", "gradients.md"])
+def test_what_the_page_shows_is_so(page):
     names = {}
-    blocks = shown()
-    assert len(blocks) >= 5
+    blocks = shown(page)
+    assert len(blocks) >= 3
+    if importlib.util.find_spec("torch") is None:
+        blocks = [block for block in blocks if "torch" not in block] or pytest.skip("PyTorch is not installed")
     parser, runner = doctest.DocTestParser(), doctest.DocTestRunner(optionflags=doctest.ELLIPSIS | doctest.IGNORE_EXCEPTION_DETAIL)
     for number, block in enumerate(blocks):
-        test = parser.get_doctest(block, names, f"docs/python.md block {number}", None, None)
+        test = parser.get_doctest(block, names, f"docs/{page} block {number}", None, None)
         runner.run(test, clear_globs=False)
         names.update(test.globs)
     assert runner.summarize().failed == 0
@@ -153,22 +168,97 @@ def test_boxes_are_boxes(box):
     assert "3 passed" in done.stdout, done.stdout + done.stderr
 
 
+def run_here(example, capsys):
+    """An example in this process, which has its libraries already."""
+    runpy.run_path(str(example), run_name="__main__")
+    return capsys.readouterr().out
+
+
+def test_the_first_engine_is_judged_as_the_page_shows(tmp_path, capsys):
+    page, first = (ROOT / "docs" / "python.md").read_text(), EXAMPLES / "first_engine.py"
+    second = tmp_path / "second_engine.py"
+    second.write_text(first.read_text().replace(" < ", " <= "))
+    for name, engine in (("first", first), ("second", second)):
+        said = re.search(rf"<!-- {name}-engine:begin -->\n```text\n(.*?)```", page, re.S)[1]
+        assert run_here(engine, capsys) == said
+
+
 def run(example, *arguments, cwd):
     done = subprocess.run([sys.executable, str(EXAMPLES / example), *arguments], capture_output=True, text=True, cwd=cwd)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
 
 
-def test_the_judge_finds_the_guard_in_the_quotient(tmp_path):
-    text = run("mjx_style.py", cwd=tmp_path)
+def test_the_judge_finds_the_guard_in_the_quotient(capsys):
+    text = run_here(EXAMPLES / "mjx_style.py", capsys)
     assert "1e-6 added to the squared length" in text and "REFUTED: sphere_capsule 1 is not within length 1e-05" in text
     assert text.strip().splitlines()[-1].startswith("CERTIFIED within")
 
 
-def test_an_engine_in_torch_is_judged(tmp_path):
+def test_an_engine_in_torch_is_judged(capsys):
     pytest.importorskip("torch")
-    text = run("torch_float32.py", cwd=tmp_path)
+    text = run_here(EXAMPLES / "torch_float32.py", capsys)
     assert "torch" in text and "(binary32)" in text
+
+
+def test_the_command_comes_with_the_package(tool, tmp_path):
+    def said(**environment):
+        return subprocess.run([sys.executable, "-m", "contact_oracle", "--version"], capture_output=True, text=True, cwd=tmp_path, env={**os.environ, **environment})
+
+    assert said(CONTACT_ORACLE_TOOL=tool).stdout.startswith(f"contact-oracle {contact_oracle.__version__}")
+    exits = subprocess.run([sys.executable, "-m", "contact_oracle", "explain", "nowhere.jsonl"], capture_output=True, text=True, cwd=tmp_path)
+    assert exits.returncode == 2 and "nowhere.jsonl" in exits.stderr
+
+
+@pytest.mark.parametrize("pair, family", [("sphere_obb", "generic"), ("capsule_plane", "touching"), ("hull_hull", "extreme_scale"), ("cast_cube", "extreme_scale"),
+                                          ("cube_cube", "extreme_scale"), ("triangle_line", "generic")])
+def test_a_case_has_a_figure(pair, family, tmp_path):
+    pytest.importorskip("matplotlib")
+    for question in contact_oracle.generate(pair, family, 2, seed=3):
+        figure = question.to_figure()
+        figure.savefig(tmp_path / "case.png", dpi=20)
+        axes, = figure.axes
+        answer = question.answer()
+        names = axes.get_legend_handles_labels()[1]
+        assert names[0] == f"a: {type(question.a).__name__}" and ("normal" in names) == bool(answer.hit and PAIRS[pair].numbers != "none")
+        assert axes.get_title().endswith("a miss" if not answer.hit else "a hit" if answer.value is None else repr(float(answer.value)))
+        assert all(np.isfinite(limits).all() for limits in (axes.get_xlim(), axes.get_ylim(), axes.get_zlim()))
+
+
+def test_a_figure_shows_a_shape_where_it_is():
+    pytest.importorskip("matplotlib")
+    from contact_oracle.shown import _farthest, _parts
+
+    ways = np.array([(1.0, 0, 0), (0, 1, 0), (0, 0, -1)])
+    turned = contact_oracle.Obb((1, 0, 0), (1, 1, 1, 1), (1, 2, 3))  # x becomes y, y becomes z, z becomes x
+    capsule = contact_oracle.Capsule((0, 0, 0), (0, 0, 4), 1)
+    assert np.einsum("ij,ij->i", ways, _farthest(_parts(turned), ways)).tolist() == [4, 1, 2]
+    assert np.einsum("ij,ij->i", ways, _farthest(_parts(capsule), ways)).tolist() == [1, 1, 1]
+    ray = contact_oracle.Ray((1, 0, 0), (0, 2, 0), 3)
+    assert _farthest(_parts(ray), ways)[1].tolist() == [1, 6, 0]
+
+
+def test_a_report_has_a_figure_of_its_errors():
+    pytest.importorskip("matplotlib")
+
+    def off(questions):
+        answer = questions.answer()
+        return {"hit": answer.hit, "value": answer.value * np.resize([1, 1.5, np.inf], len(questions)), "normal": answer.normal}
+
+    report = contact_oracle.certify(off, "sphere_sphere", "generic", seed=1)
+    axes, = report.to_figure().axes
+    assert report.data["total"]["fields"]["value"]["not_finite"] > 9
+    bars = {bar.get_label(): sum(rectangle.get_height() for rectangle in bar) for bar in axes.containers}
+    assert bars == {name: field["judged"] for name, field in report.data["total"]["fields"].items() if name in bars} and set(bars) >= {"value", "normal"}
+
+
+def test_notebooks_show_what_terminals_show():
+    questions = contact_oracle.generate("hull_hull", "generic", 12, seed=1)
+    assert "<th>vertices1</th>" in questions._repr_html_() and "and 2 more" in questions._repr_html_()
+    assert "HIT" in contact_oracle.Question("sphere_sphere", contact_oracle.Sphere((0, 0, 0), 1), contact_oracle.Sphere((0, 0, 0), 1))._repr_html_()
+    outside = contact_oracle.Question("sphere_sphere", contact_oracle.Sphere((0, 0, 0), -1), contact_oracle.Sphere((0, 0, 0), 1))
+    assert "must not be negative" in outside._repr_html_()
+    assert "&lt;" in contact_oracle.shown.text("a < b")
 
 
 def test_a_notebook_is_made_and_its_cells_work(tmp_path):

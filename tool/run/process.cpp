@@ -20,6 +20,7 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 volatile std::sig_atomic_t looks = 0;  ///< how often the command was looked after since
+void (*look_besides)() = nullptr;
 
 // A command that is told to end has this long to do it by itself: some places look seldom, or wait for a pipe.
 constexpr int kLookEveryMicroseconds = 200'000;
@@ -64,8 +65,11 @@ void catch_signals() {
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
 }
 
+void look_for_interruptions_by(void (*look)()) { look_besides = look; }
+
 void throw_if_interrupted() {
   if (interrupted != 0) throw Interrupted();
+  if (look_besides != nullptr) look_besides();
   // What nobody reads any more is not worked out to its end, which may never come.
   if (ferror_unlocked(stdout) != 0) throw formats::InputError({"standard output", 0}, "", "cannot write");
 }

@@ -31,6 +31,8 @@ struct Interrupted : std::runtime_error {
 void catch_signals();
 /// Throws Interrupted, or InputError where standard output could not be written.
 void throw_if_interrupted();
+/// Has throw_if_interrupted call `look` too, which throws where somebody else who has the process caught a signal.
+void look_for_interruptions_by(void (*look)());
 
 /// The lines of a file, or of standard input for "-".
 class InputLines {
