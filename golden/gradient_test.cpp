@@ -280,8 +280,12 @@ constexpr std::uint64_t kShare = 3;
 #else
 constexpr std::uint64_t kShare = 1;
 #endif
-/// ./run campaign sets CONTACT_EVERY_GRADIENT.
-const bool kEveryGradient = std::getenv("CONTACT_EVERY_GRADIENT") != nullptr;
+/// ./run campaign sets CONTACT_EVERY_GRADIENT: how many fresh questions a family, of shapes with faces a tenth.
+const char* const kMany = std::getenv("CONTACT_EVERY_GRADIENT");
+const bool kEveryGradient = kMany != nullptr;
+/// Whoever has many processors sets these besides, each process to others.
+const char* const kSeed = std::getenv("CONTACT_GRADIENT_SEED");
+const char* const kPair = std::getenv("CONTACT_GRADIENT_PAIR");
 
 /// Every number is moved of a few, so that the slow pairs stay short: a step of two boxes takes milliseconds.
 std::size_t every(Pair pair) { return kShare * (kEveryGradient || !is_convex(pair) ? 1 : has_hull(pair) ? 19 : 5); }
@@ -298,6 +302,7 @@ void expect_enough(const std::map<Pair, Counts>& all) {
     kinks += c.kinks;
     undefined += c.undefined;
   }
+  if (all.size() == 1) return;
   EXPECT_GT(kinks, 500U / kShare / kShare);
   EXPECT_GT(undefined, 500U / kShare / kShare);
 }
@@ -323,14 +328,16 @@ TEST(Gradients, are_the_differences_of_exact_answers_to_golden_questions) {
 
 TEST(Gradients, are_the_differences_of_exact_answers_to_fresh_questions) {
   std::map<Pair, Counts> all;
+  const std::uint64_t seed = kSeed == nullptr ? 7 : std::strtoull(kSeed, nullptr, 10);
   for (const Pair pair : kPairs) {
-    if (!has_distance(pair)) continue;
+    if (!has_distance(pair) || (kPair != nullptr && name(pair) != kPair)) continue;
     for (const Family& family : families_of(pair)) {
       if (family.name == kInvalidFamily) continue;
-      const std::uint64_t count = kEveryGradient ? (is_convex(pair) ? 10 : 100) : is_convex(pair) ? 1 : 3 / kShare;
+      const std::uint64_t many = kEveryGradient ? std::strtoull(kMany, nullptr, 10) / (is_convex(pair) ? 10 : 1) : 0;
+      const std::uint64_t count = kEveryGradient ? many : is_convex(pair) ? 1 : 3 / kShare;
       for (std::uint64_t index = 0; index < count; ++index)
         ASSERT_NO_FATAL_FAILURE(
-            compare(generate_query(pair, family, Scalar::binary64, 7, index), every(pair), all[pair]));
+            compare(generate_query(pair, family, Scalar::binary64, seed, index), every(pair), all[pair]));
     }
   }
   expect_enough(all);
