@@ -192,15 +192,6 @@ const std::vector<Breakage> kBreakages{
        if (auto* c = contact_of(claim); c != nullptr && s != nullptr && is_coincident(q))
          c->value = -s->a.radius - q.distances.contact;
      }},
-    {"the value of a centre on the other's surface", "onto_point", nothing_before,
-     [](const Query& q, Claim& claim) {
-       // As it is told of both, whichever is the first, and at any scale.
-       auto* c = contact_of(claim);
-       if (c == nullptr || q.balls() == nullptr) return;
-       const double distance = delta(q).stableNorm();
-       const auto lies_on = [&](double radius) { return std::abs(distance - radius) <= 0x1p-45 * distance; };
-       if (lies_on(cores(q).a.radius) || lies_on(cores(q).b.radius)) *c->value += distance;
-     }},
     {"half the radii in the value", "radius", nothing_before,
      [](const Query& q, Claim& claim) {
        if (auto* c = contact_of(claim)) c->value = *c->value + (cores(q).a.radius + cores(q).b.radius) / 2;

@@ -436,20 +436,24 @@ def cut_at_point(engine: Engine, question: Question, which: int = 2, corner: int
     assume(isinstance(shape, (Capsule, Triangle, Cube, Hull)))
     one = Answer(engine, question)
     assume(one.hit and f"point{which}" in one.numbers and "value" in one.numbers)
-    at = np.asarray(one.numbers[f"point{which}"], float)
+    core = np.asarray(one.numbers[f"point{which}"], float)
     radius = getattr(shape, "radius", 0.0)
     if radius:
         assume("normal" in one.numbers)
-        at = at - (radius if which == 1 else -radius) * np.asarray(one.numbers["normal"], float)
-    assume(np.isfinite(at).all())
-    place = tuple(float(part) for part in at.astype(number_of(question.scalar)))
+        core = core - (radius if which == 1 else -radius) * np.asarray(one.numbers["normal"], float)
+    assume(np.isfinite(core).all())
+    x, y, z = (float(part) for part in core.astype(number_of(question.scalar)))
+    place = (x, y, z)
     if isinstance(shape, Capsule):
         part: Any = replace(shape, **{("start", "end")[corner % 2]: place})
     elif isinstance(shape, Triangle):
-        part = Triangle((*shape.vertices[:corner % 3], place, *shape.vertices[corner % 3 + 1:]))
+        first, second, third = (place if at == corner % 3 else vertex for at, vertex in enumerate(shape.vertices))
+        part = Triangle((first, second, third))
     elif isinstance(shape, Cube):
         kept = [(shape.min, shape.max)[corner >> axis & 1][axis] for axis in range(3)]
-        part = Cube(tuple(map(min, kept, place)), tuple(map(max, kept, place)))
+        low_x, low_y, low_z = (min(pair) for pair in zip(kept, place))
+        high_x, high_y, high_z = (max(pair) for pair in zip(kept, place))
+        part = Cube((low_x, low_y, low_z), (high_x, high_y, high_z))
     else:
         assume(len(shape.vertices) < 64)
         part = replace(shape, vertices=(*shape.vertices, place))
