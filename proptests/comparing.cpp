@@ -252,6 +252,26 @@ Vector3 first_to_second(const Conventions& conventions, const Vector3& normal) {
   return conventions.normal == NormalDirection::first_to_second ? normal : Vector3(-normal);
 }
 
+Rational signed_distance(const Case& c, std::size_t i, double value) {
+  const Conventions& declared = c.subject.info.declared.conventions;
+  Rational distance(value);
+  if (declared.value == ValueKind::depth) distance = -distance;
+  if (declared.value_less_contact) distance += Rational(c.queries[i].distances.contact);
+  return distance;
+}
+std::optional<double> finite_value(const Case& c, std::size_t i) {
+  if (!c.subject.claims(Field::value) || c.contact(i) == nullptr) return std::nullopt;
+  const auto& value = c.contact(i)->value;
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+Rational value_error(const Case& c, std::size_t i) {
+  const Rational error = allowance(c, i, Field::value);
+  const auto value = finite_value(c, i);
+  if (!value) return error;
+  const Rational rounding = oracle::ulp(Rational(std::abs(*value)), c.subject.info.declared.scalar) / Rational(2);
+  return std::max(error, rounding);
+}
+
 std::string text(double x) { return formats::number(x); }
 std::string text(const Vector3& v) { return formats::number(v); }
 

@@ -51,6 +51,14 @@ using oracle::Rational;
 /// The same for one point, at the scale of its own shape.
 [[nodiscard]] Rational point_allowance(const Case& c, std::size_t i, int shape);
 
+/// A claimed value of question i as a signed distance, without the contact distance.
+[[nodiscard]] Rational signed_distance(const Case& c, std::size_t i, double value);
+/// The value of question i as the engine gave it, if it is a number.
+[[nodiscard]] std::optional<double> finite_value(const Case& c, std::size_t i);
+/// How far it may be off. Of shapes inside each other the parts of a value add up to more than the largest of them,
+/// which is its scale: half an ulp of the value, which rounding may take, is then more than half an ulp of the scale.
+[[nodiscard]] Rational value_error(const Case& c, std::size_t i);
+
 using oracle::point_of;
 /// The claimed normal turned to point from the first to the second.
 [[nodiscard]] Vector3 first_to_second(const Conventions& conventions, const Vector3& normal);

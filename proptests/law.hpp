@@ -109,6 +109,8 @@ struct Law {
   /// The questions to ask; none where the trial does not suit the law.
   std::vector<Query> (*questions)(const Trial& trial, const Subject& subject);
   Outcome (*check)(const Case& c);
+  /// More questions, made of the answer to the first; none where it does not suit the law.
+  std::vector<Query> (*next)(const Trial& trial, const Subject& subject, const Claim& claim) = nullptr;
 };
 
 /// Every law. Where several are violated, the earlier one names the mistake better.

@@ -62,11 +62,29 @@ Outcome check_other_contact(const Case& c);
 Outcome check_correctly_rounded(const Case& c);
 Outcome check_bounds(const Case& c);
 
+// derived_laws.cpp: the next question, made of the answer to the last.
+Questions onto_point(const Trial& trial, const Subject& subject, const Claim& claim);
+Questions tangent_plane(const Trial& trial, const Subject& subject, const Claim& claim);
+Questions cut_at_point(const Trial& trial, const Subject& subject, const Claim& claim);
+Outcome check_onto_point(const Case& c);
+Outcome check_tangent_plane(const Case& c);
+Outcome check_cut_at_point(const Case& c);
+
 // symmetry_laws.cpp: what moving, turning and scaling must do.
 Questions swapped(const Trial& trial, const Subject& subject);
 Questions turned(const Trial& trial, const Subject& subject);
 Questions rotated(const Trial& trial, const Subject& subject);
-/// Five times a vector turned by the angle of a triangle with sides 3, 4 and 5 about the axis that a change says.
+/// A rotation by a quaternion x, y, z, w of small integers: its matrix, times the quaternion's squared length, is of
+/// integers, so that a scene so many times as long is turned exactly.
+struct Rotation {
+  std::array<int, 4> by;
+  [[nodiscard]] constexpr int size() const { return by[0] * by[0] + by[1] * by[1] + by[2] * by[2] + by[3] * by[3]; }
+  [[nodiscard]] std::array<std::array<int, 3>, 3> matrix() const;  ///< times `size`
+  [[nodiscard]] int widest() const;                                ///< of its rows' sums of absolute values
+};
+/// The one that a change says.
+const Rotation& rotation_of(const Change& change);
+/// A vector turned by it, and `size` times as long.
 std::array<Rational, 3> rotated(const Change& change, const Vector3& v);
 Questions translated(const Trial& trial, const Subject& subject);
 Questions scaled(const Trial& trial, const Subject& subject);

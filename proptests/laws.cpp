@@ -91,6 +91,11 @@ Reason without_several_sphere_kinds(const Subject& s) {
     return "the engine serves one kind of sphere pair, or means something else by each";
   return std::nullopt;
 }
+Reason without_plane_pair(const Subject& s) {
+  for (const Pair pair : kPairs)
+    if (has_plane(pair) && s.serves_alike(pair)) return std::nullopt;
+  return "the law asks about a shape and a plane too, of which the engine serves none that means the same";
+}
 Reason without_spheres(const Subject& s) { return without_pair(s, Pair::sphere_sphere); }
 Reason without_simpler_pair(const Subject& s) { return without_pair(s, pair_without_length(s.pair)); }
 Reason without_correct_rounding(const Subject& s) {
@@ -184,6 +189,13 @@ constexpr About kSpheresAndCubes{"spheres and cubes",
                                  is_one_of<Pair::sphere_sphere, Pair::cube_cube, Pair::sphere_cube>};
 constexpr About kCut{"a box, a capsule, a triangle, a line or a hull",
                      has_one_of<Box, Obb, Capsule, Line, Triangle, Hull>};
+constexpr About kCutAtPoint{"a box along the axes, a capsule, a triangle or a hull, and a distance", [](Pair pair) {
+                              return has_distance(pair) && has_one_of<Box, Capsule, Triangle, Hull>(pair);
+                            }};
+constexpr About kSphereFirst{"a sphere and any shape, and a distance", [](Pair pair) {
+                               return has_distance(pair) &&
+                                      of_shapes(pair, []<class A, class>() { return std::same_as<A, Ball>; });
+                             }};
 constexpr About kTurning{"any shapes but a cube", [](Pair pair) { return !has_one_of<Box>(pair); }};
 constexpr bool kNo = false;
 constexpr auto kBits = Exactness::bits;
@@ -272,10 +284,11 @@ constexpr std::array kLaws{
         "the origin is an accident: catches expanded squares such as c1.c1 - 2 c1.c2 + c2.c2", kBits, kAll, kNo,
         kTogether, never, queries, translated, check_translated},
     Law{"rotate",
-        "A scene turned by the angle of a triangle with sides 3, 4 and 5, and five times as long, is answered so.",
-        "answer(5 R q) = 5 R answer(q), normals R n, about each axis, where 5 R q is exact; to the bounds of both; "
-        "hits "
-        "left out within the bound, unless held to correct rounding",
+        "A scene turned by a quaternion of small integers, and as many times as long as its squared length, is "
+        "answered so.",
+        "answer(N R q) = N R answer(q), normals R n, N R of integers, where N R q is exact: about each axis by the "
+        "angle of a triangle 3, 4, 5 (N = 5), and about others (N = 3, 7, 9, 25); to the bounds of both; hits left "
+        "out within the bound, unless held to correct rounding",
         "between the axes space is no other: catches what is right along axes alone", kReals, kTurning, kNo, kTogether,
         never, queries, rotated, check_rotated},
     Law{"touching", "Shapes that touch exactly are a hit, or as declared; just beyond they are none.",
@@ -369,6 +382,30 @@ constexpr std::array kLaws{
         "rounding",
         "a ray is a segment: catches rays from inside that miss, and sides that are not seen", kBits, kCast, kNo,
         kTogether, never, queries, there_and_back, check_there_and_back},
+    Law{"onto_point", "A sphere about the engine's own point of the other shape is as deep in it as its radius.",
+        "answer(q) = p2 on b: value(ball(p2, r), b) = -r - contact; to the bounds of point and value",
+        "what is said of one question must hold in the next: catches what is wrong where a centre lies on a surface, "
+        "which few questions hit",
+        kReals, kSphereFirst, kNo, kTogether, without<Aspect::point2, Aspect::value>, queries, itself, check_onto_point,
+        onto_point},
+    Law{"tangent_plane",
+        "The plane through the engine's own point, square to its own normal, touches the shape that the point is of.",
+        "answer(q) = n, p1 on a: value(a, {x: n.x >= n.p1 - d}) = -d - contact; to the bounds of all three, and what "
+        "the normal's bound moves over the breadth of a",
+        "no part of a shape is farther out than its contact point: catches a normal and a point that do not belong "
+        "together",
+        kReals, kDistance, kNo, kTogether,
+        any_of<without_unit_normal, without_surface_points, without_value, without_plane_pair>, queries, itself,
+        check_tangent_plane, tangent_plane},
+    Law{"cut_at_point",
+        "A capsule, a triangle or a box that is cut at the engine's own point, or a hull with it as one more vertex, "
+        "has the same value.",
+        "answer(q) = p on b: value(a, b') = value(a, b), b' the part of b to p, or with it; cores apart; to the bounds "
+        "of both values and of the point",
+        "a corner in the nearest point is where regions meet: catches a region that is chosen by rounding, and a foot "
+        "that is clamped to the wrong one",
+        kReals, kCutAtPoint, kNo, kTogether, any_of<without_surface_points, without_value>, queries, itself,
+        check_cut_at_point, cut_at_point},
     Law{"span",
         "The way from the first point to the second is the value, without the contact distance, along the normal.",
         "point2 - point1 = (value + contact) n to the bounds of all four; radii added where points are not the nearest",

@@ -58,13 +58,16 @@ std::string broken_law(const engines::Mutant& mutant) {
   return {};
 }
 
-TEST(Laws, of_corners_halves_and_turns_of_lengths_and_of_crossings_find_what_they_are_for) {
+TEST(Laws, of_corners_halves_turns_lengths_crossings_and_of_questions_made_of_answers_find_what_they_are_for) {
   for (const auto& [law, mutant] : {std::pair{"corners", "mjx-segment-1e-6"},
                                     {"corners", "capsule-start-only"},
                                     {"corners", "crossing-normal-against"},
                                     {"corners", "hull-last-vertex-missing"},
                                     {"halves", "hull-last-vertex-missing"},
                                     {"halves", "capsule-determinant-1e-6"},
+                                    {"onto_point", "mujoco-box-sphere-depth"},
+                                    {"tangent_plane", "plane-other-end"},
+                                    {"cut_at_point", "capsule-middle-only"},
                                     {"rotate", "hull-bounds"},
                                     {"rotate", "obb-turned-back"},
                                     {"rotate", "plane-not-divided"},

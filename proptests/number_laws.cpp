@@ -43,29 +43,6 @@ bool has_distance(const Case& c, std::size_t i) {
   return has_contact(c, i) && c.truth(i).has_distance() && !c.truth(i).distance()->meets();
 }
 
-/// A claimed value as a signed distance, without the contact distance.
-Rational signed_distance(const Case& c, std::size_t i, double value) {
-  const Conventions& declared = c.subject.info.declared.conventions;
-  Rational distance(value);
-  if (declared.value == ValueKind::depth) distance = -distance;
-  if (declared.value_less_contact) distance += Rational(c.queries[i].distances.contact);
-  return distance;
-}
-/// The value of question i as the engine gave it, if it is a number.
-std::optional<double> finite_value(const Case& c, std::size_t i) {
-  if (!c.subject.claims(Field::value) || c.contact(i) == nullptr) return std::nullopt;
-  const auto& value = c.contact(i)->value;
-  return value && std::isfinite(*value) ? value : std::nullopt;
-}
-/// How far it may be off. Of shapes inside each other the parts of a value add up to more than the largest of them,
-/// which is its scale: half an ulp of the value, which rounding may take, is then more than half an ulp of the scale.
-Rational value_error(const Case& c, std::size_t i) {
-  const Rational error = allowance(c, i, Field::value);
-  const auto value = finite_value(c, i);
-  if (!value) return error;
-  const Rational rounding = oracle::ulp(Rational(std::abs(*value)), c.subject.info.declared.scalar) / Rational(2);
-  return std::max(error, rounding);
-}
 /// Whether a number is not as right as the engine must be.
 bool is_beyond(const Case& c, const oracle::FieldVerdict& verdict) {
   return c.subject.tolerance() ? !verdict.off.within || verdict.grade == Grade::not_finite
@@ -298,21 +275,22 @@ Outcome check_rotated(const Case& c) {
   if (c.contact(0) == nullptr || c.contact(1) == nullptr || parts_anywhere(c, 0)) return {};
   const auto before = finite_value(c, 0);
   const auto after = finite_value(c, 1);
-  const Rational times(is_cast(c.queries[0].pair) ? 1 : 5);
+  const Rotation& rotation = rotation_of(c.trial.change);
+  const Rational times(is_cast(c.queries[0].pair) ? 1 : rotation.size());
   if (before && after &&
       CGAL::abs(Rational(*after) - times * Rational(*before)) > value_error(c, 1) + times * value_error(c, 0))
     return Outcome::violated(fmt::format("the value {} becomes {}, and should be {}", text(*before), text(*after),
                                          text(CGAL::to_double(times * Rational(*before)))));
   if (coincident(c, 0)) return {};
-  for (const auto& [member, field, times_as_long] : {std::tuple{&ContactClaim::normal, Field::normal, 5},
+  for (const auto& [member, field, times_as_long] : {std::tuple{&ContactClaim::normal, Field::normal, rotation.size()},
                                                      {&ContactClaim::point1, Field::point1, 1},
                                                      {&ContactClaim::point2, Field::point2, 1},
                                                      {&ContactClaim::point, Field::point, 1}}) {
     const auto& old = c.contact(0)->*member;
     const auto& now = c.contact(1)->*member;
     if (!c.subject.claims(field) || !finite(old) || !finite(now) || may_jump(c, 0, field)) continue;
-    // Of each component of the old one, the new one has 3 and 4, or 5.
-    const Rational error = Rational(times_as_long) * allowance(c, 1, field) + Rational(7) * allowance(c, 0, field);
+    const Rational error =
+        Rational(times_as_long) * allowance(c, 1, field) + Rational(rotation.widest()) * allowance(c, 0, field);
     const Vector wanted = rotated(c.trial.change, *old);
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (CGAL::abs(Rational(times_as_long) * exact(*now)[axis] - wanted[axis]) > error)

@@ -207,6 +207,15 @@ class Runner {
       for (std::size_t i = asked.size(); whose != Answers::right && i-- > 0;) alone[i] = answers({asked[i]}).front();
       said.insert(said.end(), alone.begin(), alone.end());
     }
+    if (law.next != nullptr) {
+      if (said.front().status != Claim::Status::answered) return Outcome::vacuous();
+      const std::vector<Query> next = law.next(trial, of_pair, said.front());
+      if (next.empty() || !std::all_of(next.begin(), next.end(), [&](const Query& q) { return suits(q); }))
+        return Outcome::vacuous();
+      const std::vector<Claim> of_next = whose == Answers::right ? right_answers(next) : answers(next);
+      asked.insert(asked.end(), next.begin(), next.end());
+      said.insert(said.end(), of_next.begin(), of_next.end());
+    }
     if (law.asking != Asking::whatever_comes &&
         std::any_of(said.begin(), said.end(), [](const Claim& c) { return c.status != Claim::Status::answered; }))
       return Outcome::vacuous();

@@ -162,34 +162,57 @@ Questions turned(const Trial& trial, const Subject& subject) {
   return exact ? Questions{trial.query, other} : Questions{};
 }
 
-std::array<std::size_t, 3> axes_of_rotation(const Change& change) {
-  const auto about = static_cast<std::size_t>(change.choice) % 3;
-  return {about, (about + 1) % 3, (about + 2) % 3};
+const Rotation& rotation_of(const Change& change) {
+  // About each axis by the angle of a triangle with sides 3, 4 and 5, and turns that leave no axis where it is.
+  static constexpr std::array<Rotation, 8> kRotations{{{{1, 0, 0, 2}},
+                                                       {{0, 1, 0, 2}},
+                                                       {{0, 0, 1, 2}},
+                                                       {{1, 1, 1, 0}},
+                                                       {{1, -1, 0, 1}},
+                                                       {{1, 1, 1, 2}},
+                                                       {{2, 0, 1, 2}},
+                                                       {{1, 2, 2, 4}}}};
+  return kRotations[static_cast<std::size_t>(change.choice) % kRotations.size()];
+}
+
+std::array<std::array<int, 3>, 3> Rotation::matrix() const {
+  const auto& [x, y, z, w] = by;
+  // size() I + 2 w [u] + 2 [u]^2, u being (x, y, z) and [u] its cross product.
+  return {{{size() - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
+           {2 * (x * y + z * w), size() - 2 * (x * x + z * z), 2 * (y * z - x * w)},
+           {2 * (x * z - y * w), 2 * (y * z + x * w), size() - 2 * (x * x + y * y)}}};
+}
+
+int Rotation::widest() const {
+  int most = 0;
+  for (const auto& row : matrix()) most = std::max(most, std::abs(row[0]) + std::abs(row[1]) + std::abs(row[2]));
+  return most;
 }
 
 std::array<Rational, 3> rotated(const Change& change, const Vector3& v) {
-  const auto [about, x, y] = axes_of_rotation(change);
-  const auto at = [&](std::size_t axis) { return Rational(v[static_cast<Eigen::Index>(axis)]); };
+  const auto rows = rotation_of(change).matrix();
   std::array<Rational, 3> result;
-  result[about] = Rational(5) * at(about);
-  result[x] = Rational(3) * at(x) - Rational(4) * at(y);
-  result[y] = Rational(4) * at(x) + Rational(3) * at(y);
+  for (std::size_t i = 0; i < 3; ++i)
+    result[i] = Rational(rows[i][0]) * Rational(v[0]) + Rational(rows[i][1]) * Rational(v[1]) +
+                Rational(rows[i][2]) * Rational(v[2]);
   return result;
 }
 
 Questions rotated(const Trial& trial, const Subject& subject) {
   Query other = trial.query;
+  const Rotation& rotation = rotation_of(trial.change);
   bool exact = true;
   const auto times = [&](double& x, int by) { exact = put(x, Rational(by) * Rational(x), subject.range) && exact; };
   for_each_shape(other, [&]<class Shape>(Shape& shape) {
     for_each_field(shape, [&]<class Value>(const auto& field, Value& value) {
       if constexpr (std::same_as<Value, Quaternion>) {
-        Quaternion by{0, 0, 0, 2};  // half the angle has the tangent 1/2
-        by[axes_of_rotation(trial.change)[0]] = 1;
+        Quaternion by{};
+        std::copy(rotation.by.begin(), rotation.by.end(), by.begin());
         exact = turn(value, by, subject.range) && exact;
       } else if (field.kind == FieldKind::length || field.kind == FieldKind::offset) {
         // A ray's length counts its direction; a plane's offset is a length times its normal's.
-        const int by = field.kind == FieldKind::offset ? 25 : std::derived_from<Shape, Ray> ? 1 : 5;
+        const int size = rotation.size();
+        const int by = field.kind == FieldKind::offset ? size * size : std::derived_from<Shape, Ray> ? 1 : size;
         for_each_number_in(value, [&](double& x) { times(x, by); });
       } else {
         for_each_vector(value, [&](Vector3& v) {
@@ -200,8 +223,8 @@ Questions rotated(const Trial& trial, const Subject& subject) {
       }
     });
   });
-  times(other.distances.alarm, 5);
-  times(other.distances.contact, 5);
+  times(other.distances.alarm, rotation.size());
+  times(other.distances.contact, rotation.size());
   return exact ? Questions{trial.query, other} : Questions{};
 }
 

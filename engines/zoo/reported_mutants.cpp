@@ -164,6 +164,23 @@ struct Corners {
     }
     return best;
   }
+  /// The coordinates by the regions of vertices and edges, tried one after the other, each comparison with 0 being one
+  /// with `limit`; nothing where none is taken.
+  [[nodiscard]] std::optional<std::array<Wide, 2>> by_regions(Wide limit) const {
+    const Wide3 ap = c - v0;
+    const Wide3 bp = ap - e1;
+    const Wide3 cp = ap - e2;
+    const Wide d1 = e1.dot(ap), d2 = e2.dot(ap), d3 = e1.dot(bp), d4 = e2.dot(bp), d5 = e1.dot(cp), d6 = e2.dot(cp);
+    const auto ratio = [](Wide x, Wide y) { return y == 0 ? 0 : x / y; };
+    if (d1 < limit && d2 < limit) return {{0, 0}};
+    if (d3 > -limit && d4 <= d3) return {{1, 0}};
+    if (d1 * d4 - d3 * d2 < limit && d1 > -limit && d3 < limit) return {{ratio(d1, d1 - d3), 0}};
+    if (d6 > -limit && d5 <= d6) return {{0, 1}};
+    if (d5 * d2 - d1 * d6 < limit && d2 > -limit && d6 < limit) return {{0, ratio(d2, d2 - d6)}};
+    const Wide share = ratio(d4 - d3, (d4 - d3) + (d5 - d6));
+    if (d3 * d6 - d5 * d4 < limit && d4 - d3 > -limit && d5 - d6 > -limit) return {{1 - share, share}};
+    return std::nullopt;
+  }
   [[nodiscard]] std::array<Wide, 2> nearest() const {
     if (is_flat()) return on_edges();
     const auto [second, third] = of_foot();
@@ -381,6 +398,13 @@ const std::array kReported{
                return x.n.norm() < 1e-4L ? Coordinates(x.on_edges()) : std::nullopt;
              });
            }},
+    Mutant{"trimesh-regions-1e-13",
+           "the regions of a triangle are told apart by comparisons with 1e-13, of products of two and of four lengths",
+           "triangle-regions-1e-13", nullptr,
+           [](const Query& q, Claim& claim) {
+             at_coordinates(q, claim, [](const Corners& x) { return x.by_regions(1e-13L); });
+           },
+           "https://github.com/mikedh/trimesh/blob/a513c0e2cfa6dfbd3121a6dfd8ceb002b9ef55d8/trimesh/triangles.py#L656"},
     Mutant{"parry-flat-triangle-zero", "a triangle without an inside is 0 away, wherever the sphere is",
            "triangle-flat-zero", nullptr,
            [](const Query& q, Claim& claim) {

@@ -66,6 +66,29 @@ Cause at_weights(std::string_view id, std::string_view sentence, Weights (*weigh
     f.settle();
   });
 }
+/// Where a search of the regions, vertices and edges before the face, ends if each comparison with 0 is one with `limit`
+/// on the side of ending there: products of two lengths, and of an edge of four. Nothing where it comes to the face.
+Weights first_region(const Seen& seen, Real limit) {
+  const auto& w = seen.w;
+  const Numbers ab = along(w[1], -1, w[0]);
+  const Numbers ac = along(w[2], -1, w[0]);
+  std::array<Real, 3> b{};  // how far along ab and along ac the centre lies, from each vertex
+  std::array<Real, 3> c{};
+  for (const std::size_t k : kAxes) b[k] = -dot(ab, w[k]), c[k] = -dot(ac, w[k]);
+  if (b[0] < limit && c[0] < limit) return {{1, 0, 0}};
+  if (b[1] > -limit && c[1] <= b[1]) return {{0, 1, 0}};
+  const auto on = [](Real before, Real behind) { return before == behind ? 0 : before / (before - behind); };
+  if (b[0] * c[1] - b[1] * c[0] < limit && b[0] > -limit && b[1] < limit)
+    return {{1 - on(b[0], b[1]), on(b[0], b[1]), 0}};
+  if (c[2] > -limit && b[2] <= c[2]) return {{0, 0, 1}};
+  if (b[2] * c[0] - b[0] * c[2] < limit && c[0] > -limit && c[2] < limit)
+    return {{1 - on(c[0], c[2]), 0, on(c[0], c[2])}};
+  const Real from_b = c[1] - b[1];
+  const Real from_c = b[2] - c[2];
+  if (b[1] * c[2] - b[2] * c[1] < limit && from_b > -limit && from_c > -limit)
+    return {{0, 1 - on(from_b, -from_c), on(from_b, -from_c)}};
+  return std::nullopt;
+}
 /// A miss where the foot is on one of some features, or something else holds.
 Cause misses(std::string_view id, std::string_view sentence, bool (*there)(F, const Seen&)) {
   return decision(id, sentence, [there](F f) { return missed_where(there(f, Seen(f)), f); });
@@ -172,6 +195,11 @@ std::vector<Cause> wrong_about(const BallAndTriangle* /*kind*/) {
             if (!(seen.length2 < 1e-8L)) return std::nullopt;
             return seen.nearest_of(std::array{seen.on_edge(0, true), seen.on_edge(1, true), seen.on_edge(2, true)});
           }),
+      at_weights(
+          "triangle-regions-1e-13",
+          "products of two and of four lengths compared with 1e-13, where vertex, edge and face of a triangle are told "
+          "apart: the face of a small one is never found",
+          [](const Seen& seen) { return first_region(seen, 1e-13L); }),
       {.id = "triangle-flat-zero",
        .sentence = "triangles without an inside answered with a distance of 0",
        .hit = [](F f) { return Seen(f).length2 == 0 ? Said::hit(true) : right_decision(f); },

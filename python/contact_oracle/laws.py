@@ -31,7 +31,7 @@ from .engines import CLAIMS, Engine, answers_of, by_pair, points_of
 from .errors import errors_of_core
 from .pairs import number_of, pair_named
 from .serving import lines_of
-from .shapes import Obb, Plane, Question, Ray, Sphere
+from .shapes import Capsule, Cube, Hull, Obb, Plane, Question, Ray, Sphere, Triangle
 
 ULPS = 8.0
 # An engine may decide by squares, which doubles a relative error twice: docs/properties.md#what-is-fair.
@@ -355,6 +355,119 @@ def turn(engine: Engine, question: Question, axes: tuple[int, int, int] = (1, 2,
     _compare("turn", wrapped, question, changed, Held(ulps, tolerance, conventions), back)
 
 
+def _exactly(wanted: Fraction) -> float:
+    """A number that there is, or another question."""
+    number = float(wanted)
+    assume(Fraction(number) == wanted)
+    return number
+
+
+def rotate(engine: Engine, question: Question, quaternion: tuple[int, int, int, int] = (0, 0, 1, 2), *, ulps: float = ULPS, tolerance: Stated = None, conventions: Stated = None) -> None:
+    """A scene turned by a quaternion of small integers, and as many times as long as its squared length, is answered so. Boxes along the axes do not suit it."""
+    assume(not isinstance(question.a, Cube) and not isinstance(question.b, Cube))
+    x, y, z, w = quaternion
+    size = x * x + y * y + z * z + w * w
+    rows = ((size - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)), (2 * (x * y + z * w), size - 2 * (x * x + z * z), 2 * (y * z - x * w)),
+            (2 * (x * z - y * w), 2 * (y * z + x * w), size - 2 * (x * x + y * y)))
+
+    def exact(vector: Any) -> list[Fraction]:
+        return [sum((factor * Fraction(float(part)) for factor, part in zip(row, vector)), Fraction(0)) for row in rows]
+
+    def turned(value: tuple[float, ...]) -> tuple[float, ...]:
+        return tuple(map(_exactly, exact(value)))
+
+    def further(q: tuple[float, ...]) -> tuple[float, ...]:
+        a, b, c, d = map(Fraction, q)
+        return tuple(map(_exactly, (w * a + x * d + y * c - z * b, w * b - x * c + y * d + z * a, w * c + x * b - y * a + z * d, w * d - x * a - y * b - z * c)))
+
+    def shape_turned(shape: Any) -> Any:
+        def of(name: str, value: Any) -> Any:
+            if name == "orientation":
+                return further(value)
+            if name in ("radius", "offset", "length", "extents"):
+                # A ray's length counts its direction; a plane's offset is a length times its normal's.
+                times = 1 if name == "length" else size * size if name == "offset" else size
+                return tuple(_exactly(times * Fraction(part)) for part in value) if isinstance(value, tuple) else _exactly(times * Fraction(value))
+            return tuple(map(turned, value)) if isinstance(value[0], tuple) else turned(value)
+
+        return type(shape)(**{field.name: of(field.name, getattr(shape, field.name)) for field in fields(shape)})
+
+    changed = replace(question, a=shape_turned(question.a), b=shape_turned(question.b), alarm=_exactly(size * Fraction(question.alarm)),
+                      contact=_exactly(size * Fraction(question.contact)))
+    assume(_is_in_scalar(question) and _is_in_scalar(changed))
+    one, other = Answer(engine, question), Answer(engine, changed)
+    # A component of the turned answer has the errors of three.
+    to = replace(Held(2 * ulps, tolerance, conventions), ulps=max(2 * ulps, 2.0))
+    _same_hit("rotate", one, other, to)
+    counts_directions = pair_named(question.pair).numbers == "cast"
+    for name in sorted(one.numbers.keys() & other.numbers.keys() - _agreed(question)):
+        number = one.numbers[name]
+        assume(np.isfinite(number).all())
+        if name == "value":
+            wanted: Any = float(number) if counts_directions else float(number) * size
+        else:
+            wanted = [float(part / size if name == "normal" else part) for part in exact(number)]
+        _same("rotate", name, wanted, other.numbers[name], to, max(_scale(name, question), _scale(name, changed)), one, other)
+
+
+def onto_point(engine: Engine, question: Question, *, ulps: float = ULPS, tolerance: Stated = None, conventions: Stated = None) -> None:
+    """A sphere about the engine's own point of the other shape is as deep in it as its radius."""
+    assume(isinstance(question.a, Sphere) and question.a.radius > 0 and pair_named(question.pair).numbers == "distance")
+    one = Answer(engine, question)
+    assume(one.hit and question.exact().hit and "point2" in one.numbers and np.isfinite(one.numbers["point2"]).all())
+    derived = replace(question, a=replace(question.a, center=tuple(map(float, one.numbers["point2"]))))
+    assume(_is_in_scalar(derived))
+    other = Answer(engine, derived)
+    to = replace(Held(2 * ulps, tolerance, conventions), ulps=max(2 * ulps, 2.0))
+    if not other.hit:
+        if _is_clear(derived, to) and derived.exact().hit:
+            _violated("onto_point", "a hit, and a miss about its own point", to, one, other)
+        return
+    assume("value" in other.numbers)
+    _same("onto_point", "value + contact", float(other.numbers["value"]) + derived.contact, -question.a.radius, to,
+          max(_scale("value", question), _scale("value", derived)), one, other)
+
+
+def cut_at_point(engine: Engine, question: Question, which: int = 2, corner: int = 0, *, ulps: float = ULPS, tolerance: Stated = None, conventions: Stated = None) -> None:
+    """A capsule, a triangle or a box that is cut at the engine's own point, or a hull with it as one more vertex, has the same value."""
+    exact = question.exact()
+    assume(pair_named(question.pair).numbers == "distance" and exact.hit and not exact.degenerate and exact.distance2 and exact.depth2 is None)
+    shape = question.a if which == 1 else question.b
+    assume(isinstance(shape, (Capsule, Triangle, Cube, Hull)))
+    one = Answer(engine, question)
+    assume(one.hit and f"point{which}" in one.numbers and "value" in one.numbers)
+    core = np.asarray(one.numbers[f"point{which}"], float)
+    radius = getattr(shape, "radius", 0.0)
+    if radius:
+        assume("normal" in one.numbers)
+        core = core - (radius if which == 1 else -radius) * np.asarray(one.numbers["normal"], float)
+    assume(np.isfinite(core).all())
+    x, y, z = (float(part) for part in core.astype(number_of(question.scalar)))
+    place = (x, y, z)
+    if isinstance(shape, Capsule):
+        part: Any = replace(shape, **{("start", "end")[corner % 2]: place})
+    elif isinstance(shape, Triangle):
+        first, second, third = (place if at == corner % 3 else vertex for at, vertex in enumerate(shape.vertices))
+        part = Triangle((first, second, third))
+    elif isinstance(shape, Cube):
+        kept = [(shape.min, shape.max)[corner >> axis & 1][axis] for axis in range(3)]
+        low_x, low_y, low_z = (min(pair) for pair in zip(kept, place))
+        high_x, high_y, high_z = (max(pair) for pair in zip(kept, place))
+        part = Cube((low_x, low_y, low_z), (high_x, high_y, high_z))
+    else:
+        assume(len(shape.vertices) < 64)
+        part = replace(shape, vertices=(*shape.vertices, place))
+    derived = replace(question, a=part) if which == 1 else replace(question, b=part)
+    assume(_is_in_scalar(derived))
+    other = Answer(engine, derived)
+    to = replace(Held(2 * ulps, tolerance, conventions), ulps=max(2 * ulps, 2.0))
+    if not other.hit:
+        if _is_clear(derived, to) and derived.exact().hit:
+            _violated("cut_at_point", "a hit, and a miss of the part with its own point", to, one, other)
+        return
+    _same("cut_at_point", "value", one.numbers["value"], other.numbers["value"], to, _scale("value", question), one, other)
+
+
 def _without_normal(engine: Engine) -> Engine:
     def asked(questions: Any) -> Any:
         said = answers_of(by_pair(engine)[0](questions), len(questions), questions.scalar)
@@ -468,6 +581,8 @@ def _has_numbers(pair: str) -> bool:
 _GROWTH = {"growth": st.integers(0, 64).map(float)}
 _STEP = {"by": st.tuples(*[st.integers(-16, 16).map(float)] * 3)}
 _TURN = {"axes": st.sampled_from(list(itertools.permutations((0, 1, 2)))), "signs": st.tuples(*[st.sampled_from((1, -1))] * 3)}
+_ROTATION = {"quaternion": st.sampled_from([(1, 0, 0, 2), (0, 1, 0, 2), (0, 0, 1, 2), (1, 1, 1, 0), (1, -1, 0, 1), (1, 1, 1, 2), (2, 0, 1, 2), (1, 2, 2, 4)])}
+_CUT = {"which": st.sampled_from((1, 2)), "corner": st.integers(0, 7)}
 _EDGES = ("touching_overlap", "touching_contact", "margin")
 
 LAWS: dict[str, Law] = {law.name: law for law in (
@@ -475,6 +590,7 @@ LAWS: dict[str, Law] = {law.name: law for law in (
     Law(finite, _has_numbers, unfit=("coincident",)),
     Law(swap, _has_two_alike, unfit=("points", "depth")),
     Law(turn, draws=_TURN, unfit=("depth",)),
+    Law(rotate, lambda pair: "cube" not in pair_named(pair).shapes, draws=_ROTATION, unfit=("depth",)),
     Law(unit_normal, _has_numbers, unfit=("normal", "normal_unit", "coincident")),
     Law(scale, draws={"exponent": st.integers(-LARGEST_EXPONENT, LARGEST_EXPONENT)}, unfit=("depth",)),
     Law(translate, lambda pair: "plane" not in pair_named(pair).shapes, draws=_STEP, unfit=("depth",)),
@@ -482,6 +598,10 @@ LAWS: dict[str, Law] = {law.name: law for law in (
     Law(size_growth, lambda pair: pair_named(pair).shapes[0] == "sphere", draws=_GROWTH),
     Law(alarm_changes_no_number, _has_numbers, draws=_GROWTH),
     Law(contact_distance, _has_numbers, draws=_GROWTH, unfit=("value", "value_less_contact")),
+    Law(onto_point, lambda pair: pair_named(pair).numbers == "distance" and pair_named(pair).shapes[0] == "sphere",
+        unfit=("points", "value", "value_less_contact", "depth")),
+    Law(cut_at_point, lambda pair: pair_named(pair).numbers == "distance" and not {"capsule", "triangle", "cube", "hull"}.isdisjoint(pair_named(pair).shapes),
+        draws=_CUT, unfit=("normal", "normal_unit", "points", "value", "depth")),
     Law(decision, unfit=_EDGES),
     Law(bounds, _has_numbers, unfit=("normal", "normal_unit", "points", "value", "value_less_contact", "depth")),
 )}
