@@ -75,7 +75,7 @@ class Packages(unittest.TestCase):
     def test_the_program_alone_is_built_without_the_tests_and_what_these_need(self):
         installed, cmake, said = self.built("certify")
         self.assertEqual((installed, cmake), ({"beta"}, ["cmake --preset release -DCONTACT_TESTS=OFF"]))
-        self.assertRegex(said, r"(?m)^building contact-oracle: about 11 processor minutes, by the clock 6$")
+        self.assertRegex(said, r"(?m)^building contact-certify: about 11 processor minutes, by the clock 6$")
         # Once the program is built the tests are configured all the same.
         (self.folder / "build/release/build.ninja").touch()
         installed, cmake, said = self.built("build")
