@@ -78,7 +78,7 @@ class Names(unittest.TestCase):
         self.assertEqual([file for file in listed if not (mutate.ROOT / file).is_file()], [])
         there = {str(path.relative_to(mutate.ROOT)) for folder in ("src/kernel", "oracle/truth", "oracle/judge", "oracle/diagnosis")
                  for path in (mutate.ROOT / folder).glob("*.cpp") if not path.name.endswith("_test.cpp")}
-        # What stands in for the vectors where there is no Highway is not built here.
+        # What stands in for the vectors where there is no Highway is not built here, and what only includes them has no line of its own.
         self.assertEqual(there - set(listed), {"src/kernel/batch_no_vectors.cpp", "src/kernel/batch_vectors.cpp"})
 
     def test_equal_lines_are_told_apart_and_a_changed_line_has_another_name(self):
