@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "formats/visible.hpp"
 #include "oracle/judge/judge.hpp"
 
 namespace contact::tool {
