@@ -11,6 +11,7 @@ import subprocess
 import sys
 import time
 import unittest
+from pathlib import Path
 
 import cli_test
 from cli_test import GOLDEN, ROOT, SPHERES, TOOL, answers_to, committed, run, text
@@ -66,6 +67,17 @@ class Help(Case):
         self.assertEqual({heading: found.get(heading) for heading in HEADINGS}, HEADINGS)
         self.assertIn(f"lists all {len(COMMANDS)} commands", self.help())
         self.assertEqual(self.holds("help", "all"), page)
+
+    def test_the_program_for_a_verdict_has_that_command_and_no_other(self):
+        def said(*words):
+            done = subprocess.run([Path(TOOL).with_name("contact-certify"), *words], capture_output=True, text=True, timeout=60)
+            return done.returncode, done.stdout or done.stderr
+        status, page = said("--help")
+        self.assertEqual((status, {heading: names for heading, names in sections(page).items() if heading in HEADINGS}),
+                         (0, {"Judge an engine": ["certify"], "Help": ["help"]}))
+        self.assertEqual(said("help", "all"), said("--help-all"))
+        self.assertEqual(said("certify", "--help"), (0, self.help("certify")))
+        self.assertEqual(said("explain"), (2, "contact-oracle: unknown command 'explain'; `contact-oracle help all` lists them\n"))
 
     def test_the_options_of_certify_stand_under_headings(self):
         found = sections(self.help("certify"))

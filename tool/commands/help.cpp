@@ -72,7 +72,8 @@ class HelpFormatter : public CLI::FormatterBase {
     std::string text = wrapped(first, 0) + "\n";
     if (!rest.empty()) text += wrapped(rest, 0) + "\n";
     text += fmt::format("\nUsage: {}\n", wrapped(synopsis(*app), 7));
-    if (whole_program && mode != CLI::AppFormatMode::All)
+    const bool has_many = app->get_subcommands({}).size() > kMostUsed.size();
+    if (whole_program && has_many && mode != CLI::AppFormatMode::All)
       text += most_used(*app);
     else
       for (const CommandGroup& group : command_groups(*app)) text += list(group.title, group.commands);
