@@ -147,7 +147,7 @@ struct Counts {
   std::uint64_t not_told = 0;
 };
 
-/// Whether a number is n 2^-exponent rounded, give or take `noise` of them.
+/// Whether a number is n 2^-exponent rounded, give or take `noise` of them, beside which the few that whole numbers cut off are nothing.
 bool is_rounded(double said, const Whole& n, long exponent, const Whole& noise) {
   const Rational x = Rational(n) * oracle::power_of_two(static_cast<int>(-exponent));
   if (!std::isfinite(said)) return CGAL::abs(x) > Rational(0x1.fffffffffffffp1023);

@@ -13,19 +13,12 @@ namespace {
 
 /// The pair of a shape and a plane.
 template <class Shape>
-constexpr std::optional<Pair> kOverPlane = std::nullopt;
-template <>
-constexpr std::optional<Pair> kOverPlane<Ball> = Pair::sphere_plane;
-template <>
-constexpr std::optional<Pair> kOverPlane<Capsule> = Pair::capsule_plane;
-template <>
-constexpr std::optional<Pair> kOverPlane<Box> = Pair::cube_plane;
-template <>
-constexpr std::optional<Pair> kOverPlane<Obb> = Pair::obb_plane;
-template <>
-constexpr std::optional<Pair> kOverPlane<Triangle> = Pair::triangle_plane;
-template <>
-constexpr std::optional<Pair> kOverPlane<Hull> = Pair::hull_plane;
+constexpr std::optional<Pair> pair_over_plane() {
+  for (const Pair pair : kPairs)
+    if (of_shapes(pair, []<class A, class B>() { return std::same_as<A, Shape> && std::same_as<B, Plane>; }))
+      return pair;
+  return std::nullopt;
+}
 
 /// Which of the two shapes a law is about.
 std::size_t shape_chosen(const Trial& trial) { return static_cast<std::size_t>(trial.change.choice) % 2; }
@@ -115,7 +108,8 @@ Questions onto_point(const Trial& trial, const Subject& subject, const Claim& cl
 
 Outcome check_onto_point(const Case& c) {
   if (parts_anywhere(c, 1) || !c.truth(0).hit()) return Outcome::vacuous();
-  const Rational radius(std::get<Ball*>(two_shapes(const_cast<Query&>(c.queries[1]))[0])->radius);
+  Query asked = c.queries[1];
+  const Rational radius(std::get<Ball*>(two_shapes(asked)[0])->radius);
   if (radius <= off(c, 1)) return Outcome::vacuous();
   if (auto outcome = missing(c)) return *outcome;
   const auto value = finite_value(c, 1);
@@ -135,8 +129,8 @@ Questions tangent_plane(const Trial& trial, const Subject& subject, const Claim&
   Query asked = trial.query;
   return std::visit(
       [&]<class Shape>(Shape* shape) -> Questions {
-        if constexpr (kOverPlane<Shape>.has_value()) {
-          const Pair pair = *kOverPlane<Shape>;
+        if constexpr (constexpr auto over_plane = pair_over_plane<Shape>(); over_plane.has_value()) {
+          const Pair pair = *over_plane;
           if (!subject.serves_alike(pair)) return {};
           // Not where the plane touches, but a good way inside, so that there is a contact.
           const double inside = std::max(largest(*point), breadth(*shape)) / 4;
@@ -157,7 +151,8 @@ Outcome check_tangent_plane(const Case& c) {
   if (auto outcome = missing(c)) return *outcome;
   const auto value = finite_value(c, 1);
   if (!value) return Outcome::vacuous();
-  const auto shapes = two_shapes(const_cast<Query&>(c.queries[1]));
+  Query asked = c.queries[1];
+  const auto shapes = two_shapes(asked);
   const Plane& plane = *std::get<Plane*>(shapes[1]);
   const Vector3& point = *surface_point(c.queries[0], c.claims[0], c.subject, which);
   // What the plane, as it has been rounded, leaves of the shape on its other side.

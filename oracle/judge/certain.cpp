@@ -112,7 +112,7 @@ class Gathering {
     if (!any_) all.normals = normals_;
     all.normal_allowed = normal_allowed();
     for (const FieldReach* field : {&points_[0], &points_[1], &points_[2], &value_})
-      for (const Reach& range : field->numbers) all.numbers.push_back(near_to(range, field->allowed, declared_.scalar));
+      for (const Reach& reach : field->numbers) all.numbers.push_back(near_to(reach, field->allowed, declared_.scalar));
     return all;
   }
 
@@ -160,9 +160,9 @@ class Gathering {
     for (int axis = 0; axis < 3; ++axis) {
       const double x = (*point)[axis];
       if (is_first) field.numbers.push_back({x, x});
-      Reach& range = field.numbers[index(axis)];
-      range.add(x);
-      for (const Point& far : spread) range.add(x + in_binary64(Exact(far[index(axis)])));
+      Reach& reach = field.numbers[index(axis)];
+      reach.add(x);
+      for (const Point& far : spread) reach.add(x + in_binary64(Exact(far[index(axis)])));
     }
   }
 

@@ -29,7 +29,7 @@ from hypothesis import strategies as st
 from . import _core, strategies
 from .engines import CLAIMS, Engine, answers_of, by_pair, points_of
 from .errors import errors_of_core
-from .pairs import number_of, pair_named
+from .pairs import number_of, pair_named, rows_of_rotation
 from .serving import lines_of
 from .shapes import Capsule, Cube, Hull, Obb, Plane, Question, Ray, Sphere, Triangle
 
@@ -367,8 +367,7 @@ def rotate(engine: Engine, question: Question, quaternion: tuple[int, int, int, 
     assume(not isinstance(question.a, Cube) and not isinstance(question.b, Cube))
     x, y, z, w = quaternion
     size = x * x + y * y + z * z + w * w
-    rows = ((size - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)), (2 * (x * y + z * w), size - 2 * (x * x + z * z), 2 * (y * z - x * w)),
-            (2 * (x * z - y * w), 2 * (y * z + x * w), size - 2 * (x * x + y * y)))
+    rows = rows_of_rotation(quaternion)
 
     def exact(vector: Any) -> list[Fraction]:
         return [sum((factor * Fraction(float(part)) for factor, part in zip(row, vector)), Fraction(0)) for row in rows]
@@ -397,7 +396,7 @@ def rotate(engine: Engine, question: Question, quaternion: tuple[int, int, int, 
     assume(_is_in_scalar(question) and _is_in_scalar(changed))
     one, other = Answer(engine, question), Answer(engine, changed)
     # A component of the turned answer has the errors of three.
-    to = replace(Held(2 * ulps, tolerance, conventions), ulps=max(2 * ulps, 2.0))
+    to = _held_by_both(ulps, tolerance, conventions)
     _same_hit("rotate", one, other, to)
     counts_directions = pair_named(question.pair).numbers == "cast"
     for name in sorted(one.numbers.keys() & other.numbers.keys() - _agreed(question)):
@@ -410,6 +409,18 @@ def rotate(engine: Engine, question: Question, quaternion: tuple[int, int, int, 
         _same("rotate", name, wanted, other.numbers[name], to, max(_scale(name, question), _scale(name, changed)), one, other)
 
 
+def _held_by_both(ulps: float, tolerance: Stated, conventions: Stated) -> Held:
+    """What two answers may be off together."""
+    return replace(Held(2 * ulps, tolerance, conventions), ulps=max(2 * ulps, 2.0))
+
+
+def _is_lost(law: str, what: str, to: Held, one: Answer, other: Answer) -> bool:
+    """Whether the question that was made of an answer has no contact, so that there is no more to compare; violated where it must have one."""
+    if not other.hit and _is_clear(other.question, to) and other.question.exact().hit:
+        _violated(law, what, to, one, other)
+    return not other.hit
+
+
 def onto_point(engine: Engine, question: Question, *, ulps: float = ULPS, tolerance: Stated = None, conventions: Stated = None) -> None:
     """A sphere about the engine's own point of the other shape is as deep in it as its radius."""
     assume(isinstance(question.a, Sphere) and question.a.radius > 0 and pair_named(question.pair).numbers == "distance")
@@ -418,10 +429,8 @@ def onto_point(engine: Engine, question: Question, *, ulps: float = ULPS, tolera
     derived = replace(question, a=replace(question.a, center=tuple(map(float, one.numbers["point2"]))))
     assume(_is_in_scalar(derived))
     other = Answer(engine, derived)
-    to = replace(Held(2 * ulps, tolerance, conventions), ulps=max(2 * ulps, 2.0))
-    if not other.hit:
-        if _is_clear(derived, to) and derived.exact().hit:
-            _violated("onto_point", "a hit, and a miss about its own point", to, one, other)
+    to = _held_by_both(ulps, tolerance, conventions)
+    if _is_lost("onto_point", "a hit, and a miss about its own point", to, one, other):
         return
     assume("value" in other.numbers)
     _same("onto_point", "value + contact", float(other.numbers["value"]) + derived.contact, -question.a.radius, to,
@@ -460,10 +469,8 @@ def cut_at_point(engine: Engine, question: Question, which: int = 2, corner: int
     derived = replace(question, a=part) if which == 1 else replace(question, b=part)
     assume(_is_in_scalar(derived))
     other = Answer(engine, derived)
-    to = replace(Held(2 * ulps, tolerance, conventions), ulps=max(2 * ulps, 2.0))
-    if not other.hit:
-        if _is_clear(derived, to) and derived.exact().hit:
-            _violated("cut_at_point", "a hit, and a miss of the part with its own point", to, one, other)
+    to = _held_by_both(ulps, tolerance, conventions)
+    if _is_lost("cut_at_point", "a hit, and a miss of the part with its own point", to, one, other):
         return
     _same("cut_at_point", "value", one.numbers["value"], other.numbers["value"], to, _scale("value", question), one, other)
 

@@ -97,3 +97,11 @@ def scalar_named(name: str) -> str:
 def number_of(scalar: str) -> type[Any]:
     """NumPy's name of a scalar."""
     return np.float32 if scalar_named(scalar) == "binary32" else np.float64
+
+
+def rows_of_rotation(quaternion: Any) -> Any:
+    """The matrix of the rotation that a quaternion x, y, z, w is, times the quaternion's squared length: of integers exact."""
+    x, y, z, w = quaternion
+    size = x * x + y * y + z * z + w * w
+    return ((size - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)), (2 * (x * y + z * w), size - 2 * (x * x + z * z), 2 * (y * z - x * w)),
+            (2 * (x * z - y * w), 2 * (y * z + x * w), size - 2 * (x * x + y * y)))

@@ -10,6 +10,7 @@ import numpy as np
 
 from .arrays import Array, numpy_array
 from .errors import InputError
+from .pairs import rows_of_rotation
 
 if TYPE_CHECKING:
     from .shapes import Question, Shape
@@ -69,9 +70,7 @@ def _parts(shape: Shape) -> dict[str, Array]:
 def _farthest(parts: Mapping[str, Array], way: Array) -> Array:
     """The points of a shape that are farthest in some directions (..., 3): where its surface is seen from there."""
     if "extents" in parts:
-        x, y, z, w = parts["orientation"]
-        turn = np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)], [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-                         [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
+        turn = np.array(rows_of_rotation(parts["orientation"]))  # of length 1
         return np.asarray(parts["center"] + (parts["extents"] * np.sign(way @ turn)) @ turn.T)
     if "min" in parts:
         return np.where(way > 0, parts["max"], parts["min"])
