@@ -60,9 +60,11 @@ function(contact_together target)
   endif()
 endfunction()
 
+set(contact_short_to_compile $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
+
 # contact_library(name [OPTIMISED] SOURCES ... LINK ... PRIVATE_LINK ...): a static library with the alias contact::name.
 # Time is spent in what is OPTIMISED: production, the oracles and the judge. Families, engines, reports and commands run for moments
-# and take long to compile: a release has them at -O1.
+# and take long to compile: they are at -O1, as tests are.
 function(contact_library name)
   cmake_parse_arguments(ARG "OPTIMISED" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   add_library(contact_${name} STATIC ${ARG_SOURCES})
@@ -73,7 +75,7 @@ function(contact_library name)
                                 $<BUILD_INTERFACE:contact_strict_floating_point>)
   set_target_properties(contact_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   if(NOT ARG_OPTIMISED)
-    target_compile_options(contact_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+    target_compile_options(contact_${name} PRIVATE ${contact_short_to_compile})
   endif()
   contact_together(contact_${name})
 endfunction()
@@ -83,22 +85,20 @@ include(${CMAKE_CURRENT_LIST_DIR}/ContactPlugin.cmake)
 # What the sanitizers look at every time: production, the oracles and the readers. `./run dev` has them look at all.
 add_custom_target(core_tests)
 
-# contact_test(name [CORE] [ALONE] LABEL label SOURCES ... LINK ...): one GoogleTest program; every test in it is a ctest of that
-# label. ALONE compiles its files one by one: they call different things by one name.
+# contact_test(name [CORE] LABEL label SOURCES ... LINK ...): one GoogleTest program; every test in it is a ctest of that label. Each file
+# of a program has a namespace of its own.
 function(contact_test name)
-  cmake_parse_arguments(ARG "CORE;ALONE" "LABEL" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "CORE" "LABEL" "SOURCES;LINK" ${ARGN})
   if(NOT CONTACT_TESTS)
     return()
   endif()
   add_executable(${name} ${ARG_SOURCES})
   target_compile_features(${name} PRIVATE cxx_std_20)
   target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest_main contact_warnings contact_strict_floating_point)
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # what is tested is optimised as ever
+  target_compile_options(${name} PRIVATE ${contact_short_to_compile})  # what is tested is optimised as ever
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/dev ${PROJECT_SOURCE_DIR}/proptests)
   target_compile_definitions(${name} PRIVATE CONTACT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  if(NOT ARG_ALONE)
-    contact_together(${name})
-  endif()
+  contact_together(${name})
   if(ARG_CORE)
     add_dependencies(core_tests ${name})
     string(APPEND ARG_LABEL -core)  # one label: a list does not come through, and ctest -L looks for a part

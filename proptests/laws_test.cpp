@@ -17,7 +17,7 @@
 #include "oracle/truth/cores.hpp"
 #include "proptests/run.hpp"
 
-namespace contact::proptests {
+namespace contact::proptests::laws_test {
 namespace {
 
 using engines::Engine;
@@ -815,4 +815,4 @@ TEST(Generators, for_a_law_draw_what_it_is_about) {
 }
 
 }  // namespace
-}  // namespace contact::proptests
+}  // namespace contact::proptests::laws_test

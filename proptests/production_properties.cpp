@@ -25,7 +25,7 @@
 #include "oracle/truth/truth.hpp"
 #include "proptests/law_functions.hpp"
 
-namespace contact {
+namespace contact::production_properties {
 namespace {
 
 using namespace proptests;
@@ -685,4 +685,4 @@ TEST(Production, has_a_crossing_in_both_shapes) {
 }
 
 }  // namespace
-}  // namespace contact
+}  // namespace contact::production_properties

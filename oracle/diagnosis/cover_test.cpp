@@ -7,7 +7,7 @@
 #include <iterator>
 #include <vector>
 
-namespace contact::oracle {
+namespace contact::oracle::cover_test {
 namespace {
 
 using Elements = std::vector<std::size_t>;
@@ -96,4 +96,4 @@ TEST(Cover, EveryRoundAsksEveryCandidateOnceForWhatIsLeft) {
 }
 
 }  // namespace
-}  // namespace contact::oracle
+}  // namespace contact::oracle::cover_test

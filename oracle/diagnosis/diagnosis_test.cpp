@@ -13,7 +13,7 @@
 #include "oracle/diagnosis/formulas.hpp"
 #include "oracle/judge/right_claim.hpp"
 
-namespace contact::oracle {
+namespace contact::oracle::diagnosis_test {
 namespace {
 
 /// delta (2,3,6), distance 7; surfaces 7 - r1 - r2 apart.
@@ -1254,4 +1254,4 @@ TEST(Diagnosis, DoesNotDependOnHowTheAnswersWereDivided) {
 }
 
 }  // namespace
-}  // namespace contact::oracle
+}  // namespace contact::oracle::diagnosis_test

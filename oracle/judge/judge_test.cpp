@@ -13,7 +13,7 @@
 #include "extreme_numbers.hpp"
 #include "oracle/judge/right_claim.hpp"
 
-namespace contact::oracle {
+namespace contact::oracle::judge_test {
 namespace {
 
 Query spheres(const Ball& a, const Ball& b, double alarm = 0, double contact = 0, Pair pair = Pair::sphere_sphere) {
@@ -1705,4 +1705,4 @@ TEST(JudgeManifold, that_is_right_is_known_for_every_pair) {
 }
 
 }  // namespace
-}  // namespace contact::oracle
+}  // namespace contact::oracle::judge_test

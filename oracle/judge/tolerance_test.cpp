@@ -10,7 +10,7 @@
 #include "oracle/judge/conditioning.hpp"
 #include "oracle/judge/judge.hpp"
 
-namespace contact::oracle {
+namespace contact::oracle::tolerance_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -684,4 +684,4 @@ TEST(OrientationRounding, tells_a_wrong_decision_within_it_apart_where_it_is_dec
 }
 
 }  // namespace
-}  // namespace contact::oracle
+}  // namespace contact::oracle::tolerance_test

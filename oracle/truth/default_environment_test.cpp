@@ -16,7 +16,7 @@
 #include "oracle/truth/quick_witness.hpp"
 #include "oracle/truth/staged_oracle.hpp"
 
-namespace contact::oracle {
+namespace contact::oracle::default_environment_test {
 namespace {
 
 /// Everything that was said, as text and bits: numbers are compared outside, since == itself obeys the environment.
@@ -138,4 +138,4 @@ TEST(DefaultEnvironment, oracles_and_judge_say_the_same_in_every_environment) {
 }
 
 }  // namespace
-}  // namespace contact::oracle
+}  // namespace contact::oracle::default_environment_test

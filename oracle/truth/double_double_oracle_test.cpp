@@ -14,7 +14,7 @@
 #include "oracle/truth/exact_truth.hpp"
 #include "oracle/truth/staged_oracle.hpp"
 
-namespace contact::oracle {
+namespace contact::oracle::double_double_oracle_test {
 namespace {
 
 /// Numbers of a kind: few bits, so that results are exact or tied; all bits; and exponents near each other or far
@@ -388,4 +388,4 @@ TEST(StagedOracle, a_difference_of_two_answers_has_a_name) {
 }
 
 }  // namespace
-}  // namespace contact::oracle
+}  // namespace contact::oracle::double_double_oracle_test

@@ -11,7 +11,7 @@
 #include <limits>
 #include <random>
 
-namespace contact::oracle {
+namespace contact::oracle::exact_test {
 namespace {
 
 constexpr Scalar kDouble = Scalar::binary64;
@@ -396,4 +396,4 @@ TEST(IsWithin, includes_the_bound_itself) {
 }
 
 }  // namespace
-}  // namespace contact::oracle
+}  // namespace contact::oracle::exact_test

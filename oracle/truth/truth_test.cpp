@@ -14,7 +14,7 @@
 #include "oracle/truth/cores.hpp"
 #include "oracle/truth/interval_oracle.hpp"
 
-namespace contact::oracle {
+namespace contact::oracle::truth_test {
 namespace {
 
 Query spheres(const Ball& a, const Ball& b, double alarm = 0, double contact = 0) {
@@ -271,7 +271,7 @@ class Hostile {
   explicit Hostile(std::uint64_t seed) : random_(seed) {}
 
   Query spheres() {
-    Query query = oracle::spheres({{0, 0, 0}, 0}, {{0, 0, 0}, 0});
+    Query query = truth_test::spheres({{0, 0, 0}, 0}, {{0, 0, 0}, 0});
     fill(query);
     auto& balls = std::get<Balls>(query.shapes);
     if (random_() % 8 == 0) balls.b.center = balls.a.center;
@@ -295,7 +295,7 @@ class Hostile {
   }
 
   Query cubes() {
-    Query query = oracle::cubes({{0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}});
+    Query query = truth_test::cubes({{0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}});
     fill(query);
     auto& boxes = std::get<Boxes>(query.shapes);
     for (Box* box : {&boxes.a, &boxes.b})
@@ -397,4 +397,4 @@ TEST(Oracles, agree_on_hostile_cubes_in_both_scalars) {
 }
 
 }  // namespace
-}  // namespace contact::oracle
+}  // namespace contact::oracle::truth_test

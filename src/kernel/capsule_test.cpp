@@ -20,7 +20,7 @@
 #include "kernel/segment_cores.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 
-namespace contact {
+namespace contact::capsule_test {
 namespace {
 
 const Capsule kAxis{{0, 0, 0}, {4, 0, 0}, 1};
@@ -223,4 +223,4 @@ TEST(Capsules, are_the_same_in_every_floating_point_environment) {
 }
 
 }  // namespace
-}  // namespace contact
+}  // namespace contact::capsule_test

@@ -7,7 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
-namespace contact {
+namespace contact::casts_test {
 namespace {
 
 Contact hit_of(const std::optional<Contact>& contact) {
@@ -64,4 +64,4 @@ TEST(Casts, of_several_normals_the_greatest_is_taken) {
 }
 
 }  // namespace
-}  // namespace contact
+}  // namespace contact::casts_test

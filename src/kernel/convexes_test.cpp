@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace contact {
+namespace contact::convexes_test {
 namespace {
 
 constexpr Distances kTouching{0, 0};
@@ -741,4 +741,4 @@ TEST(ConvexesEnclosed, leaves_what_touches_a_hull_or_ties_but_for_rounding) {
 }
 
 }  // namespace
-}  // namespace contact
+}  // namespace contact::convexes_test

@@ -12,7 +12,7 @@
 #include "kernel/contacts_for_tests.hpp"
 #include "kernel/cores_stages.hpp"
 
-namespace contact {
+namespace contact::cores_one_vector_test {
 namespace {
 
 using kernel::Filtered;
@@ -183,4 +183,4 @@ TEST(CoresInOneVector, ordinary_questions_are_settled) {
 }
 
 }  // namespace
-}  // namespace contact
+}  // namespace contact::cores_one_vector_test

@@ -13,7 +13,7 @@
 #include "kernel/contacts_for_tests.hpp"
 #include "kernel/crossing_cores.hpp"
 
-namespace contact {
+namespace contact::crossing_test {
 namespace {
 
 const Triangle kFace{{Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(0, 4, 0)}};
@@ -162,4 +162,4 @@ TEST(Crossings, are_the_same_in_every_floating_point_environment) {
 }
 
 }  // namespace
-}  // namespace contact
+}  // namespace contact::crossing_test

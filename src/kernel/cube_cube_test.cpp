@@ -17,7 +17,7 @@
 #include "environment/floating_point_environments.hpp"
 #include "extreme_numbers.hpp"
 
-namespace contact {
+namespace contact::cube_cube_test {
 namespace {
 
 /// The answer, which is the same for swapped boxes.
@@ -215,4 +215,4 @@ TEST(CubeCube, decides_as_integers_do_in_every_floating_point_environment) {
 }
 
 }  // namespace
-}  // namespace contact
+}  // namespace contact::cube_cube_test

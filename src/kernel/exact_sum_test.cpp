@@ -13,7 +13,7 @@
 #include "environment/floating_point_environments.hpp"
 #include "extreme_numbers.hpp"
 
-namespace contact {
+namespace contact::exact_sum_test {
 namespace {
 
 TEST(ExactSum, the_sign_survives_what_doubles_lose) {
@@ -83,4 +83,4 @@ TEST(ExactSum, is_the_same_in_every_floating_point_environment) {
 }
 
 }  // namespace
-}  // namespace contact
+}  // namespace contact::exact_sum_test

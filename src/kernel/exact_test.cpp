@@ -12,7 +12,7 @@
 #include <limits>
 #include <random>
 
-namespace contact::kernel {
+namespace contact::kernel::exact_test {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -478,4 +478,4 @@ TEST(RoundSumNear, is_right_from_any_estimate) {
 }
 
 }  // namespace
-}  // namespace contact::kernel
+}  // namespace contact::kernel::exact_test

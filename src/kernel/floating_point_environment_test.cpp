@@ -15,7 +15,7 @@
 #include "contact/cube_cube.hpp"
 #include "contact/sphere_sphere.hpp"
 
-namespace contact {
+namespace contact::floating_point_environment_test {
 namespace {
 
 #if CONTACT_HAS_MXCSR
@@ -134,4 +134,4 @@ TEST(FloatingPointEnvironment, nothing_traps_where_the_caller_has_unmasked_excep
 #endif
 
 }  // namespace
-}  // namespace contact
+}  // namespace contact::floating_point_environment_test

@@ -20,7 +20,7 @@
 #include "kernel/segment_cores.hpp"
 #include "kernel/triangle_cores.hpp"
 
-namespace contact {
+namespace contact::plain_cores_test {
 namespace {
 
 using plain_decision::Filtered;
@@ -268,4 +268,4 @@ void expect_open_without_numbers(Of<A, B> /*pair*/) {
 TYPED_TEST(PlainCores, leave_what_is_no_number_open) { expect_open_without_numbers(TypeParam()); }
 
 }  // namespace
-}  // namespace contact
+}  // namespace contact::plain_cores_test

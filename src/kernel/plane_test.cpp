@@ -14,7 +14,7 @@
 #include "kernel/contacts_for_tests.hpp"
 #include "kernel/plane_cores.hpp"
 
-namespace contact {
+namespace contact::plane_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -242,4 +242,4 @@ TEST(PlaneStages, are_the_same_in_every_floating_point_environment) {
 }
 
 }  // namespace
-}  // namespace contact
+}  // namespace contact::plane_test

@@ -13,7 +13,7 @@
 #include "kernel/contacts_for_tests.hpp"
 #include "kernel/segment_cores.hpp"
 
-namespace contact {
+namespace contact::ray_test {
 namespace {
 
 const Ray kAlongX{{0, 0, 0}, {2, 0, 0}, 2};
@@ -120,4 +120,4 @@ TEST(RaySphere, is_the_same_in_every_floating_point_environment) {
 }
 
 }  // namespace
-}  // namespace contact
+}  // namespace contact::ray_test

@@ -13,7 +13,7 @@
 #include "extreme_numbers.hpp"
 #include "kernel/contacts_for_tests.hpp"
 
-namespace contact {
+namespace contact::sphere_cube_test {
 namespace {
 
 const Box kUnit{{0, 0, 0}, {1, 1, 1}};
@@ -127,4 +127,4 @@ TEST(SphereCube, is_the_same_in_every_floating_point_environment) {
 }
 
 }  // namespace
-}  // namespace contact
+}  // namespace contact::sphere_cube_test

@@ -13,7 +13,7 @@
 
 #include "environment/floating_point_environments.hpp"
 
-namespace contact::kernel {
+namespace contact::kernel::sphere_sphere_double_double_test {
 namespace {
 
 // Wide enough that nothing in the fast stage's domain (numbers down to 2^-272, results down to 2^-715) loses a digit
@@ -193,4 +193,4 @@ TEST(Approximation, is_rounded_where_both_ends_agree_and_nowhere_else) {
 }
 
 }  // namespace
-}  // namespace contact::kernel
+}  // namespace contact::kernel::sphere_sphere_double_double_test

@@ -17,7 +17,7 @@
 
 #include "environment/floating_point_environments.hpp"
 
-namespace contact::kernel {
+namespace contact::kernel::sphere_sphere_scaled_test {
 namespace {
 
 // Numbers of 2^-1074 beside numbers of 2^1024 lose nothing.
@@ -215,4 +215,4 @@ TEST(ScaledPair, is_nothing_where_centres_coincide_or_arithmetic_is_another) {
 }
 
 }  // namespace
-}  // namespace contact::kernel
+}  // namespace contact::kernel::sphere_sphere_scaled_test

@@ -21,7 +21,7 @@
 #include "kernel/sphere_sphere_numbers.hpp"
 #include "kernel/sphere_sphere_one_vector.hpp"
 
-namespace contact {
+namespace contact::sphere_sphere_test {
 namespace {
 
 Ball ball(double x, double y, double z, double radius) { return {{x, y, z}, radius}; }
@@ -534,4 +534,4 @@ TEST(SphereSphereFilter, its_gap_is_neither_broken_nor_more_than_12_times_too_lo
 }
 
 }  // namespace
-}  // namespace contact
+}  // namespace contact::sphere_sphere_test

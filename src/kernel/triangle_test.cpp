@@ -15,7 +15,7 @@
 #include "kernel/contacts_for_tests.hpp"
 #include "kernel/triangle_cores.hpp"
 
-namespace contact {
+namespace contact::triangle_test {
 namespace {
 
 const Triangle kFlat{{Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(0, 4, 0)}};
@@ -196,4 +196,4 @@ TEST(SphereTriangle, is_the_same_in_every_floating_point_environment) {
 }
 
 }  // namespace
-}  // namespace contact
+}  // namespace contact::triangle_test
