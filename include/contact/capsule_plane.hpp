@@ -49,6 +49,12 @@ namespace out_of_line {
                                                            ContactPoints points = {});
 }  // namespace out_of_line
 
+namespace of_hit {
+/// The contact of a pair that plain_decision::filter_pair says is a hit.
+[[nodiscard]] std::optional<Contact> compute_capsule_plane(const Capsule& a, const Plane& b, Distances distances,
+                                                           ContactPoints points);
+}  // namespace of_hit
+
 #if CONTACT_DECIDES_INLINE
 CONTACT_INLINE bool test_capsule_plane(const Capsule& a, const Plane& b, double alarm) {
   const plain_decision::Filtered filtered = plain_decision::filter_pair(a, b, alarm);
@@ -58,7 +64,9 @@ CONTACT_INLINE bool test_capsule_plane(const Capsule& a, const Plane& b, double 
 }
 CONTACT_INLINE std::optional<Contact> compute_capsule_plane(const Capsule& a, const Plane& b, Distances distances,
                                                             ContactPoints points) {
-  if (plain_decision::filter_pair(a, b, distances.alarm) == plain_decision::Filtered::miss) return std::nullopt;
+  const plain_decision::Filtered filtered = plain_decision::filter_pair(a, b, distances.alarm);
+  if (filtered == plain_decision::Filtered::miss) return std::nullopt;
+  if (filtered == plain_decision::Filtered::hit) return of_hit::compute_capsule_plane(a, b, distances, points);
   return out_of_line::compute_capsule_plane(a, b, distances, points);
 }
 #endif

@@ -41,6 +41,11 @@ namespace out_of_line {
 [[nodiscard]] std::optional<Contact> compute_ray_triangle(const Ray& a, const Triangle& b);
 }  // namespace out_of_line
 
+namespace of_hit {
+/// The contact of a pair that plain_decision::filter_pair says is a hit.
+[[nodiscard]] std::optional<Contact> compute_ray_triangle(const Ray& a, const Triangle& b);
+}  // namespace of_hit
+
 #if CONTACT_DECIDES_INLINE
 CONTACT_INLINE bool test_ray_triangle(const Ray& a, const Triangle& b) {
   const plain_decision::Filtered filtered = plain_decision::filter_pair(a, b);
@@ -49,7 +54,9 @@ CONTACT_INLINE bool test_ray_triangle(const Ray& a, const Triangle& b) {
   return filtered == plain_decision::Filtered::hit;
 }
 CONTACT_INLINE std::optional<Contact> compute_ray_triangle(const Ray& a, const Triangle& b) {
-  if (plain_decision::filter_pair(a, b) == plain_decision::Filtered::miss) return std::nullopt;
+  const plain_decision::Filtered filtered = plain_decision::filter_pair(a, b);
+  if (filtered == plain_decision::Filtered::miss) return std::nullopt;
+  if (filtered == plain_decision::Filtered::hit) return of_hit::compute_ray_triangle(a, b);
   return out_of_line::compute_ray_triangle(a, b);
 }
 #endif

@@ -18,6 +18,12 @@ std::optional<Contact> out_of_line::compute_capsule_plane(const Capsule& a, cons
                                  {a.radius, 0, distances.alarm, distances.contact}, points);
 }
 
+std::optional<Contact> of_hit::compute_capsule_plane(const Capsule& a, const Plane& b, Distances distances,
+                                                     ContactPoints points) {
+  return kernel::contact_of_hit(a, b, distances.contact, points,
+                                [&] { return out_of_line::compute_capsule_plane(a, b, distances, points); });
+}
+
 bool test_capsule_plane(const Capsule& a, const Plane& b, double alarm) {
   return out_of_line::test_capsule_plane(a, b, alarm);
 }

@@ -206,7 +206,8 @@ CONTACT_LANES bool write(const Near<Axes>& normal, const Near<Axes>& point1, con
 }
 
 /// core + length n.
-CONTACT_LANES Delta beside(const Delta& core, const Double2& length, const Direction& n) {
+template <class AnyWay>
+CONTACT_LANES Delta beside(const Delta& core, const Double2& length, const AnyWay& n) {
   const Delta at = point(core.high, all<Axes>(length.high), n.q, n.low);
   return Delta(at.high, hn::Add(hn::MulAdd(all<Axes>(length.low), n.q, at.low), core.low));
 }
@@ -249,6 +250,8 @@ CONTACT_LANES Filtered contact_of_cores(const Cores& cores, const Lengths& lengt
 }
 
 // A miss, a hit whose contact is settled, or neither.
+
+CONTACT_LANES Filtered settled(bool all_numbers) { return all_numbers ? Filtered::hit : Filtered::undecided; }
 
 CONTACT_LANES Filtered contact_of(const Vector3& c, const Segment& segment, const Lengths& lengths,
                                   ContactPoints points, Contact& contact) {
@@ -309,163 +312,238 @@ CONTACT_LANES Filtered contact_of(const Vector3& point, const Corners& triangle,
   return contact_of_cores<false>(cores, lengths, points, contact);
 }
 
-// Planes.
+// Where plain arithmetic says that there is a hit: all that is left is numbers.
 
-/// Of a point over a plane, times the length of its normal, within `error`: height_of() of plane_cores.hpp.
-struct HeightOver {
-  Double2 x;
-  Number error;
+/// Three numbers that a caller has in memory, not stored just before.
+CONTACT_LANES Axes load_given(const Vector3& v) {
+  return {_mm256_maskload_pd(v.data(), _mm256_setr_epi64x(-1, -1, -1, 0))};
+}
 
-  CONTACT_LANES HeightOver(Axes c, Axes n, Number offset) {
-    const Axes p = hn::Mul(n, c);
-    const Number rests = sum_of(hn::MulSub(n, c, p));
-    const Double2 xy = two_sum(x_of(p), y_of(p));
-    const Double2 xyz = two_sum(xy.high, z_of(p));
-    const Double2 h = two_sum(xyz.high, -offset);
-    x = two_sum(h.high, ((xy.low + xyz.low) + h.low) + rests);
-    error = kHeightError * (magnitude(p) + std::abs(offset));
+/// x, y and z of three vectors, each in a vector of its own.
+struct Columns {
+  Axes x;
+  Axes y;
+  Axes z;
+
+  CONTACT_LANES Columns(Axes a, Axes b, Axes c) {
+    const __m256d xz = _mm256_unpacklo_pd(a.lanes, b.lanes);
+    const __m256d last_xz = _mm256_unpacklo_pd(c.lanes, c.lanes);
+    x = {_mm256_permute2f128_pd(xz, last_xz, 0x20)};
+    y = {_mm256_permute2f128_pd(_mm256_unpackhi_pd(a.lanes, b.lanes), _mm256_unpackhi_pd(c.lanes, c.lanes), 0x20)};
+    z = {_mm256_permute2f128_pd(xz, last_xz, 0x31)};
+  }
+};
+/// x.y on each axis: the product, and what it lacks.
+CONTACT_LANES Delta products(Axes x, Axes y) {
+  const Axes p = hn::Mul(x, y);
+  return Delta(p, hn::MulSub(x, y, p));
+}
+CONTACT_LANES Delta products(const Delta& x, const Delta& y) {
+  const Axes p = hn::Mul(x.high, y.high);
+  return Delta(p, hn::MulAdd(x.low, y.high, hn::MulAdd(x.high, y.low, hn::MulSub(x.high, y.high, p))));
+}
+CONTACT_LANES Delta squares(const Delta& x) {
+  const Axes p = hn::Mul(x.high, x.high);
+  const Axes twice = hn::MulAdd(all<Axes>(2), x.high, x.low);
+  return Delta(p, hn::MulAdd(x.low, twice, hn::MulSub(x.high, x.high, p)));
+}
+/// Three sums of x, y and z at once: in the first lanes.
+CONTACT_LANES Delta sums_of(const Delta& a, const Delta& b, const Delta& c) {
+  const Columns high(a.high, b.high, c.high);
+  const Columns low(a.low, b.low, c.low);
+  const Delta xy = two_sum(high.x, high.y);
+  const Delta xyz = two_sum(xy.high, high.z);
+  return Delta(xyz.high, hn::Add(hn::Add(xy.low, xyz.low), hn::Add(hn::Add(low.x, low.y), low.z)));
+}
+
+/// 1 / sqrt(N) = reciprocal (1 + half_rho). The root and the quotient do not wait for each other.
+struct ReciprocalRoot {
+  Number reciprocal;
+  Number half_rho;
+
+  CONTACT_LANES explicit ReciprocalRoot(const Double2& N) {
+    const Number y = _mm_cvtsd_f64(_mm_sqrt_sd(_mm_setzero_pd(), _mm_set_sd(N.high))) * (1 / N.high);
+    const Number half = 0.5 * N.high;
+    const Number g = y * y;
+    reciprocal = y;
+    half_rho = hn::NegMulAdd(g, half, 0.5) - hn::MulAdd(hn::MulSub(y, y, g), half, g * (0.5 * N.low));
+  }
+};
+/// A way as beside() takes it; of a vector n, n / |n|, or -n / |n|.
+struct Directed {
+  Axes q;
+  Axes low;
+
+  CONTACT_LANES explicit Directed(const Delta& way) : q(way.high), low(way.low) {}
+  CONTACT_LANES Directed(const Delta& n, const ReciprocalRoot& root, bool backwards) {
+    const Number y = backwards ? -root.reciprocal : root.reciprocal;
+    q = product(n, y);
+    low = times_plus(q, root.half_rho, product_rest(n, y, q));
   }
 };
 
-/// Left are planes along two axes, where numbers are exact and ties frequent.
-CONTACT_LANES Filtered contact_over_plane(Axes lowest, const HeightOver& h, Axes n, Number sizes,
-                                          const HalfSpace& plane, const Lengths& lengths, PointOn on,
-                                          Contact& contact) {
-  const Number off = 4 * bounds::kUnit * std::abs(h.x.high) + h.error;
-  const Filtered filtered =
-      plain_decision::filter_height({h.x.high - off, h.x.high + off}, plane.normal,
-                                    (magnitude(n) + sizes) + std::abs(plane.offset), reach_of(lengths));
-  if (filtered != Filtered::hit) return filtered;
+// Planes.
+
+/// The lowest point of a core over a plane. Left are planes along two axes, where numbers are exact and ties frequent.
+CONTACT_LANES bool hit_over_plane(Axes lowest, Axes n, Number offset, Number radius, Number contact_distance,
+                                  PointOn on, Contact& contact) {
   const Mask level = hn::Eq(n, all<Axes>(0));
-  const Number N = plain_dot(n, n);
   const int axes = bits_of(level) & 0b111;
-  if ((axes & (axes - 1)) != 0 || !(N >= bounds::kLeastSize)) return Filtered::undecided;
-  const Direction m(exact(n), N);
-  const Double2 root = two_sum(m.root.high, m.root.low);
-  const Number q = h.x.high / root.high;
-  const Double2 s = two_sum(q, hn::NegMulAdd(q, root.low, hn::NegMulAdd(q, root.high, h.x.high) + h.x.low) / root.high);
+  const Delta over = products(n, lowest);
+  const Delta square = products(n, n);
+  const Delta sums = sums_of(over, square, square);
+  const Double2 N(y_of(sums.high), y_of(sums.low));
+  const ReciprocalRoot root(N);
+  const Double2 h = two_sum(x_of(sums.high), -offset);
+  const Number h_low = h.low + x_of(sums.low);
+  const Number q = h.high * root.reciprocal;
+  const Number rest_of_q = hn::MulAdd(h_low, root.reciprocal, hn::MulSub(h.high, root.reciprocal, q));
+  const Double2 s(q, hn::MulAdd(q, root.half_rho, rest_of_q));
   const Number size = std::abs(s.high);
-  const Number s_error = h.error * bounds::kTurn * m.reciprocal + bounds::kLeast;
-  const Double2 rest = two_sum(lengths.radius1, lengths.contact);
+  const Number s_error =
+      4 * kHeightError * (magnitude(over.high) + std::abs(offset)) * (bounds::kTurn * root.reciprocal) + bounds::kLeast;
+  const Double2 rest = two_sum(radius, contact_distance);
   const Double2 sum = two_difference(s.high, rest.high);
   const Near<Number> value(Double2(sum.high, sum.low + (s.low - rest.low)),
                            (size + rest.high) * bounds::kCoreError + s_error);
+  const Directed m(exact(n), root, true);
   const Delta p = exact(lowest);
-  const Near<Axes> point1(beside(p, Double2(-sign_of(on, 1) * lengths.radius1, 0), m),
-                          zero_where(level, all<Axes>(lengths.radius1 * bounds::kCoreError + bounds::kLeast)));
-  const Near<Axes> point2(beside(p, Double2(-s.high, -s.low), m),
-                          zero_where(level, all<Axes>(size * bounds::kCoreError + s_error)));
-  const Near<Axes> normal(negative(Delta(m.q, m.low)), zero_where(level, all<Axes>(bounds::kLeast)));
-  return write(normal, point1, point2, value, contact) ? Filtered::hit : Filtered::undecided;
+  const Near<Axes> point1(beside(p, Double2(sign_of(on, 1) * radius, 0), m),
+                          zero_where(level, all<Axes>(radius * bounds::kCoreError + bounds::kLeast)));
+  const Near<Axes> point2(beside(p, s, m), zero_where(level, all<Axes>(size * bounds::kCoreError + s_error)));
+  const Near<Axes> normal(Delta(m.q, m.low), zero_where(level, all<Axes>(bounds::kLeast)));
+  return write(normal, point1, point2, value, contact) && (axes & (axes - 1)) == 0 && N.high >= bounds::kLeastSize;
+}
+/// Left are capsules whose ends are nearly level.
+CONTACT_LANES bool hit_over_plane(Axes start, Axes end, Axes n, Number offset, Number radius, Number contact_distance,
+                                  PointOn on, Contact& contact) {
+  const Axes of_start = hn::Mul(n, start);
+  const Axes of_end = hn::Mul(n, end);
+  const Number rise = sum_of(hn::Sub(of_end, of_start));
+  const Number sizes = sum_of(hn::Add(hn::Abs(of_start), hn::Abs(of_end)));
+  if (!(std::abs(rise) > 8 * bounds::kUnit * sizes + bounds::kLeast)) return false;
+  const Axes lower{
+      _mm256_blendv_pd(end.lanes, start.lanes, _mm256_cmp_pd(_mm256_set1_pd(rise), _mm256_setzero_pd(), _CMP_GT_OQ))};
+  return hit_over_plane(lower, n, offset, radius, contact_distance, on, contact);
 }
 
 CONTACT_LANES Filtered contact_of(const Vector3& point, const HalfSpace& plane, const Lengths& lengths,
                                   ContactPoints points, Contact& contact) {
-  const Axes c = load(point);
-  const Axes n = load(plane.normal);
-  return contact_over_plane(c, HeightOver(c, n, plane.offset), n, magnitude(c), plane, lengths, points.first, contact);
+  const Filtered filtered = plain_filtered(point, plane, lengths);
+  if (filtered != Filtered::hit) return filtered;
+  return settled(hit_over_plane(load(point), load(plane.normal), plane.offset, lengths.radius1, lengths.contact,
+                                points.first, contact));
 }
 CONTACT_LANES Filtered contact_of(const Segment& segment, const HalfSpace& plane, const Lengths& lengths,
                                   ContactPoints points, Contact& contact) {
-  const Axes start = load(segment.start);
-  const Axes end = load(segment.end);
-  const Axes n = load(plane.normal);
-  const HeightOver of_start(start, n, plane.offset);
-  const HeightOver of_end(end, n, plane.offset);
-  const Number rise = (of_end.x.high - of_start.x.high) + (of_end.x.low - of_start.x.low);
-  if (!(std::abs(rise) > 4 * (of_start.error + of_end.error))) return Filtered::undecided;
-  const Number sizes = magnitude(start) + magnitude(end);
-  return rise > 0 ? contact_over_plane(start, of_start, n, sizes, plane, lengths, points.first, contact)
-                  : contact_over_plane(end, of_end, n, sizes, plane, lengths, points.first, contact);
+  const Filtered filtered = plain_filtered(segment, plane, lengths);
+  if (filtered != Filtered::hit) return filtered;
+  return settled(hit_over_plane(load(segment.start), load(segment.end), load(plane.normal), plane.offset,
+                                lengths.radius1, lengths.contact, points.first, contact));
+}
+CONTACT_LANES bool contact_of_hit(const Ball& a, const Plane& b, Number contact_distance, ContactPoints points,
+                                  Contact& contact) {
+  return hit_over_plane(load_given(a.center), load_given(b.normal), b.offset, a.radius, contact_distance, points.first,
+                        contact);
+}
+CONTACT_LANES bool contact_of_hit(const Capsule& a, const Plane& b, Number contact_distance, ContactPoints points,
+                                  Contact& contact) {
+  return hit_over_plane(load_given(a.start), load_given(a.end), load_given(b.normal), b.offset, a.radius,
+                        contact_distance, points.first, contact);
 }
 
 // Crossings, by the formulas of crossing_cores.hpp.
 
-/// y, z, x and z, x, y.
+/// y, z, x.
 CONTACT_LANES Axes turned_once(Axes a) { return {_mm256_permute4x64_pd(a.lanes, 0b11001001)}; }
-CONTACT_LANES Axes turned_twice(Axes a) { return {_mm256_permute4x64_pd(a.lanes, 0b11010010)}; }
-CONTACT_LANES Axes plain_cross(Axes a, Axes b) {
-  return hn::Sub(hn::Mul(turned_once(a), turned_twice(b)), hn::Mul(turned_twice(a), turned_once(b)));
-}
-CONTACT_LANES Delta product(const Delta& x, const Delta& y) {
-  const Axes p = hn::Mul(x.high, y.high);
-  return two_sum(p, hn::MulAdd(x.high, y.low, hn::MulAdd(x.low, y.high, hn::MulSub(x.high, y.high, p))));
-}
-CONTACT_LANES Delta sum(const Delta& x, const Delta& y) {
-  const Delta h = two_sum(x.high, y.high);
-  return two_sum(h.high, hn::Add(h.low, hn::Add(x.low, y.low)));
-}
-CONTACT_LANES Delta cross(const Delta& x, const Delta& y) {
-  const Delta x1(turned_once(x.high), turned_once(x.low));
-  const Delta x2(turned_twice(x.high), turned_twice(x.low));
-  const Delta y1(turned_once(y.high), turned_once(y.low));
-  const Delta y2(turned_twice(y.high), turned_twice(y.low));
-  return sum(product(x1, y2), negative(product(x2, y1)));
-}
-/// x.y in double-double arithmetic.
-CONTACT_LANES Double2 whole_dot(const Delta& x, const Delta& y) {
-  const Axes p = hn::Mul(x.high, y.high);
-  const Number rests = sum_of(hn::MulAdd(x.high, y.low, hn::MulAdd(x.low, y.high, hn::MulSub(x.high, y.high, p))));
-  const Double2 xy = two_sum(x_of(p), y_of(p));
-  const Double2 xyz = two_sum(xy.high, z_of(p));
-  return two_sum(xyz.high, (xy.low + xyz.low) + rests);
+CONTACT_LANES Delta turned_once(const Delta& x) { return Delta(turned_once(x.high), turned_once(x.low)); }
+
+/// The sums of the components of four vectors whose last lane is 0.
+struct Magnitudes {
+  Number first;
+  Number second;
+  Number third;
+  Number fourth;
+
+  CONTACT_LANES Magnitudes(Axes a, Axes b, Axes c, Axes d) {
+    const __m256d ab = _mm256_hadd_pd(hn::Abs(a).lanes, hn::Abs(b).lanes);
+    const __m256d cd = _mm256_hadd_pd(hn::Abs(c).lanes, hn::Abs(d).lanes);
+    const __m256d sums = _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x20), _mm256_permute2f128_pd(ab, cd, 0x31));
+    first = sums[0];
+    second = sums[1];
+    third = sums[2];
+    fourth = sums[3];
+  }
+};
+
+/// Of the segment from a along d and the triangle from v0, whose last lanes are 0.
+template <bool turned>
+CONTACT_LANES bool hit_of_crossing(Axes a, const Delta& d, Axes v0, Axes v1, Axes v2, Contact& contact) {
+  const Delta u = two_difference(v1, v0);
+  const Delta v = two_difference(v2, v0);
+  const Delta w = two_difference(v0, a);
+  const Magnitudes size(u.high, v.high, w.high, d.high);
+  const Delta turned_u = turned_once(u);
+  const Delta turned_v = turned_once(v);
+  const Delta one = products(u, turned_v);
+  const Delta other = products(turned_u, v);
+  const Axes zero = all<Axes>(0);
+  const Mask flat = hn::And(hn::Or(hn::Eq(u.high, zero), hn::Eq(turned_v.high, zero)),
+                            hn::Or(hn::Eq(turned_u.high, zero), hn::Eq(v.high, zero)));
+  const Delta high = two_difference(one.high, other.high);
+  const Delta n = turned_once(Delta(high.high, hn::Add(high.low, hn::Sub(one.low, other.low))));
+  const Delta sums = sums_of(products(n, d), products(n, w), squares(n));
+  const Axes sum = hn::Add(sums.high, sums.low);
+  const Axes sum_low = hn::Add(hn::Sub(sums.high, sum), sums.low);
+  const Double2 through(x_of(sum), x_of(sum_low));
+  const Double2 at(y_of(sum), y_of(sum_low));
+  const Number reciprocal = 1 / through.high;
+  const Number q = at.high * reciprocal;
+  const Number rest = hn::NegMulAdd(q, through.low, hn::NegMulAdd(q, through.high, at.high) + at.low);
+  const Number S = size.first * size.second * (1 + 0x1p-50);
+  const Number k = S * std::abs(reciprocal) * (1 + 0x1p-40);
+  const Number part_error = kUnitSquared * (96 * k * (size.third + size.fourth) + 64);
+  const ReciprocalRoot root(Double2(z_of(sum), z_of(sum_low)));
+  const Directed m(n, root, turned);
+  const Number turn = 64 * kUnitSquared * S * bounds::kTurn * root.reciprocal;
+  const Near<Axes> normal(Delta(m.q, m.low), zero_where(turned_once(flat), all<Axes>(turn)));
+  // Along a plane of an axis the coordinate is the start's.
+  const Near<Axes> crossing(
+      beside(exact(a), Double2(q, rest * reciprocal), Directed(d)),
+      zero_where(hn::Eq(d.high, zero), hn::MulAdd(all<Axes>(part_error), hn::Abs(d.high), all<Axes>(bounds::kLeast))));
+  return write(normal, crossing, crossing, Near<Number>(Double2(0, 0), 0), contact) &&
+         std::abs(through.high) > S * size.fourth * 0x1p-40 && std::abs(through.high) >= kLeastThrough &&
+         z_of(sum) >= bounds::kLeastSize;
 }
 
-template <bool turned, class AnySegment>
-CONTACT_LANES Filtered contact_of_crossing(const AnySegment& segment, const Corners& triangle, Contact& contact) {
-  const Axes a = load(segment.start);
-  const Axes v0 = load(triangle.vertices[0]);
-  const Delta d = exactly_along(segment);
-  const Delta u = two_difference(load(triangle.vertices[1]), v0);
-  const Delta v = two_difference(load(triangle.vertices[2]), v0);
-  const Delta w = two_difference(v0, a);
-  const Axes plain_n = plain_cross(u.high, v.high);
-  const Axes plain_q = plain_cross(w.high, d.high);
-  const Number size_u = magnitude(u.high);
-  const Number size_v = magnitude(v.high);
-  const Number size_w = magnitude(w.high);
-  const Number size_d = magnitude(d.high);
-  const Filtered filtered = plain_decision::filter_signs(
-      {plain_dot(plain_n, d.high), plain_dot(plain_n, w.high), plain_dot(v.high, plain_q), -plain_dot(u.high, plain_q)},
-      {size_w, size_d, size_u, size_v});
+CONTACT_LANES Filtered contact_of(const Corners& triangle, const Segment& segment, const Lengths& lengths,
+                                  ContactPoints /*points*/, Contact& contact) {
+  const Filtered filtered = plain_filtered(triangle, segment, lengths);
   if (filtered != Filtered::hit) return filtered;
-  const Delta n = cross(u, v);
-  const Double2 through = whole_dot(n, d);
-  const Number S = size_u * size_v * (1 + 0x1p-50);
-  if (!(std::abs(through.high) > S * size_d * 0x1p-40 && std::abs(through.high) >= kLeastThrough))
-    return Filtered::undecided;
-  const Double2 at = whole_dot(n, w);
-  const Number q = at.high / through.high;
-  const Double2 part =
-      two_sum(q, hn::NegMulAdd(q, through.low, hn::NegMulAdd(q, through.high, at.high) + at.low) / through.high);
-  const Number k = S / std::abs(through.high) * (1 + 0x1p-40);
-  const Number part_error = 37 * k * (size_w + size_d) + 25;
-  const Delta x = sum(exact(a), product(Delta(all<Axes>(part.high), all<Axes>(part.low)), d));
-  const Axes x_error =
-      hn::Mul(all<Axes>(kUnitSquared),
-              hn::Add(hn::MulAdd(all<Axes>(part_error), hn::Abs(d.high), hn::Mul(all<Axes>(5), hn::Abs(a))),
-                      hn::Mul(all<Axes>(2), hn::Abs(x.high))));
-  const Axes zero = all<Axes>(0);
-  // Along a plane of an axis the coordinate is the start's.
-  const Near<Axes> crossing(x, zero_where(hn::Eq(d.high, zero), hn::Add(x_error, all<Axes>(bounds::kLeast))));
-  const auto is_zero = [&](Axes y, Axes z) __attribute__((always_inline, target("avx2,fma"))) {
-    return hn::Or(hn::Eq(y, zero), hn::Eq(z, zero));
-  };
-  const Mask flat =
-      hn::And(is_zero(turned_once(u.high), turned_twice(v.high)), is_zero(turned_twice(u.high), turned_once(v.high)));
-  const Direction m(turned ? negative(n) : n, plain_dot(n.high, n.high));
-  const Number turn = 12 * kUnitSquared * S * bounds::kTurn * m.reciprocal;
-  const Near<Axes> normal(Delta(m.q, m.low), zero_where(flat, all<Axes>(turn)));
-  return write(normal, crossing, crossing, Near<Number>(Double2(0, 0), 0), contact) ? Filtered::hit
-                                                                                    : Filtered::undecided;
+  const auto& v = triangle.vertices;
+  return settled(
+      hit_of_crossing<false>(load(segment.start), exactly_along(segment), load(v[0]), load(v[1]), load(v[2]), contact));
 }
-CONTACT_LANES Filtered contact_of(const Corners& triangle, const Segment& segment, const Lengths& /*lengths*/,
+CONTACT_LANES Filtered contact_of(const DirectedSegment& segment, const Corners& triangle, const Lengths& lengths,
                                   ContactPoints /*points*/, Contact& contact) {
-  return contact_of_crossing<false>(segment, triangle, contact);
+  const Filtered filtered = plain_filtered(segment, triangle, lengths);
+  if (filtered != Filtered::hit) return filtered;
+  const auto& v = triangle.vertices;
+  return settled(
+      hit_of_crossing<true>(load(segment.start), exactly_along(segment), load(v[0]), load(v[1]), load(v[2]), contact));
 }
-CONTACT_LANES Filtered contact_of(const DirectedSegment& segment, const Corners& triangle, const Lengths& /*lengths*/,
+CONTACT_LANES bool contact_of_hit(const Triangle& a, const Line& b, Number /*contact_distance*/,
                                   ContactPoints /*points*/, Contact& contact) {
-  return contact_of_crossing<true>(segment, triangle, contact);
+  const auto& v = a.vertices;
+  const Axes start = load_given(b.start);
+  return hit_of_crossing<false>(start, two_difference(load_given(b.end), start), load_given(v[0]), load_given(v[1]),
+                                load_given(v[2]), contact);
+}
+CONTACT_LANES bool contact_of_hit(const Ray& a, const Triangle& b, Number /*contact_distance*/,
+                                  ContactPoints /*points*/, Contact& contact) {
+  const auto& v = b.vertices;
+  return hit_of_crossing<true>(load_given(a.origin), products(load_given(a.direction), all<Axes>(a.length)),
+                               load_given(v[0]), load_given(v[1]), load_given(v[2]), contact);
 }
 
 #undef CONTACT_LANES

@@ -9,6 +9,10 @@
 #include <cstdint>
 #include <random>
 
+#include "contact/capsule_plane.hpp"
+#include "contact/ray_triangle.hpp"
+#include "contact/sphere_plane.hpp"
+#include "contact/triangle_line.hpp"
 #include "kernel/contacts_for_tests.hpp"
 #include "kernel/cores_stages.hpp"
 
@@ -146,6 +150,37 @@ void expect_all_stages_say_the_same(const First& first, const Second& second, co
 #endif
 }
 
+/// What an inline call asks where plain arithmetic says that there is a hit, against integers.
+template <class First, class Second, class Ask>
+void expect_the_same_of_a_hit(Filtered filtered, const First& first, const Second& second,
+                              const kernel::Lengths& lengths, ContactPoints points, const Ask& ask) {
+  if (filtered != Filtered::hit) return;
+  const auto grid = grid_of(first, second, lengths);
+  Contact expected{};
+  round_exactly(exact_nearest(first, second, grid), grid, lengths, points, kernel::kAllNumbers, expected);
+  expect_same(ask(), std::optional(expected));
+}
+void expect_the_same_of_hits(const Drawn& q, const kernel::Lengths& of_one) {
+  using plain_decision::filter_pair;
+  const Distances distances{of_one.alarm, of_one.contact};
+  const Plane plane{q.plane.normal, q.plane.offset};
+  const Triangle triangle{q.vertices};
+  const Ball ball{q.point, of_one.radius1};
+  const Capsule capsule{q.first.start, q.first.end, of_one.radius1};
+  const Ray ray{q.ray.start, q.ray.direction, q.ray.length};
+  const Line line{q.first.start, q.first.end};
+  expect_the_same_of_a_hit(filter_pair(ball, plane, of_one.alarm), q.point, q.plane, of_one, q.points,
+                           [&] { return of_hit::compute_sphere_plane(ball, plane, distances, q.points); });
+  expect_the_same_of_a_hit(filter_pair(capsule, plane, of_one.alarm), q.first, q.plane, of_one, q.points,
+                           [&] { return of_hit::compute_capsule_plane(capsule, plane, distances, q.points); });
+  const kernel::Corners corners{q.vertices};
+  const kernel::Lengths none{0, 0, 0, 0};
+  expect_the_same_of_a_hit(filter_pair(ray, triangle), q.ray, corners, none, {},
+                           [&] { return of_hit::compute_ray_triangle(ray, triangle); });
+  expect_the_same_of_a_hit(filter_pair(triangle, line), corners, q.first, none, {},
+                           [&] { return of_hit::compute_triangle_line(triangle, line); });
+}
+
 std::array<Count, 8> asked(int questions, bool ordinary) {
   Draw draw;
   std::array<Count, 8> counts{};
@@ -163,6 +198,7 @@ std::array<Count, 8> asked(int questions, bool ordinary) {
     expect_all_stages_say_the_same(q.first, q.plane, of_one, q.points, counts[5]);
     expect_all_stages_say_the_same(q.ray, triangle, none, {}, counts[6]);
     expect_all_stages_say_the_same(triangle, q.first, none, {}, counts[7]);
+    expect_the_same_of_hits(q, of_one);
   }
   return counts;
 }

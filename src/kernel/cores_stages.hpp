@@ -135,4 +135,29 @@ std::optional<Contact> contact_between(const First& first, const Second& second,
   return contact;
 }
 
+#if CONTACT_HAS_ONE_VECTOR
+template <class A, class B>
+[[gnu::noinline, gnu::flatten, gnu::target("avx2,fma")]] bool hit_by_one_vector(const A& a, const B& b,
+                                                                                double contact_distance,
+                                                                                ContactPoints points,
+                                                                                Contact& contact) {
+  return one_vector::contact_of_hit(a, b, contact_distance, points, contact);
+}
+#endif
+/// The contact of shapes that plain arithmetic says there is one of: in one vector, or by `otherwise`.
+template <class A, class B, class Otherwise>
+std::optional<Contact> contact_of_hit([[maybe_unused]] const A& a, [[maybe_unused]] const B& b,
+                                      [[maybe_unused]] double contact_distance, [[maybe_unused]] ContactPoints points,
+                                      const Otherwise& otherwise) {
+#if CONTACT_HAS_ONE_VECTOR
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+    const RoundToNearest environment;
+    std::optional<Contact> contact(std::in_place, Unset());
+    if (!hit_by_one_vector(a, b, contact_distance, points, *contact)) contact = otherwise();
+    return contact;
+  }
+#endif
+  return otherwise();
+}
+
 }  // namespace contact::kernel

@@ -20,6 +20,10 @@ std::optional<Contact> out_of_line::compute_ray_triangle(const Ray& a, const Tri
   return kernel::contact_between(segment_of(a), kernel::Corners{b.vertices}, {0, 0, 0, 0}, {});
 }
 
+std::optional<Contact> of_hit::compute_ray_triangle(const Ray& a, const Triangle& b) {
+  return kernel::contact_of_hit(a, b, 0, {}, [&] { return out_of_line::compute_ray_triangle(a, b); });
+}
+
 bool test_ray_triangle(const Ray& a, const Triangle& b) { return out_of_line::test_ray_triangle(a, b); }
 std::optional<Contact> compute_ray_triangle(const Ray& a, const Triangle& b) {
   return out_of_line::compute_ray_triangle(a, b);

@@ -20,6 +20,10 @@ std::optional<Contact> out_of_line::compute_triangle_line(const Triangle& a, con
   return kernel::contact_between(kernel::Corners{a.vertices}, segment_of(b), {0, 0, 0, 0}, {});
 }
 
+std::optional<Contact> of_hit::compute_triangle_line(const Triangle& a, const Line& b) {
+  return kernel::contact_of_hit(a, b, 0, {}, [&] { return out_of_line::compute_triangle_line(a, b); });
+}
+
 bool test_triangle_line(const Triangle& a, const Line& b) { return out_of_line::test_triangle_line(a, b); }
 std::optional<Contact> compute_triangle_line(const Triangle& a, const Line& b) {
   return out_of_line::compute_triangle_line(a, b);
