@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -19,6 +20,7 @@
 #include "contact/pair_functions.hpp"
 #include "kernel/convexes_enclosed.hpp"
 #include "kernel/cores.hpp"
+#include "kernel/cores_stages.hpp"
 #include "kernel/expanding_polytope.hpp"
 #include "kernel/floating_point_environment.hpp"
 #include "kernel/plane_cores.hpp"
@@ -656,16 +658,14 @@ NearSide nearly(const A& a, const B& b, double alarm) {
 }
 #undef CONTACT_BY_FMA
 
-template <class A>
-NearSide near_side_of(const A& a, const Plane& b, double alarm) {
-  return near_side(near_core(a), b, alarm);
+NearSide near_side_of(const Obb& a, const Plane& b, double alarm) {
+  return NearLowest(near_core(a), near::vector(b.normal)).side(b, 0, alarm);
 }
 template <class A, class B>
 NearSide near_side_of(const A& a, const B& b, double alarm) {
   return nearly(near_core(a), near_core(b), alarm);
 }
-template <class A>
-Certain certain_contact(const A& a, const Plane& b, bool in_range, const Lengths& lengths, ContactPoints points,
+Certain certain_contact(const Obb& a, const Plane& b, bool in_range, const Lengths& lengths, ContactPoints points,
                         Contact& contact) {
   return certain_of(near_core(a), GivenCorners(a), b, in_range, lengths, points, contact);
 }
@@ -675,7 +675,15 @@ Certain certain_contact(const A& a, const B& b, bool in_range, const Lengths& le
   return certain_of(near_core(a), GivenCorners(a), near_core(b), GivenCorners(b), in_range, lengths, points, contact);
 }
 
+Vector3 given_corner(const Box& box, std::size_t k) {
+  return {(k & 1 ? box.max : box.min)[0], (k & 2 ? box.max : box.min)[1], (k & 4 ? box.max : box.min)[2]};
+}
+Vector3 given_corner(const Triangle& triangle, std::size_t k) { return triangle.vertices[k]; }
+Vector3 given_corner(const Hull& hull, std::size_t k) { return hull.vertices[k]; }
+HalfSpace half_space_of(const Plane& plane) { return {plane.normal, plane.offset}; }
+
 // Behind calls that are not inlined: what RoundToNearest sets must be set before anything is computed.
+
 template <class A, class B>
 [[gnu::noinline]] bool decide(const A& a, const B& b, double alarm) {
   const NearSide side = near_side_of(a, b, alarm);
@@ -693,6 +701,32 @@ template <class A, class B>
     if (known.side == NearSide::unknown && !is_hit(exact)) return std::nullopt;
     round_open(exact, points, known.open, contact);
   }
+  return contact;
+}
+// A core of given points over a half-space: where one of them surely is the lowest, it alone answers what is open, as the core of a sphere does.
+
+template <class A>
+requires(!std::same_as<A, Obb>) [[gnu::noinline]] bool decide(const A& a, const Plane& b, double alarm) {
+  const NearLowest lowest(near_core(a), near::vector(b.normal));
+  const NearSide side = lowest.side(b, radius_of(a), alarm);
+  if (side != NearSide::unknown) return side == NearSide::hit;
+  if (const auto corner = lowest.corner())
+    return kernel::decide(given_corner(a, *corner), half_space_of(b), {radius_of(a), 0, alarm, 0});
+  return is_hit(exactly(a, b, {alarm, 0}));
+}
+template <class A>
+requires(!std::same_as<A, Obb>) [[gnu::noinline]] std::optional<Contact> compute(const A& a, const Plane& b, Distances distances,
+                                                             ContactPoints points) {
+  const NearLowest lowest(near_core(a), near::vector(b.normal));
+  const NearSide side = lowest.side(b, radius_of(a), distances.alarm);
+  if (side == NearSide::miss) return std::nullopt;
+  const Lengths lengths{radius_of(a), 0, distances.alarm, distances.contact};
+  if (const auto corner = lowest.corner())
+    return contact_between(given_corner(a, *corner), half_space_of(b), lengths, points);
+  const auto exact = exactly(a, b, distances);
+  if (side == NearSide::unknown && !is_hit(exact)) return std::nullopt;
+  Contact contact{};
+  round_open(exact, points, kAllNumbers, contact);
   return contact;
 }
 

@@ -427,15 +427,11 @@ template <class A, class B>
   return contact_at_face(b, a, false, facet, lengths);
 }
 
-/// The contact of a core over a half-space, at the one vertex that is lowest.
-template <class A>
-[[nodiscard]] std::optional<EnclosedContact> contact_over(const CornersOf<A>& a, const Plane& plane,
-                                                          const Lengths& lengths) {
-  const Vector3& m = plane.normal;
-  const auto lowest = farthest_set(a.near, {-m[0], -m[1], -m[2]});
-  const Enclosures n = -enclosed(m);
-  if (!lowest || lowest->size != 1 || !are_others_before(a.near, *lowest, NearWay(n), 1)) return std::nullopt;
-  const Enclosures p = a.corners(lowest->at[0]);
+/// The contact of a rotated box over a half-space, at the one vertex that is lowest.
+[[nodiscard]] inline EnclosedContact contact_over(const EnclosedCorners& box, std::size_t lowest, const Plane& plane,
+                                                  const Lengths& lengths) {
+  const Enclosures n = -enclosed(plane.normal);
+  const Enclosures p = box(lowest);
   const Enclosure inverse = reciprocal(root(dot(n, n)));
   const Enclosure distance = -((dot(n, p) + Enclosure(plane.offset)) * inverse);
   const Enclosures normal = inverse * n;
@@ -487,14 +483,15 @@ template <class A, class B>
     found = contact_between(a, b, *features, false, lengths);
   return rounded(found, near.side, lengths, points, contact);
 }
-template <class A>
-[[nodiscard]] Certain certain(const A& near_a, const GivenCorners& given_a, const Plane& b, bool in_range,
-                              const Lengths& lengths, ContactPoints points, Contact& contact) {
-  CornersOf<A> a{near_a, EnclosedCorners(given_a)};
-  const NearSide side = near_side(a.near, b, lengths.alarm);
-  if (side == NearSide::miss || !in_range) return {side};
-  a.corners.turn();
-  return rounded(contact_over(a, b, lengths), side, lengths, points, contact);
+[[nodiscard]] inline Certain certain(const NearCore& box, const GivenCorners& given, const Plane& plane, bool in_range,
+                                     const Lengths& lengths, ContactPoints points, Contact& contact) {
+  const NearLowest lowest(box, near::vector(plane.normal));
+  const NearSide side = lowest.side(plane, box.radius, lengths.alarm);
+  const auto corner = lowest.corner();
+  if (side == NearSide::miss || !in_range || !corner) return {side};
+  EnclosedCorners corners(given);
+  corners.turn();
+  return rounded(contact_over(corners, *corner, plane, lengths), side, lengths, points, contact);
 }
 }  // namespace CONTACT_TARGET
 }  // namespace contact::kernel
