@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -19,6 +20,7 @@
 #include "contact/pair_functions.hpp"
 #include "kernel/convexes_enclosed.hpp"
 #include "kernel/cores.hpp"
+#include "kernel/cores_stages.hpp"
 #include "kernel/expanding_polytope.hpp"
 #include "kernel/floating_point_environment.hpp"
 #include "kernel/plane_cores.hpp"
@@ -83,18 +85,22 @@ Polytope core_of(const Grid& grid, const Hull& hull) {
   for (const Vector3& x : hull.vertices) points.push_back(on_grid(grid, x));
   return of_points(std::move(points));
 }
-Polytope core_of(const Grid& grid, const Box& box) {
+/// A box: its middle and half of its edges, over a denominator > 0.
+struct ExactBox {
+  IntegerVector middle;
+  std::array<IntegerVector, 3> halves;
+  Integer over;
+
+  [[nodiscard]] bool has_volume() const { return std::find(halves.begin(), halves.end(), kNowhere) == halves.end(); }
+};
+ExactBox box_of(const Grid& grid, const Box& box) {
   const IntegerVector low = on_grid(grid, box.min);
-  const IntegerVector size = on_grid(grid, box.max) - low;
-  Polytope core{{low}};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    IntegerVector way = kNowhere;
-    way[axis] = size[axis];
-    extend(core, way);
-  }
-  return core;
+  const IntegerVector high = on_grid(grid, box.max);
+  ExactBox found{sum(low, high), {kNowhere, kNowhere, kNowhere}, 2};
+  for (std::size_t axis = 0; axis < 3; ++axis) found.halves[axis][axis] = high[axis] - low[axis];
+  return found;
 }
-Polytope core_of(const Grid& grid, const Obb& box) {
+ExactBox box_of(const Grid& grid, const Obb& box) {
   const Quaternion& q = box.orientation;
   const Grid of_rotation{q[0], q[1], q[2], q[3]};
   const Integer x = of_rotation(q[0]);
@@ -107,9 +113,16 @@ Polytope core_of(const Grid& grid, const Obb& box) {
       IntegerVector{2 * (x * y - w * z), w * w - x * x + y * y - z * z, 2 * (y * z + w * x)},
       IntegerVector{2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z}};
   const Integer over = x * x + y * y + z * z + w * w;
-  Polytope core{{times(over, on_grid(grid, box.center))}, over};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const IntegerVector half = times(grid(box.extents[static_cast<Eigen::Index>(axis)]), columns[axis]);
+  const auto half = [&](std::size_t axis) {
+    return times(grid(box.extents[static_cast<Eigen::Index>(axis)]), columns[axis]);
+  };
+  return {times(over, on_grid(grid, box.center)), {half(0), half(1), half(2)}, over};
+}
+template <class AnyBox>
+requires kIsOneOf<AnyBox, Box, Obb> Polytope core_of(const Grid& grid, const AnyBox& any_box) {
+  const auto& [middle, halves, over] = box_of(grid, any_box);
+  Polytope core{{middle}, over};
+  for (const IntegerVector& half : halves) {
     for (IntegerVector& corner : core.vertices) corner = corner - half;
     extend(core, times(2, half));
   }
@@ -494,33 +507,51 @@ Facet nearest_facet(const Difference<Integer>& difference, const std::vector<Int
   return {best->normal, best->height};
 }
 
-/// The facet of A - B of two boxes with a volume that is nearest to 0, or nothing where they are apart. Any two edges that are not along each other, of one box or of both,
-/// make a facet; those are tried that `directions` has, as NearBoxes counts them.
-std::optional<Facet> nearest_facet_of_boxes(const TwoCores& cores, unsigned directions) {
-  const auto& a = cores.a.vertices;
-  const auto& b = cores.b.vertices;
-  // As extend() places them.
-  const std::array<IntegerVector, 6> edges{a[1] - a[0], a[3] - a[0], a[7] - a[0],
-                                           b[1] - b[0], b[3] - b[0], b[7] - b[0]};
-  const IntegerVector between = sum(b[0], b[5]) - sum(a[0], a[5]);  // twice as far
+/// The directions of facets of A - B of two boxes with a volume, as NearBoxes counts them: any two edges that are not along each other, of one box or of both, make a facet.
+class BoxDirections {
+ public:
+  BoxDirections(const ExactBox& a, const ExactBox& b) : between_(times(a.over, b.middle) - times(b.over, a.middle)) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      halves_[axis] = times(b.over, a.halves[axis]);
+      halves_[3 + axis] = times(a.over, b.halves[axis]);
+    }
+  }
+  /// That of two facets which is nearer to 0, or preferred; nothing where there is none. Its height is below 0 where the boxes are apart along it.
+  [[nodiscard]] std::optional<Facet> facet(std::size_t k) const {
+    Facet found{k < 6 ? halves_[k] : cross(halves_[(k - 6) / 3], halves_[3 + (k - 6) % 3]), 0};
+    if (found.normal == kNowhere) return std::nullopt;
+    found.height = -dot(found.normal, between_);
+    if (found.height.sign() > 0 || (found.height.is_zero() && !is_preferred(found.normal, kNowhere - found.normal)))
+      found.normal = kNowhere - found.normal, found.height = -found.height;
+    for (const IntegerVector& half : halves_) found.height += abs(dot(found.normal, half));
+    return found;
+  }
+
+ private:
+  IntegerVector between_;
+  std::array<IntegerVector, 6> halves_;
+};
+/// The facet of A - B that is nearest to 0, or nothing where the boxes are apart. Those are tried that `directions` has.
+std::optional<Facet> nearest_facet_of_boxes(const BoxDirections& boxes, unsigned directions) {
   std::optional<Expanding::Face> best;
   for (std::size_t k = 0; k < 15; ++k) {
     if ((directions >> k & 1) == 0) continue;
-    Expanding::Face face{};
-    face.normal = k < 6 ? edges[k] : cross(edges[(k - 6) / 3], edges[3 + (k - 6) % 3]);
-    if (face.normal == kNowhere) continue;
-    face.height = -dot(face.normal, between);
-    if (face.height.sign() > 0 || (face.height.is_zero() && !is_preferred(face.normal, kNowhere - face.normal)))
-      face.normal = kNowhere - face.normal, face.height = -face.height;
-    for (const IntegerVector& edge : edges) face.height += abs(dot(face.normal, edge));
-    if (face.height.sign() < 0) return std::nullopt;
-    face.height /= 2;
-    face.square = dot(face.normal, face.normal);
+    const std::optional<Facet> facet = boxes.facet(k);
+    if (!facet) continue;
+    if (facet->height.sign() < 0) return std::nullopt;
+    Expanding::Face face{{}, facet->normal, dot(facet->normal, facet->normal), facet->height, 0};
     face.nearness = Nearness::of(face.height, face.square);
     if (!best || face.is_nearer_than(*best) || (!best->is_nearer_than(face) && is_preferred(face.normal, best->normal)))
       best = std::move(face);
   }
   return Facet{best->normal, best->height};
+}
+/// Whether boxes with a volume meet.
+bool do_meet(const BoxDirections& boxes, unsigned directions) {
+  for (std::size_t k = 0; k < 15; ++k)
+    if (directions >> k & 1)
+      if (const auto facet = boxes.facet(k); facet && facet->height.sign() < 0) return false;
+  return true;
 }
 
 /// The nearest points of cores that meet, at the facet of A - B that is nearest to 0.
@@ -584,11 +615,14 @@ struct ExactCores {
   std::optional<Facet> facet = {};
 };
 template <class A, class B>
+constexpr bool kAreBoxes = kIsOneOf<A, Box, Obb>&& kIsOneOf<B, Box, Obb>;
+template <class A, class B>
 [[gnu::noinline]] ExactCores exactly(const A& a, const B& b, Distances distances, bool wants_numbers = false) {
   Asked of = asked(a, b, distances);
-  if constexpr (kIsOneOf<A, Box, Obb> && kIsOneOf<B, Box, Obb>)
+  if constexpr (kAreBoxes<A, B>)
     if (wants_numbers && of.cores.a.vertices.size() == 8 && of.cores.b.vertices.size() == 8) {
-      auto facet = nearest_facet_of_boxes(of.cores, directions_of_facet(near_core(a), near_core(b)));
+      const BoxDirections boxes(box_of(of.grid, a), box_of(of.grid, b));
+      auto facet = nearest_facet_of_boxes(boxes, directions_of_facet(near_core(a), near_core(b)));
       if (facet) return {std::move(of), {}, std::move(facet)};
     }
   PointOf<Integer> v = nearest_from(proposed(of.cores), Difference<Integer>(of.cores.a.vertices, of.cores.b.vertices));
@@ -636,6 +670,21 @@ void round_open(const OverPlane& of, ContactPoints points, unsigned open, Contac
   round_exactly(of.lowest, of.grids, of.lengths, points, open, contact);
 }
 
+/// Whether two cores are within the alarm distance and their radii. Boxes that meet, or that are apart where they have to meet, are told by a few directions.
+template <class A, class B>
+[[gnu::noinline]] bool decide_exactly_of(const A& a, const B& b, double alarm) {
+  if constexpr (kAreBoxes<A, B>) {
+    const Grid grid({0}, std::min(grid_of(a).exponent(), grid_of(b).exponent()));
+    const ExactBox of_a = box_of(grid, a);
+    const ExactBox of_b = box_of(grid, b);
+    if (of_a.has_volume() && of_b.has_volume()) {
+      const bool meet = do_meet({of_a, of_b}, directions_of_facet(near_core(a), near_core(b)));
+      if (meet || alarm == 0) return meet;
+    }
+  }
+  return is_hit(exactly(a, b, {alarm, 0}));
+}
+
 // ---- answers ----
 
 #if defined(__x86_64__) && !defined(__FMA__)
@@ -656,16 +705,14 @@ NearSide nearly(const A& a, const B& b, double alarm) {
 }
 #undef CONTACT_BY_FMA
 
-template <class A>
-NearSide near_side_of(const A& a, const Plane& b, double alarm) {
-  return near_side(near_core(a), b, alarm);
+NearSide near_side_of(const Obb& a, const Plane& b, double alarm) {
+  return NearLowest(near_core(a), near::vector(b.normal)).side(b, 0, alarm);
 }
 template <class A, class B>
 NearSide near_side_of(const A& a, const B& b, double alarm) {
   return nearly(near_core(a), near_core(b), alarm);
 }
-template <class A>
-Certain certain_contact(const A& a, const Plane& b, bool in_range, const Lengths& lengths, ContactPoints points,
+Certain certain_contact(const Obb& a, const Plane& b, bool in_range, const Lengths& lengths, ContactPoints points,
                         Contact& contact) {
   return certain_of(near_core(a), GivenCorners(a), b, in_range, lengths, points, contact);
 }
@@ -675,11 +722,19 @@ Certain certain_contact(const A& a, const B& b, bool in_range, const Lengths& le
   return certain_of(near_core(a), GivenCorners(a), near_core(b), GivenCorners(b), in_range, lengths, points, contact);
 }
 
+Vector3 given_corner(const Box& box, std::size_t k) {
+  return {(k & 1 ? box.max : box.min)[0], (k & 2 ? box.max : box.min)[1], (k & 4 ? box.max : box.min)[2]};
+}
+Vector3 given_corner(const Triangle& triangle, std::size_t k) { return triangle.vertices[k]; }
+Vector3 given_corner(const Hull& hull, std::size_t k) { return hull.vertices[k]; }
+HalfSpace half_space_of(const Plane& plane) { return {plane.normal, plane.offset}; }
+
 // Behind calls that are not inlined: what RoundToNearest sets must be set before anything is computed.
+
 template <class A, class B>
 [[gnu::noinline]] bool decide(const A& a, const B& b, double alarm) {
   const NearSide side = near_side_of(a, b, alarm);
-  return side == NearSide::unknown ? is_hit(exactly(a, b, {alarm, 0})) : side == NearSide::hit;
+  return side == NearSide::unknown ? decide_exactly_of(a, b, alarm) : side == NearSide::hit;
 }
 template <class A, class B>
 [[gnu::noinline]] std::optional<Contact> compute(const A& a, const B& b, Distances distances, ContactPoints points) {
@@ -693,6 +748,33 @@ template <class A, class B>
     if (known.side == NearSide::unknown && !is_hit(exact)) return std::nullopt;
     round_open(exact, points, known.open, contact);
   }
+  return contact;
+}
+// A core of given points over a half-space: where one of them surely is the lowest, it alone answers what is open, as the core of a sphere does.
+
+template <class A>
+requires(!std::same_as<A, Obb>) [[gnu::noinline]] bool decide(const A& a, const Plane& b, double alarm) {
+  const NearLowest lowest(near_core(a), near::vector(b.normal));
+  const NearSide side = lowest.side(b, radius_of(a), alarm);
+  if (side != NearSide::unknown) return side == NearSide::hit;
+  if (const auto corner = lowest.corner())
+    return kernel::decide(given_corner(a, *corner), half_space_of(b), {radius_of(a), 0, alarm, 0});
+  return is_hit(exactly(a, b, {alarm, 0}));
+}
+template <class A>
+requires(!std::same_as<A, Obb>)
+    [[gnu::noinline]] std::optional<Contact> compute(const A& a, const Plane& b, Distances distances,
+                                                     ContactPoints points) {
+  const NearLowest lowest(near_core(a), near::vector(b.normal));
+  const NearSide side = lowest.side(b, radius_of(a), distances.alarm);
+  if (side == NearSide::miss) return std::nullopt;
+  const Lengths lengths{radius_of(a), 0, distances.alarm, distances.contact};
+  if (const auto corner = lowest.corner())
+    return contact_between(given_corner(a, *corner), half_space_of(b), lengths, points);
+  const auto exact = exactly(a, b, distances);
+  if (side == NearSide::unknown && !is_hit(exact)) return std::nullopt;
+  Contact contact{};
+  round_open(exact, points, kAllNumbers, contact);
   return contact;
 }
 

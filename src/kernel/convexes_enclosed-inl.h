@@ -171,12 +171,14 @@ template <class Near>
   const double sum = std::abs(way[0]) + std::abs(way[1]) + std::abs(way[2]);
   const double bound = sum * (4 * core.error + 0x1p-47 * core.size) + off * 8 * core.size;
   const NearSimplex::Vector from = core.corner(set.at[0]);
+  std::uint64_t others = ~std::uint64_t{0};
+  for (std::size_t k = 0; k < set.size; ++k) others &= ~(std::uint64_t{1} << set.at[k]);
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < core.count; ++k) {
-    const NearSimplex::Vector x = core.corner(k);
-    const double before = sign * near::dot(way, near::difference(from, x));
-    if (!set.has(k) && !(before > bound)) return false;
+    const double before = sign * near::dot(way, near::difference(from, core.corner(k)));
+    if (others >> k & 1) least = std::min(least, before);
   }
-  return true;
+  return least > bound;
 }
 
 /// Whether the foot of a point lies inside a face.
@@ -311,22 +313,47 @@ template <class A, class B>
   if (!f || !g || f->dimension() + g->dimension() > 2) return std::nullopt;
   return Features{*f, *g};
 }
-/// The contact of cores by their features that face each other, or where the cores overlap, those of the facet of A - B that 0 is nearest to.
+/// The contact of cores that are apart, by their features that face each other.
 template <class A, class B>
 [[nodiscard]] std::optional<EnclosedContact> contact_between(const CornersOf<A>& a, const CornersOf<B>& b,
-                                                             const Features& features, bool overlap,
-                                                             const Lengths& lengths) {
+                                                             const Features& features, const Lengths& lengths) {
   const auto& [f, g] = features;
   const auto nearest = TwoSets(a.corners, f, b.corners, g).nearest();
   if (!nearest) return std::nullopt;
   const auto& [p, q, delta] = *nearest;
-  const Enclosures out = overlap ? -delta : delta;
-  const Enclosure D = dot(out, out);
-  const NearWay along(out);
+  const Enclosure D = dot(delta, delta);
+  const NearWay along(delta);
   if (!D.is_clear() || !are_others_before(a.near, f, along, 1) || !are_others_before(b.near, g, along, -1))
     return std::nullopt;
   const Enclosure distance = root(D);
-  return EnclosedContact(p, q, reciprocal(distance) * out, overlap ? -distance : distance, lengths);
+  return EnclosedContact(p, q, reciprocal(distance) * delta, distance, lengths);
+}
+/// The contact of cores that overlap, at the facet of A - B that is nearest to 0, which faces along `facing`, about, and is made by a face and a vertex or by two edges.
+/// The foot of 0 lies inside of it, for a ball about 0 that touches its plane touches no other.
+template <class A, class B>
+[[nodiscard]] std::optional<EnclosedContact> contact_at_facet(const CornersOf<A>& a, const CornersOf<B>& b,
+                                                              const Features& features,
+                                                              const NearSimplex::Vector& facing,
+                                                              const Lengths& lengths) {
+  const auto& [f, g] = features;
+  if (f.dimension() + g.dimension() != 2) return std::nullopt;
+  const Enclosures u = f.size > 1 ? f.way(a.corners, 1) : g.way(b.corners, 1);
+  const Enclosures w = f.size > 2 ? f.way(a.corners, 2) : g.way(b.corners, f.size > 1 ? 1 : 2);
+  const Enclosures n = cross(u, w);
+  const Enclosure N = dot(n, n);
+  const NearWay along(n);
+  const double sign = near::dot(along.way, facing) > 0 ? 1 : -1;
+  if (!N.is_clear() || !are_others_before(a.near, f, along, sign) || !are_others_before(b.near, g, along, -sign))
+    return std::nullopt;
+  const Enclosure inverse = sign * reciprocal(root(N));
+  const Enclosures normal = inverse * n;
+  const Enclosures from = a.corners(f.at[0]);
+  const Enclosures to = b.corners(g.at[0]);
+  const Enclosures between = to - from;
+  const Enclosure distance = dot(normal, between);  // below 0
+  if (g.size == 1) return EnclosedContact(to - distance * normal, to, normal, distance, lengths);
+  const Enclosures p = f.size == 1 ? from : from + (inverse * dot(cross(between, w), normal)) * u;
+  return EnclosedContact(p, p + distance * normal, normal, distance, lengths);
 }
 /// The contact of cores that overlap, by corners of B - A around 0.
 template <class A, class B>
@@ -346,7 +373,7 @@ template <class A, class B>
     return false;
   };
   if (!polytope.is_surely_nearest(nearest, is_of_facet)) return std::nullopt;
-  return contact_between(a, b, *features, true, lengths);
+  return contact_at_facet(a, b, *features, nearest.normal, lengths);
 }
 
 /// How far a product of a way of a core and a direction may be off: the way by 2 e, and what is used is twice as wide.
@@ -427,15 +454,11 @@ template <class A, class B>
   return contact_at_face(b, a, false, facet, lengths);
 }
 
-/// The contact of a core over a half-space, at the one vertex that is lowest.
-template <class A>
-[[nodiscard]] std::optional<EnclosedContact> contact_over(const CornersOf<A>& a, const Plane& plane,
-                                                          const Lengths& lengths) {
-  const Vector3& m = plane.normal;
-  const auto lowest = farthest_set(a.near, {-m[0], -m[1], -m[2]});
-  const Enclosures n = -enclosed(m);
-  if (!lowest || lowest->size != 1 || !are_others_before(a.near, *lowest, NearWay(n), 1)) return std::nullopt;
-  const Enclosures p = a.corners(lowest->at[0]);
+/// The contact of a rotated box over a half-space, at the one vertex that is lowest.
+[[nodiscard]] inline EnclosedContact contact_over(const EnclosedCorners& box, std::size_t lowest, const Plane& plane,
+                                                  const Lengths& lengths) {
+  const Enclosures n = -enclosed(plane.normal);
+  const Enclosures p = box(lowest);
   const Enclosure inverse = reciprocal(root(dot(n, n)));
   const Enclosure distance = -((dot(n, p) + Enclosure(plane.offset)) * inverse);
   const Enclosures normal = inverse * n;
@@ -484,17 +507,18 @@ template <class A, class B>
   if (near.around)
     found = contact_inside(a, b, scale.error, *near.around, lengths);
   else if (const auto features = features_along(a.near, b.near, *near.way))
-    found = contact_between(a, b, *features, false, lengths);
+    found = contact_between(a, b, *features, lengths);
   return rounded(found, near.side, lengths, points, contact);
 }
-template <class A>
-[[nodiscard]] Certain certain(const A& near_a, const GivenCorners& given_a, const Plane& b, bool in_range,
-                              const Lengths& lengths, ContactPoints points, Contact& contact) {
-  CornersOf<A> a{near_a, EnclosedCorners(given_a)};
-  const NearSide side = near_side(a.near, b, lengths.alarm);
-  if (side == NearSide::miss || !in_range) return {side};
-  a.corners.turn();
-  return rounded(contact_over(a, b, lengths), side, lengths, points, contact);
+[[nodiscard]] inline Certain certain(const NearCore& box, const GivenCorners& given, const Plane& plane, bool in_range,
+                                     const Lengths& lengths, ContactPoints points, Contact& contact) {
+  const NearLowest lowest(box, near::vector(plane.normal));
+  const NearSide side = lowest.side(plane, box.radius, lengths.alarm);
+  const auto corner = lowest.corner();
+  if (side == NearSide::miss || !in_range || !corner) return {side};
+  EnclosedCorners corners(given);
+  corners.turn();
+  return rounded(contact_over(corners, *corner, plane, lengths), side, lengths, points, contact);
 }
 }  // namespace CONTACT_TARGET
 }  // namespace contact::kernel

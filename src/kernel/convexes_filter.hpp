@@ -42,8 +42,18 @@ struct NearCorners {
     size = std::max({size, std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
   }
 };
-/// A hull: its vertices as they are given. Maybe some are no corners, or one is there twice.
-struct NearHull : NearCorners<kMostVertices> {};
+/// A hull: its vertices, where they are given. Maybe some are no corners, or one is there twice.
+struct NearHull {
+  using Vector = std::array<double, 3>;
+  const Vector3* vertices;
+  std::size_t count;
+  Vector base{};
+  double size = 0;
+  double radius;
+  static constexpr double error = 0;
+
+  [[nodiscard]] Vector corner(std::size_t k) const { return {vertices[k][0], vertices[k][1], vertices[k][2]}; }
+};
 /// A core with ways between its corners. What is no triangle is the middle, `base`, and any part of each way, forth or back: three of a box, one of a segment. A
 /// triangle is its first corner, `base`, and ways from this to the others and between these. A box has axes too, along which its ways lead as far as `half` says; its
 /// corners are written nowhere.
@@ -169,10 +179,10 @@ inline NearCore near_core(const Obb& box) {
 }
 
 inline NearHull near_core(const Hull& hull) {
-  NearHull core;
-  for (const Vector3& x : hull.vertices) core.add(near::vector(x));
-  core.base = near::middle(core.corners[0], core.corners[core.count / 2]);
-  core.radius = hull.radius;
+  NearHull core{hull.vertices.data(), hull.vertices.size(), {}, 0, hull.radius};
+  for (const Vector3& x : hull.vertices)
+    core.size = std::max(core.size, std::max(std::max(std::abs(x[0]), std::abs(x[1])), std::abs(x[2])));
+  core.base = near::middle(core.corner(0), core.corner(core.count / 2));
   return core;
 }
 inline NearCore near_core(const Plane& /*plane*/) { return {}; }  // it has no corners
@@ -546,10 +556,21 @@ struct NearAnswer {
     if (sign * near::dot(along, box.ways[axis]) > 0) corner |= std::size_t{1} << axis;
   return box.corner(corner);
 }
-template <class Core>
-[[nodiscard]] NearSimplex::Vector farthest(const Core& core, const NearSimplex::Vector& along, double sign) {
-  if constexpr (std::same_as<Core, NearCore>)
-    if (core.is_box()) return farthest_of_box(core, along, sign);
+[[nodiscard]] inline NearSimplex::Vector farthest(const NearHull& hull, const NearSimplex::Vector& along, double sign) {
+  const double u = sign * along[0];
+  const double v = sign * along[1];
+  const double w = sign * along[2];
+  std::size_t best = 0;
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < hull.count; ++k) {
+    const Vector3& x = hull.vertices[k];
+    const double here = u * x[0] + v * x[1] + w * x[2];
+    if (here > most) best = k, most = here;
+  }
+  return hull.corner(best);
+}
+[[nodiscard]] inline NearSimplex::Vector farthest(const NearCore& core, const NearSimplex::Vector& along, double sign) {
+  if (core.is_box()) return farthest_of_box(core, along, sign);
   const NearSimplex::Vector* best = &core.corners[0];
   double most = sign * near::dot(along, *best);
   for (std::size_t k = 1; k < core.count; ++k)
@@ -659,23 +680,61 @@ template <class A, class B>
   return side == NearSide::unknown ? walk(a, b, scale, false).side : side;
 }
 
-/// The same of a core over a half-space.
-template <class A>
-[[nodiscard]] NearSide near_side(const A& a, const Plane& plane, double alarm) {
-  const double reach = alarm + a.radius;
-  const Vector3& n = plane.normal;
-  if (!is_near_range(a.size) || !is_near_range(n.cwiseAbs().maxCoeff()) || !(reach < kLargestNear) ||
-      !(std::abs(plane.offset) < kLargestNear))
+/// The corner of a core that lies lowest along a direction, how high the next one lies, and how far such a product may be off.
+class NearLowest {
+ public:
+  template <class A>
+  NearLowest(const A& a, const NearSimplex::Vector& v)
+      : holds_(is_near_range(a.size) && is_near_range(near::largest(v))),
+        off_((std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2])) * (2 * a.error + 0x1p-48 * a.size)) {
+    if constexpr (std::same_as<A, NearCore>)
+      if (a.is_box()) {
+        find_of_box(a, v);
+        return;
+      }
+    for (std::size_t k = 0; k < a.count; ++k) {
+      const double here = near::dot(v, a.corner(k));
+      next_ = std::min(next_, std::max(height_, here));
+      corner_ = here < height_ ? k : corner_;
+      height_ = std::min(height_, here);
+    }
+  }
+
+  /// The corner that surely lies lowest, or nothing.
+  [[nodiscard]] std::optional<std::size_t> corner() const {
+    return holds_ && next_ - height_ > 2 * off_ ? std::optional(corner_) : std::nullopt;
+  }
+  /// Whether the core, with this radius about it, is within reach of the half-space below the plane.
+  [[nodiscard]] NearSide side(const Plane& plane, double radius, double alarm) const {
+    const double reach = alarm + radius;
+    if (!holds_ || !(reach < kLargestNear) || !(std::abs(plane.offset) < kLargestNear)) return NearSide::unknown;
+    const NearSimplex::Vector v = near::vector(plane.normal);
+    const double off = off_ + 0x1p-48 * std::abs(plane.offset);
+    const double height = height_ - plane.offset;
+    const double most = reach * std::sqrt(near::dot(v, v));
+    if (height - off > most * kMore) return NearSide::miss;
+    if (height + off < most * kLess) return NearSide::hit;
     return NearSide::unknown;
-  const NearSimplex::Vector v{n[0], n[1], n[2]};
-  const double lowest = near::dot(v, farthest(a, v, -1));
-  const double off = (std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2])) * (2 * a.error + 0x1p-48 * a.size) +
-                     0x1p-48 * std::abs(plane.offset);
-  const double height = lowest - plane.offset;
-  const double most = reach * std::sqrt(near::dot(v, v));
-  if (height - off > most * kMore) return NearSide::miss;
-  if (height + off < most * kLess) return NearSide::hit;
-  return NearSide::unknown;
-}
+  }
+
+ private:
+  void find_of_box(const NearCore& box, const NearSimplex::Vector& v) {
+    height_ = near::dot(v, box.base);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double along = near::dot(v, box.ways[axis]);
+      height_ -= std::abs(along);
+      least = std::min(least, std::abs(along));
+      if (along < 0) corner_ |= std::size_t{1} << axis;
+    }
+    next_ = height_ + 2 * least;
+  }
+
+  bool holds_;
+  double off_;
+  std::size_t corner_ = 0;
+  double height_ = std::numeric_limits<double>::infinity();
+  double next_ = std::numeric_limits<double>::infinity();
+};
 
 }  // namespace contact::kernel
