@@ -175,8 +175,6 @@ const std::map<std::string_view, std::string_view> kOtherwise{
     {"plane-offset-not-divided", "the same"},
     {"plane-offset-sign", "the same"},
     {"plane-through-origin", "the same"},
-    {"squares-in-double",
-     "of a convex shape over a plane it takes a root of squares, of which the formula says nothing"},
     {"box-difference", "wrong in the last bit"},
     {"cast-without-length", "where a ray ends or grazes exactly, roundings decide as well"},
     {"cast-length-as-distance", "the same"},

@@ -72,9 +72,7 @@ Wide by_bits(Wide D) {
 
 /// The contact of production where the squares of the plain formulas stay in double's range; else what they give.
 void plain_squares(const Query& q, Claim& claim) {
-  const bool has_plane =
-      std::visit([]<class A, class B>(const Two<A, B>&) { return std::same_as<B, Plane>; }, q.shapes);
-  if (!q.has_distance() || has_plane) return;  // a distance from a plane is no root of a square
+  if (!q.has_distance() || has_plane(q.pair)) return;  // a distance from a plane is no root of a square
   const Vector3 d = balls(q).b.center - balls(q).a.center;
   const double D = d.squaredNorm();
   const double reach = balls(q).a.radius + balls(q).b.radius + q.distances.alarm;
