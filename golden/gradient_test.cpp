@@ -333,9 +333,7 @@ TEST(Gradients, are_the_differences_of_exact_answers_to_fresh_questions) {
     if (!has_distance(pair) || (kPair != nullptr && name(pair) != kPair)) continue;
     for (const Family& family : families_of(pair)) {
       if (family.name == kInvalidFamily) continue;
-      const std::uint64_t count = kEveryGradient    ? std::strtoull(kMany, nullptr, 10)
-                                  : is_convex(pair) ? 1
-                                                    : 3 / kShare;
+      const std::uint64_t count = kEveryGradient ? std::strtoull(kMany, nullptr, 10) : is_convex(pair) ? 1 : 3 / kShare;
       for (std::uint64_t index = 0; index < count; ++index)
         ASSERT_NO_FATAL_FAILURE(
             compare(generate_query(pair, family, Scalar::binary64, seed, index), every(pair), all[pair]));
