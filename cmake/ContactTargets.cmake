@@ -60,6 +60,7 @@ function(contact_together target)
   endif()
 endfunction()
 
+# What nobody waits for when it runs.
 set(contact_short_to_compile $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
 
 # contact_library(name [OPTIMISED] SOURCES ... LINK ... PRIVATE_LINK ...): a static library with the alias contact::name.
@@ -85,8 +86,8 @@ include(${CMAKE_CURRENT_LIST_DIR}/ContactPlugin.cmake)
 # What the sanitizers look at every time: production, the oracles and the readers. `./run dev` has them look at all.
 add_custom_target(core_tests)
 
-# contact_test(name [CORE] LABEL label SOURCES ... LINK ...): one GoogleTest program; every test in it is a ctest of that label. Each file
-# of a program has a namespace of its own.
+# contact_test(name [CORE] LABEL label SOURCES ... LINK ...): one GoogleTest program; every test in it is a ctest of that label. Its
+# files are compiled as one: those that call different things by one name have namespaces of their own.
 function(contact_test name)
   cmake_parse_arguments(ARG "CORE" "LABEL" "SOURCES;LINK" ${ARGN})
   if(NOT CONTACT_TESTS)

@@ -162,7 +162,7 @@ const std::map<std::string_view, std::string_view> kOtherwise{
     {"mjx-capsule-capsule", "of parallel axes several points are as near, and its roundings choose among them"},
     {"newton-capsule-capsule", "computes in single precision, which nearly parallel axes make wrong as well"},
     {"crossing-of-parallelogram", "tells other points of its boundary from those inside, to a rounding"},
-    {"capsule-start-only", "of a ray that is cast, which they change too, the formula says nothing"},
+    {"capsule-start-only", "of rays that are cast and convex shapes, which they change too, the formula says nothing"},
     {"cyclone-capsule-radius", "the same"},
     {"stride-caps-in-length", "the same"},
     {"capsule-middle-only", "the same"},

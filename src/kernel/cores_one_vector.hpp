@@ -516,21 +516,21 @@ CONTACT_LANES bool hit_of_crossing(Axes a, const Delta& d, Axes v0, Axes v1, Axe
          z_of(sum) >= bounds::kLeastSize;
 }
 
-CONTACT_LANES Filtered contact_of(const Corners& triangle, const Segment& segment, const Lengths& lengths,
-                                  ContactPoints /*points*/, Contact& contact) {
-  const Filtered filtered = plain_filtered(triangle, segment, lengths);
+template <bool turned, class AnySegment>
+CONTACT_LANES Filtered contact_of_crossing(Filtered filtered, const AnySegment& segment, const Corners& triangle,
+                                           Contact& contact) {
   if (filtered != Filtered::hit) return filtered;
   const auto& v = triangle.vertices;
-  return settled(
-      hit_of_crossing<false>(load(segment.start), exactly_along(segment), load(v[0]), load(v[1]), load(v[2]), contact));
+  return settled(hit_of_crossing<turned>(load(segment.start), exactly_along(segment), load(v[0]), load(v[1]),
+                                         load(v[2]), contact));
+}
+CONTACT_LANES Filtered contact_of(const Corners& triangle, const Segment& segment, const Lengths& lengths,
+                                  ContactPoints /*points*/, Contact& contact) {
+  return contact_of_crossing<false>(plain_filtered(triangle, segment, lengths), segment, triangle, contact);
 }
 CONTACT_LANES Filtered contact_of(const DirectedSegment& segment, const Corners& triangle, const Lengths& lengths,
                                   ContactPoints /*points*/, Contact& contact) {
-  const Filtered filtered = plain_filtered(segment, triangle, lengths);
-  if (filtered != Filtered::hit) return filtered;
-  const auto& v = triangle.vertices;
-  return settled(
-      hit_of_crossing<true>(load(segment.start), exactly_along(segment), load(v[0]), load(v[1]), load(v[2]), contact));
+  return contact_of_crossing<true>(plain_filtered(segment, triangle, lengths), segment, triangle, contact);
 }
 CONTACT_LANES bool contact_of_hit(const Triangle& a, const Line& b, Number /*contact_distance*/,
                                   ContactPoints /*points*/, Contact& contact) {
