@@ -86,10 +86,11 @@ include(${CMAKE_CURRENT_LIST_DIR}/ContactPlugin.cmake)
 # What the sanitizers look at every time: production, the oracles and the readers. `./run dev` has them look at all.
 add_custom_target(core_tests)
 
-# contact_test(name [CORE] LABEL label SOURCES ... LINK ...): one GoogleTest program; every test in it is a ctest of that label. Its
+# contact_test(name [CORE] LABEL label [SLOW pattern] SOURCES ... LINK ...): one GoogleTest program; every test in it is a ctest of that
+# label, or of "slow" where GoogleTest's pattern says so. Its
 # files are compiled as one: those that call different things by one name have namespaces of their own.
 function(contact_test name)
-  cmake_parse_arguments(ARG "CORE" "LABEL" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "CORE" "LABEL;SLOW" "SOURCES;LINK" ${ARGN})
   if(NOT CONTACT_TESTS)
     return()
   endif()
@@ -104,12 +105,12 @@ function(contact_test name)
     add_dependencies(core_tests ${name})
     string(APPEND ARG_LABEL -core)  # one label: a list does not come through, and ctest -L looks for a part
   endif()
-  # The same file may be a program for every day and, with other definitions, one for the campaign: a name is one test's.
-  set(prefix "")
-  if(ARG_LABEL STREQUAL "campaign")
-    set(prefix TEST_PREFIX campaign.)
+  set(others "")
+  if(ARG_SLOW)
+    set(others TEST_FILTER -${ARG_SLOW})
+    gtest_discover_tests(${name} TEST_FILTER ${ARG_SLOW} DISCOVERY_TIMEOUT 120 PROPERTIES LABELS slow)
   endif()
-  gtest_discover_tests(${name} ${prefix} DISCOVERY_TIMEOUT 120 PROPERTIES LABELS ${ARG_LABEL})
+  gtest_discover_tests(${name} ${others} DISCOVERY_TIMEOUT 120 PROPERTIES LABELS ${ARG_LABEL})
 endfunction()
 
 # The kinds of pairs that have files of their own on every floor; include/contact/pairs.hpp lists what they are. All rays

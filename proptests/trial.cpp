@@ -2,6 +2,7 @@
 #include "proptests/trial.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -18,13 +19,9 @@ struct Odd {
 };
 Odd odd(double x) {
   int exponent = 0;
-  double digits = std::ldexp(std::frexp(x, &exponent), 53);
-  exponent -= 53;
-  while (std::fmod(digits, 2) == 0) {
-    digits /= 2;
-    ++exponent;
-  }
-  return {digits, exponent};
+  const auto whole = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
+  const int zeros = std::countr_zero(static_cast<std::uint64_t>(whole));
+  return {std::ldexp(static_cast<double>(whole), -zeros), exponent - 53 + zeros};
 }
 
 std::int64_t difficulty(double x) {

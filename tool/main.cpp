@@ -8,6 +8,7 @@
 
 #include "engines/hosts/subprocess.hpp"
 #include "formats/input_error.hpp"
+#include "golden/agreement.hpp"
 #include "tool/commands/run_command.hpp"
 #include "tool/run/cluster.hpp"
 #include "tool/run/printing.hpp"
@@ -29,7 +30,7 @@ int guarded(int argc, char** argv) {
   } catch (const formats::InputError& error) {
     tell(error.what());
     return kBadInput;
-  } catch (const OracleFault& error) {
+  } catch (const golden::OracleFault& error) {
     tell(fmt::format("ORACLE FAULT: {}", error.what()));
     return kOracleFault;
   } catch (const engines::HarnessInvalid& error) {

@@ -12,10 +12,10 @@
 #include "contact/pair_functions.hpp"
 #include "environment/floating_point_environments.hpp"
 #include "fuzz/fuzz.hpp"
+#include "golden/agreement.hpp"
 #include "golden/dataset.hpp"
 #include "kernel/batch.hpp"
 #include "kernel/batch_pairs.hpp"
-#include "tool/run/pipeline.hpp"
 
 namespace contact::fuzz {
 namespace {
@@ -167,7 +167,7 @@ void try_input(Bytes bytes) {
   query.distances.contact = numbers.length();
   if (outside_domain(query)) return;
   const oracle::Truth truth = oracle::truth_of(query);
-  for (const Scalar scalar : kScalars) tool::check_stage(query, truth, oracle::staged_answer(query, scalar), scalar);
+  for (const Scalar scalar : kScalars) golden::check_stage(query, truth, oracle::staged_answer(query, scalar), scalar);
   const std::size_t chooser =
       std::hash<std::string_view>{}({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   const Expectation right = oracle::expectation(truth, Scalar::binary64);

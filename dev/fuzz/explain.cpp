@@ -2,9 +2,9 @@
 #include <nlohmann/json.hpp>
 #include "formats/input_error.hpp"
 #include "fuzz/fuzz.hpp"
+#include "golden/agreement.hpp"
 #include "golden/dataset.hpp"
 #include "tool/reports/explanation.hpp"
-#include "tool/run/pipeline.hpp"
 
 namespace contact::fuzz {
 
@@ -14,7 +14,7 @@ void try_input(Bytes bytes) {
     const auto json = formats::parse_object(text_of(bytes), where);
     const auto [query, scalar, decimals] = golden::read_query(formats::Node(json, where));
     const oracle::Truth truth = oracle::truth_of(query);
-    tool::check_stage(query, truth, oracle::staged_answer(query, scalar), scalar);
+    golden::check_stage(query, truth, oracle::staged_answer(query, scalar), scalar);
     require(tool::explanation(query, truth, scalar).find(truth.hit() ? "HIT" : "MISS") != std::string::npos,
             "an explanation without a decision");
     // The line that explain is given back for a question explains the same question.

@@ -12,6 +12,7 @@
 #include "contact/pair_functions.hpp"
 #include "engines/engine.hpp"
 #include "formats/program.hpp"
+#include "golden/agreement.hpp"
 #include "golden/dataset.hpp"
 #include "golden/dataset_writer.hpp"
 #include "golden/families.hpp"
@@ -511,7 +512,7 @@ PYBIND11_MODULE(_core, m) {
   m.doc() = "Production, the oracle, the judge and the generators of contact-oracle over NumPy arrays.";
   static const py::exception<OutsideDomain> domain_error(m, "DomainError", PyExc_ValueError);
   static const py::exception<formats::InputError> bad_input(m, "BadInput", PyExc_ValueError);
-  static const py::exception<tool::OracleFault> oracle_fault(m, "OracleFault", PyExc_RuntimeError);
+  static const py::exception<golden::OracleFault> oracle_fault(m, "OracleFault", PyExc_RuntimeError);
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
@@ -519,7 +520,7 @@ PYBIND11_MODULE(_core, m) {
       PyErr_SetObject(domain_error.ptr(), py::make_tuple(e.field, e.row, e.value, e.rule).ptr());
     } catch (const formats::InputError& e) {
       PyErr_SetString(bad_input.ptr(), e.what());
-    } catch (const tool::OracleFault& e) {
+    } catch (const golden::OracleFault& e) {
       PyErr_SetString(oracle_fault.ptr(), e.what());
     } catch (const tool::Interrupted&) {
       PyErr_SetNone(PyExc_KeyboardInterrupt);

@@ -13,6 +13,7 @@
 #include <set>
 #include <string>
 
+#include "golden/agreement.hpp"
 #include "golden/columns.hpp"
 #include "golden/dataset.hpp"
 #include "golden/dataset_writer.hpp"
@@ -51,7 +52,7 @@ class Explained {
       return;
     }
     const oracle::Truth truth = oracle::truth_of(query);
-    require_agreement(query, oracle::rounded_answer(truth, scalar), oracle::interval_answer(query, scalar), scalar);
+    golden::require_agreement(query, oracle::rounded_answer(truth, scalar), oracle::interval_answer(query, scalar), scalar);
     std::string said = json_.alone() ? "" : explanation(query, truth, scalar);
     if (gradient_ && !json_.alone()) said += gradient_text(query, truth);
     print(query, scalar, said, distance(truth, scalar), gradient_ && json_.wanted() ? gradient_json(query, truth) : "");

@@ -11,7 +11,7 @@ class App;
 namespace contact::tool {
 
 /// Parses a command line, does what it says and returns the exit code; what is wrong with its options is told on
-/// standard error. Throws what a command throws: formats::InputError, OracleFault, engines::HarnessInvalid,
+/// standard error. Throws what a command throws: formats::InputError, golden::OracleFault, engines::HarnessInvalid,
 /// Interrupted.
 int run_command(int argc, const char* const* argv);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "formats/sha256.hpp"
+#include "golden/agreement.hpp"
 #include "golden/answer_bytes.hpp"
 #include "golden/query_id.hpp"
 #include "tool/run/pipeline.hpp"
@@ -40,7 +41,7 @@ std::string oracle_bytes(const Query& query, Scalar scalar) {
   if (const auto error = outside_domain(query)) return golden::digest_bytes(*error);
   const oracle::StagedAnswer staged = oracle::staged_answer(query, scalar);
   if (is_checked(Check::sample, golden::kMostAnswers, golden::query_id(query), staged.stage))
-    check_stage(query, oracle::truth_of(query), staged, scalar);
+    golden::check_stage(query, oracle::truth_of(query), staged, scalar);
   return golden::digest_bytes(staged.expected);
 }
 

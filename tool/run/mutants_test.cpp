@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <memory>
 #include <set>
@@ -16,19 +17,11 @@
 namespace contact::tool {
 namespace {
 
-#ifdef CONTACT_EVERY_QUESTION
-constexpr std::uint64_t kQuestions = golden::kCommittedCount;
-constexpr std::uint64_t kOfConvexes = 20;
-constexpr std::size_t kStep = 1;
-constexpr std::size_t kStepOfFiles = 1;
-constexpr bool kBoth = true;
-#else
-constexpr std::size_t kStep = 240;        // of the mutants one: the campaign asks them all
-constexpr std::size_t kStepOfFiles = 6;   // and so of the files about which plain arithmetic is asked everything
-constexpr bool kBoth = false;             // each mistake with two points and with one: else in turns
-constexpr std::uint64_t kQuestions = 42;  // of a file: all classes take their turn in so many
-constexpr std::uint64_t kOfConvexes = 3;  // of any two convex shapes, whose causes are asked of the exact truth
-#endif
+const bool kEvery = std::getenv("CONTACT_EVERY_QUESTION") != nullptr;  // each mistake with two points and with one: else in turns
+const std::size_t kStep = kEvery ? 1 : 240;                            // of the mutants one: the campaign asks them all
+const std::size_t kStepOfFiles = kEvery ? 1 : 6;  // and so of the files about which plain arithmetic is asked everything
+const std::uint64_t kQuestions = kEvery ? golden::kCommittedCount : 42;  // of a file: all classes take their turn in so many
+const std::uint64_t kOfConvexes = kEvery ? 20 : 3;  // of any two convex shapes, whose causes are asked of the exact truth
 
 /// The mutants that are asked.
 std::vector<engines::Mutant> asked() {
@@ -167,7 +160,7 @@ TEST(Mutants, a_mistake_that_was_reported_is_named_in_the_first_line_of_the_pair
     for (std::size_t i = 0; i < kPlanted.size(); ++i)
       for (const bool midpoint : {false, true}) {
         const Planted& p = kPlanted[i];
-        if (p.pair != pair || (!kBoth && midpoint != (i % 2 == 1))) continue;
+        if (p.pair != pair || (!kEvery && midpoint != (i % 2 == 1))) continue;
         auto engine = engines::make_built_in(std::string(engines::kMutantPrefix) + std::string(p.mutant));
         ASSERT_NE(engine, nullptr) << p.mutant;
         subjects.push_back(subject_of(std::make_unique<Pointing>(std::move(engine), midpoint)));

@@ -11,6 +11,7 @@
 #include <exception>
 #include <map>
 
+#include "golden/agreement.hpp"
 #include "golden/query_id.hpp"
 #include "oracle/judge/conditioning.hpp"
 #include "oracle/truth/quick_witness.hpp"
@@ -178,7 +179,7 @@ void check_expectation(const Item& item, const oracle::StagedAnswer& staged, Sca
   }
   golden::check_case(*item.expected, scalar, exact.beside(staged), slice.where(item));
   // The exact oracle bears the file out: then so must the stage. Of what is checked the caller asks that.
-  if (!is_checked && staged.stage != oracle::Stage::exact) check_stage(query, exact.beside(staged), staged, scalar);
+  if (!is_checked && staged.stage != oracle::Stage::exact) golden::check_stage(query, exact.beside(staged), staged, scalar);
 }
 
 Agreed agreed_truth(const Item& item, const Source& source, const std::vector<Scalar>& scalars, Check check,
@@ -192,7 +193,7 @@ Agreed agreed_truth(const Item& item, const Source& source, const std::vector<Sc
     const bool checked = is_checked(check, source.fresh ? kWhole + 1 : source.size(), item.question.id, staged.stage);
     if (item.expected && scalar == source.scalar) check_expectation(item, staged, scalar, checked, exact, slice);
     if (checked) {
-      check_stage(query, exact.beside(staged), staged, scalar);
+      golden::check_stage(query, exact.beside(staged), staged, scalar);
       ++slice.checked;
     }
     const std::optional<MarginBin> margin = margin_of(staged, scalar);
@@ -278,27 +279,6 @@ bool engine_takes(const engines::EngineInfo& engine, Pair pair, Scalar scalar) {
 bool is_checked(Check check, std::uint64_t size, const std::string& id, oracle::Stage stage) {
   if (check == Check::all || size <= kWhole) return true;
   return golden::id_digits(id, 0, 4) % (stage == oracle::Stage::double_double ? kOneIn : kHardOneIn) == 0;
-}
-
-void require_agreement(const Query& query, const oracle::RoundedAnswer& exact, const oracle::RoundedAnswer& second,
-                       Scalar scalar, std::string_view second_name) {
-  if (const auto differs = first_difference(exact, second))
-    throw OracleFault(fmt::format("the exact oracle and the {} oracle differ in {} ({})\n{}", second_name, *differs,
-                                  name(scalar), golden::query_line(query, scalar)));
-}
-
-void check_stage(const Query& query, const oracle::Truth& truth, const oracle::StagedAnswer& staged, Scalar scalar) {
-  const oracle::RoundedAnswer right = oracle::rounded_answer(truth, scalar);
-  require_agreement(query, right, oracle::interval_answer(query, scalar), scalar);
-  if (staged.stage == oracle::Stage::exact) return;
-  const std::string_view stage = oracle::kStageNames[static_cast<std::size_t>(staged.stage)];
-  require_agreement(query, right, oracle::rounded_answer(staged), scalar, stage);
-  const oracle::Witness exact = oracle::witness(truth, scalar);
-  std::optional<oracle::Witness> quick = oracle::quick_witness(query);
-  if (quick) quick->margin_ulps = exact.margin_ulps;
-  if ((quick && *quick != exact) || !staged.margin.allows(exact.margin_ulps))
-    throw OracleFault(fmt::format("the exact oracle and the {} oracle differ in the witness ({})\n{}", stage,
-                                  name(scalar), golden::query_line(query, scalar)));
 }
 
 void Stop::check() const {

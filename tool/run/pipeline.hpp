@@ -94,11 +94,4 @@ struct Oracles {
 void judge_source(const Source& source, std::vector<Subject>& subjects, Stop& stop, Oracles& oracles,
                   std::uint64_t run = 0);
 
-/// Asks the exact and the interval oracle what a stage has answered: throws OracleFault where they say otherwise. `truth` is the exact one's.
-void check_stage(const Query& query, const oracle::Truth& truth, const oracle::StagedAnswer& staged, Scalar scalar);
-
-/// Throws OracleFault where another oracle differs from the exact one on a question.
-void require_agreement(const Query& query, const oracle::RoundedAnswer& exact, const oracle::RoundedAnswer& second,
-                       Scalar scalar, std::string_view second_name = "interval");
-
 }  // namespace contact::tool

@@ -19,6 +19,7 @@
 
 #include "contact/cube_cube.hpp"
 #include "contact/sphere_sphere.hpp"
+#include "golden/agreement.hpp"
 #include "golden/query_id.hpp"
 #include "tool/run/fresh.hpp"
 #include "tool/run/parts.hpp"
@@ -655,12 +656,12 @@ TEST(Certify, OraclesThatDifferAreAnOracleFault) {
   const Query query{Pair::sphere_sphere, Balls{{{0, 0, 0}, 1.5}, {{1, 2, 2}, 1.5}}, {0, 0.25}};
   const oracle::RoundedAnswer exact = oracle::rounded_answer(oracle::truth_of(query), Scalar::binary64);
   oracle::RoundedAnswer second = oracle::interval_answer(query, Scalar::binary64);
-  EXPECT_NO_THROW(require_agreement(query, exact, second, Scalar::binary64));
+  EXPECT_NO_THROW(golden::require_agreement(query, exact, second, Scalar::binary64));
   second.expected.contact->value = std::nextafter(second.expected.contact->value, 0.0);
-  EXPECT_THROW(require_agreement(query, exact, second, Scalar::binary64), OracleFault);
+  EXPECT_THROW(golden::require_agreement(query, exact, second, Scalar::binary64), golden::OracleFault);
   second = oracle::interval_answer(query, Scalar::binary64);
   second.at_zero = -1;
-  EXPECT_THROW(require_agreement(query, exact, second, Scalar::binary64), OracleFault);
+  EXPECT_THROW(golden::require_agreement(query, exact, second, Scalar::binary64), golden::OracleFault);
 }
 
 TEST(Sample, has_every_question_of_a_small_source_and_all_where_all_are_wanted) {

@@ -17,11 +17,6 @@ namespace contact::tool {
 /// The exit codes of contract: certified, refuted, bad input, harness invalid, oracle fault; and an interruption.
 enum Exit { kCertified = 0, kRefuted = 1, kBadInput = 2, kHarnessInvalid = 3, kOracleFault = 4, kInterrupted = 130 };
 
-/// The oracles disagree with each other: nothing that a run says can be believed.
-struct OracleFault : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 /// SIGINT or SIGTERM arrived. Thrown from the work itself, so that temporary files are removed on the way out.
 struct Interrupted : std::runtime_error {
   explicit Interrupted(const std::string& what = "interrupted; nothing was written") : std::runtime_error(what) {}
