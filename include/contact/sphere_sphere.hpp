@@ -45,6 +45,12 @@ namespace out_of_line {
                                                            ContactPoints points = {});
 }  // namespace out_of_line
 
+namespace of_hit {
+/// The contact of a pair that plain_decision::filter_balls says is a hit.
+[[nodiscard]] std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances,
+                                                           ContactPoints points);
+}  // namespace of_hit
+
 #if CONTACT_DECIDES_INLINE
 CONTACT_INLINE bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm) {
   const plain_decision::Filtered filtered = plain_decision::filter_balls(a, b, alarm);
@@ -54,7 +60,9 @@ CONTACT_INLINE bool test_sphere_sphere(const Ball& a, const Ball& b, double alar
 }
 CONTACT_INLINE std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances,
                                                             ContactPoints points) {
-  if (plain_decision::filter_balls(a, b, distances.alarm) == plain_decision::Filtered::miss) return std::nullopt;
+  const plain_decision::Filtered filtered = plain_decision::filter_balls(a, b, distances.alarm);
+  if (filtered == plain_decision::Filtered::miss) return std::nullopt;
+  if (filtered == plain_decision::Filtered::hit) return of_hit::compute_sphere_sphere(a, b, distances, points);
   return out_of_line::compute_sphere_sphere(a, b, distances, points);
 }
 #endif

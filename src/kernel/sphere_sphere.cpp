@@ -27,6 +27,7 @@
 #include <optional>
 #include <utility>
 
+#include "kernel/cores_stages.hpp"
 #include "kernel/exact.hpp"
 #include "kernel/floating_point_environment.hpp"
 #include "kernel/sphere_sphere_double_double.hpp"
@@ -309,6 +310,12 @@ std::optional<Contact> out_of_line::compute_sphere_sphere(const Ball& a, const B
   std::optional<Contact> contact(std::in_place, kernel::Unset());
   if (!contact_of_pair(a, b, distances, points, *contact)) contact.reset();
   return contact;
+}
+
+std::optional<Contact> of_hit::compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances,
+                                                     ContactPoints points) {
+  return kernel::contact_of_hit(a, b, distances.contact, points,
+                                [&] { return out_of_line::compute_sphere_sphere(a, b, distances, points); });
 }
 
 bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm) {
