@@ -83,7 +83,8 @@ endfunction()
 
 include(${CMAKE_CURRENT_LIST_DIR}/ContactPlugin.cmake)
 
-# What the sanitizers look at every time: production, the oracles and the readers. `./run dev` has them look at all.
+# What the sanitizers look at every time: the component, the batch kernels and what reads; fuzzing, production and the oracles. `./run dev`
+# has them look at all.
 add_custom_target(core_tests)
 
 # contact_test(name [CORE] LABEL label [SLOW pattern] SOURCES ... LINK ...): one GoogleTest program; every test in it is a ctest of that

@@ -96,7 +96,7 @@ using Number = Tiny<kBits>;
 using bounds = FastBounds<Number>;
 using Ball = BallOf<Number>;
 struct Contact {
-  std::array<Number, 12> number;
+  std::array<Number, 10> number;
   bool degenerate;
 };
 struct Axes {
@@ -162,8 +162,13 @@ Mask and_equal(Mask mask, const Axes& a, const Axes& b) { return hn::And(mask, h
 Axes with_last(const Axes& x, Number last) { return {{x.lane[0], x.lane[1], x.lane[2], last}}; }
 int bits_of(Mask mask) { return mask; }
 Axes load(const Ball& x) { return {{x.center[0], x.center[1], x.center[2], x.radius}}; }
-void store(const Axes& x, Contact& contact, std::size_t first) {
-  for (std::size_t i = 0; i < 4; ++i) contact.number[first + i] = x.lane[i];
+void store(const Axes& normal, const Axes& point1, const Axes& point2_and_value, bool degenerate, Contact& contact) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    contact.number[i] = normal.lane[i];
+    contact.number[3 + i] = point1.lane[i];
+  }
+  for (std::size_t i = 0; i < 4; ++i) contact.number[6 + i] = point2_and_value.lane[i];
+  contact.degenerate = degenerate;
 }
 
 #include "kernel/sphere_sphere_one_vector-inl.h"

@@ -47,6 +47,12 @@ namespace out_of_line {
                                                          ContactPoints points = {});
 }  // namespace out_of_line
 
+namespace of_hit {
+/// The contact of a pair that plain_decision::filter_ball_and_box says is a hit.
+[[nodiscard]] std::optional<Contact> compute_sphere_cube(const Ball& a, const Box& b, Distances distances,
+                                                         ContactPoints points);
+}  // namespace of_hit
+
 #if CONTACT_DECIDES_INLINE
 CONTACT_INLINE bool test_sphere_cube(const Ball& a, const Box& b, double alarm) {
   const plain_decision::Filtered filtered = plain_decision::filter_ball_and_box(a, b, alarm);
@@ -56,7 +62,9 @@ CONTACT_INLINE bool test_sphere_cube(const Ball& a, const Box& b, double alarm) 
 }
 CONTACT_INLINE std::optional<Contact> compute_sphere_cube(const Ball& a, const Box& b, Distances distances,
                                                           ContactPoints points) {
-  if (plain_decision::filter_ball_and_box(a, b, distances.alarm) == plain_decision::Filtered::miss) return std::nullopt;
+  const plain_decision::Filtered filtered = plain_decision::filter_ball_and_box(a, b, distances.alarm);
+  if (filtered == plain_decision::Filtered::miss) return std::nullopt;
+  if (filtered == plain_decision::Filtered::hit) return of_hit::compute_sphere_cube(a, b, distances, points);
   return out_of_line::compute_sphere_cube(a, b, distances, points);
 }
 #endif

@@ -10,6 +10,7 @@
 #include "kernel/plane_cores.hpp"
 #include "kernel/segment_cores.hpp"
 #include "kernel/sphere_sphere_one_vector.hpp"
+#include "kernel/sum_of_two.hpp"
 #include "kernel/triangle_cores.hpp"
 
 #if CONTACT_HAS_ONE_VECTOR
@@ -191,17 +192,16 @@ CONTACT_LANES bool write(const Near<Axes>& normal, const Near<Axes>& point1, con
                          const Near<Number>& value, Contact& contact) {
   Axes end;
   Mask certain = ends_of(normal, end);
-  store(hn::Add(end, all<Axes>(0)), contact, 0);  // every zero is +0
+  const Axes zero = all<Axes>(0);
+  const Axes rounded = hn::Add(end, zero);  // every zero is +0
   certain = hn::And(certain, ends_of(point1, end));
-  store(hn::Add(end, all<Axes>(0)), contact, 3);
+  const Axes rounded1 = hn::Add(end, zero);
   // The value is rounded in the second point's last lane.
   const Mask last_certain = ends_of(
       Near<Axes>(DoubleDouble<Axes>(with_last(point2.x.high, value.x.high), with_last(point2.x.low, value.x.low)),
                  with_last(point2.error, value.error)),
       end);
-  store(hn::Add(end, all<Axes>(0)), contact, 6);
-  contact.degenerate = false;
-  contact.unique = true;
+  store(rounded, rounded1, hn::Add(end, zero), false, contact);
   return ((bits_of(certain) | 0b1000) & bits_of(last_certain)) == 0b1111;
 }
 
@@ -381,6 +381,62 @@ struct Directed {
     low = times_plus(q, root.half_rho, product_rest(n, y, q));
   }
 };
+
+// A ball and a box.
+
+/// The contact of centres that are neither too near nor too far.
+CONTACT_LANES bool hit_of_balls(Axes first, Axes second, const Double2& radii, Number signed_radius1,
+                                Number signed_radius2, Number contact_distance, Contact& contact) {
+  const Axes d = hn::Sub(second, first);
+  const Number d2 = plain_dot(d, d);
+  return contact_of_hit(first, second, d2, radii, contact_distance, signed_radius1, signed_radius2, contact) &&
+         d2 > bounds::kLeast && d2 < bounds::kMost;
+}
+
+/// Along the axis of n, which is 1 or -1 there and 0 elsewhere, each number is a sum of numbers of the question: sphere_cube.cpp.
+CONTACT_LANES bool hit_along_axis(Axes center, Axes face, Axes n, Number radius, Number contact_distance, PointOn on,
+                                  bool inside, Contact& contact) {
+  one_number::SumOfTwo<double> value(sum_of(hn::Mul(n, face)), -sum_of(hn::Mul(n, center)));
+  value.add(-radius);
+  value.add(-contact_distance);
+  const Axes zero = all<Axes>(0);
+  const Axes point1 = hn::MulAdd(n, all<Axes>(sign_of(on, 1) * radius), center);
+  store(hn::Add(n, zero), hn::Add(point1, zero), with_last(hn::Add(face, zero), value.rounded()), inside, contact);
+  return value.lost == 0;
+}
+CONTACT_LANES bool contact_of_hit(const Ball& a, const Box& b, Number contact_distance, ContactPoints points,
+                                  Contact& contact) {
+  const Axes center = load(a);
+  const Axes min = load_given(b.min);
+  const Axes max = load_given(b.max);
+  const Axes q{_mm256_min_pd(_mm256_max_pd(center.lanes, min.lanes), max.lanes)};
+  const Axes d = hn::Sub(q, center);
+  const int beside = ~bits_of(hn::Eq(d, all<Axes>(0))) & 0b111;
+  if ((beside & (beside - 1)) != 0)
+    return hit_of_balls(center, q, Double2(a.radius, 0), sign_of(points.first, 1) * a.radius, 0, contact_distance,
+                        contact);
+  const Axes one = all<Axes>(1);
+  if (beside != 0) {
+    const __m256d sign = _mm256_and_pd(_mm256_set1_pd(-0.0), d.lanes);
+    const Mask before{_mm256_cmp_pd(d.lanes, _mm256_setzero_pd(), _CMP_NEQ_OQ)};
+    const Axes n{_mm256_and_pd(before.lanes, _mm256_or_pd(sign, one.lanes))};
+    return hit_along_axis(center, q, n, a.radius, contact_distance, points.first, false, contact);
+  }
+  // Rounding is monotone: a face is nearest that is so after it. Ties are left.
+  const Axes before_min = hn::Sub(min, center);
+  const Axes before_max = hn::Sub(center, max);
+  const Axes nearer{_mm256_max_pd(before_min.lanes, before_max.lanes)};
+  const Axes nearest = all<Axes>(std::max(std::max(x_of(nearer), y_of(nearer)), z_of(nearer)));
+  const Mask at_min = hn::Eq(before_min, nearest);
+  const Mask at_max = hn::Eq(before_max, nearest);
+  const int mins = bits_of(at_min) & 0b111;
+  const int maxes = bits_of(at_max) & 0b111;
+  const int faces = mins | maxes << 3;
+  if ((faces & (faces - 1)) != 0) return false;
+  const Axes n{_mm256_or_pd(_mm256_and_pd(at_min.lanes, one.lanes), _mm256_and_pd(at_max.lanes, _mm256_set1_pd(-1)))};
+  const Axes face{_mm256_blendv_pd(_mm256_blendv_pd(center.lanes, min.lanes, at_min.lanes), max.lanes, at_max.lanes)};
+  return hit_along_axis(center, face, n, a.radius, contact_distance, points.first, true, contact);
+}
 
 // Planes.
 

@@ -11,6 +11,7 @@
 
 #include "contact/capsule_plane.hpp"
 #include "contact/ray_triangle.hpp"
+#include "contact/sphere_cube.hpp"
 #include "contact/sphere_plane.hpp"
 #include "contact/triangle_line.hpp"
 #include "kernel/contacts_for_tests.hpp"
@@ -160,8 +161,22 @@ void expect_the_same_of_a_hit(Filtered filtered, const First& first, const Secon
   round_exactly(exact_nearest(first, second, grid), grid, lengths, points, kernel::kAllNumbers, expected);
   expect_same(ask(), std::optional(expected));
 }
+/// The same of a ball and a box, against what the library says of them out of line.
+void expect_the_same_of_a_ball_and_boxes(const Drawn& q) {
+  const Distances distances{q.lengths.alarm, q.lengths.contact};
+  const Ball ball{q.point, q.lengths.radius1};
+  for (const Vector3& center : {q.first.start, q.first.end, q.vertices[0], q.point}) {
+    for (const Vector3& corner : {q.second.start, q.second.end, q.vertices[1]}) {
+      const Box box{center.cwiseMin(corner), center.cwiseMax(corner)};
+      if (plain_decision::filter_ball_and_box(ball, box, distances.alarm) == Filtered::hit)
+        expect_same(of_hit::compute_sphere_cube(ball, box, distances, q.points),
+                    out_of_line::compute_sphere_cube(ball, box, distances, q.points));
+    }
+  }
+}
 void expect_the_same_of_hits(const Drawn& q, const kernel::Lengths& of_one) {
   using plain_decision::filter_pair;
+  expect_the_same_of_a_ball_and_boxes(q);
   const Distances distances{of_one.alarm, of_one.contact};
   const Plane plane{q.plane.normal, q.plane.offset};
   const Triangle triangle{q.vertices};

@@ -149,15 +149,15 @@ template <class A, class B, class Otherwise>
 std::optional<Contact> contact_of_hit([[maybe_unused]] const A& a, [[maybe_unused]] const B& b,
                                       [[maybe_unused]] double contact_distance, [[maybe_unused]] ContactPoints points,
                                       const Otherwise& otherwise) {
+  std::optional<Contact> contact(std::in_place, Unset());
 #if CONTACT_HAS_ONE_VECTOR
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
     const RoundToNearest environment;
-    std::optional<Contact> contact(std::in_place, Unset());
-    if (!hit_by_one_vector(a, b, contact_distance, points, *contact)) contact = otherwise();
-    return contact;
+    if (hit_by_one_vector(a, b, contact_distance, points, *contact)) return contact;
   }
 #endif
-  return otherwise();
+  contact = otherwise();
+  return contact;
 }
 
 }  // namespace contact::kernel

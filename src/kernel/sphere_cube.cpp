@@ -5,6 +5,7 @@
 #include "contact/exact_sum.hpp"
 #include "contact/pair_functions.hpp"
 #include "contact/sphere_sphere.hpp"
+#include "kernel/cores_stages.hpp"
 #include "kernel/floating_point_environment.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 #include "kernel/sum_of_two.hpp"
@@ -106,6 +107,12 @@ std::optional<Contact> out_of_line::compute_sphere_cube(const Ball& a, const Box
                                                         ContactPoints points) {
   const kernel::RoundToNearest environment;
   return contact_of_pair(a, b, distances, points);
+}
+
+std::optional<Contact> of_hit::compute_sphere_cube(const Ball& a, const Box& b, Distances distances,
+                                                   ContactPoints points) {
+  return kernel::contact_of_hit(a, b, distances.contact, points,
+                                [&] { return out_of_line::compute_sphere_cube(a, b, distances, points); });
 }
 
 bool test_sphere_cube(const Ball& a, const Box& b, double alarm) { return out_of_line::test_sphere_cube(a, b, alarm); }

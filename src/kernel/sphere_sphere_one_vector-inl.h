@@ -18,30 +18,32 @@ CONTACT_LANES Axes times_plus(const Axes& a, Number k, const Axes& c) { return h
 /// The contact of a hit. D' is |b - a|^2 in plain arithmetic, a normal number of 2^-900 at least; point k is
 /// c + signed_radius n. False where some number is not certain; what `contact` holds then is not specified.
 /// Domain      to nearest, subnormals kept.
-CONTACT_LANES bool contact_of_hit(const Ball& a, const Ball& b, Number d2, Number contact_distance,
+CONTACT_LANES bool contact_of_hit(Axes first, Axes second, Number d2, const Double2& radii, Number contact_distance,
                                   Number signed_radius1, Number signed_radius2, Contact& contact) {
-  const Axes first = load(a);
-  const Axes second = load(b);
   const Delta delta = two_difference(second, first);
   const Direction n(delta, d2);
-  const Less less(two_sum(a.radius, b.radius), contact_distance);
+  const Less less(radii, contact_distance);
   const Axes uncancelled = all<Axes>(uncancelled_share(n.root, less));
 
   // A component that is 0 is exactly so, and what follows from it.
   Mask certain = hn::Or(hn::Ge(hn::Abs(n.q), all<Axes>(bounds::kLeastComponent)), hn::Eq(delta.high, all<Axes>(0)));
   const Axes normal = rounded(n.q, n.low, bounds::kNormalEta, Every(), certain);
-  store(hn::Add(normal, all<Axes>(0)), contact, 0);  // every zero is +0
 
   const DoubleDouble<Axes> point1 = point(first, all<Axes>(signed_radius1), n.q, n.low);
   certain = hn::And(certain, hn::Ge(hn::Abs(point1.high), uncancelled));
-  store(rounded(point1.high, point1.low, bounds::kSumEta, Every(), certain), contact, 3);
+  const Axes rounded1 = rounded(point1.high, point1.low, bounds::kSumEta, Every(), certain);
 
   // The value is rounded in the second point's last lane.
   const Double2 value = value_of(n.root, less);
   const DoubleDouble<Axes> point2 = point(second, all<Axes>(signed_radius2), n.q, n.low);
   const Axes high = with_last(point2.high, value.high);
   Mask last_certain = hn::Ge(hn::Abs(high), uncancelled);
-  store(rounded(high, with_last(point2.low, value.low), bounds::kSumEta, Every(), last_certain), contact, 6);
-  contact.degenerate = false;
+  const Axes rounded2 = rounded(high, with_last(point2.low, value.low), bounds::kSumEta, Every(), last_certain);
+  store(hn::Add(normal, all<Axes>(0)), rounded1, rounded2, false, contact);  // every zero is +0
   return ((bits_of(certain) | 0b1000) & bits_of(last_certain)) == 0b1111;
+}
+CONTACT_LANES bool contact_of_hit(const Ball& a, const Ball& b, Number d2, Number contact_distance,
+                                  Number signed_radius1, Number signed_radius2, Contact& contact) {
+  return contact_of_hit(load(a), load(b), d2, two_sum(a.radius, b.radius), contact_distance, signed_radius1,
+                        signed_radius2, contact);
 }

@@ -8,6 +8,8 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
@@ -64,11 +66,19 @@ CONTACT_LANES int bits_of(Mask mask) { return _mm256_movemask_pd(mask.lanes); }
 
 static_assert(sizeof(Ball) == 4 * sizeof(double) && offsetof(Ball, radius) == 3 * sizeof(double));
 static_assert(offsetof(Contact, normal) == 0 && offsetof(Contact, point1) == 3 * sizeof(double) &&
-              offsetof(Contact, point2) == 6 * sizeof(double) && offsetof(Contact, value) == 9 * sizeof(double));
+              offsetof(Contact, point2) == 6 * sizeof(double) && offsetof(Contact, value) == 9 * sizeof(double) &&
+              offsetof(Contact, degenerate) == 10 * sizeof(double) &&
+              offsetof(Contact, unique) == offsetof(Contact, degenerate) + 1 && sizeof(Contact) == 11 * sizeof(double));
 CONTACT_LANES Axes load(const Ball& ball) { return {_mm256_loadu_pd(reinterpret_cast<const double*>(&ball))}; }
-/// Writes the numbers of a contact from `first` on: what a fourth lane leaves there is to be overwritten.
-CONTACT_LANES void store(Axes x, Contact& contact, std::size_t first) {
-  _mm256_storeu_pd(reinterpret_cast<double*>(&contact) + first, x.lanes);
+/// Writes a contact, the value in the last lane of the second point. Each member is in one piece of what is written, so that whoever copies
+/// it does not wait until it has left the processor: what a fourth lane leaves is overwritten by the next member.
+CONTACT_LANES void store(Axes normal, Axes point1, Axes point2_and_value, bool degenerate, Contact& contact) {
+  double* const to = reinterpret_cast<double*>(&contact);
+  _mm256_storeu_pd(to, normal.lanes);
+  _mm256_storeu_pd(to + 3, point1.lanes);
+  _mm256_storeu_pd(to + 6, point2_and_value.lanes);
+  const std::uint64_t flags = 0x100U | static_cast<std::uint64_t>(degenerate);  // and unique
+  std::memcpy(to + 10, &flags, sizeof flags);
 }
 
 #include "kernel/sphere_sphere_one_vector-inl.h"
