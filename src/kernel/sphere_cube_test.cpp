@@ -83,6 +83,14 @@ TEST(SphereCube, point_conventions_move_the_sphere_s_point_alone) {
             Vector3(-0.75, 0.5, 0.5));
 }
 
+// Half a last place below 1, and less by what two numbers cannot hold beside these.
+TEST(SphereCube, a_value_that_the_smallest_of_four_numbers_decides_is_rounded_once) {
+  const Ball ball{{0, 0.5, 0.5}, 0x1p-54};
+  const Box box{{1, 0, 0}, {2, 1, 1}};
+  expect_contact(ball, box, {2, 0}, {1, 0, 0, 0x1p-54, 0.5, 0.5, 1, 0.5, 0.5, 1}, false);
+  expect_contact(ball, box, {2, 0x1p-120}, {1, 0, 0, 0x1p-54, 0.5, 0.5, 1, 0.5, 0.5, 1 - 0x1p-53}, false);
+}
+
 TEST(SphereCube, is_right_at_both_ends_of_the_range) {
   const Box everything{{-kLargest, -kLargest, -kLargest}, {kLargest, kLargest, kLargest}};
   // As far from all faces: the depth is the largest number, and with the radius it is beyond the range.
