@@ -52,7 +52,8 @@ class Explained {
       return;
     }
     const oracle::Truth truth = oracle::truth_of(query);
-    golden::require_agreement(query, oracle::rounded_answer(truth, scalar), oracle::interval_answer(query, scalar), scalar);
+    golden::require_agreement(query, oracle::rounded_answer(truth, scalar), oracle::interval_answer(query, scalar),
+                              scalar);
     std::string said = json_.alone() ? "" : explanation(query, truth, scalar);
     if (gradient_ && !json_.alone()) said += gradient_text(query, truth);
     print(query, scalar, said, distance(truth, scalar), gradient_ && json_.wanted() ? gradient_json(query, truth) : "");

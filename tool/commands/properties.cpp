@@ -168,7 +168,8 @@ int properties(const CLI::App& command, const PropertiesOptions& o) {
   run.tolerance = demanded_tolerance(o.demand, engine->info().declared.tolerance);
   run.truth = [scalar](const Query& query) {
     oracle::Truth truth = oracle::truth_of(query);
-    golden::require_agreement(query, oracle::rounded_answer(truth, scalar), oracle::interval_answer(query, scalar), scalar);
+    golden::require_agreement(query, oracle::rounded_answer(truth, scalar), oracle::interval_answer(query, scalar),
+                              scalar);
     return truth;
   };
   Progress progress(engine->info().name, o.cases * (o.laws.empty() ? names.size() : o.laws.size()));

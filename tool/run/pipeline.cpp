@@ -179,7 +179,8 @@ void check_expectation(const Item& item, const oracle::StagedAnswer& staged, Sca
   }
   golden::check_case(*item.expected, scalar, exact.beside(staged), slice.where(item));
   // The exact oracle bears the file out: then so must the stage. Of what is checked the caller asks that.
-  if (!is_checked && staged.stage != oracle::Stage::exact) golden::check_stage(query, exact.beside(staged), staged, scalar);
+  if (!is_checked && staged.stage != oracle::Stage::exact)
+    golden::check_stage(query, exact.beside(staged), staged, scalar);
 }
 
 Agreed agreed_truth(const Item& item, const Source& source, const std::vector<Scalar>& scalars, Check check,
