@@ -17,13 +17,11 @@
 namespace contact::tool {
 namespace {
 
-const bool kEvery =
-    std::getenv("CONTACT_EVERY_QUESTION") != nullptr;  // each mistake with two points and with one: else in turns
-const std::size_t kStep = kEvery ? 1 : 240;            // of the mutants one: the campaign asks them all
-const std::size_t kStepOfFiles =
-    kEvery ? 1 : 6;  // and so of the files about which plain arithmetic is asked everything
-const std::uint64_t kQuestions =
-    kEvery ? golden::kCommittedCount : 42;  // of a file: all classes take their turn in so many
+// Every mutant and question in the campaign, and each mistake with two points and with one; else these, in turns.
+const bool kEvery = std::getenv("CONTACT_EVERY_QUESTION") != nullptr;
+const std::size_t kStep = kEvery ? 1 : 240;       // of the mutants one
+const std::size_t kStepOfFiles = kEvery ? 1 : 6;  // of the files about which plain arithmetic is asked everything
+const std::uint64_t kQuestions = kEvery ? golden::kCommittedCount : 42;  // of a file: all classes take their turn
 const std::uint64_t kOfConvexes =
     kEvery ? 20 : 3;  // of any two convex shapes, whose causes are asked of the exact truth
 
