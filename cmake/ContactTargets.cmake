@@ -88,8 +88,8 @@ include(${CMAKE_CURRENT_LIST_DIR}/ContactPlugin.cmake)
 add_custom_target(core_tests)
 
 # contact_test(name [CORE] LABEL label [SLOW pattern] SOURCES ... LINK ...): one GoogleTest program; every test in it is a ctest of that
-# label, or of "slow" where GoogleTest's pattern says so. Its
-# files are compiled as one: those that call different things by one name have namespaces of their own.
+# label, or of "slow" where GoogleTest's pattern says so.
+# Its files are compiled as one: those that call different things by one name have namespaces of their own.
 function(contact_test name)
   cmake_parse_arguments(ARG "CORE" "LABEL;SLOW" "SOURCES;LINK" ${ARGN})
   if(NOT CONTACT_TESTS)

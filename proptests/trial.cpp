@@ -18,6 +18,7 @@ struct Odd {
   int exponent;
 };
 Odd odd(double x) {
+  if (!std::isfinite(x)) return {x, -53};  // no integer holds it
   int exponent = 0;
   const auto whole = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
   const int zeros = std::countr_zero(static_cast<std::uint64_t>(whole));
