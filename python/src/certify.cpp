@@ -150,7 +150,7 @@ std::vector<Source> sources_of(const std::string& text) {
   for (const Node& one : Node(all, where).items()) {
     if (const auto dataset = one.find("dataset")) {
       const std::filesystem::path path = dataset->raw_text();
-      const golden::DatasetHeader h = golden::DatasetReader(path).header();
+      const golden::DatasetHeader h = golden::dataset_header(path);
       sources.push_back({h.pair, h.scalar, h.family, h.count, path});
       continue;
     }

@@ -16,6 +16,7 @@
 #include "golden/dataset.hpp"
 #include "golden/dataset_writer.hpp"
 #include "golden/families.hpp"
+#include "golden/right_case.hpp"
 #include "kernel/batch_pairs.hpp"
 #include "oracle/gradient/gradient.hpp"
 #include "oracle/truth/staged_oracle.hpp"
@@ -309,8 +310,8 @@ py::dict gradients(const std::string& pair, const py::list& columns, const py::a
 
 std::string explain(const std::string& line) {
   const formats::Location where{"question", 0};
-  const auto json = formats::parse_object(line, where);
-  const auto [query, scalar, decimals] = golden::read_query(formats::Node(json, where));
+  const auto parsed = formats::parse_object(line, where);
+  const auto [query, scalar, decimals] = golden::read_query(formats::Node(parsed, where));
   if (const auto error = outside_domain(query)) throw OutsideDomain{error->field, 0, error->value, error->rule};
   return tool::explanation(query, oracle::truth_of(query), scalar);
 }
@@ -407,7 +408,7 @@ py::array texts(const std::vector<golden::Case>& all, const auto& read) {
 }
 
 py::tuple read_dataset(const std::string& path) {
-  golden::DatasetReader reader(path);
+  golden::DatasetReader reader(path, golden::is_made);
   const golden::DatasetHeader header = reader.header();
   std::vector<golden::Case> all;
   {
