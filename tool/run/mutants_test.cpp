@@ -19,7 +19,7 @@ namespace {
 
 // Every mutant and question in the campaign, and each mistake with two points and with one; else these, in turns.
 const bool kEvery = std::getenv("CONTACT_EVERY_QUESTION") != nullptr;
-const std::size_t kStep = kEvery ? 1 : 240;       // of the mutants one
+const std::size_t kStep = kEvery ? 1 : 480;       // of the mutants one
 const std::size_t kStepOfFiles = kEvery ? 1 : 6;  // of the files about which plain arithmetic is asked everything
 const std::uint64_t kQuestions = kEvery ? golden::kCommittedCount : 42;  // of a file: all classes take their turn
 const std::uint64_t kOfConvexes =
