@@ -8,6 +8,7 @@
 
 #include "golden/dataset_writer.hpp"
 #include "golden/families.hpp"
+#include "golden/right_case.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/truth/staged_oracle.hpp"
 #include "tool/run/pipeline.hpp"

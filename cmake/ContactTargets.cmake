@@ -83,15 +83,14 @@ endfunction()
 
 include(${CMAKE_CURRENT_LIST_DIR}/ContactPlugin.cmake)
 
-# What the sanitizers look at every time: the component, the batch kernels and what reads; fuzzing, production and the oracles. `./run dev`
-# has them look at all.
-add_custom_target(core_tests)
+# What the sanitizers look at every time: the readers, which foreign bytes meet. `./run dev` has them look at all.
+add_custom_target(reader_tests)
 
-# contact_test(name [CORE] LABEL label [SLOW pattern] SOURCES ... LINK ...): one GoogleTest program; every test in it is a ctest of that
+# contact_test(name [READERS] LABEL label [SLOW pattern] SOURCES ... LINK ...): one GoogleTest program; every test in it is a ctest of that
 # label, or of "slow" where GoogleTest's pattern says so.
 # Its files are compiled as one: those that call different things by one name have namespaces of their own.
 function(contact_test name)
-  cmake_parse_arguments(ARG "CORE" "LABEL;SLOW" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "READERS" "LABEL;SLOW" "SOURCES;LINK" ${ARGN})
   if(NOT CONTACT_TESTS)
     return()
   endif()
@@ -102,9 +101,9 @@ function(contact_test name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/dev ${PROJECT_SOURCE_DIR}/proptests)
   target_compile_definitions(${name} PRIVATE CONTACT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   contact_together(${name})
-  if(ARG_CORE)
-    add_dependencies(core_tests ${name})
-    string(APPEND ARG_LABEL -core)  # one label: a list does not come through, and ctest -L looks for a part
+  if(ARG_READERS)
+    add_dependencies(reader_tests ${name})
+    string(APPEND ARG_LABEL -readers)  # one label: a list does not come through, and ctest -L looks for a part
   endif()
   set(others "")
   if(ARG_SLOW)

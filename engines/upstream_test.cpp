@@ -5,6 +5,7 @@
 
 #include "engines/engine.hpp"
 #include "golden/dataset.hpp"
+#include "golden/right_case.hpp"
 
 namespace contact::engines {
 namespace {
@@ -23,7 +24,7 @@ TEST(Upstream, PlainDoubleUnderTheCenterConventionIsSofaToTheBit) {
     if (!is_discrete_intersections(pair)) continue;
     const std::string folder(name(pair));
     const engines::Results recorded = engines::read_results(golden / "recorded/sofa-2a278d8" / (folder + ".jsonl"));
-    golden::DatasetReader reader(golden / folder / "upstream.jsonl");
+    golden::DatasetReader reader(golden / folder / "upstream.jsonl", golden::is_made);
     while (const auto c = reader.next()) {
       const auto it = recorded.claims.find(c->id);
       ASSERT_NE(it, recorded.claims.end()) << c->id;

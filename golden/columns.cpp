@@ -19,8 +19,7 @@
 #include "formats/arrays.hpp"
 #include "formats/sha256.hpp"
 #include "golden/columns_digest.hpp"
-#include "golden/families.hpp"
-#include "golden/flags.hpp"
+#include "golden/names.hpp"
 #include "golden/query_id.hpp"
 
 namespace contact::golden {
@@ -299,7 +298,7 @@ class Decoder {
 
 nlohmann::json flag_names() {
   nlohmann::json names = nlohmann::json::array();
-  for (const Flag& flag : flags()) names.push_back(flag.name);
+  for (const Flag& flag : kFlags) names.push_back(flag.name);
   return names;
 }
 
@@ -338,10 +337,10 @@ class ColumnsWriter : public DatasetWriter {
  private:
   [[nodiscard]] std::uint32_t bits(const Case& c) const {
     std::uint32_t bits = 0;
-    for (std::size_t i = 0; i < flags().size(); ++i)
-      if (std::find(c.flags.begin(), c.flags.end(), flags()[i].name) != c.flags.end()) bits |= std::uint32_t{1} << i;
+    for (std::size_t i = 0; i < kFlags.size(); ++i)
+      if (std::find(c.flags.begin(), c.flags.end(), kFlags[i].name) != c.flags.end()) bits |= std::uint32_t{1} << i;
     for (const std::string& flag : c.flags)
-      if (std::none_of(flags().begin(), flags().end(), [&](const Flag& f) { return f.name == flag; }))
+      if (std::none_of(kFlags.begin(), kFlags.end(), [&](const Flag& f) { return f.name == flag; }))
         throw formats::InputError({path_.string(), rows_ + 1, true}, "/flags", "undeclared flag " + flag);
     return bits;
   }

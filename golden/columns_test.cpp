@@ -11,6 +11,7 @@
 
 #include "golden/families.hpp"
 #include "golden/query_id.hpp"
+#include "golden/right_case.hpp"
 
 namespace contact::golden {
 namespace {
@@ -35,7 +36,7 @@ class Columns : public testing::Test {
   ~Columns() override { fs::remove_all(folder_); }
 
   static void convert(const fs::path& from, const fs::path& to) {
-    DatasetReader reader(from);
+    DatasetReader reader(from, is_made);
     const auto writer = create_dataset(to, reader.header());
     while (const auto c = reader.next()) writer->write(*c, reader.text());
     writer->commit();
@@ -61,7 +62,7 @@ class Columns : public testing::Test {
   static std::string read(const fs::path& path) {
     try {
       std::string lines;
-      DatasetReader reader(path);
+      DatasetReader reader(path, is_made);
       while (reader.next()) lines += reader.text() + "\n";
       return lines;
     } catch (const formats::InputError& error) {
@@ -99,8 +100,8 @@ TEST_F(Columns, CanBeSkippedAsLinesCan) {
   const fs::path columns = make(5000);
   convert(columns, folder_ / "x.jsonl");
   for (const std::uint64_t n : {0U, 1U, 4095U, 4096U, 4999U, 5000U, 7000U}) {
-    DatasetReader of_columns(columns);
-    DatasetReader of_lines(folder_ / "x.jsonl");
+    DatasetReader of_columns(columns, is_made);
+    DatasetReader of_lines(folder_ / "x.jsonl", is_made);
     of_columns.skip(n);
     of_lines.skip(n);
     while (const auto c = of_lines.next()) {

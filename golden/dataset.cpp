@@ -13,8 +13,7 @@
 #include "golden/answer_bytes.hpp"
 #include "golden/columns.hpp"
 #include "golden/dataset_writer.hpp"
-#include "golden/families.hpp"
-#include "golden/flags.hpp"
+#include "golden/names.hpp"
 #include "golden/query_id.hpp"
 #include "golden/quick_case.hpp"
 
@@ -207,19 +206,6 @@ oracle::Witness read_witness(const formats::Node& node, Pair pair) {
   return w;
 }
 
-std::string text_of(bool x) { return x ? "true" : "false"; }
-
-/// The text of one field of an expectation, as named by first_difference.
-std::string field_text(const Expectation& e, const std::string& field) {
-  if (field == "hit" || field == "contact") return text_of(e.hit);
-  const Contact& c = *e.contact;
-  if (field == "degenerate") return text_of(c.degenerate);
-  if (field == "unique") return text_of(c.unique);
-  if (field == "value") return formats::number(c.value);
-  const Vector3& v = field.starts_with("normal") ? c.normal : field.starts_with("point1") ? c.point1 : c.point2;
-  return formats::number(v[field[field.size() - 2] - '0']);
-}
-
 }  // namespace
 
 std::string inputs_text(const Query& query) {
@@ -240,20 +226,6 @@ Query read_inputs(const formats::Node& line, Pair pair) {
       },
       query.shapes);
   return query;
-}
-
-Case make_case(const Query& query, Scalar scalar) {
-  Case c{query_id(query), query, {}, {}, std::nullopt, {}};
-  if (const auto error = outside_domain(query)) {
-    c.flags = {std::string(kInvalidFlag)};
-    c.rejected = error->field;
-    return c;
-  }
-  const oracle::Truth truth = oracle::truth_of(query);
-  c.flags = flags_of(query, truth, scalar);
-  c.expect = oracle::expectation(truth, scalar);
-  c.exact = oracle::witness(truth, scalar);
-  return c;
 }
 
 Shard read_shard(const std::string& text, const formats::Location& where, const std::string& option) {
@@ -518,7 +490,11 @@ bool SeenIds::insert(const Key& key) {
   return true;
 }
 
-DatasetReader::DatasetReader(const std::filesystem::path& path) {
+DatasetHeader dataset_header(const std::filesystem::path& path) {
+  return DatasetReader(path, [](const DatasetHeader&, std::uint64_t, std::string_view) { return false; }).header();
+}
+
+DatasetReader::DatasetReader(const std::filesystem::path& path, IsMade is_made) : is_made_(is_made) {
   if (const auto form = formats::arrays_form(path))
     source_ = open_columns(path, *form);
   else if (const auto named = formats::named_arrays_form(path))
@@ -582,11 +558,7 @@ void DatasetReader::accept(const Case& c, const SeenIds::Key& key, std::uint64_t
   if (h.count > kRepeatsLookedFor) return;
   ids_.expect(h.count);
   if (ids_.insert(key)) return;
-  // A generator may repeat itself: the case is right if the family's generator makes this very question here.
-  const Family* family = find_family(h.pair, h.family);
-  const bool generated =
-      family != nullptr && (h.shard || query_id(generate_query(h.pair, *family, h.scalar, h.seed, index)) == c.id);
-  if (!generated)
+  if (!is_made_(h, index, c.id))
     throw formats::InputError(block.where(i), "id",
                               fmt::format("the same question stands in this file twice, got \"{}\"", c.id));
   ++repeats_;
@@ -646,46 +618,6 @@ std::vector<std::filesystem::path> dataset_files(const std::vector<std::filesyst
     files.insert(files.end(), found.begin(), found.end());
   }
   return files;
-}
-
-void check_rejection(const Case& c, const formats::Location& where) {
-  const std::string field = outside_domain(c.query)->field;
-  if (*c.rejected != field)
-    throw formats::InputError(
-        where, "expect.rejected",
-        fmt::format("the file says {}, the first field outside the domain is {}", *c.rejected, field));
-}
-
-bool says(const Case& c, const Expectation& right, const oracle::Witness& exact) {
-  const auto same = [](const Contact& x, const Contact& y) {
-    return x.degenerate == y.degenerate && x.unique == y.unique && x.normal == y.normal && x.point1 == y.point1 &&
-           x.point2 == y.point2 && x.value == y.value;
-  };
-  return c.expect.hit == right.hit && c.expect.contact.has_value() == right.contact.has_value() &&
-         (!right.contact || same(*c.expect.contact, *right.contact)) && c.exact == exact;
-}
-
-void check_case(const Case& c, Scalar scalar, const oracle::Truth& truth, const formats::Location& where) {
-  const Expectation right = oracle::expectation(truth, scalar);
-  if (const auto field = first_difference(c.expect, right))
-    throw formats::InputError(where, "expect." + *field,
-                              fmt::format("the file says {}, the exact answer rounds to {}",
-                                          field_text(c.expect, *field), field_text(right, *field)));
-  const oracle::Witness witness = oracle::witness(truth, scalar);
-  const auto compare = [&](const std::string& field, const std::string& found, const std::string& expected) {
-    if (found != expected)
-      throw formats::InputError(where, "exact." + field, fmt::format("the file says {}, exact is {}", found, expected));
-  };
-  compare("distance2", c.exact.distance2, witness.distance2);
-  compare("below", text_of(c.exact.below), text_of(witness.below));
-  compare("reach", c.exact.reach, witness.reach);
-  compare("margin_ulps", formats::number(c.exact.margin_ulps), formats::number(witness.margin_ulps));
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    compare(fmt::format("gap[{}]", axis), c.exact.gap[axis], witness.gap[axis]);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto coordinate = [axis](const oracle::Witness& w) { return w.crossing ? (*w.crossing)[axis] : "null"; };
-    compare(fmt::format("crossing[{}]", axis), coordinate(c.exact), coordinate(witness));
-  }
 }
 
 }  // namespace contact::golden

@@ -12,7 +12,7 @@
 #include "formats/json.hpp"
 #include "oracle/truth/expectation.hpp"
 #include "oracle/truth/query.hpp"
-#include "oracle/truth/truth.hpp"
+#include "oracle/truth/witness.hpp"
 
 namespace contact::golden {
 
@@ -51,9 +51,6 @@ struct Case {
   std::optional<std::string> rejected;  ///< the field that puts the question outside the domain, instead of expect
   oracle::Witness exact;
 };
-
-/// The case of a question: id, flags, expectation and witnesses, all from the exact oracle.
-[[nodiscard]] Case make_case(const Query& query, Scalar scalar);
 
 [[nodiscard]] std::string to_line(const DatasetHeader& header);
 [[nodiscard]] std::string to_line(const Case& c);
@@ -176,11 +173,15 @@ class SeenIds {
   std::size_t size_ = 0;
 };
 
+/// Whether the generator that a header names makes the question of this id at this place, counted from 0: a generator may
+/// repeat itself. Who has the generators gives golden/right_case.hpp's.
+using IsMade = bool (*)(const DatasetHeader& header, std::uint64_t index, std::string_view id);
+
 /// Reads a dataset case by case, checking as it goes: form, domain, ids, questions that stand there twice, and at the
 /// end the count and the digest. What the expectations say is checked by lint and by certify, against the oracle.
 class DatasetReader {
  public:
-  explicit DatasetReader(const std::filesystem::path& path);
+  DatasetReader(const std::filesystem::path& path, IsMade is_made);
 
   [[nodiscard]] const DatasetHeader& header() const { return source_->header(); }
   /// The next case, or nothing after the last. Throws formats::InputError at anything malformed.
@@ -211,6 +212,7 @@ class DatasetReader {
   [[nodiscard]] static bool is_dataset(const std::filesystem::path& path);
 
  private:
+  IsMade is_made_;
   std::unique_ptr<CaseSource> source_;
   std::unique_ptr<CaseBlock> block_;  ///< of next()
   std::uint64_t in_block_ = 0;
@@ -221,6 +223,9 @@ class DatasetReader {
   SeenIds ids_;
 };
 
+/// The header alone, checked.
+[[nodiscard]] DatasetHeader dataset_header(const std::filesystem::path& path);
+
 /// A folder of this name holds a selection of its neighbours' cases, for when time is short.
 inline constexpr std::string_view kQuickFolder = "quick";
 
@@ -229,15 +234,5 @@ inline constexpr std::string_view kQuickFolder = "quick";
 /// read where it is given itself, or with `quick_too`.
 [[nodiscard]] std::vector<std::filesystem::path> dataset_files(const std::vector<std::filesystem::path>& paths,
                                                                bool quick_too = false);
-
-/// Compares what a case of the family `invalid` says with the first field outside the domain. Throws InputError.
-void check_rejection(const Case& c, const formats::Location& where);
-
-/// Whether a case says this answer and these exact numbers, word for word.
-[[nodiscard]] bool says(const Case& c, const Expectation& right, const oracle::Witness& exact);
-
-/// Compares a case with what the oracle says. Throws formats::InputError naming the field, the value found and the
-/// right one.
-void check_case(const Case& c, Scalar scalar, const oracle::Truth& truth, const formats::Location& where);
 
 }  // namespace contact::golden

@@ -1,5 +1,6 @@
 // Golden files on paper: numbers, ids, lines and what reading gives back. (Bad input: tool/cli_test.py.)
 #include "golden/dataset.hpp"
+#include "golden/right_case.hpp"
 
 #include <gtest/gtest.h>
 
@@ -89,7 +90,7 @@ TEST(Reader, GivesBackWhatWasWritten) {
     file.write(to_line(header) + "\n" + to_line(make_case(kWorkedSpheres, Scalar::binary64)) + "\n");
     file.commit();
   }
-  DatasetReader reader(path);
+  DatasetReader reader(path, is_made);
   EXPECT_EQ(to_line(reader.header()), to_line(header));
   const auto c = reader.next();
   ASSERT_TRUE(c);

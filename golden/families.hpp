@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "golden/names.hpp"
 #include "golden/random.hpp"
 #include "oracle/truth/query.hpp"
 
@@ -27,9 +28,6 @@ struct Family {
   /// Why it makes nothing but hits. Empty where both answers occur, as they do wherever the family's meaning allows it.
   std::string_view hits_alone = {};
 };
-
-/// The family that makes them. Its files hold such questions and no others, and are judged only when named.
-inline constexpr std::string_view kInvalidFamily = "invalid";
 
 // The families of each kind of pairs, in files of its own; the pointer says which, and is nullptr.
 #define CONTACT_DECLARE(A, B) [[nodiscard]] std::span<const Family> families_of(const Two<A, B>* kind);

@@ -15,6 +15,7 @@
 #include "golden/plain.hpp"
 #include "golden/plain_triangles.hpp"
 #include "golden/query_id.hpp"
+#include "golden/right_case.hpp"
 #include "oracle/truth/exact_truth.hpp"
 #include "oracle/truth/interval_oracle.hpp"
 
@@ -610,7 +611,7 @@ TEST(Families, ExtremeBoxesHoldSumsThatOverflowBesideAnAxisThatIsApart) {
 // order.
 TEST(Families, MakeTheCommittedQuestionsWhateverTheCompiler) {
   for (const CommittedFile& file : committed_files()) {
-    DatasetReader reader(std::filesystem::path(CONTACT_SOURCE_DIR) / "golden" / file.path());
+    DatasetReader reader(std::filesystem::path(CONTACT_SOURCE_DIR) / "golden" / file.path(), is_made);
     for (std::uint64_t i = 0; i < std::min<std::uint64_t>(42, committed_count(file.pair)); ++i) {
       const Query query = generate_query(file.pair, *file.family, file.scalar, kCommittedSeed, i);
       if (!file.family->outside_domain) {
@@ -623,12 +624,12 @@ TEST(Families, MakeTheCommittedQuestionsWhateverTheCompiler) {
 TEST(Families, EveryFlagOccursInTheCommittedFiles) {
   std::set<std::string> seen;
   // A few questions of each file have nearly all of them.
-  for (std::uint64_t i = 0; i < kCommittedCount && seen.size() < flags().size(); ++i)
+  for (std::uint64_t i = 0; i < kCommittedCount && seen.size() < kFlags.size(); ++i)
     for (const CommittedFile& file : committed_files())
       for (const std::string& flag :
            make_case(generate_query(file.pair, *file.family, file.scalar, kCommittedSeed, i), file.scalar).flags)
         seen.insert(flag);
-  for (const Flag& flag : flags()) EXPECT_TRUE(seen.count(std::string(flag.name))) << flag.name;
+  for (const Flag& flag : kFlags) EXPECT_TRUE(seen.count(std::string(flag.name))) << flag.name;
 }
 
 }  // namespace

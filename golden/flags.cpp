@@ -192,166 +192,132 @@ bool any_delta(const Query& query, auto&& predicate) {
   return false;
 }
 
-const std::array kFlags{
-    Flag{"Touching", "exactly touching, alarm distance 0", "strict comparisons; a rounded square root beside the radii",
-         [](const Query& q, const Truth& t, Scalar) {
-           return q.distances.alarm == 0 && t.at_alarm == oracle::Side::at;
-         }},
-    Flag{
-        "AlarmEdge", "exactly at an alarm distance above 0", "the margin added twice, not at all, or compared strictly",
-        [](const Query& q, const Truth& t, Scalar) { return q.distances.alarm > 0 && t.at_alarm == oracle::Side::at; }},
-    Flag{"NearBoundary", "up to 8 ulps from the decision's boundary, not on it",
-         "squared comparisons in plain arithmetic; absolute tolerances; single precision inside", near_boundary},
-    Flag{"PlainWrong", "plain arithmetic in the file's scalar decides wrongly",
-         "every engine that computes as the seed prints",
-         [](const Query& q, const Truth& t, Scalar s) { return plain_overlap(q, s) != t.hit(); }},
-    Flag{"ContactEdge", "value within 8 ulps of its scale of zero",
-         "the sign of value; cancellation in distance - radii - contact",
-         [](const Query& q, const Truth& t, Scalar s) {
-           return t.has_distance() && t.hit() && (q.distances.contact > 0 || t.at_alarm != oracle::Side::at) &&
-                  is_near_zero(t.distance()->value(true), t.distance()->value_scale(), s);
-         }},
-    Flag{"Coincident",
-         "one centre for both spheres, a centre on a box, a triangle, a ray or a capsule's axis, or axes that meet",
-         "0/0 for the normal, points that are not finite",
-         [](const Query&, const Truth& t, Scalar) { return t.coincident(); }},
-    Flag{"NearlyCoincident", "centres apart by less than a 2^20th of the radii, or by subnormal numbers",
-         "an absolute epsilon below which the normal becomes a fixed axis; squares that underflow",
-         [](const Query&, const Truth& t, Scalar s) {
-           if (!t.has_distance() || t.degenerate() || t.distance()->overlaps() || t.distance()->cores().half_space)
-             return false;
-           return t.distance()->distance2() < square(t.distance()->radii() * power_of_two(-20)) ||
-                  t.distance()->distance2() < square(smallest_normal(s));
-         }},
-    Flag{"BelowPlane", "the lowest point of a centre or an axis is on a plane, or below it",
-         "the size of a distance for the distance; a plane taken for a sheet with two sides",
-         [](const Query& q, const Truth& t, Scalar) {
-           return has_plane(q.pair) && (t.distance()->below() || CGAL::is_zero(t.distance()->distance2()));
-         }},
-    Flag{"CrossingEdge", "a segment ends on a triangle, or crosses it in its boundary",
-         "strict bounds, and bounds with a tolerance; an edge that two triangles share and neither has",
-         [](const Query& q, const Truth& t, Scalar) { return t.crossing() != nullptr && t.hit() && at_boundary(q); }},
-    Flag{"FromInside", "a ray begins in the shape that it is cast at, or on it",
-         "a hit from inside taken for a miss; the way out taken for the way in",
-         [](const Query&, const Truth& t, Scalar) { return t.cast() != nullptr && t.degenerate(); }},
-    Flag{"Grazing", "a ray touches a sphere or the side of a capsule, and goes by",
-         "a discriminant of 0, which rounding makes negative; strict comparisons with it",
-         [](const Query& q, const Truth& t, Scalar) {
-           return t.cast() != nullptr && t.hit() && !t.degenerate() && CGAL::is_zero(t.cast()->entry()->half2) &&
-                  (std::holds_alternative<CastAt<Ball>>(q.shapes) || std::holds_alternative<CastAt<Capsule>>(q.shapes));
-         }},
-    Flag{"ManyNormals", "a ray hits an edge or a corner, where more than one normal is right",
-         "an edge that two triangles share and neither has; 0/0 in a slab",
-         [](const Query&, const Truth& t, Scalar) {
-           return t.cast() != nullptr && t.hit() && t.contact()->cast()->against.has_value();
-         }},
-    Flag{"EndsAtSurface", "a ray ends where it first hits",
-         "strict comparisons with the length, and lengths that are counted in another unit than t",
-         [](const Query& q, const Truth& t, Scalar) {
-           if (t.cast() == nullptr || !t.hit()) return false;
-           double length = 0;
-           std::visit(
-               [&]<class A, class B>(const Two<A, B>& shapes) {
-                 if constexpr (std::same_as<A, Cast>) length = shapes.a.length;
-               },
-               q.shapes);
-           return t.cast()->entry()->first().compare(Rational(length)) == CGAL::EQUAL;
-         }},
-    Flag{"Containment", "one shape lies inside the other", "depth from the wrong side; boundaries taken for solids",
-         [](const Query& q, const Truth& t, Scalar) {
-           if (const Boxes* b = q.boxes()) return contained(b->a, b->b) || contained(b->b, b->a);
-           if (t.crossing() != nullptr || t.cast() != nullptr) return false;
-           if (is_convex(q.pair)) return false;
-           if (q.balls() == nullptr) return t.degenerate() && !t.coincident();
-           return t.distance()->distance2() <= square(Rational(q.balls()->a.radius) - Rational(q.balls()->b.radius));
-         }},
-    Flag{"Overlap", "two cores overlap, and how deep is an answer like any other",
-         "axes of edges that are not tried; the depth along the first axis, or from the wrong side",
-         [](const Query& q, const Truth& t, Scalar) { return is_convex(q.pair) && t.distance()->overlaps(); }},
-    Flag{"ZeroRadius", "a sphere or a capsule of radius 0", "divisions by a radius; strict overlap tests",
-         [](const Query& q, const Truth&, Scalar) {
-           return any_shape(q, [](const auto& shape) { return is_point(shape); });
-         }},
-    Flag{"Flat",
-         "a box without thickness on an axis, a capsule or a ray without length, or a triangle or a hull without an "
-         "inside",
-         "overlap by volume; strict bounds; divisions by a squared length",
-         [](const Query& q, const Truth&, Scalar) {
-           return any_shape(q, [](const auto& shape) { return is_flat(shape); });
-         }},
-    Flag{"ManyNearest", "more than one pair of points is nearest, as of parallel capsules side by side",
-         "determinants of 0 or nearly; a contact point that jumps from one end to the other",
-         [](const Query&, const Truth& t, Scalar) {
-           return t.has_distance() && t.hit() && !t.distance()->spread().empty();
-         }},
-    Flag{"OneAxis", "the centres differ in one coordinate only", "zeros that are not zero; normals that are not exact",
-         [](const Query& q, const Truth&, Scalar) {
-           int apart = 0;
-           any_delta(q, [&](const Rational& d) { return apart += CGAL::is_zero(d) ? 0 : 1, false; });
-           return apart == 1;
-         }},
-    Flag{"FarFromOrigin", "coordinates 2^8 times the reach (of a box: its distances) and more",
-         "coordinates stored in a smaller format; tolerances that grow with the coordinates",
-         [](const Query& q, const Truth& t, Scalar) {
-           if (t.crossing() != nullptr || t.cast() != nullptr) {
-             const Rational size = t.cast() != nullptr ? size_of_shapes(q) : crossing_size(q);
-             return largest_coordinate(q) >= power_of_two(8) * size && !CGAL::is_zero(size);
-           }
-           if (is_convex(q.pair)) {
-             const Rational size = std::max(size_of_shapes(q), t.distance()->reach());
-             return largest_coordinate(q) >= power_of_two(8) * size && !CGAL::is_zero(size);
-           }
-           if (t.has_distance())
-             return largest_coordinate(q) >= power_of_two(8) * t.distance()->reach() &&
-                    !CGAL::is_zero(t.distance()->reach());
-           return largest_coordinate(q) >= power_of_two(8) * (CGAL::abs(largest_gap(t)) + t.gaps()->alarm()) &&
-                  !CGAL::is_zero(largest_coordinate(q)) &&
-                  !CGAL::is_zero(CGAL::abs(largest_gap(t)) + t.gaps()->alarm());
-         }},
-    Flag{"SquareOverflow", "a squared length exceeds the scalar's range",
-         "infinite or NaN where the answer is finite; hits from inf <= inf",
-         [](const Query&, const Truth& t, Scalar s) {
-           return t.has_distance() &&
-                  std::max(t.distance()->distance2(), square(t.distance()->reach())) >= first_beyond(s);
-         }},
-    Flag{"SquareUnderflow", "the square of a difference that is not zero falls below the normal range",
-         "a distance of zero between spheres that are apart; normals of the wrong length",
-         [](const Query& q, const Truth&, Scalar s) {
-           return any_delta(q, [&](const Rational& d) { return !CGAL::is_zero(d) && square(d) < smallest_normal(s); });
-         }},
-    Flag{"ReachOverflow", "alarm + r1 + r2, or max + alarm, exceeds the largest finite number",
-         "an infinite reach that hits everything",
-         [](const Query& q, const Truth& t, Scalar s) {
-           if (t.has_distance()) return t.distance()->reach() >= first_beyond(s);
-           if (q.boxes() == nullptr) return false;
-           Rational largest(0);
-           for (int axis = 0; axis < 3; ++axis)
-             largest = std::max({largest, Rational(q.boxes()->a.max[axis]), Rational(q.boxes()->b.max[axis])});
-           return largest + t.gaps()->alarm() >= first_beyond(s);
-         }},
-    Flag{"ResultOverflow", "a number of the answer rounds to infinity", "NaN from inf - inf",
-         [](const Query&, const Truth& t, Scalar s) { return result_overflows(t, s); }},
-    Flag{"HardToRound", "a number of the answer lies within 2^-20 ulp of a rounding boundary, not on it",
-         "arithmetic of any one precision, and of two that agree; a result rounded twice",
-         [](const Query&, const Truth& t, Scalar s) { return any_number(t, s, is_hard_to_round); }},
-    Flag{"Tie", "a number of the answer lies exactly half way between two neighbours",
-         "ties away from zero; a second rounding; loops that refine until the answer is clear",
-         [](const Query&, const Truth& t, Scalar s) { return any_number(t, s, is_tie); }},
-    Flag{"Subnormal", "a number of the question is subnormal in the file's scalar",
-         "flush-to-zero modes; reciprocals that overflow",
-         [](const Query& q, const Truth&, Scalar s) { return has_subnormal(q, s); }},
-    Flag{kInvalidFlag, "a number lies outside the domain", "answers where there is no question",
-         [](const Query&, const Truth&, Scalar) { return false; }},
+/// When a flag holds.
+struct Holds {
+  std::string_view flag;
+  bool (*holds)(const Query& query, const Truth& truth, Scalar scalar);
 };
+
+constexpr std::array kHolds{
+    Holds{"Touching", [](const Query& q, const Truth& t,
+                         Scalar) { return q.distances.alarm == 0 && t.at_alarm == oracle::Side::at; }},
+    Holds{"AlarmEdge", [](const Query& q, const Truth& t,
+                          Scalar) { return q.distances.alarm > 0 && t.at_alarm == oracle::Side::at; }},
+    Holds{"NearBoundary", near_boundary},
+    Holds{"PlainWrong", [](const Query& q, const Truth& t, Scalar s) { return plain_overlap(q, s) != t.hit(); }},
+    Holds{"ContactEdge",
+          [](const Query& q, const Truth& t, Scalar s) {
+            return t.has_distance() && t.hit() && (q.distances.contact > 0 || t.at_alarm != oracle::Side::at) &&
+                   is_near_zero(t.distance()->value(true), t.distance()->value_scale(), s);
+          }},
+    Holds{"Coincident", [](const Query&, const Truth& t, Scalar) { return t.coincident(); }},
+    Holds{"NearlyCoincident",
+          [](const Query&, const Truth& t, Scalar s) {
+            if (!t.has_distance() || t.degenerate() || t.distance()->overlaps() || t.distance()->cores().half_space)
+              return false;
+            return t.distance()->distance2() < square(t.distance()->radii() * power_of_two(-20)) ||
+                   t.distance()->distance2() < square(smallest_normal(s));
+          }},
+    Holds{"BelowPlane",
+          [](const Query& q, const Truth& t, Scalar) {
+            return has_plane(q.pair) && (t.distance()->below() || CGAL::is_zero(t.distance()->distance2()));
+          }},
+    Holds{"CrossingEdge",
+          [](const Query& q, const Truth& t, Scalar) { return t.crossing() != nullptr && t.hit() && at_boundary(q); }},
+    Holds{"FromInside", [](const Query&, const Truth& t, Scalar) { return t.cast() != nullptr && t.degenerate(); }},
+    Holds{"Grazing",
+          [](const Query& q, const Truth& t, Scalar) {
+            return t.cast() != nullptr && t.hit() && !t.degenerate() && CGAL::is_zero(t.cast()->entry()->half2) &&
+                   (std::holds_alternative<CastAt<Ball>>(q.shapes) ||
+                    std::holds_alternative<CastAt<Capsule>>(q.shapes));
+          }},
+    Holds{"ManyNormals",
+          [](const Query&, const Truth& t, Scalar) {
+            return t.cast() != nullptr && t.hit() && t.contact()->cast()->against.has_value();
+          }},
+    Holds{"EndsAtSurface",
+          [](const Query& q, const Truth& t, Scalar) {
+            if (t.cast() == nullptr || !t.hit()) return false;
+            double length = 0;
+            std::visit(
+                [&]<class A, class B>(const Two<A, B>& shapes) {
+                  if constexpr (std::same_as<A, Cast>) length = shapes.a.length;
+                },
+                q.shapes);
+            return t.cast()->entry()->first().compare(Rational(length)) == CGAL::EQUAL;
+          }},
+    Holds{"Containment",
+          [](const Query& q, const Truth& t, Scalar) {
+            if (const Boxes* b = q.boxes()) return contained(b->a, b->b) || contained(b->b, b->a);
+            if (t.crossing() != nullptr || t.cast() != nullptr) return false;
+            if (is_convex(q.pair)) return false;
+            if (q.balls() == nullptr) return t.degenerate() && !t.coincident();
+            return t.distance()->distance2() <= square(Rational(q.balls()->a.radius) - Rational(q.balls()->b.radius));
+          }},
+    Holds{"Overlap",
+          [](const Query& q, const Truth& t, Scalar) { return is_convex(q.pair) && t.distance()->overlaps(); }},
+    Holds{"ZeroRadius", [](const Query& q, const Truth&,
+                           Scalar) { return any_shape(q, [](const auto& shape) { return is_point(shape); }); }},
+    Holds{"Flat", [](const Query& q, const Truth&,
+                     Scalar) { return any_shape(q, [](const auto& shape) { return is_flat(shape); }); }},
+    Holds{"ManyNearest", [](const Query&, const Truth& t,
+                            Scalar) { return t.has_distance() && t.hit() && !t.distance()->spread().empty(); }},
+    Holds{"OneAxis",
+          [](const Query& q, const Truth&, Scalar) {
+            int apart = 0;
+            any_delta(q, [&](const Rational& d) { return apart += CGAL::is_zero(d) ? 0 : 1, false; });
+            return apart == 1;
+          }},
+    Holds{"FarFromOrigin",
+          [](const Query& q, const Truth& t, Scalar) {
+            if (t.crossing() != nullptr || t.cast() != nullptr) {
+              const Rational size = t.cast() != nullptr ? size_of_shapes(q) : crossing_size(q);
+              return largest_coordinate(q) >= power_of_two(8) * size && !CGAL::is_zero(size);
+            }
+            if (is_convex(q.pair)) {
+              const Rational size = std::max(size_of_shapes(q), t.distance()->reach());
+              return largest_coordinate(q) >= power_of_two(8) * size && !CGAL::is_zero(size);
+            }
+            if (t.has_distance())
+              return largest_coordinate(q) >= power_of_two(8) * t.distance()->reach() &&
+                     !CGAL::is_zero(t.distance()->reach());
+            return largest_coordinate(q) >= power_of_two(8) * (CGAL::abs(largest_gap(t)) + t.gaps()->alarm()) &&
+                   !CGAL::is_zero(largest_coordinate(q)) &&
+                   !CGAL::is_zero(CGAL::abs(largest_gap(t)) + t.gaps()->alarm());
+          }},
+    Holds{"SquareOverflow",
+          [](const Query&, const Truth& t, Scalar s) {
+            return t.has_distance() &&
+                   std::max(t.distance()->distance2(), square(t.distance()->reach())) >= first_beyond(s);
+          }},
+    Holds{"SquareUnderflow",
+          [](const Query& q, const Truth&, Scalar s) {
+            return any_delta(q, [&](const Rational& d) { return !CGAL::is_zero(d) && square(d) < smallest_normal(s); });
+          }},
+    Holds{"ReachOverflow",
+          [](const Query& q, const Truth& t, Scalar s) {
+            if (t.has_distance()) return t.distance()->reach() >= first_beyond(s);
+            if (q.boxes() == nullptr) return false;
+            Rational largest(0);
+            for (int axis = 0; axis < 3; ++axis)
+              largest = std::max({largest, Rational(q.boxes()->a.max[axis]), Rational(q.boxes()->b.max[axis])});
+            return largest + t.gaps()->alarm() >= first_beyond(s);
+          }},
+    Holds{"ResultOverflow", [](const Query&, const Truth& t, Scalar s) { return result_overflows(t, s); }},
+    Holds{"HardToRound", [](const Query&, const Truth& t, Scalar s) { return any_number(t, s, is_hard_to_round); }},
+    Holds{"Tie", [](const Query&, const Truth& t, Scalar s) { return any_number(t, s, is_tie); }},
+    Holds{"Subnormal", [](const Query& q, const Truth&, Scalar s) { return has_subnormal(q, s); }},
+    Holds{kInvalidFlag, [](const Query&, const Truth&, Scalar) { return false; }},
+};
+static_assert(std::equal(kHolds.begin(), kHolds.end(), kFlags.begin(), kFlags.end(),
+                         [](const Holds& x, const Flag& flag) { return x.flag == flag.name; }));
 
 }  // namespace
 
-std::span<const Flag> flags() { return kFlags; }
-
 std::vector<std::string> flags_of(const Query& query, const Truth& truth, Scalar scalar) {
   std::vector<std::string> names;
-  for (const Flag& flag : kFlags)
-    if (flag.holds(query, truth, scalar)) names.emplace_back(flag.name);
+  for (const Holds& flag : kHolds)
+    if (flag.holds(query, truth, scalar)) names.emplace_back(flag.flag);
   return names;
 }
 

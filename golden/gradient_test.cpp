@@ -12,6 +12,7 @@
 
 #include "golden/dataset.hpp"
 #include "golden/families.hpp"
+#include "golden/right_case.hpp"
 #include "oracle/truth/cores.hpp"
 
 namespace contact::golden {
@@ -310,7 +311,7 @@ void expect_enough(const std::map<Pair, Counts>& all) {
 TEST(Gradients, are_the_differences_of_exact_answers_to_golden_questions) {
   std::map<Pair, Counts> all;
   for (const auto& path : dataset_files({std::filesystem::path(CONTACT_SOURCE_DIR) / "golden"})) {
-    DatasetReader reader(path);
+    DatasetReader reader(path, is_made);
     const Pair pair = reader.header().pair;
     if (reader.header().family == kInvalidFamily || !has_distance(pair)) continue;
     const std::uint64_t count = reader.header().count;

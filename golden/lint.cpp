@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
-#include "golden/flags.hpp"
+#include "golden/families.hpp"
 #include "golden/query_id.hpp"
+#include "golden/right_case.hpp"
 #include "oracle/truth/exact_truth.hpp"
 
 namespace contact::golden {
@@ -34,9 +35,10 @@ void check_canonical(const DatasetReader& reader, const std::string& expected) {
 }
 
 LintedFile lint(const std::filesystem::path& path, bool generated, const std::function<void()>& after_case) {
-  DatasetReader reader(path);
-  LintedFile linted{reader.header(), 0, {}, {}, {}, {}};
-  for (const Flag& flag : flags()) linted.flags.emplace_back(flag.name, 0);
+  DatasetReader reader(path, is_made);
+  const DatasetHeader& h = reader.header();
+  LintedFile linted{h, find_family(h.pair, h.family) != nullptr, 0, {}, {}, {}, {}};
+  for (const Flag& flag : kFlags) linted.flags.emplace_back(flag.name, 0);
   std::vector<Candidate> closest;
   for (const std::string_view field : {"value", "normal", "point1", "point2"})
     closest.emplace_back().closest.field = field;

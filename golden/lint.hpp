@@ -6,7 +6,6 @@
 #include <functional>
 
 #include "golden/dataset.hpp"
-#include "oracle/truth/truth.hpp"
 
 namespace contact::golden {
 
@@ -20,6 +19,7 @@ struct Closest {
 /// What lint saw of a file that it found right.
 struct LintedFile {
   DatasetHeader header;
+  bool generated = false;  ///< a family of its pair makes it
   std::uint64_t hits = 0;
   std::string sha256;
   std::string answers;                                       ///< the digest of its answers

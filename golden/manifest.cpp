@@ -8,7 +8,6 @@
 
 #include "formats/json.hpp"
 #include "formats/output_file.hpp"
-#include "golden/families.hpp"
 
 namespace contact::golden {
 
@@ -40,7 +39,7 @@ std::string manifest_text(const std::vector<ManifestEntry>& entries) {
         R"({{"path":{},"pair":"{}","scalar":"{}","family":{},"origin":"{}","generator":{},"seed":{},"count":{},"hits":{},"flags":{{{}}},"closest":{{{}}},"sha256":"{}",{}{}}}{})",
         formats::json_string(path), name(h.pair), name(h.scalar), formats::json_string(h.family),
         path.starts_with(fmt::format("{}/", kQuickFolder)) ? "selected"
-        : find_family(h.pair, h.family)                    ? "generated"
+        : file.generated                                   ? "generated"
                                                            : "annotated",
         formats::json_string(h.generator), h.seed, h.count, file.hits, flags, closest, file.sha256,
         kills ? fmt::format("\"kills\":{},", *kills) : "", digests_text(digests),

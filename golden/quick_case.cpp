@@ -4,7 +4,7 @@
 #include <span>
 
 #include "formats/quick_json.hpp"
-#include "golden/families.hpp"
+#include "golden/names.hpp"
 
 namespace contact::golden {
 namespace {

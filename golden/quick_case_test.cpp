@@ -40,7 +40,7 @@ struct File {
 std::vector<File> files() {
   std::vector<File> all;
   for (const auto& path : dataset_files({golden()})) {
-    File file{DatasetReader(path).header(), {}};
+    File file{dataset_header(path), {}};
     std::ifstream stream(path);
     std::string line;
     std::getline(stream, line);

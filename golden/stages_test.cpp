@@ -8,6 +8,7 @@
 
 #include "golden/dataset.hpp"
 #include "golden/families.hpp"
+#include "golden/right_case.hpp"
 #include "oracle/truth/quick_witness.hpp"
 #include "oracle/truth/staged_oracle.hpp"
 
@@ -72,7 +73,7 @@ TEST(Stages, agree_on_every_committed_case_in_both_scalars) {
   Margins margins;
   std::uint64_t cases = 0;
   for (const auto& path : dataset_files({std::filesystem::path(CONTACT_SOURCE_DIR) / "golden"})) {
-    DatasetReader reader(path);
+    DatasetReader reader(path, is_made);
     if (reader.header().family == kInvalidFamily) continue;
     while (const auto c = reader.next()) {
       if (++cases % (is_convex(c->query.pair) ? kEveryConvex : kEvery) != 0) continue;

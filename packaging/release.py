@@ -5,7 +5,7 @@ It stops at the first doubt: the tree, the branch, the tag, the version in every
 two folders that must give the same bytes, the bill of materials. Then build/release-VERSION/ has the packages, the notes, SPDX and SHA256SUMS, and the
 commit has a tag, signed if a key is there. What is left to a person is printed.
 
---dry-run tells every doubt and does nothing else. --tested takes the reports of a run of .ci/run that is finished, build/core-tests.xml and
+--dry-run tells every doubt and does nothing else. --tested takes the reports of a run of .ci/run that is finished, build/readers-tests.xml and
 build/release-tests.xml, instead of running it. Exit status: 0 done, 1 a doubt, 2 bad usage."""
 import argparse
 import hashlib
@@ -149,7 +149,7 @@ def release(root, version, reports):
         raise Doubt(f"{target} is there already")
     if not reports:
         subprocess.run([root / ".ci/run"], check=True, cwd=root, env=os.environ | {"CI": "1"})
-        reports = [root / "build/core-tests.xml", root / "build/release-tests.xml"]
+        reports = [root / "build/readers-tests.xml", root / "build/release-tests.xml"]
     check_tests(root, reports)
     target.parent.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory(dir=target.parent, prefix="unfinished-release-") as work:

@@ -53,7 +53,7 @@ class Release(unittest.TestCase):
             self.write(name, text)
         for name in ("run", ".ci/run"):
             (self.root / name).chmod(0o755)
-        self.write("reports/core-tests.xml", report(("core", "run"), timestamp="2100-01-01T00:00:00"))
+        self.write("reports/readers-tests.xml", report(("core", "run"), timestamp="2100-01-01T00:00:00"))
         self.write("reports/release-tests.xml", report(("one", "run"), ("two", "run"), timestamp="2100-01-01T00:00:00"))
         self.git("init", "--quiet", "--initial-branch=main")
         self.commit()
@@ -127,7 +127,7 @@ class Done(Release):
         self.edit(".ci/run", "#!/bin/sh", "#!/bin/sh\nexit 1")
         self.assertIn(".ci/run ended with 1", self.release(1).stderr)
         self.nothing()
-        self.release(0, "0.9.0", "--tested", self.root / "reports/core-tests.xml", self.root / "reports/release-tests.xml")
+        self.release(0, "0.9.0", "--tested", self.root / "reports/readers-tests.xml", self.root / "reports/release-tests.xml")
 
 
 class Doubts(Release):

@@ -9,6 +9,7 @@
 
 #include "golden/dataset.hpp"
 #include "golden/families.hpp"
+#include "golden/right_case.hpp"
 #include "oracle/judge/judge.hpp"
 #include "peers/peers.hpp"
 #include "places.hpp"
@@ -214,7 +215,8 @@ Claim claim_of(const Peer& peer, const Balls& balls) {
 
 /// Counts, not times: what the judge of `certify` says of a peer's answers to the balls of a committed file.
 void count_wrong_answers(benchmark::State& state, const Peer& peer, const std::string& family) {
-  golden::DatasetReader reader(std::filesystem::path(CONTACT_GOLDEN_DIR) / "sphere_sphere" / (family + ".jsonl"));
+  golden::DatasetReader reader(std::filesystem::path(CONTACT_GOLDEN_DIR) / "sphere_sphere" / (family + ".jsonl"),
+                               golden::is_made);
   int asked = 0;
   int wrong_decisions = 0;
   int fields = 0;

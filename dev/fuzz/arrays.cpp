@@ -10,9 +10,9 @@
 
 #include "engines/protocol/result_columns.hpp"
 #include "formats/input_error.hpp"
+#include "fuzz/cases_in_form.hpp"
 #include "fuzz/fuzz.hpp"
 #include "golden/columns.hpp"
-#include "golden/families.hpp"
 
 namespace contact::fuzz {
 namespace {
@@ -46,18 +46,15 @@ void write(const std::filesystem::path& path, const Members& members) {
   zip_close(zip);
 }
 
-/// A file of some generated cases, its members and its lines.
+/// A file of some cases, its members and its lines.
 struct Made {
-  explicit Made(std::string_view family) {
+  explicit Made(bool invalid) {
     golden::DatasetHeader header;
-    header.family = family;
+    header.family = invalid ? golden::kInvalidFamily : "made";
     header.count = 3;
     const std::filesystem::path path = place("made");
     const auto writer = golden::create_columns(path, formats::ArraysForm::npz, header);
-    for (std::uint64_t i = 0; i < header.count; ++i) {
-      const Query query =
-          golden::generate_query(header.pair, *golden::find_family(header.pair, family), header.scalar, header.seed, i);
-      const golden::Case c = golden::make_case(query, header.scalar);
+    for (const golden::Case& c : cases_in_form(header.pair, invalid, header.count)) {
       lines.push_back(golden::to_line(c));
       writer->write(c, lines.back());
     }
@@ -86,7 +83,7 @@ constexpr std::array kAnswers{"hit.npy",   "overlap.npy", "contact.npy", "normal
 }  // namespace
 
 void try_input(Bytes bytes) {
-  static const std::array made{Made("generic"), Made("invalid")};
+  static const std::array made{Made(false), Made(true)};
   if (bytes.size() < 2) return;
   const Made& from = made[bytes[0] % made.size()];
   Members members = from.members;
@@ -104,7 +101,7 @@ void try_input(Bytes bytes) {
   } file;
   write(file.path, members);
   try {
-    golden::DatasetReader reader(file.path);
+    golden::DatasetReader reader(file.path, none_is_made);
     std::vector<std::string> lines;
     while (reader.next()) lines.push_back(reader.text());
     // Behind the last row their digest has been compared.

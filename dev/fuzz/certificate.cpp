@@ -11,6 +11,7 @@
 #include "fuzz/fuzz.hpp"
 #include "golden/dataset_writer.hpp"
 #include "golden/families.hpp"
+#include "golden/right_case.hpp"
 #include "tool/commands/run_command.hpp"
 #include "tool/reports/certificate.hpp"
 #include "tool/run/process.hpp"

@@ -12,9 +12,9 @@
 
 #include "formats/hdf5.hpp"
 #include "formats/input_error.hpp"
+#include "fuzz/cases_in_form.hpp"
 #include "fuzz/fuzz.hpp"
 #include "golden/columns.hpp"
-#include "golden/families.hpp"
 
 namespace contact::fuzz {
 namespace {
@@ -22,20 +22,17 @@ namespace {
 using formats::hdf5::checked;
 using formats::hdf5::Handle;
 
-/// A file of some generated cases, its bytes and its lines.
+/// A file of some cases, its bytes and its lines.
 struct Made {
-  explicit Made(Pair pair, std::string_view family) {
+  explicit Made(Pair pair, bool invalid) {
     golden::DatasetHeader header;
     header.pair = pair;
-    header.family = family;
+    header.family = invalid ? golden::kInvalidFamily : "made";
     header.count = 5;
     const std::filesystem::path path =
         std::filesystem::temp_directory_path() / ("fuzz-" + std::to_string(::getpid()) + ".h5");
     const auto writer = golden::create_columns(path, formats::ArraysForm::hdf5, header);
-    for (std::uint64_t i = 0; i < header.count; ++i) {
-      const Query query =
-          golden::generate_query(pair, *golden::find_family(pair, family), header.scalar, header.seed, i);
-      const golden::Case c = golden::make_case(query, header.scalar);
+    for (const golden::Case& c : cases_in_form(pair, invalid, header.count)) {
       lines.push_back(golden::to_line(c));
       writer->write(c, lines.back());
     }
@@ -120,8 +117,8 @@ void change(const Handle& file, Changes& changes) {
 }  // namespace
 
 void try_input(Bytes bytes) {
-  static const std::array made{Made(Pair::sphere_sphere, "generic"), Made(Pair::sphere_sphere, "invalid"),
-                               Made(Pair::cube_cube, "touching")};
+  static const std::array made{Made(Pair::sphere_sphere, false), Made(Pair::sphere_sphere, true),
+                               Made(Pair::cube_cube, false)};
   Changes changes(bytes);
   const Made& from = made[changes.next() % made.size()];
   // HDF5 changes no file that has no name.
@@ -141,7 +138,7 @@ void try_input(Bytes bytes) {
     }
   }
   try {
-    golden::DatasetReader reader(file.path);
+    golden::DatasetReader reader(file.path, none_is_made);
     std::vector<std::string> lines;
     while (reader.next()) lines.push_back(reader.text());
     // Behind the last row their digest has been compared.

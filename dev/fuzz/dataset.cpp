@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include "formats/input_error.hpp"
+#include "fuzz/cases_in_form.hpp"
 #include "fuzz/fuzz.hpp"
 
 namespace contact::fuzz {
@@ -11,7 +12,7 @@ void try_input(Bytes bytes) {
   if (text_of(bytes).starts_with("\x89HDF")) return;  // columns have a target of their own
   const MemoryFile file(text_of(bytes));
   try {
-    golden::DatasetReader reader(file.path());
+    golden::DatasetReader reader(file.path(), none_is_made);
     std::uint64_t cases = 0;
     while (const auto c = reader.next()) {
       ++cases;

@@ -64,7 +64,7 @@ COMPONENTS = {
                "oracle/truth/interval_oracle.cpp", "oracle/truth/query.cpp", "oracle/truth/query.hpp", "oracle/truth/quick_witness.cpp", "oracle/truth/separation.cpp",
                "oracle/truth/sphere_cube_double_double.cpp", "oracle/truth/sphere_sphere_double_double.cpp",
                "oracle/truth/sphere_triangle_double_double.cpp", "oracle/truth/staged_oracle.cpp", "oracle/truth/staged_oracle.hpp",
-               "oracle/truth/truth.cpp", "oracle/truth/truth.hpp"],
+               "oracle/truth/truth.cpp", "oracle/truth/truth.hpp", "oracle/truth/witness.cpp"],
     "judge": ["oracle/judge/certain.cpp", "oracle/judge/conditioning.cpp", "oracle/judge/declaration.hpp", "oracle/judge/judge.cpp", "oracle/judge/judge.hpp", "oracle/judge/manifold.cpp", "oracle/judge/near_optimal.cpp", "oracle/judge/off.cpp", "oracle/judge/point_set.cpp", "oracle/judge/right_claim.cpp", "oracle/judge/verdict.hpp"],
     "diagnosis": ["oracle/diagnosis/capsule_plane.cpp", "oracle/diagnosis/sphere_plane.cpp",
                   "oracle/diagnosis/wrong_planes.cpp", "oracle/diagnosis/wrong_crossings.cpp",
@@ -77,7 +77,7 @@ COMPONENTS = {
                   "oracle/diagnosis/nearest_in_reals.hpp", "oracle/diagnosis/wrong_arithmetic.cpp", "oracle/diagnosis/wrong_decisions.cpp",
                   "oracle/diagnosis/wrong_convexes.cpp", "oracle/diagnosis/wrong_features.cpp", "oracle/diagnosis/wrong_fields.cpp",
                   "oracle/diagnosis/wrong_inputs.cpp"],
-    "lint": ["golden/lint.cpp", "tool/commands/lint.cpp"],
+    "lint": ["golden/lint.cpp", "golden/right_case.cpp", "tool/commands/lint.cpp"],
     "verify": ["golden/verify.py"],
 }
 TARGETS = ["kernel_test", "batch_test", "oracle_test", "golden_test", "engines_test", "contact-oracle"]

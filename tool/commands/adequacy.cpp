@@ -17,6 +17,7 @@
 #include "golden/families.hpp"
 #include "golden/manifest.hpp"
 #include "golden/query_id.hpp"
+#include "golden/right_case.hpp"
 #include "tool/commands/commands.hpp"
 #include "tool/reports/table.hpp"
 #include "tool/run/kill_matrix.hpp"

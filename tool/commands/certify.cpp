@@ -11,6 +11,7 @@
 #include <memory>
 #include <set>
 
+#include "golden/right_case.hpp"
 #include "tool/commands/commands.hpp"
 #include "tool/commands/demand.hpp"
 #include "tool/commands/engine_options.hpp"
@@ -65,7 +66,7 @@ std::vector<Source> datasets(const CertifyOptions& options) {
   std::vector<Source> sources;
   std::vector<std::string> seen;
   for (const auto& path : golden::dataset_files(paths)) {
-    const golden::DatasetReader reader(path);
+    const golden::DatasetReader reader(path, golden::is_made);
     const golden::DatasetHeader& h = reader.header();
     if (h.count == 0 && !h.shard)
       throw formats::InputError({path.string(), 1}, "count", "the dataset holds no case, got 0");
@@ -116,7 +117,7 @@ std::vector<Source> failed_before(const CertifyOptions& options) {
   }
   for (const auto& path :
        golden::dataset_files(std::vector<std::filesystem::path>(options.paths.begin(), options.paths.end()))) {
-    golden::DatasetReader reader(path);
+    golden::DatasetReader reader(path, golden::is_made);
     if (!kinds.contains({reader.header().pair, reader.header().scalar})) continue;
     while (const auto c = reader.next()) {
       throw_if_interrupted();

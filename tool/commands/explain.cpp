@@ -18,6 +18,7 @@
 #include "golden/dataset.hpp"
 #include "golden/dataset_writer.hpp"
 #include "golden/query_id.hpp"
+#include "golden/right_case.hpp"
 #include "tool/commands/commands.hpp"
 #include "tool/commands/json_output.hpp"
 #include "tool/reports/explanation.hpp"
@@ -144,7 +145,7 @@ class Lookup {
     }
     for (const auto& file : golden::dataset_files({path})) {
       if (!may_hold(file)) continue;
-      golden::DatasetReader reader(file);
+      golden::DatasetReader reader(file, golden::is_made);
       while (const auto c = reader.next()) {
         throw_if_interrupted();
         add(c->id, c->query, reader.header().scalar, reader.where().text());

@@ -16,6 +16,7 @@
 #include "golden/families.hpp"
 #include "golden/lint.hpp"
 #include "golden/query_id.hpp"
+#include "golden/right_case.hpp"
 #include "tool/commands/commands.hpp"
 #include "tool/run/cluster.hpp"
 #include "tool/run/digests.hpp"
@@ -90,7 +91,7 @@ void check_output(const std::string& command, const std::string& path) {
 /// Gives the digest of its answers.
 std::string check_finished(const golden::DatasetHeader& header, const std::string& path,
                            const std::function<Query(std::uint64_t)>& question, Progress& progress) {
-  golden::DatasetReader reader(path);
+  golden::DatasetReader reader(path, golden::is_made);
   if (const auto found = to_line(reader.header()), expected = to_line(header); found != expected)
     throw InputError(
         {path, 0}, "",
@@ -156,7 +157,7 @@ void generate_one(const GenerateOptions& o) {
 /// Refuses a file that something else made, as far as its header tells: it would be lost.
 void require_own(const std::filesystem::path& path, golden::DatasetHeader own) {
   if (!std::filesystem::exists(path)) return;
-  const golden::DatasetHeader found = golden::DatasetReader(path).header();
+  const golden::DatasetHeader found = golden::dataset_header(path);
   own.generator = found.generator;  // another version of this program
   if (to_line(found) != to_line(own))
     throw InputError({path.string(), 1}, "",
@@ -277,7 +278,7 @@ golden::DatasetHeader merged_header(std::vector<std::string>& shards) {
   std::optional<golden::DatasetHeader> whole;
   std::uint64_t of = 0;
   for (const std::string& path : shards) {
-    const golden::DatasetHeader header = golden::DatasetReader(path).header();
+    const golden::DatasetHeader header = golden::dataset_header(path);
     const auto refuse = [&](const std::string& problem) { throw InputError({path, 0}, "shard", problem); };
     if (!header.shard) refuse("several files are joined only where they are the shards of one dataset");
     golden::DatasetHeader alike = header;
@@ -312,11 +313,11 @@ golden::DatasetHeader merged_header(std::vector<std::string>& shards) {
 void convert(ConvertOptions o) {
   check_output("convert", o.output);
   const golden::DatasetHeader header =
-      o.inputs.size() == 1 ? golden::DatasetReader(o.inputs.front()).header() : merged_header(o.inputs);
+      o.inputs.size() == 1 ? golden::dataset_header(o.inputs.front()) : merged_header(o.inputs);
   const auto writer = golden::create_dataset(o.output, header);
   Progress progress(o.output, header.count);
   for (const std::string& path : o.inputs) {
-    golden::DatasetReader reader(path);
+    golden::DatasetReader reader(path, golden::is_made);
     check_canonical(reader, to_line(reader.header()));
     while (const auto c = reader.next()) {
       throw_if_interrupted();

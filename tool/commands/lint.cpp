@@ -29,7 +29,7 @@ bool is_of(const golden::DatasetHeader& h, const golden::CommittedFile& stream) 
 }
 
 golden::LintedFile lint_file(const std::filesystem::path& path, bool generated) {
-  Progress progress(path.filename().string(), golden::DatasetReader(path).header().count);
+  Progress progress(path.filename().string(), golden::dataset_header(path).count);
   golden::LintedFile file = golden::lint(path, generated, [&] {
     throw_if_interrupted();
     progress.add(1);

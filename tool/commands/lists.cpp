@@ -87,7 +87,7 @@ void list_families(Listed& list) {
     }
   }
   list.words("\nflags\n");
-  for (const golden::Flag& f : golden::flags()) {
+  for (const golden::Flag& f : golden::kFlags) {
     list.json({{"flag", f.name}, {"meaning", f.meaning}, {"breaks", f.breaks}});
     list.words("  {:<17}{}\n", f.name, f.meaning);
   }
@@ -127,7 +127,7 @@ void print_tables() {
   for (const golden::FamilyNote& f : golden::families_of_hits_alone())
     fmt::print("| {} | `{}` | {} |\n", shapes_of_kind(f.pair), f.family, f.why);
   fmt::print("<!-- hits-alone:end -->\n<!-- flags:begin -->\n| flag | what is true | what breaks |\n|---|---|---|\n");
-  for (const golden::Flag& f : golden::flags()) fmt::print("| `{}` | {} | {} |\n", f.name, f.meaning, f.breaks);
+  for (const golden::Flag& f : golden::kFlags) fmt::print("| `{}` | {} | {} |\n", f.name, f.meaning, f.breaks);
   fmt::print("<!-- flags:end -->\n");
 }
 

@@ -13,6 +13,7 @@
 #include "golden/agreement.hpp"
 #include "golden/dataset_writer.hpp"
 #include "golden/query_id.hpp"
+#include "golden/right_case.hpp"
 #include "tool/commands/commands.hpp"
 #include "tool/commands/demand.hpp"
 #include "tool/commands/engine_options.hpp"
@@ -74,7 +75,7 @@ struct Regression {
 };
 std::optional<Regression> read_regression(const fs::path& path) {
   if (!fs::exists(path)) return std::nullopt;
-  golden::DatasetReader reader(path);
+  golden::DatasetReader reader(path, golden::is_made);
   Regression found{reader.header(), {}};
   if (found.header.family != kRegression)
     throw formats::InputError({path.string(), 1}, "family",

@@ -107,7 +107,7 @@ class Certificate {
     for (const Node& source : stated) {
       if (const auto file = source.find("file")) {
         const std::filesystem::path path = dataset(file->raw_text(), files);
-        const golden::DatasetHeader h = golden::DatasetReader(path).header();
+        const golden::DatasetHeader h = golden::dataset_header(path);
         found.push_back({h.pair, h.scalar, h.family, h.count, path});
       } else {
         const Pair pair = golden::read_pair(source.at("pair"));

@@ -9,6 +9,7 @@
 
 #include "formats/json.hpp"
 #include "golden/dataset.hpp"
+#include "golden/right_case.hpp"
 #include "tool/reports/fitness.hpp"
 
 namespace contact::tool {

@@ -10,6 +10,7 @@
 #include "engines/zoo/mutants.hpp"
 #include "golden/answer_bytes.hpp"
 #include "golden/query_id.hpp"
+#include "golden/right_case.hpp"
 #include "oracle/judge/judge.hpp"
 #include "tool/run/parts.hpp"
 #include "tool/run/process.hpp"
@@ -77,7 +78,7 @@ KillMatrix kill_matrix(const std::filesystem::path& folder, const std::vector<st
   KillMatrix matrix;
   std::vector<golden::Case> cases;
   for (const auto& path : datasets) {
-    golden::DatasetReader reader(path);
+    golden::DatasetReader reader(path, golden::is_made);
     while (auto c = reader.next()) {
       matrix.cases.push_back({matrix.files.size(), c->id, c->query, {}});
       cases.push_back(std::move(*c));

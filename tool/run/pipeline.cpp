@@ -13,6 +13,7 @@
 
 #include "golden/agreement.hpp"
 #include "golden/query_id.hpp"
+#include "golden/right_case.hpp"
 #include "oracle/judge/conditioning.hpp"
 #include "oracle/truth/quick_witness.hpp"
 #include "tool/run/process.hpp"
@@ -54,7 +55,7 @@ class Questions {
  public:
   explicit Questions(const Source& source, Check check = Check::sample) : source_(source) {
     if (!source.dataset || source.count == 0) return;
-    reader_.emplace(*source.dataset);
+    reader_.emplace(*source.dataset, golden::is_made);
     with_texts_ = reader_->wants_texts() || (check == Check::all && reader_->has_digest_of_texts());
     reader_->skip(source.first);
   }

@@ -21,6 +21,7 @@
 #include "contact/sphere_sphere.hpp"
 #include "golden/agreement.hpp"
 #include "golden/query_id.hpp"
+#include "golden/right_case.hpp"
 #include "tool/run/fresh.hpp"
 #include "tool/run/parts.hpp"
 #include "tool/run/process.hpp"
@@ -59,7 +60,7 @@ Report judged(Pair pair, Broken::Change change, const oracle::Declaration& decla
   Oracles oracles;
   for (const auto& path :
        golden::dataset_files({std::filesystem::path(CONTACT_SOURCE_DIR) / "golden" / std::string(name(pair))})) {
-    const golden::DatasetHeader header = golden::DatasetReader(path).header();
+    const golden::DatasetHeader header = golden::dataset_header(path);
     if (header.family != "invalid")
       judge_source({header.pair, header.scalar, header.family, header.count, path}, subjects, never, oracles);
   }
@@ -296,7 +297,7 @@ TEST(Verdict, TooFewJudgedCasesAreNoCertificate) {
 Source committed(Pair pair, const std::string& family) {
   const auto path =
       std::filesystem::path(CONTACT_SOURCE_DIR) / "golden" / std::string(name(pair)) / (family + ".jsonl");
-  const golden::DatasetHeader header = golden::DatasetReader(path).header();
+  const golden::DatasetHeader header = golden::dataset_header(path);
   return {header.pair, header.scalar, header.family, header.count, path};
 }
 
@@ -690,7 +691,7 @@ TEST(Sample, of_a_large_source_is_one_in_1024_and_of_the_hard_questions_one_in_1
   EXPECT_NEAR(static_cast<double>(hard), kCount / 16.0, 200);
 }
 
-/// What is said of an engine that is wrong about every third point, by so many threads.
+/// What is said of an engine that is wrong about some points, by so many threads.
 std::string report_by(std::size_t threads, bool fail_fast) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   std::vector<Subject> subjects;
@@ -698,7 +699,7 @@ std::string report_by(std::size_t threads, bool fail_fast) {
   subjects.push_back({std::make_unique<Broken>([&](const Query& query, Claim& claim) {
                         // Long enough for other threads to be done with what comes later.
                         if (!waited.exchange(true)) std::this_thread::sleep_for(std::chrono::milliseconds(100));
-                        if (query.distances.contact > 0.5)
+                        if (query.distances.contact > 0.9)
                           in_contact(claim, [](ContactClaim& c) { c.point1 = 2 * *c.point1; });
                       }),
                       {}});
