@@ -175,8 +175,6 @@ template <class Ask>
 }
 #undef CONTACT_ASK
 
-template <class Shape, class... Shapes>
-inline constexpr bool kIsOneOf = (std::same_as<Shape, Shapes> || ...);
 /// Whether a shape is a core blown up by a radius.
 template <class Shape>
 inline constexpr bool kHasRadius = requires(Shape shape) {

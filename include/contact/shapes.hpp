@@ -19,7 +19,7 @@
 
 namespace contact::inline CONTACT_ABI {
 
-/// What a field of a shape is: a place in space, or three of them; a length, or three, which are >= 0; a direction, which
+/// What a field of a shape is: a place in space, or several; a length, or three, which are >= 0; a direction, which
 /// is not zero and whose own length says nothing; how far along a direction something lies, of either sign; or how a
 /// shape is turned, a quaternion, which is not zero and whose own length says nothing.
 enum class FieldKind { point, length, direction, offset, orientation };
@@ -44,6 +44,9 @@ struct BrokenRule {
   int axis;
   std::string_view rule;
 };
+
+template <class Shape, class... Shapes>
+inline constexpr bool kIsOneOf = (std::same_as<Shape, Shapes> || ...);
 
 /// The description of a shape:
 ///   kName          its name in schemas and tables
@@ -181,24 +184,22 @@ struct ShapeDescription<Line> : AnyNumbers<Line> {
   }
 };
 
-/// What a field may hold.
+/// A field of several vectors: an array, or a span of one, has as many as its shape; of a std::vector a question says how many.
 template <class Value>
-concept FieldValue = std::same_as < std::remove_const_t<Value>,
-double > || std::same_as<std::remove_const_t<Value>, Vector3> || std::same_as<std::remove_const_t<Value>, Quaternion> ||
-    std::same_as<std::remove_const_t<Value>, std::array<Vector3, 3>> ||
-    std::same_as<std::remove_const_t<Value>, std::vector<Vector3>>;
-/// A field of which a question says how many vectors it has.
+concept SeveralVectors = std::same_as<typename std::remove_cvref_t<Value>::value_type, Vector3>;
 template <class Value>
 concept AnyNumberOfVectors = std::same_as<std::remove_cvref_t<Value>, std::vector<Vector3>>;
+/// What a field may hold.
+template <class Value>
+concept FieldValue = SeveralVectors<Value> ||(kIsOneOf<std::remove_const_t<Value>, double, Vector3, Quaternion>);
 
-/// Calls visit(vector&) for every vector of a field: none of a number or a quaternion, one, three, or as many as it has.
+/// Calls visit(vector&) for every vector of a field: none of a number or a quaternion.
 template <FieldValue Value, class Visit>
 constexpr void for_each_vector(Value& value, Visit&& visit) {
-  using Plain = std::remove_const_t<Value>;
-  if constexpr (std::same_as<Plain, Vector3>)
-    visit(value);
-  else if constexpr (std::same_as<Plain, std::array<Vector3, 3>> || AnyNumberOfVectors<Plain>)
+  if constexpr (SeveralVectors<Value>)
     for (auto& v : value) visit(v);
+  else if constexpr (std::same_as<std::remove_const_t<Value>, Vector3>)
+    visit(value);
 }
 
 /// Calls visit(number&) for every number of a field.
