@@ -97,12 +97,17 @@ struct ShapeDescription<Capsule> {
   static void break_a_rule(Capsule& capsule, int /*number*/, double amount) { capsule.radius = -amount; }
 };
 
-/// A shape that no rule can be broken of but that every number is finite.
+/// A shape of which no rule is of the whole, and perhaps none but that every number is finite.
 template <class Shape>
 struct AnyNumbers {
   template <class Less>
   static std::optional<BrokenRule> broken_rule(const Shape& /*shape*/, Less /*less*/) {
     return std::nullopt;
+  }
+  static void break_a_rule(Shape& shape, int number, double /*amount*/) {
+    for_each_number(shape, [&](double& x) {
+      if (number-- == 0) x = std::numeric_limits<double>::infinity();
+    });
   }
 };
 
@@ -119,9 +124,6 @@ struct ShapeDescription<Triangle> : AnyNumbers<Triangle> {
   static constexpr std::string_view kName = "triangle";
   static constexpr std::tuple kFields{
       ShapeField<Triangle, std::array<Vector3, 3>>{"vertices", &Triangle::vertices, FieldKind::point}};
-  static void break_a_rule(Triangle& triangle, int number, double /*amount*/) {
-    triangle.vertices[static_cast<std::size_t>(number / 3)][number % 3] = std::numeric_limits<double>::infinity();
-  }
 };
 
 template <>
@@ -179,9 +181,6 @@ struct ShapeDescription<Line> : AnyNumbers<Line> {
   static constexpr std::string_view kName = "line";
   static constexpr std::tuple kFields{ShapeField<Line, Vector3>{"start", &Line::start, FieldKind::point},
                                       ShapeField<Line, Vector3>{"end", &Line::end, FieldKind::point}};
-  static void break_a_rule(Line& line, int number, double /*amount*/) {
-    (number < 3 ? line.start : line.end)[number % 3] = std::numeric_limits<double>::infinity();
-  }
 };
 
 /// A field of several vectors: an array, or a span of one, has as many as its shape; of a std::vector a question says how many.
@@ -248,6 +247,14 @@ constexpr void for_each_field(Shape& shape, Visit&& visit) {
 template <AnyConvex Shape, class Visit>
 constexpr void for_each_field(Shape& convex, Visit&& visit) {
   std::visit([&](auto& shape) { for_each_field(shape, visit); }, convex.shape);
+}
+
+/// Calls visit(point&) for every point that a shape is given by, in order.
+template <AShape Shape, class Visit>
+constexpr void for_each_point(Shape& shape, Visit&& visit) {
+  for_each_field(shape, [&](const auto& field, auto& value) {
+    if (field.kind == FieldKind::point) for_each_vector(value, visit);
+  });
 }
 
 /// The names of a shape's fields, in order.
