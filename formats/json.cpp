@@ -71,8 +71,7 @@ void append_array(std::string& text, const Elements& all) {
 
 }  // namespace
 
-void append_number(std::string& text, const std::array<Vector3, 3>& all) { append_array(text, all); }
-void append_number(std::string& text, const std::vector<Vector3>& all) { append_array(text, all); }
+void append_number(std::string& text, std::span<const Vector3> all) { append_array(text, all); }
 void append_number(std::string& text, const Quaternion& q) { append_array(text, q); }
 
 std::string number(double x) {
@@ -291,10 +290,12 @@ Vector3 Node::vector() const {
   return {parts[0].number(), parts[1].number(), parts[2].number()};
 }
 
-std::array<Vector3, 3> Node::three_vectors() const {
-  if (!json_->is_array() || json_->size() != 3) refuse("expected three points of three numbers each");
+void Node::vectors(std::span<Vector3> all) const {
+  if (!json_->is_array() || json_->size() != all.size())
+    refuse(fmt::format("expected {} points of three numbers each",
+                       all.size() == 3 ? "three" : std::to_string(all.size())));
   const auto parts = items();
-  return {parts[0].vector(), parts[1].vector(), parts[2].vector()};
+  std::transform(parts.begin(), parts.end(), all.begin(), [](const Node& part) { return part.vector(); });
 }
 
 std::vector<Vector3> Node::vectors() const {

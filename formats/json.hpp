@@ -23,8 +23,7 @@ namespace contact::formats {
 [[nodiscard]] std::string number(const Vector3& v);
 void append_number(std::string& text, double x);
 void append_number(std::string& text, const Vector3& v);
-void append_number(std::string& text, const std::array<Vector3, 3>& all);
-void append_number(std::string& text, const std::vector<Vector3>& all);
+void append_number(std::string& text, std::span<const Vector3> all);
 void append_number(std::string& text, const Quaternion& q);
 /// The binary32 number that a decimal was written for, as C++ and JavaScript write one: to as many digits as the decimal
 /// has it is the decimal. 14.831459 was written for 14.831459045410156. Nothing where x is itself a binary32 number, or
@@ -51,7 +50,8 @@ class Node {
   [[nodiscard]] bool is_null() const;
   [[nodiscard]] double number() const;  ///< -0 is read as +0; "NaN", "Infinity" and "-Infinity" are numbers here
   [[nodiscard]] Vector3 vector() const;
-  [[nodiscard]] std::array<Vector3, 3> three_vectors() const;
+  /// As many as there is room for.
+  void vectors(std::span<Vector3> all) const;
   /// From one to kMostVertices of them.
   [[nodiscard]] std::vector<Vector3> vectors() const;
   [[nodiscard]] Quaternion quaternion() const;

@@ -113,12 +113,10 @@ struct Type {
   }
 };
 
-Type type_of(const double& /*value*/, std::size_t /*width*/) { return {{Kind::real, sizeof(double)}, 0}; }
-Type type_of(const Vector3& /*value*/, std::size_t /*width*/) { return {{Kind::real, sizeof(double), {3}}, 0}; }
-Type type_of(const std::array<Vector3, 3>& /*value*/, std::size_t /*width*/) {
-  return {{Kind::real, sizeof(double), {3, 3}}, 0};
+template <FieldValue Value>
+Type type_of(const Value& value, std::size_t /*width*/) {
+  return {{Kind::real, sizeof(double), extents_of(value)}, 0};
 }
-Type type_of(const Quaternion& /*value*/, std::size_t /*width*/) { return {{Kind::real, sizeof(double), {4}}, 0}; }
 Type type_of(const std::vector<Vector3>& /*value*/, std::size_t /*width*/) {
   return {{Kind::real, sizeof(double), {kMostVertices, 3}}, 0};
 }

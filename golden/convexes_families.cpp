@@ -79,9 +79,6 @@ struct Making {
   }
   void make(Ball& ball) const { ball = {point(), length()}; }
   void make(Capsule& capsule) const { capsule = {point(), point(), length()}; }
-  void make(Triangle& triangle) const {
-    for (Vector3& v : triangle.vertices) v = point();
-  }
   void make(Box& box) const {
     const Vector3 low = point();
     box.min = low;
@@ -103,7 +100,9 @@ struct Making {
   }
   void make(Plane& plane) const { plane = {vector(random, 1), random.uniform(-1.0, 1.0)}; }
   template <class Shape>
-  void make(Shape& /*shape*/) const {}
+  void make(Shape& shape) const {
+    for_each_point(shape, [&](Vector3& v) { v = point(); });
+  }
 };
 
 /// Moves a shape; a half-space by its offset.
@@ -112,9 +111,7 @@ void move(Shape& shape, const Vector3& by) {
   if constexpr (std::same_as<Shape, Plane>)
     shape.offset += (shape.normal[0] * by[0] + shape.normal[1] * by[1]) + shape.normal[2] * by[2];
   else
-    for_each_field(shape, [&](const auto& field, auto& value) {
-      if (field.kind == FieldKind::point) for_each_vector(value, [&](Vector3& v) { v += by; });
-    });
+    for_each_point(shape, [&](Vector3& v) { v += by; });
 }
 void move_second(Query& query, const Vector3& by) {
   std::visit([&](auto* shape) { move(*shape, by); }, two_shapes(query)[1]);
@@ -144,10 +141,12 @@ double spread(Pair pair, double of_solids) {
 // ---- features that face each other, in integers ----
 
 /// The vertices of a core in integers, whose boxes are turned by a quaternion of kExactTurns: what is computed is exact.
-std::vector<Vector3> vertices(const Ball& ball) { return {ball.center}; }
-std::vector<Vector3> vertices(const Capsule& capsule) { return {capsule.start, capsule.end}; }
-std::vector<Vector3> vertices(const Hull& hull) { return hull.vertices; }
-std::vector<Vector3> vertices(const Triangle& triangle) { return {triangle.vertices.begin(), triangle.vertices.end()}; }
+template <class Shape>
+std::vector<Vector3> vertices(const Shape& shape) {
+  std::vector<Vector3> all;
+  for_each_point(shape, [&](const Vector3& v) { all.push_back(v); });
+  return all;
+}
 template <class Corner>
 std::vector<Vector3> corners(Corner corner) {
   std::vector<Vector3> all;
@@ -173,10 +172,6 @@ std::vector<Vector3> vertices(const Obb& box) {
     for (int k = 0; k < 3; ++k) corner += (side[k] * box.extents[k] / N) * columns[static_cast<std::size_t>(k)];
     return corner;
   });
-}
-template <class Shape>
-std::vector<Vector3> vertices(const Shape& /*shape*/) {
-  return {};
 }
 
 /// Shapes in integers, the second one beyond the first in a direction d, and so many d from it, where a corner faces a corner, or if d is an axis, a face a
@@ -271,7 +266,7 @@ void recede(Query& query, const Vector3& d, Scalar scalar) {
           double& side = (d[axis] > 0 ? shape->min : shape->max)[axis];
           side = stepped(side, d[axis] > 0 ? 1 : -1, scalar);
         }
-        if constexpr (kIsOneOf<Shape, Triangle, Hull>) {
+        if constexpr (requires { shape->vertices; }) {
           double least = std::numeric_limits<double>::infinity();
           for (const Vector3& v : shape->vertices) least = std::min(least, d.dot(v));
           for (Vector3& v : shape->vertices)
@@ -393,8 +388,7 @@ Query parallel(Pair pair, Scalar scalar, Random& random) {
       along = corner[1] - corner[0];
     }
     if constexpr (std::same_as<Shape, Capsule>) shape.end = shape.start + along + off * vector(random, 1);
-    if constexpr (kIsOneOf<Shape, Triangle, Hull>)
-      shape.vertices[1] = shape.vertices[0] + along + off * vector(random, 1);
+    if constexpr (requires { shape.vertices; }) shape.vertices[1] = shape.vertices[0] + along + off * vector(random, 1);
     if constexpr (std::same_as<Shape, Plane>) shape.normal = along + off * vector(random, 1);
   });
   if (random.turn(5) == kMissing) {
@@ -430,7 +424,7 @@ Query flat(Pair pair, Scalar scalar, Random& random) {
     }
     if constexpr (std::same_as<Shape, Capsule>)
       shape.end = random.chance(2) ? shape.start : shape.start + Vector3::Unit(axis);
-    if constexpr (std::same_as<Shape, Triangle>)
+    if constexpr (requires { shape.vertices; } && !std::same_as<Shape, Hull>)
       shape.vertices[2] = random.chance(2) ? shape.vertices[1] : shape.vertices[0] / 2 + shape.vertices[1] / 2;
   });
   distances(query, random);

@@ -64,11 +64,12 @@ struct Mesh {
     });
   }
   /// Three vertices make a face where no other lies beyond them, or by no more than rounding does.
-  void add(const Hull& hull) {
+  template <HullOfVertices Shape>
+  void add(const Shape& hull) {
     for (const Vector3& v : hull.vertices)
       if (const Triple<Real> x = in_scalar<Real>(v); std::find(vertices.begin(), vertices.end(), x) == vertices.end())
         vertices.push_back(x);
-    radius = static_cast<Real>(hull.radius);
+    radius = static_cast<Real>(radius_of(hull));
     const std::size_t n = vertices.size();
     const auto add_edge = [&](std::size_t i, std::size_t j) {
       const std::array edge{std::min(i, j), std::max(i, j)};

@@ -131,7 +131,7 @@ void read(const formats::Node& node, Shape& shape) {
     else if constexpr (AnyNumberOfVectors<decltype(value)>)
       value = node.at(field.name).vectors();
     else
-      value = node.at(field.name).three_vectors();
+      node.at(field.name).vectors(value);
   });
 }
 

@@ -166,7 +166,10 @@ bool is_flat(const Line& line) { return line.start == line.end; }
 bool is_flat(const Ray& ray) { return ray.length == 0; }
 
 bool is_flat(const Obb& box) { return (box.extents.array() == 0).any(); }
-bool is_flat(const Hull& hull) { return oracle::exact_core(hull).outward.empty(); }
+template <HullOfVertices Shape>
+bool is_flat(const Shape& hull) {
+  return oracle::exact_core(hull).outward.empty();
+}
 template <class Shape>
 bool is_point(const Shape& shape) {
   if constexpr (kHasRadius<Shape>) return shape.radius == 0;

@@ -22,12 +22,9 @@ Query about_one_place(Query query) {
   std::optional<Vector3> to;
   int which = 0;
   for_each_shape(query, [&](const auto& shape) {
-    for_each_field(shape, [&](const auto& field, const auto& value) {
-      if (field.kind != FieldKind::point) return;
-      for_each_vector(value, [&](const Vector3& v) {
-        auto& first = which == 0 ? from : to;
-        if (!first) first = v;
-      });
+    for_each_point(shape, [&](const Vector3& v) {
+      auto& first = which == 0 ? from : to;
+      if (!first) first = v;
     });
     ++which;
   });
@@ -37,9 +34,7 @@ Query about_one_place(Query query) {
   which = 0;
   for_each_shape(moved, [&](auto& shape) {
     if (which++ == 0) return;
-    for_each_field(shape, [&](const auto& field, auto& value) {
-      if (field.kind == FieldKind::point) for_each_vector(value, [&](Vector3& v) { v += by; });
-    });
+    for_each_point(shape, [&](Vector3& v) { v += by; });
   });
   return moved;
 }

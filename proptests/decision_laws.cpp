@@ -95,7 +95,8 @@ Questions alarm_grown(const Trial& trial, const Subject& subject) {
 namespace {
 
 template <class Shape>
-constexpr bool kCanGrow = !std::same_as<Shape, Triangle> && !std::same_as<Shape, Line>;
+constexpr bool kCanGrow =
+    kHasRadius<Shape> || !(std::same_as<Shape, Line> || requires(Shape shape) { shape.vertices; });
 
 }  // namespace
 

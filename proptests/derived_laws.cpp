@@ -46,12 +46,9 @@ double breadth(const Shape& shape) {
     return 2 * shape.extents.sum();
   } else {
     std::optional<std::array<Vector3, 2>> box;
-    for_each_field(shape, [&](const auto& field, const auto& value) {
-      if (field.kind != FieldKind::point) return;
-      for_each_vector(value, [&](const Vector3& v) {
-        if (!box) box = {v, v};
-        box = {(*box)[0].cwiseMin(v), (*box)[1].cwiseMax(v)};
-      });
+    for_each_point(shape, [&](const Vector3& v) {
+      if (!box) box = {v, v};
+      box = {(*box)[0].cwiseMin(v), (*box)[1].cwiseMax(v)};
     });
     return box ? ((*box)[1] - (*box)[0]).sum() : 0;
   }
@@ -76,8 +73,10 @@ bool cut(Capsule& capsule, const Vector3& at, int choice) {
   (choice % 2 == 0 ? capsule.start : capsule.end) = at;
   return true;
 }
-bool cut(Triangle& triangle, const Vector3& at, int choice) {
-  triangle.vertices[static_cast<std::size_t>(choice) % 3] = at;
+template <class Shape>
+requires requires(Shape shape) { shape.vertices; }
+bool cut(Shape& shape, const Vector3& at, int choice) {
+  shape.vertices[static_cast<std::size_t>(choice) % shape.vertices.size()] = at;
   return true;
 }
 bool cut(Box& box, const Vector3& at, int choice) {

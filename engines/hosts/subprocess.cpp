@@ -198,8 +198,10 @@ Question smoke_question(Pair pair) {
       else if constexpr (AnyNumberOfVectors<decltype(value)>)
         value = {Vector3(aside, 0, 0), Vector3(1 + aside, 0, 0), Vector3(aside, 1, 0), Vector3(aside, 0, 1)};
       else
-        for (std::size_t i = 0; i < 3; ++i)
-          value[i] = Vector3::Unit(static_cast<Eigen::Index>(i)) + Vector3(aside, 0, 0);
+        for (Eigen::Index i = 0; Vector3 & v : value) {
+          v = Vector3(aside, 0, 0);
+          if (i < 3) ++v[i++];
+        }
     });
   };
   std::visit([&](auto& shapes) { fill(shapes.a, 0), fill(shapes.b, 1); }, query.shapes);

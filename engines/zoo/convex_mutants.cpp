@@ -46,10 +46,7 @@ void leave_by_centers(const Query& q, Claim& claim) {
   std::vector<std::vector<Wide3>> points;
   for_each_shape(q, [&](const auto& shape) {
     auto& of = points.emplace_back();
-    for_each_field(shape, [&](const auto& field, const auto& value) {
-      if (field.kind == FieldKind::point)
-        for_each_vector(value, [&](const Vector3& v) { of.push_back(v.template cast<Wide>()); });
-    });
+    for_each_point(shape, [&](const Vector3& v) { of.push_back(v.template cast<Wide>()); });
   });
   const auto middle = [](const std::vector<Wide3>& of) {
     Wide3 sum = Wide3::Zero();

@@ -175,12 +175,22 @@ template <class Ask>
 }
 #undef CONTACT_ASK
 
-template <class Shape, class... Shapes>
-inline constexpr bool kIsOneOf = (std::same_as<Shape, Shapes> || ...);
 /// Whether a shape is a core blown up by a radius.
 template <class Shape>
 inline constexpr bool kHasRadius = requires(Shape shape) {
   shape.radius;
+};
+
+/// The radius that it is blown up by, or 0.
+template <class Shape>
+[[nodiscard]] constexpr double radius_of(const Shape& shape) {
+  if constexpr (kHasRadius<Shape>) return shape.radius;
+  return 0;
+}
+/// A shape that is the hull of its vertices, and of which nothing more is known. A triangle's features are.
+template <class Shape>
+concept HullOfVertices = !std::same_as<Shape, Triangle> && requires(Shape shape) {
+  shape.vertices.size();
 };
 
 /// Whether one of its shapes is a hull, which has as many numbers as a question says.

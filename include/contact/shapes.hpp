@@ -19,7 +19,7 @@
 
 namespace contact::inline CONTACT_ABI {
 
-/// What a field of a shape is: a place in space, or three of them; a length, or three, which are >= 0; a direction, which
+/// What a field of a shape is: a place in space, or several; a length, or three, which are >= 0; a direction, which
 /// is not zero and whose own length says nothing; how far along a direction something lies, of either sign; or how a
 /// shape is turned, a quaternion, which is not zero and whose own length says nothing.
 enum class FieldKind { point, length, direction, offset, orientation };
@@ -44,6 +44,9 @@ struct BrokenRule {
   int axis;
   std::string_view rule;
 };
+
+template <class Shape, class... Shapes>
+inline constexpr bool kIsOneOf = (std::same_as<Shape, Shapes> || ...);
 
 /// The description of a shape:
 ///   kName          its name in schemas and tables
@@ -94,12 +97,17 @@ struct ShapeDescription<Capsule> {
   static void break_a_rule(Capsule& capsule, int /*number*/, double amount) { capsule.radius = -amount; }
 };
 
-/// A shape that no rule can be broken of but that every number is finite.
+/// A shape of which no rule is of the whole, and perhaps none but that every number is finite.
 template <class Shape>
 struct AnyNumbers {
   template <class Less>
   static std::optional<BrokenRule> broken_rule(const Shape& /*shape*/, Less /*less*/) {
     return std::nullopt;
+  }
+  static void break_a_rule(Shape& shape, int number, double /*amount*/) {
+    for_each_number(shape, [&](double& x) {
+      if (number-- == 0) x = std::numeric_limits<double>::infinity();
+    });
   }
 };
 
@@ -116,9 +124,6 @@ struct ShapeDescription<Triangle> : AnyNumbers<Triangle> {
   static constexpr std::string_view kName = "triangle";
   static constexpr std::tuple kFields{
       ShapeField<Triangle, std::array<Vector3, 3>>{"vertices", &Triangle::vertices, FieldKind::point}};
-  static void break_a_rule(Triangle& triangle, int number, double /*amount*/) {
-    triangle.vertices[static_cast<std::size_t>(number / 3)][number % 3] = std::numeric_limits<double>::infinity();
-  }
 };
 
 template <>
@@ -176,29 +181,24 @@ struct ShapeDescription<Line> : AnyNumbers<Line> {
   static constexpr std::string_view kName = "line";
   static constexpr std::tuple kFields{ShapeField<Line, Vector3>{"start", &Line::start, FieldKind::point},
                                       ShapeField<Line, Vector3>{"end", &Line::end, FieldKind::point}};
-  static void break_a_rule(Line& line, int number, double /*amount*/) {
-    (number < 3 ? line.start : line.end)[number % 3] = std::numeric_limits<double>::infinity();
-  }
 };
 
-/// What a field may hold.
+/// A field of several vectors: an array, or a span of one, has as many as its shape; of a std::vector a question says how many.
 template <class Value>
-concept FieldValue = std::same_as < std::remove_const_t<Value>,
-double > || std::same_as<std::remove_const_t<Value>, Vector3> || std::same_as<std::remove_const_t<Value>, Quaternion> ||
-    std::same_as<std::remove_const_t<Value>, std::array<Vector3, 3>> ||
-    std::same_as<std::remove_const_t<Value>, std::vector<Vector3>>;
-/// A field of which a question says how many vectors it has.
+concept SeveralVectors = std::same_as<typename std::remove_cvref_t<Value>::value_type, Vector3>;
 template <class Value>
 concept AnyNumberOfVectors = std::same_as<std::remove_cvref_t<Value>, std::vector<Vector3>>;
+/// What a field may hold.
+template <class Value>
+concept FieldValue = SeveralVectors<Value> ||(kIsOneOf<std::remove_const_t<Value>, double, Vector3, Quaternion>);
 
-/// Calls visit(vector&) for every vector of a field: none of a number or a quaternion, one, three, or as many as it has.
+/// Calls visit(vector&) for every vector of a field: none of a number or a quaternion.
 template <FieldValue Value, class Visit>
 constexpr void for_each_vector(Value& value, Visit&& visit) {
-  using Plain = std::remove_const_t<Value>;
-  if constexpr (std::same_as<Plain, Vector3>)
-    visit(value);
-  else if constexpr (std::same_as<Plain, std::array<Vector3, 3>> || AnyNumberOfVectors<Plain>)
+  if constexpr (SeveralVectors<Value>)
     for (auto& v : value) visit(v);
+  else if constexpr (std::same_as<std::remove_const_t<Value>, Vector3>)
+    visit(value);
 }
 
 /// Calls visit(number&) for every number of a field.
@@ -247,6 +247,14 @@ constexpr void for_each_field(Shape& shape, Visit&& visit) {
 template <AnyConvex Shape, class Visit>
 constexpr void for_each_field(Shape& convex, Visit&& visit) {
   std::visit([&](auto& shape) { for_each_field(shape, visit); }, convex.shape);
+}
+
+/// Calls visit(point&) for every point that a shape is given by, in order.
+template <AShape Shape, class Visit>
+constexpr void for_each_point(Shape& shape, Visit&& visit) {
+  for_each_field(shape, [&](const auto& field, auto& value) {
+    if (field.kind == FieldKind::point) for_each_vector(value, visit);
+  });
 }
 
 /// The names of a shape's fields, in order.

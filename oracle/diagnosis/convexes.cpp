@@ -28,7 +28,7 @@ constexpr double kMargin = 0.04;  ///< Bullet's CONVEX_DISTANCE_MARGIN
 bool has_flat_hull(const Query& q) {
   bool found = false;
   for_each_shape(q, [&]<class Shape>(const Shape& shape) {
-    if constexpr (std::same_as<Shape, Hull>) found = found || exact_core(shape).outward.empty();
+    if constexpr (HullOfVertices<Shape>) found = found || exact_core(shape).outward.empty();
   });
   return found;
 }
@@ -38,10 +38,7 @@ template <class Shape>
 Numbers middle_of(const Shape& shape) {
   Numbers sum{};
   Real count = 0;
-  for_each_field(shape, [&](const auto& field, const auto& value) {
-    if (field.kind == FieldKind::point)
-      for_each_vector(value, [&](const Vector3& v) { sum = along(sum, 1, numbers_of(v)), ++count; });
-  });
+  for_each_point(shape, [&](const Vector3& v) { sum = along(sum, 1, numbers_of(v)), ++count; });
   return times(1 / std::max(count, Real{1}), sum);
 }
 

@@ -91,7 +91,7 @@ class MovingNumbers {
     if constexpr (std::same_as<Shape, Plane>) {
       body.normal = vec(make, shape.normal);
       body.offset = make(shape.offset);
-    } else if constexpr (std::same_as<Shape, Hull>) {
+    } else if constexpr (HullOfVertices<Shape>) {
       body.vertices = points_of(make, shape);
     } else {
       auto core = core_of(make, shape);

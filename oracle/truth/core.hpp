@@ -62,28 +62,25 @@ typename CoreBy<Make>::Vec vec(const Make& make, const Vector3& v) {
   return {make(v[0]), make(v[1]), make(v[2])};
 }
 
-template <class Make>
-CoreBy<Make> core_of(const Make& make, const Ball& ball) {
-  return {{vec(make, ball.center)}, features::kPoint, ball.radius};
+template <class Make, class Shape>
+std::vector<typename CoreBy<Make>::Vec> points_of(const Make& make, const Shape& shape) {
+  std::vector<typename CoreBy<Make>::Vec> points;
+  for_each_point(shape, [&](const Vector3& x) { points.push_back(vec(make, x)); });
+  return points;
 }
-template <class Make>
-CoreBy<Make> core_of(const Make& make, const Capsule& capsule) {
-  return {{vec(make, capsule.start), vec(make, capsule.end)}, features::kSegment, capsule.radius};
+
+/// Of a shape that is given by the vertices of a simplex.
+template <class Make, class Shape>
+requires kIsOneOf<Shape, Ball, Capsule, Line, Triangle> CoreBy<Make> core_of(const Make& make, const Shape& shape) {
+  auto points = points_of(make, shape);
+  const auto all = features::of_simplex(points.size());
+  return {std::move(points), all, radius_of(shape)};
 }
 template <class Make>
 CoreBy<Make> core_of(const Make& make, const Ray& ray) {
   const auto length = make(ray.length);
   const auto end = [&](Eigen::Index i) { return make(ray.origin[i]) + length * make(ray.direction[i]); };
   return {{vec(make, ray.origin), {end(0), end(1), end(2)}}, features::kSegment};
-}
-template <class Make>
-CoreBy<Make> core_of(const Make& make, const Line& line) {
-  return {{vec(make, line.start), vec(make, line.end)}, features::kSegment};
-}
-template <class Make>
-CoreBy<Make> core_of(const Make& make, const Triangle& triangle) {
-  const auto& [v0, v1, v2] = triangle.vertices;
-  return {{vec(make, v0), vec(make, v1), vec(make, v2)}, features::kTriangle};
 }
 template <class Make>
 CoreBy<Make> core_of(const Make& make, const Box& box) {
@@ -152,12 +149,6 @@ Core<Number> core_of_points(const std::vector<std::array<Number, 3>>& points, do
   for (const Feature& face : core.features.last(hull.faces))
     core.outward.push_back(area_between(core.vertices, face.places[0], face.places[1], face.places[2]));
   return core;
-}
-template <class Make>
-std::vector<typename CoreBy<Make>::Vec> points_of(const Make& make, const Hull& hull) {
-  std::vector<typename CoreBy<Make>::Vec> points;
-  for (const Vector3& x : hull.vertices) points.push_back(vec(make, x));
-  return points;
 }
 
 }  // namespace contact::oracle

@@ -578,7 +578,6 @@ ExactCore exact_core(const Hull& hull) {
   place = Kept{hull, exact_hull(points_of([](double x) { return Rational(x); }, hull), hull.radius)};
   return place->core;
 }
-EnclosedCore enclosed_core(const Hull& hull) { return exact_core(hull).enclosed; }
 ExactCore exact_core(const Convex& convex) {
   return std::visit(
       []<class Shape>(const Shape& shape) {

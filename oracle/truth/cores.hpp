@@ -30,7 +30,14 @@ template <class Shape>
 /// Of the hull of some points.
 [[nodiscard]] ExactCore exact_hull(const std::vector<Point>& points, double radius = 0);
 [[nodiscard]] ExactCore exact_core(const Hull& hull);
-[[nodiscard]] EnclosedCore enclosed_core(const Hull& hull);
+template <HullOfVertices Shape>
+[[nodiscard]] ExactCore exact_core(const Shape& shape) {
+  return exact_core(Hull{{shape.vertices.begin(), shape.vertices.end()}, radius_of(shape)});
+}
+template <HullOfVertices Shape>
+[[nodiscard]] EnclosedCore enclosed_core(const Shape& shape) {
+  return exact_core(shape).enclosed;
+}
 
 /// Encloses two cores anew, on one scale on which products of doubles stay in their range: intervals only compare lengths of one question.
 void enclose_in_range(ExactCore& first, ExactCore& second);

@@ -63,14 +63,15 @@ template <class Shape>
 NearCore core_in_doubles(const Shape& shape) {
   return core_of([](double x) { return DoubleDouble{x}; }, shape);
 }
-NearCore core_in_doubles(const Hull& hull) {
+template <HullOfVertices Shape>
+NearCore core_in_doubles(const Shape& hull) {
   const auto points = points_of([](double x) { return DoubleDouble{x}; }, hull);
   const auto sign = [&](const auto& ask) {
     const auto known = ask(points).sign();
     if (!known) throw Uncertain{};
     return *known;
   };
-  return core_of_points(points, hull.radius, sign);
+  return core_of_points(points, radius_of(hull), sign);
 }
 
 /// A rotated box as with_short_orientation has it, so that more of them are in range.

@@ -31,6 +31,12 @@ inline constexpr std::array kPoint{vertex(0)};
 inline constexpr std::array kSegment{vertex(0), vertex(1), edge(0, 1)};
 inline constexpr std::array kTriangle{
     vertex(0), vertex(1), vertex(2), edge(0, 1), edge(1, 2), edge(2, 0), Feature{3, {0, 1, 2}}};
+/// Of so many vertices, none of which lies between the others: one, two or three.
+constexpr std::span<const Feature> of_simplex(std::size_t vertices) {
+  if (vertices == 1) return kPoint;
+  if (vertices == 2) return kSegment;
+  return kTriangle;
+}
 /// Bit i of a corner's place says whether it is at the upper end of axis i. Of the faces the lower one comes before the upper one.
 inline constexpr std::array kBox = [] {
   std::array<Feature, 26> all{};

@@ -12,9 +12,10 @@ template <class Shape>
   return core_of([precision](double x) { return Interval(precision, x); }, shape);
 }
 
-[[nodiscard]] inline IntervalCore interval_core(const Hull& hull, mpfr_prec_t precision) {
+template <HullOfVertices Shape>
+[[nodiscard]] IntervalCore interval_core(const Shape& hull, mpfr_prec_t precision) {
   const auto points = points_of([precision](double x) { return Interval(precision, x); }, hull);
-  return core_of_points(points, hull.radius, [&](const auto& ask) { return sign_of(ask(points)); });
+  return core_of_points(points, radius_of(hull), [&](const auto& ask) { return sign_of(ask(points)); });
 }
 
 /// A feature of each of two cores.

@@ -43,8 +43,11 @@ UpTo<QueryField, 8> fields_of(Query& query) {
   std::visit(
       [&](auto& shapes) {
         const auto add = [&](std::string_view shape, auto& of) {
-          for_each_field(of, [&](const auto& field, auto& value) {
-            fields.add({shape, field.name, &value, field.kind});
+          for_each_field(of, [&]<class Value>(const auto& field, Value& value) {
+            if constexpr (SeveralVectors<Value> && !AnyNumberOfVectors<Value>)
+              fields.add({shape, field.name, std::span(value), field.kind});
+            else
+              fields.add({shape, field.name, &value, field.kind});
           });
         };
         add("a.", shapes.a);

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <concepts>
+#include <cstdint>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -78,13 +80,24 @@ struct Query {
 [[nodiscard]] inline Query zero_query(Pair pair) { return {pair, description(pair).zeros(), {0, 0}}; }
 
 /// A field of a question: "a." or "b." and its name, where its value stands, and what it is. Code that asks every field or number
-/// crosses here from the many kinds of shapes to five types of value, and so is compiled for these alone.
+/// crosses here from the many kinds of shapes to five types of value, and so is compiled for these alone: an array of vectors is a span.
 struct QueryField {
   std::string_view shape;
   std::string_view name;
-  std::variant<double*, Vector3*, std::array<Vector3, 3>*, Quaternion*, std::vector<Vector3>*> value;
+  std::variant<double*, Vector3*, std::span<Vector3>, Quaternion*, std::vector<Vector3>*> value;
   FieldKind kind;
 };
+
+/// How many numbers a field has, along each of its axes: none of a number, one of a vector, two of several vectors.
+template <FieldValue Value>
+[[nodiscard]] std::vector<std::uint64_t> extents_of(const Value& value) {
+  if constexpr (std::same_as<Value, double>)
+    return {};
+  else if constexpr (SeveralVectors<Value>)
+    return {value.size(), 3};
+  else
+    return {static_cast<std::uint64_t>(value.size())};
+}
 
 /// As many as a question can have, of which the first `size` are there.
 template <class Element, std::size_t kMost>
@@ -105,14 +118,22 @@ inline constexpr std::size_t kMostNumbers = 2 * static_cast<std::size_t>(kNumber
 
 template <class Value>
 concept AQuery = std::same_as<std::remove_const_t<Value>, Query>;
+/// What is constant where the question is.
+template <AQuery AnyQuery, class Value>
+using Within = std::conditional_t<std::is_const_v<AnyQuery>, const Value, Value>;
 
 /// Calls visit(field, value&) for every field of a question in the canonical order.
 template <AQuery AnyQuery, class Visit>
 void for_each_query_field(AnyQuery& query, Visit&& visit) {
   for (const QueryField& field : fields_of(const_cast<Query&>(query)))
     std::visit(
-        [&]<class Value>(Value* value) {
-          visit(field, static_cast<std::conditional_t<std::is_const_v<AnyQuery>, const Value&, Value&>>(*value));
+        [&]<class Value>(Value value) {
+          if constexpr (std::is_pointer_v<Value>) {
+            visit(field, static_cast<Within<AnyQuery, std::remove_pointer_t<Value>>&>(*value));
+          } else {
+            std::span<Within<AnyQuery, Vector3>> vectors = value;
+            visit(field, vectors);
+          }
         },
         field.value);
 }
@@ -143,22 +164,19 @@ void for_each_number(AnyQuery& query, Visit&& visit) {
 /// The same without names, which take time to make.
 template <AQuery AnyQuery, class Visit>
 void for_each_number_unnamed(AnyQuery& query, Visit&& visit) {
-  for (double* number : numbers_of(const_cast<Query&>(query)))
-    visit(static_cast<std::conditional_t<std::is_const_v<AnyQuery>, const double&, double&>>(*number));
+  for (double* number : numbers_of(const_cast<Query&>(query))) visit(static_cast<Within<AnyQuery, double>&>(*number));
 }
 
 /// A shape of a question, of whatever type; of one that the pair says, that.
-using AnyShape = std::variant<Ball*, Box*, Capsule*, Triangle*, Plane*, Ray*, Cast*, Line*, Obb*, Hull*>;
+template <class... Shapes>
+std::variant<Shapes*..., Ray*, Cast*, Line*> any_of(const std::variant<Shapes...>& convex);
+using AnyShape = decltype(any_of(Convex::shape));
 [[nodiscard]] std::array<AnyShape, 2> two_shapes(Query& query);
 /// Calls visit(shape&) for both, first and second. Code that asks every shape crosses here from the kinds of pairs.
 template <AQuery AnyQuery, class Visit>
 void for_each_shape(AnyQuery& query, Visit&& visit) {
   for (const AnyShape& any : two_shapes(const_cast<Query&>(query)))
-    std::visit(
-        [&]<class Shape>(Shape* shape) {
-          visit(static_cast<std::conditional_t<std::is_const_v<AnyQuery>, const Shape&, Shape&>>(*shape));
-        },
-        any);
+    std::visit([&]<class Shape>(Shape* shape) { visit(static_cast<Within<AnyQuery, Shape>&>(*shape)); }, any);
 }
 
 /// Whether every number of a question lies inside the domain.

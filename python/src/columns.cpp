@@ -15,8 +15,10 @@ std::string path_of(std::string field) {
   return field;
 }
 
-std::vector<py::ssize_t> with_rows(std::size_t rows, std::vector<py::ssize_t> shape) {
-  shape.insert(shape.begin(), static_cast<py::ssize_t>(rows));
+template <class Value>
+std::vector<py::ssize_t> with_rows(std::size_t rows, const Value& value) {
+  std::vector shape{static_cast<py::ssize_t>(rows)};
+  for (const std::uint64_t n : extents_of(value)) shape.push_back(static_cast<py::ssize_t>(n));
   return shape;
 }
 
@@ -134,7 +136,7 @@ QuestionArrays::QuestionArrays(Pair pair, const py::list& columns, const py::arr
     if ((!is_single && !py::isinstance<py::array_t<double>>(array)) || array.ndim() == 0)
       throw std::invalid_argument(fmt::format("{}: expected rows of float64 or float32", field));
     if (i == 1) size_ = static_cast<std::size_t>(array.shape(0));
-    auto shape = with_rows(size_, shape_of(value));
+    auto shape = with_rows(size_, value);
     const bool any_number = AnyNumberOfVectors<decltype(value)>;
     if (any_number && array.ndim() == 3) shape[1] = std::clamp<py::ssize_t>(array.shape(1), 1, shape[1]);
     if (!std::equal(shape.begin(), shape.end(), array.shape(), array.shape() + array.ndim()))
@@ -154,7 +156,7 @@ QuestionColumns::QuestionColumns(const Query& widest, Scalar scalar, std::size_t
   arrays_["id"] = ids;
   for_each_field(widest, [&](const std::string& field, const auto& value, FieldKind) {
     const py::dtype type = scalar == Scalar::binary32 ? py::dtype::of<float>() : py::dtype::of<double>();
-    const py::array array(type, with_rows(size, shape_of(value)));
+    const py::array array(type, with_rows(size, value));
     std::size_t across = 0;
     for_each_number_in(value, [&](double) { ++across; });
     columns_.push_back({static_cast<char*>(const_cast<void*>(array.data())), across});

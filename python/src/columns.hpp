@@ -21,15 +21,6 @@ namespace contact::python {
 
 namespace py = pybind11;
 
-/// The shape of a field's value in an array.
-inline std::vector<py::ssize_t> shape_of(double) { return {}; }
-inline std::vector<py::ssize_t> shape_of(const Vector3&) { return {3}; }
-inline std::vector<py::ssize_t> shape_of(const Quaternion&) { return {4}; }
-inline std::vector<py::ssize_t> shape_of(const std::array<Vector3, 3>&) { return {3, 3}; }
-inline std::vector<py::ssize_t> shape_of(const std::vector<Vector3>& all) {
-  return {static_cast<py::ssize_t>(all.size()), 3};
-}
-
 /// Gives hulls as many vertices as those of another question of the pair have, where these are more.
 void widen(Query& query, const Query& other);
 /// The question of a pair whose hulls have most vertices.
@@ -119,12 +110,12 @@ class QuestionArrays {
     for (double& x : value) read_value<Number>(at, nullptr, x), at += strides[0];
   }
   template <class Number>
-  static void read_value(const char* at, const py::ssize_t* strides, std::array<Vector3, 3>& value) {
+  static void read_value(const char* at, const py::ssize_t* strides, std::span<Vector3> value) {
     for (Vector3& v : value) read_value<Number>(at, strides + 1, v), at += strides[0];
   }
   template <class Number>
   static void read_value(const char* at, const py::ssize_t* strides, std::vector<Vector3>& value) {
-    for (Vector3& v : value) read_value<Number>(at, strides + 1, v), at += strides[0];
+    read_value<Number>(at, strides, std::span(value));
     while (!value.empty() && value.back().array().isNaN().all()) value.pop_back();
   }
 

@@ -322,7 +322,7 @@ py::list pairs() {
     const auto shape = [](const auto& s) {
       py::list fields;
       for_each_field(s, [&](const auto& field, const auto& value) {
-        const py::tuple across = py::cast(shape_of(value));
+        const py::tuple across = py::cast(extents_of(value));
         const std::string kind(kFieldKindNames[static_cast<std::size_t>(field.kind)]);
         py::dict one;
         one["name"] = std::string(field.name);

@@ -14,6 +14,7 @@
 #include <concepts>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -54,35 +55,20 @@ void extend(Polytope& core, const IntegerVector& way) {
   for (std::size_t k = core.vertices.size(); k-- > 0;) core.vertices.push_back(sum(core.vertices[k], way));
 }
 
-Grid grid_of(const Ball& x) { return Grid{x.center[0], x.center[1], x.center[2], x.radius}; }
-Grid grid_of(const Capsule& x) {
-  return Grid{x.start[0], x.start[1], x.start[2], x.end[0], x.end[1], x.end[2], x.radius};
-}
-Grid grid_of(const Box& x) { return Grid{x.min[0], x.min[1], x.min[2], x.max[0], x.max[1], x.max[2]}; }
-Grid grid_of(const Obb& x) {
-  return Grid{x.center[0], x.center[1], x.center[2], x.extents[0], x.extents[1], x.extents[2]};
-}
-Grid grid_of(const Triangle& x) {
-  const auto& [u, v, w] = x.vertices;
-  return Grid{u[0], u[1], u[2], v[0], v[1], v[2], w[0], w[1], w[2]};
-}
-Grid grid_of(const Hull& x) {
-  Grid grid{x.radius};
-  for (const Vector3& v : x.vertices) grid = Grid({v[0], v[1], v[2]}, grid.exponent());
-  return grid;
+template <class Shape>
+Grid grid_of(const Shape& shape) {
+  std::array<double, kNumbersOf<Shape>> numbers;
+  std::size_t count = 0;
+  for_each_field(shape, [&](const auto& field, const auto& value) {
+    if (!has_free_length(field.kind)) for_each_number_in(value, [&](double x) { numbers[count++] = x; });
+  });
+  return Grid(std::span(numbers).first(count));
 }
 
-Polytope core_of(const Grid& grid, const Ball& ball) { return of_points({on_grid(grid, ball.center)}); }
-Polytope core_of(const Grid& grid, const Capsule& capsule) {
-  return of_points({on_grid(grid, capsule.start), on_grid(grid, capsule.end)});
-}
-Polytope core_of(const Grid& grid, const Triangle& triangle) {
-  const auto& [u, v, w] = triangle.vertices;
-  return of_points({on_grid(grid, u), on_grid(grid, v), on_grid(grid, w)});
-}
-Polytope core_of(const Grid& grid, const Hull& hull) {
+template <class Shape>
+Polytope core_of(const Grid& grid, const Shape& shape) {
   std::vector<IntegerVector> points;
-  for (const Vector3& x : hull.vertices) points.push_back(on_grid(grid, x));
+  for_each_point(shape, [&](const Vector3& x) { points.push_back(on_grid(grid, x)); });
   return of_points(std::move(points));
 }
 /// A box: its middle and half of its edges, over a denominator > 0.
@@ -587,11 +573,6 @@ struct Asked {
   Lengths lengths;
   TwoCores cores;
 };
-template <class Shape>
-double radius_of(const Shape& shape) {
-  if constexpr (kHasRadius<Shape>) return shape.radius;
-  return 0;
-}
 template <class A, class B>
 Asked asked(const A& a, const B& b, Distances distances) {
   const Grid grid({distances.alarm, distances.contact}, std::min(grid_of(a).exponent(), grid_of(b).exponent()));
@@ -725,8 +706,10 @@ Certain certain_contact(const A& a, const B& b, bool in_range, const Lengths& le
 Vector3 given_corner(const Box& box, std::size_t k) {
   return {(k & 1 ? box.max : box.min)[0], (k & 2 ? box.max : box.min)[1], (k & 4 ? box.max : box.min)[2]};
 }
-Vector3 given_corner(const Triangle& triangle, std::size_t k) { return triangle.vertices[k]; }
-Vector3 given_corner(const Hull& hull, std::size_t k) { return hull.vertices[k]; }
+template <class Shape>
+Vector3 given_corner(const Shape& shape, std::size_t k) {
+  return shape.vertices[k];
+}
 HalfSpace half_space_of(const Plane& plane) { return {plane.normal, plane.offset}; }
 
 // Behind calls that are not inlined: what RoundToNearest sets must be set before anything is computed.

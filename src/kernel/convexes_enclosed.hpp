@@ -16,24 +16,11 @@
 
 namespace contact::kernel {
 
-[[nodiscard]] inline bool in_short_range(const Ball& x) { return in_short_range(x.center) && in_short_range(x.radius); }
-[[nodiscard]] inline bool in_short_range(const Capsule& x) {
-  return in_short_range(x.start) && in_short_range(x.end) && in_short_range(x.radius);
-}
-[[nodiscard]] inline bool in_short_range(const Box& x) { return in_short_range(x.min) && in_short_range(x.max); }
-[[nodiscard]] inline bool in_short_range(const Triangle& x) {
-  return std::all_of(x.vertices.begin(), x.vertices.end(), [](const Vector3& v) { return in_short_range(v); });
-}
-[[nodiscard]] inline bool in_short_range(const Hull& x) {
-  return in_short_range(x.radius) &&
-         std::all_of(x.vertices.begin(), x.vertices.end(), [](const Vector3& v) { return in_short_range(v); });
-}
-[[nodiscard]] inline bool in_short_range(const Obb& x) {
-  return in_short_range(x.center) && in_short_range(x.extents) &&
-         std::all_of(x.orientation.begin(), x.orientation.end(), [](double c) { return in_short_range(c); });
-}
-[[nodiscard]] inline bool in_short_range(const Plane& x) {
-  return in_short_range(x.normal) && in_short_range(x.offset);
+template <DescribedShape Shape>
+[[nodiscard]] inline bool in_short_range(const Shape& shape) {
+  bool all = true;
+  for_each_number(shape, [&](double x) { all = all && in_short_range(x); });
+  return all;
 }
 
 /// What the corners of a core are given by: points, the lower and the upper end of a box, or its middle, extents and orientation. Those of a hull stay where they are.
@@ -43,7 +30,8 @@ struct GivenCorners {
   explicit GivenCorners(const Ball& x) : given{x.center} {}
   explicit GivenCorners(const Capsule& x) : given{x.start, x.end} {}
   explicit GivenCorners(const Triangle& x) : given{x.vertices[0], x.vertices[1], x.vertices[2]} {}
-  explicit GivenCorners(const Hull& x) : given{}, vertices(x.vertices.data()) {}
+  template <HullOfVertices Shape>
+  explicit GivenCorners(const Shape& x) : given{}, vertices(x.vertices.data()) {}
   explicit GivenCorners(const Box& x) : given{x.min, x.max}, kind(Kind::box) {}
   explicit GivenCorners(const Obb& x) : given{x.center, x.extents}, orientation(x.orientation), kind(Kind::obb) {}
 

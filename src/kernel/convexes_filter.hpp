@@ -20,7 +20,7 @@
 #include <limits>
 #include <optional>
 
-#include "contact/geometry.hpp"
+#include "contact/pairs.hpp"
 #include "kernel/expanding_polytope.hpp"
 
 namespace contact::kernel {
@@ -178,8 +178,9 @@ inline NearCore near_core(const Obb& box) {
   return core;
 }
 
-inline NearHull near_core(const Hull& hull) {
-  NearHull core{hull.vertices.data(), hull.vertices.size(), {}, 0, hull.radius};
+template <HullOfVertices Shape>
+inline NearHull near_core(const Shape& hull) {
+  NearHull core{hull.vertices.data(), hull.vertices.size(), {}, 0, radius_of(hull)};
   for (const Vector3& x : hull.vertices)
     core.size = std::max(core.size, std::max(std::max(std::abs(x[0]), std::abs(x[1])), std::abs(x[2])));
   core.base = near::middle(core.corner(0), core.corner(core.count / 2));

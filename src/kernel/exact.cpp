@@ -161,7 +161,7 @@ Decoded boundary_above(std::uint64_t bits) {
 
 }  // namespace
 
-Grid::Grid(std::initializer_list<double> numbers)
+Grid::Grid(std::span<const double> numbers)
     : exponent_(std::numeric_limits<int>::max()), end_(std::numeric_limits<int>::min()) {
   for (const double x : numbers) {
     const Decoded d = decode(x);

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <initializer_list>
+#include <span>
 
 #include "kernel/fixed_integer.hpp"
 
@@ -25,7 +26,8 @@ using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_bac
 /// The coarsest grid 2^exponent on which every number given to it is an integer.
 class Grid {
  public:
-  explicit Grid(std::initializer_list<double> numbers);
+  explicit Grid(std::span<const double> numbers);
+  explicit Grid(std::initializer_list<double> numbers) : Grid(std::span(numbers.begin(), numbers.size())) {}
   /// The same where a product of numbers is on it too, of one grid each.
   Grid(std::initializer_list<double> numbers, const Grid& factor, const Grid& other) : Grid(numbers) {
     exponent_ = std::min(exponent_, factor.exponent_ + other.exponent_);

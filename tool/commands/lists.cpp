@@ -98,10 +98,8 @@ void list_pairs(Listed& list) {
   for (const Pair pair : kPairs) {
     const auto described = [&]<class Shape>(const Shape& shape) {
       Json fields = Json::object();
-      for_each_field(shape, [&](const auto& field, const auto& value) {
-        using Value = std::remove_cvref_t<decltype(value)>;
-        const bool many = std::same_as<Value, std::array<Vector3, 3>> || AnyNumberOfVectors<Value> ||
-                          (std::same_as<Value, Vector3> && field.kind == FieldKind::length);
+      for_each_field(shape, [&]<class Value>(const auto& field, const Value& /*value*/) {
+        const bool many = SeveralVectors<Value> || (std::same_as<Value, Vector3> && field.kind == FieldKind::length);
         fields[std::string(field.name)] =
             std::string(kFieldKindNames[static_cast<std::size_t>(field.kind)]) + (many ? "s" : "");
       });

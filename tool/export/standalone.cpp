@@ -125,6 +125,14 @@ std::size_t most_vertices(const std::vector<CertainQuestion>& questions) {
   return most;
 }
 
+/// What a number of a field is, in an array(of, n) for each of its extents.
+template <class Value, class Array>
+std::string nested(std::string text, const Value& value, Array array) {
+  const auto extents = extents_of(value);
+  for (auto n = extents.rbegin(); n != extents.rend(); ++n) text = array(text, *n);
+  return text;
+}
+
 /// The kinds of a question's shapes, each once, and the types of their fields.
 Lines shape_types(Query& query, std::size_t most, Language language) {
   Lines lines;
@@ -135,24 +143,18 @@ Lines shape_types(Query& query, std::size_t most, Language language) {
     known.push_back(name);
     lines.push_back(is_of_c(language) ? fmt::format("struct {} {{", name)
                                       : fmt::format("struct {} {{", capitalised(name)));
-    for_each_field(shape, [&]<class Value>(const auto& field, Value& /*value*/) {
-      constexpr bool kIsNumber = std::same_as<Value, double>;
-      constexpr bool kIsThree = std::same_as<Value, std::array<Vector3, 3>>;
-      constexpr int kSize = std::same_as<Value, Quaternion> ? 4 : 3;
+    for_each_field(shape, [&]<class Value>(const auto& field, Value& value) {
       if (AnyNumberOfVectors<Value>) {
         if (!is_of_c(language)) return lines.push_back(fmt::format("    {}: Vec<[Real; 3]>,", field.name));
         lines.push_back(fmt::format("  real count; /* of the {} that there are */", field.name));
         lines.push_back(fmt::format("  real {}[{}][3];", field.name, most));
       } else if (is_of_c(language)) {
-        lines.push_back(fmt::format("  real {}{};", field.name,
-                                    kIsNumber  ? ""
-                                    : kIsThree ? "[3][3]"
-                                               : fmt::format("[{}]", kSize)));
+        std::string extents;
+        for (const std::uint64_t n : extents_of(value)) extents += fmt::format("[{}]", n);
+        lines.push_back(fmt::format("  real {}{};", field.name, extents));
       } else {
-        lines.push_back(fmt::format("    {}: {},", field.name,
-                                    kIsNumber  ? "Real"
-                                    : kIsThree ? "[[Real; 3]; 3]"
-                                               : fmt::format("[Real; {}]", kSize)));
+        const auto array = [](const std::string& of, std::uint64_t n) { return fmt::format("[{}; {}]", of, n); };
+        lines.push_back(fmt::format("    {}: {},", field.name, nested("Real", value, array)));
       }
     });
     lines.emplace_back(is_of_c(language) ? "};" : "}");
@@ -167,20 +169,12 @@ std::string rust_reading(Query& query) {
   for_each_shape(query, [&]<class Shape>(Shape& shape) {
     text += fmt::format("{}: {} {{ ", name, capitalised(ShapeDescription<Shape>::kName));
     name = "b";
-    for_each_field(shape, [&]<class Value>(const auto& field, Value& /*value*/) {
-      constexpr std::string_view kThree = "[n(), n(), n()]";
-      text += fmt::format("{}: ", field.name);
-      if constexpr (std::same_as<Value, double>)
-        text += "n()";
-      else if constexpr (std::same_as<Value, Quaternion>)
-        text += "[n(), n(), n(), n()]";
-      else if constexpr (std::same_as<Value, Vector3>)
-        text += kThree;
-      else if constexpr (AnyNumberOfVectors<Value>)
-        text += "vertices_of(&mut n)";
-      else
-        text += fmt::format("[{0}, {0}, {0}]", kThree);
-      text += ", ";
+    for_each_field(shape, [&]<class Value>(const auto& field, Value& value) {
+      const auto array = [](const std::string& of, std::uint64_t n) {
+        return fmt::format("[{}]", fmt::join(std::vector(n, of), ", "));
+      };
+      text += fmt::format("{}: {}, ", field.name,
+                          AnyNumberOfVectors<Value> ? "vertices_of(&mut n)" : nested("n()", value, array));
     });
     text += "}, ";
   });
