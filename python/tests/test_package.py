@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 
 import contact_oracle
+import every_example
 from contact_oracle.pairs import PAIRS
 
 PACKAGE = pathlib.Path(contact_oracle.__file__).parent
@@ -127,6 +128,7 @@ def test_the_page_names_every_argument_law_and_strategy():
         assert f"`{option}" in text
 
 
+@pytest.mark.skipif(not every_example.EVERY, reason="a seventh of the time of all tests here: ./run python and ./run campaign ask it")
 def test_types_are_right(tmp_path):
     pytest.importorskip("mypy")
     # A copy: mypy does not look at what is installed, and refuses to be pointed there.
