@@ -216,7 +216,10 @@ class Damage(Columns):
     def refused_in_turn(self, *words):
         """By one of the commands that read datasets: they share the reader, and each has its turn."""
         Damage.turn += 1
-        self.refused((("lint", "--generated", self.path), ("certify", self.path), ("convert", self.path, "-o", self.folder / "x.jsonl"))[Damage.turn % 3], *words)
+        self.refused(self.readers()[Damage.turn % 3], *words)
+
+    def readers(self):
+        return ("lint", "--generated", self.path), ("certify", self.path), ("convert", self.path, "-o", self.folder / "x.jsonl")
 
     def test_a_file_of_another_shape_is_refused_where_it_is_wrong(self):
         def replaced(path, **other):
@@ -505,6 +508,15 @@ class Damage(Columns):
             with self.subTest(name):
                 self.path.write_bytes(content)
                 self.refused_in_turn(f"{self.path}: ", words)
+
+
+class DamageCampaign(Damage):
+    """What `Damage` asks of one command in turn, of all three."""
+
+    def refused_in_turn(self, *words):
+        for args in self.readers():
+            with self.subTest(args[0]):
+                self.refused(args, *words)
 
 
 class Shards(Columns):

@@ -100,7 +100,7 @@ class Parts(Case):
         for args in (FLOAT, ["certify", *GOLDEN, "--engine", "published", "--level", "correctly-rounded"],
                      ["certify", *GOLDEN, "--engine", "production"],
                      [*FRESH, "--generate", "200", "--family", "extreme_scale,touching"]):
-            for of in (1, 700) if args == FLOAT else (9,):  # also parts of a question or none
+            for of in (1, 3, 64, 700) if args == FLOAT else (9,):  # also parts of a question or none
                 with self.subTest(args=args, of=of):
                     folder = self.folder / f"{of}{args[-1]}"
                     report = self.assert_same(args, [*args, "--parts", folder, "--shards", of], ["merge", folder])
