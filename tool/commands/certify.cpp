@@ -66,8 +66,7 @@ std::vector<Source> datasets(const CertifyOptions& options) {
   std::vector<Source> sources;
   std::vector<std::string> seen;
   for (const auto& path : golden::dataset_files(paths)) {
-    const golden::DatasetReader reader(path, golden::is_made);
-    const golden::DatasetHeader& h = reader.header();
+    const golden::DatasetHeader h = golden::dataset_header(path);
     if (h.count == 0 && !h.shard)
       throw formats::InputError({path.string(), 1}, "count", "the dataset holds no case, got 0");
     seen.push_back(h.family);
