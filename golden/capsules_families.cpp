@@ -24,11 +24,8 @@ template <class Real, Pair kPair>
 struct TwoSegments : Described<Real, kPair> {
   using Shapes = TwoSegments;
   static constexpr bool kHasSphere = kPair != Pair::capsule_capsule;
-  static constexpr bool kIsWide = Shapes::Described::kIsWide;
   static constexpr int kClasses = 9;
   static constexpr int kAlarmClasses = 5;
-  static constexpr int kUnits = 40;
-  static constexpr int kRoom = 8;
   static constexpr int kDigits = std::numeric_limits<Real>::digits;
 
   Segment<Real> a;
@@ -65,13 +62,6 @@ struct TwoSegments : Described<Real, kPair> {
     return std::sqrt(dot(delta, delta));
   }
   void scale(int e) { lift(e, a.start, a.end, b.start, b.end, a.radius, b.radius, this->alarm, this->contact); }
-  void mix_magnitudes(Random& random) {
-    for (Triple<Real>* v : points())
-      for (Real& x : *v) x = any_magnitude<Real>(random);
-    settle_sphere();
-    for (Real* radius : {&a.radius, &b.radius}) *radius = std::abs(any_magnitude<Real>(random));
-    any_distances(*this, random);
-  }
   void settle_sphere() {
     if (kHasSphere) a.end = a.start;
   }
@@ -118,6 +108,16 @@ struct TwoSegments : Described<Real, kPair> {
     return s;
   }
 
+  static Shapes mixed(Random& random) {
+    Shapes s = generic(random);
+    for (Triple<Real>* v : s.points())
+      for (Real& x : *v) x = any_magnitude<Real>(random);
+    s.settle_sphere();
+    for (Real* radius : {&s.a.radius, &s.b.radius}) *radius = std::abs(any_magnitude<Real>(random));
+    any_distances(s, random);
+    return s;
+  }
+
   /// Segments with ends on a grid, and exactly an integer apart; `meeting` makes it 0. Nearest points are on the grid
   /// too, but half of those on a side are fractions that no scalar holds.
   static Exactly<Shapes> on_frame(Random& random, std::array<Feature, 2> features, Lie lie, bool meeting = false) {
@@ -154,13 +154,13 @@ struct TwoSegments : Described<Real, kPair> {
         made.distance = height;
       }
     }
-    const Integers origin = integers(random, kIsWide ? 1 << 24 : 1 << 10);
+    const Integers origin = integers(random, kIsWide<Real> ? 1 << 24 : 1 << 10);
     for (std::size_t i = 0; i < 2; ++i) {
       const auto at = [&](std::int64_t n) {
         return placed<Real>(moved(moved(origin, 1, points[i]), n, frame.at(ways[i])));
       };
-      const std::int64_t back = random.between<std::int64_t>(1, kIsWide ? 8 : 4);
-      const std::int64_t ahead = random.between<std::int64_t>(1, kIsWide ? 8 : 4);
+      const std::int64_t back = random.between<std::int64_t>(1, kIsWide<Real> ? 8 : 4);
+      const std::int64_t ahead = random.between<std::int64_t>(1, kIsWide<Real> ? 8 : 4);
       (i == 0 ? made.shapes.a : made.shapes.b) = segment_through(features[i], at(-back), at(0), at(ahead));
     }
     made.shapes.settle_sphere();

@@ -32,7 +32,6 @@ template <class Real, Pair kPair>
 struct CastIn : Described<Real, kPair> {
   using Shapes = CastIn;
   using Limits = std::numeric_limits<Real>;
-  static constexpr bool kIsWide = Shapes::Described::kIsWide;
   static constexpr bool kIsRound = kPair == Pair::cast_sphere || kPair == Pair::cast_capsule;
   static constexpr bool kIsPlane = kPair == Pair::cast_plane;
 
@@ -146,7 +145,7 @@ struct CastIn : Described<Real, kPair> {
   static OnSurface on_surface(Random& random, Part part) {
     OnSurface made;
     Shapes& s = made.shapes;
-    const auto corner = integers(random, kIsWide ? 1 << 20 : 1 << 9);
+    const auto corner = integers(random, kIsWide<Real> ? 1 << 20 : 1 << 9);
     const auto set = [&](std::size_t k, const Integers& x) { s.v[k] = placed<Real>(x); };
     switch (kPair) {
       case Pair::cast_cube: {
@@ -402,7 +401,7 @@ struct CastIn : Described<Real, kPair> {
 
   static Shapes far_from_origin(Random& random) {
     Shapes s = generic(random);
-    const Triple<Real> by = move_far(s, random, kIsWide ? 36 : 14);
+    const Triple<Real> by = move_far(s, random, kIsWide<Real> ? 36 : 14);
     if (kIsPlane) s.size += dot(s.v[0], by);
     return s;
   }

@@ -6,10 +6,10 @@
 //   S::beside(random)               ordinary shapes, a feature of one beside a feature of the other
 //   S::generic(random)              the same with ordinary radii and distances
 //   S::exactly_apart(random)        shapes in integers, an integer from each other
-//   s.mix_magnitudes(random)        magnitudes that have nothing to do with each other
+//   S::mixed(random)                magnitudes that have nothing to do with each other
 //   S::kClasses, S::kAlarmClasses   how many classes of features take turns, in families and at the alarm distance
 //   S::kUnits                       the exponents of units that leave exact numbers exact
-//   S::kRoom                        how many of the largest exponents are left out
+//   S::kOverflow, S::kRoom          of all exponents, after what part squares may overflow, and how many are left out
 // It may say more, and then that is taken:
 //   S::nearly(random, alarmed), S::exactly(random, alarmed)   how its shapes come to nearly reach each other, or exactly
 //   s.lengthen_normal(e), s.after_moving(random, by)          what a plane needs
@@ -31,7 +31,6 @@ struct Exactly {
 /// none. Of the smallest frames many lie along the axes, so that directions have zeros.
 template <class Real>
 struct Lattice {
-  static constexpr bool kIsWide = sizeof(Real) == 8;
   bool large;
   Frame frame;
   std::int64_t steps;
@@ -39,9 +38,9 @@ struct Lattice {
 
   Lattice(Random& random, bool meeting)
       : large(random.chance(2)),
-        frame(golden::frame(random, large ? (kIsWide ? 1 << 9 : 9) : random.between(1, 3))),
-        steps(large ? (kIsWide ? 64 : 6) : 3),
-        height(meeting ? 0 : random.between<std::int64_t>(1, kIsWide && large ? 1 << 8 : 24)) {}
+        frame(golden::frame(random, large ? (kIsWide<Real> ? 1 << 9 : 9) : random.between(1, 3))),
+        steps(large ? (kIsWide<Real> ? 64 : 6) : 3),
+        height(meeting ? 0 : random.between<std::int64_t>(1, kIsWide<Real> && large ? 1 << 8 : 24)) {}
 };
 
 /// Which part of a segment is nearest to the other one.
@@ -77,14 +76,21 @@ template <class Real>
 Real enough(Random& random, bool hit, Real least = 1) {
   return hit ? random.uniform(least, Real{2}) : random.uniform(Real{0.5}, Real{0.9375});
 }
-/// Radii and distances that hit in two of three.
+/// Radii and distances that hit, or not.
 template <class S, class Real = typename S::Real>
-void reach_or_not(S& s, Random& random) {
-  const bool hit = !random.chance(3);
-  share_radii(s, random, s.distance() * enough<Real>(random, hit));
+void reach(S& s, Random& random, bool hit) {
+  const Real total = s.distance() * enough<Real>(random, hit);
+  if constexpr (requires { s.b.radius; })
+    share_radii(s, random, total);
+  else
+    s.a.radius = total;
   random_distances(s, random);
   if (!hit) s.alarm = 0;
-  settle_radii(s);
+  if constexpr (requires { s.b.radius; }) settle_radii(s);
+}
+template <class S>
+void reach_or_not(S& s, Random& random) {
+  reach(s, random, !random.chance(3));
 }
 
 /// Radii whose sum is exactly an integer; with `alarmed` an alarm distance takes its part.
@@ -237,7 +243,7 @@ Triple<Real> move_far(S& s, Random& random, int most) {
 /// How far away, and by so much at most on each axis.
 template <class Real>
 Real far_away(Random& random) {
-  return std::ldexp(Real{1}, sizeof(Real) == 8 ? random.between(20, 40) : random.between(12, 16));
+  return std::ldexp(Real{1}, kIsWide<Real> ? random.between(20, 40) : random.between(12, 16));
 }
 template <class S, class Real = typename S::Real>
 void move_anywhere(S& s, Random& random, std::type_identity_t<Real> most) {
@@ -252,7 +258,7 @@ S far_from_origin(Random& random) {
   const bool near = random.turn(3, S::kClasses) != 0;
   const auto make = [&] {
     S s = S::beside(random);
-    const auto by = move_far(s, random, S::kIsWide ? 40 : 16);
+    const auto by = move_far(s, random, kIsWide<typename S::Real> ? 40 : 16);
     if constexpr (requires { s.after_moving(random, by); }) s.after_moving(random, by);
     if (near)
       reach_nearly(s, random, random.chance(2));
@@ -273,17 +279,14 @@ S other_units(Random& random) {
 template <class S>
 S extreme_scale(Random& random) {
   using Limits = std::numeric_limits<typename S::Real>;
+  const int kind = random.turn(3, S::kClasses);
+  if (kind == 2) return S::mixed(random);
   S s = S::generic(random);
-  switch (random.turn(3, S::kClasses)) {
-    case 0:  // squares or products that overflow
-      s.scale(random.between(Limits::max_exponent / 4, Limits::max_exponent - S::kRoom));
-      break;
-    case 1:  // that underflow, and subnormal numbers
-      s.scale(random.between(Limits::min_exponent - Limits::digits, Limits::min_exponent / 4));
-      if constexpr (requires { s.lengthen_normal(0); }) s.lengthen_normal(random.between(Limits::min_exponent / 2, 0));
-      break;
-    default:
-      s.mix_magnitudes(random);
+  if (kind == 0) {  // squares or products that overflow
+    s.scale(random.between(Limits::max_exponent / S::kOverflow, Limits::max_exponent - S::kRoom));
+  } else {  // that underflow, and subnormal numbers
+    s.scale(random.between(Limits::min_exponent - Limits::digits, Limits::min_exponent / S::kOverflow));
+    if constexpr (requires { s.lengthen_normal(0); }) s.lengthen_normal(random.between(Limits::min_exponent / 2, 0));
   }
   return s;
 }

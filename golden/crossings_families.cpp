@@ -14,8 +14,6 @@ template <class Real, Pair kPair>
 struct Crossing : Described<Real, kPair> {
   using Shapes = Crossing;
   using Limits = std::numeric_limits<Real>;
-  static constexpr bool kIsWide = Shapes::Described::kIsWide;
-  static constexpr int kClasses = 7;
   static constexpr int kRoom = 10;
 
   Triple<Real> start{};
@@ -37,15 +35,6 @@ struct Crossing : Described<Real, kPair> {
   }
   [[nodiscard]] std::array<Triple<Real>*, 4> points() { return {&start, &vertices[0], &vertices[1], &vertices[2]}; }
   void scale(int e) { lift(e, start, vertices[0], vertices[1], vertices[2], direction, this->alarm, this->contact); }
-  /// Each axis in units of its own: what crosses still does.
-  void mix_magnitudes(Random& random) {
-    const auto stretch = [&] { return random.between(Limits::min_exponent / 2 + 8, Limits::max_exponent / 2 - 8); };
-    const std::array<int, 3> exponents{stretch(), stretch(), stretch()};
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (Triple<Real>* v : points()) lift(exponents[i], (*v)[i]);
-      lift(exponents[i], direction[i]);
-    }
-  }
 
   /// A point of the plane of the triangle by the weights of its second and third vertex.
   [[nodiscard]] Triple<Real> at_weights(Real second, Real third) const {
@@ -76,6 +65,18 @@ struct Crossing : Described<Real, kPair> {
     return s;
   }
 
+  /// Each axis in units of its own: what crosses still does.
+  static Shapes mixed(Random& random) {
+    Shapes s = generic(random);
+    const auto stretch = [&] { return random.between(Limits::min_exponent / 2 + 8, Limits::max_exponent / 2 - 8); };
+    const std::array<int, 3> exponents{stretch(), stretch(), stretch()};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (Triple<Real>* v : s.points()) lift(exponents[i], (*v)[i]);
+      lift(exponents[i], s.direction[i]);
+    }
+    return s;
+  }
+
   /// Integers: a point x of the plane of a triangle, and a direction across it. The edges from the first vertex are
   /// multiples of two vectors, so that points of the edges, of the inside and beyond are on the grid.
   struct OnGrid {
@@ -90,7 +91,7 @@ struct Crossing : Described<Real, kPair> {
     }
   };
   static OnGrid on_grid(Random& random, Where where) {
-    const std::int64_t size = kIsWide && random.chance(2) ? 1 << 19 : 12;
+    const std::int64_t size = kIsWide<Real> && random.chance(2) ? 1 << 19 : 12;
     OnGrid made;
     Integers u{};
     Integers v{};
@@ -100,7 +101,7 @@ struct Crossing : Described<Real, kPair> {
       made.d = integers(random, size);
     } while (dot(cross(u, v), made.d) == 0);
     const std::int64_t times = 2 * random.between<std::int64_t>(2, 6);  // u and v are as long as that many steps
-    const Integers corner = integers(random, kIsWide ? 1 << 24 : 1 << 10);
+    const Integers corner = integers(random, kIsWide<Real> ? 1 << 24 : 1 << 10);
     std::int64_t second = 0;
     std::int64_t third = 0;
     if (where == Where::edge) {
@@ -215,7 +216,7 @@ struct Crossing : Described<Real, kPair> {
     const Real part = random.uniform(Real{0.25}, Real{0.75});
     const Triple<Real> u = moved(y, -1, x);
     const Triple<Real> aside = cross(u, triple<Real>(random, -1, 1));
-    const Real width = random.magnitude<Real>(kIsWide ? -40 : -16, -8);
+    const Real width = random.magnitude<Real>(kIsWide<Real> ? -40 : -16, -8);
     const Triple<Real> on_line = moved(x, part, u);
     z = moved(on_line, width, aside);
     const Triple<Real> crossed = moved(on_line, width * random.uniform(Real{0.125}, Real{0.75}), aside);
@@ -257,7 +258,7 @@ struct Crossing : Described<Real, kPair> {
 
   static Shapes far_from_origin(Random& random) {
     Shapes s = generic(random);
-    move_far(s, random, kIsWide ? 40 : 16);
+    move_far(s, random, kIsWide<Real> ? 40 : 16);
     return s;
   }
 };
@@ -268,29 +269,26 @@ std::span<const Family> families() {
   using F = Crossing<float, kPair>;
   using Rows = CommonRows<D, F>;
   constexpr bool kOfRay = kPair == Pair::ray_triangle;
-  static constexpr std::array kFamilies{
-      Family{"generic", "through a triangle, and two in five past an edge or short of the plane", kOrdinary,
-             made<D::generic, F::generic>},
-      Family{"through_boundary", "through an edge or a vertex exactly, by integers; a fifth one step outside",
-             "strict bounds, or any tolerance: an edge that two triangles share belongs to both",
-             made<D::through_boundary, F::through_boundary>},
-      Family{"end_on_triangle", "a start or an end on the triangle exactly, by integers; a fifth one step short",
-             "what just reaches the plane, which a strict comparison misses",
-             made<D::end_on_triangle, F::end_on_triangle>},
-      Family{"near_boundary",
-             "some steps from the boundary, most of them searched for wrong decisions of plain arithmetic", kOftenWrong,
-             made<D::near_boundary, F::near_boundary>},
-      Family{"along_plane", "in the plane of the triangle exactly, and most with ends a step above and below it",
-             "a determinant of 0, or nearly: parallel is no crossing, and one step off it may be",
-             made<D::along_plane, F::along_plane>},
-      Family{"thin",
-             "triangles without an inside and segments without length, which nothing crosses; half of them slivers",
-             "a normal of length 0, or of rounding errors alone", made<D::thin, F::thin>},
-      Family{"ties", "a coordinate of the crossing half way between two numbers or just beside", kRoundingTwice,
-             made<D::ties, F::ties>},
+  static constexpr Family kFamilies[] = {
+      {"generic", "through a triangle, and two in five past an edge or short of the plane", kOrdinary,
+       made<D::generic, F::generic>},
+      {"through_boundary", "through an edge or a vertex exactly, by integers; a fifth one step outside",
+       "strict bounds, or any tolerance: an edge that two triangles share belongs to both",
+       made<D::through_boundary, F::through_boundary>},
+      {"end_on_triangle", "a start or an end on the triangle exactly, by integers; a fifth one step short",
+       "what just reaches the plane, which a strict comparison misses", made<D::end_on_triangle, F::end_on_triangle>},
+      {"near_boundary", "some steps from the boundary, most of them searched for wrong decisions of plain arithmetic",
+       kOftenWrong, made<D::near_boundary, F::near_boundary>},
+      {"along_plane", "in the plane of the triangle exactly, and most with ends a step above and below it",
+       "a determinant of 0, or nearly: parallel is no crossing, and one step off it may be",
+       made<D::along_plane, F::along_plane>},
+      {"thin", "triangles without an inside and segments without length, which nothing crosses; half of them slivers",
+       "a normal of length 0, or of rounding errors alone", made<D::thin, F::thin>},
+      {"ties", "a coordinate of the crossing half way between two numbers or just beside", kRoundingTwice,
+       made<D::ties, F::ties>},
       Rows::units("an absolute epsilon of a determinant is small in one unit alone"),
-      Family{"far_from_origin", "small triangles between large coordinates", kTooCoarse,
-             made<D::far_from_origin, F::far_from_origin>},
+      {"far_from_origin", "small triangles between large coordinates", kTooCoarse,
+       made<D::far_from_origin, F::far_from_origin>},
       Rows::extreme_scale(
           "products that overflow or underflow, an axis much longer than the others, subnormal numbers"),
       kOfRay ? Rows::invalid("each number in turn NaN or infinite, a length negative, the direction 0: it must be "

@@ -9,7 +9,6 @@ template <class Real>
 struct Cubes : Described<Real, Pair::cube_cube> {
   using Shapes = Cubes;
   using Limits = std::numeric_limits<Real>;
-  static constexpr bool kIsWide = Shapes::Described::kIsWide;
   Triple<Real> min1{};
   Triple<Real> max1{};
   Triple<Real> min2{};
@@ -220,33 +219,31 @@ using D = Cubes<double>;
 using F = Cubes<float>;
 using Rows = CommonRows<D, F>;
 
-constexpr std::array kFamilies{
-    Family{"generic", "ordinary boxes: the bulk of what an engine meets",
-           "ordinary boxes: what fails here fails its users, and other families do not say so",
-           made<D::generic, F::generic>},
-    Family{"separated",
-           "clearly apart on one, two or three axes, on every side: each axis alone must decide; two fifths "
-           "within the alarm distance all the same",
-           "far from every edge: a wrong answer is a wrong axis or side, and no rounding",
-           made<D::separated, F::separated>},
-    Family{"touching", "face, edge and corner in contact on every axis and side, and one ulp beside it",
-           "a strict comparison on any one axis and side shows in many cases and not by chance",
-           made<D::touching, F::touching>},
-    Family{"alarm_edge", "one ulp around the alarm distance where max + alarm rounds, searched for wrong decisions",
-           "searched for what plain sums decide wrongly: how often is an engine's measure",
-           made<D::alarm_edge, F::alarm_edge>},
-    Family{"flat", "zero thickness on one to three axes: a flat box still touches",
-           "overlap by volume on any axis; besides upstream's it alone refutes box-euclidean", made<D::flat, F::flat>},
-    Family{"nested", "one box inside the other, sharing faces or not",
-           "for engines that compare corners, edges or faces, and not extents", made<D::nested, F::nested>, false,
-           false, "a box and what is inside it overlap"},
-    Family{"identical", "a box and its copy, flat ones included",
-           "no difference at all: for engines that take a box for itself and skip it", made<D::identical, F::identical>,
-           false, false, "a box overlaps itself"},
-    Family{"far_from_origin", "small gaps between large coordinates: the alarm distance is lost in the sum",
-           "the alarm distance is lost in a sum, on every axis and side", made<D::far_from_origin, F::far_from_origin>},
-    Family{"extreme_scale", "sums that overflow, alarm distances that vanish in a sum, subnormal and mixed magnitudes",
-           "", made<D::extreme_scale, F::extreme_scale>},
+constexpr Family kFamilies[] = {
+    {"generic", "ordinary boxes: the bulk of what an engine meets",
+     "ordinary boxes: what fails here fails its users, and other families do not say so", made<D::generic, F::generic>},
+    {"separated",
+     "clearly apart on one, two or three axes, on every side: each axis alone must decide; two fifths "
+     "within the alarm distance all the same",
+     "far from every edge: a wrong answer is a wrong axis or side, and no rounding", made<D::separated, F::separated>},
+    {"touching", "face, edge and corner in contact on every axis and side, and one ulp beside it",
+     "a strict comparison on any one axis and side shows in many cases and not by chance",
+     made<D::touching, F::touching>},
+    {"alarm_edge", "one ulp around the alarm distance where max + alarm rounds, searched for wrong decisions",
+     "searched for what plain sums decide wrongly: how often is an engine's measure",
+     made<D::alarm_edge, F::alarm_edge>},
+    {"flat", "zero thickness on one to three axes: a flat box still touches",
+     "overlap by volume on any axis; besides upstream's it alone refutes box-euclidean", made<D::flat, F::flat>},
+    {"nested", "one box inside the other, sharing faces or not",
+     "for engines that compare corners, edges or faces, and not extents", made<D::nested, F::nested>, false, false,
+     "a box and what is inside it overlap"},
+    {"identical", "a box and its copy, flat ones included",
+     "no difference at all: for engines that take a box for itself and skip it", made<D::identical, F::identical>,
+     false, false, "a box overlaps itself"},
+    {"far_from_origin", "small gaps between large coordinates: the alarm distance is lost in the sum",
+     "the alarm distance is lost in a sum, on every axis and side", made<D::far_from_origin, F::far_from_origin>},
+    {"extreme_scale", "sums that overflow, alarm distances that vanish in a sum, subnormal and mixed magnitudes", "",
+     made<D::extreme_scale, F::extreme_scale>},
     Rows::invalid("each number in turn NaN or infinite, a box inverted, a distance negative: it must be refused", ""),
 };
 

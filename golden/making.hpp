@@ -50,13 +50,21 @@ inline bool is_hit(const Query& query) {
 /// Whether plain arithmetic decides a question wrongly.
 inline bool fools_plain(const Query& query, Scalar scalar) { return plain_overlap(query, scalar) != is_hit(query); }
 
+template <class Real>
+inline constexpr bool kIsWide = sizeof(Real) == 8;
+
 /// Two shapes in a file's scalar; widening it to double is exact. Only + - * / sqrt, scaling by powers of two and exact
 /// decisions make their numbers, so every platform makes the same. The first pair of a kind stands for all.
 template <class Of, Pair kOf>
 struct Described {
   using Real = Of;
   static constexpr Pair kPair = kOf;
-  static constexpr bool kIsWide = sizeof(Real) == 8;
+  // What golden/common_families.hpp asks; most are like this.
+  static constexpr int kClasses = 7;
+  static constexpr int kAlarmClasses = 7;
+  static constexpr int kUnits = 40;
+  static constexpr int kOverflow = 4;
+  static constexpr int kRoom = 8;
   Real alarm{};
   Real contact{};
 
@@ -68,7 +76,7 @@ template <class Make>
 auto searched(Random& random, Make make) {
   using Shapes = decltype(make());
   constexpr int kTries = 256;
-  constexpr Scalar kScalar = Shapes::kIsWide ? Scalar::binary64 : Scalar::binary32;
+  constexpr Scalar kScalar = kIsWide<typename Shapes::Real> ? Scalar::binary64 : Scalar::binary32;
   Shapes first = make();
   if (random.chance(4)) return first;
   Shapes shapes = first;
@@ -112,6 +120,14 @@ struct Quadruple {
   std::int64_t d;
 };
 
+/// Axes in another order, and signs.
+inline void shuffle(Integers& x, Random& random) {
+  std::swap(x[0], x[random.index(3)]);
+  std::swap(x[1], x[1 + random.index(2)]);
+  for (std::int64_t& c : x)
+    if (random.chance(2)) c = -c;
+}
+
 inline Quadruple quadruple(Random& random, std::int64_t largest) {
   for (;;) {
     const auto m = random.between<std::int64_t>(0, largest);
@@ -121,10 +137,7 @@ inline Quadruple quadruple(Random& random, std::int64_t largest) {
     Quadruple result{{m * m + n * n - p * p - q * q, 2 * (m * q + n * p), 2 * (n * q - m * p)},
                      m * m + n * n + p * p + q * q};
     if (result.d == 0) continue;
-    std::swap(result.delta[0], result.delta[random.index(3)]);
-    std::swap(result.delta[1], result.delta[1 + random.index(2)]);
-    for (std::int64_t& x : result.delta)
-      if (random.chance(2)) x = -x;
+    shuffle(result.delta, random);
     return result;
   }
 }

@@ -10,10 +10,7 @@ template <class Real, Pair kPair>
 struct OverPlane : Described<Real, kPair> {
   using Shapes = OverPlane;
   using Limits = std::numeric_limits<Real>;
-  static constexpr bool kIsWide = Shapes::Described::kIsWide;
   static constexpr bool kIsSphere = kPair == Pair::sphere_plane;
-  static constexpr int kClasses = 7;
-  static constexpr int kAlarmClasses = 7;
   static constexpr int kUnits = 20;
   static constexpr int kRoom = 10;
 
@@ -62,14 +59,6 @@ struct OverPlane : Described<Real, kPair> {
     // The offset is as coarse as it is large.
     if (!(distance() > height / 2)) put_plane_below(height + std::abs(by[0]) * Limits::epsilon() * 16);
   }
-  void mix_magnitudes(Random& random) {
-    for (Triple<Real>* v : {&a.start, &a.end, &normal})
-      for (Real& x : *v) x = any_magnitude<Real>(random);
-    settle_sphere();
-    offset = any_magnitude<Real>(random);
-    a.radius = std::abs(any_magnitude<Real>(random));
-    any_distances(*this, random);
-  }
 
   /// Which point of a segment is lowest: an end, each in turn, or with the last of three turns all of them.
   static Feature turn_of_lowest(Random& random, int turns) {
@@ -115,16 +104,28 @@ struct OverPlane : Described<Real, kPair> {
     return s;
   }
 
+  static Shapes mixed(Random& random) {
+    Shapes s = generic(random);
+    for (Triple<Real>* v : {&s.a.start, &s.a.end, &s.normal})
+      for (Real& x : *v) x = any_magnitude<Real>(random);
+    s.settle_sphere();
+    s.offset = any_magnitude<Real>(random);
+    s.a.radius = std::abs(any_magnitude<Real>(random));
+    any_distances(s, random);
+    return s;
+  }
+
   /// A segment on a grid and exactly an integer over a plane, whose normal is a row of a frame, some times. The foot is
   /// on the grid too where the height is a multiple of the row's length, and else a fraction that no scalar holds.
   static Exactly<Shapes> on_frame(Random& random, Feature lowest, bool meeting = false) {
     const bool large = random.chance(2);
-    const std::int64_t steps = large ? (kIsWide ? 64 : 6) : 3;
-    const Frame rows = frame(random, large ? (kIsWide ? 1 << 12 : 16) : random.between(1, 3));
-    const std::int64_t times = random.between<std::int64_t>(1, kIsWide ? 8 : 2);
-    Exactly<Shapes> made{{}, meeting ? 0 : random.between<std::int64_t>(1, kIsWide && large ? 1 << 12 : 24), rows};
+    const std::int64_t steps = large ? (kIsWide<Real> ? 64 : 6) : 3;
+    const Frame rows = frame(random, large ? (kIsWide<Real> ? 1 << 12 : 16) : random.between(1, 3));
+    const std::int64_t times = random.between<std::int64_t>(1, kIsWide<Real> ? 8 : 2);
+    Exactly<Shapes> made{
+        {}, meeting ? 0 : random.between<std::int64_t>(1, kIsWide<Real> && large ? 1 << 12 : 24), rows};
     if (!meeting && !large && random.chance(3)) made.distance = rows.length;
-    const Integers p = integers(random, kIsWide ? 1 << 20 : 1 << 8);
+    const Integers p = integers(random, kIsWide<Real> ? 1 << 20 : 1 << 8);
     Integers way = {random.between(-steps, steps), random.between(-steps, steps),
                     lowest == Feature::side ? 0 : random.between<std::int64_t>(1, steps)};
     if (way[0] == 0 && way[1] == 0) way[0] = 1;

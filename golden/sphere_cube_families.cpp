@@ -12,9 +12,9 @@ template <class Real>
 struct SphereAndBox : Described<Real, Pair::sphere_cube> {
   using Shapes = SphereAndBox;
   using Limits = std::numeric_limits<Real>;
-  static constexpr bool kIsWide = Shapes::Described::kIsWide;
+  static constexpr int kClasses = 1;
   static constexpr int kAlarmClasses = 1;
-  static constexpr int kUnits = 40;
+  static constexpr int kOverflow = 2;
   Triple<Real> c{};
   Radius<Real> a{};
   Triple<Real> min{};
@@ -34,17 +34,18 @@ struct SphereAndBox : Described<Real, Pair::sphere_cube> {
     }
     return std::sqrt(sum);
   }
-  void scale(int e) { lift(e, c, min, max, a.radius, this->alarm, this->contact); }
-
-  /// A box of ordinary size, anywhere.
-  static void random_box(Shapes& s, Random& random) {
-    s.min = triple<Real>(random, -10, 5);
-    for (std::size_t i = 0; i < 3; ++i) s.max[i] = s.min[i] + random.uniform(Real{0.5}, Real{8});
+  void scale(int e) {
+    lift(e, c, min, max, a.radius, this->alarm, this->contact);
+    for (std::size_t i = 0; i < 3; ++i) max[i] = std::max(min[i], max[i]);  // of two zeros the same
   }
 
-  /// A centre that faces a feature, at most `most` beyond the box on an axis.
-  static void place_center(Shapes& s, Random& random, Region region, Real most) {
-    const int beyond = static_cast<int>(region);
+  /// A box of ordinary size, anywhere, and a centre that faces a feature, or any from outside, at most `most` beyond
+  /// the box on an axis.
+  static Shapes facing(Random& random, std::optional<Region> region, Real most) {
+    Shapes s;
+    s.min = triple<Real>(random, -10, 5);
+    for (std::size_t i = 0; i < 3; ++i) s.max[i] = s.min[i] + random.uniform(Real{0.5}, Real{8});
+    const int beyond = region ? static_cast<int>(*region) : 1 + static_cast<int>(random.index(3));
     const std::size_t first = random.index(3);
     for (int k = 0; k < 3; ++k) {
       const std::size_t i = (first + static_cast<std::size_t>(k)) % 3;
@@ -53,13 +54,12 @@ struct SphereAndBox : Described<Real, Pair::sphere_cube> {
       else
         s.c[i] = s.min[i] + (s.max[i] - s.min[i]) * random.uniform(Real{0.0625}, Real{0.9375});
     }
+    return s;
   }
 
   /// A sphere beside each feature in turn, as often too far away.
   static Shapes generic(Random& random) {
-    Shapes s;
-    random_box(s, random);
-    place_center(s, random, static_cast<Region>(random.turn(4)), Real{8});
+    Shapes s = facing(random, static_cast<Region>(random.turn(4)), 8);
     s.a.radius = random.uniform(Real{0.25}, Real{6});
     random_distances(s, random);
     return s;
@@ -68,16 +68,13 @@ struct SphereAndBox : Described<Real, Pair::sphere_cube> {
   /// A box on integers, and a centre exactly an integer away from a feature of it.
   static Exactly<Shapes> exactly_apart(Random& random) {
     const bool large = random.chance(2);
-    const std::int64_t offset = kIsWide ? 1 << 24 : 1 << 10;
-    Quadruple q = quadruple(random, kIsWide ? (large ? 1 << 18 : 48) : (large ? 120 : 12));
+    const std::int64_t offset = kIsWide<Real> ? 1 << 24 : 1 << 10;
+    Quadruple q = quadruple(random, kIsWide<Real> ? (large ? 1 << 18 : 48) : (large ? 120 : 12));
     if (const int region = random.turn(3); region != 2) {  // an edge or a face
-      const auto m = random.between<std::int64_t>(1, kIsWide ? 1 << 20 : large ? 480 : 40);
+      const auto m = random.between<std::int64_t>(1, kIsWide<Real> ? 1 << 20 : large ? 480 : 40);
       const auto n = random.between<std::int64_t>(1, m);
       q = region == 0 ? Quadruple{{m * m - n * n, 2 * m * n, 0}, m * m + n * n} : Quadruple{{m, 0, 0}, m};
-      std::swap(q.delta[0], q.delta[random.index(3)]);
-      std::swap(q.delta[1], q.delta[1 + random.index(2)]);
-      for (std::int64_t& x : q.delta)
-        if (random.chance(2)) x = -x;
+      shuffle(q.delta, random);
     }
     Exactly<Shapes> made{{}, q.d};
     Shapes& s = made.shapes;
@@ -108,9 +105,7 @@ struct SphereAndBox : Described<Real, Pair::sphere_cube> {
 
   /// A radius that leaves the sphere a few ulps from the box, beside an alarm distance or none.
   static Shapes nearly(Random& random, bool alarmed) {
-    Shapes s;
-    random_box(s, random);
-    place_center(s, random, static_cast<Region>(1 + random.index(3)), Real{8});
+    Shapes s = facing(random, std::nullopt, 8);
     const Real d = s.distance();
     const int ulps = random.between(-4, 4);
     if (alarmed) {
@@ -126,26 +121,20 @@ struct SphereAndBox : Described<Real, Pair::sphere_cube> {
 
   /// Where one region ends and the next begins: coordinates of the centre exactly on a bound, or one ulp beside it.
   static Shapes region_edge(Random& random) {
-    Shapes s;
-    random_box(s, random);
-    place_center(s, random, static_cast<Region>(1 + random.turn(3)), Real{4});
+    Shapes s = facing(random, static_cast<Region>(1 + random.turn(3)), 4);
     const std::size_t first = random.index(3);
     for (std::size_t k = 0; k <= random.index(2); ++k) {
       const std::size_t i = (first + k) % 3;
       const auto step = random.between(-1, 1);  // drawn first: a call's arguments are in no order
       s.c[i] = ulps_away(random.chance(2) ? s.min[i] : s.max[i], step);
     }
-    s.a.radius = s.distance() * enough<Real>(random, random.turn(3) != 0);
-    random_distances(s, random);
-    if (random.turn(3) == 0) s.alarm = 0;
+    reach(s, random, random.turn(3) != 0);
     return s;
   }
 
   /// A centre inside: anywhere, as far from two or three faces, or nearly so.
   static Shapes inside(Random& random) {
-    Shapes s;
-    random_box(s, random);
-    place_center(s, random, Region::inside, Real{0});
+    Shapes s = facing(random, Region::inside, 0);
     const int kind = random.turn(4);
     if (kind != 0) {  // on a grid, so that depths are exact
       const std::size_t first = random.index(3);
@@ -169,9 +158,7 @@ struct SphereAndBox : Described<Real, Pair::sphere_cube> {
 
   /// A centre on a face, an edge or a corner.
   static Shapes on_boundary(Random& random) {
-    Shapes s;
-    random_box(s, random);
-    place_center(s, random, Region::inside, Real{0});
+    Shapes s = facing(random, Region::inside, 0);
     const std::size_t first = random.index(3);
     const int fixed = 1 + random.turn(3);
     for (int k = 0; k < fixed; ++k) {
@@ -244,8 +231,7 @@ struct SphereAndBox : Described<Real, Pair::sphere_cube> {
       s = made.shapes;
       s.a.radius = static_cast<Real>(made.distance);
     } else {
-      random_box(s, random);
-      place_center(s, random, static_cast<Region>(1 + random.index(3)), Real{8});
+      s = facing(random, std::nullopt, 8);
     }
     const std::size_t first = random.index(3);
     const int thin = 1 + random.turn(3);
@@ -267,7 +253,7 @@ struct SphereAndBox : Described<Real, Pair::sphere_cube> {
     const bool near = random.turn(3) != 0;
     const auto make = [&] {
       Shapes s = nearly(random, random.chance(2));
-      move_far(s, random, kIsWide ? 40 : 16);
+      move_far(s, random, kIsWide<Real> ? 40 : 16);
       const Real left = length(s.distance() - s.alarm);
       s.a.radius =
           near ? length(ulps_away(left, random.between(-4, 4))) : left * random.uniform(Real{0.75}, Real{1.25});
@@ -276,31 +262,18 @@ struct SphereAndBox : Described<Real, Pair::sphere_cube> {
     return near ? searched(random, make) : make();
   }
 
-  static Shapes extreme_scale(Random& random) {
+  static Shapes mixed(Random& random) {
     Shapes s;
-    switch (random.turn(3)) {
-      case 0:  // squares that overflow
-        s = generic(random);
-        s.scale(random.between(Limits::max_exponent / 2, Limits::max_exponent - 8));
-        return s;
-      case 1:  // squares that underflow, and subnormal numbers
-        s = generic(random);
-        s.scale(random.between(Limits::min_exponent - Limits::digits, Limits::min_exponent / 2));
-        for (std::size_t i = 0; i < 3; ++i) s.max[i] = std::max(s.min[i], s.max[i]);
-        return s;
-      default: {  // magnitudes that have nothing to do with each other
-        for (std::size_t i = 0; i < 3; ++i) {
-          s.c[i] = any_magnitude<Real>(random);
-          const Real x = any_magnitude<Real>(random);
-          const Real y = any_magnitude<Real>(random);
-          s.min[i] = std::min(x, y);
-          s.max[i] = std::max(x, y);
-        }
-        s.a.radius = std::abs(any_magnitude<Real>(random));
-        any_distances(s, random);
-        return s;
-      }
+    for (std::size_t i = 0; i < 3; ++i) {
+      s.c[i] = any_magnitude<Real>(random);
+      const Real x = any_magnitude<Real>(random);
+      const Real y = any_magnitude<Real>(random);
+      s.min[i] = std::min(x, y);
+      s.max[i] = std::max(x, y);
     }
+    s.a.radius = std::abs(any_magnitude<Real>(random));
+    any_distances(s, random);
+    return s;
   }
 };
 
@@ -308,35 +281,34 @@ using D = SphereAndBox<double>;
 using F = SphereAndBox<float>;
 using Rows = CommonRows<D, F>;
 
-constexpr std::array kFamilies{
-    Family{"generic", "a sphere beside a face, an edge, a corner, and around its centre: each region in turn",
-           kOrdinary, made<D::generic, F::generic>},
-    Family{"touching",
-           "exactly touching a face, an edge or a corner, by Pythagorean numbers; half searched for squares that round "
-           "apart; a fifth one ulp short",
-           kInEveryCase, made<touching<D>, touching<F>>},
+constexpr Family kFamilies[] = {
+    {"generic", "a sphere beside a face, an edge, a corner, and around its centre: each region in turn", kOrdinary,
+     made<D::generic, F::generic>},
+    {"touching",
+     "exactly touching a face, an edge or a corner, by Pythagorean numbers; half searched for squares that round "
+     "apart; a fifth one ulp short",
+     kInEveryCase, made<touching<D>, touching<F>>},
     Rows::kNearTouching,
     Rows::alarm_edge("alarm, contact and radius differ: no two of them can be confused unseen"),
-    Family{"region_edge", "the centre exactly on a bound of the box on some axes, or one ulp beside it",
-           "a comparison of the centre with a bound, strict or not, decides which formula is taken",
-           made<D::region_edge, F::region_edge>},
-    Family{"inside", "the centre inside: anywhere, as far from two or three faces, or nearly so",
-           "a centre inside a solid box has a depth, and its way out jumps from face to face",
-           made<D::inside, F::inside>, false, false, "a centre in a solid box is within every reach"},
-    Family{"on_boundary", "the centre on a face, an edge or a corner: no distance, and a choice of directions",
-           kNoDirection, made<D::on_boundary, F::on_boundary>, false, false, "a distance of 0 is within every reach"},
-    Family{"aligned",
-           "the centre in line with an edge or a corner of the box, or with the diagonal of a face, along an axis or a "
-           "diagonal; half of them inside",
-           "who counts the faces that a ray crosses, to tell inside from outside, counts two or none on an edge",
-           made<D::aligned, F::aligned>},
-    Family{"flat", "boxes without thickness on one, two or three axes: rectangles, segments and points",
-           "a box without thickness is a rectangle, a segment or a point, which overlap tests by volume miss",
-           made<D::flat, F::flat>},
-    Family{"far_from_origin", "small distances between large coordinates: cancellation, coarse contact points",
-           kTooCoarse, made<D::far_from_origin, F::far_from_origin>},
-    Family{"extreme_scale", "squares that overflow or underflow, mixed magnitudes, subnormal numbers",
-           kOrderOfOperations, made<D::extreme_scale, F::extreme_scale>},
+    {"region_edge", "the centre exactly on a bound of the box on some axes, or one ulp beside it",
+     "a comparison of the centre with a bound, strict or not, decides which formula is taken",
+     made<D::region_edge, F::region_edge>},
+    {"inside", "the centre inside: anywhere, as far from two or three faces, or nearly so",
+     "a centre inside a solid box has a depth, and its way out jumps from face to face", made<D::inside, F::inside>,
+     false, false, "a centre in a solid box is within every reach"},
+    {"on_boundary", "the centre on a face, an edge or a corner: no distance, and a choice of directions", kNoDirection,
+     made<D::on_boundary, F::on_boundary>, false, false, "a distance of 0 is within every reach"},
+    {"aligned",
+     "the centre in line with an edge or a corner of the box, or with the diagonal of a face, along an axis or a "
+     "diagonal; half of them inside",
+     "who counts the faces that a ray crosses, to tell inside from outside, counts two or none on an edge",
+     made<D::aligned, F::aligned>},
+    {"flat", "boxes without thickness on one, two or three axes: rectangles, segments and points",
+     "a box without thickness is a rectangle, a segment or a point, which overlap tests by volume miss",
+     made<D::flat, F::flat>},
+    {"far_from_origin", "small distances between large coordinates: cancellation, coarse contact points", kTooCoarse,
+     made<D::far_from_origin, F::far_from_origin>},
+    Rows::extreme_scale(),
     Rows::invalid("each number in turn NaN or infinite, the box inverted, a length negative: it must be refused",
                   "two shapes with rules of their own: a check that knows one of them forgets the other"),
 };

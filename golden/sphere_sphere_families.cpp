@@ -13,9 +13,7 @@ template <class Real>
 struct Spheres : Described<Real, Pair::sphere_sphere> {
   using Shapes = Spheres;
   using Limits = std::numeric_limits<Real>;
-  static constexpr bool kIsWide = Shapes::Described::kIsWide;
   static constexpr int kAlarmClasses = 1;
-  static constexpr int kUnits = 40;
   static constexpr int kDigits = Limits::digits;
   static constexpr std::int64_t kTwoToDigits = std::int64_t{1} << kDigits;
   static constexpr Real kTiny = Limits::denorm_min();
@@ -82,8 +80,8 @@ struct Spheres : Described<Real, Pair::sphere_sphere> {
   /// does not leave room for squares, so that plain arithmetic may miss what touches.
   static Exactly<Shapes> exact_distance(Random& random) {
     const bool large = random.chance(2);
-    const Quadruple q = quadruple(random, kIsWide ? (large ? 1 << 18 : 48) : (large ? 120 : 12));
-    const Integers c = integers(random, kIsWide ? 1 << 24 : 1 << 10);
+    const Quadruple q = quadruple(random, kIsWide<Real> ? (large ? 1 << 18 : 48) : (large ? 120 : 12));
+    const Integers c = integers(random, kIsWide<Real> ? 1 << 24 : 1 << 10);
     return {between(c, q.delta), 16 * q.d};
   }
   /// Spheres about a point and another one so far from it.
@@ -537,8 +535,8 @@ struct Spheres : Described<Real, Pair::sphere_sphere> {
         swapped = random.turn(7) == 3;
         break;
       case 4: {
-        Quadruple q = quadruple(random, kIsWide ? 1 << 18 : 120);
-        while (q.d < 3) q = quadruple(random, kIsWide ? 1 << 18 : 120);
+        Quadruple q = quadruple(random, kIsWide<Real> ? 1 << 18 : 120);
+        while (q.d < 3) q = quadruple(random, kIsWide<Real> ? 1 << 18 : 120);
         s = apart_by(q.delta, random);
         tie_value(s, q.d, random);
         s.contact = ulps_away(s.contact, moved);
@@ -571,49 +569,45 @@ using D = Spheres<double>;
 using F = Spheres<float>;
 using Rows = CommonRows<D, F>;
 
-constexpr std::array kFamilies{
-    Family{"generic", "ordinary numbers with full significands: the bulk of what an engine meets", kOrdinary,
-           made<D::generic, F::generic>, true},
-    Family{"touching",
-           "exactly touching, by Pythagorean quadruples: closed or open; half searched for squares that round apart; "
-           "a fifth one ulp apart",
-           kInEveryCase, made<D::touching, F::touching>, true},
-    Family{"near_touching", "up to 4 ulps from touching, searched for wrong decisions of plain arithmetic", kOftenWrong,
-           made<D::near_touching, F::near_touching>},
-    Family{"alarm_edge",
-           "exactly at the alarm distance and up to 4 ulps beside it; radii, alarm and contact all differ",
-           "alarm, contact and both radii differ: no two of them can be confused unseen",
-           made<alarm_edge<D>, alarm_edge<F>>, true},
-    Family{"contact_edge",
-           "the value changes sign: exactly zero, or what is left after cancellation; a fifth just "
-           "beyond the alarm distance",
-           "the sign of the value is at stake in every case, and in few others",
-           made<D::contact_edge, F::contact_edge>},
-    Family{"coincident", "one centre for both: no direction, 0/0 in plain arithmetic", kNoDirection,
-           made<D::coincident, F::coincident>, true, false, "a distance of 0 is within every reach"},
-    Family{
-        "near_coincident",
-        "centres a few ulps or a subnormal number apart: the direction is all that is left; a fifth too small to touch",
-        "an absolute epsilon of any size; the mutants have a few sizes", made<D::near_coincident, F::near_coincident>},
-    Family{"containment", "one sphere inside the other, touching from inside included",
-           "depths greater than a radius, for engines that stop at a surface", made<D::containment, F::containment>,
-           false, false, "a sphere and what is inside it overlap"},
-    Family{"zero_radius", "points: on a surface, beside it, and two of them at the alarm distance",
-           "points are spheres: special cases for a radius of zero, which no mutant has in full",
-           made<D::zero_radius, F::zero_radius>},
-    Family{"far_from_origin", "small distances between large coordinates: cancellation in delta, coarse contact points",
-           kTooCoarse, made<D::far_from_origin, F::far_from_origin>},
-    Family{"extreme_scale",
-           "squares that overflow or underflow, mixed magnitudes, subnormal and the largest finite numbers",
-           kOrderOfOperations, made<D::extreme_scale, F::extreme_scale>},
-    Family{"one_axis", "two components of the difference are zero: every axis and direction, zeros must be zeros",
-           "the answer is known at sight, on every axis and side: the first questions for a new engine",
-           made<D::one_axis, F::one_axis>},
-    Family{"hard_to_round",
-           "numbers beside the middle of two neighbours, 2^-20 ulp and much less; exact ties, and ties spoiled; "
-           "a fifth just out of reach",
-           "one rounding too many shows here and hardly anywhere else; mutants are wrong by more",
-           made<D::hard_to_round, F::hard_to_round>},
+constexpr Family kFamilies[] = {
+    {"generic", "ordinary numbers with full significands: the bulk of what an engine meets", kOrdinary,
+     made<D::generic, F::generic>, true},
+    {"touching",
+     "exactly touching, by Pythagorean quadruples: closed or open; half searched for squares that round apart; "
+     "a fifth one ulp apart",
+     kInEveryCase, made<D::touching, F::touching>, true},
+    {"near_touching", "up to 4 ulps from touching, searched for wrong decisions of plain arithmetic", kOftenWrong,
+     made<D::near_touching, F::near_touching>},
+    {"alarm_edge", "exactly at the alarm distance and up to 4 ulps beside it; radii, alarm and contact all differ",
+     "alarm, contact and both radii differ: no two of them can be confused unseen", made<alarm_edge<D>, alarm_edge<F>>,
+     true},
+    {"contact_edge",
+     "the value changes sign: exactly zero, or what is left after cancellation; a fifth just "
+     "beyond the alarm distance",
+     "the sign of the value is at stake in every case, and in few others", made<D::contact_edge, F::contact_edge>},
+    {"coincident", "one centre for both: no direction, 0/0 in plain arithmetic", kNoDirection,
+     made<D::coincident, F::coincident>, true, false, "a distance of 0 is within every reach"},
+    {"near_coincident",
+     "centres a few ulps or a subnormal number apart: the direction is all that is left; a fifth too small to touch",
+     "an absolute epsilon of any size; the mutants have a few sizes", made<D::near_coincident, F::near_coincident>},
+    {"containment", "one sphere inside the other, touching from inside included",
+     "depths greater than a radius, for engines that stop at a surface", made<D::containment, F::containment>, false,
+     false, "a sphere and what is inside it overlap"},
+    {"zero_radius", "points: on a surface, beside it, and two of them at the alarm distance",
+     "points are spheres: special cases for a radius of zero, which no mutant has in full",
+     made<D::zero_radius, F::zero_radius>},
+    {"far_from_origin", "small distances between large coordinates: cancellation in delta, coarse contact points",
+     kTooCoarse, made<D::far_from_origin, F::far_from_origin>},
+    {"extreme_scale", "squares that overflow or underflow, mixed magnitudes, subnormal and the largest finite numbers",
+     kOrderOfOperations, made<D::extreme_scale, F::extreme_scale>},
+    {"one_axis", "two components of the difference are zero: every axis and direction, zeros must be zeros",
+     "the answer is known at sight, on every axis and side: the first questions for a new engine",
+     made<D::one_axis, F::one_axis>},
+    {"hard_to_round",
+     "numbers beside the middle of two neighbours, 2^-20 ulp and much less; exact ties, and ties spoiled; "
+     "a fifth just out of reach",
+     "one rounding too many shows here and hardly anywhere else; mutants are wrong by more",
+     made<D::hard_to_round, F::hard_to_round>},
     Rows::invalid("each number in turn NaN, infinite or negative: it must be refused, not answered", ""),
 };
 

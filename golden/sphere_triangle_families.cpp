@@ -47,11 +47,6 @@ enum class Lie { leaning, level };
 template <class Real>
 struct SphereTriangle : Described<Real, Pair::sphere_triangle> {
   using Shapes = SphereTriangle;
-  static constexpr bool kIsWide = Shapes::Described::kIsWide;
-  static constexpr int kClasses = 7;
-  static constexpr int kAlarmClasses = 7;
-  static constexpr int kUnits = 40;
-  static constexpr int kRoom = 8;
   static constexpr int kDigits = std::numeric_limits<Real>::digits;
 
   Triple<Real> center{};
@@ -73,12 +68,6 @@ struct SphereTriangle : Described<Real, Pair::sphere_triangle> {
   }
   void scale(int e) {
     lift(e, center, vertices[0], vertices[1], vertices[2], a.radius, b.radius, this->alarm, this->contact);
-  }
-  void mix_magnitudes(Random& random) {
-    for (Triple<Real>* v : points())
-      for (Real& x : *v) x = any_magnitude<Real>(random);
-    a.radius = std::abs(any_magnitude<Real>(random));
-    any_distances(*this, random);
   }
 
   static Shapes beside(Random& random) {
@@ -118,6 +107,15 @@ struct SphereTriangle : Described<Real, Pair::sphere_triangle> {
     return s;
   }
 
+  static Shapes mixed(Random& random) {
+    Shapes s = generic(random);
+    for (Triple<Real>* v : s.points())
+      for (Real& x : *v) x = any_magnitude<Real>(random);
+    s.a.radius = std::abs(any_magnitude<Real>(random));
+    any_distances(s, random);
+    return s;
+  }
+
   /// A triangle on a grid and exactly an integer from a centre, along the third row of a frame; `meeting` makes it 0.
   /// The nearest point is on the grid too, but half of those on a leaning edge or a face are fractions that no scalar
   /// holds.
@@ -126,7 +124,7 @@ struct SphereTriangle : Described<Real, Pair::sphere_triangle> {
     Exactly<Shapes> made{{}, grid.height * grid.frame.length, grid.frame};
     const auto upward = [&] { return lie == Lie::level ? 0 : random.between<std::int64_t>(0, grid.steps); };
     const auto any = [&] { return random.between(-grid.steps, grid.steps); };
-    const auto size = [&] { return random.between<std::int64_t>(1, kIsWide ? 8 : 4); };
+    const auto size = [&] { return random.between<std::int64_t>(1, kIsWide<Real> ? 8 : 4); };
     // The vertices in steps along the rows, and where the last step is from: the nearest point, or one beside it.
     std::array<Integers, 3> at{};
     Integers from = grid.frame.at({0, 0, grid.height});
@@ -151,7 +149,7 @@ struct SphereTriangle : Described<Real, Pair::sphere_triangle> {
       const std::int64_t y = more();
       at = {Integers{-3 - more(), -3 - more(), 0}, {4 + y + more(), -2 - y, 0}, {-2 - x, 4 + x + more(), 0}};
     }
-    const Integers center = integers(random, kIsWide ? 1 << 24 : 1 << 10);
+    const Integers center = integers(random, kIsWide<Real> ? 1 << 24 : 1 << 10);
     made.shapes.center = placed<Real>(center);
     Vertices<Real> vertices;
     for (std::size_t k = 0; k < 3; ++k)
@@ -320,29 +318,27 @@ using D = SphereTriangle<double>;
 using F = SphereTriangle<float>;
 using Rows = CommonRows<D, F>;
 
-constexpr std::array kFamilies{
-    Family{"generic", "a sphere beside each vertex, each edge and the face in turn, on either side", kOrdinary,
-           made<D::generic, F::generic>},
-    Family{"touching",
-           "exactly touching at a vertex, an edge or the face, by integers on orthogonal frames; half searched for "
-           "squares that round apart; a fifth one ulp short",
-           kInEveryCase, made<touching<D>, touching<F>>},
+constexpr Family kFamilies[] = {
+    {"generic", "a sphere beside each vertex, each edge and the face in turn, on either side", kOrdinary,
+     made<D::generic, F::generic>},
+    {"touching",
+     "exactly touching at a vertex, an edge or the face, by integers on orthogonal frames; half searched for "
+     "squares that round apart; a fifth one ulp short",
+     kInEveryCase, made<touching<D>, touching<F>>},
     Rows::kNearTouching,
     Rows::alarm_edge("alarm, contact and radius differ: no two of them can be confused unseen"),
-    Family{"region_edge", "the foot on the plane exactly on a vertex or an edge, or one ulp beside it",
-           "which feature is nearest is decided by a sign that is 0 or nearly so",
-           made<D::region_edge, F::region_edge>},
-    Family{"aligned",
-           "the foot on the plane in line with a vertex or an edge, along an axis or a diagonal; half of them inside",
-           "who counts the edges that a ray in the plane crosses, to find the face, counts two or none at a vertex",
-           made<D::aligned, F::aligned>},
-    Family{"thin", "slivers, needles, three points on a line, two points and one; a fifth of the centres on a vertex",
-           "a normal of length 0, or of rounding errors alone", made<D::thin, F::thin>},
-    Family{"on_triangle", "the centre on the face, an edge or a vertex; a fifth one ulp beside it, without a radius",
-           kNoDirection, made<D::on_triangle, F::on_triangle>},
-    Family{"ties",
-           "the value, or a nearest point in the middle of an edge, half way between two numbers or just beside",
-           kRoundingTwice, made<D::ties, F::ties>},
+    {"region_edge", "the foot on the plane exactly on a vertex or an edge, or one ulp beside it",
+     "which feature is nearest is decided by a sign that is 0 or nearly so", made<D::region_edge, F::region_edge>},
+    {"aligned",
+     "the foot on the plane in line with a vertex or an edge, along an axis or a diagonal; half of them inside",
+     "who counts the edges that a ray in the plane crosses, to find the face, counts two or none at a vertex",
+     made<D::aligned, F::aligned>},
+    {"thin", "slivers, needles, three points on a line, two points and one; a fifth of the centres on a vertex",
+     "a normal of length 0, or of rounding errors alone", made<D::thin, F::thin>},
+    {"on_triangle", "the centre on the face, an edge or a vertex; a fifth one ulp beside it, without a radius",
+     kNoDirection, made<D::on_triangle, F::on_triangle>},
+    {"ties", "the value, or a nearest point in the middle of an edge, half way between two numbers or just beside",
+     kRoundingTwice, made<D::ties, F::ties>},
     Rows::units("an absolute epsilon, of a length, an area or a determinant, is small in one unit alone"),
     Rows::kFarFromOrigin,
     Rows::extreme_scale(),
