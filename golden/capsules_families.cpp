@@ -34,14 +34,13 @@ struct TwoSegments : Described<Real, kPair> {
   Real times{1};
 
   [[nodiscard]] Query query(Pair pair) const {
-    const auto ball = [](const Segment<Real>& s, Real radius) {
-      return Ball{widened(s.start), static_cast<double>(radius)};
-    };
     const auto capsule = [](const Segment<Real>& s) {
       return Capsule{widened(s.start), widened(s.end), static_cast<double>(s.radius)};
     };
-    if (kPair == Pair::sphere_capsule) return {pair, BallAndCapsule{ball(a, a.radius), capsule(b)}, this->distances()};
-    if (kPair == Pair::ray_sphere) return {pair, RayAndBall{ray(), ball(a, a.radius + b.radius)}, this->distances()};
+    if (kPair == Pair::sphere_capsule)
+      return {pair, BallAndCapsule{ball(a.start, a.radius), capsule(b)}, this->distances()};
+    if (kPair == Pair::ray_sphere)
+      return {pair, RayAndBall{ray(), ball(a.start, a.radius + b.radius)}, this->distances()};
     return {pair, Capsules{capsule(a), capsule(b)}, this->distances()};
   }
   [[nodiscard]] Ray ray() const {

@@ -153,6 +153,14 @@ void reach_nearly(S& s, Random& random, bool alarmed) {
   s.contact = any_or_none<Real>(random, 1);
   s.a.radius = length(ulps_away(least_radius(s), random.between(-4, 3)));
 }
+/// Nearly, with an alarm distance or none, or by any length.
+template <class S>
+void reach_somehow(S& s, Random& random, bool near) {
+  if (near)
+    reach_nearly(s, random, random.chance(2));
+  else
+    reach_or_not(s, random);
+}
 template <class S>
 S nearly(Random& random, bool alarmed) {
   if constexpr (requires { S::nearly(random, alarmed); }) {
@@ -164,12 +172,18 @@ S nearly(Random& random, bool alarmed) {
   }
 }
 
-/// One in five a radius too short by one ulp.
+/// Exactly, half of them searched.
 template <class S>
-S touching(Random& random) {
+S exactly_touching(Random& random) {
   const auto make = [&] { return exactly<S>(random, false); };
   S s = random.turn(2) == 0 ? make() : searched(random, make);
   s.scale(random.between(-S::kUnits, S::kUnits));
+  return s;
+}
+/// One in five a radius too short by one ulp.
+template <class S>
+S touching(Random& random) {
+  S s = exactly_touching<S>(random);
   if constexpr (requires { s.lengthen_normal(0); }) s.lengthen_normal(random.between(-20, 20));
   if (random.turn(5) == kMissing) step(s.a.radius, -1);
   return s;
@@ -260,10 +274,7 @@ S far_from_origin(Random& random) {
     S s = S::beside(random);
     const auto by = move_far(s, random, kIsWide<typename S::Real> ? 40 : 16);
     if constexpr (requires { s.after_moving(random, by); }) s.after_moving(random, by);
-    if (near)
-      reach_nearly(s, random, random.chance(2));
-    else
-      reach_or_not(s, random);
+    reach_somehow(s, random, near);
     return s;
   };
   return near ? searched(random, make) : make();

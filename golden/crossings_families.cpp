@@ -22,16 +22,15 @@ struct Crossing : Described<Real, kPair> {
   Vertices<Real> vertices{};
 
   [[nodiscard]] Query query(Pair pair) const {
-    const Triangle triangle{{widened(vertices[0]), widened(vertices[1]), widened(vertices[2])}};
     if (kPair == Pair::triangle_line) {
       const Line line{widened(start), widened(moved(start, length, direction))};
-      return {pair, TriangleAndLine{triangle, line}, this->distances()};
+      return {pair, TriangleAndLine{triangle(vertices), line}, this->distances()};
     }
     // A ray has a direction, also where its length is 0.
     const bool none = direction == Triple<Real>{};
     const Ray ray{widened(start), widened(none ? Triple<Real>{1, 2, -2} : direction),
                   none ? 0 : static_cast<double>(length)};
-    return {pair, RayAndTriangle{ray, triangle}, this->distances()};
+    return {pair, RayAndTriangle{ray, triangle(vertices)}, this->distances()};
   }
   [[nodiscard]] std::array<Triple<Real>*, 4> points() { return {&start, &vertices[0], &vertices[1], &vertices[2]}; }
   void scale(int e) { lift(e, start, vertices[0], vertices[1], vertices[2], direction, this->alarm, this->contact); }

@@ -51,6 +51,15 @@ inline bool is_hit(const Query& query) {
 inline bool fools_plain(const Query& query, Scalar scalar) { return plain_overlap(query, scalar) != is_hit(query); }
 
 template <class Real>
+Ball ball(const Triple<Real>& center, Real radius) {
+  return {widened(center), static_cast<double>(radius)};
+}
+template <class Real>
+Triangle triangle(const std::array<Triple<Real>, 3>& v) {
+  return {{widened(v[0]), widened(v[1]), widened(v[2])}};
+}
+
+template <class Real>
 inline constexpr bool kIsWide = sizeof(Real) == 8;
 
 /// Two shapes in a file's scalar; widening it to double is exact. Only + - * / sqrt, scaling by powers of two and exact

@@ -20,10 +20,10 @@ struct OverPlane : Described<Real, kPair> {
   Real offset{};
 
   [[nodiscard]] Query query(Pair pair) const {
-    const auto radius = static_cast<double>(a.radius + b.radius);
+    const Ball at_start = ball(a.start, a.radius + b.radius);
     const Plane plane{widened(normal), static_cast<double>(offset)};
-    if (kIsSphere) return {pair, BallAndPlane{{widened(a.start), radius}, plane}, this->distances()};
-    return {pair, CapsuleAndPlane{{widened(a.start), widened(a.end), radius}, plane}, this->distances()};
+    if (kIsSphere) return {pair, BallAndPlane{at_start, plane}, this->distances()};
+    return {pair, CapsuleAndPlane{{at_start.center, widened(a.end), at_start.radius}, plane}, this->distances()};
   }
   [[nodiscard]] std::array<Triple<Real>*, 2> points() { return {&a.start, &a.end}; }
   /// The power of two that the normal's largest component is not below.
@@ -174,10 +174,7 @@ struct OverPlane : Described<Real, kPair> {
     s.put_plane_below(random.uniform(Real{0.5}, Real{6}));
     // Of a subnormal offset the height may be any.
     if (!(s.distance() > 0)) s.put_plane_below(random.uniform(Real{64}, Real{128}));
-    if (s.distance() > 0 && random.turn(3, 4) == 0)
-      reach_nearly(s, random, random.chance(2));
-    else
-      reach_or_not(s, random);
+    reach_somehow(s, random, s.distance() > 0 && random.turn(3, 4) == 0);
     return s;
   }
 

@@ -21,8 +21,7 @@ struct SphereAndBox : Described<Real, Pair::sphere_cube> {
   Triple<Real> max{};
 
   [[nodiscard]] Query query(Pair pair) const {
-    return {pair, BallAndBox{{widened(c), static_cast<double>(a.radius)}, {widened(min), widened(max)}},
-            this->distances()};
+    return {pair, BallAndBox{ball(c, a.radius), {widened(min), widened(max)}}, this->distances()};
   }
   [[nodiscard]] std::array<Triple<Real>*, 3> points() { return {&c, &min, &max}; }
   /// From the centre to the box, in plain arithmetic.

@@ -22,10 +22,7 @@ struct Spheres : Described<Real, Pair::sphere_sphere> {
   Triple<Real> c2{};
   Real r2{};
 
-  [[nodiscard]] Query query(Pair pair) const {
-    return {pair, Balls{{widened(c1), static_cast<double>(r1)}, {widened(c2), static_cast<double>(r2)}},
-            this->distances()};
-  }
+  [[nodiscard]] Query query(Pair pair) const { return {pair, Balls{ball(c1, r1), ball(c2, r2)}, this->distances()}; }
   [[nodiscard]] std::array<Triple<Real>*, 2> points() { return {&c1, &c2}; }
   [[nodiscard]] std::array<Real*, 6> coordinates() { return {&c1[0], &c1[1], &c1[2], &c2[0], &c2[1], &c2[2]}; }
   [[nodiscard]] std::array<Real*, 4> lengths() { return {&r1, &r2, &this->alarm, &this->contact}; }
@@ -100,6 +97,13 @@ struct Spheres : Described<Real, Pair::sphere_sphere> {
     return sixteenths<Real>(total - first - second);
   }
 
+  /// Radii that are whole numbers of that sum, or of a unit.
+  static void share_out(Shapes& s, std::int64_t sum, Random& random, Real unit = 1) {
+    const std::int64_t first = random.between<std::int64_t>(0, sum);
+    s.r1 = static_cast<Real>(first) * unit;
+    s.r2 = static_cast<Real>(sum - first) * unit;
+  }
+
   static Shapes exactly(Random& random, bool alarmed) {
     auto [s, total, frame] = exact_distance(random);
     if (alarmed) {
@@ -107,19 +111,15 @@ struct Spheres : Described<Real, Pair::sphere_sphere> {
       s.contact = s.alarm / Real{4};
       return s;
     }
-    const std::int64_t first = random.between<std::int64_t>(0, total);
-    s.r1 = sixteenths<Real>(first);
-    s.r2 = sixteenths<Real>(total - first);
+    share_out(s, total, random, Real{0.0625});
     s.contact = random.chance(2) ? sixteenths<Real>(random.between(0, 32)) : Real{0};
     return s;
   }
 
   static Shapes touching(Random& random) {
-    const auto make = [&] { return exactly(random, false); };
-    Shapes s = random.turn(2) == 0 ? make() : searched(random, make);
-    s.scale(random.between(-40, 40));
-    if (random.turn(5) == kMissing &&
-        random.chance(2)) {  // a coordinate one ulp farther, else a radius one ulp shorter
+    Shapes s = exactly_touching<Shapes>(random);
+    // A coordinate one ulp farther, else a radius one ulp shorter.
+    if (random.turn(5) == kMissing && random.chance(2)) {
       const std::size_t axis = random.index(3);
       step(s.c2[axis], s.c2[axis] < s.c1[axis] ? -1 : 1);
     }
@@ -336,11 +336,9 @@ struct Spheres : Described<Real, Pair::sphere_sphere> {
         Shapes s = make();
         s.alarm = 0;
         s.c1[axis] = static_cast<Real>(random.between(-64, 64));
-        const int total = 16 * random.between(1, 64);
-        s.c2[axis] = s.c1[axis] + direction * sixteenths<Real>(total);
-        const int first = random.between(0, total);
-        s.r1 = sixteenths<Real>(first);
-        s.r2 = sixteenths<Real>(total - first);
+        const int distance = random.between(1, 64);
+        s.c2[axis] = s.c1[axis] + direction * static_cast<Real>(distance);
+        share_out(s, 16 * distance, random, Real{0.0625});
         return s;
       }
       default: {
@@ -359,13 +357,6 @@ struct Spheres : Described<Real, Pair::sphere_sphere> {
     for (std::size_t i = 0; i < 3; ++i)
       c[i] = random.between(std::min<std::int64_t>(0, -delta[i]), std::max<std::int64_t>(0, -delta[i]));
     return between(c, delta);
-  }
-
-  /// Radii that are whole numbers of that sum.
-  static void share_out(Shapes& s, std::int64_t sum, Random& random) {
-    const std::int64_t first = random.between<std::int64_t>(0, sum);
-    s.r1 = static_cast<Real>(first);
-    s.r2 = static_cast<Real>(sum - first);
   }
 
   /// A value beside the middle of two neighbours, 2^-k apart, where k bits cancelled. A reflection keeps D.

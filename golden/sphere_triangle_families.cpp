@@ -18,26 +18,14 @@ PartOfTriangle turn_of_parts(Random& random) {
   return {turn < 3 ? Part::vertex : turn < 6 ? Part::edge : Part::face, turn < 6 ? first : random.index(3)};
 }
 
-/// The three points so that the first one is the one of that number; the others in either order.
+/// The three points so that the first one is the one of that number; the others in either order. Of an edge, which is
+/// from the first point to the second, these two are.
 template <class Real>
-Vertices<Real> numbered(Random& random, std::size_t first, const Vertices<Real>& v) {
-  const bool turned = random.chance(2);
-  Vertices<Real> made;
-  made[first] = v[0];
-  made[(first + 1) % 3] = v[turned ? 2 : 1];
-  made[(first + 2) % 3] = v[turned ? 1 : 2];
-  return made;
-}
-/// Of an edge, which is from the first point to the second.
-template <class Real>
-Vertices<Real> numbered(Random& random, const PartOfTriangle& which, const Vertices<Real>& v) {
-  if (which.part != Part::edge) return numbered(random, which.first, v);
-  const bool turned = random.chance(2);
-  Vertices<Real> made;
-  made[which.first] = v[turned ? 1 : 0];
-  made[(which.first + 1) % 3] = v[turned ? 0 : 1];
-  made[(which.first + 2) % 3] = v[2];
-  return made;
+Vertices<Real> numbered(Random& random, PartOfTriangle which, Vertices<Real> v) {
+  const std::size_t turned = which.part == Part::edge ? 0 : 1;
+  if (random.chance(2)) std::swap(v[turned], v[turned + 1]);
+  std::rotate(v.begin(), v.end() - static_cast<std::ptrdiff_t>(which.first), v.end());
+  return v;
 }
 
 /// How a triangle lies to the shortest way there: leaning away where it may, or all of it at right angles.
@@ -55,10 +43,7 @@ struct SphereTriangle : Described<Real, Pair::sphere_triangle> {
   Vertices<Real> vertices{};
 
   [[nodiscard]] Query query(Pair pair) const {
-    return {pair,
-            BallAndTriangle{{widened(center), static_cast<double>(a.radius + b.radius)},
-                            {{widened(vertices[0]), widened(vertices[1]), widened(vertices[2])}}},
-            this->distances()};
+    return {pair, BallAndTriangle{ball(center, a.radius + b.radius), triangle(vertices)}, this->distances()};
   }
   [[nodiscard]] std::array<Triple<Real>*, 4> points() { return {&center, &vertices[0], &vertices[1], &vertices[2]}; }
   /// Between the centre and the triangle, in plain arithmetic.
@@ -223,7 +208,7 @@ struct SphereTriangle : Described<Real, Pair::sphere_triangle> {
     Vertices<Real> made;
     for (std::size_t k = 0; k < 3; ++k) made[k] = placed<Real>(moved(moved(foot, at[k][0], ahead), at[k][1], beside));
     Shapes s;
-    s.vertices = numbered(random, random.index(3), made);
+    s.vertices = numbered(random, {Part::vertex, random.index(3)}, made);
     const std::int64_t height = random.between<std::int64_t>(1, 3);
     s.center = placed<Real>(moved(foot, random.with_sign(height), normal));
     reach_or_not(s, random);
@@ -258,15 +243,13 @@ struct SphereTriangle : Described<Real, Pair::sphere_triangle> {
         for (Real& i : z) step(i, random.between(-1, 1));
         break;
     }
-    s.vertices = numbered(random, random.index(3), s.vertices);
+    s.vertices = numbered(random, {Part::vertex, random.index(3)}, s.vertices);
     if (random.turn(5) == 0) s.center = s.vertices[random.index(3)];
     s.contact = any_or_none<Real>(random, 1);
     if (s.distance() == 0)
       s.a.radius = random.uniform(Real{0.5}, Real{6});
-    else if (kind != 0 && random.chance(2))
-      reach_nearly(s, random, random.chance(2));
     else
-      reach_or_not(s, random);
+      reach_somehow(s, random, kind != 0 && random.chance(2));
     return s;
   }
 
@@ -308,7 +291,7 @@ struct SphereTriangle : Described<Real, Pair::sphere_triangle> {
     s.vertices = {start, {large + odd, 2 * odd, 0}, moved(start, -2, {off / 2, -off / 4, height})};
     s.a.radius = s.distance() * enough<Real>(random, !missing, Real{1.0625});
     turn_axes(s, random);
-    s.vertices = numbered(random, random.index(3), s.vertices);
+    s.vertices = numbered(random, {Part::vertex, random.index(3)}, s.vertices);
     s.contact = any_or_none<Real>(random, 1);
     return s;
   }
