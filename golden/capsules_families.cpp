@@ -109,10 +109,8 @@ struct TwoSegments : Described<Real, kPair> {
 
   static Shapes mixed(Random& random) {
     Shapes s = generic(random);
-    for (Triple<Real>* v : s.points())
-      for (Real& x : *v) x = any_magnitude<Real>(random);
+    any_magnitudes<Real>(random, {&s.a.start, &s.a.end, &s.b.start, &s.b.end}, {&s.a.radius, &s.b.radius});
     s.settle_sphere();
-    for (Real* radius : {&s.a.radius, &s.b.radius}) *radius = std::abs(any_magnitude<Real>(random));
     any_distances(s, random);
     return s;
   }
@@ -340,8 +338,9 @@ struct TwoSegments : Described<Real, kPair> {
   }
 };
 
-template <Pair kPair>
-std::span<const Family> families() {
+template <class A, class B>
+std::span<const Family> families(const Two<A, B>* /*kind*/) {
+  constexpr Pair kPair = pair_of<A, B>();
   using D = TwoSegments<double, kPair>;
   using F = TwoSegments<float, kPair>;
   using Rows = CommonRows<D, F>;
@@ -419,14 +418,8 @@ std::span<const Family> families() {
 }  // namespace
 }  // namespace capsules_families
 
-std::span<const Family> families_of(const BallAndCapsule* /*kind*/) {
-  return capsules_families::families<Pair::sphere_capsule>();
-}
-std::span<const Family> families_of(const Capsules* /*kind*/) {
-  return capsules_families::families<Pair::capsule_capsule>();
-}
-std::span<const Family> families_of(const RayAndBall* /*kind*/) {
-  return capsules_families::families<Pair::ray_sphere>();
-}
+std::span<const Family> families_of(const BallAndCapsule* kind) { return capsules_families::families(kind); }
+std::span<const Family> families_of(const Capsules* kind) { return capsules_families::families(kind); }
+std::span<const Family> families_of(const RayAndBall* kind) { return capsules_families::families(kind); }
 
 }  // namespace contact::golden

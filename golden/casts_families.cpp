@@ -416,8 +416,9 @@ struct CastIn : Described<Real, kPair> {
   }
 };
 
-template <Pair kPair>
-std::span<const Family> families() {
+template <class A, class B>
+std::span<const Family> families(const Two<A, B>* /*kind*/) {
+  constexpr Pair kPair = pair_of<A, B>();
   using D = CastIn<double, kPair>;
   using F = CastIn<float, kPair>;
   static const std::vector<Family> all = without_gaps({
@@ -441,15 +442,15 @@ std::span<const Family> families() {
        made<D::extreme_scale, F::extreme_scale>},
       where(!D::kIsPlane,
             {"grazing",
-             "along the surface exactly, by integers: tangents, and in the plane of a face; a fifth one "
-             "step off",
+             "along the surface exactly, by integers: tangents, and in the plane of a face; a fifth one step off",
              "a discriminant or a determinant of 0, and a slab that a ray lies in: 0/0", made<D::grazing, F::grazing>}),
-      where(D::kIsRound,
-            {"zero_radius", "points and segments, hit exactly, by integers; a fifth one step beside",
-             "divisions by a radius, and a discriminant that rounding makes negative", made<D::thin, F::thin>}),
-      where(!D::kIsRound && !D::kIsPlane,
-            {"thin", "without an extent or an inside, hit exactly, by integers; a fifth one step beside",
-             "divisions by a length, and normals of length 0", made<D::thin, F::thin>}),
+      where(!D::kIsPlane,
+            {D::kIsRound ? "zero_radius" : "thin",
+             D::kIsRound ? "points and segments, hit exactly, by integers; a fifth one step beside"
+                         : "without an extent or an inside, hit exactly, by integers; a fifth one step beside",
+             D::kIsRound ? "divisions by a radius, and a discriminant that rounding makes negative"
+                         : "divisions by a length, and normals of length 0",
+             made<D::thin, F::thin>}),
       where(!D::kIsPlane && kPair != Pair::cast_sphere,
             {"through_edge",
              "through an edge or a corner exactly, by integers, where a capsule's side ends too; a fifth one step "
@@ -466,18 +467,10 @@ std::span<const Family> families() {
 }  // namespace
 }  // namespace casts_families
 
-std::span<const Family> families_of(const CastAt<Ball>* /*kind*/) {
-  return casts_families::families<Pair::cast_sphere>();
-}
-std::span<const Family> families_of(const CastAt<Box>* /*kind*/) { return casts_families::families<Pair::cast_cube>(); }
-std::span<const Family> families_of(const CastAt<Capsule>* /*kind*/) {
-  return casts_families::families<Pair::cast_capsule>();
-}
-std::span<const Family> families_of(const CastAt<Triangle>* /*kind*/) {
-  return casts_families::families<Pair::cast_triangle>();
-}
-std::span<const Family> families_of(const CastAt<Plane>* /*kind*/) {
-  return casts_families::families<Pair::cast_plane>();
-}
+std::span<const Family> families_of(const CastAt<Ball>* kind) { return casts_families::families(kind); }
+std::span<const Family> families_of(const CastAt<Box>* kind) { return casts_families::families(kind); }
+std::span<const Family> families_of(const CastAt<Capsule>* kind) { return casts_families::families(kind); }
+std::span<const Family> families_of(const CastAt<Triangle>* kind) { return casts_families::families(kind); }
+std::span<const Family> families_of(const CastAt<Plane>* kind) { return casts_families::families(kind); }
 
 }  // namespace contact::golden

@@ -15,6 +15,8 @@
 //   s.lengthen_normal(e), s.after_moving(random, by)          what a plane needs
 #pragma once
 
+#include <initializer_list>
+
 #include "golden/making.hpp"
 
 namespace contact::golden {
@@ -306,6 +308,13 @@ template <class Real>
 Real any_magnitude(Random& random) {
   using Limits = std::numeric_limits<Real>;
   return random.with_sign(random.magnitude<Real>(Limits::min_exponent + 2, Limits::max_exponent - 4));
+}
+template <class Real>
+void any_magnitudes(Random& random, std::initializer_list<Triple<Real>*> vectors,
+                    std::initializer_list<Real*> lengths) {
+  for (Triple<Real>* v : vectors)
+    for (Real& x : *v) x = any_magnitude<Real>(random);
+  for (Real* x : lengths) *x = std::abs(any_magnitude<Real>(random));
 }
 template <class S, class Real = typename S::Real>
 void any_distances(S& s, Random& random) {

@@ -133,8 +133,7 @@ void part_some(Query& query, Random& random, double normals, const Vector3& by) 
 }
 
 void distances(Query& query, Random& random) {
-  query.distances.alarm = random.chance(2) ? random.uniform(0.0, 1.0) : 0.0;
-  query.distances.contact = random.chance(2) ? random.uniform(0.0, 0.5) : 0.0;
+  query.distances = {any_or_none<double>(random, 1), any_or_none<double>(random, 0.5)};
 }
 
 /// Two shapes of ordinary numbers, so far from each other.

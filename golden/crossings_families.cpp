@@ -262,8 +262,9 @@ struct Crossing : Described<Real, kPair> {
   }
 };
 
-template <Pair kPair>
-std::span<const Family> families() {
+template <class A, class B>
+std::span<const Family> families(const Two<A, B>* /*kind*/) {
+  constexpr Pair kPair = pair_of<A, B>();
   using D = Crossing<double, kPair>;
   using F = Crossing<float, kPair>;
   using Rows = CommonRows<D, F>;
@@ -302,11 +303,7 @@ std::span<const Family> families() {
 }  // namespace
 }  // namespace crossings_families
 
-std::span<const Family> families_of(const RayAndTriangle* /*kind*/) {
-  return crossings_families::families<Pair::ray_triangle>();
-}
-std::span<const Family> families_of(const TriangleAndLine* /*kind*/) {
-  return crossings_families::families<Pair::triangle_line>();
-}
+std::span<const Family> families_of(const RayAndTriangle* kind) { return crossings_families::families(kind); }
+std::span<const Family> families_of(const TriangleAndLine* kind) { return crossings_families::families(kind); }
 
 }  // namespace contact::golden

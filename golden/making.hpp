@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -57,6 +58,14 @@ Ball ball(const Triple<Real>& center, Real radius) {
 template <class Real>
 Triangle triangle(const std::array<Triple<Real>, 3>& v) {
   return {{widened(v[0]), widened(v[1]), widened(v[2])}};
+}
+
+/// The first pair of two shapes, for the others too.
+template <class A, class B>
+constexpr Pair pair_of() {
+  return *std::find_if(kPairs.begin(), kPairs.end(), [](Pair pair) {
+    return of_shapes(pair, []<class X, class Y>() { return std::same_as<X, A> && std::same_as<Y, B>; });
+  });
 }
 
 template <class Real>

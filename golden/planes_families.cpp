@@ -275,8 +275,9 @@ struct OverPlane : Described<Real, kPair> {
   }
 };
 
-template <Pair kPair>
-std::span<const Family> families() {
+template <class A, class B>
+std::span<const Family> families(const Two<A, B>* /*kind*/) {
+  constexpr Pair kPair = pair_of<A, B>();
   using D = OverPlane<double, kPair>;
   using F = OverPlane<float, kPair>;
   using Rows = CommonRows<D, F>;
@@ -330,11 +331,7 @@ std::span<const Family> families() {
 }  // namespace
 }  // namespace planes_families
 
-std::span<const Family> families_of(const BallAndPlane* /*kind*/) {
-  return planes_families::families<Pair::sphere_plane>();
-}
-std::span<const Family> families_of(const CapsuleAndPlane* /*kind*/) {
-  return planes_families::families<Pair::capsule_plane>();
-}
+std::span<const Family> families_of(const BallAndPlane* kind) { return planes_families::families(kind); }
+std::span<const Family> families_of(const CapsuleAndPlane* kind) { return planes_families::families(kind); }
 
 }  // namespace contact::golden

@@ -221,34 +221,26 @@ struct Spheres : Described<Real, Pair::sphere_sphere> {
   }
 
   static Shapes zero_radius(Random& random) {
-    switch (random.turn(4)) {
-      case 0: {  // a point exactly on a sphere
-        auto [s, total, frame] = exact_distance(random);
-        s.r1 = sixteenths<Real>(total);
+    const int kind = random.turn(4);
+    if (kind < 2) {  // a point exactly on a sphere, two points exactly at the alarm distance
+      auto [s, total, frame] = exact_distance(random);
+      (kind == 0 ? s.r1 : s.alarm) = sixteenths<Real>(total);
+      if (kind == 0 && random.chance(2)) std::swap(s.r1, s.r2);
+      return s;
+    }
+    if (kind == 2)  // a point a few ulps from a sphere
+      return searched(random, [&] {
+        Shapes s = generic(random);
+        s.alarm = 0;
+        s.r1 = 0;
+        s.r2 = length(ulps_away(s.distance(), random.between(-3, 3)));
         if (random.chance(2)) std::swap(s.r1, s.r2);
         return s;
-      }
-      case 1: {  // two points exactly at the alarm distance
-        auto [s, total, frame] = exact_distance(random);
-        s.alarm = sixteenths<Real>(total);
-        return s;
-      }
-      case 2:  // a point a few ulps from a sphere
-        return searched(random, [&] {
-          Shapes s = generic(random);
-          s.alarm = 0;
-          s.r1 = 0;
-          s.r2 = length(ulps_away(s.distance(), random.between(-3, 3)));
-          if (random.chance(2)) std::swap(s.r1, s.r2);
-          return s;
-        });
-      default: {
-        Shapes s = generic(random);
-        s.r1 = 0;
-        if (random.chance(4)) s.r2 = 0;
-        return s;
-      }
-    }
+      });
+    Shapes s = generic(random);
+    s.r1 = 0;
+    if (random.chance(4)) s.r2 = 0;
+    return s;
   }
 
   static Shapes far_from_origin(Random& random) {

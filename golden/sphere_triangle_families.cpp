@@ -94,9 +94,7 @@ struct SphereTriangle : Described<Real, Pair::sphere_triangle> {
 
   static Shapes mixed(Random& random) {
     Shapes s = generic(random);
-    for (Triple<Real>* v : s.points())
-      for (Real& x : *v) x = any_magnitude<Real>(random);
-    s.a.radius = std::abs(any_magnitude<Real>(random));
+    any_magnitudes<Real>(random, {&s.center, &s.vertices[0], &s.vertices[1], &s.vertices[2]}, {&s.a.radius});
     any_distances(s, random);
     return s;
   }
