@@ -28,8 +28,9 @@ enum class Part { face, edge };  // the round or flat inside of a surface, or wh
 
 /// `v` are the numbers of the shape that are vectors: a centre; corners; ends; vertices; the normal of a plane. `size` is
 /// a radius, or an offset.
-template <class Real, Pair kPair>
-struct CastIn : Described<Real, kPair> {
+template <class Real, class Target>
+struct CastIn : Described<Real, pair_of<Cast, Target>()> {
+  static constexpr Pair kPair = pair_of<Cast, Target>();
   using Shapes = CastIn;
   using Limits = std::numeric_limits<Real>;
   static constexpr bool kIsRound = kPair == Pair::cast_sphere || kPair == Pair::cast_capsule;
@@ -42,23 +43,16 @@ struct CastIn : Described<Real, kPair> {
   Real size{};
 
   [[nodiscard]] Query query(Pair pair) const {
-    Query made = zero_query(pair);
-    made.distances = this->distances();
-    std::visit(
-        [&]<class A, class B>(Two<A, B>& shapes) {
-          if constexpr (std::same_as<A, Cast>) {
-            shapes.a = {{widened(start), widened(direction), static_cast<double>(length)}};
-            std::size_t k = 0;
-            for_each_field(shapes.b, [&](const auto& /*field*/, auto& value) {
-              if constexpr (std::same_as<std::remove_cvref_t<decltype(value)>, double>)
-                value = static_cast<double>(size);
-              else
-                for_each_vector(value, [&](Vector3& x) { x = widened(v[k++]); });
-            });
-          }
-        },
-        made.shapes);
-    return made;
+    CastAt<Target> shapes{};
+    shapes.a = {{widened(start), widened(direction), static_cast<double>(length)}};
+    std::size_t k = 0;
+    for_each_field(shapes.b, [&](const auto& /*field*/, auto& value) {
+      if constexpr (std::same_as<std::remove_cvref_t<decltype(value)>, double>)
+        value = static_cast<double>(size);
+      else
+        for_each_vector(value, [&](Vector3& x) { x = widened(v[k++]); });
+    });
+    return {pair, shapes, this->distances()};
   }
   /// What moves with the shapes; of a plane that is its offset.
   [[nodiscard]] std::vector<Triple<Real>*> points() {
@@ -416,11 +410,10 @@ struct CastIn : Described<Real, kPair> {
   }
 };
 
-template <class A, class B>
-std::span<const Family> families(const Two<A, B>* /*kind*/) {
-  constexpr Pair kPair = pair_of<A, B>();
-  using D = CastIn<double, kPair>;
-  using F = CastIn<float, kPair>;
+template <class Target>
+std::span<const Family> families(const CastAt<Target>* /*kind*/) {
+  using D = CastIn<double, Target>;
+  using F = CastIn<float, Target>;
   static const std::vector<Family> all = without_gaps({
       {"generic", "from outside at ordinary shapes; of five one passes by, and one ends too early", kOrdinary,
        made<D::generic, F::generic>},
@@ -451,7 +444,7 @@ std::span<const Family> families(const Two<A, B>* /*kind*/) {
              D::kIsRound ? "divisions by a radius, and a discriminant that rounding makes negative"
                          : "divisions by a length, and normals of length 0",
              made<D::thin, F::thin>}),
-      where(!D::kIsPlane && kPair != Pair::cast_sphere,
+      where(!D::kIsPlane && D::kPair != Pair::cast_sphere,
             {"through_edge",
              "through an edge or a corner exactly, by integers, where a capsule's side ends too; a fifth one step "
              "outside",
