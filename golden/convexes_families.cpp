@@ -116,11 +116,24 @@ void move(Shape& shape, const Vector3& by) {
 void move_second(Query& query, const Vector3& by) {
   std::visit([&](auto* shape) { move(*shape, by); }, two_shapes(query)[1]);
 }
-bool has_plane_second(const Query& query) { return has_plane(query.pair); }
+/// The second shape where it is a half-space, else nullptr.
+Plane* plane_of(Query& query) { return std::get_if<Plane>(&std::get<Convexes>(query.shapes).b.shape); }
+/// Moves the second shape away; a half-space so many normals back.
+void part(Query& query, double normals, const Vector3& by) {
+  const Plane* plane = plane_of(query);
+  move_second(query, plane != nullptr ? Vector3(-normals * plane->normal) : by);
+}
+/// One in five misses.
+bool misses(Random& random) { return random.turn(5) == kMissing; }
+/// One in five misses for certain.
+void part_some(Query& query, Random& random, double normals, const Vector3& by) {
+  if (!misses(random)) return;
+  part(query, normals, by);
+  query.distances.alarm = 0;
+}
 
 void distances(Query& query, Random& random) {
-  query.distances.alarm = random.chance(2) ? random.uniform(0.0, 1.0) : 0.0;
-  query.distances.contact = random.chance(2) ? random.uniform(0.0, 0.5) : 0.0;
+  query.distances = {any_or_none<double>(random, 1), any_or_none<double>(random, 0.5)};
 }
 
 /// Two shapes of ordinary numbers, so far from each other.
@@ -179,16 +192,12 @@ std::vector<Vector3> vertices(const Obb& box) {
 struct Facing {
   Query query;
   double distance = 0;
-  double radii = 0;
   Vector3 d = Vector3::Zero();
 };
 Facing facing(Pair pair, Random& random, int gap) {
   Facing found{zero_query(pair)};
   const Making making{random, true};
-  for_each_shape(found.query, [&]<class Shape>(Shape& shape) {
-    making.make(shape);
-    if constexpr (kHasRadius<Shape>) found.radii += shape.radius;
-  });
+  for_each_shape(found.query, [&](auto& shape) { making.make(shape); });
   Vector3 d = Vector3::Zero();
   double length = 1;
   if (random.chance(2)) {
@@ -219,21 +228,30 @@ Facing facing(Pair pair, Random& random, int gap) {
   return found;
 }
 
+/// The radii that a question has.
+std::vector<double*> radii(Query& query) {
+  std::vector<double*> all;
+  for_each_shape(query, [&]<class Shape>(Shape& shape) {
+    if constexpr (kHasRadius<Shape>) all.push_back(&shape.radius);
+  });
+  return all;
+}
+double sum_of_radii(Query query) {
+  double sum = 0;
+  for (const double* radius : radii(query)) sum += *radius;
+  return sum;
+}
+/// Cuts them to what there is of a distance, and says what they leave.
+double fit_radii(Query& query, double left) {
+  for (double* radius : radii(query)) left -= (*radius = std::min(*radius, left));
+  return left;
+}
 /// The distance of the cores, below 0 where they overlap: that of the shapes without radii.
 double core_distance(Query query) {
-  for_each_shape(query, []<class Shape>(Shape& shape) {
-    if constexpr (kHasRadius<Shape>) shape.radius = 0;
-  });
+  for (double* radius : radii(query)) *radius = 0;
   query.distances = {std::numeric_limits<double>::max(), 0};
   const auto contact = contact_of(std::get<Convexes>(query.shapes), query.distances);
   return contact ? contact->value : std::numeric_limits<double>::infinity();
-}
-double sum_of_radii(const Query& query) {
-  double sum = 0;
-  for_each_shape(query, [&]<class Shape>(const Shape& shape) {
-    if constexpr (kHasRadius<Shape>) sum += shape.radius;
-  });
-  return sum;
 }
 void scale(Query& query, int exponent) {
   for_each_field(query, [&](const std::string&, auto& value, FieldKind kind) {
@@ -246,12 +264,7 @@ void scale(Query& query, int exponent) {
 Query generic(Pair pair, Scalar scalar, Random& random) {
   Query query = apart(pair, random, random.turn(3) == 0 ? 0.25 : spread(pair, 1.5));
   distances(query, random);
-  if (random.turn(5) == kMissing) {
-    move_second(query, has_plane_second(query)
-                           ? Vector3(-8 * std::get<Plane>(std::get<Convexes>(query.shapes).b.shape).normal)
-                           : Vector3(8, 1, 0));
-    query.distances.alarm = 0;
-  }
+  part_some(query, random, 8, {8, 1, 0});
   return settled(std::move(query), scalar);
 }
 
@@ -290,14 +303,12 @@ Query touching(Pair pair, Scalar scalar, Random& random) {
   const bool are_round = sum_of_radii(facing(pair, random, 0).query) > 0;
   Facing found = facing(pair, random, are_round ? random.between(0, 3) : 0);
   // The radii make up the distance: the last one gets what is left.
-  double left = found.distance;
-  double* last = nullptr;
-  for_each_shape(found.query, [&]<class Shape>(Shape& shape) {
-    if constexpr (kHasRadius<Shape>) left -= (shape.radius = std::min(shape.radius, left)), last = &shape.radius;
-  });
+  const double left = fit_radii(found.query, found.distance);
+  const auto all = radii(found.query);
+  double* last = all.empty() ? nullptr : all.back();
   if (last != nullptr) *last += left;
   found.query.distances.contact = random.chance(2) ? 0.25 : 0;
-  if (random.turn(5) == kMissing) {
+  if (misses(random)) {
     if (last != nullptr && *last > 0)
       *last = stepped(*last, -1, scalar);
     else
@@ -309,10 +320,7 @@ Query touching(Pair pair, Scalar scalar, Random& random) {
 /// The alarm distance is what the radii leave of the distance, or a step less or more.
 Query alarm_edge(Pair pair, Scalar scalar, Random& random) {
   Facing found = facing(pair, random, random.between(1, 4));
-  double left = found.distance - static_cast<double>(random.between(1, 3)) / 4;
-  for_each_shape(found.query, [&]<class Shape>(Shape& shape) {
-    if constexpr (kHasRadius<Shape>) left -= (shape.radius = std::min(shape.radius, left));
-  });
+  fit_radii(found.query, found.distance - static_cast<double>(random.between(1, 3)) / 4);
   const double alarm = found.distance - sum_of_radii(found.query);
   const auto turn = random.turn(5);
   found.query.distances = {stepped(alarm,
@@ -332,12 +340,10 @@ Query near_touching(Pair pair, Scalar scalar, Random& random) {
     const double distance = core_distance(query);
     if ((!(distance > 0) || !std::isfinite(distance)) && tries < 64) continue;
     double left = std::max(distance, 0.0);
-    for_each_shape(query, [&]<class Shape>(Shape& shape) {
-      if constexpr (kHasRadius<Shape>) {
-        shape.radius = rounded(random.chance(3) ? 0.0 : left * random.uniform(0.0, 1.0), scalar);
-        left -= shape.radius;
-      }
-    });
+    for (double* radius : radii(query)) {
+      *radius = rounded(random.chance(3) ? 0.0 : left * random.uniform(0.0, 1.0), scalar);
+      left -= *radius;
+    }
     query.distances.alarm = std::max(0.0, stepped(rounded(left, scalar), random.between(-1, 1), scalar));
     if (tries >= 32 || random.chance(4) || fools_plain(query, scalar)) return settled(query, scalar);
   }
@@ -345,9 +351,9 @@ Query near_touching(Pair pair, Scalar scalar, Random& random) {
 
 Query deep(Pair pair, Scalar scalar, Random& random) {
   Query query = apart(pair, random, 0.25, 1);
-  if (has_plane_second(query)) move_second(query, std::get<Plane>(std::get<Convexes>(query.shapes).b.shape).normal * 2);
+  if (const Plane* plane = plane_of(query)) move_second(query, plane->normal * 2);
   distances(query, random);
-  if (random.turn(5) == kMissing) return settled(generic(pair, scalar, random), scalar);
+  if (misses(random)) return settled(generic(pair, scalar, random), scalar);
   return settled(std::move(query), scalar);
 }
 
@@ -358,9 +364,8 @@ Query near_tied_depths(Pair pair, Scalar scalar, Random& random) {
   const auto depth = static_cast<double>(random.between(1, 3));
   Vector3 back = Vector3::Zero();
   for (int i = 0; i < 3; ++i) back[i] = found.d[i] > 0 ? -depth : found.d[i] < 0 ? depth : 0;
-  move_second(query, random.turn(5) == kMissing ? Vector3(64, 64, 64) : back);
-  if (random.turn(5) == kMissing && has_plane_second(query))
-    std::get<Plane>(std::get<Convexes>(query.shapes).b.shape).offset = -128;
+  move_second(query, misses(random) ? Vector3(64, 64, 64) : back);
+  if (Plane* plane = plane_of(query); plane != nullptr && misses(random)) plane->offset = -128;
   std::vector<double*> numbers;
   for_each_number(query, [&](const std::string& name, double& x) {
     if (!name.starts_with("a.orientation") && !name.starts_with("b.orientation") && x != 0) numbers.push_back(&x);
@@ -391,9 +396,9 @@ Query parallel(Pair pair, Scalar scalar, Random& random) {
     if constexpr (requires { shape.vertices; }) shape.vertices[1] = shape.vertices[0] + along + off * vector(random, 1);
     if constexpr (std::same_as<Shape, Plane>) shape.normal = along + off * vector(random, 1);
   });
-  if (random.turn(5) == kMissing) {
+  if (misses(random)) {
     query.distances.alarm = 0;
-    move_second(query, has_plane_second(query) ? Vector3(-16 * along) : Vector3(16, 16, 16));
+    move_second(query, plane_of(query) != nullptr ? Vector3(-16 * along) : Vector3(16, 16, 16));
   }
   return settled(std::move(query), scalar);
 }
@@ -428,12 +433,7 @@ Query flat(Pair pair, Scalar scalar, Random& random) {
       shape.vertices[2] = random.chance(2) ? shape.vertices[1] : shape.vertices[0] / 2 + shape.vertices[1] / 2;
   });
   distances(query, random);
-  if (random.turn(5) == kMissing) {
-    query.distances.alarm = 0;
-    move_second(query, has_plane_second(query)
-                           ? Vector3(-64 * std::get<Plane>(std::get<Convexes>(query.shapes).b.shape).normal)
-                           : Vector3(64, 64, 64));
-  }
+  part_some(query, random, 64, {64, 64, 64});
   return settled(std::move(query), scalar);
 }
 
@@ -453,10 +453,7 @@ Query nested(Pair pair, Scalar scalar, Random& random) {
                       (random.chance(2) ? Vector3::Zero().eval() : vector(random, 0.125)));
     }
   });
-  if (random.turn(5) == kMissing)
-    move_second(query, has_plane_second(query)
-                           ? Vector3(-64 * std::get<Plane>(std::get<Convexes>(query.shapes).b.shape).normal)
-                           : Vector3(64, 64, 64));
+  part_some(query, random, 64, {64, 64, 64});
   return settled(std::move(query), scalar);
 }
 
@@ -492,12 +489,7 @@ Query orientations(Pair pair, Scalar scalar, Random& random) {
     }
   });
   distances(query, random);
-  if (random.turn(5) == kMissing) {
-    query.distances.alarm = 0;
-    move_second(query, has_plane_second(query)
-                           ? Vector3(-64 * std::get<Plane>(std::get<Convexes>(query.shapes).b.shape).normal)
-                           : Vector3(64, 64, 64));
-  }
+  part_some(query, random, 64, {64, 64, 64});
   return settled(std::move(query), scalar);
 }
 
@@ -520,12 +512,7 @@ Query ties(Pair pair, Scalar scalar, Random& random) {
       for (double& extent : shape.extents) extent -= random.chance(2) ? 1 : 0;
   });
   query.distances = {static_cast<double>(random.between(0, 8)), static_cast<double>(random.between(0, 1)) / 2};
-  if (random.turn(5) == kMissing) {
-    query.distances.alarm = 0;
-    move_second(query, has_plane_second(query)
-                           ? Vector3(-4 * far * std::get<Plane>(std::get<Convexes>(query.shapes).b.shape).normal)
-                           : Vector3(4 * far, 0, 0));
-  }
+  part_some(query, random, 4 * far, {4 * far, 0, 0});
   return settled(std::move(query), scalar);
 }
 
@@ -557,27 +544,28 @@ Query invalid(Pair pair, Scalar scalar, Random& random) {
   return query;
 }
 
-constexpr std::string_view kUnseen =
-    "no mutant is made for it alone: it is where axes of SAT and features of GJK change";
-const std::array kFamilies{
-    Family{"generic", "ordinary shapes, apart and in each other", kUnseen, generic, true},
-    Family{"touching", "a feature of one shape exactly on a feature of the other: corners, edges, faces", kUnseen,
-           touching, true},
-    Family{"near_touching", "as near to touching as numbers say, searched for what plain arithmetic decides wrongly",
-           kUnseen, near_touching, true},
-    Family{"alarm_edge", "exactly at an alarm distance above 0, and a step less", kUnseen, alarm_edge, true},
-    Family{"deep", "centres close to each other: a depth as long as the shapes", kUnseen, deep, true},
-    Family{"near_tied_depths", "two facets as deep as each other, or one ulp apart", kUnseen, near_tied_depths, true},
-    Family{"parallel", "faces and edges along each other, exactly and nearly: the axis of two edges vanishes", kUnseen,
-           parallel, true},
-    Family{"flat", "boxes without thickness, needles, triangles in a line, capsules in a point", kUnseen, flat, true},
-    Family{"nested", "one shape in the other, about one centre", kUnseen, nested, true},
-    Family{"orientations", "quaternions that are exact, tiny, huge, nearly none, nearly a quarter turn", kUnseen,
-           orientations, true},
-    Family{"ties", "faces along each other whose middle is half way between two numbers", kUnseen, ties, true},
-    Family{"far_from_origin", "far away, where coordinates are coarse", kUnseen, far_from_origin, true},
-    Family{"extreme_scale", "the largest and the smallest numbers", kUnseen, extreme_scale, true},
-    Family{"invalid", "numbers outside the domain", kUnseen, invalid, true, true},
+/// A row of the table. No mutant is made for one of these families alone.
+constexpr Family row(std::string_view name, std::string_view reason, Query (*make)(Pair, Scalar, Random&),
+                     bool outside_domain = false) {
+  return {name, reason, "no mutant is made for it alone: it is where axes of SAT and features of GJK change",
+          make, true,   outside_domain};
+}
+constexpr Family kFamilies[] = {
+    row("generic", "ordinary shapes, apart and in each other", generic),
+    row("touching", "a feature of one shape exactly on a feature of the other: corners, edges, faces", touching),
+    row("near_touching", "as near to touching as numbers say, searched for what plain arithmetic decides wrongly",
+        near_touching),
+    row("alarm_edge", "exactly at an alarm distance above 0, and a step less", alarm_edge),
+    row("deep", "centres close to each other: a depth as long as the shapes", deep),
+    row("near_tied_depths", "two facets as deep as each other, or one ulp apart", near_tied_depths),
+    row("parallel", "faces and edges along each other, exactly and nearly: the axis of two edges vanishes", parallel),
+    row("flat", "boxes without thickness, needles, triangles in a line, capsules in a point", flat),
+    row("nested", "one shape in the other, about one centre", nested),
+    row("orientations", "quaternions that are exact, tiny, huge, nearly none, nearly a quarter turn", orientations),
+    row("ties", "faces along each other whose middle is half way between two numbers", ties),
+    row("far_from_origin", "far away, where coordinates are coarse", far_from_origin),
+    row("extreme_scale", "the largest and the smallest numbers", extreme_scale),
+    row("invalid", "numbers outside the domain", invalid, true),
 };
 
 }  // namespace

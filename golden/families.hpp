@@ -23,7 +23,7 @@ struct Family {
   /// thought of, and a family is there for the engine that nobody has seen. Empty where it alone kills one.
   std::string_view kept_for;
   Query (*make)(Pair pair, Scalar scalar, Random& random);
-  bool every_pair;              ///< committed for every pair of its two shapes, else for the first of them
+  bool every_pair = false;      ///< committed for every pair of its two shapes, else for the first of them
   bool outside_domain = false;  ///< makes questions that must be refused
   /// Why it makes nothing but hits. Empty where both answers occur, as they do wherever the family's meaning allows it.
   std::string_view hits_alone = {};

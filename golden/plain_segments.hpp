@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 
 #include "golden/plain.hpp"
 
@@ -33,7 +34,7 @@ Triple<Real> cross(const Triple<Real>& x, const Triple<Real>& y) {
 }
 /// x + factor y
 template <class Real>
-Triple<Real> moved(const Triple<Real>& x, Real factor, const Triple<Real>& y) {
+Triple<Real> moved(const Triple<Real>& x, std::type_identity_t<Real> factor, const Triple<Real>& y) {
   return {x[0] + factor * y[0], x[1] + factor * y[1], x[2] + factor * y[2]};
 }
 /// Zero, or so short that its square is.
