@@ -22,7 +22,7 @@ namespace contact::tool {
 namespace {
 
 constexpr std::uint64_t kMostSlice = 32;      // questions that one thread takes at a time,
-constexpr std::uint64_t kLeastSlice = 4;      // and of a small source, so that all threads have some
+constexpr std::uint64_t kLeastSlice = 1;      // and of a small source, so that all threads have some
 constexpr std::uint64_t kLeastCompared = 64;  // right answers of a source that a diagnosis hears at least
 
 struct Item {
@@ -66,7 +66,7 @@ class Questions {
     Slice slice{source_.first + asked_, 0};
     try {
       throw_if_interrupted();
-      const std::uint64_t slice_of_source = std::clamp(source_.count / 8, kLeastSlice, kMostSlice);
+      const std::uint64_t slice_of_source = std::clamp(source_.count / 16, kLeastSlice, kMostSlice);
       const std::uint64_t most = std::min(slice_of_source, source_.count - asked_);
       if (!reader_) {
         slice.count = most;
