@@ -35,6 +35,8 @@ class Engine {
   [[nodiscard]] const engines::EngineInfo& info() const { return info_; }
   /// One claim for each question, in their order.
   [[nodiscard]] virtual std::vector<Claim> answer(std::span<const Question> questions) = 0;
+  /// Whether it takes no longer for questions one by one, and needs no others beside one.
+  [[nodiscard]] virtual bool answers_each_alone() const { return false; }
   /// A question that is not asked, because the engine is judged on others alone.
   virtual void pass_over(const Question& /*question*/) {}
   /// The ids of recorded answers that no question has asked for, in their order.

@@ -64,6 +64,7 @@ class MutantEngine final : public Engine {
     for (const Question& question : questions) claims.push_back(answer_of(mutant_, question.query));
     return claims;
   }
+  [[nodiscard]] bool answers_each_alone() const override { return true; }
 
  private:
   const Mutant& mutant_;
@@ -75,6 +76,7 @@ class BuiltInEngine final : public Engine {
       : Engine(std::move(info)), engine_(engine), points_(points) {}
 
   std::vector<Claim> answer(std::span<const Question> questions) override { return engine_.answer(questions, points_); }
+  [[nodiscard]] bool answers_each_alone() const override { return true; }
 
  private:
   const BuiltIn& engine_;

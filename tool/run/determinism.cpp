@@ -22,7 +22,7 @@ namespace {
 using Block = std::span<const engines::Question>;
 using Texts = std::vector<std::string>;
 
-constexpr std::size_t kSliceAgain = 32;  // as many as of a large source the first time
+constexpr std::size_t kSliceAgain = 32;  // as many as the first time
 
 Texts asked(engines::Engine& engine, Block questions) {
   Texts texts;

@@ -21,8 +21,7 @@
 namespace contact::tool {
 namespace {
 
-constexpr std::uint64_t kMostSlice = 32;      // questions that one thread takes at a time,
-constexpr std::uint64_t kLeastSlice = 1;      // and of a small source, so that all threads have some
+constexpr std::uint64_t kSlice = 32;          // questions that one thread takes at a time
 constexpr std::uint64_t kLeastCompared = 64;  // right answers of a source that a diagnosis hears at least
 
 struct Item {
@@ -54,7 +53,8 @@ struct Slice {
 /// Reads or counts the questions of a source, some at a time.
 class Questions {
  public:
-  explicit Questions(const Source& source, Check check = Check::sample) : source_(source) {
+  explicit Questions(const Source& source, Check check = Check::sample, std::uint64_t slice = kSlice)
+      : source_(source), slice_(slice) {
     if (!source.dataset || source.count == 0) return;
     reader_.emplace(*source.dataset, golden::is_made);
     with_texts_ = reader_->wants_texts() || (check == Check::all && reader_->has_digest_of_texts());
@@ -66,8 +66,7 @@ class Questions {
     Slice slice{source_.first + asked_, 0};
     try {
       throw_if_interrupted();
-      const std::uint64_t slice_of_source = std::clamp(source_.count / 16, kLeastSlice, kMostSlice);
-      const std::uint64_t most = std::min(slice_of_source, source_.count - asked_);
+      const std::uint64_t most = std::min(slice_, source_.count - asked_);
       if (!reader_) {
         slice.count = most;
       } else if (most != 0 || source_.first + asked_ == reader_->header().count) {
@@ -98,10 +97,19 @@ class Questions {
 
  private:
   const Source& source_;
+  std::uint64_t slice_;
   std::optional<golden::DatasetReader> reader_;
   bool with_texts_ = false;
   std::uint64_t asked_ = 0;
 };
+
+/// Of a small source every thread has some questions, of which one may take as long as all others; but an engine that is
+/// asked through a pipe gets many at once.
+std::uint64_t slice_for(const Source& source, const std::vector<Subject>& subjects) {
+  const bool alone =
+      std::all_of(subjects.begin(), subjects.end(), [](const Subject& s) { return s.engine->answers_each_alone(); });
+  return alone ? std::clamp(source.count / 16, std::uint64_t{1}, kSlice) : kSlice;
+}
 
 /// Makes the questions of a slice: read, generated, or of a list.
 void make_items(const Source& source, Slice& slice) {
@@ -298,7 +306,11 @@ namespace {
 class Judging {
  public:
   Judging(const Source& source, std::vector<Subject>& subjects, Stop& stop, Oracles& oracles, std::uint64_t run)
-      : source_(source), stop_(stop), oracles_(oracles), run_(run), questions_(source, oracles.check) {
+      : source_(source),
+        stop_(stop),
+        oracles_(oracles),
+        run_(run),
+        questions_(source, oracles.check, slice_for(source, subjects)) {
     none_.pair = source.pair;
     none_.scalar = source.scalar;
     none_.family = source.family;
