@@ -112,8 +112,8 @@ SECTIONS = {"function": "func", "variable": "var"}
 def arrange(xml):
     """A header's page has what its namespaces hold of it, once, and no macro that nothing is said of, which is the header's own affair."""
     held = {}
-    # The same functions once more, out of line: they have the names, the parameters and the words of those that are inline.
-    for file in [file for file in sorted(xml.glob("namespace*.xml")) if "out__of__line" not in file.name]:
+    # The same functions once more, for inline calls to ask: they have the names and the parameters of those that users call.
+    for file in [file for file in sorted(xml.glob("namespace*.xml")) if not re.search("out__of__line|of__hit", file.name)]:
         for member in ElementTree.parse(file).iter("memberdef"):
             held.setdefault(member.find("location").get("file"), []).append(member)
     for file in xml.glob("*_8h*.xml"):
