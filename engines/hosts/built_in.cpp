@@ -76,7 +76,8 @@ class BuiltInEngine final : public Engine {
       : Engine(std::move(info)), engine_(engine), points_(points) {}
 
   std::vector<Claim> answer(std::span<const Question> questions) override { return engine_.answer(questions, points_); }
-  [[nodiscard]] bool answers_each_alone() const override { return true; }
+  /// `batch` fills its vectors with the questions beside one.
+  [[nodiscard]] bool answers_each_alone() const override { return engine_.answer != batch_answers; }
 
  private:
   const BuiltIn& engine_;

@@ -14,6 +14,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <mutex>
 #include <set>
 #include <thread>
 
@@ -719,6 +720,47 @@ std::string report_by(std::size_t threads, bool fail_fast) {
   }
   EXPECT_FALSE(subjects.front().report.certified());
   return json_text(subjects.front().report);
+}
+
+/// Production that keeps how many questions it is asked at a time.
+class Counting final : public engines::Engine {
+ public:
+  Counting(bool alone, std::multiset<std::size_t>& sizes)
+      : Engine(engines::make_built_in("production")->info()), alone_(alone), sizes_(sizes) {}
+  std::vector<Claim> answer(std::span<const engines::Question> questions) override {
+    const std::scoped_lock lock(mutex_);
+    sizes_.insert(questions.size());
+    return production_->answer(questions);
+  }
+  [[nodiscard]] bool answers_each_alone() const override { return alone_; }
+
+ private:
+  std::unique_ptr<engines::Engine> production_ = engines::make_built_in("production");
+  bool alone_;
+  std::mutex mutex_;
+  std::multiset<std::size_t>& sizes_;
+};
+
+TEST(Pipeline, of_a_small_source_many_questions_at_once_go_to_who_needs_them_and_few_to_others) {
+  const auto sizes_of = [](std::vector<bool> engines) {
+    std::multiset<std::size_t> sizes;
+    std::vector<Subject> subjects;
+    for (const bool alone : engines) {
+      subjects.push_back({std::make_unique<Counting>(alone, sizes), {}});
+      subjects.back().report.engine = subjects.back().engine->info();
+    }
+    Stop never;
+    Oracles oracles;
+    judge_source({Pair::sphere_sphere, Scalar::binary64, "generic", 40, std::nullopt,
+                  golden::find_family(Pair::sphere_sphere, "generic"), 1},
+                 subjects, never, oracles);
+    return sizes;
+  };
+  EXPECT_EQ(sizes_of({false}), (std::multiset<std::size_t>{32, 8}));
+  EXPECT_EQ(sizes_of({true}).count(2), 20U);
+  EXPECT_EQ(sizes_of({true, false}).count(32), 2U);
+  EXPECT_TRUE(engines::make_built_in("plain-double")->answers_each_alone());
+  EXPECT_FALSE(engines::make_built_in("batch")->answers_each_alone());
 }
 
 TEST(Pipeline, a_report_does_not_depend_on_the_threads) {
