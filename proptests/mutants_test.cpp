@@ -40,7 +40,7 @@ class WithoutConvexes final : public engines::Engine {
 
 /// A law that a mutant breaks within 300 cases, or nothing. Nearly all break one in the first ten, which are the same.
 std::string broken_law(const engines::Mutant& mutant) {
-  auto engine = engines::make_built_in(std::string(engines::kMutantPrefix) + std::string(mutant.id));
+  auto engine = engines::make_mutant(mutant.id);
   const auto of_convexes = engines::convex_mutants();
   if (std::none_of(of_convexes.begin(), of_convexes.end(), [&](const auto& m) { return m.id == mutant.id; }))
     engine = std::make_unique<WithoutConvexes>(std::move(engine));
@@ -77,7 +77,7 @@ TEST(Laws, of_corners_halves_turns_lengths_crossings_and_of_questions_made_of_an
     RunOptions options;
     options.seed = 20;
     options.names = {law};
-    auto engine = engines::make_built_in(std::string(engines::kMutantPrefix) + mutant);
+    auto engine = engines::make_mutant(mutant);
     const RunResult result = run_laws(engine, options);
     EXPECT_NE(result.first_violated(), nullptr) << law << " and " << mutant;
   }

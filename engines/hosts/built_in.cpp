@@ -4,8 +4,6 @@
 
 #include "contact/pair_functions.hpp"
 #include "engines/engine.hpp"
-#include "engines/zoo/mutants.hpp"
-#include "engines/zoo/unsteady.hpp"
 #include "formats/program.hpp"
 #include "golden/plain.hpp"
 
@@ -54,22 +52,6 @@ constexpr std::array kBuiltIn{
             each<published>, is_discrete_intersections},
 };
 
-class MutantEngine final : public Engine {
- public:
-  MutantEngine(const Mutant& mutant, engines::EngineInfo info) : Engine(std::move(info)), mutant_(mutant) {}
-
-  std::vector<Claim> answer(std::span<const Question> questions) override {
-    std::vector<Claim> claims;
-    claims.reserve(questions.size());
-    for (const Question& question : questions) claims.push_back(answer_of(mutant_, question.query));
-    return claims;
-  }
-  [[nodiscard]] bool answers_each_alone() const override { return true; }
-
- private:
-  const Mutant& mutant_;
-};
-
 class BuiltInEngine final : public Engine {
  public:
   BuiltInEngine(const BuiltIn& engine, engines::EngineInfo info, PointConvention points)
@@ -89,18 +71,6 @@ class BuiltInEngine final : public Engine {
 std::span<const BuiltIn> built_in_engines() { return kBuiltIn; }
 
 std::unique_ptr<Engine> make_built_in(std::string_view name, PointConvention points) {
-  if (name.starts_with(kUnsteadyPrefix)) return make_unsteady(name.substr(kUnsteadyPrefix.size()));
-  if (name.starts_with(kMutantPrefix)) {
-    for (const Mutant& mutant : mutants())
-      if (mutant.id == name.substr(kMutantPrefix.size())) {
-        engines::EngineInfo info;
-        info.name = name;
-        info.version = formats::version();
-        info.declared.scalar = mutant.scalar;
-        return std::make_unique<MutantEngine>(mutant, std::move(info));
-      }
-    return nullptr;
-  }
   std::string_view listed = name;
   if (name.starts_with(kBatchPrefix)) {
     use_batch_instruction_set(name.substr(kBatchPrefix.size()));

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "engines/engine.hpp"
 #include "engines/zoo/mutating.hpp"
+#include "formats/program.hpp"
 
 namespace contact::engines {
 
@@ -77,6 +77,37 @@ Claim answer_of(const Mutant& mutant, const Query& query) {
   Claim claim = kept.of(asked, [](const Query& q) { return production_answer(q, PointConvention::nearest_surface); });
   if (mutant.change != nullptr && !mutant.outside_domain) mutant.change(query, claim);
   return claim;
+}
+
+namespace {
+
+class MutantEngine final : public Engine {
+ public:
+  MutantEngine(const Mutant& mutant, engines::EngineInfo info) : Engine(std::move(info)), mutant_(mutant) {}
+
+  std::vector<Claim> answer(std::span<const Question> questions) override {
+    std::vector<Claim> claims;
+    claims.reserve(questions.size());
+    for (const Question& question : questions) claims.push_back(answer_of(mutant_, question.query));
+    return claims;
+  }
+  [[nodiscard]] bool answers_each_alone() const override { return true; }
+
+ private:
+  const Mutant& mutant_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_mutant(std::string_view id) {
+  const auto all = mutants();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Mutant& mutant) { return mutant.id == id; });
+  if (found == all.end()) return nullptr;
+  engines::EngineInfo info;
+  info.name = std::string(kMutantPrefix) + std::string(id);
+  info.version = formats::version();
+  info.declared.scalar = found->scalar;
+  return std::make_unique<MutantEngine>(*found, std::move(info));
 }
 
 namespace {

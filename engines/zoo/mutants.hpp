@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <string_view>
 
+#include "engines/engine.hpp"
 #include "oracle/judge/claim.hpp"
 #include "oracle/truth/query.hpp"
 
@@ -39,5 +41,8 @@ inline constexpr std::string_view kAlwaysMiss = "always-miss";
 [[nodiscard]] std::span<const Mutant> mutants();
 
 [[nodiscard]] Claim answer_of(const Mutant& mutant, const Query& query);
+
+/// The engine `mutant:ID`, or nullptr where there is none of that id. It knows the first convention of points alone.
+[[nodiscard]] std::unique_ptr<Engine> make_mutant(std::string_view id);
 
 }  // namespace contact::engines

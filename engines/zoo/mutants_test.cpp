@@ -69,7 +69,7 @@ const bool kEvery = std::getenv("CONTACT_EVERY_MUTANT") != nullptr;
 
 TEST(Mutants, that_always_answer_alike_are_right_in_everything_else) {
   const std::uint64_t committed = kEvery ? golden::kCommittedCount : 42;
-  const auto declared = make_built_in(std::string(kMutantPrefix) + std::string(kAlwaysHit))->info().declared;
+  const auto declared = make_mutant(kAlwaysHit)->info().declared;
   const auto find = [](std::string_view id) {
     return *std::find_if(mutants().begin(), mutants().end(), [&](const Mutant& m) { return m.id == id; });
   };

@@ -12,4 +12,6 @@ std::vector<HeadedCommands> program_commands() {
           {"Help", {add_help, add_completion, add_man}}};
 }
 
+MakeFromZoo program_zoo() { return zoo_engine; }
+
 }  // namespace contact::tool

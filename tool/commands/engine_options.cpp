@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <numeric>
-#include <utility>
 #include <vector>
 
 #include "engines/adapters.hpp"
@@ -16,6 +14,7 @@
 #include "engines/zoo/unsteady.hpp"
 #include "formats/program.hpp"
 #include "tool/commands/commands.hpp"
+#include "tool/commands/run_command.hpp"
 
 namespace contact::tool {
 namespace {
@@ -39,34 +38,6 @@ std::vector<std::string> library_words(const EngineOptions& options, const std::
   std::vector<std::string> words{formats::program().string(), "serve", "--engine-library", options.library};
   words.insert(words.end(), more.begin(), more.end());
   return words;
-}
-
-/// How many letters to add, drop or change to make one word of another.
-std::size_t edits(std::string_view x, std::string_view y) {
-  std::vector<std::size_t> row(y.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < y.size(); ++j) {
-      const std::size_t changed = diagonal + (x[i] == y[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({changed, diagonal + 1, row[j] + 1});
-    }
-  }
-  return row.back();
-}
-
-/// A mutant by name. Throws InputError with the names nearest to it where there is none.
-std::unique_ptr<engines::Engine> mutant(const std::string& name) {
-  if (auto engine = engines::make_built_in(name)) return engine;
-  const std::string_view id = std::string_view(name).substr(engines::kMutantPrefix.size());
-  std::vector<std::pair<std::size_t, std::string_view>> near;
-  for (const engines::Mutant& m : engines::mutants()) near.emplace_back(edits(id, m.id), m.id);
-  std::stable_sort(near.begin(), near.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
-  throw formats::InputError(
-      {"command line", 0}, "",
-      fmt::format("unknown mutant '{}'; near it: {}, {}, {}; `contact-oracle engines --mutants` lists all {}", id,
-                  near.at(0).second, near.at(1).second, near.at(2).second, engines::mutants().size()));
 }
 
 }  // namespace
@@ -127,12 +98,11 @@ PointConvention computed_points(const EngineOptions& options) {
 }
 
 std::unique_ptr<engines::Engine> built_in(const std::string& name, PointConvention points) {
-  if (name.starts_with(engines::kMutantPrefix)) return mutant(name);
-  if (name.starts_with(engines::kUnsteadyPrefix)) {
-    std::vector<std::string_view> ids;
-    for (const engines::Unsteady& one : engines::unsteady_engines()) ids.push_back(one.id);
-    static_cast<void>(index_of(ids, name.substr(engines::kUnsteadyPrefix.size()), "unsteady engine"));
-    return engines::make_built_in(name);
+  if (name.starts_with(engines::kMutantPrefix) || name.starts_with(engines::kUnsteadyPrefix)) {
+    if (const MakeFromZoo make = program_zoo()) return make(name);
+    throw formats::InputError(
+        {"command line", 0}, "",
+        fmt::format("'{}' is not in contact-certify, which has no engines with mistakes: ask contact-oracle", name));
   }
   if (name.starts_with(engines::kBatchPrefix)) {
     const std::vector<std::string> sets = engines::batch_instruction_sets();

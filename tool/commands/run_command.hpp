@@ -1,11 +1,16 @@
 // A command line as a whole, and the commands that it may call: main and the lists of commands see nothing of the parser.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace CLI {
 class App;
+}
+
+namespace contact::engines {
+class Engine;
 }
 
 namespace contact::tool {
@@ -22,6 +27,12 @@ struct HeadedCommands {
 };
 /// Those of this program: all, or `certify` alone.
 [[nodiscard]] std::vector<HeadedCommands> program_commands();
+
+/// The engine mutant:ID or unsteady:ID. Throws formats::InputError, with the names near to it, where there is none.
+[[nodiscard]] std::unique_ptr<engines::Engine> zoo_engine(const std::string& name);
+/// `zoo_engine`, or nullptr where this program is built without these engines.
+using MakeFromZoo = std::unique_ptr<engines::Engine> (*)(const std::string& name);
+[[nodiscard]] MakeFromZoo program_zoo();
 
 void add_adequacy(CLI::App& app, int& exit);
 void add_badge(CLI::App& app, int& exit);

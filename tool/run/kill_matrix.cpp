@@ -73,8 +73,7 @@ std::vector<std::size_t> killed_by(const golden::Case& c, const Engines& mutants
 
 KillMatrix kill_matrix(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& datasets) {
   Engines mutants;
-  for (const engines::Mutant& m : engines::mutants())
-    mutants.push_back(engines::make_built_in(std::string(engines::kMutantPrefix) + std::string(m.id)));
+  for (const engines::Mutant& m : engines::mutants()) mutants.push_back(engines::make_mutant(m.id));
   KillMatrix matrix;
   std::vector<golden::Case> cases;
   for (const auto& path : datasets) {

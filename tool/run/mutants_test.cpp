@@ -38,7 +38,7 @@ const std::vector<Subject>& judged() {
   static const std::vector<Subject> all = [] {
     std::vector<Subject> subjects;
     for (const engines::Mutant& m : asked()) {
-      subjects.push_back({engines::make_built_in(std::string(engines::kMutantPrefix) + std::string(m.id)), {}});
+      subjects.push_back({engines::make_mutant(m.id), {}});
       subjects.back().report.engine = subjects.back().engine->info();
     }
     Stop never;
@@ -164,7 +164,7 @@ TEST(Mutants, a_mistake_that_was_reported_is_named_in_the_first_line_of_the_pair
       for (const bool midpoint : {false, true}) {
         const Planted& p = kPlanted[i];
         if (p.pair != pair || i % kStepOfPlanted != 0 || (!kEvery && midpoint != (i % 2 == 1))) continue;
-        auto engine = engines::make_built_in(std::string(engines::kMutantPrefix) + std::string(p.mutant));
+        auto engine = engines::make_mutant(p.mutant);
         ASSERT_NE(engine, nullptr) << p.mutant;
         subjects.push_back(subject_of(std::make_unique<Pointing>(std::move(engine), midpoint)));
         planted.push_back(p);
