@@ -3,10 +3,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "oracle/judge/off.hpp"
@@ -27,6 +31,7 @@ struct KnownLastBits {
   std::optional<Answer> here;    ///< nothing where the sum is 0
   std::vector<LastBit> numbers;  ///< of the first ones
   bool are_all = false;
+  std::vector<bool> idle;  ///< numbers without an effect
 };
 
 namespace {
@@ -98,20 +103,99 @@ LastBit difference(const Answer& here, const Answer& there) {
 }
 
 /// Calls visit(neighbour, i) for both neighbours of number i of a question, as far as they lie inside the domain.
+/// Where idle[i], it does not.
 template <class Visit>
-void for_each_neighbour(const Query& query, Scalar scalar, Visit&& visit) {
+void for_each_neighbour(const Query& query, Scalar scalar, const std::vector<bool>& idle, Visit&& visit) {
   Query moved = query;
   std::size_t i = 0;
   for_each_number(moved, [&](const std::string&, double& x) {
     const double before = x;
+    const bool is_idle = i < idle.size() && idle[i];
     for (const double beside : {next_up(before, scalar), next_down(before, scalar)}) {
       x = beside;
-      if (before != 0 && inside_domain(moved)) visit(std::as_const(moved), i);
+      if (before != 0 && !is_idle && inside_domain(moved)) visit(std::as_const(moved), i);
     }
     x = before;
     ++i;
   });
 }
+
+/// Whether a vertex lies so far behind another one along a normal that is off by an ulp, that it still does after its
+/// own last bit moved it, in either scalar.
+bool is_clearly_behind(const Vector3& vertex, const Vector3& front, const Vector3& normal) {
+  // Quarters, whose differences do not overflow.
+  const double size = std::max((vertex / 4).lpNorm<Eigen::Infinity>(), (front / 4).lpNorm<Eigen::Infinity>());
+  return normal.dot(front / 4 - vertex / 4) > 0x1p-20 * size + 0x1p-1040;
+}
+
+/// The vertices of the two shapes' hulls; nullptr where a shape is none.
+std::array<std::vector<Vector3>*, 2> hulls_of(Query& query) {
+  std::array<std::vector<Vector3>*, 2> found{};
+  std::size_t i = 0;
+  for_each_shape(query, [&]<class Shape>(Shape& shape) {
+    if constexpr (std::same_as<Shape, Hull>) found[i] = &shape.vertices;
+    ++i;
+  });
+  return found;
+}
+
+/// Whether exactly the same points are nearest, or the same way is the shortest one out, and no other is.
+bool is_same(const DistanceTruth& x, const DistanceTruth& y) {
+  if (x.degenerate() || y.degenerate() || x.overlaps() != y.overlaps() || !y.spread().empty()) return false;
+  if (!x.overlaps()) return x.cores().nearest == y.cores().nearest;
+  return x.meeting().depth2 == y.meeting().depth2 && x.meeting().ways.size() == 1 && y.meeting().ways.size() == 1;
+}
+
+/// The question with as few vertices as it takes to have the same answer, of those that lie clearly behind the others
+/// along the normal. Domain: a hit with one normal, and one pair of nearest points.
+class FewestVertices {
+ public:
+  FewestVertices(const Query& query, const Vector3& normal) : query_(query), truth_(query) {
+    std::vector<Place> behind;
+    const auto hulls = hulls_of(query_);
+    for (std::size_t shape = 0; shape < hulls.size(); ++shape) {
+      if (hulls[shape] == nullptr) continue;
+      const std::vector<Vector3>& of = *hulls[shape];
+      needed_[shape].assign(of.size(), true);
+      const Vector3 out = shape == 0 ? normal : Vector3(-normal);
+      const auto front = std::max_element(
+          of.begin(), of.end(), [&](const Vector3& x, const Vector3& y) { return out.dot(x / 4) < out.dot(y / 4); });
+      for (std::size_t k = 0; k < of.size(); ++k)
+        if (is_clearly_behind(of[k], *front, out)) behind.emplace_back(shape, k);
+    }
+    if (truth_.distance() != nullptr && truth_.distance()->cast() == nullptr) leave_out(behind);
+  }
+  [[nodiscard]] const std::array<std::vector<bool>, 2>& needed() const { return needed_; }
+
+ private:
+  using Place = std::pair<std::size_t, std::size_t>;
+
+  /// Those that are not needed, by halves.
+  void leave_out(std::span<const Place> some) {
+    if (some.empty()) return;
+    for (const auto& [shape, k] : some) needed_[shape][k] = false;
+    if (is_enough()) return;
+    for (const auto& [shape, k] : some) needed_[shape][k] = true;
+    if (some.size() == 1) return;
+    leave_out(some.first(some.size() / 2));
+    leave_out(some.subspan(some.size() / 2));
+  }
+  [[nodiscard]] bool is_enough() const {
+    Query fewer = query_;
+    const auto hulls = hulls_of(fewer);
+    for (std::size_t shape = 0; shape < hulls.size(); ++shape) {
+      if (hulls[shape] == nullptr) continue;
+      std::size_t k = 0;
+      std::erase_if(*hulls[shape], [&](const Vector3&) { return !needed_[shape][k++]; });
+    }
+    const Truth truth(fewer);
+    return is_same(*truth_.distance(), *truth.distance());
+  }
+
+  Query query_;
+  Truth truth_;
+  std::array<std::vector<bool>, 2> needed_;
+};
 
 /// The signed distance from where the decision changes; nothing of a pair that has none.
 std::optional<Exact> beyond(const Query& query, const Truth& truth, const Declaration& declared) {
@@ -150,8 +234,38 @@ KnownLastBits& known_of(const Query& query, const Declaration& declared, LastBit
   auto added = std::make_shared<KnownLastBits>();
   added->here = answer_of(query, declared);
   if (added->here && (added->here->any || !added->here->spread.isZero(0))) added->here.reset();
+  const bool is_nearest =
+      declared.conventions.points != Points::center && declared.conventions.points != Points::published;
+  if (added->here && is_nearest) added->idle = numbers_without_effect(query);
   return *known.emplace_back(read, std::move(added)).second;
 }
+
+}  // namespace
+
+std::vector<bool> numbers_without_effect(const Query& query) {
+  const DefaultEnvironment environment;
+  Query asked = query;
+  const auto hulls = hulls_of(asked);
+  if (hulls[0] == nullptr && hulls[1] == nullptr) return {};
+  const auto contact = staged_answer(query, Scalar::binary64).expected.contact;
+  if (!contact || contact->degenerate || !contact->unique) return {};
+  const auto needed = FewestVertices(query, contact->normal).needed();
+  std::vector<bool> idle;
+  for_each_number(asked, [&](const std::string&, const double& x) {
+    bool is_idle = false;
+    for (std::size_t shape = 0; shape < hulls.size(); ++shape) {
+      if (hulls[shape] == nullptr) continue;
+      for (std::size_t k = 0; k < hulls[shape]->size(); ++k) {
+        const Vector3& vertex = (*hulls[shape])[k];
+        if (&x >= vertex.data() && &x < vertex.data() + 3) is_idle = !needed[shape][k];
+      }
+    }
+    idle.push_back(is_idle);
+  });
+  return idle;
+}
+
+namespace {
 
 /// The effect, or what is more than enough of it: it only grows.
 LastBit last_bit_until(const Query& query, const Declaration& declared, LastBits& all, const auto& is_enough) {
@@ -170,7 +284,7 @@ LastBit last_bit_until(const Query& query, const Declaration& declared, LastBits
     known.numbers.push_back(larger);
     is_done = is_enough_with(std::exchange(larger, {}));
   };
-  for_each_neighbour(query, declared.scalar, [&](const Query& neighbour, std::size_t i) {
+  for_each_neighbour(query, declared.scalar, known.idle, [&](const Query& neighbour, std::size_t i) {
     if (is_done || i < known.numbers.size()) return;
     while (!is_done && known.numbers.size() < i) end_number();
     if (is_done) return;
@@ -211,7 +325,7 @@ bool last_bit_decides(const Query& query, const Truth& truth, const Declaration&
   // Away from the decision that is right: the neighbour with the larger signed distance where it is a hit.
   std::optional<Exact::Enclosure> best;
   std::size_t number = 0;
-  for_each_neighbour(query, declared.scalar, [&](const Query& neighbour, std::size_t i) {
+  for_each_neighbour(query, declared.scalar, {}, [&](const Query& neighbour, std::size_t i) {
     if (decides) return;
     const Truth there = truth_of(neighbour);
     decides = hit(neighbour, there) != is_hit;

@@ -22,6 +22,16 @@ struct LastBit {
 /// the judge knows every right answer.
 [[nodiscard]] LastBit last_bit(const Query& query, const Declaration& declared);
 
+/// Of each number of a question, in their order, whether its neighbours surely have the same answer; nothing where none
+/// is known to.
+///   S is a subset of the vertices of A and B whose nearest points, or whose one shortest way out, are those of all; the
+/// others lie behind S along the normal n, and do so after their last bit moved them. What is added to S then reaches no
+/// farther along n, so that A and B do not come nearer or get deeper along n; and it only makes A and B larger, so that
+/// they do not get farther apart, or less deep along any other way.
+/// Most vertices of a hull are of this kind, and the oracle need not be asked for them.
+/// Domain: nearest surface points, or their middle.
+[[nodiscard]] std::vector<bool> numbers_without_effect(const Query& query);
+
 /// Whether some question whose numbers are all neighbours of this one's has the other decision: those are taken that
 /// move the distance most, one by one for a pair without a distance.
 [[nodiscard]] bool last_bit_decides(const Query& query, const Truth& truth, const Declaration& declared);

@@ -1,0 +1,104 @@
+// What the judge leaves out when it asks what a question's last bits do: it has no effect, in the families of all pairs of hulls.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <map>
+#include <vector>
+
+#include "golden/answer_bytes.hpp"
+#include "golden/families.hpp"
+#include "oracle/judge/conditioning.hpp"
+#include "oracle/truth/exact.hpp"
+#include "oracle/truth/staged_oracle.hpp"
+
+namespace contact::golden::conditioning_test {
+namespace {
+
+// With CONTACT_EVERY_NUMBER set, as ./run campaign does, every number of more questions.
+const bool kEvery = std::getenv("CONTACT_EVERY_NUMBER") != nullptr;
+
+bool has_a_hull(const Query& query) {
+  bool has = false;
+  for_each_shape(query, [&]<class Shape>(const Shape&) { has = has || std::same_as<Shape, Hull>; });
+  return has;
+}
+
+std::string answer_to(const Query& query) {
+  return digest_bytes(oracle::staged_answer(query, Scalar::binary64).expected);
+}
+
+TEST(NumbersWithoutEffect, have_none_to_their_last_bit) {
+  struct Count {
+    std::size_t idle = 0;
+    std::size_t all = 0;
+  };
+  std::map<std::string, Count> counts;
+  std::size_t at = 0;
+  for (const CommittedFile& file : committed_files()) {
+    if (file.family->outside_domain || !is_convex(file.pair)) continue;
+    for (std::uint64_t i = 0; i < (kEvery ? 12 : 3); ++i) {
+      Query query = generate_query(file.pair, *file.family, file.scalar, kCommittedSeed, i);
+      if (!has_a_hull(query)) break;
+      const std::vector<bool> idle = oracle::numbers_without_effect(query);
+      if (idle.empty()) continue;
+      const std::string right = answer_to(query);
+      Count& count = counts[std::string(file.family->name)];
+      count.all += idle.size();
+      std::size_t k = 0;
+      for_each_number(query, [&](const std::string& number, double& x) {
+        if (!idle[k++]) return;
+        ++count.idle;
+        if (!kEvery && ++at % 29 != 0) return;
+        const double before = x;
+        for (const double beside : {oracle::next_up(before, file.scalar), oracle::next_down(before, file.scalar)}) {
+          x = beside;
+          ASSERT_TRUE(before == 0 || answer_to(query) == right) << file.path() << " " << i << " " << number;
+        }
+        x = before;
+      });
+    }
+  }
+  // Of cores that are apart and of those that overlap, of ordinary ones and of those that plain double cannot tell.
+  for (const char* family : {"generic", "deep", "extreme_scale", "near_touching", "parallel"})
+    EXPECT_GT(2 * counts[family].idle, counts[family].all) << family << " " << counts[family].idle;
+}
+
+/// Whether each number of the first hull's vertices is left out, vertex by vertex.
+std::vector<bool> left_out(const Hull& a, const Hull& b) {
+  const std::vector<bool> idle = oracle::numbers_without_effect({Pair::hull_hull, Convexes{{a}, {b}}, {0, 0}});
+  std::vector<bool> of_vertices;
+  for (std::size_t k = 0; k < a.vertices.size(); ++k) of_vertices.push_back(idle.at(3 * k));
+  return of_vertices;
+}
+/// A box whose edge through (x, y, 0) a shape at the origin looks at.
+Hull corner_at(double x, double y) {
+  return {{{x, y, -9}, {9, y, -9}, {x, 9, -9}, {9, 9, -9}, {x, y, 9}, {9, y, 9}, {x, 9, 9}, {9, 9, 9}}, 0};
+}
+constexpr double kLess = 1 - 0x1p-53;
+
+TEST(NumbersWithoutEffect, are_not_those_that_another_way_out_hangs_on) {
+  // The first vertex is 1/4 deep along y; the second one as deep along x, but for less than what its last bit does. All
+  // others lie behind both.
+  const Vector3 y(0.875, 1, 0);
+  const Vector3 x(1, 0.875, 0);
+  const std::vector<Vector3> others{{-1, -1, 0.5}, {-1, -1, -0.5}, {-2, -2, 0}};
+  const auto shape = [&](const Vector3& first, const Vector3& second) {
+    Hull hull{{first, second}, 0};
+    hull.vertices.insert(hull.vertices.end(), others.begin(), others.end());
+    return hull;
+  };
+  EXPECT_EQ(left_out(shape(y, x), corner_at(0.75 - 0x1p-53, 0.75)), (std::vector{false, false, true, true, true}));
+  EXPECT_EQ(left_out(shape(x, y), corner_at(0.75, 0.75 - 0x1p-53)), (std::vector{false, false, true, true, true}));
+}
+
+TEST(NumbersWithoutEffect, are_not_those_that_lie_an_ulp_behind) {
+  const Hull box = corner_at(-9, 2);
+  const std::vector<Vector3> first_two_ahead{{0, 1, 0}, {0.5, kLess, 0}, {0, 0, 1}, {0, 0, -1}};
+  const std::vector<bool> idle =
+      oracle::numbers_without_effect({Pair::hull_hull, Convexes{{Hull{first_two_ahead, 0}}, {box}}, {4, 0}});
+  EXPECT_EQ(std::vector<bool>(idle.begin(), idle.begin() + 12),
+            (std::vector{false, false, false, false, false, false, true, true, true, true, true, true}));
+}
+
+}  // namespace
+}  // namespace contact::golden::conditioning_test
