@@ -74,8 +74,8 @@ struct BuiltIn {
 /// Before the name of an instruction set in the name of an engine.
 inline constexpr std::string_view kBatchPrefix = "batch:";
 
-/// The built-in engine of that name, or nullptr; it computes and declares the convention `points`. `batch:SET` is `batch` with vectors of one instruction set, which
-/// from then on serves every batch call of the process.
+/// The built-in engine of that name, or nullptr; it computes and declares the convention `points`. `batch:SET` is
+/// `batch` with vectors of one instruction set, which from then on serves every batch call of the process.
 [[nodiscard]] std::unique_ptr<Engine> make_built_in(std::string_view name,
                                                     PointConvention points = PointConvention::nearest_surface);
 

@@ -39,7 +39,7 @@ TEST(NumbersWithoutEffect, have_none_to_their_last_bit) {
     for (std::uint64_t i = 0; i < (kEvery ? 12 : 3); ++i) {
       Query query = generate_query(file.pair, *file.family, file.scalar, kCommittedSeed, i);
       if (!has_a_hull(query)) break;
-      const std::vector<bool> idle = oracle::numbers_without_effect(query);
+      const std::vector<bool> idle = oracle::numbers_without_effect(query, file.scalar);
       if (idle.empty()) continue;
       const std::string right = answer_to(query);
       Count& count = counts[std::string(file.family->name)];
@@ -65,7 +65,8 @@ TEST(NumbersWithoutEffect, have_none_to_their_last_bit) {
 
 /// Whether each number of the first hull's vertices is left out, vertex by vertex.
 std::vector<bool> left_out(const Hull& a, const Hull& b) {
-  const std::vector<bool> idle = oracle::numbers_without_effect({Pair::hull_hull, Convexes{{a}, {b}}, {0, 0}});
+  const std::vector<bool> idle =
+      oracle::numbers_without_effect({Pair::hull_hull, Convexes{{a}, {b}}, {0, 0}}, Scalar::binary64);
   std::vector<bool> of_vertices;
   for (std::size_t k = 0; k < a.vertices.size(); ++k) of_vertices.push_back(idle.at(3 * k));
   return of_vertices;
@@ -74,7 +75,6 @@ std::vector<bool> left_out(const Hull& a, const Hull& b) {
 Hull corner_at(double x, double y) {
   return {{{x, y, -9}, {9, y, -9}, {x, 9, -9}, {9, 9, -9}, {x, y, 9}, {9, y, 9}, {x, 9, 9}, {9, 9, 9}}, 0};
 }
-constexpr double kLess = 1 - 0x1p-53;
 
 TEST(NumbersWithoutEffect, are_not_those_that_another_way_out_hangs_on) {
   // The first vertex is 1/4 deep along y; the second one as deep along x, but for less than what its last bit does. All
@@ -92,12 +92,24 @@ TEST(NumbersWithoutEffect, are_not_those_that_another_way_out_hangs_on) {
 }
 
 TEST(NumbersWithoutEffect, are_not_those_that_lie_an_ulp_behind) {
-  const Hull box = corner_at(-9, 2);
-  const std::vector<Vector3> first_two_ahead{{0, 1, 0}, {0.5, kLess, 0}, {0, 0, 1}, {0, 0, -1}};
-  const std::vector<bool> idle =
-      oracle::numbers_without_effect({Pair::hull_hull, Convexes{{Hull{first_two_ahead, 0}}, {box}}, {4, 0}});
-  EXPECT_EQ(std::vector<bool>(idle.begin(), idle.begin() + 12),
-            (std::vector{false, false, false, false, false, false, true, true, true, true, true, true}));
+  // The second vertex is an ulp behind the first; the others lie far behind both. Times 2^-140 the ulp of binary32 is
+  // its least number, 2^-149.
+  const auto idle = [](double ulp, double unit, Scalar scalar) {
+    Hull a{{{0, 1, 0}, {0.5, 1 - ulp, 0}, {0, 0, 1}, {0, 0, -1}}, 0};
+    Hull b = corner_at(-9, 2);
+    for (Hull* hull : {&a, &b})
+      for (Vector3& vertex : hull->vertices) vertex *= unit;
+    const std::vector<bool> all =
+        oracle::numbers_without_effect({Pair::hull_hull, Convexes{{a}, {b}}, {4 * unit, 0}}, scalar);
+    return std::vector{all.at(0), all.at(3), all.at(6), all.at(9)};
+  };
+  const std::vector needed{false, false, true, true};
+  EXPECT_EQ(idle(0x1p-53, 1, Scalar::binary64), needed);
+  EXPECT_EQ(idle(0x1p-24, 1, Scalar::binary32), needed);
+  EXPECT_EQ(idle(0x1p-9, 0x1p-140, Scalar::binary32), needed);
+  EXPECT_EQ(idle(0x1p-34, 0x1p-1040, Scalar::binary64), needed);
+  // Sixteen ulps of binary32 behind, none of its last bits reaches the first.
+  EXPECT_EQ(idle(0x1p-20, 1, Scalar::binary32), (std::vector{false, true, true, true}));
 }
 
 }  // namespace

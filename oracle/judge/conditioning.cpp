@@ -120,12 +120,18 @@ void for_each_neighbour(const Query& query, Scalar scalar, const std::vector<boo
   });
 }
 
-/// Whether a vertex lies so far behind another one along a normal that is off by an ulp, that it still does after its
-/// own last bit moved it, in either scalar.
-bool is_clearly_behind(const Vector3& vertex, const Vector3& front, const Vector3& normal) {
-  // Quarters, whose differences do not overflow.
+/// Whether a vertex lies so far behind another one along a normal, each component of which is off by half an ulp, that
+/// it still does after the last bit of one of its numbers moved it.
+///   x is the vertex, f the other one, and s the largest number of x/4 and f/4: quarters, whose differences do not
+/// overflow. The last bit moves x/4 by at most 2^-23 s, that of binary32, or by a quarter of the least number above 0.
+/// n.(f/4 - x/4) is off by 2^-54 * 6s by the normal, by 3 * 2^-52 s by the differences and by less than 2^-49 s by
+/// products and sums; what is subnormal rounds by less than 2^-1071. Together less than (2^-23 + 2^-48) s, a quarter of
+/// the least number and 2^-1071.
+bool is_clearly_behind(const Vector3& vertex, const Vector3& front, const Vector3& normal, Scalar scalar) {
+  constexpr double kOfSize = 0x1p-22;
+  constexpr double kSubnormal = 0x1p-1070;
   const double size = std::max((vertex / 4).lpNorm<Eigen::Infinity>(), (front / 4).lpNorm<Eigen::Infinity>());
-  return normal.dot(front / 4 - vertex / 4) > 0x1p-20 * size + 0x1p-1040;
+  return normal.dot(front / 4 - vertex / 4) > kOfSize * size + next_up(0, scalar) + kSubnormal;
 }
 
 /// The vertices of the two shapes' hulls; nullptr where a shape is none.
@@ -150,7 +156,7 @@ bool is_same(const DistanceTruth& x, const DistanceTruth& y) {
 /// along the normal. Domain: a hit with one normal, and one pair of nearest points.
 class FewestVertices {
  public:
-  FewestVertices(const Query& query, const Vector3& normal) : query_(query), truth_(query) {
+  FewestVertices(const Query& query, const Vector3& normal, Scalar scalar) : query_(query), truth_(query) {
     std::vector<Place> behind;
     const auto hulls = hulls_of(query_);
     for (std::size_t shape = 0; shape < hulls.size(); ++shape) {
@@ -161,7 +167,7 @@ class FewestVertices {
       const auto front = std::max_element(
           of.begin(), of.end(), [&](const Vector3& x, const Vector3& y) { return out.dot(x / 4) < out.dot(y / 4); });
       for (std::size_t k = 0; k < of.size(); ++k)
-        if (is_clearly_behind(of[k], *front, out)) behind.emplace_back(shape, k);
+        if (is_clearly_behind(of[k], *front, out, scalar)) behind.emplace_back(shape, k);
     }
     if (truth_.distance() != nullptr && truth_.distance()->cast() == nullptr) leave_out(behind);
   }
@@ -236,20 +242,20 @@ KnownLastBits& known_of(const Query& query, const Declaration& declared, LastBit
   if (added->here && (added->here->any || !added->here->spread.isZero(0))) added->here.reset();
   const bool is_nearest =
       declared.conventions.points != Points::center && declared.conventions.points != Points::published;
-  if (added->here && is_nearest) added->idle = numbers_without_effect(query);
+  if (added->here && is_nearest) added->idle = numbers_without_effect(query, declared.scalar);
   return *known.emplace_back(read, std::move(added)).second;
 }
 
 }  // namespace
 
-std::vector<bool> numbers_without_effect(const Query& query) {
+std::vector<bool> numbers_without_effect(const Query& query, Scalar scalar) {
   const DefaultEnvironment environment;
   Query asked = query;
   const auto hulls = hulls_of(asked);
   if (hulls[0] == nullptr && hulls[1] == nullptr) return {};
   const auto contact = staged_answer(query, Scalar::binary64).expected.contact;
   if (!contact || contact->degenerate || !contact->unique) return {};
-  const auto needed = FewestVertices(query, contact->normal).needed();
+  const auto needed = FewestVertices(query, contact->normal, scalar).needed();
   std::vector<bool> idle;
   for_each_number(asked, [&](const std::string&, const double& x) {
     bool is_idle = false;
@@ -257,7 +263,7 @@ std::vector<bool> numbers_without_effect(const Query& query) {
       if (hulls[shape] == nullptr) continue;
       for (std::size_t k = 0; k < hulls[shape]->size(); ++k) {
         const Vector3& vertex = (*hulls[shape])[k];
-        if (&x >= vertex.data() && &x < vertex.data() + 3) is_idle = !needed[shape][k];
+        if (&x == &vertex[0] || &x == &vertex[1] || &x == &vertex[2]) is_idle = !needed[shape][k];
       }
     }
     idle.push_back(is_idle);

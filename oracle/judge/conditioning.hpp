@@ -22,7 +22,7 @@ struct LastBit {
 /// the judge knows every right answer.
 [[nodiscard]] LastBit last_bit(const Query& query, const Declaration& declared);
 
-/// Of each number of a question, in their order, whether its neighbours surely have the same answer; nothing where none
+/// Of each number of a question, in their order, whether its neighbours in a scalar surely have the same answer; nothing where none
 /// is known to.
 ///   S is a subset of the vertices of A and B whose nearest points, or whose one shortest way out, are those of all; the
 /// others lie behind S along the normal n, and do so after their last bit moved them. What is added to S then reaches no
@@ -30,7 +30,7 @@ struct LastBit {
 /// they do not get farther apart, or less deep along any other way.
 /// Most vertices of a hull are of this kind, and the oracle need not be asked for them.
 /// Domain: nearest surface points, or their middle.
-[[nodiscard]] std::vector<bool> numbers_without_effect(const Query& query);
+[[nodiscard]] std::vector<bool> numbers_without_effect(const Query& query, Scalar scalar);
 
 /// Whether some question whose numbers are all neighbours of this one's has the other decision: those are taken that
 /// move the distance most, one by one for a pair without a distance.
