@@ -17,17 +17,26 @@ struct PlainContact {
 
 #define CONTACT_TEST(name, A, B) \
   void plain_test(const kernel::PairColumns<A, B>& pairs, double alarm, std::uint8_t* hit);
-// The last is the function of one pair, as production's is called.
 #define CONTACT_COMPUTE(name, A, B)                                                                                 \
   void plain_compute(const kernel::PairColumns<A, B>& pairs, Distances distances, const kernel::ContactRows& out);  \
   std::size_t plain_compute_hits(const kernel::PairColumns<A, B>& pairs, Distances distances, std::uint32_t* index, \
-                                 const kernel::ContactRows& out);                                                   \
-  void plain_compute_scalar(const Two<A, B>* pairs, std::size_t size, Distances distances, PlainContact* out);      \
-  std::optional<Contact> plain_contact_of_pair(const Two<A, B>& pair, Distances distances);
+                                 const kernel::ContactRows& out);
 CONTACT_BATCH_PAIRS(CONTACT_TEST)
 CONTACT_BATCH_CONTACTS(CONTACT_COMPUTE)
 #undef CONTACT_TEST
 #undef CONTACT_COMPUTE
+
+/// The kinds that have these, one pair after the other. The last is the function of one pair, as production's is called.
+#define CONTACT_PLAIN_SCALAR(X)    \
+  X(sphere_sphere, Ball, Ball)     \
+  X(sphere_cube, Ball, Box)        \
+  X(sphere_capsule, Ball, Capsule) \
+  X(capsule_capsule, Capsule, Capsule)
+#define CONTACT_SCALAR(name, A, B)                                                                             \
+  void plain_compute_scalar(const Two<A, B>* pairs, std::size_t size, Distances distances, PlainContact* out); \
+  std::optional<Contact> plain_contact_of_pair(const Two<A, B>& pair, Distances distances);
+CONTACT_PLAIN_SCALAR(CONTACT_SCALAR)
+#undef CONTACT_SCALAR
 
 /// A sphere's centre in a box: out through the nearest face.
 inline void plain_contact_inside(const Ball& ball, const Box& box, double contact_distance, Contact& out) {

@@ -143,6 +143,18 @@ def pairs_table(m):
     return table(head, rows)
 
 
+def many_table(m):
+    rows = []
+    for pair, prefix in PAIRS.items():
+        cells = []
+        for op in ("test", "compute"):
+            plain, ours, one = (m.ns(f"Peer/{s}/{prefix}{op}/L2") for s in ("plain double, vectors", "ours, batch", "ours, scalar"))
+            cells += [f"{number(plain)} → {number(ours)}", number(ours / plain), number(one / ours)]
+        rows.append([f"`{pair}`", *cells])
+    return table(["many pairs at once, L2", "decide: plain → ours, ns", "ratio", "one pair to this", "contact: plain → ours, ns",
+                  "ratio", "one pair to this"], rows)
+
+
 def convexes_table(m):
     peers = [s for s in SUBJECTS if SUBJECTS[s] == "peer" and any(m.ns(f"Peer/{s}/{pair}_test/L2") for pair in CONVEXES)]
     rows = []
@@ -422,6 +434,8 @@ def main():
         f"Out of {wrong(m, 'FCL')['asked'] // len(FAMILIES)} questions in each family.", wrong_table(m),
         "### Every pair, one after the other",
         "Plain double is [the formula of the engine `plain-double`](../bench/peers/own.cpp), ours the function of one pair.", pairs_table(m),
+        "### Every pair, many at once",
+        "Plain double is [its formulas in the same vectors](../bench/plain_batch.cpp), ours the functions of `contact::batch`.", many_table(m),
         "### Whole models, beside the peers",
         "Every contact of a set of spheres with itself, without an alarm distance. FCL and Bullet build their broad phase anew, as ours does each time; "
         '"again" leaves this out. Times of "ours, all threads" are by the wall clock.', models_table(m),

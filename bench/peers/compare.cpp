@@ -139,26 +139,28 @@ void register_times_of_families(const Peer& ours) {
 }
 
 template <class A, class B>
-void register_batch_times(const Subject<A, B>& subject) {
+void register_batch_times(const Subject<A, B>& subject, bool everywhere) {
   const std::string plain = "Peer/plain double, vectors/";
   const std::string ours = "Peer/ours, batch/";
-  at_every_place(plain + subject.test, [](std::size_t n) {
-    auto& q = generic<A, B>(n);
-    plain_test(q.pairs(), 0, q.hit.data());
-  });
-  at_every_place(ours + subject.test, [](std::size_t n) {
-    auto& q = generic<A, B>(n);
-    batch::test(q.a(), q.b(), 0, q.hit);
-  });
-  if constexpr (batch::Computes<A, B>) {
-    at_every_place(plain + subject.compute, [](std::size_t n) {
+  for (const Place& place : std::span(kPlaces).first(everywhere ? kPlaces.size() : 1)) {
+    at_place(plain + subject.test, place, [](std::size_t n) {
       auto& q = generic<A, B>(n);
-      plain_compute(q.pairs(), kNone, q.rows());
+      plain_test(q.pairs(), 0, q.hit.data());
     });
-    at_every_place(ours + subject.compute, [](std::size_t n) {
+    at_place(ours + subject.test, place, [](std::size_t n) {
       auto& q = generic<A, B>(n);
-      batch::compute(q.a(), q.b(), kNone, q.contacts());
+      batch::test(q.a(), q.b(), 0, q.hit);
     });
+    if constexpr (batch::Computes<A, B>) {
+      at_place(plain + subject.compute, place, [](std::size_t n) {
+        auto& q = generic<A, B>(n);
+        plain_compute(q.pairs(), kNone, q.rows());
+      });
+      at_place(ours + subject.compute, place, [](std::size_t n) {
+        auto& q = generic<A, B>(n);
+        batch::compute(q.a(), q.b(), kNone, q.contacts());
+      });
+    }
   }
 }
 
@@ -242,7 +244,8 @@ void count_wrong_answers(benchmark::State& state, const Peer& peer, const std::s
 }
 
 [[maybe_unused]] const bool registered = [] {
-  std::apply([](const auto&... subject) { (register_batch_times(subject), ...); }, kSubjects);
+  std::apply([](const auto&... subject) { (register_batch_times(subject, true), ...); }, kSubjects);
+  std::apply([](const auto&... subject) { (register_batch_times(subject, false), ...); }, kOthers);
   std::vector<Peer> all;
   for (auto* peers : {own_peers, fcl_peers, bullet_peers, ode_peers, ccd_peers, cgal_peers, gmp_peers})
     for (Peer& peer : peers()) {

@@ -33,6 +33,31 @@ struct CapsuleColumns {
   std::span<const double> radius;
 };
 
+/// n triangles, one column per vertex and coordinate (x, y, z). All columns have the same length.
+struct TriangleColumns {
+  std::array<std::array<std::span<const double>, 3>, 3> vertices;
+};
+
+/// n half-spaces, one column per coordinate (x, y, z) of the normals, and the offsets. All columns have the same length.
+struct PlaneColumns {
+  std::array<std::span<const double>, 3> normal;
+  std::span<const double> offset;
+};
+
+/// n rays, one column per coordinate (x, y, z) of origin and direction, and the lengths. All columns have the same
+/// length.
+struct RayColumns {
+  std::array<std::span<const double>, 3> origin;
+  std::array<std::span<const double>, 3> direction;
+  std::span<const double> length;
+};
+
+/// n segments, one column per coordinate (x, y, z) of start and end. All columns have the same length.
+struct LineColumns {
+  std::array<std::span<const double>, 3> start;
+  std::array<std::span<const double>, 3> end;
+};
+
 /// What a pair turned out to be.
 enum class PairState : std::uint8_t {
   miss = 0,        ///< farther apart than the alarm distance: no contact
@@ -88,11 +113,17 @@ struct Count {
 // Evidence    src/kernel/batch_test.cpp compares every available instruction set with the functions of one pair.
 
 /// The pairs that have these functions, X(name, first shape, second shape): those whose contacts have numbers, and all.
-#define CONTACT_BATCH_CONTACTS(X)  \
-  X(sphere_sphere, Ball, Ball)     \
-  X(sphere_cube, Ball, Box)        \
-  X(sphere_capsule, Ball, Capsule) \
-  X(capsule_capsule, Capsule, Capsule)
+#define CONTACT_BATCH_CONTACTS(X)      \
+  X(sphere_sphere, Ball, Ball)         \
+  X(sphere_cube, Ball, Box)            \
+  X(sphere_capsule, Ball, Capsule)     \
+  X(capsule_capsule, Capsule, Capsule) \
+  X(sphere_triangle, Ball, Triangle)   \
+  X(ray_sphere, Ray, Ball)             \
+  X(sphere_plane, Ball, Plane)         \
+  X(capsule_plane, Capsule, Plane)     \
+  X(ray_triangle, Ray, Triangle)       \
+  X(triangle_line, Triangle, Line)
 #define CONTACT_BATCH_PAIRS(X) \
   CONTACT_BATCH_CONTACTS(X)    \
   X(cube_cube, Box, Box)

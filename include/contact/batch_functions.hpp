@@ -21,6 +21,22 @@ template <>
 struct ColumnsFor<Capsule> {
   using Type = CapsuleColumns;
 };
+template <>
+struct ColumnsFor<Triangle> {
+  using Type = TriangleColumns;
+};
+template <>
+struct ColumnsFor<Plane> {
+  using Type = PlaneColumns;
+};
+template <>
+struct ColumnsFor<Ray> {
+  using Type = RayColumns;
+};
+template <>
+struct ColumnsFor<Line> {
+  using Type = LineColumns;
+};
 template <class Shape>
 using ColumnsOf = typename ColumnsFor<Shape>::Type;
 

@@ -1,10 +1,15 @@
 // Many pairs at once: the columns' lengths, the floating-point environment, and the kernel for them.
 #include "contact/batch.hpp"
 
+#include <bit>
+#include <concepts>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <tuple>
+#include <vector>
 
+#include "contact/batch_functions.hpp"
 #include "kernel/batch.hpp"
 #include "kernel/floating_point_environment.hpp"
 
@@ -13,53 +18,55 @@ namespace {
 
 constexpr std::array kAxes{"x", "y", "z"};
 
+[[noreturn]] void refuse_length(const std::string& column, std::size_t actual, std::size_t expected) {
+  throw std::invalid_argument("column " + column + " holds " + std::to_string(actual) +
+                              " numbers where a's first holds " + std::to_string(expected));
+}
 template <class T>
 void expect_length(const std::string& column, std::span<T> actual, std::size_t expected) {
-  if (actual.size() != expected)
-    throw std::invalid_argument("column " + column + " holds " + std::to_string(actual.size()) +
-                                " numbers where a's first holds " + std::to_string(expected));
+  if (actual.size() != expected) refuse_length(column, actual.size(), expected);
 }
 
-std::size_t size_of(const BallColumns& balls) { return balls.x.size(); }
-std::size_t size_of(const BoxColumns& boxes) { return boxes.min[0].size(); }
-std::size_t size_of(const CapsuleColumns& capsules) { return capsules.start[0].size(); }
-
-std::array<const double*, 4> columns(const std::string& side, const BallColumns& balls, std::size_t size) {
-  expect_length(side + ".x", balls.x, size);
-  expect_length(side + ".y", balls.y, size);
-  expect_length(side + ".z", balls.z, size);
-  expect_length(side + ".radius", balls.radius, size);
-  return {balls.x.data(), balls.y.data(), balls.z.data(), balls.radius.data()};
+/// The names of the columns of a shape, as its struct in contact/batch.hpp has them.
+template <class Shape>
+std::vector<std::string> column_names() {
+  if constexpr (std::same_as<Shape, Ball>) return {"x", "y", "z", "radius"};
+  std::vector<std::string> names;
+  const auto add = [&]<class Value>(const std::string& name, const Value* /*kind*/) {
+    if constexpr (std::same_as<Value, double>)
+      names.push_back(name);
+    else
+      for (const char* axis : kAxes) names.push_back(name + " " + axis);
+  };
+  const auto add_field = [&]<class Value>(const ShapeField<Shape, Value>& field) {
+    const std::string name(field.name);
+    if constexpr (std::same_as<Value, std::array<Vector3, 3>>)
+      for (const char* index : {"[0]", "[1]", "[2]"}) add(name + index, static_cast<const Vector3*>(nullptr));
+    else
+      add(name, static_cast<const Value*>(nullptr));
+  };
+  std::apply([&](const auto&... field) { (add_field(field), ...); }, ShapeDescription<Shape>::kFields);
+  return names;
 }
 
-std::array<const double*, 6> columns(const std::string& side, const BoxColumns& boxes, std::size_t size) {
-  std::array<const double*, 6> all{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    expect_length(side + ".min " + kAxes[axis], boxes.min[axis], size);
-    expect_length(side + ".max " + kAxes[axis], boxes.max[axis], size);
-    all[axis] = boxes.min[axis].data();
-    all[3 + axis] = boxes.max[axis].data();
+template <class Shape>
+using Spans = std::array<std::span<const double>, kNumbersOf<Shape>>;
+
+template <class Shape>
+std::array<const double*, kNumbersOf<Shape>> columns(const char* side, const Spans<Shape>& spans, std::size_t size) {
+  std::array<const double*, kNumbersOf<Shape>> all{};
+  for (std::size_t k = 0; k < spans.size(); ++k) {
+    if (spans[k].size() != size) refuse_length(side + column_names<Shape>()[k], spans[k].size(), size);
+    all[k] = spans[k].data();
   }
   return all;
 }
 
-std::array<const double*, 7> columns(const std::string& side, const CapsuleColumns& capsules, std::size_t size) {
-  std::array<const double*, 7> all{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    expect_length(side + ".start " + kAxes[axis], capsules.start[axis], size);
-    expect_length(side + ".end " + kAxes[axis], capsules.end[axis], size);
-    all[axis] = capsules.start[axis].data();
-    all[3 + axis] = capsules.end[axis].data();
-  }
-  expect_length(side + ".radius", capsules.radius, size);
-  all[6] = capsules.radius.data();
-  return all;
-}
-
-template <class A, class B, class First, class Second>
-kernel::PairColumns<A, B> pairs_of(const First& a, const Second& b) {
-  const std::size_t size = size_of(a);
-  return {columns("a", a, size), columns("b", b, size), size};
+template <class A, class B>
+kernel::PairColumns<A, B> pairs_of(const ColumnsOf<A>& a, const ColumnsOf<B>& b) {
+  const auto first = std::bit_cast<Spans<A>>(a);
+  const std::size_t size = first[0].size();
+  return {columns<A>("a.", first, size), columns<B>("b.", std::bit_cast<Spans<B>>(b), size), size};
 }
 
 kernel::ContactRows rows_of(const ContactColumns& out, std::size_t size) {

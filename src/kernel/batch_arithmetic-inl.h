@@ -32,6 +32,12 @@ HWY_INLINE void filter(V d2, V reach, M& hit, M& miss) {
 
 HWY_INLINE V squared_length(V x, V y, V z) { return hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x))); }
 
+#define CONTACT_LANES HWY_INLINE
+#include "kernel/double_double-inl.h"
+#include "kernel/sum_of_two-inl.h"
+#undef CONTACT_LANES
+using Double2 = DoubleDouble<V>;
+
 #if HWY_NATIVE_FMA
 
 /// 1 / sqrt(x) within 2 u.
@@ -92,11 +98,7 @@ HWY_INLINE V lesser_magnitude(V a, V b) {
 #endif
 }
 
-#define CONTACT_LANES HWY_INLINE
-#include "kernel/double_double-inl.h"
-
 using Number = V;
-using Double2 = DoubleDouble<V>;
 using Mask = M;
 /// x, y and z of pairs.
 struct Axes {
@@ -129,6 +131,7 @@ HWY_INLINE Axes times_plus(const Axes& a, V k, const Axes& c) {
   return {hn::MulAdd(a.x, k, c.x), hn::MulAdd(a.y, k, c.y), hn::MulAdd(a.z, k, c.z)};
 }
 
+#define CONTACT_LANES HWY_INLINE
 #include "kernel/sphere_sphere_formula-inl.h"
 #undef CONTACT_LANES
 

@@ -91,8 +91,6 @@ struct FastBounds {
 
   // Two segments.
 
-  /// What plain arithmetic loses of D, of the directions' and w's squares together.
-  static constexpr double kSegmentGap = 32 * kUnit;
   /// |error| of a correction, of its length.
   static constexpr double kStepError = 128 * kUnit;
   /// Bounds of the squares together, and of the square of a direction along which a core moves.
@@ -100,6 +98,17 @@ struct FastBounds {
   static constexpr double kMostSize = 0x1p400;
   /// The reciprocal squared sine of the angle between the segments, where both cores move.
   static constexpr double kMostParallel = 0x1p20;
+  /// The least third weight in a triangle: what rounding the others costs it is less.
+  static constexpr double kLeastRest = 0x1p-40;
+
+  // Planes and crossings.
+
+  /// |error| of a signed distance from a plane, of the products in it over |n|, beside kCoreError's.
+  static constexpr double kOverPlane = 54 * kUnitSquared;
+  /// The least |n|^2 of a plane: what underflows of n.p is less than kLeast of |n|.
+  static constexpr double kLeastNormalSquare = 0x1p-100;
+  /// The least n.d of a crossing: no product that underflows matters beside it, numbers being below 2^250.
+  static constexpr double kLeastThrough = 0x1p-300;
 };
 
 using ForDouble = FastBounds<double>;

@@ -1,5 +1,6 @@
-// Many pairs with a distance between cores at once, for every kind of pairs that has Feet: the filter, the fast stage
-// of cores_double_double.hpp in vectors, and the loops over columns. What these leave goes to the function of one pair.
+// Many pairs of a kind that has Feet at once: what Feet are made of, the contact of cores with a distance, which is the
+// fast stage of cores_double_double.hpp in vectors, and the loops over columns. What these leave goes to the function of
+// one pair.
 #if defined(CONTACT_KERNEL_BATCH_CORES_INL_H) == defined(HWY_TARGET_TOGGLE)  // once a target
 #ifdef CONTACT_KERNEL_BATCH_CORES_INL_H
 #undef CONTACT_KERNEL_BATCH_CORES_INL_H
@@ -15,6 +16,7 @@
 #include <limits>
 
 #include "contact/pair_functions.hpp"
+#include "contact/plain_cores.hpp"
 #include "kernel/batch_arithmetic-inl.h"
 #include "kernel/batch_cores.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
@@ -24,11 +26,22 @@ HWY_BEFORE_NAMESPACE();
 namespace contact::kernel {
 namespace HWY_NAMESPACE {
 
-/// Nearest points of a vector of pairs in plain arithmetic, constructed from (pairs, i):
+/// The cores of a vector of pairs in plain arithmetic, constructed from (pairs, i):
 ///   filter(alarm, hit, miss)     where the decision is certain
-///   find_cores(to, i)            d, its error and, where the first core is no point, p, from here on in double-double
+///   find_cores(to, i)            what the second half needs of CoreColumns, from here on in double-double
+///   contacts(strip)              the second half: the contacts of a strip
 template <class A, class B>
 struct Feet;
+
+/// What the second half has of a strip, and what it writes.
+template <class A, class B>
+struct Strip {
+  const PairColumns<A, B>& pairs;
+  const ContactQuestion& question;
+  const CoreColumns& cores;
+  const ContactRows& out;
+  Left& left;
+};
 
 /// Calls work(lane) for every lane below `size` where `lanes` are so.
 template <class Work>
@@ -37,6 +50,8 @@ HWY_INLINE void for_each_lane(M lanes, std::size_t size, const Work& work) {
   for (std::size_t lane = 0; lane < std::min(size, hn::Lanes(D())); ++lane)
     if (((bits >> lane) & 1) != 0) work(lane);
 }
+
+HWY_INLINE M none() { return hn::FirstN(D(), 0); }
 
 /// Points of a vector of pairs.
 struct Points {
@@ -49,13 +64,36 @@ struct Points {
 HWY_INLINE Points from_to(const Points& a, const Points& b) {
   return {hn::Sub(b.x, a.x), hn::Sub(b.y, a.y), hn::Sub(b.z, a.z)};
 }
+HWY_INLINE Points times(V t, const Points& v) { return {hn::Mul(t, v.x), hn::Mul(t, v.y), hn::Mul(t, v.z)}; }
 HWY_INLINE Points plus(const Points& w, V t, const Points& v) {
   return {hn::MulAdd(t, v.x, w.x), hn::MulAdd(t, v.y, w.y), hn::MulAdd(t, v.z, w.z)};
 }
 HWY_INLINE V plain_dot(const Points& a, const Points& b) {
   return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
 }
+HWY_INLINE Points plain_cross(const Points& a, const Points& b) {
+  return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
+          hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
+HWY_INLINE V magnitude(const Points& a) { return hn::Add(hn::Add(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z)); }
+HWY_INLINE Points chosen(M first, const Points& a, const Points& b) {
+  return {hn::IfThenElse(first, a.x, b.x), hn::IfThenElse(first, a.y, b.y), hn::IfThenElse(first, a.z, b.z)};
+}
 HWY_INLINE V clamped(V t) { return hn::Min(hn::Max(t, all(0)), all(1)); }
+/// 1 / x, or 0 where x is nothing.
+HWY_INLINE V reciprocal_or_zero(V x) { return hn::IfThenElseZero(hn::Ge(x, all(bounds::kLeast)), hn::Div(all(1), x)); }
+
+template <class Shape>
+HWY_INLINE V radius_of(const std::array<const double*, kNumbersOf<Shape>>& columns, std::size_t i) {
+  if constexpr (requires(Shape shape) { shape.radius; })
+    return hn::LoadU(D(), columns.back() + i);
+  else
+    return all(0);
+}
+template <class A, class B>
+HWY_INLINE V radii_of(const PairColumns<A, B>& pairs, std::size_t i) {
+  return hn::Add(radius_of<A>(pairs.a, i), radius_of<B>(pairs.b, i));
+}
 
 template <class A, class B>
 HWY_INLINE void test_cores_of_vector(const PairColumns<A, B>& pairs, double alarm, std::size_t i, std::uint8_t* hit,
@@ -88,6 +126,15 @@ batch::Count test_cores(const PairColumns<A, B>& pairs, double alarm, std::uint8
   return count;
 }
 
+/// What plain arithmetic says of a vector of pairs.
+template <class A, class B>
+HWY_INLINE V decision_of(const Feet<A, B>& feet, double alarm, M& miss) {
+  M hit;
+  feet.filter(alarm, hit, miss);
+  const V open = hn::IfThenElseZero(hn::Not(miss), all(CoreColumns::kOpen));
+  return hn::IfThenElse(hit, all(CoreColumns::kHit), open);
+}
+
 #if HWY_NATIVE_FMA
 
 // What Feet are made of. Errors: docs/error-bounds.md, "Feet in vectors".
@@ -107,22 +154,47 @@ HWY_INLINE Double2 stepped(Double2 d, V step, Double2 v) {
   return {high, hn::Sub(more, hn::Sub(high, d.high))};  // Dekker: exact where d.high is not less than the rest
 }
 
+/// x y, and what the product lacks.
+HWY_INLINE Double2 product_of(V x, V y) {
+  const V p = hn::Mul(x, y);
+  return {p, hn::MulSub(x, y, p)};
+}
+HWY_INLINE Double2 product_of(Double2 x, Double2 y) {
+  const V p = hn::Mul(x.high, y.high);
+  return {p, hn::MulAdd(x.high, y.low, hn::MulAdd(x.low, y.high, hn::MulSub(x.high, y.high, p)))};
+}
+/// x^2, whose low part may be as large as the high one.
+HWY_INLINE Double2 square_of(Double2 x) {
+  const V p = hn::Mul(x.high, x.high);
+  const V twice = hn::MulAdd(all(2), x.high, x.low);
+  return {p, hn::MulAdd(x.low, twice, hn::MulSub(x.high, x.high, p))};
+}
+HWY_INLINE Delta products_of(const Points& x, const Points& y) {
+  return {product_of(x.x, y.x), product_of(x.y, y.y), product_of(x.z, y.z)};
+}
+HWY_INLINE Delta products_of(const Delta& x, const Delta& y) {
+  return {product_of(x.x, y.x), product_of(x.y, y.y), product_of(x.z, y.z)};
+}
+/// The sum of three such.
+HWY_INLINE Double2 sum_of(const Delta& x) {
+  const Double2 xy = two_sum(x.x.high, x.y.high);
+  const Double2 xyz = two_sum(xy.high, x.z.high);
+  return {xyz.high, hn::Add(hn::Add(xy.low, xyz.low), hn::Add(hn::Add(x.x.low, x.y.low), x.z.low))};
+}
 /// x.y, rounded.
 HWY_INLINE V dot(const Delta& x, const Delta& y) {
-  const V product_x = hn::Mul(x.x.high, y.x.high);
-  const V product_y = hn::Mul(x.y.high, y.y.high);
-  const V product_z = hn::Mul(x.z.high, y.z.high);
-  const auto rest = [](Double2 a, Double2 b, V product) HWY_ATTR {
-    return hn::MulAdd(a.high, b.low, hn::MulAdd(a.low, b.high, hn::MulSub(a.high, b.high, product)));
-  };
-  const V rests = hn::Add(hn::Add(rest(x.x, y.x, product_x), rest(x.y, y.y, product_y)), rest(x.z, y.z, product_z));
-  const Double2 xy = two_sum(product_x, product_y);
-  return hn::Add(hn::Add(xy.high, product_z), hn::Add(xy.low, rests));
+  const Delta p = products_of(x, y);
+  const Double2 xy = two_sum(p.x.high, p.y.high);
+  return hn::Add(hn::Add(xy.high, p.z.high), hn::Add(xy.low, hn::Add(hn::Add(p.x.low, p.y.low), p.z.low)));
 }
 
-HWY_INLINE V magnitude(const Points& a) { return hn::Add(hn::Add(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z)); }
+HWY_INLINE V plain_square(const Delta& d) { return squared_length(d.x.high, d.y.high, d.z.high); }
+HWY_INLINE Points rounded_to_plain(const Delta& d) { return {d.x.high, d.y.high, d.z.high}; }
 HWY_INLINE Delta exactly_from_to(const Points& a, const Points& b) {
   return {two_difference(b.x, a.x), two_difference(b.y, a.y), two_difference(b.z, a.z)};
+}
+HWY_INLINE Delta exactly_times(V t, const Points& v) {
+  return {product_of(t, v.x), product_of(t, v.y), product_of(t, v.z)};
 }
 HWY_INLINE Delta moved(const Delta& w, V t, const Delta& v) {
   return {moved(w.x, t, v.x), moved(w.y, t, v.y), moved(w.z, t, v.z)};
@@ -147,34 +219,27 @@ HWY_INLINE Double2 load(const double (&from)[6][CoreColumns::kRoom], std::size_t
   const D tag;
   return {hn::LoadU(tag, from[2 * axis] + i), hn::LoadU(tag, from[2 * axis + 1] + i)};
 }
-
-/// The first core on an axis, and its error. A centre is a number; an error above 0 has room for underflows.
-template <class B>
-HWY_INLINE V first_core(const PairColumns<Ball, B>& pairs, const CoreColumns& /*from*/, std::size_t axis,
-                        std::size_t i) {
-  return hn::LoadU(D(), pairs.a[axis] + i);
-}
-template <class B>
-HWY_INLINE V first_error(const PairColumns<Ball, B>& /*pairs*/, const CoreColumns& /*from*/, std::size_t /*i*/) {
-  return all(bounds::kLeast);
-}
-template <class B>
-HWY_INLINE Double2 first_core(const PairColumns<Capsule, B>& /*pairs*/, const CoreColumns& from, std::size_t axis,
-                              std::size_t i) {
-  return load(from.p, axis, i);
-}
-template <class B>
-HWY_INLINE V first_error(const PairColumns<Capsule, B>& /*pairs*/, const CoreColumns& from, std::size_t i) {
-  return hn::LoadU(D(), from.p_error + i);
+HWY_INLINE Delta load(const double (&from)[6][CoreColumns::kRoom], std::size_t i) {
+  return {load(from, 0, i), load(from, 1, i), load(from, 2, i)};
 }
 
-/// Where all points of both shapes have one coordinate: what delta has of it is 0, with no error.
-template <class A>
-HWY_INLINE M in_plane(const PairColumns<A, Capsule>& pairs, std::size_t axis, std::size_t i) {
-  const auto same = [&](const double* column)
-                        HWY_ATTR { return hn::Eq(hn::LoadU(D(), column + i), hn::LoadU(D(), pairs.b[axis] + i)); };
-  const M all_same = hn::And(same(pairs.a[axis]), same(pairs.b[3 + axis]));
-  return pairs.a.size() == 4 ? all_same : hn::And(all_same, same(pairs.a[(3 + axis) % pairs.a.size()]));
+/// Stores d, and where a coordinate of it is 0 because all points of both shapes have the same one: in_plane(axis).
+template <class InPlane>
+HWY_INLINE void store_way(const Delta& d, const InPlane& in_plane, CoreColumns& to, std::size_t i) {
+  const D tag;
+  store(d, to.d, i);
+  const V zero = all(0);
+  const M flat_x = hn::Eq(d.x.high, zero);
+  const M flat_y = hn::Eq(d.y.high, zero);
+  const M flat_z = hn::Eq(d.z.high, zero);
+  to.has_flat[i] = !hn::AllFalse(tag, hn::Or(hn::Or(flat_x, flat_y), flat_z));
+  if (HWY_LIKELY(!to.has_flat[i])) return;
+  hn::StoreU(hn::VecFromMask(tag, hn::And(flat_x, in_plane(0))), tag, to.flat[0] + i);
+  hn::StoreU(hn::VecFromMask(tag, hn::And(flat_y, in_plane(1))), tag, to.flat[1] + i);
+  hn::StoreU(hn::VecFromMask(tag, hn::And(flat_z, in_plane(2))), tag, to.flat[2] + i);
+}
+HWY_INLINE M same(const double* a, const double* b, std::size_t i) {
+  return hn::Eq(hn::LoadU(D(), a + i), hn::LoadU(D(), b + i));
 }
 
 /// core + length n.
@@ -189,14 +254,138 @@ HWY_INLINE Double2 point_beside(Double2 core, Length length, V q, V low) {
   return {at.high, hn::Add(at.low, core.low)};
 }
 
-template <class A, class B>
-HWY_NOINLINE void leave_contacts(const PairColumns<A, B>& pairs, const ContactQuestion& question, std::size_t i,
-                                 M lanes, const ContactRows& out, batch::Count& count) {
-  for_each_lane(lanes, pairs.size - i, [&](std::size_t lane) {
-    contact_of_one_pair(pairs, question, i + lane, out, i + lane);
-    count.hits += out.state[i + lane] != batch::PairState::miss ? 1U : 0U;
-    ++count.exact;
-  });
+/// Ten numbers of a vector of pairs: each is written rounded, or as 0 where there is no hit, and is certain where both
+/// ends of its interval are rounded to the same.
+struct Numbers {
+  const ContactRows& out;
+  std::size_t i;
+  M hit;
+  M certain;
+
+  HWY_INLINE Numbers(const ContactRows& rows, std::size_t at, M hits, M sure)
+      : out(rows), i(at), hit(hits), certain(hn::And(hits, sure)) {}
+  HWY_INLINE void write(std::size_t k, const Double2& number, V within) {
+    const V radius = hn::MulAdd(hn::Abs(number.low), all(bounds::kCoreEta), within);
+    const V above = hn::Add(number.high, hn::Add(number.low, radius));
+    const V below = hn::Add(number.high, hn::Sub(number.low, radius));
+    certain = and_equal(certain, above, below);
+    write_exact(k, above);
+  }
+  HWY_INLINE void write_exact(std::size_t k, V number) {
+    hn::StoreU(hn::IfThenElseZero(hit, number), D(), out.number[k] + i);
+  }
+  /// Says which pairs of `size` are left: those that are neither a miss nor certain.
+  HWY_INLINE void finish(M miss, std::size_t size, Left& left) const {
+    const D tag;
+    store_flags(certain, reinterpret_cast<std::uint8_t*>(out.state + i));
+    left.hits += hn::CountTrue(tag, hn::And(certain, hn::FirstN(tag, size - i)));
+    const M settled = hn::Or(miss, certain);
+    if (HWY_UNLIKELY(!hn::AllTrue(tag, settled)))
+      for_each_lane(hn::Not(settled), size - i,
+                    [&](std::size_t lane) { left.rows[left.size++] = static_cast<std::uint16_t>(i + lane); });
+  }
+};
+/// Where all pairs of a vector are misses: writes that, and says so.
+HWY_INLINE bool wrote_misses(M miss, const ContactRows& out, std::size_t i) {
+  const D tag;
+  if (!hn::AllTrue(tag, miss)) return false;
+  for (double* column : out.number) hn::StoreU(all(0), tag, column + i);
+  store_flags(hn::Not(miss), reinterpret_cast<std::uint8_t*>(out.state + i));
+  return true;
+}
+
+/// Which columns the second half reads of cores with a distance.
+struct ApartRows {
+  std::array<const double*, 3> p;  ///< of a first core that is a point
+  const double* radius1;
+  const double* radius2;
+};
+
+/// The contacts of a strip of cores with a distance; out has room for whole vectors. `turned`: what comes first in the
+/// question is second here.
+template <bool is_point, bool turned = false>
+HWY_NOINLINE void contacts_apart(const ApartRows& rows, std::size_t size, const ContactQuestion& question,
+                                 const CoreColumns& from, const ContactRows& out, Left& left) {
+  const D tag;
+  const PointOn on1 = turned ? question.points.second : question.points.first;
+  const PointOn on2 = turned ? question.points.first : question.points.second;
+  constexpr std::size_t kFirst = turned ? 6 : 3;
+  for (std::size_t i = 0; i < size; i += hn::Lanes(tag)) {
+    const V decision = hn::LoadU(tag, from.decision + i);
+    M hit = hn::Eq(decision, all(CoreColumns::kHit));
+    M miss = hn::Eq(decision, all(CoreColumns::kMiss));
+    if (wrote_misses(miss, out, i)) continue;
+    const Delta d = load(from.d, i);
+    const V radius1 = hn::LoadU(tag, rows.radius1 + i);
+    const V radius2 = hn::LoadU(tag, rows.radius2 + i);
+    const V d_error = hn::LoadU(tag, from.d_error + i);
+    // A point is a number; an error above 0 has room for underflows.
+    const V p_error = is_point ? all(bounds::kLeast) : hn::LoadU(tag, from.p_error + i);
+    const Direction n(d, plain_square(d));
+    const V length = n.root.high;
+    const V turn = hn::Mul(hn::Mul(d_error, all(bounds::kTurn)), n.reciprocal);
+    const V of_length = hn::Add(turn, all(bounds::kCoreError));
+    const M clear = hn::Ge(length, hn::Mul(d_error, all(bounds::kClear)));
+
+    // From the first core to a surface of the second shape.
+    const auto as_far_as = [&](V radius) HWY_ATTR {
+      const Double2 sum = two_sum(length, radius);
+      return Double2(sum.high, hn::Add(sum.low, n.root.low));
+    };
+    const Double2 to_surface = as_far_as(hn::Neg(radius2));
+    V error;
+    // The distance of the surfaces less another one, and its error.
+    const auto beyond = [&](double distance) HWY_ATTR {
+      const Double2 rest = two_sum(radius1, all(distance));
+      const Double2 sum = two_difference(to_surface.high, rest.high);
+      const V lengths = hn::Add(hn::Add(length, radius2), rest.high);
+      error = hn::MulAdd(lengths, all(bounds::kCoreError), d_error);
+      return Double2(sum.high, hn::Add(sum.low, hn::Sub(to_surface.low, rest.low)));
+    };
+    if (HWY_UNLIKELY(!hn::AllTrue(tag, hn::Or(hit, miss)))) {
+      const Double2 gap = beyond(question.distances.alarm);
+      const M nearer = hn::Lt(hn::Add(gap.high, hn::Add(gap.low, error)), all(0));
+      const M farther = hn::Gt(hn::Add(gap.high, hn::Sub(gap.low, error)), all(0));
+      hit = hn::Or(hit, hn::And(clear, nearer));
+      miss = hn::Or(miss, hn::And(clear, farther));
+    }
+
+    M flat_x = none();
+    M flat_y = flat_x;
+    M flat_z = flat_x;
+    if (HWY_UNLIKELY(from.has_flat[i])) {
+      flat_x = hn::MaskFromVec(hn::LoadU(tag, from.flat[0] + i));
+      flat_y = hn::MaskFromVec(hn::LoadU(tag, from.flat[1] + i));
+      flat_z = hn::MaskFromVec(hn::LoadU(tag, from.flat[2] + i));
+    }
+    Numbers numbers(out, i, hit, clear);
+    const auto write_normal = [&](std::size_t k, V q, V low, M flat) HWY_ATTR {
+      const Double2 number = turned ? Double2(hn::Neg(q), hn::Neg(low)) : Double2(q, low);
+      numbers.write(k, number, hn::IfThenZeroElse(flat, turn));
+    };
+    write_normal(0, n.q.x, n.low.x, flat_x);
+    write_normal(1, n.q.y, n.low.y, flat_y);
+    write_normal(2, n.q.z, n.low.z, flat_z);
+    const Double2 value = beyond(question.distances.contact);
+    numbers.write(9, value, error);
+    const auto core = [&](std::size_t axis) HWY_ATTR {
+      if constexpr (is_point)
+        return hn::LoadU(tag, rows.p[axis] + i);
+      else
+        return load(from.p, axis, i);
+    };
+    const auto write_points = [&](std::size_t k, const auto& from_first, V within) HWY_ATTR {
+      numbers.write(k, point_beside(core(0), from_first, n.q.x, n.low.x), hn::IfThenZeroElse(flat_x, within));
+      numbers.write(k + 1, point_beside(core(1), from_first, n.q.y, n.low.y), hn::IfThenZeroElse(flat_y, within));
+      numbers.write(k + 2, point_beside(core(2), from_first, n.q.z, n.low.z), hn::IfThenZeroElse(flat_z, within));
+    };
+    const V signed1 = hn::Mul(radius1, all(sign_of(on1, 1)));
+    write_points(kFirst, signed1, hn::MulAdd(radius1, of_length, p_error));
+    Double2 to_second = to_surface;
+    if (on2 != PointOn::nearest_surface) to_second = as_far_as(hn::Mul(radius2, all(sign_of(on2, -1))));
+    write_points(9 - kFirst, to_second, hn::MulAdd(hn::Add(radius2, length), of_length, hn::Add(p_error, d_error)));
+    numbers.finish(miss, size, left);
+  }
 }
 
 /// The first half. (Two loops: each has a chain of operations that is short enough for the processor to begin the next
@@ -204,103 +393,9 @@ HWY_NOINLINE void leave_contacts(const PairColumns<A, B>& pairs, const ContactQu
 template <class A, class B>
 HWY_INLINE void cores_of_vector(const PairColumns<A, B>& pairs, double alarm, std::size_t i, CoreColumns& to) {
   const Feet<A, B> feet(pairs, i);
-  M hit;
   M miss;
-  feet.filter(alarm, hit, miss);
-  const V decision = hn::IfThenElse(hit, all(1), hn::IfThenElseZero(hn::Not(miss), all(0.5)));
-  hn::StoreU(decision, D(), to.decision + i);
+  hn::StoreU(decision_of(feet, alarm, miss), D(), to.decision + i);
   if (!hn::AllTrue(D(), miss)) feet.find_cores(to, i);
-}
-
-/// The contacts of a vector of pairs; `i` + lanes may be beyond pairs.size, and out has room for these.
-template <class A, class B>
-HWY_INLINE void contacts_of_vector(const PairColumns<A, B>& pairs, const ContactQuestion& question, std::size_t i,
-                                   const CoreColumns& from, const ContactRows& out, batch::Count& count) {
-  const D tag;
-  const V decision = hn::LoadU(tag, from.decision + i);
-  M hit = hn::Eq(decision, all(1));
-  M miss = hn::Eq(decision, all(0));
-  auto* const states = reinterpret_cast<std::uint8_t*>(out.state + i);
-  if (hn::AllTrue(tag, miss)) {
-    for (double* column : out.number) hn::StoreU(all(0), tag, column + i);
-    store_flags(hit, states);
-    return;
-  }
-  const Delta d{load(from.d, 0, i), load(from.d, 1, i), load(from.d, 2, i)};
-  const V radius1 = hn::LoadU(tag, pairs.a.back() + i);
-  const V radius2 = hn::LoadU(tag, pairs.b.back() + i);
-  const V d_error = hn::LoadU(tag, from.d_error + i);
-  const V p_error = first_error(pairs, from, i);
-  const Direction n(d, squared_length(d.x.high, d.y.high, d.z.high));
-  const V length = n.root.high;
-  const V turn = hn::Mul(hn::Mul(d_error, all(bounds::kTurn)), n.reciprocal);
-  const V of_length = hn::Add(turn, all(bounds::kCoreError));
-  M certain = hn::Ge(length, hn::Mul(d_error, all(bounds::kClear)));
-
-  // From the first core to a surface of the second shape.
-  const auto as_far_as = [&](V radius) HWY_ATTR {
-    const Double2 sum = two_sum(length, radius);
-    return Double2(sum.high, hn::Add(sum.low, n.root.low));
-  };
-  const Double2 to_surface = as_far_as(hn::Neg(radius2));
-  V error;
-  // The distance of the surfaces less another one, and its error.
-  const auto beyond = [&](double distance) HWY_ATTR {
-    const Double2 rest = two_sum(radius1, all(distance));
-    const Double2 sum = two_difference(to_surface.high, rest.high);
-    const V lengths = hn::Add(hn::Add(length, radius2), rest.high);
-    error = hn::MulAdd(lengths, all(bounds::kCoreError), d_error);
-    return Double2(sum.high, hn::Add(sum.low, hn::Sub(to_surface.low, rest.low)));
-  };
-  if (HWY_UNLIKELY(!hn::AllTrue(tag, hn::Or(hit, miss)))) {
-    const Double2 gap = beyond(question.distances.alarm);
-    const M nearer = hn::Lt(hn::Add(gap.high, hn::Add(gap.low, error)), all(0));
-    const M farther = hn::Gt(hn::Add(gap.high, hn::Sub(gap.low, error)), all(0));
-    hit = hn::Or(hit, hn::And(certain, nearer));
-    miss = hn::Or(miss, hn::And(certain, farther));
-  }
-
-  const V zero = all(0);
-  M flat_x = hn::Eq(d.x.high, zero);
-  M flat_y = hn::Eq(d.y.high, zero);
-  M flat_z = hn::Eq(d.z.high, zero);
-  if (HWY_UNLIKELY(!hn::AllFalse(tag, hn::Or(hn::Or(flat_x, flat_y), flat_z)))) {
-    flat_x = hn::And(flat_x, in_plane(pairs, 0, i));
-    flat_y = hn::And(flat_y, in_plane(pairs, 1, i));
-    flat_z = hn::And(flat_z, in_plane(pairs, 2, i));
-  }
-  certain = hn::And(certain, hit);
-  const auto write = [&](std::size_t k, const Double2& number, V within) HWY_ATTR {
-    const V radius = hn::MulAdd(hn::Abs(number.low), all(bounds::kCoreEta), within);
-    const V above = hn::Add(number.high, hn::Add(number.low, radius));
-    const V below = hn::Add(number.high, hn::Sub(number.low, radius));
-    certain = and_equal(certain, above, below);
-    hn::StoreU(hn::IfThenElseZero(hit, above), tag, out.number[k] + i);
-  };
-  write(0, Double2(n.q.x, n.low.x), hn::IfThenZeroElse(flat_x, turn));
-  write(1, Double2(n.q.y, n.low.y), hn::IfThenZeroElse(flat_y, turn));
-  write(2, Double2(n.q.z, n.low.z), hn::IfThenZeroElse(flat_z, turn));
-  const Double2 value = beyond(question.distances.contact);
-  write(9, value, error);
-  const auto write_points = [&](std::size_t k, const auto& from_first, V within) HWY_ATTR {
-    write(k, point_beside(first_core(pairs, from, 0, i), from_first, n.q.x, n.low.x),
-          hn::IfThenZeroElse(flat_x, within));
-    write(k + 1, point_beside(first_core(pairs, from, 1, i), from_first, n.q.y, n.low.y),
-          hn::IfThenZeroElse(flat_y, within));
-    write(k + 2, point_beside(first_core(pairs, from, 2, i), from_first, n.q.z, n.low.z),
-          hn::IfThenZeroElse(flat_z, within));
-  };
-  const V signed1 = hn::Mul(radius1, all(sign_of(question.points.first, 1)));
-  write_points(3, signed1, hn::MulAdd(radius1, of_length, p_error));
-  Double2 to_second = to_surface;
-  if (question.points.second != PointOn::nearest_surface)
-    to_second = as_far_as(hn::Mul(radius2, all(sign_of(question.points.second, -1))));
-  write_points(6, to_second, hn::MulAdd(hn::Add(radius2, length), of_length, hn::Add(p_error, d_error)));
-
-  store_flags(certain, states);
-  count.hits += hn::CountTrue(tag, hn::And(certain, hn::FirstN(tag, pairs.size - i)));
-  const M settled = hn::Or(miss, certain);
-  if (HWY_UNLIKELY(!hn::AllTrue(tag, settled))) leave_contacts(pairs, question, i, hn::Not(settled), out, count);
 }
 
 template <class A, class B>
@@ -311,47 +406,255 @@ bool cores_of_strip(const PairColumns<A, B>& pairs, CoreColumns& to) {
   return true;
 }
 
+/// The second half, and what the vectors leave.
 template <class A, class B>
-HWY_INLINE void contacts_of_vectors(const PairColumns<A, B>& pairs, const ContactQuestion& question,
-                                    const ContactRows& out, CoreColumns& columns, batch::Count& count) {
-  const std::size_t lanes = hn::Lanes(D());
-  for (std::size_t i = 0; i < pairs.size; i += lanes) cores_of_vector(pairs, question.distances.alarm, i, columns);
-  for (std::size_t i = 0; i < pairs.size; i += lanes) contacts_of_vector(pairs, question, i, columns, out, count);
+void finish_contacts(const PairColumns<A, B>& pairs, const ContactQuestion& question, const ContactRows& out,
+                     const CoreColumns& cores, batch::Count& count) {
+  Left left;
+  Feet<A, B>::contacts(Strip<A, B>{pairs, question, cores, out, left});
+  count.hits += left.hits;
+  count.exact += left.size;
+  for (std::size_t k = 0; k < left.size; ++k) {
+    const std::size_t row = left.rows[k];
+    contact_of_one_pair(pairs, question, row, out, row);
+    count.hits += out.state[row] != batch::PairState::miss ? 1U : 0U;
+  }
 }
 
+/// All pairs of a strip, of which most are hits.
+template <class A, class B>
+void contacts_of_dense(const PairColumns<A, B>& pairs, const ContactQuestion& question, const ContactRows& out,
+                       CoreColumns& cores, batch::Count& count) {
+  for (std::size_t i = 0; i < pairs.size; i += hn::Lanes(D()))
+    cores_of_vector(pairs, question.distances.alarm, i, cores);
+  finish_contacts(pairs, question, out, cores, count);
+}
+
+/// The lanes of a mask, one after the other from the first lane on.
+#if HWY_ARCH_X86 && HWY_TARGET == HWY_AVX2
+/// (Highway 1.0's Compress copies its table to the stack at every call.)
+struct Press {
+  __m256i lanes;
+
+  HWY_INLINE explicit Press(M kept) {
+    // Of 16 masks, the halves of the lanes that are kept, and of the last of them.
+    struct Table {
+      alignas(32) std::uint32_t halves[16][8];
+      constexpr Table() : halves() {
+        for (unsigned mask = 0; mask < 16; ++mask) {
+          unsigned to = 0;
+          for (unsigned lane = 0; lane < 4; ++lane)
+            if ((mask >> lane & 1) != 0) {
+              halves[mask][to++] = 2 * lane;
+              halves[mask][to++] = 2 * lane + 1;
+            }
+        }
+      }
+    };
+    static constexpr Table kTable;
+    const auto mask = static_cast<unsigned>(_mm256_movemask_pd(kept.raw));
+    lanes = _mm256_load_si256(reinterpret_cast<const __m256i*>(kTable.halves[mask]));
+  }
+  HWY_INLINE V operator()(V x) const {
+    return V{_mm256_castsi256_pd(_mm256_permutevar8x32_epi32(_mm256_castpd_si256(x.raw), lanes))};
+  }
+};
+#else
+struct Press {
+  M mask;
+
+  HWY_INLINE explicit Press(M kept) : mask(kept) {}
+  HWY_INLINE V operator()(V x) const { return hn::Compress(x, mask); }
+};
+#endif
+
+/// The pairs of a strip that may be hits, pressed together, with room for their answers. What follows them to the end
+/// of a vector are copies of the last one.
+template <class A, class B>
+struct Pressed {
+  static constexpr std::size_t kFirst = kNumbersOf<A>;
+  static constexpr std::size_t kSecond = kNumbersOf<B>;
+  PairColumns<A, B> pairs;
+  double rows[CoreColumns::kRoom];  ///< which of the strip
+  double numbers[kFirst + kSecond][CoreColumns::kRoom];
+  double answers[ContactRows::kNumbers][CoreColumns::kRoom];
+  batch::PairState states[CoreColumns::kRoom];
+  CoreColumns cores;
+
+  Pressed() {
+    for (std::size_t k = 0; k < kFirst; ++k) pairs.a[k] = numbers[k];
+    for (std::size_t k = 0; k < kSecond; ++k) pairs.b[k] = numbers[kFirst + k];
+  }
+  Pressed(const Pressed&) = delete;
+  Pressed& operator=(const Pressed&) = delete;
+
+  /// Which of the strip's pairs one is.
+  [[nodiscard]] HWY_INLINE std::size_t row(std::size_t i) const { return static_cast<std::uint32_t>(rows[i]); }
+  [[nodiscard]] ContactRows out() {
+    ContactRows made{};
+    for (std::size_t k = 0; k < ContactRows::kNumbers; ++k) made.number[k] = answers[k];
+    made.state = states;
+    return made;
+  }
+
+  /// Leaves their contacts in `to`, which has room for whole vectors.
+  void compute(const PairColumns<A, B>& strip, const ContactQuestion& question, const ContactRows& to,
+               batch::Count& count) {
+    const D tag;
+    const std::size_t lanes = hn::Lanes(tag);
+    pairs.size = 0;
+    for (std::size_t i = 0; i < strip.size; i += lanes) {
+      M miss;
+      const V decision = decision_of(Feet<A, B>(strip, i), question.distances.alarm, miss);
+      if (!hn::AllTrue(tag, miss)) press(strip, i, hn::Not(miss), decision);
+    }
+    if (pairs.size == 0) return;
+    const std::size_t room = (pairs.size + lanes - 1) / lanes * lanes;
+    const auto fill_up = [&](double* column) { std::fill(column + pairs.size, column + room, column[pairs.size - 1]); };
+    for (double* column : numbers) fill_up(column);
+    fill_up(cores.decision);
+    for (std::size_t i = 0; i < pairs.size; i += lanes) Feet<A, B>(pairs, i).find_cores(cores, i);
+    finish_contacts(pairs, question, to, cores, count);
+  }
+
+ private:
+  HWY_INLINE void press(const PairColumns<A, B>& strip, std::size_t i, M kept, V decision) {
+    const D tag;
+    const Press pressed(kept);
+    const auto press_column = [&](V from, double* to) HWY_ATTR { hn::StoreU(pressed(from), tag, to + pairs.size); };
+    for (std::size_t k = 0; k < kFirst; ++k) press_column(hn::LoadU(tag, strip.a[k] + i), numbers[k]);
+    for (std::size_t k = 0; k < kSecond; ++k) press_column(hn::LoadU(tag, strip.b[k] + i), numbers[kFirst + k]);
+    press_column(decision, cores.decision);
+    press_column(hn::Iota(tag, static_cast<double>(i)), rows);
+    pairs.size += hn::CountTrue(tag, kept);
+  }
+};
+
+/// Of a strip of pairs few are hits, or many: what most of them are of one strip is guessed of the next.
 template <class A, class B>
 batch::Count compute_cores(const PairColumns<A, B>& pairs, const ContactQuestion& question, const ContactRows& out) {
   batch::Count count;
-  CoreColumns columns;
+  Pressed<A, B> pressed;
   const std::size_t whole = pairs.size - pairs.size % hn::Lanes(D());
+  bool is_dense = false;
   for_each_strip(pairs.from(0, whole), [&](const PairColumns<A, B>& strip, std::size_t begin) HWY_ATTR {
-    contacts_of_vectors(strip, question, out.from(begin), columns, count);
+    const ContactRows rows = out.from(begin);
+    const std::size_t before = count.hits;
+    if (is_dense) {
+      contacts_of_dense(strip, question, rows, pressed.cores, count);
+    } else {
+      pressed.compute(strip, question, pressed.out(), count);
+      const std::size_t size = pressed.pairs.size;
+      for (std::size_t k = 0; k < ContactRows::kNumbers; ++k) {
+        std::fill_n(rows.number[k], strip.size, 0.0);
+        for (std::size_t row = 0; row < size; ++row) rows.number[k][pressed.row(row)] = pressed.answers[k][row];
+      }
+      std::fill_n(rows.state, strip.size, batch::PairState::miss);
+      for (std::size_t row = 0; row < size; ++row) rows.state[pressed.row(row)] = pressed.states[row];
+    }
+    is_dense = 8 * (count.hits - before) > 3 * strip.size;
   });
   if (whole == pairs.size) return count;
 
   const Padded last(pairs, whole);
-  double numbers[ContactRows::kNumbers][kMostLanes];
-  batch::PairState states[kMostLanes];
-  ContactRows rows{};
-  for (std::size_t k = 0; k < ContactRows::kNumbers; ++k) rows.number[k] = numbers[k];
-  rows.state = states;
-  contacts_of_vectors(last.pairs, question, rows, columns, count);
-  for (std::size_t k = 0; k < ContactRows::kNumbers; ++k) std::copy_n(numbers[k], last.count, out.number[k] + whole);
-  std::copy_n(states, last.count, out.state + whole);
+  contacts_of_dense(last.pairs, question, pressed.out(), pressed.cores, count);
+  for (std::size_t k = 0; k < ContactRows::kNumbers; ++k)
+    std::copy_n(pressed.answers[k], last.count, out.number[k] + whole);
+  std::copy_n(pressed.states, last.count, out.state + whole);
+  return count;
+}
+
+template <class A, class B>
+batch::Count compute_hits_cores(const PairColumns<A, B>& pairs, const ContactQuestion& question, std::uint32_t* index,
+                                const ContactRows& out) {
+  batch::Count count;
+  Pressed<A, B> pressed;
+  std::size_t found = 0;
+  // Takes the rows of the first `size` of `from`, which may be the place that they go to, where they are hits.
+  const auto take = [&](const ContactRows& from, std::size_t size, const auto& index_of) {
+    for (std::size_t row = 0; row < size; ++row) {
+      if (from.state[row] == batch::PairState::miss) continue;
+      index[found] = static_cast<std::uint32_t>(index_of(row));
+      for (std::size_t k = 0; k < ContactRows::kNumbers; ++k) out.number[k][found] = from.number[k][row];
+      out.state[found++] = from.state[row];
+    }
+  };
+  const std::size_t whole = pairs.size - pairs.size % hn::Lanes(D());
+  for_each_strip(pairs.from(0, whole), [&](const PairColumns<A, B>& strip, std::size_t begin) HWY_ATTR {
+    const ContactRows rows = out.from(found);
+    const std::size_t before = count.hits;
+    pressed.compute(strip, question, rows, count);
+    const std::size_t size = pressed.pairs.size;
+    if (count.hits - before == size) {
+      for (std::size_t row = 0; row < size; ++row)
+        index[found + row] = static_cast<std::uint32_t>(begin + pressed.row(row));
+      found += size;
+    } else {
+      take(rows, size, [&](std::size_t row) { return begin + pressed.row(row); });
+    }
+  });
+  if (whole == pairs.size) return count;
+
+  const Padded last(pairs, whole);
+  const ContactRows rows = pressed.out();
+  contacts_of_dense(last.pairs, question, rows, pressed.cores, count);
+  take(rows, last.count, [&](std::size_t row) { return whole + row; });
   return count;
 }
 
 #else
 
-// Without a fused multiply-add the numbers come from the functions of one pair.
+// Without a fused multiply-add the numbers of hits come from the functions of one pair.
 
 template <class A, class B>
 bool cores_of_strip(const PairColumns<A, B>& /*pairs*/, CoreColumns& /*to*/) {
   return false;
 }
+
+/// Calls work(i) for every pair that may be a hit, in ascending order, and missed(i) for the others.
+template <class A, class B, class Work, class Miss>
+void for_each_that_may_be_hit(const PairColumns<A, B>& pairs, double alarm, const Work& work, const Miss& missed) {
+  const auto of_vector = [&](const PairColumns<A, B>& columns, std::size_t at, std::size_t i) HWY_ATTR {
+    M miss;
+    M hit;
+    Feet<A, B>(columns, at).filter(alarm, hit, miss);
+    for_each_lane(miss, pairs.size - i, [&](std::size_t lane) { missed(i + lane); });
+    for_each_lane(hn::Not(miss), pairs.size - i, [&](std::size_t lane) { work(i + lane); });
+  };
+  std::size_t i = 0;
+  for (; i + hn::Lanes(D()) <= pairs.size; i += hn::Lanes(D())) of_vector(pairs, i, i);
+  if (i < pairs.size) of_vector(Padded(pairs, i).pairs, 0, i);
+}
+
 template <class A, class B>
 batch::Count compute_cores(const PairColumns<A, B>& pairs, const ContactQuestion& question, const ContactRows& out) {
-  return compute_scalar(pairs, question, out);
+  batch::Count count;
+  for_each_that_may_be_hit(
+      pairs, question.distances.alarm,
+      [&](std::size_t i) {
+        contact_of_one_pair(pairs, question, i, out, i);
+        count.hits += out.state[i] != batch::PairState::miss ? 1U : 0U;
+        ++count.exact;
+      },
+      [&](std::size_t i) {
+        for (double* column : out.number) column[i] = 0;
+        out.state[i] = batch::PairState::miss;
+      });
+  return count;
+}
+template <class A, class B>
+batch::Count compute_hits_cores(const PairColumns<A, B>& pairs, const ContactQuestion& question, std::uint32_t* index,
+                                const ContactRows& out) {
+  batch::Count count;
+  for_each_that_may_be_hit(
+      pairs, question.distances.alarm,
+      [&](std::size_t i) {
+        contact_of_one_pair(pairs, question, i, out, count.hits);
+        if (out.state[count.hits] != batch::PairState::miss) index[count.hits++] = static_cast<std::uint32_t>(i);
+        ++count.exact;
+      },
+      [](std::size_t /*i*/) {});
+  return count;
 }
 
 #endif
@@ -376,6 +679,11 @@ bool cores_of_strip(const PairColumns<A, B>& /*pairs*/, CoreColumns& /*to*/) {
 template <class A, class B>
 batch::Count compute_cores(const PairColumns<A, B>& pairs, const ContactQuestion& question, const ContactRows& out) {
   return compute_scalar(pairs, question, out);
+}
+template <class A, class B>
+batch::Count compute_hits_cores(const PairColumns<A, B>& pairs, const ContactQuestion& question, std::uint32_t* index,
+                                const ContactRows& out) {
+  return compute_hits_scalar(pairs, question, index, out);
 }
 
 }  // namespace HWY_NAMESPACE

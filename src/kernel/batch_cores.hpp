@@ -6,20 +6,50 @@
 
 namespace contact::kernel {
 
-/// The nearest points p and p + d of a strip of pairs, high and low parts axis by axis. The coordinates of p are within
-/// p_error and the vector d is within d_error, which is infinite where that is not known. Some room between columns
-/// keeps them from the same place in a page, where loads look like recent stores to the processor.
+/// The kinds of pairs whose kernel is a struct Feet: X(name, first shape, second shape).
+#define CONTACT_CORES(X)               \
+  X(sphere_capsule, Ball, Capsule)     \
+  X(capsule_capsule, Capsule, Capsule) \
+  X(sphere_triangle, Ball, Triangle)   \
+  X(ray_sphere, Ray, Ball)             \
+  X(sphere_plane, Ball, Plane)         \
+  X(capsule_plane, Capsule, Plane)     \
+  X(ray_triangle, Ray, Triangle)       \
+  X(triangle_line, Triangle, Line)
+
+/// The cores of a strip of pairs. Vectors are high and low parts, axis by axis: the nearest points are p and p + d, the
+/// lowest point over a plane is p, and a segment that crosses goes along d. The coordinates of p are within p_error and
+/// the vector d is within d_error, which is infinite where that is not known. Some room between columns keeps them from
+/// the same place in a page, where loads look like recent stores to the processor.
 struct CoreColumns {
   static constexpr std::size_t kRoom = kStrip + 24;
   double d[6][kRoom];
   double d_error[kRoom];
-  double decision[kRoom];  ///< 1 a hit, 0 a miss
-  double p[6][kRoom];      ///< of a first core that is no point
+  double decision[kRoom];  ///< one of the following
+  double p[6][kRoom];      ///< of a core that is no point of the question
   double p_error[kRoom];
+  /// Coordinates that all points of both shapes share, as masks of vectors, where `has_flat` of a vector's first pair.
+  double flat[3][kRoom];
+  bool has_flat[kRoom];
+
+  static constexpr double kMiss = 0;
+  static constexpr double kHit = 1;
+  static constexpr double kOpen = 0.5;
 };
 
+/// The pairs of a strip that the vectors leave, and how many of the others are hits.
+struct Left {
+  std::uint16_t rows[kStrip];
+  std::size_t size = 0;
+  std::size_t hits = 0;
+};
+
+/// A column for shapes without a radius.
+inline constexpr double kZeros[kStrip]{};
+
 // For tests: the cores of a strip of whole vectors. False where the instruction set that serves finds none.
-bool find_cores(const SphereCapsulePairs& pairs, CoreColumns& to);
-bool find_cores(const CapsulePairs& pairs, CoreColumns& to);
+#define CONTACT_FIND_CORES(name, A, B) bool find_cores(const PairColumns<A, B>& pairs, CoreColumns& to);
+CONTACT_CORES(CONTACT_FIND_CORES)
+#undef CONTACT_FIND_CORES
 
 }  // namespace contact::kernel

@@ -24,8 +24,10 @@ CONTACT_BATCH_CONTACTS(CONTACT_COMPUTE)
 #undef CONTACT_TEST
 #undef CONTACT_COMPUTE
 
-bool find_cores(const SphereCapsulePairs& /*pairs*/, CoreColumns& /*to*/) { return false; }
-bool find_cores(const CapsulePairs& /*pairs*/, CoreColumns& /*to*/) { return false; }
+#define CONTACT_FIND_CORES(name, A, B) \
+  bool find_cores(const PairColumns<A, B>& /*pairs*/, CoreColumns& /*to*/) { return false; }
+CONTACT_CORES(CONTACT_FIND_CORES)
+#undef CONTACT_FIND_CORES
 
 std::vector<std::string> instruction_sets() { return {}; }
 

@@ -53,14 +53,6 @@ namespace HWY_NAMESPACE {
 
 #if HWY_HAVE_FLOAT64
 
-#define CONTACT_LANES HWY_INLINE
-#if !HWY_NATIVE_FMA  // else batch_arithmetic-inl.h has it
-#include "kernel/double_double-inl.h"
-using Double2 = DoubleDouble<V>;
-#endif
-#include "kernel/sum_of_two-inl.h"
-#undef CONTACT_LANES
-
 /// A vector of pairs and the nearest points.
 struct Nearest {
   V cx, cy, cz, qx, qy, qz;

@@ -5,8 +5,7 @@
 // foreach_target.h includes this file once a target, so it comes before the rest.
 #include <hwy/foreach_target.h>
 
-#include "kernel/batch_capsule_capsule.cpp"
+#include "kernel/batch_cores.cpp"
 #include "kernel/batch_cube_cube.cpp"
-#include "kernel/batch_sphere_capsule.cpp"
 #include "kernel/batch_sphere_cube.cpp"
 #include "kernel/batch_sphere_sphere.cpp"

@@ -24,12 +24,10 @@ using plain_decision::Weights;
 
 /// The least that delta is of its error. A foot's is 320 u^2 |w|, so that what corrects it, 13 u |w|, is short beside delta too.
 inline constexpr double kClear = 0x1p80;
+/// The least length of a normal along an axis, and 1 / the largest.
+inline constexpr double kLeastAlong = 0x1p-50;
 /// The square of delta over that of a correction: one that is shorter changes |d|^2 by less than u / 64 of it.
 inline constexpr double kLeastSteps = 0x1p60;
-/// The least third weight in a triangle: what rounding the others costs it is less.
-inline constexpr double kLeastRest = 0x1p-40;
-/// The least n.d of a crossing: no product that underflows matters beside it, numbers being below 2^250.
-inline constexpr double kLeastThrough = 0x1p-300;
 
 /// One number after the other: cores are built just before, and a processor does not forward what was stored in pieces.
 CONTACT_LANES Axes load(const Vector3& v) { return {_mm256_setr_pd(v[0], v[1], v[2], 0)}; }
@@ -87,7 +85,7 @@ struct Cores {
   CONTACT_LANES Cores() {}
 };
 
-/// A point and a segment: batch_sphere_capsule.cpp. The decision is that of plain_cores.hpp.
+/// A point and a segment: batch_point_segment-inl.h. The decision is that of plain_cores.hpp.
 template <class AnySegment>
 CONTACT_LANES Filtered find_cores(const Vector3& point, const AnySegment& segment, Mask along_same, Number reach,
                                   Cores& cores) {
@@ -128,7 +126,7 @@ struct Ways {
                                      plain_dot(u.high, v.high), plain_dot(u.high, w.high), plain_dot(v.high, w.high)} {}
 };
 
-/// The shortest of them, near which the weights are: batch_capsule_capsule.cpp. A weight that is 0, or 1 where each may be, stays
+/// The shortest of them, near which the weights are: batch_ways-inl.h. A weight that is 0, or 1 where each may be, stays
 /// there. False where it is not certain that no other weights are better. `s_step` is what s lacks.
 template <bool together>
 CONTACT_LANES bool find_cores(const Ways& way, const Weights& weights, Cores& cores, Number& s_step) {
@@ -168,7 +166,7 @@ CONTACT_LANES bool find_cores(const Ways& way, const Weights& weights, Cores& co
   };
   const Number rest = (1 - (s + s_step)) - (t + t_step);
   return belongs(s_ends, s, s_step, s_rises, length1) && belongs(t_ends, t, t_step, t_rises, length2) &&
-         (!together || (rest >= kLeastRest && rest * std::min(length1, length2) >= 8 * error)) &&
+         (!together || (rest >= bounds::kLeastRest && rest * std::min(length1, length2) >= 8 * error)) &&
          determinant * bounds::kMostParallel >= AE && std::min(A, E) >= bounds::kLeastSize &&
          x.ww + (x.uu + x.vv) >= bounds::kLeastSize && steps * steps * kLeastSteps <= cores.d2;
 }
@@ -440,11 +438,25 @@ CONTACT_LANES bool contact_of_hit(const Ball& a, const Box& b, Number contact_di
 
 // Planes.
 
-/// The lowest point of a core over a plane. Left are planes along two axes, where numbers are exact and ties frequent.
+/// Over a floor or beside a wall, a plane along two axes: as before a box's face, where offset / |n| is exact.
+CONTACT_LANES bool hit_over_floor(Axes lowest, Axes n, Number offset, Number radius, Number contact_distance,
+                                  PointOn on, Contact& contact) {
+  const Number size = magnitude(n);
+  const Number place = offset / size;
+  const bool exact = hn::NegMulAdd(place, size, offset) == 0 && size >= kLeastAlong && size <= 1 / kLeastAlong &&
+                     (offset == 0 || std::abs(offset) >= bounds::kLeast);
+  const Axes unit{_mm256_div_pd(n.lanes, _mm256_set1_pd(size))};
+  const Mask level = hn::Eq(unit, all<Axes>(0));
+  const Axes face{_mm256_blendv_pd(hn::Mul(unit, all<Axes>(place)).lanes, lowest.lanes, level.lanes)};
+  return hit_along_axis(lowest, face, hn::Sub(all<Axes>(0), unit), radius, contact_distance, on, false, contact) &&
+         exact;
+}
+/// The lowest point of a core over a plane.
 CONTACT_LANES bool hit_over_plane(Axes lowest, Axes n, Number offset, Number radius, Number contact_distance,
                                   PointOn on, Contact& contact) {
   const Mask level = hn::Eq(n, all<Axes>(0));
   const int axes = bits_of(level) & 0b111;
+  if ((axes & (axes - 1)) != 0) return hit_over_floor(lowest, n, offset, radius, contact_distance, on, contact);
   const Delta over = products(n, lowest);
   const Delta square = products(n, n);
   const Delta sums = sums_of(over, square, square);
@@ -457,7 +469,7 @@ CONTACT_LANES bool hit_over_plane(Axes lowest, Axes n, Number offset, Number rad
   const Double2 s(q, hn::MulAdd(q, root.half_rho, rest_of_q));
   const Number size = std::abs(s.high);
   const Number s_error =
-      4 * kHeightError * (magnitude(over.high) + std::abs(offset)) * (bounds::kTurn * root.reciprocal) + bounds::kLeast;
+      bounds::kOverPlane * (magnitude(over.high) + std::abs(offset)) * root.reciprocal + bounds::kLeast;
   const Double2 rest = two_sum(radius, contact_distance);
   const Double2 sum = two_difference(s.high, rest.high);
   const Near<Number> value(Double2(sum.high, sum.low + (s.low - rest.low)),
@@ -468,7 +480,7 @@ CONTACT_LANES bool hit_over_plane(Axes lowest, Axes n, Number offset, Number rad
                           zero_where(level, all<Axes>(radius * bounds::kCoreError + bounds::kLeast)));
   const Near<Axes> point2(beside(p, s, m), zero_where(level, all<Axes>(size * bounds::kCoreError + s_error)));
   const Near<Axes> normal(Delta(m.q, m.low), zero_where(level, all<Axes>(bounds::kLeast)));
-  return write(normal, point1, point2, value, contact) && (axes & (axes - 1)) == 0 && N.high >= bounds::kLeastSize;
+  return write(normal, point1, point2, value, contact) && N.high >= bounds::kLeastNormalSquare;
 }
 /// Left are capsules whose ends are nearly level.
 CONTACT_LANES bool hit_over_plane(Axes start, Axes end, Axes n, Number offset, Number radius, Number contact_distance,
@@ -568,7 +580,7 @@ CONTACT_LANES bool hit_of_crossing(Axes a, const Delta& d, Axes v0, Axes v1, Axe
       beside(exact(a), Double2(q, rest * reciprocal), Directed(d)),
       zero_where(hn::Eq(d.high, zero), hn::MulAdd(all<Axes>(part_error), hn::Abs(d.high), all<Axes>(bounds::kLeast))));
   return write(normal, crossing, crossing, Near<Number>(Double2(0, 0), 0), contact) &&
-         std::abs(through.high) > S * size.fourth * 0x1p-40 && std::abs(through.high) >= kLeastThrough &&
+         std::abs(through.high) > S * size.fourth * 0x1p-40 && std::abs(through.high) >= bounds::kLeastThrough &&
          z_of(sum) >= bounds::kLeastSize;
 }
 
