@@ -155,6 +155,13 @@ def many_table(m):
                   "ratio", "one pair to this"], rows)
 
 
+def scenes_table(m):
+    scenes = list(dict.fromkeys(name.split("/")[2] for name in m.entries if name.startswith("Scene/")))
+    subjects = [s for s in SUBJECTS if any(m.ns(f"Scene/{s}/{scene}/L2") for scene in scenes)]
+    rows = [[scene, *(number(m.ns(f"Scene/{s}/{scene}/L2")) for s in subjects)] for scene in scenes]
+    return table(["contact, ns", *subjects], rows)
+
+
 def convexes_table(m):
     peers = [s for s in SUBJECTS if SUBJECTS[s] == "peer" and any(m.ns(f"Peer/{s}/{pair}_test/L2") for pair in CONVEXES)]
     rows = []
@@ -436,6 +443,9 @@ def main():
         "Plain double is [the formula of the engine `plain-double`](../bench/peers/own.cpp), ours the function of one pair.", pairs_table(m),
         "### Every pair, many at once",
         "Plain double is [its formulas in the same vectors](../bench/plain_batch.cpp), ours the functions of `contact::batch`.", many_table(m),
+        "### Scenes, beside the peers",
+        "One pair after the other, [as scenes have them](../bench/peers/scenes.hpp): on floors, upright, along axes. About half of the pairs are hits.",
+        scenes_table(m),
         "### Whole models, beside the peers",
         "Every contact of a set of spheres with itself, without an alarm distance. FCL and Bullet build their broad phase anew, as ours does each time; "
         '"again" leaves this out. Times of "ours, all threads" are by the wall clock.', models_table(m),

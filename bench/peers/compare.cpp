@@ -12,6 +12,7 @@
 #include "golden/right_case.hpp"
 #include "oracle/judge/judge.hpp"
 #include "peers/peers.hpp"
+#include "peers/scenes.hpp"
 #include "places.hpp"
 #include "plain_batch.hpp"
 #include "questions.hpp"
@@ -139,6 +140,19 @@ void register_times_of_families(const Peer& ours) {
 }
 
 template <class A, class B>
+void register_times_of_scenes(const Peer& peer, const std::vector<Scene<A, B>>& scenes) {
+  const auto& compute = peer.of<Two<A, B>>().compute;
+  if (!compute || peer.slow) return;
+  for (const Scene<A, B>& scene : scenes) {
+    std::vector<Two<A, B>> pairs;
+    Uniform uniform(1);
+    while (pairs.size() < kPlaces[0].pairs) pairs.push_back(scene.make(uniform));
+    at_place("Scene/" + peer.name + "/" + scene.name, kPlaces[0],
+             [compute, pairs](std::size_t n) { compute(pairs, answers(n).data()); });
+  }
+}
+
+template <class A, class B>
 void register_batch_times(const Subject<A, B>& subject, bool everywhere) {
   const std::string plain = "Peer/plain double, vectors/";
   const std::string ours = "Peer/ours, batch/";
@@ -253,6 +267,9 @@ void count_wrong_answers(benchmark::State& state, const Peer& peer, const std::s
       std::apply([&](const auto&... subject) { (register_times(subject, peer, false), ...); }, kOthers);
       register_times_of_boxes(peer);
       register_times_of_hulls(peer);
+      std::apply([&](const auto&... scenes) { (register_times_of_scenes(peer, scenes), ...); },
+                 std::tie(kScenesOfBalls, kScenesOfPlanes, kScenesOfCapsulesAndPlanes, kScenesOfCapsules,
+                          kScenesOfTwoCapsules, kScenesOfTriangles, kScenesOfRays));
       all.push_back(std::move(peer));
     }
   register_times_of_families(all[1]);

@@ -40,7 +40,7 @@ COMPONENTS = {
                "src/kernel/convexes_enclosed-inl.h", "src/kernel/convexes_enclosed.hpp", "src/kernel/convexes_filter.hpp",
                "src/kernel/enclosure-inl.h", "src/kernel/expanding_polytope.hpp",
                "src/kernel/capsule_capsule.cpp", "src/kernel/cores.cpp", "src/kernel/cores_double_double.hpp",
-               "src/kernel/cores_one_vector.hpp", "src/kernel/cores_stages.hpp", "src/kernel/segment_cores.cpp", "src/kernel/segment_cores.hpp", "src/kernel/sphere_capsule.cpp",
+               "src/kernel/cores_one_vector.hpp", "src/kernel/cores_stages.hpp", "src/kernel/simple_points.hpp", "src/kernel/segment_cores.cpp", "src/kernel/segment_cores.hpp", "src/kernel/sphere_capsule.cpp",
                "src/kernel/ray_sphere.cpp", "src/kernel/sphere_triangle.cpp", "src/kernel/triangle_cores.cpp", "src/kernel/triangle_cores.hpp",
                "src/kernel/cube_cube.cpp", "src/kernel/exact.cpp", "src/kernel/exact.hpp", "src/kernel/exact_sum.cpp",
                "src/kernel/double_double-inl.h", "src/kernel/fixed_integer.hpp", "src/kernel/floating_point_environment.hpp",

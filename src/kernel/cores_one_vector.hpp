@@ -72,8 +72,18 @@ CONTACT_LANES Number dot(const Delta& x, const Delta& y) {
   return (xy.high + z_of(p)) + (xy.low + rests);
 }
 
+/// y, z, x.
+CONTACT_LANES Axes turned_once(Axes a) { return {_mm256_permute4x64_pd(a.lanes, 0b11001001)}; }
+CONTACT_LANES Delta turned_once(const Delta& x) { return Delta(turned_once(x.high), turned_once(x.low)); }
+/// The components of u x v whose products are 0.
+CONTACT_LANES Mask zeros_of_cross(Axes u, Axes v) {
+  const Axes zero = all<Axes>(0);
+  const Mask one = hn::Or(hn::Eq(u, zero), hn::Eq(turned_once(v), zero));
+  return turned_once(hn::And(one, hn::Or(hn::Eq(turned_once(u), zero), hn::Eq(v, zero))));
+}
+
 /// Two cores: d from the first to the second, |d|^2 in plain arithmetic, and the first, p. `same`: lanes whose coordinate all points
-/// share.
+/// share. `flat`: lanes of d that are 0.
 struct Cores {
   Delta d;
   Number d2;
@@ -81,8 +91,9 @@ struct Cores {
   Delta p;
   Number p_error;
   Mask same;
+  Mask flat;
 
-  CONTACT_LANES Cores() {}
+  CONTACT_LANES Cores() : flat(all<Axes>(0)) {}
 };
 
 /// A point and a segment: batch_point_segment-inl.h. The decision is that of plain_cores.hpp.
@@ -92,6 +103,8 @@ CONTACT_LANES Filtered find_cores(const Vector3& point, const AnySegment& segmen
   const Axes c = load(point);
   const Axes start = load(segment.start);
   const Delta v = exactly_along(segment);
+  const int level = bits_of(hn::Eq(v.high, all<Axes>(0))) & 0b111;
+  if ((level & (level - 1)) != 0) return Filtered::undecided;  // along an axis: simple_points.hpp
   const Delta w = two_difference(start, c);
   const Number ww = plain_dot(w.high, w.high);
   const Number vv = plain_dot(v.high, v.high);
@@ -156,6 +169,13 @@ CONTACT_LANES bool find_cores(const Ways& way, const Weights& weights, Cores& co
   cores.d = stepped(stepped(d, t_step, way.v), s_step, way.u);
   cores.d2 = plain_dot(d.high, d.high);
   cores.d_error = error;
+  cores.flat = all<Axes>(0);
+  if (!s_ends && !t_ends &&
+      ((bits_of(hn::Eq(way.u.high, all<Axes>(0))) | bits_of(hn::Eq(way.v.high, all<Axes>(0)))) & 0b111) != 0) {
+    // d is along u x v, and 0 where that is.
+    cores.flat = zeros_of_cross(way.u.high, way.v.high);
+    cores.d = Delta(zero_where(cores.flat, cores.d.high), zero_where(cores.flat, cores.d.low));
+  }
   // At an end: beyond it the distance would still fall. Elsewhere: no end is within the error.
   const Number s_rises = hn::MulAdd(x.uv, t_step, d_u);
   const Number t_rises = hn::MulAdd(x.uv, s_step, d_v);
@@ -212,7 +232,7 @@ CONTACT_LANES Delta beside(const Delta& core, const Double2& length, const AnyWa
 
 /// The contact of cores with a distance: the second core is the first and s n, and its surface nearer by the radius. `turned`: what
 /// comes first in the question is second here.
-template <bool turned>
+template <bool turned, bool first_is_point = true>
 CONTACT_LANES Filtered contact_of_cores(const Cores& cores, const Lengths& lengths, ContactPoints points,
                                         Contact& contact) {
   const Number radius1 = turned ? lengths.radius2 : lengths.radius1;
@@ -235,11 +255,13 @@ CONTACT_LANES Filtered contact_of_cores(const Cores& cores, const Lengths& lengt
     to_second = two_sum(length, sign_of(on2, -1) * radius2);
     to_second.low += n.root.low;
   }
-  const Mask flat = hn::And(hn::Eq(cores.d.high, all<Axes>(0)), cores.same);
+  const Mask same = hn::And(hn::Eq(cores.d.high, all<Axes>(0)), cores.same);
+  const Mask flat = hn::Or(cores.flat, same);
+  const Mask exact = first_is_point ? flat : same;
   const Near<Axes> point1(beside(cores.p, Double2(sign_of(on1, 1) * radius1, 0), n),
-                          zero_where(flat, all<Axes>(radius1 * of_length + cores.p_error)));
-  const Near<Axes> point2(beside(cores.p, to_second, n), zero_where(flat, all<Axes>((radius2 + length) * of_length +
-                                                                                    (cores.p_error + cores.d_error))));
+                          zero_where(exact, all<Axes>(radius1 * of_length + cores.p_error)));
+  const Near<Axes> point2(beside(cores.p, to_second, n), zero_where(exact, all<Axes>((radius2 + length) * of_length +
+                                                                                     (cores.p_error + cores.d_error))));
   const Delta direction(n.q, n.low);
   const Near<Axes> normal(turned ? negative(direction) : direction, zero_where(flat, all<Axes>(turn)));
   const bool settled =
@@ -281,7 +303,7 @@ CONTACT_LANES Filtered contact_of(const Segment& first, const Segment& second, c
   cores.p = stepped(moved(exact(start1), -weights.s, way.u), -step, way.u);
   cores.p_error = cores.d_error;
   cores.same = hn::And(hn::And(hn::Eq(start1, end1), hn::Eq(start1, start2)), hn::Eq(start1, end2));
-  return contact_of_cores<false>(cores, lengths, points, contact);
+  return contact_of_cores<false, false>(cores, lengths, points, contact);
 }
 CONTACT_LANES Filtered contact_of(const Vector3& point, const Corners& triangle, const Lengths& lengths,
                                   ContactPoints points, Contact& contact) {
@@ -482,14 +504,24 @@ CONTACT_LANES bool hit_over_plane(Axes lowest, Axes n, Number offset, Number rad
   const Near<Axes> normal(Delta(m.q, m.low), zero_where(level, all<Axes>(bounds::kLeast)));
   return write(normal, point1, point2, value, contact) && N.high >= bounds::kLeastNormalSquare;
 }
-/// Left are capsules whose ends are nearly level.
+/// Left are capsules whose ends are nearly level, unless they are so exactly and over a floor.
 CONTACT_LANES bool hit_over_plane(Axes start, Axes end, Axes n, Number offset, Number radius, Number contact_distance,
                                   PointOn on, Contact& contact) {
   const Axes of_start = hn::Mul(n, start);
   const Axes of_end = hn::Mul(n, end);
   const Number rise = sum_of(hn::Sub(of_end, of_start));
   const Number sizes = sum_of(hn::Add(hn::Abs(of_start), hn::Abs(of_end)));
-  if (!(std::abs(rise) > 8 * bounds::kUnit * sizes + bounds::kLeast)) return false;
+  if (!(std::abs(rise) > 8 * bounds::kUnit * sizes + bounds::kLeast)) {
+    const int level = bits_of(hn::Eq(n, all<Axes>(0))) & 0b111;
+    const int same = bits_of(hn::Eq(start, end)) & 0b111;
+    if (same == 0b111) return hit_over_plane(start, n, offset, radius, contact_distance, on, contact);
+    if ((level & (level - 1)) == 0 || (level | same) != 0b111) return false;
+    // Numbers below 2^250: the half of a sum is rounded once.
+    const Axes middle = hn::Mul(all<Axes>(0.5), hn::Add(start, end));
+    const bool settled = hit_over_floor(middle, n, offset, radius, contact_distance, on, contact);
+    contact.unique = false;
+    return settled;
+  }
   const Axes lower{
       _mm256_blendv_pd(end.lanes, start.lanes, _mm256_cmp_pd(_mm256_set1_pd(rise), _mm256_setzero_pd(), _CMP_GT_OQ))};
   return hit_over_plane(lower, n, offset, radius, contact_distance, on, contact);
@@ -522,10 +554,6 @@ CONTACT_LANES bool contact_of_hit(const Capsule& a, const Plane& b, Number conta
 
 // Crossings, by the formulas of crossing_cores.hpp.
 
-/// y, z, x.
-CONTACT_LANES Axes turned_once(Axes a) { return {_mm256_permute4x64_pd(a.lanes, 0b11001001)}; }
-CONTACT_LANES Delta turned_once(const Delta& x) { return Delta(turned_once(x.high), turned_once(x.low)); }
-
 /// The sums of the components of four vectors whose last lane is 0.
 struct Magnitudes {
   Number first;
@@ -556,8 +584,7 @@ CONTACT_LANES bool hit_of_crossing(Axes a, const Delta& d, Axes v0, Axes v1, Axe
   const Delta one = products(u, turned_v);
   const Delta other = products(turned_u, v);
   const Axes zero = all<Axes>(0);
-  const Mask flat = hn::And(hn::Or(hn::Eq(u.high, zero), hn::Eq(turned_v.high, zero)),
-                            hn::Or(hn::Eq(turned_u.high, zero), hn::Eq(v.high, zero)));
+  const Mask flat = zeros_of_cross(u.high, v.high);
   const Delta high = two_difference(one.high, other.high);
   const Delta n = turned_once(Delta(high.high, hn::Add(high.low, hn::Sub(one.low, other.low))));
   const Delta sums = sums_of(products(n, d), products(n, w), squares(n));
@@ -574,7 +601,7 @@ CONTACT_LANES bool hit_of_crossing(Axes a, const Delta& d, Axes v0, Axes v1, Axe
   const ReciprocalRoot root(Double2(z_of(sum), z_of(sum_low)));
   const Directed m(n, root, turned);
   const Number turn = 64 * kUnitSquared * S * bounds::kTurn * root.reciprocal;
-  const Near<Axes> normal(Delta(m.q, m.low), zero_where(turned_once(flat), all<Axes>(turn)));
+  const Near<Axes> normal(Delta(m.q, m.low), zero_where(flat, all<Axes>(turn)));
   // Along a plane of an axis the coordinate is the start's.
   const Near<Axes> crossing(
       beside(exact(a), Double2(q, rest * reciprocal), Directed(d)),

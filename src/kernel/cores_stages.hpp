@@ -5,6 +5,7 @@
 #include "kernel/cores_double_double.hpp"
 #include "kernel/cores_one_vector.hpp"
 #include "kernel/floating_point_environment.hpp"
+#include "kernel/simple_points.hpp"
 
 namespace contact::kernel {
 
@@ -19,6 +20,37 @@ template <class First, class Second>
                                   ContactPoints points, unsigned open, Contact& contact) {
   const auto grid = grid_of(first, second, lengths);
   round_exactly(exact_nearest(first, second, grid), grid, lengths, points, open, contact);
+}
+
+/// Of cores whose nearest points are simple and do not meet: a miss, or a hit and its contact; else neither.
+template <class First, class Second>
+[[gnu::noinline]] Filtered contact_at_simple_points([[maybe_unused]] const First& first,
+                                                    [[maybe_unused]] const Second& second,
+                                                    [[maybe_unused]] const Lengths& lengths,
+                                                    [[maybe_unused]] ContactPoints points,
+                                                    [[maybe_unused]] Contact& contact) {
+  if constexpr (MayBeSimple<First, Second>) {
+    SimplePoints at;
+    if (!simple_points(first, second, at) || at.p == at.q) return Filtered::undecided;
+    if (!contact_of_balls({at.p, lengths.radius1}, {at.q, lengths.radius2}, {lengths.alarm, lengths.contact}, points,
+                          contact))
+      return Filtered::miss;
+    contact.unique = at.unique;
+    return Filtered::hit;
+  }
+  return Filtered::undecided;
+}
+template <class First, class Second>
+[[gnu::noinline]] Filtered decide_at_simple_points([[maybe_unused]] const First& first,
+                                                   [[maybe_unused]] const Second& second,
+                                                   [[maybe_unused]] const Lengths& lengths) {
+  if constexpr (MayBeSimple<First, Second>) {
+    SimplePoints at;
+    if (!simple_points(first, second, at)) return Filtered::undecided;
+    return decide_balls({at.p, lengths.radius1}, {at.q, lengths.radius2}, lengths.alarm) ? Filtered::hit
+                                                                                         : Filtered::miss;
+  }
+  return Filtered::undecided;
 }
 
 /// Asks of the numbers of a contact, `ask(fast)`, where the fast stage has them. (Without std::optional, whose constructors are
@@ -38,6 +70,8 @@ template <class First, class Second>
                                                   ContactPoints points, Contact& contact) {
   Filtered filtered = plain_filtered(first, second, lengths);
   if (filtered == Filtered::miss) return false;
+  const Filtered simple = contact_at_simple_points(first, second, lengths, points, contact);
+  if (simple != Filtered::undecided) return simple == Filtered::hit;
   unsigned open = kAllNumbers;
   with_fast_stage(first, second, lengths, [&](const auto& fast) {
     if (filtered == Filtered::undecided) filtered = fast.filtered(lengths.alarm);
@@ -46,6 +80,7 @@ template <class First, class Second>
   if (filtered == Filtered::undecided)
     filtered = decide_exactly(first, second, lengths) ? Filtered::hit : Filtered::miss;
   if (filtered == Filtered::miss) return false;
+  if (open != 0) open = settle_foot(first, second, open, contact);
   if (open != 0) round_open(first, second, lengths, points, open, contact);
   return true;
 }
@@ -53,6 +88,7 @@ template <class First, class Second>
 template <class First, class Second>
 [[gnu::always_inline]] inline bool decide_inline(const First& first, const Second& second, const Lengths& lengths) {
   Filtered filtered = plain_filtered(first, second, lengths);
+  if (filtered == Filtered::undecided) filtered = decide_at_simple_points(first, second, lengths);
   if (filtered == Filtered::undecided)
     with_fast_stage(first, second, lengths, [&](const auto& fast) { filtered = fast.filtered(lengths.alarm); });
   return filtered == Filtered::undecided ? decide_exactly(first, second, lengths) : filtered == Filtered::hit;

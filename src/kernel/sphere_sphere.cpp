@@ -18,6 +18,7 @@
 // A call is compute_sphere_sphere, contact_of_pair, and the stages. docs/specification.md, "Correct rounding", says
 // why.
 #include "contact/sphere_sphere.hpp"
+#include "contact/exact_sum.hpp"
 #include "contact/pair_functions.hpp"
 
 #include <array>
@@ -34,6 +35,7 @@
 #include "kernel/sphere_sphere_numbers.hpp"
 #include "kernel/sphere_sphere_one_vector.hpp"
 #include "kernel/sphere_sphere_scaled.hpp"
+#include "kernel/sum_of_two.hpp"
 
 namespace contact::inline CONTACT_ABI {
 namespace {
@@ -261,10 +263,34 @@ unsigned round_scaled(const kernel::ScaledPair& pair, const Ball& a, const Ball&
   return true;
 }
 
+/// The one axis along which centres lie, or -1.
+int axis_of_both(const Ball& a, const Ball& b) {
+  int axis = -1;
+  for (int k = 0; k < 3; ++k) {
+    if (a.center[k] == b.center[k]) continue;
+    if (axis >= 0) return -1;
+    axis = k;
+  }
+  return axis;
+}
+
+/// The distance of the surfaces of balls along an axis less another one, rounded once.
+double beyond(const Ball& a, const Ball& b, int axis, double distance) {
+  const double sign = a.center[axis] < b.center[axis] ? 1 : -1;
+  kernel::one_number::SumOfTwo<double> sum(sign * b.center[axis], -sign * a.center[axis]);
+  sum.add(-a.radius);
+  sum.add(-b.radius);
+  sum.add(-distance);
+  if (sum.lost == 0) return sum.rounded();
+  return rounded_sum({sign * b.center[axis], -sign * a.center[axis], -a.radius, -b.radius, -distance});
+}
+
 // Behind a call that is not inlined, as with_fma is.
 [[gnu::noinline]] bool decide(const Ball& a, const Ball& b, double alarm) {
   const Filtered filtered = plain_decision::filter_balls(a, b, alarm);
-  return filtered == Filtered::undecided ? decide_open(a, b, alarm) : filtered == Filtered::hit;
+  if (filtered != Filtered::undecided) return filtered == Filtered::hit;
+  const int axis = axis_of_both(a, b);
+  return axis >= 0 ? beyond(a, b, axis, alarm) <= 0 : decide_open(a, b, alarm);
 }
 
 #if CONTACT_HAS_ONE_VECTOR
@@ -286,6 +312,26 @@ constexpr double kMostSquare = kernel::ForDouble::kMost;
 }
 #endif
 
+/// Along an axis every number is a sum of numbers of the question. False for a miss.
+bool contact_along_axis(const Ball& a, const Ball& b, int axis, Distances distances, ContactPoints points,
+                        Contact& contact) {
+  const double sign = a.center[axis] < b.center[axis] ? 1 : -1;
+  if (beyond(a, b, axis, distances.alarm) > 0) return false;
+  contact.degenerate = false;
+  contact.unique = true;
+  const auto on = [&](const Ball& ball, double signed_radius, Vector3& point) {
+    for (int k = 0; k < 3; ++k) {
+      const double x = k == axis ? ball.center[k] + sign * signed_radius : ball.center[k];
+      point[k] = x == 0 ? 0 : x;  // every zero is +0
+    }
+  };
+  for (int k = 0; k < 3; ++k) contact.normal[k] = k == axis ? sign : 0;
+  on(a, sign_of(points.first, 1) * a.radius, contact.point1);
+  on(b, sign_of(points.second, -1) * b.radius, contact.point2);
+  contact.value = beyond(a, b, axis, distances.contact);
+  return true;
+}
+
 bool contact_of_pair(const Ball& a, const Ball& b, Distances distances, ContactPoints points, Contact& contact) {
 #if CONTACT_HAS_ONE_VECTOR
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
@@ -293,6 +339,7 @@ bool contact_of_pair(const Ball& a, const Ball& b, Distances distances, ContactP
     if (said != Filtered::undecided) return said == Filtered::hit;
   }
 #endif
+  if (const int axis = axis_of_both(a, b); axis >= 0) return contact_along_axis(a, b, axis, distances, points, contact);
   return with_fma([&] { return contact_of(a, b, distances, points, contact); });
 }
 
@@ -325,6 +372,11 @@ std::optional<Contact> contact_of(const Balls& balls, Distances distances, Conta
 
 }  // namespace contact::inline CONTACT_ABI
 
+bool contact::kernel::decide_balls(const Ball& a, const Ball& b, double alarm) { return contact::decide(a, b, alarm); }
+bool contact::kernel::contact_of_balls(const Ball& a, const Ball& b, Distances distances, ContactPoints points,
+                                       Contact& contact) {
+  return contact::contact_of_pair(a, b, distances, points, contact);
+}
 void contact::kernel::round_numbers(const Ball& a, const Ball& b, double contact_distance, ContactPoints points,
                                     unsigned numbers, Contact& contact) {
   round(a, b, contact_distance, points, numbers, contact);

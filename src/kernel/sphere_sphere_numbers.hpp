@@ -32,4 +32,13 @@ struct Unset {
 void round_numbers(const Ball& a, const Ball& b, double contact_distance, ContactPoints points, unsigned numbers,
                    Contact& contact);
 
+// The functions of two balls, for pairs that come to these.
+// Domain      to nearest, subnormals kept.
+
+/// Whether they are within the alarm distance.
+[[nodiscard]] bool decide_balls(const Ball& a, const Ball& b, double alarm);
+/// Whether there is a contact, and it.
+[[nodiscard]] bool contact_of_balls(const Ball& a, const Ball& b, Distances distances, ContactPoints points,
+                                    Contact& contact);
+
 }  // namespace contact::kernel

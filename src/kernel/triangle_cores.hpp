@@ -112,24 +112,25 @@ struct PlainView {
   return true;
 }
 
-/// The nearest points; false where plain arithmetic cannot tell which feature of the triangle it is, or the triangle is
-/// nearly a line.
-[[gnu::always_inline]] inline bool find_nearest(const Vector3& c, const Corners& triangle,
-                                                ApproximateNearest& nearest) {
+/// Which feature of a triangle a point is nearest to, as far as plain arithmetic can tell: the face, the edge from one
+/// vertex to another, whose ends count, or a corner.
+struct NearestFeature {
+  enum class Kind { unknown, face, edge, corner };
+  Kind kind = Kind::unknown;
+  std::size_t from = 0;
+  std::size_t to = 0;
+};
+[[gnu::always_inline]] inline NearestFeature nearest_feature(const PlainView& view, const Corners& triangle) {
+  using Kind = NearestFeature::Kind;
   const auto& vertices = triangle.vertices;
-  const PlainView view = plain_view(c, triangle);
   std::array<std::size_t, 3> beyond{};
   std::size_t count = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!(std::abs(view.e[k]) > view.error[k])) return false;
+    if (!(std::abs(view.e[k]) > view.error[k])) return {};
     if (view.e[k] < 0) beyond[count++] = k;
   }
-  if (count == 0) return foot_on_face(c, triangle, nearest);
-  const auto on_edge = [&](std::size_t from, std::size_t to) {
-    nearest = nearest_of(c, foot_on(Segment{vertices[from], vertices[to]}, c));
-    return true;
-  };
-  if (count == 1) return on_edge(beyond[0], kNextVertex[beyond[0]]);
+  if (count == 0) return {Kind::face};
+  if (count == 1) return {Kind::edge, beyond[0], kNextVertex[beyond[0]]};
   // Edges k and k + 1 have v_(k+1) in common; 2 and 0 have v_0.
   const std::size_t corner = beyond[0] == 0 && beyond[1] == 2 ? 0 : beyond[1];
   const std::size_t ahead = kNextVertex[corner];
@@ -142,12 +143,32 @@ struct PlainView {
     return along > bound ? 1 : along < -bound ? -1 : 0;
   };
   const int to_ahead = side(ahead);
-  if (to_ahead > 0) return on_edge(corner, ahead);
+  if (to_ahead > 0) return {Kind::edge, corner, ahead};
   const int to_back = side(back);
-  if (to_back > 0) return on_edge(corner, back);
-  if (to_ahead == 0 || to_back == 0) return false;
-  nearest = {exactly(c), exactly(vertices[corner]), difference(vertices[corner], c), 0, 0, 0};
-  return true;
+  if (to_back > 0) return {Kind::edge, corner, back};
+  return to_ahead == 0 || to_back == 0 ? NearestFeature{} : NearestFeature{Kind::corner, corner};
+}
+
+/// The nearest points; false where plain arithmetic cannot tell which feature of the triangle it is, or the triangle is
+/// nearly a line.
+[[gnu::always_inline]] inline bool find_nearest(const Vector3& c, const Corners& triangle,
+                                                ApproximateNearest& nearest) {
+  const auto& vertices = triangle.vertices;
+  const NearestFeature feature = nearest_feature(plain_view(c, triangle), triangle);
+  switch (feature.kind) {
+    case NearestFeature::Kind::face:
+      return foot_on_face(c, triangle, nearest);
+    case NearestFeature::Kind::edge:
+      nearest = nearest_of(c, foot_on(Segment{vertices[feature.from], vertices[feature.to]}, c));
+      return true;
+    case NearestFeature::Kind::corner: {
+      const Vector3& corner = vertices[feature.from];
+      nearest = {exactly(c), exactly(corner), difference(corner, c), 0, 0, 0};
+      return true;
+    }
+    default:
+      return false;
+  }
 }
 
 }  // namespace contact::kernel

@@ -1,0 +1,175 @@
+// Scenes of things along axes: the functions of one pair against the exact stage alone, and that few pairs get to it.
+#include "kernel/simple_points.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <random>
+
+#include "contact/capsule_capsule.hpp"
+#include "contact/capsule_plane.hpp"
+#include "contact/ray_sphere.hpp"
+#include "contact/ray_triangle.hpp"
+#include "contact/sphere_capsule.hpp"
+#include "contact/sphere_plane.hpp"
+#include "contact/sphere_sphere.hpp"
+#include "contact/sphere_triangle.hpp"
+#include "contact/triangle_line.hpp"
+#include "kernel/contacts_for_tests.hpp"
+#include "kernel/crossing_cores.hpp"
+#include "kernel/plane_cores.hpp"
+
+namespace contact::simple_points_test {
+namespace {
+
+/// Numbers of scenes: whole ones, quarters, ones of all bits; zeros of both signs.
+class Scene {
+ public:
+  explicit Scene(std::uint32_t seed) : random_(seed) {}
+
+  double coordinate() {
+    switch (below(4)) {
+      case 0:
+        return static_cast<double>(below(7)) - 3;
+      case 1:
+        return below(2) == 0 ? 0.0 : -0.0;
+      case 2:
+        return static_cast<double>(below(33)) / 8 - 2;
+      default:
+        return any(-3, 3);
+    }
+  }
+  double length() { return below(4) == 0 ? 0 : below(2) == 0 ? static_cast<double>(below(9)) / 4 : any(0, 3); }
+  Vector3 point() {
+    const double x = coordinate();
+    const double y = coordinate();
+    return {x, y, coordinate()};
+  }
+  /// Elsewhere along an axis, or along a diagonal of two, or anywhere.
+  Vector3 beside(Vector3 point) {
+    const auto axis = static_cast<Eigen::Index>(below(3));
+    const std::uint32_t kind = below(6);
+    if (kind == 0) return this->point();
+    if (kind == 1) {
+      const double step = static_cast<double>(below(5)) - 2;
+      point[(axis + 1) % 3] += step;
+      point[(axis + 2) % 3] += below(2) == 0 ? step : -step;
+      return point;
+    }
+    point[axis] = coordinate();
+    return point;
+  }
+  Vector3 along_axis() {
+    Vector3 v(0, 0, 0);
+    v[static_cast<Eigen::Index>(below(3))] = below(2) == 0 ? 1 : -any(0.5, 3);
+    return v;
+  }
+  std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(random_() % n); }
+  double any(double from, double to) { return std::uniform_real_distribution<double>(from, to)(random_); }
+
+ private:
+  std::mt19937 random_;
+};
+
+/// What was asked, and how many hits came without the exact stage: of simple points.
+struct Count {
+  int hits = 0;
+  int simple = 0;
+};
+
+template <class First, class Second>
+void expect_right(const std::optional<Contact>& contact, bool hit, const First& first, const Second& second,
+                  const kernel::Lengths& lengths, Count& count) {
+  expect_same(contact, computed_exactly(first, second, lengths));
+  EXPECT_EQ(hit, contact.has_value());
+  if (!contact) return;
+  ++count.hits;
+  if constexpr (kernel::MayBeSimple<First, Second>) {
+    Contact made;
+    const auto said = kernel::contact_at_simple_points(first, second, lengths, {}, made);
+    count.simple += said == kernel::Filtered::hit ? 1 : 0;
+  }
+}
+
+TEST(SimplePoints, give_the_bits_of_the_exact_stage) {
+  Scene scene(7);
+  Count spheres, capsules, triangles, rays, others;
+  for (int i = 0; i < 20000 && !testing::Test::HasFailure(); ++i) {
+    const Vector3 start1 = scene.point();
+    const Vector3 end1 = scene.beside(start1);
+    const Vector3 start2 = scene.beside(scene.below(2) == 0 ? start1 : scene.point());
+    const Vector3 end2 = scene.beside(start2);
+    const Vector3 third = scene.beside(scene.below(2) == 0 ? start2 : end2);
+    const double radius1 = scene.length();
+    const double radius2 = scene.length();
+    const Distances distances{scene.below(2) == 0 ? 0 : scene.length(), scene.length()};
+    const auto of = [&](double r1, double r2) { return kernel::Lengths{r1, r2, distances.alarm, distances.contact}; };
+    const kernel::Segment first{start1, end1};
+    const kernel::Segment second{start2, end2};
+    const Ball ball{start1, radius1};
+    const Capsule capsule1{start1, end1, radius1};
+    const Capsule capsule2{start2, end2, radius2};
+    const Triangle triangle{{start2, end2, third}};
+    const kernel::Corners corners{triangle.vertices};
+    const Ray ray{start2, scene.along_axis(), scene.length()};
+    const kernel::DirectedSegment directed{ray.origin, ray.direction, ray.length};
+    const Plane plane{scene.along_axis(), scene.coordinate()};
+    const kernel::HalfSpace half{plane.normal, plane.offset};
+
+    expect_right(compute_sphere_capsule(ball, capsule2, distances),
+                 test_sphere_capsule(ball, capsule2, distances.alarm), start1, second, of(radius1, radius2), spheres);
+    expect_right(compute_capsule_capsule(capsule1, capsule2, distances),
+                 test_capsule_capsule(capsule1, capsule2, distances.alarm), first, second, of(radius1, radius2),
+                 capsules);
+    expect_right(compute_sphere_triangle(ball, triangle, distances),
+                 test_sphere_triangle(ball, triangle, distances.alarm), start1, corners, of(radius1, 0), triangles);
+    expect_right(compute_ray_sphere(ray, ball, distances), test_ray_sphere(ray, ball, distances.alarm), directed,
+                 start1, of(0, radius1), rays);
+    expect_right(compute_sphere_plane(ball, plane, distances), test_sphere_plane(ball, plane, distances.alarm), start1,
+                 half, of(radius1, 0), others);
+    expect_right(compute_capsule_plane(capsule1, plane, distances),
+                 test_capsule_plane(capsule1, plane, distances.alarm), first, half, of(radius1, 0), others);
+    expect_right(compute_ray_triangle(ray, triangle), test_ray_triangle(ray, triangle), directed, corners, of(0, 0),
+                 others);
+    expect_right(compute_triangle_line(triangle, {start1, end1}), test_triangle_line(triangle, {start1, end1}), corners,
+                 first, of(0, 0), others);
+    // Two balls are segments that are points.
+    const Ball other{start2, radius2};
+    const auto exactly =
+        computed_exactly(kernel::Segment{start1, start1}, kernel::Segment{start2, start2}, of(radius1, radius2));
+    expect_same(compute_sphere_sphere(ball, other, distances), exactly);
+    EXPECT_EQ(test_sphere_sphere(ball, other, distances.alarm), exactly.has_value());
+    if (testing::Test::HasFailure()) ADD_FAILURE() << "question " << i;
+  }
+  EXPECT_GE(spheres.simple, spheres.hits / 2) << spheres.hits;
+  EXPECT_GE(capsules.simple, capsules.hits / 4) << capsules.hits;
+  EXPECT_GE(triangles.simple, triangles.hits / 10) << triangles.hits;
+  EXPECT_GE(rays.simple, rays.hits / 2) << rays.hits;
+  EXPECT_GE(others.hits, 1000);
+}
+
+/// A diagonal's foot is half of a sum: half way between two doubles in half of the questions.
+TEST(SimplePoints, a_foot_on_a_diagonal_is_rounded_once) {
+  Scene scene(8);
+  int settled = 0;
+  for (int i = 0; i < 2000 && !testing::Test::HasFailure(); ++i) {
+    const Triangle triangle{{Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)}};
+    const kernel::Corners corners{triangle.vertices};
+    const Vector3 c(scene.any(0, 1.25), scene.any(0, 1.25), scene.any(-1, 1));
+    const kernel::Lengths lengths{1, 0, 0, 0};
+    const auto exact = computed_exactly(c, corners, lengths);
+    expect_same(compute_sphere_triangle({c, 1}, triangle, {0, 0}), exact);
+    if (!exact) continue;
+    Contact contact = *exact;
+    contact.point2.setConstant(77);
+    const unsigned open = 0b111U << 2 * kernel::kPointNumber;
+    if (kernel::settle_foot(c, corners, open, contact) != 0) continue;
+    ++settled;
+    expect_same(contact, exact);
+    EXPECT_EQ(kernel::settle_foot(c, corners, open | 1, contact), open | 1);
+  }
+  EXPECT_GE(settled, 500);
+}
+
+}  // namespace
+}  // namespace contact::simple_points_test
