@@ -129,16 +129,20 @@ HWY_NOINLINE void contacts_of_crossings(const CrossingRows& rows, std::size_t si
     write_normal(0, n.x, u.y, u.z, v.y, v.z);
     write_normal(1, n.y, u.z, u.x, v.z, v.x);
     write_normal(2, n.z, u.x, u.y, v.x, v.y);
-    const auto write_point = [&](std::size_t axis, V start, Double2 along) HWY_ATTR {
+    const auto write_point = [&](std::size_t axis, V start, Double2 along, V corner, Double2 of_u,
+                                 Double2 of_v) HWY_ATTR {
       // Along a plane of an axis the coordinate is the start's.
       const V error = hn::MulAdd(part_error, hn::Abs(along.high), all(bounds::kLeast));
       const Double2 x = point_beside(start, Double2(q, part_low), along.high, along.low);
-      numbers.write(3 + axis, x, hn::IfThenZeroElse(hn::Eq(along.high, zero), error));
+      // Of a triangle across an axis it is the triangle's.
+      const M level = hn::And(hn::Eq(of_u.high, zero), hn::Eq(of_v.high, zero));
+      const Double2 number(hn::IfThenElse(level, corner, x.high), hn::IfThenZeroElse(level, x.low));
+      numbers.write(3 + axis, number, hn::IfThenZeroElse(hn::Or(level, hn::Eq(along.high, zero)), error));
       hn::StoreU(hn::LoadU(tag, out.number[3 + axis] + i), tag, out.number[6 + axis] + i);
     };
-    write_point(0, a.x, d.x);
-    write_point(1, a.y, d.y);
-    write_point(2, a.z, d.z);
+    write_point(0, a.x, d.x, v0.x, u.x, v.x);
+    write_point(1, a.y, d.y, v0.y, u.y, v.y);
+    write_point(2, a.z, d.z, v0.z, u.z, v.z);
     numbers.write_exact(9, zero);
     numbers.finish(miss, size, left);
   }

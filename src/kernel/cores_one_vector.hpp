@@ -35,6 +35,7 @@ CONTACT_LANES Number sum_of(Axes a) { return (x_of(a) + y_of(a)) + z_of(a); }
 CONTACT_LANES Number plain_dot(Axes a, Axes b) { return sum_of(hn::Mul(a, b)); }
 CONTACT_LANES Number magnitude(Axes a) { return sum_of(hn::Abs(a)); }
 CONTACT_LANES Axes zero_where(Mask mask, Axes x) { return {_mm256_andnot_pd(mask.lanes, x.lanes)}; }
+CONTACT_LANES Axes chosen(Mask first, Axes a, Axes b) { return {_mm256_blendv_pd(b.lanes, a.lanes, first.lanes)}; }
 CONTACT_LANES Delta exact(Axes x) { return Delta(x, all<Axes>(0)); }
 CONTACT_LANES Delta negative(const Delta& x) {
   return Delta(hn::Sub(all<Axes>(0), x.high), hn::Sub(all<Axes>(0), x.low));
@@ -83,7 +84,7 @@ CONTACT_LANES Mask zeros_of_cross(Axes u, Axes v) {
 }
 
 /// Two cores: d from the first to the second, |d|^2 in plain arithmetic, and the first, p. `same`: lanes whose coordinate all points
-/// share. `flat`: lanes of d that are 0.
+/// share. `flat`: lanes of d that are 0. `level`: lanes that all points of the second core share, those of `second`.
 struct Cores {
   Delta d;
   Number d2;
@@ -92,6 +93,8 @@ struct Cores {
   Number p_error;
   Mask same;
   Mask flat;
+  Axes second;
+  Mask level;
 
   CONTACT_LANES Cores() : flat(all<Axes>(0)) {}
 };
@@ -124,6 +127,8 @@ CONTACT_LANES Filtered find_cores(const Vector3& point, const AnySegment& segmen
   cores.p = exact(c);
   cores.p_error = bounds::kLeast;
   cores.same = hn::And(hn::Eq(c, start), along_same);
+  cores.second = start;
+  cores.level = along_same;
   return Filtered::hit;
 }
 
@@ -231,8 +236,8 @@ CONTACT_LANES Delta beside(const Delta& core, const Double2& length, const AnyWa
 }
 
 /// The contact of cores with a distance: the second core is the first and s n, and its surface nearer by the radius. `turned`: what
-/// comes first in the question is second here.
-template <bool turned, bool first_is_point = true>
+/// comes first in the question is second here. `second_is_bare`: it has no radius, and its points on itself.
+template <bool turned, bool first_is_point, bool second_is_bare>
 CONTACT_LANES Filtered contact_of_cores(const Cores& cores, const Lengths& lengths, ContactPoints points,
                                         Contact& contact) {
   const Number radius1 = turned ? lengths.radius2 : lengths.radius1;
@@ -260,8 +265,13 @@ CONTACT_LANES Filtered contact_of_cores(const Cores& cores, const Lengths& lengt
   const Mask exact = first_is_point ? flat : same;
   const Near<Axes> point1(beside(cores.p, Double2(sign_of(on1, 1) * radius1, 0), n),
                           zero_where(exact, all<Axes>(radius1 * of_length + cores.p_error)));
-  const Near<Axes> point2(beside(cores.p, to_second, n), zero_where(exact, all<Axes>((radius2 + length) * of_length +
-                                                                                     (cores.p_error + cores.d_error))));
+  const Delta beside2 = beside(cores.p, to_second, n);
+  const Axes error2 = all<Axes>((radius2 + length) * of_length + (cores.p_error + cores.d_error));
+  const Near<Axes> point2 =
+      second_is_bare
+          ? Near<Axes>(Delta(chosen(cores.level, cores.second, beside2.high), zero_where(cores.level, beside2.low)),
+                       zero_where(hn::Or(exact, cores.level), error2))
+          : Near<Axes>(beside2, zero_where(exact, error2));
   const Delta direction(n.q, n.low);
   const Near<Axes> normal(turned ? negative(direction) : direction, zero_where(flat, all<Axes>(turn)));
   const bool settled =
@@ -278,14 +288,14 @@ CONTACT_LANES Filtered contact_of(const Vector3& c, const Segment& segment, cons
   Cores cores;
   const Mask same = hn::Eq(load(segment.start), load(segment.end));
   const Filtered filtered = find_cores(c, segment, same, reach_of(lengths), cores);
-  return filtered == Filtered::hit ? contact_of_cores<false>(cores, lengths, points, contact) : filtered;
+  return filtered == Filtered::hit ? contact_of_cores<false, true, false>(cores, lengths, points, contact) : filtered;
 }
 CONTACT_LANES Filtered contact_of(const DirectedSegment& segment, const Vector3& c, const Lengths& lengths,
                                   ContactPoints points, Contact& contact) {
   Cores cores;
   const Mask same = hn::Eq(load(segment.direction), all<Axes>(0));
   const Filtered filtered = find_cores(c, segment, same, reach_of(lengths), cores);
-  return filtered == Filtered::hit ? contact_of_cores<true>(cores, lengths, points, contact) : filtered;
+  return filtered == Filtered::hit ? contact_of_cores<true, true, true>(cores, lengths, points, contact) : filtered;
 }
 CONTACT_LANES Filtered contact_of(const Segment& first, const Segment& second, const Lengths& lengths,
                                   ContactPoints points, Contact& contact) {
@@ -303,7 +313,7 @@ CONTACT_LANES Filtered contact_of(const Segment& first, const Segment& second, c
   cores.p = stepped(moved(exact(start1), -weights.s, way.u), -step, way.u);
   cores.p_error = cores.d_error;
   cores.same = hn::And(hn::And(hn::Eq(start1, end1), hn::Eq(start1, start2)), hn::Eq(start1, end2));
-  return contact_of_cores<false, false>(cores, lengths, points, contact);
+  return contact_of_cores<false, false, false>(cores, lengths, points, contact);
 }
 CONTACT_LANES Filtered contact_of(const Vector3& point, const Corners& triangle, const Lengths& lengths,
                                   ContactPoints points, Contact& contact) {
@@ -328,8 +338,10 @@ CONTACT_LANES Filtered contact_of(const Vector3& point, const Corners& triangle,
   if (!find_cores<true>(way, weights, cores, step)) return Filtered::undecided;
   cores.p = exact(c);
   cores.p_error = bounds::kLeast;
-  cores.same = hn::And(hn::And(hn::Eq(c, v0), hn::Eq(c, v1)), hn::Eq(c, v2));
-  return contact_of_cores<false>(cores, lengths, points, contact);
+  cores.level = hn::And(hn::Eq(v0, v1), hn::Eq(v0, v2));
+  cores.second = v0;
+  cores.same = hn::And(hn::Eq(c, v0), cores.level);
+  return contact_of_cores<false, true, true>(cores, lengths, points, contact);
 }
 
 // Where plain arithmetic says that there is a hit: all that is left is numbers.
@@ -603,9 +615,12 @@ CONTACT_LANES bool hit_of_crossing(Axes a, const Delta& d, Axes v0, Axes v1, Axe
   const Number turn = 64 * kUnitSquared * S * bounds::kTurn * root.reciprocal;
   const Near<Axes> normal(Delta(m.q, m.low), zero_where(flat, all<Axes>(turn)));
   // Along a plane of an axis the coordinate is the start's.
-  const Near<Axes> crossing(
-      beside(exact(a), Double2(q, rest * reciprocal), Directed(d)),
-      zero_where(hn::Eq(d.high, zero), hn::MulAdd(all<Axes>(part_error), hn::Abs(d.high), all<Axes>(bounds::kLeast))));
+  // Of a triangle across an axis it is the triangle's.
+  const Mask level = hn::And(hn::Eq(u.high, zero), hn::Eq(v.high, zero));
+  const Delta x = beside(exact(a), Double2(q, rest * reciprocal), Directed(d));
+  const Near<Axes> crossing(Delta(chosen(level, v0, x.high), zero_where(level, x.low)),
+                            zero_where(hn::Or(level, hn::Eq(d.high, zero)),
+                                       hn::MulAdd(all<Axes>(part_error), hn::Abs(d.high), all<Axes>(bounds::kLeast))));
   return write(normal, crossing, crossing, Near<Number>(Double2(0, 0), 0), contact) &&
          std::abs(through.high) > S * size.fourth * 0x1p-40 && std::abs(through.high) >= bounds::kLeastThrough &&
          z_of(sum) >= bounds::kLeastSize;
