@@ -22,7 +22,8 @@ namespace contact::kernel {
 /// the vector d is within d_error, which is infinite where that is not known. Some room between columns keeps them from
 /// the same place in a page, where loads look like recent stores to the processor.
 struct CoreColumns {
-  static constexpr std::size_t kRoom = kStrip + 24;
+  static constexpr std::size_t kPairs = kStrip / 2;  // of threads with 128 KiB of stack all that is needed takes half
+  static constexpr std::size_t kRoom = kPairs + 24;
   double d[6][kRoom];
   double d_error[kRoom];
   double decision[kRoom];  ///< one of the following
@@ -39,13 +40,13 @@ struct CoreColumns {
 
 /// The pairs of a strip that the vectors leave, and how many of the others are hits.
 struct Left {
-  std::uint16_t rows[kStrip];
+  std::uint16_t rows[CoreColumns::kPairs];
   std::size_t size = 0;
   std::size_t hits = 0;
 };
 
 /// A column for shapes without a radius.
-inline constexpr double kZeros[kStrip]{};
+inline constexpr double kZeros[CoreColumns::kPairs]{};
 
 // For tests: the cores of a strip of whole vectors. False where the instruction set that serves finds none.
 #define CONTACT_FIND_CORES(name, A, B) bool find_cores(const PairColumns<A, B>& pairs, CoreColumns& to);

@@ -13,10 +13,10 @@ namespace contact::kernel {
 constexpr std::size_t kStrip = 256;
 
 /// Calls work(strip, begin) for every strip of pairs, the last of which may be shorter.
-template <class A, class B, class Work>
+template <std::size_t most = kStrip, class A, class B, class Work>
 void for_each_strip(const PairColumns<A, B>& pairs, const Work& work) {
-  for (std::size_t begin = 0; begin < pairs.size; begin += kStrip)
-    work(pairs.from(begin, std::min(kStrip, pairs.size - begin)), begin);
+  for (std::size_t begin = 0; begin < pairs.size; begin += most)
+    work(pairs.from(begin, std::min(most, pairs.size - begin)), begin);
 }
 
 /// Which of the rows below `size`, at most kStrip, are so, in order, and how many. Without a branch: they come in no order.

@@ -245,5 +245,67 @@ TEST(CoresInOneVector, ordinary_questions_are_settled) {
   }
 }
 
+#if CONTACT_HAS_ONE_VECTOR
+/// The share of hits of a scene that one vector settles.
+template <class Make>
+void expect_settled(const char* scene, const Make& ask) {
+  std::mt19937_64 random(20261128);
+  const auto any = [&](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
+  int settled = 0;
+  int hits = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const kernel::Filtered said = ask(any);
+    hits += said == kernel::Filtered::miss ? 0 : 1;
+    settled += said == kernel::Filtered::hit ? 1 : 0;
+  }
+  EXPECT_GT(hits, 200) << scene;
+  EXPECT_GT(settled, hits * 9 / 10) << scene << ": " << hits;
+}
+
+TEST(CoresInOneVector, settle_scenes_along_axes) {
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) GTEST_SKIP() << "no such vectors here";
+  Contact contact;
+  const kernel::Lengths lengths{1, 0, 0, 0.125};
+  const auto over = [&](const auto& core, const Plane& plane) {
+    return contact_by_one_vector(core, kernel::HalfSpace{plane.normal, plane.offset}, lengths, {}, contact);
+  };
+  const auto ball = [&](const Vector3& c, const std::array<Vector3, 3>& triangle) {
+    return contact_by_one_vector(c, kernel::Corners{triangle}, lengths, {}, contact);
+  };
+  expect_settled("a ball on a floor", [&](const auto& any) {
+    const double x = any(-1, 1);
+    return over(Vector3(x, any(-1, 1), any(-1, 2)), Plane{{0, 0, 2}, 0.5});
+  });
+  expect_settled("a capsule that lies on a floor", [&](const auto& any) {
+    const double z = any(-1, 2);
+    const double x = any(-1, 1);
+    return over(kernel::Segment{{x, 0, z}, {any(-1, 1), 2, z}}, Plane{{0, 0, 1}, 0});
+  });
+  expect_settled("a ball on a ramp", [&](const auto& any) {
+    const double x = any(0.5, 1.5);
+    const double y = any(0.5, 1);
+    return ball({x, y, any(-1, 1.5)}, {Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(0, 3, 1.75)});
+  });
+  expect_settled("a ball beyond an edge of a level triangle", [&](const auto& any) {
+    const double x = any(1.5, 2);
+    const double y = any(0.5, 1.5);
+    return ball({x, y, any(-1, 1)}, {Vector3(-3, -3, 0), Vector3(3, -3, 0), Vector3(-1, 4, 0)});
+  });
+  expect_settled("capsules that lie on each other", [&](const auto& any) {
+    const double x = any(-1, 1);
+    const double y = any(-1, 1);
+    const double z = any(-2, 2);
+    const kernel::Segment second{{x - 2, y + any(-1, 1), z}, {x + 2, y + any(-1, 1), z}};
+    return contact_by_one_vector(kernel::Segment{{-1, -3, 0}, {1, 3, 0}}, second, {1, 1, 0, 0.125}, {}, contact);
+  });
+  expect_settled("a line through a triangle of a floor", [&](const auto& any) {
+    const std::array<Vector3, 3> floor{Vector3(-3, -3, 0), Vector3(3, -3, 0), Vector3(-1, 4, 0)};
+    const double x = any(-1, 1);
+    const kernel::Segment line{{x, any(-1, 1), 1}, {any(-1, 1), any(-1, 1), -0.75}};
+    return contact_by_one_vector(kernel::Corners{floor}, line, {0, 0, 0, 0}, {}, contact);
+  });
+}
+#endif
+
 }  // namespace
 }  // namespace contact::cores_one_vector_test

@@ -45,6 +45,10 @@ struct PlainView {
 [[gnu::always_inline]] inline double sum_of_components(const Vector3& x) {
   return std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]);
 }
+/// From a to b. (Of components: Eigen's difference may become a function of its own where not everything is inlined.)
+[[gnu::always_inline]] inline Vector3 from_to(const Vector3& a, const Vector3& b) {
+  return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+}
 [[gnu::always_inline]] inline double plain_dot(const Vector3& x, const Vector3& y) {
   return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
 }
@@ -54,9 +58,9 @@ struct PlainView {
 
 [[gnu::always_inline]] inline PlainView plain_view(const Vector3& c, const Corners& triangle) {
   const auto& vertices = triangle.vertices;
-  PlainView view{{vertices[0] - c, vertices[1] - c, vertices[2] - c}, {}, {}};
-  const Vector3 u = vertices[1] - vertices[0];
-  const Vector3 v = vertices[2] - vertices[0];
+  PlainView view{{from_to(c, vertices[0]), from_to(c, vertices[1]), from_to(c, vertices[2])}, {}, {}};
+  const Vector3 u = from_to(vertices[0], vertices[1]);
+  const Vector3 v = from_to(vertices[0], vertices[2]);
   const Vector3 n = plain_cross(u, v);
   const double S = 13 * DoubleDoublePair::kUnit * sum_of_components(u) * sum_of_components(v);
 #pragma GCC unroll 3
@@ -137,7 +141,7 @@ struct NearestFeature {
   const std::size_t back = kNextVertex[ahead];
   // -w.(w' - w), of w and a difference (1 + 2), products and sums (3), each rounded: 6 u of the components' sums.
   const auto side = [&](std::size_t other) {
-    const Vector3 a = vertices[other] - vertices[corner];
+    const Vector3 a = from_to(vertices[corner], vertices[other]);
     const double along = -plain_dot(view.w[corner], a);
     const double bound = 7 * DoubleDoublePair::kUnit * sum_of_components(view.w[corner]) * sum_of_components(a);
     return along > bound ? 1 : along < -bound ? -1 : 0;
