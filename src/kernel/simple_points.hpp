@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/batch_bounds.hpp"
 #include "kernel/segment_cores.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 #include "kernel/sum_of_two.hpp"
@@ -33,8 +34,10 @@ inline bool simple_points(const Segment& first, const Segment& second, SimplePoi
   if (!is_along_axis(first) || !is_along_axis(second)) return false;
   points.unique = true;
   for (Eigen::Index k = 0; k < 3; ++k) {
-    const auto [low1, high1] = std::minmax({first.start[k], first.end[k]});
-    const auto [low2, high2] = std::minmax({second.start[k], second.end[k]});
+    const double low1 = std::min(first.start[k], first.end[k]);
+    const double high1 = std::max(first.start[k], first.end[k]);
+    const double low2 = std::min(second.start[k], second.end[k]);
+    const double high2 = std::max(second.start[k], second.end[k]);
     if (high1 < low2 || high2 < low1) {
       points.p[k] = high1 < low2 ? high1 : low1;
       points.q[k] = high1 < low2 ? low2 : high2;

@@ -16,6 +16,7 @@
 #include "contact/sphere_triangle.hpp"
 #include "contact/triangle_line.hpp"
 #include "kernel/contacts_for_tests.hpp"
+#include "kernel/cores_stages.hpp"
 #include "kernel/crossing_cores.hpp"
 #include "kernel/plane_cores.hpp"
 
