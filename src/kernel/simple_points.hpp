@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "kernel/batch_bounds.hpp"
 #include "kernel/segment_cores.hpp"
@@ -60,9 +61,11 @@ inline bool simple_points(const Vector3& c, const Segment& segment, SimplePoints
 inline bool simple_points(const DirectedSegment& segment, const Vector3& c, SimplePoints& points) {
   const auto& [start, direction, length] = segment;
   Segment along{start, start};
+  bool moves = false;  // a way that is nothing beside `start` counts, too
   for (Eigen::Index k = 0; k < 3; ++k) {
+    if (length == 0 || direction[k] == 0) continue;
+    if (std::exchange(moves, true)) return false;
     const double way = length * direction[k];
-    if (way == 0 && (length == 0 || direction[k] == 0)) continue;
     along.end[k] = start[k] + way;
     const bool exact = std::fma(length, direction[k], -way) == 0 && std::abs(way) >= ForDouble::kLeast &&
                        two_sum(start[k], way).low == 0;

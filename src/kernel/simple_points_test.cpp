@@ -149,6 +149,18 @@ TEST(SimplePoints, give_the_bits_of_the_exact_stage) {
   EXPECT_GE(others.hits, 1000);
 }
 
+TEST(SimplePoints, are_not_those_of_a_ray_whose_way_is_nothing_beside_its_origin) {
+  kernel::SimplePoints points;
+  const Vector3 c(-3, 2, -1);
+  EXPECT_FALSE(kernel::simple_points(kernel::DirectedSegment{{-1, 0x1p60, 0}, {-4, 1, 0}, 0.5}, c, points));
+  EXPECT_TRUE(kernel::simple_points(kernel::DirectedSegment{{-1, 0x1p60, 0}, {-4, 0, 0}, 0.5}, c, points));
+  const Ray ray{{-1, 0x1p60, 0}, {-4, 1, 0}, 0.5};
+  const Ball ball{{-3, 0x1p60, 0.25}, 2};
+  const auto exact = computed_exactly(kernel::DirectedSegment{ray.origin, ray.direction, ray.length}, ball.center,
+                                      kernel::Lengths{0, 2, 0, 0});
+  expect_same(compute_ray_sphere(ray, ball, {0, 0}), exact);
+}
+
 /// A diagonal's foot is half of a sum: half way between two doubles in half of the questions.
 TEST(SimplePoints, a_foot_on_a_diagonal_is_rounded_once) {
   Scene scene(8);
