@@ -1,7 +1,6 @@
 // Pairs as scenes have them: on floors, beside walls, upright, along axes and diagonals. Random numbers never are.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 

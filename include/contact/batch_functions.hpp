@@ -9,34 +9,19 @@ namespace contact::inline CONTACT_ABI::batch {
 /// The columns of n shapes: their spans in the order of the shape's numbers, and nothing else.
 template <class Shape>
 struct ColumnsFor;
-template <>
-struct ColumnsFor<Ball> {
-  using Type = BallColumns;
-};
-template <>
-struct ColumnsFor<Box> {
-  using Type = BoxColumns;
-};
-template <>
-struct ColumnsFor<Capsule> {
-  using Type = CapsuleColumns;
-};
-template <>
-struct ColumnsFor<Triangle> {
-  using Type = TriangleColumns;
-};
-template <>
-struct ColumnsFor<Plane> {
-  using Type = PlaneColumns;
-};
-template <>
-struct ColumnsFor<Ray> {
-  using Type = RayColumns;
-};
-template <>
-struct ColumnsFor<Line> {
-  using Type = LineColumns;
-};
+#define CONTACT_COLUMNS(Shape)   \
+  template <>                    \
+  struct ColumnsFor<Shape> {     \
+    using Type = Shape##Columns; \
+  };
+CONTACT_COLUMNS(Ball)
+CONTACT_COLUMNS(Box)
+CONTACT_COLUMNS(Capsule)
+CONTACT_COLUMNS(Triangle)
+CONTACT_COLUMNS(Plane)
+CONTACT_COLUMNS(Ray)
+CONTACT_COLUMNS(Line)
+#undef CONTACT_COLUMNS
 template <class Shape>
 using ColumnsOf = typename ColumnsFor<Shape>::Type;
 

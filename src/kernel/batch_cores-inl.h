@@ -181,6 +181,30 @@ HWY_INLINE Double2 sum_of(const Delta& x) {
   const Double2 xyz = two_sum(xy.high, x.z.high);
   return {xyz.high, hn::Add(hn::Add(xy.low, xyz.low), hn::Add(hn::Add(x.x.low, x.y.low), x.z.low))};
 }
+/// 1 / sqrt(N) = reciprocal (1 + half_rho).
+struct ReciprocalRoot {
+  V reciprocal;
+  V half_rho;
+
+  HWY_INLINE explicit ReciprocalRoot(const Double2& N) : reciprocal(reciprocal_root(N.high)) {
+    const V half = hn::Mul(all(0.5), N.high);
+    const V g = hn::Mul(reciprocal, reciprocal);
+    const V rest = hn::Mul(g, hn::Mul(all(0.5), N.low));
+    const V lacks = hn::MulAdd(hn::MulSub(reciprocal, reciprocal, g), half, rest);
+    half_rho = hn::Sub(hn::NegMulAdd(g, half, all(0.5)), lacks);
+  }
+  /// A component of n / |n|, the reciprocal as it is or negative.
+  HWY_INLINE Double2 along(Double2 n, V signed_reciprocal) const {
+    const V m = hn::Mul(n.high, signed_reciprocal);
+    const V lost = hn::MulAdd(n.low, signed_reciprocal, hn::MulSub(n.high, signed_reciprocal, m));
+    return {m, hn::MulAdd(m, half_rho, lost)};
+  }
+  HWY_INLINE Double2 along(V n, V signed_reciprocal) const {
+    const V m = hn::Mul(n, signed_reciprocal);
+    return {m, hn::MulAdd(m, half_rho, hn::MulSub(n, signed_reciprocal, m))};
+  }
+};
+
 /// x.y, rounded.
 HWY_INLINE V dot(const Delta& x, const Delta& y) {
   const Delta p = products_of(x, y);

@@ -27,10 +27,13 @@ namespace HWY_NAMESPACE {
   batch::Count hits_##name(const PairColumns<A, B>& pairs, const ContactQuestion& question, std::uint32_t* index, \
                            const ContactRows& out) {                                                              \
     return compute_hits_cores(pairs, question, index, out);                                                       \
-  }                                                                                                               \
-  bool cores_of_##name(const PairColumns<A, B>& pairs, CoreColumns& to) { return cores_of_strip(pairs, to); }
+  }
 CONTACT_CORES(CONTACT_KERNELS)
 #undef CONTACT_KERNELS
+#define CONTACT_FIND_CORES(name, A, B) \
+  bool cores_of_##name(const PairColumns<A, B>& pairs, CoreColumns& to) { return cores_of_strip(pairs, to); }
+CONTACT_CORES_APART(CONTACT_FIND_CORES)
+#undef CONTACT_FIND_CORES
 
 }  // namespace HWY_NAMESPACE
 }  // namespace contact::kernel
@@ -43,7 +46,6 @@ namespace contact::kernel {
   HWY_EXPORT(test_##name);                                                                           \
   HWY_EXPORT(compute_##name);                                                                        \
   HWY_EXPORT(hits_##name);                                                                           \
-  HWY_EXPORT(cores_of_##name);                                                                       \
   batch::Count test_vectors(const PairColumns<A, B>& pairs, double alarm, std::uint8_t* hit) {       \
     return HWY_DYNAMIC_DISPATCH(test_##name)(pairs, alarm, hit);                                     \
   }                                                                                                  \
@@ -54,12 +56,16 @@ namespace contact::kernel {
   batch::Count compute_hits_vectors(const PairColumns<A, B>& pairs, const ContactQuestion& question, \
                                     std::uint32_t* index, const ContactRows& out) {                  \
     return HWY_DYNAMIC_DISPATCH(hits_##name)(pairs, question, index, out);                           \
-  }                                                                                                  \
-  bool find_cores(const PairColumns<A, B>& pairs, CoreColumns& to) {                                 \
-    return HWY_DYNAMIC_DISPATCH(cores_of_##name)(pairs, to);                                         \
   }
 CONTACT_CORES(CONTACT_DISPATCH)
 #undef CONTACT_DISPATCH
+#define CONTACT_FIND_CORES(name, A, B)                               \
+  HWY_EXPORT(cores_of_##name);                                       \
+  bool find_cores(const PairColumns<A, B>& pairs, CoreColumns& to) { \
+    return HWY_DYNAMIC_DISPATCH(cores_of_##name)(pairs, to);         \
+  }
+CONTACT_CORES_APART(CONTACT_FIND_CORES)
+#undef CONTACT_FIND_CORES
 
 }  // namespace contact::kernel
 #endif  // HWY_ONCE

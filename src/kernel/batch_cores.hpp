@@ -6,15 +6,18 @@
 
 namespace contact::kernel {
 
-/// The kinds of pairs whose kernel is a struct Feet: X(name, first shape, second shape).
-#define CONTACT_CORES(X)               \
+/// The kinds of pairs whose kernel is a struct Feet, X(name, first shape, second shape): those whose cores have a distance,
+/// and all.
+#define CONTACT_CORES_APART(X)         \
   X(sphere_capsule, Ball, Capsule)     \
   X(capsule_capsule, Capsule, Capsule) \
   X(sphere_triangle, Ball, Triangle)   \
-  X(ray_sphere, Ray, Ball)             \
-  X(sphere_plane, Ball, Plane)         \
-  X(capsule_plane, Capsule, Plane)     \
-  X(ray_triangle, Ray, Triangle)       \
+  X(ray_sphere, Ray, Ball)
+#define CONTACT_CORES(X)           \
+  CONTACT_CORES_APART(X)           \
+  X(sphere_plane, Ball, Plane)     \
+  X(capsule_plane, Capsule, Plane) \
+  X(ray_triangle, Ray, Triangle)   \
   X(triangle_line, Triangle, Line)
 
 /// The cores of a strip of pairs. Vectors are high and low parts, axis by axis: the nearest points are p and p + d, the
@@ -50,7 +53,7 @@ inline constexpr double kZeros[CoreColumns::kPairs]{};
 
 // For tests: the cores of a strip of whole vectors. False where the instruction set that serves finds none.
 #define CONTACT_FIND_CORES(name, A, B) bool find_cores(const PairColumns<A, B>& pairs, CoreColumns& to);
-CONTACT_CORES(CONTACT_FIND_CORES)
+CONTACT_CORES_APART(CONTACT_FIND_CORES)
 #undef CONTACT_FIND_CORES
 
 }  // namespace contact::kernel

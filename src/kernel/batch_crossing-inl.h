@@ -97,11 +97,8 @@ HWY_NOINLINE void contacts_of_crossings(const CrossingRows& rows, std::size_t si
     const V rest = hn::NegMulAdd(q, through.low, hn::Add(hn::NegMulAdd(q, through.high, at.high), at.low));
     const V part_low = hn::Mul(rest, reciprocal);
 
-    const V y = reciprocal_root(N.high);
-    const V half = hn::Mul(all(0.5), N.high);
-    const V g = hn::Mul(y, y);
-    const V lacks = hn::MulAdd(hn::MulSub(y, y, g), half, hn::Mul(g, hn::Mul(all(0.5), N.low)));
-    const V half_rho = hn::Sub(hn::NegMulAdd(g, half, all(0.5)), lacks);
+    const ReciprocalRoot root(N);
+    const V y = root.reciprocal;
     const V signed_y = rows.turned ? hn::Neg(y) : y;
 
     const V size_of_d = magnitude(rounded_to_plain(d));
@@ -117,15 +114,14 @@ HWY_NOINLINE void contacts_of_crossings(const CrossingRows& rows, std::size_t si
     clear = hn::And(clear, hn::Ge(size_of_through, all(bounds::kLeastThrough)));
     clear = hn::And(clear, hn::Ge(N.high, all(bounds::kLeastSize)));
     Numbers numbers(out, i, hit, clear);
-    const auto write_normal = [&](std::size_t axis, Double2 of_n, Double2 ui, Double2 uj, Double2 vi,
-                                  Double2 vj) HWY_ATTR {
-      const auto is_zero = [&](Double2 x, Double2 z)
-                               HWY_ATTR { return hn::Or(hn::Eq(x.high, zero), hn::Eq(z.high, zero)); };
-      const M flat = hn::And(is_zero(ui, vj), is_zero(uj, vi));
-      const V m = hn::Mul(of_n.high, signed_y);
-      const V lost = hn::MulAdd(of_n.low, signed_y, hn::MulSub(of_n.high, signed_y, m));
-      numbers.write(axis, Double2(m, hn::MulAdd(m, half_rho, lost)), hn::IfThenZeroElse(flat, turn));
-    };
+    const auto write_normal = [&](std::size_t axis, Double2 of_n, Double2 ui, Double2 uj, Double2 vi, Double2 vj)
+                                  HWY_ATTR {
+                                    const auto is_zero = [&](Double2 x, Double2 z) HWY_ATTR {
+                                      return hn::Or(hn::Eq(x.high, zero), hn::Eq(z.high, zero));
+                                    };
+                                    const M flat = hn::And(is_zero(ui, vj), is_zero(uj, vi));
+                                    numbers.write(axis, root.along(of_n, signed_y), hn::IfThenZeroElse(flat, turn));
+                                  };
     write_normal(0, n.x, u.y, u.z, v.y, v.z);
     write_normal(1, n.y, u.z, u.x, v.z, v.x);
     write_normal(2, n.z, u.x, u.y, v.x, v.y);

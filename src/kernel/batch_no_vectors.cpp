@@ -26,7 +26,7 @@ CONTACT_BATCH_CONTACTS(CONTACT_COMPUTE)
 
 #define CONTACT_FIND_CORES(name, A, B) \
   bool find_cores(const PairColumns<A, B>& /*pairs*/, CoreColumns& /*to*/) { return false; }
-CONTACT_CORES(CONTACT_FIND_CORES)
+CONTACT_CORES_APART(CONTACT_FIND_CORES)
 #undef CONTACT_FIND_CORES
 
 std::vector<std::string> instruction_sets() { return {}; }

@@ -140,17 +140,14 @@ HWY_NOINLINE void contacts_over_plane(const OverPlaneRows& rows, std::size_t siz
     Numbers numbers(out, i, hit, none());
     if (!hn::AllTrue(tag, hn::Or(along, miss))) {
       const Double2 N = sum_of(products_of(n, n));
-      const V y = reciprocal_root(N.high);
-      const V half = hn::Mul(all(0.5), N.high);
-      const V g = hn::Mul(y, y);
-      const V lacks = hn::MulAdd(hn::MulSub(y, y, g), half, hn::Mul(g, hn::Mul(all(0.5), N.low)));
-      const V half_rho = hn::Sub(hn::NegMulAdd(g, half, all(0.5)), lacks);
+      const ReciprocalRoot root(N);
+      const V y = root.reciprocal;
       const Delta products = products_of(n, p);
       const Double2 sum = sum_of(products);
       const Double2 h = two_difference(sum.high, over.offset);
       const V q = hn::Mul(h.high, y);
       const V rest_of_q = hn::MulAdd(hn::Add(h.low, sum.low), y, hn::MulSub(h.high, y, q));
-      const Double2 s(q, hn::MulAdd(q, half_rho, rest_of_q));
+      const Double2 s(q, hn::MulAdd(q, root.half_rho, rest_of_q));
       const V distance = hn::Abs(q);
       const V sizes = hn::Add(magnitude(rounded_to_plain(products)), hn::Abs(over.offset));
       const V s_error = hn::Add(hn::MulAdd(hn::Mul(sizes, all(bounds::kOverPlane)), y, all(bounds::kLeast)), p_error);
@@ -179,11 +176,10 @@ HWY_NOINLINE void contacts_over_plane(const OverPlaneRows& rows, std::size_t siz
       const V error1 = hn::MulAdd(over.radius, all(bounds::kCoreError), all(bounds::kLeast));
       const V error2 = hn::MulAdd(distance, all(bounds::kCoreError), s_error);
       const auto write_axis = [&](std::size_t axis, V of_n, V core, M level) HWY_ATTR {
-        const V m = hn::Mul(of_n, minus_y);
-        const V low = hn::MulAdd(m, half_rho, hn::MulSub(of_n, minus_y, m));
-        numbers.write(axis, Double2(m, low), hn::IfThenZeroElse(level, all(bounds::kLeast)));
-        numbers.write(3 + axis, point_beside(core, signed1, m, low), hn::IfThenZeroElse(level, error1));
-        numbers.write(6 + axis, point_beside(core, s, m, low), hn::IfThenZeroElse(level, error2));
+        const Double2 m = root.along(of_n, minus_y);
+        numbers.write(axis, m, hn::IfThenZeroElse(level, all(bounds::kLeast)));
+        numbers.write(3 + axis, point_beside(core, signed1, m.high, m.low), hn::IfThenZeroElse(level, error1));
+        numbers.write(6 + axis, point_beside(core, s, m.high, m.low), hn::IfThenZeroElse(level, error2));
       };
       write_axis(0, n.x, p.x, level_x);
       write_axis(1, n.y, p.y, level_y);

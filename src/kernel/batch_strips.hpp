@@ -19,9 +19,9 @@ void for_each_strip(const PairColumns<A, B>& pairs, const Work& work) {
     work(pairs.from(begin, std::min(most, pairs.size - begin)), begin);
 }
 
-/// Which of the rows below `size`, at most kStrip, are so, in order, and how many. Without a branch: they come in no order.
+/// Which of the rows below `size` are so, in order, and how many. Without a branch: they come in no order.
 template <class IsSo>
-std::size_t those_of(std::size_t size, std::uint16_t* rows, const IsSo& is_so) {
+std::size_t those_of(std::size_t size, std::uint16_t (&rows)[kStrip], const IsSo& is_so) {
   std::size_t count = 0;
   for (std::size_t row = 0; row < size; ++row) {
     rows[count] = static_cast<std::uint16_t>(row);

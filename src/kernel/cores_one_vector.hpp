@@ -24,8 +24,6 @@ using plain_decision::Weights;
 
 /// The least that delta is of its error. A foot's is 320 u^2 |w|, so that what corrects it, 13 u |w|, is short beside delta too.
 inline constexpr double kClear = 0x1p80;
-/// The least length of a normal along an axis, and 1 / the largest.
-inline constexpr double kLeastAlong = 0x1p-50;
 /// The square of delta over that of a correction: one that is shorter changes |d|^2 by less than u / 64 of it.
 inline constexpr double kLeastSteps = 0x1p60;
 
@@ -477,7 +475,7 @@ CONTACT_LANES bool hit_over_floor(Axes lowest, Axes n, Number offset, Number rad
                                   PointOn on, Contact& contact) {
   const Number size = magnitude(n);
   const Number place = offset / size;
-  const bool exact = hn::NegMulAdd(place, size, offset) == 0 && size >= kLeastAlong && size <= 1 / kLeastAlong &&
+  const bool exact = hn::NegMulAdd(place, size, offset) == 0 && size * size >= bounds::kLeastNormalSquare &&
                      (offset == 0 || std::abs(offset) >= bounds::kLeast);
   const Axes unit{_mm256_div_pd(n.lanes, _mm256_set1_pd(size))};
   const Mask level = hn::Eq(unit, all<Axes>(0));

@@ -1,5 +1,5 @@
-// Sphere against cube: beside an edge or a corner it is the sphere pair at the nearest point of the box, whose
-// coordinates are numbers of the question. Before a face and inside, every number is a sum of such numbers.
+// Sphere against cube: outside it is the sphere pair at the nearest point of the box, whose coordinates are numbers of
+// the question. Inside, every number is a sum of such numbers.
 #include "contact/sphere_cube.hpp"
 
 #include "contact/exact_sum.hpp"
@@ -48,33 +48,15 @@ Face nearest_face(const Vector3& center, const Box& box) {
   return nearest;
 }
 
-/// The face that a centre beside one, and before it, has its nearest point on; nothing beside an edge or a corner.
-std::optional<Face> face_before(const Vector3& center, const Vector3& nearest) {
-  std::optional<Face> face;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (center[axis] == nearest[axis]) continue;
-    if (face) return std::nullopt;
-    face = Face{axis, center[axis] < nearest[axis] ? 1.0 : -1.0, nearest[axis], center[axis]};
-  }
-  return face;
-}
-
 double without_sign(double zero) { return zero == 0 ? 0.0 : zero; }
 
-double rounded(double a, double b, double c, double d) {
-  kernel::one_number::SumOfTwo<double> sum(a, b);
-  sum.add(c);
-  sum.add(d);
-  return sum.lost == 0 ? sum.rounded() : rounded_sum({a, b, c, d});
-}
-
-/// Along an axis every number is a sum of numbers of the question.
-Contact contact_along_axis(const Ball& a, const Face& face, double contact_distance, PointOn on, bool inside) {
-  Contact contact{Vector3::Zero(), a.center.unaryExpr(&without_sign), a.center.unaryExpr(&without_sign), 0, inside};
+/// Out of the box every number is a sum of numbers of the question.
+Contact contact_inside(const Ball& a, const Face& face, double contact_distance, PointOn on) {
+  Contact contact{Vector3::Zero(), a.center.unaryExpr(&without_sign), a.center.unaryExpr(&without_sign), 0, true};
   contact.normal[face.axis] = face.sign;
   contact.point1[face.axis] = without_sign(face.center + kernel::sign_of(on, face.sign) * a.radius);
   contact.point2[face.axis] = without_sign(face.at);
-  contact.value = rounded(face.ahead(), face.back(), -a.radius, -contact_distance);
+  contact.value = kernel::one_number::rounded({face.ahead(), face.back(), -a.radius, -contact_distance});
   return contact;
 }
 
@@ -88,12 +70,8 @@ Contact contact_along_axis(const Ball& a, const Face& face, double contact_dista
 [[gnu::noinline]] std::optional<Contact> contact_of_pair(const Ball& a, const Box& b, Distances distances,
                                                          ContactPoints points) {
   const Ball q = nearest_point(a.center, b);
-  if (q.center == a.center)
-    return contact_along_axis(a, nearest_face(a.center, b), distances.contact, points.first, true);
-  const auto face = face_before(a.center, q.center);
-  if (!face) return compute_sphere_sphere(a, q, distances, points);
-  if (compare_sums(face->ahead(), face->back(), a.radius, distances.alarm) > 0) return std::nullopt;
-  return contact_along_axis(a, *face, distances.contact, points.first, false);
+  if (q.center == a.center) return contact_inside(a, nearest_face(a.center, b), distances.contact, points.first);
+  return compute_sphere_sphere(a, q, distances, points);
 }
 
 }  // namespace

@@ -18,7 +18,6 @@
 // A call is compute_sphere_sphere, contact_of_pair, and the stages. docs/specification.md, "Correct rounding", says
 // why.
 #include "contact/sphere_sphere.hpp"
-#include "contact/exact_sum.hpp"
 #include "contact/pair_functions.hpp"
 
 #include <array>
@@ -277,12 +276,7 @@ int axis_of_both(const Ball& a, const Ball& b) {
 /// The distance of the surfaces of balls along an axis less another one, rounded once.
 double beyond(const Ball& a, const Ball& b, int axis, double distance) {
   const double sign = a.center[axis] < b.center[axis] ? 1 : -1;
-  kernel::one_number::SumOfTwo<double> sum(sign * b.center[axis], -sign * a.center[axis]);
-  sum.add(-a.radius);
-  sum.add(-b.radius);
-  sum.add(-distance);
-  if (sum.lost == 0) return sum.rounded();
-  return rounded_sum({sign * b.center[axis], -sign * a.center[axis], -a.radius, -b.radius, -distance});
+  return kernel::one_number::rounded({sign * b.center[axis], -sign * a.center[axis], -a.radius, -b.radius, -distance});
 }
 
 // Behind a call that is not inlined, as with_fma is.
