@@ -361,6 +361,12 @@ Case read_case(const formats::Node& line, const DatasetHeader& header) {
   return c;
 }
 
+Case read_case(std::string_view line, const DatasetHeader& header, const formats::Location& where) {
+  if (auto c = quick_case(line, header)) return *std::move(c);
+  const auto json = formats::parse_object(line, where);
+  return read_case(formats::Node(json, where), header);
+}
+
 namespace {
 
 /// What every source asks of a case.
@@ -412,13 +418,7 @@ class LineBlock final : public CaseBlock {
   std::string text(std::uint64_t i, const Case& /*c*/) const override { return std::string(lines_.line(i)); }
 
  private:
-  Case parse(std::uint64_t i) const override {
-    const std::string_view line = lines_.line(i);
-    if (auto c = quick_case(line, header())) return *std::move(c);
-    const formats::Location here = where(i);
-    const auto json = formats::parse_object(line, here);
-    return read_case(formats::Node(json, here), header());
-  }
+  Case parse(std::uint64_t i) const override { return read_case(lines_.line(i), header(), where(i)); }
 
   formats::Lines lines_;
 };

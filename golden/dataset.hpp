@@ -81,6 +81,8 @@ struct ReadQuery {
 [[nodiscard]] DatasetHeader read_header(const formats::Node& node);
 /// A line of a dataset, its form checked and no more.
 [[nodiscard]] Case read_case(const formats::Node& line, const DatasetHeader& header);
+/// The same of its text, behind which formats::Lines::kRoom bytes can be read.
+[[nodiscard]] Case read_case(std::string_view line, const DatasetHeader& header, const formats::Location& where);
 
 /// Reads a user's question, a protocol query or a line of a dataset, whose answer is passed over; `file` is the header
 /// that tells its pair and scalar.

@@ -132,24 +132,28 @@ bool has_subnormal(const Query& query, Scalar scalar) {
   return found;
 }
 
-bool result_overflows(const Truth& truth, Scalar scalar) {
-  if (!truth.has_numbers() || !truth.hit()) return false;
-  const Contact contact = *oracle::expectation(truth, scalar).contact;
-  return !std::isfinite(contact.value) || !contact.point1.allFinite() || !contact.point2.allFinite();
+bool overflows(const Expectation& right) {
+  const auto& contact = right.contact;
+  return contact && !(std::isfinite(contact->value) && contact->point1.allFinite() && contact->point2.allFinite());
 }
 
-template <class Predicate>
-bool any_number(const Truth& truth, Scalar scalar, Predicate predicate) {
-  if (!truth.has_numbers() || !truth.hit()) return false;
-  const auto all = oracle::numbers(*truth.contact());
-  return std::any_of(all.begin(), all.end(), [&](const auto& each) {
-    return predicate(each.number, oracle::nearest_boundary(each.number, scalar));
-  });
-}
-
-bool is_tie(const Exact& x, const oracle::Boundary& boundary) { return x.compare(boundary.at) == CGAL::EQUAL; }
-bool is_hard_to_round(const Exact& x, const oracle::Boundary& boundary) {
-  return !is_tie(x, boundary) && oracle::is_within(boundary.at, x, power_of_two(kHardExponent) * boundary.ulp);
+/// Whether a number of the answer is a tie, or all but one.
+struct OnBoundaries {
+  bool tie = false;
+  bool hard = false;
+};
+OnBoundaries on_boundaries(const Truth& truth, Scalar scalar) {
+  OnBoundaries on;
+  if (!truth.has_numbers() || !truth.hit()) return on;
+  for (const auto& [field, x] : oracle::numbers(*truth.contact())) {
+    if (!oracle::may_be_near_boundary(x, scalar, kHardExponent)) continue;
+    const oracle::Boundary boundary = oracle::nearest_boundary(x, scalar);
+    if (x.compare(boundary.at) == CGAL::EQUAL)
+      on.tie = true;
+    else
+      on.hard = on.hard || oracle::is_within(boundary.at, x, power_of_two(kHardExponent) * boundary.ulp);
+  }
+  return on;
 }
 
 bool is_flat(const Ball& /*ball*/) { return false; }
@@ -195,132 +199,150 @@ bool any_delta(const Query& query, auto&& predicate) {
   return false;
 }
 
+/// A question with what is known of its answer.
+struct Asked {
+  const Query& query;
+  const Truth& truth;
+  Scalar scalar;
+  const Expectation& right;
+  OnBoundaries rounding;
+};
+
 /// When a flag holds.
 struct Holds {
   std::string_view flag;
-  bool (*holds)(const Query& query, const Truth& truth, Scalar scalar);
+  bool (*holds)(const Asked& asked);
 };
 
 constexpr std::array kHolds{
-    Holds{"Touching", [](const Query& q, const Truth& t,
-                         Scalar) { return q.distances.alarm == 0 && t.at_alarm == oracle::Side::at; }},
-    Holds{"AlarmEdge", [](const Query& q, const Truth& t,
-                          Scalar) { return q.distances.alarm > 0 && t.at_alarm == oracle::Side::at; }},
-    Holds{"NearBoundary", near_boundary},
-    Holds{"PlainWrong", [](const Query& q, const Truth& t, Scalar s) { return plain_overlap(q, s) != t.hit(); }},
+    Holds{"Touching",
+          [](const Asked& a) { return a.query.distances.alarm == 0 && a.truth.at_alarm == oracle::Side::at; }},
+    Holds{"AlarmEdge",
+          [](const Asked& a) { return a.query.distances.alarm > 0 && a.truth.at_alarm == oracle::Side::at; }},
+    Holds{"NearBoundary", [](const Asked& a) { return near_boundary(a.query, a.truth, a.scalar); }},
+    Holds{"PlainWrong", [](const Asked& a) { return plain_overlap(a.query, a.scalar) != a.truth.hit(); }},
     Holds{"ContactEdge",
-          [](const Query& q, const Truth& t, Scalar s) {
-            return t.has_distance() && t.hit() && (q.distances.contact > 0 || t.at_alarm != oracle::Side::at) &&
-                   is_near_zero(t.distance()->value(true), t.distance()->value_scale(), s);
+          [](const Asked& a) {
+            return a.truth.has_distance() && a.truth.hit() &&
+                   (a.query.distances.contact > 0 || a.truth.at_alarm != oracle::Side::at) &&
+                   is_near_zero(a.truth.distance()->value(true), a.truth.distance()->value_scale(), a.scalar);
           }},
-    Holds{"Coincident", [](const Query&, const Truth& t, Scalar) { return t.coincident(); }},
+    Holds{"Coincident", [](const Asked& a) { return a.truth.coincident(); }},
     Holds{"NearlyCoincident",
-          [](const Query&, const Truth& t, Scalar s) {
-            if (!t.has_distance() || t.degenerate() || t.distance()->overlaps() || t.distance()->cores().half_space)
+          [](const Asked& a) {
+            if (!a.truth.has_distance() || a.truth.degenerate() || a.truth.distance()->overlaps() ||
+                a.truth.distance()->cores().half_space)
               return false;
-            return t.distance()->distance2() < square(t.distance()->radii() * power_of_two(-20)) ||
-                   t.distance()->distance2() < square(smallest_normal(s));
+            return a.truth.distance()->distance2() < square(a.truth.distance()->radii() * power_of_two(-20)) ||
+                   a.truth.distance()->distance2() < square(smallest_normal(a.scalar));
           }},
     Holds{"BelowPlane",
-          [](const Query& q, const Truth& t, Scalar) {
-            return has_plane(q.pair) && (t.distance()->below() || CGAL::is_zero(t.distance()->distance2()));
+          [](const Asked& a) {
+            return has_plane(a.query.pair) &&
+                   (a.truth.distance()->below() || CGAL::is_zero(a.truth.distance()->distance2()));
           }},
     Holds{"CrossingEdge",
-          [](const Query& q, const Truth& t, Scalar) { return t.crossing() != nullptr && t.hit() && at_boundary(q); }},
-    Holds{"FromInside", [](const Query&, const Truth& t, Scalar) { return t.cast() != nullptr && t.degenerate(); }},
+          [](const Asked& a) { return a.truth.crossing() != nullptr && a.truth.hit() && at_boundary(a.query); }},
+    Holds{"FromInside", [](const Asked& a) { return a.truth.cast() != nullptr && a.truth.degenerate(); }},
     Holds{"Grazing",
-          [](const Query& q, const Truth& t, Scalar) {
-            return t.cast() != nullptr && t.hit() && !t.degenerate() && CGAL::is_zero(t.cast()->entry()->half2) &&
-                   (std::holds_alternative<CastAt<Ball>>(q.shapes) ||
-                    std::holds_alternative<CastAt<Capsule>>(q.shapes));
+          [](const Asked& a) {
+            return a.truth.cast() != nullptr && a.truth.hit() && !a.truth.degenerate() &&
+                   CGAL::is_zero(a.truth.cast()->entry()->half2) &&
+                   (std::holds_alternative<CastAt<Ball>>(a.query.shapes) ||
+                    std::holds_alternative<CastAt<Capsule>>(a.query.shapes));
           }},
     Holds{"ManyNormals",
-          [](const Query&, const Truth& t, Scalar) {
-            return t.cast() != nullptr && t.hit() && t.contact()->cast()->against.has_value();
+          [](const Asked& a) {
+            return a.truth.cast() != nullptr && a.truth.hit() && a.truth.contact()->cast()->against.has_value();
           }},
     Holds{"EndsAtSurface",
-          [](const Query& q, const Truth& t, Scalar) {
-            if (t.cast() == nullptr || !t.hit()) return false;
+          [](const Asked& a) {
+            if (a.truth.cast() == nullptr || !a.truth.hit()) return false;
             double length = 0;
             std::visit(
                 [&]<class A, class B>(const Two<A, B>& shapes) {
                   if constexpr (std::same_as<A, Cast>) length = shapes.a.length;
                 },
-                q.shapes);
-            return t.cast()->entry()->first().compare(Rational(length)) == CGAL::EQUAL;
+                a.query.shapes);
+            return a.truth.cast()->entry()->first().compare(Rational(length)) == CGAL::EQUAL;
           }},
     Holds{"Containment",
-          [](const Query& q, const Truth& t, Scalar) {
-            if (const Boxes* b = q.boxes()) return contained(b->a, b->b) || contained(b->b, b->a);
-            if (t.crossing() != nullptr || t.cast() != nullptr) return false;
-            if (is_convex(q.pair)) return false;
-            if (q.balls() == nullptr) return t.degenerate() && !t.coincident();
-            return t.distance()->distance2() <= square(Rational(q.balls()->a.radius) - Rational(q.balls()->b.radius));
+          [](const Asked& a) {
+            if (const Boxes* b = a.query.boxes()) return contained(b->a, b->b) || contained(b->b, b->a);
+            if (a.truth.crossing() != nullptr || a.truth.cast() != nullptr) return false;
+            if (is_convex(a.query.pair)) return false;
+            if (a.query.balls() == nullptr) return a.truth.degenerate() && !a.truth.coincident();
+            return a.truth.distance()->distance2() <=
+                   square(Rational(a.query.balls()->a.radius) - Rational(a.query.balls()->b.radius));
           }},
-    Holds{"Overlap",
-          [](const Query& q, const Truth& t, Scalar) { return is_convex(q.pair) && t.distance()->overlaps(); }},
-    Holds{"ZeroRadius", [](const Query& q, const Truth&,
-                           Scalar) { return any_shape(q, [](const auto& shape) { return is_point(shape); }); }},
-    Holds{"Flat", [](const Query& q, const Truth&,
-                     Scalar) { return any_shape(q, [](const auto& shape) { return is_flat(shape); }); }},
-    Holds{"ManyNearest", [](const Query&, const Truth& t,
-                            Scalar) { return t.has_distance() && t.hit() && !t.distance()->spread().empty(); }},
+    Holds{"Overlap", [](const Asked& a) { return is_convex(a.query.pair) && a.truth.distance()->overlaps(); }},
+    Holds{"ZeroRadius",
+          [](const Asked& a) { return any_shape(a.query, [](const auto& shape) { return is_point(shape); }); }},
+    Holds{"Flat", [](const Asked& a) { return any_shape(a.query, [](const auto& shape) { return is_flat(shape); }); }},
+    Holds{"ManyNearest",
+          [](const Asked& a) {
+            return a.truth.has_distance() && a.truth.hit() && !a.truth.distance()->spread().empty();
+          }},
     Holds{"OneAxis",
-          [](const Query& q, const Truth&, Scalar) {
+          [](const Asked& a) {
             int apart = 0;
-            any_delta(q, [&](const Rational& d) { return apart += CGAL::is_zero(d) ? 0 : 1, false; });
+            any_delta(a.query, [&](const Rational& d) { return apart += CGAL::is_zero(d) ? 0 : 1, false; });
             return apart == 1;
           }},
     Holds{"FarFromOrigin",
-          [](const Query& q, const Truth& t, Scalar) {
-            if (t.crossing() != nullptr || t.cast() != nullptr) {
-              const Rational size = t.cast() != nullptr ? size_of_shapes(q) : crossing_size(q);
-              return largest_coordinate(q) >= power_of_two(8) * size && !CGAL::is_zero(size);
+          [](const Asked& a) {
+            if (a.truth.crossing() != nullptr || a.truth.cast() != nullptr) {
+              const Rational size = a.truth.cast() != nullptr ? size_of_shapes(a.query) : crossing_size(a.query);
+              return largest_coordinate(a.query) >= power_of_two(8) * size && !CGAL::is_zero(size);
             }
-            if (is_convex(q.pair)) {
-              const Rational size = std::max(size_of_shapes(q), t.distance()->reach());
-              return largest_coordinate(q) >= power_of_two(8) * size && !CGAL::is_zero(size);
+            if (is_convex(a.query.pair)) {
+              const Rational size = std::max(size_of_shapes(a.query), a.truth.distance()->reach());
+              return largest_coordinate(a.query) >= power_of_two(8) * size && !CGAL::is_zero(size);
             }
-            if (t.has_distance())
-              return largest_coordinate(q) >= power_of_two(8) * t.distance()->reach() &&
-                     !CGAL::is_zero(t.distance()->reach());
-            return largest_coordinate(q) >= power_of_two(8) * (CGAL::abs(largest_gap(t)) + t.gaps()->alarm()) &&
-                   !CGAL::is_zero(largest_coordinate(q)) &&
-                   !CGAL::is_zero(CGAL::abs(largest_gap(t)) + t.gaps()->alarm());
+            if (a.truth.has_distance())
+              return largest_coordinate(a.query) >= power_of_two(8) * a.truth.distance()->reach() &&
+                     !CGAL::is_zero(a.truth.distance()->reach());
+            return largest_coordinate(a.query) >=
+                       power_of_two(8) * (CGAL::abs(largest_gap(a.truth)) + a.truth.gaps()->alarm()) &&
+                   !CGAL::is_zero(largest_coordinate(a.query)) &&
+                   !CGAL::is_zero(CGAL::abs(largest_gap(a.truth)) + a.truth.gaps()->alarm());
           }},
     Holds{"SquareOverflow",
-          [](const Query&, const Truth& t, Scalar s) {
-            return t.has_distance() &&
-                   std::max(t.distance()->distance2(), square(t.distance()->reach())) >= first_beyond(s);
+          [](const Asked& a) {
+            return a.truth.has_distance() && std::max(a.truth.distance()->distance2(),
+                                                      square(a.truth.distance()->reach())) >= first_beyond(a.scalar);
           }},
     Holds{"SquareUnderflow",
-          [](const Query& q, const Truth&, Scalar s) {
-            return any_delta(q, [&](const Rational& d) { return !CGAL::is_zero(d) && square(d) < smallest_normal(s); });
+          [](const Asked& a) {
+            return any_delta(
+                a.query, [&](const Rational& d) { return !CGAL::is_zero(d) && square(d) < smallest_normal(a.scalar); });
           }},
     Holds{"ReachOverflow",
-          [](const Query& q, const Truth& t, Scalar s) {
-            if (t.has_distance()) return t.distance()->reach() >= first_beyond(s);
-            if (q.boxes() == nullptr) return false;
+          [](const Asked& a) {
+            if (a.truth.has_distance()) return a.truth.distance()->reach() >= first_beyond(a.scalar);
+            if (a.query.boxes() == nullptr) return false;
             Rational largest(0);
             for (int axis = 0; axis < 3; ++axis)
-              largest = std::max({largest, Rational(q.boxes()->a.max[axis]), Rational(q.boxes()->b.max[axis])});
-            return largest + t.gaps()->alarm() >= first_beyond(s);
+              largest =
+                  std::max({largest, Rational(a.query.boxes()->a.max[axis]), Rational(a.query.boxes()->b.max[axis])});
+            return largest + a.truth.gaps()->alarm() >= first_beyond(a.scalar);
           }},
-    Holds{"ResultOverflow", [](const Query&, const Truth& t, Scalar s) { return result_overflows(t, s); }},
-    Holds{"HardToRound", [](const Query&, const Truth& t, Scalar s) { return any_number(t, s, is_hard_to_round); }},
-    Holds{"Tie", [](const Query&, const Truth& t, Scalar s) { return any_number(t, s, is_tie); }},
-    Holds{"Subnormal", [](const Query& q, const Truth&, Scalar s) { return has_subnormal(q, s); }},
-    Holds{kInvalidFlag, [](const Query&, const Truth&, Scalar) { return false; }},
+    Holds{"ResultOverflow", [](const Asked& a) { return overflows(a.right); }},
+    Holds{"HardToRound", [](const Asked& a) { return a.rounding.hard; }},
+    Holds{"Tie", [](const Asked& a) { return a.rounding.tie; }},
+    Holds{"Subnormal", [](const Asked& a) { return has_subnormal(a.query, a.scalar); }},
+    Holds{kInvalidFlag, [](const Asked& /*a*/) { return false; }},
 };
 static_assert(std::equal(kHolds.begin(), kHolds.end(), kFlags.begin(), kFlags.end(),
                          [](const Holds& x, const Flag& flag) { return x.flag == flag.name; }));
 
 }  // namespace
 
-std::vector<std::string> flags_of(const Query& query, const Truth& truth, Scalar scalar) {
+std::vector<std::string> flags_of(const Query& query, const Truth& truth, Scalar scalar, const Expectation& right) {
+  const Asked asked{query, truth, scalar, right, on_boundaries(truth, scalar)};
   std::vector<std::string> names;
   for (const Holds& flag : kHolds)
-    if (flag.holds(query, truth, scalar)) names.emplace_back(flag.flag);
+    if (flag.holds(asked)) names.emplace_back(flag.flag);
   return names;
 }
 

@@ -10,7 +10,8 @@
 
 namespace contact::golden {
 
-/// The names of the flags that hold. Domain: the question is inside the domain.
-[[nodiscard]] std::vector<std::string> flags_of(const Query& query, const oracle::Truth& truth, Scalar scalar);
+/// The names of the flags that hold. `right` is oracle::expectation(truth, scalar). Domain: the question is inside the domain.
+[[nodiscard]] std::vector<std::string> flags_of(const Query& query, const oracle::Truth& truth, Scalar scalar,
+                                                const Expectation& right);
 
 }  // namespace contact::golden

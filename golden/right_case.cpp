@@ -31,8 +31,8 @@ Case make_case(const Query& query, Scalar scalar) {
     return c;
   }
   const oracle::Truth truth = oracle::truth_of(query);
-  c.flags = flags_of(query, truth, scalar);
   c.expect = oracle::expectation(truth, scalar);
+  c.flags = flags_of(query, truth, scalar, c.expect);
   c.exact = oracle::witness(truth, scalar);
   return c;
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -176,8 +177,8 @@ bool contains(const ExactCore& solid, const ExactCore& other, std::size_t vertex
 
 /// Two features of which what is nearest may be nearest of the cores.
 struct Try {
-  const Feature* f;
-  const Feature* g;
+  std::size_t f;  ///< its place in a core's features
+  std::size_t g;
   double least;  ///< a lower bound of the square of their distance
 };
 /// All of them, as intervals of doubles tell.
@@ -187,13 +188,13 @@ std::vector<Try> tries(const EnclosedCore& a, const EnclosedCore& b) {
   double most = std::numeric_limits<double>::infinity();  // of the cores
   std::vector<Spanned<Enclosed>> of_b;
   for (const Feature& g : b.features) of_b.push_back(spanned(b, g));
-  for (const Feature& f : a.features) {
-    const Spanned<Enclosed> of_a = spanned(a, f);
+  for (std::size_t i = 0; i < a.features.size(); ++i) {
+    const Spanned<Enclosed> of_a = spanned(a, a.features[i]);
     for (std::size_t k = 0; k < of_b.size(); ++k) {
       const auto found = feet(of_a, of_b[k]);
       if (!found) continue;
       const Enclosed distance2 = dot(found->q - found->p, found->q - found->p);
-      all.push_back({&f, &b.features[k], distance2.inf()});
+      all.push_back({i, k, distance2.inf()});
       if (found->surely_inside) most = std::min(most, distance2.sup());
     }
   }
@@ -220,6 +221,47 @@ std::vector<std::array<Whole, 3>> in_whole_numbers(const std::vector<Point>& poi
       whole[i] = CGAL::integral_division(times, x[i].denominator()) * x[i].numerator();
   }
   return all;
+}
+
+/// The numbers of a feature's ways among the different ones of its core.
+using WayNumbers = std::array<std::size_t, 2>;
+/// The features of a core, each spanned where it is first asked for.
+class SpannedOnce {
+ public:
+  explicit SpannedOnce(const Core<Whole>& core) : core_(core), found_(core.features.size()) {}
+
+  struct Numbered {
+    Spanned<Whole> spanned;
+    WayNumbers ways;
+  };
+  const Numbered& of(std::size_t feature) {
+    auto& found = found_[feature];
+    if (found) return *found;
+    found.emplace(Numbered{spanned(core_, core_.features[feature]), {}});
+    for (std::size_t k = 0; k < found->spanned.dimension; ++k) {
+      const auto place = std::find(different_.begin(), different_.end(), found->spanned.ways[k]);
+      found->ways[k] = 1 + static_cast<std::size_t>(place - different_.begin());
+      if (place == different_.end()) different_.push_back(found->spanned.ways[k]);
+    }
+    return *found;
+  }
+
+ private:
+  const Core<Whole>& core_;
+  std::vector<std::optional<Numbered>> found_;
+  std::vector<std::array<Whole, 3>> different_;
+};
+/// Whether a way of two features is made of the others.
+bool depend_on_each_other(const Spanned<Whole>& f, const Spanned<Whole>& g) {
+  std::vector<std::array<Whole, 3>> ways;
+  for (const auto* feature : {&f, &g})
+    for (std::size_t k = 0; k < feature->dimension; ++k) ways.push_back(feature->ways[k]);
+  const auto is_none = [](const std::array<Whole, 3>& x) {
+    return std::all_of(x.begin(), x.end(), [](const Whole& each) { return CGAL::is_zero(each); });
+  };
+  if (ways.size() == 1) return is_none(ways[0]);
+  if (ways.size() == 2) return is_none(cross(ways[0], ways[1]));
+  return ways.size() == 3 && CGAL::is_zero(dot(cross(ways[0], ways[1]), ways[2]));
 }
 
 /// The square of the least distance, and pairs of points that are so far apart, among which all ends are of what is nearest.
@@ -252,8 +294,17 @@ NearestPairs nearest_pairs(const ExactCore& a, const ExactCore& b) {
   };
   add_contained(b, a, whole_a);
   add_contained(a, b, whole_b);
-  for (const Try& x : tries(a.enclosed, b.enclosed))
-    if (auto found = feet(spanned(whole_a, *x.f), spanned(whole_b, *x.g))) add(*std::move(found));
+  SpannedOnce of_a(whole_a);
+  SpannedOnce of_b(whole_b);
+  std::map<std::pair<WayNumbers, WayNumbers>, bool> depend;  // of features with parallel ways nothing is unique
+  for (const Try& x : tries(a.enclosed, b.enclosed)) {
+    const auto& [f, ways_of_f] = of_a.of(x.f);
+    const auto& [g, ways_of_g] = of_b.of(x.g);
+    const auto [known, is_new] = depend.try_emplace({ways_of_f, ways_of_g});
+    if (is_new) known->second = depend_on_each_other(f, g);
+    if (known->second) continue;
+    if (auto found = feet(f, g)) add(*std::move(found));
+  }
   NearestPairs pairs{{distance2, over2 * times * times}, {}};
   for (const auto& [p, q, over, is_inside] : least) {
     const auto divided = [by = over * times](const auto& x) {

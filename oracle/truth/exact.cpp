@@ -64,12 +64,16 @@ int side_of(double d, const Exact& x, Scalar scalar) {
 
 long bits_of(const Gmpz& n) { return static_cast<long>(mpz_sizeinbase(n.mpz(), 2)); }
 
+/// How many of the last bits of n / 2^exponent, n of more bits than the scalar, a number of the scalar has no room for.
+long bits_beyond(const Gmpz& n, long exponent, Scalar scalar) {
+  const Format format = format_of(scalar);
+  const long least = format.min_exponent - format.precision + 1;
+  return std::max(bits_of(n) - format.precision, least + exponent);
+}
+
 /// n / 2^exponent, rounded to nearest, ties to even; infinite beyond the range. Domain: n of more bits than the scalar.
 double rounded(const Gmpz& n, long exponent, Scalar scalar) {
-  const Format format = format_of(scalar);
-  const long lowest = format.min_exponent - format.precision + 1;
-  const long last = std::max(bits_of(n) - exponent - format.precision, lowest);  // of the bits that stay
-  const long away = last + exponent;
+  const long away = bits_beyond(n, exponent, scalar);
   // Half of the last bit is added; where that was a tie, an odd number has gone up one too far.
   const auto below_half = static_cast<mp_bitcnt_t>(away - 1);
   Gmpz halves;
@@ -79,7 +83,7 @@ double rounded(const Gmpz& n, long exponent, Scalar scalar) {
   Gmpz kept;
   mpz_fdiv_q_2exp(kept.mpz(), halves.mpz(), 1);
   if (is_tie && mpz_odd_p(kept.mpz()) != 0) mpz_sub_ui(kept.mpz(), kept.mpz(), 1);
-  const double x = std::ldexp(kept.to_double(), static_cast<int>(std::min(last, 2000L)));
+  const double x = std::ldexp(kept.to_double(), static_cast<int>(std::min(away - exponent, 2000L)));
   return std::abs(x) > largest_finite(scalar) ? std::copysign(std::numeric_limits<double>::infinity(), x) : x;
 }
 
@@ -218,6 +222,20 @@ Boundary nearest_boundary(const Exact& x, Scalar scalar) {
   return {x.compare((above + below) / Rational(2)) == CGAL::SMALLER ? below : above, ulp(Rational(d), scalar)};
 }
 
+bool may_be_near_boundary(const Exact& x, Scalar scalar, int exponent) {
+  const Exact::Scaled scaled = x.in_whole_numbers(format_of(scalar).precision - exponent + 40L);
+  const long beyond = bits_beyond(scaled.least, scaled.exponent, scalar);
+  if (beyond < 2)
+    return x.sign() != CGAL::ZERO;  // of what cancelled too little is known; 0 lies half an ulp from the next
+  // Off the middle of what is cut off: two more for x itself, and twice the ulps where x rounds to a power of two.
+  const auto digits = static_cast<mp_bitcnt_t>(beyond);
+  Gmpz off;
+  mpz_fdiv_r_2exp(off.mpz(), scaled.least.mpz(), digits);
+  off -= Gmpz(1) << (beyond - 1);
+  const long near = beyond + exponent + 1;
+  return CGAL::abs(off) <= (near > 0 ? Gmpz(1) << near : Gmpz(1)) + 2;
+}
+
 Rational distance_in_ulps(const Exact& x, const Boundary& boundary) {
   const Exact off = x.plus(-boundary.at);
   return off.sign() == CGAL::ZERO ? Rational(0) : tight_magnitude(off).high / boundary.ulp;
@@ -249,13 +267,21 @@ int floor_log2(const Rational& x) {
 }
 
 int floor_log2(const Exact& x) {
+  constexpr long kBits = 96;
+  const auto [least, exponent] = x.in_whole_numbers(kBits);
+  // What is |x| at least, and below what it is, in whole numbers.
+  const bool negative = CGAL::sign(least) == CGAL::NEGATIVE;
+  const Gmpz low = negative ? -least - 2 : least;
+  const Gmpz high = negative ? -least : least + 1;
+  if (CGAL::sign(low) == CGAL::POSITIVE && bits_of(low) == bits_of(high))
+    return static_cast<int>(bits_of(low) - 1 - exponent);
   const Exact::Enclosure e = tight_magnitude(x);
-  const int low = floor_log2(e.low);
-  if (floor_log2(e.high) == low) return low;
+  const int power = floor_log2(e.low);
+  if (floor_log2(e.high) == power) return power;
   // One power of two lies between the ends; the exact comparison decides.
-  const Rational power = power_of_two(low + 1);
-  const bool below = x.compare(power) == CGAL::SMALLER && x.compare(-power) == CGAL::LARGER;
-  return below ? low : low + 1;
+  const Rational next = power_of_two(power + 1);
+  const bool below = x.compare(next) == CGAL::SMALLER && x.compare(-next) == CGAL::LARGER;
+  return below ? power : power + 1;
 }
 
 Rational power_of_two(int exponent) {

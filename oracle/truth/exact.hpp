@@ -88,6 +88,8 @@ struct Boundary {
 };
 /// The boundary nearest to x; half a subnormal number for 0.
 [[nodiscard]] Boundary nearest_boundary(const Exact& x, Scalar scalar);
+/// Whether x may lie within 2^exponent of those ulps of a boundary, exponent < -2: where not, its first digits tell, and nothing is compared.
+[[nodiscard]] bool may_be_near_boundary(const Exact& x, Scalar scalar, int exponent);
 /// How far x lies from there in those ulps: 0 only on it, else rounded up by less than a 2^-60th.
 [[nodiscard]] Rational distance_in_ulps(const Exact& x, const Boundary& boundary);
 

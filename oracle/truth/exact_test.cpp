@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <vector>
 
 namespace contact::oracle::exact_test {
 namespace {
@@ -386,6 +387,81 @@ TEST(NearestBoundary, is_told_from_a_root_that_misses_it_by_a_hair) {
   EXPECT_EQ(boundary.at, m);
   EXPECT_EQ(floor_log2(distance_in_ulps(beside, boundary)), -5000 + 52 - 1);
   EXPECT_EQ(beside.compare(m), CGAL::LARGER);
+}
+
+/// A number as the root of its square.
+Exact root(const Rational& x) { return {Rational(0), Rational(x < Rational(0) ? -1 : 1), x * x}; }
+/// It as it is, as a root, and as two sums of which the second term cancels the first.
+std::vector<Exact> forms(const Rational& x) {
+  return {x, root(x), {x - Rational(1), Rational(1), Rational(1)}, root(x).scaled(Rational(-1)).plus(x + x)};
+}
+
+TEST(MayBeNearBoundary, is_true_of_all_that_is_near_and_false_four_times_as_far) {
+  constexpr int kNear = -20;
+  for (const FormatFacts& f : kFacts) {
+    const Rational largest(f.largest);
+    const Rational last = ulp(largest, f.scalar);
+    struct Place {
+      Rational boundary;
+      Rational ulp;  ///< of what x rounds to on either side, the larger of two
+    };
+    const Rational epsilon(f.epsilon);
+    const Rational least(f.least);
+    std::vector<Place> places{
+        {Rational(1) + half(epsilon), epsilon},
+        {Rational(3) + epsilon, Rational(2) * epsilon},
+        {Rational(1) - half(half(epsilon)), epsilon},  // a power of two above, which has the larger ulp
+        {half(least), least},
+        {half(Rational(3) * least), least},
+        {Rational(f.normal) - half(least), least},
+        {largest + half(last), last}};
+    for (const Place& place : std::vector(places)) places.push_back({-place.boundary, place.ulp});
+    for (const auto& [boundary, unit] : places)
+      for (const int side : {-1, 1}) {
+        const auto beside = [&](const Rational& ulps) { return boundary + Rational(side) * ulps * unit; };
+        for (const Rational& ulps : {Rational(0), hair(), half(power_of_two(kNear)), power_of_two(kNear)})
+          for (const Exact& x : forms(beside(ulps)))
+            EXPECT_TRUE(may_be_near_boundary(x, f.scalar, kNear)) << exact_string(boundary) << " " << side;
+        for (const Rational& ulps : {power_of_two(kNear + 2), power_of_two(-3)})
+          for (const Exact& x : {Exact(beside(ulps)), root(beside(ulps))})
+            EXPECT_FALSE(may_be_near_boundary(x, f.scalar, kNear)) << exact_string(boundary) << " " << side;
+      }
+    for (const Rational& x : {Rational(0), least, Rational(1), largest, Rational(1) + hair(), hair()})
+      EXPECT_FALSE(may_be_near_boundary(x, f.scalar, kNear)) << exact_string(x);
+  }
+}
+
+TEST(MayBeNearBoundary, is_asked_where_what_is_nearest_is_wanted) {
+  std::mt19937_64 random(11);
+  int near = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Scalar scalar = i % 2 == 0 ? kDouble : kFloat;
+    const int digits = scalar == kDouble ? 53 : 24;
+    // Some bits behind those that stay, so that one in eight lies within an eighth of the middle.
+    const Rational whole(static_cast<double>(random() >> (64 - digits)));
+    const Rational n = whole + Rational(static_cast<double>(random() >> 11)) * power_of_two(-53);
+    const Exact x(n * power_of_two(static_cast<int>(random() % 200) - 100), Rational(i % 3) * hair(), Rational(2));
+    const Boundary boundary = nearest_boundary(x, scalar);
+    const bool is_near = is_within(boundary.at, x, power_of_two(-4) * boundary.ulp);
+    near += is_near ? 1 : 0;
+    if (is_near) {
+      EXPECT_TRUE(may_be_near_boundary(x, scalar, -4)) << i;
+    }
+    if (!is_within(boundary.at, x, power_of_two(-2) * boundary.ulp)) {
+      EXPECT_FALSE(may_be_near_boundary(x, scalar, -4)) << i;
+    }
+  }
+  EXPECT_GT(near, 300);
+}
+
+TEST(FloorLog2, is_right_beside_powers_of_two) {
+  for (const int power : {-1100, -3, 0, 5, 1100})
+    for (const Rational& sign : {Rational(1), Rational(-1)}) {
+      const Rational at = sign * power_of_two(power);
+      for (const Exact& x : forms(at)) EXPECT_EQ(floor_log2(x), power);
+      for (const Exact& x : forms(at + sign * hair())) EXPECT_EQ(floor_log2(x), power);
+      for (const Exact& x : forms(at - sign * hair())) EXPECT_EQ(floor_log2(x), power - 1);
+    }
 }
 
 TEST(IsWithin, includes_the_bound_itself) {

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "oracle/truth/rough.hpp"
+
 namespace contact::oracle {
 namespace {
 
@@ -18,18 +20,38 @@ namespace {
 using Places = std::vector<std::size_t>;
 bool has(const Places& places, std::size_t k) { return std::find(places.begin(), places.end(), k) != places.end(); }
 
-/// A direction, and how far every vertex of both cores lies along it.
-struct Along {
-  Triple normal;
-  std::vector<Interval> a;
-  std::vector<Interval> b;
+/// How far the vertices of a core lie along a direction: an interval only of those whose order a double does not tell.
+class Heights {
+ public:
+  Heights(const IntervalCore& core, const std::vector<RoughTriple>& roughly, const Triple& n,
+          const RoughTriple& rough_n)
+      : core_(core), n_(n) {
+    for (const RoughTriple& x : roughly) rough_.push_back(dot(rough_n, x));
+    found_.resize(rough_.size());
+  }
+  [[nodiscard]] std::size_t size() const { return rough_.size(); }
+  [[nodiscard]] const Interval& operator[](std::size_t k) const {
+    if (!found_[k]) found_[k].emplace(dot(n_, core_.vertices[k]));
+    return *found_[k];
+  }
+  /// The sign of how much farther a vertex lies than another.
+  [[nodiscard]] int order(std::size_t k, std::size_t than) const {
+    if (const auto known = (rough_[k] - rough_[than]).sign()) return *known;
+    return sign_of((*this)[k] - (*this)[than]);
+  }
+
+ private:
+  const IntervalCore& core_;
+  const Triple& n_;
+  std::vector<Rough> rough_;
+  mutable std::vector<std::optional<Interval>> found_;
 };
 /// Those that lie farthest, or where `sign` is -1 least far, if `known` are all at one height.
-Places farthest(const std::vector<Interval>& heights, int sign, const Places& known) {
+Places farthest(const Heights& heights, int sign, const Places& known) {
   Places best = known.empty() ? Places{0} : known;
   for (std::size_t k = 0; k < heights.size(); ++k) {
     if (has(known, k) || has(best, k)) continue;
-    const int order = sign * sign_of(heights[k] - heights[best[0]]);
+    const int order = sign * heights.order(k, best[0]);
     if (order > 0) best = {k};
     if (order == 0) best.push_back(k);
   }
@@ -57,6 +79,9 @@ class AnyTwo {
     by(b_, a.over);
     for (const auto* core : {&a, &b})
       if (core->over) over_ = over_ * *core->over;
+    const long power = std::max(power_of(a_.vertices), power_of(b_.vertices));
+    rough_a_ = rough(a_.vertices, power);
+    rough_b_ = rough(b_.vertices, power);
     make_facings();
   }
 
@@ -87,11 +112,15 @@ class AnyTwo {
   }
   [[nodiscard]] Triple against(const Triple& n) const { return scaled(number(-1), n); }
 
+  /// Along a direction, how far all vertices of both lie.
+  struct Along {
+    const Triple& normal;
+    Heights a;
+    Heights b;
+  };
   [[nodiscard]] Along along(const Triple& n) const {
-    Along found{n, {}, {}};
-    for (const Triple& x : a_.vertices) found.a.push_back(dot(n, x));
-    for (const Triple& x : b_.vertices) found.b.push_back(dot(n, x));
-    return found;
+    const RoughTriple roughly = rough_direction(n);
+    return {n, {a_, rough_a_, n, roughly}, {b_, rough_b_, n, roughly}};
   }
   /// What faces the direction, or with -1 its opposite.
   [[nodiscard]] Facing facing(const Along& along, int sign, const Places& in_a, const Places& in_b) const {
@@ -131,36 +160,62 @@ class AnyTwo {
     };
     add_faces(a_, true);
     add_faces(b_, false);
-    const auto way = [](const IntervalCore& core, const Feature& edge) {
-      return difference(core.vertices[edge.places[1]], core.vertices[edge.places[0]]);
+    const auto way = [](const auto& vertices, const Feature& edge) {
+      return difference(vertices[edge.places[1]], vertices[edge.places[0]]);
     };
     for (const Feature& e : a_.directions())
       for (const Feature& f : b_.directions()) {
-        const Triple n = cross(way(a_, e), way(b_, f));
+        // A facet that two edges make has both of them in it.
+        const RoughTriple roughly = cross(way(rough_a_, e), way(rough_b_, f));
+        Beyond of_a(a_, rough_a_, e, roughly);
+        Beyond of_b(b_, rough_b_, f, roughly);
+        const auto may_face = [&](int sign) { return !of_a.is_there(sign) && !of_b.is_there(-sign); };
+        if (!may_face(1) && !may_face(-1)) continue;
+        const Triple n = cross(way(a_.vertices, e), way(b_.vertices, f));
         if (is_zero(n)) continue;
+        of_a.settle(n);
+        of_b.settle(n);
         std::optional<Along> both;
         for (const int sign : {1, -1}) {
-          // A facet that two edges make has both of them in it.
-          if (!may_be_in_facet(a_, e, n, sign) || !may_be_in_facet(b_, f, n, -sign)) continue;
-          if (!both) both = along(n);
+          if (!may_face(sign)) continue;
+          if (!both) both.emplace(along(n));
           facings_.push_back(facing(*both, sign, edge_at(a_, e, both->a, sign), edge_at(b_, f, both->b, -sign)));
         }
       }
   }
-  /// Whether no vertex of a hull, which has its own edges, lies farther along a normal to one of them, or less far: the first that does ends it.
-  [[nodiscard]] static bool may_be_in_facet(const IntervalCore& core, const Feature& edge, const Triple& n, int sign) {
-    if (!core.own) return true;
-    const Triple& from = core.vertices[edge.places[0]];
-    for (std::size_t k = 0; k < core.vertices.size(); ++k)
-      if (!edge.has(k) && sign * sign_of(dot(n, difference(core.vertices[k], from))) > 0) return false;
-    return true;
-  }
+  /// Whether a vertex of a hull, which has its own edges, lies farther along a normal to one of them, and whether one lies less far.
+  class Beyond {
+   public:
+    Beyond(const IntervalCore& core, const std::vector<RoughTriple>& roughly, const Feature& edge, const RoughTriple& n)
+        : core_(core), from_(edge.places[0]) {
+      if (!core.own) return;
+      for (std::size_t k = 0; k < roughly.size() && !(above_ && below_); ++k) {
+        if (edge.has(k)) continue;
+        const auto known = dot(n, difference(roughly[k], roughly[from_])).sign();
+        known ? take(*known) : open_.push_back(k);
+      }
+    }
+    /// Of those whose side no double tells; both sides are enough.
+    void settle(const Triple& n) {
+      for (const std::size_t k : open_)
+        if (!(above_ && below_)) take(sign_of(dot(n, difference(core_.vertices[k], core_.vertices[from_]))));
+    }
+    [[nodiscard]] bool is_there(int sign) const { return sign > 0 ? above_ : below_; }
+
+   private:
+    void take(int sign) {
+      above_ = above_ || sign > 0;
+      below_ = below_ || sign < 0;
+    }
+    const IntervalCore& core_;
+    std::size_t from_;
+    bool above_ = false;
+    bool below_ = false;
+    Places open_;
+  };
   /// The corners of the edge of a direction that lies farthest along a normal to it, or least far.
-  [[nodiscard]] static Places edge_at(const IntervalCore& core, const Feature& edge,
-                                      const std::vector<Interval>& heights, int sign) {
-    const auto lies_farther = [&](std::size_t k, std::size_t than) {
-      return sign * sign_of(heights[k] - heights[than]) > 0;
-    };
+  [[nodiscard]] static Places edge_at(const IntervalCore& core, const Feature& edge, const Heights& heights, int sign) {
+    const auto lies_farther = [&](std::size_t k, std::size_t than) { return sign * heights.order(k, than) > 0; };
     if (core.own) return {edge.corners().begin(), edge.corners().end()};
     if (core.outward.empty()) {  // the edges of a triangle have no other of their direction
       for (std::size_t k = 0; k < core.vertices.size(); ++k)
@@ -280,6 +335,8 @@ class AnyTwo {
   IntervalCore b_;
   mpfr_prec_t precision_;
   Interval over_;
+  std::vector<RoughTriple> rough_a_;  ///< the vertices, roughly
+  std::vector<RoughTriple> rough_b_;
   std::vector<Facing> facings_;
 };
 

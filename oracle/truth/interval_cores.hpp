@@ -3,6 +3,7 @@
 
 #include "oracle/truth/core.hpp"
 #include "oracle/truth/interval.hpp"
+#include "oracle/truth/rough.hpp"
 
 namespace contact::oracle {
 
@@ -15,7 +16,11 @@ template <class Shape>
 template <HullOfVertices Shape>
 [[nodiscard]] IntervalCore interval_core(const Shape& hull, mpfr_prec_t precision) {
   const auto points = points_of([precision](double x) { return Interval(precision, x); }, hull);
-  return core_of_points(points, radius_of(hull), [&](const auto& ask) { return sign_of(ask(points)); });
+  const std::vector<RoughTriple> roughly = rough(points, power_of(points));
+  return core_of_points(points, radius_of(hull), [&](const auto& ask) {
+    const auto known = ask(roughly).sign();
+    return known ? *known : sign_of(ask(points));
+  });
 }
 
 /// A feature of each of two cores.
