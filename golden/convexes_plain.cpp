@@ -78,7 +78,7 @@ struct Mesh {
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = i + 1; j < n; ++j)
         for (std::size_t k = j + 1; k < n; ++k)
-          if (is_face({i, j, k})) {
+          if (is_face(i, j, k)) {
             faces.push_back({i, j, k});
             add_edge(i, j), add_edge(j, k), add_edge(i, k);
           }
@@ -90,17 +90,27 @@ struct Mesh {
   [[nodiscard]] Triple<Real> way(const std::array<std::size_t, 2>& edge) const {
     return less(vertices[edge[1]], vertices[edge[0]]);
   }
-  [[nodiscard]] Triple<Real> normal(const std::vector<std::size_t>& face) const {
-    return cross(less(vertices[face[1]], vertices[face[0]]), less(vertices[face[2]], vertices[face[0]]));
+  [[nodiscard]] Triple<Real> normal(std::size_t i, std::size_t j, std::size_t k) const {
+    return cross(less(vertices[j], vertices[i]), less(vertices[k], vertices[i]));
   }
-  /// The largest n.x, and the middle of the vertices that are about there.
-  [[nodiscard]] Real farthest(const Triple<Real>& n) const {
-    Real most = dot(n, vertices[0]);
-    for (const Triple<Real>& x : vertices) most = std::max(most, dot(n, x));
-    return most;
+  [[nodiscard]] Triple<Real> normal(const std::vector<std::size_t>& face) const {
+    return normal(face[0], face[1], face[2]);
+  }
+  /// The least and the largest n.x, and the middle of the vertices that are about there.
+  struct Range {
+    Real least;
+    Real most;
+  };
+  [[nodiscard]] Range along(const Triple<Real>& n) const {
+    Range found{dot(n, vertices[0]), dot(n, vertices[0])};
+    for (const Triple<Real>& x : vertices) {
+      const Real at = dot(n, x);
+      found = {std::min(found.least, at), std::max(found.most, at)};
+    }
+    return found;
   }
   [[nodiscard]] Triple<Real> middle(const Triple<Real>& n) const {
-    const Real most = farthest(n);
+    const Real most = along(n).most;
     Triple<Real> sum{};
     Real count = 0;
     for (const Triple<Real>& x : vertices)
@@ -110,20 +120,21 @@ struct Mesh {
   }
 
  private:
-  [[nodiscard]] bool is_face(const std::vector<std::size_t>& face) const {
-    const Triple<Real> n = normal(face);
+  [[nodiscard]] bool is_face(std::size_t i, std::size_t j, std::size_t k) const {
+    const Triple<Real> n = normal(i, j, k);
     const Real length = std::sqrt(dot(n, n));
     if (!(length > 0)) return false;
     bool above = false;
     bool below = false;
     for (const Triple<Real>& x : vertices) {
-      const Triple<Real> from = less(x, vertices[face[0]]);
+      const Triple<Real> from = less(x, vertices[i]);
       const Real height = dot(n, from);
       const Real rounding = 8 * std::numeric_limits<Real>::epsilon() * length * std::sqrt(dot(from, from));
       above = above || height > rounding;
       below = below || height < -rounding;
+      if (above && below) return false;
     }
-    return !(above && below);
+    return true;
   }
   template <class Corner>
   void add_box(Corner corner) {
@@ -175,12 +186,15 @@ Nearest<Real> nearest(const Mesh<Real>& a, const Mesh<Real>& b) {
     const Real length = std::sqrt(dot(axis, axis));
     constexpr Real kTooShort = std::numeric_limits<Real>::epsilon();
     if (!(length > kTooShort)) return;
-    for (const Real sign : {Real{1}, Real{-1}}) {
-      const Triple<Real> n = times(sign / length, axis);
-      const Real depth = a.farthest(n) + b.farthest(times(Real{-1}, n));
+    const Triple<Real> n = times(1 / length, axis);
+    const auto of_a = a.along(n);
+    const auto of_b = b.along(n);
+    const auto try_way = [&](Real depth, Real sign) {
       is_parted = is_parted || depth <= 0;
-      if (depth < least) least = depth, deep.n = n;
-    }
+      if (depth < least) least = depth, deep.n = times(sign, n);
+    };
+    try_way(of_a.most - of_b.least, 1);
+    try_way(of_b.most - of_a.least, -1);
   };
   for (const auto* mesh : {&a, &b})
     for (const auto& face : mesh->faces) try_axis(mesh->normal(face));

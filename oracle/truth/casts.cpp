@@ -5,6 +5,7 @@
 #include "oracle/truth/casts.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "oracle/truth/cores.hpp"
 #include "oracle/truth/crossings.hpp"
@@ -61,22 +62,31 @@ Normals rounded_along(std::array<Exact, 3> normal) {
   return {std::move(normal), n};
 }
 
+/// A direction in whole numbers: of quotients most of the time would go into common divisors.
+Point in_whole_numbers(const Point& way) {
+  Whole times = way[0].denominator();
+  for (std::size_t i = 1; i < 3; ++i) mpz_lcm(times.mpz(), times.mpz(), mpq_denref(way[i].mpq()));
+  return Rational(times) * way;
+}
+
 /// The normals at a point x of the hull of some points: those that point along no way from x to one of them. Divided by
 /// the sums of the absolute values of their components they are polygons, whose corners lie across two ways or axes.
 /// Of a box axes are enough.
 Normals away_from(const Point& x, const std::vector<Point>& corners, bool is_box = false) {
   std::vector<Point> ways;
   for (const Point& corner : corners) ways.push_back(corner - x);
-  std::vector<Point> planes = is_box ? std::vector<Point>() : ways;
+  std::vector<Point> whole;
+  std::transform(ways.begin(), ways.end(), std::back_inserter(whole), in_whole_numbers);
+  std::vector<Point> planes = is_box ? std::vector<Point>() : whole;
   for (std::size_t i = 0; i < 3; ++i) planes.emplace_back()[i] = kOne;
   std::vector<Point> right;
   for (const Point& a : planes)
     for (const Point& b : planes) {
-      Point n = cross(a, b);
+      const Point n = cross(a, b);
       const Rational size = CGAL::abs(n[0]) + CGAL::abs(n[1]) + CGAL::abs(n[2]);
       if (CGAL::is_zero(size)) continue;
-      n = kOne / size * n;
-      if (std::all_of(ways.begin(), ways.end(), [&](const Point& w) { return dot(n, w) <= kNone; })) right.push_back(n);
+      if (std::all_of(whole.begin(), whole.end(), [&](const Point& w) { return dot(n, w) <= kNone; }))
+        right.push_back(kOne / size * n);
     }
   const auto ends = std::minmax_element(right.begin(), right.end());
   const Point greatest = *ends.second;
@@ -187,17 +197,26 @@ bool contains(const Box& box, const Point& x) {
   const Point high = point_of(box.max);
   return x[0] >= low[0] && x[1] >= low[1] && x[2] >= low[2] && x[0] <= high[0] && x[1] <= high[1] && x[2] <= high[2];
 }
-bool contains(const Triangle& triangle, const Point& x) {
+/// Whether it has the point x / over, over > 0.
+bool contains(const Triangle& triangle, const Point& x, const Rational& over = kOne) {
   const std::vector<Point> v = exact_core(triangle).vertices;
   const Point n = cross(v[1] - v[0], v[2] - v[0]);
-  bool inside = !is_zero(n) && CGAL::is_zero(dot(n, x - v[0]));
+  bool inside = !is_zero(n) && CGAL::is_zero(dot(n, x - over * v[0]));
   for (std::size_t k = 0; k < 3; ++k) {
     const Point edge = v[(k + 1) % 3] - v[k];
-    const Point w = x - v[k];
-    if (is_zero(cross(edge, w)) && dot(edge, w) >= kNone && dot(w, w) <= dot(edge, edge)) return true;  // on the edge
-    inside = inside && dot(n, cross(edge, w)) > kNone;
+    const Point w = x - over * v[k];
+    const Point turned = cross(edge, w);
+    if (is_zero(turned) && dot(edge, w) >= kNone && dot(w, w) <= square(over) * dot(edge, edge))
+      return true;  // on the edge
+    inside = inside && dot(n, turned) > kNone;
   }
   return inside;
+}
+
+bool contains_at(const Box& box, const RayLine& line, const Rational& t) { return contains(box, line.at(t)); }
+bool contains_at(const Triangle& triangle, const RayLine& line, const Rational& t) {
+  const Rational over(t.denominator());
+  return contains(triangle, over * line.o + Rational(t.numerator()) * line.d, over);
 }
 
 /// Where a line may enter: through each face of a box; through the face of a triangle, past an edge, at a vertex.
@@ -225,7 +244,7 @@ template <class Polytope>
 requires kIsOneOf<Polytope, Box, Triangle> std::optional<LineEnd> enter(const Polytope& shape, const RayLine& line) {
   std::optional<LineEnd> first;
   for (const Rational& t : tries(shape, line))
-    if (contains(shape, line.at(t)) && (!first || t < first->middle)) first = LineEnd{t, kNone};
+    if (contains_at(shape, line, t) && (!first || t < first->middle)) first = LineEnd{t, kNone};
   return first;
 }
 template <class Polytope>
