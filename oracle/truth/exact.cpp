@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "oracle/truth/default_environment.hpp"
 #include "oracle/truth/truth.hpp"
@@ -18,15 +19,6 @@ using CGAL::Gmpz;
 
 double as_float_neighbour(double x, float toward) {
   return static_cast<double>(std::nextafter(static_cast<float>(x), toward));
-}
-
-/// An enclosure of |x|, x other than 0, with both ends positive and no farther apart than a 2^-60th.
-Exact::Enclosure tight_magnitude(const Exact& x) {
-  const Exact positive = magnitude(x);
-  for (int bits = 96;; bits *= 2) {  // more where a and b sqrt(D) cancel
-    Exact::Enclosure e = positive.enclosure(bits);
-    if (CGAL::sign(e.low) == CGAL::POSITIVE && e.high <= e.low * (Rational(1) + power_of_two(-60))) return e;
-  }
 }
 
 double largest_finite(Scalar scalar) {
@@ -63,6 +55,35 @@ int side_of(double d, const Exact& x, Scalar scalar) {
 }
 
 long bits_of(const Gmpz& n) { return static_cast<long>(mpz_sizeinbase(n.mpz(), 2)); }
+
+/// low <= 2^exponent |x| <= high, above 0 and no farther apart than a 2^-60th.
+struct Magnitude {
+  Gmpz low;
+  Gmpz high;
+  long exponent;
+};
+/// Nothing where x is 0.
+std::optional<Magnitude> magnitude_of(const Exact& x) {
+  constexpr long kBits = 96;
+  for (long bits = kBits;; bits *= 2) {  // more where a and b sqrt(D) cancel
+    const auto [least, most, exponent] = x.in_whole_numbers(bits);
+    const bool is_negative = CGAL::sign(least) == CGAL::NEGATIVE;
+    const Gmpz low = is_negative ? -most : least;
+    if (CGAL::sign(low) == CGAL::POSITIVE && bits_of(low) > 61)
+      return Magnitude{low, is_negative ? -least : most, exponent};
+    if (bits == kBits && x.sign() == CGAL::ZERO) return std::nullopt;
+  }
+}
+/// A number not less than |x|, by less than a 2^-60th; |x| itself where that is rational.
+Rational magnitude_above(const Exact& x) {
+  if (const Rational* a = x.rational()) return CGAL::abs(*a);
+  const auto found = magnitude_of(x);
+  if (!found) return Rational(0);
+  Rational above(found->high);
+  const auto places = static_cast<mp_bitcnt_t>(std::abs(found->exponent));
+  found->exponent < 0 ? mpq_mul_2exp(above.mpq(), above.mpq(), places) : mpq_div_2exp(above.mpq(), above.mpq(), places);
+  return above;
+}
 
 /// How many of the last bits of n / 2^exponent, n of more bits than the scalar, a number of the scalar has no room for.
 long bits_beyond(const Gmpz& n, long exponent, Scalar scalar) {
@@ -120,17 +141,21 @@ Exact::Enclosure Exact::enclosure(int bits) const {
 Exact::Scaled Exact::in_whole_numbers(long bits) const {
   const auto log2 = [](const Gmpz& n, const Gmpz& d) { return bits_of(n) - bits_of(d); };  // or one less
   const Rational& a = number_.a0();
-  const auto floor_of = [](const Gmpz& n, const Gmpz& d, long exponent) {
+  bool is_whole = true;
+  const auto floor_of = [&](const Gmpz& n, const Gmpz& d, long exponent) {
     Gmpz whole;
+    Gmpz rest;
     const Gmpz scaled_n = exponent > 0 ? n << exponent : n;
     const Gmpz scaled_d = exponent < 0 ? d << -exponent : d;
-    mpz_fdiv_q(whole.mpz(), scaled_n.mpz(), scaled_d.mpz());
+    mpz_fdiv_qr(whole.mpz(), rest.mpz(), scaled_n.mpz(), scaled_d.mpz());
+    is_whole = is_whole && CGAL::is_zero(rest);
     return whole;
   };
   const bool has_a = !CGAL::is_zero(a);
   if (!number_.is_extended()) {
     const long exponent = has_a ? bits - log2(a.numerator(), a.denominator()) : bits;
-    return {floor_of(a.numerator(), a.denominator(), exponent), exponent};
+    const Gmpz least = floor_of(a.numerator(), a.denominator(), exponent);
+    return {least, is_whole ? least : least + 2, exponent};
   }
   // As in `enclosure`, where floor(-y) = -floor(y) - 1 or -y; the one more has room.
   const Rational& b = number_.a1();
@@ -140,9 +165,13 @@ Exact::Scaled Exact::in_whole_numbers(long bits) const {
   const long of_root = log2(n, d) / 2;
   const long exponent = bits - (has_a ? std::max(of_root, log2(a.numerator(), a.denominator())) : of_root);
   Gmpz root;
-  mpz_sqrt(root.mpz(), floor_of(n, d, 2 * exponent).mpz());
-  const Gmpz rest = floor_of(a.numerator(), a.denominator(), exponent);
-  return {CGAL::sign(b) == CGAL::POSITIVE ? rest + root : rest - root - 1, exponent};
+  Gmpz rest;
+  mpz_sqrtrem(root.mpz(), rest.mpz(), floor_of(n, d, 2 * exponent).mpz());
+  is_whole = is_whole && CGAL::is_zero(rest);
+  const Gmpz of_a = floor_of(a.numerator(), a.denominator(), exponent);
+  const bool is_sum = CGAL::sign(b) == CGAL::POSITIVE;
+  const Gmpz least = is_sum ? of_a + root : is_whole ? of_a - root : of_a - root - 1;
+  return {least, is_whole ? least : least + 2, exponent};
 }
 
 Exact magnitude(const Exact& x) { return x.sign() == CGAL::NEGATIVE ? x.scaled(Rational(-1)) : x; }
@@ -171,7 +200,7 @@ double round_to_nearest(const Exact& x, Scalar scalar) {
     scaled = x.in_whole_numbers(bits);
   }
   const double low = rounded(scaled.least, scaled.exponent, scalar);
-  const double high = rounded(scaled.least + 2, scaled.exponent, scalar);
+  const double high = rounded(scaled.most, scaled.exponent, scalar);
   if (low == high) return low == 0 ? 0.0 : low;
   const double limit = largest_finite(scalar);
   // Exact comparisons end the walk.
@@ -237,15 +266,12 @@ bool may_be_near_boundary(const Exact& x, Scalar scalar, int exponent) {
 }
 
 Rational distance_in_ulps(const Exact& x, const Boundary& boundary) {
-  const Exact off = x.plus(-boundary.at);
-  return off.sign() == CGAL::ZERO ? Rational(0) : tight_magnitude(off).high / boundary.ulp;
+  return magnitude_above(x.plus(-boundary.at)) / boundary.ulp;
 }
 
 double error_in_units(const Rational& claim, const Exact& x, const Rational& unit) {
   const DefaultEnvironment environment;
-  const Exact difference = x.plus(-claim);
-  if (difference.sign() == CGAL::ZERO) return 0.0;
-  return CGAL::to_interval(tight_magnitude(difference.scaled(Rational(1) / unit)).high).second;
+  return CGAL::to_interval(magnitude_above(x.plus(-claim)) / unit).second;
 }
 
 bool is_within(const Rational& claim, const Exact& x, const Rational& bound) {
@@ -267,21 +293,13 @@ int floor_log2(const Rational& x) {
 }
 
 int floor_log2(const Exact& x) {
-  constexpr long kBits = 96;
-  const auto [least, exponent] = x.in_whole_numbers(kBits);
-  // What is |x| at least, and below what it is, in whole numbers.
-  const bool negative = CGAL::sign(least) == CGAL::NEGATIVE;
-  const Gmpz low = negative ? -least - 2 : least;
-  const Gmpz high = negative ? -least : least + 1;
-  if (CGAL::sign(low) == CGAL::POSITIVE && bits_of(low) == bits_of(high))
-    return static_cast<int>(bits_of(low) - 1 - exponent);
-  const Exact::Enclosure e = tight_magnitude(x);
-  const int power = floor_log2(e.low);
-  if (floor_log2(e.high) == power) return power;
-  // One power of two lies between the ends; the exact comparison decides.
+  const auto [low, high, exponent] = *magnitude_of(x);
+  const auto power = static_cast<int>(bits_of(low) - 1 - exponent);
+  if (bits_of(high) == bits_of(low)) return power;
+  // One power of two lies between the two; the exact comparison decides.
   const Rational next = power_of_two(power + 1);
-  const bool below = x.compare(next) == CGAL::SMALLER && x.compare(-next) == CGAL::LARGER;
-  return below ? power : power + 1;
+  const bool is_below = x.compare(next) == CGAL::SMALLER && x.compare(-next) == CGAL::LARGER;
+  return is_below ? power : power + 1;
 }
 
 Rational power_of_two(int exponent) {

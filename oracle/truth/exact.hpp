@@ -24,6 +24,8 @@ class Exact {
   Exact(const Rational& a, const Rational& b, const Rational& D);
 
   [[nodiscard]] CGAL::Sign sign() const { return number_.sign(); }
+  /// The number where no root is part of it, else nullptr.
+  [[nodiscard]] const Rational* rational() const { return number_.is_extended() ? nullptr : &number_.a0(); }
   [[nodiscard]] CGAL::Sign compare(const Rational& other) const;
   [[nodiscard]] Exact scaled(const Rational& factor) const;
   [[nodiscard]] Exact plus(const Rational& other) const;
@@ -36,9 +38,11 @@ class Exact {
     Rational high;
   };
   [[nodiscard]] Enclosure enclosure(int bits) const;
-  /// A whole number n with n <= 2^exponent x < n + 2: one gives more than `bits` bits of it where a and b sqrt(D) do not cancel.
+  /// Whole numbers with least <= 2^exponent x <= most, which differ by 2, or are one where 2^exponent x is seen to be that: `least` has more than
+  /// `bits` bits where a and b sqrt(D) do not cancel.
   struct Scaled {
     Whole least;
+    Whole most;
     long exponent;
   };
   [[nodiscard]] Scaled in_whole_numbers(long bits) const;
