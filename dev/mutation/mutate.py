@@ -59,7 +59,7 @@ COMPONENTS = {
                "oracle/truth/double_double_nearest.hpp", "oracle/truth/double_double_oracle.cpp", "oracle/truth/double_double_planes.cpp",
                "oracle/truth/double_double_planes.hpp", "oracle/truth/double_double_segments.cpp", "oracle/truth/double_double_segments.hpp",
                "oracle/truth/exact.cpp", "oracle/truth/exact.hpp", "oracle/truth/exact_pairs.cpp", "oracle/truth/exact_truth.cpp",
-               "oracle/truth/exact_truth.hpp", "oracle/truth/expectation.hpp", "oracle/truth/grid.hpp", "oracle/truth/interval.hpp", "oracle/truth/rough.hpp",
+               "oracle/truth/exact_truth.hpp", "oracle/truth/expectation.hpp", "oracle/truth/grid.hpp", "oracle/truth/interval.hpp", "oracle/truth/interval_rough.hpp",
                "oracle/truth/interval_casts.cpp", "oracle/truth/interval_casts.hpp", "oracle/truth/interval_convexes.cpp", "oracle/truth/interval_cores.cpp",
                "oracle/truth/interval_cores.hpp", "oracle/truth/interval_crossings.cpp", "oracle/truth/interval_crossings.hpp",
                "oracle/truth/interval_oracle.cpp", "oracle/truth/query.cpp", "oracle/truth/query.hpp", "oracle/truth/quick_witness.cpp", "oracle/truth/separation.cpp",

@@ -152,11 +152,15 @@ bool is_same(const DistanceTruth& x, const DistanceTruth& y) {
   return x.meeting().depth2 == y.meeting().depth2 && x.meeting().ways.size() == 1 && y.meeting().ways.size() == 1;
 }
 
-/// The question with as few vertices as it takes to have the same answer, of those that lie clearly behind the others
-/// along the normal. Domain: a hit with one normal, and one pair of nearest points.
+/// The question with as few vertices as it takes to have the same nearest points, or way out, of those that lie clearly behind the others
+/// along the normal. None is left out where it has not one normal, and one pair of nearest points.
 class FewestVertices {
  public:
-  FewestVertices(const Query& query, const Vector3& normal, Scalar scalar) : query_(query), truth_(query) {
+  FewestVertices(const Query& query, Scalar scalar) : query_(query), truth_(query) {
+    const DistanceTruth* exact = truth_.distance();
+    if (exact == nullptr || exact->cast() != nullptr || exact->degenerate() || !exact->spread().empty()) return;
+    Vector3 normal;
+    for (int axis = 0; axis < 3; ++axis) normal[axis] = round_to_nearest(exact->normal(axis), Scalar::binary64);
     std::vector<Place> behind;
     const auto hulls = hulls_of(query_);
     for (std::size_t shape = 0; shape < hulls.size(); ++shape) {
@@ -169,9 +173,11 @@ class FewestVertices {
       for (std::size_t k = 0; k < of.size(); ++k)
         if (is_clearly_behind(of[k], *front, out, scalar)) behind.emplace_back(shape, k);
     }
-    if (truth_.distance() != nullptr && truth_.distance()->cast() == nullptr) leave_out(behind);
+    leave_out(behind);
   }
-  [[nodiscard]] const std::array<std::vector<bool>, 2>& needed() const { return needed_; }
+  [[nodiscard]] bool is_needed(std::size_t shape, std::size_t k) const {
+    return needed_[shape].empty() || needed_[shape][k];
+  }
 
  private:
   using Place = std::pair<std::size_t, std::size_t>;
@@ -253,9 +259,7 @@ std::vector<bool> numbers_without_effect(const Query& query, Scalar scalar) {
   Query asked = query;
   const auto hulls = hulls_of(asked);
   if (hulls[0] == nullptr && hulls[1] == nullptr) return {};
-  const auto contact = staged_answer(query, Scalar::binary64).expected.contact;
-  if (!contact || contact->degenerate || !contact->unique) return {};
-  const auto needed = FewestVertices(query, contact->normal, scalar).needed();
+  const FewestVertices fewest(query, scalar);
   std::vector<bool> idle;
   for_each_number(asked, [&](const std::string&, const double& x) {
     bool is_idle = false;
@@ -263,7 +267,7 @@ std::vector<bool> numbers_without_effect(const Query& query, Scalar scalar) {
       if (hulls[shape] == nullptr) continue;
       for (std::size_t k = 0; k < hulls[shape]->size(); ++k) {
         const Vector3& vertex = (*hulls[shape])[k];
-        if (&x == &vertex[0] || &x == &vertex[1] || &x == &vertex[2]) is_idle = !needed[shape][k];
+        if (&x == &vertex[0] || &x == &vertex[1] || &x == &vertex[2]) is_idle = !fewest.is_needed(shape, k);
       }
     }
     idle.push_back(is_idle);
@@ -331,7 +335,8 @@ bool last_bit_decides(const Query& query, const Truth& truth, const Declaration&
   // Away from the decision that is right: the neighbour with the larger signed distance where it is a hit.
   std::optional<Exact::Enclosure> best;
   std::size_t number = 0;
-  for_each_neighbour(query, declared.scalar, {}, [&](const Query& neighbour, std::size_t i) {
+  const std::vector<bool> idle = numbers_without_effect(query, declared.scalar);
+  for_each_neighbour(query, declared.scalar, idle, [&](const Query& neighbour, std::size_t i) {
     if (decides) return;
     const Truth there = truth_of(neighbour);
     decides = hit(neighbour, there) != is_hit;

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/truth/rough.hpp"
+#include "oracle/truth/interval_rough.hpp"
 
 namespace contact::oracle {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "oracle/truth/core.hpp"
 #include "oracle/truth/interval.hpp"
-#include "oracle/truth/rough.hpp"
+#include "oracle/truth/interval_rough.hpp"
 
 namespace contact::oracle {
 

@@ -1,5 +1,5 @@
 // What doubles tell the interval oracle of a number, against exact numbers.
-#include "oracle/truth/rough.hpp"
+#include "oracle/truth/interval_rough.hpp"
 
 #include <gtest/gtest.h>
 
