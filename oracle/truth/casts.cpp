@@ -74,8 +74,9 @@ Point in_whole_numbers(const Point& way) {
 /// Of a box axes are enough.
 Normals away_from(const Point& x, const std::vector<Point>& corners, bool is_box = false) {
   std::vector<Point> ways;
-  for (const Point& corner : corners) ways.push_back(corner - x);
   std::vector<Point> whole;
+  ways.reserve(corners.size());
+  for (const Point& corner : corners) ways.push_back(corner - x);
   std::transform(ways.begin(), ways.end(), std::back_inserter(whole), in_whole_numbers);
   std::vector<Point> planes = is_box ? std::vector<Point>() : whole;
   for (std::size_t i = 0; i < 3; ++i) planes.emplace_back()[i] = kOne;

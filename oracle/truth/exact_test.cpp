@@ -416,15 +416,15 @@ TEST(MayBeNearBoundary, is_true_of_all_that_is_near_and_false_four_times_as_far)
         {Rational(f.normal) - half(least), least},
         {largest + half(last), last}};
     for (const Place& place : std::vector(places)) places.push_back({-place.boundary, place.ulp});
-    for (const auto& [boundary, unit] : places)
+    for (const Place& place : places)
       for (const int side : {-1, 1}) {
-        const auto beside = [&](const Rational& ulps) { return boundary + Rational(side) * ulps * unit; };
+        const auto beside = [&](const Rational& ulps) { return place.boundary + Rational(side) * ulps * place.ulp; };
         for (const Rational& ulps : {Rational(0), hair(), half(power_of_two(kNear)), power_of_two(kNear)})
           for (const Exact& x : forms(beside(ulps)))
-            EXPECT_TRUE(may_be_near_boundary(x, f.scalar, kNear)) << exact_string(boundary) << " " << side;
+            EXPECT_TRUE(may_be_near_boundary(x, f.scalar, kNear)) << exact_string(place.boundary) << " " << side;
         for (const Rational& ulps : {power_of_two(kNear + 2), power_of_two(-3)})
           for (const Exact& x : {Exact(beside(ulps)), root(beside(ulps))})
-            EXPECT_FALSE(may_be_near_boundary(x, f.scalar, kNear)) << exact_string(boundary) << " " << side;
+            EXPECT_FALSE(may_be_near_boundary(x, f.scalar, kNear)) << exact_string(place.boundary) << " " << side;
       }
     for (const Rational& x : {Rational(0), least, Rational(1), largest, Rational(1) + hair(), hair()})
       EXPECT_FALSE(may_be_near_boundary(x, f.scalar, kNear)) << exact_string(x);

@@ -55,6 +55,7 @@ using RoughTriple = std::array<Rough, 3>;
 /// Points over 2^power: of numbers near 1 no product overflows, and the sign of no product of their differences is another.
 [[nodiscard]] inline std::vector<RoughTriple> rough(const std::vector<Triple>& points, long power) {
   std::vector<RoughTriple> all;
+  all.reserve(points.size());
   const auto of = [&](const Interval& x) { return Rough::of(x.scaled(-power)); };
   for (const Triple& x : points) all.push_back({of(x[0]), of(x[1]), of(x[2])});
   return all;
