@@ -5,7 +5,6 @@
 #include "oracle/truth/casts.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "oracle/truth/cores.hpp"
 #include "oracle/truth/crossings.hpp"
@@ -62,22 +61,15 @@ Normals rounded_along(std::array<Exact, 3> normal) {
   return {std::move(normal), n};
 }
 
-/// A direction in whole numbers: of quotients most of the time would go into common divisors.
-Point in_whole_numbers(const Point& way) {
-  Whole times = way[0].denominator();
-  for (std::size_t i = 1; i < 3; ++i) mpz_lcm(times.mpz(), times.mpz(), mpq_denref(way[i].mpq()));
-  return Rational(times) * way;
-}
-
 /// The normals at a point x of the hull of some points: those that point along no way from x to one of them. Divided by
 /// the sums of the absolute values of their components they are polygons, whose corners lie across two ways or axes.
 /// Of a box axes are enough.
 Normals away_from(const Point& x, const std::vector<Point>& corners, bool is_box = false) {
   std::vector<Point> ways;
-  std::vector<Point> whole;
-  ways.reserve(corners.size());
   for (const Point& corner : corners) ways.push_back(corner - x);
-  std::transform(ways.begin(), ways.end(), std::back_inserter(whole), in_whole_numbers);
+  const Rational times(common_denominator({&ways}));
+  std::vector<Point> whole;
+  for (const Point& way : ways) whole.push_back(times * way);
   std::vector<Point> planes = is_box ? std::vector<Point>() : whole;
   for (std::size_t i = 0; i < 3; ++i) planes.emplace_back()[i] = kOne;
   std::vector<Point> right;

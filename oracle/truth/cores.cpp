@@ -202,16 +202,6 @@ std::vector<Try> tries(const EnclosedCore& a, const EnclosedCore& b) {
   return all;
 }
 
-/// The least number that makes whole numbers of all coordinates.
-Whole common_denominator(std::initializer_list<const std::vector<Point>*> all) {
-  Whole found(1);
-  for (const std::vector<Point>* points : all)
-    for (const Point& point : *points)
-      for (const Rational& x : point)
-        if (mpz_divisible_p(found.mpz(), mpq_denref(x.mpq())) == 0)
-          mpz_lcm(found.mpz(), found.mpz(), mpq_denref(x.mpq()));
-  return found;
-}
 /// Domain: the products are whole.
 std::vector<std::array<Whole, 3>> in_whole_numbers(const std::vector<Point>& points, const Whole& times) {
   std::vector<std::array<Whole, 3>> all;
@@ -593,6 +583,16 @@ Cores nearest_of(const ExactCore& first, const ExactCore& second, Rules rules) {
 }
 
 }  // namespace
+
+Whole common_denominator(std::initializer_list<const std::vector<Point>*> all) {
+  Whole found(1);
+  for (const std::vector<Point>* points : all)
+    for (const Point& point : *points)
+      for (const Rational& x : point)
+        if (mpz_divisible_p(found.mpz(), mpq_denref(x.mpq())) == 0)
+          mpz_lcm(found.mpz(), found.mpz(), mpq_denref(x.mpq()));
+  return found;
+}
 
 Rational largest_coordinate(const std::vector<Point>& points) {
   const Rational* low = &points[0][0];

@@ -1,6 +1,8 @@
 // The exact truth of two cores.
 #pragma once
 
+#include <initializer_list>
+
 #include "oracle/truth/core.hpp"
 #include "oracle/truth/exact_truth.hpp"
 
@@ -55,6 +57,8 @@ enum class Rules { of_the_pair, of_all };
 [[nodiscard]] bool are_surely_apart(const EnclosedCore& first, const EnclosedCore& second);
 /// The square of the distance of two cores, 0 where they meet.
 [[nodiscard]] Rational squared_distance(const ExactCore& first, const ExactCore& second);
+/// The least number that makes whole numbers of all coordinates: of quotients most of the time would go into common divisors.
+[[nodiscard]] Whole common_denominator(std::initializer_list<const std::vector<Point>*> all);
 /// The largest coordinate of some points.
 [[nodiscard]] Rational largest_coordinate(const std::vector<Point>& points);
 /// How to leave a core with an inside through each of its faces, for a point of it.

@@ -1,4 +1,4 @@
-// Numbers of which the interval oracle first asks a double: most signs are far from any doubt, and tell themselves in a fiftieth of the time.
+// Numbers of which the interval oracle first asks a double: most signs are far from any doubt.
 #pragma once
 
 #include <algorithm>
