@@ -101,10 +101,6 @@ CONTACT_BATCH_CONTACTS(CONTACT_COMPUTE)
 #undef CONTACT_TEST
 #undef CONTACT_COMPUTE
 
-/// compute_vectors where every second ball is a point, its radius 0: quicker, for pairs that come to this.
-batch::Count compute_vectors_to_points(const SpherePairs& pairs, const ContactQuestion& question,
-                                       const ContactRows& out);
-
 // For tests and benchmarks.
 
 /// The instruction sets that the kernels are compiled for and the processor has, in Highway's names, best first.

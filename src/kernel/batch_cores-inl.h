@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -38,7 +39,7 @@ template <class A, class B>
 struct Strip {
   const PairColumns<A, B>& pairs;
   const ContactQuestion& question;
-  const CoreColumns& cores;
+  CoreColumns& cores;
   const ContactRows& out;
   Left& left;
 };
@@ -433,11 +434,11 @@ bool cores_of_strip(const PairColumns<A, B>& pairs, CoreColumns& to) {
 /// The second half, and what the vectors leave.
 template <class A, class B>
 void finish_contacts(const PairColumns<A, B>& pairs, const ContactQuestion& question, const ContactRows& out,
-                     const CoreColumns& cores, batch::Count& count) {
+                     CoreColumns& cores, batch::Count& count) {
   Left left;
   Feet<A, B>::contacts(Strip<A, B>{pairs, question, cores, out, left});
   count.hits += left.hits;
-  count.exact += left.size;
+  count.exact += left.size + left.exact;
   for (std::size_t k = 0; k < left.size; ++k) {
     const std::size_t row = left.rows[k];
     contact_of_one_pair(pairs, question, row, out, row);
@@ -454,42 +455,62 @@ void contacts_of_dense(const PairColumns<A, B>& pairs, const ContactQuestion& qu
   finish_contacts(pairs, question, out, cores, count);
 }
 
-/// The lanes of a mask, one after the other from the first lane on.
-#if HWY_ARCH_X86 && HWY_TARGET == HWY_AVX2
-/// (Highway 1.0's Compress copies its table to the stack at every call.)
-struct Press {
-  __m256i lanes;
+// Lanes of a vector that are kept are pressed together from the first lane on, and spread again, with 0 between them.
+// (Highway 1.0's Compress copies its table to the stack at every call.)
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
 
-  HWY_INLINE explicit Press(M kept) {
-    // Of 16 masks, the halves of the lanes that are kept, and of the last of them.
-    struct Table {
-      alignas(32) std::uint32_t halves[16][8];
-      constexpr Table() : halves() {
-        for (unsigned mask = 0; mask < 16; ++mask) {
-          unsigned to = 0;
-          for (unsigned lane = 0; lane < 4; ++lane)
-            if ((mask >> lane & 1) != 0) {
-              halves[mask][to++] = 2 * lane;
-              halves[mask][to++] = 2 * lane + 1;
-            }
-        }
-      }
-    };
-    static constexpr Table kTable;
-    const auto mask = static_cast<unsigned>(_mm256_movemask_pd(kept.raw));
-    lanes = _mm256_load_si256(reinterpret_cast<const __m256i*>(kTable.halves[mask]));
-  }
-  HWY_INLINE V operator()(V x) const {
-    return V{_mm256_castsi256_pd(_mm256_permutevar8x32_epi32(_mm256_castpd_si256(x.raw), lanes))};
-  }
+struct Press {
+  M kept;
+
+  HWY_INLINE explicit Press(unsigned bits) : kept{static_cast<__mmask8>(bits)} {}
+  HWY_INLINE V operator()(V x) const { return V{_mm512_maskz_compress_pd(kept.raw, x.raw)}; }
 };
+struct Spreading {
+  M kept;
+
+  HWY_INLINE explicit Spreading(unsigned bits) : kept{static_cast<__mmask8>(bits)} {}
+  HWY_INLINE V operator()(V x) const { return V{_mm512_maskz_expand_pd(kept.raw, x.raw)}; }
+};
+
 #else
-struct Press {
-  M mask;
 
-  HWY_INLINE explicit Press(M kept) : mask(kept) {}
-  HWY_INLINE V operator()(V x) const { return hn::Compress(x, mask); }
+/// By masks as bits: which lane each one takes, and all bits where it is kept.
+struct LanesOfMasks {
+  std::int64_t press[1 << kMostLanes][kMostLanes];
+  std::int64_t spread[1 << kMostLanes][kMostLanes];
+  std::int64_t kept[1 << kMostLanes][kMostLanes];
+
+  constexpr LanesOfMasks() : press(), spread(), kept() {
+    for (std::size_t mask = 0; mask < std::size(press); ++mask) {
+      std::int64_t count = 0;
+      for (std::size_t lane = 0; lane < kMostLanes; ++lane) {
+        if ((mask >> lane & 1) == 0) continue;
+        kept[mask][lane] = -1;
+        spread[mask][lane] = count;
+        press[mask][count++] = static_cast<std::int64_t>(lane);
+      }
+    }
+  }
 };
+inline constexpr LanesOfMasks kLanesOfMasks;
+using Lanes = decltype(hn::SetTableIndices(D(), static_cast<const std::int64_t*>(nullptr)));
+
+struct Press {
+  Lanes lanes;
+
+  HWY_INLINE explicit Press(unsigned bits) : lanes(hn::SetTableIndices(D(), kLanesOfMasks.press[bits])) {}
+  HWY_INLINE V operator()(V x) const { return hn::TableLookupLanes(x, lanes); }
+};
+struct Spreading {
+  Lanes lanes;
+  V kept;
+
+  HWY_INLINE explicit Spreading(unsigned bits)
+      : lanes(hn::SetTableIndices(D(), kLanesOfMasks.spread[bits])),
+        kept(hn::BitCast(D(), hn::LoadU(hn::RebindToSigned<D>(), kLanesOfMasks.kept[bits]))) {}
+  HWY_INLINE V operator()(V x) const { return hn::And(hn::TableLookupLanes(x, lanes), kept); }
+};
+
 #endif
 
 /// The pairs of a strip that may be hits, pressed together, with room for their answers. What follows them to the end
@@ -499,7 +520,8 @@ struct Pressed {
   static constexpr std::size_t kFirst = kNumbersOf<A>;
   static constexpr std::size_t kSecond = kNumbersOf<B>;
   PairColumns<A, B> pairs;
-  double rows[CoreColumns::kRoom];  ///< which of the strip
+  double rows[CoreColumns::kRoom];         ///< which of the strip
+  std::uint8_t kept[CoreColumns::kPairs];  ///< of every vector of the strip, its lanes
   double numbers[kFirst + kSecond][CoreColumns::kRoom];
   double answers[ContactRows::kNumbers][CoreColumns::kRoom];
   batch::PairState states[CoreColumns::kRoom];
@@ -530,7 +552,9 @@ struct Pressed {
     for (std::size_t i = 0; i < strip.size; i += lanes) {
       M miss;
       const V decision = decision_of(Feet<A, B>(strip, i), question.distances.alarm, miss);
-      if (!hn::AllTrue(tag, miss)) press(strip, i, hn::Not(miss), decision);
+      const unsigned bits = bits_of(hn::Not(miss));
+      kept[i / lanes] = static_cast<std::uint8_t>(bits);
+      if (bits != 0) press(strip, i, bits, decision);
     }
     if (pairs.size == 0) return;
     const std::size_t room = (pairs.size + lanes - 1) / lanes * lanes;
@@ -541,18 +565,36 @@ struct Pressed {
     finish_contacts(pairs, question, to, cores, count);
   }
 
- private:
-  HWY_INLINE void press(const PairColumns<A, B>& strip, std::size_t i, M kept, V decision) {
+  /// Writes the answers to the rows of the strip, and misses between them.
+  void spread(const ContactRows& to, std::size_t size) const {
     const D tag;
-    const Press pressed(kept);
+    std::size_t from = 0;
+    for (std::size_t i = 0; i < size; i += hn::Lanes(tag)) {
+      const unsigned bits = kept[i / hn::Lanes(tag)];
+      const Spreading spreading(bits);
+      for (std::size_t k = 0; k < ContactRows::kNumbers; ++k)
+        hn::StoreU(spreading(hn::LoadU(tag, answers[k] + from)), tag, to.number[k] + i);
+      from += static_cast<std::size_t>(std::popcount(bits));
+    }
+    std::fill_n(to.state, size, batch::PairState::miss);
+    for (std::size_t i = 0; i < pairs.size; ++i) to.state[row(i)] = states[i];
+  }
+
+ private:
+  HWY_INLINE void press(const PairColumns<A, B>& strip, std::size_t i, unsigned bits, V decision) {
+    const D tag;
+    const Press pressed(bits);
     const auto press_column = [&](V from, double* to) HWY_ATTR { hn::StoreU(pressed(from), tag, to + pairs.size); };
     for (std::size_t k = 0; k < kFirst; ++k) press_column(hn::LoadU(tag, strip.a[k] + i), numbers[k]);
     for (std::size_t k = 0; k < kSecond; ++k) press_column(hn::LoadU(tag, strip.b[k] + i), numbers[kFirst + k]);
     press_column(decision, cores.decision);
     press_column(hn::Iota(tag, static_cast<double>(i)), rows);
-    pairs.size += hn::CountTrue(tag, kept);
+    pairs.size += static_cast<std::size_t>(std::popcount(bits));
   }
 };
+
+/// From how many sixteenths on a strip is dense: long vectors gain less from pressing.
+constexpr std::size_t kDense = kMostLanes > 4 ? 7 : 10;
 
 /// Of a strip of pairs few are hits, or many: what most of them are of one strip is guessed of the next.
 template <class A, class B>
@@ -569,17 +611,9 @@ batch::Count compute_cores(const PairColumns<A, B>& pairs, const ContactQuestion
                                           contacts_of_dense(strip, question, rows, pressed.cores, count);
                                         } else {
                                           pressed.compute(strip, question, pressed.out(), count);
-                                          const std::size_t size = pressed.pairs.size;
-                                          for (std::size_t k = 0; k < ContactRows::kNumbers; ++k) {
-                                            std::fill_n(rows.number[k], strip.size, 0.0);
-                                            for (std::size_t row = 0; row < size; ++row)
-                                              rows.number[k][pressed.row(row)] = pressed.answers[k][row];
-                                          }
-                                          std::fill_n(rows.state, strip.size, batch::PairState::miss);
-                                          for (std::size_t row = 0; row < size; ++row)
-                                            rows.state[pressed.row(row)] = pressed.states[row];
+                                          pressed.spread(rows, strip.size);
                                         }
-                                        is_dense = 8 * (count.hits - before) > 3 * strip.size;
+                                        is_dense = 16 * (count.hits - before) > kDense * strip.size;
                                       });
   if (whole == pairs.size) return count;
 

@@ -10,6 +10,7 @@
 #include "kernel/batch_crossing-inl.h"
 #include "kernel/batch_over_plane-inl.h"
 #include "kernel/batch_point_segment-inl.h"
+#include "kernel/batch_sphere_cube-inl.h"
 #include "kernel/batch_ways-inl.h"
 
 HWY_BEFORE_NAMESPACE();

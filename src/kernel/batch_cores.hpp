@@ -15,6 +15,7 @@ namespace contact::kernel {
   X(ray_sphere, Ray, Ball)
 #define CONTACT_CORES(X)           \
   CONTACT_CORES_APART(X)           \
+  X(sphere_cube, Ball, Box)        \
   X(sphere_plane, Ball, Plane)     \
   X(capsule_plane, Capsule, Plane) \
   X(ray_triangle, Ray, Triangle)   \
@@ -46,6 +47,7 @@ struct Left {
   std::uint16_t rows[CoreColumns::kPairs];
   std::size_t size = 0;
   std::size_t hits = 0;
+  std::size_t exact = 0;  ///< of the others, those that needed exact arithmetic
 };
 
 /// A column for shapes without a radius.

@@ -191,12 +191,14 @@ HWY_INLINE void contacts_of_whole_vectors(Job& job, std::size_t end) {
   }
 }
 
-template <bool kExtent>
-HWY_INLINE batch::Count contacts_of_columns(const SpherePairs& pairs, const ContactQuestion& question,
-                                            const ContactRows& out) {
-  Job job{pairs, question, out, pairs.size, sign_of(question.points.first, 1), sign_of(question.points.second, -1)};
+HWY_INLINE Job job_of(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
+  return {pairs, question, out, pairs.size, sign_of(question.points.first, 1), sign_of(question.points.second, -1)};
+}
+
+batch::Count compute_spheres(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
+  Job job = job_of(pairs, question, out);
   const std::size_t whole = pairs.size - pairs.size % hn::Lanes(D());
-  contacts_of_whole_vectors<kExtent>(job, whole);
+  contacts_of_whole_vectors<true>(job, whole);
   if (whole == pairs.size) return job.count;
 
   const Padded last(pairs, whole);
@@ -206,7 +208,7 @@ HWY_INLINE batch::Count contacts_of_columns(const SpherePairs& pairs, const Cont
   for (std::size_t k = 0; k < ContactRows::kNumbers; ++k) rows.number[k] = numbers[k];
   rows.state = states;
   Job rest{last.pairs, question, rows, last.count, job.sign1, job.sign2};
-  contacts_of_whole_vectors<kExtent>(rest, 1);
+  contacts_of_whole_vectors<true>(rest, 1);
   job.count.exact += rest.count.exact;
   for (std::size_t lane = 0; lane < last.count; ++lane) {
     for (std::size_t k = 0; k < ContactRows::kNumbers; ++k) out.number[k][whole + lane] = numbers[k][lane];
@@ -216,12 +218,11 @@ HWY_INLINE batch::Count contacts_of_columns(const SpherePairs& pairs, const Cont
   return job.count;
 }
 
-batch::Count compute_spheres(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
-  return contacts_of_columns<true>(pairs, question, out);
-}
-
-batch::Count compute_points(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
-  return contacts_of_columns<false>(pairs, question, out);
+/// As batch_sphere_cube-inl.h declares it.
+std::size_t contacts_with_points(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
+  Job job = job_of(pairs, question, out);
+  contacts_of_whole_vectors<false>(job, pairs.size);
+  return job.count.exact;
 }
 
 /// Contacts of the pairs that are not plainly misses, strip by strip: their numbers are brought together first.
@@ -326,10 +327,6 @@ batch::Count compute_spheres(const SpherePairs& pairs, const ContactQuestion& qu
   return compute_scalar(pairs, question, out);
 }
 
-batch::Count compute_points(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
-  return compute_scalar(pairs, question, out);
-}
-
 batch::Count compute_sphere_hits(const SpherePairs& pairs, const ContactQuestion& question, std::uint32_t* index,
                                  const ContactRows& out) {
   return compute_hits_scalar(pairs, question, index, out);
@@ -348,7 +345,6 @@ namespace contact::kernel {
 
 HWY_EXPORT(test_spheres);
 HWY_EXPORT(compute_spheres);
-HWY_EXPORT(compute_points);
 HWY_EXPORT(compute_sphere_hits);
 HWY_EXPORT(computes_contacts);
 
@@ -358,11 +354,6 @@ batch::Count test_vectors(const SpherePairs& pairs, double alarm, std::uint8_t* 
 
 batch::Count compute_vectors(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
   return HWY_DYNAMIC_DISPATCH(compute_spheres)(pairs, question, out);
-}
-
-batch::Count compute_vectors_to_points(const SpherePairs& pairs, const ContactQuestion& question,
-                                       const ContactRows& out) {
-  return HWY_DYNAMIC_DISPATCH(compute_points)(pairs, question, out);
 }
 
 batch::Count compute_hits_vectors(const SpherePairs& pairs, const ContactQuestion& question, std::uint32_t* index,

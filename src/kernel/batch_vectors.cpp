@@ -7,5 +7,4 @@
 
 #include "kernel/batch_cores.cpp"
 #include "kernel/batch_cube_cube.cpp"
-#include "kernel/batch_sphere_cube.cpp"
 #include "kernel/batch_sphere_sphere.cpp"
