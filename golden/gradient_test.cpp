@@ -15,7 +15,7 @@
 #include "golden/right_case.hpp"
 #include "oracle/truth/cores.hpp"
 
-namespace contact::golden {
+namespace contact::golden::gradients {
 namespace {
 
 using oracle::Derivative;
@@ -372,4 +372,4 @@ TEST(Gradients, are_the_differences_where_features_coincide) {
 }
 
 }  // namespace
-}  // namespace contact::golden
+}  // namespace contact::golden::gradients

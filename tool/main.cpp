@@ -1,4 +1,6 @@
 // contact-oracle: the command line.
+#include <malloc.h>
+
 #include <cfenv>
 #include <cstdio>
 #include <exception>
@@ -19,6 +21,14 @@ namespace {
 
 /// What is visible already, and may have several lines.
 void tell(std::string_view message) { std::cerr << "contact-oracle: " << cut(message) << "\n"; }
+
+/// Exact numbers are up to megabytes long. What they give back is kept: the C library would return each to the system, and ask for it again.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  mallopt(M_TRIM_THRESHOLD, 256 << 20);
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+#endif
+}
 
 /// Everything from the command line to the exit code, with whatever goes wrong told on standard error.
 int guarded(int argc, char** argv) {
@@ -58,6 +68,7 @@ int main(int argc, char** argv) {
   using namespace contact;
   // Before main only others can have changed it, such as a library that was built with -ffast-math. Threads inherit it.
   std::fesetenv(FE_DFL_ENV);
+  tool::keep_freed_memory();
   tool::catch_signals();
   tool::guard_output();
   std::optional<tool::Cluster> cluster;

@@ -14,7 +14,7 @@
 #include "fuzz/fuzz.hpp"
 #include "golden/columns.hpp"
 
-namespace contact::fuzz {
+namespace contact::fuzz::arrays {
 namespace {
 
 using Members = std::vector<std::pair<std::string, std::string>>;
@@ -80,8 +80,6 @@ std::string with_head(std::string_view head) {
 constexpr std::array kAnswers{"hit.npy",   "overlap.npy", "contact.npy", "normal.npy",
                               "value.npy", "id.npy",      "header.npy"};
 
-}  // namespace
-
 void try_input(Bytes bytes) {
   static const std::array made{Made(false), Made(true)};
   if (bytes.size() < 2) return;
@@ -123,4 +121,7 @@ void try_input(Bytes bytes) {
   }
 }
 
-}  // namespace contact::fuzz
+const Target target("arrays", try_input);
+
+}  // namespace
+}  // namespace contact::fuzz::arrays

@@ -17,7 +17,7 @@
 #include "kernel/batch.hpp"
 #include "kernel/batch_pairs.hpp"
 
-namespace contact::fuzz {
+namespace contact::fuzz::bits {
 namespace {
 
 /// Numbers of a question, whatever the bytes: eight bytes a number, missing ones 0.
@@ -147,8 +147,6 @@ void try_production(const Two<A, B>& shapes, const Query& query, const Expectati
   kernel::use_instruction_set("");
 }
 
-}  // namespace
-
 void try_input(Bytes bytes) {
   Numbers numbers(bytes);
   const std::uint64_t kind = numbers.bits();
@@ -174,4 +172,7 @@ void try_input(Bytes bytes) {
   std::visit([&](const auto& shapes) { try_production(shapes, query, right, kind, chooser); }, query.shapes);
 }
 
-}  // namespace contact::fuzz
+const Target target("bits", try_input);
+
+}  // namespace
+}  // namespace contact::fuzz::bits

@@ -16,7 +16,7 @@
 #include "tool/reports/certificate.hpp"
 #include "tool/run/process.hpp"
 
-namespace contact::fuzz {
+namespace contact::fuzz::certificate {
 namespace {
 
 using nlohmann::json;
@@ -156,8 +156,6 @@ json changed(Bytes bytes) {
   return statement;
 }
 
-}  // namespace
-
 void try_input(Bytes bytes) {
   if (bytes.empty()) return;
   if (bytes[0] == '{') {  // the text itself
@@ -171,4 +169,7 @@ void try_input(Bytes bytes) {
           "another statement holds: " + statement.dump());
 }
 
-}  // namespace contact::fuzz
+const Target target("certificate", try_input);
+
+}  // namespace
+}  // namespace contact::fuzz::certificate

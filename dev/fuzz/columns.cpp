@@ -16,7 +16,7 @@
 #include "fuzz/fuzz.hpp"
 #include "golden/columns.hpp"
 
-namespace contact::fuzz {
+namespace contact::fuzz::columns {
 namespace {
 
 using formats::hdf5::checked;
@@ -114,8 +114,6 @@ void change(const Handle& file, Changes& changes) {
   }
 }
 
-}  // namespace
-
 void try_input(Bytes bytes) {
   static const std::array made{Made(Pair::sphere_sphere, false), Made(Pair::sphere_sphere, true),
                                Made(Pair::cube_cube, false)};
@@ -147,4 +145,7 @@ void try_input(Bytes bytes) {
   }
 }
 
-}  // namespace contact::fuzz
+const Target target("columns", try_input);
+
+}  // namespace
+}  // namespace contact::fuzz::columns

@@ -6,7 +6,8 @@
 #include "fuzz/cases_in_form.hpp"
 #include "fuzz/fuzz.hpp"
 
-namespace contact::fuzz {
+namespace contact::fuzz::dataset {
+namespace {
 
 void try_input(Bytes bytes) {
   if (text_of(bytes).starts_with("\x89HDF")) return;  // columns have a target of their own
@@ -27,4 +28,7 @@ void try_input(Bytes bytes) {
   }
 }
 
-}  // namespace contact::fuzz
+const Target target("dataset", try_input);
+
+}  // namespace
+}  // namespace contact::fuzz::dataset

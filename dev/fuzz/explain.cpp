@@ -6,7 +6,8 @@
 #include "golden/dataset.hpp"
 #include "tool/reports/explanation.hpp"
 
-namespace contact::fuzz {
+namespace contact::fuzz::explain {
+namespace {
 
 void try_input(Bytes bytes) {
   const formats::Location where{"question", 1};
@@ -25,4 +26,7 @@ void try_input(Bytes bytes) {
   }
 }
 
-}  // namespace contact::fuzz
+const Target target("explain", try_input);
+
+}  // namespace
+}  // namespace contact::fuzz::explain

@@ -9,10 +9,25 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <stdexcept>
 #include <vector>
 
 namespace contact::fuzz {
+
+namespace {
+
+using TryInput = void (*)(Bytes);
+
+/// Those of this program, by their names.
+std::map<std::string_view, TryInput>& targets() {
+  static std::map<std::string_view, TryInput> all;
+  return all;
+}
+
+}  // namespace
+
+Target::Target(std::string_view name, TryInput try_input) { targets().emplace(name, try_input); }
 
 void fail(const std::string& what) {
   std::fprintf(stderr, "%s\n", what.c_str());
@@ -89,7 +104,8 @@ Buffer nested(Bytes bytes, std::size_t at, std::size_t times) {
 #ifdef CONTACT_LIBFUZZER
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  contact::fuzz::try_input({data, size});
+  static const auto try_input = contact::fuzz::targets().begin()->second;
+  try_input({data, size});
   return 0;
 }
 
@@ -128,7 +144,7 @@ struct Tried {
   std::size_t deeper = 0;
 };
 
-void try_changes(Buffer bytes, Tried& tried) {
+void try_changes(Buffer bytes, TryInput try_input, Tried& tried) {
   constexpr std::size_t kChanges = 24;
   for (std::size_t k = 0; k < kChanges; ++k) {
     const std::size_t at = bytes.size() * k / kChanges;
@@ -141,7 +157,7 @@ void try_changes(Buffer bytes, Tried& tried) {
   }
 }
 
-void try_longer(Bytes bytes, Tried& tried) {
+void try_longer(Bytes bytes, TryInput try_input, Tried& tried) {
   constexpr std::size_t kPlaces = 4;
   constexpr std::size_t kTimes = 40'000;
   for (std::size_t k = 0; k < kPlaces; ++k) {
@@ -153,7 +169,7 @@ void try_longer(Bytes bytes, Tried& tried) {
 }
 
 /// Of each kind of bracket the first and the last.
-void try_deeper(Bytes bytes, Tried& tried) {
+void try_deeper(Bytes bytes, TryInput try_input, Tried& tried) {
   const std::string_view text = text_of(bytes);
   for (const char open : {'{', '[', '<'})
     for (const std::size_t at :
@@ -171,12 +187,19 @@ void try_deeper(Bytes bytes, Tried& tried) {
 }  // namespace
 }  // namespace contact::fuzz
 
-// Every file in the folders given; those that have a name are cut short, changed in single bytes, lengthened and nested
+// TARGET FOLDER..: every file in the folders; those that have a name are cut short, changed in single bytes, lengthened and nested
 // too: found ones are changes of others already.
 int main(int argc, char** argv) {
   using namespace contact::fuzz;
+  if (argc < 2 || targets().count(argv[1]) == 0) {
+    std::fprintf(stderr, "usage: %s TARGET FOLDER..; the targets:", argv[0]);
+    for (const auto& [name, of] : targets()) std::fprintf(stderr, " %s", std::string(name).c_str());
+    std::fprintf(stderr, "\n");
+    return 2;
+  }
+  const TryInput try_input = targets().at(argv[1]);
   Tried tried;
-  for (int i = 1; i < argc; ++i)
+  for (int i = 2; i < argc; ++i)
     for (const auto& entry : std::filesystem::directory_iterator(argv[i])) {
       if (!entry.is_regular_file()) continue;
       std::ifstream file(entry.path(), std::ios::binary);
@@ -184,9 +207,9 @@ int main(int argc, char** argv) {
       ++tried.files;
       try_input(bytes);
       if (bytes.empty() || entry.path().parent_path().filename() == "found") continue;
-      try_changes(bytes, tried);
-      try_longer(bytes, tried);
-      try_deeper(bytes, tried);
+      try_changes(bytes, try_input, tried);
+      try_longer(bytes, try_input, tried);
+      try_deeper(bytes, try_input, tried);
     }
   std::printf("%zu files, and inputs made of them: %zu changed, %zu longer, %zu deeper\n", tried.files, tried.changed,
               tried.longer, tried.deeper);

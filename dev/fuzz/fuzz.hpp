@@ -38,7 +38,9 @@ class MemoryFile {
   std::filesystem::path path_;
 };
 
-/// One target: what is done with one input. Defined once a program.
-void try_input(Bytes bytes);
+/// What is done with one input, under the name of its corpus. A program of libFuzzer's has one target; otherwise one has all.
+struct Target {
+  Target(std::string_view name, void (*try_input)(Bytes));
+};
 
 }  // namespace contact::fuzz

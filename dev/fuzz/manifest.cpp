@@ -8,7 +8,7 @@
 #include "formats/input_error.hpp"
 #include "fuzz/fuzz.hpp"
 
-namespace contact::fuzz {
+namespace contact::fuzz::manifest {
 namespace {
 
 /// A folder of this process.
@@ -31,8 +31,6 @@ void try_to(Read&& read) {
   }
 }
 
-}  // namespace
-
 void try_input(Bytes bytes) {
   for (const std::string_view name : {golden::kManifestName, golden::kAdequacyName})
     std::ofstream(folder() / name, std::ios::binary)
@@ -45,4 +43,7 @@ void try_input(Bytes bytes) {
   });
 }
 
-}  // namespace contact::fuzz
+const Target target("manifest", try_input);
+
+}  // namespace
+}  // namespace contact::fuzz::manifest

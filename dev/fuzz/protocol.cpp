@@ -5,7 +5,7 @@
 #include "formats/input_error.hpp"
 #include "fuzz/fuzz.hpp"
 
-namespace contact::fuzz {
+namespace contact::fuzz::protocol {
 namespace {
 
 void try_line(std::string_view line) {
@@ -36,8 +36,6 @@ void try_line(std::string_view line) {
   }
 }
 
-}  // namespace
-
 void try_input(Bytes bytes) {
   std::string_view text = text_of(bytes);
   while (!text.empty()) {
@@ -47,4 +45,7 @@ void try_input(Bytes bytes) {
   }
 }
 
-}  // namespace contact::fuzz
+const Target target("protocol", try_input);
+
+}  // namespace
+}  // namespace contact::fuzz::protocol

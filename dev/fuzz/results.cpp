@@ -4,7 +4,8 @@
 #include "formats/input_error.hpp"
 #include "fuzz/fuzz.hpp"
 
-namespace contact::fuzz {
+namespace contact::fuzz::results {
+namespace {
 
 void try_input(Bytes bytes) {
   const MemoryFile file(text_of(bytes));
@@ -27,4 +28,7 @@ void try_input(Bytes bytes) {
   }
 }
 
-}  // namespace contact::fuzz
+const Target target("results", try_input);
+
+}  // namespace
+}  // namespace contact::fuzz::results

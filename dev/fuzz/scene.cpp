@@ -10,7 +10,7 @@
 #include "fuzz/fuzz.hpp"
 #include "tool/run/near_models.hpp"
 
-namespace contact::fuzz {
+namespace contact::fuzz::scene {
 namespace {
 
 tool::Scene read(const MemoryFile& file, bool of_sofa) {
@@ -24,8 +24,6 @@ tool::Scene read(const MemoryFile& file, bool of_sofa) {
   }
   return scene;
 }
-
-}  // namespace
 
 void try_input(Bytes bytes) {
   const MemoryFile file(text_of(bytes));
@@ -54,4 +52,7 @@ void try_input(Bytes bytes) {
   }
 }
 
-}  // namespace contact::fuzz
+const Target target("scene", try_input);
+
+}  // namespace
+}  // namespace contact::fuzz::scene

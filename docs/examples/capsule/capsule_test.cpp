@@ -11,7 +11,7 @@
 #include "contact/plugin.hpp"
 #include "oracle/truth/truth.hpp"
 
-namespace contact {
+namespace contact::capsule_example {
 namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
@@ -27,7 +27,7 @@ struct Question {
 /// The contact of one capsule with one sphere.
 std::optional<DetectionOutput> contact_of(const Question& question, Distances distances,
                                           PointConvention points = PointConvention::nearest_surface) {
-  load_plugin(CAPSULE_PLUGIN);
+  load_plugin(CAPSULE);
   const auto capsules = ModelFactory::getInstance().make("CapsuleModel", "capsule",
                                                          {{"p", question.p.transpose()},
                                                           {"q", question.q.transpose()},
@@ -148,4 +148,4 @@ TEST(Capsule, has_the_numbers_of_the_oracle_to_the_last_bit) {
 }
 
 }  // namespace
-}  // namespace contact
+}  // namespace contact::capsule_example

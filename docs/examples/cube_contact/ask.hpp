@@ -19,7 +19,7 @@ struct Answer {
 
 inline Answer ask(const contact::Query& query) {
   using namespace contact;
-  load_plugin(CUBE_CONTACT_PLUGIN);
+  load_plugin(CUBE_CONTACT);
   const auto model = [](const Box& box) { return CubeCollisionModel("box", box.min.transpose(), box.max.transpose()); };
   const CubeCollisionModel first = model(query.boxes()->a);
   const CubeCollisionModel second = model(query.boxes()->b);

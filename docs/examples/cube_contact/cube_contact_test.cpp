@@ -126,7 +126,7 @@ TEST(CubeContact, every_zero_is_plus_zero) {
 }
 
 TEST(CubeContact, of_an_element_with_itself_is_none_and_its_cone_answers) {
-  load_plugin(CUBE_CONTACT_PLUGIN);
+  load_plugin(CUBE_CONTACT);
   CubeCollisionModel model("boxes", Eigen::MatrixX3d::Zero(2, 3), Eigen::MatrixX3d::Ones(2, 3));
   const DiscreteIntersection intersection;
   bool swap = false;
