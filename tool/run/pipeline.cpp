@@ -22,7 +22,7 @@ namespace contact::tool {
 namespace {
 
 constexpr std::uint64_t kSlice = 32;          // questions that one thread takes at a time
-constexpr std::uint64_t kLeastCompared = 64;  // right answers of a source that a diagnosis hears at least
+constexpr std::uint64_t kLeastCompared = 16;  // right answers of a source that a diagnosis hears at least
 
 struct Item {
   const engines::Question& question;
