@@ -1,5 +1,7 @@
 // contact-oracle: the command line.
+#if __has_include(<malloc.h>)
 #include <malloc.h>
+#endif
 
 #include <cfenv>
 #include <cstdio>
