@@ -108,14 +108,16 @@ def digest(command, entry, count, way):
 
 
 def compare(platform, command, way, manifest, counts, jobs):
-    """How many digests are right, and a line for each that is not. Without counts the shortest of each stream is asked for."""
+    """How many digests are right, and a line for each that is not. Of streams whose answers take long the manifest has digests of few:
+    of each the longest is asked for that is no longer than a count, without counts the shortest."""
     asked = []
     right, wrong = 0, []
     for stream in output([*command, "--streams"]).split():
-        digests = manifest.get(stream, {}).get("digests", {})
-        asked += [(stream, count) for count in counts or sorted(map(int, digests))[:1] if str(count) in digests]
-        if str(MANY) not in digests:
-            wrong.append(f"{stream}: the manifest has no digest of {MANY} answers")
+        lengths = sorted(map(int, manifest.get(stream, {}).get("digests", {})))
+        chosen = {max(fit) for count in counts if (fit := [n for n in lengths if n <= count])} if counts else set(lengths[:1])
+        asked += [(stream, count) for count in sorted(chosen)]
+        if not chosen:
+            wrong.append(f"{stream}: the manifest has no digest of its answers that is as short")
     if not asked:
         raise Failure("the program answers no stream of the manifest")
     with ThreadPoolExecutor(jobs) as pool:
