@@ -23,6 +23,8 @@ namespace {
 
 constexpr std::uint64_t kSlice = 32;          // questions that one thread takes at a time
 constexpr std::uint64_t kLeastCompared = 16;  // right answers of a source that a diagnosis hears at least
+// Right answers of a run that it hears: as many as wait for a wrong one, less one for each of 4096 sources, whose share is rounded up.
+constexpr std::uint64_t kMostCompared = oracle::Diagnosis::kPostponed - 4096;
 
 struct Item {
   const engines::Question& question;
@@ -219,7 +221,7 @@ Agreed agreed_truth(const Item& item, const Source& source, const std::vector<Sc
 /// How much an answer counts in the diagnosis. What is wrong always counts. Of a large source, and in a large run,
 /// every n-th right answer speaks for n: what a hypothesis says of it costs more than all the rest.
 std::uint64_t weight_of(std::uint64_t index, std::uint64_t size, std::uint64_t run, Level level) {
-  const std::uint64_t of_run = (run + oracle::Diagnosis::kPostponed - 1) / oracle::Diagnosis::kPostponed;
+  const std::uint64_t of_run = (run + kMostCompared - 1) / kMostCompared;
   const std::uint64_t n = std::max({std::uint64_t{1}, size / kWhole, std::min(of_run, size / kLeastCompared)});
   if (level > Level::bounded) return 1;
   return index % n == 0 ? n : 0;
