@@ -18,7 +18,7 @@ namespace {
 using namespace contact;
 
 constexpr std::uint64_t kQuestions = 4096;
-constexpr std::uint64_t kCases = 50'000;  // of a file
+constexpr std::uint64_t kCases = 300'000;  // of a file
 constexpr std::uint64_t kSeed = 7;
 
 struct Asked {

@@ -317,6 +317,19 @@ TEST(Families, OneAxisTakesEveryAxisAndDirection) {
   });
 }
 
+TEST(Flags, NearBoundaryEndsAtEightUlps) {
+  for (const Scalar scalar : kScalars) {
+    const double ulp = std::ldexp(1.0, 1 - format_of(scalar).precision);
+    const auto is_near = [&](double ulps) {
+      const Balls balls{{{0, 0, 0}, 0.5}, {{1 + ulps * ulp, 0, 0}, 0.5}};
+      return has_flag("NearBoundary", {Pair::sphere_sphere, balls, {0, 0}}, scalar);
+    };
+    EXPECT_FALSE(is_near(0));  // it is at the boundary
+    for (const double ulps : {1, 7, 8}) EXPECT_TRUE(is_near(ulps) && is_near(-ulps)) << ulps;
+    for (const double ulps : {9, 12}) EXPECT_FALSE(is_near(ulps) || is_near(-ulps)) << ulps;
+  }
+}
+
 TEST(Families, ContainmentFlatNestedAndIdenticalAreWhatTheySay) {
   constexpr std::uint64_t kOfConvexes = 45;  // their families of these names are of several classes
   const auto share_of = [](std::string_view family, std::string_view flag, std::uint64_t percent) {
@@ -325,7 +338,8 @@ TEST(Families, ContainmentFlatNestedAndIdenticalAreWhatTheySay) {
       if (is_convex(file.pair) != (percent == kOfConvexes)) return;
       if (is_convex(file.pair) && file.scalar == Scalar::binary32) return;  // made alike, and long to answer
       const auto n = count_if(file, [&](const Query& q, const oracle::Truth& t) {
-        const auto names = flags_of(q, t, file.scalar, oracle::expectation(t, file.scalar));
+        const auto names = flags_of(q, t, file.scalar, oracle::expectation(t, file.scalar),
+                                    oracle::witness(t, file.scalar).margin_ulps);
         return std::find(names.begin(), names.end(), flag) != names.end();
       });
       EXPECT_GE(n * 100, kCommittedCount * percent) << title(file) << " " << flag;

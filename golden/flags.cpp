@@ -111,11 +111,14 @@ bool at_boundary(const Query& query) {
   return is_at(point_of(line.start), point_of(line.end) - point_of(line.start), triangle);
 }
 
-bool near_boundary(const Query& query, const Truth& truth, Scalar scalar) {
+bool near_boundary(const Query& query, const Truth& truth, Scalar scalar, double margin_ulps) {
   if (truth.at_alarm == oracle::Side::at) return false;
   if (truth.crossing() != nullptr || truth.cast() != nullptr) return false;
-  if (truth.has_distance())
+  if (truth.has_distance()) {
+    // What rounds to more or less than a double is that itself.
+    if (const double size = std::abs(margin_ulps); size != kNearUlps) return size < kNearUlps;
     return oracle::is_within(Rational(0), truth.distance()->margin(scalar), Rational(kNearUlps));
+  }
   const Rational off = largest_gap(truth) - truth.gaps()->alarm();
   return CGAL::abs(off) <=
          Rational(kNearUlps) * oracle::ulp(std::max(largest_coordinate(query), truth.gaps()->alarm()), scalar);
@@ -205,6 +208,7 @@ struct Asked {
   const Truth& truth;
   Scalar scalar;
   const Expectation& right;
+  double margin_ulps;
   OnBoundaries rounding;
 };
 
@@ -219,7 +223,7 @@ constexpr std::array kHolds{
           [](const Asked& a) { return a.query.distances.alarm == 0 && a.truth.at_alarm == oracle::Side::at; }},
     Holds{"AlarmEdge",
           [](const Asked& a) { return a.query.distances.alarm > 0 && a.truth.at_alarm == oracle::Side::at; }},
-    Holds{"NearBoundary", [](const Asked& a) { return near_boundary(a.query, a.truth, a.scalar); }},
+    Holds{"NearBoundary", [](const Asked& a) { return near_boundary(a.query, a.truth, a.scalar, a.margin_ulps); }},
     Holds{"PlainWrong", [](const Asked& a) { return plain_overlap(a.query, a.scalar) != a.truth.hit(); }},
     Holds{"ContactEdge",
           [](const Asked& a) {
@@ -338,8 +342,9 @@ static_assert(std::equal(kHolds.begin(), kHolds.end(), kFlags.begin(), kFlags.en
 
 }  // namespace
 
-std::vector<std::string> flags_of(const Query& query, const Truth& truth, Scalar scalar, const Expectation& right) {
-  const Asked asked{query, truth, scalar, right, on_boundaries(truth, scalar)};
+std::vector<std::string> flags_of(const Query& query, const Truth& truth, Scalar scalar, const Expectation& right,
+                                  double margin_ulps) {
+  const Asked asked{query, truth, scalar, right, margin_ulps, on_boundaries(truth, scalar)};
   std::vector<std::string> names;
   for (const Holds& flag : kHolds)
     if (flag.holds(asked)) names.emplace_back(flag.flag);

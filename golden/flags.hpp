@@ -10,8 +10,9 @@
 
 namespace contact::golden {
 
-/// The names of the flags that hold. `right` is oracle::expectation(truth, scalar). Domain: the question is inside the domain.
+/// The names of the flags that hold. `right` is oracle::expectation(truth, scalar), `margin_ulps` that of oracle::witness(truth, scalar).
+/// Domain: the question is inside the domain.
 [[nodiscard]] std::vector<std::string> flags_of(const Query& query, const oracle::Truth& truth, Scalar scalar,
-                                                const Expectation& right);
+                                                const Expectation& right, double margin_ulps);
 
 }  // namespace contact::golden

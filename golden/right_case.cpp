@@ -32,8 +32,8 @@ Case make_case(const Query& query, Scalar scalar) {
   }
   const oracle::Truth truth = oracle::truth_of(query);
   c.expect = oracle::expectation(truth, scalar);
-  c.flags = flags_of(query, truth, scalar, c.expect);
   c.exact = oracle::witness(truth, scalar);
+  c.flags = flags_of(query, truth, scalar, c.expect, c.exact.margin_ulps);
   return c;
 }
 

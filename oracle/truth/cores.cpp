@@ -202,9 +202,14 @@ std::vector<Try> tries(const EnclosedCore& a, const EnclosedCore& b) {
   return all;
 }
 
+using WholePoint = std::array<Whole, 3>;
+bool is_none(const WholePoint& x) {
+  return std::all_of(x.begin(), x.end(), [](const Whole& each) { return CGAL::is_zero(each); });
+}
+
 /// Domain: the products are whole.
-std::vector<std::array<Whole, 3>> in_whole_numbers(const std::vector<Point>& points, const Whole& times) {
-  std::vector<std::array<Whole, 3>> all;
+std::vector<WholePoint> in_whole_numbers(const std::vector<Point>& points, const Whole& times) {
+  std::vector<WholePoint> all;
   for (const Point& x : points) {
     auto& whole = all.emplace_back();
     for (std::size_t i = 0; i < 3; ++i)
@@ -239,19 +244,26 @@ class SpannedOnce {
  private:
   const Core<Whole>& core_;
   std::vector<std::optional<Numbered>> found_;
-  std::vector<std::array<Whole, 3>> different_;
+  std::vector<WholePoint> different_;
 };
 /// Whether a way of two features is made of the others.
 bool depend_on_each_other(const Spanned<Whole>& f, const Spanned<Whole>& g) {
-  std::vector<std::array<Whole, 3>> ways;
+  std::vector<WholePoint> ways;
   for (const auto* feature : {&f, &g})
     for (std::size_t k = 0; k < feature->dimension; ++k) ways.push_back(feature->ways[k]);
-  const auto is_none = [](const std::array<Whole, 3>& x) {
-    return std::all_of(x.begin(), x.end(), [](const Whole& each) { return CGAL::is_zero(each); });
-  };
   if (ways.size() == 1) return is_none(ways[0]);
   if (ways.size() == 2) return is_none(cross(ways[0], ways[1]));
   return ways.size() == 3 && CGAL::is_zero(dot(cross(ways[0], ways[1]), ways[2]));
+}
+
+/// Its last word, of which that of a product is made.
+mp_limb_t last_word(const Whole& x) {
+  const mp_limb_t last = mpz_getlimbn(x.mpz(), 0);
+  return CGAL::is_negative(x) ? 0 - last : last;
+}
+/// Whether two quotients are the same: most are told apart by a word.
+bool is_same(const Whole& x, const Whole& over_x, const Whole& y, const Whole& over_y) {
+  return last_word(x) * last_word(over_y) == last_word(y) * last_word(over_x) && x * over_y == y * over_x;
 }
 
 /// The square of the least distance, and pairs of points that are so far apart, among which all ends are of what is nearest.
@@ -274,6 +286,12 @@ NearestPairs nearest_pairs(const ExactCore& a, const ExactCore& b) {
     const auto order = least.empty() ? CGAL::SMALLER : CGAL::compare(of_found * over2, distance2 * over2_of_found);
     if (order == CGAL::LARGER) return;
     if (order == CGAL::SMALLER) least.clear();
+    // Nearest points as far apart are the same where one of them is; many features share them.
+    const auto is_found = [&](const Feet<Whole>& x) {
+      return is_same(x.p[0], x.over, found.p[0], found.over) && is_same(x.p[1], x.over, found.p[1], found.over) &&
+             is_same(x.p[2], x.over, found.p[2], found.over);
+    };
+    if (std::any_of(least.begin(), least.end(), is_found)) return;
     distance2 = of_found;
     over2 = over2_of_found;
     least.push_back(std::move(found));
@@ -369,17 +387,14 @@ Middle middle_of(const std::vector<Point>& points) {
 
 /// How far a core lies along a direction: the largest n.x, and whether each vertex is there.
 struct Support {
-  Rational most;
+  Whole most;
   std::vector<bool> is_there;
 };
-Support support(const ExactCore& core, const Point& n) {
-  Support found{dot(n, core.vertices[0]), {}};
-  std::vector<Rational> along;
-  for (const Point& x : core.vertices) {
-    along.push_back(dot(n, x));
-    found.most = std::max(found.most, along.back());
-  }
-  for (const Rational& x : along) found.is_there.push_back(x == found.most);
+Support support(const Core<Whole>& core, const WholePoint& n) {
+  std::vector<Whole> along;
+  for (const WholePoint& x : core.vertices) along.push_back(dot(n, x));
+  Support found{*std::max_element(along.begin(), along.end()), {}};
+  for (const Whole& x : along) found.is_there.push_back(x == found.most);
   return found;
 }
 
@@ -401,34 +416,39 @@ Face face_of(const ExactCore& core, const Support& at, const Point& moved) {
 
 /// A direction that a facet of A - B may face. The two cores overlap by height / |normal| along it.
 struct Facing {
-  Point normal;
-  Rational height;
+  WholePoint normal;
+  Whole square;  ///< of its length
+  Whole height;
   Support of_a;
   Support of_b;
-  [[nodiscard]] Rational depth2() const { return height * height / dot(normal, normal); }
+  [[nodiscard]] Rational depth2() const { return {height * height, square}; }
 };
-Facing facing(const ExactCore& a, const ExactCore& b, const Point& n) {
-  Facing found{n, kNone, support(a, n), support(b, Rational(-1) * n)};
+Facing facing(const Core<Whole>& a, const Core<Whole>& b, const WholePoint& n) {
+  Facing found{n, dot(n, n), Whole(0), support(a, n), support(b, Whole(-1) * n)};
   found.height = found.of_a.most + found.of_b.most;
   return found;
 }
 /// Whether what lies farthest along it is a facet of A - B, and no edge or corner.
-bool is_facet(const ExactCore& a, const ExactCore& b, const Facing& along) {
-  std::vector<Point> ways;
+bool is_facet(const Core<Whole>& a, const Core<Whole>& b, const Facing& along) {
+  std::vector<WholePoint> ways;
   for (const auto& [core, at] : {std::pair(&a, &along.of_a), std::pair(&b, &along.of_b)}) {
-    const Point* first = nullptr;
+    const WholePoint* first = nullptr;
     for (std::size_t k = 0; k < core->vertices.size(); ++k) {
       if (!at->is_there[k]) continue;
       if (first == nullptr) first = &core->vertices[k];
       if (core->vertices[k] != *first) ways.push_back(core->vertices[k] - *first);
     }
   }
-  return std::any_of(ways.begin(), ways.end(), [&](const Point& way) { return !is_zero(cross(ways[0], way)); });
+  return std::any_of(ways.begin(), ways.end(), [&](const WholePoint& way) { return !is_none(cross(ways[0], way)); });
 }
 
+/// How deep one is beside another.
+CGAL::Comparison_result compare_depths(const Facing& x, const Facing& y) {
+  return CGAL::compare(x.height * x.height * y.square, y.height * y.height * x.square);
+}
 /// Whether a normal comes before another: each divided by the sum of the absolute values of its components.
 bool is_preferred(const Facing& x, const Facing& y) {
-  const auto size = [](const Point& n) { return CGAL::abs(n[0]) + CGAL::abs(n[1]) + CGAL::abs(n[2]); };
+  const auto size = [](const WholePoint& n) { return CGAL::abs(n[0]) + CGAL::abs(n[1]) + CGAL::abs(n[2]); };
   return size(y.normal) * x.normal > size(x.normal) * y.normal;
 }
 
@@ -502,24 +522,29 @@ std::vector<Across> may_be_least(const EnclosedCore& a, const EnclosedCore& b) {
   return may;
 }
 
-/// What is true of any two cores with some points in common, those that all others lie between: a depth is an ordinary hit.
+Point in_quotients(const WholePoint& x) { return {Rational(x[0]), Rational(x[1]), Rational(x[2])}; }
+
+/// What is true of any two cores with some points in common, those that all others lie between: a depth is an ordinary hit. Domain: every
+/// vertex is whole.
 Meeting meeting_of(const std::vector<Point>& common, const ExactCore& a, const ExactCore& b) {
-  const std::vector<Point> edges = edges_of<Rational>(a, b);
+  const Core<Whole> whole_a{in_whole_numbers(a.vertices, Whole(1)), a.features};
+  const Core<Whole> whole_b{in_whole_numbers(b.vertices, Whole(1)), b.features};
+  const std::vector<WholePoint> edges = edges_of<Whole>(whole_a, whole_b);
   std::vector<Facing> least;
   bool is_flat = false;
   for (const auto& [i, j, turned_round] : may_be_least(a.enclosed, b.enclosed)) {
     if (is_flat) break;
-    const Point n = cross(edges[i], edges[j]);
-    if (is_zero(n)) continue;
-    Facing found = facing(a, b, Rational(turned_round ? -1 : 1) * n);
+    const WholePoint n = cross(edges[i], edges[j]);
+    if (is_none(n)) continue;
+    Facing found = facing(whole_a, whole_b, Whole(turned_round ? -1 : 1) * n);
     if (CGAL::is_zero(found.height)) {
-      const Facing turned = facing(a, b, Rational(-1) * found.normal);
+      const Facing turned = facing(whole_a, whole_b, Whole(-1) * found.normal);
       is_flat = CGAL::is_zero(turned.height);
       if (is_flat) least = {turned};
-      if (!is_flat && !is_facet(a, b, found)) continue;
+      if (!is_flat && !is_facet(whole_a, whole_b, found)) continue;
     }
     if (!is_flat && !least.empty()) {
-      const auto order = CGAL::compare(found.depth2(), least[0].depth2());
+      const auto order = compare_depths(found, least[0]);
       if (order == CGAL::LARGER) continue;
       if (order == CGAL::SMALLER) least.clear();
     }
@@ -529,12 +554,13 @@ Meeting meeting_of(const std::vector<Point>& common, const ExactCore& a, const E
   std::sort(least.begin(), least.end(), is_preferred);
   if (least.empty() || CGAL::is_zero(least[0].height)) {
     const Point p = middle_of(common).at;
-    return {kNone, {{least.empty() ? agreed_normal(a, b) : least[0].normal, p, p}}, differences(a, b)};
+    return {kNone, {{least.empty() ? agreed_normal(a, b) : in_quotients(least[0].normal), p, p}}, differences(a, b)};
   }
   Meeting found{least[0].depth2(), {}, {}, true};
   for (const Facing& way : least) {
     // B is moved out, so that the faces that face each other have in common what is nearest.
-    const Point out = (way.height / dot(way.normal, way.normal)) * way.normal;
+    const Point normal = in_quotients(way.normal);
+    const Point out = Rational(way.height, way.square) * normal;
     Face of_a = face_of(a, way.of_a, {kNone, kNone, kNone});
     Face of_b = face_of(b, way.of_b, out);
     of_a.core.features = of_a.core.enclosed.features = of_a.features;
@@ -542,7 +568,7 @@ Meeting meeting_of(const std::vector<Point>& common, const ExactCore& a, const E
     std::vector<Point> points;
     for (const NearestPair& pair : nearest_pairs(of_a.core, of_b.core).all) points.push_back(pair.p);
     auto [p, spread] = middle_of(points);
-    found.ways.push_back({way.normal, p, p - out, std::move(spread)});
+    found.ways.push_back({normal, p, p - out, std::move(spread)});
   }
   return found;
 }

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "oracle/truth/default_environment.hpp"
+#include "oracle/truth/grid.hpp"
 #include "oracle/truth/truth.hpp"
 
 namespace contact::oracle {
@@ -54,7 +55,19 @@ int side_of(double d, const Exact& x, Scalar scalar) {
   return 0;
 }
 
-long bits_of(const Gmpz& n) { return static_cast<long>(mpz_sizeinbase(n.mpz(), 2)); }
+long bits_of(mpz_srcptr n) { return static_cast<long>(mpz_sizeinbase(n, 2)); }
+long bits_of(const Gmpz& n) { return bits_of(n.mpz()); }
+mpz_srcptr numerator_of(const Rational& x) { return mpq_numref(x.mpq()); }
+mpz_srcptr denominator_of(const Rational& x) { return mpq_denref(x.mpq()); }
+
+/// What whole numbers are computed in: kept, for to make them takes longer than what is computed.
+struct Working {
+  Integer n, d, of_a, root, rest, shifted;
+};
+Working& working() {
+  thread_local Working numbers;
+  return numbers;
+}
 
 /// low <= 2^exponent |x| <= high, above 0 and no farther apart than a 2^-60th.
 struct Magnitude {
@@ -94,17 +107,16 @@ long bits_beyond(const Gmpz& n, long exponent, Scalar scalar) {
 
 /// n / 2^exponent, rounded to nearest, ties to even; infinite beyond the range. Domain: n of more bits than the scalar.
 double rounded(const Gmpz& n, long exponent, Scalar scalar) {
+  const mpz_ptr kept = working().root;
   const long away = bits_beyond(n, exponent, scalar);
   // Half of the last bit is added; where that was a tie, an odd number has gone up one too far.
   const auto below_half = static_cast<mp_bitcnt_t>(away - 1);
-  Gmpz halves;
-  mpz_fdiv_q_2exp(halves.mpz(), n.mpz(), below_half);
-  const bool is_tie = mpz_odd_p(halves.mpz()) != 0 && mpz_divisible_2exp_p(n.mpz(), below_half) != 0;
-  mpz_add_ui(halves.mpz(), halves.mpz(), 1);
-  Gmpz kept;
-  mpz_fdiv_q_2exp(kept.mpz(), halves.mpz(), 1);
-  if (is_tie && mpz_odd_p(kept.mpz()) != 0) mpz_sub_ui(kept.mpz(), kept.mpz(), 1);
-  const double x = std::ldexp(kept.to_double(), static_cast<int>(std::min(away - exponent, 2000L)));
+  mpz_fdiv_q_2exp(kept, n.mpz(), below_half);
+  const bool is_tie = mpz_odd_p(kept) != 0 && mpz_divisible_2exp_p(n.mpz(), below_half) != 0;
+  mpz_add_ui(kept, kept, 1);
+  mpz_fdiv_q_2exp(kept, kept, 1);
+  if (is_tie && mpz_odd_p(kept) != 0) mpz_sub_ui(kept, kept, 1);
+  const double x = std::ldexp(mpz_get_d(kept), static_cast<int>(std::min(away - exponent, 2000L)));
   return std::abs(x) > largest_finite(scalar) ? std::copysign(std::numeric_limits<double>::infinity(), x) : x;
 }
 
@@ -139,39 +151,50 @@ Exact::Enclosure Exact::enclosure(int bits) const {
 }
 
 Exact::Scaled Exact::in_whole_numbers(long bits) const {
-  const auto log2 = [](const Gmpz& n, const Gmpz& d) { return bits_of(n) - bits_of(d); };  // or one less
+  Working& w = working();
+  const mpz_ptr rest = w.rest;
+  const auto log2 = [](mpz_srcptr n, mpz_srcptr d) { return bits_of(n) - bits_of(d); };  // or one less
   const Rational& a = number_.a0();
-  bool is_whole = true;
-  const auto floor_of = [&](const Gmpz& n, const Gmpz& d, long exponent) {
-    Gmpz whole;
-    Gmpz rest;
-    const Gmpz scaled_n = exponent > 0 ? n << exponent : n;
-    const Gmpz scaled_d = exponent < 0 ? d << -exponent : d;
-    mpz_fdiv_qr(whole.mpz(), rest.mpz(), scaled_n.mpz(), scaled_d.mpz());
-    is_whole = is_whole && CGAL::is_zero(rest);
-    return whole;
-  };
   const bool has_a = !CGAL::is_zero(a);
+  const long of_a = has_a ? log2(numerator_of(a), denominator_of(a)) : 0;
+  bool is_whole = true;
+  const auto floor_of = [&](mpz_ptr whole, mpz_srcptr n, mpz_srcptr d, long exponent) {
+    const bool is_up = exponent > 0;
+    mpz_mul_2exp(w.shifted, is_up ? n : d, static_cast<mp_bitcnt_t>(std::abs(exponent)));
+    mpz_fdiv_qr(whole, rest, is_up ? w.shifted : n, is_up ? d : w.shifted);
+    is_whole = is_whole && mpz_sgn(rest) == 0;
+  };
+  const auto between = [&](mpz_srcptr least, long exponent) {
+    const Gmpz low(least);
+    return Scaled{low, is_whole ? low : low + 2, exponent};
+  };
   if (!number_.is_extended()) {
-    const long exponent = has_a ? bits - log2(a.numerator(), a.denominator()) : bits;
-    const Gmpz least = floor_of(a.numerator(), a.denominator(), exponent);
-    return {least, is_whole ? least : least + 2, exponent};
+    const long exponent = bits - of_a;
+    floor_of(w.of_a, numerator_of(a), denominator_of(a), exponent);
+    return between(w.of_a, exponent);
   }
   // As in `enclosure`, where floor(-y) = -floor(y) - 1 or -y; the one more has room.
   const Rational& b = number_.a1();
   const Rational& D = number_.root();
-  const Gmpz n = b.numerator() * b.numerator() * D.numerator();
-  const Gmpz d = b.denominator() * b.denominator() * D.denominator();
-  const long of_root = log2(n, d) / 2;
-  const long exponent = bits - (has_a ? std::max(of_root, log2(a.numerator(), a.denominator())) : of_root);
-  Gmpz root;
-  Gmpz rest;
-  mpz_sqrtrem(root.mpz(), rest.mpz(), floor_of(n, d, 2 * exponent).mpz());
-  is_whole = is_whole && CGAL::is_zero(rest);
-  const Gmpz of_a = floor_of(a.numerator(), a.denominator(), exponent);
-  const bool is_sum = CGAL::sign(b) == CGAL::POSITIVE;
-  const Gmpz least = is_sum ? of_a + root : is_whole ? of_a - root : of_a - root - 1;
-  return {least, is_whole ? least : least + 2, exponent};
+  const auto times_square = [](mpz_ptr product, mpz_srcptr x, mpz_srcptr y) {
+    mpz_mul(product, x, x);
+    mpz_mul(product, product, y);
+  };
+  times_square(w.n, numerator_of(b), numerator_of(D));
+  times_square(w.d, denominator_of(b), denominator_of(D));
+  const long of_root = log2(w.n, w.d) / 2;
+  const long exponent = bits - (has_a ? std::max(of_root, of_a) : of_root);
+  floor_of(w.root, w.n, w.d, 2 * exponent);
+  mpz_sqrtrem(w.root, rest, w.root);
+  is_whole = is_whole && mpz_sgn(rest) == 0;
+  floor_of(w.of_a, numerator_of(a), denominator_of(a), exponent);
+  if (CGAL::sign(b) == CGAL::POSITIVE) {
+    mpz_add(w.of_a, w.of_a, w.root);
+  } else {
+    mpz_sub(w.of_a, w.of_a, w.root);
+    if (!is_whole) mpz_sub_ui(w.of_a, w.of_a, 1);
+  }
+  return between(w.of_a, exponent);
 }
 
 Exact magnitude(const Exact& x) { return x.sign() == CGAL::NEGATIVE ? x.scaled(Rational(-1)) : x; }
@@ -258,11 +281,15 @@ bool may_be_near_boundary(const Exact& x, Scalar scalar, int exponent) {
     return x.sign() != CGAL::ZERO;  // of what cancelled too little is known; 0 lies half an ulp from the next
   // Off the middle of what is cut off: two more for x itself, and twice the ulps where x rounds to a power of two.
   const auto digits = static_cast<mp_bitcnt_t>(beyond);
-  Gmpz off;
-  mpz_fdiv_r_2exp(off.mpz(), scaled.least.mpz(), digits);
-  off -= Gmpz(1) << (beyond - 1);
-  const long near = beyond + exponent + 1;
-  return CGAL::abs(off) <= (near > 0 ? Gmpz(1) << near : Gmpz(1)) + 2;
+  const auto [off, half, near] = std::array<mpz_ptr, 3>{working().n, working().d, working().root};
+  mpz_set_ui(half, 1);
+  mpz_mul_2exp(half, half, digits - 1);
+  mpz_fdiv_r_2exp(off, scaled.least.mpz(), digits);
+  mpz_sub(off, off, half);
+  mpz_set_ui(near, 1);
+  mpz_mul_2exp(near, near, static_cast<mp_bitcnt_t>(std::max(0L, beyond + exponent + 1)));
+  mpz_add_ui(near, near, 2);
+  return mpz_cmpabs(off, near) <= 0;
 }
 
 Rational distance_in_ulps(const Exact& x, const Boundary& boundary) {
