@@ -271,7 +271,7 @@ def cpu():
 def machine(m):
     caches = {c["level"]: c["size"] for c in m.context["caches"] if c["type"] in ("Data", "Unified")}
     sizes = ", ".join(f"L{level} {size // 2**10} KiB" if size < 2**20 else f"L{level} {size // 2**20} MiB"
-                      for level, size in sorted(caches.items()))
+                      for level, size in sorted(caches.items())) or "caches that it does not tell"
     sets = [label for key, label in SETS.items() if m.ns(f"Batch/test/ours/{key}/L2")]
     return (f"Measured on: {cpu()}, {m.context['num_cpus']} processors, {sizes}, {sets[0]}; "
             f"compiled by {m.context['compiler']}, the `bench` preset.\n"
