@@ -286,7 +286,7 @@ NearestPairs nearest_pairs(const ExactCore& a, const ExactCore& b) {
     const auto order = least.empty() ? CGAL::SMALLER : CGAL::compare(of_found * over2, distance2 * over2_of_found);
     if (order == CGAL::LARGER) return;
     if (order == CGAL::SMALLER) least.clear();
-    // Nearest points as far apart are the same where one of them is; many features share them.
+    // Many features share what is nearest. What leads from p to q is the same of all such pairs, so that p tells them apart.
     const auto is_found = [&](const Feet<Whole>& x) {
       return is_same(x.p[0], x.over, found.p[0], found.over) && is_same(x.p[1], x.over, found.p[1], found.over) &&
              is_same(x.p[2], x.over, found.p[2], found.over);
