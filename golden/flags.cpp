@@ -115,7 +115,7 @@ bool near_boundary(const Query& query, const Truth& truth, Scalar scalar, double
   if (truth.at_alarm == oracle::Side::at) return false;
   if (truth.crossing() != nullptr || truth.cast() != nullptr) return false;
   if (truth.has_distance()) {
-    // What rounds to more or less than a double is that itself.
+    // What rounds to a double above 8 is above 8, and so below. What rounds to 8 is compared exactly.
     if (const double size = std::abs(margin_ulps); size != kNearUlps) return size < kNearUlps;
     return oracle::is_within(Rational(0), truth.distance()->margin(scalar), Rational(kNearUlps));
   }
