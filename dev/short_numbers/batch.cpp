@@ -4,9 +4,9 @@
 
 namespace contact::kernel::HWY_NAMESPACE {
 
-/// Asks for contacts and, beside them, for decisions and for the hits alone: the three must say the same.
+/// Asks for contacts and, beside them, for decisions: both must say the same.
 void answer(const std::vector<tiny::Question>& questions, std::vector<tiny::Answer>& answers) {
-  tiny::answer_columns(questions, answers, compute_spheres, compute_sphere_hits, test_spheres);
+  tiny::answer_columns(questions, answers, compute_spheres, test_spheres);
 }
 
 const tiny::Places& places() { return hwy::HWY_NAMESPACE::places; }

@@ -1,9 +1,7 @@
 // The functions of one pair as the vector kernels see them here: they note what is asked of them and settle nothing.
 #include "dev/short_numbers/batch_columns.hpp"
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
@@ -50,7 +48,7 @@ bool test_sphere_sphere(const Ball& /*a*/, const Ball& /*b*/, double /*alarm*/) 
 namespace kernel::tiny {
 
 void answer_columns(const std::vector<Question>& questions, std::vector<Answer>& answers, ComputeSpheres compute,
-                    ComputeSphereHits compute_hits, TestSpheres test) {
+                    TestSpheres test) {
   const std::size_t size = questions.size();
   if (size == 0) return;
   std::array<std::vector<double>, 8> balls;
@@ -112,29 +110,6 @@ void answer_columns(const std::vector<Question>& questions, std::vector<Answer>&
     if (said == Answer::Decision::open || said == answer.decision) continue;
     if (answer.decision != Answer::Decision::open) fail("test_spheres and compute_spheres decide differently");
     answer.decision = said;
-  }
-
-  // The hits alone. What one of the calls has left may be settled in the other, where other pairs are its neighbours.
-  const auto undecided = [] { return std::find(left.begin(), left.end(), kUndecided) != left.end(); };
-  if (undecided()) return;
-  std::array<std::vector<double>, kNumbers> brought;
-  std::vector<batch::PairState> brought_states(size);
-  std::vector<std::uint32_t> index(size);
-  for (std::size_t k = 0; k < kNumbers; ++k) {
-    brought[k].resize(size);
-    rows.number[k] = brought[k].data();
-  }
-  rows.state = brought_states.data();
-  const batch::Count of_hits = compute_hits(pairs, question, index.data(), rows);
-  if (undecided()) return;
-  if (of_hits.hits != count.hits) fail("compute_sphere_hits finds other hits");
-  for (std::size_t row = 0; row < of_hits.hits; ++row) {
-    const std::size_t i = index[row];
-    if (brought_states[row] != states[i]) fail("compute_sphere_hits finds another state");
-    for (std::size_t k = 0; k < kNumbers; ++k)
-      if (!std::isnan(brought[k][row]) && !std::isnan(numbers[k][i]) &&
-          std::bit_cast<std::uint64_t>(brought[k][row]) != std::bit_cast<std::uint64_t>(numbers[k][i]))
-        fail("compute_sphere_hits finds another number");
   }
 }
 

@@ -10,11 +10,9 @@
 namespace contact::kernel::tiny {
 
 using ComputeSpheres = batch::Count (*)(const SpherePairs&, const ContactQuestion&, const ContactRows&);
-using ComputeSphereHits = batch::Count (*)(const SpherePairs&, const ContactQuestion&, std::uint32_t*,
-                                           const ContactRows&);
 using TestSpheres = batch::Count (*)(const SpherePairs&, double, std::uint8_t*);
 
 void answer_columns(const std::vector<Question>& questions, std::vector<Answer>& answers, ComputeSpheres compute,
-                    ComputeSphereHits compute_hits, TestSpheres test);
+                    TestSpheres test);
 
 }  // namespace contact::kernel::tiny

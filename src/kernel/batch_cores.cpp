@@ -1,4 +1,4 @@
-// The kernels of all kinds of pairs that have Feet.
+// The kernels of all kinds of pairs that have Feet, and the hits of two balls.
 #ifndef HWY_TARGET_INCLUDE  // else one of those of batch_vectors.cpp
 #define HWY_TARGET_INCLUDE "kernel/batch_cores.cpp"
 #endif
@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "kernel/batch_balls-inl.h"
 #include "kernel/batch_crossing-inl.h"
 #include "kernel/batch_over_plane-inl.h"
 #include "kernel/batch_point_segment-inl.h"
@@ -31,6 +32,10 @@ namespace HWY_NAMESPACE {
   }
 CONTACT_CORES(CONTACT_KERNELS)
 #undef CONTACT_KERNELS
+batch::Count hits_sphere_sphere(const SpherePairs& pairs, const ContactQuestion& question, std::uint32_t* index,
+                                const ContactRows& out) {
+  return compute_hits_cores(pairs, question, index, out);
+}
 #define CONTACT_FIND_CORES(name, A, B) \
   bool cores_of_##name(const PairColumns<A, B>& pairs, CoreColumns& to) { return cores_of_strip(pairs, to); }
 CONTACT_CORES_APART(CONTACT_FIND_CORES)
@@ -60,6 +65,11 @@ namespace contact::kernel {
   }
 CONTACT_CORES(CONTACT_DISPATCH)
 #undef CONTACT_DISPATCH
+HWY_EXPORT(hits_sphere_sphere);
+batch::Count compute_hits_vectors(const SpherePairs& pairs, const ContactQuestion& question, std::uint32_t* index,
+                                  const ContactRows& out) {
+  return HWY_DYNAMIC_DISPATCH(hits_sphere_sphere)(pairs, question, index, out);
+}
 #define CONTACT_FIND_CORES(name, A, B)                               \
   HWY_EXPORT(cores_of_##name);                                       \
   bool find_cores(const PairColumns<A, B>& pairs, CoreColumns& to) { \

@@ -37,7 +37,7 @@ struct Job {
 };
 
 /// What the vectors leave of a vector of pairs, as lanes: decisions, and numbers of hits by axis, and values.
-struct Left {
+struct LeftLanes {
   bool any = false;
   unsigned undecided = 0;
   unsigned uncertain[4] = {};
@@ -161,7 +161,7 @@ HWY_INLINE V other_value(const Delta& d, M only_axis, const Double2& root, const
 
 /// A vector of pairs of which some number is not certain yet; what is not certain after that.
 template <bool kScaled>
-HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage, Left& left) {
+HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage, LeftLanes& left) {
   const Loaded in(job.pairs, i);
   const Delta d = kScaled ? delta_of(in) : stage.unit;
   Scale scale{all(1), all(1)};
@@ -274,7 +274,7 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage, Left& left
 }
 
 /// Puts what is left to the functions of one pair.
-inline void settle(Job& job, std::size_t i, const Left& left) {
+inline void settle(Job& job, std::size_t i, const LeftLanes& left) {
   const unsigned numbers = left.uncertain[0] | left.uncertain[1] | left.uncertain[2] | left.uncertain[3];
   const std::size_t lanes = std::min(hn::Lanes(D()), job.size - i);
   for (std::size_t lane = 0; lane < lanes; ++lane) {

@@ -11,7 +11,7 @@
 #define CONTACT_KERNEL_BATCH_SPHERE_CUBE_INL_H
 #endif
 
-#include "kernel/batch_cores-inl.h"
+#include "kernel/batch_balls-inl.h"
 
 #if HWY_HAVE_FLOAT64  // else nothing is here, and no attribute for it
 HWY_BEFORE_NAMESPACE();
@@ -173,9 +173,6 @@ HWY_INLINE void along_axis_of_vector(const SphereCubePairs& pairs, const Contact
   for_each_lane(open, pairs.size - i,
                 [&](std::size_t lane) { left.rows[left.size++] = static_cast<std::uint16_t>(i + lane); });
 }
-
-/// Contacts with points; columns and rows have room for whole vectors. Returns how many needed exact arithmetic.
-std::size_t contacts_with_points(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out);
 
 #endif
 

@@ -7,6 +7,7 @@
 // batch_near_touching-inl.h      D - T^2 without cancellation
 // batch_finishing-inl.h          what the quick tests leave
 // batch_lifted-inl.h             pairs far from 1 in units of their own
+// batch_balls-inl.h              the hits alone
 // here                           the quick tests, loops over columns, and the choice of an instruction set
 #ifndef HWY_TARGET_INCLUDE  // else one of those of batch_vectors.cpp
 #define HWY_TARGET_INCLUDE "kernel/batch_sphere_sphere.cpp"
@@ -34,7 +35,7 @@ namespace HWY_NAMESPACE {
 /// The contacts of a vector of pairs, and what is left of them. False, and nothing that counts written, where one needs
 /// to be scaled first. Without kExtent the second balls are points.
 template <bool kScaled, bool kExtent>
-HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i, Left& left_over) {
+HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i, LeftLanes& left_over) {
   const Loaded in(job.pairs, i);
   const Delta d = delta_of(in);
   Delta unit = d;
@@ -150,7 +151,7 @@ HWY_NOINLINE void contacts_of_lifted_vector(Job& job, std::size_t i) {
   Job own{lifted.pairs(), job.question, rows, kMostLanes, job.sign1, job.sign2};
   std::copy_n(lifted.number[8], lanes, own.alarms);
   std::copy_n(lifted.number[9], lanes, own.contacts);
-  Left left;
+  LeftLanes left;
   contacts_of_vector<true, kExtent>(own, 0, left);
   job.count.hits += own.count.hits;
 
@@ -178,7 +179,7 @@ HWY_INLINE void contacts_of_whole_vectors(Job& job, std::size_t end) {
   bool scale = false;
   for (std::size_t i = 0; i < end; i += lanes) {
     if (i % kStrip == 0) scale = false;
-    Left left;
+    LeftLanes left;
     if (scale || !contacts_of_vector<false, kExtent>(job, i, left)) {
       scale = true;
       if (Lifted::is_far_from_1(job.pairs, i, job.question.distances)) {
@@ -218,57 +219,19 @@ batch::Count compute_spheres(const SpherePairs& pairs, const ContactQuestion& qu
   return job.count;
 }
 
-/// As batch_sphere_cube-inl.h declares it.
-std::size_t contacts_with_points(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
+// As batch_balls-inl.h declares them.
+template <bool kExtent>
+HWY_INLINE std::size_t contacts_with_room(const SpherePairs& pairs, const ContactQuestion& question,
+                                          const ContactRows& out) {
   Job job = job_of(pairs, question, out);
-  contacts_of_whole_vectors<false>(job, pairs.size);
+  contacts_of_whole_vectors<kExtent>(job, pairs.size);
   return job.count.exact;
 }
-
-/// Contacts of the pairs that are not plainly misses, strip by strip: their numbers are brought together first.
-batch::Count compute_sphere_hits(const SpherePairs& pairs, const ContactQuestion& question, std::uint32_t* index,
-                                 const ContactRows& out) {
-  const std::size_t lanes = hn::Lanes(D());
-  HWY_ALIGN double kept[8][kStrip];
-  std::uint32_t kept_index[kStrip];
-  batch::Count count;
-  for (std::size_t begin = 0; begin < pairs.size; begin += kStrip) {
-    const std::size_t end = std::min(begin + kStrip, pairs.size);
-    std::size_t k = 0;
-    std::size_t i = begin;
-    for (; i + lanes <= end; i += lanes) {
-      const Loaded in(pairs, i);
-      const V d2 = squared_length(hn::Sub(in.bx, in.ax), hn::Sub(in.by, in.ay), hn::Sub(in.bz, in.az));
-      M hit;
-      M miss;
-      filter(d2, hn::Add(hn::Add(in.ar, in.br), all(question.distances.alarm)), hit, miss);
-      const unsigned keep = ~bits_of(miss);
-      for (std::size_t lane = 0; lane < lanes; ++lane) {  // no branch: hits come in no order
-        kept_index[k] = static_cast<std::uint32_t>(i + lane);
-        k += (keep >> lane) & 1;
-      }
-    }
-    for (; i < end; ++i) kept_index[k++] = static_cast<std::uint32_t>(i);
-    for (std::size_t column = 0; column < 8; ++column) {
-      const double* from = column < 4 ? pairs.a[column] : pairs.b[column - 4];
-      for (std::size_t row = 0; row < k; ++row) kept[column][row] = from[kept_index[row]];
-    }
-    const ContactRows rows = out.from(count.hits);
-    const batch::Count strip = compute_spheres(
-        {{kept[0], kept[1], kept[2], kept[3]}, {kept[4], kept[5], kept[6], kept[7]}, k}, question, rows);
-    std::size_t row = 0;
-    for (std::size_t from = 0; from < k; ++from) {
-      if (strip.hits != k) {  // a miss that was not plain
-        if (rows.state[from] == batch::PairState::miss) continue;
-        for (double* column : rows.number) column[row] = column[from];
-        rows.state[row] = rows.state[from];
-      }
-      index[count.hits + row++] = kept_index[from];
-    }
-    count.hits += strip.hits;
-    count.exact += strip.exact;
-  }
-  return count;
+std::size_t contacts_with_balls(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
+  return contacts_with_room<true>(pairs, question, out);
+}
+std::size_t contacts_with_points(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
+  return contacts_with_room<false>(pairs, question, out);
 }
 
 #endif  // HWY_NATIVE_FMA
@@ -327,11 +290,6 @@ batch::Count compute_spheres(const SpherePairs& pairs, const ContactQuestion& qu
   return compute_scalar(pairs, question, out);
 }
 
-batch::Count compute_sphere_hits(const SpherePairs& pairs, const ContactQuestion& question, std::uint32_t* index,
-                                 const ContactRows& out) {
-  return compute_hits_scalar(pairs, question, index, out);
-}
-
 #endif
 
 bool computes_contacts() { return HWY_HAVE_FLOAT64 && HWY_NATIVE_FMA; }
@@ -345,7 +303,6 @@ namespace contact::kernel {
 
 HWY_EXPORT(test_spheres);
 HWY_EXPORT(compute_spheres);
-HWY_EXPORT(compute_sphere_hits);
 HWY_EXPORT(computes_contacts);
 
 batch::Count test_vectors(const SpherePairs& pairs, double alarm, std::uint8_t* hit) {
@@ -354,11 +311,6 @@ batch::Count test_vectors(const SpherePairs& pairs, double alarm, std::uint8_t* 
 
 batch::Count compute_vectors(const SpherePairs& pairs, const ContactQuestion& question, const ContactRows& out) {
   return HWY_DYNAMIC_DISPATCH(compute_spheres)(pairs, question, out);
-}
-
-batch::Count compute_hits_vectors(const SpherePairs& pairs, const ContactQuestion& question, std::uint32_t* index,
-                                  const ContactRows& out) {
-  return HWY_DYNAMIC_DISPATCH(compute_sphere_hits)(pairs, question, index, out);
 }
 
 bool vectors_compute_contacts() { return HWY_DYNAMIC_DISPATCH(computes_contacts)(); }
