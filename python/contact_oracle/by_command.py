@@ -23,6 +23,8 @@ from .errors import InputError
 from .serving import Conversation
 
 START_LIMIT = 60
+# The path of a socket has at most 107 bytes, on macOS 103: a name in a temporary folder takes 19 of them.
+LONGEST_FOLDER = 84
 
 # Reads of 1 byte or more as they come: what waits to be full would wait for ever.
 CARRIER = """
@@ -82,19 +84,14 @@ def _answering(engine: Engine, hello: Mapping[str, Any], scalar: str, path: str)
 def ask_command(verb: str, options: list[str], engine: Engine, declared: Mapping[str, Any], scalar: str) -> dict[str, Any]:
     """Runs a verb of the command on the engine: its exit status, and what it wrote as text, JSON and JUnit."""
     hello = {"op": "hello", "protocol": 1, **declared}
-    with tempfile.TemporaryDirectory() as folder:
+    place = "/tmp" if len(os.fsencode(tempfile.gettempdir())) > LONGEST_FOLDER else None
+    with tempfile.TemporaryDirectory(dir=place) as folder:
         path = os.path.join(folder, "engine")
         carrier = shlex.join([sys.executable, "-S", "-c", CARRIER, path])
         with _answering(engine, hello, scalar, path):
             done = subprocess.run([command(), verb, "--engine-command", carrier, "--start-limit", str(START_LIMIT), "--jobs", "1", *options,
                                    "--json", os.path.join(folder, "json"), "--junit", os.path.join(folder, "junit")],
                                   capture_output=True, text=True)
-        written = {kind: _text_of(os.path.join(folder, kind)) for kind in ("json", "junit")}
+        files = {kind: pathlib.Path(folder, kind) for kind in ("json", "junit")}
+        written = {kind: file.read_text(encoding="utf-8") if file.exists() else "" for kind, file in files.items()}
     return {"exit": done.returncode, "text": done.stdout or done.stderr, **written}
-
-
-def _text_of(path: str) -> str:
-    if not os.path.exists(path):
-        return ""
-    with open(path, encoding="utf-8") as file:
-        return file.read()

@@ -56,11 +56,16 @@ def generate(pair: str, family: str, count: int, seed: int = 0, scalar: str = "b
 
     first      the index of the first question; question i is the same whatever else is generated
 
+    InputError where a name is unknown, or a number is none from 0 to 2^64 - 1.
+
     >>> import contact_oracle
     >>> contact_oracle.generate("sphere_sphere", "touching", 100, seed=1)
     <100 questions of sphere_sphere, binary64, family touching>
     """
     family_named(pair, family)
+    for name, number in (("count", count), ("seed", seed), ("first", first)):
+        if not isinstance(number, (int, np.integer)) or not 0 <= number < 2**64:
+            raise InputError("must be a whole number from 0 to 2^64 - 1", name, value=repr(number))
     with errors_of_core():
         columns, alarm, contact = _core.generate(pair, family, count, seed, scalar_named(scalar), first)
     return Questions(pair, dict(zip(pair_named(pair).arguments, _in_scalar([*columns, alarm, contact], scalar))), scalar, family)

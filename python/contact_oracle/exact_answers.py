@@ -11,7 +11,6 @@ from typing import Any
 
 from . import _core
 from .asked import Asked, asked
-from .errors import errors_of_core
 from .pairs import pair_named
 from .questions import Questions
 from .shapes import Question
@@ -125,7 +124,10 @@ class Exact:
         return root_less(self.distance2, less, digits, -1 if self.below else 1)
 
     def distance(self, digits: int = DIGITS) -> Decimal:
-        """sqrt(D), negative below a plane; where cores overlap, how deep they do, negative."""
+        """sqrt(D), negative below a plane; of convex shapes whose cores overlap, how deep they do, negative.
+
+        A centre in a box of ``sphere_cube`` is at 0, its D: `value` alone has its depth.
+        """
         return self._root_less(Fraction(0), digits)
 
     def margin(self, digits: int = DIGITS) -> Decimal:
@@ -199,6 +201,5 @@ def asked_of(query: Any, arguments: tuple[Any, ...], named: Mapping[str, Any]) -
         raise TypeError("arguments belong to a pair's name alone")
     if isinstance(query, Questions):
         return query.asked()
-    with errors_of_core():
-        question = query if isinstance(query, Question) else Question.from_json(query)
+    question = query if isinstance(query, Question) else Question.from_json(query)
     return asked(pair_named(question.pair), question.arguments())

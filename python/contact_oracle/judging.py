@@ -380,45 +380,12 @@ def golden_sources(datasets: str | os.PathLike[str] | Iterable[str | os.PathLike
     """The datasets among files and in folders that are of these pairs, families and this scalar."""
     wanted = None if families is None else (families,) if isinstance(families, str) else tuple(families)
     pairs = tuple(pairs)
-    sources = []
-    for path in golden_files(datasets):
-        header = header_of(path)
-        if header is None or header["pair"] not in pairs:
-            continue
-        # A binary64 engine reads every binary32 number; the other way round a question would be changed.
-        if scalar == "binary32" and header["scalar"] != "binary32":
-            continue
-        if header["family"] != "invalid" if wanted is None else header["family"] in wanted:
-            sources.append({"dataset": path})
-    return sources
-
-
-def golden_files(datasets: str | os.PathLike[str] | Iterable[str | os.PathLike[str]]) -> list[str]:
-    """Files as they are named, and of a folder its datasets by name, the folder ``quick`` aside, which repeats questions."""
-    found = []
-    for path in [datasets] if isinstance(datasets, (str, os.PathLike)) else datasets:
-        path = os.fspath(path)
+    paths = [os.fspath(path) for path in ([datasets] if isinstance(datasets, (str, os.PathLike)) else datasets)]
+    for path in paths:
         if not os.path.exists(path):
             raise InputError("is not there", "datasets", value=path)
-        if not os.path.isdir(path):
-            found.append(path)
-            continue
-        for folder, folders, names in os.walk(path):
-            folders[:] = sorted(name for name in folders if name != "quick")
-            found += [os.path.join(folder, name) for name in sorted(names) if name.endswith((".jsonl", ".h5", ".npz"))]
-    return found
-
-
-def header_of(path: str) -> dict[str, Any] | None:
-    """The header of a dataset; None of a file that is something else, such as recorded answers."""
-    if path.endswith(".jsonl"):
-        with open(path, encoding="utf-8") as file:
-            try:
-                header = json.loads(file.readline())
-            except ValueError as error:
-                raise InputError(f"{path}:1: {error}") from None
-        if not isinstance(header, dict) or header.get("format") != "contact-oracle/dataset":
-            return None
-        return header
     with errors_of_core():
-        return dict(json.loads(_core.read_dataset(path)[0]))
+        found = _core.datasets(paths)
+    # A binary64 engine reads every binary32 number; the other way round a question would be changed.
+    return [{"dataset": path, "pair": pair, "scalar": of, "family": family} for path, pair, of, family in found
+            if pair in pairs and (scalar == "binary64" or of == scalar) and (family != "invalid" if wanted is None else family in wanted)]

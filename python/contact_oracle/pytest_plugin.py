@@ -21,7 +21,7 @@ from typing import Any
 import pytest
 
 from .errors import InputError
-from .judging import generated_sources, golden_sources, header_of
+from .judging import generated_sources, golden_sources
 from .suites import GOLDEN_SEED, Case, Suite
 
 EXAMPLES = 100
@@ -87,9 +87,8 @@ def _golden_cases(asked: Suite, path: str | None) -> list[Case]:
                 for source in generated_sources(asked.pairs, asked.families, asked.scalar, GOLDEN_SEED, asked.count)]
     cases = []
     for source in golden_sources(path, asked.pairs, asked.families, asked.scalar):
-        header = header_of(source["dataset"]) or {}
-        suffix = "" if header["scalar"] == asked.scalar else f"-{header['scalar']}"
-        cases.append(Case(asked, "golden", f"golden-{header['pair']}-{header['family']}{suffix}", (header["pair"],), source))
+        suffix = "" if source["scalar"] == asked.scalar else f"-{source['scalar']}"
+        cases.append(Case(asked, "golden", f"golden-{source['pair']}-{source['family']}{suffix}", (source["pair"],), source))
     if not cases:
         raise pytest.Collector.CollectError(f"--contact-golden={path}: no golden cases of {', '.join(asked.pairs)} in {asked.scalar}")
     return cases

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, Union
 
@@ -168,6 +169,23 @@ def _from_json(value: Any) -> Any:
     return tuple(_from_json(part) for part in value) if isinstance(value, (list, tuple, np.ndarray)) else float(value)
 
 
+def _numbers_from(value: Any, place: str) -> Any:
+    try:
+        return _from_json(value)
+    except (OverflowError, TypeError, ValueError):
+        raise InputError("must be numbers", place, value=repr(value), field=place) from None
+
+
+def _shape_from(query: Mapping[str, Any], side: str, kind: str) -> Any:
+    given, names = query.get(side), [field.name for field in fields(SHAPES[kind])]
+    if not isinstance(given, Mapping):
+        raise InputError(f"must be a {kind}, with {', '.join(names)}", side, value=repr(given), field=side)
+    for name in [*given, *names]:
+        if name not in names or name not in given:
+            raise InputError(f"is no part of a {kind}" if name in given else "is missing", f"{side}.{name}", field=f"{side}.{name}")
+    return SHAPES[kind](**{name: _numbers_from(given[name], f"{side}.{name}") for name in names})
+
+
 def _shape_json(shape: Shape) -> dict[str, Any]:
     return {field.name: _json_value(getattr(shape, field.name)) for field in fields(shape)}
 
@@ -191,12 +209,18 @@ class Question:
 
     @classmethod
     def from_json(cls, line: str | dict[str, Any]) -> Question:
-        """From a line as ``explain`` reads it, or what it holds."""
-        query = json.loads(line) if isinstance(line, (str, bytes)) else line
-        pair = query.get("pair") or ("cube_cube" if "min" in query["a"] else "sphere_sphere")
-        a, b = (SHAPES[kind](**{name: _from_json(value) for name, value in query[side].items()})
-                for side, kind in zip("ab", pair_named(pair).shapes))
-        return cls(pair, a, b, float(query.get("alarm", 0)), float(query.get("contact", 0)), query.get("scalar", "binary64"))
+        """From a line as ``explain`` reads it, or what it holds. InputError where it is no question."""
+        try:
+            query = json.loads(line) if isinstance(line, (str, bytes)) else line
+        except ValueError as error:
+            raise InputError(f"cannot be read: {error}", "question") from None
+        if not isinstance(query, Mapping):
+            raise InputError("must be a line or a dict", "question", value=repr(query))
+        first = query.get("a")
+        pair = query.get("pair") or ("cube_cube" if isinstance(first, Mapping) and "min" in first else "sphere_sphere")
+        a, b = (_shape_from(query, side, kind) for side, kind in zip("ab", pair_named(pair).shapes))
+        alarm, contact = (_numbers_from(query.get(name, 0), name) for name in ("alarm", "contact"))
+        return cls(pair, a, b, alarm, contact, query.get("scalar", "binary64"))
 
     def __str__(self) -> str:
         return json.dumps({"pair": self.pair, "scalar": self.scalar, "a": _shape_json(self.a), "b": _shape_json(self.b),

@@ -211,8 +211,12 @@ py::dict certify(const py::function& ask, const std::string& engine, const std::
     }
   }
   const tool::Report& report = reports.front();
-  if (report.judged() == 0)
-    throw InputError({"certify", 0}, "", fmt::format("no case was judged; {}", fmt::join(report.left_out(), "; ")));
+  if (report.judged() == 0) {
+    const std::vector<std::string> why = report.left_out();
+    throw InputError(
+        {"certify", 0}, "",
+        fmt::format("no case was judged; {}", why.empty() ? "there is none" : fmt::format("{}", fmt::join(why, "; "))));
+  }
   py::dict found;
   found["exit"] = static_cast<int>(report.harness_invalid() ? tool::kHarnessInvalid
                                    : report.certified()     ? tool::kCertified

@@ -381,29 +381,29 @@ py::tuple generate(const std::string& pair, const std::string& family, std::uint
   return columns.as_columns();
 }
 
-/// A column of a dataset's answers.
+/// A column of numbers of a dataset's exact ones.
 template <class Value>
-py::array_t<Value> column(const std::vector<golden::Case>& all, py::ssize_t across, const auto& read) {
-  std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(all.size())};
-  if (across > 1) shape.push_back(across);
-  py::array_t<Value> array(shape);
-  Value* to = array.mutable_data();
-  for (const golden::Case& c : all)
-    for (py::ssize_t i = 0; i < across; ++i) *to++ = read(c, i);
+py::array_t<Value> column(const std::vector<golden::Case>& all, Value oracle::Witness::*number) {
+  py::array_t<Value> array(static_cast<py::ssize_t>(all.size()));
+  std::transform(all.begin(), all.end(), array.mutable_data(), [&](const auto& c) { return c.exact.*number; });
   return array;
 }
 
-py::array texts(const std::vector<golden::Case>& all, const auto& read) {
+/// A column of texts, with so many in a row: read(case, i) is the i-th.
+py::array texts(const std::vector<golden::Case>& all, std::size_t across, const auto& read) {
   std::size_t width = 1;
-  for (const golden::Case& c : all) width = std::max(width, read(c).size());
-  const py::array array(py::dtype(fmt::format("S{}", width)), std::vector<std::size_t>{all.size()});
+  for (const golden::Case& c : all)
+    for (std::size_t i = 0; i < across; ++i) width = std::max(width, read(c, i).size());
+  std::vector<std::size_t> shape{all.size()};
+  if (across > 1) shape.push_back(across);
+  const py::array array(py::dtype(fmt::format("S{}", width)), shape);
   auto* to = static_cast<char*>(const_cast<void*>(array.data()));
-  std::memset(to, 0, width * all.size());
-  for (const golden::Case& c : all) {
-    const std::string& text = read(c);
-    std::copy(text.begin(), text.end(), to);
-    to += width;
-  }
+  std::memset(to, 0, width * across * all.size());
+  for (const golden::Case& c : all)
+    for (std::size_t i = 0; i < across; ++i, to += width) {
+      const std::string_view text = read(c, i);
+      std::copy(text.begin(), text.end(), to);
+    }
   return array;
 }
 
@@ -428,34 +428,45 @@ py::tuple read_dataset(const std::string& path) {
   for (const golden::Case& c : all) flags.append(py::cast(c.flags));
   arrays["flags"] = flags;
   if (header.family == golden::kInvalidFamily) {
-    arrays["expect/rejected"] = texts(all, [](const golden::Case& c) -> const std::string& { return *c.rejected; });
+    arrays["expect/rejected"] =
+        texts(all, 1, [](const golden::Case& c, std::size_t) -> std::string_view { return *c.rejected; });
     return py::make_tuple(to_line(header), arrays);
   }
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  const auto number = [&](const char* name, py::ssize_t across, const auto& read) {
-    arrays[name] = column<double>(all, across, [&](const golden::Case& c, py::ssize_t i) {
-      return c.expect.contact ? read(*c.expect.contact, static_cast<Eigen::Index>(i)) : none;
-    });
+  Answers<double> answers(header.pair, all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) answers.set(i, all[i].expect.hit, all[i].expect.contact);
+  for (const auto& [name, array] : answers.arrays()) arrays[py::str("expect/" + py::cast<std::string>(name))] = array;
+  const auto exact = [&](const char* name, std::size_t across, const auto& read) {
+    arrays[name] = texts(all, across, [&](const golden::Case& c, std::size_t i) { return read(c.exact, i); });
   };
-  arrays["expect/hit"] = column<bool>(all, 1, [](const golden::Case& c, py::ssize_t) { return c.expect.hit; });
-  if (has_numbers(header.pair)) {
-    number("expect/normal", 3, [](const Contact& c, Eigen::Index i) { return c.normal[i]; });
-    number("expect/point1", 3, [](const Contact& c, Eigen::Index i) { return c.point1[i]; });
-    number("expect/point2", 3, [](const Contact& c, Eigen::Index i) { return c.point2[i]; });
-    number("expect/value", 1, [](const Contact& c, Eigen::Index) { return c.value; });
-    arrays["expect/degenerate"] = column<bool>(
-        all, 1, [](const golden::Case& c, py::ssize_t) { return c.expect.contact && c.expect.contact->degenerate; });
-    arrays["expect/unique"] = column<bool>(
-        all, 1, [](const golden::Case& c, py::ssize_t) { return !c.expect.contact || c.expect.contact->unique; });
-  }
-  if (has_distance(header.pair)) {
-    arrays["exact/distance2"] =
-        texts(all, [](const golden::Case& c) -> const std::string& { return c.exact.distance2; });
-    arrays["exact/reach"] = texts(all, [](const golden::Case& c) -> const std::string& { return c.exact.reach; });
-    arrays["exact/margin_ulps"] =
-        column<double>(all, 1, [](const golden::Case& c, py::ssize_t) { return c.exact.margin_ulps; });
+  using oracle::Witness;
+  using Text = std::string_view;
+  if (!has_numbers(header.pair)) {
+    exact("exact/gap", 3, [](const Witness& w, std::size_t i) -> Text { return w.gap[i]; });
+  } else if (is_cast(header.pair)) {
+    exact("exact/t", 2, [](const Witness& w, std::size_t i) { return w.cast ? Text((*w.cast)[i]) : Text(); });
+  } else if (is_crossing(header.pair)) {
+    exact("exact/crossing", 3,
+          [](const Witness& w, std::size_t i) { return w.crossing ? Text((*w.crossing)[i]) : Text(); });
+  } else {
+    exact("exact/distance2", 1, [](const Witness& w, std::size_t) -> Text { return w.distance2; });
+    if (has_plane(header.pair))
+      arrays["exact/below"] = column(all, &Witness::below);
+    else if (is_convex(header.pair))
+      exact("exact/depth2", 1, [](const Witness& w, std::size_t) -> Text { return w.depth2; });
+    exact("exact/reach", 1, [](const Witness& w, std::size_t) -> Text { return w.reach; });
+    arrays["exact/margin_ulps"] = column(all, &Witness::margin_ulps);
   }
   return py::make_tuple(to_line(header), arrays);
+}
+
+/// The datasets among files and in folders, as every command finds them: the path, pair, scalar and family of each.
+py::list datasets(const std::vector<std::string>& paths) {
+  py::list all;
+  for (const auto& path : golden::dataset_files({paths.begin(), paths.end()})) {
+    const golden::DatasetHeader header = golden::dataset_header(path);
+    all.append(py::make_tuple(path.string(), name(header.pair), name(header.scalar), header.family));
+  }
+  return all;
 }
 
 void write_dataset(const std::string& path, const std::string& pair, const std::string& scalar,
@@ -540,6 +551,7 @@ PYBIND11_MODULE(_core, m) {
   m.def("gradients", &gradients, "pair"_a, "columns"_a, "alarm"_a, "contact"_a);
   m.def("explain", &explain, "line"_a);
   m.def("generate", &generate, "pair"_a, "family"_a, "count"_a, "seed"_a, "scalar"_a = "binary64", "first"_a = 0);
+  m.def("datasets", &datasets, "paths"_a);
   m.def("read_dataset", &read_dataset, "path"_a);
   m.def("write_dataset", &write_dataset, "path"_a, "pair"_a, "scalar"_a, "family"_a, "columns"_a, "alarm"_a,
         "contact"_a);

@@ -3,6 +3,7 @@ import json
 import pathlib
 import subprocess
 import sys
+import tempfile
 
 import engines
 import numpy as np
@@ -122,6 +123,28 @@ def test_golden_files_are_judged(golden):
         contact_oracle.certify(engines.right, datasets="nowhere")
     with pytest.raises(InputError, match="no question to judge"):
         contact_oracle.certify(engines.right, "cube_cube", datasets=golden / "sphere_sphere")
+
+
+def test_what_else_stands_beside_golden_files_is_passed_over_or_named(tmp_path):
+    contact_oracle.write_dataset(tmp_path / "questions.jsonl", contact_oracle.generate("sphere_sphere", "generic", 20, seed=1))
+    np.savez(tmp_path / "answers.npz", header=json.dumps({"format": "contact-oracle/results", "version": 1}), hit=np.ones(20, bool))
+    judged = lambda: contact_oracle.certify(engines.right, "sphere_sphere", datasets=tmp_path, fresh=0)
+    assert judged().data["total"]["cases"] == 20
+    (tmp_path / "bad.jsonl").write_text('{"format":"contact-oracle/dataset","version":1}\n')
+    with pytest.raises(InputError, match="bad.jsonl:1: pair: missing"):
+        judged()
+    (tmp_path / "bad.jsonl").unlink()
+    (tmp_path / "nowhere.jsonl").symlink_to(tmp_path / "gone.jsonl")
+    with pytest.raises(InputError, match="nowhere.jsonl: cannot read"):
+        judged()
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(InputError, match="empty: no dataset"):
+        contact_oracle.certify(engines.right, datasets=tmp_path / "empty")
+
+
+def test_without_a_question_no_case_is_judged():
+    with pytest.raises(InputError, match="no case was judged; there is none$"):
+        contact_oracle.certify(engines.right, "sphere_sphere", "generic", count=0)
 
 
 def test_the_engine_that_raises_is_named_with_its_first_question():
@@ -289,6 +312,14 @@ def test_laws_of_the_command_hold_of_a_right_engine_and_name_a_mistake(tool):
         contact_oracle.properties(engines.right, laws="gravity")
     with pytest.raises(EngineError, match="KeyError"):
         contact_oracle.properties(engines.raises, "sphere_sphere", "swap", cases=10, seed=1)
+
+
+def test_laws_are_asked_where_the_temporary_folder_has_a_long_name(tool, monkeypatch, tmp_path):
+    # A socket's name may be no longer than 107 bytes.
+    folder = tmp_path / ("long" * 30)
+    folder.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(folder))
+    assert contact_oracle.properties(engines.right, "sphere_sphere", "swap", cases=10, seed=1).holds
 
 
 def test_without_the_command_its_laws_are_not_asked(monkeypatch, tmp_path):

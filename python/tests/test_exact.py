@@ -49,7 +49,7 @@ def test_exact_numbers_of_each_kind_of_pair():
     below = contact_oracle.exact("sphere_plane", (0, 0, -2), 1, (0, 0, 1), 0)
     assert below.below and below.distance() == -2 and below.margin() == -3 and below.value() == -3
     inside = contact_oracle.exact("sphere_cube", (0.25, 0.5, 0.5), 1.5, (0, 0, 0), (1, 1, 1), contact=0.25)
-    assert inside.degenerate and inside.value() == -2
+    assert inside.degenerate and inside.value() == -2 and inside.distance() == 0 and inside.margin() == -1.5
     beside = contact_oracle.exact("sphere_capsule", (0, 1, 0), 0, (0, 0, 0), (1, 1, 1), 0)
     assert beside.distance2 == Fraction(2, 3)
     cut = contact_oracle.exact("triangle_triangle", ((0, 0, 0), (4, 0, 0), (0, 4, 0)), ((1, 1, -1), (1, 1, 2), (-1, -1, 5)))
@@ -86,6 +86,21 @@ def test_questions_are_explained_however_they_are_given():
         contact_oracle.explain(line, 1)
 
 
+BALL = {"center": [0, 0, 0], "radius": 1}
+
+
+@pytest.mark.parametrize("question, words", [
+    ({"a": BALL}, "b: must be a sphere, with center, radius, got None"), ({"b": BALL}, "a: must be a sphere"), ({"a": 5, "b": BALL}, "a: must be a sphere"),
+    ({"a": {"min": [0, 0, 0]}, "b": BALL}, "a.max: is missing"), ({"a": {"center": [0, 0, 0]}, "b": BALL}, "a.radius: is missing"),
+    ({"a": {**BALL, "size": 1}, "b": BALL}, "a.size: is no part of a sphere"), ({"a": {**BALL, "radius": None}, "b": BALL}, "a.radius: must be numbers, got None"),
+    ({"a": {**BALL, "radius": 10**400}, "b": BALL}, "a.radius: must be numbers"), ({"a": BALL, "b": BALL, "alarm": "wide"}, "alarm: must be numbers, got 'wide'"),
+    ("{", "question: cannot be read: "), (None, "question: must be a line or a dict, got None")])
+def test_what_is_no_question_is_named(question, words):
+    for read in (contact_oracle.exact, contact_oracle.gradient, Question.from_json, *([contact_oracle.explain] if question != "{" else [])):
+        with pytest.raises(InputError, match=words):
+            read(question)
+
+
 def test_a_question_is_a_line_and_back():
     question = Question("sphere_sphere", Sphere((0.0, 0.1, 5e-324), 1.0), Sphere((1.0, float("inf"), float("nan")), 2.0), 0.5)
     assert '"Infinity","NaN"' in str(question)
@@ -115,6 +130,10 @@ def test_generated_questions_are_arrays():
     for wrong in (dict(pair="x"), dict(family="x"), dict(scalar="x")):
         with pytest.raises(InputError):
             contact_oracle.generate(**{**dict(pair="cube_cube", family="generic", count=1), **wrong})
+    for name, number in (("count", -1), ("count", 2.5), ("seed", -1), ("seed", 2**64), ("first", "1")):
+        with pytest.raises(InputError, match=f"{name}: must be a whole number from 0 to"):
+            contact_oracle.generate(**{**dict(pair="cube_cube", family="generic", count=1), name: number})
+    assert len(contact_oracle.generate("cube_cube", "generic", np.int64(3), np.uint8(1))) == 3
 
 
 def test_questions_of_ones_own():
@@ -144,6 +163,18 @@ def test_a_dataset_is_written_and_read(tmp_path, ending, scalar):
     single = list(questions)[:2]
     contact_oracle.write_dataset(path, single, family="mine")
     assert contact_oracle.read_dataset(path).header["family"] == "mine"
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_a_dataset_has_every_column_of_the_file(tmp_path, pair):
+    contact_oracle.write_dataset(tmp_path / "mine.npz", contact_oracle.generate(pair, "generic", 60, seed=4))
+    columns = contact_oracle.read_dataset(tmp_path / "mine.npz").columns
+    with np.load(tmp_path / "mine.npz") as file:
+        named = {name for name in file.files if name.startswith(("exact/", "expect/"))}
+        for name in named:
+            np.testing.assert_array_equal(columns[name], file[name], name)
+    # Where one pair of points alone can be nearest, the file does not say so.
+    assert {name for name in columns if name.startswith(("exact/", "expect/"))} - named <= {"expect/unique"}
 
 
 def test_golden_files_are_read(golden):
