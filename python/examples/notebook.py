@@ -2,7 +2,7 @@
 
     python3 notebook.py error_by_scale.ipynb
 
-The notebook is run where Jupyter is installed. Elsewhere its cells run here, one after the other, so that they are known to work.
+It needs matplotlib. The notebook is run where Jupyter is installed. Elsewhere its cells run here, one after the other, so that they are known to work.
 """
 import json
 import shutil
@@ -38,42 +38,11 @@ both = right.hit & claimed["hit"]
 size = np.abs(questions.center1).max(axis=1)[both]
 error = np.abs(claimed["value"] - right.value)[both]
 print(f"{both.sum()} hits, the largest error is {error.max():.3g}")"""),
-    ("code", """class Plot:
-    \"\"\"Points on two logarithmic axes, as SVG.\"\"\"
+    ("code", """import matplotlib.pyplot as plt
 
-    WIDTH, HEIGHT, MARGIN = 640, 400, 60
-
-    def __init__(self, x, y, x_name, y_name):
-        keep = (x > 0) & (y > 0)
-        self.x, self.y = np.log10(x[keep]), np.log10(y[keep])
-        self.names = x_name, y_name
-
-    def _place(self, values, size, turned):
-        low, high = np.floor(values.min()), np.ceil(values.max())
-        inner = size - 2 * self.MARGIN
-        def place(value):
-            share = (value - low) / (high - low)
-            return self.MARGIN + inner * (1 - share if turned else share)
-        return place, np.arange(low, high + 1)
-
-    def _repr_svg_(self):
-        x, x_marks = self._place(self.x, self.WIDTH, False)
-        y, y_marks = self._place(self.y, self.HEIGHT, True)
-        end_x, end_y = self.WIDTH - self.MARGIN, self.HEIGHT - self.MARGIN
-        parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {self.WIDTH} {self.HEIGHT}" font-family="sans-serif" font-size="12">',
-                 '<rect width="100%" height="100%" fill="white"/>']
-        for mark in x_marks[::2]:
-            parts.append(f'<line x1="{x(mark):.1f}" x2="{x(mark):.1f}" y1="{self.MARGIN}" y2="{end_y}" stroke="#ddd"/>'
-                         f'<text x="{x(mark):.1f}" y="{end_y + 18}" text-anchor="middle">1e{mark:.0f}</text>')
-        for mark in y_marks[::2]:
-            parts.append(f'<line x1="{self.MARGIN}" x2="{end_x}" y1="{y(mark):.1f}" y2="{y(mark):.1f}" stroke="#ddd"/>'
-                         f'<text x="{self.MARGIN - 6}" y="{y(mark) + 4:.1f}" text-anchor="end">1e{mark:.0f}</text>')
-        parts += [f'<circle cx="{x(a):.1f}" cy="{y(b):.1f}" r="2" fill="#1f5fa8" fill-opacity="0.5"/>' for a, b in zip(self.x, self.y)]
-        parts.append(f'<text x="{self.WIDTH / 2}" y="{self.HEIGHT - 16}" text-anchor="middle">{self.names[0]}</text>'
-                     f'<text transform="translate(16 {self.HEIGHT / 2}) rotate(-90)" text-anchor="middle">{self.names[1]}</text></svg>')
-        return "".join(parts)
-
-Plot(size, error, "largest coordinate", "error of the value")"""),
+figure, axes = plt.subplots()
+axes.set(xscale="log", yscale="log", xlabel="largest coordinate", ylabel="error of the value")
+points = axes.scatter(size, error, s=4)"""),
     ("markdown", "The judge says the same in a verdict, and from which tolerance on the engine would pass."),
     ("code", """report = contact_oracle.certify(single_precision, "sphere_sphere", "generic", seed=1)
 print(report.verdict)
@@ -107,8 +76,6 @@ if __name__ == "__main__":
         subprocess.run(["jupyter-nbconvert", "--to", "notebook", "--execute", "--inplace", path], check=True)
         print(f"{path}: made, and run by Jupyter")
     else:
-        names = run_here()
         plot = path.rsplit(".", 1)[0] + ".svg"
-        with open(plot, "w", encoding="utf-8") as file:
-            file.write(names["Plot"](names["size"], names["error"], "largest coordinate", "error of the value")._repr_svg_())
+        run_here()["figure"].savefig(plot)
         print(f"{path}: made; its cells ran here, for there is no Jupyter; the plot is {plot}")

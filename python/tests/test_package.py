@@ -264,8 +264,9 @@ def test_notebooks_show_what_terminals_show():
 
 
 def test_a_notebook_is_made_and_its_cells_work(tmp_path):
+    pytest.importorskip("matplotlib")
     run("notebook.py", "made.ipynb", cwd=tmp_path)
     made = json.loads((tmp_path / "made.ipynb").read_text())
     assert made["nbformat"] == 4 and sum(cell["cell_type"] == "code" for cell in made["cells"]) >= 5
     if (tmp_path / "made.svg").exists():
-        assert "<circle" in (tmp_path / "made.svg").read_text()
+        assert (tmp_path / "made.svg").read_text().count("<use ") > 500  # a hit each
