@@ -28,12 +28,6 @@ def contacts_of(question: Asked, points: str) -> Contacts:
     return Contacts(**{name: question.answered(array) for name, array in answers.items()})
 
 
-def hits_of(question: Asked) -> Any:
-    with question.naming_errors():
-        hits = _core.hits(question.pair.name, question.columns, question.alarm, question.contact)
-    return question.answered(hits)
-
-
 def signature_of(pair: Pair) -> inspect.Signature:
     either = [inspect.Parameter(field.argument, inspect.Parameter.POSITIONAL_OR_KEYWORD, annotation="ArrayLike") for field in pair.fields]
     distances = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=0, annotation="ArrayLike") for name in ("alarm", "contact")]
@@ -131,7 +125,9 @@ def hits(pair: str, *arguments: Any, **named: Any) -> Any:
     >>> contact_oracle.hits("cube_cube", (0, 0, 0), (1, 1, 1), [(1, 0, 0), (2, 0, 0)], (3, 1, 1))
     array([ True, False])
     """
-    return hits_of(asked_of(pair, arguments, named))
+    question = asked_of(pair, arguments, named)
+    with question.naming_errors():
+        return question.answered(_core.hits(question.pair.name, question.columns, question.alarm, question.contact))
 
 
 def explain(query: Any, /, *arguments: Any, **named: Any) -> str:

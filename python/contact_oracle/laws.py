@@ -72,7 +72,8 @@ class Answer:
         claims = [name for name in ("overlap", "contact") if name in json.loads(line)] + \
             [name for name in CLAIMS if name in self._arrays and name not in left_out]
         conventions = {**points_of(claims), **(held.conventions or {})}
-        declared = {"scalar": self.question.scalar, "conventions": conventions, "claims": claims, "tolerance": held.tolerance}
+        declared = {"engine": {"name": "", "version": ""}, "pairs": [self.question.pair], "scalar": self.question.scalar,
+                    "conventions": conventions, "claims": claims, "tolerance": held.tolerance}
         with errors_of_core():
             return _core.is_within(json.dumps(declared), str(self.question), line)
 

@@ -114,8 +114,7 @@ class Questions:
 
     def asked(self) -> Asked:
         """As the core reads them."""
-        question = asked(pair_named(self.pair), self._arrays)
-        return question
+        return asked(pair_named(self.pair), self._arrays)
 
     @property
     def id(self) -> Array:

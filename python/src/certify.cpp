@@ -126,21 +126,11 @@ class CallableEngine final : public engines::Engine {
   std::unordered_map<std::string, Claim> kept_;
 };
 
-/// What is known of an engine before it answers.
+/// What an engine declares.
 EngineInfo info_of(const std::string& header) {
   const formats::Location where{"engine", 0};
-  json all = formats::parse_object(header, where);
-  const auto add = [&](const char* key, const json& value) {
-    if (!all.contains(key)) all[key] = value;
-  };
-  add("engine", {{"name", "callable"}, {"version", ""}});
-  add("scalar", name(Scalar::binary64));
-  json pairs = json::array();
-  for (const Pair pair : kPairs) pairs.push_back(name(pair));
-  add("pairs", pairs);
-  add("format", engines::kResultsFormat);
-  add("version", engines::kResultsVersion);
-  return engines::read_engine_info(Node(all, where), {"format", "version"});
+  const json all = formats::parse_object(header, where);
+  return engines::read_engine_info(Node(all, where), {});
 }
 
 std::vector<Source> sources_of(const std::string& text) {

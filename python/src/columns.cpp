@@ -54,7 +54,7 @@ class MemoryArrays final : public formats::ArraysFile {
     }
   }
 
-  nlohmann::json header() override { return formats_header(); }
+  nlohmann::json header() override { return nlohmann::json::parse(header_); }
   std::optional<std::string> header_text() override { return header_; }
   std::set<std::string> names() override {
     std::set<std::string> names;
@@ -86,8 +86,6 @@ class MemoryArrays final : public formats::ArraysFile {
   }
 
  private:
-  [[nodiscard]] nlohmann::json formats_header() const { return nlohmann::json::parse(header_); }
-
   formats::Location where_;
   std::string header_;
   std::map<std::string, py::array> arrays_;

@@ -101,15 +101,6 @@ def test_types_have_strategies():
     check()
 
 
-def test_strategies_can_be_mapped_and_filtered():
-    @FEW
-    @given(strategies.spheres().filter(lambda sphere: sphere.radius > 1).map(lambda sphere: sphere.radius))
-    def check(radius):
-        assert radius > 1
-
-    check()
-
-
 @pytest.mark.parametrize("scalar", ["binary64", "binary32"])
 @pytest.mark.parametrize("name", laws.LAWS)
 def test_a_right_engine_obeys(name, scalar):
