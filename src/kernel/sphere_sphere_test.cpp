@@ -141,6 +141,11 @@ TEST(SphereSphere, an_infinite_alarm_distance_is_no_limit) {
   expect_hit(true, {-corner, 0}, {corner, 0}, kInfinity);
   expect_contact(compute_sphere_sphere({-corner, 0}, {corner, 0}, {kInfinity, 0}), {third_root, third_root, third_root},
                  -corner, corner, kInfinity);
+  // and so is 2 M along one axis
+  const Ball down = ball(0, -kLargest, 0, 0);
+  const Ball up = ball(0, kLargest, 0, 0);
+  expect_hit(true, down, up, kInfinity);
+  expect_contact(compute_sphere_sphere(down, up, {kInfinity, 0}), {0, 1, 0}, down.center, up.center, kInfinity);
   // distance 5; in units of 2^-1074, too, and less 7 of them
   expect_contact(compute_sphere_sphere(ball(0, 0, 0, 0), ball(3, 0, 4, 0), {kInfinity, 1}), {0.6, 0, 0.8}, {0, 0, 0},
                  {3, 0, 4}, 4);
