@@ -18,7 +18,6 @@
 // A call is compute_sphere_sphere, contact_of_pair, and the stages. docs/specification.md, "Correct rounding", says
 // why.
 #include "contact/sphere_sphere.hpp"
-#include "contact/pair_functions.hpp"
 
 #include <array>
 #include <bit>
@@ -355,18 +354,6 @@ std::optional<Contact> out_of_line::compute_sphere_sphere(const Ball& a, const B
   std::optional<Contact> contact(std::in_place, kernel::Unset());
   if (!contact_of_pair(a, b, distances, points, *contact)) contact.reset();
   return contact;
-}
-
-bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm) {
-  return out_of_line::test_sphere_sphere(a, b, alarm);
-}
-std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances, ContactPoints points) {
-  return out_of_line::compute_sphere_sphere(a, b, distances, points);
-}
-
-bool is_hit(const Balls& balls, Distances distances) { return test_sphere_sphere(balls.a, balls.b, distances.alarm); }
-std::optional<Contact> contact_of(const Balls& balls, Distances distances, ContactPoints points) {
-  return compute_sphere_sphere(balls.a, balls.b, distances, points);
 }
 
 }  // namespace contact::inline CONTACT_ABI
