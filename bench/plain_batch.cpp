@@ -84,14 +84,14 @@ struct Pair {
     decide(alarm);
   }
 
-  HWY_INLINE Pair(const kernel::SphereCapsulePairs& pairs, std::size_t i, double alarm) {
+  HWY_INLINE Pair(const kernel::PairColumns<Ball, Capsule>& pairs, std::size_t i, double alarm) {
     load_first(pairs.a, i);
     const Axis v(pairs.b, i);
     const V t = part(hn::Neg(v.dot(v.from(ax, ay, az))), v.dot(v));
     take_second(v, t);
     decide(alarm);
   }
-  HWY_INLINE Pair(const kernel::CapsulePairs& pairs, std::size_t i, double alarm) {
+  HWY_INLINE Pair(const kernel::PairColumns<Capsule, Capsule>& pairs, std::size_t i, double alarm) {
     const Axis u(pairs.a, i);
     const Axis v(pairs.b, i);
     const Axis w = v.from(u.startx, u.starty, u.startz);

@@ -7,6 +7,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 FOLDERS = ("bench", "dev", "docs", "engines", "formats", "golden", "include", "oracle", "proptests", "python", "src", "tool")
 COMMENT = re.compile(r"\s*(?P<mark>///?<?)(?P<space> *)(?P<text>\S.*)")
+BLOCK = re.compile(r"^( *)/\*.*?\*/", re.MULTILINE | re.DOTALL)
 HEADINGS = "Units|Domain|Decision|Error|Degenerate|Unique|Points|Environment|Threads|Result|Source|Evidence"
 
 
@@ -15,14 +16,20 @@ def sources():
             if path.suffix in (".h", ".hpp", ".cpp", ".c", ".in") and "node_modules" not in path.parts]
 
 
+def by_lines(block):
+    """A comment of C that begins a line, as one of C++."""
+    indent = len(block[1]) + 2
+    return "\n".join("//" + line[indent:] for line in block[0].removesuffix("*/").rstrip(" ").split("\n"))
+
+
 def broken_comments(text):
-    """Lines of comments in C++ that a formatter broke anew: words left behind, and headings that ran into a sentence."""
-    lines = [COMMENT.fullmatch(line) for line in text.split("\n")]
+    """Lines of comments that a formatter broke anew: words left behind, and headings that ran into a sentence."""
+    lines = [COMMENT.fullmatch(line) for line in BLOCK.sub(by_lines, text).split("\n")]
     found = []
     for i, line in enumerate(lines):
         if not line:
             continue
-        if re.search(rf"[.;,)] +(?:{HEADINGS}) {{3,}}\S", line["text"]):
+        if re.search(rf"[.;,)] +(?:{HEADINGS})(?: {{3,}}\S|$)", line["text"]):
             found.append((i + 1, "a heading in the middle of a line"))
         before, after = lines[i - 1] if i else None, lines[i + 1] if i + 1 < len(lines) else None
         if not before or not after or not before["mark"] == line["mark"] == after["mark"]:
@@ -44,10 +51,12 @@ class Comments(unittest.TestCase):
 
     def test_each_kind_is_found(self):
         for text in ("/// Units       of a length that need not\n/// be\n///             of length 1.", "//   a row, whose numbers are of\n//   the\n//            question",
-                     "/// once, as kRounding says. Domain      2 <= kBits", "// a sentence that was broken, and\n// then\n// went on"):
+                     "/// once, as kRounding says. Domain      2 <= kBits", "// a sentence that was broken, and\n// then\n// went on", "/* It has no say. Domain\n   finite. */",
+                     "  /* It has a say. Units       one length\n     unit. */"):
             self.assertEqual(len(broken_comments(text)), 1, text)
         for text in ("/// Units       of a length that need not\n///             be of length 1.", "/// Decision    exact.\n/// Units       none.",
-                     "/// One sentence.\n/// Another.\n/// third", "// The rows:\n//   a   first\n//   b   second", "int x;  // one\n// two\n// three."):
+                     "/// One sentence.\n/// Another.\n/// third", "// The rows:\n//   a   first\n//   b   second", "int x;  // one\n// two\n// three.",
+                     "/* It has a say.\n   Units       of a length that need not\n               be of length 1. */"):
             self.assertEqual(broken_comments(text), [], text)
 
 

@@ -34,14 +34,14 @@ ENVIRONMENT = {"CONTACT_BATCH_QUESTIONS": "80"}
 KINDS = 4  # mutants a place, at most: mutant.hpp
 
 COMPONENTS = {
-    "kernel": ["src/kernel/capsule_plane.cpp", "src/kernel/plane_cores.cpp", "src/kernel/plane_cores.hpp",
-               "src/kernel/sphere_plane.cpp", "src/kernel/crossing_cores.cpp", "src/kernel/crossing_cores.hpp",
-               "src/kernel/ray_triangle.cpp", "src/kernel/triangle_line.cpp", "src/kernel/casts.cpp", "src/kernel/convexes.cpp",
+    "kernel": ["src/kernel/plane_cores.cpp", "src/kernel/plane_cores.hpp",
+               "src/kernel/crossing_cores.cpp", "src/kernel/crossing_cores.hpp",
+               "src/kernel/casts.cpp", "src/kernel/convexes.cpp",
                "src/kernel/convexes_enclosed-inl.h", "src/kernel/convexes_enclosed.hpp", "src/kernel/convexes_filter.hpp",
                "src/kernel/enclosure-inl.h", "src/kernel/expanding_polytope.hpp",
-               "src/kernel/capsule_capsule.cpp", "src/kernel/cores.cpp", "src/kernel/cores_double_double.hpp",
-               "src/kernel/cores_one_vector.hpp", "src/kernel/cores_stages.hpp", "src/kernel/simple_points.hpp", "src/kernel/segment_cores.cpp", "src/kernel/segment_cores.hpp", "src/kernel/sphere_capsule.cpp",
-               "src/kernel/ray_sphere.cpp", "src/kernel/sphere_triangle.cpp", "src/kernel/triangle_cores.cpp", "src/kernel/triangle_cores.hpp",
+               "src/kernel/core_pairs.cpp", "src/kernel/core_pairs.hpp", "src/kernel/cores.cpp", "src/kernel/cores_double_double.hpp",
+               "src/kernel/cores_one_vector.hpp", "src/kernel/cores_stages.hpp", "src/kernel/simple_points.hpp", "src/kernel/segment_cores.cpp", "src/kernel/segment_cores.hpp",
+               "src/kernel/triangle_cores.cpp", "src/kernel/triangle_cores.hpp",
                "src/kernel/cube_cube.cpp", "src/kernel/exact.cpp", "src/kernel/exact.hpp", "src/kernel/exact_sum.cpp",
                "src/kernel/double_double-inl.h", "src/kernel/fixed_integer.hpp", "src/kernel/floating_point_environment.hpp",
                "src/kernel/sphere_cube.cpp", "src/kernel/sphere_sphere.cpp", "src/kernel/sphere_sphere_double_double.hpp", "include/contact/plain_cores.hpp", "include/contact/plain_decision.hpp",

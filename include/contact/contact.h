@@ -72,8 +72,7 @@ enum contact_points {
   CONTACT_POINTS_PUBLISHED = 2 /* on the far sides, as SOFA's published description has it */
 };
 
-/* Room for `count` contacts, packed: normal, point1 and point2 have rows of 3 (x, y, z). What is NULL is not written.
- */
+/* Room for `count` contacts, packed: normal, point1 and point2 have rows of 3 (x, y, z). What is NULL is not written. */
 typedef struct contact_contacts {
   uint8_t* state; /* count: enum contact_state */
   double* normal; /* count rows of 3: a unit vector from the first shape to the second */
@@ -94,19 +93,24 @@ enum contact_status {
 
 /* For each pair, contact_test_PAIR and contact_compute_PAIR: of row i of `a` with row i of `b`, for every i below
    `count`. One pair is an array of one. `hits` may be NULL; else it becomes the number of pairs within the alarm
-   distance. test     hit[i] = 1 where the two are within `alarm` of each other, else 0 compute  row i of `out` is their
-   contact; `points` is one of enum contact_points Units       one length unit throughout; normals are unit vectors.
+   distance.
+     test      hit[i] = 1 where the two are within `alarm` of each other, else 0
+     compute   row i of `out` is their contact; `points` is one of enum contact_points
    Where a ray or a line crosses a triangle, and where a ray is cast, there is no distance, and neither `alarm` nor
-   `contact` has a say. Domain
-   finite; `alarm` and `contact` >= 0, and what stands beside the shapes above. Subnormals and the largest finite
-   numbers are included. All of it is checked before anything is written: CONTACT_OUTSIDE_DOMAIN, and
-   contact_last_error() names the row. Arrays that are written overlap neither each other nor what is read. Decision
-   exact: touching counts. Error       every number is the exact real rounded once to nearest, ties to even (0.5 ulp);
-   beyond the largest finite number it is infinite, as IEEE 754 rounds. Every zero is +0. Environment any rounding mode,
-   flush-to-zero and denormals-are-zero, exceptions unmasked: the answer is the same, and the caller's environment is as
-   it was. Threads     any number of calls at once, on outputs of their own. No C++ exception leaves a function, and
-   none calls back. Source      contact/sphere_sphere.hpp and its like, which say what holds for each pair;
-   docs/specification.md. Evidence    src/c/contact_test.py compares the bits with every golden file. */
+   `contact` has a say.
+   Units       one length unit throughout; normals are unit vectors.
+   Domain      finite; `alarm` and `contact` >= 0, and what stands beside the shapes above. Subnormals and the largest
+               finite numbers are included. All of it is checked before anything is written: CONTACT_OUTSIDE_DOMAIN, and
+               contact_last_error() names the row. Arrays that are written overlap neither each other nor what is read.
+   Decision    exact: touching counts.
+   Error       every number is the exact real rounded once to nearest, ties to even (0.5 ulp); beyond the largest finite
+               number it is infinite, as IEEE 754 rounds. Every zero is +0.
+   Environment any rounding mode, flush-to-zero and denormals-are-zero, exceptions unmasked: the answer is the same, and
+               the caller's environment is as it was.
+   Threads     any number of calls at once, on outputs of their own. No C++ exception leaves a function, and none calls
+               back.
+   Source      contact/sphere_sphere.hpp and its like, which say what holds for each pair; docs/specification.md.
+   Evidence    src/c/contact_test.py compares the bits with every golden file. */
 #define CONTACT_C_TEST(PAIR, A, B) \
   int32_t contact_test_##PAIR(size_t count, const A* a, const B* b, double alarm, uint8_t* hit, size_t* hits);
 #define CONTACT_C_PAIR(PAIR, A, B)                                                                                   \

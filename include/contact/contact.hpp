@@ -1,4 +1,4 @@
-// The answer to a question about two spheres, and the named conventions for its contact points.
+// The answer to a question about two shapes, and the named conventions for its contact points.
 #pragma once
 
 #include "contact/geometry.hpp"
@@ -19,14 +19,15 @@ struct Contact {
   bool unique = true;
 };
 
-/// Where a contact point of one sphere lies, n being the unit normal from the first sphere to the second.
+/// Where a contact point of one shape lies, n being the unit normal from the first shape to the second, c1 and c2 the
+/// nearest points of the cores, which of spheres are the centres, and r1 and r2 the radii about these.
 enum class PointOn {
-  nearest_surface,  ///< c1 + r1 n on the first sphere, c2 - r2 n on the second
-  center,           ///< the sphere's centre
+  nearest_surface,  ///< c1 + r1 n on the first shape, c2 - r2 n on the second
+  center,           ///< c1 and c2
   far_surface       ///< c1 - r1 n and c2 + r2 n, the formula as it was published
 };
 
-/// A contact-point convention for both spheres of a pair.
+/// A contact-point convention for both shapes of a pair.
 struct ContactPoints {
   PointOn first = PointOn::nearest_surface;
   PointOn second = PointOn::nearest_surface;

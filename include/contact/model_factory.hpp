@@ -30,7 +30,7 @@ struct ModelMaker {
   std::function<std::unique_ptr<CollisionModel>(std::string name, const ModelColumns& columns)> make;
 };
 
-/// The model types that can be made by name: the four built-in ones, and those that plug-ins register.
+/// The model types that can be made by name: the built-in ones, and those that plug-ins register.
 /// Threads     registering and making may happen at once.
 class ModelFactory {
  public:

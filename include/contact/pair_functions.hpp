@@ -8,7 +8,7 @@
 
 namespace contact::inline CONTACT_ABI {
 
-// Each kind has these in its own file of src/kernel/. They are test_sphere_sphere and compute_sphere_sphere,
+// src/kernel/core_pairs.cpp has these of most kinds. They are test_sphere_sphere and compute_sphere_sphere,
 // test_cube_cube, and so on, whose declarations say what holds.
 //   is_hit       whether two shapes are within the alarm distance
 //   contact_of   their contact; nothing for a pair whose contacts have no numbers

@@ -56,15 +56,25 @@ inline constexpr bool kIsOneOf = (std::same_as<Shape, Shapes> || ...);
 template <class Shape>
 struct ShapeDescription;
 
+/// A shape of which no rule is of the whole, and perhaps none but that every number is finite.
+template <class Shape>
+struct AnyNumbers {
+  template <class Less>
+  static std::optional<BrokenRule> broken_rule(const Shape& /*shape*/, Less /*less*/) {
+    return std::nullopt;
+  }
+  static void break_a_rule(Shape& shape, int number, double /*amount*/) {
+    for_each_number(shape, [&](double& x) {
+      if (number-- == 0) x = std::numeric_limits<double>::infinity();
+    });
+  }
+};
+
 template <>
-struct ShapeDescription<Ball> {
+struct ShapeDescription<Ball> : AnyNumbers<Ball> {
   static constexpr std::string_view kName = "sphere";
   static constexpr std::tuple kFields{ShapeField<Ball, Vector3>{"center", &Ball::center, FieldKind::point},
                                       ShapeField<Ball, double>{"radius", &Ball::radius, FieldKind::length}};
-  template <class Less>
-  static std::optional<BrokenRule> broken_rule(const Ball& /*ball*/, Less /*less*/) {
-    return std::nullopt;
-  }
   static void break_a_rule(Ball& ball, int /*number*/, double amount) { ball.radius = -amount; }
 };
 
@@ -85,30 +95,12 @@ struct ShapeDescription<Box> {
 };
 
 template <>
-struct ShapeDescription<Capsule> {
+struct ShapeDescription<Capsule> : AnyNumbers<Capsule> {
   static constexpr std::string_view kName = "capsule";
   static constexpr std::tuple kFields{ShapeField<Capsule, Vector3>{"start", &Capsule::start, FieldKind::point},
                                       ShapeField<Capsule, Vector3>{"end", &Capsule::end, FieldKind::point},
                                       ShapeField<Capsule, double>{"radius", &Capsule::radius, FieldKind::length}};
-  template <class Less>
-  static std::optional<BrokenRule> broken_rule(const Capsule& /*capsule*/, Less /*less*/) {
-    return std::nullopt;
-  }
   static void break_a_rule(Capsule& capsule, int /*number*/, double amount) { capsule.radius = -amount; }
-};
-
-/// A shape of which no rule is of the whole, and perhaps none but that every number is finite.
-template <class Shape>
-struct AnyNumbers {
-  template <class Less>
-  static std::optional<BrokenRule> broken_rule(const Shape& /*shape*/, Less /*less*/) {
-    return std::nullopt;
-  }
-  static void break_a_rule(Shape& shape, int number, double /*amount*/) {
-    for_each_number(shape, [&](double& x) {
-      if (number-- == 0) x = std::numeric_limits<double>::infinity();
-    });
-  }
 };
 
 template <>
@@ -166,15 +158,7 @@ struct ShapeDescription<Ray> : AnyNumbers<Ray> {
 
 /// A ray, in a type of its own.
 template <>
-struct ShapeDescription<Cast> : AnyNumbers<Cast> {
-  static constexpr std::string_view kName = ShapeDescription<Ray>::kName;
-  static constexpr std::tuple kFields{ShapeField<Cast, Vector3>{"origin", &Ray::origin, FieldKind::point},
-                                      ShapeField<Cast, Vector3>{"direction", &Ray::direction, FieldKind::direction},
-                                      ShapeField<Cast, double>{"length", &Ray::length, FieldKind::length}};
-  static void break_a_rule(Cast& cast, int number, double amount) {
-    ShapeDescription<Ray>::break_a_rule(cast, number, amount);
-  }
-};
+struct ShapeDescription<Cast> : ShapeDescription<Ray> {};
 
 template <>
 struct ShapeDescription<Line> : AnyNumbers<Line> {

@@ -44,8 +44,6 @@ struct PairColumns {
 using SpherePairs = PairColumns<Ball, Ball>;
 using BoxPairs = PairColumns<Box, Box>;
 using SphereCubePairs = PairColumns<Ball, Box>;
-using SphereCapsulePairs = PairColumns<Ball, Capsule>;
-using CapsulePairs = PairColumns<Capsule, Capsule>;
 
 /// Columns of contacts: normal, point1, point2 (x, y, z each), value; and the state.
 struct ContactRows {

@@ -203,12 +203,10 @@ Said of_sphere(const Question& q, bool traps = false) {
 TEST(Capsules, the_fast_stage_says_what_the_exact_one_does) {
   int hits = 0;
   for (const Question& q : questions(20000)) {
-    const kernel::Segment second{q.b.start, q.b.end};
-    const kernel::Lengths lengths{q.a.radius, q.b.radius, q.distances.alarm, q.distances.contact};
     const auto& [capsules, is_hit] = of_capsules(q);
     const auto& [sphere, sphere_hits] = of_sphere(q);
-    expect_same(capsules, computed_exactly(kernel::Segment{q.a.start, q.a.end}, second, lengths));
-    expect_same(sphere, computed_exactly(q.a.start, second, lengths));
+    expect_same(capsules, computed_exactly(q.a, q.b, q.distances));
+    expect_same(sphere, computed_exactly(Ball{q.a.start, q.a.radius}, q.b, q.distances));
     EXPECT_EQ(is_hit, capsules.has_value());
     EXPECT_EQ(sphere_hits, sphere.has_value());
     hits += is_hit ? 1 : 0;

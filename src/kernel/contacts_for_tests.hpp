@@ -12,7 +12,7 @@
 
 #include "contact/contact.hpp"
 #include "environment/floating_point_environments.hpp"
-#include "kernel/cores.hpp"
+#include "kernel/core_pairs.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 
 namespace contact {
@@ -68,9 +68,12 @@ void expect_same_in_every_environment(const std::vector<Question>& asked, Answer
   }
 }
 
-/// The exact stage alone.
-template <class First, class Second>
-std::optional<Contact> computed_exactly(const First& first, const Second& second, const kernel::Lengths& lengths) {
+/// The contact of two shapes by the exact stage alone.
+template <class A, class B>
+std::optional<Contact> computed_exactly(const A& a, const B& b, Distances distances) {
+  const auto& first = kernel::core_of(a);
+  const auto& second = kernel::core_of(b);
+  const kernel::Lengths lengths = kernel::lengths_of(a, b, distances);
   const auto grid = grid_of(first, second, lengths);
   const auto nearest = exact_nearest(first, second, grid);
   if (!is_hit(nearest, grid, lengths)) return std::nullopt;

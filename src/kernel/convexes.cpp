@@ -20,6 +20,7 @@
 
 #include "contact/pair_functions.hpp"
 #include "kernel/convexes_enclosed.hpp"
+#include "kernel/core_pairs.hpp"
 #include "kernel/cores.hpp"
 #include "kernel/cores_stages.hpp"
 #include "kernel/expanding_polytope.hpp"
@@ -576,9 +577,7 @@ struct Asked {
 template <class A, class B>
 Asked asked(const A& a, const B& b, Distances distances) {
   const Grid grid({distances.alarm, distances.contact}, std::min(grid_of(a).exponent(), grid_of(b).exponent()));
-  return {grid,
-          {radius_of(a), radius_of(b), distances.alarm, distances.contact},
-          over_one_denominator(core_of(grid, a), core_of(grid, b))};
+  return {grid, lengths_of(a, b, distances), over_one_denominator(core_of(grid, a), core_of(grid, b))};
 }
 
 /// The directions among which plain double is sure that the nearest facet of two boxes is, as NearBoxes counts them.
@@ -644,7 +643,7 @@ template <class A>
   const int finer = of_offset.exponent() - (points.exponent() + normal.exponent());
   const Integer offset = of_offset(plane.offset) << static_cast<unsigned>(finer);
   found.height = dot(n, found.p) - found.over * offset;
-  return {{points, normal}, {radius_of(a), 0, distances.alarm, distances.contact}, std::move(found)};
+  return {{points, normal}, lengths_of(a, plane, distances), std::move(found)};
 }
 bool is_hit(const OverPlane& of) { return is_hit(of.lowest, of.grids, of.lengths); }
 void round_open(const OverPlane& of, ContactPoints points, unsigned open, Contact& contact) {
@@ -710,7 +709,6 @@ template <class Shape>
 Vector3 given_corner(const Shape& shape, std::size_t k) {
   return shape.vertices[k];
 }
-HalfSpace half_space_of(const Plane& plane) { return {plane.normal, plane.offset}; }
 
 // Behind calls that are not inlined: what RoundToNearest sets must be set before anything is computed.
 
@@ -721,7 +719,7 @@ template <class A, class B>
 }
 template <class A, class B>
 [[gnu::noinline]] std::optional<Contact> compute(const A& a, const B& b, Distances distances, ContactPoints points) {
-  const Lengths lengths{radius_of(a), radius_of(b), distances.alarm, distances.contact};
+  const Lengths lengths = lengths_of(a, b, distances);
   const bool in_range = in_short_range(a) && in_short_range(b) && in_short_range(lengths);
   Contact contact{};
   const Certain known = certain_contact(a, b, in_range, lengths, points, contact);
@@ -741,7 +739,7 @@ requires(!std::same_as<A, Obb>) [[gnu::noinline]] bool decide(const A& a, const 
   const NearSide side = lowest.side(b, radius_of(a), alarm);
   if (side != NearSide::unknown) return side == NearSide::hit;
   if (const auto corner = lowest.corner())
-    return kernel::decide(given_corner(a, *corner), half_space_of(b), {radius_of(a), 0, alarm, 0});
+    return kernel::decide(given_corner(a, *corner), kernel::core_of(b), lengths_of(a, b, {alarm, 0}));
   return is_hit(exactly(a, b, {alarm, 0}));
 }
 template <class A>
@@ -751,9 +749,8 @@ requires(!std::same_as<A, Obb>)
   const NearLowest lowest(near_core(a), near::vector(b.normal));
   const NearSide side = lowest.side(b, radius_of(a), distances.alarm);
   if (side == NearSide::miss) return std::nullopt;
-  const Lengths lengths{radius_of(a), 0, distances.alarm, distances.contact};
   if (const auto corner = lowest.corner())
-    return contact_between(given_corner(a, *corner), half_space_of(b), lengths, points);
+    return contact_between(given_corner(a, *corner), kernel::core_of(b), lengths_of(a, b, distances), points);
   const auto exact = exactly(a, b, distances);
   if (side == NearSide::unknown && !is_hit(exact)) return std::nullopt;
   Contact contact{};

@@ -51,6 +51,17 @@ TEST(Convexes, corners_edges_and_faces_face_each_other) {
   EXPECT_FALSE(test_obb_obb(a, cube_at(3, 4, 4), std::nextafter(3.0, 0.0)));
 }
 
+TEST(Convexes, an_infinite_alarm_distance_is_no_limit) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const Vector3 far = Vector3::Unit(0) * std::numeric_limits<double>::max();
+  const Obb box{far, kNotTurned, {0, 0, 0}};
+  EXPECT_TRUE(test_capsule_obb({-far, -far, 0}, box, kInfinity));
+  EXPECT_TRUE(compute_capsule_obb({-far, -far, 0}, box, {kInfinity, 0}));
+  const Plane plane{{1, 0, 0}, -far[0]};
+  EXPECT_TRUE(test_obb_plane(box, plane, kInfinity));
+  EXPECT_TRUE(compute_obb_plane(box, plane, {kInfinity, 0}));
+}
+
 TEST(Convexes, an_overlap_is_left_by_the_shortest_way) {
   const Obb a = cube_at(0, 0, 0);
   expect_contact(compute_obb_obb(a, cube_at(1, 1.5, 0), kTouching), {0, 1, 0}, {0.5, 1, 0}, {0.5, 0.5, 0}, -0.5, false,

@@ -2,6 +2,7 @@
 #include "kernel/cores.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "kernel/sphere_sphere_numbers.hpp"
 
@@ -33,6 +34,7 @@ bool is_preferred(const IntegerVector& n, const IntegerVector& to) {
 }
 
 bool is_hit(const ExactNearest& nearest, const Grid& grid, const Lengths& lengths) {
+  if (lengths.alarm == std::numeric_limits<double>::infinity()) return true;  // no number of a grid
   const IntegerVector delta = nearest.q - nearest.p;
   const Integer reach = (grid(lengths.alarm) + grid(lengths.radius1) + grid(lengths.radius2)) * nearest.over;
   return dot(delta, delta) <= reach * reach;

@@ -122,16 +122,14 @@ TEST(Crossings, both_stages_say_the_same) {
   std::size_t crossings = 0;
   std::size_t exactly = 0;
   for (const auto& [triangle, ray, line] : drawn(20000)) {
-    const kernel::Corners corners{triangle.vertices};
     const auto of_line = compute_triangle_line(triangle, line);
-    expect_same(of_line, computed_exactly(corners, kernel::Segment{line.start, line.end}, {0, 0, 0, 0}));
+    expect_same(of_line, computed_exactly(triangle, line, {0, 0}));
     EXPECT_EQ(test_triangle_line(triangle, line), of_line.has_value());
-    const kernel::DirectedSegment segment{ray.origin, ray.direction, ray.length};
     const auto of_ray = compute_ray_triangle(ray, triangle);
-    expect_same(of_ray, computed_exactly(segment, corners, {0, 0, 0, 0}));
+    expect_same(of_ray, computed_exactly(ray, triangle, {0, 0}));
     EXPECT_EQ(test_ray_triangle(ray, triangle), of_ray.has_value());
     crossings += of_line.has_value() + of_ray.has_value();
-    exactly += kernel::plain_filtered(segment, corners, {0, 0, 0, 0}) == kernel::Filtered::undecided;
+    exactly += plain_decision::filter_pair(ray, triangle) == kernel::Filtered::undecided;
   }
   EXPECT_GT(crossings, 2000U);
   EXPECT_GT(exactly, 200U);

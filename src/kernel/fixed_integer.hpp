@@ -61,10 +61,6 @@ class FixedInteger {
 
   [[nodiscard]] int sign() const { return size_ == 0 ? 0 : negative_ ? -1 : 1; }
   [[nodiscard]] bool is_zero() const { return size_ == 0; }
-  /// The least k with |n| < 2^k.
-  [[nodiscard]] int bit_length() const {
-    return size_ == 0 ? 0 : static_cast<int>(size_) * kLimbBits - std::countl_zero(limbs_[size_ - 1]);
-  }
   /// The magnitude's limbs, least first.
   [[nodiscard]] std::span<const Limb> limbs() const { return std::span(limbs_).first(size_); }
 

@@ -3,18 +3,17 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <bit>
-#include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "contact/batch.hpp"
 #include "contact/cube_cube.hpp"
 #include "contact/sphere_cube.hpp"
 #include "contact/sphere_sphere.hpp"
+#include "kernel/batch_pairs.hpp"
+#include "kernel/contacts_for_tests.hpp"
 
 namespace contact::floating_point_environment_test {
 namespace {
@@ -45,43 +44,18 @@ std::vector<std::pair<Ball, Ball>> pairs() {
   return all;
 }
 
-/// The pairs as columns, and every number of their contacts.
-struct Batch {
-  std::array<std::vector<double>, 8> in;
-  std::array<std::vector<double>, 10> out;
-  std::vector<batch::PairState> state;
+batch::Pairs<Ball, Ball> in_columns(const std::vector<std::pair<Ball, Ball>>& all) {
+  batch::Pairs<Ball, Ball> columns(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) columns.set(i, {all[i].first, all[i].second});
+  return columns;
+}
 
-  explicit Batch(const std::vector<std::pair<Ball, Ball>>& all) : state(all.size()) {
-    for (const auto& [a, b] : all) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        in[k].push_back(a.center[static_cast<Eigen::Index>(k)]);
-        in[4 + k].push_back(b.center[static_cast<Eigen::Index>(k)]);
-      }
-      in[3].push_back(a.radius);
-      in[7].push_back(b.radius);
-    }
-    for (auto& column : out) column.resize(all.size());
+void expect_all_same(const char* which, const std::vector<std::optional<Contact>>& actual,
+                     const std::vector<std::optional<Contact>>& expected) {
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    SCOPED_TRACE(which + std::to_string(i));
+    expect_same(actual[i], expected[i]);
   }
-  void compute() {
-    batch::compute_sphere_sphere(
-        {in[0], in[1], in[2], in[3]}, {in[4], in[5], in[6], in[7]}, {0, 0},
-        {{out[0], out[1], out[2]}, {out[3], out[4], out[5]}, {out[6], out[7], out[8]}, out[9], state});
-  }
-  [[nodiscard]] std::vector<std::uint64_t> bits() const {
-    std::vector<std::uint64_t> all;
-    for (const auto& column : out)
-      for (const double x : column) all.push_back(std::bit_cast<std::uint64_t>(x));
-    return all;
-  }
-};
-
-std::vector<std::uint64_t> bits_of(const std::optional<Contact>& contact) {
-  if (!contact) return {};
-  std::vector<std::uint64_t> bits{std::bit_cast<std::uint64_t>(contact->value)};
-  for (int k = 0; k < 3; ++k)
-    for (const double x : {contact->normal[k], contact->point1[k], contact->point2[k]})
-      bits.push_back(std::bit_cast<std::uint64_t>(x));
-  return bits;
 }
 
 /// From its centre, as far as its radius: other balls are inside, before a face, and beside an edge or a corner.
@@ -89,11 +63,12 @@ Box box_from(const Ball& a) { return {a.center, a.center + Vector3::Constant(a.r
 
 /// Inline decisions raise exceptions; where these are masked, their answers are asked for too.
 void expect_same_under(unsigned mxcsr) {
+  SCOPED_TRACE(mxcsr);
   const bool decides_inline = (mxcsr & kMasks) == kMasks;
   const auto all = pairs();
-  Batch expected(all);
-  expected.compute();
-  Batch actual(all);
+  auto expected = in_columns(all);
+  expected.compute({0, 0});
+  auto actual = in_columns(all);
   std::vector<std::optional<Contact>> expected_contacts;
   std::vector<std::optional<Contact>> contacts(all.size());
   for (const auto& [a, b] : all) expected_contacts.push_back(compute_sphere_sphere(a, b, {0, 0}));
@@ -111,7 +86,7 @@ void expect_same_under(unsigned mxcsr) {
   }
   bool inline_boxes = !expected_boxes;
   const unsigned after = with_mxcsr(mxcsr, [&] {
-    actual.compute();
+    actual.compute({0, 0});
     for (std::size_t i = 0; i < all.size(); ++i)
       contacts[i] = out_of_line::compute_sphere_sphere(all[i].first, all[i].second, {0, 0});
     boxes = out_of_line::test_cube_cube(box, beside, 0.7);
@@ -126,15 +101,13 @@ void expect_same_under(unsigned mxcsr) {
       inline_boxes = test_cube_cube(box, beside, 0.7);
     });
     EXPECT_EQ(left & ~0x3fU, mxcsr);  // but for the flags
-    for (std::size_t i = 0; i < all.size(); ++i)
-      EXPECT_EQ(bits_of(inline_contacts[i]), bits_of(expected_contacts[i])) << i << " inline, under " << mxcsr;
-    for (std::size_t i = 0; i < all.size(); ++i)
-      EXPECT_EQ(bits_of(inline_contacts_of_boxes[i]), bits_of(expected_of_boxes[i])) << i << " of boxes, " << mxcsr;
+    expect_all_same("inline ", inline_contacts, expected_contacts);
+    expect_all_same("of boxes ", inline_contacts_of_boxes, expected_of_boxes);
     EXPECT_EQ(inline_boxes, expected_boxes);
   }
-  EXPECT_EQ(actual.bits(), expected.bits()) << mxcsr;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    EXPECT_EQ(bits_of(contacts[i]), bits_of(expected_contacts[i])) << i << " under " << mxcsr;
+  EXPECT_EQ(actual.state(), expected.state());
+  for (std::size_t i = 0; i < all.size(); ++i) expect_same(actual.numbers(i), expected.numbers(i));
+  expect_all_same("out of line ", contacts, expected_contacts);
   EXPECT_EQ(boxes, expected_boxes);
 }
 

@@ -13,45 +13,18 @@
 
 #include "environment/floating_point_environments.hpp"
 #include "extreme_numbers.hpp"
+#include "kernel/core_pairs.hpp"
 #include "kernel/cores_stages.hpp"
-#include "kernel/crossing_cores.hpp"
-#include "kernel/plane_cores.hpp"
 #include "kernel/proved_bounds.hpp"
-#include "kernel/segment_cores.hpp"
-#include "kernel/triangle_cores.hpp"
 
 namespace contact::plain_cores_test {
 namespace {
 
 using plain_decision::Filtered;
 
-bool exactly(const Ball& a, const Capsule& b, double alarm) {
-  return kernel::decide_exactly(a.center, kernel::Segment{b.start, b.end}, {a.radius, b.radius, alarm, 0});
-}
-bool exactly(const Capsule& a, const Capsule& b, double alarm) {
-  return kernel::decide_exactly(kernel::Segment{a.start, a.end}, kernel::Segment{b.start, b.end},
-                                {a.radius, b.radius, alarm, 0});
-}
-bool exactly(const Ball& a, const Triangle& b, double alarm) {
-  return kernel::decide_exactly(a.center, kernel::Corners{b.vertices}, {a.radius, 0, alarm, 0});
-}
-bool exactly(const Ray& a, const Ball& b, double alarm) {
-  return kernel::decide_exactly(kernel::DirectedSegment{a.origin, a.direction, a.length}, b.center,
-                                {0, b.radius, alarm, 0});
-}
-bool exactly(const Ball& a, const Plane& b, double alarm) {
-  return kernel::decide_exactly(a.center, kernel::HalfSpace{b.normal, b.offset}, {a.radius, 0, alarm, 0});
-}
-bool exactly(const Capsule& a, const Plane& b, double alarm) {
-  return kernel::decide_exactly(kernel::Segment{a.start, a.end}, kernel::HalfSpace{b.normal, b.offset},
-                                {a.radius, 0, alarm, 0});
-}
-bool exactly(const Ray& a, const Triangle& b, double /*alarm*/) {
-  return kernel::decide_exactly(kernel::DirectedSegment{a.origin, a.direction, a.length}, kernel::Corners{b.vertices},
-                                {0, 0, 0, 0});
-}
-bool exactly(const Triangle& a, const Line& b, double /*alarm*/) {
-  return kernel::decide_exactly(kernel::Corners{a.vertices}, kernel::Segment{b.start, b.end}, {0, 0, 0, 0});
+template <class A, class B>
+bool exactly(const A& a, const B& b, double alarm) {
+  return kernel::decide_exactly(kernel::core_of(a), kernel::core_of(b), kernel::lengths_of(a, b, {alarm, 0}));
 }
 template <class A, class B>
 Filtered filtered(const A& a, const B& b, double alarm) {

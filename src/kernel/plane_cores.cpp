@@ -1,6 +1,8 @@
 // The lowest point of a point or a segment over a plane, and its contact, in integers.
 #include "kernel/plane_cores.hpp"
 
+#include <limits>
+
 namespace contact::kernel {
 
 PlaneGrids grid_of(const Segment& segment, const HalfSpace& plane, const Lengths& lengths) {
@@ -27,7 +29,7 @@ ExactLowest exact_nearest(const Segment& segment, const HalfSpace& plane, const 
 }
 
 bool is_hit(const ExactLowest& lowest, const PlaneGrids& grids, const Lengths& lengths) {
-  if (lowest.height.sign() <= 0) return true;
+  if (lowest.height.sign() <= 0 || lengths.alarm == std::numeric_limits<double>::infinity()) return true;
   const Integer reach = (grids.points(lengths.alarm) + grids.points(lengths.radius1)) * lowest.over;
   return lowest.height * lowest.height <= reach * reach * dot(lowest.n, lowest.n);
 }

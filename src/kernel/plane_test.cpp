@@ -99,7 +99,7 @@ TEST(SpherePlane, a_normal_that_is_nearly_along_an_axis_is_not_taken_for_one_tha
     const Plane plane{{1.1, tiny, 0}, 2.2};
     const Ball ball{{5, 1 / tiny, 0}, 100};
     const auto contact = compute_sphere_plane(ball, plane, {0, 0});
-    expect_same(contact, computed_exactly(ball.center, kernel::HalfSpace{plane.normal, plane.offset}, {100, 0, 0, 0}));
+    expect_same(contact, computed_exactly(ball, plane, {0, 0}));
     EXPECT_NEAR(contact->point2[0], 2 - 1 / 1.1, 1e-9);
   }
 }
@@ -185,14 +185,12 @@ TEST(PlaneStages, the_fast_stage_says_what_the_exact_one_does) {
   int hits = 0;
   int many = 0;
   for (const Question& q : questions(20000)) {
-    const kernel::HalfSpace plane{q.b.normal, q.b.offset};
-    const kernel::Lengths lengths{q.a.radius, 0, q.distances.alarm, q.distances.contact};
     const auto capsule = compute_capsule_plane(q.a, q.b, q.distances);
-    expect_same(capsule, computed_exactly(kernel::Segment{q.a.start, q.a.end}, plane, lengths));
+    expect_same(capsule, computed_exactly(q.a, q.b, q.distances));
     EXPECT_EQ(test_capsule_plane(q.a, q.b, q.distances.alarm), capsule.has_value());
     const Ball ball{q.a.start, q.a.radius};
     const auto sphere = compute_sphere_plane(ball, q.b, q.distances);
-    expect_same(sphere, computed_exactly(ball.center, plane, lengths));
+    expect_same(sphere, computed_exactly(ball, q.b, q.distances));
     EXPECT_EQ(test_sphere_plane(ball, q.b, q.distances.alarm), sphere.has_value());
     hits += sphere ? 1 : 0;
     many += capsule && !capsule->unique ? 1 : 0;

@@ -102,8 +102,7 @@ TEST(RaySphere, the_fast_stage_says_what_the_exact_one_does) {
   int hits = 0;
   for (const Question& q : questions(20000)) {
     const auto contact = compute_ray_sphere(q.a, q.b, q.distances);
-    expect_same(contact, computed_exactly(kernel::DirectedSegment{q.a.origin, q.a.direction, q.a.length}, q.b.center,
-                                          {0, q.b.radius, q.distances.alarm, q.distances.contact}));
+    expect_same(contact, computed_exactly(q.a, q.b, q.distances));
     EXPECT_EQ(test_ray_sphere(q.a, q.b, q.distances.alarm), contact.has_value());
     hits += contact ? 1 : 0;
     ASSERT_FALSE(HasFailure());

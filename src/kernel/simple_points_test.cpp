@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <random>
+#include <type_traits>
 
 #include "contact/capsule_capsule.hpp"
 #include "contact/capsule_plane.hpp"
@@ -16,9 +17,8 @@
 #include "contact/sphere_triangle.hpp"
 #include "contact/triangle_line.hpp"
 #include "kernel/contacts_for_tests.hpp"
+#include "kernel/core_pairs.hpp"
 #include "kernel/cores_stages.hpp"
-#include "kernel/crossing_cores.hpp"
-#include "kernel/plane_cores.hpp"
 
 namespace contact::simple_points_test {
 namespace {
@@ -78,16 +78,18 @@ struct Count {
   int simple = 0;
 };
 
-template <class First, class Second>
-void expect_right(const std::optional<Contact>& contact, bool hit, const First& first, const Second& second,
-                  const kernel::Lengths& lengths, Count& count) {
-  expect_same(contact, computed_exactly(first, second, lengths));
+template <class A, class B>
+void expect_right(const std::optional<Contact>& contact, bool hit, const A& a, const B& b, Distances distances,
+                  Count& count) {
+  expect_same(contact, computed_exactly(a, b, distances));
   EXPECT_EQ(hit, contact.has_value());
   if (!contact) return;
   ++count.hits;
-  if constexpr (kernel::MayBeSimple<First, Second>) {
+  const auto& first = kernel::core_of(a);
+  const auto& second = kernel::core_of(b);
+  if constexpr (kernel::MayBeSimple<std::remove_cvref_t<decltype(first)>, std::remove_cvref_t<decltype(second)>>) {
     Contact made;
-    const auto said = kernel::contact_at_simple_points(first, second, lengths, {}, made);
+    const auto said = kernel::contact_at_simple_points(first, second, kernel::lengths_of(a, b, distances), {}, made);
     count.simple += said == kernel::Filtered::hit ? 1 : 0;
   }
 }
@@ -104,40 +106,34 @@ TEST(SimplePoints, give_the_bits_of_the_exact_stage) {
     const double radius1 = scene.length();
     const double radius2 = scene.length();
     const Distances distances{scene.below(2) == 0 ? 0 : scene.length(), scene.length()};
-    const auto of = [&](double r1, double r2) { return kernel::Lengths{r1, r2, distances.alarm, distances.contact}; };
-    const kernel::Segment first{start1, end1};
-    const kernel::Segment second{start2, end2};
     const Ball ball{start1, radius1};
     const Capsule capsule1{start1, end1, radius1};
     const Capsule capsule2{start2, end2, radius2};
+    const Line line{start1, end1};
     const Triangle triangle{{start2, end2, third}};
-    const kernel::Corners corners{triangle.vertices};
     const Ray ray{start2, scene.along_axis(), scene.length()};
-    const kernel::DirectedSegment directed{ray.origin, ray.direction, ray.length};
     const Plane plane{scene.along_axis(), scene.coordinate()};
-    const kernel::HalfSpace half{plane.normal, plane.offset};
 
     expect_right(compute_sphere_capsule(ball, capsule2, distances),
-                 test_sphere_capsule(ball, capsule2, distances.alarm), start1, second, of(radius1, radius2), spheres);
+                 test_sphere_capsule(ball, capsule2, distances.alarm), ball, capsule2, distances, spheres);
     expect_right(compute_capsule_capsule(capsule1, capsule2, distances),
-                 test_capsule_capsule(capsule1, capsule2, distances.alarm), first, second, of(radius1, radius2),
-                 capsules);
+                 test_capsule_capsule(capsule1, capsule2, distances.alarm), capsule1, capsule2, distances, capsules);
     expect_right(compute_sphere_triangle(ball, triangle, distances),
-                 test_sphere_triangle(ball, triangle, distances.alarm), start1, corners, of(radius1, 0), triangles);
-    expect_right(compute_ray_sphere(ray, ball, distances), test_ray_sphere(ray, ball, distances.alarm), directed,
-                 start1, of(0, radius1), rays);
-    expect_right(compute_sphere_plane(ball, plane, distances), test_sphere_plane(ball, plane, distances.alarm), start1,
-                 half, of(radius1, 0), others);
+                 test_sphere_triangle(ball, triangle, distances.alarm), ball, triangle, distances, triangles);
+    expect_right(compute_ray_sphere(ray, ball, distances), test_ray_sphere(ray, ball, distances.alarm), ray, ball,
+                 distances, rays);
+    expect_right(compute_sphere_plane(ball, plane, distances), test_sphere_plane(ball, plane, distances.alarm), ball,
+                 plane, distances, others);
     expect_right(compute_capsule_plane(capsule1, plane, distances),
-                 test_capsule_plane(capsule1, plane, distances.alarm), first, half, of(radius1, 0), others);
-    expect_right(compute_ray_triangle(ray, triangle), test_ray_triangle(ray, triangle), directed, corners, of(0, 0),
+                 test_capsule_plane(capsule1, plane, distances.alarm), capsule1, plane, distances, others);
+    expect_right(compute_ray_triangle(ray, triangle), test_ray_triangle(ray, triangle), ray, triangle, distances,
                  others);
-    expect_right(compute_triangle_line(triangle, {start1, end1}), test_triangle_line(triangle, {start1, end1}), corners,
-                 first, of(0, 0), others);
-    // Two balls are segments that are points.
+    expect_right(compute_triangle_line(triangle, line), test_triangle_line(triangle, line), triangle, line, distances,
+                 others);
+    // Two balls are capsules without length.
     const Ball other{start2, radius2};
     const auto exactly =
-        computed_exactly(kernel::Segment{start1, start1}, kernel::Segment{start2, start2}, of(radius1, radius2));
+        computed_exactly(Capsule{start1, start1, radius1}, Capsule{start2, start2, radius2}, distances);
     expect_same(compute_sphere_sphere(ball, other, distances), exactly);
     EXPECT_EQ(test_sphere_sphere(ball, other, distances.alarm), exactly.has_value());
     if (testing::Test::HasFailure()) ADD_FAILURE() << "question " << i;
@@ -156,9 +152,7 @@ TEST(SimplePoints, are_not_those_of_a_ray_whose_way_is_nothing_beside_its_origin
   EXPECT_TRUE(kernel::simple_points(kernel::DirectedSegment{{-1, 0x1p60, 0}, {-4, 0, 0}, 0.5}, c, points));
   const Ray ray{{-1, 0x1p60, 0}, {-4, 1, 0}, 0.5};
   const Ball ball{{-3, 0x1p60, 0.25}, 2};
-  const auto exact = computed_exactly(kernel::DirectedSegment{ray.origin, ray.direction, ray.length}, ball.center,
-                                      kernel::Lengths{0, 2, 0, 0});
-  expect_same(compute_ray_sphere(ray, ball, {0, 0}), exact);
+  expect_same(compute_ray_sphere(ray, ball, {0, 0}), computed_exactly(ray, ball, {0, 0}));
 }
 
 /// A diagonal's foot is half of a sum: half way between two doubles in half of the questions.
@@ -169,9 +163,9 @@ TEST(SimplePoints, a_foot_on_a_diagonal_is_rounded_once) {
     const Triangle triangle{{Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)}};
     const kernel::Corners corners{triangle.vertices};
     const Vector3 c(scene.any(0, 1.25), scene.any(0, 1.25), scene.any(-1, 1));
-    const kernel::Lengths lengths{1, 0, 0, 0};
-    const auto exact = computed_exactly(c, corners, lengths);
-    expect_same(compute_sphere_triangle({c, 1}, triangle, {0, 0}), exact);
+    const Ball ball{c, 1};
+    const auto exact = computed_exactly(ball, triangle, {0, 0});
+    expect_same(compute_sphere_triangle(ball, triangle, {0, 0}), exact);
     if (!exact) continue;
     Contact contact = *exact;
     contact.point2.setConstant(77);

@@ -3,9 +3,7 @@
 #include "contact/sphere_cube.hpp"
 
 #include "contact/exact_sum.hpp"
-#include "contact/pair_functions.hpp"
 #include "contact/sphere_sphere.hpp"
-#include "kernel/cores_stages.hpp"
 #include "kernel/floating_point_environment.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 #include "kernel/sum_of_two.hpp"
@@ -85,24 +83,6 @@ std::optional<Contact> out_of_line::compute_sphere_cube(const Ball& a, const Box
                                                         ContactPoints points) {
   const kernel::RoundToNearest environment;
   return contact_of_pair(a, b, distances, points);
-}
-
-std::optional<Contact> of_hit::compute_sphere_cube(const Ball& a, const Box& b, Distances distances,
-                                                   ContactPoints points) {
-  return kernel::contact_of_hit(a, b, distances.contact, points,
-                                [&] { return out_of_line::compute_sphere_cube(a, b, distances, points); });
-}
-
-bool test_sphere_cube(const Ball& a, const Box& b, double alarm) { return out_of_line::test_sphere_cube(a, b, alarm); }
-std::optional<Contact> compute_sphere_cube(const Ball& a, const Box& b, Distances distances, ContactPoints points) {
-  return out_of_line::compute_sphere_cube(a, b, distances, points);
-}
-
-bool is_hit(const BallAndBox& shapes, Distances distances) {
-  return test_sphere_cube(shapes.a, shapes.b, distances.alarm);
-}
-std::optional<Contact> contact_of(const BallAndBox& shapes, Distances distances, ContactPoints points) {
-  return compute_sphere_cube(shapes.a, shapes.b, distances, points);
 }
 
 }  // namespace contact::inline CONTACT_ABI

@@ -18,7 +18,6 @@
 // A call is compute_sphere_sphere, contact_of_pair, and the stages. docs/specification.md, "Correct rounding", says
 // why.
 #include "contact/sphere_sphere.hpp"
-#include "contact/pair_functions.hpp"
 
 #include <array>
 #include <bit>
@@ -279,12 +278,17 @@ double beyond(const Ball& a, const Ball& b, int axis, double distance) {
   return kernel::one_number::rounded({sign * b.center[axis], -sign * a.center[axis], -a.radius, -b.radius, -distance});
 }
 
+/// Whether they are within the alarm distance. An infinite one is no term of a sum.
+bool is_within(const Ball& a, const Ball& b, int axis, double alarm) {
+  return alarm == std::numeric_limits<double>::infinity() || beyond(a, b, axis, alarm) <= 0;
+}
+
 // Behind a call that is not inlined, as with_fma is.
 [[gnu::noinline]] bool decide(const Ball& a, const Ball& b, double alarm) {
   const Filtered filtered = plain_decision::filter_balls(a, b, alarm);
   if (filtered != Filtered::undecided) return filtered == Filtered::hit;
   const int axis = axis_of_both(a, b);
-  return axis >= 0 ? beyond(a, b, axis, alarm) <= 0 : decide_open(a, b, alarm);
+  return axis >= 0 ? is_within(a, b, axis, alarm) : decide_open(a, b, alarm);
 }
 
 #if CONTACT_HAS_ONE_VECTOR
@@ -310,7 +314,7 @@ constexpr double kMostSquare = kernel::ForDouble::kMost;
 bool contact_along_axis(const Ball& a, const Ball& b, int axis, Distances distances, ContactPoints points,
                         Contact& contact) {
   const double sign = a.center[axis] < b.center[axis] ? 1 : -1;
-  if (beyond(a, b, axis, distances.alarm) > 0) return false;
+  if (!is_within(a, b, axis, distances.alarm)) return false;
   contact.degenerate = false;
   contact.unique = true;
   const auto on = [&](const Ball& ball, double signed_radius, Vector3& point) {
@@ -350,18 +354,6 @@ std::optional<Contact> out_of_line::compute_sphere_sphere(const Ball& a, const B
   std::optional<Contact> contact(std::in_place, kernel::Unset());
   if (!contact_of_pair(a, b, distances, points, *contact)) contact.reset();
   return contact;
-}
-
-bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm) {
-  return out_of_line::test_sphere_sphere(a, b, alarm);
-}
-std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances, ContactPoints points) {
-  return out_of_line::compute_sphere_sphere(a, b, distances, points);
-}
-
-bool is_hit(const Balls& balls, Distances distances) { return test_sphere_sphere(balls.a, balls.b, distances.alarm); }
-std::optional<Contact> contact_of(const Balls& balls, Distances distances, ContactPoints points) {
-  return compute_sphere_sphere(balls.a, balls.b, distances, points);
 }
 
 }  // namespace contact::inline CONTACT_ABI
