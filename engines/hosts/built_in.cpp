@@ -102,11 +102,6 @@ ContactPoints contact_points(const Query& query, PointConvention convention) {
   return {point_on(convention, kind(query.first_is_rigid())), point_on(convention, kind(query.second_is_rigid()))};
 }
 
-Claim rejection(const DomainError& error) {
-  Claim claim;
-  claim.status = Claim::Status::rejected;
-  claim.text = error.field;
-  return claim;
-}
+Claim rejection(const DomainError& error) { return Claim::without(Claim::Status::rejected, error.field); }
 
 }  // namespace contact::engines

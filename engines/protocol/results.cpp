@@ -235,10 +235,8 @@ std::vector<ManifoldPoint> read_points(const formats::Node& contact) {
 
 Claim read_claim(const formats::Node& node) {
   Claim claim;
-  for (const auto& [key, status] : {std::pair{"unsupported", Claim::Status::unsupported},
-                                    {"rejected", Claim::Status::rejected},
-                                    {"error", Claim::Status::error}})
-    if (const auto said = node.find(key)) {
+  for (const auto status : {Claim::Status::unsupported, Claim::Status::rejected, Claim::Status::error})
+    if (const auto said = node.find(name(status))) {
       if (claim.status != Claim::Status::answered) said->refuse("an answer is one of unsupported, rejected and error");
       claim.status = status;
       claim.text = said->text();
@@ -294,18 +292,10 @@ std::string claim_text(const Claim& claim) {
     if (claim.contact->value) add("value", formats::number(*claim.contact->value));
     text += R"(,"contact":{)" + fields + "}";
   }
-  switch (claim.status) {
-    case Claim::Status::answered:
-      break;
-    case Claim::Status::unsupported:
-      text += R"(,"unsupported":)" + formats::json_string(claim.text);
-      break;
-    case Claim::Status::rejected:
-      text += R"(,"rejected":)" + formats::json_string(claim.text);
-      break;
-    default:
-      text += R"(,"error":)" + formats::json_string(claim.text);
-  }
+  // What only a host says of an engine, that it crashed or gave no answer in time, is written as an error.
+  if (claim.status != Claim::Status::answered)
+    text += fmt::format(R"(,"{}":{})", name(std::min(claim.status, Claim::Status::error)),
+                        formats::json_string(claim.text));
   return text;
 }
 
