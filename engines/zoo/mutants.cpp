@@ -137,6 +137,10 @@ void decide(const Query& query, Claim& claim, bool hit) {
   claim.contact = ContactClaim{right.normal, right.point1, right.point2, std::nullopt, right.value};
 }
 
+void guard(const Query& q, Claim& claim, Wide size, const Vector3& normal) {
+  if (q.has_distance() && WideSpheres(q).distance <= size) turn(q, claim, [&](Vector3& n) { n = normal; });
+}
+
 void answer_at(const Query& q, Claim& claim, const Wide3& p, const Wide3& r) {
   const std::array<WideBall, 2> right = wide_balls(q);
   const WideBall& a = right[0];
