@@ -14,6 +14,8 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tool"))
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import scoreboard  # noqa: E402
 from published import published  # noqa: E402
 
 TOOL = sys.argv[1]
@@ -50,6 +52,18 @@ def run(*arguments, stdin=None, tool=TOOL, **options):
 def listed(tool=TOOL):
     made = run("engines", "--json", tool=tool)
     return [e for e in map(json.loads, made.stdout.splitlines()) if "command" in e]
+
+
+class Scoreboard(unittest.TestCase):
+    def test_an_engine_is_timed_on_a_question_of_a_pair_that_it_serves(self):
+        of = [scoreboard.usual_question(pairs) for pairs in (["obb_obb"], ["cube_cube", "obb_obb"], ["cube_cube", "sphere_sphere"])]
+        self.assertEqual([query["pair"] for query in of], ["obb_obb", "cube_cube", "sphere_sphere"])
+        for query, answer in zip(of, scoreboard.conversation([TOOL, "serve"], of)):
+            self.assertIn("overlap", answer, query)
+
+    def test_an_answer_that_claims_nothing_is_shown_with_what_it_says(self):
+        for key in ("unsupported", "rejected", "error"):
+            self.assertEqual(scoreboard.shown({"op": "answer", "seq": 1, key: "a reason"}), "no answer: a reason")
 
 
 class Adapters(unittest.TestCase):

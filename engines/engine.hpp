@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "contact/contact.hpp"
@@ -50,6 +52,20 @@ class Engine {
 
  private:
   engines::EngineInfo info_;
+};
+
+/// An engine that is a function.
+class FunctionEngine final : public Engine {
+ public:
+  using Function = std::function<std::vector<Claim>(std::span<const Question>)>;
+  FunctionEngine(engines::EngineInfo info, Function function, bool each_alone = false)
+      : Engine(std::move(info)), function_(std::move(function)), each_alone_(each_alone) {}
+  std::vector<Claim> answer(std::span<const Question> questions) override { return function_(questions); }
+  [[nodiscard]] bool answers_each_alone() const override { return each_alone_; }
+
+ private:
+  Function function_;
+  bool each_alone_;
 };
 
 /// The contact-point conventions that built-in engines compute, and their names: the first of Points.

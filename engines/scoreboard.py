@@ -58,14 +58,22 @@ def conversation(command, queries):
     return [json.loads(line) for line in run.stdout.splitlines()][1:]
 
 
-def microseconds(command, boxes):
+def usual_question(pairs):
+    """A question for the time that an engine takes: of spheres, boxes, or else the first pair that it serves."""
+    pair = next((pair for pair in ("sphere_sphere", "cube_cube") if pair in pairs), pairs[0])
+    if pair == "sphere_sphere":
+        shapes = {"a": {"center": [0, 0, 0], "radius": 1.5}, "b": {"center": [1, 0.5, 1.75], "radius": 1.25}}
+    elif pair == "cube_cube":
+        shapes = {"a": {"min": [0, 0, 0], "max": [2, 2, 2]}, "b": {"min": [1, 1, 1], "max": [3, 4, 5]}}
+    else:
+        case = json.loads((ROOT / f"golden/{pair}/generic.jsonl").read_text(encoding="utf-8").splitlines()[1])
+        shapes = {key: case[key] for key in ("a", "b")}
+    return {"pair": pair, **shapes, "alarm": 0, "contact": 0}
+
+
+def microseconds(command, query):
     """The processor's time for a question: reading and writing JSON, and the engine. The least of three. Time on the clock
     would say more of what else the machine does."""
-    query = {"pair": "cube_cube", "a": {"min": [0, 0, 0], "max": [2, 2, 2]}, "b": {"min": [1, 1, 1], "max": [3, 4, 5]}}
-    if not boxes:
-        query = {"pair": "sphere_sphere", "a": {"center": [0, 0, 0], "radius": 1.5},
-                 "b": {"center": [1, 0.5, 1.75], "radius": 1.25}}
-    query.update(alarm=0, contact=0)
 
     def seconds(count):
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -185,7 +193,7 @@ def of_engine(tool, listed, report):
     families = [f for f in report["families"] if f["judged"]]
     command = listed.get("command") or [tool, "serve", "--engine", listed["name"]]
     try:
-        time = f"{microseconds(command, not any(f['pair'] == 'sphere_sphere' for f in families)):.1f}"
+        time = f"{microseconds(command, usual_question([f['pair'] for f in families])):.1f}"
     except (subprocess.SubprocessError, OSError, ValueError):
         time = "-"
     skipped = Counter()
@@ -350,8 +358,9 @@ def detail(e):
 
 def shown(answer):
     """An answer of the protocol, short."""
-    if "unsupported" in answer or "error" in answer:
-        return f"no answer: {answer.get('unsupported') or answer.get('error')}"
+    for key in ("unsupported", "rejected", "error"):
+        if key in answer:
+            return f"no answer: {answer[key]}"
     words = []
     if "overlap" in answer:
         words.append("overlap" if answer["overlap"] else "no overlap")

@@ -35,6 +35,7 @@ struct Scene {
     std::memcpy(files.filedata[0], text.data(), text.size());
     char error[1000] = "";
     model = mj_loadXML("model.xml", &files, error, sizeof error);
+    mj_deleteVFS(&files);
     if (!model) throw std::runtime_error(error);
     data = mj_makeData(model);
     mj_kinematics(model, data);

@@ -52,20 +52,6 @@ constexpr std::array kBuiltIn{
             each<published>, is_discrete_intersections},
 };
 
-class BuiltInEngine final : public Engine {
- public:
-  BuiltInEngine(const BuiltIn& engine, engines::EngineInfo info, PointConvention points)
-      : Engine(std::move(info)), engine_(engine), points_(points) {}
-
-  std::vector<Claim> answer(std::span<const Question> questions) override { return engine_.answer(questions, points_); }
-  /// `batch` fills its vectors with the questions beside one.
-  [[nodiscard]] bool answers_each_alone() const override { return engine_.answer != batch_answers; }
-
- private:
-  const BuiltIn& engine_;
-  PointConvention points_;
-};
-
 }  // namespace
 
 std::span<const BuiltIn> built_in_engines() { return kBuiltIn; }
@@ -84,7 +70,10 @@ std::unique_ptr<Engine> make_built_in(std::string_view name, PointConvention poi
   std::erase_if(info.pairs, [it](Pair pair) { return !it->serves(pair); });
   info.declared.scalar = it->scalar;
   info.declared.conventions.points = static_cast<Points>(points);
-  return std::make_unique<BuiltInEngine>(*it, std::move(info), points);
+  // `batch` fills its vectors with the questions beside one.
+  return std::make_unique<FunctionEngine>(
+      std::move(info), [it, points](std::span<const Question> questions) { return it->answer(questions, points); },
+      it->answer != batch_answers);
 }
 
 Claim production_answer(const Query& query, PointConvention points) {
@@ -102,11 +91,6 @@ ContactPoints contact_points(const Query& query, PointConvention convention) {
   return {point_on(convention, kind(query.first_is_rigid())), point_on(convention, kind(query.second_is_rigid()))};
 }
 
-Claim rejection(const DomainError& error) {
-  Claim claim;
-  claim.status = Claim::Status::rejected;
-  claim.text = error.field;
-  return claim;
-}
+Claim rejection(const DomainError& error) { return Claim::without(Claim::Status::rejected, error.field); }
 
 }  // namespace contact::engines

@@ -245,8 +245,6 @@ ChildProcess::Event ChildProcess::next_line(std::string& line, Clock::time_point
   return s.line_too_long ? Event::too_long : Event::end;
 }
 
-bool ChildProcess::has_line() const { return !state_->lines.empty(); }
-
 const std::string& ChildProcess::half_line() const { return state_->partial; }
 
 std::string ChildProcess::how_it_ended() {

@@ -32,8 +32,6 @@ class ChildProcess {
 
   /// The next line of the child's standard output, without its line feed. `end` is the end of its output.
   [[nodiscard]] Event next_line(std::string& line, Clock::time_point deadline);
-  /// Whether a line can be had without waiting.
-  [[nodiscard]] bool has_line() const;
 
   /// What stands in the output after the last whole line.
   [[nodiscard]] const std::string& half_line() const;

@@ -94,13 +94,9 @@ Claim component_answer(const Query& query, PointConvention points) {
   if (const auto error = outside_domain(query)) return rejection(*error);
   const auto [model1, model2] = models_of(query.pair, query.shapes);
   ProximityIntersection intersection(query.distances, points, ours());
-  Claim claim;
   const ElementIntersector* intersector = intersector_of(intersection, model1, model2);
-  if (intersector == nullptr) {
-    claim.status = Claim::Status::unsupported;
-    claim.text = "no intersector serves this pair";
-    return claim;
-  }
+  if (intersector == nullptr) return Claim::without(Claim::Status::unsupported, "no intersector serves this pair");
+  Claim claim;
   claim.overlap = intersector->canIntersect({*model1, 0}, {*model2, 0}, intersection);
   claim.speaks_of_contact = query.has_numbers();  // SOFA's computeIntersection of two cubes writes nothing
   const auto contacts = detect(intersection, *model1, *model2);

@@ -10,6 +10,7 @@
 #include <concepts>
 #include <cstdlib>
 #include <functional>
+#include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "contact/contact_engine.h"
@@ -104,11 +105,7 @@ struct Arrays {
     for (const auto& [flag, status] : {std::pair{CONTACT_UNSUPPORTED, Claim::Status::unsupported},
                                        {CONTACT_REJECTED, Claim::Status::rejected},
                                        {CONTACT_ERROR, Claim::Status::error}})
-      if (says(flag)) {
-        c.status = status;
-        c.text = "the library says so";
-        return c;
-      }
+      if (says(flag)) return Claim::without(status, "the library says so");
     if (says(CONTACT_SAYS_OVERLAP)) c.overlap = says(CONTACT_OVERLAPS);
     c.speaks_of_contact = says(CONTACT_SAYS_CONTACT);
     if (c.speaks_of_contact && says(CONTACT_TOUCHES)) {
@@ -119,12 +116,12 @@ struct Arrays {
       if (says(CONTACT_MIDPOINT)) numbers.point = vector(point1);
       if (says(CONTACT_VALUE)) numbers.value = value[i];
       if (says(CONTACT_POINTS)) {
-        if (point_count[i] < 1 || static_cast<std::size_t>(point_count[i]) > most_points) {
-          c = {};
-          c.status = Claim::Status::error;
-          c.text = fmt::format("point_count is {}: a contact has 1 to {} points", point_count[i], most_points);
-          return c;
-        }
+        if (most_points == 0)
+          return Claim::without(Claim::Status::error,
+                                "it says CONTACT_POINTS, and the conventions of the pair have no manifold");
+        if (point_count[i] < 1 || static_cast<std::size_t>(point_count[i]) > most_points)
+          return Claim::without(Claim::Status::error, fmt::format("point_count is {}: a contact has 1 to {} points",
+                                                                  point_count[i], most_points));
         for (std::size_t k = i * most_points; k < i * most_points + static_cast<std::size_t>(point_count[i]); ++k)
           numbers.points.push_back({{points[3 * k], points[3 * k + 1], points[3 * k + 2]}, depths[k]});
       }
@@ -232,8 +229,15 @@ class Library final : public Engine {
     std::vector<Claim> claims;
     while (!questions.empty()) {
       std::size_t run = 1;
-      while (run < questions.size() && questions[run].query.pair == questions.front().query.pair) ++run;
-      const Conventions& conventions = info().declared_for(questions.front().query.pair).conventions;
+      const Pair pair = questions.front().query.pair;
+      while (run < questions.size() && questions[run].query.pair == pair) ++run;
+      if (!info().serves(pair)) {
+        claims.insert(claims.end(), run,
+                      Claim::without(Claim::Status::unsupported, "the library does not declare this pair"));
+        questions = questions.subspan(run);
+        continue;
+      }
+      const Conventions conventions = info().declared_for(pair).conventions;
       Arrays arrays(questions.first(run),
                     conventions.points == Points::manifold ? static_cast<std::size_t>(conventions.most_points) : 0);
       const contact_questions asked{run,
@@ -249,6 +253,7 @@ class Library final : public Engine {
           arrays.point_count.data(), arrays.points.data(), arrays.depths.data()};
       std::string error;
       try {
+        const std::lock_guard lock(one_at_a_time_);
         if (const std::int32_t returned = theirs_([&] { return answer_(&asked, &answers); }); returned != 0)
           error = fmt::format("contact_engine_answer returned {}", returned);
       } catch (const std::exception& thrown) {
@@ -256,19 +261,15 @@ class Library final : public Engine {
       } catch (...) {
         error = "contact_engine_answer threw an exception";
       }
-      for (std::size_t i = 0; i < run; ++i) {
-        claims.push_back(arrays.claim(i));
-        if (error.empty()) continue;
-        claims.back() = {};
-        claims.back().status = Claim::Status::error;
-        claims.back().text = error;
-      }
+      for (std::size_t i = 0; i < run; ++i)
+        claims.push_back(error.empty() ? arrays.claim(i) : Claim::without(Claim::Status::error, error));
       questions = questions.subspan(run);
     }
     return claims;
   }
 
  private:
+  std::mutex one_at_a_time_;  // contact_engine.h promises it
   Theirs theirs_;
   boost::dll::shared_library library_;
   std::function<std::int32_t(const contact_questions*, contact_answers*)> answer_;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 namespace contact::engines {
 namespace {
 
@@ -56,6 +58,37 @@ TEST(Library, says_several_points_and_how_many) {
     EXPECT_EQ(claims[i].status, Claim::Status::error) << i;
     EXPECT_NE(claims[i].text.find("a contact has 1 to 3 points"), std::string::npos) << claims[i].text;
   }
+}
+
+Question over_plane(double offset) {
+  return question(Pair::capsule_plane, CapsuleAndPlane{{{0, 0, 0}, {1, 0, 0}, 1}, {{0, 0, 1}, offset}});
+}
+
+TEST(Library, that_says_points_of_a_pair_without_a_manifold_is_told_so) {
+  const Claim claim = make_library(CONTACT_TELLING_LIBRARY)->answer(std::vector{over_plane(1)}).front();
+  EXPECT_EQ(claim.status, Claim::Status::error);
+  EXPECT_NE(claim.text.find("no manifold"), std::string::npos) << claim.text;
+}
+
+TEST(Library, is_not_asked_about_pairs_that_it_does_not_declare) {
+  const Question ray = question(Pair::ray_sphere, RayAndBall{{{0, 0, 0}, {1, 0, 0}, 1}, {{0, 0, 0}, 1}});
+  const auto claims = make_library(CONTACT_TELLING_LIBRARY)->answer(std::vector{ray, over_plane(0), ray, ray});
+  ASSERT_EQ(claims.size(), 4U);
+  for (const std::size_t i : {0U, 2U, 3U}) EXPECT_EQ(claims[i].status, Claim::Status::unsupported) << i;
+  EXPECT_EQ(claims[1].status, Claim::Status::answered);
+}
+
+TEST(Library, is_asked_by_one_thread_at_a_time) {
+  const auto engine = make_library(CONTACT_TELLING_LIBRARY);
+  std::vector<int> errors(4);
+  std::vector<std::thread> threads;
+  for (int& mine : errors)
+    threads.emplace_back([&] {
+      for (int i = 0; i < 20; ++i)
+        if (engine->answer(std::vector{over_plane(0)}).front().status == Claim::Status::error) ++mine;
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(errors, std::vector<int>(4));
 }
 
 }  // namespace

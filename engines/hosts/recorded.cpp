@@ -24,9 +24,7 @@ class RecordedEngine final : public Engine {
         it->second.asked = true;
         claims.push_back(it->second.claim);
       } else {
-        claims.emplace_back();
-        claims.back().status = Claim::Status::missing;
-        claims.back().text = "the results file has no answer to this question";
+        claims.push_back(Claim::without(Claim::Status::missing, "the results file has no answer to this question"));
       }
     }
     return claims;

@@ -129,7 +129,8 @@ class Conversation {
       try {
         return {index, engines::read_answer(message)};
       } catch (const formats::InputError& error) {
-        return {index, failed(Status::error, fmt::format("{}{} in {}", kMalformed, error.what(), excerpt(line)))};
+        return {index,
+                Claim::without(Status::error, fmt::format("{}{} in {}", kMalformed, error.what(), excerpt(line)))};
       }
     } catch (const formats::InputError& error) {
       throw Broken{Status::error, fmt::format("{} in {}", error.what(), excerpt(line))};
@@ -164,15 +165,6 @@ class Conversation {
     return line;
   }
 
- public:
-  static Claim failed(Status status, std::string text) {
-    Claim claim;
-    claim.status = status;
-    claim.text = std::move(text);
-    return claim;
-  }
-
- private:
   const SubprocessOptions& options_;
   std::unique_ptr<ChildProcess> process_;
   std::optional<engines::EngineInfo> info_;
@@ -237,7 +229,7 @@ class Subprocess final : public Engine {
   std::vector<Claim> answer(std::span<const Question> questions) override {
     const Lease conversation(*this);
     conversation->turn();
-    std::vector<Claim> claims(questions.size(), Conversation::failed(Status::missing, "the engine counts as dead"));
+    std::vector<Claim> claims(questions.size(), Claim::without(Status::missing, "the engine counts as dead"));
     std::vector<bool> done(questions.size());
     std::size_t alone = 0;  // questions below this index are asked one at a time
     while (!dead_) {
@@ -256,11 +248,11 @@ class Subprocess final : public Engine {
         const auto is_right = [&](std::size_t index) -> bool { return done[index] && index != broken.repeated; };
         if (std::any_of(order.begin(), order.end(), is_right)) failures_ = 0;
         if (broken.repeated) {
-          claims[*broken.repeated] = Conversation::failed(broken.status, broken.text);
+          claims[*broken.repeated] = Claim::without(broken.status, broken.text);
           if (++failures_ >= kFailuresUntilDead) dead_ = true;
         } else if (one || options_.window == 1) {
           const std::size_t culprit = *std::find_if_not(order.begin(), order.end(), is_done);
-          claims[culprit] = Conversation::failed(broken.status, broken.text);
+          claims[culprit] = Claim::without(broken.status, broken.text);
           done[culprit] = true;
           if (++failures_ >= kFailuresUntilDead) dead_ = true;
         } else {

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cctype>
 #include <chrono>
 #include <ostream>
 #include <string>
@@ -60,16 +61,27 @@ void expect_no_children() {
 
 struct Misbehaviour {
   const char* mode;
-  Status status;     ///< of question 5
-  const char* text;  ///< within its text
+  const char* text;               ///< within that of question 5, or of the start
+  Status status = Status::error;  ///< of question 5
 
   friend void PrintTo(const Misbehaviour& m, std::ostream* out) { *out << m.mode; }
 };
 
+/// A mode as the name of a test.
+std::string as_name(const testing::TestParamInfo<const char*>& instance) {
+  std::string name = instance.param;
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  return name;
+}
+std::string mode_as_name(const testing::TestParamInfo<Misbehaviour>& instance) {
+  return as_name({instance.param.mode, instance.index});
+}
+
 class OneBadQuestion : public testing::TestWithParam<Misbehaviour> {};
 
 TEST_P(OneBadQuestion, is_named_and_the_others_are_answered) {
-  const auto [mode, status, text] = GetParam();
+  const auto [mode, text, status] = GetParam();
   {
     const auto engine = make_subprocess(misbehaving(mode));
     const auto claims = engine->answer(questions(40));
@@ -84,25 +96,19 @@ TEST_P(OneBadQuestion, is_named_and_the_others_are_answered) {
 
 INSTANTIATE_TEST_SUITE_P(
     Subprocess, OneBadQuestion,
-    testing::Values(Misbehaviour{"exits at 13", Status::crash,
-                                 "the engine exited with status 3; its standard error ends in 'out of cheese'"},
-                    Misbehaviour{"is killed at 13", Status::crash, "was killed by signal 6 (Aborted)"},
-                    Misbehaviour{"hangs at 13", Status::timeout, "no answer within 1.5 s"},
-                    Misbehaviour{"stops reading at 13", Status::timeout, "no answer within 1.5 s"},
-                    Misbehaviour{"malformed at 13", Status::error, "overlap"},
-                    Misbehaviour{"garbage at 13", Status::error, "malformed JSON"},
-                    Misbehaviour{"invalid UTF-8 at 13", Status::error, "UTF-8"},
-                    Misbehaviour{"half a line at 13", Status::timeout, "half a line: '{\"op\":\"answer\",\"se'"},
-                    Misbehaviour{"half a line, then exits at 13", Status::crash,
-                                 "exited with status 0 after half a line"},
-                    Misbehaviour{"endless line at 13", Status::error, "a line of more than 100000 bytes"},
-                    Misbehaviour{"wrong seq at 13", Status::error, "was not asked"}),
-    [](const auto& instance) {
-      std::string name = instance.param.mode;
-      for (char& c : name)
-        if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-      return name;
-    });
+    testing::Values(
+        Misbehaviour{"exits at 13", "the engine exited with status 3; its standard error ends in 'out of cheese'",
+                     Status::crash},
+        Misbehaviour{"is killed at 13", "was killed by signal 6 (Aborted)", Status::crash},
+        Misbehaviour{"hangs at 13", "no answer within 1.5 s", Status::timeout},
+        Misbehaviour{"stops reading at 13", "no answer within 1.5 s", Status::timeout},
+        Misbehaviour{"malformed at 13", "overlap"}, Misbehaviour{"garbage at 13", "malformed JSON"},
+        Misbehaviour{"invalid UTF-8 at 13", "UTF-8"},
+        Misbehaviour{"half a line at 13", "half a line: '{\"op\":\"answer\",\"se'", Status::timeout},
+        Misbehaviour{"half a line, then exits at 13", "exited with status 0 after half a line", Status::crash},
+        Misbehaviour{"endless line at 13", "a line of more than 100000 bytes"},
+        Misbehaviour{"wrong seq at 13", "was not asked"}),
+    mode_as_name);
 
 class Survives : public testing::TestWithParam<const char*> {};
 
@@ -115,13 +121,7 @@ TEST_P(Survives, every_question_is_answered) {
   expect_no_children();
 }
 INSTANTIATE_TEST_SUITE_P(Subprocess, Survives,
-                         testing::Values("well behaved", "noisy", "backwards", "leaves a grandchild"),
-                         [](const auto& instance) {
-                           std::string name = instance.param;
-                           for (char& c : name)
-                             if (c == ' ') c = '_';
-                           return name;
-                         });
+                         testing::Values("well behaved", "noisy", "backwards", "leaves a grandchild"), as_name);
 
 TEST(Subprocess, an_answer_that_comes_twice_is_the_error_of_its_own_question) {
   for (const char* mode : {"repeats at 13", "floods at 13"})
@@ -143,13 +143,7 @@ TEST(Subprocess, an_engine_that_answers_everything_twice_counts_as_dead) {
     EXPECT_EQ(claims[i].status, i < 3 ? Status::error : Status::missing) << i << ": " << claims[i].text;
 }
 
-struct BadStart {
-  const char* mode;
-  const char* text;
-
-  friend void PrintTo(const BadStart& b, std::ostream* out) { *out << b.mode; }
-};
-class NoHarness : public testing::TestWithParam<BadStart> {};
+class NoHarness : public testing::TestWithParam<Misbehaviour> {};
 
 TEST_P(NoHarness, is_told_at_once_and_why) {
   SubprocessOptions options = misbehaving(GetParam().mode);
@@ -165,22 +159,17 @@ TEST_P(NoHarness, is_told_at_once_and_why) {
   expect_no_children();
 }
 INSTANTIATE_TEST_SUITE_P(Subprocess, NoHarness,
-                         testing::Values(BadStart{"exits at once", "the engine exited with status 7"},
-                                         BadStart{"says nothing", "no hello within 0.7 s"},
-                                         BadStart{"is killed at once", "was killed by signal 11"},
-                                         BadStart{"closes its output", "closed its output"},
-                                         BadStart{"garbage hello", "'Welcome to my engine 1.0!'"},
-                                         BadStart{"wrong protocol", "this program speaks protocol 1"},
-                                         BadStart{"unknown pair", "sphere_torus"},
-                                         BadStart{"half a hello", "half a line: '{\"op\":\"hello\",\"pro'"},
-                                         BadStart{"claims nothing", "claims nothing"},
-                                         BadStart{"malformed smoke", "overlap"}),
-                         [](const auto& instance) {
-                           std::string name = instance.param.mode;
-                           for (char& c : name)
-                             if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-                           return name;
-                         });
+                         testing::Values(Misbehaviour{"exits at once", "the engine exited with status 7"},
+                                         Misbehaviour{"says nothing", "no hello within 0.7 s"},
+                                         Misbehaviour{"is killed at once", "was killed by signal 11"},
+                                         Misbehaviour{"closes its output", "closed its output"},
+                                         Misbehaviour{"garbage hello", "'Welcome to my engine 1.0!'"},
+                                         Misbehaviour{"wrong protocol", "this program speaks protocol 1"},
+                                         Misbehaviour{"unknown pair", "sphere_torus"},
+                                         Misbehaviour{"half a hello", "half a line: '{\"op\":\"hello\",\"pro'"},
+                                         Misbehaviour{"claims nothing", "claims nothing"},
+                                         Misbehaviour{"malformed smoke", "overlap"}),
+                         mode_as_name);
 
 TEST(Subprocess, a_program_that_is_not_there_is_named) {
   SubprocessOptions options;

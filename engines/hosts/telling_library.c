@@ -1,7 +1,13 @@
 /* An engine that tells which rows it was given, for tests: the width as the value; of spheres or hulls against hulls the first two numbers of a and the
    first of b as the normal, and the last three of each as the points. Of a
-   sphere and a plane as many points as the plane's offset. */
+   sphere and a plane as many points as the plane's offset. Of a capsule and a plane, for which it takes a millisecond, an error where another
+   thread asks meanwhile, and points, which it does not declare there, where the plane has an offset. */
 #include "contact/contact_engine.h"
+
+#include <stdatomic.h>
+#include <time.h>
+
+static atomic_int inside;
 
 int32_t contact_engine_interface(void) { return CONTACT_ENGINE_INTERFACE; }
 
@@ -12,10 +18,16 @@ const char* contact_engine_declaration(void) {
 }
 
 int32_t contact_engine_answer(const contact_questions* q, contact_answers* out) {
+  const int others = atomic_fetch_add(&inside, 1);
+  if (q->pair == CONTACT_CAPSULE_PLANE) nanosleep(&(struct timespec){0, 1000000}, NULL);
   for (size_t i = 0; i < q->count; ++i) {
     out->said[i] = CONTACT_SAYS_CONTACT | CONTACT_TOUCHES | CONTACT_VALUE;
     out->value[i] = q->width;
-    if (q->pair == CONTACT_CAPSULE_PLANE) continue;
+    if (q->pair == CONTACT_CAPSULE_PLANE) {
+      if (q->b[4 * i + 3] != 0) out->said[i] |= CONTACT_POINTS;
+      if (others != 0) out->said[i] = CONTACT_ERROR;
+      continue;
+    }
     if (q->pair == CONTACT_SPHERE_PLANE) {
       out->said[i] |= CONTACT_POINTS;
       out->point_count[i] = (int32_t)q->b[4 * i + 3];
@@ -39,5 +51,6 @@ int32_t contact_engine_answer(const contact_questions* q, contact_answers* out) 
       out->point2[3 * i + k] = b[of_b - 3 + k];
     }
   }
+  atomic_fetch_sub(&inside, 1);
   return 0;
 }

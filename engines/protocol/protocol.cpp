@@ -21,8 +21,6 @@ std::string answer_message(std::uint64_t seq, const Claim& claim) {
   return fmt::format(R"({{"op":"answer","seq":{}{}}})", seq, claim_text(claim));
 }
 
-std::string stop_line() { return R"({"op":"stop"})"; }
-
 std::string op_of(const formats::Node& message) { return message.at("op").text(); }
 
 EngineInfo read_hello(const formats::Node& message) {

@@ -19,7 +19,6 @@ inline constexpr std::uint64_t kProtocol = 1;
 [[nodiscard]] std::string query_message(std::uint64_t seq, const Query& query);
 /// {"op":"answer","seq":1,...}
 [[nodiscard]] std::string answer_message(std::uint64_t seq, const Claim& claim);
-[[nodiscard]] std::string stop_line();
 
 /// A message's "op".
 [[nodiscard]] std::string op_of(const formats::Node& message);

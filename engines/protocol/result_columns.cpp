@@ -207,12 +207,9 @@ std::string ResultColumns::id(std::uint64_t row) {
 }
 
 Claim ResultColumns::claim(std::uint64_t row) {
+  if (truth("unsupported", row).value_or(false))
+    return Claim::without(Claim::Status::unsupported, "the column 'unsupported' says so");
   Claim claim;
-  if (truth("unsupported", row).value_or(false)) {
-    claim.status = Claim::Status::unsupported;
-    claim.text = "the column 'unsupported' says so";
-    return claim;
-  }
   const auto hit = truth("hit", row);
   claim.overlap = truth("overlap", row);
   if (!claim.overlap) claim.overlap = hit;

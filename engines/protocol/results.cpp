@@ -30,8 +30,9 @@ void read_scale(const formats::Node& node, auto& of) {
   if (!(of.scale_min >= 0 && of.scale_min <= of.scale_max)) node.refuse("expected 0 <= min <= max");
 }
 
+bool has_scale(const auto& of) { return of.scale_min != 0 || std::isfinite(of.scale_max); }
+
 std::string scale_text(const auto& of) {
-  if (of.scale_min == 0 && !std::isfinite(of.scale_max)) return {};
   return fmt::format(R"(,"scale":{{"min":{},"max":{}}})", formats::number(of.scale_min), formats::number(of.scale_max));
 }
 
@@ -145,7 +146,9 @@ EngineInfo read_engine_info(const formats::Node& node, std::initializer_list<std
   return info;
 }
 
-std::string conventions_text(const Conventions& c) {
+namespace {
+
+std::string conventions_with(const Conventions& c, bool scale) {
   const auto pick = [](const auto& names, auto choice) { return names[static_cast<std::size_t>(choice)]; };
   std::string text = fmt::format(
       R"({{"normal":"{}","normal_unit":{},"points":"{}","value":"{}","value_less_contact":{},"touching_overlap":"{}","touching_contact":"{}","margin":"{}","coincident":"{}","shapes":"{}","depth":"{}")",
@@ -154,18 +157,24 @@ std::string conventions_text(const Conventions& c) {
       pick(kTouchingNames, c.touching_contact), pick(kMarginNames, c.margin), pick(kCoincidentNames, c.coincident),
       pick(kShapesAsNames, c.shapes), pick(kDepthOfNames, c.depth));
   if (c.points == Points::manifold) text += fmt::format(R"(,"most_points":{})", c.most_points);
-  return text + scale_text(c) + "}";
+  return text + (scale ? scale_text(c) : "") + "}";
 }
+
+}  // namespace
+
+std::string conventions_text(const Conventions& c) { return conventions_with(c, has_scale(c)); }
 
 std::string tolerance_object(const Tolerance& t) {
   return fmt::format(R"({{"length":{},"relative":{},"angle":{}{}}})", formats::number(t.length),
-                     formats::number(t.relative), formats::number(t.angle), scale_text(t));
+                     formats::number(t.relative), formats::number(t.angle), has_scale(t) ? scale_text(t) : "");
 }
 
 std::string pair_conventions_text(const EngineInfo& engine) {
+  const bool scale = has_scale(engine.declared.conventions);  // which a pair without one of its own would have too
   std::string text;
   for (const auto& [pair, conventions] : engine.pair_conventions)
-    text += fmt::format(R"({}"{}":{})", text.empty() ? "" : ",", name(pair), conventions_text(conventions));
+    text += fmt::format(R"({}"{}":{})", text.empty() ? "" : ",", name(pair),
+                        conventions_with(conventions, scale || has_scale(conventions)));
   return text.empty() ? text : fmt::format(R"("pair_conventions":{{{}}},)", text);
 }
 
@@ -235,10 +244,8 @@ std::vector<ManifoldPoint> read_points(const formats::Node& contact) {
 
 Claim read_claim(const formats::Node& node) {
   Claim claim;
-  for (const auto& [key, status] : {std::pair{"unsupported", Claim::Status::unsupported},
-                                    {"rejected", Claim::Status::rejected},
-                                    {"error", Claim::Status::error}})
-    if (const auto said = node.find(key)) {
+  for (const auto status : {Claim::Status::unsupported, Claim::Status::rejected, Claim::Status::error})
+    if (const auto said = node.find(name(status))) {
       if (claim.status != Claim::Status::answered) said->refuse("an answer is one of unsupported, rejected and error");
       claim.status = status;
       claim.text = said->text();
@@ -294,18 +301,10 @@ std::string claim_text(const Claim& claim) {
     if (claim.contact->value) add("value", formats::number(*claim.contact->value));
     text += R"(,"contact":{)" + fields + "}";
   }
-  switch (claim.status) {
-    case Claim::Status::answered:
-      break;
-    case Claim::Status::unsupported:
-      text += R"(,"unsupported":)" + formats::json_string(claim.text);
-      break;
-    case Claim::Status::rejected:
-      text += R"(,"rejected":)" + formats::json_string(claim.text);
-      break;
-    default:
-      text += R"(,"error":)" + formats::json_string(claim.text);
-  }
+  // What only a host says of an engine, that it crashed or gave no answer in time, is written as an error.
+  if (claim.status != Claim::Status::answered)
+    text += fmt::format(R"(,"{}":{})", name(std::min(claim.status, Claim::Status::error)),
+                        formats::json_string(claim.text));
   return text;
 }
 

@@ -106,6 +106,14 @@ TEST(EngineInfo, APairHasTheConventionsOfAllButForWhatItNames) {
   EXPECT_FALSE(info.declared.claimed().has(Aspect::point));
 }
 
+TEST(EngineInfo, APairOfAnyScaleKeepsItWhereTheEngineHasOne) {
+  const EngineInfo info = declaring(R"("conventions":{"scale":{"min":0,"max":1e10}},)"
+                                    R"("pair_conventions":{"sphere_sphere":{"scale":{"min":0,"max":"Infinity"}}})");
+  ASSERT_EQ(info.declared_for(Pair::sphere_sphere).conventions, Conventions{});
+  EXPECT_EQ(read_back(info).declared.conventions, info.declared.conventions);
+  EXPECT_EQ(read_back(info).pair_conventions, info.pair_conventions);
+}
+
 TEST(EngineInfo, ConventionsOfAPairThatIsNotServedOrNotKnownAreRefused) {
   for (const char* of_pairs :
        {R"({"cube_cube":{}})", R"({"cone_cone":{}})", R"({"sphere_sphere":{"points":"centre"}})", "[]"})

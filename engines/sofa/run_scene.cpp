@@ -12,6 +12,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iostream>
@@ -35,8 +36,24 @@ std::string number(double x) {
 std::string row(const sofa::type::Vec3& x) {
   return '[' + number(x[0]) + ',' + number(x[1]) + ',' + number(x[2]) + ']';
 }
+/// A text in JSON: names of models are whatever a scene says.
+std::string quoted(const std::string& text) {
+  std::string json = "\"";
+  for (const char c : text) {
+    char code[8];
+    if (static_cast<unsigned char>(c) < 0x20) {
+      std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned>(c));
+      json += code;
+    } else {
+      if (c == '"' || c == '\\') json += '\\';
+      json += c;
+    }
+  }
+  return json + '"';
+}
 std::string element(const core::CollisionElementIterator& e) {
-  return R"({"model":")" + e.getCollisionModel()->getPathName() + R"(","index":)" + std::to_string(e.getIndex()) + '}';
+  return R"({"model":)" + quoted(e.getCollisionModel()->getPathName()) + R"(,"index":)" + std::to_string(e.getIndex()) +
+         '}';
 }
 
 /// The contacts of every narrow phase below `root`, as they stand.

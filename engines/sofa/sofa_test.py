@@ -265,7 +265,8 @@ class Sofa(unittest.TestCase):
         self.assertEqual([(q["a"], q["b"]) for q in asked], [(nothing, nothing)])  # the roots of two empty trees
 
     def test_the_plug_in_gives_coincident_centres_a_normal(self):
-        spheres = '<Node name="{}"><MechanicalObject position="1 2 3"/><SphereCollisionModel name="s" radius="2"/></Node>'
+        # With a quote in the name, which is no end of a text in JSON.
+        spheres = '<Node name="{}"><MechanicalObject position="1 2 3"/><SphereCollisionModel name="s&quot;" radius="2"/></Node>'
         found = {}
         for component in ("DiscreteIntersection", "ExactDiscreteIntersection"):
             scene = self.scene(component, self.PIPELINE, f"<{component}/>", spheres.format("a"), spheres.format("b"))

@@ -16,13 +16,11 @@ void not_hit(const Query& q, Claim& claim, There there) {
   if (is_cast(q.pair) && claim.overlap.value_or(false) && there()) decide(q, claim, false);
 }
 /// A miss becomes a hit.
-template <class There>
-void also_hit(const Query& q, Claim& claim, There there) {
+constexpr auto also_hit = [](const Query& q, Claim& claim, auto there) {
   if (is_cast(q.pair) && !claim.overlap.value_or(true) && where_cast(q, there)) decide(q, claim, true);
-}
+};
 /// An answer at another t.
-template <class T>
-void at_another_t(const Query& q, Claim& claim, T t) {
+constexpr auto at_another_t = [](const Query& q, Claim& claim, auto t) {
   if (!is_cast(q.pair) || !claim.contact) return;
   const auto other = oracle::of_cast(q.shapes, [&](const auto& cast) -> std::optional<ContactClaim> {
     const std::optional<Wide> there = t(cast);
@@ -32,7 +30,7 @@ void at_another_t(const Query& q, Claim& claim, T t) {
     return ContactClaim{vector(cast.normal(*there)), at, at, std::nullopt, rounded(*there)};
   });
   if (other && *other->value != *claim.contact->value) claim.contact = other;
-}
+};
 
 const std::array kCasts{
     Mutant{"cast-from-inside", "a ray that begins in a shape misses it", "cast-inside-missed", nullptr,
@@ -65,13 +63,9 @@ const std::array kCasts{
              not_hit(q, claim, [&] { return in_plane; });
            }},
     Mutant{"cast-without-length", "a ray has no end", "cast-without-length", nullptr,
-           [](const Query& q, Claim& claim) {
-             also_hit(q, claim, [](const auto& cast) { return cast.first().value_or(-1) >= 0; });
-           }},
+           with(also_hit, [](const auto& cast) { return cast.first().value_or(-1) >= 0; })},
     Mutant{"cast-behind", "what lies behind the origin is hit", "cast-behind", nullptr,
-           [](const Query& q, Claim& claim) {
-             also_hit(q, claim, [](const auto& cast) { return cast.first().value_or(1) < 0; });
-           }},
+           with(also_hit, [](const auto& cast) { return cast.first().value_or(1) < 0; })},
     Mutant{"cast-length-as-distance", "a ray's length is a distance and does not count directions",
            "cast-length-as-distance", nullptr,
            [](const Query& q, Claim& claim) {
@@ -93,18 +87,16 @@ const std::array kCasts{
              });
            }},
     Mutant{"cast-far-root", "the answer is where the ray leaves the shape", "cast-far-root", nullptr,
-           [](const Query& q, Claim& claim) {
-             at_another_t(q, claim, [](const auto& cast) -> std::optional<Wide> {
-               return cast.begins_inside() ? std::nullopt : cast.last();
-             });
-           }},
+           with(at_another_t,
+                [](const auto& cast) -> std::optional<Wide> {
+                  return cast.begins_inside() ? std::nullopt : cast.last();
+                })},
     Mutant{"cast-inside-far-root", "from inside the answer is where the ray leaves the shape", "cast-inside-far-root",
            nullptr,
-           [](const Query& q, Claim& claim) {
-             at_another_t(q, claim, [](const auto& cast) -> std::optional<Wide> {
-               return cast.begins_inside() ? cast.last() : std::nullopt;
-             });
-           }},
+           with(at_another_t,
+                [](const auto& cast) -> std::optional<Wide> {
+                  return cast.begins_inside() ? cast.last() : std::nullopt;
+                })},
 };
 
 }  // namespace

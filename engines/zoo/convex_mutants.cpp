@@ -23,16 +23,6 @@ Wide wide(const oracle::Rational& x) {
   return static_cast<Wide>(most) + static_cast<Wide>(CGAL::to_double(x - oracle::Rational(most)));
 }
 
-/// Changes the shapes of one kind in a question.
-template <class Changed>
-void each(Query& q, void (*change)(Changed&)) {
-  for_each_shape(q, [&]<class Shape>(Shape& shape) {
-    if constexpr (std::same_as<Shape, Changed>) change(shape);
-  });
-}
-constexpr auto each_box = each<Obb>;
-constexpr auto each_hull = each<Hull>;
-
 void drop_flat_hulls(const Query& q, Claim& claim) {
   for_each_shape(q, [&]<class Shape>(const Shape& shape) {
     if constexpr (std::same_as<Shape, Hull>)
@@ -78,51 +68,40 @@ void leave_by_way(const Query& q, Claim& claim) {
 
 const std::array kConvexes{
     Mutant{"obb-quaternion-not-normalised", "an orientation is taken for a unit quaternion",
-           "quaternion-not-normalised",
-           [](Query& q) {
-             each_box(q, [](Obb& box) {
-               const auto& [x, y, z, w] = box.orientation;
-               box.extents *= x * x + y * y + z * z + w * w;
-             });
-           }},
+           "quaternion-not-normalised", each<Obb>([](Obb& box) {
+             const auto& [x, y, z, w] = box.orientation;
+             box.extents *= x * x + y * y + z * z + w * w;
+           })},
     Mutant{"obb-turned-back", "a box is turned the other way", "quaternion-inverted",
-           [](Query& q) { each_box(q, [](Obb& box) { box.orientation[3] = -box.orientation[3]; }); }},
-    Mutant{"obb-w-first", "an orientation is read as w, x, y, z", "quaternion-w-first",
-           [](Query& q) {
-             each_box(q, [](Obb& box) {
-               const auto [w, x, y, z] = box.orientation;
-               box.orientation = {x, y, z, w};
-             });
-           }},
+           each<Obb>([](Obb& box) { box.orientation[3] = -box.orientation[3]; })},
+    Mutant{"obb-w-first", "an orientation is read as w, x, y, z", "quaternion-w-first", each<Obb>([](Obb& box) {
+             const auto [w, x, y, z] = box.orientation;
+             box.orientation = {x, y, z, w};
+           })},
     Mutant{"obb-not-turned", "a rotated box is taken for one that is not turned", "orientation-ignored",
-           [](Query& q) { each_box(q, [](Obb& box) {
-                            box.orientation = {0, 0, 0, 1};
-                          }); }},
+           each<Obb>([](Obb& box) {
+             box.orientation = {0, 0, 0, 1};
+           })},
     Mutant{"obb-half-extents", "half lengths are taken for lengths", "extents-are-lengths",
-           [](Query& q) { each_box(q, [](Obb& box) { box.extents /= 2; }); }},
+           each<Obb>([](Obb& box) { box.extents /= 2; })},
     Mutant{"obb-double-extents", "lengths are given where half lengths are asked for", "extents-doubled",
-           [](Query& q) { each_box(q, [](Obb& box) { box.extents *= 2; }); }},
+           each<Obb>([](Obb& box) { box.extents *= 2; })},
     Mutant{"hull-radius-missing", "the radius of a hull is never read", "hull-radius-missing",
-           [](Query& q) { each_hull(q, [](Hull& hull) { hull.radius = 0; }); }},
+           each<Hull>([](Hull& hull) { hull.radius = 0; })},
     Mutant{"hull-last-vertex-missing", "a loop over the vertices of a hull ends one too early",
-           "hull-last-vertex-ignored",
-           [](Query& q) {
-             each_hull(q, [](Hull& hull) {
-               if (hull.vertices.size() > 1) hull.vertices.pop_back();
-             });
-           }},
+           "hull-last-vertex-ignored", each<Hull>([](Hull& hull) {
+             if (hull.vertices.size() > 1) hull.vertices.pop_back();
+           })},
     Mutant{"hull-eight-vertices", "a hull has room for eight vertices", "hull-first-vertices-only",
-           [](Query& q) {
-             each_hull(q, [](Hull& hull) {
-               if (hull.vertices.size() > 8) hull.vertices.resize(8);
-             });
-           }},
+           each<Hull>([](Hull& hull) {
+             if (hull.vertices.size() > 8) hull.vertices.resize(8);
+           })},
     Mutant{"hull-bounds", "a hull is the box around its vertices", "hull-is-its-bounds",
-           [](Query& q) { each_hull(q, oracle::put_in_a_box); }},
+           each<Hull>([](Hull& hull) { oracle::put_in_a_box(hull); })},
     Mutant{"hull-default-margin", "a hull keeps the margin of 0.04 that a library gives it", "hull-margin-added",
-           [](Query& q) { each_hull(q, [](Hull& hull) { hull.radius += 0.04; }); }},
+           each<Hull>([](Hull& hull) { hull.radius += 0.04; })},
     Mutant{"hull-vertices-rounded", "the maker of a hull rounds its vertices to a grid", "hull-on-a-grid",
-           [](Query& q) { each_hull(q, oracle::put_on_a_grid); }},
+           each<Hull>([](Hull& hull) { oracle::put_on_a_grid(hull); })},
     Mutant{"hull-flat-dropped", "a hull without a volume is never hit", "hull-flat-missed", nullptr, drop_flat_hulls},
     Mutant{"hull-walk", "the lowest vertex of a hull is where both neighbours in the list are higher",
            "hull-walk-ends-early", oracle::walk_down},
@@ -152,7 +131,7 @@ const std::array kConvexes{
                revalue(q, claim, [](const WideSpheres& s) { return std::abs(s.distance) - s.r1 - s.r2 - s.contact; });
            }},
     Mutant{"overlap-by-centres", "an overlap is left along the way between the centres", "normal-of-centres", nullptr,
-           [](const Query& q, Claim& claim) { leave_by_centers(q, claim); }},
+           leave_by_centers},
 };
 
 }  // namespace

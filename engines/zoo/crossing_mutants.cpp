@@ -13,47 +13,40 @@ void of_crossing(const Query& q, Change change) {
   if (const auto* line = std::get_if<TriangleAndLine>(&q.shapes)) change(Crossing(*line));
 }
 /// A miss becomes a hit where `crosses` says so of the place where the line goes through the plane, if it does.
-template <class Crosses>
-void also_crossing(const Query& q, Claim& claim, Crosses crosses) {
+constexpr auto also_crossing = [](const Query& q, Claim& claim, auto crosses) {
   of_crossing(q, [&](const Crossing& x) {
     if (!claim.overlap.value_or(true) && x.through() != 0 && crosses(x)) decide(q, claim, true);
   });
-}
+};
 /// And a hit a miss.
-template <class There>
-void not_crossing(const Query& q, Claim& claim, There there) {
+constexpr auto not_crossing = [](const Query& q, Claim& claim, auto there) {
   of_crossing(q, [&](const Crossing& x) {
     if (claim.overlap.value_or(false) && there(x)) decide(q, claim, false);
   });
-}
-bool is_crossed_inside(const Crossing& x) {
+};
+constexpr auto is_crossed_inside = [](const Crossing& x) {
   return std::min({x.inside(0, x.at), x.inside(1, x.at), x.inside(2, x.at)}) >= 0;
-}
-bool is_within_segment(const Crossing& x) { return x.part() >= 0 && x.part() <= 1; }
+};
+constexpr auto is_within_segment = [](const Crossing& x) { return x.part() >= 0 && x.part() <= 1; };
 /// Another contact.
-template <class Change>
-void in_crossing(const Query& q, Claim& claim, Change change) {
+constexpr auto in_crossing = [](const Query& q, Claim& claim, auto change) {
   of_crossing(q, [&](const Crossing& x) { in_contact(claim, [&](ContactClaim& c) { change(x, c); }); });
-}
+};
 
 const std::array kCrossings{
     Mutant{"crossing-infinite-line", "a segment is the line through it", "crossing-without-ends", nullptr,
-           [](const Query& q, Claim& claim) { also_crossing(q, claim, is_crossed_inside); },
-           "https://github.com/g-truc/glm/issues/998"},
+           with(also_crossing, is_crossed_inside), "https://github.com/g-truc/glm/issues/998"},
     Mutant{"crossing-without-end", "a segment has a start and no end", "crossing-without-end", nullptr,
-           [](const Query& q, Claim& claim) {
-             also_crossing(q, claim, [](const Crossing& x) { return is_crossed_inside(x) && x.part() >= 0; });
-           }},
+           with(also_crossing, [](const Crossing& x) { return is_crossed_inside(x) && x.part() >= 0; })},
     Mutant{"crossing-of-plane", "a triangle is its plane", "crossing-of-plane", nullptr,
-           [](const Query& q, Claim& claim) { also_crossing(q, claim, is_within_segment); }},
+           with(also_crossing, is_within_segment)},
     Mutant{"crossing-of-parallelogram", "the sum of the barycentric coordinates is not looked at",
            "crossing-of-parallelogram", nullptr,
-           [](const Query& q, Claim& claim) {
-             also_crossing(q, claim, [](const Crossing& x) {
-               return is_within_segment(x) && x.inside(0, x.at) >= 0 && x.inside(2, x.at) >= 0 &&
-                      x.inside(1, x.at) >= x.inside(1, x.v[1] + x.v[2] - x.v[0]);
-             });
-           }},
+           with(also_crossing,
+                [](const Crossing& x) {
+                  return is_within_segment(x) && x.inside(0, x.at) >= 0 && x.inside(2, x.at) >= 0 &&
+                         x.inside(1, x.at) >= x.inside(1, x.v[1] + x.v[2] - x.v[0]);
+                })},
     Mutant{
         "sofa-crossing-not-tested", "testIntersection says yes to every segment and triangle", "crossing-not-tested",
         nullptr,
@@ -64,15 +57,11 @@ const std::array kCrossings{
         "component/collision/detection/intersection/MeshDiscreteIntersection.cpp"},
     Mutant{"sofa-crossing-determinant", "a determinant up to 2.2e-16 is 0, whatever the units",
            "crossing-determinant-2e-16", nullptr,
-           [](const Query& q, Claim& claim) {
-             not_crossing(q, claim, [](const Crossing& x) { return std::abs(x.determinant()) <= 0x1p-52L; });
-           },
+           with(not_crossing, [](const Crossing& x) { return std::abs(x.determinant()) <= 0x1p-52L; }),
            "https://github.com/sofa-framework/sofa/blob/master/Sofa/framework/Type/src/sofa/type/Mat.h"},
     Mutant{"crossing-determinant-1e-6", "a determinant below 1e-6 is 0, whatever the units",
            "crossing-determinant-1e-6", nullptr,
-           [](const Query& q, Claim& claim) {
-             not_crossing(q, claim, [](const Crossing& x) { return std::abs(x.determinant()) < 1e-6L; });
-           },
+           with(not_crossing, [](const Crossing& x) { return std::abs(x.determinant()) < 1e-6L; }),
            "https://github.com/jbikker/tinybvh/pull/283"},
     Mutant{"crossing-open", "a segment that ends on the triangle, or goes through its boundary, does not cross it",
            "crossing-open", nullptr,
@@ -83,34 +72,22 @@ const std::array kCrossings{
              });
            }},
     Mutant{"crossing-culled", "a triangle is crossed from one side alone", "crossing-culled", nullptr,
-           [](const Query& q, Claim& claim) {
-             not_crossing(q, claim, [](const Crossing& x) { return x.through() > 0; });
-           }},
+           with(not_crossing, [](const Crossing& x) { return x.through() > 0; })},
     Mutant{"crossing-normal-against", "the normal is turned against the segment", "crossing-normal-against", nullptr,
-           [](const Query& q, Claim& claim) {
-             in_crossing(q, claim, [](const Crossing& x, ContactClaim& c) {
-               if (x.through() * x.turn > 0) c.normal = Vector3(-*c.normal);
-             });
-           }},
+           with(in_crossing,
+                [](const Crossing& x, ContactClaim& c) {
+                  if (x.through() * x.turn > 0) c.normal = Vector3(-*c.normal);
+                })},
     Mutant{"crossing-normal-along", "the normal is the direction of the segment", "crossing-normal-along", nullptr,
-           [](const Query& q, Claim& claim) {
-             in_crossing(q, claim, [](const Crossing& x, ContactClaim& c) {
-               c.normal = Vector3(x.along.stableNormalized().cast<double>());
-             });
-           }},
+           with(in_crossing, [](const Crossing& x,
+                                ContactClaim& c) { c.normal = Vector3(x.along.stableNormalized().cast<double>()); })},
     Mutant{"crossing-points-at-start", "the contact points are the start of the segment", "crossing-points-at-start",
            nullptr,
-           [](const Query& q, Claim& claim) {
-             in_crossing(q, claim, [](const Crossing& x, ContactClaim& c) {
-               c.point1 = c.point2 = Vector3(x.start.cast<double>());
-             });
-           }},
+           with(in_crossing,
+                [](const Crossing& x, ContactClaim& c) { c.point1 = c.point2 = Vector3(x.start.cast<double>()); })},
     Mutant{"crossing-value-along", "the value is the length along the segment", "crossing-value-along", nullptr,
-           [](const Query& q, Claim& claim) {
-             in_crossing(q, claim, [](const Crossing& x, ContactClaim& c) {
-               c.value = rounded(x.part() * x.along.stableNorm());
-             });
-           }},
+           with(in_crossing,
+                [](const Crossing& x, ContactClaim& c) { c.value = rounded(x.part() * x.along.stableNorm()); })},
 };
 
 }  // namespace

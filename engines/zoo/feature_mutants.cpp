@@ -114,20 +114,38 @@ void of_triangle(const Query& q, Change change) {
   if (const auto* shapes = std::get_if<BallAndTriangle>(&q.shapes)) change(Seen(*shapes));
 }
 /// Another nearest point, from the centre; nothing leaves it as it is.
-template <class PointOf>
-void other_point(const Query& q, Claim& claim, PointOf point_of) {
+constexpr auto other_point = [](const Query& q, Claim& claim, auto point_of) {
   of_triangle(q, [&](const Seen& seen) {
     if (const std::optional<Wide3> point = point_of(seen)) answer_at(q, claim, seen.c, seen.c + *point);
   });
-}
+};
 /// A miss in some places.
-template <class There>
-void missed(const Query& q, Claim& claim, There there) {
+constexpr auto missed = [](const Query& q, Claim& claim, auto there) {
   of_triangle(q, [&](const Seen& seen) {
     if (claim.overlap.value_or(false) && there(seen)) decide(q, claim, false);
   });
-}
+};
 using Point = std::optional<Wide3>;
+
+}  // namespace
+
+void clamp_each_alone(const Query& q, Claim& claim) {
+  of_two_axes(q, [&](const Axis& a, const Axis& b) {
+    if (const auto at = on_lines(a, b)) answer_at(q, claim, a.at(unit_clamp((*at)[0])), b.at(unit_clamp((*at)[1])));
+  });
+}
+
+void take_direction_for_unit(const Query& q, Claim& claim) {
+  const auto* shapes = std::get_if<RayAndBall>(&q.shapes);
+  if (shapes == nullptr) return;
+  const Wide3 u = shapes->a.direction.cast<Wide>();
+  const Wide3 origin = shapes->a.origin.cast<Wide>();
+  const Wide3 c = shapes->b.center.cast<Wide>();
+  const Wide t = std::clamp((c - origin).dot(u), Wide{0}, Wide{shapes->a.length});
+  answer_at(q, claim, origin + t * u, c);
+}
+
+namespace {
 
 const std::array kFeatures{
     Mutant{"mjx-segment-1e-6", "the parameter of the foot is divided by |u|^2 + 1e-6, against a division by 0",
@@ -140,12 +158,7 @@ const std::array kFeatures{
            },
            "https://github.com/google-deepmind/mujoco/blob/main/mjx/mujoco/mjx/_src/math.py"},
     Mutant{"sofa-capsule-clamps-alone", "both parameters are clamped, each alone", "parameters-clamped-alone", nullptr,
-           [](const Query& q, Claim& claim) {
-             of_two_axes(q, [&](const Axis& a, const Axis& b) {
-               if (const auto at = on_lines(a, b))
-                 answer_at(q, claim, a.at(unit_clamp((*at)[0])), b.at(unit_clamp((*at)[1])));
-             });
-           },
+           clamp_each_alone,
            "https://github.com/sofa-framework/sofa/blob/master/applications/plugins/CollisionOBBCapsule/src/"
            "CollisionOBBCapsule/detection/intersection/CapsuleIntTool.inl"},
     Mutant{"sofa-capsule-determinant", "axes count as parallel where an unscaled determinant is below 1e-15",
@@ -178,9 +191,9 @@ const std::array kFeatures{
              });
            }},
     Mutant{"capsule-start-only", "a capsule is the sphere at its start", "capsule-by-start",
-           [](Query& q) { each_capsule(q, [](Capsule& c) { c.end = c.start; }); }},
+           each<Capsule>([](Capsule& c) { c.end = c.start; })},
     Mutant{"capsule-middle-only", "a capsule is the sphere in its middle", "capsule-by-middle",
-           [](Query& q) { each_capsule(q, [](Capsule& c) { c.start = c.end = Vector3(c.start / 2 + c.end / 2); }); }},
+           each<Capsule>([](Capsule& c) { c.start = c.end = Vector3(c.start / 2 + c.end / 2); })},
     Mutant{"capsule-ends-only", "the ends of both axes are tried, and nothing between", "capsule-by-ends", nullptr,
            [](const Query& q, Claim& claim) {
              of_axes(q, [&](const Axis& a, const Axis& b) {
@@ -226,9 +239,9 @@ const std::array kFeatures{
     Mutant{"capsule-determinant-1e-6", "axes count as parallel where an unscaled determinant is below 1e-6",
            "parallel-within-1e-6", nullptr, [](const Query& q, Claim& claim) { parallel_below(q, claim, 1e-6L); }},
     Mutant{"capsule-half-length", "half of the length is taken for the length", "half-length-for-length",
-           [](Query& q) { each_capsule(q, [](Capsule& c) { stretch(c, 0.5); }); }},
+           each<Capsule>([](Capsule& c) { stretch(c, 0.5); })},
     Mutant{"capsule-double-length", "the length is taken for its half", "length-for-half-length",
-           [](Query& q) { each_capsule(q, [](Capsule& c) { stretch(c, 2); }); }},
+           each<Capsule>([](Capsule& c) { stretch(c, 2); })},
     Mutant{"ray-endless", "a ray has no end", "ray-without-end", nullptr,
            [](const Query& q, Claim& claim) {
              if (!std::holds_alternative<RayAndBall>(q.shapes)) return;
@@ -237,30 +250,19 @@ const std::array kFeatures{
              });
            }},
     Mutant{"ray-length-in-units", "the length of a ray is counted in units, and not in directions",
-           "ray-direction-normalised",
-           [](Query& q) {
-             if (auto* shapes = std::get_if<RayAndBall>(&q.shapes))
-               shapes->a.length = rounded(shapes->a.length / shapes->a.direction.cast<Wide>().norm());
-           }},
+           "ray-direction-normalised", change<RayAndBall>([](RayAndBall& shapes) {
+             shapes.a.length = rounded(shapes.a.length / shapes.a.direction.cast<Wide>().norm());
+           })},
     Mutant{
         "sofa-ray-unit-direction", "the direction of a ray is taken for a unit vector", "ray-direction-unit", nullptr,
-        [](const Query& q, Claim& claim) {
-          const auto* shapes = std::get_if<RayAndBall>(&q.shapes);
-          if (shapes == nullptr) return;
-          const Wide3 u = shapes->a.direction.cast<Wide>();
-          const Wide3 origin = shapes->a.origin.cast<Wide>();
-          const Wide3 c = shapes->b.center.cast<Wide>();
-          const Wide t = std::clamp((c - origin).dot(u), Wide{0}, Wide{shapes->a.length});
-          answer_at(q, claim, origin + t * u, c);
-        },
+        take_direction_for_unit,
         "https://github.com/sofa-framework/sofa/blob/master/Sofa/Component/Collision/Detection/Intersection/src/sofa/"
         "component/collision/detection/intersection/RayDiscreteIntersection.inl"},
 
     // A sphere and a triangle.
     Mutant{
         "sofa-triangle-face-only", "edges and vertices are ignored: a hit where the foot is on the face",
-        "triangle-face-only", nullptr,
-        [](const Query& q, Claim& claim) { missed(q, claim, [](const Seen& seen) { return !seen.is_over_face(); }); },
+        "triangle-face-only", nullptr, with(missed, [](const Seen& seen) { return !seen.is_over_face(); }),
         "https://github.com/sofa-framework/sofa/blob/master/Sofa/Component/Collision/Detection/Intersection/src/sofa/"
         "component/collision/detection/intersection/MeshDiscreteIntersection.inl"},
     Mutant{
@@ -297,12 +299,11 @@ const std::array kFeatures{
         "component/collision/detection/intersection/MeshDiscreteIntersection.inl"},
     Mutant{"triangle-barycentric-1e-5", "a foot within 1e-5 of an edge, in barycentric coordinates, counts as beside",
            "triangle-edge-within-1e-5", nullptr,
-           [](const Query& q, Claim& claim) {
-             missed(q, claim, [](const Seen& seen) {
-               const Wide least = *std::min_element(seen.over_edge.begin(), seen.over_edge.end());
-               return !seen.is_flat() && least < 1e-5L * seen.n.squaredNorm();
-             });
-           }},
+           with(missed,
+                [](const Seen& seen) {
+                  const Wide least = *std::min_element(seen.over_edge.begin(), seen.over_edge.end());
+                  return !seen.is_flat() && least < 1e-5L * seen.n.squaredNorm();
+                })},
     Mutant{"triangle-no-vertices", "faces and edges are hit, and vertices are not", "triangle-vertices-ignored",
            nullptr,
            [](const Query& q, Claim& claim) {
@@ -312,75 +313,61 @@ const std::array kFeatures{
              });
            }},
     Mutant{"triangle-back-culled", "a triangle is hit from the side of its normal alone", "triangle-one-sided", nullptr,
-           [](const Query& q, Claim& claim) {
-             missed(q, claim, [](const Seen& seen) { return seen.n.dot(seen.w[0]) > 0; });
-           }},
+           with(missed, [](const Seen& seen) { return seen.n.dot(seen.w[0]) > 0; })},
     Mutant{"triangle-flat-dropped", "a triangle without an inside is never hit", "triangle-flat-missed", nullptr,
-           [](const Query& q, Claim& claim) { missed(q, claim, [](const Seen& seen) { return seen.is_flat(); }); }},
+           with(missed, [](const Seen& seen) { return seen.is_flat(); })},
     Mutant{"triangle-area-1e-6", "a triangle whose doubled area is below 1e-6 is never hit", "triangle-area-1e-6",
-           nullptr,
-           [](const Query& q, Claim& claim) {
-             missed(q, claim, [](const Seen& seen) { return seen.n.squaredNorm() < 1e-12L; });
-           }},
+           nullptr, with(missed, [](const Seen& seen) { return seen.n.squaredNorm() < 1e-12L; })},
     Mutant{"triangle-plane", "the foot on the plane is taken, wherever the triangle is", "triangle-as-plane", nullptr,
            [](const Query& q, Claim& claim) {
              other_point(q, claim,
                          [](const Seen& seen) { return seen.is_flat() ? Point() : Point(seen.foot_on_plane()); });
            }},
     Mutant{"triangle-edges-only", "the edges are tried, and the face is not", "triangle-as-edges", nullptr,
-           [](const Query& q, Claim& claim) {
-             other_point(q, claim, [](const Seen& seen) {
-               return Point(
-                   Seen::nearest({seen.foot_on_edge(0, true), seen.foot_on_edge(1, true), seen.foot_on_edge(2, true)}));
-             });
-           }},
+           with(other_point,
+                [](const Seen& seen) {
+                  return Point(Seen::nearest(
+                      {seen.foot_on_edge(0, true), seen.foot_on_edge(1, true), seen.foot_on_edge(2, true)}));
+                })},
     Mutant{"triangle-nearest-vertex", "the nearest vertex is taken for the nearest point", "triangle-as-vertices",
            nullptr,
-           [](const Query& q, Claim& claim) {
-             other_point(q, claim, [](const Seen& seen) {
-               return Point(Seen::nearest({seen.w[0], seen.w[1], seen.w[2]}));
-             });
-           }},
+           with(other_point,
+                [](const Seen& seen) {
+                  return Point(Seen::nearest({seen.w[0], seen.w[1], seen.w[2]}));
+                })},
     Mutant{"triangle-centroid", "the middle is taken for the nearest point", "triangle-by-centroid", nullptr,
-           [](const Query& q, Claim& claim) {
-             other_point(q, claim, [](const Seen& seen) { return Point((seen.w[0] + seen.w[1] + seen.w[2]) / 3); });
-           }},
+           with(other_point, [](const Seen& seen) { return Point((seen.w[0] + seen.w[1] + seen.w[2]) / 3); })},
     Mutant{"triangle-first-vertex", "a triangle is its first vertex", "triangle-first-vertex",
-           [](Query& q) {
-             if (auto* shapes = std::get_if<BallAndTriangle>(&q.shapes)) shapes->b.vertices.fill(shapes->b.vertices[0]);
-           }},
+           change<BallAndTriangle>([](BallAndTriangle& shapes) { shapes.b.vertices.fill(shapes.b.vertices[0]); })},
     Mutant{"triangle-edge-lines", "beside the face, the foot is taken on the line of an edge",
            "triangle-edge-not-clamped", nullptr,
-           [](const Query& q, Claim& claim) {
-             other_point(q, claim, [](const Seen& seen) {
-               if (seen.is_over_face()) return Point();
-               return Point(Seen::nearest(
-                   {seen.foot_on_edge(0, false), seen.foot_on_edge(1, false), seen.foot_on_edge(2, false)}));
-             });
-           }},
+           with(other_point,
+                [](const Seen& seen) {
+                  if (seen.is_over_face()) return Point();
+                  return Point(Seen::nearest(
+                      {seen.foot_on_edge(0, false), seen.foot_on_edge(1, false), seen.foot_on_edge(2, false)}));
+                })},
     Mutant{"triangle-barycentric-clamp", "barycentric coordinates are clamped one by one", "triangle-weights-clamped",
            nullptr,
-           [](const Query& q, Claim& claim) {
-             other_point(q, claim, [](const Seen& seen) {
-               if (seen.is_flat()) return Point();
-               Wide3 sum = Wide3::Zero();
-               Wide all = 0;
-               for (std::size_t k = 0; k < 3; ++k) {
-                 const Wide weight = std::max(seen.over_edge[(k + 1) % 3], Wide{0});
-                 sum += weight * seen.w[k];
-                 all += weight;
-               }
-               return Point(sum / all);
-             });
-           }},
+           with(other_point,
+                [](const Seen& seen) {
+                  if (seen.is_flat()) return Point();
+                  Wide3 sum = Wide3::Zero();
+                  Wide all = 0;
+                  for (std::size_t k = 0; k < 3; ++k) {
+                    const Wide weight = std::max(seen.over_edge[(k + 1) % 3], Wide{0});
+                    sum += weight * seen.w[k];
+                    all += weight;
+                  }
+                  return Point(sum / all);
+                })},
     Mutant{"triangle-two-edges", "the edge from the last vertex to the first is never tried",
            "triangle-last-edge-forgotten", nullptr,
-           [](const Query& q, Claim& claim) {
-             other_point(q, claim, [](const Seen& seen) {
-               if (seen.is_over_face()) return Point();
-               return Point(Seen::nearest({seen.foot_on_edge(0, true), seen.foot_on_edge(1, true)}));
-             });
-           }},
+           with(other_point,
+                [](const Seen& seen) {
+                  if (seen.is_over_face()) return Point();
+                  return Point(Seen::nearest({seen.foot_on_edge(0, true), seen.foot_on_edge(1, true)}));
+                })},
     Mutant{"triangle-plane-distance", "the value is the distance to the plane", "triangle-distance-to-plane", nullptr,
            [](const Query& q, Claim& claim) {
              of_triangle(q, [&](const Seen& seen) {

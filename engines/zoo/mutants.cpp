@@ -79,26 +79,6 @@ Claim answer_of(const Mutant& mutant, const Query& query) {
   return claim;
 }
 
-namespace {
-
-class MutantEngine final : public Engine {
- public:
-  MutantEngine(const Mutant& mutant, engines::EngineInfo info) : Engine(std::move(info)), mutant_(mutant) {}
-
-  std::vector<Claim> answer(std::span<const Question> questions) override {
-    std::vector<Claim> claims;
-    claims.reserve(questions.size());
-    for (const Question& question : questions) claims.push_back(answer_of(mutant_, question.query));
-    return claims;
-  }
-  [[nodiscard]] bool answers_each_alone() const override { return true; }
-
- private:
-  const Mutant& mutant_;
-};
-
-}  // namespace
-
 std::unique_ptr<Engine> make_mutant(std::string_view id) {
   const auto all = mutants();
   const auto found = std::find_if(all.begin(), all.end(), [&](const Mutant& mutant) { return mutant.id == id; });
@@ -107,7 +87,13 @@ std::unique_ptr<Engine> make_mutant(std::string_view id) {
   info.name = std::string(kMutantPrefix) + std::string(id);
   info.version = formats::version();
   info.declared.scalar = found->scalar;
-  return std::make_unique<MutantEngine>(*found, std::move(info));
+  const auto answer = [&mutant = *found](std::span<const Question> questions) {
+    std::vector<Claim> claims;
+    claims.reserve(questions.size());
+    for (const Question& question : questions) claims.push_back(answer_of(mutant, question.query));
+    return claims;
+  };
+  return std::make_unique<FunctionEngine>(std::move(info), answer, true);
 }
 
 namespace {
@@ -149,6 +135,10 @@ void decide(const Query& query, Claim& claim, bool hit) {
   const oracle::Truth as_a_hit = oracle::truth_with(query, oracle::Side::within, oracle::Side::within);
   const Contact right = oracle::expectation(as_a_hit, Scalar::binary64).contact.value();
   claim.contact = ContactClaim{right.normal, right.point1, right.point2, std::nullopt, right.value};
+}
+
+void guard(const Query& q, Claim& claim, Wide size, const Vector3& normal) {
+  if (q.has_distance() && WideSpheres(q).distance <= size) turn(q, claim, [&](Vector3& n) { n = normal; });
 }
 
 void answer_at(const Query& q, Claim& claim, const Wide3& p, const Wide3& r) {

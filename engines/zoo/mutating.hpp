@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
 
 #include "contact/sphere_sphere.hpp"
 #include "engines/zoo/mutants.hpp"
@@ -154,10 +155,9 @@ void in_contact(Claim& claim, Change change) {
   if (claim.contact) change(*claim.contact);
 }
 /// The same where the centres are apart, so that there is a direction to be wrong about.
-template <class Change>
-void in_direction(const Query& q, Claim& claim, Change change) {
+inline constexpr auto in_direction = [](const Query& q, Claim& claim, auto change) {
   if (claim.contact && !coincident(q)) change(*claim.contact);
-}
+};
 
 /// The contact points that go with the normal of a contact.
 inline void points_from_normal(const Query& q, ContactClaim& c) {
@@ -166,38 +166,41 @@ inline void points_from_normal(const Query& q, ContactClaim& c) {
 }
 
 /// Another normal, and the points that go with it.
-template <class Change>
-void turn(const Query& q, Claim& claim, Change change) {
+inline constexpr auto turn = [](const Query& q, Claim& claim, auto change) {
   in_direction(q, claim, [&](ContactClaim& c) {
     change(*c.normal);
     points_from_normal(q, c);
   });
-}
+};
+
+/// Centres no farther apart than `size` get a fixed normal.
+void guard(const Query& q, Claim& claim, Wide size, const Vector3& normal);
 
 /// Another decision for both claims, with the contact that the right formulas give.
 void decide(const Query& query, Claim& claim, bool hit);
 /// The answer for two spheres at other points, in wide arithmetic; the right answer where these are the right points.
 void answer_at(const Query& q, Claim& claim, const Wide3& p, const Wide3& r);
+/// Two mistakes that several engines made: the parameters of two axes are clamped, each alone, and the direction of a ray
+/// is taken for a unit vector.
+void clamp_each_alone(const Query& q, Claim& claim);
+void take_direction_for_unit(const Query& q, Claim& claim);
 /// Another decision from a comparison in wide arithmetic, about shapes with a distance.
-template <class Compare>
-void decide_spheres(const Query& q, Claim& claim, Compare compare) {
+inline constexpr auto decide_spheres = [](const Query& q, Claim& claim, auto compare) {
   if (q.has_distance()) decide(q, claim, compare(WideSpheres(q)));
-}
+};
 /// And about boxes.
 struct WideBox {
   Wide3 min;
   Wide3 max;
 };
-template <class Compare>
-void decide_boxes(const Query& q, Claim& claim, Compare compare) {
+inline constexpr auto decide_boxes = [](const Query& q, Claim& claim, auto compare) {
   const auto wide = [](const Box& box) { return WideBox{box.min.cast<Wide>(), box.max.cast<Wide>()}; };
   if (q.boxes() != nullptr)
     decide(q, claim, compare(wide(q.boxes()->a), wide(q.boxes()->b), static_cast<Wide>(q.distances.alarm)));
-}
+};
 
 /// Another value.
-template <class Value>
-void revalue(const Query& q, Claim& claim, Value value) {
+inline constexpr auto revalue = [](const Query& q, Claim& claim, auto value) {
   if (!claim.contact || !q.has_distance()) return;
   const WideSpheres s(q);
   const Wide other = value(s);
@@ -206,6 +209,32 @@ void revalue(const Query& q, Claim& claim, Value value) {
       std::max({s.distance, s.r1 + s.r2, s.contact, std::abs(s.c1[0]), std::abs(s.c1[1]), std::abs(s.c1[2])});
   const bool is_rounding = std::abs(other - static_cast<Wide>(*claim.contact->value)) <= 1e-15L * size;
   if (!has_quotients(q.pair) || !is_rounding) claim.contact->value = rounded(other);
+};
+
+// What a mutant is made of: one of the helpers of this file, or of its own, and the part that is the mistake. A part is
+// a lambda that captures nothing, so that all of it is a function.
+template <class Helper, class Part>
+constexpr auto with(Helper, Part) {
+  static_assert(std::is_empty_v<Helper> && std::is_empty_v<Part>);
+  return [](const Query& q, Claim& claim) { Helper{}(q, claim, Part{}); };
+}
+/// Changes the shapes of a question where they are of one kind.
+template <class Kind, class Part>
+constexpr auto change(Part) {
+  static_assert(std::is_empty_v<Part>);
+  return [](Query& q) {
+    if (auto* shapes = std::get_if<Kind>(&q.shapes)) Part{}(*shapes);
+  };
+}
+/// Changes the shapes of one kind in a question, one after the other.
+template <class Changed, class Part>
+constexpr auto each(Part) {
+  static_assert(std::is_empty_v<Part>);
+  return [](Query& q) {
+    for_each_shape(q, []<class Shape>(Shape& shape) {
+      if constexpr (std::same_as<Shape, Changed>) Part{}(shape);
+    });
+  };
 }
 
 /// For changes of the question, which are made in it.
@@ -223,14 +252,6 @@ void for_each_radius(Query& q, Edit edit) {
   });
 }
 
-/// Changes the capsules of a question, one after the other.
-template <class Change>
-void each_capsule(Query& q, Change change) {
-  for_each_shape(q, [&]<class Shape>(Shape& shape) {
-    if constexpr (std::same_as<Shape, Capsule>) change(shape);
-  });
-}
-
 // A sphere against a box.
 struct WideBallAndBox {
   Wide3 c;
@@ -240,19 +261,18 @@ struct WideBallAndBox {
   [[nodiscard]] Wide3 middle() const { return (box.min + box.max) / 2; }
 };
 /// Another decision about a sphere and a box.
-template <class Compare>
-void decide_ball_and_box(const Query& q, Claim& claim, Compare compare) {
+inline constexpr auto decide_ball_and_box = [](const Query& q, Claim& claim, auto compare) {
   if (const BallAndBox* s = ball_and_box_of(q)) {
     const Wide r = s->a.radius;
     const WideBallAndBox wide{
         s->a.center.cast<Wide>(), {s->b.min.cast<Wide>(), s->b.max.cast<Wide>()}, r, r + q.distances.alarm};
     decide(q, claim, compare(wide));
   }
-}
-/// Another box in the question.
-template <class Change>
-void rebox(Query& q, Change change) {
-  if (BallAndBox* s = ball_and_box_of(q)) change(s->a.center, s->b);
+};
+/// Another box in the question, beside the centre.
+template <class Part>
+constexpr auto rebox(Part) {
+  return change<BallAndBox>([](BallAndBox& s) { Part{}(s.a.center, s.b); });
 }
 inline Vector3 middle_of(const Box& box) { return box.min / 2 + box.max / 2; }
 inline Box resized(const Box& box, double factor) {
@@ -260,19 +280,17 @@ inline Box resized(const Box& box, double factor) {
   return {middle_of(box) - half, middle_of(box) + half};
 }
 /// Another contact of a sphere whose centre is in the box.
-template <class Change>
-void in_box(const Query& q, Claim& claim, Change change) {
+inline constexpr auto in_box = [](const Query& q, Claim& claim, auto change) {
   const BallAndBox* s = ball_and_box_of(q);
   if (s != nullptr && claim.contact && coincident(q)) change(*s, *claim.contact);
-}
+};
 struct Face {
   Eigen::Index axis;
   bool is_min;
 };
 /// A sphere whose centre is in the box leaves it by the face that `choose` takes of (depths below min, depths below
 /// max).
-template <class Choose>
-void leave_by(const Query& q, Claim& claim, Choose choose) {
+inline constexpr auto leave_by = [](const Query& q, Claim& claim, auto choose) {
   in_box(q, claim, [&](const BallAndBox& s, ContactClaim& c) {
     const Wide3 center = s.a.center.cast<Wide>();
     const Wide3 below_min = center - s.b.min.cast<Wide>();
@@ -285,7 +303,7 @@ void leave_by(const Query& q, Claim& claim, Choose choose) {
     (*c.point2)[axis] = (is_min ? s.b.min : s.b.max)[axis];
     c.value = rounded(-static_cast<Wide>(s.a.radius) - (is_min ? below_min : below_max)[axis] - q.distances.contact);
   });
-}
+};
 
 [[nodiscard]] std::span<const Mutant> real_mutants();
 [[nodiscard]] std::span<const Mutant> feature_mutants();

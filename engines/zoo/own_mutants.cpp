@@ -47,6 +47,27 @@ void points(const Query& q, Claim& claim) {
       c.point2 = point({b.center, a.center, Vector3(-*c.normal), b.radius, a.radius, alarm, contact});
   });
 }
+/// The right point, but for the centre's coordinate on an axis.
+template <int axis>
+Vector3 centre_on(const Surface& s) {
+  Vector3 point = s.center + s.radius * s.out;
+  point[axis] = s.center[axis];
+  return point;
+}
+/// But for the sign of the normal's component.
+template <int axis>
+Vector3 mirrored_on(const Surface& s) {
+  return s.center + s.radius * (s.out - 2 * s.out[axis] * Vector3::Unit(axis));
+}
+/// Whether boxes overlap, but for one comparison that is left out: of the first box's min, or of the second's.
+template <int axis, bool first>
+bool without(const WideBox& a, const WideBox& b, Wide alarm) {
+  bool hit = true;
+  for (int k = 0; k < 3; ++k)
+    hit = hit && ((first && k == axis) || a.min[k] <= b.max[k] + alarm) &&
+          ((!first && k == axis) || b.min[k] <= a.max[k] + alarm);
+  return hit;
+}
 
 // The decision about spheres: D <= (alarm + r1 + r2)^2.
 const std::array kSphereDecisions{
@@ -141,11 +162,7 @@ const std::array kNumbers{
            [](Query& q) { q.distances.contact *= 2; }},
     Mutant{"contact-halved", "half the contact distance", "contact-halved", [](Query& q) { q.distances.contact /= 2; }},
     Mutant{"second-radius-for-both", "r2 in the place of r1 everywhere", "second-radius-for-both",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) {
-               b->a.radius = b->b.radius;
-             }
-           }},
+           change<Balls>([](Balls& b) { b.a.radius = b.b.radius; })},
     Mutant{"first-radius-zero", "r1 taken for 0 everywhere", "first-radius-missing",
            [](Query& q) { for_each_radius(q, [](double& r, int which) { r = which == 0 ? 0 : r; }); }},
     Mutant{"second-radius-zero", "r2 taken for 0 everywhere", "second-radius-missing",
@@ -157,84 +174,33 @@ const std::array kNumbers{
     Mutant{"radii-halved", "radii taken for diameters", "radii-halved",
            [](Query& q) { for_each_radius(q, [](double& r, int) { r /= 2; }); }},
     Mutant{"radii-exchanged", "r1 and r2 exchanged", "radii-exchanged",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) {
-               std::swap(b->a.radius, b->b.radius);
-             }
-           }},
+           change<Balls>([](Balls& b) { std::swap(b.a.radius, b.b.radius); })},
     Mutant{"delta-x-zero", "x left out of delta", "x-ignored",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) {
-               b->a.center[0] = b->b.center[0];
-             }
-           }},
+           change<Balls>([](Balls& b) { b.a.center[0] = b.b.center[0]; })},
     Mutant{"delta-x-added", "+ in the place of - in x of delta", "x-added",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) {
-               b->a.center[0] = -b->a.center[0];
-             }
-           }},
+           change<Balls>([](Balls& b) { b.a.center[0] = -b.a.center[0]; })},
     Mutant{"delta-y-zero", "y left out of delta", "y-ignored",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) {
-               b->a.center[1] = b->b.center[1];
-             }
-           }},
+           change<Balls>([](Balls& b) { b.a.center[1] = b.b.center[1]; })},
     Mutant{"delta-y-added", "+ in the place of - in y of delta", "y-added",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) {
-               b->a.center[1] = -b->a.center[1];
-             }
-           }},
+           change<Balls>([](Balls& b) { b.a.center[1] = -b.a.center[1]; })},
     Mutant{"delta-z-zero", "z left out of delta", "z-ignored",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) {
-               b->a.center[2] = b->b.center[2];
-             }
-           }},
+           change<Balls>([](Balls& b) { b.a.center[2] = b.b.center[2]; })},
     Mutant{"delta-z-added", "+ in the place of - in z of delta", "z-added",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) {
-               b->a.center[2] = -b->a.center[2];
-             }
-           }},
+           change<Balls>([](Balls& b) { b.a.center[2] = -b.a.center[2]; })},
     Mutant{"delta-added", "+ in the place of - in delta", "centres-added",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) {
-               b->a.center = Vector3(-b->a.center);
-             }
-           }},
+           change<Balls>([](Balls& b) { b.a.center = Vector3(-b.a.center); })},
     Mutant{"delta-first-missing", "the first centre left out of delta", "first-centre-ignored",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) {
-               b->a.center = Vector3::Zero();
-             }
-           }},
+           change<Balls>([](Balls& b) { b.a.center = Vector3::Zero(); })},
     Mutant{"delta-second-missing", "the second centre left out of delta", "second-centre-ignored",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) {
-               b->b.center = Vector3::Zero();
-             }
-           }},
+           change<Balls>([](Balls& b) { b.b.center = Vector3::Zero(); })},
     Mutant{"delta-axes-crossed", "the index of the second centre off by one", "axes-crossed",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) {
-               b->b.center = Vector3(b->b.center[1], b->b.center[2], b->b.center[0]);
-             }
-           }},
-    Mutant{"delta-x-twice", "x used in the place of y", "x-twice",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) {
-               b->a.center[1] = b->a.center[0];
-               b->b.center[1] = b->b.center[0];
-             }
-           }},
+           change<Balls>([](Balls& b) { b.b.center = Vector3(b.b.center[1], b.b.center[2], b.b.center[0]); })},
+    Mutant{"delta-x-twice", "x used in the place of y", "x-twice", change<Balls>([](Balls& b) {
+             b.a.center[1] = b.a.center[0];
+             b.b.center[1] = b.b.center[0];
+           })},
     Mutant{"first-sphere-twice", "the first sphere against itself", "first-shape-twice",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) {
-               b->b = b->a;
-             }
-           }},
+           change<Balls>([](Balls& b) { b.b = b.a; })},
 };
 
 // The value: sqrt(D) - (r1 + r2) - contact.
@@ -437,36 +403,15 @@ const std::array kPoints{
            points<kSecond, [](const Surface& s) { return Vector3(0 * s.center); }>},
     Mutant{"points-origin", "the point never written", "points-zero", nullptr,
            points<kBoth, [](const Surface& s) { return Vector3(0 * s.center); }>},
-    Mutant{"points-x-centre", "x of the centre", "points-x-centre", nullptr,
-           points<kBoth,
-                  [](const Surface& s) {
-                    return Vector3(Vector3::UnitX().cwiseProduct(s.center) +
-                                   (Vector3::Ones() - Vector3::UnitX()).cwiseProduct(s.center + s.radius * s.out));
-                  }>},
-    Mutant{
-        "points-x-mirrored", "the sign before x of the normal", "points-x-mirrored", nullptr,
-        points<kBoth, [](const Surface&
-                             s) { return Vector3(s.center + s.radius * (s.out - 2 * s.out[0] * Vector3::UnitX())); }>},
-    Mutant{"points-y-centre", "y of the centre", "points-y-centre", nullptr,
-           points<kBoth,
-                  [](const Surface& s) {
-                    return Vector3(Vector3::UnitY().cwiseProduct(s.center) +
-                                   (Vector3::Ones() - Vector3::UnitY()).cwiseProduct(s.center + s.radius * s.out));
-                  }>},
-    Mutant{
-        "points-y-mirrored", "the sign before y of the normal", "points-y-mirrored", nullptr,
-        points<kBoth, [](const Surface&
-                             s) { return Vector3(s.center + s.radius * (s.out - 2 * s.out[1] * Vector3::UnitY())); }>},
-    Mutant{"points-z-centre", "z of the centre", "points-z-centre", nullptr,
-           points<kBoth,
-                  [](const Surface& s) {
-                    return Vector3(Vector3::UnitZ().cwiseProduct(s.center) +
-                                   (Vector3::Ones() - Vector3::UnitZ()).cwiseProduct(s.center + s.radius * s.out));
-                  }>},
-    Mutant{
-        "points-z-mirrored", "the sign before z of the normal", "points-z-mirrored", nullptr,
-        points<kBoth, [](const Surface&
-                             s) { return Vector3(s.center + s.radius * (s.out - 2 * s.out[2] * Vector3::UnitZ())); }>},
+    Mutant{"points-x-centre", "x of the centre", "points-x-centre", nullptr, points<kBoth, centre_on<0>>},
+    Mutant{"points-x-mirrored", "the sign before x of the normal", "points-x-mirrored", nullptr,
+           points<kBoth, mirrored_on<0>>},
+    Mutant{"points-y-centre", "y of the centre", "points-y-centre", nullptr, points<kBoth, centre_on<1>>},
+    Mutant{"points-y-mirrored", "the sign before y of the normal", "points-y-mirrored", nullptr,
+           points<kBoth, mirrored_on<1>>},
+    Mutant{"points-z-centre", "z of the centre", "points-z-centre", nullptr, points<kBoth, centre_on<2>>},
+    Mutant{"points-z-mirrored", "the sign before z of the normal", "points-z-mirrored", nullptr,
+           points<kBoth, mirrored_on<2>>},
     Mutant{
         "points-exchanged", "each point given for the other", "points-exchanged", nullptr,
         [](const Query&, Claim& claim) { in_contact(claim, [](ContactClaim& c) { std::swap(c.point1, c.point2); }); }},
@@ -494,53 +439,23 @@ const std::array kPoints{
 // The decision about boxes: a.min <= b.max + alarm and b.min <= a.max + alarm on every axis.
 const std::array kBoxDecisions{
     Mutant{"box-x-missing", "x left out", "x-ignored",
-           [](Query& q) {
-             if (auto* b = boxes_of(q)) {
-               b->a.min[0] = b->a.max[0] = b->b.min[0] = b->b.max[0] = 0;
-             }
-           }},
+           change<Boxes>([](Boxes& b) { b.a.min[0] = b.a.max[0] = b.b.min[0] = b.b.max[0] = 0; })},
     Mutant{"box-x-low-missing", "a.min.x <= b.max.x + alarm left out", "box-x-low", nullptr,
-           box_decisions<[](const WideBox& a, const WideBox& b, Wide alarm) {
-             return b.min[0] <= a.max[0] + alarm && a.min[1] <= b.max[1] + alarm && b.min[1] <= a.max[1] + alarm &&
-                    a.min[2] <= b.max[2] + alarm && b.min[2] <= a.max[2] + alarm;
-           }>},
+           box_decisions<without<0, true>>},
     Mutant{"box-x-high-missing", "b.min.x <= a.max.x + alarm left out", "box-x-high", nullptr,
-           box_decisions<[](const WideBox& a, const WideBox& b, Wide alarm) {
-             return a.min[0] <= b.max[0] + alarm && a.min[1] <= b.max[1] + alarm && b.min[1] <= a.max[1] + alarm &&
-                    a.min[2] <= b.max[2] + alarm && b.min[2] <= a.max[2] + alarm;
-           }>},
+           box_decisions<without<0, false>>},
     Mutant{"box-y-missing", "y left out", "y-ignored",
-           [](Query& q) {
-             if (auto* b = boxes_of(q)) {
-               b->a.min[1] = b->a.max[1] = b->b.min[1] = b->b.max[1] = 0;
-             }
-           }},
+           change<Boxes>([](Boxes& b) { b.a.min[1] = b.a.max[1] = b.b.min[1] = b.b.max[1] = 0; })},
     Mutant{"box-y-low-missing", "a.min.y <= b.max.y + alarm left out", "box-y-low", nullptr,
-           box_decisions<[](const WideBox& a, const WideBox& b, Wide alarm) {
-             return b.min[1] <= a.max[1] + alarm && a.min[0] <= b.max[0] + alarm && b.min[0] <= a.max[0] + alarm &&
-                    a.min[2] <= b.max[2] + alarm && b.min[2] <= a.max[2] + alarm;
-           }>},
+           box_decisions<without<1, true>>},
     Mutant{"box-y-high-missing", "b.min.y <= a.max.y + alarm left out", "box-y-high", nullptr,
-           box_decisions<[](const WideBox& a, const WideBox& b, Wide alarm) {
-             return a.min[1] <= b.max[1] + alarm && a.min[0] <= b.max[0] + alarm && b.min[0] <= a.max[0] + alarm &&
-                    a.min[2] <= b.max[2] + alarm && b.min[2] <= a.max[2] + alarm;
-           }>},
+           box_decisions<without<1, false>>},
     Mutant{"box-z-missing", "z left out", "z-ignored",
-           [](Query& q) {
-             if (auto* b = boxes_of(q)) {
-               b->a.min[2] = b->a.max[2] = b->b.min[2] = b->b.max[2] = 0;
-             }
-           }},
+           change<Boxes>([](Boxes& b) { b.a.min[2] = b.a.max[2] = b.b.min[2] = b.b.max[2] = 0; })},
     Mutant{"box-z-low-missing", "a.min.z <= b.max.z + alarm left out", "box-z-low", nullptr,
-           box_decisions<[](const WideBox& a, const WideBox& b, Wide alarm) {
-             return b.min[2] <= a.max[2] + alarm && a.min[0] <= b.max[0] + alarm && b.min[0] <= a.max[0] + alarm &&
-                    a.min[1] <= b.max[1] + alarm && b.min[1] <= a.max[1] + alarm;
-           }>},
+           box_decisions<without<2, true>>},
     Mutant{"box-z-high-missing", "b.min.z <= a.max.z + alarm left out", "box-z-high", nullptr,
-           box_decisions<[](const WideBox& a, const WideBox& b, Wide alarm) {
-             return a.min[2] <= b.max[2] + alarm && a.min[0] <= b.max[0] + alarm && b.min[0] <= a.max[0] + alarm &&
-                    a.min[1] <= b.max[1] + alarm && b.min[1] <= a.max[1] + alarm;
-           }>},
+           box_decisions<without<2, false>>},
     Mutant{"box-first-side", "b.min never compared with a.max", "box-first-side", nullptr,
            box_decisions<[](const WideBox& a, const WideBox& b, Wide alarm) {
              return (a.min.array() <= b.max.array() + alarm).all();
@@ -567,36 +482,24 @@ const std::array kBoxDecisions{
            }>},
     Mutant{"box-alarm-halved", "half the alarm distance", "alarm-halved",
            [](Query& q) {
-             if (auto* b = boxes_of(q)) {
-               q.distances.alarm /= 2;
-               static_cast<void>(b);
-             }
+             if (q.boxes() != nullptr) q.distances.alarm /= 2;
            }},
     Mutant{"box-contact-for-alarm", "the contact distance in the place of the alarm distance", "contact-for-alarm",
            [](Query& q) {
-             if (auto* b = boxes_of(q)) {
-               q.distances.alarm = q.distances.contact;
-               static_cast<void>(b);
-             }
+             if (q.boxes() != nullptr) q.distances.alarm = q.distances.contact;
            }},
     Mutant{"box-contact-widens", "the contact distance added to the alarm distance", "contact-widens",
            [](Query& q) {
-             if (auto* b = boxes_of(q)) {
-               q.distances.alarm += q.distances.contact;
-               static_cast<void>(b);
-             }
+             if (q.boxes() != nullptr) q.distances.alarm += q.distances.contact;
            }},
     Mutant{"box-inverted", "the answer negated", "inverted", nullptr,
            box_decisions<[](const WideBox& a, const WideBox& b, Wide alarm) {
              return !(((a.min.array() <= b.max.array() + alarm) && (b.min.array() <= a.max.array() + alarm)).all());
            }>},
-    Mutant{"box-max-max", "max compared with max", "box-max-max",
-           [](Query& q) {
-             if (auto* b = boxes_of(q)) {
-               b->a.min = b->a.max;
-               b->b.min = b->b.max;
-             }
-           }},
+    Mutant{"box-max-max", "max compared with max", "box-max-max", change<Boxes>([](Boxes& b) {
+             b.a.min = b.a.max;
+             b.b.min = b.b.max;
+           })},
     Mutant{"box-centres", "the extents left out", "box-centres", nullptr,
            box_decisions<[](const WideBox& a, const WideBox& b, Wide alarm) {
              return (((a.min + a.max) / 2 - (b.min + b.max) / 2).array().abs() <= alarm).all();
@@ -635,22 +538,16 @@ const std::array kBoxDecisions{
              };
              if (in(a, b) || in(b, a)) decide(q, claim, false);
            }},
-    Mutant{"box-axes-crossed", "the index of the second box off by one", "axes-crossed",
-           [](Query& q) {
-             if (auto* b = boxes_of(q)) {
-               b->b.min = Vector3(b->b.min[1], b->b.min[2], b->b.min[0]);
-               b->b.max = Vector3(b->b.max[1], b->b.max[2], b->b.max[0]);
+    Mutant{"box-axes-crossed", "the index of the second box off by one", "axes-crossed", change<Boxes>([](Boxes& b) {
+             b.b.min = Vector3(b.b.min[1], b.b.min[2], b.b.min[0]);
+             b.b.max = Vector3(b.b.max[1], b.b.max[2], b.b.max[0]);
+           })},
+    Mutant{"box-x-twice", "x used in the place of y", "x-twice", change<Boxes>([](Boxes& b) {
+             for (Box* box : {&b.a, &b.b}) {
+               box->min[1] = box->min[0];
+               box->max[1] = box->max[0];
              }
-           }},
-    Mutant{"box-x-twice", "x used in the place of y", "x-twice",
-           [](Query& q) {
-             if (auto* b = boxes_of(q)) {
-               for (Box* box : {&b->a, &b->b}) {
-                 box->min[1] = box->min[0];
-                 box->max[1] = box->max[0];
-               }
-             }
-           }},
+           })},
 };
 
 // A sphere against a box: the nearest point of the box, and the way out of it.
@@ -664,45 +561,41 @@ const std::array kBallAndBox{
            }},
     Mutant{"in-box-farthest-face", "the largest depth of a centre in the box in the place of the least",
            "sphere-box-farthest-face", nullptr,
-           [](const Query& q, Claim& claim) {
-             leave_by(q, claim, [](const auto& below_min, const auto& below_max) {
-               Face farthest{0, true};
-               Wide most = below_min[0];
-               for (Eigen::Index axis = 0; axis < 3; ++axis)
-                 for (const bool is_min : {true, false})
-                   if (const Wide depth = (is_min ? below_min : below_max)[axis]; depth > most) {
-                     farthest = {axis, is_min};
-                     most = depth;
-                   }
-               return farthest;
-             });
-           }},
+           with(leave_by,
+                [](const auto& below_min, const auto& below_max) {
+                  Face farthest{0, true};
+                  Wide most = below_min[0];
+                  for (Eigen::Index axis = 0; axis < 3; ++axis)
+                    for (const bool is_min : {true, false})
+                      if (const Wide depth = (is_min ? below_min : below_max)[axis]; depth > most) {
+                        farthest = {axis, is_min};
+                        most = depth;
+                      }
+                  return farthest;
+                })},
     Mutant{"in-box-opposite-face", "the other face of the right axis", "sphere-box-opposite-face", nullptr,
-           [](const Query& q, Claim& claim) {
-             leave_by(q, claim, [](const auto& below_min, const auto& below_max) {
-               Face nearest{0, true};
-               below_min.cwiseMin(below_max).minCoeff(&nearest.axis);
-               nearest.is_min = below_min[nearest.axis] > below_max[nearest.axis];
-               return nearest;
-             });
-           }},
+           with(leave_by,
+                [](const auto& below_min, const auto& below_max) {
+                  Face nearest{0, true};
+                  below_min.cwiseMin(below_max).minCoeff(&nearest.axis);
+                  nearest.is_min = below_min[nearest.axis] > below_max[nearest.axis];
+                  return nearest;
+                })},
     Mutant{"in-box-first-face", "a centre in the box always leaves it by min.x", "sphere-box-first-face", nullptr,
-           [](const Query& q, Claim& claim) {
-             leave_by(q, claim, [](const auto&, const auto&) { return Face{0, true}; });
-           }},
+           with(leave_by,
+                [](const auto&, const auto&) {
+                  return Face{0, true};
+                })},
     Mutant{"in-box-normal-reversed", "the normal of a centre inside the box points out of it, and point1 goes with it",
            "sphere-box-normal-outward", nullptr,
-           [](const Query& q, Claim& claim) {
-             in_box(q, claim, [](const BallAndBox& s, ContactClaim& c) {
-               if (depth_of_cores(s) == 0) return;
-               c.normal = Vector3(-*c.normal);
-               c.point1 = Vector3(s.a.center + s.a.radius * *c.normal);
-             });
-           }},
+           with(in_box,
+                [](const BallAndBox& s, ContactClaim& c) {
+                  if (depth_of_cores(s) == 0) return;
+                  c.normal = Vector3(-*c.normal);
+                  c.point1 = Vector3(s.a.center + s.a.radius * *c.normal);
+                })},
     Mutant{"in-box-point2-centre", "the second point is not moved to the face", "sphere-box-point-in-box", nullptr,
-           [](const Query& q, Claim& claim) {
-             in_box(q, claim, [](const BallAndBox& s, ContactClaim& c) { c.point2 = s.a.center; });
-           }},
+           with(in_box, [](const BallAndBox& s, ContactClaim& c) { c.point2 = s.a.center; })},
     Mutant{"box-normal-to-middle", "the normal points to the middle of the box, and the points go with it",
            "sphere-box-normal-to-middle", nullptr,
            [](const Query& q, Claim& claim) {
@@ -724,19 +617,15 @@ const std::array kBallAndBox{
                                        PointConvention::nearest_surface);
            }},
     Mutant{"box-middle", "the extents of the box left out", "sphere-box-middle",
-           [](Query& q) { rebox(q, [](const Vector3&, Box& box) { box = resized(box, 0); }); }},
+           rebox([](const Vector3&, Box& box) { box = resized(box, 0); })},
     Mutant{"box-extents-doubled", "full extents of the box taken for half extents", "sphere-box-extents-full",
-           [](Query& q) { rebox(q, [](const Vector3&, Box& box) { box = resized(box, 2); }); }},
+           rebox([](const Vector3&, Box& box) { box = resized(box, 2); })},
     Mutant{"box-extents-halved", "half extents of the box halved again", "sphere-box-extents-halved",
-           [](Query& q) { rebox(q, [](const Vector3&, Box& box) { box = resized(box, 0.5); }); }},
+           rebox([](const Vector3&, Box& box) { box = resized(box, 0.5); })},
     Mutant{"box-min-missing", "the centre clamped to max alone", "sphere-box-max-alone",
-           [](Query& q) {
-             rebox(q, [](const Vector3&, Box& box) { box.min.setConstant(-std::numeric_limits<double>::max()); });
-           }},
+           rebox([](const Vector3&, Box& box) { box.min.setConstant(-std::numeric_limits<double>::max()); })},
     Mutant{"box-max-missing", "the centre clamped to min alone", "sphere-box-min-alone",
-           [](Query& q) {
-             rebox(q, [](const Vector3&, Box& box) { box.max.setConstant(std::numeric_limits<double>::max()); });
-           }},
+           rebox([](const Vector3&, Box& box) { box.max.setConstant(std::numeric_limits<double>::max()); })},
 };
 
 }  // namespace

@@ -34,14 +34,6 @@ void of_plane(const Query& q, Change change) {
       },
       q.shapes);
 }
-template <class Change>
-void replane(Query& q, Change change) {
-  std::visit(
-      [&]<class A, class B>(Two<A, B>& shapes) {
-        if constexpr (std::same_as<B, Plane>) change(shapes.b);
-      },
-      q.shapes);
-}
 /// The answer of a lowest point, a normal and a distance along it.
 void answer_along(const Query& q, Claim& claim, const Over& over, const Wide3& p, const Wide3& n, Wide distance) {
   decide(q, claim, distance <= over.radius + over.alarm);
@@ -70,13 +62,10 @@ const std::array kPlanes{
              });
            }},
     Mutant{"plane-offset-not-divided", "the normal is divided by its length, and the offset is not",
-           "plane-offset-not-divided",
-           [](Query& q) {
-             replane(q, [](Plane& plane) {
-               const double offset = rounded(plane.offset * plane.normal.cast<Wide>().norm());
-               if (std::isfinite(offset)) plane.offset = offset;
-             });
-           }},
+           "plane-offset-not-divided", each<Plane>([](Plane& plane) {
+             const double offset = rounded(plane.offset * plane.normal.cast<Wide>().norm());
+             if (std::isfinite(offset)) plane.offset = offset;
+           })},
     Mutant{"three-plane-constant", "the decision is |normal . c + offset|: another sign, and either side",
            "plane-constant-sign", nullptr,
            [](const Query& q, Claim& claim) {
@@ -86,9 +75,9 @@ const std::array kPlanes{
            },
            "https://github.com/mrdoob/three.js/pull/11819"},
     Mutant{"plane-offset-sign", "the offset has the other sign: normal . x + offset = 0", "plane-offset-negative",
-           [](Query& q) { replane(q, [](Plane& plane) { plane.offset = 0 - plane.offset; }); }},
+           each<Plane>([](Plane& plane) { plane.offset = 0 - plane.offset; })},
     Mutant{"plane-through-origin", "a plane goes through the origin", "plane-offset-ignored",
-           [](Query& q) { replane(q, [](Plane& plane) { plane.offset = 0; }); }},
+           each<Plane>([](Plane& plane) { plane.offset = 0; })},
     Mutant{"plane-two-sided", "a plane is a sheet: what is below is as far as what is above", "plane-two-sided",
            nullptr,
            [](const Query& q, Claim& claim) {

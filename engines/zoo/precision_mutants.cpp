@@ -116,10 +116,7 @@ void decide_in_float(const Query& q, Claim& claim, Decide hits) {
         return claim.overlap.value() && gap - alarm <= -(size);                           \
       });                                                                                 \
   }
-#define CONTACT_GUARDED(size)                                                                                          \
-  [](const Query& q, Claim& claim) {                                                                                   \
-    if (q.has_distance() && WideSpheres(q).distance <= size) turn(q, claim, [](Vector3& n) { n = Vector3(0, 1, 0); }); \
-  }
+#define CONTACT_GUARDED(size) [](const Query& q, Claim& claim) { guard(q, claim, size, {0, 1, 0}); }
 
 const std::array kPrecision{
     Mutant{"float-inputs", "the question is rounded to float, the rest is exact", "inputs-single", narrow_question},
@@ -141,7 +138,7 @@ const std::array kPrecision{
              });
            }},
     Mutant{"float-normal", "the normal is rounded to float, and the points go with it", "single-precision", nullptr,
-           [](const Query& q, Claim& claim) { turn(q, claim, [](Vector3& n) { n = narrowed(n); }); }},
+           with(turn, [](Vector3& n) { n = narrowed(n); })},
     Mutant{"float-points", "the points are rounded to float", "single-precision", nullptr,
            [](const Query&, Claim& claim) {
              in_contact(claim, [](ContactClaim& c) {
@@ -157,12 +154,11 @@ const std::array kPrecision{
            }},
     Mutant{"float-distance", "the distance of the centres is rounded to float before the value", "single-precision",
            nullptr,
-           [](const Query& q, Claim& claim) {
-             revalue(q, claim, [](const WideSpheres& s) {
-               const auto narrow = static_cast<Wide>(static_cast<float>(s.distance));
-               return std::isfinite(narrow) ? narrow - s.r1 - s.r2 - s.contact : s.value();
-             });
-           }},
+           with(revalue,
+                [](const WideSpheres& s) {
+                  const auto narrow = static_cast<Wide>(static_cast<float>(s.distance));
+                  return std::isfinite(narrow) ? narrow - s.r1 - s.r2 - s.contact : s.value();
+                })},
 
     // Roundings in another order: nearly always right, and wrong in the last bit at the edge.
     Mutant{"plain-order", "squares and sums each rounded to double", "rounding", nullptr,
@@ -233,11 +229,10 @@ const std::array kPrecision{
     Mutant{"rsqrt-bits", "the normal by the bits of the number and one step of Newton's", "normal-wrong-length",
            nullptr, normals_by<by_bits>},
     Mutant{"rsqrt-value", "the value by an estimate of 12 bits", "four-digits", nullptr,
-           [](const Query& q, Claim& claim) {
-             revalue(q, claim, [](const WideSpheres& s) {
-               return s.D > 0 ? s.D * static_cast<Wide>(estimate(s.D, 12)) - s.r1 - s.r2 - s.contact : s.value();
-             });
-           }},
+           with(revalue,
+                [](const WideSpheres& s) {
+                  return s.D > 0 ? s.D * static_cast<Wide>(estimate(s.D, 12)) - s.r1 - s.r2 - s.contact : s.value();
+                })},
 
     Mutant{"normal-square-plus-1e-12", "1e-12 added to the square that the root is taken of",
            "normal-square-plus-1e-12", nullptr, normals_by<[](Wide D) { return 1 / std::sqrt(D + 1e-12L); }>},

@@ -11,10 +11,9 @@ void negate_normal(const Query& q, Claim& claim) {
   in_direction(q, claim, [](ContactClaim& c) { c.normal = Vector3(-*c.normal); });
 }
 /// One point for both spheres, made from the claim's two balls.
-template <class Point>
-void both_points_at(const Query& q, Claim& claim, Point point) {
+constexpr auto both_points_at = [](const Query& q, Claim& claim, auto point) {
   in_contact(claim, [&](ContactClaim& c) { c.point1 = c.point2 = Vector3(point(balls(q).a, balls(q).b)); });
-}
+};
 /// Whether the question has a number that is none.
 bool has_nan(const Query& q) {
   bool nan = false;
@@ -26,12 +25,6 @@ void answer_hit(Claim& claim, bool hit) {
   claim.overlap = hit;
 }
 bool is_flat(const Box& box) { return (box.min.array() == box.max.array()).any(); }
-
-/// Centres closer than `size` get a fixed normal.
-template <class Size>
-void guard(const Query& q, Claim& claim, Size size) {
-  if (q.has_distance() && WideSpheres(q).distance <= size) turn(q, claim, [](Vector3& n) { n = Vector3(1, 0, 0); });
-}
 
 const std::array kReal{
     // Coincident centres and other degenerate directions.
@@ -84,10 +77,10 @@ const std::array kReal{
            },
            "https://github.com/uber-web/math.gl/pull/248"},
     Mutant{"sofa-null-distance-guard", "centres within an absolute 1e-15 count as coincident: normal (1, 0, 0)",
-           "centres-within-1e-15", nullptr, [](const Query& q, Claim& claim) { guard(q, claim, 1e-15L); },
+           "centres-within-1e-15", nullptr, [](const Query& q, Claim& claim) { guard(q, claim, 1e-15L, {1, 0, 0}); },
            "https://github.com/sofa-framework/sofa/commit/250a91f0080694e8731771361ec6b17cd69959f1"},
     Mutant{"lethe-absolute-centre-eps", "centres within an absolute 1e-12 count as coincident",
-           "centres-within-1e-12", nullptr, [](const Query& q, Claim& claim) { guard(q, claim, 1e-12L); },
+           "centres-within-1e-12", nullptr, [](const Query& q, Claim& claim) { guard(q, claim, 1e-12L, {1, 0, 0}); },
            "https://github.com/chaos-polymtl/lethe/pull/719"},
 
     // Swapped, reversed or mis-dispatched pairs.
@@ -104,9 +97,7 @@ const std::array kReal{
            nullptr, "https://github.com/RandyGaul/cute_headers/commit/5e3a64d42c3c124338361ab3dd5b5ce0a118ee5e"},
     Mutant{"bytearena-fixture-a-twice", "the first sphere's radius is read for the second too",
            "first-radius-for-both",
-           [](Query& q) {
-             if (auto* b = balls_of(q)) b->b.radius = b->a.radius;
-           },
+           change<Balls>([](Balls& b) { b.b.radius = b.a.radius; }),
            nullptr, "https://github.com/ByteArena/box2d/pull/16"},
     Mutant{"monogame-box-vs-itself", "a box is tested against itself", "always-hit",
            [](Query& q) {
@@ -125,9 +116,7 @@ const std::array kReal{
     Mutant{"p2-overlap-unordered", "one order of the two types ends in an exception", "no-answer", nullptr,
            [](const Query& q, Claim& claim) {
              if (q.pair != Pair::sphere_rigid_sphere) return;
-             claim = {};
-             claim.status = Claim::Status::error;
-             claim.text = "type confusion";
+             claim = Claim::without(Claim::Status::error, "type confusion");
            },
            "https://github.com/schteppe/p2.js/pull/256"},
     Mutant{"rp3d-sphere-first-sign", "the normal always starts at the rigid sphere, and the points go with it",
@@ -154,7 +143,7 @@ const std::array kReal{
            negate_normal, "https://github.com/dartsim/dart/pull/763"},
     Mutant{"newton-normal-negated", "the normal is stored from second to first, and the points are made from it",
            "delta-reversed", nullptr,
-           [](const Query& q, Claim& claim) { turn(q, claim, [](Vector3& n) { n = Vector3(-n); }); },
+           with(turn, [](Vector3& n) { n = Vector3(-n); }),
            "https://github.com/newton-physics/newton/pull/2069"},
     Mutant{"nape-arbiter-swapped", "the normal's direction follows the order in which shapes were made",
            "normal-to-positive-x", nullptr,
@@ -190,18 +179,14 @@ const std::array kReal{
     // Contact points.
     Mutant{"fcl-point-far-side", "the one contact point lies half a distance behind the first centre",
            "points-behind", nullptr,
-           [](const Query& q, Claim& claim) {
-             both_points_at(q, claim, [](const Ball& a, const Ball& b) { return Vector3(1.5 * a.center - 0.5 * b.center); });
-           },
+           with(both_points_at, [](const Ball& a, const Ball& b) { return Vector3(1.5 * a.center - 0.5 * b.center); }),
            "https://github.com/flexible-collision-library/fcl/pull/14"},
     Mutant{"fcl-point-radius-weighted", "the one contact point divides the centre line by the radii", "points-weighted",
            nullptr,
-           [](const Query& q, Claim& claim) {
-             both_points_at(q, claim, [](const Ball& x, const Ball& y) {
-               const double radii = x.radius + y.radius;
-               return Vector3(x.center + (radii > 0 ? x.radius / radii : 0.5) * (y.center - x.center));
-             });
-           },
+           with(both_points_at, [](const Ball& x, const Ball& y) {
+             const double radii = x.radius + y.radius;
+             return Vector3(x.center + (radii > 0 ? x.radius / radii : 0.5) * (y.center - x.center));
+           }),
            "https://github.com/flexible-collision-library/fcl/pull/87"},
     Mutant{"box2d-centre-average", "overlapping spheres have both points half way between the centres",
            "points-centre-middle", nullptr,
@@ -211,9 +196,7 @@ const std::array kReal{
            },
            "https://github.com/erincatto/box2d/issues/672"},
     Mutant{"cute-centre-average", "both points lie half way between the centres", "points-centre-middle", nullptr,
-           [](const Query& q, Claim& claim) {
-             both_points_at(q, claim, [](const Ball& a, const Ball& b) { return Vector3(0.5 * a.center + 0.5 * b.center); });
-           },
+           with(both_points_at, [](const Ball& a, const Ball& b) { return Vector3(0.5 * a.center + 0.5 * b.center); }),
            "https://github.com/RandyGaul/cute_headers/pull/38"},
     Mutant{"coal-points-collapsed", "overlapping spheres have one point and no normal", "normal-zero", nullptr,
            [](const Query& q, Claim& claim) {
@@ -254,14 +237,10 @@ claim.contact->point1 = claim.contact->point2 = middle;
            },
            "https://github.com/flexible-collision-library/fcl/pull/544"},
     Mutant{"fcl-radius-not-subtracted", "the radii are missing in the value", "radii-missing", nullptr,
-           [](const Query& q, Claim& claim) {
-             revalue(q, claim, [](const WideSpheres& s) { return s.distance - s.contact; });
-           },
+           with(revalue, [](const WideSpheres& s) { return s.distance - s.contact; }),
            "https://github.com/flexible-collision-library/fcl/commit/fc638a2882fa1f586698f298960353beec9d1a41"},
     Mutant{"coal-distance-is-bool", "the value is a comparison: distance > r1 + r2", "value-bool", nullptr,
-           [](const Query& q, Claim& claim) {
-             revalue(q, claim, [](const WideSpheres& s) { return Wide(s.distance > s.r1 + s.r2 ? 1 : 0); });
-           },
+           with(revalue, [](const WideSpheres& s) { return Wide(s.distance > s.r1 + s.r2 ? 1 : 0); }),
            "https://github.com/coal-library/coal/commit/580334d1d62be249fef44047e897eb9621f2db44"},
     Mutant{"coal-upper-bound-lt-margin", "an early exit at a bound below the margin misses contacts", "alarm-capped",
            [](Query& q) {
@@ -272,9 +251,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
     Mutant{"coal-broadphase-no-margin", "the boxes of the broad phase lack the alarm distance", "alarm-ignored",
            [](Query& q) { q.distances.alarm = 0; }, nullptr, "https://github.com/coal-library/coal/issues/625"},
     Mutant{"sofacuda-dist-plus-two", "2 is added to the distance", "value-plus-two", nullptr,
-           [](const Query& q, Claim& claim) {
-             revalue(q, claim, [](const WideSpheres& s) { return s.value() + 2; });
-           },
+           with(revalue, [](const WideSpheres& s) { return s.value() + 2; }),
            "https://github.com/sofa-framework/sofa/commit/77643121a655be68d73eb4225637d9833bb8844b"},
     Mutant{"sofa-rigid-radius-commented", "the radius of a rigid second sphere is missing in the value",
            "second-radius-missing", nullptr,
@@ -290,9 +267,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
            },
            "https://github.com/newton-physics/newton/pull/156"},
     Mutant{"newton-radius-mismatch", "the radii are subtracted from the value twice", "radii-doubled", nullptr,
-           [](const Query& q, Claim& claim) {
-             revalue(q, claim, [](const WideSpheres& s) { return s.value() - s.r1 - s.r2; });
-           },
+           with(revalue, [](const WideSpheres& s) { return s.value() - s.r1 - s.r2; }),
            "https://github.com/newton-physics/newton/pull/3854"},
     Mutant{"newton-boxbox-margin-lost", "boxes lose the alarm distance on the way", "alarm-ignored",
            [](Query& q) {
@@ -325,9 +300,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
            },
            "https://github.com/avianphysics/avian/pull/952"},
     Mutant{"bullet-04-margin", "a margin of 0.04 stays in the value", "value-less-margin", nullptr,
-           [](const Query& q, Claim& claim) {
-             revalue(q, claim, [](const WideSpheres& s) { return s.value() - 0.04L; });
-           },
+           with(revalue, [](const WideSpheres& s) { return s.value() - 0.04L; }),
            "https://github.com/jsk-ros-pkg/jsk_roseus/issues/616"},
     Mutant{"bullet-threshold-unused", "spheres are tested against another threshold than the alarm distance",
            "contact-for-alarm",
@@ -342,9 +315,7 @@ claim.contact->point1 = claim.contact->point2 = middle;
            "https://github.com/jMonkeyEngine/jmonkeyengine/issues/1029"},
     Mutant{"proximity-read-as-contact", "a pair within the alarm distance is read as touching", "value-not-positive",
            nullptr,
-           [](const Query& q, Claim& claim) {
-             revalue(q, claim, [](const WideSpheres& s) { return std::min(Wide{0}, s.value()); });
-           },
+           with(revalue, [](const WideSpheres& s) { return std::min(Wide{0}, s.value()); }),
            "https://github.com/strands-labs/robots/issues/1781"},
     Mutant{"genesis-gjk-misses", "an iteration that does not converge misses oblique overlaps", "oblique-missed",
            nullptr,
@@ -355,30 +326,22 @@ claim.contact->point1 = claim.contact->point2 = middle;
            },
            "https://github.com/Genesis-Embodied-AI/genesis-world/pull/2525"},
     Mutant{"rubeus-gap-sum", "the gap is the sum of the coordinate differences", "coordinate-sum", nullptr,
-           [](const Query& q, Claim& claim) {
-             revalue(q, claim, [](const WideSpheres& s) {
-               return std::abs(s.d[0]) + std::abs(s.d[1]) + std::abs(s.d[2]) - s.r1 - s.r2 - s.contact;
-             });
-           },
+           with(revalue, [](const WideSpheres& s) {
+             return std::abs(s.d[0]) + std::abs(s.d[1]) + std::abs(s.d[2]) - s.r1 - s.r2 - s.contact;
+           }),
            "https://github.com/sdslabs/Rubeus/issues/58"},
 
     // The boolean test.
     Mutant{"collision-rs-squared-vs-linear", "the squared distance is compared with the plain sum",
            "squared-against-sum", nullptr,
-           [](const Query& q, Claim& claim) {
-             decide_spheres(q, claim, [](const WideSpheres& s) { return s.D <= s.reach; });
-           },
+           with(decide_spheres, [](const WideSpheres& s) { return s.D <= s.reach; }),
            "https://github.com/rustgd/collision-rs/pull/82"},
     Mutant{"fna-contains-typo", "a typo compares the squared distance with a product of the radii", "radii-product",
            nullptr,
-           [](const Query& q, Claim& claim) {
-             decide_spheres(q, claim, [](const WideSpheres& s) { return s.D <= s.r1 * s.r2 * (s.r1 + s.r2); });
-           },
+           with(decide_spheres, [](const WideSpheres& s) { return s.D <= s.r1 * s.r2 * (s.r1 + s.r2); }),
            "https://github.com/FNA-XNA/FNA/pull/119"},
     Mutant{"slimdx-two-r1", "the test uses twice the first radius", "first-radius-for-both", nullptr,
-           [](const Query& q, Claim& claim) {
-             decide_spheres(q, claim, [](const WideSpheres& s) { return s.distance <= s.alarm + 2 * s.r1; });
-           },
+           with(decide_spheres, [](const WideSpheres& s) { return s.distance <= s.alarm + 2 * s.r1; }),
            "https://github.com/slimdx/slimdx/issues/480"},
     Mutant{"bevy-mixed-strictness", "spheres are tested with < and boxes with <=", "edge-open", nullptr,
            [](const Query& q, Claim& claim) {
@@ -400,11 +363,9 @@ claim.contact->point1 = claim.contact->point2 = middle;
            },
            "https://github.com/DanielChappuis/reactphysics3d/commit/44e1b12aaf257479611c2560281dcd529d4775f7"},
     Mutant{"newton-f32-threshold", "the test is made in single precision", "single-decision", nullptr,
-           [](const Query& q, Claim& claim) {
-             decide_spheres(q, claim, [](const WideSpheres& s) {
-               return static_cast<float>(s.distance) <= static_cast<float>(s.reach);
-             });
-           },
+           with(decide_spheres, [](const WideSpheres& s) {
+             return static_cast<float>(s.distance) <= static_cast<float>(s.reach);
+           }),
            "https://github.com/newton-physics/newton/issues/3233"},
     Mutant{"cgal-shell-vs-ball", "a sphere is a surface: one inside the other does not hit", "inside-missed", nullptr,
            [](const Query& q, Claim& claim) {
@@ -425,17 +386,15 @@ claim.contact->point1 = claim.contact->point2 = middle;
            },
            "https://github.com/CGAL/cgal/pull/8891"},
     Mutant{"bevy-corner-test", "boxes are tested by their corners", "box-corners", nullptr,
-           [](const Query& q, Claim& claim) {
-             decide_boxes(q, claim, [](const WideBox& a, const WideBox& b, Wide alarm) {
-               const auto has_corner_in = [alarm](const WideBox& of, const WideBox& box) {
-                 const auto in = [&](const auto& c) {
-                   return (c.array() >= box.min.array() - alarm) && (c.array() <= box.max.array() + alarm);
-                 };
-                 return (in(of.min) || in(of.max)).all();
+           with(decide_boxes, [](const WideBox& a, const WideBox& b, Wide alarm) {
+             const auto has_corner_in = [alarm](const WideBox& of, const WideBox& box) {
+               const auto in = [&](const auto& c) {
+                 return (c.array() >= box.min.array() - alarm) && (c.array() <= box.max.array() + alarm);
                };
-               return has_corner_in(a, b) || has_corner_in(b, a);
-             });
-           },
+               return (in(of.min) || in(of.max)).all();
+             };
+             return has_corner_in(a, b) || has_corner_in(b, a);
+           }),
            "https://github.com/bevyengine/bevy/issues/4478"},
 
     // Boxes.
@@ -454,46 +413,34 @@ claim.contact->point1 = claim.contact->point2 = middle;
            "https://github.com/bfops/playform/issues/118"},
     Mutant{"fcl-infinite-aabb", "a box starts from minus to plus the largest number, so that nothing shrinks it",
            "always-hit", nullptr,
-           [](const Query& q, Claim& claim) {
-             decide_boxes(q, claim, [](const WideBox&, const WideBox&, Wide) { return true; });
-           },
+           with(decide_boxes, [](const WideBox&, const WideBox&, Wide) { return true; }),
            "https://github.com/flexible-collision-library/fcl/issues/248"},
     Mutant{"sofa-bbox-else-if", "the minimum of a box of one element is never set, and stays the largest number",
            "never-hit", nullptr,
-           [](const Query& q, Claim& claim) {
-             decide_boxes(q, claim, [](const WideBox&, const WideBox&, Wide) { return false; });
-           },
+           with(decide_boxes, [](const WideBox&, const WideBox&, Wide) { return false; }),
            "https://github.com/sofa-framework/sofa/commit/15f432c78df351ecf04ae7c9842465c612815878"},
     Mutant{"sofa-bbox-double-return", "the bounding box is never computed, and stays infinite", "always-hit", nullptr,
-           [](const Query& q, Claim& claim) {
-             decide_boxes(q, claim, [](const WideBox&, const WideBox&, Wide) { return true; });
-           },
+           with(decide_boxes, [](const WideBox&, const WideBox&, Wide) { return true; }),
            "https://github.com/sofa-framework/sofa/pull/5589"},
     Mutant{"coal-merge-noop", "a box grown by a second corner drops the result: it is its first corner",
            "box-min-min",
-           [](Query& q) {
-             if (auto* b = boxes_of(q)) {
-               b->a.max = b->a.min;
-               b->b.max = b->b.min;
-             }
-           },
+           change<Boxes>([](Boxes& b) {
+             b.a.max = b.a.min;
+             b.b.max = b.b.min;
+           }),
            nullptr, "https://github.com/coal-library/coal/commit/48ba15acba02b9d4915dcb9223e26ef41a008904"},
     Mutant{"joml-setmin-sets-max", "setting the minimum of a box sets its maximum: the minimum stays 0",
            "box-min-zero", nullptr,
-           [](const Query& q, Claim& claim) {
-             decide_boxes(q, claim, [](const WideBox& a, const WideBox& b, Wide alarm) {
-               return (b.max.array() + alarm >= 0).all() && (a.max.array() + alarm >= 0).all();
-             });
-           },
+           with(decide_boxes, [](const WideBox& a, const WideBox& b, Wide alarm) {
+             return (b.max.array() + alarm >= 0).all() && (a.max.array() + alarm >= 0).all();
+           }),
            "https://github.com/JOML-CI/JOML/commit/edf8c78033e313b6863cebf437fb79b6f8ae36d7"},
     Mutant{"raytracers-centre-is-max", "the centre of a box is min + max - min: its maximum", "box-centre-is-max",
            nullptr,
-           [](const Query& q, Claim& claim) {
-             decide_boxes(q, claim, [](const WideBox& a, const WideBox& b, Wide alarm) {
-               const auto half = (a.max - a.min).array() / 2 + (b.max - b.min).array() / 2;
-               return ((a.max - b.max).array().abs() <= half + alarm).all();
-             });
-           },
+           with(decide_boxes, [](const WideBox& a, const WideBox& b, Wide alarm) {
+             const auto half = (a.max - a.min).array() / 2 + (b.max - b.min).array() / 2;
+             return ((a.max - b.max).array().abs() <= half + alarm).all();
+           }),
            "https://github.com/athas/raytracers/issues/10"},
     Mutant{"three-radius-minus-one", "a negative radius is squared, and hits", "accepts-negative",
            nullptr,
@@ -509,28 +456,23 @@ claim.contact->point1 = claim.contact->point2 = middle;
            "https://github.com/RayTracing/raytracing.github.io/issues/532", Origin::real, true},
     Mutant{"byro-negative-half-extent", "a half extent becomes negative and is then cut off at 0.001",
            "box-z-extent-lost",
-           [](Query& q) {
-             if (auto* b = boxes_of(q))
-               for (Box* box : {&b->a, &b->b}) {
-                 const double middle = box->min[2] / 2 + box->max[2] / 2;
-                 box->min[2] = middle - 1e-3;
-                 box->max[2] = middle + 1e-3;
-               }
-           },
+           change<Boxes>([](Boxes& b) {
+             for (Box* box : {&b.a, &b.b}) {
+               const double middle = box->min[2] / 2 + box->max[2] / 2;
+               box->min[2] = middle - 1e-3;
+               box->max[2] = middle + 1e-3;
+             }
+           }),
            nullptr, "https://github.com/matiaszanolli/ByroRedux/issues/2204"},
     Mutant{"unity-extents-two-meanings", "full extents of boxes are taken for half extents", "box-extents-full",
            nullptr,
-           [](const Query& q, Claim& claim) {
-             decide_boxes(q, claim, [](const WideBox& a, const WideBox& b, Wide alarm) {
-               const auto apart = ((a.min + a.max) / 2 - (b.min + b.max) / 2).array().abs();
-               return (apart <= (a.max - a.min).array() + (b.max - b.min).array() + alarm).all();
-             });
-           },
+           with(decide_boxes, [](const WideBox& a, const WideBox& b, Wide alarm) {
+             const auto apart = ((a.min + a.max) / 2 - (b.min + b.max) / 2).array().abs();
+             return (apart <= (a.max - a.min).array() + (b.max - b.min).array() + alarm).all();
+           }),
            "https://github.com/Unity-Technologies/Unity.Mathematics/pull/141"},
     Mutant{"gzmath-extent-null", "a box keeps its mark for being empty after its corners were set", "never-hit", nullptr,
-           [](const Query& q, Claim& claim) {
-             decide_boxes(q, claim, [](const WideBox&, const WideBox&, Wide) { return false; });
-           },
+           with(decide_boxes, [](const WideBox&, const WideBox&, Wide) { return false; }),
            "https://github.com/gazebosim/gz-math/issues/72"},
     Mutant{"gfm-nan-contained", "every rejecting comparison with NaN is false, so that boxes with NaN hit",
            "accepts-nan", nullptr,
@@ -565,22 +507,18 @@ claim.contact->point1 = claim.contact->point2 = middle;
            "https://github.com/coal-library/coal/commit/fdbffe99a85762aad2f22d1369ebba09a833d374"},
     Mutant{"tornago-inside-box-nan", "the normal is NaN where the centre is the middle of the box", "sphere-box-middle-not-finite",
            nullptr,
-           [](const Query& q, Claim& claim) {
-             in_box(q, claim, [](const BallAndBox& s, ContactClaim& c) {
-               if (s.a.center == middle_of(s.b)) c.normal = c.point1 = c.point2 = kNoNumber;
-             });
-           },
+           with(in_box, [](const BallAndBox& s, ContactClaim& c) {
+             if (s.a.center == middle_of(s.b)) c.normal = c.point1 = c.point2 = kNoNumber;
+           }),
            "https://github.com/luxengine/tornago/issues/4"},
     Mutant{"cute-circle-aabb-face", "a centre in the box leaves it on the axis on which it is farthest from the middle",
            "sphere-box-face-by-offset", nullptr,
-           [](const Query& q, Claim& claim) {
-             leave_by(q, claim, [](const auto& below_min, const auto& below_max) {
-               Face face{0, true};
-               (below_min - below_max).cwiseAbs().maxCoeff(&face.axis);
-               face.is_min = below_min[face.axis] < below_max[face.axis];
-               return face;
-             });
-           },
+           with(leave_by, [](const auto& below_min, const auto& below_max) {
+             Face face{0, true};
+             (below_min - below_max).cwiseAbs().maxCoeff(&face.axis);
+             face.is_min = below_min[face.axis] < below_max[face.axis];
+             return face;
+           }),
            "https://github.com/RandyGaul/cute_headers/issues/85"},
     Mutant{"panda-inside-missed", "a sphere wholly inside the box does not hit", "sphere-box-inside-missed", nullptr,
            [](const Query& q, Claim& claim) {
@@ -600,87 +538,71 @@ claim.contact->point1 = claim.contact->point2 = middle;
            "https://github.com/prime31/Nez/pull/395"},
     Mutant{"cglm-inside-missed", "the distance is taken to a corner: to max only where the centre is beyond it",
            "sphere-box-corner-by-side", nullptr,
-           [](const Query& q, Claim& claim) {
-             decide_ball_and_box(q, claim, [](const WideBallAndBox& s) {
-               const Wide3 corner = (s.c.array() > s.box.max.array()).select(s.box.max, s.box.min);
-               return (s.c - corner).stableNorm() <= s.reach;
-             });
-           },
+           with(decide_ball_and_box, [](const WideBallAndBox& s) {
+             const Wide3 corner = (s.c.array() > s.box.max.array()).select(s.box.max, s.box.min);
+             return (s.c - corner).stableNorm() <= s.reach;
+           }),
            "https://github.com/recp/cglm/issues/179"},
     Mutant{"cglm-below-min-face", "a centre below min is clamped to max", "sphere-box-max-for-both", nullptr,
-           [](const Query& q, Claim& claim) {
-             decide_ball_and_box(q, claim, [](const WideBallAndBox& s) {
-               const auto outside = (s.c.array() < s.box.min.array()) || (s.c.array() > s.box.max.array());
-               const Wide3 point = outside.select(s.box.max, s.c);
-               return (s.c - point).stableNorm() <= s.reach;
-             });
-           },
+           with(decide_ball_and_box, [](const WideBallAndBox& s) {
+             const auto outside = (s.c.array() < s.box.min.array()) || (s.c.array() > s.box.max.array());
+             const Wide3 point = outside.select(s.box.max, s.c);
+             return (s.c - point).stableNorm() <= s.reach;
+           }),
            "https://github.com/recp/cglm/pull/496"},
     Mutant{"fna-box-sphere", "faces that the sphere reaches from inside count as a distance", "sphere-box-near-faces",
            nullptr,
-           [](const Query& q, Claim& claim) {
-             decide_ball_and_box(q, claim, [](const WideBallAndBox& s) {
-               Wide D = 0;
-               for (int axis = 0; axis < 3; ++axis) {
-                 const Wide below = s.c[axis] - s.box.min[axis];
-                 const Wide above = s.box.max[axis] - s.c[axis];
-                 const Wide apart = below <= s.reach ? below : above <= s.reach ? above : 0;
-                 D += apart * apart;
-               }
-               return std::sqrt(D) <= s.reach;
-             });
-           },
+           with(decide_ball_and_box, [](const WideBallAndBox& s) {
+             Wide D = 0;
+             for (int axis = 0; axis < 3; ++axis) {
+               const Wide below = s.c[axis] - s.box.min[axis];
+               const Wide above = s.box.max[axis] - s.c[axis];
+               const Wide apart = below <= s.reach ? below : above <= s.reach ? above : 0;
+               D += apart * apart;
+             }
+             return std::sqrt(D) <= s.reach;
+           }),
            "https://github.com/FNA-XNA/FNA/pull/366"},
     Mutant{"kiwi-corner", "the sphere counts as its bounding box, so that corners are not rounded",
            "largest-coordinate", nullptr,
-           [](const Query& q, Claim& claim) {
-             decide_ball_and_box(q, claim, [](const WideBallAndBox& s) {
-               return ((s.c.array() + s.reach >= s.box.min.array()) && (s.c.array() - s.reach <= s.box.max.array())).all();
-             });
-           },
+           with(decide_ball_and_box, [](const WideBallAndBox& s) {
+             return ((s.c.array() + s.reach >= s.box.min.array()) && (s.c.array() - s.reach <= s.box.max.array())).all();
+           }),
            "https://github.com/gamelab/kiwi.js/issues/163"},
     Mutant{"polytoria-closest-corner", "the nearest corner in the place of the nearest point", "sphere-box-corner",
-           [](Query& q) {
-             rebox(q, [](const Vector3& c, Box& box) {
-               const Vector3 middle = middle_of(box);
-               const Vector3 corner = (c.array() / 2 < middle.array() / 2).select(box.min, box.max);
-               box = {corner, corner};
-             });
-           },
+           rebox([](const Vector3& c, Box& box) {
+             const Vector3 middle = middle_of(box);
+             const Vector3 corner = (c.array() / 2 < middle.array() / 2).select(box.min, box.max);
+             box = {corner, corner};
+           }),
            nullptr, "https://github.com/Polytoria/polytoria-game/issues/871"},
     Mutant{"macroquad-min-is-middle", "min of the box is taken for its middle", "sphere-box-min-for-middle",
-           [](Query& q) {
-             rebox(q, [](const Vector3&, Box& box) {
-               const Vector3 half = box.max / 2 - box.min / 2;
-               box = {box.min - half, box.max - half};
-             });
-           },
+           rebox([](const Vector3&, Box& box) {
+             const Vector3 half = box.max / 2 - box.min / 2;
+             box = {box.min - half, box.max - half};
+           }),
            nullptr, "https://github.com/not-fl3/macroquad/issues/483"},
     Mutant{"raylib-integer-middle", "the middle of the box is cut off to integers", "sphere-box-integer-middle",
            nullptr,
-           [](const Query& q, Claim& claim) {
-             decide_ball_and_box(q, claim, [](const WideBallAndBox& s) {
-               const Wide3 middle = s.middle().unaryExpr([](Wide x) { return std::trunc(x); });
-               const Wide3 apart = (s.c - middle).cwiseAbs() - (s.box.max - s.box.min) / 2;
-               return apart.cwiseMax(Wide{0}).stableNorm() <= s.reach;
-             });
-           },
+           with(decide_ball_and_box, [](const WideBallAndBox& s) {
+             const Wide3 middle = s.middle().unaryExpr([](Wide x) { return std::trunc(x); });
+             const Wide3 apart = (s.c - middle).cwiseAbs() - (s.box.max - s.box.min) / 2;
+             return apart.cwiseMax(Wide{0}).stableNorm() <= s.reach;
+           }),
            "https://github.com/raysan5/raylib/issues/3575"},
     Mutant{"p2-outermost-points", "tested are corners of the box in the sphere, and outermost points of the sphere in the box",
            "sphere-box-outermost", nullptr,
-           [](const Query& q, Claim& claim) {
-             decide_ball_and_box(q, claim, [](const WideBallAndBox& s) {
-               const Wide3 to_corner = (s.box.min - s.c).cwiseAbs().cwiseMin((s.box.max - s.c).cwiseAbs());
-               bool hit = to_corner.stableNorm() <= s.reach;
-               for (int axis = 0; axis < 3; ++axis)
-                 for (const Wide by : {-s.reach, s.reach}) {
-                   Wide3 point = s.c;
-                   point[axis] += by;
-                   hit = hit || ((point.array() >= s.box.min.array()) && (point.array() <= s.box.max.array())).all();
-                 }
-               return hit;
-             });
-           },
+           with(decide_ball_and_box, [](const WideBallAndBox& s) {
+             const Wide3 to_corner = (s.box.min - s.c).cwiseAbs().cwiseMin((s.box.max - s.c).cwiseAbs());
+             bool hit = to_corner.stableNorm() <= s.reach;
+             for (int axis = 0; axis < 3; ++axis)
+               for (const Wide by : {-s.reach, s.reach}) {
+                 Wide3 point = s.c;
+                 point[axis] += by;
+                 hit = hit || ((point.array() >= s.box.min.array()) && (point.array() <= s.box.max.array())).all();
+               }
+             return hit;
+           }),
            "https://github.com/schteppe/p2.js/issues/372"},
     Mutant{"fcl-box-point-local", "the point of the box is relative to its middle", "sphere-box-point-local", nullptr,
            [](const Query& q, Claim& claim) {
@@ -700,11 +622,11 @@ claim.contact->point1 = claim.contact->point2 = middle;
 
     // Precision and scale.
     Mutant{"jolt-denormal-normalize", "a squared length up to the smallest normal float counts as zero",
-           "centres-within-1e-19", nullptr, [](const Query& q, Claim& claim) { guard(q, claim, 1.084e-19L); },
+           "centres-within-1e-19", nullptr, [](const Query& q, Claim& claim) { guard(q, claim, 1.084e-19L, {1, 0, 0}); },
            "https://github.com/jrouwe/JoltPhysics/commit/232fed57a52e5cd2f0259483892a087cc80507de"},
     Mutant{"glm-rsqrt-normalize", "an estimate of the reciprocal root, good to 12 bits, makes the normal",
            "normal-wrong-length", nullptr,
-           [](const Query& q, Claim& claim) { turn(q, claim, [](Vector3& n) { n *= 1 + 0x1.8p-12; }); },
+           with(turn, [](Vector3& n) { n *= 1 + 0x1.8p-12; }),
            "https://github.com/g-truc/glm/issues/1224"},
     Mutant{"ifclite-absolute-eps", "touching has an absolute tolerance of 1e-4", "tolerance-1e-4",
            [](Query& q) { q.distances.alarm += 1e-4; }, nullptr, "https://github.com/LTplus-AG/ifc-lite/pull/2604"},

@@ -1,5 +1,5 @@
 // Mistakes that users of public engines reported about capsules, rays, triangles and boxes, each in an arithmetic of
-// its own: what it shares with the formulas of oracle/diagnosis/ is the mistake alone.
+// its own, but for the two that SOFA has too: what it shares with the formulas of oracle/diagnosis/ is the mistake alone.
 #include <Eigen/Geometry>
 
 #include "engines/zoo/mutating.hpp"
@@ -48,8 +48,7 @@ struct Products {
   }
 };
 /// The answer of products that a mistake makes; right where an axis is a point.
-template <class Make>
-void by_products(const Query& q, Claim& claim, Make make) {
+constexpr auto by_products = [](const Query& q, Claim& claim, auto make) {
   const auto* shapes = std::get_if<Capsules>(&q.shapes);
   if (shapes == nullptr) return;
   const Segments x(*shapes);
@@ -57,7 +56,7 @@ void by_products(const Query& q, Claim& claim, Make make) {
   const Products made = make(x);
   const auto [s, t] = made.parameters(x.d1.cross(x.d2).squaredNorm());
   answer_at(q, claim, x.p1 + s * x.d1, x.p2 + t * x.d2);
-}
+};
 
 /// What MJX, Newton and MuJoCo Warp do, in their arithmetic: the nearest points of the lines through the middles, cut
 /// to the segments, and then the foot of each on the other segment. 1e-6 stands in every denominator.
@@ -188,14 +187,13 @@ struct Corners {
   }
 };
 /// The answer at a point of the triangle with these coordinates; nothing leaves it right.
-template <class Choose>
-void at_coordinates(const Query& q, Claim& claim, Choose choose) {
+constexpr auto at_coordinates = [](const Query& q, Claim& claim, auto choose) {
   const auto* shapes = std::get_if<BallAndTriangle>(&q.shapes);
   if (shapes == nullptr) return;
   const Corners corners(*shapes);
   const std::optional<std::array<Wide, 2>> chosen = choose(corners);
   if (chosen) answer_at(q, claim, corners.c, corners.at((*chosen)[0], (*chosen)[1]));
-}
+};
 using Coordinates = std::optional<std::array<Wide, 2>>;
 bool is_flat_triangle(const Query& q) {
   const auto* shapes = std::get_if<BallAndTriangle>(&q.shapes);
@@ -211,8 +209,7 @@ void all_nan(Claim& claim) {
 }
 
 /// Another signed distance of a centre from a box; where it is the right one the answer is right.
-template <class Signed>
-void at_signed_distance(const Query& q, Claim& claim, Signed distance_of) {
+constexpr auto at_signed_distance = [](const Query& q, Claim& claim, auto distance_of) {
   const BallAndBox* shapes = ball_and_box_of(q);
   if (shapes == nullptr) return;
   const WideSpheres right(q);
@@ -220,7 +217,7 @@ void at_signed_distance(const Query& q, Claim& claim, Signed distance_of) {
   if (distance == right.distance) return;
   decide(q, claim, distance <= right.reach);
   in_contact(claim, [&](ContactClaim& c) { c.value = rounded(distance - right.r1 - right.r2 - right.contact); });
-}
+};
 /// How many faces of a box, their edges included, a ray from a point along (1, 1, 1) goes through.
 int faces_crossed(const Vector3& from, const Box& box) {
   int crossed = 0;
@@ -250,54 +247,33 @@ const std::array kReported{
            Origin::real, false, Scalar::binary32},
     Mutant{"sceneview-segment-sign", "the difference of the starts has the other sign in every product",
            "segments-offset-reversed", nullptr,
-           [](const Query& q, Claim& claim) {
-             by_products(q, claim, [](const Segments& x) { return Products(x, x.p2 - x.p1); });
-           },
+           with(by_products, [](const Segments& x) { return Products(x, x.p2 - x.p1); }),
            "https://github.com/sceneview/sceneview/pull/1139"},
     Mutant{"rdk-segment-sign", "one sign of the first parameter is wrong: b f + c e", "segments-first-term-sign",
            nullptr,
-           [](const Query& q, Claim& claim) {
-             by_products(q, claim, [](const Segments& x) {
-               Products products(x, x.p1 - x.p2);
-               products.sign_of_c = -1;
-               return products;
-             });
-           },
+           with(by_products,
+                [](const Segments& x) {
+                  Products products(x, x.p1 - x.p2);
+                  products.sign_of_c = -1;
+                  return products;
+                }),
            "https://github.com/viamrobotics/rdk/pull/5088"},
     Mutant{"line2point-sign", "one sign of the second parameter is wrong: b s - f", "segments-second-term-sign",
            nullptr,
-           [](const Query& q, Claim& claim) {
-             by_products(q, claim, [](const Segments& x) {
-               Products products(x, x.p1 - x.p2);
-               products.sign_of_f = -1;
-               return products;
-             });
-           },
+           with(by_products,
+                [](const Segments& x) {
+                  Products products(x, x.p1 - x.p2);
+                  products.sign_of_f = -1;
+                  return products;
+                }),
            "https://github.com/kunalchelani/Line2Point/pull/3"},
     Mutant{"segments-w-of-first", "the start of the first segment is taken for the difference of both starts",
-           "segments-offset-of-first", nullptr,
-           [](const Query& q, Claim& claim) {
-             by_products(q, claim, [](const Segments& x) { return Products(x, x.p1); });
-           }},
+           "segments-offset-of-first", nullptr, with(by_products, [](const Segments& x) { return Products(x, x.p1); })},
     Mutant{"segments-w-of-second", "the start of the second segment is taken for the difference of both starts",
            "segments-offset-of-second", nullptr,
-           [](const Query& q, Claim& claim) {
-             by_products(q, claim, [](const Segments& x) { return Products(x, -x.p2); });
-           }},
+           with(by_products, [](const Segments& x) { return Products(x, -x.p2); })},
     Mutant{"meshes-jl-clamps-alone", "both parameters of the lines are clamped, and nothing is computed again",
-           "parameters-clamped-alone", nullptr,
-           [](const Query& q, Claim& claim) {
-             const auto* shapes = std::get_if<Capsules>(&q.shapes);
-             if (shapes == nullptr) return;
-             const Segments x(*shapes);
-             const Wide3 n = x.d1.cross(x.d2);
-             if (n.isZero(0)) return;
-             const Wide3 w = x.p2 - x.p1;
-             const auto cut = [](Wide t) { return std::min(std::max(t, Wide{0}), Wide{1}); };
-             const Wide s = cut(w.cross(x.d2).dot(n) / n.squaredNorm());
-             const Wide t = cut(w.cross(x.d1).dot(n) / n.squaredNorm());
-             answer_at(q, claim, x.p1 + s * x.d1, x.p2 + t * x.d2);
-           },
+           "parameters-clamped-alone", nullptr, clamp_each_alone,
            "https://github.com/JuliaGeometry/Meshes.jl/pull/1262"},
     Mutant{"godot-parallel-nan", "every number is NaN where two segments are parallel, or one is a point",
            "parallel-not-finite", nullptr,
@@ -309,31 +285,26 @@ const std::array kReported{
 
     // What a capsule is.
     Mutant{"cyclone-capsule-radius", "the radius of a capsule is never read", "capsule-radius-missing",
-           [](Query& q) { each_capsule(q, [](Capsule& c) { c.radius = 0; }); }, nullptr,
+           each<Capsule>([](Capsule& c) { c.radius = 0; }), nullptr,
            "https://github.com/jbaicoianu/cyclone-physics-js/issues/3"},
     Mutant{"stride-caps-in-length", "the caps of a capsule are counted in its length", "capsule-caps-in-length",
-           [](Query& q) { each_capsule(q, [](Capsule& c) { lengthen(c, -c.radius); }); }, nullptr,
+           each<Capsule>([](Capsule& c) { lengthen(c, -c.radius); }), nullptr,
            "https://github.com/stride3d/stride/pull/2086"},
     Mutant{"simple-collider-caps-added", "the caps of a capsule are added to its length", "capsule-caps-added",
-           [](Query& q) { each_capsule(q, [](Capsule& c) { lengthen(c, c.radius); }); }, nullptr,
+           each<Capsule>([](Capsule& c) { lengthen(c, c.radius); }), nullptr,
            "https://github.com/Weisl/simple_collider/issues/615"},
-    Mutant{"fcl-capsule-origin", "a capsule begins in its middle", "capsule-from-middle",
-           [](Query& q) {
-             each_capsule(q, [](Capsule& c) {
-               const Wide3 half = (c.end.cast<Wide>() - c.start.cast<Wide>()) / 2;
-               c.start = (c.start.cast<Wide>() + half).cast<double>();
-               c.end = (c.end.cast<Wide>() + half).cast<double>();
-             });
-           },
+    Mutant{"fcl-capsule-origin", "a capsule begins in its middle", "capsule-from-middle", each<Capsule>([](Capsule& c) {
+             const Wide3 half = (c.end.cast<Wide>() - c.start.cast<Wide>()) / 2;
+             c.start = (c.start.cast<Wide>() + half).cast<double>();
+             c.end = (c.end.cast<Wide>() + half).cast<double>();
+           }),
            nullptr, "https://github.com/flexible-collision-library/fcl/issues/225"},
     Mutant{"byro-capsule-midpoint", "a capsule is centred on the start of its axis", "capsule-around-start",
-           [](Query& q) {
-             each_capsule(q, [](Capsule& c) {
-               const Wide3 half = (c.end.cast<Wide>() - c.start.cast<Wide>()) / 2;
-               c.start = (c.start.cast<Wide>() - half).cast<double>();
-               c.end = (c.end.cast<Wide>() - half).cast<double>();
-             });
-           },
+           each<Capsule>([](Capsule& c) {
+             const Wide3 half = (c.end.cast<Wide>() - c.start.cast<Wide>()) / 2;
+             c.start = (c.start.cast<Wide>() - half).cast<double>();
+             c.end = (c.end.cast<Wide>() - half).cast<double>();
+           }),
            nullptr, "https://github.com/matiaszanolli/ByroRedux/issues/3317"},
 
     // A ray.
@@ -347,63 +318,47 @@ const std::array kReported{
            },
            "https://github.com/turanszkij/WickedEngine/issues/1695"},
     Mutant{"collision-rs-ray-direction", "the direction of a ray is not normalised where the projection is taken",
-           "ray-direction-unit", nullptr,
-           [](const Query& q, Claim& claim) {
-             const auto* shapes = std::get_if<RayAndBall>(&q.shapes);
-             if (shapes == nullptr) return;
-             const Wide3 u = shapes->a.direction.cast<Wide>();
-             const Wide3 w = shapes->b.center.cast<Wide>() - shapes->a.origin.cast<Wide>();
-             const Wide along = u[0] * w[0] + u[1] * w[1] + u[2] * w[2];
-             const Wide t = std::min(std::max(along, Wide{0}), static_cast<Wide>(shapes->a.length));
-             answer_at(q, claim, shapes->a.origin.cast<Wide>() + t * u, shapes->b.center.cast<Wide>());
-           },
-           "https://github.com/rustgd/collision-rs/issues/97"},
+           "ray-direction-unit", nullptr, take_direction_for_unit, "https://github.com/rustgd/collision-rs/issues/97"},
 
     // A sphere and a triangle.
     Mutant{"three-mesh-bvh-weights", "each barycentric coordinate goes with the next vertex",
            "triangle-weights-rotated", nullptr,
-           [](const Query& q, Claim& claim) {
-             at_coordinates(q, claim, [](const Corners& x) -> Coordinates {
-               const auto [second, third] = x.nearest();
-               return {{1 - second - third, second}};
-             });
-           },
+           with(at_coordinates,
+                [](const Corners& x) -> Coordinates {
+                  const auto [second, third] = x.nearest();
+                  return {{1 - second - third, second}};
+                }),
            "https://github.com/gkjohnson/three-mesh-bvh/issues/914"},
     Mutant{"sdf-barycentric-sign", "one barycentric coordinate has the other sign", "triangle-weight-negated", nullptr,
-           [](const Query& q, Claim& claim) {
-             at_coordinates(q, claim, [](const Corners& x) -> Coordinates {
-               if (x.is_flat()) return std::nullopt;
-               const auto [second, third] = x.of_foot();
-               const bool inside = -second >= 0 && third >= 0 && third - second <= 1;
-               return inside ? Coordinates({-second, third}) : x.on_edges();
-             });
-           },
+           with(at_coordinates,
+                [](const Corners& x) -> Coordinates {
+                  if (x.is_flat()) return std::nullopt;
+                  const auto [second, third] = x.of_foot();
+                  const bool inside = -second >= 0 && third >= 0 && third - second <= 1;
+                  return inside ? Coordinates({-second, third}) : x.on_edges();
+                }),
            "https://github.com/sxyu/sdf/pull/12"},
     Mutant{"trimesh-obtuse-vertex", "beside the face, the vertex of the one positive coordinate is taken",
            "triangle-vertex-by-signs", nullptr,
-           [](const Query& q, Claim& claim) {
-             at_coordinates(q, claim, [](const Corners& x) -> Coordinates {
-               if (x.is_flat()) return std::nullopt;
-               const auto [second, third] = x.of_foot();
-               const bool positive[3] = {1 - second - third > 0, second > 0, third > 0};
-               if (positive[0] + positive[1] + positive[2] != 1) return std::nullopt;
-               return {{positive[1] ? Wide{1} : 0, positive[2] ? Wide{1} : 0}};
-             });
-           },
+           with(at_coordinates,
+                [](const Corners& x) -> Coordinates {
+                  if (x.is_flat()) return std::nullopt;
+                  const auto [second, third] = x.of_foot();
+                  const bool positive[3] = {1 - second - third > 0, second > 0, third > 0};
+                  if (positive[0] + positive[1] + positive[2] != 1) return std::nullopt;
+                  return {{positive[1] ? Wide{1} : 0, positive[2] ? Wide{1} : 0}};
+                }),
            "https://github.com/mikedh/trimesh/pull/310"},
     Mutant{"triangle-face-dropped", "the face of a triangle counts for nothing where its doubled area is below 1e-4",
            "triangle-face-dropped-1e-4", nullptr,
-           [](const Query& q, Claim& claim) {
-             at_coordinates(q, claim, [](const Corners& x) -> Coordinates {
-               return x.n.norm() < 1e-4L ? Coordinates(x.on_edges()) : std::nullopt;
-             });
-           }},
+           with(at_coordinates,
+                [](const Corners& x) -> Coordinates {
+                  return x.n.norm() < 1e-4L ? Coordinates(x.on_edges()) : std::nullopt;
+                })},
     Mutant{"trimesh-regions-1e-13",
            "the regions of a triangle are told apart by comparisons with 1e-13, of products of two and of four lengths",
            "triangle-regions-1e-13", nullptr,
-           [](const Query& q, Claim& claim) {
-             at_coordinates(q, claim, [](const Corners& x) { return x.by_regions(1e-13L); });
-           },
+           with(at_coordinates, [](const Corners& x) { return x.by_regions(1e-13L); }),
            "https://github.com/mikedh/trimesh/blob/a513c0e2cfa6dfbd3121a6dfd8ceb002b9ef55d8/trimesh/triangles.py#L656"},
     Mutant{"parry-flat-triangle-zero", "a triangle without an inside is 0 away, wherever the sphere is",
            "triangle-flat-zero", nullptr,
@@ -423,21 +378,19 @@ const std::array kReported{
     // The sign of the distance from a box.
     Mutant{"trimesh-coplanar-face", "a centre in the plane of a face is 0 away from the box",
            "sphere-box-coplanar-face", nullptr,
-           [](const Query& q, Claim& claim) {
-             at_signed_distance(q, claim, [](const BallAndBox& s, Wide distance) {
-               const auto c = s.a.center.array();
-               const bool in_plane = (c == s.b.min.array()).any() || (c == s.b.max.array()).any();
-               return in_plane && distance > 0 ? Wide{0} : distance;
-             });
-           },
+           with(at_signed_distance,
+                [](const BallAndBox& s, Wide distance) {
+                  const auto c = s.a.center.array();
+                  const bool in_plane = (c == s.b.min.array()).any() || (c == s.b.max.array()).any();
+                  return in_plane && distance > 0 ? Wide{0} : distance;
+                }),
            "https://github.com/mikedh/trimesh/issues/73"},
     Mutant{"open3d-ray-parity", "the sign of the distance is that of the number of faces that a ray goes through",
            "sphere-box-sign-by-parity", nullptr,
-           [](const Query& q, Claim& claim) {
-             at_signed_distance(q, claim, [](const BallAndBox& s, Wide distance) {
-               return faces_crossed(s.a.center, s.b) % 2 == 0 ? std::abs(distance) : -std::abs(distance);
-             });
-           },
+           with(at_signed_distance,
+                [](const BallAndBox& s, Wide distance) {
+                  return faces_crossed(s.a.center, s.b) % 2 == 0 ? std::abs(distance) : -std::abs(distance);
+                }),
            "https://github.com/isl-org/Open3D/issues/5105"},
 
     // Numbers that are none.

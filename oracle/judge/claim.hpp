@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "contact/geometry.hpp"
@@ -82,6 +83,14 @@ struct ContactClaim {
 struct Claim {
   enum class Status { answered, unsupported, rejected, error, timeout, crash, missing };
 
+  /// One that is no answer, and why.
+  [[nodiscard]] static Claim without(Status status, std::string text) {
+    Claim claim;
+    claim.status = status;
+    claim.text = std::move(text);
+    return claim;
+  }
+
   Status status = Status::answered;
   std::string text;                ///< why, for every status but `answered`
   std::optional<bool> overlap;     ///< what testIntersection answers
@@ -122,5 +131,12 @@ struct Claim {
     return said;
   }
 };
+
+/// The names of statuses, in the order of the enumeration: the one list for files and reports.
+inline constexpr std::array<std::string_view, 7> kStatusNames{"answered", "unsupported", "rejected", "error",
+                                                              "timeout",  "crash",       "missing"};
+[[nodiscard]] constexpr std::string_view name(Claim::Status status) {
+  return kStatusNames[static_cast<std::size_t>(status)];
+}
 
 }  // namespace contact

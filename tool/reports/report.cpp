@@ -14,9 +14,6 @@
 namespace contact::tool {
 namespace {
 
-constexpr std::array<std::string_view, 7> kStatusNames{"answered", "unsupported", "rejected", "error",
-                                                       "timeout",  "crash",       "missing"};
-
 constexpr std::array<std::string_view, 7> kStatusPlurals{"answered", "unsupported", "rejected", "errors",
                                                          "timeouts", "crashes",     "missing"};
 
@@ -194,8 +191,7 @@ void FamilyReport::merge(const FamilyReport& other) {
 
 std::string WorstCase::what() const {
   if (verdict.status != Claim::Status::answered)
-    return fmt::format("{}: {}", kStatusNames[static_cast<std::size_t>(verdict.status)],
-                       formats::visible(verdict.text));
+    return fmt::format("{}: {}", name(verdict.status), formats::visible(verdict.text));
   if (verdict.answered_outside_domain) return "an answer outside the domain";
   if (verdict.missed_hit() || verdict.false_hit()) {
     const oracle::Off& off = verdict.at(oracle::Measure::decision);
@@ -232,10 +228,7 @@ WorstCase::Kind WorstCase::kind() const {
 
 Claim WorstCase::right(const oracle::Declaration& declared) const {
   if (inside_domain(query)) return oracle::right_claim(query, oracle::truth_of(query), declared);
-  Claim rejection;
-  rejection.status = Claim::Status::rejected;
-  rejection.text = outside_domain(query)->field;
-  return rejection;
+  return Claim::without(Claim::Status::rejected, outside_domain(query)->field);
 }
 
 double WorstCase::severity() const {
