@@ -367,6 +367,20 @@ TEST(Laws, every_broken_line_is_caught_within_500_cases_and_named_by_the_law_tha
   EXPECT_LE(late, 1) << "but for an axis that boxes ignore, 100 cases are enough";
 }
 
+// Thirty times so many cases is 0 among the numbers that 64 bits hold.
+TEST(Laws, are_not_given_up_early_where_very_many_cases_are_asked) {
+  RunOptions options;
+  options.cases = std::uint64_t{1} << 63;
+  options.names = {"swap"};
+  int asked = 0;
+  struct Enough {};
+  options.after_case = [&] {
+    if (++asked == 100) throw Enough();
+  };
+  std::unique_ptr<Engine> production = engines::make_built_in("production");
+  EXPECT_THROW(static_cast<void>(run_laws(production, options)), Enough);
+}
+
 // What an engine does not claim is not asked of it, and the report says why.
 TEST(Laws, that_an_engine_does_not_claim_are_skipped_visibly) {
   class Modest final : public Engine {
