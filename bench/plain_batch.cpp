@@ -439,62 +439,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace contact::bench {
-namespace {
-
-double part(double numerator, double whole) { return std::clamp(numerator / whole, 0.0, 1.0); }
-
-const Balls& as_balls(const Balls& balls) { return balls; }
-Balls as_balls(const BallAndBox& pair) {
-  return {pair.a, {pair.a.center.cwiseMax(pair.b.min).cwiseMin(pair.b.max), 0}};
-}
-Balls as_balls(const BallAndCapsule& pair) {
-  const Capsule& b = pair.b;
-  const Vector3 v = b.end - b.start;
-  return {pair.a, {b.start + part((pair.a.center - b.start).dot(v), v.dot(v)) * v, b.radius}};
-}
-Balls as_balls(const Capsules& pair) {
-  const Vector3 u = pair.a.end - pair.a.start;
-  const Vector3 v = pair.b.end - pair.b.start;
-  const Vector3 w = pair.b.start - pair.a.start;
-  const double A = u.dot(u);
-  const double B = u.dot(v);
-  const double C = u.dot(w);
-  const double E = v.dot(v);
-  const double F = v.dot(w);
-  const double t = part(B * part(C * E - B * F, A * E - B * B) - F, E);
-  return {{pair.a.start + part(B * t + C, A) * u, pair.a.radius}, {pair.b.start + t * v, pair.b.radius}};
-}
-
-template <class A, class B>
-bool contact_inside(const A&, const B&, double, Contact&) {
-  return false;
-}
-bool contact_inside(const Ball& a, const Box& box, double contact_distance, Contact& out) {
-  plain_contact_inside(a, box, contact_distance, out);
-  return true;
-}
-
-template <class A, class B>
-void compute_one_by_one(const Two<A, B>* pairs, std::size_t size, Distances distances, PlainContact* out) {
-  for (std::size_t i = 0; i < size; ++i) {
-    const auto& [a, b] = as_balls(pairs[i]);
-    const double dx = b.center[0] - a.center[0];
-    const double dy = b.center[1] - a.center[1];
-    const double dz = b.center[2] - a.center[2];
-    const double d2 = dx * dx + dy * dy + dz * dz;
-    const double radii = a.radius + b.radius;
-    const double reach = radii + distances.alarm;
-    out[i].hit = d2 <= reach * reach;
-    if (!out[i].hit) continue;
-    if (d2 == 0 && contact_inside(pairs[i].a, pairs[i].b, distances.contact, out[i].contact)) continue;
-    const double s = std::sqrt(d2);
-    const Vector3 n(dx / s, dy / s, dz / s);
-    out[i].contact = {n, a.center + a.radius * n, b.center - b.radius * n, s - radii - distances.contact, false};
-  }
-}
-
-}  // namespace
-
 #define CONTACT_EXPORT(name, A, B)                                                           \
   HWY_EXPORT(test_##name);                                                                   \
   void plain_test(const kernel::PairColumns<A, B>& pairs, double alarm, std::uint8_t* hit) { \
@@ -513,18 +457,6 @@ CONTACT_BATCH_PAIRS(CONTACT_EXPORT)
     return HWY_DYNAMIC_DISPATCH(hits_##name)(pairs, distances, index, out);                                         \
   }
 CONTACT_BATCH_CONTACTS(CONTACT_EXPORT)
-#undef CONTACT_EXPORT
-
-#define CONTACT_EXPORT(name, A, B)                                                                              \
-  void plain_compute_scalar(const Two<A, B>* pairs, std::size_t size, Distances distances, PlainContact* out) { \
-    compute_one_by_one(pairs, size, distances, out);                                                            \
-  }                                                                                                             \
-  std::optional<Contact> plain_contact_of_pair(const Two<A, B>& pair, Distances distances) {                    \
-    PlainContact contact{};                                                                                     \
-    compute_one_by_one(&pair, 1, distances, &contact);                                                          \
-    return contact.hit ? std::optional(contact.contact) : std::nullopt;                                         \
-  }
-CONTACT_PLAIN_SCALAR(CONTACT_EXPORT)
 #undef CONTACT_EXPORT
 
 }  // namespace contact::bench
