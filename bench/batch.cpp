@@ -5,11 +5,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include <map>
 #include <string>
 #include <vector>
 
-#include "contact/pair_functions.hpp"
 #include "kernel/batch.hpp"
 #include "places.hpp"
 #include "plain_batch.hpp"
@@ -74,14 +72,6 @@ void register_families() {
 }
 #endif
 
-template <class A, class B, class Compute>
-void call_one_by_one(std::size_t size, Compute compute) {
-  for (const Two<A, B>& pair : one_by_one<A, B>(size)) {
-    auto contact = compute(pair);
-    benchmark::DoNotOptimize(contact);
-  }
-}
-
 template <class A, class B>
 void register_decisions(const std::string& name) {
   beside_plain(
@@ -96,7 +86,7 @@ void register_decisions(const std::string& name) {
       });
 }
 
-/// Contacts, the hits alone, and the function of one pair, each beside plain double.
+/// Contacts, and the hits alone, each beside plain double.
 template <class A, class B>
 void register_contacts(const std::string& of) {
   beside_plain(
@@ -119,18 +109,6 @@ void register_contacts(const std::string& of) {
         auto& q = generic<A, B>(n);
         plain_compute_hits(q.pairs(), kDistances, q.index.data(), q.rows());
       });
-  at_every_place("Scalar/" + of + "compute/plain_loop", [](std::size_t n) {
-    static std::map<std::size_t, std::vector<PlainContact>> made;
-    std::vector<PlainContact>& contacts = made[n];
-    contacts.resize(n);
-    plain_compute_scalar(one_by_one<A, B>(n).data(), n, kDistances, contacts.data());
-  });
-  at_every_place("Scalar/" + of + "compute/plain", [](std::size_t n) {
-    call_one_by_one<A, B>(n, [](const Two<A, B>& pair) { return plain_contact_of_pair(pair, kDistances); });
-  });
-  at_every_place("Scalar/" + of + "compute/ours", [](std::size_t n) {
-    call_one_by_one<A, B>(n, [](const Two<A, B>& pair) { return contact_of(pair, kDistances); });
-  });
 }
 
 [[maybe_unused]] const bool registered = [] {

@@ -1,4 +1,4 @@
-// How long detection between whole models takes, beside every pair put to the kernel.
+// How long detection between whole models takes.
 #include "contact/detect.hpp"
 
 #include <benchmark/benchmark.h>
@@ -38,60 +38,35 @@ void count(benchmark::State& state, Index n, std::size_t contacts) {
       Counter(elements, Counter::kIsIterationInvariantRate | Counter::kInvert, Counter::OneK::kIs1000);
 }
 
-void detect_between_two_models(benchmark::State& state) {
+/// `contacts_between(intersection, a, b)` counts the contacts of two models.
+template <class Detect>
+void between_two_models(benchmark::State& state, Detect contacts_between) {
   const Index n = state.range(0);
   const SphereCollisionModel a = cloud(n, 1);
   const SphereCollisionModel b = cloud(n, 2);
   const ProximityIntersection intersection(kDistances);
   std::size_t contacts = 0;
-  for ([[maybe_unused]] auto _ : state) contacts = detect(intersection, a, b)->size();
+  for ([[maybe_unused]] auto _ : state) contacts = contacts_between(intersection, a, b);
   count(state, n, contacts);
+}
+
+void detect_between_two_models(benchmark::State& state) {
+  between_two_models(state, [](const auto&... asked) { return detect(asked...)->size(); });
 }
 BENCHMARK(detect_between_two_models)->RangeMultiplier(10)->Range(1000, 100000)->Unit(benchmark::kMillisecond);
 BENCHMARK(detect_between_two_models)->Arg(1000000)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 void detect_streamed_between_two_models(benchmark::State& state) {
-  const Index n = state.range(0);
-  const SphereCollisionModel a = cloud(n, 1);
-  const SphereCollisionModel b = cloud(n, 2);
-  const ProximityIntersection intersection(kDistances);
-  std::size_t contacts = 0;
-  for ([[maybe_unused]] auto _ : state) {
-    contacts = 0;
-    detect_streamed(intersection, a, b, [&](std::span<const OutputVector> some) {
+  between_two_models(state, [](const auto&... asked) {
+    std::size_t contacts = 0;
+    detect_streamed(asked..., [&](std::span<const OutputVector> some) {
       for (const OutputVector& run : some) contacts += run.size();
     });
-  }
-  count(state, n, contacts);
+    return contacts;
+  });
 }
 BENCHMARK(detect_streamed_between_two_models)->RangeMultiplier(10)->Range(1000, 100000)->Unit(benchmark::kMillisecond);
 BENCHMARK(detect_streamed_between_two_models)->Arg(1000000)->Iterations(1)->Unit(benchmark::kMillisecond);
-
-void detect_inside_one_model(benchmark::State& state) {
-  const Index n = state.range(0);
-  const SphereCollisionModel a = cloud(n, 1);
-  const ProximityIntersection intersection(kDistances);
-  std::size_t contacts = 0;
-  for ([[maybe_unused]] auto _ : state) contacts = detect(intersection, a)->size();
-  count(state, n, contacts);
-}
-BENCHMARK(detect_inside_one_model)->Arg(100000)->Unit(benchmark::kMillisecond);
-
-void every_pair_of_two_models(benchmark::State& state) {
-  const Index n = state.range(0);
-  const SphereCollisionModel a = cloud(n, 1);
-  const SphereCollisionModel b = cloud(n, 2);
-  std::vector<Contact> contacts;
-  for ([[maybe_unused]] auto _ : state) {
-    contacts.clear();
-    for (Index i = 0; i < n; ++i)
-      for (Index j = 0; j < n; ++j)
-        if (test_sphere_sphere(a.balls()[i], b.balls()[j], kDistances.alarm))
-          contacts.push_back(*compute_sphere_sphere(a.balls()[i], b.balls()[j], kDistances));
-  }
-  count(state, n, contacts.size());
-}
-BENCHMARK(every_pair_of_two_models)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace contact

@@ -60,7 +60,7 @@ HWY_AFTER_NAMESPACE();
 #include "columns.hpp"
 #include "contact/batch.hpp"
 #include "places.hpp"
-#include "uniform.hpp"
+#include "questions.hpp"
 
 namespace contact::bench {
 
@@ -109,24 +109,11 @@ constexpr std::array<Traffic, 13> kTraffic{{{"test", 8, 0, false},
 
 void compute_in_threads(benchmark::State& state) {
   constexpr std::size_t kPairs = 1 << 12;
-  const Columns columns(18, kPairs);
-  std::vector<batch::PairState> states(kPairs);
-  Uniform uniform(1);
-  for (std::size_t i = 0; i < kPairs; ++i)
-    for (std::size_t side = 0; side < 2; ++side) {
-      const Ball ball = uniform.ball();
-      for (std::size_t k = 0; k < 3; ++k) columns[4 * side + k][i] = ball.center[static_cast<Eigen::Index>(k)];
-      columns[4 * side + 3][i] = ball.radius;
-    }
-  const batch::BallColumns a{columns[0], columns[1], columns[2], columns[3]};
-  const batch::BallColumns b{columns[4], columns[5], columns[6], columns[7]};
-  const batch::ContactColumns out{{columns[8], columns[9], columns[10]},
-                                  {columns[11], columns[12], columns[13]},
-                                  {columns[14], columns[15], columns[16]},
-                                  columns[17],
-                                  states};
+  auto spheres = make_questions<Ball, Ball>(kPairs);
+  const auto out = spheres.contacts();
   if (state.thread_index() == 0) kernel::use_instruction_set("");
-  for ([[maybe_unused]] auto _ : state) batch::compute_sphere_sphere(a, b, {.alarm = 0, .contact = 0}, out);
+  for ([[maybe_unused]] auto _ : state)
+    batch::compute_sphere_sphere(spheres.a(), spheres.b(), {.alarm = 0, .contact = 0}, out);
   state.SetItemsProcessed(static_cast<std::int64_t>(kPairs) * state.iterations());
 }
 BENCHMARK(compute_in_threads)->Name("Threads/compute")->Threads(1)->Threads(2)->UseRealTime();

@@ -8,10 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
-#include <optional>
 
 HWY_BEFORE_NAMESPACE();
 namespace contact::bench {
@@ -58,162 +55,101 @@ HWY_INLINE V part(V numerator, V whole) {
   return hn::Min(hn::Max(hn::Div(numerator, whole), hn::Zero(D())), hn::Set(D(), 1));
 }
 
+/// Two spheres, and whether they meet.
 struct Pair {
-  V ax, ay, az, ar, bx, by, bz, br, dx, dy, dz, d2, radii;
+  Axes a;
+  V ar;
+  Axes b;
+  V br;
+  Axes delta;
+  V d2, radii;
   M hit;
 
-  HWY_INLINE Pair(const kernel::SpherePairs& pairs, std::size_t i, double alarm) {
-    load_first(pairs.a, i);
-    const D d;
-    bx = hn::LoadU(d, pairs.b[0] + i);
-    by = hn::LoadU(d, pairs.b[1] + i);
-    bz = hn::LoadU(d, pairs.b[2] + i);
-    br = hn::LoadU(d, pairs.b[3] + i);
-    decide(alarm);
-  }
-  HWY_INLINE Pair(const kernel::SphereCubePairs& pairs, std::size_t i, double alarm) {
-    load_first(pairs.a, i);
-    const D d;
-    const auto clamped = [&](V center, std::size_t axis) HWY_ATTR {
-      return hn::Min(hn::Max(center, hn::LoadU(d, pairs.b[axis] + i)), hn::LoadU(d, pairs.b[3 + axis] + i));
-    };
-    bx = clamped(ax, 0);
-    by = clamped(ay, 1);
-    bz = clamped(az, 2);
-    br = hn::Zero(d);
-    decide(alarm);
-  }
-
-  HWY_INLINE Pair(const kernel::PairColumns<Ball, Capsule>& pairs, std::size_t i, double alarm) {
-    load_first(pairs.a, i);
-    const Axis v(pairs.b, i);
-    const V t = part(hn::Neg(v.dot(v.from(ax, ay, az))), v.dot(v));
-    take_second(v, t);
-    decide(alarm);
-  }
-  HWY_INLINE Pair(const kernel::PairColumns<Capsule, Capsule>& pairs, std::size_t i, double alarm) {
-    const Axis u(pairs.a, i);
-    const Axis v(pairs.b, i);
-    const Axis w = v.from(u.startx, u.starty, u.startz);
-    const V A = u.dot(u);
-    const V B = u.dot(v);
-    const V C = u.dot(w);
-    const V E = v.dot(v);
-    const V F = v.dot(w);
-    V s = part(hn::Sub(hn::Mul(C, E), hn::Mul(B, F)), hn::Sub(hn::Mul(A, E), hn::Mul(B, B)));
-    const V t = part(hn::Sub(hn::Mul(B, s), F), E);
-    s = part(hn::Add(hn::Mul(B, t), C), A);
-    ax = hn::Add(u.startx, hn::Mul(s, u.x));
-    ay = hn::Add(u.starty, hn::Mul(s, u.y));
-    az = hn::Add(u.startz, hn::Mul(s, u.z));
-    ar = u.radius;
-    take_second(v, t);
-    decide(alarm);
-  }
-  HWY_INLINE Pair(const kernel::PairColumns<Ray, Ball>& pairs, std::size_t i, double alarm) {
-    const Axes origin(&pairs.a[0], i);
-    const Axes center(&pairs.b[0], i);
-    const Axes v = times(hn::LoadU(D(), pairs.a[6] + i), Axes(&pairs.a[3], i));
-    take(plus(origin, part(dot(center - origin, v), dot(v, v)), v), hn::Zero(D()), center,
-         hn::LoadU(D(), pairs.b[3] + i));
-    decide(alarm);
-  }
-  /// Ericson's closest point on a triangle, all of its cases computed.
-  HWY_INLINE Pair(const kernel::PairColumns<Ball, Triangle>& pairs, std::size_t i, double alarm) {
-    const V zero = hn::Zero(D());
-    const Axes c(&pairs.a[0], i);
-    const Axes v0(&pairs.b[0], i);
-    const Axes v1(&pairs.b[3], i);
-    const Axes v2(&pairs.b[6], i);
-    const Axes u = v1 - v0;
-    const Axes v = v2 - v0;
-    const V d1 = dot(u, c - v0);
-    const V d2_ = dot(v, c - v0);
-    const V d3 = dot(u, c - v1);
-    const V d4 = dot(v, c - v1);
-    const V d5 = dot(u, c - v2);
-    const V d6 = dot(v, c - v2);
-    const V of0 = hn::Sub(hn::Mul(d3, d6), hn::Mul(d5, d4));
-    const V of1 = hn::Sub(hn::Mul(d5, d2_), hn::Mul(d1, d6));
-    const V of2 = hn::Sub(hn::Mul(d1, d4), hn::Mul(d3, d2_));
-    const auto both = [](M a, M b) HWY_ATTR { return hn::And(a, b); };
-    const V per_all = hn::Div(hn::Set(D(), 1), hn::Add(hn::Add(of0, of1), of2));
-    Axes q = plus(plus(v0, hn::Mul(of1, per_all), u), hn::Mul(of2, per_all), v);
-    const V across = hn::Sub(d4, d3);
-    const V back = hn::Sub(d5, d6);
-    q = chosen(both(both(hn::Le(of0, zero), hn::Ge(across, zero)), hn::Ge(back, zero)),
-               plus(v1, hn::Div(across, hn::Add(across, back)), v2 - v1), q);
-    q = chosen(both(both(hn::Le(of1, zero), hn::Ge(d2_, zero)), hn::Le(d6, zero)),
-               plus(v0, hn::Div(d2_, hn::Sub(d2_, d6)), v), q);
-    q = chosen(both(hn::Ge(d6, zero), hn::Le(d5, d6)), v2, q);
-    q = chosen(both(both(hn::Le(of2, zero), hn::Ge(d1, zero)), hn::Le(d3, zero)),
-               plus(v0, hn::Div(d1, hn::Sub(d1, d3)), u), q);
-    q = chosen(both(hn::Ge(d3, zero), hn::Le(d4, d3)), v1, q);
-    q = chosen(both(hn::Le(d1, zero), hn::Le(d2_, zero)), v0, q);
-    take(c, hn::LoadU(D(), pairs.a[3] + i), q, zero);
-    decide(alarm);
-  }
-
- private:
-  HWY_INLINE void take(const Axes& a, V radius_a, const Axes& b, V radius_b) {
-    ax = a.x;
-    ay = a.y;
-    az = a.z;
-    ar = radius_a;
-    bx = b.x;
-    by = b.y;
-    bz = b.z;
-    br = radius_b;
-  }
-  /// A capsule's axis, as a vector.
-  struct Axis {
-    V startx, starty, startz, x, y, z, radius;
-
-    HWY_INLINE Axis(const std::array<const double*, 7>& capsules, std::size_t i) {
-      const auto at = [&](std::size_t k) HWY_ATTR { return hn::LoadU(D(), capsules[k] + i); };
-      startx = at(0);
-      starty = at(1);
-      startz = at(2);
-      x = hn::Sub(at(3), startx);
-      y = hn::Sub(at(4), starty);
-      z = hn::Sub(at(5), startz);
-      radius = at(6);
-    }
-    /// From a point to the start.
-    [[nodiscard]] HWY_INLINE Axis from(V px, V py, V pz) const {
-      Axis w = *this;
-      w.x = hn::Sub(startx, px);
-      w.y = hn::Sub(starty, py);
-      w.z = hn::Sub(startz, pz);
-      return w;
-    }
-    [[nodiscard]] HWY_INLINE V dot(const Axis& o) const {
-      return hn::Add(hn::Add(hn::Mul(x, o.x), hn::Mul(y, o.y)), hn::Mul(z, o.z));
-    }
-  };
-  HWY_INLINE void take_second(const Axis& v, V t) {
-    bx = hn::Add(v.startx, hn::Mul(t, v.x));
-    by = hn::Add(v.starty, hn::Mul(t, v.y));
-    bz = hn::Add(v.startz, hn::Mul(t, v.z));
-    br = v.radius;
-  }
-  HWY_INLINE void load_first(const std::array<const double*, 4>& a, std::size_t i) {
-    const D d;
-    ax = hn::LoadU(d, a[0] + i);
-    ay = hn::LoadU(d, a[1] + i);
-    az = hn::LoadU(d, a[2] + i);
-    ar = hn::LoadU(d, a[3] + i);
-  }
-  HWY_INLINE void decide(double alarm) {
-    dx = hn::Sub(bx, ax);
-    dy = hn::Sub(by, ay);
-    dz = hn::Sub(bz, az);
-    d2 = hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
-    radii = hn::Add(ar, br);
+  HWY_INLINE Pair(const Axes& first, V radius1, const Axes& second, V radius2, double alarm)
+      : a(first), ar(radius1), b(second), br(radius2), delta(b - a), d2(dot(delta, delta)), radii(hn::Add(ar, br)) {
     const V reach = hn::Add(radii, hn::Set(D(), alarm));
     hit = hn::Le(d2, hn::Mul(reach, reach));
   }
 };
+
+// Other shapes as the spheres at their nearest points.
+HWY_INLINE Pair pair_of(const kernel::SpherePairs& pairs, std::size_t i, double alarm) {
+  return {Axes(&pairs.a[0], i), hn::LoadU(D(), pairs.a[3] + i), Axes(&pairs.b[0], i), hn::LoadU(D(), pairs.b[3] + i),
+          alarm};
+}
+HWY_INLINE Pair pair_of(const kernel::SphereCubePairs& pairs, std::size_t i, double alarm) {
+  const Axes center(&pairs.a[0], i);
+  const Axes min(&pairs.b[0], i);
+  const Axes max(&pairs.b[3], i);
+  const Axes clamped(hn::Min(hn::Max(center.x, min.x), max.x), hn::Min(hn::Max(center.y, min.y), max.y),
+                     hn::Min(hn::Max(center.z, min.z), max.z));
+  return {center, hn::LoadU(D(), pairs.a[3] + i), clamped, hn::Zero(D()), alarm};
+}
+HWY_INLINE Pair pair_of(const kernel::PairColumns<Ball, Capsule>& pairs, std::size_t i, double alarm) {
+  const Axes center(&pairs.a[0], i);
+  const Axes start(&pairs.b[0], i);
+  const Axes v = Axes(&pairs.b[3], i) - start;
+  const V t = part(hn::Neg(dot(v, start - center)), dot(v, v));
+  return {center, hn::LoadU(D(), pairs.a[3] + i), plus(start, t, v), hn::LoadU(D(), pairs.b[6] + i), alarm};
+}
+HWY_INLINE Pair pair_of(const kernel::PairColumns<Capsule, Capsule>& pairs, std::size_t i, double alarm) {
+  const Axes start1(&pairs.a[0], i);
+  const Axes start2(&pairs.b[0], i);
+  const Axes u = Axes(&pairs.a[3], i) - start1;
+  const Axes v = Axes(&pairs.b[3], i) - start2;
+  const Axes w = start2 - start1;
+  const V A = dot(u, u);
+  const V B = dot(u, v);
+  const V C = dot(u, w);
+  const V E = dot(v, v);
+  const V F = dot(v, w);
+  V s = part(hn::Sub(hn::Mul(C, E), hn::Mul(B, F)), hn::Sub(hn::Mul(A, E), hn::Mul(B, B)));
+  const V t = part(hn::Sub(hn::Mul(B, s), F), E);
+  s = part(hn::Add(hn::Mul(B, t), C), A);
+  return {plus(start1, s, u), hn::LoadU(D(), pairs.a[6] + i), plus(start2, t, v), hn::LoadU(D(), pairs.b[6] + i),
+          alarm};
+}
+HWY_INLINE Pair pair_of(const kernel::PairColumns<Ray, Ball>& pairs, std::size_t i, double alarm) {
+  const Axes origin(&pairs.a[0], i);
+  const Axes center(&pairs.b[0], i);
+  const Axes v = times(hn::LoadU(D(), pairs.a[6] + i), Axes(&pairs.a[3], i));
+  return {plus(origin, part(dot(center - origin, v), dot(v, v)), v), hn::Zero(D()), center,
+          hn::LoadU(D(), pairs.b[3] + i), alarm};
+}
+/// Ericson's closest point on a triangle, all of its cases computed.
+HWY_INLINE Pair pair_of(const kernel::PairColumns<Ball, Triangle>& pairs, std::size_t i, double alarm) {
+  const V zero = hn::Zero(D());
+  const Axes c(&pairs.a[0], i);
+  const Axes v0(&pairs.b[0], i);
+  const Axes v1(&pairs.b[3], i);
+  const Axes v2(&pairs.b[6], i);
+  const Axes u = v1 - v0;
+  const Axes v = v2 - v0;
+  const V d1 = dot(u, c - v0);
+  const V d2_ = dot(v, c - v0);
+  const V d3 = dot(u, c - v1);
+  const V d4 = dot(v, c - v1);
+  const V d5 = dot(u, c - v2);
+  const V d6 = dot(v, c - v2);
+  const V of0 = hn::Sub(hn::Mul(d3, d6), hn::Mul(d5, d4));
+  const V of1 = hn::Sub(hn::Mul(d5, d2_), hn::Mul(d1, d6));
+  const V of2 = hn::Sub(hn::Mul(d1, d4), hn::Mul(d3, d2_));
+  const auto both = [](M a, M b) HWY_ATTR { return hn::And(a, b); };
+  const V per_all = hn::Div(hn::Set(D(), 1), hn::Add(hn::Add(of0, of1), of2));
+  Axes q = plus(plus(v0, hn::Mul(of1, per_all), u), hn::Mul(of2, per_all), v);
+  const V across = hn::Sub(d4, d3);
+  const V back = hn::Sub(d5, d6);
+  q = chosen(both(both(hn::Le(of0, zero), hn::Ge(across, zero)), hn::Ge(back, zero)),
+             plus(v1, hn::Div(across, hn::Add(across, back)), v2 - v1), q);
+  q = chosen(both(both(hn::Le(of1, zero), hn::Ge(d2_, zero)), hn::Le(d6, zero)),
+             plus(v0, hn::Div(d2_, hn::Sub(d2_, d6)), v), q);
+  q = chosen(both(hn::Ge(d6, zero), hn::Le(d5, d6)), v2, q);
+  q = chosen(both(both(hn::Le(of2, zero), hn::Ge(d1, zero)), hn::Le(d3, zero)),
+             plus(v0, hn::Div(d1, hn::Sub(d1, d3)), u), q);
+  q = chosen(both(hn::Ge(d3, zero), hn::Le(d4, d3)), v1, q);
+  q = chosen(both(hn::Le(d1, zero), hn::Le(d2_, zero)), v0, q);
+  return {c, hn::LoadU(D(), pairs.a[3] + i), q, zero, alarm};
+}
 
 struct Numbers {
   V number[10];
@@ -226,15 +162,10 @@ struct Numbers {
   }
   HWY_INLINE Numbers(const Pair& p, double contact) {
     const V s = hn::Sqrt(p.d2);
-    number[0] = hn::Div(p.dx, s);
-    number[1] = hn::Div(p.dy, s);
-    number[2] = hn::Div(p.dz, s);
-    number[3] = hn::Add(p.ax, hn::Mul(p.ar, number[0]));
-    number[4] = hn::Add(p.ay, hn::Mul(p.ar, number[1]));
-    number[5] = hn::Add(p.az, hn::Mul(p.ar, number[2]));
-    number[6] = hn::Sub(p.bx, hn::Mul(p.br, number[0]));
-    number[7] = hn::Sub(p.by, hn::Mul(p.br, number[1]));
-    number[8] = hn::Sub(p.bz, hn::Mul(p.br, number[2]));
+    const Axes n(hn::Div(p.delta.x, s), hn::Div(p.delta.y, s), hn::Div(p.delta.z, s));
+    take(0, n);
+    take(3, plus(p.a, p.ar, n));
+    take(6, p.b - times(p.br, n));
     number[9] = hn::Sub(hn::Sub(s, p.radii), hn::Set(D(), contact));
   }
 };
@@ -249,7 +180,7 @@ HWY_INLINE void leave_boxes(const kernel::SphereCubePairs& pairs, std::size_t i,
   const V zero = hn::Zero(d);
   const M inside = hn::Eq(p.d2, zero);
   if (hn::AllFalse(d, inside)) return;
-  const V center[] = {p.ax, p.ay, p.az};
+  const V center[] = {p.a.x, p.a.y, p.a.z};
   V depth = hn::Set(d, std::numeric_limits<double>::infinity());
   V face[6];
   for (std::size_t k = 0; k < 3; ++k)
@@ -280,7 +211,7 @@ struct Answer {
   Numbers numbers;
 
   HWY_INLINE Answer(const kernel::PairColumns<A, B>& pairs, std::size_t i, Distances distances)
-      : Answer(pairs, i, distances, Pair(pairs, i, distances.alarm)) {}
+      : Answer(pairs, i, distances, pair_of(pairs, i, distances.alarm)) {}
 
  private:
   HWY_INLINE Answer(const kernel::PairColumns<A, B>& pairs, std::size_t i, Distances distances, const Pair& p)
@@ -439,61 +370,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace contact::bench {
-namespace {
-
-double part(double numerator, double whole) { return std::clamp(numerator / whole, 0.0, 1.0); }
-
-const Balls& as_balls(const Balls& balls) { return balls; }
-Balls as_balls(const BallAndBox& pair) {
-  return {pair.a, {pair.a.center.cwiseMax(pair.b.min).cwiseMin(pair.b.max), 0}};
-}
-Balls as_balls(const BallAndCapsule& pair) {
-  const Capsule& b = pair.b;
-  const Vector3 v = b.end - b.start;
-  return {pair.a, {b.start + part((pair.a.center - b.start).dot(v), v.dot(v)) * v, b.radius}};
-}
-Balls as_balls(const Capsules& pair) {
-  const Vector3 u = pair.a.end - pair.a.start;
-  const Vector3 v = pair.b.end - pair.b.start;
-  const Vector3 w = pair.b.start - pair.a.start;
-  const double A = u.dot(u);
-  const double B = u.dot(v);
-  const double C = u.dot(w);
-  const double E = v.dot(v);
-  const double F = v.dot(w);
-  const double t = part(B * part(C * E - B * F, A * E - B * B) - F, E);
-  return {{pair.a.start + part(B * t + C, A) * u, pair.a.radius}, {pair.b.start + t * v, pair.b.radius}};
-}
-
-template <class A, class B>
-bool contact_inside(const A&, const B&, double, Contact&) {
-  return false;
-}
-bool contact_inside(const Ball& a, const Box& box, double contact_distance, Contact& out) {
-  plain_contact_inside(a, box, contact_distance, out);
-  return true;
-}
-
-template <class A, class B>
-void compute_one_by_one(const Two<A, B>* pairs, std::size_t size, Distances distances, PlainContact* out) {
-  for (std::size_t i = 0; i < size; ++i) {
-    const auto& [a, b] = as_balls(pairs[i]);
-    const double dx = b.center[0] - a.center[0];
-    const double dy = b.center[1] - a.center[1];
-    const double dz = b.center[2] - a.center[2];
-    const double d2 = dx * dx + dy * dy + dz * dz;
-    const double radii = a.radius + b.radius;
-    const double reach = radii + distances.alarm;
-    out[i].hit = d2 <= reach * reach;
-    if (!out[i].hit) continue;
-    if (d2 == 0 && contact_inside(pairs[i].a, pairs[i].b, distances.contact, out[i].contact)) continue;
-    const double s = std::sqrt(d2);
-    const Vector3 n(dx / s, dy / s, dz / s);
-    out[i].contact = {n, a.center + a.radius * n, b.center - b.radius * n, s - radii - distances.contact, false};
-  }
-}
-
-}  // namespace
 
 #define CONTACT_EXPORT(name, A, B)                                                           \
   HWY_EXPORT(test_##name);                                                                   \
@@ -513,18 +389,6 @@ CONTACT_BATCH_PAIRS(CONTACT_EXPORT)
     return HWY_DYNAMIC_DISPATCH(hits_##name)(pairs, distances, index, out);                                         \
   }
 CONTACT_BATCH_CONTACTS(CONTACT_EXPORT)
-#undef CONTACT_EXPORT
-
-#define CONTACT_EXPORT(name, A, B)                                                                              \
-  void plain_compute_scalar(const Two<A, B>* pairs, std::size_t size, Distances distances, PlainContact* out) { \
-    compute_one_by_one(pairs, size, distances, out);                                                            \
-  }                                                                                                             \
-  std::optional<Contact> plain_contact_of_pair(const Two<A, B>& pair, Distances distances) {                    \
-    PlainContact contact{};                                                                                     \
-    compute_one_by_one(&pair, 1, distances, &contact);                                                          \
-    return contact.hit ? std::optional(contact.contact) : std::nullopt;                                         \
-  }
-CONTACT_PLAIN_SCALAR(CONTACT_EXPORT)
 #undef CONTACT_EXPORT
 
 }  // namespace contact::bench

@@ -336,8 +336,6 @@ def facts(m):
         ["contacts in L2, speed of two threads relative to one, by processor time",
          f"{number(2 * one['cpu_time'] / two['cpu_time'])} ×"],
         ["the same by the wall clock", f"{number(two['items_per_second'] / one['items_per_second'])} ×"],
-        ["time of a call of `compute_sphere_sphere` relative to a call of plain double, in L2",
-         f"{number(m.ratio('Scalar/compute/ours/L2', 'Scalar/compute/plain/L2'))} ×"],
         ["`contact-oracle explain` with one question, started from a shell: processor time",
          f"{number(start(m)['real_time'])} ms"],
         ["the same by the wall clock", f"{number(1e3 * start(m)['wall'])} ms"],

@@ -398,7 +398,7 @@ class RowBlock final : public CaseBlock {
     Row row(header());
     for_each_column(header(), row, Decoder(loaded_->columns, at_ + i, first(), i));
     const std::vector<std::string>& names = loaded_->flag_names;
-    if (row.flags >> names.size() != 0 && names.size() < kMostFlags)
+    if (names.size() < kMostFlags && row.flags >> names.size() != 0)
       throw formats::InputError(where(i), "/flags", fmt::format("a bit without a name, in {:#x}", row.flags));
     for (std::size_t k = 0; k < names.size(); ++k)
       if ((row.flags >> k & 1) != 0) row.c.flags.push_back(names[k]);

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "formats/hdf5.hpp"
 #include "golden/families.hpp"
 #include "golden/query_id.hpp"
 #include "golden/right_case.hpp"
@@ -225,6 +227,30 @@ TEST_F(Columns, AreRefusedWhereATextIsNoExactNumber) {
   EXPECT_NE(found.find("exact.reach: expected an exact number such as \"-0x1abdp-12\", got \"0x2p0\""),
             std::string::npos)
       << found;
+}
+
+// As many as a row's number has bits: none of these is without a name.
+TEST_F(Columns, NameUpTo32Flags) {
+  const fs::path path = make(8, Pair::sphere_sphere, "touching");
+  const std::string lines = read(path);
+  ASSERT_FALSE(lines.starts_with("refused"));
+  const auto read_with_names = [&](std::size_t count) {
+    {
+      const formats::hdf5::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+      const formats::hdf5::Handle flags(H5Oopen(file, "flags", H5P_DEFAULT), H5Oclose);
+      nlohmann::json names = formats::hdf5::read_attribute(flags, "names");
+      while (names.size() < count) names.push_back("other" + std::to_string(names.size()));
+      names.erase(names.begin() + static_cast<std::ptrdiff_t>(count), names.end());
+      H5Adelete(flags, "names");
+      formats::hdf5::write_attribute(flags, "names", names);
+      // The digest of the columns has the names; that of the lines, which is left, does not.
+      if (H5Aexists(file, "columns_sha256") > 0) H5Adelete(file, "columns_sha256");
+    }
+    return read(path);
+  };
+  EXPECT_EQ(read_with_names(32), lines);
+  EXPECT_NE(read_with_names(33).find("/flags: more than 32 names"), std::string::npos);
+  EXPECT_NE(read_with_names(1).find("/flags: a bit without a name, in 0x"), std::string::npos);
 }
 
 TEST_F(Columns, AreRefusedWhereTheyAreCut) {

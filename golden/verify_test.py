@@ -458,14 +458,15 @@ class Wrong(Case):
     def spheres(self, **more):
         return self.annotated(question([0.1, 0.2, 0.3], 1.7, [1.1, -1.3, 0.9], 0.6, 0.5, 0.05, **more), BALLS)
 
+    def by_ulps(self):
+        return {f"{field}[{axis}] by {by}": (rf'"{field}":\[' + r"[^,]*," * axis + "([-0-9.e]+)", lambda x, by=by: step(x, by),
+                                             f"expect.{field}[{axis}]: ")
+                for field in ("normal", "point1", "point2") for axis in range(3) for by in (-1, 1)}
+
     def test_one_ulp_in_any_number_of_an_answer_is_found(self):
         number = r"([-0-9.e]+)"
-        table = {}
+        table = self.by_ulps()
         for by in (-1, 1):
-            for field in ("normal", "point1", "point2"):
-                for axis in range(3):
-                    table[f"{field}[{axis}] by {by}"] = (rf'"{field}":\[' + r"[^,]*," * axis + number,
-                                                         lambda x, by=by: step(x, by), f"expect.{field}[{axis}]: ")
             table[f"value by {by}"] = ('"value":' + number, lambda x, by=by: step(x, by), "expect.value: ")
             table[f"margin by {by}"] = ('"margin_ulps":' + number, lambda x, by=by: step(x, by), "exact.margin_ulps: ")
         self.corrupt(self.spheres(), table)
@@ -522,10 +523,7 @@ class Wrong(Case):
     def test_every_field_of_an_answer_of_capsules_is_checked(self):
         number = r"([-0-9.e]+)"
         lines = self.sides()
-        by_ulps = {f"{field}[{axis}] by {by}": (rf'"{field}":\[' + r"[^,]*," * axis + number, lambda x, by=by: step(x, by),
-                                                f"expect.{field}[{axis}]: ")
-                   for field in ("normal", "point1", "point2") for axis in range(3) for by in (-1, 1)}
-        self.corrupt(lines, by_ulps | {
+        self.corrupt(lines, self.by_ulps() | {
             "value": ('"value":' + number, step, "expect.value: "),
             "margin": ('"margin_ulps":' + number, step, "exact.margin_ulps: "),
             "numerator": (r'"distance2":"0x[0-9a-f]*([0-9a-f])p', lambda x: format(int(x, 16) ^ 2, "x"), "exact.distance2: "),
@@ -573,9 +571,18 @@ class Wrong(Case):
             "alarm an ulp less": (r'"alarm":(0.5)', "0.49999999999999994", "id: ", "expect.hit: expected false, got true"),
         })
 
+    def round_one_way(self, rows, **more):
+        """Of each: the question, the field, its right text, and wrong ones."""
+        for name, (query, field, right, *wrong) in rows.items():
+            lines = self.annotated({**query, **more})
+            index = "[0]" if field == "point1" else ""
+            text = rf'"{field}":\[?([^,}}\]]*)'
+            with self.subTest(name):
+                self.assertEqual(re.search(text, lines[1])[1], right)
+            self.corrupt(lines, {f"{name}: {one}": (text, one, f"expect.{field}{index}: expected {right}, got {one}") for one in wrong})
+
     def test_ties_the_ends_of_the_range_and_subnormal_numbers_round_one_way_only(self):
         least, half_of_largest = 5e-324, 2.0**970
-        # Of each: the question, the field, its right text, and wrong ones.
         rows = {
             "tie to even, downwards": (question([0, 0, 0], 1, [0, 0, 0], 2.0**-53), "value", "-1", "-1.0000000000000002"),
             "tie to even, upwards": (question([0, 0, 0], 1, [0, 0, 0], 3 * 2.0**-53), "value", "-1.0000000000000004",
@@ -590,13 +597,7 @@ class Wrong(Case):
             "a third of the smallest subnormal": (question([0, 0, 0], least, [1, 2, 2], 3), "point1", "0", "5e-324", "-0"),
             "the smallest subnormal": (question([0, 0, 0], least, [2, 1, 2], 3), "point1", "5e-324", "0", "1e-323"),
         }
-        for name, (query, field, right, *wrong) in rows.items():
-            lines = self.annotated(query)
-            index = "[0]" if field == "point1" else ""
-            text = rf'"{field}":\[?([^,}}\]]*)'
-            with self.subTest(name):
-                self.assertEqual(re.search(text, lines[1])[1], right)
-            self.corrupt(lines, {f"{name}: {one}": (text, one, f"expect.{field}{index}: expected {right}, got {one}") for one in wrong})
+        self.round_one_way(rows)
 
     def test_the_same_in_binary32(self):
         largest, half_of_largest, least = LARGEST32, 2.0**103, 2.0**-149
@@ -613,13 +614,7 @@ class Wrong(Case):
                                                   repr(least / 3)),
             "the smallest subnormal": (question([0, 0, 0], least, [2, 1, 2], 3), "point1", repr(least), "0", repr(least / 3 * 2)),
         }
-        for name, (query, field, right, *wrong) in rows.items():
-            lines = self.annotated({**query, "scalar": "binary32"})
-            index = "[0]" if field == "point1" else ""
-            text = rf'"{field}":\[?([^,}}\]]*)'
-            with self.subTest(name):
-                self.assertEqual(re.search(text, lines[1])[1], right)
-            self.corrupt(lines, {f"{name}: {one}": (text, one, f"expect.{field}{index}: expected {right}, got {one}") for one in wrong})
+        self.round_one_way(rows, scalar="binary32")
         lines = self.annotated(question([0, 0, 0], 1, [0, 0, 0], 0.5, scalar="binary32"))
         self.corrupt(lines, {"a question that is not binary32": (r'"radius":(0.5)', "0.1", "id: ",
                                                                  "b.radius: expected 0.10000000149011612, got 0.1",

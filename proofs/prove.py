@@ -150,7 +150,6 @@ class Script:
         self.grids = re.findall(r"@FIX\(\w+,\s*(-\d+)\)", after)
         self.concluded = re.findall(r"@(\w+)@", after)
         self.assumed = [re.sub(r"\s", "", part) for part in before.split("/\\")]
-        self.conclusions = re.findall(r"@(\w+)@", after)
         self.hints = code[goal.end() :].count("->")
 
     def variants(self):
@@ -374,7 +373,9 @@ def main(arguments=None):
         statement = re.compile(r"^(?:Lemma|Theorem) (\w+)(.*?)^Proof", re.MULTILINE | re.DOTALL)
         lemmas = {path.name: dict(statement.findall(path.read_text())) for path in files}
         if options.only:
-            scripts = {name: script for name, script in scripts.items() if name == options.only}
+            if options.only not in scripts:
+                raise ProofError(f"no script is named {options.only}")
+            scripts = {options.only: scripts[options.only]}
             files = []
         else:
             check_order(scripts, table, lemmas)

@@ -108,6 +108,9 @@ class Planted(Case):
         self.edit("scripts/recip_root.g", "|e2| <= @u@", "|e2| <= @u@ /\\ |rho| <= @rho@")
         self.refused("a circle")
 
+    def test_a_script_that_there_is_not_is_refused(self):
+        self.refused("no script is named roots", "--only", "roots")
+
     def planted_constants(self):
         """Each constant of C++ with what is proved to suffice, in a copy of the sources that may be edited."""
         table = prove.Table(self.folder)

@@ -20,10 +20,10 @@ namespace {
 // Shrinking ends after so many trials, or so long where the engine does not even answer.
 constexpr std::uint64_t kShrinkTries = 2000;
 constexpr std::chrono::seconds kShrinkTime{20};
-constexpr int kRedraws = 50;              // for a question within the engine's range
-constexpr int kMostVacuous = 30;          // trials for each case, before a law is given up
-constexpr int kMostRestarts = 100;        // of a dead engine
-constexpr std::uint64_t kSpareCases = 2;  // right answers may differ where more than one is right
+constexpr int kRedraws = 50;                // for a question within the engine's range
+constexpr std::uint64_t kMostVacuous = 30;  // trials for each case, before a law is given up
+constexpr int kMostRestarts = 100;          // of a dead engine
+constexpr std::uint64_t kSpareCases = 2;    // right answers may differ where more than one is right
 
 class Runner {
  public:
@@ -72,7 +72,7 @@ class Runner {
     for (const Pair pair : pairs) gens.push_back(trials(law, pair));
     rc::Random random(law_seed(law));
     for (std::uint64_t drawn = 0; result.tested < options_.cases; ++drawn) {
-      if (drawn > kMostVacuous * options_.cases) {
+      if (!may_draw(drawn)) {
         result.given_up = would_suit_more(law, gens, result.tested);
         if (!result.given_up && result.tested == 0) result.skipped = "no question that the engine serves suits it";
         return;
@@ -90,13 +90,16 @@ class Runner {
     }
   }
 
+  /// Whether a law is not yet given up after so many trials. The product of cases and trials might not fit.
+  [[nodiscard]] bool may_draw(std::uint64_t drawn) const { return drawn / kMostVacuous < options_.cases; }
+
   /// Whether many more of the same trials would have suited a law if the engine had answered rightly. If not, the
   /// engine serves too few questions of this kind, and that is no fault of its answers.
   bool would_suit_more(const Law& law, const std::vector<rc::Gen<Trial>>& gens, std::uint64_t tested) {
     rc::Random random(law_seed(law));
     const std::uint64_t most = 2 * tested + kSpareCases;
     std::uint64_t suited = 0;
-    for (std::uint64_t drawn = 0; drawn <= kMostVacuous * options_.cases && suited <= most; ++drawn) {
+    for (std::uint64_t drawn = 0; may_draw(drawn) && suited <= most; ++drawn) {
       const auto trial = draw(law, gens[drawn % gens.size()], random);
       if (!trial) continue;
       if (options_.after_case) options_.after_case();

@@ -45,18 +45,27 @@ constexpr std::tuple kOthers{Subject<Ball, Capsule>{"sphere_capsule_test", "sphe
                              Subject<Ray, Triangle>{"ray_triangle_test", "ray_triangle_compute"},
                              Subject<Triangle, Line>{"triangle_line_test", "triangle_line_compute"}};
 
+std::vector<std::uint8_t>& hits(std::size_t size) {
+  static std::map<std::size_t, std::vector<std::uint8_t>> made;
+  return made.try_emplace(size, size).first->second;
+}
+
+/// What a library has of a kind, on the questions that pairs(size) has.
+template <class Kind, class Pairs>
+void register_loops(const Loops<Kind>& loops, const std::string& row, const Place& place, Pairs pairs,
+                    const char* test_name = "test", const char* compute_name = "compute") {
+  if (loops.test)
+    at_place(row + test_name, place, [test = loops.test, pairs](std::size_t n) { test(pairs(n), hits(n).data()); });
+  if (loops.compute)
+    at_place(row + compute_name, place,
+             [compute = loops.compute, pairs](std::size_t n) { compute(pairs(n), answers(n).data()); });
+}
+
 template <class A, class B>
 void register_times(const Subject<A, B>& subject, const Peer& peer, bool everywhere) {
-  const Loops<Two<A, B>>& loops = peer.of<Two<A, B>>();
-  const std::string name = "Peer/" + peer.name + "/";
-  for (const Place& place : std::span(kPlaces).first(peer.slow || !everywhere ? 1 : kPlaces.size())) {
-    if (loops.test)
-      at_place(name + subject.test, place,
-               [test = loops.test](std::size_t n) { test(one_by_one<A, B>(n), generic<A, B>(n).hit.data()); });
-    if (loops.compute)
-      at_place(name + subject.compute, place,
-               [compute = loops.compute](std::size_t n) { compute(one_by_one<A, B>(n), answers(n).data()); });
-  }
+  for (const Place& place : std::span(kPlaces).first(peer.slow || !everywhere ? 1 : kPlaces.size()))
+    register_loops(peer.of<Two<A, B>>(), "Peer/" + peer.name + "/", place, one_by_one<A, B>, subject.test,
+                   subject.compute);
 }
 
 /// The questions of a family, of "generic" such as scenes have, about half of which overlap.
@@ -68,19 +77,7 @@ const std::vector<Convexes>& of_family(Pair pair, const std::string& family, std
         golden::generate_query(pair, *golden::find_family(pair, family), Scalar::binary64, 1, all.size()).shapes));
   return all;
 }
-const std::vector<Convexes>& boxes(std::size_t size) { return of_family(Pair::obb_obb, "generic", size); }
-void register_times_of_boxes(const Peer& peer) {
-  const Loops<Convexes>& loops = peer.of<Convexes>();
-  const std::string name = "Peer/" + peer.name + "/obb_obb_";
-  if (loops.test)
-    at_place(name + "test", kPlaces[0], [test = loops.test](std::size_t n) {
-      std::vector<std::uint8_t> hit(n);
-      test(boxes(n), hit.data());
-    });
-  if (loops.compute)
-    at_place(name + "compute", kPlaces[0],
-             [compute = loops.compute](std::size_t n) { compute(boxes(n), answers(n).data()); });
-}
+std::span<const Convexes> boxes(std::size_t size) { return of_family(Pair::obb_obb, "generic", size); }
 
 /// Hulls of twelve corners beside each other, about half of which overlap; beside spheres, capsules and planes as adapters take them: along an axis.
 enum class Beside { hull, sphere, capsule, plane };
@@ -109,16 +106,8 @@ void register_times_of_hulls(const Peer& peer) {
                                      {"capsule_hull", Beside::capsule},
                                      {"hull_plane", Beside::plane}}) {
     if (beside == Beside::plane && !peer.hulls.has_planes) continue;
-    const std::string row = "Peer/" + peer.name + "/" + name + "_";
-    if (peer.hulls.test)
-      at_place(row + "test", kPlace, [test = peer.hulls.test, beside = beside](std::size_t n) {
-        std::vector<std::uint8_t> hit(n);
-        test(hulls(beside, n), hit.data());
-      });
-    if (peer.hulls.compute)
-      at_place(row + "compute", kPlace, [compute = peer.hulls.compute, beside = beside](std::size_t n) {
-        compute(hulls(beside, n), answers(n).data());
-      });
+    register_loops<Convexes>(peer.hulls, "Peer/" + peer.name + "/" + name + "_", kPlace,
+                             [beside = beside](std::size_t n) { return std::span(hulls(beside, n)); });
   }
 }
 
@@ -126,17 +115,9 @@ void register_times_of_hulls(const Peer& peer) {
 void register_times_of_families(const Peer& ours) {
   constexpr Place kPlace{kPlaces[0].name, 512};
   for (const auto& [name, pair] : {std::pair("obb_obb", Pair::obb_obb), {"hull_hull", Pair::hull_hull}})
-    for (const char* family : {"generic", "deep", "near_touching", "touching", "parallel", "flat", "nested", "ties"}) {
-      const std::string row = std::string("Special/") + name + "/" + family + "/";
-      const Loops<Convexes>& loops = ours.of<Convexes>();
-      at_place(row + "test", kPlace, [test = loops.test, pair = pair, family](std::size_t n) {
-        std::vector<std::uint8_t> hit(n);
-        test(of_family(pair, family, n), hit.data());
-      });
-      at_place(row + "compute", kPlace, [compute = loops.compute, pair = pair, family](std::size_t n) {
-        compute(of_family(pair, family, n), answers(n).data());
-      });
-    }
+    for (const char* family : {"generic", "deep", "near_touching", "touching", "parallel", "flat", "nested", "ties"})
+      register_loops(ours.of<Convexes>(), std::string("Special/") + name + "/" + family + "/", kPlace,
+                     [pair = pair, family](std::size_t n) { return std::span(of_family(pair, family, n)); });
 }
 
 template <class A, class B>
@@ -265,7 +246,7 @@ void count_wrong_answers(benchmark::State& state, const Peer& peer, const std::s
     for (Peer& peer : peers()) {
       std::apply([&](const auto&... subject) { (register_times(subject, peer, true), ...); }, kSubjects);
       std::apply([&](const auto&... subject) { (register_times(subject, peer, false), ...); }, kOthers);
-      register_times_of_boxes(peer);
+      register_loops(peer.of<Convexes>(), "Peer/" + peer.name + "/obb_obb_", kPlaces[0], boxes);
       register_times_of_hulls(peer);
       std::apply([&](const auto&... scenes) { (register_times_of_scenes(peer, scenes), ...); },
                  std::tie(kScenesOfBalls, kScenesOfPlanes, kScenesOfCapsulesAndPlanes, kScenesOfCapsules,
