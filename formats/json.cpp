@@ -232,6 +232,8 @@ nlohmann::json parse_object(std::string_view line, const Location& where, const 
       return take(outermost, index++, parsed);
     return true;
   };
+  // The library takes it for the end.
+  if (line.find('\0') != std::string_view::npos) throw InputError(where, "", "malformed JSON: it has a NUL byte");
   try {
     nlohmann::json parsed = nlohmann::json::parse(line, check);
     if (!parsed.is_object()) throw InputError(where, "", "expected a JSON object, got " + shortened(parsed.dump()));

@@ -6,9 +6,11 @@
 #include <cfenv>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <optional>
+#include <system_error>
 
 #include "engines/hosts/subprocess.hpp"
 #include "formats/input_error.hpp"
@@ -54,6 +56,13 @@ int guarded(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     tell("not enough memory");
     return kBadInput;
+  } catch (const std::filesystem::filesystem_error& error) {
+    say_error("contact-oracle: {}: {}\n", cut(error.path1().native()), error.code().message());
+    return kBadInput;
+  } catch (const std::system_error& error) {
+    std::ferror(stdout) != 0 ? tell("standard output: cannot write")
+                             : say_error("contact-oracle: {}\n", cut(error.what()));
+    return kBadInput;
   } catch (const std::exception& error) {
     say_error("contact-oracle: {}\n", cut(error.what()));
     return kBadInput;
@@ -70,6 +79,7 @@ int main(int argc, char** argv) {
   using namespace contact;
   // Before main only others can have changed it, such as a library that was built with -ffast-math. Threads inherit it.
   std::fesetenv(FE_DFL_ENV);
+  tool::occupy_standard_streams();
   tool::keep_freed_memory();
   tool::catch_signals();
   tool::guard_output();

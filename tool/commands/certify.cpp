@@ -471,7 +471,7 @@ void add_certify(CLI::App& app, int& exit) {
                       "can know published answers; 0: none (default: {}; {} on the scoreboard; with a "
                       "baseline those that it was made with)",
                       kFreshEach, kFreshOfScoreboard))
-      ->check(kFromZero);
+      ->check(kCount);
   command->add_option("--seed", options->seed, "The seed of new questions (default: random, printed)")
       ->check(kFromZero);
   command

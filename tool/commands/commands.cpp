@@ -73,20 +73,23 @@ void require_alone(const CLI::App& command, const std::string& option) {
 
 namespace {
 
-CLI::Validator whole_number(std::string name, bool zero_allowed) {
+/// Of numbers up to 2^bits - 1.
+CLI::Validator whole_number(std::string name, std::uint64_t least, int bits) {
   return CLI::Validator(
-      [zero_allowed](const std::string& text) {
+      [least, bits](const std::string& text) {
         const auto number = formats::whole_number<std::uint64_t>(text);
-        if (number && (zero_allowed || *number != 0)) return std::string();
-        return fmt::format("expected a whole number from {} to 2^64 - 1, got '{}'", zero_allowed ? 0 : 1, text);
+        if (number && *number >= least && *number <= ~std::uint64_t{0} >> (64 - bits)) return std::string();
+        return fmt::format("expected a whole number from {} to 2^{} - 1, got '{}'", least, bits, text);
       },
       std::move(name));
 }
 
 }  // namespace
 
-const CLI::Validator kFromZero = whole_number("0..", true);
-const CLI::Validator kFromOne = whole_number("1..", false);
+const CLI::Validator kFromZero = whole_number("0..", 0, 64);
+const CLI::Validator kCount = whole_number("0..", 0, 32);
+const CLI::Validator kFromOne = whole_number("1..", 1, 32);
+const CLI::Validator kThreads = whole_number("1..", 1, 16);
 const CLI::Validator kSeconds(
     [](const std::string& text) {
       char* end = nullptr;

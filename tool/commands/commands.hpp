@@ -21,9 +21,13 @@ inline constexpr const char* kCompleteName = "complete";
 /// What help calls the default of golden_folder(), whose path is another on every machine.
 inline constexpr std::string_view kCommitted = "the committed golden files";
 
-/// Validators for whole numbers from 0 and from 1; CLI11 would let -1 wrap around.
-extern const CLI::Validator kFromZero;
+/// Validators for whole numbers; CLI11 would let -1 wrap around.
+extern const CLI::Validator kFromZero;  ///< of 64 bits, such as seeds
+/// For how many of something, from 0 and from 1: below 2^32, where the numbers of fresh questions begin, so that no sum wraps around.
+extern const CLI::Validator kCount;
 extern const CLI::Validator kFromOne;
+/// For how many threads: oneTBB makes room for every one before it begins.
+extern const CLI::Validator kThreads;
 /// For seconds: above 0. CLI11's own message spells out the largest double.
 extern const CLI::Validator kSeconds;
 /// For a distance: from 0.

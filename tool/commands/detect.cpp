@@ -267,7 +267,7 @@ void add_detect(CLI::App& app, int& exit) {
                     "Spheres against cubes, too: cubes are solid (default: they bound something else, as in SOFA)");
   command
       ->add_option("--jobs", options->jobs, "Threads (default: a thread a core); the output is the same for any number")
-      ->check(kFromOne);
+      ->check(kThreads);
   add_json_option(*command, options->json, "The contacts as JSON lines");
   command->add_option("-o,--output", options->output, "The same as --json=FILE")->type_name("FILE");
   command->footer(

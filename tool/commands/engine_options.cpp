@@ -70,7 +70,7 @@ void add_engine_options(CLI::App& command, EngineOptions& options, bool recorded
       ->capture_default_str()
       ->check(CLI::IsMember(engines::kComputedPointsNames));
   command.add_option("--jobs", options.jobs, "Threads, and engine processes (default: a thread a core, one process)")
-      ->check(kFromOne);
+      ->check(kThreads);
   command.add_option("--start-limit", options.start_limit, "Seconds until an engine's hello")
       ->capture_default_str()
       ->check(kSeconds);

@@ -211,7 +211,16 @@ std::size_t digest_place(const std::string& text, const formats::Location& where
 
 /// Absolute first: the standard library leaves the name of a file that is not there yet as relative as it is.
 std::filesystem::path resolved(const std::filesystem::path& path) {
-  return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+  std::error_code unreachable;  // then as it is named
+  const std::filesystem::path absolute = std::filesystem::absolute(path);
+  std::filesystem::path found = std::filesystem::weakly_canonical(absolute, unreachable);
+  return unreachable ? absolute : found;
+}
+
+/// Not where it cannot be reached, or where a text is too long to be a name.
+bool is_file(const std::filesystem::path& path) {
+  std::error_code none;
+  return std::filesystem::is_regular_file(path, none);
 }
 
 /// The file that a shell would start for a name without a slash.
@@ -220,7 +229,7 @@ std::filesystem::path on_path(const std::string& program) {
   std::istringstream folders(path == nullptr ? "/usr/bin:/bin" : path);
   for (std::string folder; std::getline(folders, folder, ':');) {
     std::filesystem::path file = std::filesystem::path(folder.empty() ? "." : folder) / program;
-    if (std::filesystem::is_regular_file(file) && ::access(file.c_str(), X_OK) == 0) return file;
+    if (is_file(file) && ::access(file.c_str(), X_OK) == 0) return file;
   }
   return {};
 }
@@ -319,7 +328,7 @@ json provenance(const EngineOptions& options, const std::filesystem::path& folde
     const bool by_name = &word == &words.front() && word.find('/') == std::string::npos;
     if (by_name) {
       if (const auto found = on_path(word); !found.empty()) add("program", word, found);
-    } else if (std::filesystem::is_regular_file(word)) {
+    } else if (is_file(word)) {
       add("file", seen_from(folder, word), word);
     }
   }

@@ -37,6 +37,12 @@ CertificateFiles::CertificateFiles(CertificateOptions options, EngineOptions eng
     throw formats::InputError({options_.record, 0}, "", "the certificate and the answers are two files");
   if (!recorded) answers_ = std::make_unique<formats::OutputFile>(options_.record);
   if (options_.certificate.empty()) return;
+  try {
+    static_cast<void>(nlohmann::json(engine_.command).dump());
+  } catch (const nlohmann::json::exception&) {
+    throw formats::InputError({options_.certificate, 0}, "--engine-command",
+                              "is not UTF-8, so no certificate can state it");
+  }
   issued_ = issue_date();
   certificate_ = std::make_unique<formats::OutputFile>(options_.certificate);
 }

@@ -30,10 +30,10 @@ std::string junit_text(const Report& report) {
     auto failure = test.append_child("failure");
     failure.append_attribute("message") =
         fmt::format(
-            "{} cases: {} missed hits, {} false hits, {} with missing fields, {} not finite, {} missing; level "
-            "reached: {}",
-            f.cases, f.missed_hits, f.false_hits, f.incomplete, f.not_finite, f.with(Claim::Status::missing),
-            name(f.level_but_accepted(report.allow_unsupported)))
+            "{} cases: {} missed hits, {} false hits, {} without an answer, {} with missing fields, {} not finite, {} "
+            "numbers beyond the bound; level reached: {}",
+            f.cases, f.missed_hits, f.false_hits, f.unanswered(), f.incomplete, f.not_finite,
+            f.all_fields().at(oracle::Grade::beyond_bound), name(f.level_but_accepted(report.allow_unsupported)))
             .c_str();
   }
   for (const Skipped& s : report.skipped) {

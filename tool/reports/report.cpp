@@ -502,7 +502,7 @@ std::vector<std::string> Report::reasons(const FamilyReport& all) const {
 
 std::string Report::sentence() const {
   const FamilyReport published = total();
-  if (published.cases == 0) return fmt::format("NOTHING JUDGED: no case was left for {}.", who());
+  if (judged() == 0) return fmt::format("NOTHING JUDGED: no case was left for {}.", who());
   const FamilyReport asked = fresh_total();
   const std::uint64_t accepted_here = published.accepted + asked.accepted;
   const double share = 100.0 * static_cast<double>(judged()) / static_cast<double>(published.cases + skipped_cases());

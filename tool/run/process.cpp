@@ -1,11 +1,13 @@
 // What a command has of its process: signals, standard input, a progress bar.
 #include "tool/run/process.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/time.h>
 #include <tbb/parallel_for.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <iostream>
@@ -50,6 +52,13 @@ constexpr int kBarWidth = 30;
 constexpr std::chrono::milliseconds kRedraw{100};
 
 }  // namespace
+
+void occupy_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) == -1 && errno == EBADF)
+      static_cast<void>(
+          ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));  // the lowest number is free
+}
 
 void catch_signals() {
   // Without SA_RESTART, so that a command waiting for its input ends too.

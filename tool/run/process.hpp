@@ -17,6 +17,10 @@ namespace contact::tool {
 /// The exit codes of contract: certified, refuted, bad input, harness invalid, oracle fault; and an interruption.
 enum Exit { kCertified = 0, kRefuted = 1, kBadInput = 2, kHarnessInvalid = 3, kOracleFault = 4, kInterrupted = 130 };
 
+/// Opens what is closed of standard input, output and error: files and pipes that are opened later would take its number,
+/// and what is printed would go there. Printing fails as before.
+void occupy_standard_streams();
+
 /// SIGINT or SIGTERM arrived. Thrown from the work itself, so that temporary files are removed on the way out.
 struct Interrupted : std::runtime_error {
   explicit Interrupted(const std::string& what = "interrupted; nothing was written") : std::runtime_error(what) {}
