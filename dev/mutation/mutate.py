@@ -51,7 +51,7 @@ COMPONENTS = {
               "src/kernel/batch_cores.cpp", "src/kernel/batch_cores-inl.h", "src/kernel/batch_crossing-inl.h",
               "src/kernel/batch_over_plane-inl.h", "src/kernel/batch_point_segment-inl.h", "src/kernel/batch_ways-inl.h",
               "src/kernel/batch_cube_cube.cpp", "src/kernel/batch_finishing-inl.h", "src/kernel/batch_lifted-inl.h", "src/kernel/batch_near_touching-inl.h",
-              "src/kernel/batch_balls-inl.h", "src/kernel/batch_scalar.cpp", "src/kernel/batch_sphere_cube-inl.h", "src/kernel/batch_sphere_sphere.cpp", "src/kernel/batch_strips.hpp",
+              "src/kernel/batch_balls-inl.h", "src/kernel/batch_scalar.cpp", "src/kernel/batch_sphere_cube-inl.h", "src/kernel/batch_sphere_sphere.cpp",
               "src/kernel/batch_targets.cpp"],
     "oracle": ["oracle/gradient/gradient.cpp", "oracle/gradient/germ.hpp", "oracle/gradient/gradient.hpp", "oracle/truth/casts.cpp", "oracle/truth/casts.hpp", "oracle/truth/clamped.hpp", "oracle/truth/core.hpp", "oracle/truth/cores.cpp",
                "oracle/truth/cores.hpp", "oracle/truth/crossings.cpp", "oracle/truth/crossings.hpp",

@@ -603,18 +603,18 @@ batch::Count compute_cores(const PairColumns<A, B>& pairs, const ContactQuestion
   Pressed<A, B> pressed;
   const std::size_t whole = pairs.size - pairs.size % hn::Lanes(D());
   bool is_dense = false;
-  for_each_strip<CoreColumns::kPairs>(pairs.from(0, whole),
-                                      [&](const PairColumns<A, B>& strip, std::size_t begin) HWY_ATTR {
-                                        const ContactRows rows = out.from(begin);
-                                        const std::size_t before = count.hits;
-                                        if (is_dense) {
-                                          contacts_of_dense(strip, question, rows, pressed.cores, count);
-                                        } else {
-                                          pressed.compute(strip, question, pressed.out(), count);
-                                          pressed.spread(rows, strip.size);
-                                        }
-                                        is_dense = 16 * (count.hits - before) > kDense * strip.size;
-                                      });
+  for (std::size_t begin = 0; begin < whole; begin += CoreColumns::kPairs) {
+    const PairColumns<A, B> strip = pairs.from(begin, std::min(CoreColumns::kPairs, whole - begin));
+    const ContactRows rows = out.from(begin);
+    const std::size_t before = count.hits;
+    if (is_dense) {
+      contacts_of_dense(strip, question, rows, pressed.cores, count);
+    } else {
+      pressed.compute(strip, question, pressed.out(), count);
+      pressed.spread(rows, strip.size);
+    }
+    is_dense = 16 * (count.hits - before) > kDense * strip.size;
+  }
   if (whole == pairs.size) return count;
 
   const Padded last(pairs, whole);
@@ -641,20 +641,20 @@ batch::Count compute_hits_cores(const PairColumns<A, B>& pairs, const ContactQue
     }
   };
   const std::size_t whole = pairs.size - pairs.size % hn::Lanes(D());
-  for_each_strip<CoreColumns::kPairs>(pairs.from(0, whole),
-                                      [&](const PairColumns<A, B>& strip, std::size_t begin) HWY_ATTR {
-                                        const ContactRows rows = out.from(found);
-                                        const std::size_t before = count.hits;
-                                        pressed.compute(strip, question, rows, count);
-                                        const std::size_t size = pressed.pairs.size;
-                                        if (count.hits - before == size) {
-                                          for (std::size_t row = 0; row < size; ++row)
-                                            index[found + row] = static_cast<std::uint32_t>(begin + pressed.row(row));
-                                          found += size;
-                                        } else {
-                                          take(rows, size, [&](std::size_t row) { return begin + pressed.row(row); });
-                                        }
-                                      });
+  for (std::size_t begin = 0; begin < whole; begin += CoreColumns::kPairs) {
+    const PairColumns<A, B> strip = pairs.from(begin, std::min(CoreColumns::kPairs, whole - begin));
+    const ContactRows rows = out.from(found);
+    const std::size_t before = count.hits;
+    pressed.compute(strip, question, rows, count);
+    const std::size_t size = pressed.pairs.size;
+    if (count.hits - before == size) {
+      for (std::size_t row = 0; row < size; ++row)
+        index[found + row] = static_cast<std::uint32_t>(begin + pressed.row(row));
+      found += size;
+    } else {
+      take(rows, size, [&](std::size_t row) { return begin + pressed.row(row); });
+    }
+  }
   if (whole == pairs.size) return count;
 
   const Padded last(pairs, whole);

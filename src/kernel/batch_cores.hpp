@@ -1,8 +1,10 @@
 // What the first loop of batch_cores-inl.h leaves to the second one.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "kernel/batch.hpp"
-#include "kernel/batch_strips.hpp"
 
 namespace contact::kernel {
 
@@ -26,7 +28,9 @@ namespace contact::kernel {
 /// the vector d is within d_error, which is infinite where that is not known. Some room between columns keeps them from
 /// the same place in a page, where loads look like recent stores to the processor.
 struct CoreColumns {
-  static constexpr std::size_t kPairs = kStrip / 2;  // of threads with 128 KiB of stack all that is needed takes half
+  // What one loop writes for the next stays in the first level cache; of threads with 128 KiB of stack all that is
+  // needed takes half.
+  static constexpr std::size_t kPairs = 128;
   static constexpr std::size_t kRoom = kPairs + 24;
   double d[6][kRoom];
   double d_error[kRoom];

@@ -14,6 +14,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "kernel/batch_columns-inl.h"
 
@@ -55,7 +56,8 @@ struct Lifted {
   HWY_ATTR Lifted(const SpherePairs& pairs, std::size_t i, Distances distances) {
     const std::size_t lanes = hn::Lanes(D());
     for (std::size_t k = 0; k < 8; ++k) std::copy_n((k < 4 ? pairs.a[k] : pairs.b[k - 4]) + i, lanes, number[k]);
-    std::fill_n(number[8], lanes, distances.alarm);
+    const bool is_limited = distances.alarm < std::numeric_limits<double>::infinity();
+    std::fill_n(number[8], lanes, is_limited ? distances.alarm : 0);
     std::fill_n(number[9], lanes, distances.contact);
 
     // Each number as (1 + fraction) 2^biased, with a subnormal one made normal.
@@ -84,6 +86,7 @@ struct Lifted {
         number[k][lane] = std::bit_cast<double>(is_zero ? bits : moved);
         lost[lane] |= !is_zero && to < kLeast ? 1U : 0U;
       }
+    if (!is_limited) std::fill_n(number[8], lanes, distances.alarm);  // it has no exponent
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       if (lost[lane] == 0) continue;
       left |= 1U << lane;

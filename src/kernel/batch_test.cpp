@@ -137,10 +137,11 @@ Row expected_row(const Kind& shapes, Distances distances, ContactPoints points) 
   return row_of(contact);
 }
 
-/// What the oracle says, where it knows the convention.
+/// What the oracle says, where it knows the convention and has such an alarm distance.
 template <class Kind>
 void expect_oracle_agrees(const Row& row, const Kind& shapes, Distances distances, ContactPoints points) {
   if (points.first != PointOn::nearest_surface || points.second != PointOn::nearest_surface) return;
+  if (!std::isfinite(distances.alarm)) return;
   const Expectation expected = oracle::staged_answer({pair_of<Kind>(), shapes, distances}, Scalar::binary64).expected;
   EXPECT_EQ(row, row_of(expected.contact)) << words(shapes, distances);
 }
@@ -225,6 +226,35 @@ TYPED_TEST(Batch, gives_the_bits_of_one_pair_on_every_family) {
                               [](const Query& query) { return is_hit(shapes_of<TypeParam>(query), query.distances); }));
     }
   }
+}
+
+/// A shape of which all points are at `point` and all lengths are 0; a half-space on the far side of it.
+template <class Shape>
+Shape shape_at(const Vector3& point) {
+  Shape shape = zero_shape<Shape>();
+  for_each_field(shape, [&](const auto& field, auto& value) {
+    if (field.kind == FieldKind::point) for_each_vector(value, [&](Vector3& v) { v = point; });
+    if (field.kind == FieldKind::direction) for_each_vector(value, [&](Vector3& v) { v = -point.cwiseSign(); });
+    if (field.kind == FieldKind::offset)
+      for_each_number_in(value, [&](double& x) { x = -point.lpNorm<Eigen::Infinity>(); });
+  });
+  return shape;
+}
+template <class A, class B>
+void put_apart(const Vector3& half, Two<A, B>& shapes) {
+  shapes = {shape_at<A>(half), shape_at<B>(-half)};
+}
+
+TYPED_TEST(Batch, an_infinite_alarm_distance_is_no_limit) {
+  if (is_crossing(pair_of<TypeParam>())) GTEST_SKIP() << "no distance counts";
+  constexpr double kMost = std::numeric_limits<double>::max();
+  const std::array<Vector3, 6> halves{Vector3(kMost, 0, 0),         Vector3(0, -kMost, 0), Vector3(0, 0, kMost),
+                                      Vector3(kMost, kMost, kMost), Vector3(1, 0, 0),      Vector3(1, 2, -3)};
+  Many<TypeParam> shapes(19);
+  for (std::size_t i = 0; i < shapes.size(); ++i) put_apart(halves[i % halves.size()], shapes[i]);
+  const Distances distances{std::numeric_limits<double>::infinity(), 0};
+  for (const TypeParam& two : shapes) EXPECT_TRUE(is_hit(two, distances)) << words(two, distances);
+  expect_same_bits(shapes, distances);
 }
 
 /// A question of a test's own family.
