@@ -130,11 +130,14 @@ void Facts::ask(Query other) {
   // What overflows stays the largest number: there is no truth about infinity.
   const double largest = std::numeric_limits<double>::max();
   for_each_number(other, [largest](const std::string&, double& x) { x = std::clamp(x, -largest, largest); });
-  // Nor about a plane whose normal has become 0, or about a ray that is cast without a direction.
+  // Nor about NaN, a plane whose normal has become 0, or a ray that is cast without a direction.
   bool is_nothing = false;
   for_each_field(other, [&](const std::string&, const auto& value, FieldKind kind) {
     bool is_zero = has_free_length(kind);
-    for_each_number_in(value, [&](double x) { is_zero = is_zero && x == 0; });
+    for_each_number_in(value, [&](double x) {
+      is_zero = is_zero && x == 0;
+      is_nothing = is_nothing || std::isnan(x);
+    });
     is_nothing = is_nothing || is_zero;
   });
   if (is_nothing) return;
