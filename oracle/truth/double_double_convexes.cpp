@@ -4,7 +4,7 @@
 //   overlap   0 lies below every facet of A - B, and nearest to one: facets are what faces and two edges make
 //
 // Where there are several nearest points or normals, and where something is not certain, there is no answer.
-#include "oracle/truth/double_double_convexes.hpp"
+#include "oracle/truth/double_double_segments.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "oracle/truth/core.hpp"
-#include "oracle/truth/double_double_planes.hpp"
 
 namespace contact::oracle {
 namespace {

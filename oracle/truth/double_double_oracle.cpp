@@ -9,9 +9,7 @@
 #include <utility>
 
 #include "oracle/truth/default_environment.hpp"
-#include "oracle/truth/double_double_convexes.hpp"
-#include "oracle/truth/double_double_crossings.hpp"
-#include "oracle/truth/double_double_planes.hpp"
+#include "oracle/truth/double_double_segments.hpp"
 
 namespace contact::oracle {
 namespace {

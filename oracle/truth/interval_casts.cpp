@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "oracle/truth/interval_casts.hpp"
+#include "oracle/truth/interval_cores.hpp"
 
 namespace contact::oracle {
 namespace casts {

@@ -2,7 +2,7 @@
 //
 // Of which vertices a facet consists is known from what it was made of, a face or two edges, and of the others by the sign of how far they are from it: in what is
 // in no special position no sign is that of 0, and few digits settle it.
-#include "oracle/truth/interval_convexes.hpp"
+#include "oracle/truth/interval_cores.hpp"
 
 #include <algorithm>
 #include <cmath>

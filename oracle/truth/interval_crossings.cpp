@@ -3,7 +3,7 @@
 //   side of an edge from v along e     d.(v x e) + m.e     the same sign for all three edges where the line crosses
 //   the plane N.x = o is met           at (N x m + o d) / N.d
 //   the ends                           on either side of the plane, or on it
-#include "oracle/truth/interval_crossings.hpp"
+#include "oracle/truth/interval_cores.hpp"
 
 #include <cstddef>
 

@@ -5,9 +5,7 @@
 #include <limits>
 
 #include "oracle/truth/default_environment.hpp"
-#include "oracle/truth/interval_casts.hpp"
-#include "oracle/truth/interval_convexes.hpp"
-#include "oracle/truth/interval_crossings.hpp"
+#include "oracle/truth/interval_cores.hpp"
 
 namespace contact::oracle {
 namespace {
