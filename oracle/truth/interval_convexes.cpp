@@ -163,15 +163,15 @@ class AnyTwo {
     const auto way = [](const auto& vertices, const Feature& edge) {
       return difference(vertices[edge.places[1]], vertices[edge.places[0]]);
     };
-    for (const Feature& e : a_.directions())
-      for (const Feature& f : b_.directions()) {
+    for (const Feature* e : a_.features_of(1))
+      for (const Feature* f : b_.features_of(1)) {
         // A facet that two edges make has both of them in it.
-        const RoughTriple roughly = cross(way(rough_a_, e), way(rough_b_, f));
-        Beyond of_a(a_, rough_a_, e, roughly);
-        Beyond of_b(b_, rough_b_, f, roughly);
+        const RoughTriple roughly = cross(way(rough_a_, *e), way(rough_b_, *f));
+        Beyond of_a(a_, rough_a_, *e, roughly);
+        Beyond of_b(b_, rough_b_, *f, roughly);
         const auto may_face = [&](int sign) { return !of_a.is_there(sign) && !of_b.is_there(-sign); };
         if (!may_face(1) && !may_face(-1)) continue;
-        const Triple n = cross(way(a_.vertices, e), way(b_.vertices, f));
+        const Triple n = cross(way(a_.vertices, *e), way(b_.vertices, *f));
         if (is_zero(n)) continue;
         of_a.settle(n);
         of_b.settle(n);
@@ -179,7 +179,7 @@ class AnyTwo {
         for (const int sign : {1, -1}) {
           if (!may_face(sign)) continue;
           if (!both) both.emplace(along(n));
-          facings_.push_back(facing(*both, sign, edge_at(a_, e, both->a, sign), edge_at(b_, f, both->b, -sign)));
+          facings_.push_back(facing(*both, sign, edge_at(a_, *e, both->a, sign), edge_at(b_, *f, both->b, -sign)));
         }
       }
   }
