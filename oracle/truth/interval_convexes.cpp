@@ -302,7 +302,6 @@ class AnyTwo {
 
   [[nodiscard]] RoundedAnswer answer_meeting(const Facing& f, bool is_touching, Distances distances,
                                              Scalar scalar) const {
-    const auto rounded = [&](const Interval& x) { return settled(x.rounded(scalar)); };
     const Interval r1 = number(a_.radius);
     const Interval r2 = number(b_.radius);
     const Interval reach = number(distances.alarm) + r1 + r2;
@@ -317,16 +316,17 @@ class AnyTwo {
     Contact contact{};
     contact.degenerate = is_touching;
     contact.unique = unique;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto axis = static_cast<Eigen::Index>(i);
-      const Interval& n = f.normal[i];
-      const Interval q = is_touching ? p[i] : p[i] - of_p * f.height * n;
-      contact.normal[axis] = rounded(n / length);
-      contact.point1[axis] = rounded((p[i] + (r1 * over * n) / length) / over);
-      contact.point2[axis] = rounded((q - (r2 * over * n) / length) / over);
-    }
+    const Triple& n = f.normal;
+    const auto q = [&, &p = p, &of_p = of_p](std::size_t i) {
+      return is_touching ? p[i] : p[i] - of_p * f.height * n[i];
+    };
+    contact.normal = rounded(scalar, [&](std::size_t i) { return n[i] / length; });
+    contact.point1 =
+        rounded(scalar, [&, &p = p](std::size_t i) { return (p[i] + (r1 * over * n[i]) / length) / over; });
+    contact.point2 = rounded(scalar, [&](std::size_t i) { return (q(i) - (r2 * over * n[i]) / length) / over; });
     const Interval less = (r1 + r2 + number(distances.contact)) * over_;
-    contact.value = rounded(((is_touching ? number(0) : number(0) - f.height / length) - less) / over_);
+    const Interval value = ((is_touching ? number(0) : number(0) - f.height / length) - less) / over_;
+    contact.value = settled(value.rounded(scalar));
     found.expected.contact = contact;
     return found;
   }

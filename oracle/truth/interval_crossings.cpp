@@ -36,11 +36,8 @@ RoundedAnswer answer_of_crossing(const IntervalCore& segment, const Triangle& tr
   const Triple turned = cross(n, moment);
   const Interval length = dot(n, n).root();
   const Interval direction(precision, sign);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto axis = static_cast<Eigen::Index>(i);
-    contact.normal[axis] = settled((direction * n[i] / length).rounded(scalar));
-    contact.point1[axis] = settled(((turned[i] + offset * along[i]) / through).rounded(scalar));
-  }
+  contact.normal = rounded(scalar, [&](std::size_t i) { return direction * n[i] / length; });
+  contact.point1 = rounded(scalar, [&](std::size_t i) { return (turned[i] + offset * along[i]) / through; });
   contact.point2 = contact.point1;
   contact.value = 0;
   answer.expected.contact = contact;
