@@ -204,14 +204,13 @@ Off decision_off(const Query& query, const Truth& truth, bool by_alarm, const st
     const Rational limit = at_alarm ? gaps->alarm() : Rational(0);
     return length_off(gaps->widest_gap() - limit, limit, tolerance);
   }
-  if (truth.cast() != nullptr)
-    return std::visit(
-        [&]<class A, class B>(const Two<A, B>& shapes) {
-          if constexpr (std::same_as<A, Cast>)
-            return length_off(distance_to_change(shapes, truth.hit()), Rational(0), tolerance);
-          return Off{};
-        },
-        query.shapes);
+  if (truth.cast() != nullptr) {
+    Off off;
+    if_cast(query.shapes, [&](const auto& shapes) {
+      off = length_off(distance_to_change(shapes, truth.hit()), Rational(0), tolerance);
+    });
+    return off;
+  }
   return length_off(Exact(Rational(0), Rational(1), crossing_change2(query)), Rational(0), tolerance);
 }
 
