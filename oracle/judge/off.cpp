@@ -124,14 +124,6 @@ const Rational& limit_of(const Query& query, const DistanceTruth& distance, bool
   return by_alarm && query.distances.alarm != 0 ? distance.reach() : distance.radii();
 }
 
-/// The square of how far a question without a distance is from another answer.
-Rational crossing_change2(const Query& query) {
-  if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes))
-    return distance2_to_change(exact_core(ray->a), ray->b);
-  const auto& line = std::get<TriangleAndLine>(query.shapes);
-  return distance2_to_change(exact_core(line.b), line.a);
-}
-
 }  // namespace
 
 Off length_off(const Exact& error, const Exact& scale, const std::optional<Tolerance>& tolerance,
@@ -211,7 +203,8 @@ Off decision_off(const Query& query, const Truth& truth, bool by_alarm, const st
     });
     return off;
   }
-  return length_off(Exact(Rational(0), Rational(1), crossing_change2(query)), Rational(0), tolerance);
+  const auto [segment, triangle] = crossed(query);
+  return length_off(Exact(Rational(0), Rational(1), distance2_to_change(segment, triangle)), Rational(0), tolerance);
 }
 
 }  // namespace contact::oracle
