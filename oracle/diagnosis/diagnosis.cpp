@@ -205,12 +205,36 @@ std::optional<Numbers> said_normal(const Claim& claim, const Conventions& conven
 }
 
 /// Causes without a formula.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kOtherCauses{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kOtherCauses{
     {{"accepts-nan", "accepts NaN"},
      {"accepts-infinity", "accepts infinity"},
-     {"accepts-inverted", "accepts a box turned inside out, or a negative distance"},
-     {"accepts-negative", "accepts a negative radius or distance"},
+     {"accepts-inverted", "accepts a box turned inside out"},
+     {"accepts-negative", "accepts a negative radius, extent, length or distance"},
+     {"accepts-vertices", "accepts a hull without vertices, or of too many"},
+     {"accepts-zero", "accepts a direction, normal or quaternion of zeros"},
      {"no-answer", "gives no answer"}}};
+
+/// Which of these an answer to a question outside the domain is.
+std::string_view accepted_by(const Query& query) {
+  bool nan = false;
+  bool infinite = false;
+  for_each_number(query, [&](const std::string&, double x) {
+    nan = nan || std::isnan(x);
+    infinite = infinite || std::isinf(x);
+  });
+  if (nan) return "accepts-nan";
+  if (infinite) return "accepts-infinity";
+  std::string_view cause;
+  for_each_field(query, [&, broken = outside_domain(query)->field]<class Value>(const std::string& field, const Value&,
+                                                                                FieldKind kind) {
+    if (!broken.starts_with(field)) return;
+    cause = kind == FieldKind::length   ? "accepts-negative"
+            : has_free_length(kind)     ? "accepts-zero"
+            : AnyNumberOfVectors<Value> ? "accepts-vertices"
+                                        : "accepts-inverted";
+  });
+  return cause;
+}
 
 /// The causes that are the arithmetic of the engine's own format.
 std::bitset<kMostCauses> own_arithmetic() {
@@ -337,7 +361,19 @@ bool Diagnosis::Place::is_sound() const {
 
 bool Diagnosis::is_sound() const {
   const std::array counts{&contradicted_, &upheld_, &denied_};
-  return std::all_of(sample_.begin(), sample_.end(),
+  const std::array by_pair{&answered_, &silent_};
+  return std::all_of(by_pair.begin(), by_pair.end(),
+                     [](const auto* of) {
+                       return std::all_of(of->begin(), of->end(), [](const auto& entry) {
+                         return static_cast<std::size_t>(entry.first) < kPairs.size();
+                       });
+                     }) &&
+         std::all_of(outside_.begin(), outside_.end(),
+                     [](const auto& entry) {
+                       return std::any_of(kOtherCauses.begin(), kOtherCauses.end(),
+                                          [&](const auto& cause) { return cause.first == entry.first; });
+                     }) &&
+         std::all_of(sample_.begin(), sample_.end(),
                      [&](const auto& entry) {
                        const auto& [place, by] = std::tie(entry.first.place, entry.first.by);
                        return place.is_sound() && (by >> causes().size()).none() &&
@@ -447,18 +483,7 @@ std::string_view sentence_of(std::string_view cause) {
   return causes()[cause_index(cause)].sentence;
 }
 
-void Diagnosis::add_outside_domain(const Query& query) {
-  bool nan = false;
-  bool infinite = false;
-  for_each_number(query, [&](const std::string&, double x) {
-    nan = nan || std::isnan(x);
-    infinite = infinite || std::isinf(x);
-  });
-  ++outside_[nan             ? "accepts-nan"
-             : infinite      ? "accepts-infinity"
-             : query.boxes() ? "accepts-inverted"
-                             : "accepts-negative"];
-}
+void Diagnosis::add_outside_domain(const Query& query) { ++outside_[std::string(accepted_by(query))]; }
 
 void Diagnosis::merge(const Diagnosis& other) {
   const auto add_up = [](auto& mine, const auto& others) {

@@ -135,6 +135,23 @@ TEST(Facts, AnotherQuestionIsReadAnewAndTheRegionStays) {
   EXPECT_EQ(facts.truth, &asked.truth);
 }
 
+TEST(Facts, AQuestionThatHasBecomeNaNIsNotAsked) {
+  // The hulls are wider than the largest number, so that steps of a grid are infinite, and the box is scaled by an
+  // infinite factor. Their causes say what is right: all lie 1 below the surface, as deep as a face is.
+  const Plane above{{0, 0, 1}, 1};
+  const auto hull = [&](double from, double to) {
+    return Query{Pair::hull_plane, Convexes{{Hull{{{from, 0, 0}, {to, 0, 0}, {1.3e308, 1, 0}}, 0}}, {above}}, {0, 0}};
+  };
+  const Query flat{Pair::obb_plane, Convexes{{Obb{{0, 0, 0}, {0, 0, 0, 1e200}, {1, 1, 0}}}, {above}}, {0, 0}};
+  for (const auto& [cause, query] : {std::pair{"hull-on-a-grid", hull(-1e308, 1e308)},
+                                     {"hull-on-a-grid", hull(1e308, 1.7e308)},
+                                     {"quaternion-not-normalised", flat}}) {
+    const Predictions said = Example(query).say(cause);
+    EXPECT_TRUE(is_hit(said.hit)) << cause;
+    expect_numbers(said.value, {-1, 0, 0}, cause);
+  }
+}
+
 TEST(Facts, AComparisonThatHangsOnTheLastBitsIsNoOpinion) {
   const Real next = std::numeric_limits<Real>::epsilon();
   EXPECT_EQ(Said::at_most(1, 1).kind, Said::Kind::no_opinion);
@@ -894,12 +911,32 @@ TEST(Diagnosis, AnAnswerOutsideTheDomainIsNamedByWhatIsWrongThere) {
   diagnosis.add_outside_domain(seven_apart(2, -3, 4));
   for (int i = 0; i < 3; ++i) diagnosis.add_outside_domain(seven_apart(kInfinity, kNaN, 4));
   for (int i = 0; i < 2; ++i) diagnosis.add_outside_domain(seven_apart(2, kInfinity, 4));
-  for (int i = 0; i < 4; ++i) diagnosis.add_outside_domain(boxes({1, 1, 1}, -1));
   EXPECT_EQ(diagnosis.lines(),
-            (Lines{"accepts a box turned inside out, or a negative distance: 4 answers where there is no question",
-                   "accepts NaN: 3 answers where there is no question",
+            (Lines{"accepts NaN: 3 answers where there is no question",
                    "accepts infinity: 2 answers where there is no question",
-                   "accepts a negative radius or distance: 1 answers where there is no question"}));
+                   "accepts a negative radius, extent, length or distance: 1 answers where there is no question"}));
+}
+
+TEST(Diagnosis, AFiniteQuestionOutsideTheDomainIsNamedByTheFirstFieldThatBreaksARule) {
+  const auto cause = [](const Query& query) {
+    Diagnosis diagnosis;
+    diagnosis.add_outside_domain(query);
+    return diagnosis.findings().at(0).cause;
+  };
+  const Box box{{2, 0, 0}, {1, 1, 1}};
+  const Obb turned{{0, 0, 0}, {0, 0, 0, 1}, {1, 1, 1}};
+  const Plane plane{{0, 0, 1}, 0};
+  EXPECT_EQ(cause({Pair::cube_cube, Boxes{box, {{0, 0, 0}, {1, 1, 1}}}, {0, 0}}), "accepts-inverted");
+  EXPECT_EQ(cause({Pair::sphere_cube, BallAndBox{{{0, 0, 0}, 1}, box}, {0, 0}}), "accepts-inverted");
+  EXPECT_EQ(cause(boxes({1, 1, 1}, -1)), "accepts-negative");
+  EXPECT_EQ(cause({Pair::obb_plane, Convexes{{Obb{{0, 0, 0}, {0, 0, 0, 1}, {1, -1, 1}}}, {plane}}, {0, 0}}),
+            "accepts-negative");
+  EXPECT_EQ(cause({Pair::obb_plane, Convexes{{Obb{{0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1}}}, {plane}}, {0, 0}}),
+            "accepts-zero");
+  EXPECT_EQ(cause({Pair::obb_plane, Convexes{{turned}, {Plane{{0, 0, 0}, 1}}}, {0, 0}}), "accepts-zero");
+  EXPECT_EQ(cause({Pair::cast_sphere, CastAt<Ball>{Cast{{{0, 0, 0}, {0, 0, 0}, 1}}, {{3, 0, 0}, 1}}, {0, 0}}),
+            "accepts-zero");
+  EXPECT_EQ(cause({Pair::hull_plane, Convexes{{Hull{{}, 0}}, {plane}}, {0, 0}}), "accepts-vertices");
 }
 
 TEST(Diagnosis, AConventionIsNamedWhereHalfAFieldIsRightUnderIt) {
@@ -1199,6 +1236,18 @@ TEST(Diagnosis, WhatCannotHaveBeenCountedIsNotSound) {
     sample.insert(std::move(node));
   });
   EXPECT_FALSE(other.is_sound()) << "explained by a cause that there is not";
+  for (const bool is_silent : {false, true}) {
+    other = run.diagnosis;
+    look_inside(other, [&](auto&, auto&, auto&, auto&, auto& answered, auto& silent_ones, auto&...) {
+      (is_silent ? silent_ones : answered)[static_cast<Pair>(kPairs.size())] = 1;
+    });
+    EXPECT_FALSE(other.is_sound()) << "a pair that there is not" << is_silent;
+  }
+  other = run.diagnosis;
+  other.add_outside_domain(seven_apart(2, -3, 4));
+  EXPECT_TRUE(other.is_sound());
+  look_inside(other, [](auto&, auto&, auto&, auto&, auto&, auto&, auto& outside, auto&...) { outside["x"] = 1; });
+  EXPECT_FALSE(other.is_sound()) << "answers outside the domain by a cause that there is not";
 }
 
 TEST(Diagnosis, AnAnswerOfWeightNothingLeavesNoCounts) {

@@ -109,7 +109,7 @@ inline constexpr Numbers kNotFinite{kNaN, kNaN, kNaN};
 [[nodiscard]] std::vector<Cause> wrong_values();
 [[nodiscard]] std::vector<Cause> wrong_arithmetic();
 
-// What each kind of shapes says of itself, in files of its own: sphere_sphere.cpp, cube_cube.cpp.
+// What each kind of shapes says of itself, in a file of its own, as cube_cube.cpp, or in pairs.cpp.
 #define CONTACT_DECLARE(A, B)                                                           \
   /* Whether one of the two shapes lies inside the other. */                            \
   [[nodiscard]] bool one_inside_the_other(F f, const Two<A, B>& shapes);                \

@@ -130,11 +130,14 @@ void Facts::ask(Query other) {
   // What overflows stays the largest number: there is no truth about infinity.
   const double largest = std::numeric_limits<double>::max();
   for_each_number(other, [largest](const std::string&, double& x) { x = std::clamp(x, -largest, largest); });
-  // Nor about a plane whose normal has become 0, or about a ray that is cast without a direction.
+  // Nor about NaN, a plane whose normal has become 0, or a ray that is cast without a direction.
   bool is_nothing = false;
   for_each_field(other, [&](const std::string&, const auto& value, FieldKind kind) {
     bool is_zero = has_free_length(kind);
-    for_each_number_in(value, [&](double x) { is_zero = is_zero && x == 0; });
+    for_each_number_in(value, [&](double x) {
+      is_zero = is_zero && x == 0;
+      is_nothing = is_nothing || std::isnan(x);
+    });
     is_nothing = is_nothing || is_zero;
   });
   if (is_nothing) return;
@@ -175,26 +178,19 @@ void Facts::read(const Truth& of_query) {
   if (const CastHit* cast = exact->cast()) {
     // A contact without a distance, as of a crossing; where many normals are right, the engine's is.
     t = static_cast<Real>(round_to_nearest(cast->t, Scalar::binary64));
-    std::visit(
-        [&]<class A, class B>(const Two<A, B>& shapes) {
-          if constexpr (std::same_as<A, Cast>) {
-            const Numbers d = formulas::numbers_of(shapes.a.direction);
-            per_length = 1 / std::sqrt(formulas::dot(d, d));
-          }
-        },
-        query.shapes);
+    if_cast(query.shapes, [&](const auto& shapes) {
+      const Numbers d = formulas::numbers_of(shapes.a.direction);
+      per_length = 1 / std::sqrt(formulas::dot(d, d));
+    });
     const Numbers normal = real(cast->along);
     const Numbers reference = formulas::times(1 / std::sqrt(formulas::dot(normal, normal)), normal);
     const bool is_said = said_normal && std::isfinite(formulas::sum_of(*said_normal));
     inward = (cast->inside || cast->against) && is_said ? *said_normal : reference;
     if (cast->either_side && said_normal && formulas::dot(*said_normal, reference) < 0)
       inward = formulas::times(-1, reference);
-    std::visit(
-        [&]<class A, class B>(const Two<A, B>& shapes) {
-          if constexpr (std::same_as<A, Cast>)
-            settle_cast(std::abs(formulas::dot(reference, formulas::numbers_of(shapes.a.direction))) * per_length);
-        },
-        query.shapes);
+    if_cast(query.shapes, [&](const auto& shapes) {
+      settle_cast(std::abs(formulas::dot(reference, formulas::numbers_of(shapes.a.direction))) * per_length);
+    });
   }
   if (cores.half_space) {
     const Numbers direction = real(cores.half_space->inward);
@@ -236,30 +232,23 @@ void Facts::read_crossing(bool hit) {
     slack = crossing.slack();
     sine = crossing.sine;
   };
-  std::visit(
-      [&]<class A, class B>(const Two<A, B>& shapes) {
-        if constexpr (std::same_as<A, Cast>)
-          slack = static_cast<Real>(round_to_nearest(distance_to_change(shapes, hit), Scalar::binary64));
-      },
-      query.shapes);
+  if_cast(query.shapes, [&](const auto& shapes) {
+    slack = static_cast<Real>(round_to_nearest(distance_to_change(shapes, hit), Scalar::binary64));
+  });
   settle_cast(1);
   if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes)) take(CrossingInReals(*ray));
   if (const auto* line = std::get_if<TriangleAndLine>(&query.shapes)) take(CrossingInReals(*line));
 }
 
 void Facts::settle_cast(Real cosine) {
-  std::visit(
-      [&]<class A, class B>(const Two<A, B>& shapes) {
-        if constexpr (std::same_as<A, Cast>) {
-          Real largest = 0;
-          for (const auto* vectors : {&min, &max})
-            for (const Numbers& v : *vectors) largest = std::max(largest, formulas::largest_of(v));
-          const CastCondition of = condition_of_cast(shapes, largest, cosine);
-          condition = limited(of.place);
-          sine = 1 / limited(1 / of.sine);
-        }
-      },
-      query.shapes);
+  if_cast(query.shapes, [&](const auto& shapes) {
+    Real largest = 0;
+    for (const auto* vectors : {&min, &max})
+      for (const Numbers& v : *vectors) largest = std::max(largest, formulas::largest_of(v));
+    const CastCondition of = condition_of_cast(shapes, largest, cosine);
+    condition = limited(of.place);
+    sine = 1 / limited(1 / of.sine);
+  });
 }
 
 void Facts::settle() {

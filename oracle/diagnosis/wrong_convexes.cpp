@@ -35,8 +35,8 @@ struct PlainCore {
     const auto unit = [](const Numbers& v) { return times(1 / std::sqrt(dot(v, v)), v); };
     for (const Point& p : core.vertices) vertices.push_back(plain(p));
     for (const Point& n : core.outward) outward.push_back(unit(plain(n)));
-    for (const Feature& edge : core.directions())
-      edges.push_back(unit(plain(core.vertices[edge.places[1]] - core.vertices[edge.places[0]])));
+    for (const Feature* edge : core.features_of(1))
+      edges.push_back(unit(plain(core.vertices[edge->places[1]] - core.vertices[edge->places[0]])));
   }
   [[nodiscard]] const Numbers& farthest(const Numbers& along) const {
     return *std::max_element(vertices.begin(), vertices.end(),

@@ -80,33 +80,17 @@ Cause on_axes(std::string_view id, std::string_view sentence, Parameters (*param
           }};
 }
 
-/// Other axes: `change` makes them of the right ones.
-Cause with_axes(std::string_view id, std::string_view sentence, void (*change)(AxisInReals&)) {
-  return {.id = id, .sentence = sentence, .edit = [change](Facts& f) {
-            if (const auto* shapes = std::get_if<CapsuleAndPlane>(&f.query.shapes)) {
-              AxisInReals axis(shapes->a);
-              change(axis);
-              take_over_plane(f, *shapes, axis, lowest_parameter(axis, PlaneInReals(shapes->b)));
-            }
-            auto axes = axes_of(f);
-            if (!axes) return;
-            change(axes->first);
-            change(axes->second);
-            const auto [s, t] = nearest_parameters(axes->first, axes->second);
-            axes->take(f, s, t);
-          }};
-}
-
-/// Other axes of the capsules: `change` makes them of the right ones and their radii.
-Cause with_capsules(std::string_view id, std::string_view sentence, void (*change)(AxisInReals&, Real radius)) {
-  return {.id = id, .sentence = sentence, .edit = [change](Facts& f) {
+/// Other axes: `change` makes them of the right ones and their radii. A ray's is one only of what concerns all axes.
+Cause with_axes(std::string_view id, std::string_view sentence, void (*change)(AxisInReals&, Real radius),
+                bool of_rays = false) {
+  return {.id = id, .sentence = sentence, .edit = [change, of_rays](Facts& f) {
             if (const auto* shapes = std::get_if<CapsuleAndPlane>(&f.query.shapes)) {
               AxisInReals axis(shapes->a);
               change(axis, f.radius[0]);
               take_over_plane(f, *shapes, axis, lowest_parameter(axis, PlaneInReals(shapes->b)));
             }
             auto axes = axes_of(f);
-            if (!axes || axes->turned) return;
+            if (!axes || (axes->turned && !of_rays)) return;
             if (axes->both) change(axes->first, f.radius[0]);
             change(axes->second, f.radius[1]);
             const auto [s, t] = nearest_parameters(axes->first, axes->second);
@@ -123,20 +107,10 @@ void lengthen(AxisInReals& x, Real by) {
 }
 
 /// The nearest points of two segments as Ericson finds them, from products with the difference of their starts: `c` of
-/// the first direction, `f` of the second. What is wrong about the products is wrong about the points.
-Parameters by_products(const Axes& x, Real c, Real f) {
+/// the first direction, `f` of the second. What is wrong about the products is wrong about the points, as is a wrong
+/// sign of theirs where the parameters begin.
+Parameters by_products(const Axes& x, Real c, Real f, Real sign_in_s = 1, Real sign_in_t = 1) {
   if (!x.both || !(x.A > 0 && x.E > 0)) return std::nullopt;
-  Real s = x.determinant > 0 ? clamped((x.B * f - c * x.E) / x.determinant) : 0;
-  const Real t = (x.B * s + f) / x.E;
-  if (t < 0) s = clamped(-c / x.A);
-  if (t > 1) s = clamped((x.B - c) / x.A);
-  return {{s, clamped(t)}};
-}
-/// The same with right products, and `change` of s and t before they are clamped.
-Parameters with_terms(const Axes& x, Real sign_in_s, Real sign_in_t) {
-  if (!x.both || !(x.A > 0 && x.E > 0)) return std::nullopt;
-  const Real c = -x.C;
-  const Real f = -x.F;
   Real s = x.determinant > 0 ? clamped((x.B * f - sign_in_s * c * x.E) / x.determinant) : 0;
   const Real t = (x.B * s + sign_in_t * f) / x.E;
   if (t < 0) s = clamped(-c / x.A);
@@ -212,9 +186,9 @@ std::vector<Cause> wrong_features() {
       on_axes("segments-offset-reversed", "the difference of the segments' starts with the other sign in every product",
               [](const Axes& x) { return by_products(x, x.C, x.F); }),
       on_axes("segments-first-term-sign", "one sign wrong in the first parameter of two segments: b f + c e",
-              [](const Axes& x) { return with_terms(x, -1, 1); }),
+              [](const Axes& x) { return by_products(x, -x.C, -x.F, -1, 1); }),
       on_axes("segments-second-term-sign", "one sign wrong in the second parameter of two segments: b s - f",
-              [](const Axes& x) { return with_terms(x, 1, -1); }),
+              [](const Axes& x) { return by_products(x, -x.C, -x.F, 1, -1); }),
       on_axes("segments-offset-of-first", "the start of the first segment taken for the difference of both",
               [](const Axes& x) {
                 return by_products(x, dot(x.first.along, x.first.from), dot(x.second.along, x.first.from));
@@ -223,14 +197,14 @@ std::vector<Cause> wrong_features() {
               [](const Axes& x) {
                 return by_products(x, -dot(x.first.along, x.second.from), -dot(x.second.along, x.second.from));
               }),
-      with_capsules("capsule-caps-in-length", "the caps of a capsule counted in its length: the axis is too short",
-                    [](AxisInReals& x, Real radius) { lengthen(x, -radius); }),
-      with_capsules("capsule-caps-added", "the caps of a capsule added to its length: the axis is too long",
-                    [](AxisInReals& x, Real radius) { lengthen(x, radius); }),
-      with_capsules("capsule-from-middle", "a capsule begins in its middle, and is not centred there",
-                    [](AxisInReals& x, Real) { x.from = x.at(0.5L); }),
-      with_capsules("capsule-around-start", "a capsule centred on the start of its axis",
-                    [](AxisInReals& x, Real) { x.from = x.at(-0.5L); }),
+      with_axes("capsule-caps-in-length", "the caps of a capsule counted in its length: the axis is too short",
+                [](AxisInReals& x, Real radius) { lengthen(x, -radius); }),
+      with_axes("capsule-caps-added", "the caps of a capsule added to its length: the axis is too long",
+                [](AxisInReals& x, Real radius) { lengthen(x, radius); }),
+      with_axes("capsule-from-middle", "a capsule begins in its middle, and is not centred there",
+                [](AxisInReals& x, Real) { x.from = x.at(0.5L); }),
+      with_axes("capsule-around-start", "a capsule centred on the start of its axis",
+                [](AxisInReals& x, Real) { x.from = x.at(-0.5L); }),
       {.id = "ray-from-inside-missed",
        .sentence = "a ray that starts inside the sphere never hits it",
        .hit =
@@ -311,16 +285,20 @@ std::vector<Cause> wrong_features() {
               [](const Axes& x) { return parallel_below(x, 1e-15L); }),
       on_axes("parallel-within-1e-6", "axes with a determinant below 1e-6 taken for parallel, whatever the units",
               [](const Axes& x) { return parallel_below(x, 1e-6L); }),
-      with_axes("half-length-for-length", "half of the length taken for the length: the axis is too short",
-                [](AxisInReals& x) {
-                  x.from = x.at(0.25L);
-                  x.along = times(0.5L, x.along);
-                }),
-      with_axes("length-for-half-length", "the length taken for its half: the axis is too long",
-                [](AxisInReals& x) {
-                  x.from = x.at(-0.5L);
-                  x.along = times(2, x.along);
-                }),
+      with_axes(
+          "half-length-for-length", "half of the length taken for the length: the axis is too short",
+          [](AxisInReals& x, Real) {
+            x.from = x.at(0.25L);
+            x.along = times(0.5L, x.along);
+          },
+          true),
+      with_axes(
+          "length-for-half-length", "the length taken for its half: the axis is too long",
+          [](AxisInReals& x, Real) {
+            x.from = x.at(-0.5L);
+            x.along = times(2, x.along);
+          },
+          true),
       on_axes("ray-without-end", "a ray taken for one without end",
               [](const Axes& x) -> Parameters {
                 return x.turned && x.E > 0 ? Parameters({{0, std::max(Real{0}, x.foot_of_first(0))}}) : std::nullopt;

@@ -218,10 +218,11 @@ class Gathering {
     });
     return jump;
   }
-  /// The same question with an alarm distance that makes a hit of it, moved or not.
+  /// The same question with an alarm distance that makes a hit of it, moved or not; the largest number where that is not enough.
   [[nodiscard]] static Query reaching(Query query, double distance, double by) {
     if (has_distance(query.pair))
-      query.distances.alarm = std::max(query.distances.alarm, 2 * distance + 4 * kFollows * by);
+      query.distances.alarm = std::min(std::max(query.distances.alarm, 2 * distance + 4 * kFollows * by),
+                                       std::numeric_limits<double>::max());
     return query;
   }
   [[nodiscard]] Vector3 foot(const Contact& contact, int shape) const {

@@ -9,6 +9,7 @@
 #include "oracle/judge/off.hpp"
 #include "oracle/judge/point_set.hpp"
 #include "oracle/judge/right_claim.hpp"
+#include "oracle/truth/core.hpp"
 #include "oracle/truth/default_environment.hpp"
 #include "oracle/truth/exact_truth.hpp"
 #include "oracle/truth/separation.hpp"
@@ -535,17 +536,13 @@ bool has_center_and_size(const Cornered& /*shape*/, Scalar /*scalar*/) { return 
 bool has_rotation(const Obb& box, Scalar scalar) {
   if (!std::all_of(box.orientation.begin(), box.orientation.end(), [](double x) { return std::isfinite(x); }))
     return true;
-  std::array<Rational, 4> q;
-  std::copy(box.orientation.begin(), box.orientation.end(), q.begin());
-  const auto& [x, y, z, w] = q;
-  const Rational square = x * x + y * y + z * z + w * w;
-  if (CGAL::is_zero(square)) return true;
-  const std::array<Rational, 9> matrix{
-      w * w + x * x - y * y - z * z, Rational(2) * (x * y - w * z), Rational(2) * (x * z + w * y),
-      Rational(2) * (x * y + w * z), w * w - x * x + y * y - z * z, Rational(2) * (y * z - w * x),
-      Rational(2) * (x * z - w * y), Rational(2) * (y * z + w * x), w * w - x * x - y * y + z * z};
-  return std::all_of(matrix.begin(), matrix.end(),
-                     [&](const Rational& number) { return is_number(number / square, scalar); });
+  const Obb turned{Vector3::Zero(), box.orientation, Vector3::Zero()};
+  const auto core = core_of([](double x) { return Rational(x); }, turned);
+  if (CGAL::is_zero(*core.over)) return true;
+  return std::all_of(core.outward.begin(), core.outward.end(), [&](const Point& column) {
+    return std::all_of(column.begin(), column.end(),
+                       [&](const Rational& number) { return is_number(number / *core.over, scalar); });
+  });
 }
 bool has_center_and_size(const Obb& box, Scalar scalar) {
   return !box.extents.allFinite() || std::all_of(box.extents.begin(), box.extents.end(), [&](double extent) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -50,6 +51,15 @@ Claim normal_of(const Vector3& n) {
 }
 Claim points_of(const Vector3& p1, const Vector3& p2) {
   return contact_of({.normal = {}, .point1 = p1, .point2 = p2, .point = {}, .value = {}});
+}
+Claim contact_with(const Vector3& n, const Vector3& p1) {
+  return contact_of({.normal = n, .point1 = p1, .point2 = {}, .point = {}, .value = {}});
+}
+Claim contact_with(const Vector3& n, const Vector3& p1, const Vector3& p2, std::optional<double> value = {}) {
+  return contact_of({.normal = n, .point1 = p1, .point2 = p2, .point = {}, .value = value});
+}
+Claim normal_and_midpoint(const Vector3& n, const Vector3& p) {
+  return contact_of({.normal = n, .point1 = {}, .point2 = {}, .point = p, .value = {}});
 }
 Claim midpoint_of(const Vector3& p) {
   return contact_of({.normal = {}, .point1 = {}, .point2 = {}, .point = p, .value = {}});
@@ -835,7 +845,7 @@ TEST(JudgeCoincident, unit_means_that_its_squared_length_is_within_8_roundings_o
 TEST(JudgeCoincident, points_go_with_the_claimed_normal) {
   // centres (7,0,0), radii 2 and 3, n = (0, 0, -1): (7, 0, -2) and (7, 0, 3)
   const auto claim = [](const Vector3& n, const Vector3& p1, const Vector3& p2) {
-    return contact_of({.normal = n, .point1 = p1, .point2 = p2, .point = {}, .value = -5.0});
+    return contact_with(n, p1, p2, -5.0);
   };
   const Vector3 down(0, 0, -1);
   EXPECT_EQ(level_of(coincident(), claim(down, {7, 0, -2}, {7, 0, 3})), Level::correctly_rounded);
@@ -852,20 +862,14 @@ TEST(JudgeCoincident, points_go_with_the_claimed_normal) {
 
 TEST(JudgeCoincident, points_without_a_finite_normal_cannot_be_judged) {
   EXPECT_FALSE(judged(coincident(), points_of({1, 2, 3}, {4, 5, 6})).at(Field::point1));
-  const Claim bad = contact_of({.normal = Vector3(kNaN, 0, 0),
-                                .point1 = Vector3(7, 0, 0),
-                                .point2 = Vector3(7, 0, 0),
-                                .point = {},
-                                .value = {}});
+  const Claim bad = contact_with({kNaN, 0, 0}, {7, 0, 0}, {7, 0, 0});
   EXPECT_FALSE(judged(coincident(), bad).at(Field::point1));
   EXPECT_EQ(level_of(coincident(), bad), Level::decisions);
 }
 
 TEST(JudgeCoincident, the_midpoint_goes_with_the_claimed_normal_normalised_where_that_is_declared) {
   // (c + 2 n + c - 3 n) / 2 = (7,0,0) - n / 2
-  const auto claim = [](const Vector3& n, const Vector3& p) {
-    return contact_of({.normal = n, .point1 = {}, .point2 = {}, .point = p, .value = {}});
-  };
+  const auto claim = [](const Vector3& n, const Vector3& p) { return normal_and_midpoint(n, p); };
   EXPECT_EQ(level_of(coincident(), claim({0, 1, 0}, {7, -0.5, 0}), with_points(Points::midpoint)),
             Level::correctly_rounded);
   EXPECT_EQ(level_of(coincident(), claim({0, 1, 0}, {6.5, 0, 0}), with_points(Points::midpoint)), Level::decisions);
@@ -879,18 +883,13 @@ TEST(JudgeCoincident, the_midpoint_goes_with_the_claimed_normal_normalised_where
 
 TEST(JudgeCoincident, points_go_with_a_unit_normal_as_it_is_claimed) {
   // unit within 8 roundings, and 2 n = 2 - 2^-50 all the same
-  const Claim claim = contact_of({.normal = Vector3(1 - 0x4p-53, 0, 0),
-                                  .point1 = Vector3(2 - 0x1p-50, 0, 0),
-                                  .point2 = {},
-                                  .point = {},
-                                  .value = {}});
+  const Claim claim = contact_with({1 - 0x4p-53, 0, 0}, {2 - 0x1p-50, 0, 0});
   EXPECT_EQ(level_of(spheres({{0, 0, 0}, 2}, {{0, 0, 0}, 3}), claim), Level::correctly_rounded);
 }
 
 TEST(JudgeCoincident, a_zero_normal_of_any_length_is_wrong_and_its_points_are_centres) {
   const Declaration any_length = with([](Conventions& c) { c.normal_unit = false; });
-  const Claim claim =
-      contact_of({.normal = Vector3(0, 0, 0), .point1 = Vector3(7, 0, 0), .point2 = {}, .point = {}, .value = {}});
+  const Claim claim = contact_with({0, 0, 0}, {7, 0, 0});
   const Verdict verdict = judged(coincident(), claim, any_length);
   EXPECT_EQ(verdict.at(Field::normal)->grade, Grade::beyond_bound);
   EXPECT_EQ(verdict.at(Field::point1)->grade, Grade::correctly_rounded);
@@ -1087,9 +1086,6 @@ TEST(JudgeExplains, touching_the_margin_and_coincident_centres) {
 Query in_unit_box(const Vector3& center, double radius = 2) {
   return {Pair::sphere_cube, BallAndBox{{center, radius}, {{0, 0, 0}, {1, 1, 1}}}, {0, 0}};
 }
-Claim out_of_box(const Vector3& n, const Vector3& p1, const Vector3& p2) {
-  return contact_of({.normal = n, .point1 = p1, .point2 = p2, .point = {}, .value = {}});
-}
 
 TEST(JudgeBox, every_nearest_face_is_right_and_points_are_those_of_the_face) {
   const Query middle = in_unit_box({0.5, 0.5, 0.5});
@@ -1097,9 +1093,9 @@ TEST(JudgeBox, every_nearest_face_is_right_and_points_are_those_of_the_face) {
     for (const double sign : {1.0, -1.0}) {
       const Vector3 n = Vector3::Unit(axis) * sign;
       const Vector3 c(0.5, 0.5, 0.5);
-      EXPECT_EQ(level_of(middle, out_of_box(n, c + 2 * n, c - 0.5 * n)), Level::correctly_rounded);
-      EXPECT_EQ(level_of(middle, out_of_box(n, c + 2 * n, c + 0.5 * n)), Level::decisions);
-      EXPECT_EQ(level_of(middle, out_of_box(n, c - 2 * n, c - 0.5 * n)), Level::decisions);
+      EXPECT_EQ(level_of(middle, contact_with(n, c + 2 * n, c - 0.5 * n)), Level::correctly_rounded);
+      EXPECT_EQ(level_of(middle, contact_with(n, c + 2 * n, c + 0.5 * n)), Level::decisions);
+      EXPECT_EQ(level_of(middle, contact_with(n, c - 2 * n, c - 0.5 * n)), Level::decisions);
     }
   EXPECT_EQ(level_of(middle, normal_of({0.6, 0.8, 0})), Level::decisions);
   EXPECT_EQ(level_of(middle, normal_of({1, 0x1p-50, 0})), Level::correctly_rounded);  // 8u = 2^-50
@@ -1125,8 +1121,8 @@ TEST(JudgeBox, on_a_corner_every_normal_that_separates_is_right) {
     EXPECT_EQ(level_of(corner, normal_of(n)), Level::correctly_rounded) << n.transpose();
   for (const Vector3& n : {Vector3(1, 0, 0), Vector3(-0.8, 0.6, 0), Vector3(0, -0.6, 0.8)})
     EXPECT_EQ(level_of(corner, normal_of(n)), Level::decisions) << n.transpose();
-  EXPECT_EQ(level_of(corner, out_of_box({0, 0, -1}, {1, 1, -1}, {1, 1, 1})), Level::correctly_rounded);
-  EXPECT_EQ(level_of(corner, out_of_box({0, 0, -1}, {1, 1, 3}, {1, 1, 1})), Level::decisions);
+  EXPECT_EQ(level_of(corner, contact_with({0, 0, -1}, {1, 1, -1}, {1, 1, 1})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(corner, contact_with({0, 0, -1}, {1, 1, 3}, {1, 1, 1})), Level::decisions);
   // On a face there is one way out alone.
   EXPECT_EQ(level_of(in_unit_box({1, 0.5, 0.5}), normal_of({-1, 0, 0})), Level::correctly_rounded);
   EXPECT_EQ(level_of(in_unit_box({1, 0.5, 0.5}), normal_of({-0.6, -0.8, 0})), Level::decisions);
@@ -1153,9 +1149,7 @@ TEST(JudgeBox, a_point_inside_is_no_matter_of_open_or_closed) {
 const Capsule kAlongX{{0, 0, 0}, {3, 0, 0}, 1};
 // Two apart along z, side by side from x = 1 to 3.
 Query side_by_side() { return {Pair::capsule_capsule, Capsules{kAlongX, {{1, 0, 2}, {5, 0, 2}, 1}}, {0, 0}}; }
-Claim with_points(const Vector3& p1, const Vector3& p2) {
-  return contact_of({.normal = Vector3(0, 0, 1), .point1 = p1, .point2 = p2, .point = {}, .value = {}});
-}
+Claim with_points(const Vector3& p1, const Vector3& p2) { return contact_with({0, 0, 1}, p1, p2); }
 
 TEST(JudgeCapsules, side_by_side_every_nearest_point_is_right_and_no_other) {
   for (const double x : {1.0, 1.7, 2.0, 2.9999999999, 3.0})
@@ -1211,11 +1205,7 @@ TEST(JudgeCapsules, far_points_of_the_reference_are_right_where_it_had_to_be_rou
   const double half = 0.707106781186547524400844362105;
   const double far = 4.94974746830583267080591053473;
   const Query on_axis{Pair::sphere_capsule, BallAndCapsule{{{0, 0, 0}, 7}, {{-1, -1, 0}, {1, 1, 0}, 7}}, {0, 0}};
-  const Claim claim = contact_of({.normal = Vector3(half, -half, 0),
-                                  .point1 = Vector3(-far, far, 0),
-                                  .point2 = Vector3(far, -far, 0),
-                                  .point = {},
-                                  .value = {}});
+  const Claim claim = contact_with({half, -half, 0}, {-far, far, 0}, {far, -far, 0});
   EXPECT_EQ(level_of(on_axis, claim, with_points(Points::published)), Level::correctly_rounded);
 }
 
@@ -1224,13 +1214,7 @@ TEST(JudgeCapsules, points_may_be_those_of_a_normal_before_it_was_rounded) {
   const double x = 0.447213595499957939281834733746;
   const double y = 0.894427190999915878563669467493;
   const Query on_axis{Pair::sphere_capsule, BallAndCapsule{{{1, 0, 0}, 1000}, kAlongX}, {0, 0}};
-  const auto claimed = [&](double p) {
-    return contact_of({.normal = Vector3(0, x, y),
-                       .point1 = Vector3(1, p, 894.427190999915878563669467493),
-                       .point2 = {},
-                       .point = {},
-                       .value = {}});
-  };
+  const auto claimed = [&](double p) { return contact_with({0, x, y}, {1, p, 894.427190999915878563669467493}); };
   EXPECT_EQ(level_of(on_axis, claimed(447.213595499957939281834733746)), Level::correctly_rounded);
   EXPECT_EQ(level_of(on_axis, claimed(447.2135954999)), Level::decisions);
 }
@@ -1361,9 +1345,6 @@ TEST(JudgeCasts, have_t_the_point_and_each_normal_that_points_away_whatever_the_
 
 Query boxes_turned(const Obb& a, const Obb& b) { return {Pair::obb_obb, Convexes{{a}, {b}}, {0, 0}}; }
 const Quaternion kNotTurned{0, 0, 0, 1};
-Claim normal_and_points(const Vector3& n, const Vector3& p1, const Vector3& p2) {
-  return contact_of({.normal = n, .point1 = p1, .point2 = p2, .point = {}, .value = {}});
-}
 
 TEST(Judge, of_several_ways_out_each_is_right) {
   // About one centre: six ways are as short. Each goes with points of its own.
@@ -1371,9 +1352,9 @@ TEST(Judge, of_several_ways_out_each_is_right) {
   for (const double side : {1.0, -1.0})
     for (int axis = 0; axis < 3; ++axis) {
       const Vector3 n = side * Vector3::Unit(axis);
-      EXPECT_EQ(level_of(same, normal_and_points(n, n, -n)), Level::correctly_rounded) << n.transpose();
+      EXPECT_EQ(level_of(same, contact_with(n, n, -n)), Level::correctly_rounded) << n.transpose();
       EXPECT_EQ(level_of(same, points_of(n, -n)), Level::correctly_rounded) << n.transpose();
-      EXPECT_EQ(level_of(same, normal_and_points(n, -n, n)), Level::decisions) << n.transpose();
+      EXPECT_EQ(level_of(same, contact_with(n, -n, n)), Level::decisions) << n.transpose();
     }
   EXPECT_EQ(level_of(same, value_of(-2)), Level::correctly_rounded);
   EXPECT_EQ(level_of(same, normal_of({0.6, 0.8, 0})), Level::decisions);
@@ -1383,7 +1364,7 @@ TEST(Judge, a_point_of_a_polygon_is_right) {
   // Faces that share the square from (1,0,0) to (1,1,1), half a unit apart.
   Query faces = boxes_turned({{0, 0, 0}, kNotTurned, {1, 1, 1}}, {{2.5, 1, 1}, kNotTurned, {1, 1, 1}});
   faces.distances.alarm = 1;
-  const auto at = [](double y, double z) { return normal_and_points({1, 0, 0}, {1, y, z}, {1.5, y, z}); };
+  const auto at = [](double y, double z) { return contact_with({1, 0, 0}, {1, y, z}, {1.5, y, z}); };
   for (const double y : {0.0, 0.3, 1.0})
     for (const double z : {0.0, 0.7, 1.0}) EXPECT_EQ(level_of(faces, at(y, z)), Level::correctly_rounded) << y << z;
   EXPECT_EQ(level_of(faces, at(-0x1p-52, 0.5)), Level::bounded);
@@ -1393,19 +1374,15 @@ TEST(Judge, a_point_of_a_polygon_is_right) {
   const Triangle corner{{Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)}};
   const Triangle above{{Vector3(0, 0, 2), Vector3(1, 0, 2), Vector3(0, 1, 2)}};
   const Query triangles{Pair::triangle_triangle, Convexes{{corner}, {above}}, {2, 0}};
-  EXPECT_EQ(level_of(triangles, normal_and_points({0, 0, 1}, {0.25, 0.75, 0}, {0.5, 0.5, 2})),
-            Level::correctly_rounded);
-  EXPECT_EQ(level_of(triangles, normal_and_points({0, 0, 1}, {0.75, 0.75, 0}, {0.5, 0.5, 2})), Level::decisions);
-  EXPECT_EQ(judged(triangles, normal_and_points({0, 0, 1}, {0.75, 0.75, 0}, {0.5, 0.5, 2})).at(Field::point1)->error,
+  EXPECT_EQ(level_of(triangles, contact_with({0, 0, 1}, {0.25, 0.75, 0}, {0.5, 0.5, 2})), Level::correctly_rounded);
+  EXPECT_EQ(level_of(triangles, contact_with({0, 0, 1}, {0.75, 0.75, 0}, {0.5, 0.5, 2})), Level::decisions);
+  EXPECT_EQ(judged(triangles, contact_with({0, 0, 1}, {0.75, 0.75, 0}, {0.5, 0.5, 2})).at(Field::point1)->error,
             0.25 * 0x1p51);
 }
 
 // They overlap by 0.5 along x, by 1.5 along y and by 2 along z.
 Query overlapping_boxes() {
   return boxes_turned({{0, 0, 0}, kNotTurned, {1, 1, 1}}, {{1.5, 0.5, 0}, kNotTurned, {1, 1, 1}});
-}
-Claim whole_contact(const Vector3& n, const Vector3& p1, const Vector3& p2, double value) {
-  return contact_of({.normal = n, .point1 = p1, .point2 = p2, .point = {}, .value = value});
 }
 const Declaration kAnySeparating = with([](Conventions& c) { c.depth = DepthOf::any_separating; });
 
@@ -1419,8 +1396,8 @@ TEST(JudgeDepth, of_any_normal_that_parts_the_shapes_is_right_where_so_declared_
                  {{-1, 0, 0}, {-1, 0, 0}, {2.5, 0, 0}, -3.5},
                  {{0.6, 0.8, 0}, {1, 1, 0.5}, {0.5, -0.5, -0.5}, -1.5}};
   for (const auto& [n, p1, p2, value] : ways) {
-    EXPECT_EQ(level_of(boxes, whole_contact(n, p1, p2, value), kAnySeparating), Level::bounded) << n.transpose();
-    EXPECT_EQ(level_of(boxes, whole_contact(n, p1, p2, value)), n[0] == 1 ? Level::correctly_rounded : Level::decisions)
+    EXPECT_EQ(level_of(boxes, contact_with(n, p1, p2, value), kAnySeparating), Level::bounded) << n.transpose();
+    EXPECT_EQ(level_of(boxes, contact_with(n, p1, p2, value)), n[0] == 1 ? Level::correctly_rounded : Level::decisions)
         << n.transpose();
   }
   const auto wrong = [&](Field field, const Claim& claim, const Declaration& declared = kAnySeparating) {
@@ -1428,13 +1405,13 @@ TEST(JudgeDepth, of_any_normal_that_parts_the_shapes_is_right_where_so_declared_
     for (const Field other : kFields)
       EXPECT_EQ(verdict.at(other) && verdict.at(other)->grade > Grade::bounded, other == field) << name(other);
   };
-  wrong(Field::value, whole_contact({0, 1, 0}, {0, 1, 0}, {1, -0.5, 0}, -0.5));
-  wrong(Field::value, whole_contact({0, 1, 0}, {0, 1, 0}, {1, -0.5, 0}, -1.6));
-  wrong(Field::point1, whole_contact({0, 1, 0}, {0, 0.5, 0}, {1, -0.5, 0}, -1.5));
-  wrong(Field::point1, whole_contact({0, 1, 0}, {1.5, 1, 0}, {1, -0.5, 0}, -1.5));
-  wrong(Field::point2, whole_contact({0, 1, 0}, {0, 1, 0}, {1, 1.5, 0}, -1.5));
-  wrong(Field::normal, whole_contact({0, 1.01, 0}, {0, 1, 0}, {1, -0.5, 0}, -1.5));
-  wrong(Field::normal, whole_contact({0, 0, 0}, {1, 0.25, 0}, {0.5, 0.25, 0}, -0.5));
+  wrong(Field::value, contact_with({0, 1, 0}, {0, 1, 0}, {1, -0.5, 0}, -0.5));
+  wrong(Field::value, contact_with({0, 1, 0}, {0, 1, 0}, {1, -0.5, 0}, -1.6));
+  wrong(Field::point1, contact_with({0, 1, 0}, {0, 0.5, 0}, {1, -0.5, 0}, -1.5));
+  wrong(Field::point1, contact_with({0, 1, 0}, {1.5, 1, 0}, {1, -0.5, 0}, -1.5));
+  wrong(Field::point2, contact_with({0, 1, 0}, {0, 1, 0}, {1, 1.5, 0}, -1.5));
+  wrong(Field::normal, contact_with({0, 1.01, 0}, {0, 1, 0}, {1, -0.5, 0}, -1.5));
+  wrong(Field::normal, contact_with({0, 0, 0}, {1, 0.25, 0}, {0.5, 0.25, 0}, -0.5));
   // Who claims no normal says nothing of another direction.
   wrong(Field::value, value_of(-1.5));
   EXPECT_EQ(level_of(boxes, value_of(-0.5), kAnySeparating), Level::correctly_rounded);
@@ -1445,7 +1422,7 @@ TEST(JudgeDepth, of_any_normal_is_measured_by_the_bound_and_by_what_the_bound_of
   // Corners are at most 3.5 + 2.5 + 2 = 8 apart: the value may be off by 8 ulp(1.5), and by 8 ulp(1) in each component of
   // the normal times that, 72 * 2^-52.
   const auto with_value = [&](double value) {
-    return level_of(boxes, whole_contact({0, 1, 0}, {0, 1, 0}, {1, -0.5, 0}, value), kAnySeparating);
+    return level_of(boxes, contact_with({0, 1, 0}, {0, 1, 0}, {1, -0.5, 0}, value), kAnySeparating);
   };
   EXPECT_EQ(with_value(-1.5 + 72 * 0x1p-52), Level::bounded);
   EXPECT_EQ(with_value(-1.5 + 73 * 0x1p-52), Level::decisions);
@@ -1460,7 +1437,7 @@ TEST(JudgeDepth, of_any_normal_is_measured_by_the_bound_and_by_what_the_bound_of
   EXPECT_EQ(grade_of(Vector3(0.6, 0.8, 0) * (1 + 12 * 0x1p-52)), Grade::beyond_bound);
   // 8 ulp(2.5), the largest coordinate
   const auto with_point = [&](const Vector3& n, const Vector3& p1) {
-    return level_of(boxes, whole_contact(n, p1, {0.5, -0.5, 0}, -1.5), kAnySeparating);
+    return level_of(boxes, contact_with(n, p1, {0.5, -0.5, 0}, -1.5), kAnySeparating);
   };
   EXPECT_EQ(with_point({0, 1, 0}, {0, 1 + 0x1p-48, 0}), Level::bounded);
   EXPECT_EQ(with_point({0, 1, 0}, {0, above(1 + 0x1p-48), 0}), Level::decisions);
@@ -1469,7 +1446,7 @@ TEST(JudgeDepth, of_any_normal_is_measured_by_the_bound_and_by_what_the_bound_of
   EXPECT_EQ(with_point({0x1p-47, 1, 0}, {1, 1, 0}), Level::bounded);
   EXPECT_EQ(with_point({0x1p-40, 1, 0}, {1, 1, 0}), Level::decisions) << "its depth is more by 2^-41";
   const auto point1 = [&](double turned, double x) {
-    return judged(boxes, normal_and_points({turned, 1, 0}, {x, 1, 0}, {0.5, -0.5, 0}), kAnySeparating)
+    return judged(boxes, contact_with({turned, 1, 0}, {x, 1, 0}, {0.5, -0.5, 0}), kAnySeparating)
         .at(Field::point1)
         ->grade;
   };
@@ -1485,18 +1462,15 @@ TEST(JudgeDepth, of_any_normal_goes_with_the_other_conventions) {
   Declaration declared = kAnySeparating;
   declared.conventions.normal = NormalDirection::second_to_first;
   declared.conventions.value = ValueKind::depth;
-  EXPECT_EQ(level_of(boxes, whole_contact({0, -1, 0}, {0, 1, 0}, {1, -0.5, 0}, 1.5), declared), Level::bounded);
-  EXPECT_EQ(level_of(boxes, whole_contact({0, -1, 0}, {0, 1, 0}, {1, -0.5, 0}, -1.5), declared), Level::decisions);
+  EXPECT_EQ(level_of(boxes, contact_with({0, -1, 0}, {0, 1, 0}, {1, -0.5, 0}, 1.5), declared), Level::bounded);
+  EXPECT_EQ(level_of(boxes, contact_with({0, -1, 0}, {0, 1, 0}, {1, -0.5, 0}, -1.5), declared), Level::decisions);
   declared = kAnySeparating;
   declared.conventions.normal_unit = false;
-  EXPECT_EQ(level_of(boxes, whole_contact({0, 3, 0}, {0, 1, 0}, {1, -0.5, 0}, -1.5), declared), Level::bounded);
+  EXPECT_EQ(level_of(boxes, contact_with({0, 3, 0}, {0, 1, 0}, {1, -0.5, 0}, -1.5), declared), Level::bounded);
   // The middle of any two: x from (-1 + 0.5) / 2 to (1 + 2.5) / 2.
   declared = kAnySeparating;
   declared.conventions.points = Points::midpoint;
-  const auto middle = [&](const Vector3& p) {
-    return level_of(
-        boxes, contact_of({.normal = Vector3(0, 1, 0), .point1 = {}, .point2 = {}, .point = p, .value = {}}), declared);
-  };
+  const auto middle = [&](const Vector3& p) { return level_of(boxes, normal_and_midpoint({0, 1, 0}, p), declared); };
   EXPECT_EQ(middle({1.75, 0.25, 1}), Level::bounded);
   EXPECT_EQ(middle({-0.25, 0.25, -1}), Level::bounded);
   EXPECT_EQ(middle({1.8, 0.25, 0}), Level::decisions);
@@ -1505,11 +1479,11 @@ TEST(JudgeDepth, of_any_normal_goes_with_the_other_conventions) {
   const Query capsule{Pair::capsule_obb,
                       Convexes{{Capsule{{-0.5, 0, 0}, {0.5, 0, 0}, 0.25}}, {Obb{{0, 0.5, 0}, kNotTurned, {1, 1, 1}}}},
                       {0, 0.125}};
-  EXPECT_EQ(level_of(capsule, whole_contact({1, 0, 0}, {0.75, 0, 0}, {-1, 1, 1}, -1.875), kAnySeparating),
+  EXPECT_EQ(level_of(capsule, contact_with({1, 0, 0}, {0.75, 0, 0}, {-1, 1, 1}, -1.875), kAnySeparating),
             Level::bounded);
-  EXPECT_EQ(level_of(capsule, whole_contact({1, 0, 0}, {0.5, 0, 0}, {-1, 1, 1}, -1.875), kAnySeparating),
+  EXPECT_EQ(level_of(capsule, contact_with({1, 0, 0}, {0.5, 0, 0}, {-1, 1, 1}, -1.875), kAnySeparating),
             Level::decisions);
-  EXPECT_EQ(level_of(capsule, whole_contact({1, 0, 0}, {0.75, 0, 0}, {-1, 1, 1}, -1.75), kAnySeparating),
+  EXPECT_EQ(level_of(capsule, contact_with({1, 0, 0}, {0.75, 0, 0}, {-1, 1, 1}, -1.75), kAnySeparating),
             Level::decisions);
 }
 
@@ -1522,9 +1496,7 @@ TEST(JudgeDepth, of_any_normal_has_the_middle_of_points_on_a_radius) {
   declared.conventions.points = Points::midpoint;
   const auto middle = [&](double x, double y) {
     const Vector3 p(x, y, 0);
-    return level_of(capsule,
-                    contact_of({.normal = Vector3(1, 0, 0), .point1 = {}, .point2 = {}, .point = p, .value = {}}),
-                    declared);
+    return level_of(capsule, normal_and_midpoint({1, 0, 0}, p), declared);
   };
   EXPECT_EQ(middle(-0.125, 0.5), Level::bounded);
   EXPECT_EQ(middle(-0.375, 0.5), Level::decisions);
@@ -1537,7 +1509,7 @@ TEST(JudgeDepth, of_any_normal_says_nothing_where_the_cores_do_not_overlap) {
     Query boxes = boxes_turned({{0, 0, 0}, kNotTurned, {1, 1, 1}}, {{x, 0, 0}, kNotTurned, {1, 1, 1}});
     boxes.distances.alarm = 1;
     const double y = 0.25;
-    EXPECT_EQ(level_of(boxes, whole_contact({1, 0, 0}, {1, y, 0}, {x - 1, y, 0}, x - 2), kAnySeparating),
+    EXPECT_EQ(level_of(boxes, contact_with({1, 0, 0}, {1, y, 0}, {x - 1, y, 0}, x - 2), kAnySeparating),
               Level::correctly_rounded);
     EXPECT_EQ(level_of(boxes, normal_of({0, 1, 0}), kAnySeparating), Level::decisions);
     EXPECT_EQ(level_of(boxes, normal_of({1, 0, 0}), kAnySeparating), Level::correctly_rounded);
@@ -1560,7 +1532,7 @@ TEST(JudgeDepth, of_the_shortest_way_is_that_of_a_normal_too) {
 }
 
 TEST(JudgeConventions, an_answer_that_parts_the_shapes_along_another_face_is_explained) {
-  const Claim other = whole_contact({0, 1, 0}, {0, 1, 0}, {1, -0.5, 0}, -1.5);
+  const Claim other = contact_with({0, 1, 0}, {0, 1, 0}, {1, -0.5, 0}, -1.5);
   for (const char* field : {"normal", "point1", "point2", "value"})
     EXPECT_TRUE(says(explained(overlapping_boxes(), other), field, "depth", "any_separating")) << field;
   EXPECT_TRUE(explained(overlapping_boxes(), other, kAnySeparating).empty());

@@ -62,16 +62,6 @@ class Seen {
   const Rational& slack_;
 };
 
-template <class Shape>
-const Plane* plane_in(const Shape& shape) {
-  if constexpr (std::same_as<Shape, Convex>)
-    return std::get_if<Plane>(&shape.shape);
-  else if constexpr (std::same_as<Shape, Plane>)
-    return &shape;
-  else
-    return nullptr;
-}
-
 }  // namespace
 
 bool has_manifold(Pair pair) { return has_distance(pair); }
@@ -79,22 +69,16 @@ bool has_manifold(Pair pair) { return has_distance(pair); }
 Manifold::Manifold(const Query& query, const Point& n, const Rational& slack) : n_(n) {
   const DefaultEnvironment environment;
   std::size_t i = 0;
-  const auto add = [&]<class Shape>(const Shape& shape) {
-    if (const Plane* plane = plane_in(shape)) {
-      plane_ = *plane;
-    } else if constexpr (!std::same_as<Shape, Plane>) {
+  for_each_shape(query, [&]<class Shape>(const Shape& shape) {
+    if constexpr (std::same_as<Shape, Plane>) {
+      plane_ = shape;
+    } else {
       const ExactCore core = exact_core(shape);
       radius_[i] = Rational(core.radius);
       surface_[i] = Seen(core, i == 0 ? n : Rational(-1) * n, slack).pieces();
     }
     ++i;
-  };
-  std::visit(
-      [&](const auto& shapes) {
-        add(shapes.a);
-        add(shapes.b);
-      },
-      query.shapes);
+  });
 }
 
 Rational Manifold::squared_off_surface(std::size_t shape, const Point& x) const {

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "oracle/judge/off.hpp"
 #include "oracle/truth/cores.hpp"
+#include "oracle/truth/crossings.hpp"
 #include "oracle/truth/default_environment.hpp"
 
 namespace contact::oracle {
@@ -45,14 +47,8 @@ Extent extent(const std::vector<Point>& vertices, const Point& n) {
   return all;
 }
 
-/// The triangle of a pair with a crossing, and the segment.
-const Triangle& triangle_of(const Query& query) {
-  if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes)) return ray->b;
-  return std::get<TriangleAndLine>(query.shapes).a;
-}
-std::vector<Point> crossing_ends(const Query& query) {
-  if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes)) return vertices(ray->a);
-  return vertices(std::get<TriangleAndLine>(query.shapes).b);
+std::pair<std::vector<Point>, std::vector<Point>> vertices_of_both(const Query& query) {
+  return std::visit([](const auto& shapes) { return std::pair(vertices(shapes.a), vertices(shapes.b)); }, query.shapes);
 }
 
 }  // namespace
@@ -79,9 +75,9 @@ NearOptimal::NearOptimal(const Query& query, const DistanceTruth& truth, const C
       noise_(scale_.scaled(Rational(8) * power_of_two(-format_of(scalar).precision))) {
   if (is_crossing(query.pair)) {
     const Point& N = truth.along();
-    const Point v0 = point_of(triangle_of(query).vertices[0]);
-    const auto ends = crossing_ends(query);
-    is_flat_ = std::all_of(ends.begin(), ends.end(), [&](const Point& end) {
+    const Crossed of = crossed(query);
+    const Point v0 = point_of(of.triangle.vertices[0]);
+    is_flat_ = std::all_of(of.segment.vertices.begin(), of.segment.vertices.end(), [&](const Point& end) {
       const Rational height = dot(N, end - v0);
       return is_noise(height * height / squared(N));
     });
@@ -120,7 +116,7 @@ Off NearOptimal::positions_turn(const Point& n) const {
   const Rational n2 = squared(n);
   if (is_crossing(query_.pair)) {
     // A triangle has no thickness along its normal, and turns over where a vertex comes to the opposite edge.
-    const std::vector<Point> v = vertices(triangle_of(query_));
+    const std::vector<Point> v = vertices(crossed(query_).triangle);
     const Point N = cross(v[1] - v[0], v[2] - v[0]);
     Rational longest(0);
     for (std::size_t i = 0; i < v.size(); ++i) longest = std::max(longest, squared(v[(i + 1) % v.size()] - v[i]));
@@ -129,8 +125,7 @@ Off NearOptimal::positions_turn(const Point& n) const {
     off.merge(turn(squared(N) / longest, truth_.along(), n));
     return off;
   }
-  const auto [first, second] =
-      std::visit([](const auto& shapes) { return std::pair(vertices(shapes.a), vertices(shapes.b)); }, query_.shapes);
+  const auto [first, second] = vertices_of_both(query_);
   // max n.a - min n.b, whose least is -d
   const Exact reaches(Rational(0), (extent(first, n).most - extent(second, n).least) / n2, n2);
   const Exact distance = truth_.meets() ? truth_.core_distance() : Exact(Rational(0), Rational(1), truth_.distance2());
@@ -194,8 +189,7 @@ Point NearOptimal::delta() const {
 
 /// The same where cores overlap and are left along another normal.
 Point NearOptimal::out_along(const Point& n) const {
-  const auto [first, second] =
-      std::visit([](const auto& shapes) { return std::pair(vertices(shapes.a), vertices(shapes.b)); }, query_.shapes);
+  const auto [first, second] = vertices_of_both(query_);
   return ((extent(second, n).least - extent(first, n).most) / squared(n)) * n;
 }
 

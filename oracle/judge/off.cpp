@@ -124,14 +124,6 @@ const Rational& limit_of(const Query& query, const DistanceTruth& distance, bool
   return by_alarm && query.distances.alarm != 0 ? distance.reach() : distance.radii();
 }
 
-/// The square of how far a question without a distance is from another answer.
-Rational crossing_change2(const Query& query) {
-  if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes))
-    return distance2_to_change(exact_core(ray->a), ray->b);
-  const auto& line = std::get<TriangleAndLine>(query.shapes);
-  return distance2_to_change(exact_core(line.b), line.a);
-}
-
 }  // namespace
 
 Off length_off(const Exact& error, const Exact& scale, const std::optional<Tolerance>& tolerance,
@@ -204,15 +196,15 @@ Off decision_off(const Query& query, const Truth& truth, bool by_alarm, const st
     const Rational limit = at_alarm ? gaps->alarm() : Rational(0);
     return length_off(gaps->widest_gap() - limit, limit, tolerance);
   }
-  if (truth.cast() != nullptr)
-    return std::visit(
-        [&]<class A, class B>(const Two<A, B>& shapes) {
-          if constexpr (std::same_as<A, Cast>)
-            return length_off(distance_to_change(shapes, truth.hit()), Rational(0), tolerance);
-          return Off{};
-        },
-        query.shapes);
-  return length_off(Exact(Rational(0), Rational(1), crossing_change2(query)), Rational(0), tolerance);
+  if (truth.cast() != nullptr) {
+    Off off;
+    if_cast(query.shapes, [&](const auto& shapes) {
+      off = length_off(distance_to_change(shapes, truth.hit()), Rational(0), tolerance);
+    });
+    return off;
+  }
+  const auto [segment, triangle] = crossed(query);
+  return length_off(Exact(Rational(0), Rational(1), distance2_to_change(segment, triangle)), Rational(0), tolerance);
 }
 
 }  // namespace contact::oracle

@@ -4,19 +4,15 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "extreme_numbers.hpp"
+#include "oracle/judge/certain.hpp"
 #include "oracle/judge/conditioning.hpp"
 #include "oracle/judge/judge.hpp"
 
 namespace contact::oracle::tolerance_test {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double above(double x) { return std::nextafter(x, kInfinity); }
-double below(double x) { return std::nextafter(x, -kInfinity); }
 
 Query spheres(const Ball& a, const Ball& b, double alarm = 0, double contact = 0) {
   return {Pair::sphere_sphere, Balls{a, b}, {alarm, contact}};
@@ -218,6 +214,21 @@ TEST(Tolerance, a_crossing_changes_at_the_boundary_or_the_plane) {
   const Query ray{Pair::ray_triangle, RayAndTriangle{{{1, 1, 3}, {0, 0, -1}, 2.75}, triangle}, {0, 0}};
   EXPECT_TRUE(within(ray, says(true), {.length = 0.25}));
   EXPECT_FALSE(within(ray, says(true), {.length = below(0.25)}));
+}
+
+// What all right answers have in common is asked with a larger alarm distance, and twice this distance is infinite.
+TEST(Certain, shapes_so_far_apart_that_twice_their_distance_is_infinite_are_a_question_too) {
+  const Query query{Pair::sphere_obb,
+                    Convexes{{Ball{{-1e308, 0, 0}, 0}}, {Obb{{5e307, 0, 0}, {0, 0, 0, 1}, {1, 1, 1}}}},
+                    {1.6e308, 0}};
+  Declaration declared;
+  declared.tolerance = Tolerance{.length = 1};
+  const Certain all = certain(query, declared);
+  EXPECT_EQ(all.left_out, "");
+  EXPECT_TRUE(all.hit);
+  ASSERT_FALSE(all.numbers.empty());
+  EXPECT_DOUBLE_EQ(all.numbers.front().expected, -1e308);
+  EXPECT_DOUBLE_EQ(all.numbers.back().expected, 1.5e308);
 }
 
 // ---- where the answer jumps: another answer is as good that is possible and nearly the best ----

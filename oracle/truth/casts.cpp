@@ -91,9 +91,10 @@ Normals away_from(const Point& x, const std::vector<Point>& corners, bool is_box
   return found;
 }
 
-Rational largest(std::initializer_list<Vector3> points) {
-  double most = 0;
-  for (const Vector3& p : points) most = std::max(most, p.cwiseAbs().maxCoeff());
+template <class Shape>
+Rational largest(const Shape& shape) {
+  double most = radius_of(shape);
+  for_each_point(shape, [&](const Vector3& p) { most = std::max(most, p.cwiseAbs().maxCoeff()); });
   return Rational(most);
 }
 
@@ -127,7 +128,6 @@ Normals normals(const Ball& ball, const RayLine& line, const LineEnd& t) {
   const Round round{point_of(ball.center), ball.radius};
   return ball.radius == 0 ? away_from(round.center, {round.center}) : round.normals(line, t);
 }
-Rational largest(const Ball& ball) { return std::max(largest({ball.center}), Rational(ball.radius)); }
 
 /// The core of a capsule: a point, and the way from there to the other end.
 struct Segment {
@@ -180,9 +180,6 @@ Normals normals(const Capsule& capsule, const RayLine& line, const LineEnd& t) {
   const Point way = line.d - part_of({{}, axis.along}, line.d) * axis.along;
   const auto component = [&](std::size_t i) { return moving(from[i] / r, way[i] / r, t); };
   return rounded_along({component(0), component(1), component(2)});
-}
-Rational largest(const Capsule& capsule) {
-  return std::max(largest({capsule.start, capsule.end}), Rational(capsule.radius));
 }
 
 bool contains(const Box& box, const Point& x) {
@@ -245,11 +242,6 @@ requires kIsOneOf<Polytope, Box, Triangle> Normals normals(const Polytope& shape
                                                            const LineEnd& t) {
   return away_from(line.at(t.middle), exact_core(shape).vertices, std::same_as<Polytope, Box>);
 }
-Rational largest(const Box& box) { return largest({box.min, box.max}); }
-Rational largest(const Triangle& triangle) {
-  const auto& [x, y, z] = triangle.vertices;
-  return largest({x, y, z});
-}
 
 bool contains(const Plane& plane, const Point& x) { return dot(point_of(plane.normal), x) <= Rational(plane.offset); }
 std::optional<LineEnd> enter(const Plane& plane, const RayLine& line) {
@@ -285,7 +277,7 @@ CastTruth truth_of(const CastAt<Target>& shapes) {
               inside,
               at.either_side,
               std::move(at.against),
-              std::max(largest({ray.origin}), largest(shape)),
+              std::max(Rational(ray.origin.cwiseAbs().maxCoeff()), largest(shape)),
               kNone};
   for (const Exact& x : hit.at) hit.point_scale = larger_of(hit.point_scale, magnitude(x));
   hit.value_scale = larger_of(hit.t, hit.point_scale.scaled(kOne / Rational(ray.direction.cwiseAbs().maxCoeff())));

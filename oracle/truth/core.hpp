@@ -35,11 +35,12 @@ struct Core {
 
   /// Those that `outward` has a normal of.
   [[nodiscard]] std::span<const Feature> faces() const { return features.last(outward.size()); }
-  /// An edge of each direction: those of a box at its first corner, or all.
-  [[nodiscard]] std::vector<Feature> directions() const {
-    std::vector<Feature> all;
+  /// All of a dimension; of edges or faces of a box that are parallel, the one at its first corner.
+  [[nodiscard]] std::vector<const Feature*> features_of(std::size_t dimension) const {
+    const bool is_box = features.back().is_parallelogram();
+    std::vector<const Feature*> all;
     for (const Feature& feature : features)
-      if (feature.dimension() == 1 && (!features.back().is_parallelogram() || feature.has(0))) all.push_back(feature);
+      if (feature.dimension() == dimension && (!is_box || feature.has(0))) all.push_back(&feature);
     return all;
   }
 };

@@ -457,8 +457,8 @@ template <class Number>
 std::vector<std::array<Number, 3>> edges_of(const Core<Number>& a, const Core<Number>& b) {
   std::vector<std::array<Number, 3>> ways;
   for (const auto* core : {&a, &b})
-    for (const Feature& edge : core->directions())
-      ways.push_back(core->vertices[edge.places[1]] - core->vertices[edge.places[0]]);
+    for (const Feature* edge : core->features_of(1))
+      ways.push_back(core->vertices[edge->places[1]] - core->vertices[edge->places[0]]);
   return ways;
 }
 

@@ -28,6 +28,12 @@ CrossingTruth truth_of_crossing(const ExactCore& segment, const Triangle& triang
   return {at, Rational(inward) * cross(u, v), farthest};
 }
 
+Crossed crossed(const Query& query) {
+  if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes)) return {exact_core(ray->a), ray->b};
+  const auto& line = std::get<TriangleAndLine>(query.shapes);
+  return {exact_core(line.b), line.a};
+}
+
 Rational distance2_to_change(const ExactCore& segment, const Triangle& triangle) {
   const std::vector<Point> v = exact_core(triangle).vertices;
   std::vector<Rational> all;

@@ -5,6 +5,13 @@
 
 namespace contact::oracle {
 
+/// A segment and a triangle, of a question about a crossing.
+struct Crossed {
+  ExactCore segment;
+  Triangle triangle;
+};
+[[nodiscard]] Crossed crossed(const Query& query);
+
 /// `inward` is 1 where the triangle is the first shape, -1 where it is the second.
 [[nodiscard]] CrossingTruth truth_of_crossing(const ExactCore& segment, const Triangle& triangle, int inward);
 

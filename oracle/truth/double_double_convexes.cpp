@@ -4,7 +4,7 @@
 //   overlap   0 lies below every facet of A - B, and nearest to one: facets are what faces and two edges make
 //
 // Where there are several nearest points or normals, and where something is not certain, there is no answer.
-#include "oracle/truth/double_double_convexes.hpp"
+#include "oracle/truth/double_double_segments.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "oracle/truth/core.hpp"
-#include "oracle/truth/double_double_planes.hpp"
 
 namespace contact::oracle {
 namespace {
@@ -81,7 +80,8 @@ const Shape& of_unit_size(const Shape& shape) {
   return shape;
 }
 
-std::optional<NearCore> near_core(const Convex& convex) {
+/// Nothing where a number is out of range, or a sign of the hull's is not certain.
+std::optional<NearCore> near_core(const Convex& convex) try {
   return std::visit(
       []<class Shape>(const Shape& given) -> std::optional<NearCore> {
         if constexpr (std::same_as<Shape, Plane>) {
@@ -99,14 +99,8 @@ std::optional<NearCore> near_core(const Convex& convex) {
         }
       },
       convex.shape);
-}
-
-std::optional<NearCore> certain_core(const Convex& convex) {
-  try {
-    return near_core(convex);
-  } catch (const Uncertain&) {
-    return std::nullopt;
-  }
+} catch (const Uncertain&) {
+  return std::nullopt;
 }
 
 /// The vertex that plain double finds farthest along a direction.
@@ -216,7 +210,7 @@ std::optional<DoubleDoubleNearest> nearest_of(const NearCore& a, const Feature& 
   if (g.dimension() == 0) {
     auto found = from_point(b.vertices[g.places[0]], a, f);
     if (!found) return std::nullopt;
-    return DoubleDoubleNearest{found->q, found->p, {-found->delta[0], -found->delta[1], -found->delta[2]}};
+    return turned_round(*found);
   }
   if (f.dimension() + g.dimension() > 2) return std::nullopt;
   const auto found = crossing(a, f, b, g);
@@ -338,19 +332,11 @@ struct Makers {
   const Feature* of_b;
 };
 std::vector<Makers> makers(const NearCore& a, const NearCore& b) {
-  // Of edges or faces of a box that are parallel, one.
-  const auto all_of = [](const NearCore& core, std::size_t dimension) {
-    const bool is_box = core.features.back().is_parallelogram();
-    std::vector<const Feature*> found;
-    for (const Feature& feature : core.features)
-      if (feature.dimension() == dimension && (!is_box || feature.has(0))) found.push_back(&feature);
-    return found;
-  };
   std::vector<Makers> all;
-  for (const Feature* face : all_of(a, 2)) all.push_back({face, nullptr});
-  for (const Feature* face : all_of(b, 2)) all.push_back({nullptr, face});
-  for (const Feature* e : all_of(a, 1))
-    for (const Feature* f : all_of(b, 1)) all.push_back({e, f});
+  for (const Feature* face : a.features_of(2)) all.push_back({face, nullptr});
+  for (const Feature* face : b.features_of(2)) all.push_back({nullptr, face});
+  for (const Feature* e : a.features_of(1))
+    for (const Feature* f : b.features_of(1)) all.push_back({e, f});
   return all;
 }
 
@@ -550,7 +536,7 @@ std::optional<RoundedAnswer> case_meeting(const NearCore& a, const NearCore& b, 
 [[gnu::noinline]] std::optional<RoundedAnswer> case_of_convexes(const Convexes& shapes, Distances distances,
                                                                 Scalar scalar) {
   if (!in_range(distances.alarm, kMostOfCores) || !in_range(distances.contact, kMostOfCores)) return std::nullopt;
-  const auto a = certain_core(shapes.a);
+  const auto a = near_core(shapes.a);
   if (!a) return std::nullopt;
   if (const auto* plane = std::get_if<Plane>(&shapes.b.shape)) {
     const DoubleDoubles n = exactly(plane->normal);
@@ -561,7 +547,7 @@ std::optional<RoundedAnswer> case_meeting(const NearCore& a, const NearCore& b, 
       return std::nullopt;
     return case_over_plane({p, product(n, p), true}, a->radius, *plane, distances, scalar);
   }
-  const auto b = certain_core(shapes.b);
+  const auto b = near_core(shapes.b);
   if (!b) return std::nullopt;
   if (const auto way = Guess(*a, *b).way()) return case_apart(*a, *b, *way, distances, scalar);
   return case_meeting(*a, *b, distances, scalar);

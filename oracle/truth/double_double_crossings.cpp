@@ -1,5 +1,5 @@
 // A segment that crosses a triangle, in pairs of doubles: the signs of its coordinates there, where they are certain.
-#include "oracle/truth/double_double_crossings.hpp"
+#include "oracle/truth/double_double_segments.hpp"
 
 #include <array>
 #include <cstddef>

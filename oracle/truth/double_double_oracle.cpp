@@ -9,25 +9,10 @@
 #include <utility>
 
 #include "oracle/truth/default_environment.hpp"
-#include "oracle/truth/double_double_convexes.hpp"
-#include "oracle/truth/double_double_crossings.hpp"
-#include "oracle/truth/double_double_planes.hpp"
+#include "oracle/truth/double_double_segments.hpp"
 
 namespace contact::oracle {
 namespace {
-
-/// Takes answers, and remembers whether one of them was nothing.
-class Settled {
- public:
-  double operator()(const std::optional<double>& number) {
-    all_ = all_ && number.has_value();
-    return number.value_or(0);
-  }
-  [[nodiscard]] bool all() const { return all_; }
-
- private:
-  bool all_ = true;
-};
 
 #if defined(__x86_64__) && !defined(__FMA__)
 /// Never inlined: the environment must be set before anything is computed.
@@ -74,20 +59,24 @@ std::optional<RoundedAnswer> case_along(const DoubleDoubleAlong& along, double r
   found.margin = margin_of(along.past_reach.value_or(along.distance - reach), reach, scalar);
   if (!found.expected.hit) return found;
 
-  Settled settled;
+  bool all_known = true;
+  const auto rounded = [&](const DoubleDouble& x) {
+    const std::optional<double> number = round_to_nearest(x, scalar);
+    all_known = all_known && number.has_value();
+    return number.value_or(0);
+  };
   Contact contact;  // every member is set below: nothing is cleared before
   contact.degenerate = along.degenerate;
   contact.unique = along.unique;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
     const DoubleDouble& n = along.normal[i];
-    contact.normal[axis] = settled(round_to_nearest(n, scalar));
-    contact.point1[axis] = settled(round_to_nearest(along.p[i] + DoubleDouble{radius1} * n, scalar));
-    contact.point2[axis] = settled(round_to_nearest(along.q[i] - DoubleDouble{radius2} * n, scalar));
+    contact.normal[axis] = rounded(n);
+    contact.point1[axis] = rounded(along.p[i] + DoubleDouble{radius1} * n);
+    contact.point2[axis] = rounded(along.q[i] - DoubleDouble{radius2} * n);
   }
-  const DoubleDouble value = along.value.value_or(along.distance - plus(radii, distances.contact));
-  contact.value = settled(round_to_nearest(value, scalar));
-  if (!settled.all()) return std::nullopt;
+  contact.value = rounded(along.value.value_or(along.distance - plus(radii, distances.contact)));
+  if (!all_known) return std::nullopt;
   found.expected.contact = contact;
   return found;
 }

@@ -1,6 +1,6 @@
 // A core over a plane in pairs of doubles. Which end of a segment is lower is told by the heights of both; where that is not certain
 // there is no answer.
-#include "oracle/truth/double_double_planes.hpp"
+#include "oracle/truth/double_double_segments.hpp"
 
 #include <cstddef>
 

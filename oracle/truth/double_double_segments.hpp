@@ -1,4 +1,4 @@
-// Two segments, each of which may be a point, in pairs of doubles.
+// What a pair asks of pairs of doubles: two segments, each of which may be a point; a core and a half-space; a segment that crosses a triangle; any two cores.
 #pragma once
 
 #include "oracle/truth/double_double_nearest.hpp"
@@ -55,5 +55,26 @@ struct DoubleDoubleSegment {
 /// The answer for two segments blown up by radii, as double_double_answer has it.
 [[nodiscard]] std::optional<RoundedAnswer> case_of_segments(const Ends& first, const Ends& second, double radius1,
                                                             double radius2, Distances distances, Scalar scalar);
+
+/// A point of a core that none of it lies below; normal.p where the normal is the half-space's; and whether it is the only one.
+struct DoubleDoubleLowest {
+  DoubleDoubles p;
+  DoubleDouble along_normal;
+  bool unique;
+};
+/// The answer for a core over a half-space, blown up by a radius, as double_double_answer has it.
+[[nodiscard]] std::optional<RoundedAnswer> case_over_plane(const DoubleDoubleLowest& lowest, double radius,
+                                                           const Plane& plane, Distances distances, Scalar scalar);
+/// The same for a segment.
+[[nodiscard]] std::optional<RoundedAnswer> case_over_plane(const Ends& ends, double radius, const Plane& plane,
+                                                           Distances distances, Scalar scalar);
+
+/// The answer for a segment that crosses a triangle, as double_double_answer has it; `sign` turns the normal of the
+/// triangle. Domain: a segment in_short_range.
+[[nodiscard]] std::optional<RoundedAnswer> case_of_crossing(const Vector3& from, const DoubleDoubles& along,
+                                                            const Triangle& triangle, int sign, Scalar scalar);
+
+/// The answer for any two convex cores, or one over a half-space, as double_double_answer has it.
+[[nodiscard]] std::optional<RoundedAnswer> case_of_convexes(const Convexes& shapes, Distances distances, Scalar scalar);
 
 }  // namespace contact::oracle

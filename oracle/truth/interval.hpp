@@ -6,6 +6,7 @@
 
 #include <array>
 #include <climits>
+#include <cstddef>
 #include <optional>
 
 #include "oracle/truth/query.hpp"
@@ -126,6 +127,13 @@ T settled(const std::optional<T>& answer) {
 [[nodiscard]] inline int sign_of(const Interval& x) { return settled(x.sign()); }
 
 using Triple = std::array<Interval, 3>;
+
+/// The vector whose components component(i) encloses, rounded.
+template <class Component>
+[[nodiscard]] Vector3 rounded(Scalar scalar, const Component& component) {
+  const auto at = [&](std::size_t i) { return settled(component(i).rounded(scalar)); };
+  return {at(0), at(1), at(2)};
+}
 
 inline Triple triple(mpfr_prec_t precision, const Vector3& v) {
   return {Interval(precision, v[0]), Interval(precision, v[1]), Interval(precision, v[2])};

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "oracle/truth/interval_casts.hpp"
+#include "oracle/truth/interval_cores.hpp"
 
 namespace contact::oracle {
 namespace casts {
@@ -39,10 +39,7 @@ Triple negative(const Triple& x) { return difference(difference(x, x), x); }
 
 Vector3 rounded_unit(const IntervalRay& ray, const Triple& along) {
   const Interval length = (along[0].squared() + along[1].squared() + along[2].squared()).root();
-  Vector3 n;
-  for (std::size_t i = 0; i < 3; ++i)
-    n[static_cast<Eigen::Index>(i)] = settled((along[i] / length).rounded(ray.scalar));
-  return n;
+  return rounded(ray.scalar, [&](std::size_t i) { return along[i] / length; });
 }
 RoundedAnswer hit(const Vector3& normal, const Vector3& point, double value, bool inside) {
   RoundedAnswer answer{-1, -1, {true, std::nullopt}};
@@ -50,15 +47,12 @@ RoundedAnswer hit(const Vector3& normal, const Vector3& point, double value, boo
   return answer;
 }
 RoundedAnswer from_inside(const IntervalRay& ray) {
-  Vector3 point;
-  for (std::size_t i = 0; i < 3; ++i) point[static_cast<Eigen::Index>(i)] = settled(ray.o[i].rounded(ray.scalar));
+  const Vector3 point = rounded(ray.scalar, [&](std::size_t i) { return ray.o[i]; });
   return hit(rounded_unit(ray, negative(ray.d)), point, 0, true);
 }
 /// At t = part / over, over > 0.
 RoundedAnswer hit_at(const IntervalRay& ray, const Interval& part, const Interval& over, const Vector3& normal) {
-  Vector3 point;
-  for (std::size_t i = 0; i < 3; ++i)
-    point[static_cast<Eigen::Index>(i)] = settled(((ray.o[i] * over + part * ray.d[i]) / over).rounded(ray.scalar));
+  const Vector3 point = rounded(ray.scalar, [&](std::size_t i) { return (ray.o[i] * over + part * ray.d[i]) / over; });
   return hit(normal, point, settled((part / over).rounded(ray.scalar)), false);
 }
 
@@ -136,11 +130,7 @@ std::optional<FirstRoot> first_root(const IntervalRay& ray, const Parabola& f) {
 /// The normal is (base + t turn) / size.
 Vector3 normal_at(const IntervalRay& ray, const FirstRoot& t, const Triple& base, const Triple& turn,
                   const Interval& size) {
-  Vector3 n;
-  for (std::size_t i = 0; i < 3; ++i)
-    n[static_cast<Eigen::Index>(i)] =
-        settled(((base[i] * t.over + t.part * turn[i]) / (t.over * size)).rounded(ray.scalar));
-  return n;
+  return rounded(ray.scalar, [&](std::size_t i) { return (base[i] * t.over + t.part * turn[i]) / (t.over * size); });
 }
 /// From a point of the ray to some others, t.over times.
 std::vector<Triple> ways_from(const IntervalRay& ray, const FirstRoot& t, std::initializer_list<Vector3> others) {

@@ -2,7 +2,7 @@
 //
 // Of which vertices a facet consists is known from what it was made of, a face or two edges, and of the others by the sign of how far they are from it: in what is
 // in no special position no sign is that of 0, and few digits settle it.
-#include "oracle/truth/interval_convexes.hpp"
+#include "oracle/truth/interval_cores.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -163,15 +163,15 @@ class AnyTwo {
     const auto way = [](const auto& vertices, const Feature& edge) {
       return difference(vertices[edge.places[1]], vertices[edge.places[0]]);
     };
-    for (const Feature& e : a_.directions())
-      for (const Feature& f : b_.directions()) {
+    for (const Feature* e : a_.features_of(1))
+      for (const Feature* f : b_.features_of(1)) {
         // A facet that two edges make has both of them in it.
-        const RoughTriple roughly = cross(way(rough_a_, e), way(rough_b_, f));
-        Beyond of_a(a_, rough_a_, e, roughly);
-        Beyond of_b(b_, rough_b_, f, roughly);
+        const RoughTriple roughly = cross(way(rough_a_, *e), way(rough_b_, *f));
+        Beyond of_a(a_, rough_a_, *e, roughly);
+        Beyond of_b(b_, rough_b_, *f, roughly);
         const auto may_face = [&](int sign) { return !of_a.is_there(sign) && !of_b.is_there(-sign); };
         if (!may_face(1) && !may_face(-1)) continue;
-        const Triple n = cross(way(a_.vertices, e), way(b_.vertices, f));
+        const Triple n = cross(way(a_.vertices, *e), way(b_.vertices, *f));
         if (is_zero(n)) continue;
         of_a.settle(n);
         of_b.settle(n);
@@ -179,7 +179,7 @@ class AnyTwo {
         for (const int sign : {1, -1}) {
           if (!may_face(sign)) continue;
           if (!both) both.emplace(along(n));
-          facings_.push_back(facing(*both, sign, edge_at(a_, e, both->a, sign), edge_at(b_, f, both->b, -sign)));
+          facings_.push_back(facing(*both, sign, edge_at(a_, *e, both->a, sign), edge_at(b_, *f, both->b, -sign)));
         }
       }
   }
@@ -302,7 +302,6 @@ class AnyTwo {
 
   [[nodiscard]] RoundedAnswer answer_meeting(const Facing& f, bool is_touching, Distances distances,
                                              Scalar scalar) const {
-    const auto rounded = [&](const Interval& x) { return settled(x.rounded(scalar)); };
     const Interval r1 = number(a_.radius);
     const Interval r2 = number(b_.radius);
     const Interval reach = number(distances.alarm) + r1 + r2;
@@ -317,16 +316,17 @@ class AnyTwo {
     Contact contact{};
     contact.degenerate = is_touching;
     contact.unique = unique;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto axis = static_cast<Eigen::Index>(i);
-      const Interval& n = f.normal[i];
-      const Interval q = is_touching ? p[i] : p[i] - of_p * f.height * n;
-      contact.normal[axis] = rounded(n / length);
-      contact.point1[axis] = rounded((p[i] + (r1 * over * n) / length) / over);
-      contact.point2[axis] = rounded((q - (r2 * over * n) / length) / over);
-    }
+    const Triple& n = f.normal;
+    const auto q = [&, &p = p, &of_p = of_p](std::size_t i) {
+      return is_touching ? p[i] : p[i] - of_p * f.height * n[i];
+    };
+    contact.normal = rounded(scalar, [&](std::size_t i) { return n[i] / length; });
+    contact.point1 =
+        rounded(scalar, [&, &p = p](std::size_t i) { return (p[i] + (r1 * over * n[i]) / length) / over; });
+    contact.point2 = rounded(scalar, [&](std::size_t i) { return (q(i) - (r2 * over * n[i]) / length) / over; });
     const Interval less = (r1 + r2 + number(distances.contact)) * over_;
-    contact.value = rounded(((is_touching ? number(0) : number(0) - f.height / length) - less) / over_);
+    const Interval value = ((is_touching ? number(0) : number(0) - f.height / length) - less) / over_;
+    contact.value = settled(value.rounded(scalar));
     found.expected.contact = contact;
     return found;
   }

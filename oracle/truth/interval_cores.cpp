@@ -189,7 +189,6 @@ const Below& nearest_of(const std::vector<Below>& faces) {
 RoundedAnswer answer_inside(const Triple& c, const Below& face, double radius, Distances distances, Scalar scalar,
                             mpfr_prec_t precision) {
   const auto number = [&](double x) { return Interval(precision, x); };
-  const auto rounded = [&](const Interval& x) { return settled(x.rounded(scalar)); };
   const Interval r = number(radius);
   const Interval reach = number(distances.alarm) + r;
   const bool is_deep = sign_of(face.height) > 0;
@@ -200,13 +199,11 @@ RoundedAnswer answer_inside(const Triple& c, const Below& face, double radius, D
   contact.unique = true;
   const Interval length = face.across2.root();
   const Triple& n = *face.outward;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto axis = static_cast<Eigen::Index>(i);
-    contact.normal[axis] = rounded((number(0) - n[i]) / length);
-    contact.point1[axis] = rounded(c[i] - r * n[i] / length);
-    contact.point2[axis] = rounded((c[i] * face.across2 + face.height * n[i]) / face.across2);
-  }
-  contact.value = rounded(number(0) - r - face.height / length - number(distances.contact));
+  contact.normal = rounded(scalar, [&](std::size_t i) { return (number(0) - n[i]) / length; });
+  contact.point1 = rounded(scalar, [&](std::size_t i) { return c[i] - r * n[i] / length; });
+  contact.point2 =
+      rounded(scalar, [&](std::size_t i) { return (c[i] * face.across2 + face.height * n[i]) / face.across2; });
+  contact.value = settled((number(0) - r - face.height / length - number(distances.contact)).rounded(scalar));
   answer.expected.contact = contact;
   return answer;
 }
@@ -284,14 +281,12 @@ RoundedAnswer answer_of_cores(const IntervalCore& a, const Plane& plane, Distanc
   Contact contact{};
   contact.degenerate = false;
   contact.unique = order(*low, N, *high, N) == 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto axis = static_cast<Eigen::Index>(i);
-    contact.normal[axis] = settled(((number(0) - n[i]) / length).rounded(scalar));
-    contact.point1[axis] = settled(((twice[i] - two * r * n[i] / length) / two).rounded(scalar));
+  contact.normal = rounded(scalar, [&](std::size_t i) { return (number(0) - n[i]) / length; });
+  contact.point1 = rounded(scalar, [&](std::size_t i) { return (twice[i] - two * r * n[i] / length) / two; });
+  contact.point2 = rounded(scalar, [&](std::size_t i) {
     const auto part = [&](std::size_t j) { return n[j] * (n[j] * twice[i] - n[i] * twice[j]); };
-    const Interval foot = two * offset * n[i] + (part((i + 1) % 3) + part((i + 2) % 3));
-    contact.point2[axis] = settled((foot / (two * N)).rounded(scalar));
-  }
+    return (two * offset * n[i] + (part((i + 1) % 3) + part((i + 2) % 3))) / (two * N);
+  });
   contact.value = settled(((height / length - (r + number(distances.contact)) * over) / over).rounded(scalar));
   answer.expected.contact = contact;
   return answer;

@@ -1,4 +1,4 @@
-// Two cores, or a core and a half-space, in intervals.
+// What a pair asks of intervals: two cores, or a core and a half-space; a segment that crosses a triangle; rays that are cast.
 #pragma once
 
 #include "oracle/truth/core.hpp"
@@ -47,5 +47,13 @@ struct IntervalCommon {
                                             Scalar scalar, mpfr_prec_t precision);
 [[nodiscard]] RoundedAnswer answer_of_cores(const IntervalCore& a, const Plane& plane, Distances distances,
                                             Scalar scalar, mpfr_prec_t precision);
+/// Any two cores, which may overlap.
+[[nodiscard]] RoundedAnswer answer_of_convexes(const IntervalCore& a, const IntervalCore& b, Distances distances,
+                                               Scalar scalar, mpfr_prec_t precision);
+/// Of a segment that crosses a triangle; `sign` turns the normal of the triangle.
+[[nodiscard]] RoundedAnswer answer_of_crossing(const IntervalCore& segment, const Triangle& triangle, int sign,
+                                               Scalar scalar, mpfr_prec_t precision);
+template <class Target>
+[[nodiscard]] RoundedAnswer answer_of_cast(const CastAt<Target>& shapes, Scalar scalar, mpfr_prec_t precision);
 
 }  // namespace contact::oracle

@@ -3,7 +3,7 @@
 //   side of an edge from v along e     d.(v x e) + m.e     the same sign for all three edges where the line crosses
 //   the plane N.x = o is met           at (N x m + o d) / N.d
 //   the ends                           on either side of the plane, or on it
-#include "oracle/truth/interval_crossings.hpp"
+#include "oracle/truth/interval_cores.hpp"
 
 #include <cstddef>
 
@@ -36,11 +36,8 @@ RoundedAnswer answer_of_crossing(const IntervalCore& segment, const Triangle& tr
   const Triple turned = cross(n, moment);
   const Interval length = dot(n, n).root();
   const Interval direction(precision, sign);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto axis = static_cast<Eigen::Index>(i);
-    contact.normal[axis] = settled((direction * n[i] / length).rounded(scalar));
-    contact.point1[axis] = settled(((turned[i] + offset * along[i]) / through).rounded(scalar));
-  }
+  contact.normal = rounded(scalar, [&](std::size_t i) { return direction * n[i] / length; });
+  contact.point1 = rounded(scalar, [&](std::size_t i) { return (turned[i] + offset * along[i]) / through; });
   contact.point2 = contact.point1;
   contact.value = 0;
   answer.expected.contact = contact;

@@ -5,9 +5,7 @@
 #include <limits>
 
 #include "oracle/truth/default_environment.hpp"
-#include "oracle/truth/interval_casts.hpp"
-#include "oracle/truth/interval_convexes.hpp"
-#include "oracle/truth/interval_crossings.hpp"
+#include "oracle/truth/interval_cores.hpp"
 
 namespace contact::oracle {
 namespace {
@@ -97,14 +95,13 @@ RoundedAnswer answer_of_nearest(const IntervalNearest& nearest, const Interval& 
   contact.unique = unique;
   const Triple& along = contact.degenerate ? agreed : delta;
   const Interval length = squared_length(along).root();
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    // (r along) / length and not r (along / length): the product is exact at some precision, so a tie can be seen. Over
-    // the denominator a tie has an exact sum before it, and with it an exact quotient by the length.
-    const auto i = static_cast<Eigen::Index>(axis);
-    contact.normal[i] = settled((along[axis] / length).rounded(scalar));
-    contact.point1[i] = settled(((p[axis] + (r1 * over * along[axis]) / length) / over).rounded(scalar));
-    contact.point2[i] = settled(((q[axis] - (r2 * over * along[axis]) / length) / over).rounded(scalar));
-  }
+  // (r along) / length and not r (along / length): the product is exact at some precision, so a tie can be seen. Over
+  // the denominator a tie has an exact sum before it, and with it an exact quotient by the length.
+  contact.normal = rounded(scalar, [&](std::size_t i) { return along[i] / length; });
+  contact.point1 = rounded(
+      scalar, [&](std::size_t i) { return (nearest.p[i] + (r1 * nearest.over * along[i]) / length) / nearest.over; });
+  contact.point2 = rounded(
+      scalar, [&](std::size_t i) { return (nearest.q[i] - (r2 * nearest.over * along[i]) / length) / nearest.over; });
   const Interval less = (r1 + r2 + Interval(precision, distances.contact)) * over;
   contact.value = settled(((D.root() - less) / over).rounded(scalar));
   answer.expected.contact = contact;

@@ -1,9 +1,9 @@
 // A sphere and a solid box in pairs of doubles: outside, the sphere pair at the nearest point of the box; inside, sums.
 #include <algorithm>
+#include <cstddef>
 
 #include "oracle/truth/clamped.hpp"
-#include "oracle/truth/double_double.hpp"
-#include "oracle/truth/double_double_oracle.hpp"
+#include "oracle/truth/double_double_nearest.hpp"
 
 namespace contact::oracle {
 namespace {
@@ -39,24 +39,17 @@ std::optional<RoundedAnswer> inside(const Ball& ball, const Box& box, Distances 
   const auto face = nearest_face(ball.center, box);
   if (!face) return std::nullopt;
   const auto depth = face->depth.sign();
-  const auto along = round_to_nearest(two_sum(ball.center[face->axis], face->sign * ball.radius), scalar);
-  const auto value = round_to_nearest(-(two_sum(ball.radius, distances.contact) + face->depth), scalar);
+  if (!depth) return std::nullopt;
+  const double r = ball.radius;
   // At a radius and an alarm distance of 0 the surfaces touch where the depth is 0.
-  if (!depth || !along || !value) return std::nullopt;
-  Contact contact{Vector3::Zero(), ball.center, ball.center, *value, true};
-  contact.normal[face->axis] = face->sign;
-  contact.point1[face->axis] = *along;
-  contact.point2[face->axis] = face->at;
-  for (Vector3* point : {&contact.point1, &contact.point2})
-    for (double& x : *point) {
-      const auto rounded = round_to_nearest(DoubleDouble{x}, scalar);
-      if (!rounded) return std::nullopt;
-      x = *rounded;
-    }
   const auto at = [&](double reach) { return *depth > 0 || reach > 0 ? -1 : 0; };
-  const DoubleDouble reach = two_sum(ball.radius, distances.alarm);
-  return RoundedAnswer{
-      at(ball.radius + distances.alarm), at(ball.radius), {true, contact}, margin_of(-reach, reach, scalar)};
+  const DoubleDoubles c = exactly(ball.center);
+  DoubleDoubleAlong found{c, c, {}, -face->depth, at(r + distances.alarm), at(r), true, true};
+  const auto axis = static_cast<std::size_t>(face->axis);
+  found.normal[axis] = {face->sign};
+  found.q[axis] = {face->at};
+  found.past_reach = -two_sum(r, distances.alarm);
+  return case_along(found, r, 0, distances, scalar);
 }
 
 }  // namespace
