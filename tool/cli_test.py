@@ -71,9 +71,9 @@ SPHERES_EXPECT = ('"expect":{"hit":true,"degenerate":false,"normal":[0.333333333
                   '"exact":{"distance2":"0x9p0","reach":"0x3p0","margin_ulps":0}}')
 
 
-def run(*args, stdin="", **options):
+def run(*args, stdin="", by=(), **options):
     options = {"input": stdin, "capture_output": True, "text": True, "timeout": 600, "cwd": ROOT, **options}
-    return subprocess.run([TOOL, *published(args)], **options)
+    return subprocess.run([*by, TOOL, *published(args)], **options)
 
 
 def wait_until_signals_are_caught(process):
