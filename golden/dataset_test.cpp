@@ -135,6 +135,41 @@ TEST(CheckCase, NamesTheFieldTheValueAndTheRightOne) {
   }
 }
 
+TEST(CheckCase, ComparesEveryExactNumber) {
+  // A cast ray meets the ball of radius 2 around (5,0,0) from a - sqrt(h) = 5 - sqrt(4) on; a ball's centre lies 1 under
+  // a face of a box.
+  const formats::Location where{"file.jsonl", 3};
+  const auto said_of = [&](const char* line, auto change) {
+    const auto json = formats::parse_object(line, where);
+    const Query query = read_query(formats::Node(json, where)).query;
+    Case c = make_case(query, Scalar::binary64);
+    const oracle::Truth truth = oracle::truth_of(query);
+    EXPECT_NO_THROW(check_case(c, Scalar::binary64, truth, where));
+    change(c.exact);
+    try {
+      check_case(c, Scalar::binary64, truth, where);
+    } catch (const formats::InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no complaint");
+  };
+  constexpr const char* kCast = R"({"pair":"cast_sphere","a":{"origin":[0,0,0],"direction":[1,0,0],"length":10},)"
+                                R"("b":{"center":[5,0,0],"radius":2},"alarm":0,"contact":0})";
+  constexpr const char* kDeep =
+      R"({"pair":"sphere_obb","a":{"center":[1,0,0],"radius":0.5},)"
+      R"("b":{"center":[0,0,0],"orientation":[0,0,0,1],"extents":[2,3,4]},"alarm":0,"contact":0})";
+  EXPECT_EQ(said_of(kCast, [](oracle::Witness& w) { (*w.cast)[0] = "0x7p0"; }),
+            "file.jsonl:3: exact.t[0]: the file says 0x7p0, exact is 0x5p0");
+  EXPECT_EQ(said_of(kCast, [](oracle::Witness& w) { (*w.cast)[1] = "0x3p0"; }),
+            "file.jsonl:3: exact.t[1]: the file says 0x3p0, exact is 0x1p2");
+  EXPECT_EQ(said_of(kCast, [](oracle::Witness& w) { w.cast.reset(); }),
+            "file.jsonl:3: exact.t[0]: the file says nothing, exact is 0x5p0");
+  EXPECT_EQ(said_of(kDeep, [](oracle::Witness& w) { w.depth2 = "0x3p0"; }),
+            "file.jsonl:3: exact.depth2: the file says 0x3p0, exact is 0x1p0");
+  EXPECT_EQ(said_of(kDeep, [](oracle::Witness& w) { w.depth2.clear(); }),
+            "file.jsonl:3: exact.depth2: the file says nothing, exact is 0x1p0");
+}
+
 TEST(Lint, CallsBackAfterEveryCaseAndTellsWhatItSaw) {
   int cases = 0;
   const LintedFile file = lint(CONTACT_SOURCE_DIR "/golden/quick/cube_cube.jsonl", false, [&] { ++cases; });

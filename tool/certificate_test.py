@@ -7,32 +7,18 @@ import json
 import os
 import re
 import shutil
-import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
-from published import published
+import cli_test
+from cli_test import GOLDEN, PLAIN, ROOT, line, run
 
-TOOL = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
-ROOT = Path(__file__).resolve().parent.parent
-GOLDEN = ROOT / "golden"
-PLAIN = ROOT / "docs" / "examples" / "engines" / "plain.py"
 PAST, FUTURE = "1600000000", "2999-12-31"  # 2020-09-13
-
-
-def run(*args, **options):
-    options = {"capture_output": True, "text": True, "timeout": 600, "cwd": ROOT, **options}
-    return subprocess.run([TOOL, *published(args)], **options)
 
 
 def issued_in_the_past():
     return {**os.environ, "SOURCE_DATE_EPOCH": PAST}
-
-
-def line(value):
-    return json.dumps(value, separators=(",", ":"))
 
 
 def layout(value, whole=False):
@@ -52,13 +38,10 @@ def sealed(text):
     return blank.replace('\n"sha256":"' + "0" * 64, '\n"sha256":"' + hashlib.sha256(blank.encode()).hexdigest())
 
 
-class Case(unittest.TestCase):
-    maxDiff = 2000
-
+class Case(cli_test.Case):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name).resolve()
+        super().setUp()
+        self.folder = self.folder.resolve()
         self.path = self.folder / "c.json"
         self.answers = self.folder / "c.answers.jsonl"
 

@@ -71,9 +71,9 @@ SPHERES_EXPECT = ('"expect":{"hit":true,"degenerate":false,"normal":[0.333333333
                   '"exact":{"distance2":"0x9p0","reach":"0x3p0","margin_ulps":0}}')
 
 
-def run(*args, stdin="", **options):
+def run(*args, stdin="", by=(), **options):
     options = {"input": stdin, "capture_output": True, "text": True, "timeout": 600, "cwd": ROOT, **options}
-    return subprocess.run([TOOL, *published(args)], **options)
+    return subprocess.run([*by, TOOL, *published(args)], **options)
 
 
 def wait_until_signals_are_caught(process):
@@ -214,6 +214,23 @@ class Case(unittest.TestCase):
         self.assertNotIn("CERTIFIED", done.stdout)
         self.assertEqual(sorted(self.folder.rglob("*")), before)
         return done
+
+    def interrupted(self, args, once=wait_until_signals_are_caught, by=signal.SIGINT):
+        """What a command says on standard output and standard error that a signal ends. Its input stays open."""
+        with subprocess.Popen([TOOL, *map(str, args)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            try:
+                once(process)
+                process.send_signal(by)
+                self.assertEqual(process.wait(timeout=300), 130)
+                return process.communicate()
+            finally:
+                process.kill()
+
+    def files_are(self, count):
+        """Waits until so many stand in the folder."""
+        deadline = time.monotonic() + 300
+        while len(list(self.folder.iterdir())) < count and time.monotonic() < deadline:
+            time.sleep(0.02)
 
     def reports(self):
         return [word for name in ("json", "junit", "report", "markdown") for word in (f"--{name}", self.folder / f"out.{name}")]
@@ -1506,33 +1523,18 @@ class Outputs(Case):
 
     def test_an_interrupted_generate_leaves_what_was_there(self):
         target = self.file("x.jsonl", "old\n")
-        process = subprocess.Popen([TOOL, *map(str, self.GENERATE), "20000000", "-o", target], stdout=subprocess.PIPE,
-                                   stderr=subprocess.PIPE, text=True)
-        deadline = time.monotonic() + 300
-        while len(list(self.folder.iterdir())) < 2 and time.monotonic() < deadline:
-            time.sleep(0.02)
-        process.send_signal(signal.SIGINT)
-        out, err = process.communicate(timeout=300)
-        self.assertEqual((process.returncode, out), (130, ""))
+        out, err = self.interrupted((*self.GENERATE, 20000000, "-o", target), lambda _: self.files_are(2))
+        self.assertEqual(out, "")
         self.assertIn("interrupted", err)
         self.assertEqual((list(self.folder.iterdir()), target.read_text()), ([target], "old\n"))
 
     def test_an_interrupted_lint_ends_before_its_file_does(self):
         path = self.folder / "long.jsonl"  # it would take many times as long as the signal, however busy the machine
         self.holds("generate", "--pair", "sphere_sphere", "--family", "generic", "--count", 3000, "--seed", 1, "-o", path)
-        process = subprocess.Popen([TOOL, "lint", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        wait_until_signals_are_caught(process)
-        process.send_signal(signal.SIGINT)
-        out, err = process.communicate(timeout=300)
-        self.assertEqual((process.returncode, out), (130, ""), err)
+        self.assertEqual(self.interrupted(("lint", path))[0], "")
 
     def test_an_interruption_ends_a_command_that_waits_for_its_input(self):
-        process = subprocess.Popen([TOOL, "explain"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        self.addCleanup(process.communicate)
-        self.addCleanup(process.kill)
-        wait_until_signals_are_caught(process)
-        process.send_signal(signal.SIGINT)
-        self.assertEqual(process.wait(timeout=300), 130)
+        self.interrupted(("explain",))
 
     def test_an_interruption_ends_a_command_that_looks_nowhere_and_leaves_no_file(self):
         # A pipe that somebody holds open and writes nothing into: the read does not come back by itself.
@@ -1540,16 +1542,14 @@ class Outputs(Case):
         os.mkfifo(fifo)
         writer = os.open(fifo, os.O_RDWR)
         self.addCleanup(os.close, writer)
+
+        def waiting(process):
+            wait_until_signals_are_caught(process)
+            time.sleep(0.1)
         for args in (["detect", fifo, "-o", target], ["explain", fifo], ["serve"], ["annotate", fifo, "-o", target]):
             for name in ("SIGINT", "SIGTERM"):
                 with self.subTest(args=args[0], signal=name):
-                    process = subprocess.Popen([TOOL, *map(str, args)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-                    self.addCleanup(process.communicate)
-                    self.addCleanup(process.kill)
-                    wait_until_signals_are_caught(process)
-                    time.sleep(0.1)
-                    process.send_signal(getattr(signal, name))
-                    self.assertEqual(process.wait(timeout=300), 130)
+                    self.interrupted(args, waiting, getattr(signal, name))
                     self.assertEqual((sorted(self.folder.iterdir()), target.read_text()), ([fifo, target], "old\n"))
 
     @unittest.skipUnless(os.environ.get("CONTACT_THROWING_LIBRARY"), "CONTACT_THROWING_LIBRARY names no library")
@@ -2243,12 +2243,7 @@ class Properties(Case):
 
     def test_an_interruption_ends_it_and_leaves_no_file(self):
         path = self.folder / "laws.json"
-        process = subprocess.Popen([TOOL, "properties", "--cases", "1000000", "--json", str(path)], stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.PIPE)
-        wait_until_signals_are_caught(process)
-        process.send_signal(signal.SIGINT)
-        self.assertIn(b"interrupted", process.communicate(timeout=300)[1])
-        self.assertEqual(process.returncode, 130)
+        self.assertIn("interrupted", self.interrupted(("properties", "--cases", 1000000, "--json", path))[1])
         self.assertEqual(list(self.folder.iterdir()), [])
 
 
@@ -2454,15 +2449,12 @@ class Detect(Case):
         # Every one of 5000 balls in one place touches every other: far more work than the test waits for.
         scene = self.file("s.jsonl", [self.HEADER, self.ball_model("a", [[i / 5000, 0, 0] for i in range(5000)], [1] * 5000)])
         target = self.file("x.jsonl", "old\n")
-        process = subprocess.Popen([TOOL, "detect", scene, "--self", "-o", target], stdout=subprocess.PIPE,
-                                   stderr=subprocess.PIPE, text=True)
-        deadline = time.monotonic() + 300
-        while len(list(self.folder.iterdir())) < 3 and time.monotonic() < deadline:
-            time.sleep(0.02)
-        time.sleep(0.3)
-        process.send_signal(signal.SIGINT)
-        out, err = process.communicate(timeout=300)
-        self.assertEqual((process.returncode, out), (130, ""), err)
+
+        def working(_):
+            self.files_are(3)
+            time.sleep(0.3)
+        out, err = self.interrupted(("detect", scene, "--self", "-o", target), working)
+        self.assertEqual(out, "")
         self.assertIn("interrupted", err)
         self.assertEqual((sorted(self.folder.iterdir()), target.read_text()), ([scene, target], "old\n"))
 

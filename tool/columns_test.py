@@ -53,18 +53,24 @@ def read(path):
         return header, columns, [name.decode() for name in file["flags"].attrs["names"]]
 
 
-def seal(path):
-    """Gives a file of either form the digest that its columns have, as whoever changed it might."""
+def tell(path, *without, **keys):
+    """Changes the header of a file of either form: it has no longer some keys, and others have these values."""
     if path.suffix == ".npz":
         with numpy.load(path) as file:
             columns = {name: file[name] for name in file.files}
-        header = json.loads(columns["header"].item())
-        header["columns_sha256"] = PAGE["of_npz"](path)
-        numpy.savez(path, **{**columns, "header": numpy.bytes_(json.dumps(header).encode())})
+        header = {key: value for key, value in json.loads(columns["header"].item()).items() if key not in without}
+        numpy.savez(path, **{**columns, "header": numpy.bytes_(json.dumps({**header, **keys}).encode())})
     else:
-        digest = PAGE["of_hdf5"](path)
         with h5py.File(path, "r+") as file:
-            file.attrs["columns_sha256"] = numpy.bytes_(digest.encode())
+            for key in without:
+                file.attrs.pop(key, None)
+            for key, value in keys.items():
+                file.attrs[key] = numpy.uint64(value) if isinstance(value, int) else numpy.bytes_(value.encode())
+
+
+def seal(path):
+    """Gives a file of either form the digest that its columns have, as whoever changed it might."""
+    tell(path, columns_sha256=PAGE["of_npz" if path.suffix == ".npz" else "of_hdf5"](path))
 
 
 class Columns(Case):
@@ -418,10 +424,9 @@ class Damage(Columns):
                     with h5py.File(changed, "r+") as file:
                         for name, value in rows.items():
                             file[name][:] = value
-                        for key, value in keys.items():
-                            file.attrs[key] = numpy.uint64(value) if isinstance(value, int) else numpy.bytes_(value.encode())
                 else:
-                    numpy.savez(changed, **{**good, **rows}, header=json.dumps({**header, **keys}), **{"flags.names": numpy.array(names, "S")})
+                    numpy.savez(changed, **{**good, **rows}, header=json.dumps(header), **{"flags.names": numpy.array(names, "S")})
+                tell(changed, **keys)
                 return changed
 
             def other(name, row, value):
@@ -460,26 +465,12 @@ class Damage(Columns):
     def test_a_file_without_the_digest_of_its_columns_is_compared_with_that_of_its_lines(self):
         for path in (self.generate(name, count=4100, family=CUBE_FAMILY) for name in ("a.h5", "a.npz")):
             lines = self.convert(path, to="a.jsonl").read_bytes()
-
-            def told(**keys):
-                if path.suffix == ".npz":
-                    with numpy.load(path) as file:
-                        columns = {name: file[name] for name in file.files}
-                    header = {**json.loads(columns.pop("header").item()), **keys}
-                    header.pop("columns_sha256", None)
-                    numpy.savez(path, **columns, header=json.dumps(header))
-                else:
-                    with h5py.File(path, "r+") as file:
-                        if "columns_sha256" in file.attrs:
-                            del file.attrs["columns_sha256"]
-                        for key, value in keys.items():
-                            file.attrs[key] = numpy.uint64(value) if isinstance(value, int) else numpy.bytes_(value.encode())
             with self.subTest(path.name):
-                told()
+                tell(path, "columns_sha256")
                 self.holds("certify", path, "--engine", "production")
                 self.holds("lint", "--generated", path)
                 self.assertEqual(self.convert(path, to="b.jsonl").read_bytes(), lines)
-                told(seed=8)
+                tell(path, seed=8)
                 for args in (("certify", path), ("certify", path, "--jobs", 2), ("lint", "--generated", path), ("convert", path, "-o", self.folder / "c.jsonl")):
                     self.refused(args, f"{path}: sha256: the file says ")
 
@@ -487,13 +478,7 @@ class Damage(Columns):
         other = "0" * 64
         for path in (self.generate(name, count=4100, family=CUBE_FAMILY) for name in ("a.h5", "a.npz")):
             with self.subTest(path.name):
-                if path.suffix == ".npz":
-                    with numpy.load(path) as file:
-                        columns = {name: file[name] for name in file.files}
-                    numpy.savez(path, **{**columns, "header": json.dumps({**json.loads(columns["header"].item()), "sha256": other})})
-                else:
-                    with h5py.File(path, "r+") as file:
-                        file.attrs["sha256"] = numpy.bytes_(other.encode())
+                tell(path, sha256=other)
                 seal(path)
                 for args in (("lint", "--generated", path), ("convert", path, "-o", self.folder / "x.jsonl"), ("certify", path, "--check", "all")):
                     self.refused(args, f"{path}: sha256: the file says {other}")

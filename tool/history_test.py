@@ -4,7 +4,6 @@ import hashlib
 import json
 import os
 import re
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -12,21 +11,11 @@ import xml.etree.ElementTree as ElementTree
 from html.parser import HTMLParser
 from pathlib import Path
 
-from published import published
+import cli_test
+from cli_test import GOLDEN, line, run
 
-TOOL = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
-ROOT = Path(__file__).resolve().parent.parent
-GOLDEN = ROOT / "golden"
 UGLY = """</script><b x="1">&'"""  # in an engine's name
 SVG = "{http://www.w3.org/2000/svg}"
-
-
-def run(*args, **options):
-    return subprocess.run([TOOL, *published(args)], **{"capture_output": True, "text": True, "timeout": 600, "cwd": ROOT, **options})
-
-
-def line(value):
-    return json.dumps(value, separators=(",", ":"))
 
 
 class Page(HTMLParser):
@@ -67,9 +56,7 @@ class Page(HTMLParser):
             {"li": self.items, "code": self.commands, "summary": self.summaries}.get(self.into, self.headings)[-1] += data
 
 
-class Case(unittest.TestCase):
-    maxDiff = 2000
-
+class Case(cli_test.Case):
     @classmethod
     def setUpClass(cls):
         """Questions that are hits, and the right answers to them."""
@@ -87,9 +74,8 @@ class Case(unittest.TestCase):
         cls.right = list(map(json.loads, right.read_text().splitlines()))
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name).resolve()
+        super().setUp()
+        self.folder = self.folder.resolve()
         self.page = self.folder / "page.html"
 
     def file(self, name, text):

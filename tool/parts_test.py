@@ -17,12 +17,12 @@ import time
 import unittest
 from pathlib import Path
 
+import cli_test
+from cli_test import ROOT, TOOL, run
 from cluster import after_a_death
 from published import published
 
-TOOL = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
 MPIRUN = shlex.split(os.environ.get("CONTACT_MPIRUN", ""))
-ROOT = Path(__file__).resolve().parent.parent
 # Every kind of finding: missed and false hits, numbers that are off, not finite, skipped for their scalar and scale.
 GOLDEN = [f"golden/{name}.jsonl" for name in ("sphere_sphere/extreme_scale", "sphere_sphere/extreme_scale.f32",
                                               "sphere_sphere/touching.f32", "cube_cube/touching.f32")]
@@ -31,21 +31,7 @@ WHOLES = tempfile.TemporaryDirectory()
 FRESH = ["certify", "--engine", "plain-double", "--pair", "sphere_sphere", "--seed", "7"]
 
 
-def run(*args, by=(), **options):
-    options = {"capture_output": True, "text": True, "timeout": 600, "cwd": ROOT, **options}
-    return subprocess.run([*by, TOOL, *published(args)], **options)
-
-
-# A shell that runs this in its background ignores it, and so would every process that is started here.
-signal.signal(signal.SIGINT, signal.default_int_handler)
-
-
-class Case(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class Case(cli_test.Case):
     def report(self, name, *args, code=None, **options):
         """The JSON report of a run and what it printed."""
         path = self.folder / f"{name}.json"

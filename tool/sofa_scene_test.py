@@ -6,29 +6,21 @@ import json
 import math
 import os
 import resource
-import subprocess
 import sys
-import tempfile
 import unittest
-from pathlib import Path
 
-TOOL = sys.argv[1]
-ROOT = Path(__file__).resolve().parents[1]
+import cli_test
+from cli_test import ROOT, run
 
 
-class SofaScene(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class SofaScene(cli_test.Case):
     def scene(self, *lines, name="s.scn"):
         path = self.folder / name
         path.write_text("\n".join(['<Node name="root">', *lines, "</Node>"]) + "\n")
         return path
 
     def detect(self, *args):
-        return subprocess.run([TOOL, "detect", *map(str, args)], capture_output=True, text=True, timeout=300, check=False)
+        return run("detect", *args)
 
     def contacts(self, *args):
         done = self.detect(*args, "--json")
@@ -266,7 +258,7 @@ class SofaScene(unittest.TestCase):
                                     ("linked", ["<MechanicalObject/>", *[one.format('listRadius="@gone.x"')] * 30_000, self.state("")], 1),
                                     ("not read", [self.state(""), *["<TriangleCollisionModel/>"] * 60_000], 1),
                                     ("apart", [apart.format(10 * i) for i in range(20_000)], 20_000)):
-            done = subprocess.run([TOOL, "detect", self.scene(*lines), "--jobs", "2"], capture_output=True, text=True, check=False, preexec_fn=limits)
+            done = run("detect", self.scene(*lines), "--jobs", 2, preexec_fn=limits)
             self.assertEqual(done.returncode, 0, (name, done.stderr[-300:]))
             self.assertIn(f"{models} models, and no pair" if models > 1 else "one model", done.stdout, name)
 
