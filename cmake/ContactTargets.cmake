@@ -118,6 +118,16 @@ function(contact_test name)
   gtest_discover_tests(${name} ${others} DISCOVERY_TIMEOUT 120 PROPERTIES LABELS ${ARG_LABEL})
 endfunction()
 
+# contact_refused_test(name source words [option..]): a source that must not compile. -Wfatal-errors ends at the first error, so that one
+# must be the readable sentence.
+function(contact_refused_test name source words)
+  add_test(NAME ${name}
+           COMMAND ${CMAKE_CXX_COMPILER} -std=c++20 ${ARGN} -fsyntax-only -Wfatal-errors -I${PROJECT_SOURCE_DIR}/src
+                   -I${PROJECT_SOURCE_DIR}/include -I${PROJECT_BINARY_DIR}/include
+                   -isystem $<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES> ${CMAKE_CURRENT_SOURCE_DIR}/${source})
+  set_tests_properties(${name} PROPERTIES LABELS unit PASS_REGULAR_EXPRESSION "${words}")
+endfunction()
+
 # The kinds of pairs that have files of their own on every floor; include/contact/pairs.hpp lists what they are. All rays
 # that are cast share theirs.
 set(CONTACT_PAIRS capsule_capsule capsule_plane casts convexes cube_cube ray_sphere ray_triangle sphere_capsule sphere_cube sphere_plane sphere_sphere

@@ -69,8 +69,8 @@ class Packages(unittest.TestCase):
         done = subprocess.run([self.folder / "run", command], stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=60,
                               env={**os.environ, "PATH": f"{self.folder / 'bin'}:/usr/bin:/bin"})
         told = self.told.read_text().splitlines()
-        installed = next(line for line in told if line.startswith("install")).split()
-        return {name for name in ("beta", "gamma") if name in installed}, [line for line in told if line.startswith("cmake")], done.stderr
+        installed = {word for line in told if line.startswith("install") for word in line.split()}
+        return installed & {"beta", "gamma"}, [line for line in told if line.startswith("cmake")], done.stderr
 
     def test_the_program_alone_is_built_without_the_tests_and_what_these_need(self):
         installed, cmake, said = self.built("certify")
@@ -81,6 +81,13 @@ class Packages(unittest.TestCase):
         installed, cmake, said = self.built("build")
         self.assertEqual((installed, cmake), ({"beta", "gamma"}, ["cmake --preset release -DCONTACT_TESTS=ON"]))
         self.assertIn("building all: about 11 processor minutes", said)
+
+    def test_the_python_package_is_built_without_the_tests(self):
+        (self.folder / "cmake" / "python-packages.txt").write_text("delta\n")
+        installed, cmake, _ = self.built("python")
+        self.assertEqual(installed, {"beta"})
+        self.assertEqual(cmake[0], "cmake --preset release -DCONTACT_TESTS=OFF -DPython3_EXECUTABLE=/usr/bin/python3")
+        self.assertEqual(set(cmake[1:]), {"cmake --preset release -DCONTACT_TESTS=OFF"})
 
     def test_a_build_of_moments_is_not_announced(self):
         self.assertNotIn("processor minutes", self.built("certify", 2)[2])

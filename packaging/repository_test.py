@@ -134,6 +134,25 @@ class Citation(unittest.TestCase):
         self.assertRegex(citation["date-released"], r"\A\d{4}-\d\d-\d\d\Z")
 
 
+class Vcpkg(unittest.TestCase):
+    @staticmethod
+    def included(folders, tests):
+        """The ports of the Boost libraries that the sources in these folders include."""
+        files = [path for folder in folders for path in (ROOT / folder).rglob("*") if path.suffix in (".cpp", ".h", ".hpp")]
+        text = "".join(path.read_text(encoding="utf-8") for path in files if tests or not re.search("_tests?$", path.stem))
+        return {"boost-" + library.replace("_", "-") for library in re.findall(r"#include <boost/(\w+)", text)}
+
+    @staticmethod
+    def asked(manifest):
+        found = json.loads((ROOT / manifest).read_text())
+        return {name for one in [found, *found.get("features", {}).values()] for name in one["dependencies"] if str(name).startswith("boost-")}
+
+    def test_the_boost_libraries_that_are_asked_for_are_those_that_are_included(self):
+        self.assertEqual(self.asked("packaging/vcpkg/contact-oracle/vcpkg.json"), self.included(["include", "src"], tests=False))
+        self.assertEqual(self.asked("vcpkg.json"), self.included(["bench", "dev", "docs", "engines", "formats", "golden", "include", "oracle", "proptests",
+                                                                  "python", "src", "tool"], tests=True))
+
+
 class Version(unittest.TestCase):
     def test_it_is_the_same_wherever_it_stands(self):
         found = release.places(ROOT)

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +15,7 @@
 #include <string_view>
 #include <utility>
 
+#include "component/message.hpp"
 #include "contact/batch_functions.hpp"
 #include "contact/domain.hpp"
 #include "contact/pair_functions.hpp"
@@ -91,10 +91,12 @@ void expect_there(const void* array, const char* name) {
 }
 
 void expect_inside(const std::optional<DomainError>& error) {
-  if (!error) return;
-  std::array<char, 32> digits;  // NOLINT(cppcoreguidelines-pro-type-member-init): written by to_chars
-  const auto end = std::to_chars(digits.begin(), digits.end(), error->value).ptr;
-  throw Refused{CONTACT_OUTSIDE_DOMAIN, error->field + " = " + std::string(digits.data(), end) + ": " + error->rule};
+  if (error) throw Refused{CONTACT_OUTSIDE_DOMAIN, component::message(*error)};
+}
+
+/// A count as a number, the same in every environment: of one that no double has the first 53 bits.
+double number_of(std::uint64_t count) {
+  return static_cast<double>(count >> 53 == 0 ? count : count & ~std::uint64_t{0x7ff});
 }
 
 /// Rows of one side of the pairs.
@@ -135,7 +137,7 @@ class Side<Hull> {
       const std::string path = std::string(name) + "[" + std::to_string(i) + "]";
       if (of_them > 0) expect_there(vertices, (path + ".vertices").c_str());
       auto error = outside_domain(path, are_too_many ? zero_shape<Hull>(kMostVertices + 1) : (*this)[i]);
-      if (are_too_many) error->value = static_cast<double>(of_them);
+      if (are_too_many) error->value = number_of(of_them);
       expect_inside(error);
     }
   }

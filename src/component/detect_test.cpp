@@ -35,6 +35,7 @@ using component::cubes;
 using component::expected_contact;
 using component::expected_hit;
 using component::numbered_contact;
+using component::Press;
 using component::rigid_spheres;
 using component::spheres;
 using component::text;
@@ -671,19 +672,8 @@ class OddBoxes : public ModelOf<OddBoxes> {
  private:
   Box box_;
 };
-class OddIntersector : public BaseIntersector {
- public:
-  static constexpr std::string_view kName = "OddIntersector";
-  bool testIntersection(const OddBoxes::Element&, const OddBoxes::Element&, const Intersection&) const { return true; }
-  int computeIntersection(const OddBoxes::Element& a, const OddBoxes::Element& b, OutputVector& contacts,
-                          const Intersection&) const {
-    contacts.push_back(numbered_contact(a, b, 5));
-    return 1;
-  }
-};
-
 TEST(Detect, refuses_a_bounding_box_that_is_none) {
-  const OddIntersector intersector;
+  const Press intersector(5);
   DiscreteIntersection component;
   component.intersectors.add<OddBoxes, OddBoxes>(intersector);
   const auto said = [&](const Vector3& min, const Vector3& max) {

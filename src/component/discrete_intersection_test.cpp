@@ -19,6 +19,8 @@ namespace contact {
 namespace {
 
 using component::cubes;
+using component::Current;
+using component::Press;
 using component::rigid_spheres;
 using component::spheres;
 using component::text;
@@ -29,21 +31,6 @@ static_assert(std::is_base_of_v<BaseIntersector, DiscreteIntersection>);
 static_assert(std::is_same_v<DiscreteIntersection::OutputVector, std::vector<DetectionOutput>>);
 static_assert(std::is_same_v<DiscreteIntersection::IntersectorFactory, IntersectorFactory>);
 static_assert(!std::is_copy_constructible_v<DiscreteIntersection>, "its map holds its address");
-
-/// Supplies distances and nothing else: what a test takes from `currentIntersection`.
-class Current : public Intersection {
- public:
-  explicit Current(double alarm, double contact = 0) : distances_{alarm, contact} {}
-  [[nodiscard]] const ElementIntersector* findIntersector(const CollisionModel&, const CollisionModel&,
-                                                          bool&) const override {
-    return nullptr;
-  }
-  [[nodiscard]] double getAlarmDistance() const override { return distances_.alarm; }
-  [[nodiscard]] double getContactDistance() const override { return distances_.contact; }
-
- private:
-  Distances distances_;
-};
 
 const Ball kFirst{{0, 0, 0}, 1};
 const Ball kSecond{{3, 4, 0}, 2};  // the gap between them is 2
@@ -483,20 +470,9 @@ TEST(DiscreteIntersection, serves_a_derived_sphere_model_by_its_bases_intersecto
   EXPECT_TRUE(found.intersector->canIntersect({grains, 0}, {rigid, 0}, Current(2)));
 }
 
-/// A cube against a sphere: what the built-in component does not know.
-class CubeSphere : public BaseIntersector {
- public:
-  static constexpr std::string_view kName = "CubeSphere";
-  bool testIntersection(const Cube&, const Sphere&, const Intersection&) const { return true; }
-  int computeIntersection(const Cube& a, const Sphere& b, OutputVector& contacts, const Intersection&) const {
-    contacts.push_back(component::numbered_contact(a, b, 9));
-    return 1;
-  }
-};
-
 TEST(DiscreteIntersection, takes_new_intersectors_at_run_time) {
   const OneOfEach scene;
-  const CubeSphere mine;
+  const Press mine(9);  // a cube against a sphere: what the built-in component does not know
   DiscreteIntersection component;
   component.intersectors.setSink({});
   EXPECT_EQ(find(component, scene.cube, scene.sphere).intersector, nullptr);

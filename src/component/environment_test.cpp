@@ -1,12 +1,18 @@
-// The component in every floating-point environment, exceptions unmasked too: it says the same, and what traps would
-// end this program.
+// The component, and the words of the C interface, in every floating-point environment, exceptions unmasked too: they are
+// the same, and what traps would end this program.
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "component/models_for_tests.hpp"
+#include "contact/contact.h"
 #include "contact/cube_cube.hpp"
 #include "contact/detect.hpp"
 #include "contact/discrete_intersection.hpp"
@@ -123,6 +129,26 @@ TEST(Component, says_the_same_in_every_floating_point_environment_and_nothing_tr
                                       << environment.name;
       }
     }
+}
+
+TEST(CInterface, names_the_number_that_it_refuses_in_every_floating_point_environment) {
+  const contact_sphere ball{{0, 0, 0}, 1};
+  const contact_sphere negative{{0, 0, 0}, -kLeast};
+  const contact_hull long_one{ball.center, (std::size_t{1} << 60) + 1, 0};  // no double is its count
+  std::uint8_t hit = 7;
+  const std::vector<std::pair<std::function<int()>, std::string>> cases{
+      {[&] { return contact_test_sphere_sphere(1, &negative, &ball, 0, &hit, nullptr); },
+       "a[0].radius = -5e-324: must not be negative"},
+      {[&] { return contact_test_sphere_hull(1, &ball, &long_one, 0, &hit, nullptr); },
+       "b[0].vertices = 1152921504606846976: must be from 1 to 64 points"}};
+  for (const auto& [ask, words] : cases)
+    for (const FloatingPointEnvironment& environment : floating_point_environments()) {
+      int status = -1;
+      in_environment(environment, [&, &asked = ask] { status = asked(); });
+      EXPECT_EQ(status, CONTACT_OUTSIDE_DOMAIN) << environment.name;
+      EXPECT_EQ(contact_last_error(), words) << environment.name;
+    }
+  EXPECT_EQ(hit, 7);
 }
 
 }  // namespace

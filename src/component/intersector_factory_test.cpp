@@ -18,28 +18,15 @@
 namespace contact {
 namespace {
 
+using component::Press;
 using component::spheres;
 using component::StarIntersector;
 using component::Stars;
 
 /// For two deformable spheres: writes its number as the contact's id.
-class Numbered : public BaseIntersector {
- public:
-  static constexpr std::string_view kName = "Numbered";
-  explicit Numbered(int number) : number_(number) {}
-  bool testIntersection(const Sphere&, const Sphere&, const Intersection&) const { return true; }
-  int computeIntersection(const Sphere& a, const Sphere& b, OutputVector& contacts, const Intersection&) const {
-    contacts.push_back(component::numbered_contact(a, b, number_));
-    return 1;
-  }
-
- private:
-  int number_;
-};
-
 IntersectorFactory::Creator numbered(int number) {
   return [number](DiscreteIntersection& object) {
-    auto made = std::make_shared<const Numbered>(number);
+    auto made = std::make_shared<const Press>(number);
     object.intersectors.add<SphereCollisionModel, SphereCollisionModel>(*made);
     return made;
   };

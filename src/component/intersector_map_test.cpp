@@ -13,6 +13,9 @@
 namespace contact {
 namespace {
 
+using component::Current;
+using component::Press;
+
 /// A model of one element that is nothing but its type.
 class Fruit : public CollisionModel {
  public:
@@ -50,34 +53,6 @@ class Plums : public ModelOf<Plums, Fruit> {
   using Element = ElementOf<Plums>;
 };
 
-/// Answers with its number, as the contact's id, and leaves the elements as they came.
-class Press : public BaseIntersector {
- public:
-  static constexpr std::string_view kName = "Press";
-  explicit Press(int number) : number_(number) {}
-
-  template <class E1, class E2>
-  bool testIntersection(const E1&, const E2&, const Intersection&) const {
-    return number_ > 0;
-  }
-  template <class E1, class E2>
-  int computeIntersection(const E1& elem1, const E2& elem2, OutputVector& contacts, const Intersection&) const {
-    contacts.push_back(component::numbered_contact(elem1, elem2, number_));
-    return 1;
-  }
-
- private:
-  int number_;
-};
-
-class NoIntersection : public Intersection {
- public:
-  [[nodiscard]] const ElementIntersector* findIntersector(const CollisionModel&, const CollisionModel&,
-                                                          bool&) const override {
-    return nullptr;
-  }
-};
-
 /// A map that keeps what it is told is missing.
 struct Listening {
   IntersectorMap map;
@@ -94,7 +69,7 @@ int served(const IntersectorMap& map, const CollisionModel& model1, const Collis
   const ElementIntersector* intersector = map.get(model1, model2, swap);
   if (!intersector) return 0;
   OutputVector contacts;
-  intersector->intersect({model1, 0}, {model2, 0}, contacts, NoIntersection());
+  intersector->intersect({model1, 0}, {model2, 0}, contacts, Current(0));
   const auto number = static_cast<int>(contacts.at(0).id);
   return swap ? -number : number;
 }
@@ -381,13 +356,13 @@ TEST(MemberElementIntersector, hands_the_elements_to_its_object_and_names_class_
   const ElementIntersector* intersector = l.map.get(apples, pears, swap);
   ASSERT_NE(intersector, nullptr);
   EXPECT_EQ(intersector->name(), "Press<Apples,Pears>");
-  EXPECT_TRUE(intersector->canIntersect({apples, 0}, {pears, 0}, NoIntersection()));
-  EXPECT_FALSE(l.map.get(apples, Plums(), swap)->canIntersect({apples, 0}, {pears, 0}, NoIntersection()));
+  EXPECT_TRUE(intersector->canIntersect({apples, 0}, {pears, 0}, Current(0)));
+  EXPECT_FALSE(l.map.get(apples, Plums(), swap)->canIntersect({apples, 0}, {pears, 0}, Current(0)));
   OutputVector contacts;
   EXPECT_EQ(intersector->beginIntersect(apples, pears, contacts), 0);
   EXPECT_EQ(intersector->endIntersect(apples, pears, contacts), 0);
   EXPECT_TRUE(contacts.empty());
-  EXPECT_EQ(intersector->intersect({apples, 0}, {pears, 0}, contacts, NoIntersection()), 1);
+  EXPECT_EQ(intersector->intersect({apples, 0}, {pears, 0}, contacts, Current(0)), 1);
   ASSERT_EQ(contacts.size(), 1U);
   EXPECT_EQ(contacts[0].elem.first, CollisionElement(apples, 0));
   EXPECT_EQ(contacts[0].elem.second, CollisionElement(pears, 0));

@@ -4,15 +4,18 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
-#include <iterator>
-#include <stdexcept>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "component/model_of.hpp"
 #include "contact/capsule_model.hpp"
 #include "contact/cube_model.hpp"
 #include "contact/detection_output.hpp"
+#include "contact/intersection.hpp"
+#include "contact/intersector_map.hpp"
 #include "contact/line_model.hpp"
 #include "contact/plane_model.hpp"
 #include "contact/ray_model.hpp"
@@ -49,72 +52,28 @@ inline RigidSphereModel rigid_spheres(std::string name, const std::vector<Ball>&
   return {std::move(name), centers_of(balls), upright(static_cast<Index>(balls.size())), radii_of(balls)};
 }
 
+/// A model of these shapes, as it is and not behind a pointer.
+template <class Model, class Shape>
+Model model_as(std::string name, const std::vector<Shape>& all) {
+  return std::move(static_cast<Model&>(*model_of(std::move(name), std::span(all))));
+}
 inline CubeCollisionModel cubes(std::string name, const std::vector<Box>& boxes) {
-  Eigen::MatrixX3d min(static_cast<Index>(boxes.size()), 3);
-  Eigen::MatrixX3d max(static_cast<Index>(boxes.size()), 3);
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    min.row(static_cast<Index>(i)) = boxes[i].min.transpose();
-    max.row(static_cast<Index>(i)) = boxes[i].max.transpose();
-  }
-  return {std::move(name), min, max};
+  return model_as<CubeCollisionModel>(std::move(name), boxes);
 }
-
 inline CapsuleCollisionModel capsules(std::string name, const std::vector<Capsule>& all) {
-  const auto count = static_cast<Index>(all.size());
-  Rows<3> starts(count, 3);
-  Rows<3> ends(count, 3);
-  Rows<1> radii(count, 1);
-  for (Index i = 0; i < count; ++i) {
-    const Capsule& capsule = all[static_cast<std::size_t>(i)];
-    starts.set(i, capsule.start);
-    ends.set(i, capsule.end);
-    radii(i) = capsule.radius;
-  }
-  return {std::move(name), std::move(starts), std::move(ends), std::move(radii)};
+  return model_as<CapsuleCollisionModel>(std::move(name), all);
 }
-
 inline TriangleCollisionModel triangles(std::string name, const std::vector<Triangle>& all) {
-  const auto count = static_cast<Index>(all.size());
-  std::array<Rows<3>, 3> p{Rows<3>(count, 3), Rows<3>(count, 3), Rows<3>(count, 3)};
-  for (Index i = 0; i < count; ++i)
-    for (std::size_t k = 0; k < 3; ++k) p[k].set(i, all[static_cast<std::size_t>(i)].vertices[k]);
-  return {std::move(name), std::move(p[0]), std::move(p[1]), std::move(p[2])};
+  return model_as<TriangleCollisionModel>(std::move(name), all);
 }
-
 inline RayCollisionModel rays(std::string name, const std::vector<Ray>& all) {
-  const auto count = static_cast<Index>(all.size());
-  Rows<3> origins(count, 3);
-  Rows<3> directions(count, 3);
-  Rows<1> lengths(count, 1);
-  for (Index i = 0; i < count; ++i) {
-    const Ray& ray = all[static_cast<std::size_t>(i)];
-    origins.set(i, ray.origin);
-    directions.set(i, ray.direction);
-    lengths(i) = ray.length;
-  }
-  return {std::move(name), std::move(origins), std::move(directions), std::move(lengths)};
+  return model_as<RayCollisionModel>(std::move(name), all);
 }
-
 inline LineCollisionModel lines(std::string name, const std::vector<Line>& all) {
-  const auto count = static_cast<Index>(all.size());
-  Rows<3> p1(count, 3);
-  Rows<3> p2(count, 3);
-  for (Index i = 0; i < count; ++i) {
-    p1.set(i, all[static_cast<std::size_t>(i)].start);
-    p2.set(i, all[static_cast<std::size_t>(i)].end);
-  }
-  return {std::move(name), std::move(p1), std::move(p2)};
+  return model_as<LineCollisionModel>(std::move(name), all);
 }
-
 inline PlaneCollisionModel planes(std::string name, const std::vector<Plane>& all) {
-  const auto count = static_cast<Index>(all.size());
-  Rows<3> normals(count, 3);
-  Rows<1> offsets(count, 1);
-  for (Index i = 0; i < count; ++i) {
-    normals.set(i, all[static_cast<std::size_t>(i)].normal);
-    offsets(i) = all[static_cast<std::size_t>(i)].offset;
-  }
-  return {std::move(name), std::move(normals), std::move(offsets)};
+  return model_as<PlaneCollisionModel>(std::move(name), all);
 }
 
 /// A double as the hexadecimal number that it is: equal texts mean equal bits, -0 and +0 told apart.
@@ -154,6 +113,41 @@ inline DetectionOutput numbered_contact(const CollisionElement& first, const Col
           .normal = Vector3::UnitX(),
           .value = 0};
 }
+
+/// Answers with its number, as the contact's id, and leaves the elements as they came.
+class Press : public BaseIntersector {
+ public:
+  static constexpr std::string_view kName = "Press";
+  explicit Press(int number) : number_(number) {}
+
+  template <class E1, class E2>
+  bool testIntersection(const E1&, const E2&, const Intersection&) const {
+    return number_ > 0;
+  }
+  template <class E1, class E2>
+  int computeIntersection(const E1& elem1, const E2& elem2, OutputVector& contacts, const Intersection&) const {
+    contacts.push_back(numbered_contact(elem1, elem2, number_));
+    return 1;
+  }
+
+ private:
+  int number_;
+};
+
+/// Supplies distances and nothing else: what a test takes from `currentIntersection`.
+class Current : public Intersection {
+ public:
+  explicit Current(double alarm, double contact = 0) : distances_{alarm, contact} {}
+  [[nodiscard]] const ElementIntersector* findIntersector(const CollisionModel&, const CollisionModel&,
+                                                          bool&) const override {
+    return nullptr;
+  }
+  [[nodiscard]] double getAlarmDistance() const override { return distances_.alarm; }
+  [[nodiscard]] double getContactDistance() const override { return distances_.contact; }
+
+ private:
+  Distances distances_;
+};
 
 /// What an Error says that `call` throws; nothing where it throws none.
 template <class Error, class Call>

@@ -24,6 +24,7 @@ namespace {
 
 using component::capsules;
 using component::cubes;
+using component::every_intersector;
 using component::expected_contact;
 using component::expected_swapped;
 using component::lines;
@@ -33,17 +34,6 @@ using component::rigid_spheres;
 using component::spheres;
 using component::text;
 using component::triangles;
-
-/// What this program registers by itself, and spheres against solid cubes.
-const IntersectorFactory& with_solid_cubes() {
-  static IntersectorFactory factory;
-  factory.registerCreator("Capsule", creator_of<CapsuleDiscreteIntersection>());
-  factory.registerCreator("Mesh", creator_of<MeshDiscreteIntersection>());
-  factory.registerCreator("Ray", creator_of<RayDiscreteIntersection>());
-  factory.registerCreator("Plane", creator_of<PlaneDiscreteIntersection>());
-  factory.registerCreator("SolidCube", creator_of<SolidCubeDiscreteIntersection>());
-  return factory;
-}
 
 /// Shapes of every kind in one place, and the distances to detect with.
 struct Place {
@@ -161,7 +151,7 @@ TEST(ShapeIntersectors, find_what_the_oracle_finds_over_all_pairs_of_every_kind_
   for (const std::uint64_t seed : {1U, 2U})
     for (const Place& at : places(seed)) {
       SCOPED_TRACE(at.name + ", seed " + std::to_string(seed));
-      const ProximityIntersection intersection(at.distances, PointConvention::nearest_surface, with_solid_cubes());
+      const ProximityIntersection intersection(at.distances, PointConvention::nearest_surface, every_intersector());
       const auto bars = capsules("bars", at.bars);
       const auto rods = capsules("rods", at.rods);
       const auto deformable = spheres("deformable", at.balls);
@@ -231,7 +221,7 @@ TEST(ShapeIntersectors, lose_no_contact_among_many_capsules_of_every_length) {
 /// The one contact of two models of one element each.
 DetectionOutput only_contact(const CollisionModel& model1, const CollisionModel& model2, Distances distances,
                              PointConvention points = PointConvention::nearest_surface) {
-  return detect(ProximityIntersection(distances, points, with_solid_cubes()), model1, model2)->at(0);
+  return detect(ProximityIntersection(distances, points, every_intersector()), model1, model2)->at(0);
 }
 
 void expect_numbers(const DetectionOutput& contact, const Vector3& normal, const Vector3& point1, const Vector3& point2,
@@ -342,7 +332,7 @@ TEST(ShapeIntersectors,
   DiscreteIntersection component;
   const IntersectorFactory none;
   DiscreteIntersection bare(PointConvention::nearest_surface, none);
-  DiscreteIntersection solid(PointConvention::nearest_surface, with_solid_cubes());
+  DiscreteIntersection solid(PointConvention::nearest_surface, every_intersector());
   component.intersectors.setSink({});
   bare.intersectors.setSink({});
   solid.intersectors.setSink({});

@@ -2,6 +2,7 @@
 #include "contact/model_factory.hpp"
 
 #include <algorithm>
+#include <concepts>
 
 #include "contact/capsule_model.hpp"
 #include "contact/cube_model.hpp"
@@ -18,55 +19,27 @@ namespace {
   throw InvalidModel(type + " \"" + name + "\": " + problem);
 }
 
-std::unique_ptr<CollisionModel> make_spheres(std::string name, const ModelColumns& columns) {
-  return std::make_unique<SphereCollisionModel>(std::move(name), columns.at("centers"), columns.at("radii"));
-}
+using Column = ModelColumn;
 
-std::unique_ptr<CollisionModel> make_rigid_spheres(std::string name, const ModelColumns& columns) {
-  return std::make_unique<RigidSphereModel>(std::move(name), columns.at("positions"), columns.at("orientations"),
-                                            columns.at("radii"));
-}
-
-std::unique_ptr<CollisionModel> make_cubes(std::string name, const ModelColumns& columns) {
-  return std::make_unique<CubeCollisionModel>(std::move(name), columns.at("min"), columns.at("max"));
-}
-
-std::unique_ptr<CollisionModel> make_capsules(std::string name, const ModelColumns& columns) {
-  return std::make_unique<CapsuleCollisionModel>(std::move(name), columns.at("starts"), columns.at("ends"),
-                                                 columns.at("radii"));
-}
-
-std::unique_ptr<CollisionModel> make_triangles(std::string name, const ModelColumns& columns) {
-  return std::make_unique<TriangleCollisionModel>(std::move(name), columns.at("p1"), columns.at("p2"),
-                                                  columns.at("p3"));
-}
-
-std::unique_ptr<CollisionModel> make_rays(std::string name, const ModelColumns& columns) {
-  return std::make_unique<RayCollisionModel>(std::move(name), columns.at("origins"), columns.at("directions"),
-                                             columns.at("lengths"));
-}
-
-std::unique_ptr<CollisionModel> make_planes(std::string name, const ModelColumns& columns) {
-  return std::make_unique<PlaneCollisionModel>(std::move(name), columns.at("normals"), columns.at("offsets"));
-}
-
-std::unique_ptr<CollisionModel> make_lines(std::string name, const ModelColumns& columns) {
-  return std::make_unique<LineCollisionModel>(std::move(name), columns.at("p1"), columns.at("p2"));
+/// Models of this class, whose constructor takes these columns in their order.
+template <class Model>
+ModelMaker maker_of(const std::same_as<Column> auto&... columns) {
+  return {std::string(Model::kName), {columns...}, [columns...](std::string name, const ModelColumns& given) {
+            return std::make_unique<Model>(std::move(name), given.at(columns.name)...);
+          }};
 }
 
 }  // namespace
 
 ModelFactory::ModelFactory()
-    : makers_{{std::string(SphereCollisionModel::kName), {{"centers", 3}, {"radii", 1}}, make_spheres},
-              {std::string(RigidSphereModel::kName),
-               {{"positions", 3}, {"orientations", 4}, {"radii", 1}},
-               make_rigid_spheres},
-              {std::string(CubeCollisionModel::kName), {{"min", 3}, {"max", 3}}, make_cubes},
-              {std::string(CapsuleCollisionModel::kName), {{"starts", 3}, {"ends", 3}, {"radii", 1}}, make_capsules},
-              {std::string(TriangleCollisionModel::kName), {{"p1", 3}, {"p2", 3}, {"p3", 3}}, make_triangles},
-              {std::string(RayCollisionModel::kName), {{"origins", 3}, {"directions", 3}, {"lengths", 1}}, make_rays},
-              {std::string(PlaneCollisionModel::kName), {{"normals", 3}, {"offsets", 1}}, make_planes},
-              {std::string(LineCollisionModel::kName), {{"p1", 3}, {"p2", 3}}, make_lines}} {}
+    : makers_{maker_of<SphereCollisionModel>(Column{"centers", 3}, Column{"radii", 1}),
+              maker_of<RigidSphereModel>(Column{"positions", 3}, Column{"orientations", 4}, Column{"radii", 1}),
+              maker_of<CubeCollisionModel>(Column{"min", 3}, Column{"max", 3}),
+              maker_of<CapsuleCollisionModel>(Column{"starts", 3}, Column{"ends", 3}, Column{"radii", 1}),
+              maker_of<TriangleCollisionModel>(Column{"p1", 3}, Column{"p2", 3}, Column{"p3", 3}),
+              maker_of<RayCollisionModel>(Column{"origins", 3}, Column{"directions", 3}, Column{"lengths", 1}),
+              maker_of<PlaneCollisionModel>(Column{"normals", 3}, Column{"offsets", 1}),
+              maker_of<LineCollisionModel>(Column{"p1", 3}, Column{"p2", 3})} {}
 
 bool ModelFactory::registerModel(ModelMaker maker) {
   const std::lock_guard lock(mutex_);
