@@ -372,10 +372,10 @@ class Hdf5Writer final : public ArraysWriter {
     checked(H5Pset_chunk_cache(access, 0, 0, 1));  // whole chunks are written, once
     const std::vector<hsize_t> shape = shape_of(type, one.array.rows);
     const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
-    const Handle stored = stored_type(type);
-    one.memory = native_type(type);
+    one.memory = stored_type(type);
     one.type = type;
-    one.set = Handle(H5Dcreate2(file_, one.array.name.c_str(), stored, space, H5P_DEFAULT, creation, access), H5Dclose);
+    one.set =
+        Handle(H5Dcreate2(file_, one.array.name.c_str(), one.memory, space, H5P_DEFAULT, creation, access), H5Dclose);
     if (!one.array.labels.empty()) hdf5::write_attribute(one.set, kLabelsAttribute, one.array.labels);
     if (narrower < 0) return;
     std::vector<char> rows;
@@ -388,6 +388,7 @@ class Hdf5Writer final : public ArraysWriter {
     }
   }
 
+  /// In the file, and in the memory of a little-endian machine, which hdf5_chunk.cpp asks for.
   static Handle stored_type(const ArrayType& type) {
     switch (type.kind) {
       case Kind::real:
@@ -396,18 +397,6 @@ class Hdf5Writer final : public ArraysWriter {
         return copied(H5T_STD_U8LE);
       case Kind::bits:
         return copied(H5T_STD_U32LE);
-      default:
-        return hdf5::text_type(type.size);
-    }
-  }
-  static Handle native_type(const ArrayType& type) {
-    switch (type.kind) {
-      case Kind::real:
-        return copied(type.size == sizeof(double) ? H5T_NATIVE_DOUBLE : H5T_NATIVE_FLOAT);
-      case Kind::byte:
-        return copied(H5T_NATIVE_UINT8);
-      case Kind::bits:
-        return copied(H5T_NATIVE_UINT32);
       default:
         return hdf5::text_type(type.size);
     }

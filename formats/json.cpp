@@ -46,16 +46,6 @@ void append_number(std::string& text, double x) {
   }
 }
 
-void append_number(std::string& text, const Vector3& v) {
-  text += '[';
-  append_number(text, v[0]);
-  text += ',';
-  append_number(text, v[1]);
-  text += ',';
-  append_number(text, v[2]);
-  text += ']';
-}
-
 namespace {
 
 template <class Elements>
@@ -71,6 +61,7 @@ void append_array(std::string& text, const Elements& all) {
 
 }  // namespace
 
+void append_number(std::string& text, const Vector3& v) { append_array(text, v); }
 void append_number(std::string& text, std::span<const Vector3> all) { append_array(text, all); }
 void append_number(std::string& text, const Quaternion& q) { append_array(text, q); }
 

@@ -5,12 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
-#include <cstdint>
 #include <fstream>
 #include <functional>
 #include <random>
 
+#include "component/models_for_tests.hpp"
 #include "contact/detect.hpp"
 #include "contact/discrete_intersection.hpp"
 #include "droplets.hpp"
@@ -18,6 +17,8 @@
 
 namespace contact {
 namespace {
+
+using component::text;
 
 /// Both plug-ins, and a DiscreteIntersection made before they were loaded: whichever test comes first.
 struct Loaded {
@@ -37,29 +38,14 @@ std::unique_ptr<CollisionModel> make(const std::string& type, const ModelColumns
   return ModelFactory::getInstance().make(type, "of the test", columns);
 }
 
-/// A contact as bits and indices, to be compared whole.
-using Bits = std::array<std::uint64_t, 13>;
-Bits bits_of(const DetectionOutput& output) {
-  Bits bits{static_cast<std::uint64_t>(output.elem.first.getIndex()),
-            static_cast<std::uint64_t>(output.elem.second.getIndex()), static_cast<std::uint64_t>(output.id)};
-  std::size_t at = 3;
-  for (const Vector3& v : {output.normal, output.point[0], output.point[1]})
-    for (const double x : v) bits[at++] = std::bit_cast<std::uint64_t>(x);
-  bits[at] = std::bit_cast<std::uint64_t>(output.value);
-  return bits;
-}
-std::vector<Bits> bits_of(const OutputVector& outputs) {
-  std::vector<Bits> bits;
-  for (const DetectionOutput& output : outputs) bits.push_back(bits_of(output));
-  return bits;
-}
-std::vector<Bits> mirrored_bits(OutputVector outputs) {
+/// The contacts of the same elements the other way round, in the order of those.
+std::vector<std::string> mirrored_text(OutputVector outputs) {
   std::transform(outputs.begin(), outputs.end(), outputs.begin(), mirrored);
   std::sort(outputs.begin(), outputs.end(), [](const DetectionOutput& a, const DetectionOutput& b) {
     return std::pair(a.elem.first.getIndex(), a.elem.second.getIndex()) <
            std::pair(b.elem.first.getIndex(), b.elem.second.getIndex());
   });
-  return bits_of(outputs);
+  return text(outputs);
 }
 
 Eigen::MatrixXd random_columns(std::mt19937_64& random, Index rows, Index width, double least, double most) {
@@ -124,8 +110,8 @@ TEST(Plugins, give_the_same_contacts_whichever_model_comes_first) {
       const OutputVector backward = *detect(intersection, *spheres, *scene.capsules);
       EXPECT_GE(forward.size(), 30U);
       EXPECT_LE(forward.size(), 1200U);  // of 2400 pairs
-      EXPECT_EQ(bits_of(forward), mirrored_bits(backward));
-      EXPECT_EQ(bits_of(backward), mirrored_bits(forward));
+      EXPECT_EQ(text(forward), mirrored_text(backward));
+      EXPECT_EQ(text(backward), mirrored_text(forward));
       for (const DetectionOutput& output : backward) EXPECT_EQ(&output.elem.first.getCollisionModel(), spheres);
     }
   }
@@ -137,8 +123,8 @@ TEST(Plugins, give_deformable_and_rigid_spheres_the_same_contact_but_for_the_con
   const auto contacts = [&](PointConvention points, const CollisionModel& spheres) {
     return *detect(ProximityIntersection({.alarm = 0.25, .contact = 0}, points), *scene.capsules, spheres);
   };
-  EXPECT_EQ(bits_of(contacts(PointConvention::nearest_surface, *scene.spheres)),
-            bits_of(contacts(PointConvention::nearest_surface, *scene.rigid)));
+  EXPECT_EQ(text(contacts(PointConvention::nearest_surface, *scene.spheres)),
+            text(contacts(PointConvention::nearest_surface, *scene.rigid)));
   const OutputVector deformable = contacts(PointConvention::center, *scene.spheres);
   const OutputVector rigid = contacts(PointConvention::center, *scene.rigid);
   const OutputVector nearest = contacts(PointConvention::nearest_surface, *scene.rigid);
@@ -170,10 +156,10 @@ TEST(Plugins, do_not_depend_on_the_order_in_which_they_register) {
     for (const char* library : libraries) enter(library, host);
     EXPECT_EQ(factory.names().size(), 2U);
     const ProximityIntersection intersection({.alarm = 0.25, .contact = 0}, PointConvention::nearest_surface, factory);
-    std::vector<std::vector<Bits>> all;
+    std::vector<std::vector<std::string>> all;
     for (const CollisionModel* spheres : {scene.spheres.get(), scene.rigid.get()}) {
-      all.push_back(bits_of(*detect(intersection, *scene.capsules, *spheres)));
-      all.push_back(bits_of(*detect(intersection, *spheres, *scene.capsules)));
+      all.push_back(text(*detect(intersection, *scene.capsules, *spheres)));
+      all.push_back(text(*detect(intersection, *spheres, *scene.capsules)));
     }
     return all;
   };
@@ -226,10 +212,10 @@ std::string refusal_of(const std::string& library) {
 TEST(Plugins, that_are_missing_or_broken_are_refused_with_the_file_and_the_reason) {
   EXPECT_EQ(refusal_of("/nowhere/missing.so"),
             "/nowhere/missing.so: cannot be loaded: cannot open shared object file: No such file or directory");
-  const std::string text = testing::TempDir() + "contact_no_library.so";
-  std::ofstream(text) << "This is no shared library, but it is long enough to be looked at.\n";
-  EXPECT_EQ(refusal_of(text), text + ": cannot be loaded: invalid ELF header");
-  std::filesystem::remove(text);
+  const std::string no_library = testing::TempDir() + "contact_no_library.so";
+  std::ofstream(no_library) << "This is no shared library, but it is long enough to be looked at.\n";
+  EXPECT_EQ(refusal_of(no_library), no_library + ": cannot be loaded: invalid ELF header");
+  std::filesystem::remove(no_library);
   EXPECT_EQ(refusal_of(testing::TempDir()).find(testing::TempDir() + ": cannot be loaded: "), 0U);
   EXPECT_EQ(refusal_of(NO_ENTRY), NO_ENTRY ": is no plug-in: it exports no contact_plugin_entry");
   EXPECT_EQ(refusal_of(WRONG_INTERFACE), WRONG_INTERFACE ": was built for plug-in interface 4, this is 3");
@@ -267,11 +253,11 @@ TEST(Plugins, give_the_same_contacts_in_every_floating_point_environment) {
   loaded();
   const Scene scene;
   const ProximityIntersection intersection({.alarm = 0.25, .contact = 0.125});
-  const auto expected = bits_of(*detect(intersection, *scene.capsules, *scene.spheres));
+  const auto expected = text(*detect(intersection, *scene.capsules, *scene.spheres));
   for (const FloatingPointEnvironment& environment : floating_point_environments()) {
     std::optional<OutputVector> contacts;  // what a plug-in's arithmetic raises must not trap
     in_environment(environment, [&] { contacts = detect(intersection, *scene.capsules, *scene.spheres); });
-    EXPECT_EQ(bits_of(*contacts), expected) << environment.name;
+    EXPECT_EQ(text(*contacts), expected) << environment.name;
   }
 }
 
@@ -289,16 +275,16 @@ std::optional<double> size_of_drop(const std::string& type) {
 
 TEST(Plugins, that_each_have_a_class_of_one_name_are_served_by_their_own_intersectors) {
   for (const char* plugin : {DROP_FIRST, DROP_SECOND, OPEN_DROP_FIRST, OPEN_DROP_SECOND}) load_plugin(plugin);
-  EXPECT_EQ(size_of_drop("Drop of first"), 1);
-  EXPECT_EQ(size_of_drop("Drop of second"), 2);
-  EXPECT_EQ(size_of_drop("open Drop of first"), 1);
-  EXPECT_EQ(size_of_drop("open Drop of second"), 2);
+  EXPECT_EQ(size_of_drop("drop_first"), 1);
+  EXPECT_EQ(size_of_drop("drop_second"), 2);
+  EXPECT_EQ(size_of_drop("open_drop_first"), 1);
+  EXPECT_EQ(size_of_drop("open_drop_second"), 2);
 }
 
 TEST(Plugins, serve_each_others_models_where_both_declare_the_same_identity) {
-  for (const char* plugin : {DROP_FIRST, DROP_SECOND, DROP_MAKER}) load_plugin(plugin);
+  for (const char* plugin : {DROP_FIRST, DROP_SECOND, DROP_MODELS}) load_plugin(plugin);
   EXPECT_EQ(size_of_drop("SharedDrop"), std::nullopt) << "nobody's, and not one of the others' by its name";
-  load_plugin(DROP_SERVER);
+  load_plugin(DROP_INTERSECTOR);
   EXPECT_EQ(size_of_drop("SharedDrop"), 3);
 }
 
@@ -306,15 +292,14 @@ TEST(Droplets, are_registered_by_their_translation_unit_and_are_spheres_to_all_o
   loaded();
   const Scene scene;
   const Eigen::MatrixXd centers = Eigen::Vector3d(0, 1, 3).asDiagonal();
-  const example::Droplets drops("drops", centers, Eigen::Vector3d(1, 1, 1));
-  const SphereCollisionModel spheres("spheres", centers, Eigen::Vector3d(1, 1, 1));
+  const example::Droplets drops("balls", centers, Eigen::Vector3d(1, 1, 1));
+  const SphereCollisionModel spheres("balls", centers, Eigen::Vector3d(1, 1, 1));
   const ProximityIntersection intersection({.alarm = 0.25, .contact = 0});
   // centres (0,0,0), (0,1,0), (0,0,3), radii 1: the first two meet
   EXPECT_EQ(detect(intersection, spheres)->size(), 1U);
   EXPECT_TRUE(detect(intersection, drops)->empty());
   EXPECT_FALSE(detect(intersection, spheres, drops)->empty());
-  EXPECT_EQ(bits_of(*detect(intersection, *scene.capsules, drops)),
-            bits_of(*detect(intersection, *scene.capsules, spheres)));
+  EXPECT_EQ(text(*detect(intersection, *scene.capsules, drops)), text(*detect(intersection, *scene.capsules, spheres)));
   const CubeCollisionModel cubes("cubes", Eigen::RowVector3d(0, 0, 0), Eigen::RowVector3d(1, 1, 1));
   EXPECT_FALSE(detect(intersection, drops, cubes).has_value());  // ignored, and so without a message
 }

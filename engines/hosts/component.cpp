@@ -1,9 +1,14 @@
 // The engine `component`: production through DiscreteIntersection, each question as two models of one element.
+#include <concepts>
 #include <memory>
+#include <span>
 #include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <variant>
 
+#include "component/model_of.hpp"
 #include "contact/detect.hpp"
-#include "contact/shape_intersectors.hpp"
 #include "engines/engine.hpp"
 
 namespace contact::engines {
@@ -11,59 +16,17 @@ namespace {
 
 using Model = std::unique_ptr<const CollisionModel>;
 
-Model model_of(const Ball& ball, bool rigid) {
-  const Eigen::VectorXd radius = Eigen::VectorXd::Constant(1, ball.radius);
-  if (rigid)
-    return std::make_unique<RigidSphereModel>("rigid spheres", ball.center.transpose(), Eigen::RowVector4d(0, 0, 0, 1),
-                                              radius);
-  return std::make_unique<SphereCollisionModel>("spheres", ball.center.transpose(), radius);
-}
-Model model_of(const Box& box, bool) {
-  return std::make_unique<CubeCollisionModel>("cubes", box.min.transpose(), box.max.transpose());
-}
-Model model_of(const Capsule& capsule, bool) {
-  return std::make_unique<CapsuleCollisionModel>("capsules", capsule.start.transpose(), capsule.end.transpose(),
-                                                 Eigen::VectorXd::Constant(1, capsule.radius));
-}
-Model model_of(const Triangle& triangle, bool) {
-  const auto& [v0, v1, v2] = triangle.vertices;
-  return std::make_unique<TriangleCollisionModel>("triangles", v0.transpose(), v1.transpose(), v2.transpose());
-}
-Model model_of(const Ray& ray, bool) {
-  return std::make_unique<RayCollisionModel>("rays", ray.origin.transpose(), ray.direction.transpose(),
-                                             Eigen::VectorXd::Constant(1, ray.length));
-}
-/// No model asks where a ray first hits, and none is of rotated boxes.
-Model model_of(const Cast& /*ray*/, bool) { return nullptr; }
-Model model_of(const Convex& /*shape*/, bool) { return nullptr; }
-Model model_of(const Plane& plane, bool) {
-  return std::make_unique<PlaneCollisionModel>("planes", plane.normal.transpose(),
-                                               Eigen::VectorXd::Constant(1, plane.offset));
-}
-Model model_of(const Line& line, bool) {
-  return std::make_unique<LineCollisionModel>("lines", line.start.transpose(), line.end.transpose());
-}
-
 /// The two shapes of a pair as models of one element each.
 std::pair<Model, Model> models_of(Pair pair, const Shapes& shapes) {
   return std::visit(
       [&](const auto& two) {
-        return std::pair(model_of(two.a, description(pair).first_is_rigid),
-                         model_of(two.b, description(pair).second_is_rigid));
+        const auto model = [](const auto& shape, bool rigid) -> Model {
+          return component::model_of("model", std::span(&shape, 1), rigid);
+        };
+        return std::pair(model(two.a, description(pair).first_is_rigid),
+                         model(two.b, description(pair).second_is_rigid));
       },
       shapes);
-}
-
-/// What this library has to be registered, and nothing that plug-ins add: that is not judged here.
-const IntersectorFactory& ours() {
-  static IntersectorFactory factory;
-  static const bool once = factory.registerCreator("Capsule", creator_of<CapsuleDiscreteIntersection>()) &&
-                           factory.registerCreator("Mesh", creator_of<MeshDiscreteIntersection>()) &&
-                           factory.registerCreator("Ray", creator_of<RayDiscreteIntersection>()) &&
-                           factory.registerCreator("Plane", creator_of<PlaneDiscreteIntersection>()) &&
-                           factory.registerCreator("SolidCube", creator_of<SolidCubeDiscreteIntersection>());
-  (void)once;
-  return factory;
 }
 
 /// Nothing where a shape has no model, or two models no intersector.
@@ -86,14 +49,14 @@ bool component_serves(Pair pair) {
   };
   std::visit([&](auto& two) { for_each_field(two.a, with_direction), for_each_field(two.b, with_direction); }, shapes);
   const auto [model1, model2] = models_of(pair, shapes);
-  DiscreteIntersection intersection(PointConvention::nearest_surface, ours());
+  DiscreteIntersection intersection(PointConvention::nearest_surface, component::every_intersector());
   return intersector_of(intersection, model1, model2) != nullptr;
 }
 
 Claim component_answer(const Query& query, PointConvention points) {
   if (const auto error = outside_domain(query)) return rejection(*error);
   const auto [model1, model2] = models_of(query.pair, query.shapes);
-  ProximityIntersection intersection(query.distances, points, ours());
+  ProximityIntersection intersection(query.distances, points, component::every_intersector());
   const ElementIntersector* intersector = intersector_of(intersection, model1, model2);
   if (intersector == nullptr) return Claim::without(Claim::Status::unsupported, "no intersector serves this pair");
   Claim claim;

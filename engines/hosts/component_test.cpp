@@ -4,9 +4,12 @@
 #include <bit>
 #include <filesystem>
 #include <map>
+#include <span>
+#include <utility>
+#include <variant>
 
+#include "component/model_of.hpp"
 #include "contact/detect.hpp"
-#include "contact/shape_intersectors.hpp"
 #include "engines/engine.hpp"
 #include "golden/dataset.hpp"
 #include "golden/right_case.hpp"
@@ -23,44 +26,8 @@ bool same_bits(const DetectionOutput& x, const DetectionOutput& y) {
          same_bits(x.point[1], y.point[1]) && same_bits(x.value, y.value) && same_bits(x.deltaT, y.deltaT);
 }
 
-std::unique_ptr<CollisionModel> model(const Ball& ball, bool rigid) {
-  const Eigen::VectorXd radius = Eigen::VectorXd::Constant(1, ball.radius);
-  if (rigid)
-    return std::make_unique<RigidSphereModel>("rigid", ball.center.transpose(), Eigen::RowVector4d(0, 0, 0, 1), radius);
-  return std::make_unique<SphereCollisionModel>("deformable", ball.center.transpose(), radius);
-}
-std::unique_ptr<CollisionModel> model(const Box& box, bool) {
-  return std::make_unique<CubeCollisionModel>("cube", box.min.transpose(), box.max.transpose());
-}
-std::unique_ptr<CollisionModel> model(const Capsule& capsule, bool) {
-  return std::make_unique<CapsuleCollisionModel>("capsule", capsule.start.transpose(), capsule.end.transpose(),
-                                                 Eigen::VectorXd::Constant(1, capsule.radius));
-}
-std::unique_ptr<CollisionModel> model(const Triangle& triangle, bool) {
-  const auto& [v0, v1, v2] = triangle.vertices;
-  return std::make_unique<TriangleCollisionModel>("triangle", v0.transpose(), v1.transpose(), v2.transpose());
-}
-std::unique_ptr<CollisionModel> model(const Ray& ray, bool) {
-  return std::make_unique<RayCollisionModel>("ray", ray.origin.transpose(), ray.direction.transpose(),
-                                             Eigen::VectorXd::Constant(1, ray.length));
-}
-std::unique_ptr<CollisionModel> model(const Line& line, bool) {
-  return std::make_unique<LineCollisionModel>("line", line.start.transpose(), line.end.transpose());
-}
-std::unique_ptr<CollisionModel> model(const Plane& plane, bool) {
-  return std::make_unique<PlaneCollisionModel>("plane", plane.normal.transpose(),
-                                               Eigen::VectorXd::Constant(1, plane.offset));
-}
-std::unique_ptr<CollisionModel> model(const Convex&, bool) { return nullptr; }
-
 // Left out: cores that meet in pairs of one type, whose normal is an agreement and does not turn round.
 TEST(Component, SwappedModelsGiveTheMirroredContactsOfEveryGoldenPairBitForBit) {
-  IntersectorFactory factory;
-  factory.registerCreator("Capsule", creator_of<CapsuleDiscreteIntersection>());
-  factory.registerCreator("Mesh", creator_of<MeshDiscreteIntersection>());
-  factory.registerCreator("Ray", creator_of<RayDiscreteIntersection>());
-  factory.registerCreator("Plane", creator_of<PlaneDiscreteIntersection>());
-  factory.registerCreator("SolidCube", creator_of<SolidCubeDiscreteIntersection>());
   std::map<Pair, std::size_t> contacts;
   std::map<Pair, std::size_t> misses;
   std::size_t degenerate = 0;
@@ -72,14 +39,15 @@ TEST(Component, SwappedModelsGiveTheMirroredContactsOfEveryGoldenPairBitForBit) 
     while (const auto c = reader.next()) {
       const auto [a, b] = std::visit(
           [&](const auto& two) {
-            return std::pair(model(two.a, c->query.first_is_rigid()), model(two.b, c->query.second_is_rigid()));
+            return std::pair(component::model_of("a", std::span(&two.a, 1), c->query.first_is_rigid()),
+                             component::model_of("b", std::span(&two.b, 1), c->query.second_is_rigid()));
           },
           c->query.shapes);
       const bool meet = c->expect.contact && c->expect.contact->degenerate;
       if (meet && a->type().id == b->type().id) continue;
       for (const PointConvention points :
            {PointConvention::nearest_surface, PointConvention::center, PointConvention::published}) {
-        const ProximityIntersection intersection(c->query.distances, points, factory);
+        const ProximityIntersection intersection(c->query.distances, points, component::every_intersector());
         const auto forth = detect(intersection, *a, *b);
         const auto back = detect(intersection, *b, *a);
         ASSERT_TRUE(forth && back) << c->id;

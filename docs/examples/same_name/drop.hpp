@@ -1,6 +1,6 @@
 // A class that each of several plug-ins has one of, by the same name and with other contents, in a namespace that is
-// everybody's. Whoever includes this defines DROP_NUMBERS, what a drop holds; PLUGIN_NAME, under which it registers;
-// and perhaps DROP_IDENTITY, where plug-ins mean one class.
+// everybody's. CMakeLists.txt defines DROP_SIZE; DROP_TEMPERATURE, where drops hold numbers before it; and DROP_IDENTITY,
+// where plug-ins mean one class.
 #pragma once
 
 #include <string>
@@ -24,7 +24,10 @@ class Drop : public contact::ModelOf<Drop> {
     return {contact::Vector3::Zero(), contact::Vector3::Ones()};
   }
 
-  DROP_NUMBERS
+#ifdef DROP_TEMPERATURE
+  double temperature[3] = {7, 8, 9};
+#endif
+  double size = DROP_SIZE;
 };
 
 /// One contact a pair; its value is the drop's size.
