@@ -1242,6 +1242,13 @@ class BadDatasets(Case):
             "cubes hit": (put(self.cubes, ["expect", "hit"], False, cube), there + "expect.hit: ", "false", "true"),
             "gap": (put(self.cubes, ["exact", "gap", 1], "0x7p-3", cube), there + "exact.gap[1]: ", "0x7p-3"),
         }
+        casts = committed("cast_sphere/generic.jsonl", 0, 8)
+        cast = next(at for at, case in enumerate(casts) if at and case["expect"]["hit"])
+        for i in (0, 1):
+            table[f"t[{i}]"] = (put(casts, ["exact", "t", i], "0x7p-3", cast), f"{self.path}:{cast + 1}: exact.t[{i}]: ", "0x7p-3")
+        deep = committed("sphere_obb/deep.jsonl", 0, 20)
+        at = next(at for at, case in enumerate(deep) if at and "depth2" in case["exact"])
+        table["depth2"] = (put(deep, ["exact", "depth2"], "0x7p-3", at), f"{self.path}:{at + 1}: exact.depth2: ", "0x7p-3")
         for field in ("normal", "point1", "point2"):
             for axis in range(3):
                 wrong = spheres("expect", field, axis, value=next_up)
@@ -1380,6 +1387,7 @@ class BadUsage(Case):
             (("certify", flat, "--engine", "mutant:box-euclidean", "--points", "center"), "--points"),
             (("certify", flat, "--start-limit", 3), "--start-limit"), (("certify", *recorded, "--answer-limit", 3), "--answer-limit"),
             (("certify", flat, "--shards", 3), "--shards"),
+            (("certify", flat, "--engine", "production", "--fresh", 0, "--parts", self.folder / "p", "--shard", "0/2", "--determinism"), "--determinism"),
             (("certify", flat, "--parts", self.folder / "p", "--shard", "0/2", "--shards", 3), "--shards"),
             *((("certify", flat, "--parts", self.folder / "p", "--shard", "0/2", f"--{name}", self.folder / "out"), f"--{name}")
               for name in ("json", "junit", "report", "markdown")),
@@ -1419,11 +1427,18 @@ class BadUsage(Case):
         link.symlink_to(dataset)
         known, scene = self.folder / "known.json", self.file("s.jsonl", (ROOT / "docs" / "examples" / "scenes" / "drops.jsonl").read_text())
         self.holds("certify", dataset, "--results", results, "--json", known)
+        parts, shards, asked = self.folder / "p", [self.folder / f"{i}.jsonl" for i in (0, 1)], self.file("q.jsonl", [SPHERES])
+        self.holds("certify", dataset, "--results", results, "--parts", parts, "--shards", 1)
+        for i in (0, 1):
+            self.holds("generate", "--pair", "cube_cube", "--family", "flat", "--count", 4, "--seed", 1, "--shard", f"{i}/2", "-o", shards[i])
         for args, path in ((("certify", dataset, "--results", results, "--json", results), results),
                            (("certify", dataset, "--engine", "production", "--record", dataset), dataset),
                            (("certify", dataset, "--report", link), link),
                            (("certify", dataset, "--results", results, "--baseline", known, "--json", known), known),
-                           (("detect", scene, "-o", scene), scene)):
+                           (("detect", scene, "-o", scene), scene), (("annotate", asked, "-o", asked), asked),
+                           (("convert", *shards, "-o", shards[0]), shards[0]),
+                           *((("merge", given, f"--{name}", parts / "part-0-of-1.part"), parts / "part-0-of-1.part")
+                             for given, name in ((parts, "json"), (parts / "part-0-of-1.part", "report")))):
             with self.subTest(args[1:]):
                 before = path.read_bytes()
                 self.refused(args, path, "would be written over")
@@ -1787,6 +1802,22 @@ class Adequacy(Case):
         path = self.folder / "quick" / "cube_cube.jsonl"
         path.write_text("".join(path.read_text().splitlines(keepends=True)[:-1]))
         self.refused(("adequacy", self.folder), "quick/cube_cube.jsonl:", one_line=False)
+
+    def test_what_stands_behind_or_beside_the_right_files_is_refused(self):
+        for name in ("adequacy.json", "quick/cube_cube.jsonl"):
+            path = self.folder / name
+            right = path.read_text()
+            for more in ("{}\n", "\n", " "):
+                path.write_text(right + more)
+                self.refused(("adequacy", self.folder), f"{name}:{right.count(chr(10)) + 1}: not what the mutants say: expected no more", one_line=False)
+            path.write_text(right[:-1])
+            self.refused(("adequacy", self.folder), f"{name}:{right.count(chr(10))}: not what the mutants say", one_line=False)
+            path.write_text(right)
+        beside = self.folder / "quick" / "cube_cube.f32.jsonl"
+        beside.write_bytes((self.folder / "cube_cube" / "flat.jsonl").read_bytes())
+        self.refused(("adequacy", self.folder), beside, "not one of the files that the mutants ask for", one_line=False)
+        beside.unlink()
+        self.assertEqual(self.refuted("adequacy", self.folder), self.out)
 
     def test_it_writes_where_it_is_told_and_over_what_it_wrote(self):
         self.refused(("adequacy", "--write"), "--write", "name it")

@@ -188,6 +188,33 @@ class Steps(Case):
         self.compare(same, again, same, "--same-bits", code=0)
         self.assertIn("REFUTED: --same-bits", self.compare(silent, same, again, "--same-bits", code=1))
 
+    def test_of_several_sources_of_one_family_each_is_compared_with_its_own(self):
+        header, *cases = self.dataset.read_text().splitlines()
+        halves = [self.file(f"{i}.jsonl", "\n".join([line({**json.loads(header), "count": 30}), *cases[30 * i:30 * i + 30]]) + "\n")
+                  for i in (0, 1)]
+        other = GOLDEN / "sphere_sphere" / "generic.jsonl"
+        reports = {}
+        for name, engine, files in (("both", "production", halves), ("plain", "plain-double", halves), ("first", "production", halves[:1]),
+                                    ("swapped", "production", halves[::-1]), ("other", "production", [other])):
+            reports[name] = self.folder / f"{name}.json"
+            run("certify", *files, "--engine", engine, "--fresh", 0, "--determinism", "--json", reports[name])
+        out = self.compare(reports["both"], reports["both"], "--same-bits", code=0)
+        self.assertNotIn("alone", out)
+        self.assertIn("same bits for every question that both were asked", out)
+        wrong = [json.loads(reports["plain"].read_text())["families"][i]["level"] for i in (0, 1)]
+        out = self.compare(reports["both"], reports["plain"], code=1)
+        for name, level in zip(("sphere_sphere/touching", "sphere_sphere/touching (2)"), wrong):
+            self.assertRegex(out, rf"(?m)^{re.escape(name)}  +30  +correctly-rounded -> {level} ")
+        self.assertIn("The bits of the answers differ in 2 families, first in ", out)
+        self.assertIn("The bits of the answers differ in 2 families, first in questions that are others in sphere_sphere/touching.",
+                      self.compare(reports["both"], reports["swapped"], code=0))
+        out = self.compare(reports["both"], reports["first"], code=0)
+        self.assertIn("sphere_sphere/touching (2) (30 cases) is judged in the old report alone.", out)
+        rows = {row[0]: row[1:] for row in self.page_of(reports["both"], reports["plain"], reports["first"], code=0).tables["levels"][1:]}
+        self.assertEqual((len(rows["touching"]), rows["touching (2)"][2]), (3, "not judged | –"))
+        # As many families, and others.
+        self.assertIn("REFUTED: --same-bits", self.compare(reports["first"], reports["other"], "--same-bits", code=1))
+
     def page_text(self, *reports):
         done = run("compare", *reports, "--report", self.page)
         self.assertEqual(done.stderr, "")

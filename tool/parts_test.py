@@ -154,6 +154,10 @@ class Parts(Case):
         for field, args in other.items():
             stranger = self.parts(args, 3, field) / "part-1-of-3.part"
             self.refused(("merge", part[0], stranger, part[2]), stranger, f"run/{field}", "a part of another run")
+        # Of very many, the first that are missing are named: nobody has room for a list of all.
+        one = self.folder / "one"
+        self.assertEqual(run(*FLOAT, "--parts", one, "--shard", "1/1000000000000").returncode, 0)
+        self.refused(("merge", one), f"999999999999 of 1000000000000 parts missing: {', '.join(str(i) for i in range(21) if i != 1)}\n")
         odd = self.parts(FLOAT, 4, "four") / "part-1-of-4.part"
         self.refused(("merge", part[0], odd, part[2]), odd, "one of 4 parts here, one of 3 in")
         (folder / "part-3-of-4.part").write_bytes(b"")
@@ -242,6 +246,11 @@ class Cluster(Case):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(done.stdout.count("9000 cases"), 1)
         self.assertTrue(filecmp.cmp(self.folder / "one.jsonl", self.folder / "four.jsonl", shallow=False))
+
+    def test_four_processes_print_one_digest(self):
+        args = ["generate", "--pair", "sphere_sphere", "--family", "near_touching", "--count", "50", "--seed", "3", "--digest"]
+        done = run(*args, by=MPIRUN)
+        self.assertEqual((done.returncode, done.stdout), (0, run(*args).stdout), done.stderr)
 
     def left(self, but=None):
         """What stands in the folder. mpirun kills after a second whoever has not ended, so that what the first process was writing may

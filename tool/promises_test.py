@@ -904,6 +904,17 @@ class Exams(Case):
                 self.refused(args=self.closing(*options))
         self.refused(args=["exam", "take", self.exam, "-o", self.exam, "--engine", "production"])
 
+    def test_answers_of_which_none_is_judged_leave_the_key_as_it_was(self):
+        self.set_exam()
+        self.assertIn("0 of 12 questions answered by plain-float", self.take("--engine", "plain-float"))
+        self.refused("no case was judged", args=self.closing())
+        self.take()
+        header, *said = map(json.loads, self.taken.read_text().splitlines())
+        self.file("taken.jsonl", [header, *({"id": one["id"], "unsupported": "too hard"} for one in said)])
+        self.refused("no case was judged", args=self.closing("--allow-unsupported"))
+        self.take()
+        self.close()
+
     def test_a_key_that_was_changed_is_refused_and_stays_as_it_was(self):
         self.set_exam()
         self.take()

@@ -8,7 +8,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <sstream>
 
 #include "engines/zoo/mutants.hpp"
 #include "formats/json.hpp"
@@ -263,17 +262,24 @@ void write(const std::filesystem::path& folder, const QuickFiles& quick, const s
 /// Refuses what stands in the folder where it is not what would be written.
 void check(const std::filesystem::path& folder, const QuickFiles& quick, const std::string& adequacy) {
   const auto compare = [&](const std::string& path, const std::string& right) {
-    std::istringstream expected(right);
-    std::ifstream found = formats::open_to_read(folder / path);
-    std::string a;
-    std::string b;
-    for (std::size_t line = 1; std::getline(expected, b); ++line)
-      if (!std::getline(found, a) || a != b)
-        throw formats::InputError({(folder / path).string(), line}, "",
-                                  fmt::format("not what the mutants say: expected {:.200}", b));
+    const std::string found = formats::read_text(folder / path);
+    if (found == right) return;
+    const auto differs = std::mismatch(right.begin(), right.end(), found.begin(), found.end()).first;
+    const auto lines = std::count(right.begin(), differs, '\n');
+    auto begin = differs;
+    while (begin != right.begin() && *(begin - 1) != '\n') --begin;
+    const std::string expected(begin, std::find(begin, right.end(), '\n'));
+    throw formats::InputError(
+        {(folder / path).string(), static_cast<std::size_t>(lines) + 1}, "",
+        fmt::format("not what the mutants say: expected {:.200}", expected.empty() ? "no more" : expected));
   };
   for (const auto& [path, file] : quick) compare(path, file.text());
   compare(std::string(golden::kAdequacyName), adequacy);
+  if (quick.empty()) return;
+  // A dataset beside them is judged where the folder is named.
+  for (const auto& path : golden::dataset_files({folder / golden::kQuickFolder}))
+    if (!quick.contains(path.lexically_relative(folder).generic_string()))
+      throw formats::InputError({path.string(), 0}, "", "not one of the files that the mutants ask for");
 }
 
 bool adequacy(const std::filesystem::path& folder, bool to_write) {

@@ -375,6 +375,7 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
   Stop stop;
   stop.at_first_failure = options.fail_fast;
   require_whole(options, scoreboard);
+  if (options.determinism) require_askable(options, scoreboard);
   CertificateFiles certificate(options.certificate, options.engine);
   const auto [sources, fresh] = asked(options, scoreboard);
   std::vector<Subject> judged = subjects(options, scoreboard, rows_of(sources), stop, certificate);
@@ -410,7 +411,6 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
     say_stats();
     return say_part(reports.front(), part);
   }
-  if (options.determinism) require_askable(options, scoreboard);
   std::optional<ReportFiles> files;
   if (Cluster::is_first()) files.emplace(options.reports);
   // One process that keeps nothing has no use for parts.

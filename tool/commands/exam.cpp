@@ -206,16 +206,18 @@ int close(const CloseOptions& o) {
   Stop stop;
   Oracles oracles;
   std::vector<Report> reports{report};
+  bool is_used = false;
   {
     Use use(o.key, key, digest_of_file(o.engine.results));
     merge(reports, judge_part(key.sources, subjects, stop, oracles), true);
     const std::size_t unknown = reports.front().unknown_answers.size();
     if (unknown != 0 && unknown == engines::count_recorded(o.engine.results))
       throw InputError({o.engine.results, 0}, "", "answers no question of this exam");
-    if (!reports.front().harness_invalid()) use.let_stand();
+    is_used = reports.front().judged() != 0 && !reports.front().harness_invalid();
+    if (is_used) use.let_stand();
   }
-  if (reports.front().harness_invalid()) {
-    say("{} stays as it is: no answer claims anything\n", o.key);
+  if (!is_used) {
+    say("{} stays as it is: no answer {}\n", o.key, reports.front().judged() == 0 ? "was judged" : "claims anything");
     return files.write(reports, false);
   }
   const int exit = files.write(reports, false);

@@ -139,6 +139,8 @@ void generate_one(const GenerateOptions& o) {
     header.count = golden::cut(o.count, shard.index + 1, shard.of) - first;
   }
   if (o.output.empty()) {
+    // Nothing is shared among processes here, and what is printed is data.
+    if (!Cluster::is_first()) return;
     const golden::CommittedFile stream{header.pair, header.scalar, family};
     fmt::print("{}\n", digests_of(stream, header.seed, first, {header.count}, oracle_bytes).front());
     return;
@@ -228,6 +230,7 @@ struct AnnotateOptions {
 
 void annotate(const AnnotateOptions& o) {
   check_output("annotate", o.output);
+  require_apart({o.output}, {o.input});
   if (o.family.empty()) throw InputError({"annotate", 0}, "--family", "a family has a name");
   if (std::any_of(kPairs.begin(), kPairs.end(),
                   [&](Pair pair) { return golden::find_family(pair, o.family) != nullptr; }))
@@ -312,6 +315,7 @@ golden::DatasetHeader merged_header(std::vector<std::string>& shards) {
 
 void convert(ConvertOptions o) {
   check_output("convert", o.output);
+  require_apart({o.output}, o.inputs);
   const golden::DatasetHeader header =
       o.inputs.size() == 1 ? golden::dataset_header(o.inputs.front()) : merged_header(o.inputs);
   const auto writer = golden::create_dataset(o.output, header);

@@ -40,13 +40,16 @@ std::vector<std::filesystem::path> part_files(const std::vector<std::string>& gi
 }
 
 int merge_parts(const MergeOptions& options) {
-  ReportFiles files(options.reports);
+  const std::vector<std::filesystem::path> paths = part_files(options.paths);
+  const ReportOptions& out = options.reports;
+  require_apart({out.html, out.json, out.junit, out.markdown}, {paths.begin(), paths.end()});
+  ReportFiles files(out);
   // First all are read and compared, one at a time; then merged in their order.
   std::map<std::uint64_t, std::filesystem::path> parts;
   std::vector<Report> reports;
   std::string run;
   std::uint64_t of = 0;
-  for (const auto& path : part_files(options.paths)) {
+  for (const auto& path : paths) {
     throw_if_interrupted();
     const PartFile file = read_part(path);
     if (parts.empty()) {
@@ -64,14 +67,14 @@ int merge_parts(const MergeOptions& options) {
       throw InputError(where, "part",
                        fmt::format("part {} stands in {} already", file.part.index, there->second.string()));
   }
-  std::vector<std::uint64_t> missing;
-  for (std::uint64_t i = 0; i < of; ++i)
-    if (!parts.contains(i)) missing.push_back(i);
-  if (!missing.empty())
+  if (parts.size() != of) {
+    constexpr std::size_t kNamed = 20;
+    std::vector<std::uint64_t> missing;  // the first of them: nobody has room for all of which a part may tell
+    for (std::uint64_t i = 0; i < of && missing.size() < kNamed; ++i)
+      if (!parts.contains(i)) missing.push_back(i);
     throw InputError({options.paths.front(), 0}, "",
-                     fmt::format("{} of {} parts missing: {}", missing.size(), of,
-                                 fmt::join(missing.begin(),
-                                           missing.begin() + std::min<std::ptrdiff_t>(20, std::ssize(missing)), ", ")));
+                     fmt::format("{} of {} parts missing: {}", of - parts.size(), of, fmt::join(missing, ", ")));
+  }
   for (const auto& [index, path] : parts) merge(reports, read_part(path).content, index == 0);
   return files.write(reports, false);
 }

@@ -86,15 +86,18 @@ void Comparison::compare_bits(const SavedReport& older, const SavedReport& newer
   std::map<std::string, const SavedAnswers*> before;
   for (const SavedAnswers& one : older.answers) before.emplace(one.title, &one);
   std::size_t differ = 0;
+  std::size_t both = 0;
   std::string first;
   for (const SavedAnswers& now : newer.answers) {
     const auto it = before.find(now.title);
-    if (it == before.end() || it->second->sha256 == now.sha256) continue;
+    if (it == before.end()) continue;
+    ++both;
+    if (it->second->sha256 == now.sha256) continue;
     if (differ++ == 0) first = fmt::format("{} in {}", first_difference(it->second->each, now.each), now.title);
   }
   if (differ != 0)
     same_bits_ = SameBits::differ;
-  else if (older.answers.size() == newer.answers.size())
+  else if (both == older.answers.size() && both == newer.answers.size())
     same_bits_ = SameBits::same;
   notes_.push_back(differ == 0 ? "The reports have the same bits for every question that both were asked."
                                : fmt::format("The bits of the answers differ in {} {}, first in {}.", differ,

@@ -66,7 +66,7 @@ int ReportFiles::write(const std::vector<Report>& reports, bool scoreboard) {
   if (!json_.alone()) words() << (scoreboard ? scoreboard_text(reports, colour) : terminal_text(first, colour));
   if (!html_path_.empty()) say("\nReport: {}\n", html_path_);
   if (first.judged() == 0)
-    throw formats::InputError({"certify", 0}, "", "no case was judged: see what was skipped, and why");
+    throw formats::InputError({first.engine.name, 0}, "", "no case was judged: see what was skipped, and why");
   if (first.harness_invalid()) return kHarnessInvalid;
   return first.certified() ? kCertified : kRefuted;
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -21,10 +22,14 @@ using oracle::Level;
 
 Level level_of(const Node& node) { return static_cast<Level>(node.one_of(oracle::kLevelNames)); }
 
-/// "pair", "family" and "scalar" as one.
-std::string read_title(const Node& node) {
-  return family_title(golden::read_pair(node.at("pair")), node.at("family").text(),
-                      golden::read_scalar(node.at("scalar")));
+/// "pair", "family" and "scalar" as one title, which nothing before it in the list has. `titles` are those, each with the
+/// number that was last put behind it.
+std::string read_title(const Node& node, std::map<std::string, std::size_t>& titles) {
+  const std::string title = family_title(golden::read_pair(node.at("pair")), node.at("family").text(),
+                                         golden::read_scalar(node.at("scalar")));
+  std::string own = title;
+  while (!titles.try_emplace(own, 1).second) own = fmt::format("{} ({})", title, ++titles.at(title));
+  return own;
 }
 
 SavedFamily read_counts(std::string title, const Node& node) {
@@ -115,11 +120,13 @@ SavedReport read_report(const std::filesystem::path& path) {
                     {},
                     {},
                     report.at("failure_count").count()};
+  std::map<std::string, std::size_t> titles;
   for (const Node& family : report.at("families").items())
-    saved.families.push_back(read_counts(read_title(family), family));
+    saved.families.push_back(read_counts(read_title(family, titles), family));
+  titles.clear();
   if (const auto determinism = report.find("determinism"))
     for (const Node& source : determinism->at("sources").items())
-      saved.answers.push_back({read_title(source), source.at("sha256").text(), source.at("each").text()});
+      saved.answers.push_back({read_title(source, titles), source.at("sha256").text(), source.at("each").text()});
   saved.total = read_counts("", report.at("total"));
   if (const auto tolerance = report.find("tolerance"); tolerance && !tolerance->is_null())
     saved.tolerance = engines::read_tolerance(*tolerance);

@@ -41,7 +41,9 @@ struct SavedFitness {
 };
 
 struct SavedFamily {
-  std::string title;  ///< family_title; empty for all of them together
+  /// family_title, with a number behind it from the second of a title on; empty for all of them together. A run may
+  /// have several sources of one pair, family and scalar, and the k-th of one report is compared with the k-th of another.
+  std::string title;
   std::uint64_t cases;
   std::uint64_t missed_hits;
   std::uint64_t false_hits;
@@ -59,7 +61,7 @@ struct SavedFamily {
 
 /// The answers to the questions of a family, where the report says what their bits are.
 struct SavedAnswers {
-  std::string title;  ///< family_title
+  std::string title;  ///< as a family's
   std::string sha256;
   std::string each;  ///< an id and 8 digits of the answer's digest for each
 };
