@@ -51,21 +51,48 @@ class Broken final : public engines::Engine {
   Change change_;
 };
 
-/// The report on every committed file of a pair, the invalid ones aside.
-Report judged(Pair pair, Broken::Change change, const oracle::Declaration& declared = {},
-              const std::map<Pair, Conventions>& pair_conventions = {}) {
+/// The report on what an engine answers to the questions of some sources, in a run of so many.
+Report report_on(std::unique_ptr<engines::Engine> engine, const std::vector<Source>& sources, std::uint64_t run = 0) {
   std::vector<Subject> subjects;
-  subjects.push_back({std::make_unique<Broken>(std::move(change), declared, pair_conventions), {}});
+  subjects.push_back({std::move(engine), {}});
   subjects.front().report.engine = subjects.front().engine->info();
   Stop never;
   Oracles oracles;
-  for (const auto& path :
-       golden::dataset_files({std::filesystem::path(CONTACT_SOURCE_DIR) / "golden" / std::string(name(pair))})) {
-    const golden::DatasetHeader header = golden::dataset_header(path);
-    if (header.family != "invalid")
-      judge_source({header.pair, header.scalar, header.family, header.count, path}, subjects, never, oracles);
-  }
+  for (const Source& source : sources) judge_source(source, subjects, never, oracles, run);
   return std::move(subjects.front().report);
+}
+
+Source source_of(const std::filesystem::path& path) {
+  const golden::DatasetHeader header = golden::dataset_header(path);
+  return {header.pair, header.scalar, header.family, header.count, path};
+}
+
+/// A golden file in binary64 as a source.
+Source committed(Pair pair, const std::string& family) {
+  return source_of(std::filesystem::path(CONTACT_SOURCE_DIR) / "golden" / std::string(name(pair)) /
+                   (family + ".jsonl"));
+}
+
+/// Questions about two spheres as a generator makes them, from the given one on.
+Source generated(std::string_view family, std::uint64_t count, std::uint64_t seed, std::uint64_t first = 0) {
+  return {Pair::sphere_sphere,
+          Scalar::binary64,
+          std::string(family),
+          count,
+          std::nullopt,
+          golden::find_family(Pair::sphere_sphere, family),
+          seed,
+          first};
+}
+
+/// The report on every committed file of a pair, the invalid ones aside.
+Report judged(Pair pair, Broken::Change change, const oracle::Declaration& declared = {},
+              const std::map<Pair, Conventions>& pair_conventions = {}) {
+  std::vector<Source> sources;
+  for (const auto& path :
+       golden::dataset_files({std::filesystem::path(CONTACT_SOURCE_DIR) / "golden" / std::string(name(pair))}))
+    if (Source source = source_of(path); source.family != "invalid") sources.push_back(std::move(source));
+  return report_on(std::make_unique<Broken>(std::move(change), declared, pair_conventions), sources);
 }
 
 /// Which of "overlap", "contact", "normal", ... are wrong, as one text.
@@ -128,18 +155,6 @@ TEST(Verdict, BoxesThatAnEngineAlwaysHitsAreConservative) {
 
 // Whether it rests on enough.
 
-/// The report on the generic questions of spheres.
-Report on_generic(Broken::Change change, const oracle::Declaration& declared) {
-  std::vector<Subject> subjects;
-  subjects.push_back({std::make_unique<Broken>(std::move(change), declared), {}});
-  subjects.front().report.engine = subjects.front().engine->info();
-  Stop never;
-  Oracles oracles;
-  const auto path = std::filesystem::path(CONTACT_SOURCE_DIR) / "golden/sphere_sphere/generic.jsonl";
-  judge_source({Pair::sphere_sphere, Scalar::binary64, "generic", 210, path}, subjects, never, oracles);
-  return std::move(subjects.front().report);
-}
-
 TEST(Verdict, TooFewJudgedCasesAreNoCertificate) {
   // Of 210 questions those with no number above the limit, fewer with each.
   std::uint64_t enough = 0;
@@ -147,7 +162,8 @@ TEST(Verdict, TooFewJudgedCasesAreNoCertificate) {
   for (double most = 4; most < 20; most *= 1.1) {
     oracle::Declaration declared;
     declared.conventions.scale_max = most;
-    Report report = on_generic([](const Query&, Claim&) {}, declared);
+    Report report = report_on(std::make_unique<Broken>([](const Query&, Claim&) {}, declared),
+                              {committed(Pair::sphere_sphere, "generic")});
     const FamilyReport all = report.total();
     if (all.cases == 0) continue;
     EXPECT_EQ(report.certified(), all.cases >= kLeastJudged && all.decided.both()) << report.sentence();
@@ -165,14 +181,6 @@ TEST(Verdict, TooFewJudgedCasesAreNoCertificate) {
 }
 
 // Fresh questions.
-
-/// A golden file in binary64 as a source.
-Source committed(Pair pair, const std::string& family) {
-  const auto path =
-      std::filesystem::path(CONTACT_SOURCE_DIR) / "golden" / std::string(name(pair)) / (family + ".jsonl");
-  const golden::DatasetHeader header = golden::dataset_header(path);
-  return {header.pair, header.scalar, header.family, header.count, path};
-}
 
 /// An engine that answers as production does where it knows the question, and else as it is told.
 class Knowing final : public engines::Engine {
@@ -352,16 +360,9 @@ TEST(Verdict, SaysWhereOneAnswerWouldHaveBeenRightThroughout) {
 
 /// What plain double does wrong in generated questions of two families, from the given one on, in a run of so many.
 oracle::Diagnosis diagnosis_of_plain_double(std::uint64_t first, std::uint64_t count, std::uint64_t run = 0) {
-  std::vector<Subject> subjects;
-  subjects.push_back({engines::make_built_in("plain-double"), {}});
-  subjects.front().report.engine = subjects.front().engine->info();
-  Stop never;
-  Oracles oracles;
-  for (const std::string_view family : {"near_touching", "coincident"})
-    judge_source({Pair::sphere_sphere, Scalar::binary64, std::string(family), count, std::nullopt,
-                  golden::find_family(Pair::sphere_sphere, family), 5, first},
-                 subjects, never, oracles, run);
-  return std::move(subjects.front().report.why);
+  return report_on(engines::make_built_in("plain-double"),
+                   {generated("near_touching", count, 5, first), generated("coincident", count, 5, first)}, run)
+      .why;
 }
 
 TEST(Certify, OfALargeRunAFewRightAnswersNameTheSameMistakes) {
@@ -384,16 +385,10 @@ TEST(Certify, ALargeRunOfRightAnswersIsNotComparedWithMistakes) {
   // Of the last every second answer would be too many: 37 of each source.
   for (const auto& [each, sources, told] : {Run{4200, 8, false}, Run{4200, 8, true}, Run{73, 890, true}}) {
     ASSERT_GT(each * sources, oracle::Diagnosis::kPostponed);
-    std::vector<Subject> subjects;
-    subjects.push_back({engines::make_built_in("production"), {}});
-    subjects.front().report.engine = subjects.front().engine->info();
-    Stop never;
-    Oracles oracles;
-    for (std::uint64_t seed = 0; seed < sources; ++seed)
-      judge_source({Pair::sphere_sphere, Scalar::binary64, "generic", each, std::nullopt,
-                    golden::find_family(Pair::sphere_sphere, "generic"), seed},
-                   subjects, never, oracles, told ? each * sources : 0);
-    EXPECT_EQ(subjects.front().report.why.compares_at_once(), !told) << sources << " sources of " << each;
+    std::vector<Source> all;
+    for (std::uint64_t seed = 0; seed < sources; ++seed) all.push_back(generated("generic", each, seed));
+    const Report report = report_on(engines::make_built_in("production"), all, told ? each * sources : 0);
+    EXPECT_EQ(report.why.compares_at_once(), !told) << sources << " sources of " << each;
   }
 }
 
@@ -572,9 +567,7 @@ std::string report_by(std::size_t threads, bool fail_fast) {
   Oracles oracles;
   constexpr std::uint64_t kCount = 6000;  // more than a sample has in full
   for (const std::string_view family : {"generic", "touching"})
-    judge_source({Pair::sphere_sphere, Scalar::binary64, std::string(family), kCount, std::nullopt,
-                  golden::find_family(Pair::sphere_sphere, family), 11},
-                 subjects, stop, oracles);
+    judge_source(generated(family, kCount, 11), subjects, stop, oracles);
   if (!fail_fast) {
     EXPECT_EQ(oracles.decided.answers[0] + oracles.decided.answers[1] + oracles.decided.answers[2], 2 * kCount);
     EXPECT_GT(oracles.checked, 0U);
@@ -613,9 +606,7 @@ TEST(Pipeline, of_a_small_source_many_questions_at_once_go_to_who_needs_them_and
     }
     Stop never;
     Oracles oracles;
-    judge_source({Pair::sphere_sphere, Scalar::binary64, "generic", 40, std::nullopt,
-                  golden::find_family(Pair::sphere_sphere, "generic"), 1},
-                 subjects, never, oracles);
+    judge_source(generated("generic", 40, 1), subjects, never, oracles);
     return sizes;
   };
   EXPECT_EQ(sizes_of({false}), (std::multiset<std::size_t>{32, 8}));
@@ -659,14 +650,9 @@ std::string refusal_by(std::size_t threads,
       file << line << '\n';
     }
   }
-  std::vector<Subject> subjects;
-  subjects.push_back({engines::make_built_in("production"), {}});
-  subjects.front().report.engine = subjects.front().engine->info();
-  Stop never;
-  Oracles oracles;
   std::string refusal;
   try {
-    judge_source({header.pair, header.scalar, header.family, kCount, path}, subjects, never, oracles);
+    static_cast<void>(report_on(engines::make_built_in("production"), {source_of(path)}));
   } catch (const formats::InputError& error) {
     refusal = error.what();
   }
