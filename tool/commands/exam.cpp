@@ -73,7 +73,6 @@ std::string chance(std::size_t digits) {
 }
 
 void make_new(const NewOptions& o) {
-  require_apart({o.output, o.key}, {});
   if (std::filesystem::exists(o.key))
     throw InputError({o.key, 0}, "--key", "is there already, and may belong to an exam that is not closed");
   ExamFile exam(o.output);

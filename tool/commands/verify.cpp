@@ -150,22 +150,16 @@ class Certificate {
       if (const auto file = sources[i].find("file"))
         compare(fmt::format("/questions/sources/{}/sha256", i), sources[i].at("sha256"),
                 dataset(file->raw_text(), files));
-    if (!options_.exam.empty()) {
-      const Exam exam = read_exam(options_.exam);
+    const auto compare_exam = [&](const auto& exam, std::string_view whose) {
       const auto stated = node().find("exam");
       if (!stated) throw formats::InputError({options_.certificate, 0}, "exam", "is a certificate of no exam");
       for (const auto& [key, is] : {std::pair("commitment", exam.commitment), {"questions", exam.questions}})
         if (const std::string said = stated->at(key).text(); said != is)
-          found.push_back({fmt::format("/exam/{}", key), said, fmt::format("{}, of {}", is, options_.exam)});
-    }
-    if (!options_.commitment.empty()) {
-      const PublishedLine line = read_published_line(options_.commitment);
-      const auto stated = node().find("exam");
-      if (!stated) throw formats::InputError({options_.certificate, 0}, "exam", "is a certificate of no exam");
-      for (const auto& [key, is] : {std::pair("commitment", line.commitment), {"questions", line.questions}})
-        if (const std::string said = stated->at(key).text(); said != is)
-          found.push_back({fmt::format("/exam/{}", key), said, fmt::format("{}, of the line that was published", is)});
-    }
+          found.push_back({fmt::format("/exam/{}", key), said, fmt::format("{}, of {}", is, whose)});
+    };
+    if (!options_.exam.empty()) compare_exam(read_exam(options_.exam), options_.exam);
+    if (!options_.commitment.empty())
+      compare_exam(read_published_line(options_.commitment), "the line that was published");
     compare("/answers/sha256", node().at("answers").at("sha256"), answers());
     return found;
   }

@@ -196,7 +196,7 @@ std::vector<std::string> fitness_lines(std::string_view what, std::string_view s
 }
 
 Fit fit_of(const Fitness& fitness) {
-  if (fitness.answers == 0) return {"-", "-", "-"};
+  if (fitness.answers == 0) return {"-", "-"};
   const double length = length_of(fitness.all, &Need::absolute);
   const double angle = of(fitness.all, Measure::angle).absolute.off;
   return {length == 0                             ? "."
@@ -204,8 +204,7 @@ Fit fit_of(const Fitness& fitness) {
                                                   : std::string(kBeyond),
           angle == 0                     ? "."
           : angle > std::numbers::pi / 2 ? std::string(kBeyond)
-                                         : rounded_up(angle),
-          fitness.never == 0 ? "." : std::to_string(fitness.never)};
+                                         : rounded_up(angle)};
 }
 
 std::vector<InTheWay> in_the_way(const Fitness& fitness) {

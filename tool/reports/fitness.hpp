@@ -62,12 +62,10 @@ struct Fitness {
 /// In the place of a tolerance that nobody would state: a length beyond the scale or beyond everyday numbers, an angle
 /// beyond a right one.
 inline constexpr std::string_view kBeyond = "beyond";
-/// The least length and the least angle of it, two figures each, and how many answers no tolerance allows: "." for
-/// none.
+/// The least length and the least angle of it, two figures each: "." for none.
 struct Fit {
   std::string length;
   std::string angle;
-  std::string never;
 };
 [[nodiscard]] Fit fit_of(const Fitness& fitness);
 /// A question that makes a tolerance as large as it is, as a line for `explain`.

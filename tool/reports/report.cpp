@@ -303,11 +303,6 @@ std::uint64_t Report::skipped_cases(bool fresh_ones) const {
                          [&](auto n, const Skipped& s) { return n + (s.fresh == fresh_ones ? s.cases : 0); });
 }
 
-Level Report::level() const {
-  const Level published = total().level(allow_unsupported);
-  return fresh_judged() == 0 ? published : std::max(published, fresh_total().level(allow_unsupported));
-}
-
 Level Report::level_but_accepted() const {
   const Level published = total().level_but_accepted(allow_unsupported);
   const FamilyReport asked = fresh_total();

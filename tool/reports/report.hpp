@@ -209,8 +209,7 @@ struct Report : Findings {
   [[nodiscard]] std::uint64_t judged() const { return total().judged(allow_unsupported); }
   [[nodiscard]] std::uint64_t fresh_judged() const { return fresh_total().judged(allow_unsupported); }
   [[nodiscard]] std::uint64_t skipped_cases(bool fresh = false) const;
-  /// That both reach.
-  [[nodiscard]] Level level() const;
+  /// That both reach, accepted failures left out.
   [[nodiscard]] Level level_but_accepted() const;
   /// Every judged answer is as required, and they are enough to certify anything.
   [[nodiscard]] bool certified() const { return right() && falls_short().empty(); }
