@@ -127,20 +127,3 @@ function(contact_refused_test name source words)
                    -isystem $<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES> ${CMAKE_CURRENT_SOURCE_DIR}/${source})
   set_tests_properties(${name} PROPERTIES LABELS unit PASS_REGULAR_EXPRESSION "${words}")
 endfunction()
-
-# The kinds of pairs that have files of their own on every floor; include/contact/pairs.hpp lists what they are. All rays
-# that are cast share theirs.
-set(CONTACT_PAIRS capsule_capsule capsule_plane casts convexes cube_cube ray_sphere ray_triangle sphere_capsule sphere_cube sphere_plane sphere_sphere
-                  sphere_triangle triangle_line)
-
-# contact_pair_files(result pattern..): each pattern once for each kind of pairs, its name for @.
-function(contact_pair_files result)
-  set(files)
-  foreach(pattern ${ARGN})
-    foreach(pair ${CONTACT_PAIRS})
-      string(REPLACE "@" ${pair} file ${pattern})
-      list(APPEND files ${file})
-    endforeach()
-  endforeach()
-  set(${result} ${files} PARENT_SCOPE)
-endfunction()

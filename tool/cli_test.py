@@ -991,7 +991,11 @@ class Results(Case):
         self.assertIn("2 unsupported", self.refuted(*self.args(answers)))
         self.assertIn("10 judged cases", self.holds(*self.args(answers, "--allow-unsupported")))
         all_of_them = answers[:1] + [{"id": a["id"], "unsupported": "too hard"} for a in answers[1:]]
-        self.assertEqual(run(*self.args(all_of_them, "--allow-unsupported")).returncode, 2)
+        done = run(*self.args(all_of_them, "--allow-unsupported", *self.reports()))
+        self.assertEqual(done.returncode, 2)
+        for report in (done.stdout, *((self.folder / f"out.{form}").read_text() for form in ("json", "junit", "markdown"))):
+            self.assertIn("NOTHING JUDGED", report)
+            self.assertNotIn("REFUTED", report)
 
     def test_an_error_a_rejection_and_an_empty_answer_are_not_right_answers(self):
         for said in ({"error": "boom"}, {"rejected": "alarm"}, {}):
@@ -1187,6 +1191,7 @@ class BadDatasets(Case):
         f32 = committed("sphere_sphere/touching.f32.jsonl", 0, 3)
         self.check({
             "malformed": ([*good[:3], "{nonsense}", *good[4:]], f"{path}:4: ", "malformed JSON"),
+            "a NUL byte": ([*good[:3], line(good[3]) + '\0{"more":1}', *good[4:]], f"{path}:4: ", "malformed JSON", "NUL"),
             "no object": ([*good[:3], "[1,2]", *good[4:]], f"{path}:4: ", "expected a JSON object", "[1,2]"),
             "blank line": ([*good[:3], "", *good[4:]], f"{path}:4: ", "malformed JSON"),
             "wrong version": (put(good, ["version"], 2, 0), f"{path}:1: version: ", "2"),
@@ -1373,6 +1378,8 @@ class BadUsage(Case):
         for args, word in (((), "subcommand"), (("certify", "--nonesuch"), "--nonesuch"), (("certify", "--engine"), "--engine"),
                            (("certify", "--jobs", "0"), "--jobs"), (("certify", "--jobs", "many"), "--jobs"),
                            (("certify", "--seed", "one"), "--seed"), (("annotate",), "queries"),
+                           *((("certify", option, 2**32), "to 2^32 - 1") for option in ("--fresh", "--generate")),
+                           ((*Outputs.GENERATE, 2**64 - 1, "-o", self.folder / "x.jsonl"), "to 2^32 - 1"), (("certify", "--jobs", 2**16), "to 2^16 - 1"),
                            (("certify", "golden", "--engine", "production", "--results", "r.jsonl"), "--results"),
                            (("certify", "golden", "--generate", "3"), "--generate")):
             with self.subTest(args):
@@ -1526,6 +1533,20 @@ class Outputs(Case):
             with self.subTest(args[0]), open("/dev/full", "w") as full:
                 done = run(*args, stdin=text([SPHERES]), capture_output=False, stdout=full, stderr=subprocess.DEVNULL)
                 self.assertEqual(done.returncode, 2)
+
+    def test_a_closed_standard_stream_changes_no_file_and_ends_no_run(self):
+        scene, found = ROOT / "docs/examples/scenes/bars.jsonl", self.folder / "found.jsonl"
+        self.assertEqual(run("detect", scene, "-o", found, stdin=None).returncode, 0)
+        right = found.read_bytes()
+        for stream in (0, 1, 2):
+            with self.subTest(stream):
+                closed = {"preexec_fn": lambda number=stream: os.close(number), "stdin": None, "capture_output": False, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+                run("detect", scene, "-o", found, **closed)
+                self.assertEqual(found.read_bytes(), right)
+                asked = run("certify", GOLDEN / "sphere_sphere/touching.jsonl", "--fresh", 0, "--engine-command", shlex.join([sys.executable, str(PLAIN)]),
+                            "--json", self.folder / "r.json", **closed)
+                self.assertIn(asked.returncode, (1, 2))  # 2: the report could not be printed
+                self.assertFalse(json.loads((self.folder / "r.json").read_text())["certified"])
 
     def test_an_output_that_is_no_regular_file_is_never_replaced(self):
         fifo = self.folder / "x.jsonl"

@@ -219,9 +219,9 @@ int close(const CloseOptions& o) {
     say("{} stays as it is: no answer {}\n", o.key, reports.front().judged() == 0 ? "was judged" : "claims anything");
     return files.write(reports, false);
   }
+  // First what cannot be made again.
+  certificate.write(reports.front(), key.sources, oracles, nullptr, key.terms);
   const int exit = files.write(reports, false);
-  if (exit == kCertified || exit == kRefuted)
-    certificate.write(reports.front(), key.sources, oracles, nullptr, key.terms);
   say("{} is used, and its seed {}\n{}\n", o.key,
       o.certificate.certificate.empty() ? "is in it" : "stands in the certificate",
       key.terms.asked_for_line

@@ -114,7 +114,7 @@ void add_serve(CLI::App& app, int& exit) {
       ->excludes(engine);
   command->add_option("--threads", options->threads, "Answer what has arrived from so many threads")
       ->capture_default_str()
-      ->check(kThreads);
+      ->check(kFromOne);
   command->callback([options, &exit] {
     const auto served = options->library.empty() ? built_in(options->engine, PointConvention::nearest_surface)
                                                  : engines::make_library(options->library);
