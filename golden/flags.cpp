@@ -45,28 +45,6 @@ Rational largest_coordinate(const Query& query) {
 Rational smallest_normal(Scalar scalar) { return power_of_two(format_of(scalar).min_exponent); }
 Rational first_beyond(Scalar scalar) { return power_of_two(format_of(scalar).max_exponent + 1); }
 
-/// The largest of the sizes of a crossing pair's shapes, from their first points.
-Rational crossing_size(const Query& query) {
-  Rational size(0);
-  const auto add = [&](const Vector3& from, const Vector3& to) {
-    for (int axis = 0; axis < 3; ++axis)
-      size = std::max(size, Rational(CGAL::abs(Rational(to[axis]) - Rational(from[axis]))));
-  };
-  const auto add_triangle = [&](const Triangle& t) {
-    add(t.vertices[0], t.vertices[1]), add(t.vertices[0], t.vertices[2]);
-  };
-  if (const auto* ray = std::get_if<RayAndTriangle>(&query.shapes)) {
-    add_triangle(ray->b);
-    for (int axis = 0; axis < 3; ++axis)
-      size = std::max(size, Rational(CGAL::abs(Rational(ray->a.length) * Rational(ray->a.direction[axis]))));
-  } else {
-    const auto& line = std::get<TriangleAndLine>(query.shapes);
-    add_triangle(line.a);
-    add(line.b.start, line.b.end);
-  }
-  return size;
-}
-
 /// The largest size of a shape; 0 of a half-space.
 template <class Shape>
 Rational size_of(const Shape& shape) {
@@ -82,6 +60,13 @@ Rational size_of(const Shape& shape) {
         size = std::max(size, Rational(CGAL::abs(Rational(to[axis]) - Rational((*from)[axis]))));
     });
   });
+  return size;
+}
+/// Of a ray the largest part of its way along an axis.
+Rational size_of(const Ray& ray) {
+  Rational size(0);
+  for (int axis = 0; axis < 3; ++axis)
+    size = std::max(size, Rational(CGAL::abs(Rational(ray.length) * Rational(ray.direction[axis]))));
   return size;
 }
 /// Of what a ray is cast at, or of both shapes.
@@ -163,8 +148,6 @@ bool is_flat(const Ball& /*ball*/) { return false; }
 bool is_flat(const Box& box) { return (box.min.array() == box.max.array()).any(); }
 bool is_flat(const Capsule& capsule) { return capsule.start == capsule.end; }
 bool is_flat(const Triangle& triangle) {
-  using oracle::operator-;
-  using oracle::point_of;
   const auto& [x, y, z] = triangle.vertices;
   return oracle::is_zero(oracle::cross(point_of(y) - point_of(x), point_of(z) - point_of(x)));
 }
@@ -295,21 +278,12 @@ constexpr std::array kHolds{
           }},
     Holds{"FarFromOrigin",
           [](const Asked& a) {
-            if (a.truth.crossing() != nullptr || a.truth.cast() != nullptr) {
-              const Rational size = a.truth.cast() != nullptr ? size_of_shapes(a.query) : crossing_size(a.query);
-              return largest_coordinate(a.query) >= power_of_two(8) * size && !CGAL::is_zero(size);
-            }
-            if (is_convex(a.query.pair)) {
-              const Rational size = std::max(size_of_shapes(a.query), a.truth.distance()->reach());
-              return largest_coordinate(a.query) >= power_of_two(8) * size && !CGAL::is_zero(size);
-            }
-            if (a.truth.has_distance())
-              return largest_coordinate(a.query) >= power_of_two(8) * a.truth.distance()->reach() &&
-                     !CGAL::is_zero(a.truth.distance()->reach());
-            return largest_coordinate(a.query) >=
-                       power_of_two(8) * (CGAL::abs(largest_gap(a.truth)) + a.truth.gaps()->alarm()) &&
-                   !CGAL::is_zero(largest_coordinate(a.query)) &&
-                   !CGAL::is_zero(CGAL::abs(largest_gap(a.truth)) + a.truth.gaps()->alarm());
+            Rational size(0);
+            if (a.truth.has_distance()) size = a.truth.distance()->reach();
+            if (a.truth.gaps() != nullptr) size = CGAL::abs(largest_gap(a.truth)) + a.truth.gaps()->alarm();
+            if (is_crossing(a.query.pair) || is_cast(a.query.pair) || is_convex(a.query.pair))
+              size = std::max(size, size_of_shapes(a.query));
+            return !CGAL::is_zero(size) && largest_coordinate(a.query) >= power_of_two(8) * size;
           }},
     Holds{"SquareOverflow",
           [](const Asked& a) {
