@@ -1582,11 +1582,14 @@ class Outputs(Case):
         def waiting(process):
             wait_until_signals_are_caught(process)
             time.sleep(0.1)
-        for args in (["detect", fifo, "-o", target], ["explain", fifo], ["serve"], ["annotate", fifo, "-o", target]):
+        unopened = self.folder / "unopened"
+        os.mkfifo(unopened)
+        for args in (["detect", fifo, "-o", target], ["explain", fifo], ["serve"], ["annotate", fifo, "-o", target], ["compare", unopened, unopened],
+                     [*self.CERTIFY, "--report", unopened]):
             for name in ("SIGINT", "SIGTERM"):
                 with self.subTest(args=args[0], signal=name):
                     self.interrupted(args, waiting, getattr(signal, name))
-                    self.assertEqual((sorted(self.folder.iterdir()), target.read_text()), ([fifo, target], "old\n"))
+                    self.assertEqual((sorted(self.folder.iterdir()), target.read_text()), ([fifo, unopened, target], "old\n"))
 
     @unittest.skipUnless(os.environ.get("CONTACT_THROWING_LIBRARY"), "CONTACT_THROWING_LIBRARY names no library")
     def test_a_library_that_declares_nothing_or_throws_is_a_harness_failure_and_no_crash(self):

@@ -34,6 +34,11 @@ void keep_freed_memory() {
 #endif
 }
 
+int told(const Interrupted& error) {
+  say_error("contact-oracle: {}\n", cut(error.what()));
+  return kInterrupted;
+}
+
 /// Everything from the command line to the exit code, with whatever goes wrong told on standard error.
 int guarded(int argc, char** argv) {
   try {
@@ -42,6 +47,8 @@ int guarded(int argc, char** argv) {
       throw formats::InputError({"standard output", 0}, "", "cannot write");
     return exit;
   } catch (const formats::InputError& error) {
+    // Opening or reading what a signal ended says no more than that it failed.
+    if (is_interrupted()) return told(Interrupted());
     tell(error.what());
     return kBadInput;
   } catch (const golden::OracleFault& error) {
@@ -51,8 +58,7 @@ int guarded(int argc, char** argv) {
     say_error("contact-oracle: harness invalid: {}\n", cut(error.what()));
     return kHarnessInvalid;
   } catch (const Interrupted& error) {
-    say_error("contact-oracle: {}\n", cut(error.what()));
-    return kInterrupted;
+    return told(error);
   } catch (const std::bad_alloc&) {
     tell("not enough memory");
     return kBadInput;

@@ -76,8 +76,10 @@ void catch_signals() {
 
 void look_for_interruptions_by(void (*look)()) { look_besides = look; }
 
+bool is_interrupted() { return interrupted != 0; }
+
 void throw_if_interrupted() {
-  if (interrupted != 0) throw Interrupted();
+  if (is_interrupted()) throw Interrupted();
   if (look_besides != nullptr) look_besides();
   // What nobody reads any more is not worked out to its end, which may never come.
   if (ferror_unlocked(stdout) != 0) throw formats::InputError({"standard output", 0}, "", "cannot write");

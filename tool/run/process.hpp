@@ -28,6 +28,7 @@ struct Interrupted : std::runtime_error {
 /// A command that a signal does not stop within a second, because it looks nowhere or waits for a pipe, is ended: what
 /// it has not committed is removed, and its child processes are ended.
 void catch_signals();
+[[nodiscard]] bool is_interrupted();
 /// Throws Interrupted, or InputError where standard output could not be written.
 void throw_if_interrupted();
 /// Has throw_if_interrupted call `look` too, which throws where somebody else who has the process caught a signal.
