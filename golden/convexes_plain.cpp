@@ -255,12 +255,9 @@ std::optional<Contact> contact_of_meshes(const Convexes& shapes, Distances dista
     found = nearest(a, b);
   }
   if (!(found.distance <= static_cast<Real>(distances.alarm) + a.radius + b.radius)) return std::nullopt;
-  const auto out = [](PointOn on, Real radius) {
-    return on == PointOn::center ? Real{0} : on == PointOn::far_surface ? -radius : radius;
-  };
   const bool meets = found.distance == 0 && !std::holds_alternative<Plane>(shapes.b.shape);
-  return Contact{widened(found.n), widened(moved(found.p, out(points.first, a.radius), found.n)),
-                 widened(moved(found.q, -out(points.second, b.radius), found.n)),
+  return Contact{widened(found.n), widened(moved(found.p, outward(points.first, a.radius), found.n)),
+                 widened(moved(found.q, -outward(points.second, b.radius), found.n)),
                  static_cast<double>(found.distance - (a.radius + b.radius) - static_cast<Real>(distances.contact)),
                  meets};
 }

@@ -564,28 +564,30 @@ void DatasetReader::accept(const Case& c, const SeenIds::Key& key, std::uint64_t
   ++repeats_;
 }
 
-bool DatasetReader::is_dataset(const std::filesystem::path& path) {
-  // A results file says what it is; anything else is read as a dataset, so that a damaged one is refused, not passed
-  // over.
+namespace {
+
+/// Whether a file is to be read as a dataset: whatever does not say that it is a results file, so that a damaged one is
+/// refused, not passed over.
+bool is_dataset(const std::filesystem::path& path) {
   try {
     formats::Location where{path.string(), 0};
+    std::optional<std::string> text;
     if (const auto form = formats::arrays_form(path)) {
-      const auto text = formats::open_arrays(path, *form)->header_text();
-      if (!text) return true;
-      const auto header = formats::parse_object(*text, where);
-      const auto format = formats::Node(header, where).find("format");
-      return !format || format->text() != kResultsFormat;
+      text = formats::open_arrays(path, *form)->header_text();
+    } else {
+      std::ifstream stream = formats::open_to_read(path);
+      if (!formats::read_line(stream, text.emplace(), where)) return true;
     }
-    std::ifstream stream = formats::open_to_read(path);
-    std::string line;
-    if (!formats::read_line(stream, line, where)) return true;
-    const auto header = formats::parse_object(line, where);
+    if (!text) return true;
+    const auto header = formats::parse_object(*text, where);
     const auto format = formats::Node(header, where).find("format");
     return !format || format->text() != kResultsFormat;
   } catch (const formats::InputError&) {
     return true;
   }
 }
+
+}  // namespace
 
 std::vector<std::filesystem::path> dataset_files(const std::vector<std::filesystem::path>& paths, bool quick_too) {
   std::vector<std::filesystem::path> files;
@@ -603,7 +605,7 @@ std::vector<std::filesystem::path> dataset_files(const std::vector<std::filesyst
       // all.
       std::error_code dangling;
       if (!entry.is_directory(dangling) && names_dataset(entry.path()) &&
-          (!entry.is_regular_file(dangling) || DatasetReader::is_dataset(entry.path())))
+          (!entry.is_regular_file(dangling) || is_dataset(entry.path())))
         found.push_back(entry.path());
       if (files.size() + found.size() > kMostFiles)
         throw formats::InputError(

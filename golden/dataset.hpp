@@ -210,9 +210,6 @@ class DatasetReader {
   /// How many questions stood in the file before, as the family's generator makes them.
   [[nodiscard]] std::uint64_t repeats() const { return repeats_; }
 
-  /// Whether a file is to be read as a dataset: whatever does not say that it is a results file.
-  [[nodiscard]] static bool is_dataset(const std::filesystem::path& path);
-
  private:
   IsMade is_made_;
   std::unique_ptr<CaseSource> source_;

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "contact/pair_functions.hpp"
-#include "contact/sphere_sphere.hpp"
 #include "golden/dataset.hpp"
 #include "golden/flags.hpp"
 #include "golden/plain.hpp"
@@ -17,7 +16,6 @@
 #include "golden/query_id.hpp"
 #include "golden/right_case.hpp"
 #include "oracle/truth/exact_truth.hpp"
-#include "oracle/truth/interval_oracle.hpp"
 
 namespace contact::golden {
 namespace {
@@ -581,19 +579,6 @@ TEST(Families, TiesOfHardToRoundHaveEvenNeighboursAboveAndBelow) {
     }
     for (const bool point : {false, true})
       for (const bool up : {false, true}) EXPECT_GE((seen[{point, up}]), 2) << title(file) << point << up;
-  });
-}
-
-TEST(Families, BothOraclesAndProductionAgreeOnWhatIsHardToRound) {
-  for_each_file("hard_to_round", [](const CommittedFile& file) {
-    for (std::uint64_t i = 0; i < kCommittedCount; ++i) {
-      const Query q = generate_query(file.pair, *file.family, file.scalar, 7, i);
-      const Expectation exact = oracle::expectation(oracle::truth_of(q), file.scalar);
-      EXPECT_EQ(first_difference(exact, oracle::interval_answer(q, file.scalar).expected), std::nullopt) << i;
-      if (file.scalar == Scalar::binary32) continue;
-      const auto contact = compute_sphere_sphere(q.balls()->a, q.balls()->b, q.distances);
-      EXPECT_EQ(first_difference(exact, {contact.has_value(), contact}), std::nullopt) << i;
-    }
   });
 }
 

@@ -18,6 +18,12 @@ namespace contact::golden {
 CONTACT_KINDS(CONTACT_DECLARE)
 #undef CONTACT_DECLARE
 
+/// How far out from its core a shape of a radius has its point.
+template <class Real>
+Real outward(PointOn on, Real radius) {
+  return on == PointOn::center ? Real{0} : on == PointOn::far_surface ? -radius : radius;
+}
+
 /// What plain arithmetic in the given scalar says of a question.
 [[nodiscard]] inline bool plain_overlap(const Query& query, Scalar scalar) {
   return std::visit([&](const auto& shapes) { return plain_overlap(shapes, query.distances, scalar); }, query.shapes);

@@ -29,23 +29,18 @@ struct OverPlainPlane {
   [[nodiscard]] bool overlap(Distances distances) const { return s <= radius + static_cast<Real>(distances.alarm); }
   [[nodiscard]] std::optional<Contact> contact(Distances distances, ContactPoints points) const {
     if (!overlap(distances)) return std::nullopt;
-    const Real out = points.first == PointOn::center        ? Real{0}
-                     : points.first == PointOn::far_surface ? -radius
-                                                            : radius;
-    Contact contact{
-        widened(moved({}, Real{-1}, n)), widened(moved(p, -out, n)), widened(moved(p, -s, n)), 0, false, unique};
+    Contact contact{widened(moved({}, Real{-1}, n)),
+                    widened(moved(p, -outward(points.first, radius), n)),
+                    widened(moved(p, -s, n)),
+                    0,
+                    false,
+                    unique};
     contact.value = static_cast<double>((s - radius) - static_cast<Real>(distances.contact));
     return contact;
   }
 };
 
-// For spheres and capsules over planes, what plain.hpp declares.
-
-template <class Shapes>
-bool plain_overlap_over_plane(const Shapes& shapes, Distances distances, Scalar scalar) {
-  return scalar == Scalar::binary32 ? OverPlainPlane<float>(segment_of<float>(shapes.a), shapes.b).overlap(distances)
-                                    : OverPlainPlane<double>(segment_of<double>(shapes.a), shapes.b).overlap(distances);
-}
+/// For spheres and capsules over planes, what plain.hpp declares.
 template <class Shapes>
 std::optional<Contact> plain_contact_over_plane(const Shapes& shapes, Distances distances, Scalar scalar,
                                                 ContactPoints points) {

@@ -108,16 +108,8 @@ NearestPoints<Real> nearest_points(const Segment<Real>& a, const Segment<Real>& 
   return {a.at(s), b.at(t), unique};
 }
 
-template <class Real>
-Triple<Real> parting_normal(Triple<Real> n, const Triple<Real>& u);
-
-/// A unit vector that parts segments that meet: along u x v; where that is 0 the x axis made perpendicular to the first
-/// direction that is not 0, or the y axis. The first component that is not 0 is positive.
-template <class Real>
-Triple<Real> parting_normal(const Segment<Real>& a, const Segment<Real>& b) {
-  return parting_normal(cross(a.direction(), b.direction()), is_zero(a.direction()) ? b.direction() : a.direction());
-}
-/// Along n, or across u.
+/// A unit vector along n; where that is 0 the x axis made perpendicular to u, or the y axis; where u is 0 too the x
+/// axis. The first component that is not 0 is positive.
 template <class Real>
 Triple<Real> parting_normal(Triple<Real> n, const Triple<Real>& u) {
   if (is_zero(u)) return {1, 0, 0};
@@ -127,6 +119,11 @@ Triple<Real> parting_normal(Triple<Real> n, const Triple<Real>& u) {
   const Real size = first < 0 ? -std::sqrt(dot(n, n)) : std::sqrt(dot(n, n));
   return {n[0] / size, n[1] / size, n[2] / size};
 }
+/// That parts segments that meet: along both at right angles, or across the first direction that is not 0.
+template <class Real>
+Triple<Real> parting_normal(const Segment<Real>& a, const Segment<Real>& b) {
+  return parting_normal(cross(a.direction(), b.direction()), is_zero(a.direction()) ? b.direction() : a.direction());
+}
 
 /// The nearest points as two spheres.
 template <class Real>
@@ -134,10 +131,23 @@ Balls at_nearest(const NearestPoints<Real>& nearest, Real radius1, Real radius2)
   return {{widened(nearest.p), static_cast<double>(radius1)}, {widened(nearest.q), static_cast<double>(radius2)}};
 }
 
+/// The contact at nearest points, with the normal to take where they are one.
 template <class Real>
 std::optional<Contact> plain_contact_at(const NearestPoints<Real>& nearest, Real radius1, Real radius2,
                                         const Triple<Real>& n, Distances distances, Scalar scalar,
-                                        ContactPoints points);
+                                        ContactPoints points) {
+  std::optional<Contact> contact = plain_contact(at_nearest(nearest, radius1, radius2), distances, scalar, points);
+  if (!contact) return contact;
+  contact->unique = nearest.unique;
+  if (!contact->degenerate) return contact;
+  const auto surface_point = [&](const Triple<Real>& core, PointOn on, Real radius) {
+    return widened(moved(core, outward(on, radius), n));
+  };
+  contact->normal = widened(n);
+  contact->point1 = surface_point(nearest.p, points.first, radius1);
+  contact->point2 = surface_point(nearest.q, points.second, -radius2);
+  return contact;
+}
 
 // For capsules, spheres and rays, what plain.hpp declares.
 
@@ -154,25 +164,6 @@ std::optional<Contact> plain_contact_of_segments(const Shapes& shapes, Distances
   const Segment<Real> a = segment_of<Real>(shapes.a);
   const Segment<Real> b = segment_of<Real>(shapes.b);
   return plain_contact_at(nearest_points(a, b), a.radius, b.radius, parting_normal(a, b), distances, scalar, points);
-}
-
-/// The same at nearest points, with the normal to take where they are one.
-template <class Real>
-std::optional<Contact> plain_contact_at(const NearestPoints<Real>& nearest, Real radius1, Real radius2,
-                                        const Triple<Real>& n, Distances distances, Scalar scalar,
-                                        ContactPoints points) {
-  std::optional<Contact> contact = plain_contact(at_nearest(nearest, radius1, radius2), distances, scalar, points);
-  if (!contact) return contact;
-  contact->unique = nearest.unique;
-  if (!contact->degenerate) return contact;
-  const auto surface_point = [&](const Triple<Real>& core, PointOn on, Real radius) {
-    const Real along = on == PointOn::center ? Real{0} : on == PointOn::far_surface ? -radius : radius;
-    return widened(moved(core, along, n));
-  };
-  contact->normal = widened(n);
-  contact->point1 = surface_point(nearest.p, points.first, radius1);
-  contact->point2 = surface_point(nearest.q, points.second, -radius2);
-  return contact;
 }
 
 }  // namespace contact::golden

@@ -28,7 +28,7 @@ Contact inside(const BallAndBox& shapes, Distances distances, ContactPoints poin
   const Real radius = static_cast<Real>(ball.radius);
   Contact contact{Vector3::Zero(), ball.center, ball.center, 0, true};
   contact.normal[axis] = static_cast<double>(sign);
-  const Real along = points.first == PointOn::center ? Real{0} : points.first == PointOn::far_surface ? -sign : sign;
+  const Real along = outward(points.first, sign);
   contact.point1[axis] = static_cast<double>(static_cast<Real>(ball.center[axis]) + along * radius);
   contact.point2[axis] = sign > 0 ? box.min[axis] : box.max[axis];
   contact.value = static_cast<double>((-depth - radius) - static_cast<Real>(distances.contact));

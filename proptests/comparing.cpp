@@ -231,10 +231,6 @@ bool parts_anywhere(const Case& c, std::size_t i) {
          c.truth(i).distance()->overlaps();
 }
 
-Rational unit_of(const Case& c, std::size_t i, Field field) {
-  return oracle::ulp(scale_of(c, i, field), c.subject.info.declared.scalar);
-}
-
 Rational allowance(const Case& c, std::size_t i, Field field) {
   if (const auto& tolerance = c.subject.tolerance(); tolerance && field == Field::normal) {
     // Turned by the angle, and longer or shorter by as much.

@@ -44,8 +44,6 @@ using oracle::Rational;
 /// Whether the engine may part the shapes of question i along any direction, so that its numbers may jump.
 [[nodiscard]] bool parts_anywhere(const Case& c, std::size_t i);
 
-/// The size of one ulp of a field's scale, the larger of both spheres' for points.
-[[nodiscard]] Rational unit_of(const Case& c, std::size_t i, Field field);
 /// How far question i's number may be off the exact one, in each component: by the tolerance, or by the bound.
 [[nodiscard]] Rational allowance(const Case& c, std::size_t i, Field field);
 /// The same for one point, at the scale of its own shape.
