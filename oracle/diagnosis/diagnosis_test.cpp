@@ -137,7 +137,7 @@ TEST(Facts, AnotherQuestionIsReadAnewAndTheRegionStays) {
 
 TEST(Facts, AQuestionThatHasBecomeNaNIsNotAsked) {
   // The hulls are wider than the largest number, so that steps of a grid are infinite, and the box is scaled by an
-  // infinite factor. Their causes say what is right: all lie 1 below the surface, as deep as a face is.
+  // infinite factor. Their causes say what is right: all lie 1 below the surface.
   const Plane above{{0, 0, 1}, 1};
   const auto hull = [&](double from, double to) {
     return Query{Pair::hull_plane, Convexes{{Hull{{{from, 0, 0}, {to, 0, 0}, {1.3e308, 1, 0}}, 0}}, {above}}, {0, 0}};
@@ -145,11 +145,8 @@ TEST(Facts, AQuestionThatHasBecomeNaNIsNotAsked) {
   const Query flat{Pair::obb_plane, Convexes{{Obb{{0, 0, 0}, {0, 0, 0, 1e200}, {1, 1, 0}}}, {above}}, {0, 0}};
   for (const auto& [cause, query] : {std::pair{"hull-on-a-grid", hull(-1e308, 1e308)},
                                      {"hull-on-a-grid", hull(1e308, 1.7e308)},
-                                     {"quaternion-not-normalised", flat}}) {
-    const Predictions said = Example(query).say(cause);
-    EXPECT_TRUE(is_hit(said.hit)) << cause;
-    expect_numbers(said.value, {-1, 0, 0}, cause);
-  }
+                                     {"quaternion-not-normalised", flat}})
+    expect_numbers(Example(query).say(cause).value, {-1, 0, 0}, cause);
 }
 
 TEST(Facts, AComparisonThatHangsOnTheLastBitsIsNoOpinion) {
@@ -1155,7 +1152,7 @@ TEST(Diagnosis, NamesSixMistakesAtMost) {
   run.diagnosis.add_outside_domain(seven_apart(2, -3, 4));
   run.diagnosis.add_outside_domain(seven_apart(kNaN, 3, 4));
   run.diagnosis.add_outside_domain(seven_apart(2, kInfinity, 4));
-  run.diagnosis.add_outside_domain(boxes({1, 1, 1}, -1));
+  run.diagnosis.add_outside_domain({Pair::cube_cube, Boxes{{{1, 0, 0}, {0, 1, 1}}, {{0, 0, 0}, {1, 1, 1}}}, {0, 0}});
   for (int i = 0; i < 9; ++i) run.says(seven_apart(2, 1 + 0.125 * i, 8, 1 + i), value(7));
   for (int i = 0; i < 5; ++i) run.says(seven_apart(2, 1 + 0.125 * i, 8, 1 + i), reversed);
   EXPECT_EQ(run.diagnosis.findings().size(), 6U);
