@@ -1,6 +1,5 @@
 // A .npz whose arrays hold anything: refused as a dataset, or read as what it was made of; and as answers refused or
 // read. (Bytes that are no ZIP archive are libzip's to refuse; fuzzing those would be fuzzing it.)
-#include <unistd.h>
 #include <zip.h>
 
 #include <array>
@@ -12,7 +11,6 @@
 #include "formats/input_error.hpp"
 #include "fuzz/cases_in_form.hpp"
 #include "fuzz/fuzz.hpp"
-#include "golden/columns.hpp"
 
 namespace contact::fuzz::arrays {
 namespace {
@@ -49,21 +47,9 @@ void write(const std::filesystem::path& path, const Members& members) {
 /// A file of some cases, its members and its lines.
 struct Made {
   explicit Made(bool invalid) {
-    golden::DatasetHeader header;
-    header.family = invalid ? golden::kInvalidFamily : "made";
-    header.count = 3;
-    const std::filesystem::path path = place("made");
-    const auto writer = golden::create_columns(path, formats::ArraysForm::npz, header);
-    for (const golden::Case& c : cases_in_form(header.pair, invalid, header.count)) {
-      lines.push_back(golden::to_line(c));
-      writer->write(c, lines.back());
-    }
-    writer->commit();
-    members = members_of(path);
-    std::filesystem::remove(path);
-  }
-  static std::filesystem::path place(const std::string& name) {
-    return std::filesystem::temp_directory_path() / ("fuzz-" + std::to_string(::getpid()) + "-" + name + ".npz");
+    const Temporary file("made.npz");
+    lines = write_columns(file.path(), formats::ArraysForm::npz, Pair::sphere_sphere, invalid, 3);
+    members = members_of(file.path());
   }
 
   Members members;
@@ -93,26 +79,19 @@ void try_input(Bytes bytes) {
   if (!changed.empty() && changed.front() == '*') changed = with_head(std::string_view(changed).substr(1));
   const bool same = changed == content;
   content = changed;
-  const struct File {
-    ~File() { std::filesystem::remove(path); }
-    std::filesystem::path path = Made::place("changed");
-  } file;
-  write(file.path, members);
+  const Temporary file("changed.npz");
+  write(file.path(), members);
   try {
-    golden::DatasetReader reader(file.path, none_is_made);
-    std::vector<std::string> lines;
-    while (reader.next()) lines.push_back(reader.text());
-    // Behind the last row their digest has been compared.
-    require(lines == from.lines, "changed rows pass for whole");
+    require(lines_of(file.path()) == from.lines, "changed rows pass for whole");
   } catch (const formats::InputError& error) {
     require(!same, std::string("a whole file is refused: ") + error.what());
   }
 
   Members answers{{kAnswers[bytes[1] % kAnswers.size()], changed}};
   if (bytes[0] % 3 != 0) answers.emplace_back("point.npy", from.members.back().second);
-  write(file.path, answers);
+  write(file.path(), answers);
   try {
-    engines::ResultColumns columns(file.path, formats::ArraysForm::npz);
+    engines::ResultColumns columns(file.path(), formats::ArraysForm::npz);
     for (std::uint64_t row = 0; row < columns.rows(); ++row) {
       static_cast<void>(columns.claim(row));
       if (columns.has_ids()) static_cast<void>(columns.id(row));

@@ -53,11 +53,7 @@ class Numbers {
 /// Of most shapes any numbers will do.
 template <class Shape>
 void in_order(Shape& /*shape*/) {}
-void in_order(Box& box) {
-  const Vector3 min = box.min.cwiseMin(box.max);
-  box.max = box.min.cwiseMax(box.max);
-  box.min = min;
-}
+void in_order(Box& box) { box = Box{box.min.cwiseMin(box.max), box.min.cwiseMax(box.max)}; }
 
 using Row = std::array<std::uint64_t, 11>;
 

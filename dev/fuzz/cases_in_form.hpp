@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "golden/columns.hpp"
 #include "golden/dataset.hpp"
 #include "golden/names.hpp"
 #include "golden/query_id.hpp"
@@ -43,6 +45,31 @@ namespace contact::fuzz {
 [[nodiscard]] inline bool none_is_made(const golden::DatasetHeader& /*header*/, std::uint64_t /*index*/,
                                        std::string_view /*id*/) {
   return false;
+}
+
+/// Writes them as columns into a file, and says what lines they are.
+[[nodiscard]] inline std::vector<std::string> write_columns(const std::filesystem::path& path, formats::ArraysForm form,
+                                                            Pair pair, bool invalid, std::uint64_t count) {
+  golden::DatasetHeader header;
+  header.pair = pair;
+  header.family = invalid ? golden::kInvalidFamily : "made";
+  header.count = count;
+  std::vector<std::string> lines;
+  const auto writer = golden::create_columns(path, form, header);
+  for (const golden::Case& c : cases_in_form(pair, invalid, count)) {
+    lines.push_back(golden::to_line(c));
+    writer->write(c, lines.back());
+  }
+  writer->commit();
+  return lines;
+}
+
+/// The lines of a file's cases. Behind the last their digest has been compared.
+[[nodiscard]] inline std::vector<std::string> lines_of(const std::filesystem::path& path) {
+  golden::DatasetReader reader(path, none_is_made);
+  std::vector<std::string> lines;
+  while (reader.next()) lines.push_back(reader.text());
+  return lines;
 }
 
 }  // namespace contact::fuzz

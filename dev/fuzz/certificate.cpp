@@ -1,6 +1,4 @@
 // A certificate that somebody changed who knows how its digest is made: refused, or its statement holds all the same.
-#include <unistd.h>
-
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -27,14 +25,13 @@ int run(std::vector<const char*> words) {
 }
 
 /// A folder of this process with a dataset, the answers of an engine with mistakes, and their certificate.
-struct Folder {
-  Folder() : path(std::filesystem::temp_directory_path() / ("fuzz-certificate-" + std::to_string(::getpid()))) {
-    std::filesystem::create_directories(path);
+struct Folder : TemporaryFolder {
+  Folder() : TemporaryFolder("certificate") {
     if (std::freopen("/dev/null", "w", stdout) == nullptr) fail("no /dev/null");  // commands print what they found
     golden::DatasetHeader header;
     header.family = "touching";
     header.count = 4;
-    const std::string dataset = path / "touching.jsonl";
+    const std::string dataset = path() / "touching.jsonl";
     const auto writer = golden::create_dataset(dataset, header);
     for (std::uint64_t i = 0; i < header.count; ++i) {
       const golden::Case c = golden::make_case(
@@ -43,7 +40,7 @@ struct Folder {
       writer->write(c, golden::to_line(c));
     }
     writer->commit();
-    const std::string to = path / "right.json";
+    const std::string to = path() / "right.json";
     require(
         run({"certify", dataset.c_str(), "--engine", "plain-double", "--certificate", to.c_str()}) <= tool::kRefuted,
         "no certificate was made");
@@ -52,9 +49,7 @@ struct Folder {
     right = json::parse(text);
     require(run({"verify", to.c_str()}) == tool::kCertified, "a right certificate does not hold");
   }
-  ~Folder() { std::filesystem::remove_all(path); }
 
-  std::filesystem::path path;
   std::string text;
   json right;
 };
@@ -65,7 +60,7 @@ const Folder& folder() {
 }
 
 bool holds(const std::string& text) {
-  const std::string path = folder().path / "changed.json";
+  const std::string path = folder().path() / "changed.json";
   std::ofstream(path, std::ios::binary).write(text.data(), static_cast<std::streamsize>(text.size()));
   try {
     return run({"verify", path.c_str()}) == tool::kCertified;
@@ -81,14 +76,6 @@ json checked(json statement) {
   if (const auto found = statement.find("found"); found != statement.end() && found->is_object())
     found->erase("allow_unsupported");
   return statement;
-}
-
-/// A number of the input, or 0 behind its end.
-std::size_t next(Bytes& rest) {
-  if (rest.empty()) return 0;
-  const std::size_t byte = rest.front();
-  rest = rest.subspan(1);
-  return byte;
 }
 
 /// What stands in the place of a value: of another kind, one more or less, or what stands elsewhere.

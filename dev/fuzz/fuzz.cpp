@@ -46,6 +46,9 @@ MemoryFile::MemoryFile(std::string_view bytes) : descriptor_(memfd_create("input
 
 MemoryFile::~MemoryFile() { ::close(descriptor_); }
 
+Temporary::Temporary(const std::string& name)
+    : path_(std::filesystem::temp_directory_path() / ("fuzz-" + std::to_string(::getpid()) + "-" + name)) {}
+
 namespace {
 
 using Buffer = std::vector<std::uint8_t>;

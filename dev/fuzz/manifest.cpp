@@ -1,8 +1,6 @@
 // A manifest of any bytes, and a table of what the files kill: refused or read, and never taken for another folder's.
 #include "golden/manifest.hpp"
 
-#include <unistd.h>
-
 #include <fstream>
 
 #include "formats/input_error.hpp"
@@ -13,14 +11,8 @@ namespace {
 
 /// A folder of this process.
 const std::filesystem::path& folder() {
-  static const struct Folder {
-    Folder() : path(std::filesystem::temp_directory_path() / ("fuzz-manifest-" + std::to_string(::getpid()))) {
-      std::filesystem::create_directories(path);
-    }
-    ~Folder() { std::filesystem::remove_all(path); }
-    std::filesystem::path path;
-  } made;
-  return made.path;
+  static const TemporaryFolder made("manifest");
+  return made.path();
 }
 
 template <class Read>
