@@ -34,6 +34,18 @@ void of_plane(const Query& q, Change change) {
       },
       q.shapes);
 }
+/// Changes the plane below a ball, a capsule or a ray: of any two convex shapes their causes say nothing.
+template <class Part>
+constexpr auto replane(Part) {
+  static_assert(std::is_empty_v<Part>);
+  return [](Query& q) {
+    std::visit(
+        []<class A, class B>(Two<A, B>& shapes) {
+          if constexpr (std::same_as<B, Plane>) Part{}(shapes.b);
+        },
+        q.shapes);
+  };
+}
 /// The answer of a lowest point, a normal and a distance along it.
 void answer_along(const Query& q, Claim& claim, const Over& over, const Wide3& p, const Wide3& n, Wide distance) {
   decide(q, claim, distance <= over.radius + over.alarm);
@@ -62,7 +74,7 @@ const std::array kPlanes{
              });
            }},
     Mutant{"plane-offset-not-divided", "the normal is divided by its length, and the offset is not",
-           "plane-offset-not-divided", each<Plane>([](Plane& plane) {
+           "plane-offset-not-divided", replane([](Plane& plane) {
              const double offset = rounded(plane.offset * plane.normal.cast<Wide>().norm());
              if (std::isfinite(offset)) plane.offset = offset;
            })},
@@ -75,9 +87,9 @@ const std::array kPlanes{
            },
            "https://github.com/mrdoob/three.js/pull/11819"},
     Mutant{"plane-offset-sign", "the offset has the other sign: normal . x + offset = 0", "plane-offset-negative",
-           each<Plane>([](Plane& plane) { plane.offset = 0 - plane.offset; })},
+           replane([](Plane& plane) { plane.offset = 0 - plane.offset; })},
     Mutant{"plane-through-origin", "a plane goes through the origin", "plane-offset-ignored",
-           each<Plane>([](Plane& plane) { plane.offset = 0; })},
+           replane([](Plane& plane) { plane.offset = 0; })},
     Mutant{"plane-two-sided", "a plane is a sheet: what is below is as far as what is above", "plane-two-sided",
            nullptr,
            [](const Query& q, Claim& claim) {

@@ -432,8 +432,10 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
   say_stats();
   for (const Subject& subject : judged) say_decimals(subject.engine->decimals(), "the answers");
   const int exit = files->write(reports, scoreboard);
-  if (exit == kCertified || exit == kRefuted)
+  if (exit == kCertified || exit == kRefuted) {
     certificate.write(reports.front(), sources, oracles, judged.front().baseline.get());
+    certificate.tell();
+  }
   return exit;
 }
 

@@ -222,6 +222,7 @@ int close(const CloseOptions& o) {
   // First what cannot be made again.
   certificate.write(reports.front(), key.sources, oracles, nullptr, key.terms);
   const int exit = files.write(reports, false);
+  certificate.tell();
   say("{} is used, and its seed {}\n{}\n", o.key,
       o.certificate.certificate.empty() ? "is in it" : "stands in the certificate",
       key.terms.asked_for_line

@@ -86,10 +86,15 @@ void CertificateFiles::write(const Report& report, const std::vector<Source>& so
   if (certificate_ != nullptr) {
     certificate_->write(certificate);
     certificate_->commit();
-    say("\nCertificate: {}, of the answers in {}\n", options_.certificate, results);
-  } else if (answers_ != nullptr) {
-    say("\nAnswers: {}\n", results);
   }
+}
+
+void CertificateFiles::tell() const {
+  if (certificate_ != nullptr)
+    say("\nCertificate: {}, of the answers in {}\n", options_.certificate,
+        answers_ != nullptr ? options_.record : engine_.results);
+  else if (answers_ != nullptr)
+    say("\nAnswers: {}\n", options_.record);
 }
 
 }  // namespace contact::tool

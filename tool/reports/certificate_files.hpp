@@ -29,10 +29,12 @@ class CertificateFiles {
   [[nodiscard]] std::unique_ptr<engines::Engine> watched(std::unique_ptr<engines::Engine> engine);
   /// The engine that was given, of which nothing is kept.
   [[nodiscard]] engines::Engine& unwatched(engines::Engine& engine) const;
-  /// Writes what is asked for, and says so. `exam`: the terms of its key, where the questions are an exam's. Throws
+  /// Writes what is asked for. `exam`: the terms of its key, where the questions are an exam's. Throws
   /// formats::InputError where there are more failures than a report lists and some are accepted.
   void write(const Report& report, const std::vector<Source>& sources, const Oracles& oracles, const Baseline* baseline,
              const ExamTerms& exam = {});
+  /// Says what was written.
+  void tell() const;
 
  private:
   CertificateOptions options_;
