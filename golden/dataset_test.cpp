@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -179,6 +180,22 @@ TEST(Lint, CallsBackAfterEveryCaseAndTellsWhatItSaw) {
   // What throws there ends the work.
   struct Enough {};
   EXPECT_THROW((void)lint(CONTACT_SOURCE_DIR "/golden/quick/cube_cube.jsonl", false, [] { throw Enough{}; }), Enough);
+}
+
+/// Files in which several numbers are exactly as close: the first of them is named, and `lint golden`, which compares all, is a
+/// matter of minutes.
+TEST(Lint, NamesTheClosestNumbersThatTheManifestNames) {
+  const auto manifest = nlohmann::json::parse(formats::read_text(CONTACT_SOURCE_DIR "/golden/manifest.json"));
+  for (const std::string path :
+       {"capsule_obb/alarm_edge.f32.jsonl", "cast_triangle/from_inside.jsonl", "hull_plane/alarm_edge.jsonl"}) {
+    const auto entry = std::find_if(manifest["files"].begin(), manifest["files"].end(),
+                                    [&](const auto& each) { return each["path"] == path; });
+    ASSERT_NE(entry, manifest["files"].end()) << path;
+    nlohmann::json found;
+    for (const Closest& each : lint(std::string(CONTACT_SOURCE_DIR "/golden/") + path, true, [] {}).closest)
+      found[std::string(each.field)] = {{"log2_ulps", each.log2}, {"id", each.id}};
+    EXPECT_EQ(found, (*entry)["closest"]) << path;
+  }
 }
 
 }  // namespace

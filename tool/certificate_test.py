@@ -93,6 +93,15 @@ class Case(cli_test.Case):
 
 
 class Holds(Case):
+    def test_a_word_of_the_command_that_is_no_name_of_a_file_loses_no_certificate(self):
+        self.small()
+        command = f"python3 {self.engine} {'x' * 300}"
+        self.assertEqual(self.certify(self.dataset, "--engine-command", command)["engine"]["command"], command)
+        self.holds()
+        done = run("certify", self.dataset, "--engine-command", os.fsdecode(b"python3 plain.py \xff"), "--certificate", self.path)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("--engine-command: is not UTF-8", done.stderr)
+
     def test_production_on_committed_files(self):
         folders = [GOLDEN / pair for pair in ("cube_cube", "ray_triangle", "sphere_sphere")]
         certificate = self.certify(*folders, "--family", "generic,touching", "--engine", "production", "--level", "correctly-rounded")

@@ -1358,6 +1358,7 @@ class BadUsage(Case):
                 (("certify", self.folder / "gone.jsonl"), "gone.jsonl", "no such file"),
                 (("lint", self.folder / "gone.jsonl"), "gone.jsonl", "no such file"),
                 (("explain", self.folder / "gone.jsonl"), "gone.jsonl", "cannot read"),
+                *(((command, self.folder / ("x" * 300)), "x" * 300, ": File name too long") for command in ("certify", "lint", "digests")),
                 (("annotate", self.folder / "gone.jsonl", "-o", self.folder / "x.jsonl"), "gone.jsonl", "cannot read")):
             with self.subTest(args[1:]):
                 self.refused(args, *words)

@@ -63,7 +63,8 @@ int guarded(int argc, char** argv) {
     tell("not enough memory");
     return kBadInput;
   } catch (const std::filesystem::filesystem_error& error) {
-    say_error("contact-oracle: {}: {}\n", cut(error.path1().native()), error.code().message());
+    const std::string path = error.path1().empty() ? "the working folder" : error.path1().native();
+    say_error("contact-oracle: {}: {}\n", cut(path), error.code().message());
     return kBadInput;
   } catch (const std::system_error& error) {
     std::ferror(stdout) != 0 ? tell("standard output: cannot write")
