@@ -29,6 +29,7 @@ GOLDEN = [f"golden/{name}.jsonl" for name in ("sphere_sphere/extreme_scale", "sp
 FLOAT = ["certify", *GOLDEN, "--engine", "plain-float"]
 WHOLES = tempfile.TemporaryDirectory()
 FRESH = ["certify", "--engine", "plain-double", "--pair", "sphere_sphere", "--seed", "7"]
+HULLS = ["certify", "--engine", "plain-double", "--pair", "sphere_hull", "--seed", "7", "--family", "touching,ties"]
 
 
 class Case(cli_test.Case):
@@ -85,6 +86,7 @@ class Parts(Case):
     def test_parts_merge_to_the_report_of_the_whole_run(self):
         for args in (FLOAT, ["certify", *GOLDEN, "--engine", "published", "--level", "correctly-rounded"],
                      ["certify", *GOLDEN, "--engine", "production"],
+                     [*HULLS, "--generate", "20"],  # failures of questions with any number of vertices
                      [*FRESH, "--generate", "200", "--family", "extreme_scale,touching"]):
             for of in (1, 3, 64, 700) if args == FLOAT else (9,):  # also parts of a question or none
                 with self.subTest(args=args, of=of):

@@ -85,7 +85,7 @@ class Diagnosis {
   /// The sentences of the findings, then one for each field that another convention would make right.
   [[nodiscard]] std::vector<std::string> lines() const;
 
-  /// Everything that was counted, for an archive of Cereal.
+  /// Everything that was counted, for an archive: what passes values in their order, to write or to read them.
   template <class Archive>
   void serialize(Archive& archive) {
     settle();

@@ -1,196 +1,214 @@
 // A run cut into parts: judged anywhere, kept in files, merged to the report of the whole run.
 #include "tool/run/parts.hpp"
-#include "formats/sha256.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cereal/archives/portable_binary.hpp>
-#include <cereal/types/array.hpp>
-#include <cereal/types/bitset.hpp>
-#include <cereal/types/map.hpp>
-#include <cereal/types/optional.hpp>
-#include <cereal/types/set.hpp>
+#include <bit>
+#include <bitset>
+#include <cstring>
+#include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <type_traits>
 
 #include "engines/protocol/results.hpp"
 #include "formats/output_file.hpp"
+#include "formats/sha256.hpp"
 #include "golden/query_id.hpp"
 #include "tool/run/process.hpp"
 
-// Cereal's own readers of text and vectors make room for as many entries as a file states. These make it as entries
-// come, so that a file asks for no more memory than it has bytes for.
-namespace cereal {
+namespace contact::tool {
+namespace {
 
-template <class Archive>
-void save(Archive& archive, const std::string& text) {
-  archive(make_size_tag(static_cast<size_type>(text.size())), binary_data(text.data(), text.size()));
-}
+/// Values one after another as bytes, written or read by the same calls. A damaged archive asks for no more memory than its bytes
+/// are worth: entries are made as they come.
+class Archive {
+ public:
+  Archive() = default;  ///< writes
+  explicit Archive(const std::string& bytes) : bytes_(bytes), reads_(true) {}
 
-template <class Archive>
-void load(Archive& archive, std::string& text) {
-  size_type left = 0;
-  archive(make_size_tag(left));
-  text.clear();
-  while (left > 0) {
-    const auto now = static_cast<std::size_t>(std::min<size_type>(left, 1 << 16));
-    text.resize(text.size() + now);
-    archive(binary_data(text.data() + text.size() - now, now));
-    left -= now;
+  [[nodiscard]] bool reads() const { return reads_; }
+  /// What was written, or is left to be read.
+  [[nodiscard]] std::string rest() && { return std::move(bytes_).substr(at_); }
+
+  template <class... Ts>
+  void operator()(Ts&... values) {
+    (pass(values), ...);
   }
-}
 
-template <class Archive, class T>
-void save(Archive& archive, const std::vector<T>& entries) {
-  archive(make_size_tag(static_cast<size_type>(entries.size())));
-  for (const T& entry : entries) archive(entry);
-}
+ private:
+  void pass_bytes(char* data, std::size_t count) {
+    if (!reads_) {
+      bytes_.append(data, count);
+      return;
+    }
+    if (count > bytes_.size() - at_) throw std::runtime_error("it ends early");
+    std::memcpy(data, bytes_.data() + at_, count);
+    at_ += count;
+  }
+  [[nodiscard]] std::uint64_t pass_count(std::uint64_t count) {
+    pass(count);
+    return count;
+  }
 
-template <class Archive, class T>
-void load(Archive& archive, std::vector<T>& entries) {
-  size_type left = 0;
-  archive(make_size_tag(left));
-  for (entries.clear(); left > 0; --left) archive(entries.emplace_back());
-}
+  template <class T>
+  void pass(T& value) {
+    if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
+      auto image = std::bit_cast<std::array<char, sizeof(T)>>(value);
+      if constexpr (std::endian::native == std::endian::big) std::reverse(image.begin(), image.end());
+      pass_bytes(image.data(), image.size());
+      if constexpr (std::endian::native == std::endian::big) std::reverse(image.begin(), image.end());
+      value = std::bit_cast<T>(image);
+    } else if constexpr (requires { value.serialize(*this); }) {
+      value.serialize(*this);
+    } else {
+      serialize(*this, value);
+    }
+  }
+  /// What is neither true nor false must not become a bool.
+  void pass(bool& value) {
+    auto byte = static_cast<std::uint8_t>(value);
+    pass(byte);
+    if (byte > 1) throw std::runtime_error("neither true nor false");
+    value = byte == 1;
+  }
+  void pass(std::string& text) {
+    const std::uint64_t size = pass_count(text.size());
+    if (reads_ && size > bytes_.size() - at_) throw std::runtime_error("it ends early");
+    text.resize(static_cast<std::size_t>(size));
+    pass_bytes(text.data(), text.size());
+  }
+  template <class T>
+  void pass(std::vector<T>& entries) {
+    std::uint64_t left = pass_count(entries.size());
+    if (!reads_)
+      for (T& entry : entries) pass(entry);
+    else
+      for (entries.clear(); left > 0; --left) pass(entries.emplace_back());
+  }
+  template <class T, std::size_t N>
+  void pass(std::array<T, N>& entries) {
+    for (T& entry : entries) pass(entry);
+  }
+  template <class T>
+  void pass(std::optional<T>& value) {
+    bool is_there = value.has_value();
+    pass(is_there);
+    if (reads_ && is_there) value.emplace();
+    if (is_there) pass(*value);
+  }
+  template <class Key, class T, class Less>
+  void pass(std::map<Key, T, Less>& entries) {
+    std::uint64_t left = pass_count(entries.size());
+    if (!reads_)
+      for (auto& [key, value] : entries) (*this)(const_cast<Key&>(key), value);  // which writing leaves as it is
+    else
+      for (; left > 0; --left) {
+        Key key{};
+        pass(key);
+        pass(entries[std::move(key)]);
+      }
+  }
+  template <class T, class Less>
+  void pass(std::set<T, Less>& entries) {
+    std::vector<T> all(entries.begin(), entries.end());
+    pass(all);
+    entries = std::set<T, Less>(all.begin(), all.end());
+  }
+  template <std::size_t N>
+  void pass(std::bitset<N>& bits) {
+    for (std::size_t at = 0; at < N; at += 8) {
+      std::uint8_t byte = 0;
+      for (std::size_t i = at; i < std::min(N, at + 8); ++i) byte |= static_cast<std::uint8_t>(bits[i] << (i - at));
+      pass(byte);
+      for (std::size_t i = at; i < std::min(N, at + 8); ++i) bits[i] = (byte >> (i - at) & 1) != 0;
+    }
+  }
 
-/// What is neither true nor false must not become a bool.
-inline void load(PortableBinaryInputArchive& archive, bool& value) {
-  std::uint8_t byte = 0;
-  archive(byte);
-  if (byte > 1) throw Exception("neither true nor false");
-  value = byte == 1;
-}
+  std::string bytes_;
+  std::size_t at_ = 0;
+  bool reads_ = false;
+};
 
-}  // namespace cereal
+// How an archive walks through what others declare.
 
-// How Cereal walks through what others declare.
-namespace contact::oracle {
-
-template <class Archive>
-void serialize(Archive& archive, Off& off) {
-  archive(off.most, off.relative, off.within);
-}
-
-template <class Archive>
-void serialize(Archive& archive, FieldVerdict& v) {
+void serialize(Archive& archive, oracle::Off& off) { archive(off.most, off.relative, off.within); }
+void serialize(Archive& archive, oracle::FieldVerdict& v) {
   archive(v.grade, v.error, v.off, v.needs, v.last_bit, v.too_many);
 }
-
-template <class Archive>
-void serialize(Archive& archive, Verdict& v) {
+void serialize(Archive& archive, oracle::Verdict& v) {
   archive(v.status, v.text, v.overlap, v.contact, v.answered_outside_domain, v.refused_outside_domain, v.missing,
           v.overlap_expected, v.contact_expected, v.has_numbers, v.decision_last_bit, v.decision_rounded,
           v.no_number_beside, v.fields, v.off);
 }
-
-}  // namespace contact::oracle
-
-namespace contact::tool {
-
-template <class Archive>
-void serialize(Archive& archive, Largest& l) {
-  archive(l.off, l.question);
-}
-
-template <class Archive>
-void serialize(Archive& archive, Need& n) {
-  archive(n.absolute, n.relative);
-}
-
-template <class Archive>
+void serialize(Archive& archive, Largest& l) { archive(l.off, l.question); }
+void serialize(Archive& archive, Need& n) { archive(n.absolute, n.relative); }
 void serialize(Archive& archive, Fitness& f) {
   archive(f.all, f.beyond_last_bit, f.last_bit, f.rounded, f.answers, f.never, f.never_question, f.beyond, f.by_scale);
 }
-
-template <class Archive>
-void serialize(Archive& archive, FieldCount& c) {
-  archive(c.grades, c.worst, c.worst_id, c.errors);
-}
-
-template <class Archive>
-void serialize(Archive& archive, MarginBin& m) {
-  archive(m.side, m.power);
-}
-
-template <class Archive>
-void serialize(Archive& archive, Decisions& d) {
-  archive(d.claimed, d.wrong);
-}
-
-template <class Archive>
-void serialize(Archive& archive, Sides& s) {
-  archive(s.hits, s.misses);
-}
-
-template <class Archive>
+void serialize(Archive& archive, FieldCount& c) { archive(c.grades, c.worst, c.worst_id, c.errors); }
+void serialize(Archive& archive, MarginBin& m) { archive(m.side, m.power); }
+void serialize(Archive& archive, Decisions& d) { archive(d.claimed, d.wrong); }
+void serialize(Archive& archive, Sides& s) { archive(s.hits, s.misses); }
 void serialize(Archive& archive, FamilyReport& f) {
   archive(f.source, f.pair, f.scalar, f.family, f.cases, f.hits, f.missed_hits, f.false_hits, f.outside_domain,
           f.refused, f.not_finite, f.accepted, f.statuses, f.fields, f.decided, f.decisions, f.with_numbers,
           f.incomplete, f.missing, f.levels, f.accepted_levels, f.margins, f.fitness, f.everyday, f.fresh,
           f.farthest_false_hit, f.said, f.askable);
 }
-
-template <class Archive>
-void serialize(Archive& archive, Skipped& s) {
-  archive(s.what, s.why, s.cases, s.source, s.fresh);
-}
+void serialize(Archive& archive, Skipped& s) { archive(s.what, s.why, s.cases, s.source, s.fresh); }
 
 /// A question is made for its pair, so that the pair is looked at before the rest.
-inline void refuse_unknown(Pair pair) {
-  if (static_cast<std::size_t>(pair) >= kPairs.size()) throw cereal::Exception("no such pair");
+void refuse_unknown(Pair pair) {
+  if (static_cast<std::size_t>(pair) >= kPairs.size()) throw std::runtime_error("no such pair");
 }
 
 /// Numbers and not text, as there may be a hundred thousand of them.
-template <class Archive>
-void save(Archive& archive, const Failure& f) {
+void serialize(Archive& archive, Failure& f) {
   archive(f.id, f.pair, f.scalar, f.family, f.level, f.what, f.accepted, f.fresh);
-  for_each_number(*f.question, [&](const std::string&, double x) { archive(x); });
+  if (archive.reads()) {
+    refuse_unknown(f.pair);
+    f.question = zero_query(f.pair);
+  }
+  for_each_value(*f.question, [&]<class Value>(Value& value) {
+    if constexpr (AnyNumberOfVectors<Value>) {
+      std::uint64_t count = value.size();
+      archive(count);
+      if (count > kMostVertices) throw std::runtime_error("more vertices than a hull has");
+      value.resize(static_cast<std::size_t>(count));
+    }
+    for_each_number_in(value, [&](double& x) { archive(x); });
+  });
 }
 
-template <class Archive>
-void load(Archive& archive, Failure& f) {
-  archive(f.id, f.pair, f.scalar, f.family, f.level, f.what, f.accepted, f.fresh);
-  refuse_unknown(f.pair);
-  f.question = zero_query(f.pair);
-  for_each_number(*f.question, [&](const std::string&, double& x) { archive(x); });
-}
-
-template <class Archive>
-void save(Archive& archive, const WorstCase& w) {
-  archive(golden::query_line(w.query, w.scalar), w.query.pair, w.scalar, engines::to_line("", w.claim), w.verdict);
-}
-
-template <class Archive>
-void load(Archive& archive, WorstCase& w) {
+void serialize(Archive& archive, WorstCase& w) {
   std::string query;
   std::string claim;
-  Pair pair{};
-  archive(query, pair, w.scalar, claim, w.verdict);
-  refuse_unknown(pair);
+  if (!archive.reads()) {
+    query = golden::query_line(w.query, w.scalar);
+    claim = engines::to_line("", w.claim);
+  }
+  archive(query, w.query.pair, w.scalar, claim, w.verdict);
+  if (!archive.reads()) return;
+  refuse_unknown(w.query.pair);
   const formats::Location where{"a worst case", 0};
   const auto question = formats::parse_object(query, where);
-  w.query = golden::read_inputs(formats::Node(question, where), pair);
+  w.query = golden::read_inputs(formats::Node(question, where), w.query.pair);
   const auto answer = formats::parse_object(claim, where);
   w.claim = engines::read_claim(formats::Node(answer, where));
 }
-
-template <class Archive>
 void serialize(Archive& archive, Findings& f) {
   archive(f.sources, f.families, f.skipped, f.worst, f.failures, f.failure_count, f.fresh_failures, f.gone, f.unreached,
           f.stopped, f.why);
 }
-
-template <class Archive>
-void serialize(Archive& archive, Part& p) {
-  archive(p.found, p.unasked);
-}
-
-namespace {
+void serialize(Archive& archive, Part& p) { archive(p.found, p.unasked); }
 
 constexpr std::string_view kFormat = "contact-oracle/part";
-constexpr std::uint64_t kVersion = 5;
+constexpr std::uint64_t kVersion = 6;
 
 // Whether what a part tells is of kinds that there are, which become indices into their names.
 
@@ -291,23 +309,21 @@ void merge(std::vector<Report>& reports, Part part, bool first) {
   }
 }
 
-std::string pack(const Part& part) {
-  std::ostringstream stream;
-  cereal::PortableBinaryOutputArchive archive(stream);
+std::string pack(Part part) {
+  Archive archive;
   archive(part);
-  return std::move(stream).str();
+  return std::move(archive).rest();
 }
 
 Part unpack(const std::string& bytes) {
-  std::istringstream stream(bytes);
-  cereal::PortableBinaryInputArchive archive(stream);
+  Archive archive(bytes);
   Part part;
   archive(part);
   if (part.found.size() != part.unasked.size() ||
       !std::all_of(part.found.begin(), part.found.end(), [](const Findings& f) { return is_sound(f); }))
-    throw cereal::Exception("it tells of what there is not");
+    throw std::runtime_error("it tells of what there is not");
   for (Findings& found : part.found) make_visible(found);
-  if (stream.peek() != std::istringstream::traits_type::eof()) throw cereal::Exception("more than a part");
+  if (!std::move(archive).rest().empty()) throw std::runtime_error("more than a part");
   return part;
 }
 
@@ -381,7 +397,7 @@ PartFile read_part(const std::filesystem::path& path) {
     sha256.refuse("the file is damaged: its digest is " + digest);
   try {
     file.content = unpack(bytes);
-    if (file.content.found.size() != 1) throw cereal::Exception("not the findings of one engine");
+    if (file.content.found.size() != 1) throw std::runtime_error("not the findings of one engine");
   } catch (const formats::InputError&) {
     throw;
   } catch (const std::exception& error) {  // of the archive: cut short, or a size that no text can have

@@ -31,7 +31,7 @@ struct Part {
 void merge(std::vector<Report>& reports, Part part, bool first);
 
 /// The bytes of a part, and the part of those bytes: for files and between the processes of a cluster.
-[[nodiscard]] std::string pack(const Part& part);
+[[nodiscard]] std::string pack(Part part);
 [[nodiscard]] Part unpack(const std::string& bytes);
 
 /// What is judged, and how: the same text for every part of a run and for no other run. Datasets are known by their
