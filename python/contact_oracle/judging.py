@@ -250,7 +250,8 @@ def certify(engine: Engine | Mapping[str, Engine], pairs: str | Iterable[str] | 
     fresh             with datasets: how many new questions of each of their families are asked besides, from that seed
     within            with the level conservative: how far from where the answer changes a miss may be that is called a hit
     least_judged      how many judged cases a certificate rests on at least, hits and misses: docs/specification.md#what-a-verdict-rests-on
-    scalar            binary64 or binary32: what the engine computes in; the truth is rounded to it
+    scalar            binary64 or binary32: what the engine computes in; the truth is rounded to it. In binary32 the engine gets arrays of
+                      float32, and must answer with such
     level             correctly-rounded, faithful, bounded, decisions or conservative
     tolerance         in the place of a level: a dict of length, relative and angle, and scale: a dict of min and max
     profile           a tolerance by its name
@@ -262,8 +263,10 @@ def certify(engine: Engine | Mapping[str, Engine], pairs: str | Iterable[str] | 
     allow_unsupported leave out questions that the engine answers with None
     check             sample or all: which questions every oracle is asked
     determinism       ask again in other orders and batches; every answer must have the same bits
-    isolated          the engine runs in a process of its own, so it must be a function of a module
+    isolated          the engine runs in a process of its own, which may crash or hang, so it must be a function of a module, and a script
+                      keeps its own calls under ``if __name__ == "__main__":``
     time_limit        seconds that an isolated engine has for each batch
+    name, version     for the report; else the function's name, and 1
 
     Raises EngineError where the engine raises, ends or gives no answer, InputError where an argument is wrong, and OracleDisagreement.
 

@@ -510,7 +510,7 @@
       new ResizeObserver(draw).observe(canvas);
       const legend = (name, sign, text) => [element("b", {className: name}, sign + " " + text), "  "];
       caption.append(...legend("a", "◯", "a"), ...legend("b", "◯", "b"), ...legend("r", "●", "right"),
-                     ...legend("c", "◇", "claimed"), "· drag, or arrow keys, + − 0");
+                     ...legend("c", "◇", "claimed"), "· drag or arrow keys; zoom:\u00a0+\u00a0−\u00a00");
       if (left_out.length !== 0) caption.append(element("br"), "Not in the picture: " + left_out.join(", "));
       figure.dataset.drawn = "yes";
       draw();
