@@ -6,74 +6,34 @@
 namespace contact::proptests {
 
 using Questions = std::vector<Query>;
+// The kinds of functions that a Law has: what to ask, what to ask next, and whether the law holds.
+using Ask = Questions(const Trial& trial, const Subject& subject);
+using AskNext = Questions(const Trial& trial, const Subject& subject, const Claim& claim);
+using Check = Outcome(const Case& c);
 
 // asking_laws.cpp: whether and how an engine answers.
-Questions itself(const Trial& trial, const Subject& subject);
-Questions itself_if_coincident(const Trial& trial, const Subject& subject);
-Questions itself_if_inside(const Trial& trial, const Subject& subject);
-Questions itself_if_bad(const Trial& trial, const Subject& subject);
-Questions itself_among_others(const Trial& trial, const Subject& subject);
-Questions with_others(const Trial& trial, const Subject& subject);
-Outcome check_answers(const Case& c);
-Outcome check_survives_bad_input(const Case& c);
-Outcome check_refuses_bad_input(const Case& c);
-Outcome check_repeatable(const Case& c);
-Outcome check_batch(const Case& c);
+Ask itself, itself_if_coincident, itself_if_inside, itself_if_bad, itself_among_others, with_others;
+Check check_answers, check_survives_bad_input, check_refuses_bad_input, check_repeatable, check_batch;
 
 // decision_laws.cpp: hits and misses.
-Questions touching(const Trial& trial, const Subject& subject);
-Questions at_the_alarm_distance(const Trial& trial, const Subject& subject);
-Questions each_axis_alone(const Trial& trial, const Subject& subject);
-Questions one_inside_the_other(const Trial& trial, const Subject& subject);
-Questions alarm_grown(const Trial& trial, const Subject& subject);
+Ask touching, at_the_alarm_distance, each_axis_alone, one_inside_the_other, alarm_grown;
 /// Whether a shape of a pair has a size of its own: all but a triangle and a line.
 bool can_grow(Pair pair);
-Questions size_grown(const Trial& trial, const Subject& subject);
-Questions across_a_common_edge(const Trial& trial, const Subject& subject);
-Outcome check_common_edge(const Case& c);
-Outcome check_decisions(const Case& c);
-Outcome check_touching(const Case& c);
-Outcome check_test_agrees(const Case& c);
-Outcome check_each_axis(const Case& c);
-Outcome check_grown(const Case& c);
+Ask size_grown, across_a_common_edge;
+Check check_common_edge, check_decisions, check_touching, check_test_agrees, check_each_axis, check_grown;
 
 // number_laws.cpp: the numbers of a contact.
-Questions radius_grown(const Trial& trial, const Subject& subject);
-Questions farther(const Trial& trial, const Subject& subject);
-Questions other_alarm(const Trial& trial, const Subject& subject);
-Questions other_contact(const Trial& trial, const Subject& subject);
-Outcome check_coincident(const Case& c);
-Outcome check_finite(const Case& c);
-Outcome check_unit_normal(const Case& c);
-Outcome check_direction(const Case& c);
-Outcome check_own_surface(const Case& c);
-Outcome check_near_side(const Case& c);
-Outcome check_span(const Case& c);
-Outcome check_farther(const Case& c);
-Outcome check_lower_value(const Case& c);
-Outcome check_way_out(const Case& c);
-Outcome check_parts(const Case& c);
-Outcome check_crossing(const Case& c);
-Outcome check_larger_radius(const Case& c);
-Outcome check_halves(const Case& c);
-Outcome check_rotated(const Case& c);
-Outcome check_other_alarm(const Case& c);
-Outcome check_other_contact(const Case& c);
-Outcome check_correctly_rounded(const Case& c);
-Outcome check_bounds(const Case& c);
+Ask radius_grown, farther, other_alarm, other_contact;
+Check check_coincident, check_finite, check_unit_normal, check_direction, check_own_surface, check_near_side,
+    check_span, check_farther, check_lower_value, check_way_out, check_parts, check_crossing, check_larger_radius,
+    check_halves, check_rotated, check_other_alarm, check_other_contact, check_correctly_rounded, check_bounds;
 
 // derived_laws.cpp: the next question, made of the answer to the last.
-Questions onto_point(const Trial& trial, const Subject& subject, const Claim& claim);
-Questions tangent_plane(const Trial& trial, const Subject& subject, const Claim& claim);
-Questions cut_at_point(const Trial& trial, const Subject& subject, const Claim& claim);
-Outcome check_onto_point(const Case& c);
-Outcome check_tangent_plane(const Case& c);
-Outcome check_cut_at_point(const Case& c);
+AskNext onto_point, tangent_plane, cut_at_point;
+Check check_onto_point, check_tangent_plane, check_cut_at_point;
 
 // symmetry_laws.cpp: what moving, turning and scaling must do.
-Questions swapped(const Trial& trial, const Subject& subject);
-Questions turned(const Trial& trial, const Subject& subject);
-Questions rotated(const Trial& trial, const Subject& subject);
+Ask swapped, turned, rotated;
 /// A rotation by a quaternion x, y, z, w of small integers: its matrix, times the quaternion's squared length, is of
 /// integers, so that a scene so many times as long is turned exactly.
 struct Rotation {
@@ -86,25 +46,11 @@ struct Rotation {
 const Rotation& rotation_of(const Change& change);
 /// A vector turned by it, and `size` times as long.
 std::array<Rational, 3> rotated(const Change& change, const Vector3& v);
-Questions translated(const Trial& trial, const Subject& subject);
-Questions scaled(const Trial& trial, const Subject& subject);
-Questions point_box(const Trial& trial, const Subject& subject);
-Questions halves(const Trial& trial, const Subject& subject);
-Questions corners_exchanged(const Trial& trial, const Subject& subject);
+Ask translated, scaled, point_box, halves, corners_exchanged;
 /// The pair that a pair is where its capsules, triangles and rays have no length: itself where there are none.
 Pair pair_without_length(Pair pair);
-Questions direction_lengthened(const Trial& trial, const Subject& subject);
-Questions there_and_back(const Trial& trial, const Subject& subject);
-Questions without_length(const Trial& trial, const Subject& subject);
-Questions other_sphere_kinds(const Trial& trial, const Subject& subject);
-Outcome check_swapped(const Case& c);
-Outcome check_turned(const Case& c);
-Outcome check_translated(const Case& c);
-Outcome check_scaled(const Case& c);
-Outcome check_same_contact(const Case& c);
-Outcome check_corners(const Case& c);
-Outcome check_direction_lengthened(const Case& c);
-Outcome check_there_and_back(const Case& c);
-Outcome check_sphere_kinds(const Case& c);
+Ask direction_lengthened, there_and_back, without_length, other_sphere_kinds;
+Check check_swapped, check_turned, check_translated, check_scaled, check_same_contact, check_corners,
+    check_direction_lengthened, check_there_and_back, check_sphere_kinds;
 
 }  // namespace contact::proptests

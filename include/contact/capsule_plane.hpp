@@ -17,9 +17,7 @@ namespace contact::inline CONTACT_ABI {
 ///             and the largest finite numbers are included.
 /// Decision    s <= reach, exactly, and exactly which end is lower: touching counts, and whatever is below the plane
 ///             hits.
-/// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
-///             What plain arithmetic decides inline may raise exceptions of the caller's, the inexact one mostly; to
-///             raise none there is out_of_line.
+/// Environment as test_sphere_sphere.
 /// Source      docs/specification.md#planes.
 /// Evidence    src/kernel/plane_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_capsule_plane(const Capsule& a, const Plane& b, double alarm);
@@ -30,8 +28,7 @@ namespace contact::inline CONTACT_ABI {
 /// Units       as test_capsule_plane; the normal is a unit vector from the capsule into the half-space.
 /// Domain      as test_capsule_plane; contact distance >= 0.
 /// Decision    as test_capsule_plane.
-/// Error       every number is the exact real rounded once to nearest, ties to even (0.5 ulp); beyond the largest
-///             finite number it is infinite, as IEEE 754 rounds. Every zero is +0.
+/// Error       as compute_sphere_sphere.
 /// Unique      not where the capsule is parallel to the plane and its length above 0: every point of the axis is as
 ///             low, and p is the middle, (a.start + a.end) / 2, which is not rounded.
 /// Degenerate  never: on the plane and below it the normal and the formulas are the same.
@@ -57,10 +54,8 @@ namespace of_hit {
 
 #if CONTACT_DECIDES_INLINE
 CONTACT_INLINE bool test_capsule_plane(const Capsule& a, const Plane& b, double alarm) {
-  const plain_decision::Filtered filtered = plain_decision::filter_pair(a, b, alarm);
-  if (filtered == plain_decision::Filtered::undecided) [[unlikely]]
-    return out_of_line::test_capsule_plane(a, b, alarm);
-  return filtered == plain_decision::Filtered::hit;
+  return plain_decision::decided<out_of_line::test_capsule_plane>(plain_decision::filter_pair(a, b, alarm), a, b,
+                                                                  alarm);
 }
 CONTACT_INLINE std::optional<Contact> compute_capsule_plane(const Capsule& a, const Plane& b, Distances distances,
                                                             ContactPoints points) {

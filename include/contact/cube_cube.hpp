@@ -11,9 +11,7 @@ namespace contact::inline CONTACT_ABI {
 /// Domain      finite; min <= max on every axis, alarm >= 0. Flat boxes, subnormals and the largest finite numbers are
 ///             included.
 /// Decision    on every axis a.min <= b.max + alarm and b.min <= a.max + alarm, exactly: touching counts.
-/// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
-///             What plain arithmetic decides inline may raise exceptions of the caller's, the inexact one mostly; to
-///             raise none there is out_of_line.
+/// Environment as test_sphere_sphere.
 /// Source      seed.txt, testIntersection(Cube&, Cube&); docs/specification.md#cube-pairs. SOFA's computeIntersection
 ///             of two cubes writes no contact and returns 0, so there is nothing to compute beyond this decision.
 /// Evidence    src/kernel/cube_cube_test.cpp; proptests/production_properties.cpp.
@@ -26,10 +24,7 @@ namespace out_of_line {
 
 #if CONTACT_DECIDES_INLINE
 CONTACT_INLINE bool test_cube_cube(const Box& a, const Box& b, double alarm) {
-  const plain_decision::Filtered filtered = plain_decision::filter_boxes(a, b, alarm);
-  if (filtered == plain_decision::Filtered::undecided) [[unlikely]]
-    return out_of_line::test_cube_cube(a, b, alarm);
-  return filtered == plain_decision::Filtered::hit;
+  return plain_decision::decided<out_of_line::test_cube_cube>(plain_decision::filter_boxes(a, b, alarm), a, b, alarm);
 }
 #endif
 

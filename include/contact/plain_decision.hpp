@@ -51,6 +51,14 @@ namespace contact::inline CONTACT_ABI::plain_decision {
 
 enum class Filtered { hit, miss, undecided };
 
+/// What is certain, or else what the library's function says of the question.
+template <auto out_of_line, class... Asked>
+CONTACT_PLAIN bool decided(Filtered filtered, const Asked&... asked) {
+  if (filtered == Filtered::undecided) [[unlikely]]
+    return out_of_line(asked...);
+  return filtered == Filtered::hit;
+}
+
 template <class Real>
 struct Bounds {
   static constexpr double kUnit = static_cast<double>(std::numeric_limits<Real>::epsilon()) / 2;  // u

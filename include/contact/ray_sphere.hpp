@@ -17,9 +17,7 @@ namespace contact::inline CONTACT_ABI {
 /// Domain      finite; the direction not zero; length, radius and alarm >= 0. Subnormals and the largest finite numbers
 ///             are included: the ray's end need not be a number.
 /// Decision    D <= reach^2, exactly: touching counts. The end of the ray is not rounded.
-/// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
-///             What plain arithmetic decides inline may raise exceptions of the caller's, the inexact one mostly; to
-///             raise none there is out_of_line.
+/// Environment as test_sphere_sphere.
 /// Source      docs/specification.md#rays.
 /// Evidence    src/kernel/ray_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_ray_sphere(const Ray& a, const Ball& b, double alarm);
@@ -31,8 +29,7 @@ namespace contact::inline CONTACT_ABI {
 /// Units       as test_ray_sphere; the normal is a unit vector from the ray to the sphere's centre.
 /// Domain      as test_ray_sphere; contact distance >= 0.
 /// Decision    as test_ray_sphere.
-/// Error       every number is the exact real rounded once to nearest, ties to even (0.5 ulp); beyond the largest
-///             finite number it is infinite, as IEEE 754 rounds. Every zero is +0.
+/// Error       as compute_sphere_sphere.
 /// Degenerate  D = 0, the centre on the ray: as compute_sphere_capsule has it with u = a.length a.direction.
 /// Points      `center` puts them at p and b.center, `far_surface` on the far side of the sphere.
 /// Environment as test_ray_sphere.
@@ -50,10 +47,7 @@ namespace out_of_line {
 
 #if CONTACT_DECIDES_INLINE
 CONTACT_INLINE bool test_ray_sphere(const Ray& a, const Ball& b, double alarm) {
-  const plain_decision::Filtered filtered = plain_decision::filter_pair(a, b, alarm);
-  if (filtered == plain_decision::Filtered::undecided) [[unlikely]]
-    return out_of_line::test_ray_sphere(a, b, alarm);
-  return filtered == plain_decision::Filtered::hit;
+  return plain_decision::decided<out_of_line::test_ray_sphere>(plain_decision::filter_pair(a, b, alarm), a, b, alarm);
 }
 CONTACT_INLINE std::optional<Contact> compute_ray_sphere(const Ray& a, const Ball& b, Distances distances,
                                                          ContactPoints points) {

@@ -16,9 +16,7 @@ namespace contact::inline CONTACT_ABI {
 /// Domain      finite; radii and alarm >= 0. Capsules of length 0, subnormals and the largest finite numbers are
 ///             included.
 /// Decision    D <= reach^2, exactly: touching counts.
-/// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
-///             What plain arithmetic decides inline may raise exceptions of the caller's, the inexact one mostly; to
-///             raise none there is out_of_line.
+/// Environment as test_sphere_sphere.
 /// Source      docs/specification.md#capsule-pairs.
 /// Evidence    src/kernel/capsule_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_sphere_capsule(const Ball& a, const Capsule& b, double alarm);
@@ -29,8 +27,7 @@ namespace contact::inline CONTACT_ABI {
 /// Units       one length unit throughout; the normal is a unit vector from the sphere to the capsule.
 /// Domain      as test_sphere_capsule; contact distance >= 0.
 /// Decision    as test_sphere_capsule.
-/// Error       every number is the exact real rounded once to nearest, ties to even (0.5 ulp); beyond the largest
-///             finite number it is infinite, as IEEE 754 rounds. Every zero is +0.
+/// Error       as compute_sphere_sphere.
 /// Degenerate  D = 0, the centre on the axis: the normal is the x axis made perpendicular to it, |u|^2 x - (u.x) u of
 ///             that length, u = end - start; the y axis where u is parallel to x; (1, 0, 0) where u = 0.
 /// Points      `center` puts them at a.center and q, `far_surface` on the far side.
@@ -49,10 +46,8 @@ namespace out_of_line {
 
 #if CONTACT_DECIDES_INLINE
 CONTACT_INLINE bool test_sphere_capsule(const Ball& a, const Capsule& b, double alarm) {
-  const plain_decision::Filtered filtered = plain_decision::filter_pair(a, b, alarm);
-  if (filtered == plain_decision::Filtered::undecided) [[unlikely]]
-    return out_of_line::test_sphere_capsule(a, b, alarm);
-  return filtered == plain_decision::Filtered::hit;
+  return plain_decision::decided<out_of_line::test_sphere_capsule>(plain_decision::filter_pair(a, b, alarm), a, b,
+                                                                   alarm);
 }
 CONTACT_INLINE std::optional<Contact> compute_sphere_capsule(const Ball& a, const Capsule& b, Distances distances,
                                                              ContactPoints points) {

@@ -15,9 +15,7 @@ namespace contact::inline CONTACT_ABI {
 /// Domain      finite; min <= max on every axis, radius and alarm >= 0. Flat boxes, subnormals and the largest finite
 ///             numbers are included.
 /// Decision    D <= reach^2, exactly: touching counts.
-/// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
-///             What plain arithmetic decides inline may raise exceptions of the caller's, the inexact one mostly; to
-///             raise none there is out_of_line.
+/// Environment as test_sphere_sphere.
 /// Source      docs/specification.md#sphere-cube-pairs.
 /// Evidence    src/kernel/sphere_cube_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_sphere_cube(const Ball& a, const Box& b, double alarm);
@@ -28,8 +26,7 @@ namespace contact::inline CONTACT_ABI {
 /// Units       one length unit throughout; the normal is a unit vector from the sphere into the box.
 /// Domain      as test_sphere_cube; contact distance >= 0.
 /// Decision    as test_sphere_cube.
-/// Error       every number is the exact real rounded once to nearest, ties to even (0.5 ulp); beyond the largest
-///             finite number it is infinite, as IEEE 754 rounds. Every zero is +0.
+/// Error       as compute_sphere_sphere.
 /// Degenerate  D = 0, the centre in the box or on it: the sphere leaves through the nearest face, x before y before z
 ///             and min before max. The normal points from that face into the box, point2 is the foot of the centre on
 ///             the face, and value = -(a.radius + depth) - distances.contact, depth being the distance to the face.
@@ -55,10 +52,8 @@ namespace of_hit {
 
 #if CONTACT_DECIDES_INLINE
 CONTACT_INLINE bool test_sphere_cube(const Ball& a, const Box& b, double alarm) {
-  const plain_decision::Filtered filtered = plain_decision::filter_ball_and_box(a, b, alarm);
-  if (filtered == plain_decision::Filtered::undecided) [[unlikely]]
-    return out_of_line::test_sphere_cube(a, b, alarm);
-  return filtered == plain_decision::Filtered::hit;
+  return plain_decision::decided<out_of_line::test_sphere_cube>(plain_decision::filter_ball_and_box(a, b, alarm), a, b,
+                                                                alarm);
 }
 CONTACT_INLINE std::optional<Contact> compute_sphere_cube(const Ball& a, const Box& b, Distances distances,
                                                           ContactPoints points) {

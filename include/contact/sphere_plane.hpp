@@ -15,9 +15,7 @@ namespace contact::inline CONTACT_ABI {
 /// Domain      finite; the normal not zero, and of any length; radius and alarm >= 0. Subnormals and the largest finite
 ///             numbers are included.
 /// Decision    s <= reach, exactly: touching counts, and whatever is below the plane hits.
-/// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
-///             What plain arithmetic decides inline may raise exceptions of the caller's, the inexact one mostly; to
-///             raise none there is out_of_line.
+/// Environment as test_sphere_sphere.
 /// Source      docs/specification.md#planes.
 /// Evidence    src/kernel/plane_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_sphere_plane(const Ball& a, const Plane& b, double alarm);
@@ -28,8 +26,7 @@ namespace contact::inline CONTACT_ABI {
 /// Units       as test_sphere_plane; the normal is a unit vector from the sphere into the half-space.
 /// Domain      as test_sphere_plane; contact distance >= 0.
 /// Decision    as test_sphere_plane.
-/// Error       every number is the exact real rounded once to nearest, ties to even (0.5 ulp); beyond the largest
-///             finite number it is infinite, as IEEE 754 rounds. Every zero is +0.
+/// Error       as compute_sphere_sphere.
 /// Degenerate  never: on the plane and below it the normal and the formulas are the same.
 /// Points      `center` puts the first at a.center, `far_surface` on the far side of the sphere; the second stays.
 /// Environment as test_sphere_plane.
@@ -53,10 +50,7 @@ namespace of_hit {
 
 #if CONTACT_DECIDES_INLINE
 CONTACT_INLINE bool test_sphere_plane(const Ball& a, const Plane& b, double alarm) {
-  const plain_decision::Filtered filtered = plain_decision::filter_pair(a, b, alarm);
-  if (filtered == plain_decision::Filtered::undecided) [[unlikely]]
-    return out_of_line::test_sphere_plane(a, b, alarm);
-  return filtered == plain_decision::Filtered::hit;
+  return plain_decision::decided<out_of_line::test_sphere_plane>(plain_decision::filter_pair(a, b, alarm), a, b, alarm);
 }
 CONTACT_INLINE std::optional<Contact> compute_sphere_plane(const Ball& a, const Plane& b, Distances distances,
                                                            ContactPoints points) {

@@ -47,10 +47,8 @@ namespace out_of_line {
 
 #if CONTACT_DECIDES_INLINE
 CONTACT_INLINE bool test_sphere_sphere(const Ball& a, const Ball& b, double alarm) {
-  const plain_decision::Filtered filtered = plain_decision::filter_balls(a, b, alarm);
-  if (filtered == plain_decision::Filtered::undecided) [[unlikely]]
-    return out_of_line::test_sphere_sphere(a, b, alarm);
-  return filtered == plain_decision::Filtered::hit;
+  return plain_decision::decided<out_of_line::test_sphere_sphere>(plain_decision::filter_balls(a, b, alarm), a, b,
+                                                                  alarm);
 }
 CONTACT_INLINE std::optional<Contact> compute_sphere_sphere(const Ball& a, const Ball& b, Distances distances,
                                                             ContactPoints points) {

@@ -15,9 +15,7 @@ namespace contact::inline CONTACT_ABI {
 /// Domain      finite; radius and alarm >= 0. Triangles whose vertices lie on a line or on one point, subnormals and
 ///             the largest finite numbers are included.
 /// Decision    D <= reach^2, exactly: touching counts.
-/// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
-///             What plain arithmetic decides inline may raise exceptions of the caller's, the inexact one mostly; to
-///             raise none there is out_of_line.
+/// Environment as test_sphere_sphere.
 /// Source      docs/specification.md#triangles.
 /// Evidence    src/kernel/triangle_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_sphere_triangle(const Ball& a, const Triangle& b, double alarm);
@@ -29,8 +27,7 @@ namespace contact::inline CONTACT_ABI {
 ///             side the sphere is: a triangle has two, and the order of its vertices says nothing.
 /// Domain      as test_sphere_triangle; contact distance >= 0.
 /// Decision    as test_sphere_triangle.
-/// Error       every number is the exact real rounded once to nearest, ties to even (0.5 ulp); beyond the largest
-///             finite number it is infinite, as IEEE 754 rounds. Every zero is +0.
+/// Error       as compute_sphere_sphere.
 /// Degenerate  D = 0, the centre on the triangle: the normal is that of N = (v1 - v0) x (v2 - v0) or -N whose first
 ///             component other than 0 is positive. Where N = 0, as compute_sphere_capsule has it with u = v1 - v0, or
 ///             v2 - v0 where that is 0.
@@ -50,10 +47,8 @@ namespace out_of_line {
 
 #if CONTACT_DECIDES_INLINE
 CONTACT_INLINE bool test_sphere_triangle(const Ball& a, const Triangle& b, double alarm) {
-  const plain_decision::Filtered filtered = plain_decision::filter_pair(a, b, alarm);
-  if (filtered == plain_decision::Filtered::undecided) [[unlikely]]
-    return out_of_line::test_sphere_triangle(a, b, alarm);
-  return filtered == plain_decision::Filtered::hit;
+  return plain_decision::decided<out_of_line::test_sphere_triangle>(plain_decision::filter_pair(a, b, alarm), a, b,
+                                                                    alarm);
 }
 CONTACT_INLINE std::optional<Contact> compute_sphere_triangle(const Ball& a, const Triangle& b, Distances distances,
                                                               ContactPoints points) {

@@ -17,9 +17,7 @@ namespace contact::inline CONTACT_ABI {
 ///             finite numbers too.
 /// Decision    exact. A line along the plane of the triangle does not cross it, nor does one of length 0; a triangle
 ///             without an inside is not crossed. Alarm and contact distances have no say.
-/// Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer is the same.
-///             What plain arithmetic decides inline may raise exceptions of the caller's, the inexact one mostly; to
-///             raise none there is out_of_line.
+/// Environment as test_sphere_sphere.
 /// Source      docs/specification.md#crossings.
 /// Evidence    src/kernel/crossing_test.cpp; proptests/production_properties.cpp.
 [[nodiscard]] bool test_triangle_line(const Triangle& a, const Line& b);
@@ -49,10 +47,7 @@ namespace of_hit {
 
 #if CONTACT_DECIDES_INLINE
 CONTACT_INLINE bool test_triangle_line(const Triangle& a, const Line& b) {
-  const plain_decision::Filtered filtered = plain_decision::filter_pair(a, b);
-  if (filtered == plain_decision::Filtered::undecided) [[unlikely]]
-    return out_of_line::test_triangle_line(a, b);
-  return filtered == plain_decision::Filtered::hit;
+  return plain_decision::decided<out_of_line::test_triangle_line>(plain_decision::filter_pair(a, b), a, b);
 }
 CONTACT_INLINE std::optional<Contact> compute_triangle_line(const Triangle& a, const Line& b) {
   const plain_decision::Filtered filtered = plain_decision::filter_pair(a, b);

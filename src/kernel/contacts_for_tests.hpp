@@ -1,4 +1,5 @@
-// What the tests of pairs with a distance share: contacts compared bit by bit, and the exact stage alone.
+// What the tests of pairs share: contacts compared bit by bit, what production says of two shapes, and the exact stage
+// alone.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +11,17 @@
 #include <utility>
 #include <vector>
 
+#include "contact/capsule_capsule.hpp"
+#include "contact/capsule_plane.hpp"
 #include "contact/contact.hpp"
+#include "contact/ray_sphere.hpp"
+#include "contact/ray_triangle.hpp"
+#include "contact/sphere_capsule.hpp"
+#include "contact/sphere_cube.hpp"
+#include "contact/sphere_plane.hpp"
+#include "contact/sphere_sphere.hpp"
+#include "contact/sphere_triangle.hpp"
+#include "contact/triangle_line.hpp"
 #include "environment/floating_point_environments.hpp"
 #include "kernel/core_pairs.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
@@ -47,10 +58,33 @@ inline void expect_same(const std::optional<Contact>& actual, const std::optiona
   EXPECT_EQ(actual->unique, expected->unique);
 }
 
+/// What production says of two shapes: their contact, and the decision. Where exceptions trap, out of line.
+using Said = std::pair<std::optional<Contact>, bool>;
+#define CONTACT_SAID(name, A, B, of_contact, of_decision)                                             \
+  inline Said said(const A& a, const B& b, [[maybe_unused]] Distances distances,                      \
+                   [[maybe_unused]] ContactPoints points = {}, bool traps = false) {                  \
+    if (traps) return {out_of_line::compute_##name of_contact, out_of_line::test_##name of_decision}; \
+    return {compute_##name of_contact, test_##name of_decision};                                      \
+  }
+#define CONTACT_OF_DISTANCE(name, A, B) CONTACT_SAID(name, A, B, (a, b, distances, points), (a, b, distances.alarm))
+#define CONTACT_OF_CROSSING(name, A, B) CONTACT_SAID(name, A, B, (a, b), (a, b))
+CONTACT_OF_DISTANCE(sphere_sphere, Ball, Ball)
+CONTACT_OF_DISTANCE(sphere_cube, Ball, Box)
+CONTACT_OF_DISTANCE(sphere_capsule, Ball, Capsule)
+CONTACT_OF_DISTANCE(capsule_capsule, Capsule, Capsule)
+CONTACT_OF_DISTANCE(sphere_triangle, Ball, Triangle)
+CONTACT_OF_DISTANCE(ray_sphere, Ray, Ball)
+CONTACT_OF_DISTANCE(sphere_plane, Ball, Plane)
+CONTACT_OF_DISTANCE(capsule_plane, Capsule, Plane)
+CONTACT_OF_CROSSING(ray_triangle, Ray, Triangle)
+CONTACT_OF_CROSSING(triangle_line, Triangle, Line)
+#undef CONTACT_SAID
+#undef CONTACT_OF_DISTANCE
+#undef CONTACT_OF_CROSSING
+
 /// answer(question, whether exceptions trap) gives a contact and a decision, the same in every environment.
 template <class Question, class Answer>
 void expect_same_in_every_environment(const std::vector<Question>& asked, Answer answer) {
-  using Said = std::pair<std::optional<Contact>, bool>;
   const auto answers = [&](bool traps) {
     std::vector<Said> all;
     for (const Question& question : asked) all.push_back(answer(question, traps));
@@ -70,7 +104,7 @@ void expect_same_in_every_environment(const std::vector<Question>& asked, Answer
 
 /// The contact of two shapes by the exact stage alone.
 template <class A, class B>
-std::optional<Contact> computed_exactly(const A& a, const B& b, Distances distances) {
+std::optional<Contact> computed_exactly(const A& a, const B& b, Distances distances, ContactPoints points = {}) {
   const auto& first = kernel::core_of(a);
   const auto& second = kernel::core_of(b);
   const kernel::Lengths lengths = kernel::lengths_of(a, b, distances);
@@ -78,7 +112,7 @@ std::optional<Contact> computed_exactly(const A& a, const B& b, Distances distan
   const auto nearest = exact_nearest(first, second, grid);
   if (!is_hit(nearest, grid, lengths)) return std::nullopt;
   Contact contact{};
-  round_exactly(nearest, grid, lengths, {}, kernel::kAllNumbers, contact);
+  round_exactly(nearest, grid, lengths, points, kernel::kAllNumbers, contact);
   return contact;
 }
 

@@ -1,17 +1,13 @@
-// Ray and line against triangle: worked examples through the face, the boundary and beside, what does not cross, the
-// ends of the range, every floating-point environment, and both stages against each other.
+// Ray and line against triangle: worked examples through the face, the boundary and beside, what does not cross, and
+// the ends of the range.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <random>
-#include <vector>
+#include <utility>
 
 #include "contact/ray_triangle.hpp"
 #include "contact/triangle_line.hpp"
-#include "environment/floating_point_environments.hpp"
 #include "extreme_numbers.hpp"
 #include "kernel/contacts_for_tests.hpp"
-#include "kernel/crossing_cores.hpp"
 
 namespace contact::crossing_test {
 namespace {
@@ -88,75 +84,6 @@ TEST(TriangleLine, crosses_at_the_ends_of_the_range) {
   }
   const Triangle wide{{Vector3(-kLargest, -kLargest, 0), Vector3(kLargest, -kLargest, 0), Vector3(0, kLargest, 0)}};
   expect_crossing(compute_triangle_line(wide, {{0, 0, kLargest}, {0, 0, -kLargest}}), {0, 0, 0}, {0, 0, 1});
-}
-
-struct Asked {
-  Triangle triangle;
-  Ray ray;
-  Line line;
-};
-/// Segments through and beside triangles of small integers times powers of two, so that many meet boundaries exactly.
-std::vector<Asked> drawn(std::size_t count) {
-  std::mt19937_64 random(11);
-  const auto integer = [&](int most) {
-    return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * most + 1)) - most);
-  };
-  const auto real = [&] { return std::ldexp(static_cast<double>(static_cast<std::int64_t>(random())), -61); };
-  std::vector<Asked> all;
-  while (all.size() < count) {
-    const bool whole = all.size() % 2 == 0;
-    const auto vector = [&] {
-      const double x = whole ? integer(3) : real();
-      const double y = whole ? integer(3) : real();
-      const double z = whole ? integer(3) : real();
-      return Vector3(x, y, z);
-    };
-    Asked asked{{{vector(), vector(), vector()}}, {vector(), vector(), std::abs(integer(3))}, {vector(), vector()}};
-    if (asked.ray.direction.isZero(0)) continue;
-    all.push_back(asked);
-  }
-  return all;
-}
-
-TEST(Crossings, both_stages_say_the_same) {
-  std::size_t crossings = 0;
-  std::size_t exactly = 0;
-  for (const auto& [triangle, ray, line] : drawn(20000)) {
-    const auto of_line = compute_triangle_line(triangle, line);
-    expect_same(of_line, computed_exactly(triangle, line, {0, 0}));
-    EXPECT_EQ(test_triangle_line(triangle, line), of_line.has_value());
-    const auto of_ray = compute_ray_triangle(ray, triangle);
-    expect_same(of_ray, computed_exactly(ray, triangle, {0, 0}));
-    EXPECT_EQ(test_ray_triangle(ray, triangle), of_ray.has_value());
-    crossings += of_line.has_value() + of_ray.has_value();
-    exactly += plain_decision::filter_pair(ray, triangle) == kernel::Filtered::undecided;
-  }
-  EXPECT_GT(crossings, 2000U);
-  EXPECT_GT(exactly, 200U);
-  EXPECT_LT(exactly, 12000U);
-}
-
-TEST(Crossings, are_the_same_in_every_floating_point_environment) {
-  std::vector<Asked> all = drawn(200);
-  for (std::size_t i = 0; i < 100; ++i) {
-    Asked small = all[i];
-    const double unit = i % 2 == 0 ? kLeast : 0x1p-540;
-    for (Vector3& v : small.triangle.vertices) v = (v.array().round() * unit).matrix();
-    small.line = {(small.line.start.array().round() * unit).matrix(), (small.line.end.array().round() * unit).matrix()};
-    all.push_back(small);
-  }
-  expect_same_in_every_environment(all, [](const Asked& asked, bool traps) {
-    return traps ? std::pair(out_of_line::compute_triangle_line(asked.triangle, asked.line),
-                             out_of_line::test_triangle_line(asked.triangle, asked.line))
-                 : std::pair(compute_triangle_line(asked.triangle, asked.line),
-                             test_triangle_line(asked.triangle, asked.line));
-  });
-  expect_same_in_every_environment(all, [](const Asked& asked, bool traps) {
-    return traps ? std::pair(out_of_line::compute_ray_triangle(asked.ray, asked.triangle),
-                             out_of_line::test_ray_triangle(asked.ray, asked.triangle))
-                 : std::pair(compute_ray_triangle(asked.ray, asked.triangle),
-                             test_ray_triangle(asked.ray, asked.triangle));
-  });
 }
 
 }  // namespace

@@ -1,17 +1,10 @@
-// Ray against sphere: worked examples of every feature, an end that is no number, every floating-point environment, and
-// both stages against each other.
+// Ray against sphere: worked examples of every feature, and an end that is no number.
 #include "contact/ray_sphere.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <random>
-#include <vector>
-
-#include "environment/floating_point_environments.hpp"
 #include "extreme_numbers.hpp"
 #include "kernel/contacts_for_tests.hpp"
-#include "kernel/segment_cores.hpp"
 
 namespace contact::ray_test {
 namespace {
@@ -67,55 +60,6 @@ TEST(RaySphere, touching_counts_and_one_ulp_less_does_not) {
   EXPECT_FALSE(test_ray_sphere(kAlongX, {{1, 0, 3}, below(3)}, 0));
   EXPECT_TRUE(compute_ray_sphere(kAlongX, {{7, 0, -4}, 4.5}, {0.5, 0}));
   EXPECT_FALSE(compute_ray_sphere(kAlongX, {{7, 0, -4}, 4.5}, {below(0.5), 0}));
-}
-
-struct Question {
-  Ray a;
-  Ball b;
-  Distances distances;
-};
-
-std::vector<Question> questions(int count) {
-  std::mt19937_64 random(20261124);
-  std::uniform_real_distribution<double> uniform(-4, 4);
-  const auto number = [&](bool small) { return small ? std::floor(uniform(random)) : uniform(random); };
-  std::vector<Question> all;
-  for (int i = 0; i < count; ++i) {
-    const bool small = i % 2 == 0;
-    const auto point = [&] { return Vector3(number(small), number(small), number(small)); };
-    Question q{
-        {point(), point(), std::abs(number(small))}, {point(), std::abs(number(small))}, {i % 3 == 0 ? 1.0 : 0.0, 0.5}};
-    if (q.a.direction.isZero(0)) q.a.direction[i % 3] = 1;
-    const double part = static_cast<double>(i % 5) / 4;
-    if (i % 7 == 1) q.b.center = q.a.origin + part * q.a.length * q.a.direction;
-    if (i % 7 == 2) q.a.direction.normalize();
-    if (i % 11 == 4) q.a.length = 0;
-    const double scale = i % 17 == 6 ? 0x1p-1060 : i % 17 == 7 ? 0x1p900 : 1;
-    for (Vector3* x : {&q.a.origin, &q.b.center}) *x *= scale;
-    for (double* x : {&q.a.length, &q.b.radius, &q.distances.alarm, &q.distances.contact}) *x *= scale;
-    all.push_back(q);
-  }
-  return all;
-}
-
-TEST(RaySphere, the_fast_stage_says_what_the_exact_one_does) {
-  int hits = 0;
-  for (const Question& q : questions(20000)) {
-    const auto contact = compute_ray_sphere(q.a, q.b, q.distances);
-    expect_same(contact, computed_exactly(q.a, q.b, q.distances));
-    EXPECT_EQ(test_ray_sphere(q.a, q.b, q.distances.alarm), contact.has_value());
-    hits += contact ? 1 : 0;
-    ASSERT_FALSE(HasFailure());
-  }
-  EXPECT_GT(hits, 5000);
-}
-
-TEST(RaySphere, is_the_same_in_every_floating_point_environment) {
-  expect_same_in_every_environment(questions(600), [](const Question& q, bool traps) {
-    return traps ? std::pair(out_of_line::compute_ray_sphere(q.a, q.b, q.distances),
-                             out_of_line::test_ray_sphere(q.a, q.b, q.distances.alarm))
-                 : std::pair(compute_ray_sphere(q.a, q.b, q.distances), test_ray_sphere(q.a, q.b, q.distances.alarm));
-  });
 }
 
 }  // namespace

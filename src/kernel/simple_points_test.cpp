@@ -7,15 +7,8 @@
 #include <random>
 #include <type_traits>
 
-#include "contact/capsule_capsule.hpp"
-#include "contact/capsule_plane.hpp"
 #include "contact/ray_sphere.hpp"
-#include "contact/ray_triangle.hpp"
-#include "contact/sphere_capsule.hpp"
-#include "contact/sphere_plane.hpp"
-#include "contact/sphere_sphere.hpp"
 #include "contact/sphere_triangle.hpp"
-#include "contact/triangle_line.hpp"
 #include "kernel/contacts_for_tests.hpp"
 #include "kernel/core_pairs.hpp"
 #include "kernel/cores_stages.hpp"
@@ -79,10 +72,10 @@ struct Count {
 };
 
 template <class A, class B>
-void expect_right(const std::optional<Contact>& contact, bool hit, const A& a, const B& b, Distances distances,
-                  Count& count) {
+void expect_right(const A& a, const B& b, Distances distances, Count& count) {
+  const auto& [contact, is_hit] = said(a, b, distances);
   expect_same(contact, computed_exactly(a, b, distances));
-  EXPECT_EQ(hit, contact.has_value());
+  EXPECT_EQ(is_hit, contact.has_value());
   if (!contact) return;
   ++count.hits;
   const auto& first = kernel::core_of(a);
@@ -114,28 +107,21 @@ TEST(SimplePoints, give_the_bits_of_the_exact_stage) {
     const Ray ray{start2, scene.along_axis(), scene.length()};
     const Plane plane{scene.along_axis(), scene.coordinate()};
 
-    expect_right(compute_sphere_capsule(ball, capsule2, distances),
-                 test_sphere_capsule(ball, capsule2, distances.alarm), ball, capsule2, distances, spheres);
-    expect_right(compute_capsule_capsule(capsule1, capsule2, distances),
-                 test_capsule_capsule(capsule1, capsule2, distances.alarm), capsule1, capsule2, distances, capsules);
-    expect_right(compute_sphere_triangle(ball, triangle, distances),
-                 test_sphere_triangle(ball, triangle, distances.alarm), ball, triangle, distances, triangles);
-    expect_right(compute_ray_sphere(ray, ball, distances), test_ray_sphere(ray, ball, distances.alarm), ray, ball,
-                 distances, rays);
-    expect_right(compute_sphere_plane(ball, plane, distances), test_sphere_plane(ball, plane, distances.alarm), ball,
-                 plane, distances, others);
-    expect_right(compute_capsule_plane(capsule1, plane, distances),
-                 test_capsule_plane(capsule1, plane, distances.alarm), capsule1, plane, distances, others);
-    expect_right(compute_ray_triangle(ray, triangle), test_ray_triangle(ray, triangle), ray, triangle, distances,
-                 others);
-    expect_right(compute_triangle_line(triangle, line), test_triangle_line(triangle, line), triangle, line, distances,
-                 others);
+    expect_right(ball, capsule2, distances, spheres);
+    expect_right(capsule1, capsule2, distances, capsules);
+    expect_right(ball, triangle, distances, triangles);
+    expect_right(ray, ball, distances, rays);
+    expect_right(ball, plane, distances, others);
+    expect_right(capsule1, plane, distances, others);
+    expect_right(ray, triangle, distances, others);
+    expect_right(triangle, line, distances, others);
     // Two balls are capsules without length.
     const Ball other{start2, radius2};
     const auto exactly =
         computed_exactly(Capsule{start1, start1, radius1}, Capsule{start2, start2, radius2}, distances);
-    expect_same(compute_sphere_sphere(ball, other, distances), exactly);
-    EXPECT_EQ(test_sphere_sphere(ball, other, distances.alarm), exactly.has_value());
+    const auto& [contact, is_hit] = said(ball, other, distances);
+    expect_same(contact, exactly);
+    EXPECT_EQ(is_hit, exactly.has_value());
     if (testing::Test::HasFailure()) ADD_FAILURE() << "question " << i;
   }
   EXPECT_GE(spheres.simple, spheres.hits / 2) << spheres.hits;

@@ -5,11 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <utility>
 #include <vector>
 
-#include "contact/sphere_sphere.hpp"
-#include "environment/floating_point_environments.hpp"
 #include "extreme_numbers.hpp"
 #include "kernel/contacts_for_tests.hpp"
 
@@ -127,11 +124,8 @@ std::vector<Question> questions() {
 }
 
 TEST(SphereCube, is_the_same_in_every_floating_point_environment) {
-  expect_same_in_every_environment(questions(), [](const Question& q, bool traps) {
-    return traps ? std::pair(out_of_line::compute_sphere_cube(q.a, q.b, q.distances),
-                             out_of_line::test_sphere_cube(q.a, q.b, q.distances.alarm))
-                 : std::pair(compute_sphere_cube(q.a, q.b, q.distances), test_sphere_cube(q.a, q.b, q.distances.alarm));
-  });
+  expect_same_in_every_environment(
+      questions(), [](const Question& q, bool traps) { return said(q.a, q.b, q.distances, {}, traps); });
 }
 
 }  // namespace

@@ -370,12 +370,8 @@ TEST(SphereSphere, answers_the_same_in_every_floating_point_environment) {
   EXPECT_LT(hits, 2800);
   for (const ContactPoints points : {ContactPoints{PointOn::nearest_surface, PointOn::far_surface},
                                      ContactPoints{PointOn::center, PointOn::nearest_surface}})
-    expect_same_in_every_environment(questions, [points](const Question& q, bool traps) {
-      return traps ? std::pair(out_of_line::compute_sphere_sphere(q.a, q.b, q.distances, points),
-                               out_of_line::test_sphere_sphere(q.a, q.b, q.distances.alarm))
-                   : std::pair(compute_sphere_sphere(q.a, q.b, q.distances, points),
-                               test_sphere_sphere(q.a, q.b, q.distances.alarm));
-    });
+    expect_same_in_every_environment(
+        questions, [points](const Question& q, bool traps) { return said(q.a, q.b, q.distances, points, traps); });
 }
 
 TEST(SphereSphere, leaves_the_rounding_mode_as_it_found_it) {
