@@ -22,13 +22,23 @@ test_contacts = contact_oracle.suite({arguments})
 """
 
 
-@pytest.fixture
-def run(pytester, plugin):
+def runner(pytester, plugin, run_pytest):
     def run(engine, arguments, *options, more=""):
         pytester.makepyfile(FILE.format(tests=str(TESTS), engine=engine, arguments=arguments) + more)
-        return pytester.runpytest_subprocess(*plugin, "-ra", "-p", "no:cacheprovider", "--strict-markers", *options)
+        return run_pytest(*plugin, "-ra", "-p", "no:cacheprovider", "--strict-markers", *options)
 
     return run
+
+
+@pytest.fixture
+def run(pytester, plugin):
+    return runner(pytester, plugin, pytester.runpytest_subprocess)
+
+
+@pytest.fixture
+def run_here(pytester, plugin):
+    """In this process, where few questions are asked: to read NumPy, Hypothesis and the package anew would take longer than the rest."""
+    return runner(pytester, plugin, pytester.runpytest_inprocess)
 
 
 def test_a_right_engine_passes(run):
@@ -52,8 +62,8 @@ def test_a_wrong_engine_fails_with_a_question_expected_and_got(run):
     assert result.ret == 1
 
 
-def test_golden_files_take_the_place_of_generated_cases(run, golden):
-    result = run("right", '["sphere_sphere", "cube_cube"], laws=False', "-v", f"--contact-golden={golden}")
+def test_golden_files_take_the_place_of_generated_cases(run_here, golden):
+    result = run_here("right", '["sphere_sphere", "cube_cube"], laws=False', "-v", f"--contact-golden={golden}")
     result.stdout.fnmatch_lines(["*[[]golden-sphere_sphere-hardest] PASSED*"])
     result.stdout.fnmatch_lines(["*[[]golden-cube_cube-generic-binary32] PASSED*"])
     assert result.ret == 0
@@ -64,8 +74,8 @@ def test_golden_files_take_the_place_of_generated_cases(run, golden):
     ('"sphere_sphere"', ["--contact-golden=nowhere"], "datasets: is not there, got nowhere"),
     ('"sphere_sphere", laws="gravity"', [], "no law 'gravity'"), ('"sphere_sphere", "cheese"', [], "families: is a family of none of the pairs"),
 ])
-def test_what_cannot_be_asked_is_named_before_any_test(run, golden, arguments, options, message):
-    result = run("right", arguments, *(option.format(golden=golden) for option in options))
+def test_what_cannot_be_asked_is_named_before_any_test(run_here, golden, arguments, options, message):
+    result = run_here("right", arguments, *(option.format(golden=golden) for option in options))
     assert result.ret == 2
     result.stdout.fnmatch_lines([f"*{message}*"])
 
@@ -87,7 +97,7 @@ def test_markers_choose(run):
     assert outcomes["deselected"] == sum(not family["outside_domain"] for family in contact_oracle.families("cube_cube"))
 
 
-def test_fixtures_say_what_answers_mean(run):
+def test_fixtures_say_what_answers_mean(run_here):
     more = """
 @pytest.fixture(scope="session")
 def contact_conventions():
@@ -97,8 +107,8 @@ def contact_conventions():
 def contact_tolerance():
     return {"length": 1e-9, "relative": 1e-9, "angle": 1e-9}
 """
-    run("reversed_normal", '"sphere_sphere", "generic", "bounds"', more=more).assert_outcomes(passed=1, skipped=1)
-    run("reversed_normal", '"sphere_sphere", "generic", "bounds"').assert_outcomes(failed=2)
+    run_here("reversed_normal", '"sphere_sphere", "generic", "bounds"', more=more).assert_outcomes(passed=1, skipped=1)
+    run_here("reversed_normal", '"sphere_sphere", "generic", "bounds"').assert_outcomes(failed=2)
 
 
 TOLERANCE = """
@@ -124,15 +134,15 @@ def test_what_a_tolerance_does_not_forgive_fails_and_is_shown_once(run, engine, 
     assert text.split("short test summary")[0].count(f"{laws[0]}: ") == 1, text
 
 
-def test_an_engine_that_raises_shows_its_own_trace(run):
-    result = run("raises", '"sphere_sphere", "generic", "swap"')
+def test_an_engine_that_raises_shows_its_own_trace(run_here):
+    result = run_here("raises", '"sphere_sphere", "generic", "swap"')
     result.assert_outcomes(failed=2)
     result.stdout.fnmatch_lines(["*KeyError: 'no such shape'*"])
 
 
 def test_without_an_engine_the_message_says_what_to_do(pytester, plugin):
     pytester.makepyfile("import contact_oracle\ntest_contacts = contact_oracle.suite('cube_cube', 'generic', False)")
-    result = pytester.runpytest_subprocess(*plugin, "-p", "no:cacheprovider")
+    result = pytester.runpytest_inprocess(*plugin, "-p", "no:cacheprovider")
     result.assert_outcomes(errors=1)
     result.stdout.fnmatch_lines(["*define a fixture contact_engine*"])
 
@@ -145,7 +155,7 @@ def test_without_hypothesis_the_laws_are_a_test_that_is_skipped(run):
 
 def test_other_tests_are_left_alone(pytester, plugin):
     pytester.makepyfile("def test_nothing(): pass")
-    result = pytester.runpytest_subprocess(*plugin, "-p", "no:cacheprovider")
+    result = pytester.runpytest_inprocess(*plugin, "-p", "no:cacheprovider")
     result.assert_outcomes(passed=1)
     result.stdout.no_fnmatch_line("*contact*seed*")
 
