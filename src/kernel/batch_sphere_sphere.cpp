@@ -88,8 +88,8 @@ HWY_INLINE void directions_of_vector(const SpherePairs& pairs, const ContactRows
       and_at_least(and_at_least(stage.hit, stage.d2, all(bounds::kLeast)), component, all(bounds::kLeastComponent));
 }
 
-/// Third: points and value, and what the vectors leave. False, and nothing that counts written, where a pair
-/// needs to be scaled first.
+/// Third: points and value, and what the vectors leave. False, and nothing that counts written, where a pair needs to be
+/// scaled first.
 template <bool kScaled, bool kExtent>
 HWY_INLINE bool points_of_vector(Job& job, const SpherePairs& pairs, const ContactRows& out, std::size_t i,
                                  Stage& stage, LeftLanes& left_over) {
@@ -145,8 +145,8 @@ HWY_INLINE bool points_of_vector(Job& job, const SpherePairs& pairs, const Conta
   if constexpr (!kScaled) {
     const Delta d = delta_of(in);
     const V reach = reach_of<kScaled, kExtent>(job, in, d);
-    const M in_range =
-        hn::And(hn::Ge(stage.d2, all(bounds::kLeast)), hn::Le(hn::MulAdd(reach, reach, stage.d2), all(bounds::kMost)));
+    const V most = all(bounds::kMost);
+    const M in_range = hn::And(hn::Ge(stage.d2, all(bounds::kLeast)), hn::Le(hn::MulAdd(reach, reach, stage.d2), most));
     if (!hn::AllTrue(D(), hn::Or(hn::Or(miss, in_range), coincide(d)))) return false;
   }
   stage.uncancelled = uncancelled;
