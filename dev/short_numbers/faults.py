@@ -189,7 +189,7 @@ FAULTS = [
     (DIVISION, NEAR, "hn::Add(remainder, hn::NegMulAdd(quotient, sum_low, difference.low))", "hn::NegMulAdd(quotient, sum_low, difference.low)"),
     (DIVISION, NEAR, "certain = hn::Or(zero, hn::And(near, hn::And(agree, in_range)));", "certain = hn::Or(zero, hn::And(agree, in_range));"),
     # Scaling.
-    (DIVISION, BATCH, "if constexpr (kScaled) root = scaled(root, scale.up);", ""),
+    (DIVISION, BATCH, "if constexpr (kScaled) root = scaled(root, scale_of(delta_of(in)).up);", ""),
     (DIVISION, FINISHING, "hn::Add(hn::Mul(r1, down), hn::Mul(r2, down))", "hn::Mul(r1, down)"),
     (DIVISION, FINISHING, "const Double2 root = kScaled ? scaled(stage.root, scale.up) : stage.root;", "const Double2 root = stage.root;"),
     # AVX-512.

@@ -54,14 +54,22 @@ HWY_INLINE V scaled_reach(V r1, V r2, V alarm, V down) {
   return hn::Min(hn::MulAdd(alarm, down, hn::Add(hn::Mul(r1, down), hn::Mul(r2, down))), all(bounds::kReachCap));
 }
 
+/// What the filter compares with the length of delta, scaled.
+template <bool kScaled, bool kExtent>
+HWY_INLINE V reach_of(const Job& job, const Loaded& in, const Delta& d) {
+  if constexpr (kScaled) return scaled_reach(in.ar, in.br, hn::LoadU(D(), job.alarms), scale_of(d).down);
+  return hn::Add(kExtent ? hn::Add(in.ar, in.br) : in.ar, all(job.question.distances.alarm));
+}
+
 /// A vector of contacts as the fast stage leaves it; the numbers are in their rows, those of misses 0.
 struct Stage {
-  Delta unit;  ///< delta, scaled
-  V d2;        ///< its squared length, plainly
+  V d2;          ///< the squared length of delta, scaled, plainly
+  V reciprocal;  ///< that of its root, within 2 u
   V qx, qy, qz, low_x, low_y, low_z;
   Double2 root;
   M hit;
   M miss;
+  M in_range;     ///< hits with no number so small that a test of the others means nothing
   V uncancelled;  ///< what points and value must be left with for the quick tests to mean anything
   M axes_agree;   ///< the quick tests of normal and points
   M value_agrees;
@@ -163,9 +171,13 @@ HWY_INLINE V other_value(const Delta& d, M only_axis, const Double2& root, const
 template <bool kScaled>
 HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage, LeftLanes& left) {
   const Loaded in(job.pairs, i);
-  const Delta d = kScaled ? delta_of(in) : stage.unit;
+  const Delta d = delta_of(in);
+  Delta unit = d;
   Scale scale{all(1), all(1)};
-  if constexpr (kScaled) scale = scale_of(d);
+  if constexpr (kScaled) {
+    scale = scale_of(d);
+    unit = scaled(d, scale.down);
+  }
   const V zero = all(0);
   const M coincident = coincide(d);
   M usable = hn::And(hn::Ge(stage.d2, all(bounds::kLeast)), hn::Le(stage.d2, all(bounds::kMost)));
@@ -198,7 +210,7 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage, LeftLanes&
   const bool same = job.question.distances.alarm == job.question.distances.contact;
   M undecided = hn::And(open, usable);
   if (!same && !hn::AllFalse(D(), undecided)) {
-    const NearTouching touching(stage.unit, stage.d2, d, scale.down, Length(in.ar, in.br, alarm));
+    const NearTouching touching(unit, stage.d2, d, scale.down, Length(in.ar, in.br, alarm));
     const M inside = hn::And(undecided, hn::Or(touching.zero, touching.negative()));
     hit = hn::Or(hit, inside);
     open = hn::AndNot(hn::Or(inside, hn::And(undecided, touching.positive())), open);
@@ -206,7 +218,7 @@ HWY_NOINLINE void finish(Job& job, std::size_t i, const Stage& stage, LeftLanes&
   }
   M wanting = hn::AndNot(value_certain, hn::And(usable, hn::Or(hit, undecided)));
   if (!hn::AllFalse(D(), wanting)) {
-    const NearTouching touching(stage.unit, stage.d2, d, scale.down, less);
+    const NearTouching touching(unit, stage.d2, d, scale.down, less);
     if (same) {
       const M inside = hn::And(undecided, hn::Or(touching.zero, touching.negative()));
       hit = hn::Or(hit, inside);

@@ -32,95 +32,49 @@ namespace HWY_NAMESPACE {
 
 #if HWY_NATIVE_FMA
 
-/// The contacts of a vector of pairs, and what is left of them. False, and nothing that counts written, where one needs
-/// to be scaled first. Without kExtent the second balls are points.
+// A vector of contacts is computed in three parts, whose steps wait for one another. A loop does each part of several
+// vectors before the next one, so that a processor computes one vector while another waits. Without kExtent the second
+// balls are points.
+
+/// First: the decision, and the root.
 template <bool kScaled, bool kExtent>
-HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i, LeftLanes& left_over) {
-  const Loaded in(job.pairs, i);
+HWY_INLINE void roots_of_vector(const Job& job, const SpherePairs& pairs, std::size_t i, Stage& stage) {
+  const Loaded in(pairs, i);
   const Delta d = delta_of(in);
   Delta unit = d;
-  Scale scale{all(1), all(1)};
-  if constexpr (kScaled) {
-    scale = scale_of(d);
-    unit = scaled(d, scale.down);
-  }
+  if constexpr (kScaled) unit = scaled(d, scale_of(d).down);
   const V d2 = squared_length(unit.x.high, unit.y.high, unit.z.high);
-  Double2 radii{in.ar, all(0)};
-  if constexpr (kExtent) radii = two_sum(in.ar, in.br);
-  const V alarm = kScaled ? hn::LoadU(D(), job.alarms) : all(job.question.distances.alarm);
-  V reach = hn::Add(radii.high, alarm);
-  if constexpr (kScaled) reach = scaled_reach(in.ar, in.br, alarm, scale.down);
   M hit;
   M miss;
-  filter(d2, reach, hit, miss);
+  filter(d2, reach_of<kScaled, kExtent>(job, in, d), hit, miss);
+  stage.d2 = d2;
+  stage.reciprocal = reciprocal_root(d2);
+  stage.hit = hit;
+  stage.miss = miss;
+}
 
-  const Direction n(unit, d2);
-  Double2 root = n.root;
-  if constexpr (kScaled) root = scaled(root, scale.up);
-  const Less less(radii, kScaled ? hn::LoadU(D(), job.contacts) : all(job.question.distances.contact));
-  const V uncancelled = uncancelled_share(root, less);
-
-  // Written as they come, and again where they do not hold: there are too few registers to keep them.
-  const auto write = [&](std::size_t k, V number) HWY_ATTR { hn::StoreU(number, D(), job.out.number[k] + i); };
-  const M wanted = hn::Not(miss);
-  M axes_agree = wanted;
-  M value_agrees = wanted;
-  write(0, rounded(n.q.x, n.low.x, bounds::kNormalEta, wanted, axes_agree));
-  write(1, rounded(n.q.y, n.low.y, bounds::kNormalEta, wanted, axes_agree));
-  write(2, rounded(n.q.z, n.low.z, bounds::kNormalEta, wanted, axes_agree));
+/// Second: normal and length.
+template <bool kScaled>
+HWY_INLINE void directions_of_vector(const SpherePairs& pairs, const ContactRows& out, std::size_t i, Stage& stage) {
+  const Loaded in(pairs, i);
+  const Delta d = delta_of(in);
+  Delta unit = d;
+  if constexpr (kScaled) unit = scaled(d, scale_of(d).down);
+  const Direction n(unit, stage.d2, stage.reciprocal);
+  const M wanted = hn::Not(stage.miss);
+  M x_agrees = wanted;  // three masks, and not one that each comparison waits for
+  M y_agrees = wanted;
+  M z_agrees = wanted;
+  const auto write = [&](std::size_t k, V number) HWY_ATTR { hn::StoreU(number, D(), out.number[k] + i); };
+  write(0, rounded(n.q.x, n.low.x, bounds::kNormalEta, wanted, x_agrees));
+  write(1, rounded(n.q.y, n.low.y, bounds::kNormalEta, wanted, y_agrees));
+  write(2, rounded(n.q.z, n.low.z, bounds::kNormalEta, wanted, z_agrees));
   // A component that is 0 is exactly so, and what follows from it.
   const auto if_any = [](V q, V delta) HWY_ATTR { return hn::IfThenElse(hn::Eq(delta, all(0)), all(1), q); };
   const V component =
       lesser_magnitude(least_magnitude(if_any(n.q.x, d.x.high), if_any(n.q.y, d.y.high)), if_any(n.q.z, d.z.high));
 
-  const Double2 value = value_of(root, less);
-  write(9, rounded(value.high, value.low, bounds::kSumEta, wanted, value_agrees));
-  V left = hn::Abs(value.high);  // the least that cancellation has left of a point or the value
-  const auto rounded_point = [&](V center, V radius, V q, V low) HWY_ATTR {
-    const Double2 at = point(center, radius, q, low);
-    left = lesser_magnitude(left, at.high);
-    return rounded(at.high, at.low, bounds::kSumEta, wanted, axes_agree);
-  };
-  const V radius1 = hn::Mul(in.ar, all(job.sign1));
-  [[maybe_unused]] const V radius2 = hn::Mul(in.br, all(job.sign2));
-  write(3, rounded_point(in.ax, radius1, n.q.x, n.low.x));
-  write(4, rounded_point(in.ay, radius1, n.q.y, n.low.y));
-  write(5, rounded_point(in.az, radius1, n.q.z, n.low.z));
-  if constexpr (kExtent) {
-    write(6, rounded_point(in.bx, radius2, n.q.x, n.low.x));
-    write(7, rounded_point(in.by, radius2, n.q.y, n.low.y));
-    write(8, rounded_point(in.bz, radius2, n.q.z, n.low.z));
-  } else {
-    const auto center = [&](V x) HWY_ATTR { return hn::IfThenElseZero(wanted, hn::Add(x, all(0))); };  // 0 is +0
-    write(6, center(in.bx));
-    write(7, center(in.by));
-    write(8, center(in.bz));
-  }
-
-  M good = hn::And(hn::And(hit, axes_agree), value_agrees);
-  good = and_at_least(good, left, uncancelled);
-  good = and_at_least(good, component, all(bounds::kLeastComponent));
-  const V least = all(bounds::kLeast);
-  good = and_at_least(good, d2, least);
-  if (HWY_LIKELY(hn::AllTrue(D(), hn::Or(miss, good)))) {
-    store_flags(hit, reinterpret_cast<std::uint8_t*>(job.out.state + i));
-    job.count.hits += hn::CountTrue(D(), hit);
-    return true;
-  }
-  if constexpr (!kScaled) {
-    const V most = all(bounds::kMost);
-    const M in_range = hn::And(hn::Ge(d2, least), hn::Le(hn::MulAdd(reach, reach, d2), most));
-    if (!hn::AllTrue(D(), hn::Or(hn::Or(miss, in_range), coincide(d)))) return false;
-  }
-  // Member by member: whole structs would be kept in memory on the quick way too.
-  Stage stage;
-  stage.unit.x.high = unit.x.high;
-  stage.unit.x.low = unit.x.low;
-  stage.unit.y.high = unit.y.high;
-  stage.unit.y.low = unit.y.low;
-  stage.unit.z.high = unit.z.high;
-  stage.unit.z.low = unit.z.low;
-  stage.d2 = d2;
+  // Member by member: a copy of the whole would be made in memory first.
   stage.qx = n.q.x;
   stage.qy = n.q.y;
   stage.qz = n.q.z;
@@ -129,13 +83,86 @@ HWY_INLINE bool contacts_of_vector(Job& job, std::size_t i, LeftLanes& left_over
   stage.low_z = n.low.z;
   stage.root.high = n.root.high;
   stage.root.low = n.root.low;
-  stage.hit = hit;
-  stage.miss = miss;
+  stage.axes_agree = hn::And(hn::And(x_agrees, y_agrees), z_agrees);
+  stage.in_range =
+      and_at_least(and_at_least(stage.hit, stage.d2, all(bounds::kLeast)), component, all(bounds::kLeastComponent));
+}
+
+/// Third: points and value, and what the vectors leave. False, and nothing that counts written, where a pair needs to be
+/// scaled first.
+template <bool kScaled, bool kExtent>
+HWY_INLINE bool points_of_vector(Job& job, const SpherePairs& pairs, const ContactRows& out, std::size_t i,
+                                 Stage& stage, LeftLanes& left_over) {
+  const Loaded in(pairs, i);
+  Double2 radii{in.ar, all(0)};
+  if constexpr (kExtent) radii = two_sum(in.ar, in.br);
+  Double2 root{stage.root.high, stage.root.low};
+  if constexpr (kScaled) root = scaled(root, scale_of(delta_of(in)).up);
+  const Less less(radii, kScaled ? hn::LoadU(D(), job.contacts) : all(job.question.distances.contact));
+  const V uncancelled = uncancelled_share(root, less);
+  const M hit = stage.hit;
+  const M miss = stage.miss;
+
+  // Written as they come, and again where they do not hold: there are too few registers to keep them.
+  const auto write = [&](std::size_t k, V number) HWY_ATTR { hn::StoreU(number, D(), out.number[k] + i); };
+  const M wanted = hn::Not(miss);
+  M first_agrees = stage.axes_agree;
+  M second_agrees = wanted;
+  M value_agrees = wanted;
+  const Double2 value = value_of(root, less);
+  write(9, rounded(value.high, value.low, bounds::kSumEta, wanted, value_agrees));
+  V left = hn::Abs(value.high);  // the least that cancellation has left of a point or the value
+  const auto rounded_point = [&](V center, V radius, V q, V low, M& agrees) HWY_ATTR {
+    const Double2 at = point(center, radius, q, low);
+    left = lesser_magnitude(left, at.high);
+    return rounded(at.high, at.low, bounds::kSumEta, wanted, agrees);
+  };
+  const V radius1 = hn::Mul(in.ar, all(job.sign1));
+  [[maybe_unused]] const V radius2 = hn::Mul(in.br, all(job.sign2));
+  write(3, rounded_point(in.ax, radius1, stage.qx, stage.low_x, first_agrees));
+  write(4, rounded_point(in.ay, radius1, stage.qy, stage.low_y, first_agrees));
+  write(5, rounded_point(in.az, radius1, stage.qz, stage.low_z, first_agrees));
+  if constexpr (kExtent) {
+    write(6, rounded_point(in.bx, radius2, stage.qx, stage.low_x, second_agrees));
+    write(7, rounded_point(in.by, radius2, stage.qy, stage.low_y, second_agrees));
+    write(8, rounded_point(in.bz, radius2, stage.qz, stage.low_z, second_agrees));
+  } else {
+    const auto center = [&](V x) HWY_ATTR { return hn::IfThenElseZero(wanted, hn::Add(x, all(0))); };  // 0 is +0
+    write(6, center(in.bx));
+    write(7, center(in.by));
+    write(8, center(in.bz));
+  }
+
+  const M axes_agree = hn::And(first_agrees, second_agrees);
+  M good = hn::And(hn::And(hit, axes_agree), value_agrees);
+  good = and_at_least(good, left, uncancelled);
+  good = hn::And(good, stage.in_range);
+  if (HWY_LIKELY(hn::AllTrue(D(), hn::Or(miss, good)))) {
+    store_flags(hit, reinterpret_cast<std::uint8_t*>(out.state + i));
+    job.count.hits += hn::CountTrue(D(), hit);
+    return true;
+  }
+  if constexpr (!kScaled) {
+    const Delta d = delta_of(in);
+    const V reach = reach_of<kScaled, kExtent>(job, in, d);
+    const V most = all(bounds::kMost);
+    const M in_range = hn::And(hn::Ge(stage.d2, all(bounds::kLeast)), hn::Le(hn::MulAdd(reach, reach, stage.d2), most));
+    if (!hn::AllTrue(D(), hn::Or(hn::Or(miss, in_range), coincide(d)))) return false;
+  }
   stage.uncancelled = uncancelled;
   stage.axes_agree = axes_agree;
   stage.value_agrees = value_agrees;
   finish<kScaled>(job, i, stage, left_over);
   return true;
+}
+
+/// The contacts of a vector of pairs in units of their deltas.
+template <bool kExtent>
+HWY_NOINLINE void contacts_of_scaled_vector(Job& job, std::size_t i, LeftLanes& left) {
+  Stage stage;
+  roots_of_vector<true, kExtent>(job, job.pairs, i, stage);
+  directions_of_vector<true>(job.pairs, job.out, i, stage);
+  points_of_vector<true, kExtent>(job, job.pairs, job.out, i, stage, left);
 }
 
 /// The same of pairs far from 1, in units of their own.
@@ -152,7 +179,7 @@ HWY_NOINLINE void contacts_of_lifted_vector(Job& job, std::size_t i) {
   std::copy_n(lifted.number[8], lanes, own.alarms);
   std::copy_n(lifted.number[9], lanes, own.contacts);
   LeftLanes left;
-  contacts_of_vector<true, kExtent>(own, 0, left);
+  contacts_of_scaled_vector<kExtent>(own, 0, left);
   job.count.hits += own.count.hits;
 
   left.any = true;
@@ -170,25 +197,50 @@ HWY_NOINLINE void contacts_of_lifted_vector(Job& job, std::size_t i) {
 
 /// How many pairs go unscaled again before a pair that had to be scaled is forgotten.
 constexpr std::size_t kStrip = 256;
+/// How many vectors have one part done before the next: what lies between stays in the first level cache.
+constexpr std::size_t kBlock = 8;
+
+/// A vector with a pair that has to be scaled.
+template <bool kExtent>
+HWY_NOINLINE void contacts_of_far_vector(Job& job, std::size_t i) {
+  if (Lifted::is_far_from_1(job.pairs, i, job.question.distances)) {
+    contacts_of_lifted_vector<kExtent>(job, i);
+    return;
+  }
+  LeftLanes left;
+  contacts_of_scaled_vector<kExtent>(job, i, left);
+  if (left.any) settle(job, i, left);
+}
 
 template <bool kExtent>
 HWY_INLINE void contacts_of_whole_vectors(Job& job, std::size_t end) {
   const std::size_t lanes = hn::Lanes(D());
   std::fill_n(job.alarms, kMostLanes, job.question.distances.alarm);
   std::fill_n(job.contacts, kMostLanes, job.question.distances.contact);
-  bool scale = false;
-  for (std::size_t i = 0; i < end; i += lanes) {
-    if (i % kStrip == 0) scale = false;
-    LeftLanes left;
-    if (scale || !contacts_of_vector<false, kExtent>(job, i, left)) {
-      scale = true;
-      if (Lifted::is_far_from_1(job.pairs, i, job.question.distances)) {
-        contacts_of_lifted_vector<kExtent>(job, i);
-        continue;
+  Stage stages[kBlock];
+  const SpherePairs pairs = job.pairs;
+  const ContactRows out = job.out;
+  for (std::size_t strip = 0; strip < end; strip += kStrip) {
+    const std::size_t strip_end = std::min(end, strip + kStrip);
+    bool scale = false;
+    for (std::size_t block = strip; block < strip_end; block += kBlock * lanes) {
+      const std::size_t block_end = std::min(strip_end, block + kBlock * lanes);
+      Stage* stage = stages;
+      for (std::size_t i = block; i < block_end && !scale; i += lanes)
+        roots_of_vector<false, kExtent>(job, pairs, i, *stage++);
+      stage = stages;
+      for (std::size_t i = block; i < block_end && !scale; i += lanes)
+        directions_of_vector<false>(pairs, out, i, *stage++);
+      stage = stages;
+      for (std::size_t i = block; i < block_end; i += lanes) {
+        LeftLanes left;
+        scale = scale || !points_of_vector<false, kExtent>(job, pairs, out, i, *stage++, left);
+        if (scale)
+          contacts_of_far_vector<kExtent>(job, i);
+        else if (left.any)
+          settle(job, i, left);
       }
-      contacts_of_vector<true, kExtent>(job, i, left);
     }
-    if (left.any) settle(job, i, left);
   }
 }
 

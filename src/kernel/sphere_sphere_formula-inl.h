@@ -23,8 +23,9 @@ struct Direction {
   Double2 root;
   Number reciprocal;  ///< 1 / s within 2 u
 
-  CONTACT_LANES Direction(const Delta& d, Number d2) {
-    const Number y = reciprocal_root(d2);
+  CONTACT_LANES Direction(const Delta& d, Number d2) : Direction(d, d2, reciprocal_root(d2)) {}
+  /// The same with 1 / s within 2 u.
+  CONTACT_LANES Direction(const Delta& d, Number d2, Number y) {
     reciprocal = y;
     q = product(d, y);
     const Axes e = product_rest(d, y, q);
