@@ -201,6 +201,41 @@ std::string read_text(const std::filesystem::path& path) {
   return read_rest(stream, {path.string(), 0});
 }
 
+namespace {
+
+constexpr int kNumberOverflow = 406;  // the library's error
+
+/// Where the library stops in a line that it does not read to its end: "a.center[2]".
+std::string place_of_stop(std::string_view line) {
+  struct Level {
+    bool is_array = false;
+    std::string key;
+    std::size_t index = 0;
+  };
+  std::vector<Level> levels;
+  using Event = nlohmann::json::parse_event_t;
+  const auto follow = [&](int /*depth*/, Event event, const nlohmann::json& parsed) {
+    if (event == Event::object_start || event == Event::array_start) {
+      levels.push_back({event == Event::array_start, {}, 0});
+    } else if (event == Event::key) {
+      levels.back().key = parsed.get<std::string>();
+    } else {
+      if (event != Event::value) levels.pop_back();
+      if (!levels.empty()) ++levels.back().index;
+    }
+    return true;
+  };
+  const nlohmann::json ignored = nlohmann::json::parse(line, follow, false);  // its errors are known
+  std::string place;
+  for (const Level& level : levels)
+    place += level.is_array  ? fmt::format("[{}]", level.index)
+             : place.empty() ? shortened(level.key)
+                             : "." + shortened(level.key);
+  return place;
+}
+
+}  // namespace
+
 nlohmann::json parse_object(std::string_view line, const Location& where) { return parse_object(line, where, {}); }
 
 nlohmann::json parse_object(std::string_view line, const Location& where, const Take& take) {
@@ -233,6 +268,11 @@ nlohmann::json parse_object(std::string_view line, const Location& where, const 
     const std::string text = shortened(
         error.what(), kLongestProblem);  // "[json.exception.parse_error.101] parse error at ...": the tag is noise
     const auto tag = text.find("] ");
+    if (error.id == kNumberOverflow) {
+      const std::string number = text.substr(text.find('\'') + 1);  // "number overflow parsing '1e400'"
+      throw InputError(where, place_of_stop(line),
+                       "expected a number that binary64 has, got " + shortened(number.substr(0, number.find('\''))));
+    }
     throw InputError(where, "", "malformed JSON: " + text.substr(tag == std::string::npos ? 0 : tag + 2));
   }
 }

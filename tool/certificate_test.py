@@ -477,6 +477,9 @@ class Accepted(Case):
         self.assertEqual([(a["reason"], a["expires"]) for a in accepted[:2]],
                          [("its own", "2998-01-01"), ("plain arithmetic", FUTURE)])
         self.holds()
+        self.write()
+        strange = self.certify(*self.ARGS, "--baseline", self.known, "--accept-reason", os.fsdecode(b"\xff"), "--accept-until", FUTURE)["accepted"]
+        self.assertEqual((strange[0]["reason"], strange[1]["reason"]), ("its own", r"\xff"))
 
     def test_what_has_expired_is_accepted_no_more(self):
         self.write(reason="plain arithmetic", expires="2020-12-31")
@@ -619,6 +622,29 @@ class NotWritten(Case):
     def test_a_place_that_cannot_be_written_is_refused_before_the_work(self):
         done = run("certify", GOLDEN, "--certificate", self.folder / "none" / "c.json")
         self.assertEqual((done.returncode, done.stdout), (2, ""))
+
+    def test_a_name_that_it_cannot_state_is_refused_before_the_work(self):
+        name = os.fsdecode(b"\xff")
+        (self.folder / name).mkdir()
+        inside, within = self.folder / f"{name}.jsonl", self.folder / name / "d.jsonl"
+        for path in (inside, within):
+            shutil.copy(GOLDEN / "sphere_sphere" / "touching.jsonl", path)
+        recorded = self.folder / f"{name}.answers.jsonl"
+        one = "golden/sphere_sphere/touching.jsonl"
+        self.assertEqual(run("certify", one, "--fresh", 0, "--engine", "production", "--record", recorded).returncode, 0)
+        engine = self.folder / name / "engine.py"
+        shutil.copy(PLAIN, engine)
+        for args, options in ((("--engine", "production", inside), {}), (("--engine", "production", within), {}), ((one, "--results", recorded), {}),
+                              ((GOLDEN / "sphere_sphere" / "touching.jsonl", "--engine-command", "python3 engine.py"), {"cwd": self.folder / name})):
+            with self.subTest(args):
+                done = run("certify", *args, "--fresh", 0, "--certificate", self.path, **options)
+                self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+                self.assertIn("is not UTF-8, so no certificate can state it", done.stderr)
+                self.assertEqual(list(self.folder.glob("c.*")), [])
+        # A certificate sees its files from where it lies.
+        self.path = self.folder / name / "c.json"
+        self.certify("--engine", "production", within, "--fresh", 0)
+        self.holds()
 
     def test_an_engine_that_answers_one_question_in_two_ways(self):
         engine = self.folder / "engine.py"

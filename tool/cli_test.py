@@ -1193,6 +1193,8 @@ class BadDatasets(Case):
             "malformed": ([*good[:3], "{nonsense}", *good[4:]], f"{path}:4: ", "malformed JSON"),
             "a NUL byte": ([*good[:3], line(good[3]) + '\0{"more":1}', *good[4:]], f"{path}:4: ", "malformed JSON", "NUL"),
             "no object": ([*good[:3], "[1,2]", *good[4:]], f"{path}:4: ", "expected a JSON object", "[1,2]"),
+            "a number beyond binary64": ([*good[:3], line(put(good, ["b", "center", 1], "X", 3)[3]).replace('"X"', "-1e400"), *good[4:]],
+                                         f"{path}:4: b.center[1]: ", "-1e400"),
             "blank line": ([*good[:3], "", *good[4:]], f"{path}:4: ", "malformed JSON"),
             "wrong version": (put(good, ["version"], 2, 0), f"{path}:1: version: ", "2"),
             "wrong format": (put(good, ["format"], "other", 0), f"{path}:1: format: ", "other"),
@@ -1431,6 +1433,9 @@ class BadUsage(Case):
     def test_what_a_run_reads_is_never_written_over(self):
         lines = committed("sphere_sphere/touching.jsonl", 0, 5)
         dataset, results = self.file("d.jsonl", lines), self.file("r.jsonl", answers_to(lines))
+        answers = self.file("known.answers.jsonl", lines)  # of a certificate known.json
+        (self.folder / "in").mkdir()
+        inside = self.file("in/d.jsonl", lines)
         link = self.folder / "link.jsonl"
         link.symlink_to(dataset)
         known, scene = self.folder / "known.json", self.file("s.jsonl", (ROOT / "docs" / "examples" / "scenes" / "drops.jsonl").read_text())
@@ -1441,6 +1446,8 @@ class BadUsage(Case):
             self.holds("generate", "--pair", "cube_cube", "--family", "flat", "--count", 4, "--seed", 1, "--shard", f"{i}/2", "-o", shards[i])
         for args, path in ((("certify", dataset, "--results", results, "--json", results), results),
                            (("certify", dataset, "--engine", "production", "--record", dataset), dataset),
+                           (("certify", self.folder / "in", "--engine", "production", "--fresh", 0, "--record", inside), inside),
+                           (("certify", answers, "--engine", "production", "--certificate", self.folder / "known.json"), answers),
                            (("certify", dataset, "--report", link), link),
                            (("certify", dataset, "--results", results, "--baseline", known, "--json", known), known),
                            (("detect", scene, "-o", scene), scene), (("annotate", asked, "-o", asked), asked),
@@ -1548,6 +1555,23 @@ class Outputs(Case):
                             "--json", self.folder / "r.json", **closed)
                 self.assertIn(asked.returncode, (1, 2))  # 2: the report could not be printed
                 self.assertFalse(json.loads((self.folder / "r.json").read_text())["certified"])
+
+    def test_files_are_written_where_nobody_reads_what_is_printed(self):
+        reader, writer = os.pipe()
+        os.close(reader)
+        self.addCleanup(os.close, writer)
+        unread = {"capture_output": False, "stdout": writer, "stderr": subprocess.PIPE}
+        judged = ("certify", GOLDEN / "sphere_sphere", "--fresh", 0, "--engine", "plain-float")
+        laws = ("properties", "--engine", "plain-double", "--seed", 1, "--cases", 300, "--law", "decision,touching,bounds")
+        saved = ("--save", self.folder / "saved.jsonl", "--junit", self.folder / "saved.xml")
+        for args, names in (((*judged, "--certificate", self.folder / "c.json"), ("c.json", "c.answers.jsonl")),
+                            ((*judged, "--certificate", self.folder / "c.json", "--json"), ("c.json", "c.answers.jsonl")),
+                            ((*laws, *saved), ("saved.jsonl", "saved.xml")), ((*laws, *saved, "--json"), ("saved.jsonl", "saved.xml"))):
+            with self.subTest(args):
+                done = run(*args, **unread)
+                self.assertEqual((done.returncode, done.stderr.splitlines()[-1]), (2, "contact-oracle: standard output: cannot write"))
+                for name in names:
+                    (self.folder / name).unlink()
 
     def test_an_output_that_is_no_regular_file_is_never_replaced(self):
         fifo = self.folder / "x.jsonl"
@@ -2129,6 +2153,8 @@ class Explain(Case):
 
     def test_a_bad_question_is_refused_with_its_line(self):
         for bad, *words in (("{", "malformed JSON"), ("", "malformed JSON"), ({**SPHERES, "alarm": "NaN"}, "alarm: ", "NaN"),
+                            ("1e400", "1e400"), ('{"a":{"vertices":[[1],[{"x":0},[2,3,1e309]]]},"b":1}', "-:2: a.vertices[1][1][2]: ", "1e309"),
+                            ('{"alarm":1' + "0" * 400 + "}", "-:2: alarm: ", "got 100000"),
                             ({**SPHERES, "id": CUBES_ID}, "id: ", CUBES_ID, SPHERES_ID), ({"a": SPHERES["a"]}, "b: ", "missing"),
                             ({**SPHERES, "pair": "cone_cone"}, "pair: ", "cone_cone"), ({**SPHERES, "pair": "cube_cube"}, "a.center: "),
                             ({**SPHERES, "scalar": "binary32", "alarm": 0.10000000000000002}, "alarm: ", "binary32", "0.10000000000000002")):
@@ -2282,6 +2308,19 @@ class Properties(Case):
         self.holds("certify", path, "--level", "correctly-rounded")
         before = GOLDEN / "sphere_sphere" / "generic.jsonl"
         self.refused(("properties", "--save", before), "family")
+
+    def test_a_file_beside_saved_counterexamples_that_is_none_of_theirs_is_refused_before_the_work(self):
+        beside = self.folder / "saved.cube_cube.jsonl"
+        header, case = committed("cube_cube/flat.jsonl", 0, 1)
+        header["family"] = "regression"
+        for lines, *words in (([header], f"{beside}:1: count: "), ([{**header, "family": "other"}, case], f"{beside}:1: family: ", "other"),
+                              (committed("sphere_sphere/touching.jsonl", 0, 0)[:1], f"{beside}:1: family: "),
+                              ([{**header, "scalar": "binary32", "count": 0}], f"{beside}:1: scalar: ", "binary32"),
+                              ([{**header, "pair": "capsule_cube", "count": 0}], f"{beside}:1: pair: ", "capsule_cube")):
+            with self.subTest(words):
+                beside.write_text(text(lines))
+                done = self.refused(("properties", "--engine", "production", "--law", "touching", "--save", self.folder / "saved.jsonl"), *words)
+                self.assertEqual(done.stdout, "")
 
     def test_wrong_usage_is_refused_and_a_harness_that_answers_nothing_is_invalid(self):
         self.refused(("properties", "--law", "nonsense"), "nonsense")

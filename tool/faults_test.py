@@ -524,6 +524,19 @@ class Together(Prepared):
             self.assertEqual([path.name for path in self.folder.iterdir()], ["link.json"])
 
 
+class Descriptors(Case):
+    def test_a_run_that_may_open_few_files_ends_as_it_should_or_says_so(self):
+        command = f"{TOOL} serve"
+        for most in range(6, 20):
+            with self.subTest(most):
+                done = tool("certify", FLAT, "--fresh", 0, "--engine-command", command,
+                            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (most, most)))
+                self.assertIn(done.returncode, (0, 2, 3), done.stderr)
+                if done.returncode != 0:
+                    self.assertRegex(done.stderr, "(?i)too many open files")
+                TALLY["few files may be open"]["done" if done.returncode == 0 else "refused"] += 1
+
+
 class Links(Case):
     def test_outputs_that_are_links(self):
         (self.folder / "real").mkdir()

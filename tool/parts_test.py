@@ -207,6 +207,9 @@ class Parts(Case):
         self.refused((*FLOAT, "--shard", "0/2"), "--parts")
         self.refused((*FLOAT, "--parts", folder, "--shard", "2/2"), "--shard", "I below N", "2/2")
         self.refused((*FLOAT, "--parts", folder, "--shards", "0"), "--shards")
+        self.refused(("certify", "--generate", "2", "--pair", "cube_cube", "--family", "flat", "--seed", "1", "--engine", "production", "--parts", self.folder / "none",
+                      "--shards", "65"), "--shards: 65 parts are more than the 4 questions")
+        self.assertFalse((self.folder / "none").exists())
         self.refused(("certify", "--generate", "5", "--parts", folder), "--seed")
 
     @unittest.skipIf(MPIRUN, "this program knows MPI")

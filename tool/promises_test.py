@@ -915,6 +915,14 @@ class Exams(Case):
         self.take()
         self.close()
 
+    def test_answers_that_no_certificate_can_name_leave_the_key_as_it_was(self):
+        self.set_exam()
+        self.take()
+        before, strange = self.key.read_bytes(), self.folder / os.fsdecode(b"\xff.jsonl")
+        strange.write_bytes(self.taken.read_bytes())
+        self.refused("is not UTF-8", args=["exam", "close", "--key", self.key, "--results", strange, "--certificate", self.folder / "c.json"])
+        self.assertEqual(self.key.read_bytes(), before)
+
     def test_a_key_that_was_changed_is_refused_and_stays_as_it_was(self):
         self.set_exam()
         self.take()

@@ -43,6 +43,10 @@ class Children {
   std::array<std::atomic<pid_t>, 256> groups_{};
 } children;
 
+[[noreturn]] void cannot_start(const std::string& program, int why) {
+  throw std::runtime_error(fmt::format("cannot start '{}': {}", program, uv_strerror(why)));
+}
+
 }  // namespace
 
 void kill_children() noexcept { children.kill_all(); }
@@ -69,11 +73,11 @@ struct ChildProcess::State {
   std::array<char, 4096> error_buffer{};
   std::function<void()> check;
 
-  State() {
+  explicit State(const std::string& program) {
     // A write to a child that is gone must come back as an error, not end this program.
     static const auto ignored = std::signal(SIGPIPE, SIG_IGN);
     static_cast<void>(ignored);
-    uv_loop_init(&loop);
+    if (const int why = uv_loop_init(&loop); why != 0) cannot_start(program, why);  // as where no file can be opened
     uv_pipe_init(&loop, &input, 0);
     uv_pipe_init(&loop, &output, 0);
     uv_pipe_init(&loop, &error, 0);
@@ -178,7 +182,7 @@ struct ChildProcess::State {
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command, std::size_t longest_line,
                            std::function<void()> check)
-    : state_(std::make_unique<State>()) {
+    : state_(std::make_unique<State>(command.front())) {
   State& s = *state_;
   s.longest_line = longest_line;
   s.check = std::move(check);
@@ -210,7 +214,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, std::size_t 
   };
   if (const int error = uv_spawn(&s.loop, &s.process, &options); error != 0) {
     s.process.pid = 0;
-    throw std::runtime_error(fmt::format("cannot start '{}': {}", command.front(), uv_strerror(error)));
+    cannot_start(command.front(), error);
   }
   children.add(s.process.pid);
   s.start_reading();

@@ -11,7 +11,8 @@
 namespace contact::engines {
 
 /// One child with a pipe to its standard input and from its standard output and error. Used by one thread at a time.
-/// The child leads a process group of its own, which is killed with it: nothing is left behind.
+/// The child leads a process group of its own, which is killed with it: nothing is left behind but
+/// what left that group, as by setsid().
 class ChildProcess {
  public:
   using Clock = std::chrono::steady_clock;

@@ -27,6 +27,8 @@
 namespace contact::tool {
 namespace {
 
+constexpr std::uint64_t kUsualParts = 64;
+
 struct CertifyOptions {
   std::vector<std::string> paths;
   EngineOptions engine;
@@ -43,7 +45,7 @@ struct CertifyOptions {
   bool fail_fast = false;
   double max_time = 0;  ///< seconds; 0: no limit
   std::string parts;    ///< folder
-  std::uint64_t shards = 64;
+  std::uint64_t shards = kUsualParts;
   std::string shard;
   bool stats = false;
   bool determinism = false;
@@ -187,7 +189,7 @@ std::shared_ptr<const Baseline> read_baseline(const CertifyOptions& options) {
     refuse(fmt::format("--accept-until: expected a day, YYYY-MM-DD, got '{}'", options.accept_until));
   SavedReport saved = read_report(options.baseline);
   for (Failure& f : saved.failures) {
-    if (f.reason.empty()) f.reason = options.accept_reason;
+    if (f.reason.empty()) f.reason = formats::visible(options.accept_reason);  // as what the baseline says
     if (f.expires.empty()) f.expires = options.accept_until;
   }
   auto baseline = std::make_shared<const Baseline>(saved, issue_date());
@@ -204,6 +206,16 @@ std::shared_ptr<const Baseline> read_baseline(const CertifyOptions& options) {
                     "\"reason\" or no \"expires\": add them, or --accept-reason and --accept-until",
                     *id));
   return baseline;
+}
+
+std::vector<std::string> outputs_of(const CertifyOptions& options) {
+  const ReportOptions& reports = options.reports;
+  return {reports.html,
+          reports.json,
+          reports.junit,
+          reports.markdown,
+          options.certificate.certificate,
+          options.certificate.answers(!options.engine.results.empty())};
 }
 
 /// CertifyOptions that would do nothing, or lose what they are given, are refused before the work.
@@ -223,10 +235,7 @@ void require_used(const CLI::App& command, const CertifyOptions& options, bool s
   for (const std::string& file :
        {options.baseline, options.failures_of, options.engine.results, options.engine.library})
     read.push_back(file);
-  const ReportOptions& reports = options.reports;
-  require_apart({reports.html, reports.json, reports.junit, reports.markdown, options.certificate.certificate,
-                 options.certificate.record},
-                read);
+  require_apart(outputs_of(options), read);
 }
 
 /// A certificate tells of one whole run in one process, from which all answers came.
@@ -241,6 +250,14 @@ void require_whole(const CertifyOptions& options, bool scoreboard) {
         "one run, by --results");
   if (!options.certificate.certificate.empty() && (options.fail_fast || options.max_time > 0))
     refuse("--certificate is of a whole run, which --fail-fast and --max-time may end early");
+}
+
+/// Few questions may leave some of the usual parts empty, but a file is not kept for each of many that are.
+void require_filled(std::uint64_t parts, const std::vector<Source>& sources) {
+  std::uint64_t questions = 0;
+  for (const Source& source : sources) questions += source.count;
+  if (parts > std::max(questions, kUsualParts))
+    refuse(fmt::format("--shards: {} parts are more than the {} questions", parts, questions));
 }
 
 /// Only an engine that answers here, and all of whose answers are seen by one process, can be asked again.
@@ -378,9 +395,15 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
   if (options.determinism) require_askable(options, scoreboard);
   CertificateFiles certificate(options.certificate, options.engine);
   const auto [sources, fresh] = asked(options, scoreboard);
+  std::vector<std::string> read;  // also those in a folder
+  for (const Source& source : sources)
+    if (source.dataset) read.push_back(source.dataset->string());
+  require_apart(outputs_of(options), read);
   std::vector<Subject> judged = subjects(options, scoreboard, rows_of(sources), stop, certificate);
   for (Subject& subject : judged) subject.report.fresh = fresh;
+  certificate.name(sources);
   const bool in_parts = !options.parts.empty() || Cluster::size() > 1;
+  if (in_parts && options.shard.empty()) require_filled(options.shards, sources);
   if (stop.at_first_failure && in_parts) refuse("--fail-fast ends one run; parts are judged each for itself");
   if (!options.parts.empty() && scoreboard) refuse("--parts keeps what one engine did: give the engine");
   const Kept kept(options.parts, sources, judged.front().report);
@@ -431,11 +454,11 @@ int certify(const CLI::App& command, const CertifyOptions& options) {
                                         reports.front().engine, other_hosts(options.engine, [&stop] { stop.check(); }));
   say_stats();
   for (const Subject& subject : judged) say_decimals(subject.engine->decimals(), "the answers");
-  const int exit = files->write(reports, scoreboard);
-  if (exit == kCertified || exit == kRefuted) {
-    certificate.write(reports.front(), sources, oracles, judged.front().baseline.get());
-    certificate.tell();
-  }
+  files->write(reports);
+  const bool is_stated = reports.front().judged() != 0 && !reports.front().harness_invalid();
+  if (is_stated) certificate.write(reports.front(), sources, oracles, judged.front().baseline.get());
+  const int exit = files->print(reports, scoreboard);
+  if (is_stated) certificate.tell();
   return exit;
 }
 

@@ -200,6 +200,7 @@ int close(const CloseOptions& o) {
   subjects.push_back({make_engine(o.engine), {}});
   Report& report = subjects.front().report;
   report.engine = subjects.front().engine->info();
+  certificate.name(key.sources);
   report.allow_unsupported = o.allow_unsupported;
   set_demand(o.demand, report, key.terms.profile);
   Stop stop;
@@ -217,11 +218,13 @@ int close(const CloseOptions& o) {
   }
   if (!is_used) {
     say("{} stays as it is: no answer {}\n", o.key, reports.front().judged() == 0 ? "was judged" : "claims anything");
-    return files.write(reports, false);
+    files.write(reports);
+    return files.print(reports, false);
   }
   // First what cannot be made again.
   certificate.write(reports.front(), key.sources, oracles, nullptr, key.terms);
-  const int exit = files.write(reports, false);
+  files.write(reports);
+  const int exit = files.print(reports, false);
   certificate.tell();
   say("{} is used, and its seed {}\n{}\n", o.key,
       o.certificate.certificate.empty() ? "is in it" : "stands in the certificate",

@@ -76,7 +76,8 @@ int merge_parts(const MergeOptions& options) {
                      fmt::format("{} of {} parts missing: {}", of - parts.size(), of, fmt::join(missing, ", ")));
   }
   for (const auto& [index, path] : parts) merge(reports, read_part(path).content, index == 0);
-  return files.write(reports, false);
+  files.write(reports);
+  return files.print(reports, false);
 }
 
 }  // namespace

@@ -85,8 +85,25 @@ std::optional<Regression> read_regression(const fs::path& path) {
   return found;
 }
 
+/// The same of the file beside `path` that is named by pair and scalar, and holds no other questions.
+fs::path beside(fs::path path, Pair pair, Scalar scalar) {
+  return path.replace_extension(fmt::format(".{}{}.jsonl", name(pair), scalar == Scalar::binary32 ? ".f32" : ""));
+}
+std::optional<Regression> read_beside(const fs::path& path, Pair pair, Scalar scalar) {
+  const fs::path file = beside(path, pair, scalar);
+  std::optional<Regression> found = read_regression(file);
+  const auto require = [&](const std::string& field, std::string_view expected, std::string_view got) {
+    if (expected != got)
+      throw formats::InputError({file.string(), 1}, field,
+                                fmt::format("expected \"{}\", as the file's name says, got \"{}\"", expected, got));
+  };
+  if (found) require("pair", name(pair), name(found->header.pair));
+  if (found) require("scalar", name(scalar), name(found->header.scalar));
+  return found;
+}
+
 /// The questions of every violation, each once, into `path`; those of another pair or scalar than stands there go to a
-/// file beside it that is named by pair and scalar. What lies outside the domain has no place in such a file.
+/// file beside it. What lies outside the domain has no place in such a file.
 void save(const std::string& path, const proptests::RunResult& result) {
   const Scalar scalar = result.engine.declared.scalar;
   std::map<Pair, std::vector<Query>> questions;
@@ -102,12 +119,8 @@ void save(const std::string& path, const proptests::RunResult& result) {
   std::optional<Regression> there = read_regression(path);
   for (const Pair pair : order) {
     const bool first = there ? there->header.pair == pair && there->header.scalar == scalar : pair == order.front();
-    fs::path file = path;
-    std::optional<Regression> regression = there;
-    if (!first) {
-      file.replace_extension(fmt::format(".{}{}.jsonl", name(pair), scalar == Scalar::binary32 ? ".f32" : ""));
-      regression = read_regression(file);
-    }
+    const fs::path file = first ? fs::path(path) : beside(path, pair, scalar);
+    std::optional<Regression> regression = first ? there : read_beside(path, pair, scalar);
     if (!regression) {
       regression = Regression{};
       regression->header.pair = pair;
@@ -166,6 +179,8 @@ int properties(const CLI::App& command, const PropertiesOptions& o) {
 
   auto engine = make_engine(o.engine);
   const Scalar scalar = engine->info().declared.scalar;
+  if (!o.save.empty())
+    for (const Pair pair : kPairs) static_cast<void>(read_beside(o.save, pair, scalar));
   run.tolerance = demanded_tolerance(o.demand, engine->info().declared.tolerance);
   run.truth = [scalar](const Query& query) {
     oracle::Truth truth = oracle::truth_of(query);
@@ -180,12 +195,16 @@ int properties(const CLI::App& command, const PropertiesOptions& o) {
   };
   run.restart = [&] { return make_engine(o.engine); };
   LawRun done{proptests::run_laws(engine, run), run.seed, o.cases, command_again(command, o, run.seed)};
-  json.write(json_text(done));
-  json.commit();
+  const auto write_json = [&] {
+    json.write(json_text(done));
+    json.commit();
+  };
+  if (!json.alone()) write_json();
   write(junit, junit_text(done));
   if (!json.alone()) words() << terminal_text(done);
   say_decimals(engine->decimals(), "the answers");
   if (!o.save.empty()) save(o.save, done.result);
+  if (json.alone()) write_json();  // behind all files: nobody may read it
   if (done.result.holds()) return kCertified;
   return done.result.ever_answered ? kRefuted : kHarnessInvalid;
 }

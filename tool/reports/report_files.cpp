@@ -54,13 +54,19 @@ ReportFiles::ReportFiles(const ReportOptions& options)
       json_(options.json),
       markdown_(opened(options.markdown)) {}
 
-int ReportFiles::write(const std::vector<Report>& reports, bool scoreboard) {
+void ReportFiles::write(const std::vector<Report>& reports) {
   const Report& first = reports.front();
   write_to(junit_, junit_text(first));
   write_to(markdown_, markdown_text(first));
   write_to(html_, html_text(reports));
+  if (json_.alone()) return;
   json_.write(json_text(first));
   json_.commit();
+}
+
+int ReportFiles::print(const std::vector<Report>& reports, bool scoreboard) {
+  const Report& first = reports.front();
+  if (json_.alone()) json_.write(json_text(first));
   const bool colour = wants_colour();
   if (colour) let_colours_through();
   if (!json_.alone()) words() << (scoreboard ? scoreboard_text(reports, colour) : terminal_text(first, colour));

@@ -26,9 +26,11 @@ class ReportFiles {
  public:
   explicit ReportFiles(const ReportOptions& options);
 
-  /// Writes the files, prints the report of the first engine or the scoreboard of all, and returns the exit code.
-  /// Throws formats::InputError where no case was judged.
-  [[nodiscard]] int write(const std::vector<Report>& reports, bool scoreboard);
+  /// Writes the files.
+  void write(const std::vector<Report>& reports);
+  /// Prints the report of the first engine or the scoreboard of all, and returns the exit code. It comes behind all that
+  /// is written: nobody may read it. Throws formats::InputError where no case was judged.
+  [[nodiscard]] int print(const std::vector<Report>& reports, bool scoreboard);
 
  private:
   using File = std::unique_ptr<formats::OutputFile>;
