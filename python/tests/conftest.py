@@ -2,12 +2,15 @@
 import importlib.metadata
 import os
 import pathlib
+import signal
 
 import pytest
 
 pytest_plugins = ["pytester"]
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+# A shell that runs this in its background ignores it, and so would every process that is started here.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_configure(config):
