@@ -32,14 +32,10 @@ HWY_INLINE T all(double x) {
 }
 
 HWY_INLINE void store_flags(M flags, std::uint8_t* to) {
-#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
-  _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm_maskz_set1_epi8(flags.raw, 1));
-#else
   const hn::Rebind<std::uint8_t, D> bytes;
   const hn::RebindToUnsigned<D> words;
   const auto ones = hn::IfThenElseZero(hn::RebindMask(words, flags), hn::Set(words, 1));
   hn::StoreU(hn::TruncateTo(bytes, ones), bytes, to);
-#endif
 }
 
 /// One byte a lane: 0, 1 for a hit, 2 for a degenerate one.
