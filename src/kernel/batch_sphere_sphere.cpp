@@ -92,7 +92,7 @@ HWY_INLINE void directions_of_vector(const SpherePairs& pairs, const ContactRows
 /// scaled first.
 template <bool kScaled, bool kExtent>
 HWY_INLINE bool points_of_vector(Job& job, const SpherePairs& pairs, const ContactRows& out, std::size_t i,
-                                 Stage& stage, LeftLanes& left_over) {
+                                 const Stage& stage, LeftLanes& left_over) {
   const Loaded in(pairs, i);
   Double2 radii{in.ar, all(0)};
   if constexpr (kExtent) radii = two_sum(in.ar, in.br);
@@ -149,10 +149,23 @@ HWY_INLINE bool points_of_vector(Job& job, const SpherePairs& pairs, const Conta
     const M in_range = hn::And(hn::Ge(stage.d2, all(bounds::kLeast)), hn::Le(hn::MulAdd(reach, reach, stage.d2), most));
     if (!hn::AllTrue(D(), hn::Or(hn::Or(miss, in_range), coincide(d)))) return false;
   }
-  stage.uncancelled = uncancelled;
-  stage.axes_agree = axes_agree;
-  stage.value_agrees = value_agrees;
-  finish<kScaled>(job, i, stage, left_over);
+  // Member by member: what goes to another function by itself would be kept in memory on the quick way too.
+  Stage rest;
+  rest.d2 = stage.d2;
+  rest.qx = stage.qx;
+  rest.qy = stage.qy;
+  rest.qz = stage.qz;
+  rest.low_x = stage.low_x;
+  rest.low_y = stage.low_y;
+  rest.low_z = stage.low_z;
+  rest.root.high = stage.root.high;
+  rest.root.low = stage.root.low;
+  rest.hit = hit;
+  rest.miss = miss;
+  rest.uncancelled = uncancelled;
+  rest.axes_agree = axes_agree;
+  rest.value_agrees = value_agrees;
+  finish<kScaled>(job, i, rest, left_over);
   return true;
 }
 
@@ -197,8 +210,8 @@ HWY_NOINLINE void contacts_of_lifted_vector(Job& job, std::size_t i) {
 
 /// How many pairs go unscaled again before a pair that had to be scaled is forgotten.
 constexpr std::size_t kStrip = 256;
-/// How many vectors have one part done before the next: what lies between stays in the first level cache.
-constexpr std::size_t kBlock = 8;
+/// How many vectors have one part done before the next. With AVX-512 more than one at a time are slower from memory.
+constexpr std::size_t kBlock = HWY_TARGET <= HWY_AVX3 ? 1 : 8;
 
 /// A vector with a pair that has to be scaled.
 template <bool kExtent>
@@ -217,24 +230,22 @@ HWY_INLINE void contacts_of_whole_vectors(Job& job, std::size_t end) {
   const std::size_t lanes = hn::Lanes(D());
   std::fill_n(job.alarms, kMostLanes, job.question.distances.alarm);
   std::fill_n(job.contacts, kMostLanes, job.question.distances.contact);
-  Stage stages[kBlock];
   const SpherePairs pairs = job.pairs;
   const ContactRows out = job.out;
   for (std::size_t strip = 0; strip < end; strip += kStrip) {
     const std::size_t strip_end = std::min(end, strip + kStrip);
     bool scale = false;
     for (std::size_t block = strip; block < strip_end; block += kBlock * lanes) {
-      const std::size_t block_end = std::min(strip_end, block + kBlock * lanes);
-      Stage* stage = stages;
-      for (std::size_t i = block; i < block_end && !scale; i += lanes)
-        roots_of_vector<false, kExtent>(job, pairs, i, *stage++);
-      stage = stages;
-      for (std::size_t i = block; i < block_end && !scale; i += lanes)
-        directions_of_vector<false>(pairs, out, i, *stage++);
-      stage = stages;
-      for (std::size_t i = block; i < block_end; i += lanes) {
+      const std::size_t vectors = std::min(kBlock, (strip_end - block + lanes - 1) / lanes);
+      Stage stages[kBlock];
+      for (std::size_t k = 0; k < kBlock && k < vectors && !scale; ++k)
+        roots_of_vector<false, kExtent>(job, pairs, block + k * lanes, stages[k]);
+      for (std::size_t k = 0; k < kBlock && k < vectors && !scale; ++k)
+        directions_of_vector<false>(pairs, out, block + k * lanes, stages[k]);
+      for (std::size_t k = 0; k < kBlock && k < vectors; ++k) {
+        const std::size_t i = block + k * lanes;
         LeftLanes left;
-        scale = scale || !points_of_vector<false, kExtent>(job, pairs, out, i, *stage++, left);
+        scale = scale || !points_of_vector<false, kExtent>(job, pairs, out, i, stages[k], left);
         if (scale)
           contacts_of_far_vector<kExtent>(job, i);
         else if (left.any)
