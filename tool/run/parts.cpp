@@ -98,7 +98,7 @@ class Archive {
   void pass(std::optional<T>& value) {
     bool is_there = value.has_value();
     pass(is_there);
-    if (reads_ && is_there) value.emplace();
+    if (reads_) value = is_there ? std::optional<T>(std::in_place) : std::nullopt;
     if (is_there) pass(*value);
   }
   template <class Key, class T, class Less>
@@ -107,7 +107,7 @@ class Archive {
     if (!reads_)
       for (auto& [key, value] : entries) (*this)(const_cast<Key&>(key), value);  // which writing leaves as it is
     else
-      for (; left > 0; --left) {
+      for (entries.clear(); left > 0; --left) {
         Key key{};
         pass(key);
         pass(entries[std::move(key)]);
