@@ -1,5 +1,10 @@
 // Any two convex shapes in plain arithmetic, as engines have it: the axes that may part two polytopes, each divided by its length, then where none does,
 // the least of their depths; else the nearest of vertices and faces, and of edges.
+#include <algorithm>
+#include <bitset>
+#include <cmath>
+#include <utility>
+
 #include "golden/plain_segments.hpp"
 
 namespace contact::golden {
@@ -63,7 +68,8 @@ struct Mesh {
       return x;
     });
   }
-  /// Three vertices make a face where no other lies beyond them, or by no more than rounding does.
+  /// Three vertices make a face where no other lies beyond them, or by no more than rounding does. Where more than kMostOnFace lie there, the face is the polygon of
+  /// all: of 64 vertices in a plane there are 41664 threes, and 4 million pairs of edges.
   template <HullOfVertices Shape>
   void add(const Shape& hull) {
     for (const Vector3& v : hull.vertices)
@@ -71,19 +77,31 @@ struct Mesh {
         vertices.push_back(x);
     radius = static_cast<Real>(radius_of(hull));
     const std::size_t n = vertices.size();
-    const auto add_edge = [&](std::size_t i, std::size_t j) {
-      const std::array edge{std::min(i, j), std::max(i, j)};
-      if (std::find(edges.begin(), edges.end(), edge) == edges.end()) edges.push_back(edge);
+    const auto add_face = [&](std::vector<std::size_t> face) {
+      for (std::size_t k = 0; k < face.size(); ++k) {
+        const std::size_t next = face[(k + 1) % face.size()];
+        const std::array edge{std::min(face[k], next), std::max(face[k], next)};
+        if (std::find(edges.begin(), edges.end(), edge) == edges.end()) edges.push_back(edge);
+      }
+      faces.push_back(std::move(face));
     };
+    std::vector<VertexSet> polygons;
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = i + 1; j < n; ++j)
-        for (std::size_t k = j + 1; k < n; ++k)
-          if (is_face(i, j, k)) {
-            faces.push_back({i, j, k});
-            add_edge(i, j), add_edge(j, k), add_edge(i, k);
+        for (std::size_t k = j + 1; k < n; ++k) {
+          const auto has_all = [&](const VertexSet& on) { return on[i] && on[j] && on[k]; };
+          if (std::any_of(polygons.begin(), polygons.end(), has_all)) continue;
+          const std::optional<VertexSet> on = face_through(i, j, k);
+          if (!on) continue;
+          std::vector<std::size_t> face;
+          if (on->count() > kMostOnFace) {
+            polygons.push_back(*on);
+            face = round_about(*on, normal(i, j, k));
           }
+          add_face(face.size() < 3 ? std::vector{i, j, k} : std::move(face));
+        }
     if (faces.empty())
-      for (std::size_t k = 1; k < n; ++k) add_edge(0, k);
+      for (std::size_t k = 1; k < n; ++k) edges.push_back({0, k});
   }
   void add(const Plane& /*plane*/) {}
 
@@ -94,7 +112,7 @@ struct Mesh {
     return cross(less(vertices[j], vertices[i]), less(vertices[k], vertices[i]));
   }
   [[nodiscard]] Triple<Real> normal(const std::vector<std::size_t>& face) const {
-    return normal(face[0], face[1], face[2]);
+    return normal(face[0], face[face.size() / 3], face[face.size() * 2 / 3]);
   }
   /// The least and the largest n.x, and the middle of the vertices that are about there.
   struct Range {
@@ -120,21 +138,57 @@ struct Mesh {
   }
 
  private:
-  [[nodiscard]] bool is_face(std::size_t i, std::size_t j, std::size_t k) const {
+  using VertexSet = std::bitset<kMostVertices>;
+  static constexpr std::size_t kMostOnFace = 16;
+
+  /// The vertices that lie on the face of three, or nothing where these make none.
+  [[nodiscard]] std::optional<VertexSet> face_through(std::size_t i, std::size_t j, std::size_t k) const {
     const Triple<Real> n = normal(i, j, k);
     const Real length = std::sqrt(dot(n, n));
-    if (!(length > 0)) return false;
+    if (!(length > 0)) return std::nullopt;
     bool above = false;
     bool below = false;
-    for (const Triple<Real>& x : vertices) {
-      const Triple<Real> from = less(x, vertices[i]);
+    VertexSet on;
+    for (std::size_t at = 0; at < vertices.size(); ++at) {
+      const Triple<Real> from = less(vertices[at], vertices[i]);
       const Real height = dot(n, from);
       const Real rounding = 8 * std::numeric_limits<Real>::epsilon() * length * std::sqrt(dot(from, from));
       above = above || height > rounding;
       below = below || height < -rounding;
-      if (above && below) return false;
+      if (above && below) return std::nullopt;
+      on[at] = !(std::abs(height) > rounding);
     }
-    return true;
+    return on;
+  }
+  /// The corners of a face in order: its hull, seen along the largest component of its normal.
+  [[nodiscard]] std::vector<std::size_t> round_about(const VertexSet& on, const Triple<Real>& n) const {
+    std::size_t along = 0;
+    for (std::size_t axis = 1; axis < 3; ++axis)
+      if (std::abs(n[axis]) > std::abs(n[along])) along = axis;
+    const std::size_t u = (along + 1) % 3;
+    const std::size_t v = (along + 2) % 3;
+    std::vector<std::size_t> all;
+    for (std::size_t at = 0; at < vertices.size(); ++at)
+      if (on[at]) all.push_back(at);
+    std::sort(all.begin(), all.end(), [&](std::size_t x, std::size_t y) {
+      return std::pair(vertices[x][u], vertices[x][v]) < std::pair(vertices[y][u], vertices[y][v]);
+    });
+    std::vector<std::size_t> corners;
+    const auto add = [&](std::size_t first, std::size_t next) {
+      const auto turns_back = [&] {
+        const Triple<Real>& o = vertices[corners[corners.size() - 2]];
+        const Triple<Real> x = less(vertices[corners.back()], o);
+        const Triple<Real> y = less(vertices[next], o);
+        return x[u] * y[v] - x[v] * y[u] <= 0;
+      };
+      while (corners.size() > first + 1 && turns_back()) corners.pop_back();
+      corners.push_back(next);
+    };
+    for (const std::size_t at : all) add(0, at);
+    const std::size_t last = corners.size() - 1;
+    for (std::size_t at = all.size() - 1; at-- > 0;) add(last, all[at]);
+    corners.pop_back();
+    return corners;
   }
   template <class Corner>
   void add_box(Corner corner) {

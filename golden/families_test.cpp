@@ -491,6 +491,22 @@ TEST(Families, TouchingBoxesMeetInFacesEdgesAndCornersOnEverySide) {
   });
 }
 
+TEST(Plain, AFaceWithManyVerticesIsOnePolygon) {
+  // The corners (k, k^2, 0), all of them on a parabola, and a ball above the inside, above the middle of the last edge and above a corner.
+  Hull flat{{}, 0};
+  for (int k = 0; k < 64; ++k) flat.vertices.push_back(Vector3(k, k * k, 0));
+  for (const Vector3& above : {Vector3(30, 1500, 5), Vector3(31.5, 1984.5, 5), Vector3(7, 49, 5)}) {
+    const auto contact =
+        plain_contact(Convexes{{Ball{above, 1}}, {flat}}, Distances{9, 0}, Scalar::binary64, ContactPoints{});
+    ASSERT_TRUE(contact);
+    EXPECT_EQ(contact->normal, Vector3(0, 0, -1));
+    EXPECT_EQ(contact->point2, Vector3(above[0], above[1], 0));
+    EXPECT_EQ(contact->value, 4);
+  }
+  // Past the edge from the first corner to the last, not above it.
+  EXPECT_FALSE(plain_overlap(Convexes{{Ball{{31, 1990, 5}, 1}}, {flat}}, Distances{4, 0}, Scalar::binary64));
+}
+
 TEST(Families, SearchFindsWhatPlainArithmeticDecidesWrongly) {
   const std::map<std::string_view, std::uint64_t> least_percent{
       {"near_touching", 50}, {"near_boundary", 20}, {"alarm_edge", 20},  {"far_from_origin", 10},
