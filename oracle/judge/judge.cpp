@@ -159,6 +159,7 @@ class ContactJudge {
     if (rounded_ != nullptr && (!degenerate_ || is_reference()) && *on == PointOn::nearest_surface &&
         *p == (sphere == 0 ? rounded_->point1 : rounded_->point2))
       return FieldVerdict{};
+    if (is_references(*p, [&](int axis) { return exact().point(sphere, axis, *on); })) return FieldVerdict{};
     return grade_point(*p, exact().point_scale(sphere), exact().radius(sphere), [&](int axis) {
       return degenerate_ ? coincident_point(sphere, axis, *on) : exact().point(sphere, axis, *on);
     });
@@ -174,6 +175,7 @@ class ContactJudge {
       return bounded_at_best(root(separation_->squared_off_middle(of_cores)), scale, declared_.bounds.point,
                              roundings() * exact().radii());
     }
+    if (is_references(*claim_.point, [&](int axis) { return exact().midpoint(axis); })) return FieldVerdict{};
     return grade_point(*claim_.point, scale, exact().radii() / Rational(2),
                        [&](int axis) { return degenerate_ ? coincident_midpoint(axis) : exact().midpoint(axis); });
   }
@@ -386,6 +388,15 @@ class ContactJudge {
   /// Whether the claimed normal is the reference's.
   [[nodiscard]] bool is_reference() const {
     return conventions_.normal_unit && rounded_ != nullptr && claimed_n_ == rounded_->normal;
+  }
+
+  /// D = 0: whether a point that goes with the reference's normal is the reference's own, rounded once. That of the normal after it was rounded may be far off: a
+  /// component too small for the scalar counts when it is times a large radius.
+  [[nodiscard]] bool is_references(const Vector3& claimed, const auto& point) const {
+    if (!degenerate_ || !is_reference()) return false;
+    bool is = true;
+    for (int axis = 0; is && axis < 3; ++axis) is = is_correctly_rounded(claimed[axis], point(axis), declared_.scalar);
+    return is;
   }
 
   /// Whether a normal points against no vertex of the cores: n.w >= -8u |w| for all of their differences w.

@@ -1209,6 +1209,44 @@ TEST(JudgeCapsules, far_points_of_the_reference_are_right_where_it_had_to_be_rou
   EXPECT_EQ(level_of(on_axis, claim, with_points(Points::published)), Level::correctly_rounded);
 }
 
+/// Where the rounded answer is known, and so the reference's normal.
+Level level_beside_reference(const Query& query, const Claim& claim, Points points) {
+  const Truth truth = truth_of(query);
+  const Expectation rounded = expectation(truth, Scalar::binary64);
+  return judge(query, truth, claim, of_these(claim, with_points(points)), &rounded).level();
+}
+
+TEST(JudgeTriangles, far_points_and_midpoints_of_the_reference_are_right_where_its_normal_has_lost_a_component) {
+  // Across (2^600, 0, -2^-500) and (0, 1, 0) the normal is (2^-1100, 0, 1), nearly, of which the first is rounded to 0.
+  const Query slightly_tilted{
+      Pair::sphere_triangle,
+      BallAndTriangle{{{0, 0, 0}, 0x1p700}, {{{{0, 0, 0}, {0x1p600, 0, -0x1p-500}, {0, 1, 0}}}}},
+      {0, 0}};
+  const Vector3 n(0, 0, 1);
+  const auto of_far = [&](double x) {
+    return level_beside_reference(slightly_tilted, contact_with(n, {x, 0, -0x1p700}, {0, 0, 0}), Points::published);
+  };
+  EXPECT_EQ(of_far(-0x1p-400), Level::correctly_rounded);
+  EXPECT_EQ(of_far(0x1p-400), Level::bounded);
+  EXPECT_EQ(level_beside_reference(slightly_tilted, normal_and_midpoint(n, {0x1p-401, 0, 0x1p699}), Points::midpoint),
+            Level::correctly_rounded);
+}
+
+TEST(JudgeTriangles, far_points_of_the_reference_are_right_beside_an_overflow) {
+  // Across (1, 1, 0); 3 / sqrt(2) is not 3 times 1 / sqrt(2) rounded.
+  const double half = 0.707106781186547524400844362105;
+  const double far = 2.12132034355964257320253308631 * 0x1p1022;
+  const Vector3 center(-0x1p1023, 0, 0);
+  const Query at_the_end{Pair::sphere_triangle,
+                         BallAndTriangle{{center, 3 * 0x1p1022},
+                                         {{{center, {-0x1p1023 + 0x1p1000, -0x1p1000, 0}, {-0x1p1023, 0, 0x1p1000}}}}},
+                         {0, 0}};
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(level_beside_reference(at_the_end, contact_with({half, half, 0}, {-infinity, -far, 0}, center),
+                                   Points::published),
+            Level::correctly_rounded);
+}
+
 TEST(JudgeCapsules, points_may_be_those_of_a_normal_before_it_was_rounded) {
   // (0, 1, 2) / sqrt(5) and twice it: 2 / sqrt(5) rounded is not twice 1 / sqrt(5) rounded plus the radius's share.
   const double x = 0.447213595499957939281834733746;
