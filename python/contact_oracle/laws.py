@@ -651,6 +651,8 @@ def check(name: str, engine: Engine, pairs: tuple[str, ...], *, scalar: str = "b
     beyond = 2.0**LARGEST_EXPONENT
     smallest = max((float(scale["min"]) * beyond for scale in scales if "min" in scale), default=SMALLEST)
     largest = min((float(scale["max"]) / beyond for scale in scales if "max" in scale), default=LARGEST)
+    if smallest > largest:
+        raise NotAsked(f"the scale is too narrow for it: numbers are left a factor of {beyond:g} from either end")
     asked = st.one_of([questions_for(pair, scalar, smallest, largest) for pair in concerned])
     held: dict[str, Any] = {} if ulps is None else {"ulps": ulps}
     if tolerance is not None:

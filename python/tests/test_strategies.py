@@ -1,4 +1,7 @@
 """Strategies and laws: what they make lies in the domain, touches where it says so, and shrinks."""
+import random
+import warnings
+
 import pytest
 
 hypothesis = pytest.importorskip("hypothesis")
@@ -71,6 +74,29 @@ def test_near_touching_questions_are_hits_and_misses(pair):
 
     check()
     assert both == {True, False}
+
+
+@pytest.mark.parametrize("bounds, word", [(dict(largest=1.0, smallest=2.0), "largest"), (dict(largest=-1.0), "largest"), (dict(largest=float("nan")), "largest"),
+                                          (dict(smallest=-1.0), "smallest"), (dict(smallest=float("nan")), "smallest"), (dict(smallest=float("inf")), "smallest")])
+def test_bounds_that_leave_no_number_are_refused(bounds, word):
+    """Zeros were left, and of them nearly every law holds."""
+    for strategy in (strategies.numbers, strategies.lengths, strategies.spheres, strategies.obbs):
+        with pytest.raises(InputError, match=f"{word}: must"):
+            strategy(**bounds)
+
+
+def test_the_largest_number_is_one_of_the_scalar():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for largest, last in ((1e300, np.finfo(np.float32).max), (0.1, np.nextafter(np.float32(0.1), np.float32(0)))):
+            assert find(strategies.lengths("binary32", largest), lambda x: x >= float(last), random=random.Random(1)) == float(last)
+
+
+def test_laws_are_not_asked_of_zeros_alone():
+    for scale in ({"min": 0.125, "max": 4.0}, {"min": 1.0, "max": 1e4}):
+        with pytest.raises(laws.NotAsked, match="the scale is too narrow"):
+            laws.check("repeatable", engines.right, ("sphere_sphere",), examples=3, conventions={"scale": scale})
+    laws.check("repeatable", engines.right, ("sphere_sphere",), examples=3, conventions={"scale": {"min": 1e-4, "max": 1e4}})
 
 
 def test_near_touching_has_no_crossings():
