@@ -184,7 +184,9 @@ def _ulp(scale: float, scalar: str) -> float:
 
 def _same(law: str, name: str, one: Any, other: Any, held: Held, scale: float, *answers: Answer) -> None:
     one, other = np.asarray(one, float), np.asarray(other, float)
-    same = (one == other) | (np.isnan(one) & np.isnan(other)) | (np.abs(one - other) <= held.apart(name, scale, answers[0].question.scalar))
+    with np.errstate(over="ignore", invalid="ignore"):
+        near = np.abs(one - other) <= held.apart(name, scale, answers[0].question.scalar)
+    same = (one == other) | (np.isnan(one) & np.isnan(other)) | near
     if not same.all():
         _violated(law, f"{name} is {one.tolist()}, and {other.tolist()}", held, *answers)
 
@@ -210,7 +212,9 @@ def _compare(law: str, engine: Engine, question: Question, changed: Question, he
     one, other = Answer(engine, question), Answer(engine, changed)
     _same_hit(law, one, other, held)
     for name in sorted(one.numbers.keys() & other.numbers.keys() - _agreed(question)):
-        _same(law, name, one.numbers[name], back(name, other.numbers[name]), held, _scale(name, question), one, other)
+        with np.errstate(over="ignore"):  # right answers are infinite too
+            undone = back(name, other.numbers[name])
+        _same(law, name, one.numbers[name], undone, held, _scale(name, question), one, other)
 
 
 def decision(engine: Engine, question: Question, *, ulps: float = 0.0, tolerance: Stated = None, conventions: Stated = None) -> None:
@@ -356,10 +360,18 @@ def turn(engine: Engine, question: Question, axes: tuple[int, int, int] = (1, 2,
     _compare("turn", wrapped, question, changed, Held(ulps, tolerance, conventions), back)
 
 
+def _nearest(wanted: Fraction) -> float:
+    """Infinite beyond the largest number."""
+    try:
+        return float(wanted)
+    except OverflowError:
+        return math.inf if wanted > 0 else -math.inf
+
+
 def _exactly(wanted: Fraction) -> float:
     """A number that there is, or another question."""
-    number = float(wanted)
-    assume(Fraction(number) == wanted)
+    number = _nearest(wanted)
+    assume(math.isfinite(number) and Fraction(number) == wanted)
     return number
 
 
@@ -406,7 +418,7 @@ def rotate(engine: Engine, question: Question, quaternion: tuple[int, int, int, 
         if name == "value":
             wanted: Any = float(number) if counts_directions else float(number) * size
         else:
-            wanted = [float(part / size if name == "normal" else part) for part in exact(number)]
+            wanted = [_nearest(part / size if name == "normal" else part) for part in exact(number)]
         _same("rotate", name, wanted, other.numbers[name], to, max(_scale(name, question), _scale(name, changed)), one, other)
 
 

@@ -99,6 +99,24 @@ def test_laws_are_not_asked_of_zeros_alone():
     laws.check("repeatable", engines.right, ("sphere_sphere",), examples=3, conventions={"scale": {"min": 1e-4, "max": 1e4}})
 
 
+def test_a_right_engine_obeys_where_numbers_end():
+    """A value of -2 times the radius is infinite, and so is a point that is turned or scaled."""
+    ball = Sphere((0.0, 0.0, 0.0), 1.7e308)
+    questions = [Question("sphere_sphere", ball, ball), Question("sphere_sphere", ball, Sphere((0.0, 0.0, 1e308), 1.0))]
+    drawn = {"growth": 1.0, "by": (1.0, 0.0, 0.0), "axes": (1, 2, 0), "signs": (1, 1, 1), "quaternion": (0, 0, 1, 2), "exponent": -2, "which": 2, "corner": 0}
+    suited = set()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for question in questions:
+            for name, law in laws.LAWS.items():
+                try:
+                    law.check(engines.right, question, **{key: drawn[key] for key in law.draws or ()})
+                    suited.add(name)
+                except hypothesis.errors.UnsatisfiedAssumption:
+                    pass
+    assert {"repeatable", "scale", "swap", "turn", "bounds"} <= suited
+
+
 def test_near_touching_has_no_crossings():
     with pytest.raises(InputError):
         strategies.near_touching("ray_triangle")
