@@ -154,9 +154,9 @@ def _is_clear(question: Question, held: Held) -> bool:
         return True
     exact = question.exact()
     if exact.gap is not None:
-        margin, reach = float(max(exact.gap) - Fraction(question.alarm)), question.alarm
+        margin, reach = _nearest(max(exact.gap) - Fraction(question.alarm)), question.alarm
     elif exact.distance2 is not None:
-        margin, reach = float(exact.margin(17)), float(exact.reach or 0)
+        margin, reach = float(exact.margin(17)), _nearest(exact.reach or Fraction(0))
     else:
         return held.tolerance is not None
     if held.tolerance is not None:
@@ -179,7 +179,10 @@ def _scale(name: str, question: Question) -> float:
 
 
 def _ulp(scale: float, scalar: str) -> float:
-    return float(np.spacing(np.float32(scale)) if scalar == "binary32" else np.spacing(scale))
+    number = number_of(scalar)
+    largest = np.finfo(number).max
+    # Beyond it there are no ulps: those of the largest number stand in for them.
+    return float(np.spacing(number(scale)) if scale < float(largest) else largest - np.nextafter(largest, number(0)))
 
 
 def _same(law: str, name: str, one: Any, other: Any, held: Held, scale: float, *answers: Answer) -> None:

@@ -13,7 +13,7 @@ from hypothesis import HealthCheck, find, given, settings
 from hypothesis import strategies as st
 
 import contact_oracle
-from contact_oracle import InputError, Question, Questions, Sphere, laws, strategies
+from contact_oracle import Cube, InputError, Question, Questions, Ray, Sphere, laws, strategies
 from contact_oracle.pairs import PAIRS
 from contact_oracle.shapes import SHAPES
 
@@ -103,6 +103,14 @@ def test_a_right_engine_obeys_where_numbers_end():
     """A value of -2 times the radius is infinite, and so is a point that is turned or scaled."""
     ball = Sphere((0.0, 0.0, 0.0), 1.7e308)
     questions = [Question("sphere_sphere", ball, ball), Question("sphere_sphere", ball, Sphere((0.0, 0.0, 1e308), 1.0))]
+    ray = Question("cast_sphere", Ray((0.0, 0.0, 0.0), (1.0, 2.0, 2.0), float(np.finfo(np.float32).max)), Sphere((1.0, 2.0, 2.5), 1.0), scalar="binary32")
+    laws.rotate(engines.right, ray, (0, 0, 1, 2))
+    apart = [Cube((sign * 1.7e308, 0.0, 0.0), (sign * 1.7e308, 0.0, 0.0)) for sign in (-1, 1)]
+    for question in (*questions, Question("cube_cube", *apart)):
+        for ulps in (0.0, 8.0):
+            laws.decision(engines.right, question, ulps=ulps)
+            with pytest.raises(AssertionError, match="decision: a "):
+                laws.decision(lambda asked, right=question.answer().hit: {"hit": np.array([not right])}, question, ulps=ulps)
     drawn = {"growth": 1.0, "by": (1.0, 0.0, 0.0), "axes": (1, 2, 0), "signs": (1, 1, 1), "quaternion": (0, 0, 1, 2), "exponent": -2, "which": 2, "corner": 0}
     suited = set()
     with warnings.catch_warnings():
