@@ -23,6 +23,17 @@ class Rows {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Width, Eigen::ColMajor>;
 
   Rows() : cols_(Width == Eigen::Dynamic ? 0 : Width) {}
+  Rows(const Rows&) = default;
+  /// What is moved from has no rows.
+  Rows(Rows&& other) noexcept
+      : numbers_(std::move(other.numbers_)), rows_(std::exchange(other.rows_, 0)), cols_(other.cols_) {}
+  Rows& operator=(Rows other) noexcept {
+    numbers_.swap(other.numbers_);
+    rows_ = other.rows_;
+    cols_ = other.cols_;
+    return *this;
+  }
+  ~Rows() = default;
   Rows(Index rows, Index cols, double value = 0)
       : numbers_(static_cast<std::size_t>(rows * cols), value), rows_(rows), cols_(cols) {
     expect_width();

@@ -99,6 +99,7 @@ def documentation_of(pair: Pair) -> str:
             f"Decision    {_DECISIONS[pair.numbers]}\n"
             f"Error       {answers}\n"
             f"Degenerate  {_DEGENERATE[pair.numbers] if pair.name in _SECTIONS else _OVERLAPPING}\n"
+            f"Environment any rounding mode, flush-to-zero and denormals-are-zero: the answer to arrays is the same\n"
             f"Source      docs/specification.md#{_SECTIONS.get(pair.name, 'any-two-convex-shapes')}\n\n"
             f">>> import contact_oracle\n{example_of(pair)}\n")
 
@@ -125,7 +126,7 @@ def hits(pair: str, *arguments: Any, **named: Any) -> Any:
     >>> contact_oracle.hits("cube_cube", (0, 0, 0), (1, 1, 1), [(1, 0, 0), (2, 0, 0)], (3, 1, 1))
     array([ True, False])
     """
-    question = asked_of(pair, arguments, named)
+    question = asked_of(pair, arguments, named, of_points=False)
     with question.naming_errors():
         return question.answered(_core.hits(question.pair.name, question.columns, question.alarm, question.contact))
 

@@ -66,6 +66,8 @@ def generate(pair: str, family: str, count: int, seed: int = 0, scalar: str = "b
     for name, number in (("count", count), ("seed", seed), ("first", first)):
         if not isinstance(number, (int, np.integer)) or not 0 <= number < 2**64:
             raise InputError("must be a whole number from 0 to 2^64 - 1", name, value=repr(number))
+    if int(first) + int(count) > 2**64:
+        raise InputError("is too large: no question has an index from 2^64 on", "first", value=repr(first))
     with errors_of_core():
         columns, alarm, contact = _core.generate(pair, family, count, seed, scalar_named(scalar), first)
     return Questions(pair, dict(zip(pair_named(pair).arguments, _in_scalar([*columns, alarm, contact], scalar))), scalar, family)
@@ -121,7 +123,7 @@ def read_dataset(path: str | os.PathLike[str]) -> Dataset:
     contact_oracle.errors.InputError: nowhere.jsonl: cannot read: no such file
     """
     with errors_of_core():
-        header, columns = _core.read_dataset(os.fspath(path))
+        header, columns = _core.read_dataset(os.fsencode(path))
     return Dataset(json.loads(header), columns)
 
 
@@ -130,7 +132,7 @@ def write_dataset(path: str | os.PathLike[str], questions: Questions | Question 
 
     family     any name but those of the generator, whose questions `generate` makes
 
-    InputError where a question is outside the domain or the name ends otherwise; then nothing is written.
+    InputError where a question is outside the domain or stands there twice, or the name ends otherwise; then nothing is written.
 
     >>> import contact_oracle
     >>> contact_oracle.write_dataset("mine.txt", contact_oracle.generate("sphere_sphere", "touching", 3))
@@ -141,5 +143,5 @@ def write_dataset(path: str | os.PathLike[str], questions: Questions | Question 
     batch = joined(questions)
     question = batch.asked()
     with question.naming_errors():
-        _core.write_dataset(os.fspath(path), batch.pair, batch.scalar, family, question.columns,
+        _core.write_dataset(os.fsencode(path), batch.pair, batch.scalar, family, question.columns,
                             question.alarm, question.contact)

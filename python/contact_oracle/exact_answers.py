@@ -11,6 +11,7 @@ from typing import Any
 
 from . import _core
 from .asked import Asked, asked
+from .errors import InputError
 from .pairs import pair_named
 from .questions import Questions
 from .shapes import Question
@@ -191,12 +192,16 @@ def exact(query: Any, /, *arguments: Any, **named: Any) -> Exact | list[Exact]:
     return answers if question.batch else answers[0]
 
 
-def asked_of(query: Any, arguments: tuple[Any, ...], named: Mapping[str, Any]) -> Asked:
-    """The questions of `exact` and `explain`, in whichever way they are given."""
+def asked_of(query: Any, arguments: tuple[Any, ...], named: Mapping[str, Any], *, of_points: bool = True) -> Asked:
+    """The questions of `exact`, `explain` and others, in whichever way they are given; `of_points`: contact points are told of, by one convention."""
     if isinstance(query, str) and not query.lstrip().startswith("{"):
-        from .answering import bound
+        from .answering import POINTS, bound
 
-        return asked(pair_named(query), bound(pair_named(query), arguments, dict(named)))
+        values = bound(pair_named(query), arguments, dict(named))
+        known = POINTS[:1] if of_points else POINTS
+        if values["points"] not in known:
+            raise InputError(f"must be {'' if of_points else 'one of '}{', '.join(known)}", "points", value=repr(values["points"]))
+        return asked(pair_named(query), values)
     if arguments or named:
         raise TypeError("arguments belong to a pair's name alone")
     if isinstance(query, Questions):

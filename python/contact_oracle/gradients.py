@@ -16,7 +16,8 @@ from .errors import EngineError, InputError
 from .exact_answers import asked_of
 from .judging import _name_of, generated_sources
 from .pairs import Array, Pair, number_of, pair_named, scalar_named
-from .questions import Questions
+from .questions import Questions, joined
+from .shapes import Question
 from .shown import text
 
 FIELDS = {"value": slice(0, 1), "normal": slice(1, 4), "point1": slice(4, 7), "point2": slice(7, 10)}
@@ -303,6 +304,8 @@ def _claims(answer: Any, pair: Pair) -> dict[str, dict[str, Any]]:
 
 def _everyday(questions: Questions, scale: tuple[float, float], hits_only: bool) -> Questions:
     """Those whose numbers are of such a magnitude, or 0; where none are, after a power of two has scaled them. The two distances move no derivative."""
+    if len(questions) == 0:
+        return questions
     fields = pair_named(questions.pair).fields
     scaled = [of for of in fields if of.kind not in ("direction", "orientation") and of.name != "length" or of.name == "direction"]
     arrays: dict[str, Array] = dict(**questions)
@@ -368,8 +371,8 @@ def _diagnosis(batch: _Batch, wrong: Array) -> Iterator[str]:
         yield "the value's derivatives are right and those of normal or points are not: the place on an edge or a face is held fixed (stop_gradient on a parameter), which the value alone forgives"
 
 
-def certify_gradient(engine: Engine, pair: str, families: str | Iterable[str] | None = None, *, questions: Questions | None = None, count: int = COUNT,
-                     seed: int | None = None, scalar: str = "binary64", relative: float | None = None, scale: tuple[float, float] = EVERYDAY,
+def certify_gradient(engine: Engine, pair: str, families: str | Iterable[str] | None = None, *, questions: Questions | Question | Iterable[Question] | None = None,
+                     count: int = COUNT, seed: int | None = None, scalar: str = "binary64", relative: float | None = None, scale: tuple[float, float] = EVERYDAY,
                      hits_only: bool = False, kinks: str = "finite", name: str | None = None) -> GradientReport:
     """Judges the derivatives that an engine computes: docs/gradients.md.
 
@@ -400,13 +403,21 @@ def certify_gradient(engine: Engine, pair: str, families: str | Iterable[str] | 
     if kinks not in ("finite", "any"):
         raise InputError("must be finite or any", "kinks", value=repr(kinks))
     relative = RELATIVE[scalar_named(scalar)] if relative is None else relative
+    # Nothing is more than no number, and everything would be right.
+    if not (isinstance(relative, (int, float, np.number)) and 0 <= relative < math.inf):
+        raise InputError("must be a finite number from 0", "relative", value=repr(relative))
+    if not (isinstance(scale, (tuple, list)) and len(scale) == 2 and 0 <= scale[0] <= scale[1]):
+        raise InputError("must be the least and the largest number, from 0", "scale", value=repr(scale))
     if questions is None:
         seed = secrets.randbits(32) if seed is None else seed
         from .datasets import generate
 
         asked = [generate(pair, source["family"], count, seed, scalar) for source in generated_sources([pair], families, scalar, seed, count)]
     else:
-        asked, seed, scalar = [questions], None, questions.scalar
+        asked, seed = [joined(questions)], None
+        scalar = asked[0].scalar
+        if asked[0].pair != pair:
+            raise InputError(f"must be of {pair}", "questions", value=asked[0].pair)
     report = GradientReport(_name_of(engine, name), pair, seed, relative)
     seen: set[str] = set()
     confirmed = 0

@@ -16,6 +16,7 @@ from .datasets import families as families_of
 from .engines import Asking, Engine, Isolated, by_pair, claims_of, points_of
 from .errors import EngineError, InputError, OracleDisagreement, errors_of_core
 from .pairs import PAIRS, pair_named, scalar_named
+from .shapes import plain
 from .shown import figure_of_errors, text
 
 LEVELS = ("correctly-rounded", "faithful", "bounded", "decisions", "conservative")
@@ -188,7 +189,7 @@ def _declared(name: str, version: str, scalar: str, pairs: Iterable[str], conven
     declared: dict[str, Any] = {"engine": {"name": name, "version": version}, "scalar": scalar_named(scalar), "pairs": list(pairs)}
     optional = {"conventions": conventions, "pair_conventions": pair_conventions, "bounds": bounds,
                 "claims": None if claims is None else list(claims), "rounds": None if rounds is None else list(rounds)}
-    return json.dumps(declared | {key: value for key, value in optional.items() if value is not None})
+    return json.dumps(plain(declared | {key: value for key, value in optional.items() if value is not None}))
 
 
 def pairs_of(pairs: str | Iterable[str] | None, served: tuple[str, ...] | None) -> tuple[str, ...]:
@@ -220,6 +221,8 @@ def _asking(engine: Engine, isolated: bool, limit: float | None) -> Iterator[Ask
             raise InputError("needs isolated=True: nothing else can end an engine that hangs", "time_limit")
         yield Asking(engine)
         return
+    if limit is not None and not (isinstance(limit, (int, float)) and limit > 0):
+        raise InputError("must be seconds, more than 0", "time_limit", value=repr(limit))
     with Isolated(engine, limit) as process:
         yield Asking(process)
 
@@ -328,7 +331,7 @@ def certify_sources(engine: Engine | Mapping[str, Engine], pairs: Iterable[str],
             # As docs/formats.md#answers-in-columns says of columns.
             conventions = {**points_of(claims), **(conventions or {})} or None
         declared = _declared(_name_of(engine, name), version, scalar, pairs, conventions, pair_conventions, bounds, claims, rounds)
-        judged = _core.certify(ask, declared, json.dumps(sources), json.dumps({key: value for key, value in options.items() if value is not None}))
+        judged = _core.certify(ask, declared, json.dumps(plain(sources)), json.dumps(plain({key: value for key, value in options.items() if value is not None})))
     _raise_unless_judged(judged)
     return Report(judged, seed)
 
@@ -368,7 +371,7 @@ def properties(engine: Engine | Mapping[str, Engine], pairs: str | Iterable[str]
     declared = json.loads(_declared(_name_of(engine, name), version, scalar, named, conventions, pair_conventions, bounds, claims, rounds))
     options = ["--cases", str(cases), "--seed", str(secrets.randbits(32) if seed is None else seed)]
     if tolerance is not None:
-        declared["tolerance"] = tolerance
+        declared["tolerance"] = plain(tolerance)
     else:
         options += ["--level", level] if profile is None else ["--profile", profile]
     for law in () if laws is None else (laws,) if isinstance(laws, str) else laws:
@@ -387,6 +390,10 @@ def golden_sources(datasets: str | os.PathLike[str] | Iterable[str | os.PathLike
     for path in paths:
         if not os.path.exists(path):
             raise InputError("is not there", "datasets", value=path)
+        try:
+            path.encode()
+        except UnicodeEncodeError:
+            raise InputError("has a name that no report can state: it is no UTF-8", "datasets", value=repr(path)) from None
     with errors_of_core():
         found = _core.datasets(paths)
     # A binary64 engine reads every binary32 number; the other way round a question would be changed.

@@ -154,9 +154,9 @@ def _is_clear(question: Question, held: Held) -> bool:
         return True
     exact = question.exact()
     if exact.gap is not None:
-        margin, reach = float(max(exact.gap) - Fraction(question.alarm)), question.alarm
+        margin, reach = _nearest(max(exact.gap) - Fraction(question.alarm)), question.alarm
     elif exact.distance2 is not None:
-        margin, reach = float(exact.margin(17)), float(exact.reach or 0)
+        margin, reach = float(exact.margin(17)), _nearest(exact.reach or Fraction(0))
     else:
         return held.tolerance is not None
     if held.tolerance is not None:
@@ -179,12 +179,17 @@ def _scale(name: str, question: Question) -> float:
 
 
 def _ulp(scale: float, scalar: str) -> float:
-    return float(np.spacing(np.float32(scale)) if scalar == "binary32" else np.spacing(scale))
+    number = number_of(scalar)
+    largest = np.finfo(number).max
+    # Beyond it there are no ulps: those of the largest number stand in for them.
+    return float(np.spacing(number(scale)) if scale < float(largest) else largest - np.nextafter(largest, number(0)))
 
 
 def _same(law: str, name: str, one: Any, other: Any, held: Held, scale: float, *answers: Answer) -> None:
     one, other = np.asarray(one, float), np.asarray(other, float)
-    same = (one == other) | (np.isnan(one) & np.isnan(other)) | (np.abs(one - other) <= held.apart(name, scale, answers[0].question.scalar))
+    with np.errstate(over="ignore", invalid="ignore"):
+        near = np.abs(one - other) <= held.apart(name, scale, answers[0].question.scalar)
+    same = (one == other) | (np.isnan(one) & np.isnan(other)) | near
     if not same.all():
         _violated(law, f"{name} is {one.tolist()}, and {other.tolist()}", held, *answers)
 
@@ -210,7 +215,9 @@ def _compare(law: str, engine: Engine, question: Question, changed: Question, he
     one, other = Answer(engine, question), Answer(engine, changed)
     _same_hit(law, one, other, held)
     for name in sorted(one.numbers.keys() & other.numbers.keys() - _agreed(question)):
-        _same(law, name, one.numbers[name], back(name, other.numbers[name]), held, _scale(name, question), one, other)
+        with np.errstate(over="ignore"):  # right answers are infinite too
+            undone = back(name, other.numbers[name])
+        _same(law, name, one.numbers[name], undone, held, _scale(name, question), one, other)
 
 
 def decision(engine: Engine, question: Question, *, ulps: float = 0.0, tolerance: Stated = None, conventions: Stated = None) -> None:
@@ -356,10 +363,18 @@ def turn(engine: Engine, question: Question, axes: tuple[int, int, int] = (1, 2,
     _compare("turn", wrapped, question, changed, Held(ulps, tolerance, conventions), back)
 
 
+def _nearest(wanted: Fraction) -> float:
+    """Infinite beyond the largest number."""
+    try:
+        return float(wanted)
+    except OverflowError:
+        return math.inf if wanted > 0 else -math.inf
+
+
 def _exactly(wanted: Fraction) -> float:
     """A number that there is, or another question."""
-    number = float(wanted)
-    assume(Fraction(number) == wanted)
+    number = _nearest(wanted)
+    assume(math.isfinite(number) and Fraction(number) == wanted)
     return number
 
 
@@ -406,7 +421,7 @@ def rotate(engine: Engine, question: Question, quaternion: tuple[int, int, int, 
         if name == "value":
             wanted: Any = float(number) if counts_directions else float(number) * size
         else:
-            wanted = [float(part / size if name == "normal" else part) for part in exact(number)]
+            wanted = [_nearest(part / size if name == "normal" else part) for part in exact(number)]
         _same("rotate", name, wanted, other.numbers[name], to, max(_scale(name, question), _scale(name, changed)), one, other)
 
 
@@ -651,6 +666,8 @@ def check(name: str, engine: Engine, pairs: tuple[str, ...], *, scalar: str = "b
     beyond = 2.0**LARGEST_EXPONENT
     smallest = max((float(scale["min"]) * beyond for scale in scales if "min" in scale), default=SMALLEST)
     largest = min((float(scale["max"]) / beyond for scale in scales if "max" in scale), default=LARGEST)
+    if smallest > largest:
+        raise NotAsked(f"the scale is too narrow for it: numbers are left a factor of {beyond:g} from either end")
     asked = st.one_of([questions_for(pair, scalar, smallest, largest) for pair in concerned])
     held: dict[str, Any] = {} if ulps is None else {"ulps": ulps}
     if tolerance is not None:

@@ -83,7 +83,7 @@ PAIRS: dict[str, Pair] = {entry["name"]: _described(entry) for entry in _core.pa
 
 
 def pair_named(name: str) -> Pair:
-    if name not in PAIRS:
+    if not isinstance(name, str) or name not in PAIRS:
         raise InputError(f"must be one of {', '.join(PAIRS)}", "pair", value=repr(name))
     return PAIRS[name]
 

@@ -43,10 +43,20 @@ def seed_of(config: pytest.Config) -> int:
     return int(seed)
 
 
+def _from_1(text: str) -> int:
+    number = int(text)
+    if number < 1:
+        raise ValueError(text)
+    return number
+
+
+_from_1.__name__ = "whole number from 1"  # as argparse says it
+
+
 def pytest_addoption(parser: pytest.Parser) -> None:
     group = parser.getgroup("contact_oracle")
     group.addoption("--contact-golden", metavar="PATH", help=HELP["--contact-golden"])
-    group.addoption("--contact-max-examples", type=int, default=EXAMPLES, metavar="N", help=HELP["--contact-max-examples"])
+    group.addoption("--contact-max-examples", type=_from_1, default=EXAMPLES, metavar="N", help=HELP["--contact-max-examples"])
     group.addoption("--contact-seed", type=int, default=None, metavar="S", help=HELP["--contact-seed"])
     group.addoption("--contact-xfails-file", metavar="FILE", help=HELP["--contact-xfails-file"])
     group.addoption("--contact-skips-file", metavar="FILE", help=HELP["--contact-skips-file"])
@@ -116,8 +126,8 @@ def _ids_in(path: str | None) -> dict[str, int]:
     try:
         with open(path, encoding="utf-8") as file:
             lines = [line.split("#")[0].strip() for line in file]
-    except OSError as error:
-        raise pytest.UsageError(f"{path}: {error.strerror}") from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise pytest.UsageError(f"{path}: {getattr(error, 'strerror', None) or error}") from None
     return {line: at for at, line in enumerate(lines, 1) if line}
 
 

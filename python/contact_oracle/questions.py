@@ -162,6 +162,8 @@ def joined(questions: Questions | Question | Iterable[Question]) -> Questions:
     if isinstance(questions, Question):
         return questions.as_questions()
     single = list(questions)
+    if not all(isinstance(question, Question) for question in single):
+        raise InputError("must be questions", "questions", value=repr(questions))
     kinds = {(question.pair, question.scalar) for question in single}
     if len(kinds) != 1:
         raise InputError("must be of one pair and one scalar", "questions", value=sorted(kinds))

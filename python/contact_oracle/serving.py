@@ -13,7 +13,7 @@ from .engines import NUMBERS, Engine, answers_of, by_pair, is_unsupported
 from .errors import EngineError, InputError
 from .pairs import PAIRS, Array, number_of, pair_named, scalar_named
 from .questions import Questions, stacked
-from .shapes import _json_value, json_number
+from .shapes import _json_value, json_number, plain
 
 CHUNK = 1 << 20
 
@@ -41,7 +41,7 @@ def serve(engine: Engine | Mapping[str, Engine], *, name: str | None = None, ver
              "scalar": scalar_named(scalar), "pairs": list(named), "conventions": conventions, "pair_conventions": pair_conventions,
              "bounds": bounds, "claims": None if claims is None else list(claims), "tolerance": tolerance,
              "rounds": None if rounds is None else list(rounds)}
-    Conversation(asked_engine, {key: value for key, value in hello.items() if value is not None}, scalar).on_standard_streams()
+    Conversation(asked_engine, plain({key: value for key, value in hello.items() if value is not None}), scalar).on_standard_streams()
 
 
 class Conversation:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Union
 import numpy as np
 
 from .errors import InputError
-from .pairs import number_of, pair_named
+from .pairs import Field, number_of, pair_named, scalar_named
 from .shown import figure_of_case, text
 
 if TYPE_CHECKING:
@@ -165,25 +165,54 @@ def _json_value(value: Any) -> Any:
     return [_json_value(part) for part in value] if isinstance(value, (tuple, list, np.ndarray)) else json_number(value)
 
 
+def plain(value: Any) -> Any:
+    """What the package says in JSON: numbers of NumPy are numbers, and what is not finite is a text."""
+    if isinstance(value, Mapping):
+        return {key: plain(part) for key, part in value.items()}
+    if isinstance(value, (tuple, list)):
+        return [plain(part) for part in value]
+    value = value.item() if isinstance(value, np.generic) else value
+    return json_number(value) if isinstance(value, float) else value
+
+
 def _from_json(value: Any) -> Any:
-    return tuple(_from_json(part) for part in value) if isinstance(value, (list, tuple, np.ndarray)) else float(value)
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return tuple(map(_from_json, value))
+    if isinstance(value, (bool, bytes)) or isinstance(value, str) and value not in ("NaN", "Infinity", "-Infinity"):
+        raise TypeError("no number")
+    return float(value)
 
 
-def _numbers_from(value: Any, place: str) -> Any:
+def _shape_of(numbers: Any) -> tuple[int, ...] | None:
+    """None where some rows are longer than others."""
+    if not isinstance(numbers, tuple):
+        return ()
+    rows = set(map(_shape_of, numbers))
+    row = rows.pop() if len(rows) == 1 else None
+    return None if row is None else (len(numbers), *row)
+
+
+def _numbers_from(value: Any, field: Field) -> Any:
+    place = f"{field.side}.{field.name}" if field.side else field.name
     try:
-        return _from_json(value)
+        numbers = _from_json(value)
     except (OverflowError, TypeError, ValueError):
         raise InputError("must be numbers", place, value=repr(value), field=place) from None
+    shape = _shape_of(numbers)
+    if shape is None or not field.fits(shape):
+        wanted = f"numbers of the shape {field.shape_text.replace('..., ', '')}" if field.shape else "one number"
+        raise InputError(f"must be {wanted}", place, value=repr(value), field=place)
+    return numbers
 
 
-def _shape_from(query: Mapping[str, Any], side: str, kind: str) -> Any:
+def _shape_from(query: Mapping[str, Any], side: str, kind: str, of_the_pair: Mapping[str, Field]) -> Any:
     given, names = query.get(side), [field.name for field in fields(SHAPES[kind])]
     if not isinstance(given, Mapping):
         raise InputError(f"must be a {kind}, with {', '.join(names)}", side, value=repr(given), field=side)
     for name in [*given, *names]:
         if name not in names or name not in given:
             raise InputError(f"is no part of a {kind}" if name in given else "is missing", f"{side}.{name}", field=f"{side}.{name}")
-    return SHAPES[kind](**{name: _numbers_from(given[name], f"{side}.{name}") for name in names})
+    return SHAPES[kind](**{name: _numbers_from(given[name], of_the_pair[side + name]) for name in names})
 
 
 def _shape_json(shape: Shape) -> dict[str, Any]:
@@ -212,15 +241,16 @@ class Question:
         """From a line as ``explain`` reads it, or what it holds. InputError where it is no question."""
         try:
             query = json.loads(line) if isinstance(line, (str, bytes)) else line
-        except ValueError as error:
+        except (ValueError, RecursionError) as error:
             raise InputError(f"cannot be read: {error}", "question") from None
         if not isinstance(query, Mapping):
             raise InputError("must be a line or a dict", "question", value=repr(query))
         first = query.get("a")
         pair = query.get("pair") or ("cube_cube" if isinstance(first, Mapping) and "min" in first else "sphere_sphere")
-        a, b = (_shape_from(query, side, kind) for side, kind in zip("ab", pair_named(pair).shapes))
-        alarm, contact = (_numbers_from(query.get(name, 0), name) for name in ("alarm", "contact"))
-        return cls(pair, a, b, alarm, contact, query.get("scalar", "binary64"))
+        named = {field.side + field.name: field for field in pair_named(pair).numbers_of_a_question}
+        a, b = (_shape_from(query, side, kind, named) for side, kind in zip("ab", pair_named(pair).shapes))
+        alarm, contact = (_numbers_from(query.get(name, 0), named[name]) for name in ("alarm", "contact"))
+        return cls(pair, a, b, alarm, contact, scalar_named(query.get("scalar", "binary64")))
 
     def __str__(self) -> str:
         return json.dumps({"pair": self.pair, "scalar": self.scalar, "a": _shape_json(self.a), "b": _shape_json(self.b),

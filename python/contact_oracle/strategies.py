@@ -26,14 +26,14 @@ MOST_VERTICES = 12
 def numbers(scalar: str = "binary64", largest: float | None = LARGEST, smallest: float = 0.0) -> SearchStrategy[float]:
     """Finite numbers of the scalar: 0, and magnitudes from `smallest` to `largest`, or of every size where that is None."""
     width = 32 if scalar_named(scalar) == "binary32" else 64
-    bound = None if largest is None else _down(largest, width)
+    bound = _bound(largest, smallest, width)
     return _without_small(st.floats(None if bound is None else -bound, bound, allow_nan=False, allow_infinity=False, width=width), smallest)
 
 
 def lengths(scalar: str = "binary64", largest: float | None = LARGEST, smallest: float = 0.0) -> SearchStrategy[float]:
     """The same without a sign."""
     width = 32 if scalar_named(scalar) == "binary32" else 64
-    bound = None if largest is None else _down(largest, width)
+    bound = _bound(largest, smallest, width)
     return _without_small(st.floats(0, bound, allow_nan=False, allow_infinity=False, width=width), smallest)
 
 
@@ -54,11 +54,17 @@ class _ZeroBelow:
         return x if abs(x) >= self.smallest else 0.0
 
 
-def _down(largest: float, width: int) -> float:
+def _bound(largest: float | None, smallest: float, width: int) -> float | None:
     """The largest number of the format that is no larger."""
-    if width == 64:
-        return float(largest)
-    near = np.float32(largest)
+    # Of what these refuse nothing would be left but 0, of which most laws hold.
+    if not 0 <= smallest < np.inf:
+        raise InputError("must be a finite number from 0", "smallest", value=smallest)
+    if largest is not None and not largest >= smallest:
+        raise InputError(f"must not be less than smallest, {smallest}", "largest", value=largest)
+    if width == 64 or largest is None:
+        return largest if largest is None else float(largest)
+    with np.errstate(over="ignore"):
+        near = np.float32(largest)
     return float(near if float(near) <= largest else np.nextafter(near, np.float32(0)))
 
 

@@ -2,6 +2,8 @@
 #include "python/src/certify.hpp"
 
 #include <algorithm>
+#include <cfenv>
+#include <cmath>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -11,7 +13,9 @@
 #include "formats/visible.hpp"
 #include "golden/dataset.hpp"
 #include "golden/families.hpp"
+#include "oracle/truth/default_environment.hpp"
 #include "python/src/columns.hpp"
+#include "python/src/lock.hpp"
 #include "tool/reports/report.hpp"
 #include "tool/run/determinism.hpp"
 #include "tool/run/fresh.hpp"
@@ -32,13 +36,29 @@ using tool::Source;
 
 constexpr std::size_t kTogether = 1 << 16;  // questions in a call
 
-/// Asks the callable, and keeps what it answered to the questions that it was asked ahead of time.
+/// A floating-point environment while it lives.
+class Environment {
+ public:
+  explicit Environment(const std::fenv_t& environment) {
+    std::fegetenv(&before_);
+    std::fesetenv(&environment);
+  }
+  Environment(const Environment&) = delete;
+  Environment& operator=(const Environment&) = delete;
+  ~Environment() { std::fesetenv(&before_); }
+
+ private:
+  std::fenv_t before_;
+};
+
+/// Asks the callable, in its caller's floating-point environment, and keeps what it answered to the questions that it was
+/// asked ahead of time.
 class CallableEngine final : public engines::Engine {
  public:
-  CallableEngine(py::function ask, std::string header, EngineInfo info)
-      : Engine(std::move(info)), ask_(std::move(ask)), header_(std::move(header)) {}
+  CallableEngine(py::function ask, const std::fenv_t& environment, std::string header, EngineInfo info)
+      : Engine(std::move(info)), ask_(std::move(ask)), environment_(environment), header_(std::move(header)) {}
   ~CallableEngine() override {
-    const py::gil_scoped_acquire gil;
+    const WithLock python_lock;
     ask_ = py::function();
   }
 
@@ -90,7 +110,7 @@ class CallableEngine final : public engines::Engine {
  private:
   /// Questions of one pair.
   std::vector<Claim> ask(std::span<const Question> questions) {
-    const py::gil_scoped_acquire gil;
+    const WithLock python_lock;
     const Pair pair = questions.front().query.pair;
     const Scalar scalar = info().declared.scalar;
     Query widest = zero_query(pair);
@@ -100,7 +120,8 @@ class CallableEngine final : public engines::Engine {
       columns.set(i, questions[i].query);
       columns.set_id(i, questions[i].id);
     }
-    const auto answers = py::cast<py::dict>(ask_(std::string(name(pair)), std::string(name(scalar)), columns.arrays()));
+    const auto answers =
+        py::cast<py::dict>(call(py::make_tuple(std::string(name(pair)), std::string(name(scalar)), columns.arrays())));
     engines::ResultColumns found("answers", arrays_in_memory("answers", answers, header_));
     if (found.rows() != questions.size())
       throw InputError({"answers", 0}, "",
@@ -119,7 +140,15 @@ class CallableEngine final : public engines::Engine {
     return claims;
   }
 
+  [[nodiscard]] py::object call(const py::tuple& arguments) const {
+    const Environment of_the_caller(environment_);
+    PyObject* answers = unless_python_ends([&] { return PyObject_CallObject(ask_.ptr(), arguments.ptr()); });
+    if (answers == nullptr) throw py::error_already_set();
+    return py::reinterpret_steal<py::object>(answers);
+  }
+
   py::function ask_;
+  std::fenv_t environment_;
   std::string header_;
   std::mutex mutex_;
   bool said_ = false;
@@ -158,6 +187,9 @@ std::vector<Source> sources_of(const std::string& text) {
 
 py::dict certify(const py::function& ask, const std::string& engine, const std::string& sources_text,
                  const std::string& options) {
+  std::fenv_t of_the_caller;
+  std::fegetenv(&of_the_caller);
+  const oracle::DefaultEnvironment environment;
   const formats::Location where{"options", 0};
   const json all = formats::parse_object(options, where);
   const Node o(all, where);
@@ -167,7 +199,7 @@ py::dict certify(const py::function& ask, const std::string& engine, const std::
   if (const auto fresh = o.find("fresh"))
     for (Source& source : tool::fresh_beside(sources, {fresh->at("each").count(), fresh->at("seed").count()}))
       sources.push_back(std::move(source));
-  auto owned = std::make_unique<CallableEngine>(ask, engine, info_of(engine));
+  auto owned = std::make_unique<CallableEngine>(ask, of_the_caller, engine, info_of(engine));
   CallableEngine& callable = *owned;
   std::vector<tool::Subject> subjects;
   subjects.push_back({std::move(owned), {}});
@@ -175,7 +207,7 @@ py::dict certify(const py::function& ask, const std::string& engine, const std::
   if (const auto check = o.find("check")) oracles.check = static_cast<tool::Check>(check->one_of(tool::kCheckNames));
   std::vector<tool::Report> reports;
   {
-    const py::gil_scoped_release no_gil;
+    const WithoutLock no_lock;
     for (const Source& source : sources)
       if (tool::engine_takes(callable.info(), source.pair, source.scalar)) callable.ask_ahead(source);
     tool::Report& report = subjects.front().report;
@@ -189,7 +221,10 @@ py::dict certify(const py::function& ask, const std::string& engine, const std::
     if (const auto profile = o.find("profile"))
       report.engine.declared.tolerance = tool::kProfiles[profile->one_of(tool::kProfileNames)].tolerance;
     if (const auto allow = o.find("allow_unsupported")) report.allow_unsupported = allow->boolean();
-    if (const auto within = o.find("within")) report.within = within->number();
+    if (const auto within = o.find("within")) {
+      report.within = within->number();
+      if (!(*report.within >= 0 && std::isfinite(*report.within))) within->refuse("expected a finite length from 0");
+    }
     if (const auto least = o.find("least_judged")) report.least_judged = least->count();
     report.fresh = tool::fresh_of(sources, false);
     tool::Stop stop;

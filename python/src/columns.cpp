@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "formats/input_error.hpp"
+#include "python/src/lock.hpp"
 
 namespace contact::python {
 namespace {
@@ -27,7 +28,7 @@ class MemoryArray final : public formats::ArrayReader {
   MemoryArray(formats::ArrayType type, py::array array)
       : ArrayReader(std::move(type), static_cast<std::uint64_t>(array.shape(0))), array_(std::move(array)) {}
   ~MemoryArray() override {
-    const py::gil_scoped_acquire gil;
+    const WithLock python_lock;
     array_ = py::array();
   }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
+#include <unordered_set>
 
 #include "contact/pair_functions.hpp"
 #include "engines/engine.hpp"
@@ -19,9 +20,11 @@
 #include "golden/right_case.hpp"
 #include "kernel/batch_pairs.hpp"
 #include "oracle/gradient/gradient.hpp"
+#include "oracle/truth/default_environment.hpp"
 #include "oracle/truth/staged_oracle.hpp"
 #include "python/src/certify.hpp"
 #include "python/src/columns.hpp"
+#include "python/src/lock.hpp"
 #include "tool/reports/explanation.hpp"
 #include "tool/run/process.hpp"
 #include "tool/run/profiles.hpp"
@@ -187,7 +190,7 @@ template <class Number>
 py::dict contacts_as(const QuestionArrays& questions, PointConvention convention) {
   Answers<Number> answers(questions.pair(), questions.size());
   {
-    const py::gil_scoped_release no_gil;
+    const WithoutLock no_lock;
     Query query = zero_query(questions.pair());
     production(questions, convention, [&](std::size_t row, bool hit, const std::optional<Contact>& c) {
       if (std::is_same_v<Number, double> || !c || rounds_alike(*c)) {
@@ -220,7 +223,7 @@ py::array_t<bool> hits(const std::string& pair, const py::list& columns, const p
   const QuestionArrays questions(pair_of(pair), columns, alarm, contact);
   py::array_t<bool> all(static_cast<py::ssize_t>(questions.size()));
   bool* hit = all.mutable_data();
-  const py::gil_scoped_release no_gil;
+  const WithoutLock no_lock;
   for_each(questions, [&](std::size_t row, const Query& query) {
     hit[row] = std::visit([&](const auto& shapes) { return is_hit(shapes, query.distances); }, query.shapes);
   });
@@ -231,7 +234,7 @@ py::object ids(const std::string& pair, const py::list& columns, const py::array
   const QuestionArrays questions(pair_of(pair), columns, alarm, contact);
   QuestionColumns found(zero_query(questions.pair()), Scalar::binary64, questions.size());
   {
-    const py::gil_scoped_release no_gil;
+    const WithoutLock no_lock;
     for_each(questions, [&](std::size_t row, const Query& query) { found.set_id(row, golden::query_id(query)); });
   }
   return found.arrays()["id"];
@@ -242,7 +245,7 @@ std::vector<std::string> cases(const std::string& pair, const py::list& columns,
   const QuestionArrays questions(pair_of(pair), columns, alarm, contact);
   const Scalar rounded_to = scalar_of(scalar);
   std::vector<std::string> lines;
-  const py::gil_scoped_release no_gil;
+  const WithoutLock no_lock;
   for_each(questions, [&](std::size_t, const Query& query) {
     lines.push_back(golden::to_line(golden::make_case(query, rounded_to)));
   });
@@ -270,7 +273,7 @@ py::dict gradients(const std::string& pair, const py::list& columns, const py::a
   double* to_sides = sides.mutable_data();
   std::uint8_t* to_why = why.mutable_data();
   {
-    const py::gil_scoped_release no_gil;
+    const WithoutLock no_lock;
     const double none = std::numeric_limits<double>::quiet_NaN();
     const std::size_t across = oracle::kOutputs * width;
     for_each(questions, [&](std::size_t row, const Query& query) {
@@ -370,12 +373,12 @@ py::tuple generate(const std::string& pair, const std::string& family, std::uint
   Query widest = zero_query(of);
   RowCount rows(family, has_hull(of) ? 2 * count : count);
   {
-    const py::gil_scoped_release no_gil;
+    const WithoutLock no_lock;
     for (std::uint64_t i = 0; has_hull(of) && i < count; ++i) widen(widest, question(i)), rows.add();
   }
   QuestionColumns columns(widest, scalar_of(scalar), count);
   {
-    const py::gil_scoped_release no_gil;
+    const WithoutLock no_lock;
     for (std::uint64_t i = 0; i < count; ++i) columns.set(i, question(i)), rows.add();
   }
   return columns.as_columns();
@@ -412,7 +415,7 @@ py::tuple read_dataset(const std::string& path) {
   const golden::DatasetHeader header = reader.header();
   std::vector<golden::Case> all;
   {
-    const py::gil_scoped_release no_gil;
+    const WithoutLock no_lock;
     RowCount rows(path, header.count);
     while (auto c = reader.next()) all.push_back(std::move(*c)), rows.add();
   }
@@ -477,15 +480,19 @@ void write_dataset(const std::string& path, const std::string& pair, const std::
     throw std::invalid_argument(fmt::format("the name of a dataset ends in .jsonl, .h5 or .npz, got '{}'", path));
   if (golden::find_family(questions.pair(), family) != nullptr)
     throw std::invalid_argument(fmt::format("'{}' is a family of the generator's: choose another name", family));
+  if (family.empty()) throw std::invalid_argument("a family has a name");
   golden::DatasetHeader header;
   header.pair = questions.pair();
   header.scalar = scalar_of(scalar);
   header.family = family;
   header.count = questions.size();
-  const py::gil_scoped_release no_gil;
+  const WithoutLock no_lock;
   const auto writer = golden::create_dataset(path, header);
-  for_each(questions, [&](std::size_t, const Query& query) {
+  std::unordered_set<std::string> written;
+  for_each(questions, [&](std::size_t row, const Query& query) {
     const golden::Case c = golden::make_case(query, header.scalar);
+    if (!written.insert(c.id).second)  // no reader takes such a file
+      throw std::invalid_argument(fmt::format("row {}: the same question is written already", row));
     writer->write(c, golden::to_line(c));
   });
   writer->commit();
@@ -513,7 +520,7 @@ void look_for_signals() {
   const auto now = std::chrono::steady_clock::now();
   if (now - last < kBetween) return;
   last = now;
-  const py::gil_scoped_acquire gil;
+  const WithLock python_lock;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
 
@@ -538,25 +545,28 @@ PYBIND11_MODULE(_core, m) {
       PyErr_SetNone(PyExc_KeyboardInterrupt);
     }
   });
+  // Whatever the caller has set. The judge's is certify's own affair: it calls the engine in the caller's.
+  const py::call_guard<oracle::DefaultEnvironment> environment;
   using namespace py::literals;
   m.def("version", [] { return std::string(formats::version()); });
   m.def("pairs", &pairs);
   m.def("families", &families, "pair"_a);
   m.def("profiles", &profiles);
-  m.def("contacts", &contacts, "pair"_a, "columns"_a, "alarm"_a, "contact"_a, "points"_a = "nearest_surface",
-        "scalar"_a = "binary64");
-  m.def("hits", &hits, "pair"_a, "columns"_a, "alarm"_a, "contact"_a);
-  m.def("ids", &ids, "pair"_a, "columns"_a, "alarm"_a, "contact"_a);
-  m.def("cases", &cases, "pair"_a, "columns"_a, "alarm"_a, "contact"_a, "scalar"_a = "binary64");
-  m.def("gradients", &gradients, "pair"_a, "columns"_a, "alarm"_a, "contact"_a);
-  m.def("explain", &explain, "line"_a);
-  m.def("generate", &generate, "pair"_a, "family"_a, "count"_a, "seed"_a, "scalar"_a = "binary64", "first"_a = 0);
-  m.def("datasets", &datasets, "paths"_a);
-  m.def("read_dataset", &read_dataset, "path"_a);
-  m.def("write_dataset", &write_dataset, "path"_a, "pair"_a, "scalar"_a, "family"_a, "columns"_a, "alarm"_a,
-        "contact"_a);
+  m.def("contacts", &contacts, environment, "pair"_a, "columns"_a, "alarm"_a, "contact"_a,
+        "points"_a = "nearest_surface", "scalar"_a = "binary64");
+  m.def("hits", &hits, environment, "pair"_a, "columns"_a, "alarm"_a, "contact"_a);
+  m.def("ids", &ids, environment, "pair"_a, "columns"_a, "alarm"_a, "contact"_a);
+  m.def("cases", &cases, environment, "pair"_a, "columns"_a, "alarm"_a, "contact"_a, "scalar"_a = "binary64");
+  m.def("gradients", &gradients, environment, "pair"_a, "columns"_a, "alarm"_a, "contact"_a);
+  m.def("explain", &explain, environment, "line"_a);
+  m.def("generate", &generate, environment, "pair"_a, "family"_a, "count"_a, "seed"_a, "scalar"_a = "binary64",
+        "first"_a = 0);
+  m.def("datasets", &datasets, environment, "paths"_a);
+  m.def("read_dataset", &read_dataset, environment, "path"_a);
+  m.def("write_dataset", &write_dataset, environment, "path"_a, "pair"_a, "scalar"_a, "family"_a, "columns"_a,
+        "alarm"_a, "contact"_a);
   m.def("certify", &certify, "ask"_a, "engine"_a, "sources"_a, "options"_a);
-  m.def("is_within", &is_within, "engine"_a, "question"_a, "answer"_a);
+  m.def("is_within", &is_within, environment, "engine"_a, "question"_a, "answer"_a);
 }
 
 }  // namespace contact::python

@@ -199,10 +199,20 @@ def test_an_engine_in_its_own_process():
 
 
 @pytest.mark.parametrize("named", [dict(level="good"), dict(pairs="sphere_donut"), dict(families="cheese"), dict(scalar="half"), dict(pairs=[]),
-                                   dict(conventions={"normal": "sideways"}), dict(bounds={"value": 1000}), dict(rounds=["radius"]), dict(engine=5)])
+                                   dict(conventions={"normal": "sideways"}), dict(bounds={"value": 1000}), dict(rounds=["radius"]), dict(engine=5),
+                                   dict(count=float("nan")), dict(bounds={"value": float("nan")}), dict(tolerance={"length": float("inf")}),
+                                   dict(level="conservative", within=-1), dict(level="conservative", within=float("nan")),
+                                   *(dict(isolated=True, time_limit=seconds) for seconds in (0, -1, float("nan"), "1"))])
 def test_wrong_arguments_are_refused(named):
     with pytest.raises(InputError):
         contact_oracle.certify(**{**dict(engine=engines.right, pairs="sphere_sphere", families="generic", count=3, seed=1), **named})
+
+
+def test_numbers_of_numpy_are_numbers():
+    report = contact_oracle.certify(engines.right, "sphere_sphere", "generic", count=np.int64(20), seed=np.uint32(3), least_judged=np.int8(5),
+                                    bounds={"value": np.int32(2)}, determinism=np.bool_(True))
+    assert report.certified and report.data["total"]["judged"] == 20
+    assert contact_oracle.certify(engines.right, "sphere_sphere", "generic", count=20, seed=3, tolerance={"length": np.float32(0.5)})
 
 
 def test_what_is_rounded_before_the_engine_sees_it_is_declared():

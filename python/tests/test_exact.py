@@ -1,5 +1,6 @@
 """Exact numbers, explanations, questions and files."""
 import json
+import os
 from decimal import Decimal, getcontext
 from fractions import Fraction
 
@@ -94,11 +95,34 @@ BALL = {"center": [0, 0, 0], "radius": 1}
     ({"a": {"min": [0, 0, 0]}, "b": BALL}, "a.max: is missing"), ({"a": {"center": [0, 0, 0]}, "b": BALL}, "a.radius: is missing"),
     ({"a": {**BALL, "size": 1}, "b": BALL}, "a.size: is no part of a sphere"), ({"a": {**BALL, "radius": None}, "b": BALL}, "a.radius: must be numbers, got None"),
     ({"a": {**BALL, "radius": 10**400}, "b": BALL}, "a.radius: must be numbers"), ({"a": BALL, "b": BALL, "alarm": "wide"}, "alarm: must be numbers, got 'wide'"),
+    ({"a": {**BALL, "center": [0, 0]}, "b": BALL}, "a.center: must be numbers of the shape .3., got .0, 0."),
+    ({"a": {**BALL, "radius": [1]}, "b": BALL}, "a.radius: must be one number"), ({"a": BALL, "b": BALL, "alarm": [1]}, "alarm: must be one number"),
+    ({"a": {**BALL, "radius": True}, "b": BALL}, "a.radius: must be numbers, got True"), ({"a": {**BALL, "radius": "1.5"}, "b": BALL}, "a.radius: must be numbers"),
+    ({"pair": "sphere_hull", "a": BALL, "b": {"vertices": [[0, 0, 0], [1, 1]], "radius": 0}}, "b.vertices: must be numbers of the shape .V, 3., V from 1 to 64"),
+    ({"pair": "sphere_hull", "a": BALL, "b": {"vertices": [], "radius": 0}}, "b.vertices: must be numbers of the shape"),
+    ({"pair": ["sphere_sphere"], "a": BALL, "b": BALL}, "pair: must be one of"), ({"a": BALL, "b": BALL, "scalar": "half"}, "scalar: must be binary64 or binary32"),
     ("{", "question: cannot be read: "), (None, "question: must be a line or a dict, got None")])
 def test_what_is_no_question_is_named(question, words):
     for read in (contact_oracle.exact, contact_oracle.gradient, Question.from_json, *([contact_oracle.explain] if question != "{" else [])):
         with pytest.raises(InputError, match=words):
             read(question)
+
+
+def test_a_line_that_is_nested_too_deep_is_refused():
+    for read in (contact_oracle.exact, contact_oracle.explain, Question.from_json):
+        with pytest.raises(InputError):
+            read('{"a":' * 100_000)
+
+
+def test_what_is_told_of_one_convention_alone_takes_no_other():
+    arguments = ("sphere_sphere", (0, 0, 0), 1, (1, 0, 0), 1)
+    for ask in (contact_oracle.exact, contact_oracle.explain, contact_oracle.gradient):
+        assert ask(*arguments, points="nearest_surface")
+        with pytest.raises(InputError, match="points: must be nearest_surface, got 'center'"):
+            ask(*arguments, points="center")
+    assert contact_oracle.hits(*arguments, points="center")
+    with pytest.raises(InputError, match="points: must be one of nearest_surface"):
+        contact_oracle.hits(*arguments, points="middle")
 
 
 def test_a_question_is_a_line_and_back():
@@ -134,6 +158,10 @@ def test_generated_questions_are_arrays():
         with pytest.raises(InputError, match=f"{name}: must be a whole number from 0 to"):
             contact_oracle.generate(**{**dict(pair="cube_cube", family="generic", count=1), name: number})
     assert len(contact_oracle.generate("cube_cube", "generic", np.int64(3), np.uint8(1))) == 3
+    last = contact_oracle.generate("cube_cube", "generic", 1, first=2**64 - 1)
+    assert (last.min1 != contact_oracle.generate("cube_cube", "generic", 1, first=0).min1).any()
+    with pytest.raises(InputError, match="first: is too large"):
+        contact_oracle.generate("cube_cube", "generic", 2, first=2**64 - 1)
 
 
 def test_questions_of_ones_own():
@@ -163,6 +191,27 @@ def test_a_dataset_is_written_and_read(tmp_path, ending, scalar):
     single = list(questions)[:2]
     contact_oracle.write_dataset(path, single, family="mine")
     assert contact_oracle.read_dataset(path).header["family"] == "mine"
+
+
+@pytest.mark.parametrize("ending", ["jsonl", "npz", "h5"])
+def test_what_no_reader_takes_is_not_written(tmp_path, ending):
+    path = tmp_path / f"mine.{ending}"
+    question = contact_oracle.generate("sphere_sphere", "generic", 1)[0]
+    with pytest.raises(InputError, match="row 1: the same question is written already"):
+        contact_oracle.write_dataset(path, [question, question])
+    with pytest.raises(InputError, match="a family has a name"):
+        contact_oracle.write_dataset(path, question, family="")
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_file_may_have_any_name(tmp_path):
+    path = os.fsdecode(os.fsencode(tmp_path) + b"/\xff.jsonl")
+    contact_oracle.write_dataset(path, contact_oracle.generate("sphere_sphere", "generic", 3))
+    assert len(contact_oracle.read_dataset(path)) == 3
+    with pytest.raises(InputError, match="datasets: has a name that no report can state"):
+        contact_oracle.certify(lambda questions: questions.answer(), "sphere_sphere", datasets=path)
+    with pytest.raises(InputError, match="no such file"):
+        contact_oracle.read_dataset(path + "x")
 
 
 @pytest.mark.parametrize("pair", PAIRS)

@@ -251,6 +251,11 @@ def test_bad_input_is_named():
         contact_oracle.gradient("cube_cube", (0, 0, 0), (1, 1, 1), (0, 0, 0), (1, 1, 1))
     with pytest.raises(InputError, match="kinks: must be finite or any"):
         certify_gradient(sphere_capsule(), "sphere_capsule", kinks="none")
+    for named in (*(dict(relative=number) for number in (np.nan, np.inf, -1, "1e-6")), *(dict(scale=pair) for pair in (1, (2, 1), (np.nan, 1), (-1, 1), (1, 2, 3))),
+                  *(dict(questions=some) for some in ([], "cheese", contact_oracle.generate("sphere_capsule", "generic", 3)))):
+        with pytest.raises(InputError, match=f"{next(iter(named))}: must be"):
+            certify_gradient(lambda questions: (None, {"radius1": np.zeros(len(questions))}), "sphere_sphere", **{**dict(families="generic", seed=1), **named})
+    assert not certify_gradient(lambda questions: (None, {"radius1": np.zeros(len(questions))}), "sphere_sphere", "generic", count=0)
     for answer, words in ((3, "a pair of values and derivatives"), ((0, (1, 2)), "one of each of center1"), ((0, {"center3": 0}), "no argument 'center3'"),
                           ({"value": {"center1": np.zeros(3)}}, r"shape \(20, 3\)"), ({"value": {"radius1": np.zeros(20, int)}}, "int64")):
         with pytest.raises(EngineError, match=words):

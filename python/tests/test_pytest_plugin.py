@@ -89,6 +89,13 @@ def test_known_failures_are_listed_in_files(run, pytester):
     result.stdout.fnmatch_lines(["*xfails.txt:2*"])
     assert result.ret == 0
     assert run("right", '"sphere_sphere"', "--contact-xfails-file=nowhere.txt").ret == 4
+    (pytester.path / "latin.txt").write_bytes(b"# caf\xe9\n")
+    assert run("right", '"sphere_sphere"', "--contact-xfails-file=latin.txt").ret == 4
+
+
+def test_how_many_questions_a_law_is_asked_is_a_number_from_1(run_here):
+    for number in ("0", "-3", "many"):
+        assert run_here("right", '"sphere_sphere", (), "swap"', f"--contact-max-examples={number}").ret == 4
 
 
 def test_markers_choose(run):

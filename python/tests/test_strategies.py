@@ -1,4 +1,7 @@
 """Strategies and laws: what they make lies in the domain, touches where it says so, and shrinks."""
+import random
+import warnings
+
 import pytest
 
 hypothesis = pytest.importorskip("hypothesis")
@@ -10,7 +13,7 @@ from hypothesis import HealthCheck, find, given, settings
 from hypothesis import strategies as st
 
 import contact_oracle
-from contact_oracle import InputError, Question, Questions, Sphere, laws, strategies
+from contact_oracle import Cube, InputError, Question, Questions, Ray, Sphere, laws, strategies
 from contact_oracle.pairs import PAIRS
 from contact_oracle.shapes import SHAPES
 
@@ -71,6 +74,55 @@ def test_near_touching_questions_are_hits_and_misses(pair):
 
     check()
     assert both == {True, False}
+
+
+@pytest.mark.parametrize("bounds, word", [(dict(largest=1.0, smallest=2.0), "largest"), (dict(largest=-1.0), "largest"), (dict(largest=float("nan")), "largest"),
+                                          (dict(smallest=-1.0), "smallest"), (dict(smallest=float("nan")), "smallest"), (dict(smallest=float("inf")), "smallest")])
+def test_bounds_that_leave_no_number_are_refused(bounds, word):
+    """Zeros were left, and of them nearly every law holds."""
+    for strategy in (strategies.numbers, strategies.lengths, strategies.spheres, strategies.obbs):
+        with pytest.raises(InputError, match=f"{word}: must"):
+            strategy(**bounds)
+
+
+def test_the_largest_number_is_one_of_the_scalar():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for largest, last in ((1e300, np.finfo(np.float32).max), (0.1, np.nextafter(np.float32(0.1), np.float32(0)))):
+            assert find(strategies.lengths("binary32", largest), lambda x: x >= float(last), random=random.Random(1)) == float(last)
+
+
+def test_laws_are_not_asked_of_zeros_alone():
+    for scale in ({"min": 0.125, "max": 4.0}, {"min": 1.0, "max": 1e4}):
+        with pytest.raises(laws.NotAsked, match="the scale is too narrow"):
+            laws.check("repeatable", engines.right, ("sphere_sphere",), examples=3, conventions={"scale": scale})
+    laws.check("repeatable", engines.right, ("sphere_sphere",), examples=3, conventions={"scale": {"min": 1e-4, "max": 1e4}})
+
+
+def test_a_right_engine_obeys_where_numbers_end():
+    """A value of -2 times the radius is infinite, and so is a point that is turned or scaled."""
+    ball = Sphere((0.0, 0.0, 0.0), 1.7e308)
+    questions = [Question("sphere_sphere", ball, ball), Question("sphere_sphere", ball, Sphere((0.0, 0.0, 1e308), 1.0))]
+    ray = Question("cast_sphere", Ray((0.0, 0.0, 0.0), (1.0, 2.0, 2.0), float(np.finfo(np.float32).max)), Sphere((1.0, 2.0, 2.5), 1.0), scalar="binary32")
+    laws.rotate(engines.right, ray, (0, 0, 1, 2))
+    apart = [Cube((sign * 1.7e308, 0.0, 0.0), (sign * 1.7e308, 0.0, 0.0)) for sign in (-1, 1)]
+    for question in (*questions, Question("cube_cube", *apart)):
+        for ulps in (0.0, 8.0):
+            laws.decision(engines.right, question, ulps=ulps)
+            with pytest.raises(AssertionError, match="decision: a "):
+                laws.decision(lambda asked, right=question.answer().hit: {"hit": np.array([not right])}, question, ulps=ulps)
+    drawn = {"growth": 1.0, "by": (1.0, 0.0, 0.0), "axes": (1, 2, 0), "signs": (1, 1, 1), "quaternion": (0, 0, 1, 2), "exponent": -2, "which": 2, "corner": 0}
+    suited = set()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for question in questions:
+            for name, law in laws.LAWS.items():
+                try:
+                    law.check(engines.right, question, **{key: drawn[key] for key in law.draws or ()})
+                    suited.add(name)
+                except hypothesis.errors.UnsatisfiedAssumption:
+                    pass
+    assert {"repeatable", "scale", "swap", "turn", "bounds"} <= suited
 
 
 def test_near_touching_has_no_crossings():

@@ -51,6 +51,19 @@ TEST(Rows, refuse_another_width) {
             "2 numbers a row where 3 are wanted");
 }
 
+TEST(Rows, that_are_moved_from_hold_none) {
+  Rows<3> first = counted(4, 3);
+  Rows<3> second = std::move(first);
+  EXPECT_EQ(first.rows(), 0);  // NOLINT(bugprone-use-after-move): what is left is asked
+  EXPECT_EQ(first.cols(), 3);
+  EXPECT_EQ(second.matrix(), counted(4, 3));
+  first = std::move(second);
+  EXPECT_EQ(second.rows(), 0);  // NOLINT(bugprone-use-after-move)
+  EXPECT_EQ(first.matrix(), counted(4, 3));
+  second = first;
+  EXPECT_EQ(first.matrix(), second.matrix());
+}
+
 TEST(Rows, give_copies_and_maps_of_what_they_hold) {
   Rows<Eigen::Dynamic> rows = counted(4, 3);
   const Eigen::MatrixX3d copy = rows;
