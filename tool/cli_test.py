@@ -1202,6 +1202,21 @@ class Claims(Case):
                           f"Not claimed, so not judged: point1 ({lacks}), point2 ({lacks}), value ({lacks}).", out)
             self.assertEqual(self.report()["not_claimed"], ["point1", "point2", "value"])
 
+    def test_a_normal_of_any_length_is_judged_by_its_direction(self):
+        for pair, family in (("sphere_cube", "on_boundary"), ("capsule_triangle", "touching"), ("cast_cube", "through_edge")):
+            lines = committed(f"{pair}/{family}.jsonl")
+            answers = answers_to(lines, conventions={"normal_unit": False, "points": "none"})
+            failures = {}
+            for side in 1, -1:
+                for length in 1, 2.0**-60, 2.0**60:
+                    turned = lambda contact: {"normal": [side * length * float(x) for x in contact["normal"]], "value": contact["value"]}
+                    made = [{**a, "contact": turned(a["contact"])} if a.get("contact") else a for a in answers]
+                    run("certify", self.file("n.jsonl", lines), "--results", self.file("r.jsonl", made), "--json", self.folder / "out.json")
+                    failures.setdefault(side, []).append([f["id"] for f in self.report()["failures"]])
+            self.assertEqual(failures[1], [[]] * 3, pair)
+            self.assertEqual(failures[-1], [failures[-1][0]] * 3, pair)
+            self.assertNotEqual(failures[-1][0], [], pair)
+
     def test_a_family_whose_numbers_nobody_can_judge_is_no_failure_beside_others(self):
         # Where centres coincide the points go with the normal, which is not declared.
         lines = committed("sphere_sphere/coincident.jsonl", 0, 20)

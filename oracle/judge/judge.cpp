@@ -376,6 +376,11 @@ class ContactJudge {
         off += (Rational(n[axis]) - along) * (Rational(n[axis]) - along);
       }
       if (conventions_.normal_unit && off <= roundings() * roundings()) return {};
+      // Of length 1, a normal would be off by as much as its cosine says: off^2 = 2 - 2 cos.
+      const Rational along = dot(contact::oracle::point_of(n), way.direction);
+      const Rational cosine = Rational(1) - roundings() * roundings() / Rational(2);
+      if (!conventions_.normal_unit && along > Rational(0) && along * along >= cosine * cosine * squared_length(n))
+        return {Grade::bounded, 0};
       if (const Off off_way = off_from(n, way.direction); !least || off_way.most < least->most) least = off_way;
       if (!best || std::pair(verdict.grade, verdict.error) <= std::pair(best->grade, best->error)) best = verdict;
     }
@@ -390,8 +395,10 @@ class ContactJudge {
     return conventions_.normal_unit && rounded_ != nullptr && claimed_n_ == rounded_->normal;
   }
 
-  /// Whether a normal points against no vertex of the cores: n.w >= -8u |w| for all of their differences w.
+  /// Whether a normal points against no vertex of the cores: n.w >= -8u |w| for all of their differences w, n being of
+  /// length 1, or made so where it need not be.
   [[nodiscard]] bool separates(const Vector3& n) const {
+    const Rational room = roundings() * roundings() * (conventions_.normal_unit ? Rational(1) : squared_length(n));
     return std::all_of(exact().meeting().apart.begin(), exact().meeting().apart.end(), [&](const Point& w) {
       Rational along(0);
       Rational length2(0);
@@ -399,7 +406,7 @@ class ContactJudge {
         along += w[axis] * Rational(n[static_cast<Eigen::Index>(axis)]);
         length2 += w[axis] * w[axis];
       }
-      return along >= Rational(0) || along * along <= roundings() * roundings() * length2;
+      return along >= Rational(0) || along * along <= room * length2;
     });
   }
 
