@@ -1043,6 +1043,8 @@ class Results(Case):
         answers = self.answers[:-2] + [{"id": a["id"], "unsupported": "too hard"} for a in self.answers[-2:]]
         self.assertIn("2 unsupported", self.refuted(*self.args(answers)))
         self.assertIn("10 judged cases", self.holds(*self.args(answers, "--allow-unsupported")))
+        few = answers[:6] + [{"id": a["id"], "unsupported": "too hard"} for a in answers[6:]]
+        self.assertIn("5 judged cases of 12 given are fewer than 6", self.refuted(*self.args(few, "--allow-unsupported")))
         all_of_them = answers[:1] + [{"id": a["id"], "unsupported": "too hard"} for a in answers[1:]]
         done = run(*self.args(all_of_them, "--allow-unsupported", *self.reports()))
         self.assertEqual(done.returncode, 2)

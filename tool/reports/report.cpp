@@ -448,8 +448,8 @@ std::vector<std::string> Report::falls_short() const {
   const std::uint64_t given = all.cases + skipped_cases();
   const std::uint64_t least = std::min(least_judged, given / 2 + given % 2);
   if (judged() < least)
-    found.push_back(fmt::format("{} of {} given are fewer than {}", count(judged(), "judged case", "judged cases"),
-                                given, least_judged));
+    found.push_back(
+        fmt::format("{} of {} given are fewer than {}", count(judged(), "judged case", "judged cases"), given, least));
   if (const auto one = all.one_answer(); one && all.askable.both())
     found.push_back(fmt::format("{} is right in all of them, and the questions have hits and misses",
                                 *one == "the same" ? std::string("one answer") : fmt::format("always {}", *one)));
