@@ -151,6 +151,26 @@ class Holds(Case):
         self.holds("REFUTED: plain-double")
         self.refuted("REFUTED: bounded was required, and the certificate is of none", args=("--level", "bounded"))
 
+    def test_a_level_is_demanded_of_what_would_be_certified_at_it(self):
+        # Right answers that are too few to say anything, and boxes, of which no level asks for numbers.
+        results = self.folder / "hits.jsonl"
+        dataset = GOLDEN / "sphere_sphere" / "generic.jsonl"
+        self.certify(dataset, "--engine", "production", "--fresh", 0)
+        answers = list(map(json.loads, self.answers.read_text().splitlines()))
+        hits = [a if a.get("overlap", True) else {"id": a["id"], "unsupported": "a miss"} for a in answers]
+        results.write_text("".join(line(a) + "\n" for a in hits))
+        self.certify(dataset, "--results", results, "--allow-unsupported", code=1)
+        self.holds("TOO LITTLE JUDGED: ")
+        for level in ("bounded", "decisions"):
+            self.refuted(f"REFUTED: {level} was required, and what was judged is no certificate: always hit is right in all of them",
+                         args=("--level", level))
+        self.certify(GOLDEN / "cube_cube" / "generic.jsonl", "--engine", "production")
+        self.holds("reaches decisions", args=("--level", "bounded"))
+        # More than an engine reaches may have been required of it.
+        self.certify(dataset, "--engine", "plain-double", "--level", "correctly-rounded", "--seed", 7, code=1)
+        self.holds("REFUTED: plain-double", args=("--level", "bounded"))
+        self.refuted("REFUTED: faithful was required, and the certificate is of bounded.", args=("--level", "faithful"))
+
     def test_recorded_answers_are_bound_where_they_are(self):
         results = GOLDEN / "recorded" / "sofa-2a278d8" / "sphere_sphere.jsonl"
         certificate = self.certify("golden/sphere_sphere", "--family", "upstream", "--results", results, code=1)

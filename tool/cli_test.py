@@ -681,8 +681,8 @@ class KnownFailures(Case):
         every = range(len(self.ids) - 1)  # one answer claims a contact, lest the harness be invalid
         one = self.file("one.jsonl", [{**self.lines[0], "count": 1}, self.lines[1]])
         old = self.before(every)
-        done = run("certify", one, "--results", self.folder / "r.jsonl", "--baseline", old)
-        self.assertEqual(done.returncode, 1, done.stdout)
+        says = "judged case (100 % of those given): no answer is left but failures that the baseline accepts. "
+        self.assertIn(f" on 1 {says}", self.refuted("certify", one, "--results", self.folder / "r.jsonl", "--baseline", old))
         # Beside a family that is right they are no failure, in JUnit either.
         generic = committed("sphere_sphere/generic.jsonl", 0, 9)
         with (self.folder / "r.jsonl").open("a") as results:
@@ -691,6 +691,19 @@ class KnownFailures(Case):
                          "--baseline", old, "--junit", self.folder / "out.junit")
         self.assertIn("CERTIFIED but for 1 failure:", out)
         self.assertNotIn("<failure", (self.folder / "out.junit").read_text())
+
+    def test_nor_is_it_within_a_tolerance(self):
+        boxes = committed("cube_cube/generic.jsonl", 0, 12)
+        wrong = answers_to(boxes)
+        for answer in wrong[1:]:
+            answer["overlap"] = not answer["overlap"]
+        known = self.folder / "known.json"
+        command = ("certify", self.file("b.jsonl", boxes), "--results", self.file("w.jsonl", wrong), "--tolerance", "length=0")
+        self.refuted(*command, "--json", known)
+        out = self.refuted(*command, "--baseline", known)
+        self.assertIn(" on 12 judged cases (100 % of those given): no answer is left but failures that the baseline accepts. ", out)
+        self.assertIn("CERTIFIED within length 0, relative 0, angle 0 but for 11 failures: ", self.holds(
+            *command[:3], self.file("r.jsonl", [*wrong[:12], answers_to(boxes)[12]]), *command[4:], "--baseline", known))
 
     def test_the_failures_of_a_report_are_asked_again_and_nothing_else(self):
         old = self.before([3, 50], far=[7])
@@ -783,6 +796,11 @@ class KnownFailures(Case):
         out = self.holds("compare", self.folder / "old.json", other)
         self.assertIn("cube_cube/generic (210 cases) is judged in the new report alone.", out)
         self.assertIn("sphere_sphere/touching (100 cases) is judged in the old report alone.", out)
+        # What fails in a family that nobody judged before, or judges now, did not become worse or better.
+        for reports in (self.folder / "old.json", other), (other, self.folder / "old.json"):
+            out = self.holds("compare", *reports)
+            self.assertTrue(out.endswith("\nNO CHANGE that counts.\n"), out)
+            self.assertNotIn(self.ids[3], out)
         self.refused(("compare", self.dataset, other), self.dataset)
         self.refused(("compare", other, self.folder / "absent.json"), "absent.json")
 
@@ -888,6 +906,17 @@ class RestsOnEnough(Case):
                          [50, 11, fresh["failure_count"]])
         self.refuted(*command, "--baseline", known, "--seed", 12)
 
+    def test_a_few_fresh_questions_that_ask_for_no_number_take_nothing_from_the_level(self):
+        report = self.folder / "r.json"
+        for seed in range(1, 20):
+            out = self.holds("certify", self.FILES[0], "--fresh", 1, "--seed", seed, "--json", report)
+            if json.loads(report.read_text())["fresh"]["total"]["hits"] == 0:
+                break
+        self.assertIn("of fresh questions on 0 hits and 1 miss.", out)
+        self.assertIn(" reaches correctly-rounded on all 210 judged cases ", out)
+        self.assertIn(" and on numbers: ", out)
+        self.assertNotIn("have no numbers", out)
+
     def test_who_always_says_hit_is_not_conservative(self):
         always = ("certify", *self.FILES, "--level", "conservative", "--fresh", 0, *cheating("hit"))
         out = self.refuted(*always, "--json", self.folder / "r.json")
@@ -901,6 +930,30 @@ class RestsOnEnough(Case):
         hits = [hits[0]] + [case for case in hits[1:] if case["expect"]["hit"]]
         hits[0]["count"] = len(hits) - 1
         self.holds("certify", self.file("hits.jsonl", hits), "--level", "conservative", *cheating("hit"))
+
+    def test_what_fails_on_the_same_fresh_questions_alone_is_worse_and_on_others_is_not_compared(self):
+        right, wrong, other = (self.folder / f"{name}.json" for name in ("right", "wrong", "other"))
+        self.holds("certify", *self.FILES, "--seed", 5, "--json", right)
+        looks_up = ("certify", *self.FILES, *cheating("lookup", *self.FILES))
+        self.refuted(*looks_up, "--seed", 5, "--json", wrong)
+        self.refuted(*looks_up, "--seed", 6, "--json", other)
+        failures = json.loads(wrong.read_text())["fresh"]["failure_count"]
+        out = self.refuted("compare", right, wrong)
+        self.assertIn(f"New or worse failures: {failures}\n", out)
+        self.assertTrue(out.endswith("\nWORSE.\n"), out)
+        self.assertIn(f"Failures gone: {failures}\n", self.holds("compare", wrong, right))
+        out = self.holds("compare", right, other)
+        self.assertIn("Failures on fresh questions are not compared: the reports asked others.\n", out)
+        self.assertTrue(out.endswith("\nNO CHANGE that counts.\n"), out)
+
+    def test_a_case_that_one_decision_should_miss_and_the_other_hit_is_a_miss_that_may_be_called_a_hit(self):
+        lines = committed("sphere_sphere/touching.jsonl")
+        touching = [case for case in lines[1:] if case["exact"]["margin_ulps"] == 0 and case["alarm"] == 0]
+        lines = [{**lines[0], "count": len(touching)}, *touching]
+        answers = answers_to(lines, conventions={"touching_overlap": "open"})
+        out = self.holds("certify", self.file("d.jsonl", lines), "--results", self.file("r.jsonl", answers), "--level", "conservative",
+                         "--least-judged", 0)
+        self.assertIn(f" {len(touching)} of {len(touching)} misses were called hits, the farthest 0 from where the answer changes.", out)
 
     def test_a_conservative_engine_says_how_far_it_goes_and_may_be_bounded(self):
         report = self.folder / "r.json"
@@ -990,6 +1043,8 @@ class Results(Case):
         answers = self.answers[:-2] + [{"id": a["id"], "unsupported": "too hard"} for a in self.answers[-2:]]
         self.assertIn("2 unsupported", self.refuted(*self.args(answers)))
         self.assertIn("10 judged cases", self.holds(*self.args(answers, "--allow-unsupported")))
+        few = answers[:6] + [{"id": a["id"], "unsupported": "too hard"} for a in answers[6:]]
+        self.assertIn("5 judged cases of 12 given are fewer than 6", self.refuted(*self.args(few, "--allow-unsupported")))
         all_of_them = answers[:1] + [{"id": a["id"], "unsupported": "too hard"} for a in answers[1:]]
         done = run(*self.args(all_of_them, "--allow-unsupported", *self.reports()))
         self.assertEqual(done.returncode, 2)
@@ -1128,6 +1183,53 @@ class Claims(Case):
         self.assertEqual(self.report()["not_claimed"], ["normal"])
         self.assertEqual(self.report()["claims"], ["overlap", "contact", "point1", "point2", "value"])
         self.assertNotIn("normal", self.report()["total"]["fields"])
+        # Where centres coincide the points would go with it, as they would go with any.
+        lines = committed("sphere_sphere/coincident.jsonl", 0, 20)
+        also = [{**answer, "contact": wrong(answer["contact"])} for answer in answers_to(lines)[1:]]
+        self.holds(*self.args([*declared, *also], self.file("c.jsonl", lines), *self.reports()))
+        self.assertEqual(self.report()["total"]["fields"]["point1"]["judged"], self.hits)
+        # The one point of an engine is a field too.
+        no_point = self.answers(lambda contact: {key: contact[key] for key in ("normal", "value")}, conventions={"points": "midpoint"},
+                                claims=["overlap", "contact", "normal", "value"])
+        self.assertIn("Not claimed, so not judged: point.", self.holds(*self.args(no_point)))
+
+    def test_a_field_that_is_claimed_of_some_pairs_alone_is_named_with_the_others(self):
+        lines = committed("sphere_cube/generic.jsonl", 0, 40)
+        hits = sum(case["expect"]["hit"] for case in lines[1:])
+        nothing, everything = {"points": "none", "value": "none"}, {"points": "nearest_surface", "value": "signed"}
+        for general, special, judged, lacks in ((everything, nothing, self.hits, "sphere_cube"), (nothing, everything, hits, "sphere_sphere")):
+            answers = self.answers(pairs=["sphere_sphere", "sphere_cube"], conventions=general, pair_conventions={"sphere_cube": special})
+            out = self.holds(*self.args([*answers, *answers_to(lines)[1:]], self.file("c.jsonl", lines), *self.reports()))
+            self.assertIn(f"on numbers: {self.hits + hits} normal, {judged} point1, {judged} point2, {judged} value. "
+                          f"Not claimed, so not judged: point1 ({lacks}), point2 ({lacks}), value ({lacks}).", out)
+            self.assertEqual(self.report()["not_claimed"], ["point1", "point2", "value"])
+
+    def test_a_normal_of_any_length_is_judged_by_its_direction(self):
+        for pair, family in (("sphere_cube", "on_boundary"), ("capsule_triangle", "touching"), ("cast_cube", "through_edge")):
+            lines = committed(f"{pair}/{family}.jsonl")
+            answers = answers_to(lines, conventions={"normal_unit": False, "points": "none"})
+            failures = {}
+            for side in 1, -1:
+                for length in 1, 2.0**-60, 2.0**60:
+                    turned = lambda contact: {"normal": [side * length * float(x) for x in contact["normal"]], "value": contact["value"]}
+                    made = [{**a, "contact": turned(a["contact"])} if a.get("contact") else a for a in answers]
+                    run("certify", self.file("n.jsonl", lines), "--results", self.file("r.jsonl", made), "--json", self.folder / "out.json")
+                    failures.setdefault(side, []).append([f["id"] for f in self.report()["failures"]])
+            self.assertEqual(failures[1], [[]] * 3, pair)
+            self.assertEqual(failures[-1], [failures[-1][0]] * 3, pair)
+            self.assertNotEqual(failures[-1][0], [], pair)
+
+    def test_a_family_whose_numbers_nobody_can_judge_is_no_failure_beside_others(self):
+        # Where centres coincide the points go with the normal, which is not declared.
+        lines = committed("sphere_sphere/coincident.jsonl", 0, 20)
+        points = lambda contact: {key: contact[key] for key in ("point1", "point2")}
+        right = [*self.answers(points, claims=["overlap", "contact", "point1", "point2"]),
+                 *({**answer, "contact": points(answer["contact"])} for answer in answers_to(lines)[1:])]
+        out = self.holds(*self.args(right, self.file("c.jsonl", lines), *self.reports()))
+        self.assertIn(f"and on numbers: {self.hits} point1, {self.hits} point2.", out)
+        self.assertNotIn("<failure", (self.folder / "out.junit").read_text())
+        # Alone they are a verdict on no number.
+        self.assertIn("no number was judged", self.refuted("certify", self.folder / "c.jsonl", "--results", self.folder / "r.jsonl"))
 
     def test_the_verdict_counts_what_it_rests_on(self):
         out = self.holds(*self.args(self.answers(), *self.reports()))

@@ -172,6 +172,8 @@ class Steps(Case):
             self.assertIn(words, out)
             self.assertIn(words, page.items)
         self.assertNotIn("was judged by", self.compare(*[reports[0]] * 3, code=0))
+        any_false_hit, near_ones = (self.report(f"{len(within)}.json", "--level", "conservative", *within) for within in ((), ("--within", "0.5")))
+        self.assertIn("2 known 1 (2.json) was judged by conservative within 0.5.", self.compare(any_false_hit, near_ones, any_false_hit, code=0))
 
     def test_each_step_says_whether_the_bits_are_the_same(self):
         silent = self.report("silent.json", version="0")

@@ -69,7 +69,7 @@ class ContactJudge {
         rounded_(rounded),
         detail_(detail) {
     // What the claim says of n, first to second, for points where the centres coincide.
-    if (claim.normal)
+    if (claims_normal())
       claimed_n_ = conventions_.normal == NormalDirection::first_to_second ? *claim.normal : -*claim.normal;
     settle_separation();
   }
@@ -130,7 +130,7 @@ class ContactJudge {
   }
 
   [[nodiscard]] std::optional<FieldVerdict> normal() const {
-    if (!claim_.normal || !claims(Field::normal)) return std::nullopt;
+    if (!claims_normal()) return std::nullopt;
     const Vector3& n = claimed_n_;
     if (!is_finite(n)) return FieldVerdict{Grade::not_finite, 0};
     if (separation_) return unit_normal(n);
@@ -185,7 +185,7 @@ class ContactJudge {
     if (claim_.points.empty() || !claims(Field::points) || !has_manifold(query_.pair)) return std::nullopt;
     for (const ManifoldPoint& point : claim_.points)
       if (!is_finite(point.at) || !std::isfinite(point.depth)) return FieldVerdict{Grade::not_finite, 0};
-    const bool by_claim = claim_.normal && claims(Field::normal) && is_finite(claimed_n_) && !claimed_n_.isZero(0);
+    const bool by_claim = claims_normal() && is_finite(claimed_n_) && !claimed_n_.isZero(0);
     if (!by_claim && degenerate_) return std::nullopt;
     const Point n = of_length_one(by_claim ? contact::oracle::point_of(claimed_n_) : exact().along());
     const Rational slack = Rational(declared_.bounds.normal) * ulp(Rational(1), declared_.scalar);
@@ -230,7 +230,7 @@ class ContactJudge {
   /// The claimed normal of cores that overlap, where any may be said.
   void settle_separation() {
     if (conventions_.depth != DepthOf::any_separating || !is_convex(query_.pair)) return;
-    if (!claim_.normal || !claims(Field::normal) || !is_finite(claimed_n_) || claimed_n_.isZero(0)) return;
+    if (!claims_normal() || !is_finite(claimed_n_) || claimed_n_.isZero(0)) return;
     if (!exact().overlaps()) return;
     const Point n = contact::oracle::point_of(claimed_n_);
     separation_.emplace(std::get<Convexes>(query_.shapes), conventions_.normal_unit ? n : of_length_one(n),
@@ -269,6 +269,8 @@ class ContactJudge {
     return contact_expected_ ? *whole_.contact() : *whole_.distance();
   }
   [[nodiscard]] bool claims(Field field) const { return declared_.claimed().has(aspect(field)); }
+  /// What is not declared is no claim: nothing else goes with it either.
+  [[nodiscard]] bool claims_normal() const { return claim_.normal && claims(Field::normal); }
   [[nodiscard]] const std::optional<Tolerance>& tolerance() const { return declared_.tolerance; }
   [[nodiscard]] Off off_from(const Vector3& n, const Point& right) const {
     if (detail_ == Detail::grades) return {};
@@ -300,7 +302,7 @@ class ContactJudge {
       else
         claimed.is_finite = false;
     };
-    if (claim_.normal && claims(Field::normal)) take(claimed.normal, claimed_n_);
+    if (claims_normal()) take(claimed.normal, claimed_n_);
     claimed.zero_where_cores_meet = conventions_.coincident == Coincident::zero_normal;
     for (const int shape : {0, 1}) {
       const auto& point = shape == 0 ? claim_.point1 : claim_.point2;
@@ -376,6 +378,11 @@ class ContactJudge {
         off += (Rational(n[axis]) - along) * (Rational(n[axis]) - along);
       }
       if (conventions_.normal_unit && off <= roundings() * roundings()) return {};
+      // Of length 1, a normal would be off by as much as its cosine says: off^2 = 2 - 2 cos.
+      const Rational along = dot(contact::oracle::point_of(n), way.direction);
+      const Rational cosine = Rational(1) - roundings() * roundings() / Rational(2);
+      if (!conventions_.normal_unit && along > Rational(0) && along * along >= cosine * cosine * squared_length(n))
+        return {Grade::bounded, 0};
       if (const Off off_way = off_from(n, way.direction); !least || off_way.most < least->most) least = off_way;
       if (!best || std::pair(verdict.grade, verdict.error) <= std::pair(best->grade, best->error)) best = verdict;
     }
@@ -399,8 +406,10 @@ class ContactJudge {
     return is;
   }
 
-  /// Whether a normal points against no vertex of the cores: n.w >= -8u |w| for all of their differences w.
+  /// Whether a normal points against no vertex of the cores: n.w >= -8u |w| for all of their differences w, n being of
+  /// length 1, or made so where it need not be.
   [[nodiscard]] bool separates(const Vector3& n) const {
+    const Rational room = roundings() * roundings() * (conventions_.normal_unit ? Rational(1) : squared_length(n));
     return std::all_of(exact().meeting().apart.begin(), exact().meeting().apart.end(), [&](const Point& w) {
       Rational along(0);
       Rational length2(0);
@@ -408,7 +417,7 @@ class ContactJudge {
         along += w[axis] * Rational(n[static_cast<Eigen::Index>(axis)]);
         length2 += w[axis] * w[axis];
       }
-      return along >= Rational(0) || along * along <= roundings() * roundings() * length2;
+      return along >= Rational(0) || along * along <= room * length2;
     });
   }
 
@@ -436,7 +445,7 @@ class ContactJudge {
     return error_in_units(length2, Rational(1), ulp(Rational(1), declared_.scalar));
   }
 
-  [[nodiscard]] bool knows_coincident_normal() const { return claim_.normal && is_finite(claimed_n_); }
+  [[nodiscard]] bool knows_coincident_normal() const { return claims_normal() && is_finite(claimed_n_); }
   /// D = 0: the point that goes with the claimed normal.
   [[nodiscard]] Exact coincident_point(int sphere, int axis, PointOn on) const {
     if (!knows_coincident_normal()) return exact().point(sphere, axis, on);  // a centre

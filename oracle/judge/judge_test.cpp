@@ -1100,6 +1100,14 @@ TEST(JudgeBox, every_nearest_face_is_right_and_points_are_those_of_the_face) {
   EXPECT_EQ(level_of(middle, normal_of({0.6, 0.8, 0})), Level::decisions);
   EXPECT_EQ(level_of(middle, normal_of({1, 0x1p-50, 0})), Level::correctly_rounded);  // 8u = 2^-50
   EXPECT_EQ(level_of(middle, normal_of({1, 0x1.1p-46, 0})), Level::decisions);
+  // So much is right of a normal of any length, however narrow its bound is.
+  Declaration any_length = with([](Conventions& c) { c.normal_unit = false; });
+  any_length.bounds.normal = 1;
+  for (const double length : {0x1p-100, 1.0, 0x1p100}) {
+    EXPECT_EQ(level_of(middle, normal_of(length * Vector3(1, 0x1p-50, 0)), any_length), Level::bounded);
+    EXPECT_EQ(level_of(middle, normal_of(length * Vector3(1, 0x1.1p-50, 0)), any_length), Level::decisions);
+    EXPECT_EQ(level_of(middle, normal_of(length * Vector3(0.6, 0.8, 0)), any_length), Level::decisions);
+  }
 }
 
 TEST(JudgeBox, a_face_that_is_one_ulp_farther_is_wrong) {
@@ -1126,6 +1134,18 @@ TEST(JudgeBox, on_a_corner_every_normal_that_separates_is_right) {
   // On a face there is one way out alone.
   EXPECT_EQ(level_of(in_unit_box({1, 0.5, 0.5}), normal_of({-1, 0, 0})), Level::correctly_rounded);
   EXPECT_EQ(level_of(in_unit_box({1, 0.5, 0.5}), normal_of({-0.6, -0.8, 0})), Level::decisions);
+}
+
+TEST(JudgeBox, a_normal_of_any_length_separates_by_its_direction) {
+  const Query corner = in_unit_box({1, 1, 1});
+  const Declaration any_length = with([](Conventions& c) { c.normal_unit = false; });
+  for (const double length : {0x1p-100, 1.0, 0x1p100}) {
+    for (const Vector3& n : {Vector3(-1, 0, 0), Vector3(-0.6, -0.8, 0), Vector3(-1, 0x1p-51, 0)})  // 8u = 2^-50
+      EXPECT_EQ(level_of(corner, normal_of(length * n), any_length), Level::bounded) << length << ": " << n.transpose();
+    for (const Vector3& n : {Vector3(1, 0, 0), Vector3(-0.8, 0.6, 0), Vector3(-1, 0x1p-49, 0)})
+      EXPECT_EQ(level_of(corner, normal_of(length * n), any_length), Level::decisions)
+          << length << ": " << n.transpose();
+  }
 }
 
 TEST(JudgeBox, conventions_of_coincidence_speak_of_the_boundary_and_not_of_the_inside) {

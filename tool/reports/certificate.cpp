@@ -18,6 +18,7 @@
 #include "formats/sha256.hpp"
 #include "golden/dataset.hpp"
 #include "golden/query_id.hpp"
+#include "tool/reports/table.hpp"
 #include "tool/run/parts.hpp"
 
 namespace contact::tool {
@@ -140,12 +141,11 @@ json found_json(const Report& report) {
              {"allow_unsupported", report.allow_unsupported},
              {"certified", report.certified()},
              {"claims", report.engine.declared.claimed().names()},
-             {"not_claimed", report.not_claimed().names()},
+             {"not_claimed", report.aspects_not_claimed().names()},
              {"one_answer", all.one_answer() ? json(*all.one_answer()) : json(nullptr)},
              {"level_but_accepted", name(report.level_but_accepted())},
              {"given", given},
-             {"share_judged", fmt::format("{:.6g} %", 100.0 * static_cast<double>(report.judged()) /
-                                                          static_cast<double>(std::max<std::uint64_t>(given, 1)))},
+             {"share_judged", percent(report.judged(), std::max<std::uint64_t>(given, 1), "{:.6g}")},
              {"total", counts_json(all, report.allow_unsupported)},
              {"families", std::move(families)},
              {"skipped", std::move(skipped)}};

@@ -154,10 +154,20 @@ void Comparison::compare_family(const SavedFamily& old, const SavedFamily& now) 
 }
 
 void Comparison::compare_failures(const SavedReport& older, const SavedReport& newer) {
-  std::map<std::string, const Failure*> before;
-  for (const Failure& f : older.failures) before.emplace(f.id, &f);
-  std::map<std::string, const Failure*> after;
-  for (const Failure& f : newer.failures) after.emplace(f.id, &f);
+  // Of families that both judge: what became of the others is not known. Nor is what became of other fresh questions.
+  const bool same_fresh = older.fresh == newer.fresh;
+  if (!same_fresh && older.fresh_failure_count + newer.fresh_failure_count != 0)
+    notes_.emplace_back("Failures on fresh questions are not compared: the reports asked others.");
+  const auto by_id = [&](const SavedReport& report) {
+    std::map<std::string, const Failure*> found;
+    for (const auto* failures : {&report.failures, &report.fresh_failures})
+      for (const Failure& f : *failures)
+        if ((!f.fresh || same_fresh) && families_.contains(family_title(f.pair, f.family, f.scalar)))
+          found.emplace(f.id, &f);
+    return found;
+  };
+  const std::map<std::string, const Failure*> before = by_id(older);
+  const std::map<std::string, const Failure*> after = by_id(newer);
   for (const auto& [id, f] : before)
     if (!after.contains(id)) gone_.push_back({*f});
   for (const auto& [id, f] : after) {

@@ -150,11 +150,12 @@ int decade_of(const Query& query) {
 
 std::string rounded_up(double x) {
   if (x == 0 || !std::isfinite(x)) return fmt::format("{}", x);
-  std::string text = fmt::format("{:.1e}", x);
-  // The shorter number may be below: the next one of two figures is not.
-  if (std::strtod(text.c_str(), nullptr) < x)
-    text = fmt::format("{:.1e}", x + std::pow(10.0, std::floor(std::log10(x)) - 1) / 2);
-  return text;
+  const std::string text = fmt::format("{:.1e}", x);
+  if (std::strtod(text.c_str(), nullptr) >= x) return text;
+  // The shorter number is below: the next one of two figures is not. It is made of the figures, as a sum with x rounds.
+  const int figures = 10 * (text[0] - '0') + (text[2] - '0') + 1;
+  const int exponent = std::atoi(text.c_str() + text.find('e') + 1) + figures / 100;
+  return fmt::format("{}.{}e{:+03d}", figures == 100 ? 1 : figures / 10, figures % 10, exponent);
 }
 
 std::string tolerance_text(const Tolerance& t) {

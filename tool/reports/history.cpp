@@ -123,12 +123,8 @@ std::string level_cell(const SavedFamily* f, const Change& change) {
                      change.better ? " ▲" : "", change.worse ? " ▼" : "");
 }
 
-/// Some of the questions of a step, of families that both reports judge: what became of the others is not known.
-std::string html_failures(std::string_view title, const Comparison& step, const std::vector<ChangedFailure>& all) {
-  std::vector<ChangedFailure> failures;
-  for (const ChangedFailure& one : all)
-    if (step.families().contains(family_title(one.failure.pair, one.failure.family, one.failure.scalar)))
-      failures.push_back(one);
+/// Some of the questions of a step.
+std::string html_failures(std::string_view title, const std::vector<ChangedFailure>& failures) {
   std::string html;
   for (std::size_t i = 0; i < std::min(failures.size(), kNamedFailures); ++i) {
     const Failure& f = failures[i].failure;
@@ -282,8 +278,8 @@ std::string History::steps_html() const {
     html += html_list(step.notes()) +
             html_details(fmt::format("Judged in one of the two reports alone: {}", step.alone().size()),
                          html_list(step.alone())) +
-            html_failures("Newly failing, or worse than before", step, step.fresh()) +
-            html_failures("Newly right", step, step.gone());
+            html_failures("Newly failing, or worse than before", step.fresh()) +
+            html_failures("Newly right", step.gone());
   }
   return html;
 }

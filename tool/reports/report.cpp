@@ -9,7 +9,9 @@
 #include <span>
 
 #include "golden/dataset.hpp"
+#include "oracle/judge/manifold.hpp"
 #include "oracle/judge/right_claim.hpp"
+#include "tool/reports/table.hpp"
 
 namespace contact::tool {
 namespace {
@@ -22,6 +24,23 @@ std::string count(std::uint64_t n, std::string_view one, std::string_view many) 
 }
 
 std::uint64_t sum(const auto& counts) { return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}); }
+
+/// All that an answer about a pair may say: its decisions, and numbers where a right answer has any.
+Aspects can_be_said(Pair pair, const Conventions& conventions, bool has_numbers) {
+  Aspects all{Aspect::overlap, Aspect::contact};
+  if (!has_numbers) return all;
+  all.add(Aspect::normal);
+  all.add(Aspect::value);
+  if (conventions.points == Points::midpoint) {
+    all.add(Aspect::point);
+  } else if (conventions.points == Points::manifold) {
+    if (oracle::has_manifold(pair)) all.add(Aspect::points);
+  } else {
+    all.add(Aspect::point1);
+    all.add(Aspect::point2);
+  }
+  return all;
+}
 
 }  // namespace
 
@@ -72,14 +91,19 @@ Level FamilyReport::level(bool allow_unsupported) const {
   return with_accepted.level_but_accepted(allow_unsupported);
 }
 
-Level FamilyReport::level_but_accepted(bool allow_unsupported) const {
-  const bool any_number = all_fields().judged() != 0;
+std::optional<Level> FamilyReport::worst_level(bool allow_unsupported) const {
   for (std::size_t i = levels.size(); i-- > 0;) {
     const bool left_out = allow_unsupported && static_cast<Level>(i) == Level::none;
     if (levels[i] != accepted_levels[i] + (left_out ? with(Claim::Status::unsupported) : 0))
-      return std::max(static_cast<Level>(i), any_number ? Level::correctly_rounded : Level::decisions);
+      return static_cast<Level>(i);
   }
-  return Level::none;
+  return std::nullopt;
+}
+
+Level FamilyReport::level_but_accepted(bool allow_unsupported) const {
+  const bool any_number = all_fields().judged() != 0;
+  const std::optional<Level> worst = worst_level(allow_unsupported);
+  return worst ? std::max(*worst, any_number ? Level::correctly_rounded : Level::decisions) : Level::none;
 }
 
 bool FamilyReport::reaches(Level required, bool allow_unsupported) const {
@@ -129,10 +153,13 @@ void FamilyReport::add(const Verdict& verdict, Level level, const std::string& i
   there.wrong += verdict.missed_hit() || verdict.false_hit() ? 1 : 0;
 }
 
+bool FamilyReport::none_beyond_tolerance(bool allow_unsupported) const {
+  return fitness.beyond == accepted + (allow_unsupported ? with(Claim::Status::unsupported) : 0);
+}
+
 bool FamilyReport::within_tolerance(bool allow_unsupported) const {
   const bool no_number = with_numbers != 0 && all_fields().judged() == 0;
-  return fitness.beyond == accepted + (allow_unsupported ? with(Claim::Status::unsupported) : 0) && !no_number &&
-         judged(allow_unsupported) != 0;
+  return none_beyond_tolerance(allow_unsupported) && !no_number && judged(allow_unsupported) != accepted;
 }
 
 void FamilyReport::add_fitness(const Verdict& verdict, const Query& query) {
@@ -141,6 +168,11 @@ void FamilyReport::add_fitness(const Verdict& verdict, const Query& query) {
   if (const double off = verdict.at(oracle::Measure::decision).most;
       verdict.false_hit() && off > farthest_false_hit.off)
     farthest_false_hit = {off, golden::query_line(query, scalar)};
+}
+
+std::uint64_t FamilyReport::could_be_false_hits() const {
+  // Where the conventions of the two decisions differ, the misses of the one are among those of the other.
+  return std::max({decided.misses, decisions[0].misses, decisions[1].misses});
 }
 
 void FamilyReport::accept(Level level) {
@@ -306,9 +338,9 @@ std::uint64_t Report::skipped_cases(bool fresh_ones) const {
 Level Report::level_but_accepted() const {
   const Level published = total().level_but_accepted(allow_unsupported);
   const FamilyReport asked = fresh_total();
-  return asked.judged(allow_unsupported) == asked.accepted
-             ? published
-             : std::max(published, asked.level_but_accepted(allow_unsupported));
+  const std::optional<Level> least = asked.worst_level(allow_unsupported);
+  if (!least) return published;
+  return std::max(published, withholds_numbers(asked) ? asked.level_but_accepted(allow_unsupported) : *least);
 }
 
 bool Report::harness_invalid() const {
@@ -322,18 +354,31 @@ std::string Report::who() const {
   return formats::visible(engine.version.empty() ? engine.name : engine.name + " " + engine.version);
 }
 
-Aspects Report::not_claimed() const {
-  const Conventions& conventions = engine.declared.conventions;
-  Aspects all{Aspect::overlap, Aspect::contact};
-  if (this->all().with_numbers != 0) {
-    all.add(Aspect::normal);
-    all.add(Aspect::value);
-    if (conventions.points != Points::midpoint && conventions.points != Points::manifold) {
-      all.add(Aspect::point1);
-      all.add(Aspect::point2);
+std::map<Aspect, Report::LackingPairs> Report::not_claimed() const {
+  std::map<Pair, bool> judged_pairs;  // and whether one of their right answers has numbers
+  for (const FamilyReport& family : families)
+    if (family.cases != 0) judged_pairs[family.pair] |= family.with_numbers != 0;
+  std::map<Aspect, LackingPairs> found;
+  for (const auto& [pair, has_numbers] : judged_pairs) {
+    const oracle::Declaration declared = engine.declared_for(pair);
+    for (std::size_t i = 0; i < kAspectNames.size(); ++i) {
+      const auto aspect = static_cast<Aspect>(i);
+      if (!can_be_said(pair, declared.conventions, has_numbers).has(aspect)) continue;
+      LackingPairs& of_aspect = found[aspect];
+      if (declared.claimed().has(aspect))
+        of_aspect.all = false;
+      else
+        of_aspect.pairs.push_back(name(pair));
     }
   }
-  return all.without(engine.declared.claimed());
+  std::erase_if(found, [](const auto& entry) { return entry.second.pairs.empty(); });
+  return found;
+}
+
+Aspects Report::aspects_not_claimed() const {
+  Aspects found;
+  for (const auto& [aspect, lacking] : not_claimed()) found.add(aspect);
+  return found;
 }
 
 std::string Report::rests_on() const {
@@ -357,12 +402,15 @@ std::string Report::rests_on() const {
     const double farthest = std::max(all.farthest_false_hit.off, asked.farthest_false_hit.off);
     text += fmt::format(
         " {} of {} called hits{}, the farthest {} from where the answer changes{}.", all.false_hits,
-        count(all.decided.misses, "miss was", "misses were"),
-        asked.cases == 0 ? "" : fmt::format(", and {} of {} fresh ones", asked.false_hits, asked.decided.misses),
+        count(all.could_be_false_hits(), "miss was", "misses were"),
+        asked.cases == 0 ? "" : fmt::format(", and {} of {} fresh ones", asked.false_hits, asked.could_be_false_hits()),
         rounded_up(farthest), within ? fmt::format("; {} was allowed", *within) : "");
   }
-  if (const Aspects left = not_claimed(); !left.empty())
-    text += fmt::format(" Not claimed, so not judged: {}.", fmt::join(left.names(), ", "));
+  std::vector<std::string> left;
+  for (const auto& [aspect, lacking] : not_claimed())
+    left.push_back(fmt::format("{}{}", kAspectNames[static_cast<std::size_t>(aspect)],
+                               lacking.all ? "" : fmt::format(" ({})", fmt::join(lacking.pairs, ", "))));
+  if (!left.empty()) text += fmt::format(" Not claimed, so not judged: {}.", fmt::join(left, ", "));
   if (repeats && repeats->same())
     text += fmt::format(" Asked in {} more ways, it gave the same bits.", repeats->ways.size());
   if (const auto one = all.one_answer())
@@ -375,13 +423,21 @@ bool Report::meets(const FamilyReport& family) const {
   return tolerance() ? family.within_tolerance(allow_unsupported) : family.reaches(required, allow_unsupported);
 }
 
+bool Report::none_fails(const FamilyReport& family) const {
+  if (tolerance()) return family.none_beyond_tolerance(allow_unsupported);
+  return family.worst_level(allow_unsupported).value_or(required) <= required;
+}
+
 bool Report::right() const { return !(repeats && !repeats->same()) && meets(total()) && fresh_right(); }
+
+bool Report::withholds_numbers(const FamilyReport& asked) const {
+  return asked.with_numbers != 0 && asked.all_fields().judged() == 0 && asked.with(Claim::Status::unsupported) != 0;
+}
 
 bool Report::fresh_right() const {
   const FamilyReport asked = fresh_total();
-  // Published questions ask for numbers. Of a few fresh ones a tolerance may allow no contact at all.
-  const bool none_beyond = tolerance() && asked.fitness.beyond == 0;
-  return none_beyond || asked.judged(allow_unsupported) == asked.accepted || meets(asked);
+  if (asked.judged(allow_unsupported) == asked.accepted) return true;
+  return none_fails(asked) && !withholds_numbers(asked);
 }
 
 std::vector<std::string> Report::falls_short() const {
@@ -392,8 +448,8 @@ std::vector<std::string> Report::falls_short() const {
   const std::uint64_t given = all.cases + skipped_cases();
   const std::uint64_t least = std::min(least_judged, given / 2 + given % 2);
   if (judged() < least)
-    found.push_back(fmt::format("{} of {} given are fewer than {}", count(judged(), "judged case", "judged cases"),
-                                given, least_judged));
+    found.push_back(
+        fmt::format("{} of {} given are fewer than {}", count(judged(), "judged case", "judged cases"), given, least));
   if (const auto one = all.one_answer(); one && all.askable.both())
     found.push_back(fmt::format("{} is right in all of them, and the questions have hits and misses",
                                 *one == "the same" ? std::string("one answer") : fmt::format("always {}", *one)));
@@ -459,6 +515,8 @@ std::string Report::demand() const {
 }
 
 std::vector<std::string> Report::reasons(const FamilyReport& all) const {
+  if (all.accepted != 0 && all.judged(allow_unsupported) == all.accepted)
+    return {"no answer is left but failures that the baseline accepts"};
   if (tolerance()) {
     std::vector<std::string> found;
     if (all.fitness.beyond != 0) found.push_back(count(all.fitness.beyond, "answer beyond it", "answers beyond it"));
@@ -500,9 +558,8 @@ std::string Report::sentence() const {
   if (judged() == 0) return fmt::format("NOTHING JUDGED: no case was left for {}.", who());
   const FamilyReport asked = fresh_total();
   const std::uint64_t accepted_here = published.accepted + asked.accepted;
-  const double share = 100.0 * static_cast<double>(judged()) / static_cast<double>(published.cases + skipped_cases());
-  const std::string of =
-      fmt::format("{} ({:.3g} % of those given)", count(judged(), "judged case", "judged cases"), share);
+  const std::string of = fmt::format("{} ({} of those given)", count(judged(), "judged case", "judged cases"),
+                                     percent(judged(), published.cases + skipped_cases(), "{:.3g}"));
   const auto but_for = [&](std::string_view what) {
     return accepted_here == 0 ? std::string() : fmt::format("{}", what);
   };
@@ -544,10 +601,10 @@ std::string Report::sentence() const {
                        rests_on());
   std::vector<std::string> wrong = published_right ? std::vector<std::string>() : reasons(published);
   if (!same.empty()) wrong.push_back(same);
-  const std::string beyond =
-      !accepted ? ""
-                : fmt::format(", {} more than the {} that the baseline accepts",
-                              count(failure_count + unreached - accepted_here, "failure", "failures"), accepted_here);
+  const std::uint64_t more = failure_count + unreached - accepted_here;
+  const std::string beyond = !accepted || more == 0 ? ""
+                                                    : fmt::format(", {} more than the {} that the baseline accepts",
+                                                                  count(more, "failure", "failures"), accepted_here);
   const std::string there =
       !any_fresh      ? ""
       : fresh_right() ? fmt::format("; {} on {}", fresh_judged() == 0 ? "it was judged" : "it is right", fresh_ones())
@@ -722,7 +779,7 @@ std::string json_text(const Report& report, bool with_failures) {
       json_string(report.engine.name), json_string(report.engine.version), name(report.engine.declared.scalar),
       engines::conventions_text(report.engine.declared.conventions), engines::pair_conventions_text(report.engine),
       number(bounds.value), number(bounds.normal), number(bounds.point), names(report.engine.declared.claimed()),
-      engines::rounds_text(report.engine), names(report.not_claimed()), name(report.required),
+      engines::rounds_text(report.engine), names(report.aspects_not_claimed()), name(report.required),
       report.within ? number(*report.within) : "null", report.least_judged,
       report.tolerance() ? engines::tolerance_object(*report.tolerance()) : "null", report.certified(),
       report.right() ? quoted(report.falls_short()) : "", json_string(report.sentence()), diagnosis, causes,

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engines/engine.hpp"
@@ -120,11 +121,15 @@ struct FamilyReport {
   [[nodiscard]] std::uint64_t judged(bool allow_unsupported) const;
   /// The strictest level that all cases reach; `decisions` at best where no number was judged.
   [[nodiscard]] Level level(bool allow_unsupported) const;
+  /// The worst level of the cases that count, the accepted failures aside; nothing where none is left.
+  [[nodiscard]] std::optional<Level> worst_level(bool allow_unsupported) const;
   /// The level of all cases but the accepted failures.
   [[nodiscard]] Level level_but_accepted(bool allow_unsupported) const;
   /// Whether that is enough: of questions that have no numbers no level asks for more than decisions.
   [[nodiscard]] bool reaches(Level required, bool allow_unsupported) const;
   /// Whether the declared tolerance allows every case but the accepted failures.
+  [[nodiscard]] bool none_beyond_tolerance(bool allow_unsupported) const;
+  /// The same, and whether there are such cases, and numbers among them where numbers are asked for.
   [[nodiscard]] bool within_tolerance(bool allow_unsupported) const;
   /// The one answer, "hit" or "miss", that would have been right in every decision judged, or "the same".
   [[nodiscard]] std::optional<std::string_view> one_answer() const;
@@ -133,6 +138,8 @@ struct FamilyReport {
            const std::optional<MarginBin>& margin);
   /// The same answer in the question's own units.
   void add_fitness(const Verdict& verdict, const Query& query);
+  /// Cases whose overlap, or whose contact, is a miss.
+  [[nodiscard]] std::uint64_t could_be_false_hits() const;
   /// A case already added is a failure that the baseline accepts.
   void accept(Level level);
   /// Cases that the run ended before.
@@ -226,6 +233,8 @@ struct Report : Findings {
   [[nodiscard]] Level level_of(const Verdict& verdict) const;
   /// Whether an answer fails.
   [[nodiscard]] bool fails(const Verdict& verdict) const;
+  /// Whether no answer of a family fails, those aside that are accepted or may be unsupported.
+  [[nodiscard]] bool none_fails(const FamilyReport& family) const;
   /// Why answers are wrong; nothing where the tolerance allows them all, so that none is.
   [[nodiscard]] std::vector<std::string> diagnosis() const;
   /// From which tolerance on it would pass, and what stands in the way of everyday numbers, else of all.
@@ -233,9 +242,16 @@ struct Report : Findings {
   [[nodiscard]] std::vector<InTheWay> in_the_way() const;
   /// "bounded", or "within length ...".
   [[nodiscard]] std::string demand() const;
+  /// The judged pairs of which something is not claimed, and whether these are all that an answer could say it of.
+  struct LackingPairs {
+    std::vector<std::string_view> pairs;
+    bool all = true;
+  };
   /// What the engine does not claim, of all that an answer can say: its decisions, and numbers where they are asked
   /// for.
-  [[nodiscard]] Aspects not_claimed() const;
+  [[nodiscard]] std::map<Aspect, LackingPairs> not_claimed() const;
+  /// The same, whatever the pair.
+  [[nodiscard]] Aspects aspects_not_claimed() const;
   /// Whether the engine never gave a well-formed answer that claims something.
   [[nodiscard]] bool harness_invalid() const;
   /// The engine's name and version, fit for a terminal and for XML: no control characters.
@@ -253,6 +269,9 @@ struct Report : Findings {
  private:
   [[nodiscard]] FamilyReport total_of(bool published, bool fresh) const;
   [[nodiscard]] bool fresh_right() const;
+  /// Whether of fresh questions no number was judged, and some were called unsupported that may have asked for one. Of
+  /// a few fresh questions all may be misses, or such as ask for no number.
+  [[nodiscard]] bool withholds_numbers(const FamilyReport& asked) const;
   [[nodiscard]] bool meets(const FamilyReport& family) const;
   [[nodiscard]] std::vector<std::string> reasons(const FamilyReport& family) const;
 };

@@ -11,6 +11,7 @@
 #include "engines/protocol/results.hpp"
 #include "golden/dataset.hpp"
 #include "tool/reports/fitness.hpp"
+#include "tool/reports/table.hpp"
 #include "tool/run/date.hpp"
 
 namespace contact::tool {
@@ -90,11 +91,12 @@ std::string family_title(Pair pair, std::string_view family, Scalar scalar) {
 
 std::string SavedFamily::share_rounded() const {
   if (fields == 0) return "-";
-  return fmt::format("{:.2f} %", 100.0 * static_cast<double>(correctly_rounded) / static_cast<double>(fields));
+  return percent(correctly_rounded, fields, "{:.2f}");
 }
 
 std::string SavedReport::demand() const {
-  return tolerance ? "a tolerance of " + tolerance_text(*tolerance) : std::string(name(required));
+  if (tolerance) return "a tolerance of " + tolerance_text(*tolerance);
+  return fmt::format("{}{}", name(required), within ? fmt::format(" within {}", *within) : "");
 }
 
 SavedReport read_report(const std::filesystem::path& path) {
@@ -130,6 +132,7 @@ SavedReport read_report(const std::filesystem::path& path) {
   saved.total = read_counts("", report.at("total"));
   if (const auto tolerance = report.find("tolerance"); tolerance && !tolerance->is_null())
     saved.tolerance = engines::read_tolerance(*tolerance);
+  if (const auto within = report.find("within"); within && !within->is_null()) saved.within = within->number();
   Failure of_all{};
   read_acceptance(report, of_all);
   for (const Node& other : report.at("failures").items()) failures.push_back(read_failure(other));  // that is no object

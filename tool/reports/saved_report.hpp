@@ -70,6 +70,8 @@ struct SavedAnswers {
 struct AskedFresh {
   std::uint64_t each;
   std::uint64_t seed;
+
+  friend bool operator==(const AskedFresh&, const AskedFresh&) = default;
 };
 
 struct SavedReport {
@@ -84,6 +86,7 @@ struct SavedReport {
   std::vector<SavedAnswers> answers{};
   SavedFamily total{};
   std::optional<Tolerance> tolerance = std::nullopt;  ///< what it was judged by instead of the required level
+  std::optional<double> within = std::nullopt;        ///< how far a false hit might be, where that was said
   std::optional<AskedFresh> fresh = std::nullopt;     ///< where any were asked
   std::vector<Failure> fresh_failures{};              ///< on those
   std::uint64_t fresh_failure_count = 0;

@@ -6,14 +6,27 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace contact::tool {
 
 /// A count in a cell.
 [[nodiscard]] inline std::string or_dot(std::uint64_t n) { return n == 0 ? "." : std::to_string(n); }
+
+/// "99.5 %" of a whole, which is not 0, the number as `form` writes it, as "{:.3g}". Only the whole is 100 %: a part
+/// that would round to it is the largest number below.
+[[nodiscard]] inline std::string percent(std::uint64_t part, std::uint64_t whole, std::string_view form) {
+  const auto written = [&](double share) { return fmt::format(fmt::runtime(form), share); };
+  const auto is_all = [](const std::string& text) { return std::strtod(text.c_str(), nullptr) >= 100; };
+  std::string text = written(100.0 * static_cast<double>(part) / static_cast<double>(whole));
+  if (part < whole && is_all(text))
+    for (double less = 1; !is_all(written(100 - less)); less /= 10) text = written(100 - less);
+  return text + " %";
+}
 
 class Table {
  public:

@@ -107,9 +107,7 @@ std::string terminal_text(const Report& report, bool colour) {
   for (const Field field : oracle::kFields) {
     const FieldCount& c = all.fields[static_cast<std::size_t>(field)];
     if (c.judged() != 0)
-      levels +=
-          fmt::format("  {} {:.4g} %", name(field),
-                      100.0 * static_cast<double>(c.at(Grade::correctly_rounded)) / static_cast<double>(c.judged()));
+      levels += fmt::format("  {} {}", name(field), percent(c.at(Grade::correctly_rounded), c.judged(), "{:.4g}"));
   }
   if (!levels.empty())
     text +=
@@ -145,14 +143,12 @@ std::string scoreboard_text(const std::vector<Report>& reports, bool colour) {
   for (const Report& report : reports) {
     const FamilyReport all = report.total();
     const FieldCount fields = all.all_fields();
-    const double share = fields.judged() == 0 ? 0
-                                              : 100.0 * static_cast<double>(fields.at(Grade::correctly_rounded)) /
-                                                    static_cast<double>(fields.judged());
     const Fit fit = fit_of(all.everyday);
     summary.row({report.engine.name, std::string(report.outcome()),
                  std::string(name(all.level(report.allow_unsupported))), or_dot(all.decided.hits),
                  or_dot(all.decided.misses), or_dot(all.missed_hits), or_dot(all.false_hits), or_dot(all.incomplete),
-                 or_dot(all.not_finite), or_dot(fields.judged()), fmt::format("{:.1f} %", share),
+                 or_dot(all.not_finite), or_dot(fields.judged()),
+                 percent(fields.at(Grade::correctly_rounded), std::max<std::uint64_t>(fields.judged(), 1), "{:.1f}"),
                  or_dot(fields.at(Grade::beyond_bound)), fit.length, fit.angle, or_dot(report.fresh_judged()),
                  or_dot(report.fresh_failures)});
   }

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -23,6 +24,7 @@
 #include "golden/agreement.hpp"
 #include "golden/query_id.hpp"
 #include "golden/right_case.hpp"
+#include "tool/reports/table.hpp"
 #include "tool/run/fresh.hpp"
 #include "tool/run/parts.hpp"
 #include "tool/run/process.hpp"
@@ -151,6 +153,28 @@ TEST(Verdict, BoxesThatAnEngineAlwaysHitsAreConservative) {
   const Report wrong = judged(Pair::cube_cube, [](const Query&, Claim& claim) { claim.overlap = true; });
   EXPECT_EQ(wrong.level_but_accepted(), Level::conservative);
   EXPECT_FALSE(wrong.certified());
+}
+
+TEST(Verdict, AHundredPercentIsAll) {
+  EXPECT_EQ(percent(9'999, 10'000, "{:.3g}"), "99.9 %");
+  EXPECT_EQ(percent(99'999, 100'000, "{:.4g}"), "99.99 %");
+  EXPECT_EQ(percent(99'999, 100'000, "{:.2f}"), "99.99 %");
+  EXPECT_EQ(percent(9'999, 10'000, "{:.1f}"), "99.9 %");
+  EXPECT_EQ(percent(99'949, 100'000, "{:.3g}"), "99.9 %");
+  EXPECT_EQ(percent(100'000, 100'000, "{:.4g}"), "100 %");
+  EXPECT_EQ(percent(2, 3, "{:.4g}"), "66.67 %");
+}
+
+TEST(Verdict, TwoFiguresAreNeverLessThanWhatTheyAreMadeOf) {
+  for (int exponent = -307; exponent < 300; ++exponent)
+    for (int figures = 10; figures < 100; ++figures) {
+      const double exact = std::strtod(fmt::format("{}e{}", figures, exponent - 1).c_str(), nullptr);
+      EXPECT_EQ(rounded_up(exact), fmt::format("{}.{}e{:+03d}", figures / 10, figures % 10, exponent));
+      const double above = std::nextafter(exact, std::numeric_limits<double>::infinity());
+      const double up = std::strtod(rounded_up(above).c_str(), nullptr);
+      EXPECT_GE(up, above) << rounded_up(above);
+      EXPECT_LE(up, 1.11 * exact) << rounded_up(above);
+    }
 }
 
 // Whether it rests on enough.
