@@ -264,7 +264,7 @@ void set_elements(BoxTree& tree, const LargeVector<Keyed>& order, const Parallel
   });
 }
 
-void set_balls(BoxTree& tree, const BallColumns& balls, const ParallelFor& parallel_for) {
+void set_balls(BoxTree& tree, const BallArray& balls, const ParallelFor& parallel_for) {
   tree.balls.resize(blocks(tree.size));
   const auto shape = [&](std::size_t i) { return balls[static_cast<Index>(i)]; };
   set_elements(tree, sorted(tree.size, shape, parallel_for), parallel_for,
@@ -301,12 +301,12 @@ void set_boxes(BoxTree& tree, const CollisionModel& model, const ParallelFor& pa
 
 }  // namespace
 
-BoxTree tree_of(const CollisionModel& model, const BallColumns& balls, const ParallelFor& parallel_for) {
+BoxTree tree_of(const CollisionModel& model, const BallArray* balls, const ParallelFor& parallel_for) {
   BoxTree tree;
   tree.size = static_cast<std::size_t>(model.getSize());
   tree.levels.resize(2);
-  if (balls.radii != nullptr)
-    set_balls(tree, balls, parallel_for);
+  if (balls != nullptr)
+    set_balls(tree, *balls, parallel_for);
   else
     set_boxes(tree, model, parallel_for);
   while (tree.levels.back().size() > 1) {

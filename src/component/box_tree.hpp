@@ -9,6 +9,7 @@
 
 #include "component/large_vector.hpp"
 #include "contact/detect.hpp"
+#include "contact/sphere_model.hpp"
 
 namespace contact::component {
 
@@ -25,17 +26,6 @@ struct alignas(64) BoxBlock {
 struct alignas(64) BallBlock {
   std::array<std::array<double, kTogether>, 3> center;
   std::array<double, kTogether> radius;
-};
-
-/// Where a sphere model's numbers lie: x of every centre, then every y, then every z.
-struct BallColumns {
-  const double* centers = nullptr;
-  const double* radii = nullptr;
-  Index count = 0;
-
-  [[nodiscard]] Ball operator[](Index i) const {
-    return {{centers[i], centers[count + i], centers[2 * count + i]}, radii[i]};
-  }
 };
 
 /// The elements lie in places that follow a curve through space, so that neighbours are near each other; large ones
@@ -56,9 +46,9 @@ struct BoxTree {
   }
 };
 
-/// The tree of a model; where `balls` has any, these are the model's elements.
+/// The tree of a model; where there are `balls`, these are the model's elements.
 /// Throws std::logic_error if the box of an element has a NaN or min > max, of the first such element.
-[[nodiscard]] BoxTree tree_of(const CollisionModel& model, const BallColumns& balls, const ParallelFor& parallel_for);
+[[nodiscard]] BoxTree tree_of(const CollisionModel& model, const BallArray* balls, const ParallelFor& parallel_for);
 
 /// work(begin, end) on parts of 0 .. n - 1, in the default floating-point environment.
 void for_parts(std::size_t n, std::size_t part, const ParallelFor& parallel_for,

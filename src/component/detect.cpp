@@ -26,7 +26,6 @@
 namespace contact::inline CONTACT_ABI {
 namespace {
 
-using component::BallColumns;
 using component::BoxTree;
 using component::Near;
 
@@ -56,21 +55,17 @@ void expect_counted(const ElementIntersector& intersector, const std::vector<std
 
 /// A sphere model's numbers, where its class is one of ours and so has overridden nothing.
 struct Spheres {
-  BallColumns balls;
-  SphereKind kind = SphereKind::deformable;
+  BallArray balls;
+  SphereKind kind;
 };
 template <class Model>
-bool set_spheres(const CollisionModel& model, Spheres& spheres) {
-  if (typeid(model) != typeid(Model)) return false;
-  const auto balls = static_cast<const Model&>(model).balls();
-  spheres = {{balls.centers.data(), balls.radii.data(), balls.radii.size()}, Model::kKind};
-  return true;
+std::optional<Spheres> spheres_of(const CollisionModel& model) {
+  if (typeid(model) != typeid(Model)) return std::nullopt;
+  return Spheres{static_cast<const Model&>(model).balls(), Model::kKind};
 }
 std::optional<Spheres> spheres_of(const CollisionModel& model) {
-  Spheres spheres;
-  if (set_spheres<SphereCollisionModel>(model, spheres) || set_spheres<RigidSphereModel>(model, spheres))
-    return spheres;
-  return std::nullopt;
+  const auto deformable = spheres_of<SphereCollisionModel>(model);
+  return deformable ? deformable : spheres_of<RigidSphereModel>(model);
 }
 
 /// The component that an intersector of spheres belongs to, where that is one of ours.
@@ -176,15 +171,15 @@ class Detection {
       points_ = {point_on(object->points(), (swap_ ? spheres2 : spheres1)->kind),
                  point_on(object->points(), (swap_ ? spheres1 : spheres2)->kind)};
     }
-    tree2_ = component::tree_of(model2_, spheres_ ? spheres2->balls : BallColumns{}, parallel_for_);
-    if (!self()) tree1_ = component::tree_of(model1_, spheres_ ? spheres1->balls : BallColumns{}, parallel_for_);
+    tree2_ = component::tree_of(model2_, spheres_ ? &spheres2->balls : nullptr, parallel_for_);
+    if (!self()) tree1_ = component::tree_of(model1_, spheres_ ? &spheres1->balls : nullptr, parallel_for_);
     if (!spheres_) return;
     pack(spheres2->balls, packed2_);
     if (!self()) pack(spheres1->balls, packed1_);
   }
 
-  void pack(const BallColumns& balls, component::LargeVector<Packed>& packed) const {
-    packed.resize(static_cast<std::size_t>(balls.count));
+  void pack(const BallArray& balls, component::LargeVector<Packed>& packed) const {
+    packed.resize(static_cast<std::size_t>(balls.radii.size()));
     component::for_parts(packed.size(), 1 << 14, parallel_for_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const Ball ball = balls[static_cast<Index>(i)];

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <exception>
@@ -95,11 +94,7 @@ std::vector<Scene> scenes(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto unit = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53); };
   const auto signed_unit = [&] { return 2 * unit() - 1; };
-  const auto finite = [&] {
-    const auto bits = random();
-    const auto x = std::bit_cast<double>(bits);
-    return std::isfinite(x) ? x : std::bit_cast<double>(bits & ~(std::uint64_t{1} << 62));
-  };
+  const auto finite = [&] { return finite_of(random()); };
   const auto integer = [&](int limit) {
     return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * limit + 1)) - limit);
   };

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -294,11 +293,7 @@ std::vector<Ball> balls_of_every_size() {
   for (const double c : lengths)
     for (const double r : lengths) balls.push_back({{c, -c, std::nextafter(c, 0)}, r});
   std::mt19937_64 random(5);
-  const auto finite = [&] {
-    const auto bits = random();
-    const auto x = std::bit_cast<double>(bits);
-    return std::isfinite(x) ? x : std::bit_cast<double>(bits & ~(std::uint64_t{1} << 62));
-  };
+  const auto finite = [&] { return finite_of(random()); };
   for (int i = 0; i < 300; ++i) {
     const double c = finite();
     // a radius of the centre's size, where every rounding bites

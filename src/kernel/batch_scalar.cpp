@@ -3,6 +3,7 @@
 
 #include "contact/pair_functions.hpp"
 #include "kernel/batch.hpp"
+#include "kernel/batch_pairs.hpp"
 #include "kernel/sphere_sphere_numbers.hpp"
 
 namespace contact::kernel {
@@ -11,27 +12,16 @@ void round_numbers(const SpherePairs& pairs, const ContactQuestion& question, st
                    const ContactRows& out) {
   Contact contact{};
   round_numbers(pairs.first(i), pairs.second(i), question.distances.contact, question.points, numbers, contact);
-  for (std::size_t k = 0; k < ContactRows::kNumbers; ++k) {
-    if ((numbers >> k & 1) == 0) continue;
-    const auto axis = static_cast<Eigen::Index>(k % 3);
-    out.number[k][i] = k < 3   ? contact.normal[axis]
-                       : k < 6 ? contact.point1[axis]
-                       : k < 9 ? contact.point2[axis]
-                               : contact.value;
-  }
+  for (std::size_t k = 0; k < ContactRows::kNumbers; ++k)
+    if ((numbers >> k & 1) != 0) out.number[k][i] = batch::number_of(contact, k);
 }
 
 template <class A, class B>
 void contact_of_one_pair(const PairColumns<A, B>& pairs, const ContactQuestion& question, std::size_t i,
                          const ContactRows& out, std::size_t row) {
-  const auto contact = contact_of(Two<A, B>{pairs.first(i), pairs.second(i)}, question.distances, question.points);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto k = static_cast<Eigen::Index>(axis);
-    out.number[axis][row] = contact ? contact->normal[k] : 0.0;
-    out.number[3 + axis][row] = contact ? contact->point1[k] : 0.0;
-    out.number[6 + axis][row] = contact ? contact->point2[k] : 0.0;
-  }
-  out.number[9][row] = contact ? contact->value : 0.0;
+  auto contact = contact_of(Two<A, B>{pairs.first(i), pairs.second(i)}, question.distances, question.points);
+  for (std::size_t k = 0; k < ContactRows::kNumbers; ++k)
+    out.number[k][row] = contact ? batch::number_of(*contact, k) : 0.0;
   out.state[row] = contact ? batch::state_of(*contact) : batch::PairState::miss;
 }
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstdint>
@@ -149,18 +148,13 @@ std::vector<Question> hostile_questions(std::uint64_t seed, int count) {
     q.alarm = std::abs(number());
     return q;
   };
-  const auto finite = [&](std::uint64_t mask) {
-    const std::uint64_t bits = random() & mask;
-    const auto x = std::bit_cast<double>(bits);
-    return std::isfinite(x) ? x : std::bit_cast<double>(bits & ~(std::uint64_t{1} << 62));
-  };
   std::vector<Question> questions;
   for (int i = 0; i < count; ++i) {
     Question q;
     if (i % 4 == 0) {
-      q = fill([&] { return finite(~std::uint64_t{0}); });
+      q = fill([&] { return finite_of(random()); });
     } else if (i % 4 == 1) {
-      q = fill([&] { return finite(0x800fffffffffffffU); });
+      q = fill([&] { return finite_of(random() & 0x800fffffffffffffU); });
     } else {
       const int exponent = static_cast<int>(random() % 2040) - 1060;
       q = fill([&] { return std::ldexp(static_cast<double>(random() % 13) - 6, exponent); });

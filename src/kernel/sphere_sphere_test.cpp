@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <cstdint>
@@ -303,11 +302,11 @@ class Hostile {
   Question operator()() {
     switch (random_() % 5) {
       case 0:
-        return fill([this] { return finite(random_()); });
+        return fill([this] { return finite_of(random_()); });
       case 3:
         return fill([this] { return std::ldexp(integer(1 << 30) * 0x1p20 + integer(1 << 20), -50); });
       case 1:
-        return fill([this] { return finite(random_() & 0x800fffffffffffffU); });
+        return fill([this] { return finite_of(random_() & 0x800fffffffffffffU); });
       case 2: {
         const int exponent = static_cast<int>(random_() % 2040) - 1060;
         return fill([this, exponent] { return std::ldexp(integer(9), exponent); });
@@ -331,10 +330,6 @@ class Hostile {
   }
 
  private:
-  static double finite(std::uint64_t bits) {
-    const auto x = std::bit_cast<double>(bits);
-    return std::isfinite(x) ? x : std::bit_cast<double>(bits & ~(std::uint64_t{1} << 62));
-  }
   double integer(std::int64_t limit) {
     return static_cast<double>(static_cast<std::int64_t>(random_() % static_cast<std::uint64_t>(2 * limit + 1)) -
                                limit);
