@@ -96,7 +96,8 @@ std::string beside(const formats::Node& found) {
   const formats::Node fresh = found.at("fresh");
   if (fresh.is_null()) return "";
   if (fresh.at("each").count() == 0) return ", published questions alone";
-  return fmt::format(", and {} fresh ones", fresh.at("total").at("judged").count());
+  const std::uint64_t judged = fresh.at("total").at("judged").count();
+  return fmt::format(", and {} fresh {}", judged, judged == 1 ? "one" : "ones");
 }
 
 void put_text(pugi::xml_node group, const std::string& text, int x) {

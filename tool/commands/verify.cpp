@@ -368,7 +368,8 @@ int verify(const VerifyOptions& options) {
   const std::size_t sources = published_of(certificate.sources()).size();
   const std::uint64_t fresh = report->fresh_total().cases;
   say("checked: the certificate itself; the questions of {} {}{} and {} recorded answers, judged again", sources,
-      sources == 1 ? "source" : "sources", fresh == 0 ? "" : fmt::format(", {} fresh ones", fresh),
+      sources == 1 ? "source" : "sources",
+      fresh == 0 ? "" : fmt::format(", {} fresh {}", fresh, fresh == 1 ? "one" : "ones"),
       certificate.node().at("answers").at("count").count());
   if (certificate.engine_files() != 0) say("; {} of the engine's files", certificate.engine_files());
   say("\n\nHOLDS: every statement of {} is true:\n  {}\n", options.certificate, report->sentence());
