@@ -1213,7 +1213,8 @@ class Claims(Case):
                 for length in 1, 2.0**-60, 2.0**60:
                     turned = lambda contact: {"normal": [side * length * float(x) for x in contact["normal"]], "value": contact["value"]}
                     made = [{**a, "contact": turned(a["contact"])} if a.get("contact") else a for a in answers]
-                    run("certify", self.file("n.jsonl", lines), "--results", self.file("r.jsonl", made), "--json", self.folder / "out.json")
+                    judged = self.holds if side == 1 else self.refuted
+                    judged("certify", self.file("n.jsonl", lines), "--results", self.file("r.jsonl", made), "--json", self.folder / "out.json")
                     failures.setdefault(side, []).append([f["id"] for f in self.report()["failures"]])
             self.assertEqual(failures[1], [[]] * 3, pair)
             self.assertEqual(failures[-1], [failures[-1][0]] * 3, pair)
