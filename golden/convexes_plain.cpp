@@ -68,8 +68,9 @@ struct Mesh {
       return x;
     });
   }
-  /// Three vertices make a face where no other lies beyond them, or by no more than rounding does. Where more than kMostOnFace lie there, the face is the polygon of
-  /// all: of 64 vertices in a plane there are 41664 threes, and 4 million pairs of edges.
+  /// Three vertices make a face where no other lies beyond them, or by no more than rounding does. Where more than
+  /// kMostOnFace lie there, the face is the polygon of all: of 64 vertices in a plane there are 41664 threes, and 4
+  /// million pairs of edges.
   template <HullOfVertices Shape>
   void add(const Shape& hull) {
     for (const Vector3& v : hull.vertices)
@@ -139,6 +140,7 @@ struct Mesh {
 
  private:
   using VertexSet = std::bitset<kMostVertices>;
+  // Up to so many the threes are 560 at most, and the face of each three is what small engines have.
   static constexpr std::size_t kMostOnFace = 16;
 
   /// The vertices that lie on the face of three, or nothing where these make none.

@@ -492,7 +492,8 @@ TEST(Families, TouchingBoxesMeetInFacesEdgesAndCornersOnEverySide) {
 }
 
 TEST(Plain, AFaceWithManyVerticesIsOnePolygon) {
-  // The corners (k, k^2, 0), all of them on a parabola, and a ball above the inside, above the middle of the last edge and above a corner.
+  // The corners (k, k^2, 0), all of them on a parabola, and a ball above the inside, above the middle of the last edge
+  // and above a corner.
   Hull flat{{}, 0};
   for (int k = 0; k < 64; ++k) flat.vertices.push_back(Vector3(k, k * k, 0));
   for (const Vector3& above : {Vector3(30, 1500, 5), Vector3(31.5, 1984.5, 5), Vector3(7, 49, 5)}) {

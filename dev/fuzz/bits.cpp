@@ -11,6 +11,7 @@
 
 #include "contact/pair_functions.hpp"
 #include "environment/floating_point_environments.hpp"
+#include "extreme_numbers.hpp"
 #include "fuzz/fuzz.hpp"
 #include "golden/agreement.hpp"
 #include "golden/dataset.hpp"
@@ -33,10 +34,7 @@ class Numbers {
     return value;
   }
   /// What is not finite becomes a finite number of the same sign and fraction.
-  [[nodiscard]] double any() {
-    const double x = std::bit_cast<double>(bits());
-    return std::isfinite(x) ? x : std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & ~(std::uint64_t{1} << 62));
-  }
+  [[nodiscard]] double any() { return finite_of(bits()); }
   [[nodiscard]] double length() { return std::abs(any()); }
   template <class Shape>
   void fill(Shape& shape) {

@@ -397,8 +397,9 @@ class ContactJudge {
     return conventions_.normal_unit && rounded_ != nullptr && claimed_n_ == rounded_->normal;
   }
 
-  /// D = 0: whether a point that goes with the reference's normal is the reference's own, rounded once. That of the normal after it was rounded may be far off: a
-  /// component too small for the scalar counts when it is times a large radius.
+  /// D = 0: whether a point that goes with the reference's normal is the reference's own, rounded once. That of the
+  /// normal after it was rounded may be far off: a component too small for the scalar counts when it is times a large
+  /// radius.
   [[nodiscard]] bool is_references(const Vector3& claimed, const auto& point) const {
     if (!degenerate_ || !is_reference()) return false;
     bool is = true;

@@ -51,8 +51,8 @@ class Environment {
   std::fenv_t before_;
 };
 
-/// Asks the callable, in its caller's floating-point environment, and keeps what it answered to the questions that it was
-/// asked ahead of time.
+/// Asks the callable, in its caller's floating-point environment, and keeps what it answered to the questions that it
+/// was asked ahead of time.
 class CallableEngine final : public engines::Engine {
  public:
   CallableEngine(py::function ask, const std::fenv_t& environment, std::string header, EngineInfo info)
